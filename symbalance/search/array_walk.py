@@ -94,7 +94,6 @@ def _grown(tables: Tables, block: _Block, counters: Array) -> _Block:
         np.concatenate([part.partial for part in parts]),
     )
     counters[NODES] += len(grown)
-    grown = grown.rows(_first_of_class(tables, grown)[0])
     keep = np.ones(len(grown), bool)
     depth = grown.depth
     for group, owner in zip(tables.groups, tables.owners, strict=True):
@@ -107,7 +106,8 @@ def _grown(tables: Tables, block: _Block, counters: Array) -> _Block:
         cut = keep & (least > tables.limits[owner] + doubt)
         counters[FIRST_CUT + owner] += cut.sum()
         keep &= ~cut
-    return grown.rows(keep)
+    grown = grown.rows(keep)
+    return grown.rows(_first_of_class(tables, grown)[0])
 
 
 def _first_of_class(tables: Tables, block: _Block) -> tuple[Array, Array]:

@@ -163,8 +163,7 @@ class _Merged:
         for entry in data["points"]:
             members: list[Member] = [(tuple(rays), tuple(fires)) for rays, fires in entry["members"]]
             self.patterns |= dict.fromkeys(members, part.pattern)
-            floats, exactly = self.judges[part.pattern].values_of(members[0])
-            point = self.front.point(floats, exactly)
+            point = self.front.point(*self.judges[part.pattern].values_of(members[0]))
             if point is not None:
                 point.counts += Counts(*entry["counts"])
                 self.front.add_members(point, members)

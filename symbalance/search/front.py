@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cache
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -42,6 +43,8 @@ class FrontPoint:
     """
 
     floats: tuple[float, ...]
+    marks: tuple[bytes, ...]
+    """The integers that each value was worked out from: equal ones need no comparison."""
     exactly: Callable[[int], Magnitude]
     counts: Counts = field(default_factory=Counts)
     members: list[Member] = field(default_factory=list)
@@ -61,9 +64,14 @@ class Front:
         self.changes = 0
         self.exact_comparisons = 0
 
-    def point(self, floats: tuple[float, ...], exactly: Callable[[int], Magnitude]) -> FrontPoint | None:
+    def point(
+        self,
+        floats: tuple[float, ...],
+        marks: tuple[bytes, ...],
+        exactly: Callable[[int], Magnitude],
+    ) -> FrontPoint | None:
         """Return the point of these values, put into the front if need be; None if another beats them."""
-        added = FrontPoint(floats, exactly)
+        added = FrontPoint(floats, marks, exactly)
         beaten = []
         for point in self.points:
             signs = [self._compare(point, added, i) for i in range(len(floats))]
@@ -82,7 +90,7 @@ class Front:
         first, second = left.floats[place], right.floats[place]
         if abs(first - second) > self.margin:
             return 1 if first > second else -1
-        if first == second == 0.0:
+        if first == second == 0.0 or left.marks[place] == right.marks[place]:
             return 0
         self.exact_comparisons += 1
         return compare(left.exactly(place), right.exactly(place))
@@ -148,8 +156,10 @@ class Judge:
         margins = np.full((len(rows), 1), self.margin)
         return np.concatenate([rows, margins], axis=1) if len(rows) else np.zeros((1, 1)), len(rows)
 
-    def values_of(self, member: Member) -> tuple[tuple[float, ...], Callable[[int], Magnitude]]:
-        """Return the values of one star, in floats and, on demand, exactly."""
+    def values_of(
+        self, member: Member
+    ) -> tuple[tuple[float, ...], tuple[bytes, ...], Callable[[int], Magnitude]]:
+        """Return the values of one star: in floats, the integers they are of, and, on demand, exactly."""
         keys, sizes, parts = self._star_keys(np.array([member[0]]))
         if self._firing:
             more, more_sizes, more_parts = self._firing_keys(np.array([[member[1]]]))
@@ -157,7 +167,8 @@ class Judge:
             keys = np.concatenate([keys, more.reshape(1, -1)], 1)
             sizes = np.concatenate([sizes, more_sizes.reshape(1, -1)], 1)
         columns = [self._names.index(name) for name in self.minimized]
-        return tuple(sizes[0, columns].tolist()), self._exactly(keys[0], parts)
+        marks = self._marks(keys[0], parts)
+        return tuple(sizes[0, columns].tolist()), marks, self._exactly(keys[0], parts)
 
     def is_list_full(self) -> bool:
         """Whether all that is left to do is to count."""
@@ -204,7 +215,7 @@ class Judge:
                         rows = np.sort(order[bounds[u] : bounds[u + 1]])
                         self._enter(point, stars, weights, moments, rows, count)
         elif rows_met.any():
-            point = self.front.point((), _no_value)
+            point = self.front.point((), (), _no_value)
             assert point is not None
             self._enter(point, stars, weights, moments, np.flatnonzero(rows_met), count)
         by_star = rows_met.reshape(len(stars), count)
@@ -260,7 +271,16 @@ class Judge:
     def _placed(self, key: Array, sizes: Array, parts: dict[str, int]) -> FrontPoint | None:
         """Return the point of a key's values, which are worked out exactly if floats do not decide."""
 
-        return self.front.point(tuple(sizes.tolist()), self._exactly(key, parts))
+        marks = self._marks(key, parts)
+        return self.front.point(tuple(sizes.tolist()), marks, self._exactly(key, parts))
+
+    def _marks(self, key: Array, parts: dict[str, int]) -> tuple[bytes, ...]:
+        """Return the integers of each value to be minimized, as bytes."""
+        starts = sorted({*parts.values(), len(key)})
+        ends = dict(pairwise(starts))
+        return tuple(
+            b"" if parts[n] not in ends else key[parts[n] : ends[parts[n]]].tobytes() for n in self.minimized
+        )
 
     def _exactly(self, key: Array, parts: dict[str, int]) -> Callable[[int], Magnitude]:
         """Return the exact values of a key, each worked out when it is first wanted."""

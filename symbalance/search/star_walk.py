@@ -9,6 +9,7 @@ caller takes the stars from a buffer and calls again, and the memory is the same
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import cache
 from typing import Any
@@ -18,14 +19,16 @@ NODES, LEAVES, CRANKS, STARS, CLASSES, FIRST_CUT = 0, 1, 2, 3, 4, 5
 """Places among the counters; from the last on, one for each objective: the branches that it cut."""
 
 
-def walk_stars(
+def walk_stars(  # noqa: PLR0912, PLR0915 - one loop, as Numba compiles it best
     rays: int,
     order: Any,
     takes: Any,
     plain: bool,
+    allowed: Any,
     floats: Any,
     integers: Any,
     rest: Any,
+    reach: Any,
     slack: Any,
     groups: Any,
     owners: Any,
@@ -49,6 +52,7 @@ def walk_stars(
     partial: Any,
     tied: Any,
     values: Any,
+    sizes: Any,
     is_zero: Any,
     buffer: Any,
     weights: Any,
@@ -57,6 +61,7 @@ def walk_stars(
 ) -> int:
     """Go on with a walk until it ends, the buffer is full, or so many nodes are passed.
 
+    `reach` holds, for a group of one sum, the square beyond which nothing brings it back, by depth.
     `state` holds the depth and the rows in the buffer. Stars that meet every condition for certain and
     are worse, for certain, than some point of the front are counted and no more; of the others the
     buffer gets the rays, and `weights` the cranks and stars of the class and whether a condition is in
@@ -67,20 +72,24 @@ def walk_stars(
     depth, rows = state[0], state[1]
     until = counters[NODES] + most_nodes
     worst = state[2]
+    free = 0  # the ticks that can be taken, as bits
+    for t in range(len(capacity)):
+        if capacity[t] > 0:
+            free |= 1 << t
     while depth >= base:
         pin = order[depth]
         ray = current[depth]
         if ray >= 0:  # take the pin off the ray where it stands
             for c in range(cylinders):
-                capacity[takes[pin, ray, c]] += 1
+                tick = takes[pin, ray, c]
+                capacity[tick] += 1
+                free |= 1 << tick
             placed[pin] = 0
         else:
-            mask = 0
             if plain:
-                for s in range(rays):
-                    if capacity[s] > 0 and takes[pin, s, 0] >= 0:
-                        mask |= 1 << s
+                mask = free & allowed[pin]
             else:
+                mask = 0
                 for s in range(rays):
                     if takes[pin, s, 0] < 0:
                         continue
@@ -114,9 +123,36 @@ def walk_stars(
             return PAUSED
         current[depth] = ray
         for c in range(cylinders):
-            capacity[takes[pin, ray, c]] -= 1
+            tick = takes[pin, ray, c]
+            capacity[tick] -= 1
+            if capacity[tick] == 0:
+                free &= ~(1 << tick)
         star[pin], placed[pin] = ray, 1
         counters[NODES] += 1
+
+        for f in range(forms):
+            partial[depth + 1, f] = partial[depth, f] + floats[f, pin, ray]
+        cut = False
+        for k in range(len(owners)):
+            o = owners[k]
+            if asked[o] != 0:
+                number = partial[depth + 1, groups[k, 0]]
+                square = number.real * number.real + number.imag * number.imag
+                f = groups[k, 1]
+                if f < 0:
+                    cut = square > reach[k, depth + 1]
+                else:
+                    least = math.sqrt(square) - rest[groups[k, 0], depth + 1]
+                    number = partial[depth + 1, f]
+                    square = number.real * number.real + number.imag * number.imag
+                    other = math.sqrt(square) - rest[f, depth + 1]
+                    doubt = slack[groups[k, 0]] + slack[f]
+                    cut = max(least, 0.0) + max(other, 0.0) > limits[o] + doubt
+                if cut:
+                    counters[FIRST_CUT + o] += 1
+                    break
+        if cut:
+            continue
 
         # An image that comes before the star: its class is walked elsewhere.
         first_of_class = True
@@ -143,28 +179,6 @@ def walk_stars(
         if not first_of_class:
             continue
 
-        for f in range(forms):
-            partial[depth + 1, f] = partial[depth, f] + floats[f, pin, ray]
-        cut = False
-        for k in range(len(owners)):
-            o = owners[k]
-            if asked[o] != 0:
-                f = groups[k, 0]
-                least = abs(partial[depth + 1, f]) - rest[f, depth + 1]
-                doubt = slack[f]
-                least = max(least, 0.0)
-                f = groups[k, 1]
-                if f >= 0:
-                    other = abs(partial[depth + 1, f]) - rest[f, depth + 1]
-                    doubt += slack[f]
-                    if other > 0.0:
-                        least += other
-                if least > limits[o] + doubt:
-                    counters[FIRST_CUT + o] += 1
-                    cut = True
-                    break
-        if cut:
-            continue
         if depth < pins - 1:
             depth += 1
             current[depth] = -1
@@ -174,7 +188,9 @@ def walk_stars(
         # A complete star: which of its sums are zero is decided in integers.
         for f in range(forms):
             is_zero[f] = False
-            if abs(partial[pins, f]) <= slack[f]:
+            number = partial[pins, f]
+            sizes[f] = math.sqrt(number.real * number.real + number.imag * number.imag)
+            if sizes[f] <= slack[f]:
                 is_zero[f] = True
                 for i in range(integers.shape[3]):
                     total = 0
@@ -189,11 +205,11 @@ def walk_stars(
         for k in range(len(owners)):
             o = owners[k]
             f = groups[k, 0]
-            value = 0.0 if is_zero[f] else abs(partial[pins, f])
+            value = 0.0 if is_zero[f] else sizes[f]
             zero, doubt = is_zero[f], slack[f]
             f = groups[k, 1]
             if f >= 0:
-                value += 0.0 if is_zero[f] else abs(partial[pins, f])
+                value += 0.0 if is_zero[f] else sizes[f]
                 zero, doubt = zero and is_zero[f], doubt + slack[f]
             if not zero and value <= 0.0:
                 value = doubt  # not zero, whatever the float says

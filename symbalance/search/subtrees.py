@@ -265,7 +265,9 @@ def _compiled_blocks(
     current, candidates = np.full(pins, -1, np.int64), np.zeros(pins, np.int64)
     partial = np.zeros((pins + 1, tables.forms), np.complex128)
     tied = np.zeros((pins + 1, symmetries), np.int64)
-    values, is_zero = np.zeros(len(tables.asked)), np.zeros(tables.forms, np.bool_)
+    values = np.zeros(len(tables.asked))
+    sizes, is_zero = np.zeros(tables.forms), np.zeros(tables.forms, np.bool_)
+    allowed = np.array([sum(1 << s for s in np.flatnonzero(row >= 0).tolist()) for row in takes[:, :, 0]])
     size = FIRST_BUFFER
     status = BUFFER_FULL
     while status != FINISHED:
@@ -277,9 +279,11 @@ def _compiled_blocks(
             tables.order,
             takes,
             plain,
+            allowed,
             tables.floats,
             tables.integers,
             tables.rest,
+            tables.reach,
             tables.slack,
             tables.groups,
             tables.owners,
@@ -303,6 +307,7 @@ def _compiled_blocks(
             partial,
             tied,
             values,
+            sizes,
             is_zero,
             buffer,
             weights,

@@ -47,6 +47,8 @@ class Tables:
     units: tuple[Fraction, ...]
     rest: Array
     """[form, depth]: the sum of the weights of the pins that are placed from that depth on."""
+    reach: Array
+    """[group, depth]: the square of a sum beyond which its limit is passed, whatever the rest."""
     slack: Array
     """[form]: how far a float may be off, at the most."""
     groups: Array
@@ -113,6 +115,9 @@ def build_tables(
         if place is not None:
             asked[place] = EXACTLY if condition.exactly else AT_MOST
             limits[place] = float(condition.limit)
+    slack = SLACK * np.maximum(1.0, sizes.sum(1))
+    firsts = groups[:, 0] if len(groups) else np.zeros(0, np.int64)
+    reach = ((limits[owners] + slack[firsts])[:, None] + rest[firsts]) ** 2
     return Tables(
         ring,
         pins,
@@ -124,7 +129,8 @@ def build_tables(
         integers,
         tuple(units),
         rest,
-        SLACK * np.maximum(1.0, sizes.sum(1)),
+        reach,
+        slack,
         groups,
         owners,
         asked,
