@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from concurrent.futures import Executor
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -33,6 +34,8 @@ from symbalance.text.numbers import checked_whole
 SHOWN = ("couple.1", "couple.2")
 """What is said of every star, besides what was asked for."""
 MOST_LISTED = 100_000
+NOT_COMPILED = 20_000
+"""Cranks up to which a question is walked in NumPy."""
 MOST_OBJECTIVES = 12
 
 
@@ -49,7 +52,7 @@ def search_cranks(
     executor: Executor | None = None,
     store: Store | str | Path | None = None,
     progress: Progress | None = None,
-    compiled: bool = True,
+    compiled: bool | None = None,
     **question: Any,
 ) -> CrankSearch:
     """Return the best of all cranks of so many cylinders, with all their firing orders.
@@ -60,7 +63,8 @@ def search_cranks(
     "counterweights", or ("balance-shafts", 1): what these would balance counts no more. `modes` are mode
     shapes for torsion. Of the classes that attain a point the first `listed` are named; all are counted.
     `workers`, `executor`, `store` and `progress` as in `run_jobs`: the answer does not depend on them.
-    Without Numba, or `compiled`, the same walk runs in NumPy, some twenty times slower.
+    Without Numba, or where `compiled` is False, the same walk runs in NumPy, some twenty times slower;
+    by itself it does for small questions, which take less time than to load Numba.
 
     >>> result = search_cranks(5, minimize=["couple.1"])
     >>> result.searched.cranks, result.searched.stars, result.searched.classes
@@ -89,9 +93,11 @@ def search_cranks(
         wanted,
         preserved_symmetries(problem, objectives),
         checked_whole(listed, "listed", 1, MOST_LISTED, "classes named of each point"),
-        compiled,
     )
     searched = count_all(problem, spec.symmetries)
+    if compiled is None:
+        compiled = searched.cranks > NOT_COMPILED
+    spec = replace(spec, compiled=compiled)
     jobs = [
         Job(
             part.name,
@@ -172,7 +178,7 @@ class _Merged:
 def _points(spec: SearchSpec, merged: _Merged, shown: list[Objective]) -> tuple[SearchPoint, ...]:
     """Return the points of the front, smallest values first, with what is shown of their stars."""
     points = []
-    for point in sorted(merged.front.points, key=lambda p: p.floats):
+    for point in merged.front.ordered():
         stars = tuple(
             _star(spec.problem, merged.judges[merged.patterns[member]].variants, member, shown)
             for member in point.members

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cache
+from functools import cache, cmp_to_key
 from itertools import pairwise
 from typing import Any
 
@@ -85,6 +85,15 @@ class Front:
         self.points = [point for point in self.points if point not in beaten] + [added]
         self.changes += 1
         return added
+
+    def ordered(self) -> list[FrontPoint]:
+        """Return the points, by their first value, those that are equal in it by the next."""
+
+        def order(left: FrontPoint, right: FrontPoint) -> int:
+            signs = (self._compare(left, right, i) for i in range(len(left.floats)))
+            return next((sign for sign in signs if sign), 0)
+
+        return sorted(self.points, key=cmp_to_key(order))
 
     def _compare(self, left: FrontPoint, right: FrontPoint, place: int) -> int:
         first, second = left.floats[place], right.floats[place]
