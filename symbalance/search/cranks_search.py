@@ -27,7 +27,7 @@ from symbalance.search.objectives import (
 )
 from symbalance.search.problem import SearchProblem, search_problem
 from symbalance.search.search_result import CrankSearch, SearchPoint, SearchStar
-from symbalance.search.subtrees import Part, SearchSpec, Tally, parts_of, search_part
+from symbalance.search.subtrees import SearchPart, SearchSpec, Tally, parts_of, search_part
 from symbalance.search.tables import preserved_symmetries
 from symbalance.text.numbers import checked_whole
 
@@ -161,7 +161,7 @@ class _Merged:
         self.front = Front(spec.listed, spec.problem.order, self.judges[0].margin)
         self.patterns: dict[Member, int] = {}
 
-    def add(self, part: Part, data: dict[str, Any]) -> None:
+    def add(self, part: SearchPart, data: dict[str, Any]) -> None:
         """Add what a part came to."""
         self.found += Counts(*data["found"])
         self.firings += data["firings"]

@@ -41,7 +41,9 @@ def search_document(result: CrankSearch) -> Document:
         drawing = front_drawing(result)
         if drawing is not None:
             caption = f"The front: {result.minimized[1]} against {result.minimized[0]}"
-            blocks.append(Figure("front.svg", drawing_svg(drawing), caption, drawing.shows))
+            # A file of its own, whose names are the same each time, within a page.
+            picture = drawing_svg(drawing, standalone=True).partition("?>\n")[2]
+            blocks.append(Figure("front.svg", picture, caption, drawing.shows))
     else:
         blocks.append(Paragraph(f"None of {result.searched.stars:,} stars meets this: proved."))
     blocks.append(_walk(result))
@@ -111,7 +113,7 @@ def _walk(result: CrankSearch) -> Details:
     ]
     for name, cut in zip(result.bounds, tally.cuts, strict=True):
         if cut:
-            rows.append((f"cut by {name}", f"{cut:,} branches: whatever the rest, its limit is passed"))
+            rows.append((f"cut by {name}", f"{cut:,} branch{'es' if cut > 1 else ''}: whatever the rest, its limit is passed"))
     rows.append(
         (
             "proof",

@@ -164,12 +164,14 @@ class CrankSearch(SequenceResult[SearchStar]):
 
     def records(self) -> list[dict[str, Any]]:
         """Return a row for each star that is named."""
+        kinds = [name.partition(".")[0] for name in self.quantities]
+        names = sorted(self.quantities, key=lambda name: kinds.index(name.partition(".")[0]))
         return [
             {
                 "point": place,
                 "firing_order": star.as_text(),
                 "throws_degrees": " ".join(map(str, star.throws)),
-                **{name: float(value.near) for name, value in star.values.items()},
+                **{name: float(star.values[name].near) for name in names if name in star.values},
             }
             for place, point in enumerate(self.points, 1)
             for star in point.stars

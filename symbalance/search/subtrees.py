@@ -74,7 +74,7 @@ class SearchSpec:
 
 
 @dataclass(frozen=True)
-class Part:
+class SearchPart:
     """A job: a pattern of moments, and the rays of the first pins of the walk."""
 
     spec: SearchSpec
@@ -110,7 +110,7 @@ class Tally:
         )
 
 
-def parts_of(spec: SearchSpec, cranks: int) -> list[Part]:
+def parts_of(spec: SearchSpec, cranks: int) -> list[SearchPart]:
     """Return the jobs of a question: one where it is small, else the beginnings of its stars."""
     parts, mark = [], digest(spec)
     for place, pattern in enumerate(spec.problem.patterns):
@@ -125,7 +125,7 @@ def parts_of(spec: SearchSpec, cranks: int) -> list[Part]:
                 ):
                     break
                 prefixes = longer
-        parts += [Part(spec, place, prefix, mark) for prefix in prefixes]
+        parts += [SearchPart(spec, place, prefix, mark) for prefix in prefixes]
     return parts
 
 
@@ -182,7 +182,7 @@ class _Shared:
 _last: list[_Shared] = []
 
 
-def _shared(part: Part) -> _Shared:
+def _shared(part: SearchPart) -> _Shared:
     """Return what is shared with the part before, if that was of the same question."""
     if not _last or _last[0].mark != part.mark:
         tables = part.spec.tables()
@@ -190,7 +190,7 @@ def _shared(part: Part) -> _Shared:
     return _last[0]
 
 
-def search_part(part: Part) -> dict[str, Any]:
+def search_part(part: SearchPart) -> dict[str, Any]:
     """Return what a job comes to, as plain numbers: counts, front and tally."""
     spec, pattern = part.spec, part.spec.problem.patterns[part.pattern]
     shared = _shared(part)

@@ -96,7 +96,8 @@ def build_tables(
         unit = Fraction(1, lcm(*(weight.denominator for weight, _, _ in form.weights.values())))
         units.append(unit)
         for p, pin in enumerate(problem.seats):
-            sizes[f, p] = float(sum(abs(form.weights[seat.number][0]) for seat in pin))
+            weights = (form.weights[s.number][0] for s in pin if s.number in form.weights)
+            sizes[f, p] = float(sum(map(abs, weights)))
         for p, s, terms in _contributions(problem, form, unit):
             integers[f, p, s] = ring.vector(terms)
     if forms:
@@ -178,7 +179,7 @@ def _contributions(
         throws = problem.throws([s] * problem.pin_count)
         for p, pin in enumerate(problem.seats):
             terms: dict[Fraction, int] = {}
-            for seat in pin:
+            for seat in (one for one in pin if one.number in form.weights):
                 weight, fixed, turn = form.weights[seat.number]
                 angle = (fixed + turn * throws[seat.number]) % 1
                 terms[angle] = terms.get(angle, 0) + int(weight / unit)

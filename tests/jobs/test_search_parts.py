@@ -87,9 +87,9 @@ def test_a_pool_and_threads_give_the_same(in_parts) -> None:
 
 def test_after_a_break_only_the_rest_is_searched(tmp_path, monkeypatch, in_parts) -> None:
     expected = search_cranks(**QUESTION).data()
-    finished: list[subtrees.Part] = []
+    finished: list[subtrees.SearchPart] = []
 
-    def interrupted(part: subtrees.Part) -> Any:
+    def interrupted(part: subtrees.SearchPart) -> Any:
         if len(finished) == 9:
             raise KeyboardInterrupt
         finished.append(part)
