@@ -9,7 +9,7 @@ from symbalance.cli.budget import ENDLESS
 from symbalance.cli.long_work import long_work
 from symbalance.cli.options import add_full, add_jobs, add_output, command
 from symbalance.cli.outcomes import DONE
-from symbalance.cli.output import medium, show, whole_number, write_folder
+from symbalance.cli.output import medium, show, whole_number, write, write_folder
 
 
 def add(commands: argparse._SubParsersAction) -> None:
@@ -61,6 +61,11 @@ def add(commands: argparse._SubParsersAction) -> None:
         "--engines", metavar="FOLDER", help="write an engine file for each star that is named there"
     )
     parser.add_argument(
+        "--certificate",
+        metavar="FILE",
+        help="write there why each branch ends, for symbalance/search/certificate_check.py to verify",
+    )
+    parser.add_argument(
         "--keep", metavar="FOLDER", help="parts are kept there, and not searched again after a break"
     )
     add_jobs(parser, "parts of the search")
@@ -93,6 +98,10 @@ def run(options: argparse.Namespace) -> int:
     store = None if options.keep is None else Store(Path(options.keep), "--keep")
     with long_work(options, store and store.folder) as means:
         result = search_cranks(cylinders, store=store, **question, **means)
+    if options.certificate is not None:
+        from symbalance.search.certificate import search_certificate
+
+        write(search_certificate(cylinders, **question), options.certificate, "json")
     if options.engines is not None:
         from symbalance.cli.long_work import output_folder
         from symbalance.cli.outcomes import say

@@ -1,3 +1,4 @@
+from symbalance.search.certificate import search_certificate as search_certificate
 from symbalance.search.counting import Counts as Counts
 from symbalance.search.cranks_search import search_cranks as search_cranks
 from symbalance.search.magnitudes import Magnitude as Magnitude

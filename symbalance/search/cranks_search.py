@@ -72,32 +72,12 @@ def search_cranks(
     >>> [(star.firing_order, star.values["couple.1"].spelling) for star in result]
     [((1, 2, 4, 5, 3), 'sqrt(25/2 - 11*sqrt(5)/2)')]
     """
-    problem = search_problem(cylinders, **question)
-    balanced = read_after(after)
-    conditions = read_conditions(require, limit)
-    wanted = tuple(dict.fromkeys(minimize))
-    shapes = read_modes(modes, problem.cylinders)
+    asked: dict[str, Any] = {"minimize": minimize, "require": require, "limit": limit, "after": after}
+    spec = search_spec(cylinders, **asked, modes=modes, listed=listed, compiled=compiled, **question)
+    problem, conditions, wanted = spec.problem, spec.conditions, spec.minimized
+    balanced, shapes = read_after(after), read_modes(modes, problem.cylinders)
     named = list(dict.fromkeys([*(c.name for c in conditions), *wanted]))
-    if len(named) > MOST_OBJECTIVES:
-        what = f"{len(named)} quantities"
-        raise SymbalanceError(what, f"are more than {MOST_OBJECTIVES}", "ask for fewer at once")
-    repeated = next((c.name for c in conditions if [d.name for d in conditions].count(c.name) > 1), None)
-    if repeated is not None:
-        raise SymbalanceError(f"conditions on {brief(repeated)}", "must be one", "leave the others out")
-    objectives = [read_objective(name, problem, balanced, shapes) for name in named]
-    objectives.sort(key=lambda o: o.by_firing)
-    spec = SearchSpec(
-        problem,
-        tuple(objectives),
-        conditions,
-        wanted,
-        preserved_symmetries(problem, objectives),
-        checked_whole(listed, "listed", 1, MOST_LISTED, "classes named of each point"),
-    )
     searched = count_all(problem, spec.symmetries)
-    if compiled is None:
-        compiled = searched.cranks > NOT_COMPILED
-    spec = replace(spec, compiled=compiled)
     jobs = [
         Job(
             part.name,
@@ -137,6 +117,46 @@ def search_cranks(
         any(one.along == -1 for one in problem.symmetries)
         and not any(one.along == -1 for one in spec.symmetries),
     )
+
+
+def search_spec(
+    cylinders: object,
+    *,
+    minimize: Sequence[str] = (),
+    require: Sequence[str] = (),
+    limit: Sequence[str] = (),
+    after: object = None,
+    modes: Sequence[Sequence[object]] = (),
+    listed: int = 100,
+    compiled: bool | None = None,
+    **question: Any,
+) -> SearchSpec:
+    """Return a question with all that is asked of its stars, checked; arguments as for `search_cranks`."""
+    problem = search_problem(cylinders, **question)
+    balanced = read_after(after)
+    conditions = read_conditions(require, limit)
+    wanted = tuple(dict.fromkeys(minimize))
+    shapes = read_modes(modes, problem.cylinders)
+    named = list(dict.fromkeys([*(c.name for c in conditions), *wanted]))
+    if len(named) > MOST_OBJECTIVES:
+        what = f"{len(named)} quantities"
+        raise SymbalanceError(what, f"are more than {MOST_OBJECTIVES}", "ask for fewer at once")
+    repeated = next((c.name for c in conditions if [d.name for d in conditions].count(c.name) > 1), None)
+    if repeated is not None:
+        raise SymbalanceError(f"conditions on {brief(repeated)}", "must be one", "leave the others out")
+    objectives = [read_objective(name, problem, balanced, shapes) for name in named]
+    objectives.sort(key=lambda o: o.by_firing)
+    spec = SearchSpec(
+        problem,
+        tuple(objectives),
+        conditions,
+        wanted,
+        preserved_symmetries(problem, objectives),
+        checked_whole(listed, "listed", 1, MOST_LISTED, "classes named of each point"),
+    )
+    if compiled is None:
+        compiled = count_all(problem, ()).cranks > NOT_COMPILED
+    return replace(spec, compiled=compiled)
 
 
 class _Merged:

@@ -288,7 +288,8 @@ class Judge:
         starts = sorted({*parts.values(), len(key)})
         ends = dict(pairwise(starts))
         return tuple(
-            b"" if parts[n] not in ends else key[parts[n] : ends[parts[n]]].tobytes() for n in self.minimized
+            b"" if parts[n] not in ends else key[parts[n] : ends[parts[n]]].tobytes()
+            for n in self.minimized
         )
 
     def _exactly(self, key: Array, parts: dict[str, int]) -> Callable[[int], Magnitude]:

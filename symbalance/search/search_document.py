@@ -113,7 +113,12 @@ def _walk(result: CrankSearch) -> Details:
     ]
     for name, cut in zip(result.bounds, tally.cuts, strict=True):
         if cut:
-            rows.append((f"cut by {name}", f"{cut:,} branch{'es' if cut > 1 else ''}: whatever the rest, its limit is passed"))
+            rows.append(
+                (
+                    f"cut by {name}",
+                    f"{cut:,} branch{'es' if cut > 1 else ''}: whatever the rest, its limit is passed",
+                )
+            )
     rows.append(
         (
             "proof",

@@ -7,18 +7,23 @@ as sets. It shares nothing with the walk: no bounds, no symmetry, no integers, n
 from __future__ import annotations
 
 import cmath
+import json
 import math
+import subprocess
+import sys
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from itertools import permutations, product
+from pathlib import Path
 
 import pytest
 
 import symbalance as sb
 from symbalance.errors import SymbalanceError
-from symbalance.search import search_cranks
+from symbalance.search import search_certificate, search_cranks
 from symbalance.search.magnitudes import Magnitude, compare
 from symbalance.search.star_walk import compiled_walk
+from tests import ROOT
 from tests.effort import effort
 
 Star = tuple[int, ...]
@@ -85,7 +90,9 @@ def test_counts_are_those_of_brute_force(count: int, strokes: int, compiled: boo
     assert three(result.searched) == three(result.found) == counts(stars, rays)
     for order, limit in ((1, Fraction(1)), (2, Fraction(3, 2))):
         met = {s for s in stars if couple(s, rays, order) <= limit + Fraction(1, 10**9)}
-        some = search_cranks(count, strokes=strokes, limit=[f"couple.{order}<={limit}"], compiled=compiled)
+        some = search_cranks(
+            count, strokes=strokes, limit=[f"couple.{order}<={limit}"], compiled=compiled
+        )
         assert three(some.found) == counts(met, rays)
         zero = {s for s in stars if couple(s, rays, order) < NEAR}
         none = search_cranks(count, strokes=strokes, require=[f"couple.{order}=0"], compiled=compiled)
@@ -112,7 +119,9 @@ def front_of(values: set[tuple[float, ...]]) -> list[tuple[float, ...]]:
 
 
 @pytest.mark.parametrize("compiled", COMPILED)
-@pytest.mark.parametrize(("count", "strokes", "orders"), [(5, 4, (1, 2)), (6, 2, (1, 2, 3)), (7, 2, (1, 2))])
+@pytest.mark.parametrize(
+    ("count", "strokes", "orders"), [(5, 4, (1, 2)), (6, 2, (1, 2, 3)), (7, 2, (1, 2))]
+)
 def test_the_front_is_that_of_brute_force(
     count: int, strokes: int, orders: tuple[int, ...], compiled: bool
 ) -> None:
@@ -216,7 +225,8 @@ def test_firing_objectives_against_every_firing_order() -> None:
         best.add((float(neighbours), round(size, 8)))
     result = search_cranks(6, minimize=["adjacent", "torsion.1.5"], modes=[mode])
     points = [
-        tuple(float(p.stars[0].values[n].near) for n in ("adjacent", "torsion.1.5")) for p in result.points
+        tuple(float(p.stars[0].values[n].near) for n in ("adjacent", "torsion.1.5"))
+        for p in result.points
     ]
     assert [(a, round(b, 8)) for a, b in points] == front_of(best)  # type: ignore[comparison-overlap]
 
@@ -290,3 +300,46 @@ def test_a_bad_question_is_refused_in_one_line(question, line) -> None:
     with pytest.raises(SymbalanceError, match=line) as refusal:
         search_cranks(**question)
     assert "\n" not in str(refusal.value)
+
+
+def checked(path: Path) -> subprocess.CompletedProcess[str]:
+    """Run the checker alone: no library is there for it to import."""
+    script = ROOT / "symbalance" / "search" / "certificate_check.py"
+    command = [sys.executable, "-I", "-S", str(script), str(path)]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "question",
+    [
+        {"cylinders": 7, "strokes": 2, "require": ["couple.1=0"]},
+        {"cylinders": 8, "banks": [-45, 45], "pins": "split", "limit": ["couple.1<=1", "couple.2<=4"]},
+        {"cylinders": 6, "require": ["couple.1=0"], "limit": ["bending<=3/2"]},
+        {"cylinders": 8, "banks": [-45, 45], "require": ["couple.1=2"]},
+    ],
+)
+def test_a_certificate_is_verified_and_a_wrong_one_is_not(tmp_path, question) -> None:
+    text = search_certificate(**question)
+    path = tmp_path / "proof.json"
+    path.write_text(text, encoding="utf-8")
+    outcome = checked(path)
+    result = search_cranks(**question)
+    count = f"{result.found.classes} classes" if result.found.classes else "none"
+    assert outcome.returncode == 0, outcome.stderr
+    assert f": {count} with " in outcome.stdout
+    data = json.loads(text)
+    letters = data["walks"][0]["letters"]
+    wrong = {letter: letters.find(letter) for letter in "xcifs" if letter in letters[1:]}
+    for letter, place in wrong.items():
+        for other in "cifs":
+            if other != letter and not {letter, other} == {"c", "f"}:
+                if letter in "cf" and other == "i" or letter == "i" and other in "cf":
+                    continue  # both reasons may hold
+                data["walks"][0]["letters"] = letters[:place] + other + letters[place + 1 :]
+                path.write_text(json.dumps(data), encoding="utf-8")
+                assert checked(path).returncode == 1, (letter, other)
+    data["walks"][0]["letters"] = letters
+    data["symmetries"] = [[list(range(len(data["order"]))), 1, [0, *[1] * (len(data["order"]) - 1)]]]
+    path.write_text(json.dumps(data), encoding="utf-8")
+    assert checked(path).returncode == 1
