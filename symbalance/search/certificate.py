@@ -13,6 +13,7 @@ takes, the symmetries) and, node by node in the order of the walk, one letter:
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -40,6 +41,9 @@ def search_certificate(cylinders: object, **question: Any) -> str:
         rule = "is for conditions on the crank"
         raise SymbalanceError("a certificate", rule, "add --require or --limit, as couple.1=0")
     tables = spec.tables()
+    takes = tables.takes.copy()
+    takes[tables.order[0], 1:] = -1  # cylinder 1 stands on ray 0
+    tables = replace(tables, takes=takes)
     data = {
         "certificate": "symbalance search 1",
         "question": spec.problem.words(),

@@ -154,8 +154,10 @@ class Check:
         ]
         if sorted(self.order) != list(range(self.pins)):
             raise WrongError("places some pin twice")
+        capacities = [tuple(walk["capacity"]) for walk in data["walks"]]
         for one in self.symmetries:
             self.check_symmetry(*one)
+            self.check_moments(*one, capacities)
         self.found = 0
         for walk in data["walks"]:
             self.letters, self.capacity = iter(walk["letters"]), list(walk["capacity"])
@@ -181,6 +183,41 @@ class Check:
                     for other in groups
                 ):
                     raise WrongError("has a symmetry that changes a sum")
+
+    def check_moments(
+        self, source: list[int], sign: int, shift: list[int], capacities: list[tuple[int, ...]]
+    ) -> None:
+        """Refuse a map by which stars of the walks would become stars of none: all moments turn as one."""
+        ticks = len(capacities[0])
+        first, last = self.order[0], source[self.order[0]]
+        for start in range(self.rays) if last != first else [0]:
+            pairs = [
+                (self.takes[p][s], self.takes[q][(sign * (s - start) + shift[q]) % self.rays])
+                for q, p in enumerate(source)
+                for s in range(self.rays)
+                if p != first or s == 0  # where cylinder 1 stands
+                if p != last or s == start
+            ]
+            if any(before[0] >= 0 > after[0] for before, after in pairs):
+                if self.takes[last][start][0] >= 0:
+                    raise WrongError("has a symmetry that leads off the grid")
+                continue
+            turns = [
+                c
+                for c in range(ticks)
+                if all(
+                    sorted((sign * t + c) % ticks for t in before) == sorted(after)
+                    for before, after in pairs
+                    if before[0] >= 0
+                )
+            ]
+            taken = (*self.takes[first][0], *(() if last == first else self.takes[last][start]))
+            wanted = [c for c in capacities if all(c[t] >= taken.count(t) for t in taken)]
+            if not turns or not all(
+                tuple(one[sign * (t - turns[0]) % ticks] for t in range(ticks)) in capacities
+                for one in wanted
+            ):
+                raise WrongError("has a symmetry that leads to moments of no walk")
 
     def corresponds(self, form: Any, other: Any, source: list[int], sign: int, shift: list[int]) -> bool:
         """Tell whether a form of every image has the size of another form of the star."""

@@ -317,6 +317,9 @@ def checked(path: Path) -> subprocess.CompletedProcess[str]:
         {"cylinders": 8, "banks": [-45, 45], "pins": "split", "limit": ["couple.1<=1", "couple.2<=4"]},
         {"cylinders": 6, "require": ["couple.1=0"], "limit": ["bending<=3/2"]},
         {"cylinders": 8, "banks": [-45, 45], "require": ["couple.1=2"]},
+        {"cylinders": 6, "banks": [-45, 45], "intervals": "150,90", "limit": ["couple.1<=9"]},
+        {"cylinders": 5, "intervals": "any", "grid": 90, "require": ["couple.1=0", "force.1=0"]},
+        {"cylinders": 9, "grid": 40, "limit": ["couple.1<=1/2"]},
     ],
 )
 def test_a_certificate_is_verified_and_a_wrong_one_is_not(tmp_path, question) -> None:
