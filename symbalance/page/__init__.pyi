@@ -1,0 +1,1 @@
+from symbalance.page.page import Page as Page
