@@ -24,7 +24,7 @@ def run(options: argparse.Namespace) -> int:
     if output not in (None, "-") and not output.lower().endswith((".html", ".htm")):
         raise SymbalanceError(f"-o {output}", "must end in .html", "as -o engine.html")
     from symbalance.forces.free_forces import balance
-    from symbalance.page.page import page
+    from symbalance.pages.moving_page import page
 
     engine = engine_of(options)
     result = balance(engine, whole_number(options.order, "order"))

@@ -22,7 +22,7 @@ NAMES = ("force", "couple")
 
 
 def component_over_a_turn(balance: Balance, output: str) -> list[float]:
-    """Return an output ("force.vertical") at even steps from 0 to 360 degrees, in m r omega^2, or N and N m.
+    """Return an output ("force.vertical") at even steps of a turn, in m r omega^2, or N and N m.
 
     It holds the orders of the balance, none above. A couple counts in m r omega^2 a, a the pitch.
     """
@@ -124,7 +124,8 @@ def draw_force_path(balance: Balance, of: str = "force") -> Drawing:
     right = component_over_a_turn(balance, f"{of}.lateral")[:-1]
     points = list(zip(right, up, strict=True))
     largest = max(range(POINTS), key=lambda k: hypot(*points[k]))
-    words = f"Largest {figure(hypot(*points[largest]))} {unit_words(balance, of)} near θ = {360 // POINTS * largest}°."
+    size = f"{figure(hypot(*points[largest]))} {unit_words(balance, of)}"
+    words = f"Largest {size} near θ = {360 // POINTS * largest}°."
     marks = [(k * POINTS // 360, f"{k}°") for k in (0, 90, 180, 270)]
     return draw_path(
         points,

@@ -2,7 +2,7 @@
 
 In: an `Engine` or a `Balance`. Out: a `Page`, whose `html` is the file.
 
-    page            the page: template, drawings, the emitted functions and the data, put together
+    moving_page     the page: template, drawings, the emitted functions and the data, put together
     engine_data     what its script computes from
     sentence        what shakes and what would cure it, in words
     words           its words in English and Japanese

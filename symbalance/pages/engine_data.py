@@ -1,4 +1,4 @@
-"""The numbers a page moves by: cylinders as lengths and angles, weights as harmonics, scales of drawings."""
+"""The numbers a page moves by: cylinders as lengths and angles, weights as harmonics, scales."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ WIDEST_VEE = 180
 
 
 def engine_data(balance: Balance) -> dict[str, Any]:
-    """Return what the page's script computes from; lengths in crank radii of cylinder 1, angles in radians."""
+    """Return what the page's script computes from; lengths in crank radii, angles in radians."""
     engine = balance.engine
     machine = Machine(engine)
     radius = machine.radius(engine.first)
@@ -38,9 +38,7 @@ def engine_data(balance: Balance) -> dict[str, Any]:
         "lambda": None if _ratio(engine) is None else float(engine.ratio or 0),
         "bankBetween": None if between is None else between[0],
         "bankMiddle": None if between is None else between[1],
-        "order": orders[0]
-        if 1 in balance.force.orders() or 1 in balance.couple.orders()
-        else _first(balance),
+        "order": min([*balance.force.orders(), *balance.couple.orders()], default=1),
         "orders": orders,
         "bore": machine.bore / radius,
         "pitch": machine.pitch / radius,
@@ -56,10 +54,6 @@ def engine_data(balance: Balance) -> dict[str, Any]:
         "sizes": _sizes(engine),
         "rpm": 0 if balance.operating_point is None else float(balance.operating_point.rpm),
     }
-
-
-def _first(balance: Balance) -> int:
-    return min([*balance.force.orders(), *balance.couple.orders()], default=1)
 
 
 def _cylinders(engine: Engine) -> list[dict[str, Any]]:
@@ -92,7 +86,7 @@ def _cylinders(engine: Engine) -> list[dict[str, Any]]:
 
 
 def _turning(balance: Balance) -> list[dict[str, Any]]:
-    """Return weights, shafts and link pins as c e^(i n theta), in m r omega^2 (couples: times the pitch)."""
+    """Return weights, shafts and link pins as c e^(i n theta), m r omega^2 (couples: times a)."""
     terms = []
     vectors = turning_vectors(balance.engine, balance.highest, balance.reference)
     for of, spectrum in zip(("force", "couple"), vectors, strict=True):

@@ -1,4 +1,6 @@
 """The words of a page in English and in Japanese; the Japanese terms are those of the field."""
+# Japanese letters are twice as wide as the linter takes them to be.
+# ruff: noqa: E501
 
 from __future__ import annotations
 
@@ -31,8 +33,8 @@ ENGLISH = {
     "couples": "Free couple over a turn",
     "path": "Path of the free force",
     "couple-path": "Path of the free couple",
-    "phasors": "Free force of the order: the part that turns with the crank, and the part against it",
-    "couple-phasors": "Free couple of the order: the part that turns with the crank, and the part against it",
+    "phasors": "Free force of the order: its parts with and against the crank",
+    "couple-phasors": "Free couple of the order: its parts with and against the crank",
     "orders": "Orders",
     "torque-figure": "Inertia torque over a turn",
     "noscript": "Without scripts the drawings stand still; tables and formulas are complete.",

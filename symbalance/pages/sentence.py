@@ -1,5 +1,7 @@
 """What shakes, how much, and what would cure it: an engine's balance in a sentence or three."""
 
+# Japanese letters are twice as wide as the linter counts.
+# ruff: noqa: E501
 from __future__ import annotations
 
 from math import hypot

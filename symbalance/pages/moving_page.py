@@ -1,4 +1,4 @@
-"""One page of an engine that moves: drawings, orders, tables and formulas in a file that needs nothing else."""
+"""One page of an engine that moves: drawings, orders, tables and formulas in one file."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError
 from symbalance.forces.free_forces import Balance, balance
 from symbalance.forces.pictures import draw_force_path, draw_one_of_forces, draw_orders
-from symbalance.page.engine_data import engine_data
-from symbalance.page.sentence import sentence
-from symbalance.page.words import translated, words_of
+from symbalance.pages.engine_data import engine_data
+from symbalance.pages.sentence import sentence
+from symbalance.pages.words import translated, words_of
 from symbalance.torque.inertia_balance import inertia_torque
 from symbalance.torque.pictures import draw_torque
 
@@ -58,7 +58,7 @@ class Page:
 
 
 def page(subject: Engine | Balance, *, rpm: object = None, lang: str = "en") -> Page:
-    """Return a page of an engine, or of a balance, that moves by itself and asks for nothing from outside.
+    """Return a page of an engine, or of a balance, that moves, and asks for nothing from outside.
 
     `rpm` puts its numbers in N and N m, if the engine has mass, stroke and pitch; `lang` is en or ja.
     Refused where no rod ratio is known, or angles are symbols.
@@ -77,7 +77,7 @@ def page(subject: Engine | Balance, *, rpm: object = None, lang: str = "en") -> 
         result = result.at(rpm=rpm)
     data = engine_data(result) | {"words": words}
     torque = inertia_torque(engine, result.highest)
-    script = f"{_emitted(result)}\n{_file('page.js')}"
+    script = f"{_emitted(result)}\n{_compact(_file('page.js'))}"
     assumed = Machine(engine).assumed
     made = words["made"].replace("@", _version())
     if assumed:
@@ -103,7 +103,7 @@ def page(subject: Engine | Balance, *, rpm: object = None, lang: str = "en") -> 
 
 
 def _filled(template: str, contents: dict[str, str]) -> str:
-    """Return a template with its @names@ filled, each once and none within what another was filled with."""
+    """Return a template with its @names@ filled, and none within what another was filled with."""
     parts = template.split("@")
     known = [contents[part] if place % 2 else part for place, part in enumerate(parts)]
     return "".join(known)
@@ -115,7 +115,13 @@ def _json(data: dict[str, Any]) -> str:
 
 
 def _file(name: str) -> str:
-    return (files("symbalance.page") / name).read_text(encoding="utf-8")
+    return (files("symbalance.pages") / name).read_text(encoding="utf-8")
+
+
+def _compact(script: str) -> str:
+    """Return a script without indentation and lines of comment, which a page need not carry."""
+    lines = (line.strip() for line in script.splitlines())
+    return "\n".join(line for line in lines if line and not line.startswith("//"))
 
 
 def _version() -> str:
@@ -128,24 +134,20 @@ def _emitted(result: Balance) -> str:
     """Return the library's functions of the engine as JavaScript, without its self-test."""
     plan = plan_for(result, None, OUTPUTS, "javascript", 0.0, ORDER)
     (source,) = sources(plan, "javascript", result.engine.name, "engine", grid=False).values()
-    start, end = source.index("*/") + 2, source.index("/**", source.index("export function evaluate"))
-    del end
-    test = source.find("const CHECKS")
-    body = source[start : test if test > 0 else len(source)]
-    comment = body.rfind("\n//")
-    if comment > body.rfind("}"):
-        body = body[:comment]
-    return "// Emitted by symbalance: the engine's forces, couples and torque.\n" + body.replace(
-        "export ", ""
-    ).strip().replace("</", "<\\/")
+    start, test = source.index("*/") + 2, source.find("const CHECKS")
+    body = source[start:test] if test > 0 else source[start:]
+    body = body[: body.rindex("}") + 1].replace("export ", "").replace("</", "<\\/")
+    head = "// Made by symbalance: first the engine's functions as it emits them, then what draws."
+    return f"{head}\n{_compact(body)}"
 
 
 def _inputs(data: dict[str, Any], words: dict[str, str]) -> str:
     cycle = 180 * data["strokes"]
+    speed = '<input id="speed" type="range" min="5" max="720" step="5" value="60">'
     rows = [
         f'<button type="button" id="run" aria-pressed="false">{escape(words["run"])}</button>',
         _range("theta", words, 0, cycle, 0.5, "°"),
-        f'<label>{escape(words["speed"])}<input id="speed" type="range" min="5" max="720" step="5" value="60"></label>',
+        f"<label>{escape(words['speed'])}{speed}</label>",
     ]
     if data["lambda"] is not None:
         least = 1.0 + max(abs(c["offset"]) for c in data["cylinders"])
@@ -192,7 +194,7 @@ def _figures(
             figures.append((name, lambda of=of: draw_one_of_forces(result, of), ""))
             figures.append((path, lambda of=of: draw_force_path(result, of), ""))
             phasors = "phasors" if of == "force" else "couple-phasors"
-            figures.append((phasors, lambda: _empty(words[phasors]), " live"))
+            figures.append((phasors, lambda name=phasors: _empty(words[name]), " live"))
     figures.append(("orders", lambda: draw_orders(result), ""))
     figures.append(("torque", lambda: draw_torque(torque), ""))
     if all(c.fires is not None for c in engine.cylinders):

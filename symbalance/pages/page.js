@@ -120,6 +120,12 @@ function add(parent, name, values, text) {
   parent.appendChild(node);
   return node;
 }
+// A drawing begun anew: empty, of this box.
+function cleared(svg, x, y, width, height) {
+  svg.querySelectorAll("g,line,polyline,polygon,circle,text,rect").forEach((node) => node.remove());
+  set(svg, {viewBox: `${x} ${y} ${width} ${height}`, width, height});
+  return add(svg, "g", {});
+}
 const xy = (point, scale) => `${(point[1]*scale).toFixed(3)},${(-point[0]*scale).toFixed(3)}`;
 const part = (id, name) => document.querySelector(`#${id} [data-part="${name}"]`);
 const degrees = (point) => Math.atan2(point[1], point[0])*360/TURN;
@@ -213,9 +219,7 @@ function showOblique(theta) {
   }
   line([eye(0, 0, pitch*before), eye(0, 0, pitch*(rows[rows.length - 1] + 0.7))], "crank");
   things.sort((a, b) => a.depth - b.depth);
-  svg.querySelectorAll("g,line,polyline,polygon,circle,text").forEach((node) => node.remove());
-  svg.setAttribute("viewBox", "-230 -230 460 460");
-  const g = add(svg, "g", {});
+  const g = cleared(svg, -210, -210, 420, 420);
   for (const t of things) {
     add(g, t.open ? "polyline" : "polygon", {class: t.look, points: t.points});
     if (t.crown) add(g, "polygon", {class: "piston", points: t.crown});
@@ -261,9 +265,7 @@ function chart(id, outputs, names, looks) {
   const margin = 0.06*(high - low);
   low -= margin; high += margin;
   const y = (v) => -(v - low)*height/(high - low), x = (k) => k*width/N;
-  svg.querySelectorAll("g,line,polyline,polygon,circle,text").forEach((node) => node.remove());
-  svg.setAttribute("viewBox", `-64 -${height + 40} ${width + 80} ${height + 84}`);
-  const g = add(svg, "g", {});
+  const g = cleared(svg, -64, -height - 40, width + 80, height + 84);
   for (const v of steps(low, high)) {
     add(g, "line", {class: Math.abs(v) < 1e-9*(high - low) ? "ink" : "faint", x1: 0, x2: width, y1: y(v), y2: y(v)});
     add(g, "text", {class: "ink", x: -8, y: y(v) + 4, "text-anchor": "end", "font-size": 11}, figure(v));
@@ -294,9 +296,7 @@ function pathChart(id, i, look) {
   let size = Math.max(...points.map((p) => Math.hypot(...p)));
   if (size < 1e-9*factor) size = factor;
   const half = 170, k = half/size;
-  svg.querySelectorAll("g,line,polyline,polygon,circle,text").forEach((node) => node.remove());
-  svg.setAttribute("viewBox", "-240 -210 450 430");
-  const g = add(svg, "g", {});
+  const g = cleared(svg, -240, -210, 450, 430);
   for (const v of steps(-size, size, 5)) {
     add(g, "line", {class: "faint", x1: v*k, x2: v*k, y1: -184, y2: 184});
     add(g, "line", {class: "faint", x1: -184, x2: 184, y1: v*k, y2: v*k});
@@ -330,9 +330,7 @@ function phasors(id, i, look) {
   const n = S.order, [forward, backward] = harmonic(i, n), [factor, unitName] = scaleOf(i);
   const a = Math.hypot(...forward), b = Math.hypot(...backward), size = Math.max(a + b, 1e-12), k = 150/size;
   const tiny = 1e-9*Math.max(1, ...curves.map((v) => Math.abs(v[i])));
-  svg.querySelectorAll("g,line,polyline,polygon,circle,text").forEach((node) => node.remove());
-  svg.setAttribute("viewBox", "-200 -190 400 380");
-  const g = add(svg, "g", {}), gone = a + b < tiny;
+  const g = cleared(svg, -200, -190, 400, 385), gone = a + b < tiny;
   add(g, "line", {class: "axis", x1: -170, x2: 170, y1: 0, y2: 0});
   add(g, "line", {class: "axis", y1: -170, y2: 170, x1: 0, x2: 0});
   const words = gone ? (isOwn() ? W.zeroProved : W.zeroRounding) : `${W.forward} ${figure(a*factor)}, ${W.backward} ${figure(b*factor)} ${unitName}`;
@@ -367,10 +365,8 @@ function bars() {
     }
   }
   const high = Math.ceil(Math.log10(Math.max(1e-30, ...rows.map((r) => r.value))) - 1e-9), low = high - 7, k = 380/7;
-  svg.querySelectorAll("g,line,polyline,polygon,circle,text").forEach((node) => node.remove());
   const deep = 20*rows.length + 6;
-  svg.setAttribute("viewBox", `-120 -12 570 ${deep + 56}`);
-  const g = add(svg, "g", {});
+  const g = cleared(svg, -120, -12, 570, deep + 56);
   for (let p = low; p <= high; p++) {
     add(g, "line", {class: "faint", x1: (p - low)*k, x2: (p - low)*k, y1: -4, y2: deep});
     add(g, "text", {class: "ink", x: (p - low)*k, y: deep + 16, "text-anchor": "middle", "font-size": 11}, p === 0 ? "1" : p === 1 ? "10" : `1e${p}`.replace("-", "−"));

@@ -1,1 +1,0 @@
-from symbalance.page.page import Page as Page
