@@ -143,9 +143,9 @@ def from_pins(
 
     `pins` is one list, of pins that the cylinders of all banks share, those of each bank turned on by its
     `splay`; or a list for each bank, where each cylinder has a pin of its own. With a `firing_order` each
-    cylinder fires when its pin has brought it to the top, in that order; where that leaves open in which
-    turn, or leaves it to choose, `firing_intervals` are needed. Without one, firings are left open. The
-    rest is as in `from_firing_order`.
+    cylinder fires when its pin has brought it to the top, in that order, evenly where the pins allow it;
+    where they leave open in which turn, `firing_intervals` say it. Without one, firings are left open.
+    The rest is as in `from_firing_order`.
 
     >>> six = from_pins([0, 240, 120], banks=[-45, 45], cylinders=[[1, 3, 5], [2, 4, 6]], splay=[0, 30])
     >>> [c.throw.as_text() for c in six.cylinders]
@@ -264,7 +264,8 @@ def vee(
     if pins is not None:
         throws = as_list(pins, "pins")
         nested = any(isinstance(own, list | tuple) for own in throws)
-        count = count or (sum(map(len, throws)) if nested else 2 * len(throws))
+        counts = (len(own) if isinstance(own, list | tuple) else 1 for own in throws)
+        count = count or (sum(counts) if nested else 2 * len(throws))
     banks = cylinders or [list(range(1, count + 1, 2)), list(range(2, count + 1, 2))]
     rest = {"banks": axes, "cylinders": banks, "stagger": stagger, **rest}
     if pins is None:

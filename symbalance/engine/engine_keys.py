@@ -287,7 +287,8 @@ LAYOUT = TableKeys(
         Excludes("pin_step", ("pins",), "turns the pins, which are listed", _ONCE),
     ),
     "Banks, and a firing order or the crank's pins. Without `pins` cylinder 1 is at its firing top dead "
-    "centre at θ = 0. With both, each cylinder fires when its pin has brought it to the top.",
+    "centre at θ = 0. With both, each cylinder fires when its pin has brought it to the top, evenly "
+    "where the pins allow it.",
 )
 
 _LINK = "belongs to a link rod"

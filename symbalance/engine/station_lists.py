@@ -77,7 +77,7 @@ def read_stations(
     stations in mm are divided by.
 
     >>> {n: str(s) for n, s in read_stations([[1, 2, 3]], pitch=[1, "5/4"]).items()}
-    {1: '7/6', 2: '1/6', 3: '-4/3'}
+    {1: '13/12', 2: '1/12', 3: '-7/6'}
     >>> places = read_stations([[1, 3], [2]], Fraction(90), stations=[[0, -90], [-45]], station_unit="mm")
     >>> {n: str(s) for n, s in places.items()}
     {1: '1/2', 3: '-1/2', 2: '0'}
@@ -222,28 +222,32 @@ def _check_reach(stations: dict[int, Fraction], name: str) -> None:
 def firing_angles_on_pins(
     order: Sequence[int], tops: dict[int, Fraction], cycle: int
 ) -> dict[int, Fraction]:
-    """Return each cylinder's firing angle after cylinder 1: as soon as its pin brings it to the top.
+    """Return each cylinder's firing angle after cylinder 1, at which its pin has brought it to the top.
 
-    `tops` are the crank angles at which they stand there, degrees modulo 360. Refused where the order
-    takes more turns than a cycle has, and where it takes fewer, so that a pin passes the top more often
-    than its cylinder fires between neighbours of the order: there `firing_intervals` say what is meant.
+    `tops` are the crank angles at which they stand there, degrees modulo 360. Even intervals where the
+    pins allow them. Else each cylinder fires as soon as it is at the top after the one before it in the
+    order. Refused where that takes more turns than a cycle has, and where it takes fewer: in some
+    interval the crank then turns once more, and which it is only `firing_intervals` can say.
 
-    >>> firing_angles_on_pins([1, 3, 4, 2], dict(zip([1, 2, 3, 4], [0, 180, 180, 0])), 720)
-    {1: Fraction(0, 1), 3: Fraction(180, 1), 4: Fraction(360, 1), 2: Fraction(540, 1)}
+    >>> firing_angles_on_pins([1, 3, 4, 2], dict(zip([1, 2, 3, 4], [0, 90, 270, 180])), 720)
+    Traceback (most recent call last):
+    symbalance.errors.SymbalanceError: firing_order = [1, 3, 4, 2]: takes 3 turns of a crank ...
     """
     first = order.index(1)
     turned = [*order[first:], *order[:first]]
+    even = {number: Fraction(cycle * i, len(order)) for i, number in enumerate(turned)}
+    if all((angle_of_firing - tops[n] + tops[1]) % 360 == 0 for n, angle_of_firing in even.items()):
+        return even
     steps = [(tops[b] - tops[a]) % 360 for a, b in pairwise([*turned, turned[0]])]
     total = sum(steps, Fraction(0))
-    what, turns = f"firing_order = {brief(list(order))}", f"{cycle // 360} turn{'s' * (cycle > 360)}"
-    if total > cycle:
-        rule = f"takes {total / 360} turns of a crank with these pins, and a cycle has {turns}"
-        raise SymbalanceError(what, rule, "correct the order, or the pins")
-    if total < cycle:
-        rule = (
-            f"takes {total / 360} turns of a crank with these pins at the least, and a cycle has {turns}"
-        )
-        raise SymbalanceError(what, rule, "add firing_intervals, degrees from each firing to the next")
+    if total != cycle:
+        what = f"firing_order = {brief(list(order))}"
+        taken, turns = (f"{n / 360} turn{'' if n == 360 else 's'}" for n in (total, Fraction(cycle)))
+        rule = f"takes {taken} of a crank with these pins, and a cycle has {turns}"
+        remedy = "correct the order, or the pins"
+        if total < cycle:
+            remedy = "add firing_intervals, degrees from each firing to the next"
+        raise SymbalanceError(what, rule, remedy)
     return dict(zip(turned, accumulate(steps, initial=Fraction(0)), strict=False))
 
 
