@@ -30,7 +30,7 @@ SHORT = 14
 """An exact form of up to so many characters keeps its cell, whatever becomes of its column."""
 LONGEST_PIECE = 60
 """Characters of an exact form that no sign parts; one with more has numbers that nobody reads."""
-MOST_BELOW = 3
+MOST_BELOW = 4
 """Exact forms that stand below a table of a short document; of more its reader is sent to the whole."""
 SHORTEST = 3
 """No form shorter than this is worth a line below the table."""
