@@ -12,6 +12,7 @@ from symbalance.document.text_writer import formula_text
 from symbalance.engine.balance_masses import BalanceShaft, Counterweight, Weight
 from symbalance.engine.engine import Engine
 from symbalance.exact.amplitude import Amplitude
+from symbalance.exact.phasor import Phasor
 from symbalance.exact.radicals import ClosedForm
 from symbalance.exact.spectrum import Component
 from symbalance.text.reals import atan2, nstr, pi
@@ -92,8 +93,12 @@ def _weight(weight: Weight) -> tuple[Any, ...]:
 
 
 def _size(vector: Amplitude, in_kg_mm: bool) -> tuple[Any, ...]:
-    unit = " kg mm" if in_kg_mm else ""
-    return ("" if in_kg_mm else "share ", *size(vector), f"{unit} at ", *direction(vector))
+    if not in_kg_mm:
+        return ("share ", *size(vector), " at ", *direction(vector))
+    fraction = vector.rational() if isinstance(vector, Phasor) else None
+    is_short = fraction is not None and fraction > 0 and 10_000 % fraction.denominator == 0
+    measured = (Decimal(f"{float(fraction):.12g}"),) if fraction and is_short else size(vector)
+    return (*measured, " kg mm at ", *direction(vector))
 
 
 def size(vector: Amplitude) -> tuple[Any, ...]:

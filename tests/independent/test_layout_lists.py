@@ -152,3 +152,14 @@ def test_firings_follow_from_the_pins(name: str) -> None:
     assert order == [1, 6, 5, 4, 3, 2]
     fired = {c.number: c.fires for c in engine.cylinders}
     assert [fired[n] for n in order] == fires
+
+
+@pytest.mark.parametrize(("pins", "fires"), [([30, 30], [0, 360]), ([70], [0]), ([20, 200], None)])
+def test_firings_are_even_where_the_pins_allow_it(pins: list[int], fires: list[int] | None) -> None:
+    """Wherever on the crank the first pin is; pins half a turn apart fire 180-540 or 540-180."""
+    order = list(range(1, len(pins) + 1))
+    if fires is None:
+        with pytest.raises(sb.SymbalanceError, match="add firing_intervals"):
+            sb.inline(order, throws=pins)
+    else:
+        assert [c.fires for c in sb.inline(order, throws=pins).cylinders] == fires
