@@ -261,6 +261,7 @@ def vee(
     if firing_order is None and pins is None:
         raise SymbalanceError("vee(...)", "takes a firing order or pins", "give one of them, or both")
     count = len(read_firing_order(firing_order)) if firing_order is not None else 0
+    nested = False
     if pins is not None:
         throws = as_list(pins, "pins")
         nested = any(isinstance(own, list | tuple) for own in throws)
