@@ -77,9 +77,9 @@ def draw_curves(curves: Sequence[Curve], cycle: float, unit: str, title: str, sh
     x = 0.0
     for curve in curves:
         step_x = WIDTH / (len(curve.values) - 1)
-        # A hundredth of a pixel is enough for a curve, and keeps pages small.
+        # A tenth of a pixel is enough for a curve, and keeps pages small.
         points = tuple(
-            (round(k * step_x, 2), round((v - low) * up, 2)) for k, v in enumerate(curve.values)
+            (round(k * step_x, 1), round((v - low) * up, 1)) for k, v in enumerate(curve.values)
         )
         shapes.append(Line(points, curve.look))
         shapes += [
@@ -116,7 +116,7 @@ def draw_path(
         Line(((0, -half - 14), (0, half + 14)), "axis"),
         Line(((-half - 14, 0), (half + 14, 0)), "axis"),
     ]
-    path = tuple((round(x * scale, 2), round(y * scale, 2)) for x, y in points)
+    path = tuple((round(x * scale, 1), round(y * scale, 1)) for x, y in points)
     shapes.append(Line(path, look, closed=True))
     for place, name in _apart(marks, points, 14 / scale):
         x, y = points[place][0] * scale, points[place][1] * scale

@@ -13,7 +13,12 @@ import pytest
 import symbalance as sb
 from symbalance.pages.words import ENGLISH, JAPANESE, LANGUAGES
 
-KINDS = ["inline-3", "vw-vr6", "v8-90", "v12-60", "boxer-4", "bugatti-w16", "r-1820", "kharkiv-v2"]
+QUICK = ["inline-3", "vw-vr6"]
+KINDS = [
+    *QUICK,
+    *(pytest.param(name, marks=pytest.mark.slow) for name in ("v8-90", "v12-60", "boxer-4")),
+    *(pytest.param(name, marks=pytest.mark.slow) for name in ("bugatti-w16", "r-1820", "kharkiv-v2")),
+]
 LARGEST = 150_000
 
 
@@ -40,7 +45,9 @@ def test_the_policy_names_the_script_it_allows() -> None:
     assert f"script-src 'sha256-{digest}'" in html
 
 
-@pytest.mark.parametrize("text", ["<script>alert(1)</script>", "]]>", "@hash@", "a & b", "横置き", "</script>"])
+@pytest.mark.parametrize(
+    "text", ["<script>alert(1)</script>", "]]>", "@hash@", "a & b", "横置き", "</script>"]
+)
 def test_a_hostile_name_is_text(text: str) -> None:
     engine = sb.Engine(sb.load("inline-3").cylinders, name=text)
     html = sb.page(engine).html
@@ -63,6 +70,7 @@ def test_the_still_drawings_are_well_formed(name: str) -> None:
     assert len(names) == len(set(names))
 
 
+@pytest.mark.slow
 def test_every_word_is_in_both_languages() -> None:
     assert set(ENGLISH) <= set(JAPANESE)
     for language in LANGUAGES:
@@ -105,6 +113,7 @@ def test_a_notebook_gets_the_page_in_a_frame() -> None:
     assert repr(page).startswith("Page: inline-3, ")
 
 
+@pytest.mark.slow
 def test_the_numbers_for_the_script_are_the_engine_s() -> None:
     engine = sb.load("r-985")
     for row, cylinder in zip(data_of(sb.page(engine).html)["cylinders"], engine.cylinders, strict=True):
