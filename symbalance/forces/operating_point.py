@@ -41,12 +41,12 @@ class OperatingPoint:
     @cached_property
     def omega(self) -> Real:
         """The crank's speed in rad/s."""
-        return pi() * self.rpm / 30
+        return omega_at(self.rpm)
 
     @cached_property
     def force(self) -> Real:
         """The unit of forces, m r omega^2, in N: what one piston's first order is."""
-        return self.omega**2 * (self.mass * self.radius)
+        return acceleration_at(self.rpm, self.radius) * self.mass
 
     @property
     def couple(self) -> Real | None:
@@ -70,6 +70,16 @@ class OperatingPoint:
 
 def _text(value: Fraction) -> str:
     return decimal_text(Real(value), 17)
+
+
+def omega_at(rpm: Fraction) -> Real:
+    """Return turns a minute in rad/s."""
+    return pi() * rpm / 30
+
+
+def acceleration_at(rpm: Fraction, radius: Fraction) -> Real:
+    """Return r omega^2 in m/s^2, of a radius in m: what 1 kg at the crank pins pushes with, in N."""
+    return omega_at(rpm) ** 2 * radius
 
 
 def operating_point(engine: Engine, rpm: object, needs_pitch: bool = True) -> OperatingPoint:
