@@ -68,7 +68,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     )
     add_bank(parser)
     add_comparison(parser)
-    add_operating_point(parser)
+    add_operating_point(parser, bore=True)
     add_full(parser)
     add_jobs(parser, "engines")
     add_output(parser)

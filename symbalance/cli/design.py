@@ -65,7 +65,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--density", metavar="KG/M3", help="of the segments; default: 7850, a crankshaft's steel"
     )
-    add_operating_point(parser, "N")
+    add_operating_point(parser, "N", bore=True)
     add_full(parser)
     add_output(parser)
     parser.add_argument("--write", metavar="FILE", help="write the balanced engine to FILE.toml")

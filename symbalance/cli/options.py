@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from symbalance.budgets import Budget
@@ -122,7 +122,11 @@ def bank_angle(text: str) -> object:
 
 
 def add_operating_point(
-    parser: argparse.ArgumentParser, speeds: str = "N or FROM:TO:STEP", *, pitch: bool = True
+    parser: argparse.ArgumentParser,
+    speeds: str = "N or FROM:TO:STEP",
+    *,
+    pitch: bool = True,
+    bore: bool = False,
 ) -> None:
     """Add the speed that values in N and N m are for, and the sizes that an engine may lack."""
     about = "for values in N and N m" + ("; several make a table" if ":" in speeds else "")
@@ -133,6 +137,7 @@ def add_operating_point(
         ("stroke", "MM", "stroke"),
         ("rod", "MM", "rod's length"),
         *((("pitch", "MM", "pitch of the cylinders"),) if pitch else ()),
+        *((("bore", "MM", "bore"),) if bore else ()),
     ):
         parser.add_argument(f"--{option}", metavar=unit, help=f"{what}, where the engine gives none")
 
@@ -162,11 +167,13 @@ def resized(
     return sized(engine if ratio is None else engine.with_ratio(ratio), sizes)
 
 
-def check_speed_for_sizes(options: argparse.Namespace) -> None:
+def check_speed_for_sizes(
+    options: argparse.Namespace, sizes: Sequence[str] = ("mass", "pitch", "bore")
+) -> None:
     """Refuse sizes that play a part at a speed only, where none is given."""
     if any(getattr(options, name, None) is not None for name in ("rpm", "pressure", "compression")):
         return
-    for name in ("mass", "pitch", *(() if options.rod is not None else ("stroke",))):
+    for name in (*sizes, *(() if options.rod is not None else ("stroke",))):
         if getattr(options, name, None) is not None:
             remedy = "add --rpm N, or leave it out"
             raise SymbalanceError(f"--{name}", "plays a part at a speed only", remedy)
@@ -184,8 +191,7 @@ def add_running(parser: argparse.ArgumentParser, *, pitch: bool = False) -> None
         metavar="Q",
         help="its heat added over the swept volume, in bar (100 J per litre); default: 18, 0: motored",
     )
-    parser.add_argument("--bore", metavar="MM", help="bore, where the engine gives none")
-    add_operating_point(parser, "N", pitch=pitch)
+    add_operating_point(parser, "N", pitch=pitch, bore=True)
 
 
 def add_jobs(parser: argparse.ArgumentParser, what: str) -> None:

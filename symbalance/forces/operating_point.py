@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import Any, TypedDict
 
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, brief
@@ -82,8 +82,23 @@ def acceleration_at(rpm: Fraction, radius: Fraction) -> Real:
     return omega_at(rpm) ** 2 * radius
 
 
-def operating_point(engine: Engine, rpm: object, needs_pitch: bool = True) -> OperatingPoint:
-    """Return an engine's operating point at a speed, or refuse, naming the key that is missing.
+class Sizes(TypedDict, total=False):
+    """Sizes that an engine lacks, as every result's `at` takes them beside the speed.
+
+    `mass` is the reciprocating mass of a cylinder in kg; `stroke`, `rod`, `pitch` and `bore` are in mm.
+    """
+
+    mass: object
+    stroke: object
+    rod: object
+    pitch: object
+    bore: object
+
+
+def operating_point(
+    engine: Engine, rpm: object, *, needs_pitch: bool = True, needs_ratio: bool = False
+) -> OperatingPoint:
+    """Return an engine's operating point at a speed, or refuse, naming every key that is missing.
 
     >>> from symbalance.engine.catalogue import load
     >>> operating_point(load("vq30de"), 6000).mass
@@ -97,6 +112,7 @@ def operating_point(engine: Engine, rpm: object, needs_pitch: bool = True) -> Op
             ("stroke", first.radius),
             ("reciprocating_mass", first.reciprocating_mass),
             ("pitch", engine.pitch if needs_pitch else 1),
+            ("rod", engine.ratio if needs_ratio else 1),
         )
         if value is None
     ]
@@ -113,12 +129,13 @@ def operating_point(engine: Engine, rpm: object, needs_pitch: bool = True) -> Op
 def needed(rpm: object, missing: Sequence[str]) -> SymbalanceError:
     """Return the refusal of a speed without the sizes that it needs, by their keys in an engine file."""
     keys = " and ".join([", ".join(missing[:-1]), missing[-1]] if missing[1:] else missing)
-    remedy = f"add {keys} to [crank_train], or say {', '.join(OPTIONS[key] for key in missing)}"
+    options = " ".join(OPTIONS[key] for key in missing)
+    remedy = f"add {keys} to [crank_train], or append your own figures like {options}"
     return SymbalanceError(f"rpm = {brief(rpm)}", f"needs the engine's {keys} for newtons", remedy)
 
 
 def sized(engine: Engine, sizes: Mapping[str, object]) -> Engine:
-    """Return an engine with sizes that it lacks: `stroke`, `rod`, `pitch` in mm, `mass` in kg.
+    """Return an engine with sizes that it lacks: `stroke`, `rod`, `pitch`, `bore` in mm, `mass` in kg.
 
     >>> from symbalance.engine.catalogue import load
     >>> sized(load("inline-4"), {"stroke": 80, "mass": "0.5"}).unit_unbalance
@@ -130,10 +147,21 @@ def sized(engine: Engine, sizes: Mapping[str, object]) -> Engine:
     return engine.with_sizes(**{SIZES[name]: value for name, value in sizes.items()}) if sizes else engine
 
 
-SIZES = {"stroke": "stroke", "rod": "rod", "pitch": "pitch", "mass": "reciprocating_mass"}
+SIZES = {
+    "stroke": "stroke",
+    "rod": "rod",
+    "pitch": "pitch",
+    "mass": "reciprocating_mass",
+    "bore": "bore",
+}
 """What the sizes of an operating point are called, and their keys in an engine file."""
-OPTIONS = {"stroke": "--stroke MM", "reciprocating_mass": "--mass KG", "pitch": "--pitch MM"}
-"""How the command line gives what an engine file lacks."""
+OPTIONS = {
+    "stroke": "--stroke 86",
+    "reciprocating_mass": "--mass 0.5",
+    "pitch": "--pitch 100",
+    "rod": "--rod 145",
+}
+"""How the command line gives what an engine file lacks, mm and kg, with a figure to replace."""
 
 
 def checked_rpm(rpm: object) -> Fraction:
