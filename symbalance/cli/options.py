@@ -156,15 +156,22 @@ def resized(
     engine: Engine, options: argparse.Namespace, sizes: Mapping[str, str] | None = None
 ) -> Engine:
     """Return an engine with the rod ratio and the sizes that a command line gives."""
-    from symbalance.forces.operating_point import SIZES, sized
+    from symbalance.forces.operating_point import sized
 
     if sizes is None:
-        sizes = {name: text for name in SIZES if (text := getattr(options, name, None)) is not None}
+        sizes = sizes_of(options)
     ratio = getattr(options, "ratio", None)
     if ratio is not None and "rod" in sizes:
         rule = "gives the rod ratio, and so does --ratio"
         raise SymbalanceError(f"--rod {sizes['rod']}", rule, "leave one out")
     return sized(engine if ratio is None else engine.with_ratio(ratio), sizes)
+
+
+def sizes_of(options: argparse.Namespace) -> dict[str, str]:
+    """Return the sizes that a command line gives, as they are written."""
+    from symbalance.forces.operating_point import SIZES
+
+    return {name: text for name in SIZES if (text := getattr(options, name, None)) is not None}
 
 
 def check_speed_for_sizes(

@@ -141,10 +141,15 @@ def sized(engine: Engine, sizes: Mapping[str, object]) -> Engine:
     >>> sized(load("inline-4"), {"stroke": 80, "mass": "0.5"}).unit_unbalance
     Fraction(20, 1)
     """
+    check_size_names(sizes)
+    return engine.with_sizes(**{SIZES[name]: value for name, value in sizes.items()}) if sizes else engine
+
+
+def check_size_names(sizes: Mapping[str, object]) -> None:
+    """Refuse a keyword that is no size, as Python refuses one that a function does not have."""
     unknown = [name for name in sizes if name not in SIZES]
     if unknown:
         raise TypeError(f"the sizes are {', '.join(SIZES)}, not {unknown[0]!r}")
-    return engine.with_sizes(**{SIZES[name]: value for name, value in sizes.items()}) if sizes else engine
 
 
 SIZES = {
