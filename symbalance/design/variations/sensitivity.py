@@ -126,7 +126,8 @@ class Sensitivity:
 class Sensitivities(Result, Sequence[Sensitivity]):
     """All derivatives of orders by each cylinder's sizes, largest effect of a step first: a sequence.
 
-    A sequence of them. Forces are in m r omega^2 of cylinder 1, couples in m r omega^2 a about
+    An effect is the force, or where it is larger the couple over one pitch: the pair of forces, a pitch
+    apart, that makes it. So it is at every speed the same sequence. Forces are in m r omega^2 of cylinder 1, couples in m r omega^2 a about
     `reference`, None for the mean of all stations. `parameters` are the sizes they are by.
     """
 
