@@ -10,6 +10,7 @@ from symbalance.document.nodes import Words
 from symbalance.document.text_writer import formula_text
 from symbalance.engine.balance_masses import BalanceShaft, Counterweight, Weight
 from symbalance.engine.engine import Engine
+from symbalance.engine.rotating_masses import share_sign
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.radicals import ClosedForm
 from symbalance.exact.spectrum import Component
@@ -35,7 +36,7 @@ def balancer_facts(engine: Engine) -> list[Words]:
             facts.append("rotating masses are taken as balanced, throw by throw")
         if engine.has_link_pin_masses:
             facts.append("but for what link pins move those on them beside the crank pins")
-    return facts + [_shaft(s) for s in balancers.shafts]
+    return facts + [_shaft(s, share_sign(engine, s.speed)) for s in balancers.shafts]
 
 
 def _counterweight(counterweight: Counterweight) -> Words:
@@ -53,11 +54,12 @@ def _counterweight(counterweight: Counterweight) -> Words:
     return (head, *_size(counterweight.weight.vector, counterweight.weight.in_kg_mm), opposite)
 
 
-def _shaft(shaft: BalanceShaft) -> Words:
+def _shaft(shaft: BalanceShaft, sign: int) -> Words:
+    """Return a shaft in words; `sign` is that of what its shares are multiples of."""
     parts: list[Any] = [f"shaft at {shaft.speed:+d} times the crank: ".replace("-", "−")]
     for i, weight in enumerate(shaft.weights):
         parts += ["; "] if i else []
-        parts += _weight(weight)
+        parts += _weight(weight, 1 if weight.in_kg_mm else sign)
     if shaft.phase.turns or shaft.phase.symbols:
         parts.append(f", from {shaft.phase.as_text()} degrees")
     if shaft.x or shaft.y:
@@ -65,13 +67,15 @@ def _shaft(shaft: BalanceShaft) -> Words:
     return tuple(parts)
 
 
-def _weight(weight: Weight) -> tuple[Any, ...]:
-    return (*_size(weight.vector, weight.in_kg_mm), f", station {with_minus(weight.station)}")
+def _weight(weight: Weight, sign: int) -> tuple[Any, ...]:
+    return (*_size(weight.vector, weight.in_kg_mm, sign), f", station {with_minus(weight.station)}")
 
 
-def _size(vector: Amplitude, in_kg_mm: bool) -> tuple[Any, ...]:
-    unit = " kg mm" if in_kg_mm else ""
-    return ("" if in_kg_mm else "share ", *size(vector), f"{unit} at ", *direction(vector))
+def _size(vector: Amplitude, in_kg_mm: bool, sign: int = 1) -> tuple[Any, ...]:
+    unit, pointing = " kg mm" if in_kg_mm else "", vector.scaled(Fraction(sign))
+    *before, value = size(vector)
+    signed = (*before, -value if sign < 0 else value)
+    return ("" if in_kg_mm else "share ", *signed, f"{unit} at ", *direction(pointing))
 
 
 def size(vector: Amplitude) -> tuple[Any, ...]:

@@ -112,12 +112,7 @@ def _size(design: Design) -> Formula:
 
 
 def _proposal(design: Design) -> tuple[Block, ...]:
-    segments = [tuple(Decimal(five_digits(x)) for x in (cut.angle, cut.mass)) for cut in design.segments]
-    weights = design_weights(design)
-    rows = tuple(
-        (*_row(weight), *cells)
-        for weight, cells in zip(weights, segments or [()] * len(weights), strict=True)
-    )
+    rows = tuple(map(_row, design_weights(design)))
     title: Words = (
         "Proposed weights: mass times radius ",
         equal(_U, _size(design)),
@@ -134,13 +129,15 @@ def _proposal(design: Design) -> tuple[Block, ...]:
 
 
 def _row(weight: PlacedWeight) -> tuple[Cell, ...]:
+    cut = weight.segment
     return (
         Decimal(f"{weight.device.speed:+d}"),
         device_name(weight.device),
         station_cell(weight.station),
-        size_cell(weight.vector),
-        direction(weight.vector),
+        size_cell(weight.vector, below_zero=weight.is_opposite),
+        direction(weight.pointing),
         "" if weight.unbalance is None else Decimal(five_digits(weight.unbalance)),
+        *(() if cut is None else (Decimal(five_digits(x)) for x in (cut.angle, cut.mass))),
     )
 
 
@@ -181,8 +178,8 @@ def _proposal_legend(design: Design) -> list[tuple[Words, Words]]:
         steel = f"{short_text(ring.density)} kg/m³"
         cut = f"its whole angle, cut from a ring of {radii} mm, {thick} mm thick, {steel}"
         entries.append(("segment", f"{cut}; its middle where the weight points"))
-    if any(w.unbalance is not None and w.unbalance < 0 for w in design_weights(design)):
-        entries.append((_U, "below 0, as its Aₙ is: the weight points the other way"))
+    if any(w.is_opposite for w in design_weights(design)):
+        entries.append((_S, "below 0 where its Aₙ is; U never is, and points as said"))
     return entries
 
 

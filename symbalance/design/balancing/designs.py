@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar, Unpack
 
 from symbalance.design.balancing.design_limits import Limits, checked_limits, checked_orders
@@ -25,7 +26,7 @@ from symbalance.design.balancing.order_selection import parts_of
 from symbalance.design.balancing.web_segments import STEEL, Segment, SegmentRing, checked_ring
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine, checked_engine
-from symbalance.engine.rotating_masses import unit_of_share
+from symbalance.engine.rotating_masses import share_sign, unit_of_share
 from symbalance.errors import SymbalanceError
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.phasor import ZERO
@@ -218,7 +219,11 @@ class Design(Result):
         needs_ratio = abs(device.speed) > 1 and self.balanced.has_common_harmonics
         if unit is None or (needs_ratio and self.balanced.ratio is None) or self.balanced.has_symbols:
             return None
-        return vector.size() * unit_of_share(self.balanced, device.speed) * unit / device.speed**2
+        return abs(vector.size() * unit_of_share(self.balanced, device.speed)) * unit / device.speed**2
+
+    def direction(self, device: Device, vector: Amplitude) -> Amplitude:
+        """Return a vector that points where a weight does: a share of A_4, below 0, the other way."""
+        return vector.scaled(Fraction(share_sign(self.balanced, device.speed)))
 
 
 def design_balance(

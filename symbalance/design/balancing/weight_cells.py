@@ -18,7 +18,9 @@ def station_cell(station: Fraction) -> Formula:
     return formula_of(sympy.Rational(station.numerator, station.denominator))
 
 
-def size_cell(vector: Amplitude) -> Cell:
+def size_cell(vector: Amplitude, *, below_zero: bool = False) -> Cell:
     """Return how large a vector is: exactly, beside its decimal, where that is short."""
     words, near = size(vector), nearly(vector)
-    return Exact(words[0], near, beside=True) if isinstance(near, Decimal) else words
+    if below_zero:
+        words, near = (*words[:-1], -words[-1]), -near if isinstance(near, Decimal) else near
+    return Exact(words[0], near, beside=True) if near else words

@@ -127,8 +127,9 @@ class Sensitivities(Result, Sequence[Sensitivity]):
     """All derivatives of orders by each cylinder's sizes, largest effect of a step first: a sequence.
 
     An effect is the force, or where it is larger the couple over one pitch: the pair of forces, a pitch
-    apart, that makes it. So it is at every speed the same sequence. Forces are in m r omega^2 of cylinder 1, couples in m r omega^2 a about
-    `reference`, None for the mean of all stations. `parameters` are the sizes they are by.
+    apart, that makes it. So it is the same sequence at every speed. Forces are in m r omega^2 of cylinder
+    1, couples in m r omega^2 a about `reference`, None for the mean of all stations. `parameters` are the
+    sizes they are by.
     """
 
     engine: Engine
