@@ -103,7 +103,7 @@ def run(options: argparse.Namespace) -> int:
     if options.segment is not None:
         design = _cut(design, options)
     form = medium(options)
-    if form == "text" and not options.full and options.rpm is None:  # which asks for what remains
+    if form == "text" and not options.full:
         design = replace(design, full=False)
     content = content_of(design, form, options)
     files = _files(design, options)

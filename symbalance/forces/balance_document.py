@@ -75,8 +75,8 @@ def balance_document(balance: Balance) -> Document:
     return Document(
         engine_title(balance.engine),
         blocks(
+            turn_blocks(balance),  # how much it is, before what it is made of
             resultant_blocks(balance),
-            turn_blocks(balance),
             drawing_blocks(balance.engine),
             conventions(balance),
         ),
@@ -223,7 +223,7 @@ def turn_blocks(balance: Balance) -> tuple[Block, ...]:
     rows = []
     for output, top in balance.turn_maxima.items():
         of, _, name = output.partition(".")
-        if top.value > 0:
+        if top.value > NEGLIGIBLE * float(balance.unit_value(of)):
             where = Decimal(f"{top.angle:.1f}")
             cells = (f"{of}, {name or 'in any direction'}", UNITS[of], decimal(top.value, SHOWN))
             rows.append((*cells, decimal(_upwards(top.bound), 8), where))
@@ -234,7 +234,8 @@ def turn_blocks(balance: Balance) -> tuple[Block, ...]:
         Column("proved to be at most"),
         Column(("at ", Name("theta"), ", degrees")),
     )
-    return (at, Table("All orders together, over a turn", columns, tuple(rows)))
+    title, nothing = "All orders together, over a turn", "below 10⁻⁶ of one piston's first order"
+    return (at, Table(title, columns, tuple(rows), empty=nothing))
 
 
 def operating_facts(point: OperatingPoint, of: str = "force", *, engine: Engine | None = None) -> Facts:
