@@ -260,6 +260,7 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "bank-angles": lambda: sb.engine.bank_angles([0, 120, 240], [60, 90]),
     "bank-angles-of-any-crank": lambda: sb.engine.bank_angles(6, [60]),
     "overbalance": lambda: sb.design.tabulate_overbalance(sb.load("inline-3")),
+    "overbalance-at-speed": lambda: sb.design.tabulate_overbalance(sb.load("vq30de")).at(rpm=6000),
     "design": _design,
     "design-segments": lambda: sb.design_balance(sb.load("vq30de"), [1]).cut_from(60, 20, inner=20),
     "design-at-speed": lambda: sb.design_balance(sb.load("vq30de"), [1, 2]).at(rpm=6000),

@@ -125,6 +125,7 @@ def add_operating_point(
     parser: argparse.ArgumentParser,
     speeds: str = "N or FROM:TO:STEP",
     *,
+    rod: bool = True,
     pitch: bool = True,
     bore: bool = False,
 ) -> None:
@@ -135,7 +136,7 @@ def add_operating_point(
     for option, unit, what in (
         ("mass", "KG", "reciprocating mass of a cylinder"),
         ("stroke", "MM", "stroke"),
-        ("rod", "MM", "rod's length"),
+        *((("rod", "MM", "rod's length"),) if rod else ()),
         *((("pitch", "MM", "pitch of the cylinders"),) if pitch else ()),
         *((("bore", "MM", "bore"),) if bore else ()),
     ):
@@ -180,7 +181,7 @@ def check_speed_for_sizes(
     """Refuse sizes that play a part at a speed only, where none is given."""
     if any(getattr(options, name, None) is not None for name in ("rpm", "pressure", "compression")):
         return
-    for name in (*sizes, *(() if options.rod is not None else ("stroke",))):
+    for name in (*sizes, *(() if getattr(options, "rod", None) is not None else ("stroke",))):
         if getattr(options, name, None) is not None:
             remedy = "add --rpm N, or leave it out"
             raise SymbalanceError(f"--{name}", "plays a part at a speed only", remedy)

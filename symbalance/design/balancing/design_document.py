@@ -186,7 +186,7 @@ def _proposal_legend(design: Design) -> list[tuple[Words, Words]]:
 
 def _places(pitch: Fraction | None) -> str:
     """Return in what stations are."""
-    return "in cylinder pitches" if pitch is None else "in mm where the cylinders' count from"
+    return "in cylinder pitches" if pitch is None else "in mm, counted as the cylinders' are"
 
 
 def _limits(design: Design) -> list[str]:
