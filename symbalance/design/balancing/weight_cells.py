@@ -20,7 +20,8 @@ def station_cell(station: Fraction) -> Formula:
 
 def size_cell(vector: Amplitude, *, below_zero: bool = False) -> Cell:
     """Return how large a vector is: exactly, beside its decimal, where that is short."""
-    words, near = size(vector), nearly(vector)
-    if below_zero:
-        words, near = (*words[:-1], -words[-1]), -near if isinstance(near, Decimal) else near
-    return Exact(words[0], near, beside=True) if near else words
+    *before, value = size(vector)
+    near, signed = nearly(vector), -value if below_zero else value
+    if not isinstance(near, Decimal):
+        return (*before, signed)
+    return Exact(signed, -near if below_zero else near, beside=True)
