@@ -67,6 +67,7 @@ def run(options: argparse.Namespace) -> int:
 
     path = _path(options.output, FILES[options.target], options.target)
     engine = engine_of(options)
+    _check_sizes(options, engine, outputs)
     running = running_engine(options, engine, "torque.total" in outputs)
     highest = 1 if order is None else order
     result = balance(engine, highest) if running is None else running
@@ -101,6 +102,16 @@ def _check_use(options: argparse.Namespace, outputs: list[str]) -> None:
         raise SymbalanceError(f"--{name}", rule, "add --rpm N, or leave this out")
 
 
+def _check_sizes(options: argparse.Namespace, engine: Engine, outputs: list[str]) -> None:
+    """Refuse forces at a speed without a rod ratio, naming all that is missing beside it."""
+    kinds = {name.partition(".")[0] for name in outputs}
+    if options.rpm is None or engine.first.ratio is not None or not kinds <= {"force", "couple"}:
+        return
+    from symbalance.forces.operating_point import operating_point
+
+    operating_point(engine, options.rpm, needs_pitch="couple" in kinds, needs_ratio=True)
+
+
 def _at_speed(plan: Plan, engine: Engine, options: argparse.Namespace) -> Plan:
     """Return a plan whose keywords are the engine's at a speed where none is given."""
     from dataclasses import replace
@@ -112,7 +123,9 @@ def _at_speed(plan: Plan, engine: Engine, options: argparse.Namespace) -> Plan:
     for name in ("mass", "pitch"):
         if getattr(options, name) is not None and name not in used:
             rule = "plays no part in the outputs asked for"
-            raise SymbalanceError(f"--{name}", rule, "leave it out, or add forces to --outputs")
+            raise SymbalanceError(
+                f"--{name}", rule, "leave it out, or add an output that it does to --outputs"
+            )
     return replace(plan, defaults=defaults_at(engine, options.rpm, plan.factors))
 
 

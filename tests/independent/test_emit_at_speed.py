@@ -155,7 +155,7 @@ def test_without_a_speed_every_keyword_is_1(engine_file: Path, capsys) -> None:
     assert "Each is 1 unless given: values" in " ".join(text.split())
 
 
-def test_what_newtons_need_is_named(capsys) -> None:
+def test_what_newtons_need_is_named(capsys, tmp_path: Path) -> None:
     """The sizes that the outputs depend on, and no others."""
     options = ["emit", "v8-90", "--target", "numpy", "--rpm", "6000"]
     assert run([*options, "--stroke", "90"]) == 2
@@ -167,6 +167,10 @@ def test_what_newtons_need_is_named(capsys) -> None:
     assert "needs the engine's pitch for newtons" in capsys.readouterr().err
     assert run([*options, *sizes, "--pitch", "100"]) == 2
     assert "--pitch: plays no part in the outputs asked for" in capsys.readouterr().err
+    bare = tmp_path / "bare.toml"
+    bare.write_text("[layout]\nfiring_order = [1, 2]\n", encoding="utf-8")
+    assert run(["emit", str(bare), "--target", "numpy", "--rpm", "6000"]) == 2
+    assert "needs the engine's stroke, reciprocating_mass and rod for newtons" in capsys.readouterr().err
     assert run(["emit", "v8-90", "--target", "numpy", "--mass", "1"]) == 2
     assert "--mass: makes newtons at a speed only" in capsys.readouterr().err
 
