@@ -161,7 +161,7 @@ class _Writer(DocumentWriter):
         fit = fit_table(block, lambda words: len(plain_words(words)), ROOM, 2)
         columns = [_padding(fit.cells(i)) if each else None for i, each in enumerate(fit.numeric)]
         heads = "".join(
-            f'<th scope="col"{_number_class(pad)}>{self.words(column.head)}</th>'
+            f'<th scope="col"{_number_class(pad)}{_spoken(column)}>{self.words(column.head)}</th>'
             for column, pad in zip(fit.columns, columns, strict=True)
         )
         pads = [[None if c is None else c[k] for c in columns] for k in range(len(fit.rows))]
@@ -213,3 +213,10 @@ _WHOLE = re.compile("[+−]?[0-9]+")
 
 def _number_class(pad: object) -> str:
     return "" if pad is None else ' class="number"'
+
+
+def _spoken(column: nodes.Column) -> str:
+    """Return a label for a head that is a formula alone: checkers of pages hear no words in MathML."""
+    if any(isinstance(each, str) and each.strip() for each in inlines(column.head)):
+        return ""
+    return f' aria-label="{escape(plain_words(column.head))}"'

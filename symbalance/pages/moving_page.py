@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from base64 import b64encode
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from html import escape
 from importlib.resources import files
@@ -132,7 +132,8 @@ def _version() -> str:
 
 def _emitted(result: Balance) -> str:
     """Return the library's functions of the engine as JavaScript, without its self-test."""
-    plan = plan_for(result, None, OUTPUTS, "javascript", 0.0, ORDER)
+    # In units of m r omega^2 whatever the speed: the script multiplies by what its slider says.
+    plan = plan_for(replace(result, operating_point=None), None, OUTPUTS, "javascript", 0.0, ORDER)
     (source,) = sources(plan, "javascript", result.engine.name, "engine", grid=False).values()
     start, test = source.index("*/") + 2, source.find("const CHECKS")
     body = source[start:test] if test > 0 else source[start:]

@@ -484,8 +484,8 @@ if (oblique && E.drawsOblique) {
 $("controls").hidden = false;
 $("controls").addEventListener("submit", (e) => e.preventDefault());
 window.addEventListener("hashchange", () => { Object.assign(S, OWN); recall(); redraw(); });
-recall();
-if (check()) {
+if (check()) {  // at the engine's own values, before the address may change them
+  recall();
   redraw();
   // For programs that read the page: what it shows now.
   window.symbalance = {state: S, now: NOW, motion: (n, theta) => motion(byNumber[n], theta), show: (values) => { Object.assign(S, values); redraw(); }};
