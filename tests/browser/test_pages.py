@@ -1,4 +1,4 @@
-"""Pages opened from disk by a browser: what they show equals the library's numbers, and they ask for nothing.
+"""Pages opened from disk by a browser: they show the library's numbers, and ask for nothing.
 
 Chromium is driven by Playwright; both are rare on a machine, and so is axe-core, which npm fetches.
 """
@@ -52,7 +52,9 @@ class Opened:
         self.page.goto(file.as_uri() + hash_)
 
     def show(self, **state: Any) -> list[float]:
-        return self.page.evaluate("s => { symbalance.show(s); return Array.from(symbalance.now.values); }", state)
+        return self.page.evaluate(
+            "s => { symbalance.show(s); return Array.from(symbalance.now.values); }", state
+        )
 
     def transform(self, view: str, part: str) -> tuple[complex, float]:
         text = self.page.get_attribute(f'#{view} [data-part="{part}"]', "transform")
@@ -99,7 +101,7 @@ def test_the_slider_of_the_bank_angle_shows_the_engine_of_that_angle(
     opened = Opened(browser, tmp_path, engine)
     cylinders = []
     for c in engine.cylinders:
-        shift = (-7.5 if c.bank.turns > 0 else 7.5) * 1
+        shift = -7.5 if c.bank.turns > 0 else 7.5
         bank = float(c.bank.in_degrees()) + shift
         throw = float(c.throw.in_degrees()) + (shift if reading == "firing" else 0)
         cylinders.append(sb.Cylinder(c.number, str(throw), str(bank), c.station))
@@ -129,7 +131,9 @@ def test_positions_on_asymmetric_engines(name: str, browser: Any, tmp_path: Path
         theta = math.radians(degrees)
         first = engine.first
         place, _ = opened.transform("section", f"piston-{first.number}")
-        scale = abs(place) / math.hypot(heights(engine, first, np.array([theta]))[0], float(first.offset or 0))
+        scale = abs(place) / math.hypot(
+            heights(engine, first, np.array([theta]))[0], float(first.offset or 0)
+        )
         for cylinder in engine.cylinders:
             height = heights(engine, cylinder, np.array([theta]))[0]
             at, _ = opened.transform("section", f"piston-{cylinder.number}")
@@ -176,7 +180,9 @@ def test_no_sideways_scroll(name: str, width: int, browser: Any, tmp_path: Path)
 
 
 def test_a_link_reproduces_the_state(browser: Any, tmp_path: Path) -> None:
-    opened = Opened(browser, tmp_path, sb.load("v8-90"), hash="#theta=33&lambda=3.3&bank=75&nonsense=1&order=999")
+    opened = Opened(
+        browser, tmp_path, sb.load("v8-90"), hash="#theta=33&lambda=3.3&bank=75&nonsense=1&order=999"
+    )
     state = opened.page.evaluate("symbalance.state")
     assert (state["theta"], state["lambda"], state["bank"], state["order"]) == (33, 3.3, 75, 1)
     opened.page.fill("#theta", "50")
@@ -217,7 +223,9 @@ def test_axe_finds_nothing(scheme: str, browser: Any, tmp_path: Path) -> None:
     if npm is None:
         pytest.skip("no npm on this machine")
     fetched = subprocess.run(
-        [npm, "install", "--silent", "--prefix", str(tmp_path), "axe-core@4"], capture_output=True, check=False
+        [npm, "install", "--silent", "--prefix", str(tmp_path), "axe-core@4"],
+        capture_output=True,
+        check=False,
     )
     if fetched.returncode:
         pytest.skip("axe-core cannot be fetched here")
