@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 from typing import Any, cast
 
 from symbalance.budgets import Budget
-from symbalance.engine.catalogue import is_engine_file, load
+from symbalance.engine.catalogue import is_engine_file, load, preset_names
 from symbalance.kinematics.slider_crank import acceleration_series, acceleration_value, surviving
 from symbalance.notes.checking import documents
+from symbalance.notes.checking.declaration_draft import DeclarationDraft
 from symbalance.notes.checking.engines import KnownEngine
 from symbalance.notes.checking.judging import PAGE
 from symbalance.notes.checking.verdicts import Checked
@@ -20,6 +22,19 @@ from symbalance.text.named_paths import NamingFolder
 from symbalance.text.reals import nstr
 
 VALUE_DIGITS = 30
+_COUNTS = {
+    "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "eight": 8, "zwei": 2, "drei": 3, "vier": 4,
+    "fünf": 5, "sechs": 6, "acht": 8,
+}  # fmt: skip
+_COUNT = "|".join(("[0-9]{1,2}", *_COUNTS))
+_INLINE = re.compile(
+    rf"(?:in-?line|straight)[- ]?({_COUNT})\b|Reihen({_COUNT})zylinder|直列\s*([0-9]{{1,2}})\s*気筒",
+    re.IGNORECASE,
+)
+_VEE = re.compile(r"\bV-?([0-9]{1,2})(?![0-9])|V\s*型\s*([0-9]{1,2})\s*気筒")
+_BANK_ANGLE = re.compile(r"([0-9]{2,3})\s*(?:°|度|degrees?|-degree)")
+_NEAR = 400
+"""Characters around the name of a vee engine in which its bank angle is looked for."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +64,14 @@ class LibraryEngines:
         """
         return acceleration_series(order, power).terms if surviving(order) else {}
 
+    def mentions(self, text: str) -> Sequence[tuple[int, str]]:
+        """Return the presets that a text speaks of: by name, or by how many cylinders stand how.
+
+        >>> LibraryEngines().mentions("the VQ30DE; V型12気筒、バンク角は60度")
+        [(4, 'vq30de'), (12, 'v12-60')]
+        """
+        return sorted((*_by_name(text), *_by_arrangement(text)))
+
     def coefficient_value(self, order: int, ratio: Fraction) -> Fraction:
         """Return A_order at a rod ratio, to 30 digits."""
         return Fraction(nstr(acceleration_value(order, ratio, VALUE_DIGITS), VALUE_DIGITS))
@@ -60,6 +83,7 @@ def check(
     *,
     budget: Budget = PAGE,
     trust_paths: bool = False,
+    accept_proposals: bool = False,
 ) -> Checked:
     """Return the verdicts on every equation of a hand derivation.
 
@@ -69,6 +93,8 @@ def check(
     `bind`), or the path of one; without it NAME.symbols.toml beside the file is read, or the header of
     the document. Lines are bound to this library's presets and engine files; those that a document or
     its sidecar names must lie in its folder or below, unless its reader says `trust_paths`.
+    `accept_proposals` takes what a symbols file proposes, or the document's own words do where there is
+    none, as if somebody had confirmed it; the report says so at its head.
     `budget` is what the document may take, in seconds and MB (`symbalance.budgets.Budget`); each relation
     may take a 60th of that time and a quarter of the memory, and is "undecided" where it takes more.
 
@@ -81,4 +107,45 @@ def check(
     """
     # What a caller's own mapping names is the caller's word, not that of a file.
     trusted = trust_paths or isinstance(symbols, Mapping)
-    return documents.check(document, symbols, engines=LibraryEngines(trusted), budget=budget)
+    engines = LibraryEngines(trusted)
+    return documents.check(
+        document, symbols, engines=engines, budget=budget, accept_proposals=accept_proposals
+    )
+
+
+def sidecar_draft(
+    document: str | Path,
+    symbols: Mapping[str, Any] | str | Path | None = None,
+    *,
+    budget: Budget = PAGE,
+) -> DeclarationDraft:
+    """Return a draft of a document's symbols file; what its words propose stands in it, unconfirmed."""
+    return documents.sidecar_draft(document, symbols, engines=LibraryEngines(), budget=budget)
+
+
+# Engines that a text speaks of
+
+
+def _by_name(text: str) -> Iterator[tuple[int, str]]:
+    """Yield the presets that a text names, whatever its capitals."""
+    names = "|".join(re.escape(name) for name in sorted(preset_names(), key=len, reverse=True))
+    for match in re.finditer(rf"(?<![A-Za-z0-9-])(?:{names})(?![A-Za-z0-9-])", text, re.IGNORECASE):
+        yield match.start(), match[0].lower()
+
+
+def _by_arrangement(text: str) -> Iterator[tuple[int, str]]:
+    """Yield the plain presets of the arrangements that a text names: "V12" with its angle near it."""
+    known = set(preset_names())
+    for match in _INLINE.finditer(text):
+        name = f"inline-{_count(next(group for group in match.groups() if group))}"
+        if name in known:
+            yield match.start(), name
+    for match in _VEE.finditer(text):
+        around = text[max(0, match.start() - 40) : match.end() + _NEAR]
+        angles = {f"v{match[1] or match[2]}-{angle}" for angle in _BANK_ANGLE.findall(around)} & known
+        if len(angles) == 1:
+            yield match.start(), next(iter(angles))
+
+
+def _count(word: str) -> int:
+    return _COUNTS[word.casefold()] if word.casefold() in _COUNTS else int(word)

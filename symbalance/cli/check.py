@@ -37,7 +37,16 @@ def add(commands: argparse._SubParsersAction) -> None:
         help="exit 0 although something could not be read; still 1 where nothing could",
     )
     parser.add_argument(
-        "--declare", action="store_true", help="print a symbols file to fill in, with the letters missing"
+        "--declare",
+        action="store_true",
+        help="draft a symbols file: every letter, with what the text proposes, for you to confirm; "
+        "--format html and others show the proposals typeset",
+    )
+    parser.add_argument(
+        "--accept-proposals",
+        action="store_true",
+        help="take proposals as confirmed: those of the symbols file or, without one, the text's own; "
+        "the report says so",
     )
     add_jobs(parser, "documents")
     add_trust(parser, "the symbols file")
@@ -70,15 +79,15 @@ def run(options: argparse.Namespace) -> int:
     if options.dask is not None:
         raise SymbalanceError("--dask", "is for several documents", "leave it out, or name a folder")
     if options.declare:
-        from symbalance.notes.checking import sidecar_draft
-
-        for name in ("format", "standalone", "label", "lenient"):
-            if getattr(options, name):
-                raise SymbalanceError(f"--{name}", "plays no part in --declare", "leave it out")
-        write(sidecar_draft(Path(options.notes), options.symbols), options.output, "source")
-        return DONE
+        return _declare(options)
     limit = read_budget(options.budget)
-    checked = check(Path(options.notes), options.symbols, budget=limit, trust_paths=options.trust_paths)
+    checked = check(
+        Path(options.notes),
+        options.symbols,
+        budget=limit,
+        trust_paths=options.trust_paths,
+        accept_proposals=options.accept_proposals,
+    )
     show(checked, options)
     for verdict in checked.faults:
         place = f"line {verdict.line} of {file_name(options.notes)}"
@@ -86,3 +95,19 @@ def run(options: argparse.Namespace) -> int:
     if checked.faults:
         return FAULT
     return FAILED if checked.fails(lenient=options.lenient) else DONE
+
+
+def _declare(options: argparse.Namespace) -> int:
+    """Write the draft of a symbols file or, in a medium that is asked for, what is proposed, typeset."""
+    from symbalance.checking import sidecar_draft
+
+    for name in ("standalone", "label", "lenient", "accept_proposals"):
+        if getattr(options, name):
+            option = name.replace("_", "-")
+            raise SymbalanceError(f"--{option}", "plays no part in --declare", "leave it out")
+    draft = sidecar_draft(Path(options.notes), options.symbols, budget=read_budget(options.budget))
+    if options.format is None:
+        write(draft.toml(), options.output, "source")
+    else:
+        show(draft, options)
+    return DONE

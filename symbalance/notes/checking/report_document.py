@@ -7,7 +7,16 @@ from itertools import islice
 
 from symbalance.document.fitting import plain_words
 from symbalance.document.formula import Equation, Formula, Name, walk
-from symbalance.document.nodes import Code, Document, Facts, Inline, Source, SourceLine, Words
+from symbalance.document.nodes import (
+    Code,
+    Document,
+    Facts,
+    Inline,
+    Paragraph,
+    Source,
+    SourceLine,
+    Words,
+)
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.descriptions import rounded_number
 from symbalance.notes.checking.verdicts import (
@@ -56,11 +65,11 @@ _MEANINGS = {
 def report_document(checked: Checked) -> Document:
     """Return the counts, every verdict in line order, then what the verdicts mean."""
     lines = tuple(map(_line, checked.verdicts))
+    remarks = tuple(map(Paragraph, checked.remarks))
+    title, lead = _title(checked.derivation.name), summary(checked)
     if not lines:
-        return Document(_title(checked.derivation.name), (), summary(checked))
-    return Document(
-        _title(checked.derivation.name), (Source(lines), _legend(checked.verdicts)), summary(checked)
-    )
+        return Document(title, remarks, lead)
+    return Document(title, (*remarks, Source(lines), _legend(checked.verdicts)), lead)
 
 
 def verdict_document(verdict: Verdict) -> Document:

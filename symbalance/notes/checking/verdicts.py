@@ -12,6 +12,7 @@ from symbalance.notes.reading.equations import ReadNotes
 
 if TYPE_CHECKING:
     from symbalance.document import nodes
+    from symbalance.document.nodes import Words
 
 HOLDS = "holds"
 HOLDS_TO_ORDER = "holds_to_order"
@@ -139,6 +140,8 @@ class Checked(Result):
 
     derivation: ReadNotes
     verdicts: tuple[Verdict, ...]
+    remarks: tuple[Words, ...] = ()
+    """What a reader must know before the verdicts: what they rest on, what is still to be declared."""
 
     kind: ClassVar[str] = "check"
 
