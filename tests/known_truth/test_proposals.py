@@ -1,4 +1,4 @@
-"""Proposals for a symbols file, against the files that were written by hand for the same pages."""
+"""Proposals for a symbols file, against files that were written by hand for the same pages."""
 
 from __future__ import annotations
 
@@ -23,7 +23,8 @@ WRONG = {
 PAGES = {
     "en.md": (
         "Let $r$ be the crank radius, $l$ the rod length and $\\theta$ the crank angle.\n\n"
-        "The displacement of the piston is\n\n$$x = r(1-\\cos\\theta) + \\frac{r^2}{2l}\\sin^2\\theta$$\n",
+        "The displacement of the piston is\n\n"
+        "$$x = r(1-\\cos\\theta) + \\frac{r^2}{2l}\\sin^2\\theta$$\n",
         {"r": "crank radius", "θ": "crank angle", "x": "displacement from top dead centre"},
     ),
     "de.txt": (
@@ -36,7 +37,8 @@ PAGES = {
     ),
     "ja.txt": (
         "s:ストローク\nクランク角をθとする。往復質量 M、連桿比 λ = l/s\n\n"
-        "\\displaystyle F=M \\frac{s}{2} \\omega^2 (\\cos \\theta + \\frac{1}{2 \\lambda} \\cos 2 \\theta)\n",
+        "\\displaystyle F=M \\frac{s}{2} \\omega^2 (\\cos \\theta + \\frac{1}{2 \\lambda} "
+        "\\cos 2 \\theta)\n",
         {"s": "stroke", "θ": "crank angle", "λ": "rod ratio l/s", "M": "reciprocating mass"},
     ),
 }  # fmt: skip
