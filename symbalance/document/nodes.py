@@ -156,6 +156,7 @@ class Figure:
 class SourceLine:
     """A line somebody wrote: its place, its text, a verdict in a word or two, and what is said of it.
 
+    `typeset` is the line as a formula, where it could be read: media for print show it, not the text.
     `bad` marks a verdict a reader must act on; `notes` and `formulas` stand below the line.
     """
 
@@ -165,6 +166,7 @@ class SourceLine:
     bad: bool = False
     notes: tuple[Words, ...] = ()
     formulas: tuple[tuple[str, Formula], ...] = ()
+    typeset: Formula | Equation | None = None
 
 
 @dataclass(frozen=True, eq=False)

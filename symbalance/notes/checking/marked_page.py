@@ -1,7 +1,7 @@
 """The author's own page for a browser: typeset, each relation coloured, what is wrong first.
 
-What stands between relations is shown as text, formulas in dollar signs typeset; each relation stands on a
-line that opens to its claim, its exact value, a witness, both sides drawn where they part, and the
+What stands between relations is shown as text, formulas in dollar signs typeset; each relation stands on
+a line that opens to its claim, its exact value, a witness, both sides drawn where they part, and the
 change that makes it true, in the author's letters.
 """
 
@@ -10,20 +10,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from operator import is_
 
-from symbalance.document.formula import (
-    Constant,
-    Equation,
-    Formula,
-    Number,
-    Product,
-    Quotient,
-    Upright,
-    children,
-    names,
-    with_children,
-)
+from symbalance.document.formula import Equation, Formula, names
 from symbalance.document.nodes import (
     Block,
     Code,
@@ -38,11 +26,9 @@ from symbalance.document.nodes import (
     Words,
     blocks,
 )
-from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.report_document import (
     difference_words,
     fault_words,
-    is_readable,
     legend,
     one_line,
     page_title,
@@ -52,9 +38,9 @@ from symbalance.notes.checking.report_document import (
     witness_words,
 )
 from symbalance.notes.checking.sides_plot import plot_sides
+from symbalance.notes.checking.typeset_relations import is_readable, sides_by_span, typeset, whole_chain
 from symbalance.notes.checking.verdicts import FAILING, REFUTED, UNDECIDED, UNREADABLE, Checked, Verdict
 from symbalance.notes.reading import ReadingError, read_equation
-from symbalance.notes.reading.equations import Chain
 
 MOST_PLOTS = 60
 """Of one page: each takes some hundredths of a second."""
@@ -129,10 +115,7 @@ class _Page:
 
     def __init__(self, checked: Checked) -> None:
         self.checked, self.text = checked, checked.derivation.text
-        self.sides: dict[tuple[int, int], tuple[Chain, int]] = {}
-        for chain in checked.derivation.chains:
-            for k, side in enumerate(chain.sides):
-                self.sides[side.span] = (chain, k)
+        self.sides = sides_by_span(checked.derivation)
         self.letters = {n for c in checked.derivation.chains for s in c.sides for n in names(s.node)}
         self.plots = self.formulas = 0
         is_plain = checked.derivation.name.endswith((".txt", ".text"))
@@ -184,10 +167,10 @@ class _Page:
         for chain in self.checked.derivation.chains:  # a formula alone, of which nothing is claimed
             span = (chain.sides[0].span[0], chain.sides[-1].span[1])
             if span not in stretches:
-                placed.append(_Piece(*span, (), (_whole(chain),)))
+                placed.append(_Piece(*span, (), (whole_chain(chain),)))
         for (start, end), verdicts in stretches.items():
             chain = self.sides.get(verdicts[0].span, (None, 0))[0]
-            inline = (_whole(chain),) if chain is not None and chain.inline else ()
+            inline = (whole_chain(chain),) if chain is not None and chain.inline else ()
             placed.append(_Piece(start, end, tuple(verdicts), inline))
         return sorted(placed, key=lambda piece: (piece.start, piece.end)), loose
 
@@ -230,7 +213,7 @@ class _Page:
     def _formula(self, source: str) -> Inline:
         letters = self.letters | set(re.findall(r"(?<![A-Za-z\\])[A-Za-z](?![A-Za-z])", source))
         try:
-            return _whole(read_equation(source, letters))
+            return whole_chain(read_equation(source, letters))
         except ReadingError:
             return Code(source)
 
@@ -243,16 +226,8 @@ class _Page:
 
     def _line(self, verdict: Verdict) -> Marked:
         """Return a relation as a line that opens."""
-        words: Words
-        chain, k = self.sides.get(verdict.span, (None, 0))
-        if verdict.node is None or not is_readable(verdict.node):
-            words = Code(one_line(verdict.source, LONGEST_PROSE))
-        elif chain is None or not k:
-            words = in_degrees(verdict.node)
-        else:
-            left = chain.sides[k - 1].node
-            shown = in_degrees(left) if k == 1 and is_readable(left) else Upright("")
-            words = Equation(shown, ((chain.relations[k - 1].sign, in_degrees(verdict.node)),))
+        shown = typeset(verdict, self.sides)
+        words: Words = Code(one_line(verdict.source, LONGEST_PROSE)) if shown is None else shown
         return Marked(
             place(verdict),
             words,
@@ -290,44 +265,6 @@ class _Page:
             return None
         self.plots += 1
         return plot_sides(verdict.decision, verdict.witness)
-
-
-def _whole(chain: Chain) -> Formula | Equation:
-    """Return a chain as one equation."""
-    rest = tuple(
-        (relation.sign, in_degrees(side.node))
-        for relation, side in zip(chain.relations, chain.sides[1:], strict=True)
-    )
-    first = in_degrees(chain.sides[0].node)
-    return Equation(first, rest) if rest else first
-
-
-def in_degrees(node: Formula) -> Formula:
-    """Return a formula with angles in degrees as they were written: the reader makes 90° 90 π/180.
-
-    >>> from symbalance.document.text_writer import formula_text
-    >>> formula_text(in_degrees(read_equation("cos(x + 90°)", {"x"}).sides[0].node))
-    'cos(x + 90°)'
-    """
-    if isinstance(node, Product) and _is_degree(node.factors[-1]):
-        (*rest, _) = node.factors
-        if len(rest) == 1 and isinstance(rest[0], Number):
-            return Upright(f"{formula_text(rest[0])}°")
-    parts = children(node)
-    changed = tuple(map(in_degrees, parts))
-    return node if all(map(is_, parts, changed)) else with_children(node, changed)
-
-
-def _is_degree(node: Formula) -> bool:
-    """Tell whether a factor π/180 is one sign of the source, not a quotient that the author wrote."""
-    return (
-        isinstance(node, Quotient)
-        and isinstance(node.numerator, Constant)
-        and node.numerator.name == "pi"
-        and isinstance(node.denominator, Number)
-        and node.denominator.value == 180
-        and node.numerator.span == node.denominator.span
-    )
 
 
 def _body_start(text: str) -> int:

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from itertools import islice
 
 from symbalance.document.fitting import plain_words
-from symbalance.document.formula import Equation, Formula, Name, walk
+from symbalance.document.formula import Equation, Formula, Name
 from symbalance.document.nodes import (
     Code,
     Document,
@@ -19,6 +18,7 @@ from symbalance.document.nodes import (
 )
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.descriptions import rounded_number
+from symbalance.notes.checking.typeset_relations import Sides, is_readable, sides_by_span, typeset
 from symbalance.notes.checking.verdicts import (
     CONDITIONAL,
     DEFINITION,
@@ -37,8 +37,6 @@ from symbalance.notes.checking.verdicts import (
 
 LONGEST_SOURCE = 600
 """Characters of a relation that are shown; the rest is in the JSON."""
-LARGEST_FORMULA = 300
-"""Parts of a formula that is written out."""
 LONGEST_PIECE = 60
 """Of a wrong piece, which stands within a sentence."""
 
@@ -64,7 +62,8 @@ _MEANINGS = {
 
 def report_document(checked: Checked) -> Document:
     """Return the counts, every verdict in line order, then what the verdicts mean."""
-    lines = tuple(map(_line, checked.verdicts))
+    sides = sides_by_span(checked.derivation)
+    lines = tuple(_line(verdict, sides) for verdict in checked.verdicts)
     remarks = tuple(map(Paragraph, checked.remarks))
     title, lead = page_title(checked.derivation.name), summary(checked)
     if not lines:
@@ -74,7 +73,9 @@ def report_document(checked: Checked) -> Document:
 
 def verdict_document(verdict: Verdict) -> Document:
     """Return one verdict with its reasons, then what it means."""
-    return Document(f"Verdict: {verdict_words(verdict)}", (Source((_line(verdict),)), legend((verdict,))))
+    return Document(
+        f"Verdict: {verdict_words(verdict)}", (Source((_line(verdict, {}),)), legend((verdict,)))
+    )
 
 
 def page_title(name: str) -> Words:
@@ -129,7 +130,7 @@ def one_line(source: str, limit: int) -> str:
     return line if len(line) <= limit else line[: limit - 1] + "…"
 
 
-def _line(verdict: Verdict) -> SourceLine:
+def _line(verdict: Verdict, sides: Sides) -> SourceLine:
     return SourceLine(
         place(verdict),
         one_line(verdict.source, LONGEST_SOURCE),
@@ -137,6 +138,7 @@ def _line(verdict: Verdict) -> SourceLine:
         verdict.verdict in FAILING,
         tuple(_notes(verdict)),
         _formulas(verdict),
+        typeset(verdict, sides),
     )
 
 
@@ -196,11 +198,6 @@ def _formulas(verdict: Verdict) -> tuple[tuple[str, Formula], ...]:
     else:
         sides = (stands, ("should be", fix.node))
     return tuple((name, node) for name, node in sides if node is not None and is_readable(node))
-
-
-def is_readable(node: Formula) -> bool:
-    """Tell whether a formula is small enough to be written out; the JSON has any."""
-    return next(islice(walk(node), LARGEST_FORMULA, None), None) is None
 
 
 def legend(verdicts: tuple[Verdict, ...]) -> Facts:
