@@ -84,6 +84,7 @@ def check(
     budget: Budget = PAGE,
     trust_paths: bool = False,
     accept_proposals: bool = False,
+    fixes: bool = True,
 ) -> Checked:
     """Return the verdicts on every equation of a hand derivation.
 
@@ -95,6 +96,7 @@ def check(
     its sidecar names must lie in its folder or below, unless its reader says `trust_paths`.
     `accept_proposals` takes what a symbols file proposes, or the document's own words do where there is
     none, as if somebody had confirmed it; the report says so at its head.
+    `fixes` searches a refuted line for the smallest change that makes it true, and takes time.
     `budget` is what the document may take, in seconds and MB (`symbalance.budgets.Budget`); each relation
     may take a 60th of that time and a quarter of the memory, and is "undecided" where it takes more.
 
@@ -109,7 +111,12 @@ def check(
     trusted = trust_paths or isinstance(symbols, Mapping)
     engines = LibraryEngines(trusted)
     return documents.check(
-        document, symbols, engines=engines, budget=budget, accept_proposals=accept_proposals
+        document,
+        symbols,
+        engines=engines,
+        budget=budget,
+        accept_proposals=accept_proposals,
+        fixes=fixes,
     )
 
 

@@ -48,6 +48,11 @@ def add(commands: argparse._SubParsersAction) -> None:
         help="take proposals as confirmed: those of the symbols file or, without one, the text's own; "
         "the report says so",
     )
+    parser.add_argument(
+        "--no-fixes",
+        action="store_true",
+        help="verdicts alone, without a search for what is meant: quicker",
+    )
     add_jobs(parser, "documents")
     add_trust(parser, "the symbols file")
     add_output(parser)
@@ -87,6 +92,7 @@ def run(options: argparse.Namespace) -> int:
         budget=limit,
         trust_paths=options.trust_paths,
         accept_proposals=options.accept_proposals,
+        fixes=not options.no_fixes,
     )
     show(checked, options)
     for verdict in checked.faults:
@@ -101,7 +107,7 @@ def _declare(options: argparse.Namespace) -> int:
     """Write the draft of a symbols file or, in a medium that is asked for, what is proposed, typeset."""
     from symbalance.checking import sidecar_draft
 
-    for name in ("standalone", "label", "lenient", "accept_proposals"):
+    for name in ("standalone", "label", "lenient", "accept_proposals", "no_fixes"):
         if getattr(options, name):
             option = name.replace("_", "-")
             raise SymbalanceError(f"--{option}", "plays no part in --declare", "leave it out")

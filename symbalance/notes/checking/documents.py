@@ -46,6 +46,7 @@ def check(
     engines: Engines | None = None,
     budget: Budget = PAGE,
     accept_proposals: bool = False,
+    fixes: bool = True,
 ) -> Checked:
     """Return the verdicts on every equation of a hand derivation.
 
@@ -56,6 +57,7 @@ def check(
     the document. `engines` knows the engines that lines are bound to; without it such a line is refused.
     `accept_proposals` takes what a symbols file proposes as confirmed or, where there is none, what the
     document's own words propose (see `sidecar_draft`); the report says so at its head.
+    `fixes` searches a refuted line for the smallest change that makes it true, and takes time.
     `budget` is what the document may take, each relation a 60th of the time and a quarter of the memory;
     what takes more is "undecided" with that reason.
 
@@ -82,7 +84,7 @@ def check(
         remarks.append(_waiting(count))
     page = run_within(budget, partial(read_document, text, name, _letters_by_line(declarations)))
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
-    checked = Judge(page, declarations, Sources(provider, beside), budget).check()
+    checked = Judge(page, declarations, Sources(provider, beside), budget, fixes).check()
     if not is_declared and not accept_proposals and (offer := _offer(checked, name)):
         remarks.append(offer)
     return replace(checked, remarks=tuple(remarks))
