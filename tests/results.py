@@ -174,7 +174,8 @@ def _declaration_draft() -> Result:
     return sidecar_draft(
         "# V12, banks at 60°\n\ncrank radius r, λ = l/r, α is half the bank angle\n\n"
         "Lh is the horizontal component of L\n\n$$Lh = L \\sin α$$\n\n"
-        "## Sixth order force\n\nIts part in cos 6θ.\n\n### Vertical, left bank\n\n$$3 \\sqrt 3 \\cos 6θ$$\n\n"
+        "## Sixth order force\n\nIts part in cos 6θ.\n\n"
+        "### Vertical, left bank\n\n$$3 \\sqrt 3 \\cos 6θ$$\n\n"
         "## Shares, the first order being taken as 100, of the vq30de\n\nSixth order force 0.02\n\n"
         "## Sixth order force, vertical\n\n$$6 \\sqrt 3 \\cos 6θ$$\n\n$$u = r \\sin θ$$\n"
     )

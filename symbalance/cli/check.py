@@ -5,13 +5,16 @@ from __future__ import annotations
 import argparse
 import os
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from symbalance.cli.budget import read_budget
 from symbalance.cli.options import add_jobs, add_output, add_trust, command
 from symbalance.cli.outcomes import DONE, FAILED, FAULT, say_fault
-from symbalance.cli.output import show, write
+from symbalance.cli.output import show, write, write_all
 from symbalance.errors import SymbalanceError
+
+if TYPE_CHECKING:
+    from symbalance.notes.checking.verdicts import Checked
 
 
 def add(commands: argparse._SubParsersAction) -> None:
@@ -52,6 +55,12 @@ def add(commands: argparse._SubParsersAction) -> None:
         "--no-fixes",
         action="store_true",
         help="verdicts alone, without a search for what is meant: quicker",
+    )
+    parser.add_argument(
+        "--certificates",
+        metavar="FILE",
+        help="write a certificate of each verdict to FILE.json, which verify_certificates.py, a program "
+        "of the standard library alone, retraces",
     )
     add_jobs(parser, "documents")
     add_trust(parser, "the symbols file")
@@ -95,6 +104,8 @@ def run(options: argparse.Namespace) -> int:
         fixes=not options.no_fixes,
     )
     show(checked, options)
+    if options.certificates is not None:
+        _write_certificates(checked, options.certificates)
     for verdict in checked.faults:
         place = f"line {verdict.line} of {file_name(options.notes)}"
         say_fault(f"{place}: {verdict.fault}", verdict.traceback)
@@ -103,11 +114,24 @@ def run(options: argparse.Namespace) -> int:
     return FAILED if checked.fails(lenient=options.lenient) else DONE
 
 
+def _write_certificates(checked: Checked, name: str) -> None:
+    """Write the certificates of a document's verdicts."""
+    import json
+
+    from symbalance.notes.checking.certificates import certificates
+
+    if not name.endswith(".json"):
+        raise SymbalanceError(
+            f"--certificates {name}", "is no .json file", "name one: page.certificates.json"
+        )
+    write_all({name: json.dumps(certificates(checked), ensure_ascii=False, indent=1) + "\n"})
+
+
 def _declare(options: argparse.Namespace) -> int:
     """Write the draft of a symbols file or, in a medium that is asked for, what is proposed, typeset."""
     from symbalance.checking import sidecar_draft
 
-    for name in ("standalone", "label", "lenient", "accept_proposals", "no_fixes"):
+    for name in ("standalone", "label", "lenient", "accept_proposals", "no_fixes", "certificates"):
         if getattr(options, name):
             option = name.replace("_", "-")
             raise SymbalanceError(f"--{option}", "plays no part in --declare", "leave it out")

@@ -29,6 +29,8 @@ def check_several(options: argparse.Namespace) -> int:
     """Check every document and show the table; the exit code is the worst of all of them."""
     if options.declare:
         raise SymbalanceError("--declare", "is for one document", "name a single one")
+    if options.certificates is not None:
+        raise SymbalanceError("--certificates", "is for one document", "name a single one")
     form = medium_of_several(options)
     folder = None if options.output in (None, "-") else output_folder(options.output)
     documents = _documents(options.documents, folder)
@@ -166,7 +168,14 @@ def _check(
 ) -> dict[str, Any]:
     """Return what is said of a document, as data and in a medium, and what its check exits with."""
     place, name, symbols, limit, trust_paths, form, standalone, (accepts, fixes) = value
-    checked = check(Path(place), symbols, budget=limit, trust_paths=trust_paths, accept_proposals=accepts)
+    checked = check(
+        Path(place),
+        symbols,
+        budget=limit,
+        trust_paths=trust_paths,
+        accept_proposals=accepts,
+        fixes=fixes,
+    )
     return {
         "report": {**checked.data(), "document": name},
         "printed": printed(checked, form, name, standalone=standalone),

@@ -18,7 +18,8 @@ COLOURS = {
     "holds": "right", "holds_to_order": "right", "conditional": "right",
 }  # fmt: skip
 LETTERS = {"theta": "crank angle", "r": "crank radius", "lambda": "rod ratio l/r"}
-WRONG = "# A title\n\nWords with $r$ in them.\n\n$$\\sin 2\\theta = \\sin\\theta\\cos\\theta$$\n\nLast words.\n"
+WRONG = "# A title\n\nWords with $r$ in them.\n\n"
+    "$$\\sin 2\\theta = \\sin\\theta\\cos\\theta$$\n\nLast words.\n"
 
 
 @pytest.mark.spread(1)
