@@ -10,8 +10,6 @@ from pathlib import Path
 from typing import Any, cast
 
 from symbalance.budgets import Budget
-from symbalance.engine.catalogue import is_engine_file, load, preset_names
-from symbalance.kinematics.slider_crank import acceleration_series, acceleration_value, surviving
 from symbalance.notes.checking import documents
 from symbalance.notes.checking.declaration_draft import DeclarationDraft
 from symbalance.notes.checking.engines import KnownEngine
@@ -19,7 +17,6 @@ from symbalance.notes.checking.judging import PAGE
 from symbalance.notes.checking.verdicts import Checked
 from symbalance.text.files import STANDARD_INPUT
 from symbalance.text.named_paths import NamingFolder
-from symbalance.text.reals import nstr
 
 VALUE_DIGITS = 30
 _COUNTS = {
@@ -48,6 +45,8 @@ class LibraryEngines:
 
     def engine(self, name: str, folder: Path) -> KnownEngine:
         """Return a preset, or the engine of a file: one in `folder` or, if trusted, where it is named."""
+        from symbalance.engine.catalogue import is_engine_file, load  # a page may name no engine
+
         is_preset = not is_engine_file(name) and name != STANDARD_INPUT
         # A cached property is no property to a type checker, and an engine has them.
         return cast(KnownEngine, load(name if is_preset else self._file(name, folder)))
@@ -62,6 +61,8 @@ class LibraryEngines:
         >>> LibraryEngines().coefficient_terms(2, 3)
         {1: Fraction(1, 1), 3: Fraction(1, 4)}
         """
+        from symbalance.kinematics.slider_crank import acceleration_series, surviving
+
         return acceleration_series(order, power).terms if surviving(order) else {}
 
     def mentions(self, text: str) -> Sequence[tuple[int, str]]:
@@ -70,10 +71,16 @@ class LibraryEngines:
         >>> LibraryEngines().mentions("the VQ30DE; V型12気筒、バンク角は60度")
         [(4, 'vq30de'), (12, 'v12-60')]
         """
-        return sorted((*_by_name(text), *_by_arrangement(text)))
+        from symbalance.engine.catalogue import preset_names
+
+        known = frozenset(preset_names())
+        return sorted((*_by_name(text, known), *_by_arrangement(text, known)))
 
     def coefficient_value(self, order: int, ratio: Fraction) -> Fraction:
         """Return A_order at a rod ratio, to 30 digits."""
+        from symbalance.kinematics.slider_crank import acceleration_value
+        from symbalance.text.reals import nstr
+
         return Fraction(nstr(acceleration_value(order, ratio, VALUE_DIGITS), VALUE_DIGITS))
 
 
@@ -133,16 +140,15 @@ def sidecar_draft(
 # Engines that a text speaks of
 
 
-def _by_name(text: str) -> Iterator[tuple[int, str]]:
+def _by_name(text: str, known: frozenset[str]) -> Iterator[tuple[int, str]]:
     """Yield the presets that a text names, whatever its capitals."""
-    names = "|".join(re.escape(name) for name in sorted(preset_names(), key=len, reverse=True))
+    names = "|".join(re.escape(name) for name in sorted(known, key=len, reverse=True))
     for match in re.finditer(rf"(?<![A-Za-z0-9-])(?:{names})(?![A-Za-z0-9-])", text, re.IGNORECASE):
         yield match.start(), match[0].lower()
 
 
-def _by_arrangement(text: str) -> Iterator[tuple[int, str]]:
+def _by_arrangement(text: str, known: frozenset[str]) -> Iterator[tuple[int, str]]:
     """Yield the plain presets of the arrangements that a text names: "V12" with its angle near it."""
-    known = set(preset_names())
     for match in _INLINE.finditer(text):
         name = f"inline-{_count(next(group for group in match.groups() if group))}"
         if name in known:

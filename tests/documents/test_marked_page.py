@@ -19,7 +19,7 @@ COLOURS = {
 }  # fmt: skip
 LETTERS = {"theta": "crank angle", "r": "crank radius", "lambda": "rod ratio l/r"}
 WRONG = "# A title\n\nWords with $r$ in them.\n\n"
-    "$$\\sin 2\\theta = \\sin\\theta\\cos\\theta$$\n\nLast words.\n"
+WRONG += "$$\\sin 2\\theta = \\sin\\theta\\cos\\theta$$\n\nLast words.\n"
 
 
 @pytest.mark.spread(1)
