@@ -7,16 +7,18 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 from symbalance.budgets import Budget
 from symbalance.notes.checking import documents
-from symbalance.notes.checking.declaration_draft import DeclarationDraft
 from symbalance.notes.checking.engines import KnownEngine
 from symbalance.notes.checking.judging import PAGE
 from symbalance.notes.checking.verdicts import Checked
 from symbalance.text.files import STANDARD_INPUT
 from symbalance.text.named_paths import NamingFolder
+
+if TYPE_CHECKING:
+    from symbalance.notes.checking.declaration_draft import DeclarationDraft
 
 VALUE_DIGITS = 30
 _COUNTS = {

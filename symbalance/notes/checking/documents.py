@@ -10,16 +10,14 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path, PurePath
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from symbalance.budgets import Budget, run_within
 from symbalance.document.letters import plain_letter
 from symbalance.document.nodes import Code, Strong, Words
 from symbalance.errors import SymbalanceError, brief
-from symbalance.notes.checking.declaration_draft import DeclarationDraft
 from symbalance.notes.checking.engines import Engines, NoEngines, Sources
 from symbalance.notes.checking.judging import PAGE, Judge
-from symbalance.notes.checking.proposals import propose
 from symbalance.notes.checking.sidecar import (
     Declarations,
     declarations_in,
@@ -30,6 +28,9 @@ from symbalance.notes.checking.sidecar import (
 from symbalance.notes.checking.verdicts import Checked
 from symbalance.notes.reading import read_document
 from symbalance.text.files import STANDARD_INPUT, file_name, read_text
+
+if TYPE_CHECKING:
+    from symbalance.notes.checking.declaration_draft import DeclarationDraft
 
 SUFFIXES = (".tex", ".md", ".txt", ".text")
 COURSE = "symbols.toml"
@@ -245,4 +246,7 @@ def sidecar_draft(
 
 
 def _draft(text: str, name: str, declarations: Declarations, engines: Engines) -> DeclarationDraft:
+    from symbalance.notes.checking.declaration_draft import DeclarationDraft
+    from symbalance.notes.checking.proposals import propose  # most checks have their letters declared
+
     return DeclarationDraft(name, propose(text, name, _letters_by_line(declarations), engines))
