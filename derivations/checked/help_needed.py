@@ -42,7 +42,7 @@ def main(arguments: list[str]) -> None:
             accused[k] += sum(not wrong & set(range(e[0], e[1] + 1)) for e in refuted(run))
         print(f"| {name[:3]} | {len(errors)} |", " | ".join(map(str, found)), "|")
         totals = [a + b for a, b in zip(totals, (len(errors), *found), strict=True)]
-    print("| all | ", " | ".join(map(str, totals)), "|", sep="")
+    print("| all |", " | ".join(map(str, totals)), "|")
     print("| wrongly accused | |", " | ".join(map(str, accused)), "|")
 
 
