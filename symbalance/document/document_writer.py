@@ -26,13 +26,13 @@ class DocumentWriter(ABC):
             return self.string(inline)
         if isinstance(inline, nodes.Code):
             return self.code(inline.text)
-        if isinstance(inline, nodes.Link):
-            return self.link(inline)
+        if isinstance(inline, nodes.Jump):
+            return self.jump(inline)
         return self.strong(inline.text) if isinstance(inline, nodes.Strong) else self.math(inline)
 
-    def link(self, link: nodes.Link) -> str:
+    def jump(self, jump: nodes.Jump) -> str:
         """Return words that lead elsewhere in the document; by themselves where nothing leads."""
-        return self.string(link.text)
+        return self.string(jump.text)
 
     def marked(self, block: nodes.Marked) -> str:
         """Return a marked line with all that is said of it; where nothing folds, in a row."""

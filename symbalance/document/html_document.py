@@ -140,8 +140,8 @@ class _Writer(DocumentWriter):
         inner = "\n".join(map(self.block, block.blocks))
         return f"<details>\n<summary>{escape(block.summary)}</summary>\n{inner}\n</details>"
 
-    def link(self, link: nodes.Link) -> str:
-        return f'<a href="#{escape(link.anchor)}">{escape(link.text, quote=False)}</a>'
+    def jump(self, jump: nodes.Jump) -> str:
+        return f'<a href="#{escape(jump.anchor)}">{escape(jump.text, quote=False)}</a>'
 
     def marked(self, block: nodes.Marked) -> str:
         """Return a line that opens, by a click or the keyboard, to what is said of it."""

@@ -51,14 +51,14 @@ class Strong:
 
 
 @dataclass(frozen=True, eq=False)
-class Link:
+class Jump:
     """Words that lead to a `Marked` line of the same document, where a medium can follow them."""
 
     text: str
     anchor: str
 
 
-Inline = str | Formula | Equation | Code | Strong | Link
+Inline = str | Formula | Equation | Code | Strong | Jump
 Words = Inline | tuple[Inline, ...]
 """One inline, or several that follow one another; strings carry the spaces between them."""
 
@@ -199,7 +199,7 @@ MARKS = ("right", "wrong", "unsure", "plain")
 class Marked:
     """A line somebody wrote, typeset, with a verdict; it opens to what is said of it.
 
-    `mark` is one of MARKS: how it is coloured. `anchor` is what a `Link` leads to.
+    `mark` is one of MARKS: how it is coloured. `anchor` is what a `Jump` leads to.
     """
 
     place: str

@@ -20,7 +20,7 @@ from symbalance.document.nodes import (
     Figure,
     Heading,
     Inline,
-    Link,
+    Jump,
     Marked,
     Paragraph,
     Words,
@@ -76,7 +76,7 @@ def marked_page(checked: Checked) -> Document:
 
 def _entry(verdict: Verdict) -> tuple[Words, Words]:
     """Return a wrong line's place, which leads to it, and what is wrong with it in a few words."""
-    where = Link(f"line {place(verdict)}", _anchor(verdict))
+    where = Jump(f"line {place(verdict)}", _anchor(verdict))
     if verdict.fix is not None and is_readable(verdict.fix.node):
         side = ", on the left side" if verdict.fix.of_left else ""
         return where, (
@@ -239,7 +239,7 @@ class _Page:
 
     def _inside(self, verdict: Verdict) -> Iterator[Block]:
         """Yield what is said of a relation: why, what differs, a witness, the sides drawn, the change."""
-        entries: list[tuple[Words, Words]] = []
+        entries: list[tuple[Words, Words]] = [("As typed", Code(one_line(verdict.source, LONGEST_PROSE)))]
         if verdict.bind:
             entries.append(("Claims to be", verdict.bind))
         if verdict.reason:
@@ -255,7 +255,6 @@ class _Page:
             if is_readable(verdict.fix.node):
                 side = "Left side should be" if verdict.fix.of_left else "Should be"
                 entries.append((f"{side}, proved", verdict.fix.node))
-        entries.append(("As typed", Code(one_line(verdict.source, LONGEST_PROSE))))
         yield Facts(tuple(entries))
         if picture := self._picture(verdict):
             yield picture
