@@ -251,6 +251,7 @@ class _Page:
         if verdict.verdict == REFUTED and verdict.witness:
             entries.append(("Witness", witness_words(verdict)[1:]))
         if verdict.fix:
+            entries.append(("Found", verdict.fix.kind))
             entries += [("Change", fault_words(fault)) for fault in verdict.fix.faults]
             if is_readable(verdict.fix.node):
                 side = "Left side should be" if verdict.fix.of_left else "Should be"
