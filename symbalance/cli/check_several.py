@@ -123,7 +123,7 @@ def _job(
     form: str,
     standalone: bool,
     here: bool,
-    choices: tuple[bool, bool],
+    choices: tuple[bool, bool] = (False, True),
 ) -> Job:
     """Return the job of a document; its key is of all that decides what is said of it.
 
