@@ -123,8 +123,13 @@ def test_a_page_without_a_file_says_what_it_needs(tmp_path, capsys):
     page.write_text("$$u + w = k$$\n", encoding="utf-8")
     assert run(["check", str(page)]) == 1
     said = capsys.readouterr().out
-    assert "symbalance check" in said
-    assert "--declare -o notes.symbols.toml" in " ".join(said.split())
+    beside = page.with_suffix(".symbols.toml")
+    assert f"symbalance check {page} --declare -o {beside}".split() == _command_in(said)
+
+
+def _command_in(said: str) -> list[str]:
+    words = said.split()
+    return words[words.index("symbalance") :][:6]
 
 
 def test_a_word_is_a_letter_where_a_page_says_so(tmp_path):

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path, PurePath
+from shlex import quote
 from typing import TYPE_CHECKING, Any
 
 from symbalance.budgets import Budget, run_within
@@ -117,10 +118,10 @@ def _offer(checked: Checked, name: str) -> Words:
         return ""
     letters = ", ".join(plain_letter(letter) for letter in sorted(missing)[:MOST_LETTERS])
     more = ", …" if len(missing) > MOST_LETTERS else ""
-    stem = PurePath(name).with_suffix(".symbols.toml").name
+    beside = PurePath(name).with_suffix(".symbols.toml")
     return (
         f"Nobody has said what these letters mean: {letters}{more}. ",
-        Code(f"symbalance check {name} --declare -o {stem}"),
+        Code(f"symbalance check {quote(name)} --declare -o {quote(str(beside))}"),
         " lists every letter with what the text proposes; ",
         Code("--accept-proposals"),
         " takes the proposals unread.",
