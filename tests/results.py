@@ -15,6 +15,7 @@ import sympy
 from sympy import Symbol
 
 import symbalance as sb
+from symbalance.checking import sidecar_draft
 from symbalance.crankshaft.files import read_running_engine
 from symbalance.crankshaft.reports import summarise_run
 from symbalance.crankshaft.running import configure_run, run_speeds
@@ -175,6 +176,18 @@ def _document_table() -> Result:
     return DocumentTable((read, missing))
 
 
+def _declaration_draft() -> Result:
+    """A page whose words propose meanings, components of a force and what lines claim."""
+    return sidecar_draft(
+        "# V12, banks at 60°\n\ncrank radius r, λ = l/r, α is half the bank angle\n\n"
+        "Lh is the horizontal component of L\n\n$$Lh = L \\sin α$$\n\n"
+        "## Sixth order force\n\nIts part in cos 6θ.\n\n"
+        "### Vertical, left bank\n\n$$3 \\sqrt 3 \\cos 6θ$$\n\n"
+        "## Shares, the first order being taken as 100, of the vq30de\n\nSixth order force 0.02\n\n"
+        "## Sixth order force, vertical\n\n$$6 \\sqrt 3 \\cos 6θ$$\n\n$$u = r \\sin θ$$\n"
+    )
+
+
 def _verdict() -> Result:
     x = sympy.Symbol("x")
     return sb.check_equal(sympy.sin(x) ** 2, (1 + sympy.cos(2 * x)) / 2)
@@ -280,6 +293,7 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "ideal-cycle": lambda: sb.torque.ideal_cycle(16, heat=20, peak_pressure=100),
     "pressure-trace": lambda: sb.torque.ideal_cycle(10, heat=20).trace(4, 720),
     "check": _check,
+    "declaration-draft": _declaration_draft,
     "document-table": _document_table,
     "verdict": _verdict,
     "campbell": _campbell,

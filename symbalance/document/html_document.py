@@ -46,6 +46,28 @@ _STYLE = """
 .symbalance .bad{font-weight:bold}
 .symbalance img,.symbalance svg{max-width:100%;height:auto}
 """
+_MARKS = """
+.symbalance .marked{border-left:.35rem solid;margin:.25rem 0;padding:.1rem .6rem}
+.symbalance .marked summary{cursor:pointer;display:grid;grid-template-columns:3.2rem 1fr auto;gap:.6rem}
+.symbalance .marked .line{overflow-x:auto;overflow-y:hidden;padding:.15rem 0}
+.symbalance .marked .place{color:#555;font-variant-numeric:tabular-nums}
+.symbalance .marked .word{font-size:.85rem;white-space:nowrap}
+.symbalance .marked.right{border-color:#1a7f37;background:#f1f9f3}
+.symbalance .marked.wrong{border-color:#b3261e;background:#fdeeec}
+.symbalance .marked.wrong .word{color:#9a1b14;font-weight:bold}
+.symbalance .marked.unsure{border-color:#9a6700;background:#fff8e5}
+.symbalance .marked.plain{border-color:#5b6b82;background:#f3f5f8}
+.symbalance .marked .inside{padding:.2rem 0 .4rem 3.8rem;overflow-x:auto}
+.symbalance svg text{font:11px system-ui,sans-serif}
+@media(max-width:40rem){
+.symbalance .marked summary{grid-template-columns:1fr auto}
+.symbalance .marked .line{grid-column:1/-1;grid-row:2}
+.symbalance .marked .inside{padding-left:.2rem}
+}
+@media(prefers-color-scheme:dark){
+.symbalance{color-scheme:light}
+}
+"""
 _PAGE = """<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -65,10 +87,11 @@ _PAGE = """<!DOCTYPE html>
 def document_html(document: nodes.Document, *, standalone: bool = False) -> str:
     """Return a document as HTML: an article to put into a page, or with `standalone` a whole page."""
     body = _Writer().document(document, top=1 if standalone else 2)
+    style = _STYLE + _MARKS if '<details class="marked ' in body else _STYLE
     if not standalone:
-        return f"<style>{_STYLE}</style>\n{body}"
+        return f"<style>{style}</style>\n{body}"
     title = shorten(plain_words(document.title), LONGEST_TITLE, placeholder="…")
-    return _PAGE.format(title=escape(title), style=_STYLE, body=body)
+    return _PAGE.format(title=escape(title), style=style, body=body)
 
 
 class _Writer(DocumentWriter):
@@ -125,6 +148,24 @@ class _Writer(DocumentWriter):
             return words
         spoken = escape(plain_words(column.head))
         return f'<span class="spoken">{spoken}</span><span aria-hidden="true">{words}</span>'
+
+    def jump(self, jump: nodes.Jump) -> str:
+        return f'<a href="#{escape(jump.anchor)}">{escape(jump.text, quote=False)}</a>'
+
+    def marked(self, block: nodes.Marked) -> str:
+        """Return a line that opens, by a click or the keyboard, to what is said of it."""
+        anchor = f' id="{escape(block.anchor)}"' if block.anchor else ""
+        cells = [
+            f'<span class="place">{escape(block.place)}</span>',
+            f'<span class="line">{_displayed(self.words(block.words))}</span>',
+            f'<span class="word">{escape(block.verdict)}</span>',
+        ]
+        inside = "\n".join(map(self.block, block.blocks))
+        below = f'<div class="inside">\n{inside}\n</div>\n' if inside else ""
+        return (
+            f'<details class="marked {block.mark}"{anchor}>\n<summary>{"".join(cells)}</summary>\n'
+            f"{below}</details>"
+        )
 
     def facts(self, block: nodes.Facts) -> str:
         title = self.words(block.title)
@@ -206,6 +247,11 @@ class _Writer(DocumentWriter):
             for each in fit.left_out
         ]
         return f"\n<p>exactly:</p>\n<ul>\n{chr(10).join(items)}\n</ul>" if items else ""
+
+
+def _displayed(printed: str) -> str:
+    """Return a line's formula with fractions as high as in a display, in the line's own place."""
+    return printed.replace("<math>", '<math displaystyle="true">', 1)
 
 
 def _padding(cells: Sequence[nodes.Words]) -> list[str]:

@@ -185,12 +185,20 @@ class _Writer(DocumentWriter):
     def source_line(self, line: nodes.SourceLine) -> str:
         verdict = escaped(line.verdict)
         verdict = rf"\fbox{{\textsc{{{verdict.lower()}}}}}" if line.bad else rf"\textit{{{verdict}}}"
-        head = rf"\textbf{{{escaped(line.place)}}}\quad {verdict}\quad {{\small {self.code(line.text)}}}"
+        head = rf"\textbf{{{escaped(line.place)}}}\quad {verdict}"
+        if line.typeset is None:
+            head += rf"\quad {{\small {self.code(line.text)}}}"
         parts = [rf"{{\raggedright\hangindent=2em\hangafter=1 {head}\par}}"]
+        if line.typeset is not None:
+            shown = line.typeset
+            equation = shown if isinstance(shown, Equation) else Equation(Upright(""), (("", shown),))
+            rows = r" \\".join(_rows([equation], ROOM - 4.0))
+            parts.append(rf"{{\leftskip=2em$\begin{{aligned}}{rows}\end{{aligned}}$\par}}")
         below = r"\small\raggedright\leftskip=2em "
         parts += [rf"{{{below}{self.words(note)}\par}}" for note in line.notes]
-        if line.formulas:
-            equations = [Equation(Upright(f"{name}:"), (("", value),)) for name, value in line.formulas]
+        formulas = [each for each in line.formulas if line.typeset is None or each[0] != "stands"]
+        if formulas:  # what stands is above already, typeset
+            equations = [Equation(Upright(f"{name}:"), (("", value),)) for name, value in formulas]
             rows = r" \\".join(_rows(equations, ROOM - 6.0, r"\quad "))
             parts.append(rf"{{\leftskip=2em$\begin{{aligned}}{rows}\end{{aligned}}$\par}}")
         return _kept_together("\\parskip=2pt\n" + "\n".join(parts), "smallskip")

@@ -237,6 +237,27 @@ class Choice:
         return {"enum": list(self.values)}
 
 
+@dataclass(frozen=True)
+class Flag:
+    """True or false."""
+
+    words = "true or false"
+    plural = "true or false"
+    range = ""
+
+    def read(self, value: object, name: str, remedy: str) -> bool:
+        """Return the value, or refuse what is neither."""
+        if not isinstance(value, bool):
+            raise SymbalanceError(
+                f"{name} = {brief(value)}", "must be true or false", remedy or "write true"
+            )
+        return value
+
+    def schema(self) -> Schema:
+        """Return the schema."""
+        return {"type": "boolean"}
+
+
 def _quoted(value: object) -> str:
     return f'"{value}"' if isinstance(value, str) else str(value)
 

@@ -304,7 +304,7 @@ IDLE = {
     "derive --quantity crank-node --order 4": "--order: plays no part in crank-node",
     "derive --quantity crank-node --convention r/l": "--convention: plays no part in crank-node",
     "derive --rotation uvw": "--rotation: is for --quantity crank-node",
-    "check {notes} --declare --format json": "--format: plays no part in --declare",
+    "check {notes} --declare --accept-proposals": "--accept-proposals: plays no part in --declare",
     "check {notes} --declare --lenient": "--lenient: plays no part in --declare",
     "torque inline-4 --heat 18": "--heat: is for a running engine",
     "torque inline-4 --delta 0.02": "--delta: is for a running engine",

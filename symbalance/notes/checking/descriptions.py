@@ -74,6 +74,7 @@ def describe(document: ReadNotes, chain: Chain, k: int, decision: Decision) -> V
         tag=chain.tag,
         span=side.span,
         node=side.node,
+        decision=decision,
     )
 
 

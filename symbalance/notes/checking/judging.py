@@ -58,6 +58,7 @@ class Judge:
     declarations: Declarations
     sources: Sources = field(default_factory=Sources)
     budget: Budget = PAGE
+    corrects: bool = True
 
     def __post_init__(self) -> None:
         self.definitions = Definitions(self.declarations)
@@ -142,6 +143,7 @@ class Judge:
             moving,
             angles,
             universal,
+            corrects=self.corrects,
         )
 
     def assumptions(self, line: int, letters: frozenset[str]) -> tuple[Assumption, ...]:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
+from functools import partial
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.formula import Formula, Span
@@ -12,6 +13,8 @@ from symbalance.notes.reading.equations import ReadNotes
 
 if TYPE_CHECKING:
     from symbalance.document import nodes
+    from symbalance.document.nodes import Words
+    from symbalance.notes.checking.deciding.equality import Decision
 
 HOLDS = "holds"
 HOLDS_TO_ORDER = "holds_to_order"
@@ -102,6 +105,13 @@ class Verdict(Result):
     traceback: str = ""
     is_unjudged: bool = False
     """Whether judging was not finished: by its budget, or by a fault."""
+    decision: Decision | None = field(default=None, repr=False, compare=False)
+    """What it rests on: the two sides' normal forms, which are drawn and certified."""
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Leave out the decision, whose forms belong to this process's calculation."""
+        values = {each.name: getattr(self, each.name) for each in fields(self)}
+        return partial(type(self), **{**values, "decision": None}), ()
 
     @property
     def is_bad(self) -> bool:
@@ -139,6 +149,8 @@ class Checked(Result):
 
     derivation: ReadNotes
     verdicts: tuple[Verdict, ...]
+    remarks: tuple[Words, ...] = ()
+    """What a reader must know before the verdicts: what they rest on, what is still to be declared."""
 
     kind: ClassVar[str] = "check"
 
@@ -153,6 +165,12 @@ class Checked(Result):
         from symbalance.notes.checking.report_document import report_document
 
         return report_document(self)
+
+    def browser_document(self) -> nodes.Document:
+        """Return the author's own page, typeset, each relation marked; what is wrong stands first."""
+        from symbalance.notes.checking.marked_page import marked_page
+
+        return marked_page(self)
 
     def data(self) -> dict[str, Any]:
         """Return the counts, and an entry for each relation and each line that continues one."""

@@ -50,6 +50,8 @@ class Knowledge:
     angles: frozenset[str] = frozenset()
     universal: frozenset[str] = frozenset()
     """Letters that stay free although a line gives them a number: crank angle, rod angle, time."""
+    corrects: bool = True
+    """Whether a refuted side is searched for the change that makes it true."""
 
     def levels(self, *nodes: Formula) -> Iterator[Level]:
         """Yield what may be used, least first: nothing, meanings and definitions, then assumptions."""
