@@ -27,7 +27,7 @@ def letters(form: Form) -> list[str]:
     """Return the letters a form depends on, those inside roots, angles and functions included."""
     walk = _Letters()
     walk.visit(form)
-    return [name for name in walk.names if name not in ("pi", "e")]
+    return list(walk.names)
 
 
 class _Letters:
@@ -103,7 +103,7 @@ class Valuation:
         for polynomial in polynomials:
             walk = _Letters()
             walk.collect(self.domain, polynomial)
-            if walk.names.keys() <= {*self.point, "pi", "e"} and self.polynomial(polynomial).real < 0:
+            if walk.names.keys() <= self.point.keys() and self.polynomial(polynomial).real < 0:
                 raise NoFormError("a denominator under a root is negative at this point")
 
     def polynomial(self, polynomial: Polynomial) -> Any:
@@ -148,10 +148,10 @@ class Valuation:
         """Return the value of a letter, prime, root or function; out of its range, raise NoFormError."""
         mp, generator = self.mp, self.domain.generators[number]
         if generator.kind == "symbol":
-            if generator.content in ("pi", "e"):
-                return +getattr(mp, generator.content)
             exact = self.point[generator.content]
             return mp.mpf(exact.numerator) / exact.denominator
+        if generator.kind == "constant":
+            return +getattr(mp, generator.content)
         if generator.kind == "prime":
             return mp.mpf(generator.content)
         if generator.kind == "radical":

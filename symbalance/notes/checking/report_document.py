@@ -11,11 +11,15 @@ from symbalance.document.nodes import Code, Document, Facts, Inline, Source, Sou
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.descriptions import rounded_number
 from symbalance.notes.checking.verdicts import (
+    CONDITION,
     CONDITIONAL,
+    CONTRADICTION,
     DEFINITION,
     FAILING,
     HOLDS,
     HOLDS_TO_ORDER,
+    PREMISE,
+    RANGE,
     REFUTED,
     UNDECIDED,
     UNREADABLE,
@@ -38,8 +42,12 @@ _TITLES = {
     HOLDS_TO_ORDER: "holds to order",
     CONDITIONAL: "holds if",
     REFUTED: "REFUTED",
+    CONTRADICTION: "CONTRADICTION",
     UNDECIDED: "UNDECIDED",
     DEFINITION: "definition",
+    PREMISE: "premise",
+    CONDITION: "condition",
+    RANGE: "range",
     UNREADABLE: "UNREADABLE",
 }
 _MEANINGS = {
@@ -48,7 +56,11 @@ _MEANINGS = {
     CONDITIONAL: "proved under the assumption named",
     REFUTED: "different: the witness is a point, with the value of each side there",
     UNDECIDED: "neither proved nor refuted",
-    DEFINITION: "gives a letter its value, or states a condition or a range",
+    CONTRADICTION: "cannot be true together with the lines named",
+    DEFINITION: "gives a new letter its value",
+    PREMISE: "taken as given from here on",
+    CONDITION: "an equation to be solved: what solves it is checked",
+    RANGE: "says where a letter lies",
     UNREADABLE: "not read, for the reason given",
 }
 
@@ -141,7 +153,7 @@ def _notes(verdict: Verdict) -> Iterable[Words]:
         yield verdict.reason
     yield from (f"note: {note}" for note in verdict.notes)
     yield from map(_difference, verdict.differences)
-    if verdict.verdict == REFUTED and verdict.witness:
+    if verdict.is_bad and verdict.witness:
         yield _witness(verdict)
     if verdict.fix:
         yield f"found: {verdict.fix.kind}"
