@@ -14,9 +14,10 @@ from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.constraints import letter_counts, solve_for
 from symbalance.notes.checking.deciding.equality import Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
+from symbalance.notes.checking.deciding.inequalities import StatedRange
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.sidecar import Declarations
-from symbalance.notes.checking.verdicts import DEFINITION
+from symbalance.notes.checking.verdicts import DEFINITION, RANGE
 from symbalance.notes.reading.equations import Chain, Side
 
 NEARLY = 0.1
@@ -32,6 +33,7 @@ class Definitions:
     letters_in_use: set[str] = field(default_factory=set)
     conditions: dict[int, frozenset[str]] = field(default_factory=dict)
     """Lines that set two known quantities equal, with the letters these come down to."""
+    ranges: list[StatedRange] = field(default_factory=list)
 
     def at(self, line: int) -> dict[str, Definition]:
         """Return the definitions that reach a line, of the letters as declared there."""
@@ -46,6 +48,20 @@ class Definitions:
         """Define a letter's value from here on."""
         scopes = self.declarations.scope_at(line)
         self.values[name] = (Definition(node, line, not names(node)), scopes)
+
+    def ranges_at(self, line: int) -> list[StatedRange]:
+        """Return the ranges that reach a line."""
+        return [r for r in self.ranges if self._reaches(r.line, line)]
+
+    def state_range(self, chain: Chain, k: int, decision: Decision) -> None:
+        """Note a range that a relation states."""
+        if decision.status == RANGE:
+            left, right = chain.sides[k].node, chain.sides[k + 1].node
+            self.ranges.append(StatedRange(left, chain.relations[k].sign, right, chain.lines[0]))
+
+    def _reaches(self, own_line: int, line: int) -> bool:
+        """Tell whether what a line states is in scope at another."""
+        return set(self.declarations.scope_at(own_line)) <= set(self.declarations.scope_at(line))
 
     def use(self, chain: Chain) -> None:
         """Note the letters of a chain."""

@@ -14,7 +14,8 @@ from symbalance.notes.checking import assertions, constraints
 from symbalance.notes.checking.deciding.cases import decide_numeric_case, decide_with_ratio, states_a_case
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
-from symbalance.notes.checking.deciding.relations import decide, decide_inequality
+from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality
+from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.definitions import Definitions
 from symbalance.notes.checking.descriptions import (
     describe,
@@ -218,8 +219,11 @@ class Judge:
         knowledge = self.knowledge(chain.lines[0])
         relation = chain.relations[k]
         left, right = chain.sides[k], chain.sides[k + 1]
-        if relation.sign in ("<", ">", "≤", "≥", "≠"):
-            return describe(self.document, chain, k, decide_inequality(chain, k, knowledge))
+        if relation.sign in SATISFIED_BY:
+            ranges = self.definitions.ranges_at(chain.lines[0])
+            decision = decide_inequality(chain, k, knowledge, ranges)
+            self.definitions.state_range(chain, k, decision)
+            return describe(self.document, chain, k, decision)
         definition = self.definitions.define_by(chain, k, knowledge)
         if definition is not None:
             return describe(self.document, chain, k, definition)

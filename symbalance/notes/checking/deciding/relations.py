@@ -1,27 +1,21 @@
-"""Decisions whether one relation (=, ≈, <, ...) holds, in any of the readings of its two sides."""
+"""Decisions whether one relation = or ≈ holds, in any of the readings of its two sides."""
 
 from __future__ import annotations
 
 from itertools import product
-from typing import Any
 
-from symbalance.document.formula import Formula, Name, names
-from symbalance.notes.algebra import values
-from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.document.formula import Formula, Name
 from symbalance.notes.checking.deciding.equality import (
-    PROVED,
     REFUTED,
     UNDECIDED,
     Decision,
     decide_equality,
-    digits,
     without_dots,
 )
 from symbalance.notes.checking.deciding.induction import decide_by_induction
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.order_agreement import decide_agreement, degree
-from symbalance.notes.checking.verdicts import DEFINITION
-from symbalance.notes.reading.equations import Chain, Side
+from symbalance.notes.reading.equations import Side
 
 MOST_READINGS = 16
 """Pairs of readings that are tried: a decision may cost a second."""
@@ -75,59 +69,3 @@ def _is_cut_off(node: Formula, decision: Decision, knowledge: Knowledge) -> bool
     has_meaning = isinstance(node, Name) and node.name in knowledge.meaning.values
     exact = has_meaning or degree(decision.left, letter, sign) is None
     return exact and degree(decision.right, letter, sign) is not None
-
-
-def decide_inequality(chain: Chain, k: int, knowledge: Knowledge) -> Decision:
-    """Decide an inequality between numbers; a range of a letter is stated, unless it is empty.
-
-    In a < x < b the two bounds are compared as well: 1/3 < x < 1/5 holds for no x.
-    """
-    sign = chain.relations[k].sign
-    decision = _compare(chain.sides[k].node, chain.sides[k + 1].node, sign, knowledge)
-    if decision is not None:
-        return decision
-    if not names(chain.sides[k].node) and not names(chain.sides[k + 1].node):
-        return Decision(UNDECIDED, "two numbers that could not be compared")
-    signs = {r.sign for r in chain.relations}
-    if k == 1 and len(chain.sides) == 3 and (signs <= {"<", "≤"} or signs <= {">", "≥"}):
-        outer = _compare(chain.sides[0].node, chain.sides[2].node, sign, knowledge)
-        if outer is not None and not outer.is_proved:
-            return Decision(REFUTED, "the range is empty", witness=outer.witness)
-    return Decision(DEFINITION, "a stated range")
-
-
-def _is_real(value: Any) -> bool:
-    return abs(value.imag) <= abs(value) * values.context().mpf(10) ** -20
-
-
-def _compare(left: Formula, right: Formula, sign: str, knowledge: Knowledge) -> Decision | None:
-    """Decide an inequality between two numbers; None where a letter stands in one."""
-    for level in knowledge.levels(left, right):
-        evaluator = knowledge.evaluator(level)
-        try:
-            first, second = evaluator.form(left), evaluator.form(right)
-        except (NoFormError, TooLargeError):
-            continue
-        if values.letters(first) or values.letters(second):
-            continue
-        same = first.equals(second)
-        points = values.sample([first, second])
-        if not points:
-            return None
-        if sign != "≠" and not all(_is_real(value) for value in points[0][1]):
-            return Decision(
-                UNDECIDED, "one side is not a real number", level=level, left=first, right=second
-            )
-        left_value, right_value = (value.real for value in points[0][1])
-        holds = {
-            "<": not same and left_value < right_value,
-            ">": not same and left_value > right_value,
-            "≤": same or left_value < right_value,
-            "≥": same or left_value > right_value,
-            "≠": not same,
-        }[sign]
-        witness = {"left": digits(points[0][1][0]), "right": digits(points[0][1][1])}
-        if holds:
-            return Decision(PROVED, level=level, left=first, right=second)
-        return Decision(REFUTED, level=level, left=first, right=second, witness=witness)
-    return None
