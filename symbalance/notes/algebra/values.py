@@ -173,7 +173,7 @@ class Valuation:
         return result
 
 
-def sample(forms: list[Form], tries: int = 24) -> list[tuple[Point, list[Any]]]:
+def sample(forms: list[Form], count: int = 3, tries: int = 24) -> list[tuple[Point, list[Any]]]:
     """Return up to three points where all forms are defined and real, with their values."""
     names = sorted({name for form in forms for name in letters(form)})
     samples = []
@@ -184,6 +184,6 @@ def sample(forms: list[Form], tries: int = 24) -> list[tuple[Point, list[Any]]]:
             samples.append((point, [valuation.of(form) for form in forms]))
         except (NoFormError, KeyError, ZeroDivisionError, TypeError, OverflowError):
             continue
-        if len(samples) == 3:
+        if len(samples) == count:
             break
     return samples

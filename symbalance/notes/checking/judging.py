@@ -11,12 +11,13 @@ from symbalance.budgets import Budget, OverBudgetError, run_within
 from symbalance.document.formula import Formula, Name, Span, names
 from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import assertions, constraints
-from symbalance.notes.checking.deciding.cases import decide_numeric_case, decide_with_ratio, states_a_case
+from symbalance.notes.checking.deciding.cases import decide_case, decide_with_ratio, states_a_case
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality
 from symbalance.notes.checking.deciding.relations import decide
-from symbalance.notes.checking.definitions import Definitions
+from symbalance.notes.checking.constraints import Constraint
+from symbalance.notes.checking.definitions import Definitions, lines_of
 from symbalance.notes.checking.descriptions import (
     describe,
     undecided,
@@ -26,10 +27,21 @@ from symbalance.notes.checking.descriptions import (
 )
 from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
+from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.sidecar import Binding, Declarations
 from symbalance.notes.checking.symbol_roles import MOVING, letters_by_role
 from symbalance.notes.checking.symbols import meaning_of
-from symbalance.notes.checking.verdicts import DEFINITION, REFUTED, UNDECIDED, Checked, Verdict
+from symbalance.notes.checking.verdicts import (
+    CONDITION,
+    CONTRADICTION,
+    DEFINITION,
+    PREMISE,
+    REFUTED,
+    STATED,
+    UNDECIDED,
+    Checked,
+    Verdict,
+)
 from symbalance.notes.reading import ReadingError, read_equation
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
@@ -61,7 +73,7 @@ class Judge:
     budget: Budget = PAGE
 
     def __post_init__(self) -> None:
-        self.definitions = Definitions(self.declarations)
+        self.definitions = Definitions(self.declarations, Sections(self.document))
         self.start = time.monotonic()
         self.not_judged: dict[str, int] = {}
         """Letters that a relation may define which was not judged, with its line."""
@@ -241,11 +253,12 @@ class Judge:
         if decision.status in (REFUTED, UNDECIDED):
             constraint = constraints.constraint_of(chain, k, self.definitions.letters_in_use, knowledge)
             if constraint is not None:
-                self.definitions.define(constraint.name, constraint.node, chain.lines[0])
-                reason = f"read as what fixes {constraint.name}"
-                return describe(self.document, chain, k, Decision(DEFINITION, reason))
+                return describe(self.document, chain, k, self._fix(constraint, chain, k, knowledge))
+            decision = self._with_premises(against, right, relation.sign, decision, knowledge)
         if decision.status == REFUTED:
-            case = decide_numeric_case(chain, k, decision, knowledge)
+            case = decide_case(chain, k, decision, knowledge)
+            if case is not None and case.status in STATED and relation.sign == "=":
+                case = self._state(chain, k, case, knowledge)
             decision = case or decide_with_ratio(against.node, right.node, knowledge) or decision
         unknown = [name for name in self.not_judged if name in names(left.node) | names(right.node)]
         if decision.status == REFUTED and unknown:
@@ -258,6 +271,43 @@ class Judge:
         return self.add_fix(
             describe(self.document, chain, k, decision), chain, k, against, decision, knowledge
         )
+
+    def _fix(self, constraint: Constraint, chain: Chain, k: int, knowledge: Knowledge) -> Decision:
+        """Return the decision on a relation that fixes a letter, after defining it."""
+        by_premises = self.definitions.decide_by_premises(
+            self.definitions.premise_of(chain, k), knowledge
+        )
+        if by_premises is not None and by_premises.status == CONTRADICTION:
+            return by_premises
+        self.definitions.fix(constraint, chain)
+        self.definitions.state(chain, k, is_solved=True)
+        if not names(chain.sides[k + 1].node) and len(names(chain.sides[k].node)) == 1:
+            return Decision(CONDITION)
+        return Decision(DEFINITION, f"read as what fixes {constraint.name}")
+
+    def _state(self, chain: Chain, k: int, case: Decision, knowledge: Knowledge) -> Decision:
+        """Return the decision on a relation that is taken as given, after noting it."""
+        by_premises = self.definitions.decide_by_premises(
+            self.definitions.premise_of(chain, k), knowledge
+        )
+        if by_premises is not None and by_premises.status != PREMISE:
+            return by_premises
+        self.definitions.state(chain, k)
+        return case
+
+    def _with_premises(
+        self, left: Side, right: Side, sign: str, decision: Decision, knowledge: Knowledge
+    ) -> Decision:
+        """Return the decision with the premises solved together: a witness must satisfy them all."""
+        nodes = [left.node, right.node]
+        solved = self.definitions.solved(nodes, self.document.line_of(right.span[0]), knowledge)
+        if solved is None:
+            return decision
+        by_all = decide(left, right, sign, solved.knowledge)
+        if by_all.status == REFUTED and solved.leftover:
+            reason = f"may rest on {lines_of(solved.leftover)}, which could not be solved for a letter"
+            return replace(by_all, status=UNDECIDED, reason=reason)
+        return by_all
 
     def add_fix(
         self, verdict: Verdict, chain: Chain, k: int, left: Side, decision: Decision, knowledge: Knowledge

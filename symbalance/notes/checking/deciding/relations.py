@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import product
 
 from symbalance.document.formula import Formula, Name
@@ -19,12 +20,46 @@ from symbalance.notes.reading.equations import Side
 
 MOST_READINGS = 16
 """Pairs of readings that are tried: a decision may cost a second."""
+MOST_BRANCHED = 3
+"""Letters of one relation whose branches are gone through."""
 
 
 def decide(
     left: Side, right: Side, sign: str, knowledge: Knowledge, through: int | None = None
 ) -> Decision:
-    """Decide a relation = or ≈ in the first pair of readings that proves it; else in the usual ones."""
+    """Decide a relation = or ≈ in the first pair of readings that proves it; else in the usual ones.
+
+    sin β = ρ sin θ fixes β only on a branch. What is true on all branches is proved, what is true on one
+    of them under the condition that β lies there.
+    """
+    decision = _decide_as_defined(left, right, sign, knowledge, through)
+    branches = knowledge.branches_behind(left.node, right.node)
+    if not branches or (decision.level and branches.keys().isdisjoint(decision.level.values)):
+        return decision
+    conditions: list[str] = []
+    for name, definition in list(branches.items())[:MOST_BRANCHED]:
+        others = [
+            (_decide_as_defined(left, right, sign, _on_branch(knowledge, name, value), through), condition)
+            for value, condition in definition.alternatives
+        ]
+        if not decision.is_proved:
+            proof = next((pair for pair in others if pair[0].is_proved), None)
+            if proof is not None:
+                return replace(proof[0], assumptions=(*proof[0].assumptions, proof[1]))
+        elif not all(other.is_proved for other, _ in others):
+            conditions.append(definition.branch)
+    return replace(decision, assumptions=(*decision.assumptions, *conditions)) if conditions else decision
+
+
+def _on_branch(knowledge: Knowledge, name: str, value: Formula) -> Knowledge:
+    definition = replace(knowledge.definitions[name], node=value, alternatives=())
+    return knowledge.with_definition(name, definition)
+
+
+def _decide_as_defined(
+    left: Side, right: Side, sign: str, knowledge: Knowledge, through: int | None
+) -> Decision:
+    """Decide in the first pair of readings that proves it; else in the usual ones."""
     first: Decision | None = None
     pairs = list(product(left.readings, right.readings))[:MOST_READINGS]
     for left_node, right_node in pairs:
