@@ -52,6 +52,8 @@ class Constraint:
     node: Formula
     branch: str = ""
     alternatives: tuple[tuple[Formula, str], ...] = ()
+    is_circular: bool = False
+    """Whether it fixes the letter only together with an equation before, as two that fix two letters do."""
 
 
 Solution = tuple[Formula, tuple[str, ...]]
@@ -97,10 +99,14 @@ def constraint_of(
 def _constraint(node: Formula, other: Formula, name: str, knowledge: Knowledge) -> Constraint | None:
     """Return what a relation fixes a letter to; None if that is circular, or no such value exists."""
     values = {**{n: d.node for n, d in knowledge.definitions.items()}, **knowledge.meaning.values}
+    plain_values = {n: v for n, v in values.items() if n not in knowledge.definitions}
+    plain_values |= {n: d.node for n, d in knowledge.definitions.items() if not d.solved}
     real: list[Solution] = []
     for value, conditions in solutions(node, other, name, knowledge.meaning.positive):
-        if name in names_behind(value, values):
+        if name in names_behind(value, plain_values):
             return None
+        if name in names_behind(value, values):
+            return Constraint(name, value, is_circular=True)
         if _satisfies(node, other, name, value, replace(knowledge.meaning, values=values)):
             real.append((value, conditions))
     if not real:
@@ -115,13 +121,13 @@ def _satisfies(node: Formula, other: Formula, name: str, value: Formula, meaning
 
     What cannot be evaluated in numbers (an unknown derivative) is taken as solved.
     """
-    pair = [node, other]
-    if any(isinstance(p, Derivative | formula.Summation) for p in _parts(*pair, value)):
+    row = [node, other, value]  # the value too has to be real
+    if any(isinstance(p, Derivative | formula.Summation) for p in _parts(*row)):
         return True
-    points = sample_trees(pair, replace(meaning, values={**meaning.values, name: value}))
+    points = sample_trees(row, replace(meaning, values={**meaning.values, name: value}))
     return any(
         abs(left - right) <= max(abs(left), abs(right), 1) * context().mpf(10) ** -20
-        for _, (left, right) in points
+        for _, (left, right, _) in points
     )
 
 

@@ -51,7 +51,8 @@ class Definitions:
     declarations: Declarations
     sections: Sections
     values: dict[str, list[Entry]] = field(default_factory=dict)
-    letters_in_use: set[str] = field(default_factory=set)
+    first_lines: dict[str, int] = field(default_factory=dict)
+    """The letters in use, each with the line on which it first stands."""
     conditions: dict[int, frozenset[str]] = field(default_factory=dict)
     """Lines that set two known quantities equal, with the letters these come down to."""
     ranges: list[StatedRange] = field(default_factory=list)
@@ -77,7 +78,7 @@ class Definitions:
 
         "Take r = 1" reaches its section, and what rests on it is conditional.
         """
-        line, last_line = chain.lines[0], self.sections.premise_end(chain)
+        line, last_line = chain.lines[0], self.sections.premise_end(chain, is_number=not names(node))
         text = "" if last_line is None else f"{plain(Name(name))} = {plain(node)}"
         definition = Definition(node, line, not names(node), text)
         self._add(name, Entry(definition, self.declarations.scope_at(line), last_line))
@@ -95,42 +96,60 @@ class Definitions:
             branch=constraint.branch if constraint.alternatives else "",
         )
         scopes = self.declarations.scope_at(line)
-        self._add(constraint.name, Entry(definition, scopes, self.sections.premise_end(chain)))
+        last_line = self.sections.premise_end(chain, is_number=not names(node))
+        self._add(constraint.name, Entry(definition, scopes, last_line))
 
     def _add(self, name: str, entry: Entry) -> None:
         self.values.setdefault(name, []).append(entry)
 
     def ranges_at(self, line: int) -> list[StatedRange]:
         """Return the ranges that reach a line."""
-        return [r for r in self.ranges if self._reaches(r.line, line)]
+        return [r for r in self.ranges if self._reaches(r.line, line, names(r.left) | names(r.right))]
 
     def premises_at(self, line: int) -> list[Premise]:
         """Return the equations taken as given that reach a line."""
-        return [p for p in self.premises if self._reaches(p.line, line) and line <= p.last_line]
+        return [p for p in self.premises if self._reaches(p.line, line, p.names) and line <= p.last_line]
 
     def state_range(self, chain: Chain, k: int, decision: Decision) -> None:
-        """Note a range that a relation states."""
+        """Note a range that a relation states; one that is empty states nothing."""
+        left, right = chain.sides[k].node, chain.sides[k + 1].node
+        if decision.status == REFUTED:
+            self.ranges = [r for r in self.ranges if r.right is not left]
         if decision.status == RANGE:
-            left, right = chain.sides[k].node, chain.sides[k + 1].node
             self.ranges.append(StatedRange(left, chain.relations[k].sign, right, chain.lines[0]))
 
-    def state(self, chain: Chain, k: int, *, is_solved: bool = False) -> None:
-        """Note an equation that is taken as given."""
-        self.premises.append(replace(self.premise_of(chain, k), is_solved=is_solved))
+    def state(self, chain: Chain, k: int, fixes: str = "") -> None:
+        """Note an equation that is taken as given, and the letter it fixes."""
+        self.premises.append(replace(self.premise_of(chain, k), fixes=fixes))
 
     def premise_of(self, chain: Chain, k: int) -> Premise:
         """Return a relation of a chain as a premise, with its reach."""
         left, right = chain.sides[k].node, chain.sides[k + 1].node
-        last_line = self.sections.premise_end(chain)
+        last_line = self.sections.premise_end(chain, is_number=not names(right))
         return Premise(left, right, chain.lines[0], EVERYWHERE if last_line is None else last_line)
 
-    def _reaches(self, own_line: int, line: int) -> bool:
-        """Tell whether what a line states is in scope at another."""
-        return set(self.declarations.scope_at(own_line)) <= set(self.declarations.scope_at(line))
+    def _reaches(self, own_line: int, line: int, letters_of_it: frozenset[str]) -> bool:
+        """Tell whether what a line states is in scope at another, its letters being the same there."""
+        declared = self.declarations
+        return set(declared.scope_at(own_line)) <= set(declared.scope_at(line)) and all(
+            declared.owner(name, own_line) == declared.owner(name, line) for name in letters_of_it
+        )
 
     def use(self, chain: Chain) -> None:
         """Note the letters of a chain."""
-        self.letters_in_use |= {name for side in chain.sides for name in names(side.node)}
+        for side in chain.sides:
+            for name in names(side.node):
+                self.first_lines.setdefault(name, chain.lines[0])
+
+    @property
+    def letters_in_use(self) -> set[str]:
+        """The letters that stand in the document so far."""
+        return set(self.first_lines)
+
+    def letters_before(self, line: int) -> set[str]:
+        """Return the letters in use before a line's paragraph: equations of one display are a system."""
+        start = self.sections.paragraph_start(line)
+        return {name for name, first in self.first_lines.items() if first < start}
 
     def condition_behind(self, decision: Decision, line: int) -> int | None:
         """Return the line of a condition that a refuted relation may rest on: it shares two letters."""
@@ -154,7 +173,7 @@ class Definitions:
             return self._define_size(name, value, chain, knowledge)
         if knowledge.measures(name) and name in _letters_of(value, knowledge):
             return None  # λ = 2l/r: it says something of the geometry, and may be wrong
-        if _is_circular(name, value, knowledge):
+        if self._is_circular(name, value, chain.lines[0], knowledge):
             return None  # x = y and then y = x + 1: nothing new, and false
         if name in knowledge.definitions:
             return self._redefine(name, value, chain, k, knowledge)
@@ -172,6 +191,19 @@ class Definitions:
         if by_premises is not None:
             return by_premises
         return Decision(PREMISE if is_premise else DEFINITION)
+
+    def _is_circular(self, name: str, value: Formula, line: int, knowledge: Knowledge) -> bool:
+        """Tell whether a value comes down to its own letter, by what was defined before.
+
+        What was defined where the letter was declared as another one does not hold this one.
+        """
+        owner = self.declarations.owner
+        values = {
+            n: d.node
+            for n, d in knowledge.definitions.items()
+            if n != name and not (name in names(d.node) and owner(name, d.line) != owner(name, line))
+        }
+        return name in names_behind(value, values)
 
     def decide_by_premises(self, statement: Premise, knowledge: Knowledge) -> Decision | None:
         """Return what earlier premises say of a statement; None where they say nothing.
@@ -201,10 +233,10 @@ class Definitions:
     def solved(self, nodes: Sequence[Formula], line: int, knowledge: Knowledge) -> Solved | None:
         """Return what is known with the premises that formulas are connected with solved together.
 
-        None where there are none beside those that fix a letter each.
+        None where there are none beside those that fix a letter each, or they contradict each other.
         """
         given = related(self.premises_at(line), nodes, knowledge)
-        if all(p.is_solved for p in given):
+        if all(p.fixes for p in given):
             return None
         result = eliminate(given, knowledge)
         if not result.is_consistent:
@@ -300,8 +332,8 @@ def refuse_value(name: str, value: Formula, knowledge: Knowledge) -> Decision | 
     """Return why a first value is none: it has no value, or looks like a slip of the pen."""
     if isinstance(value, Sum):
         terms = [t for t in value.terms if names(t)]
-        double = next((t for n, t in enumerate(terms) if t in terms[:n]), None)
-        if double is not None:
+        double = next((t for n, t in enumerate(terms) if isinstance(t, Name) and t in terms[:n]), None)
+        if double is not None and double.name[-1:].isdecimal():
             reason = f"{plain(double)} stands twice in the sum: another letter is meant, or 2 {plain(double)}"
             return Decision(UNDECIDED, reason)
     if has_no_value(value, knowledge):
@@ -325,12 +357,6 @@ def has_no_value(node: Formula, knowledge: Knowledge) -> bool:
         return False
     points = sample([form], 1)
     return not points or not context().isfinite(points[0][1][0])
-
-
-def _is_circular(name: str, value: Formula, knowledge: Knowledge) -> bool:
-    """Tell whether a value comes down to its own letter, by what was defined before."""
-    values = {n: d.node for n, d in knowledge.definitions.items() if n != name}
-    return name in names_behind(value, values)
 
 
 def _letters_behind(nodes: list[Formula], knowledge: Knowledge) -> list[str]:

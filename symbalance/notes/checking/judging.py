@@ -8,14 +8,16 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
-from symbalance.document.formula import Formula, Name, Span, names
+from symbalance.document.formula import Constant, Formula, Name, Span, names
+from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import assertions, constraints
 from symbalance.notes.checking.deciding.cases import decide_case, decide_with_ratio, states_a_case
-from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.deciding.equality import Decision, decide_equality
 from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality
 from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.constraints import Constraint
 from symbalance.notes.checking.definitions import Definitions, lines_of
 from symbalance.notes.checking.descriptions import (
@@ -236,6 +238,9 @@ class Judge:
             decision = decide_inequality(chain, k, knowledge, ranges)
             self.definitions.state_range(chain, k, decision)
             return describe(self.document, chain, k, decision)
+        if relation.sign == "=" and (name := _meant_as_number(left.node, right.node, knowledge)):
+            reason = f"true of the number {name}; here {name} is declared as a letter"
+            return describe(self.document, chain, k, Decision(UNDECIDED, reason))
         definition = self.definitions.define_by(chain, k, knowledge)
         if definition is not None:
             return describe(self.document, chain, k, definition)
@@ -251,7 +256,8 @@ class Judge:
         if has_value and (relation.sign == "≈" or not decision.is_proved):
             decision, against = decide(chain.sides[0], right, "≈", knowledge), chain.sides[0]
         if decision.status in (REFUTED, UNDECIDED):
-            constraint = constraints.constraint_of(chain, k, self.definitions.letters_in_use, knowledge)
+            in_use = self.definitions.letters_before(chain.lines[0])
+            constraint = constraints.constraint_of(chain, k, in_use, knowledge)
             if constraint is not None:
                 return describe(self.document, chain, k, self._fix(constraint, chain, k, knowledge))
             decision = self._with_premises(against, right, relation.sign, decision, knowledge)
@@ -279,8 +285,11 @@ class Judge:
         )
         if by_premises is not None and by_premises.status == CONTRADICTION:
             return by_premises
+        if constraint.is_circular:
+            self.definitions.state(chain, k)
+            return Decision(DEFINITION, f"read as what fixes {constraint.name}, with an equation before")
         self.definitions.fix(constraint, chain)
-        self.definitions.state(chain, k, is_solved=True)
+        self.definitions.state(chain, k, constraint.name)
         if not names(chain.sides[k + 1].node) and len(names(chain.sides[k].node)) == 1:
             return Decision(CONDITION)
         return Decision(DEFINITION, f"read as what fixes {constraint.name}")
@@ -329,6 +338,18 @@ class Judge:
         lone = isinstance(left.node, Name)
         other = None if lone else (left, proves_left)
         return add_fix(verdict, self.document, right, decision, knowledge, proves_right, other)
+
+
+def _meant_as_number(left: Formula, right: Formula, knowledge: Knowledge) -> str:
+    """Return the declared letter e, i or π by which a relation is only true if it is that number."""
+    for name in ("e", "i", "pi"):
+        if name not in knowledge.letters or name not in names(left) | names(right):
+            continue
+        first, second = (substitute(node, name, Constant(name)) for node in (left, right))
+        if decide_equality(first, second, knowledge).is_proved:
+            is_letter = decide_equality(left, right, knowledge).is_proved
+            return "" if is_letter else formula_text(Constant(name), plain=True)
+    return ""
 
 
 def _lone_letters(chain: Chain, k: int) -> Iterator[str]:

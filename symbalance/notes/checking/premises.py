@@ -38,8 +38,8 @@ class Premise:
     right: Formula
     line: int
     last_line: int = EVERYWHERE
-    is_solved: bool = False
-    """Whether it stands among the definitions too, solved for its letter."""
+    fixes: str = ""
+    """The letter whose value it is, where it was solved for one that was new."""
 
     @property
     def text(self) -> str:
@@ -84,10 +84,20 @@ def related(premises: Iterable[Premise], nodes: Sequence[Formula], knowledge: Kn
     while True:
         near = [p for p in waiting if reach(p.left, p.right) & reached]
         if not near:
-            return sorted(chosen, key=lambda p: p.line)
+            return _without_private(sorted(chosen, key=lambda p: p.line), nodes)
         chosen += near
         waiting = [p for p in waiting if p not in near]
         reached |= {name for p in near for name in reach(p.left, p.right)}
+
+
+def _without_private(premises: list[Premise], nodes: Sequence[Formula]) -> list[Premise]:
+    """Leave out what fixes a letter that stands nowhere else: R² = a² + b² says nothing of a and b."""
+    while True:
+        used = [p.names for p in premises] + [names(node) for node in nodes]
+        private = [p for p in premises if p.fixes and sum(p.fixes in own for own in used) == 1]
+        if not private:
+            return premises
+        premises = [p for p in premises if p not in private]
 
 
 def _known_values(knowledge: Knowledge) -> dict[str, Formula]:

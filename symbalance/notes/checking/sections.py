@@ -18,11 +18,16 @@ _CAPTION = re.compile(
     r"\s*(?:[*_]{0,2}(?:figure|fig\.|table|tab\.|abbildung|abb\.|bild|tabelle)\s*[\d.:a-z(]|図|表|!\[|\\caption\b)",
     re.IGNORECASE,
 )
+_END = r"\s[^.;:!?\n$=]{0,30}$"
 _INTRODUCTION = re.compile(
-    r"(?<![A-Za-z])(?:take|let|for|if|assume|assuming|suppose|supposing|when|whenever|choose|put|set|setting|at|with"
-    r"|für|bei|falls|wenn|sei|seien|nimm|setze|setzt man|angenommen)\s[^.;:!?\n$=]{0,30}$",
+    r"(?<![A-Za-z])(?:take|for|if|assume|assuming|suppose|supposing|when|whenever|choose|at"
+    rf"|für|bei|falls|wenn|nimm|angenommen){_END}",
     re.IGNORECASE,
 )
+_NAMING = re.compile(
+    rf"(?<![A-Za-z])(?:let|with|put|set|setting|sei|seien|mit|setze|setzt man){_END}", re.IGNORECASE
+)
+"""Before a number a premise (let r = 1), before a formula the name of it (let P = m r ω²)."""
 LONGEST_INTRODUCTION = 60
 """Characters before a relation in which such a word is looked for."""
 
@@ -60,19 +65,25 @@ class Sections:
                 return k
         return len(self._lines)
 
-    def premise_end(self, chain: Chain) -> int | None:
-        """Return the last line that a relation reaches if its sentence makes it a premise, else None."""
+    def premise_end(self, chain: Chain, *, is_number: bool) -> int | None:
+        """Return the last line that a relation reaches if its sentence makes it a premise, else None.
+
+        `is_number` tells whether it gives its letter a number.
+        """
         line = chain.lines[0]
-        if chain.inline and _CAPTION.match(self._paragraph_start(line)):
+        if chain.inline and _CAPTION.match(self._lines[self.paragraph_start(line) - 1]):
             return self.paragraph_end(line)
         start = min(side.span[0] for side in chain.sides)
         before = self.document.text[max(0, start - LONGEST_INTRODUCTION) : start]
         before = re.split(r"\n\s*\n", before)[-1].rstrip(" \t\n$\\([")
-        return self.section_end(line) if chain.inline and _INTRODUCTION.search(before + " ") else None
+        if not chain.inline:
+            return None
+        is_premise = _INTRODUCTION.search(before + " ") or (is_number and _NAMING.search(before + " "))
+        return self.section_end(line) if is_premise else None
 
-    def _paragraph_start(self, line: int) -> str:
-        """Return the text of a line's paragraph from its start."""
+    def paragraph_start(self, line: int) -> int:
+        """Return the first line of the paragraph that a line stands in."""
         first = line
         while first > 1 and self._lines[first - 2].strip():
             first -= 1
-        return "\n".join(self._lines[first - 1 : line])
+        return first

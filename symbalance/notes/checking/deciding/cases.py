@@ -69,6 +69,8 @@ def _kind_of_statement(
         return CONDITION, ""
     if is_alone and _is_balance(left) and not any(_is_given(n, knowledge) for n in names(left)):
         return PREMISE, ""
+    if is_alone and len(free) == 1 and right != Number(Fraction(0)):
+        return CONDITION, ""
     numeric_letters = {n for n, d in knowledge.definitions.items() if d.numeric}
     if right == Number(Fraction(0)) or names(left) <= numeric_letters:
         return "", ""

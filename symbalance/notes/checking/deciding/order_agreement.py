@@ -130,7 +130,8 @@ def _as_numbers(
         abs(left_value), abs(right_value), values.context().mpf(10) ** -300
     )
     if decimals(left) or decimals(right):
-        fits, order = agrees_as_printed(left, right, evaluator.form, generous=True), "the digits printed"
+        fits = agrees_as_printed(left, right, evaluator.form, level.values, generous=True)
+        order = "the digits printed"
     else:
         fits, order = relative_error <= float(ROUGH), f"relative error {digits(relative_error, 2)}"
     if fits:
