@@ -66,16 +66,24 @@ def letter_counts(node: Formula) -> Counter[str]:
 
 
 def constraint_of(
-    chain: Chain, k: int, letters_in_use: set[str], knowledge: Knowledge
+    chain: Chain,
+    k: int,
+    letters_in_use: Collection[str],
+    letters_used_at_all: Collection[str],
+    knowledge: Knowledge,
 ) -> Constraint | None:
-    """Return what the k-th relation of a chain states, or None where it must be a step."""
+    """Return what the k-th relation of a chain states, or None where it must be a step.
+
+    A letter is new if it was not in use before the relation's paragraph; preferred is one that was not used
+    there either.
+    """
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     if k == 0 and isinstance(left, Name) and knowledge.knows(left.name):
         return None
     if chain.relations[k].sign != "=" or any(isinstance(p, formula.Dots) for p in _parts(left, right)):
         return None
     first, second = letter_counts(left), letter_counts(right)
-    earlier = letters_in_use | {n for side in chain.sides[:k] for n in formula.names(side.node)}
+    earlier = {*letters_in_use} | {n for side in chain.sides[:k] for n in formula.names(side.node)}
     if right == Number(Fraction(0)):
         pairs = [(_apart_from_others(left), left, right)] if k == 0 else []
     elif set(first) - set(second) and set(second) - set(first):
@@ -85,13 +93,13 @@ def constraint_of(
         pairs = [(set(first), left, right)]  # tan δ = 1/3
     else:
         return None
-    for own_letters, node, other_side in pairs:
-        for name in sorted(own_letters):
-            is_new = not (name in earlier or knowledge.has_meaning(name))
-            if is_new and (first + second)[name] == 1 and not _inside_derivative(node, name):
-                constraint = _constraint(node, other_side, name, knowledge)
-                if constraint is not None:
-                    return constraint
+    candidates = [(name, node, other) for own, node, other in pairs for name in sorted(own)]
+    for name, node, other_side in sorted(candidates, key=lambda c: c[0] in letters_used_at_all):
+        is_new = not (name in earlier or knowledge.has_meaning(name))
+        if is_new and (first + second)[name] == 1 and not _inside_derivative(node, name):
+            constraint = _constraint(node, other_side, name, knowledge)
+            if constraint is not None:
+                return constraint
     derivative = _lone_derivative(left, right, knowledge)
     return Constraint(derivative, right) if derivative else None
 

@@ -256,8 +256,8 @@ class Judge:
         if has_value and (relation.sign == "≈" or not decision.is_proved):
             decision, against = decide(chain.sides[0], right, "≈", knowledge), chain.sides[0]
         if decision.status in (REFUTED, UNDECIDED):
-            in_use = self.definitions.letters_before(chain.lines[0])
-            constraint = constraints.constraint_of(chain, k, in_use, knowledge)
+            in_use, used = self.definitions.letters_before(chain.lines[0]), self.definitions.first_lines
+            constraint = constraints.constraint_of(chain, k, in_use, used, knowledge)
             if constraint is not None:
                 return describe(self.document, chain, k, self._fix(constraint, chain, k, knowledge))
             decision = self._with_premises(against, right, relation.sign, decision, knowledge)

@@ -84,17 +84,22 @@ def related(premises: Iterable[Premise], nodes: Sequence[Formula], knowledge: Kn
     while True:
         near = [p for p in waiting if reach(p.left, p.right) & reached]
         if not near:
-            return _without_private(sorted(chosen, key=lambda p: p.line), nodes)
+            return _without_private(sorted(chosen, key=lambda p: p.line), nodes, knowledge)
         chosen += near
         waiting = [p for p in waiting if p not in near]
         reached |= {name for p in near for name in reach(p.left, p.right)}
 
 
-def _without_private(premises: list[Premise], nodes: Sequence[Formula]) -> list[Premise]:
+def _without_private(
+    premises: list[Premise], nodes: Sequence[Formula], knowledge: Knowledge
+) -> list[Premise]:
     """Leave out what fixes a letter that stands nowhere else: R² = a² + b² says nothing of a and b."""
+    solved_letters = {name for name, d in knowledge.definitions.items() if d.solved}
     while True:
         used = [p.names for p in premises] + [names(node) for node in nodes]
-        private = [p for p in premises if p.fixes and sum(p.fixes in own for own in used) == 1]
+        private = [
+            p for p in premises if p.fixes in solved_letters and sum(p.fixes in own for own in used) == 1
+        ]
         if not private:
             return premises
         premises = [p for p in premises if p not in private]

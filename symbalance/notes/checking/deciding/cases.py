@@ -46,7 +46,7 @@ def decide_case(chain: Chain, k: int, refutation: Decision, knowledge: Knowledge
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     level = refutation.level or list(knowledge.levels(left, right))[-1]
     signs = survey(left, right, replace(knowledge.meaning, values=level.values))
-    if signs.is_equal_in_places and len(signs.counts) > 1:
+    if signs.is_equal_in_places:
         return replace(refutation, status=UNDECIDED, reason=ON_A_BRANCH)
     return Decision(word, reason) if signs.has_root else replace(refutation, reason=NO_VALUES)
 
@@ -56,6 +56,9 @@ def _kind_of_statement(
 ) -> tuple[str, str]:
     """Return the verdict's word for what a relation states, and the reason; "" for a claim."""
     left, right = chain.sides[k].node, chain.sides[k + 1].node
+    if k == 0 and len(chain.relations) == 1 and _is_balance(Sum((left, right))) and names(right):
+        is_free = not any(_is_given(n, knowledge) for n in names(left) | names(right))
+        return (PREMISE, "") if is_free and names(left) and _has_number(left, right) else ("", "")
     if names(right) or not names(left) or refutation.left is None:
         return "", ""
     free = set(letters(refutation.left))
@@ -77,9 +80,19 @@ def _kind_of_statement(
     return PREMISE, "numbers put in"
 
 
+def _has_number(*nodes: Formula) -> bool:
+    """Tell whether a number stands alone among the terms: F_1 + F_2 = F_3 + 2 claims no identity."""
+    return any(isinstance(term, Number) for node in nodes for term in _terms(node))
+
+
+def _terms(node: Formula) -> tuple[Formula, ...]:
+    return node.terms if isinstance(node, Sum) else (node,)
+
+
 def _is_balance(node: Formula) -> bool:
     """Tell whether a formula is a sum of letters, each once, perhaps times numbers: F_1 + 2 F_2."""
-    terms = node.terms if isinstance(node, Sum) else ()
+    parts = [part for term in _terms(node) for part in _terms(term)]
+    terms = [part for part in parts if not isinstance(part, Number)]
     bare = [term.operand if isinstance(term, Negative) else term for term in terms]
     single = [
         term.factors[1]

@@ -31,10 +31,14 @@ _PI = Fraction(355, 113)
 
 @dataclass(frozen=True)
 class Survey:
-    """The signs of left - right at the points tried: each with one such point, and how many there are."""
+    """The signs of left - right at the points tried: each with one such point, and how many there are.
+
+    `generic` counts those at which no letter was chosen for being special.
+    """
 
     examples: dict[int, tuple[Point, Any, Any]]
     counts: dict[int, int]
+    generic: dict[int, int]
     has_root: bool
 
     @property
@@ -45,7 +49,7 @@ class Survey:
     @property
     def is_equal_in_places(self) -> bool:
         """Tell whether the sides are equal at random points, as only a relation true on a branch is."""
-        return self.counts.get(0, 0) > 1
+        return 0 in self.generic and len(self.generic) > 1
 
 
 def survey(left: Formula, right: Formula, meaning: SymbolValue, *, roots: bool = True) -> Survey:
@@ -53,8 +57,9 @@ def survey(left: Formula, right: Formula, meaning: SymbolValue, *, roots: bool =
     difference = _Difference(left, right, meaning)
     examples: dict[int, tuple[Point, Any, Any]] = {}
     counts: dict[int, int] = {}
+    generic: dict[int, int] = {}
     values: list[tuple[Point, Any]] = []
-    for point in _points(difference.letters, meaning):
+    for point, is_generic in _points(difference.letters, meaning):
         pair = difference.pair(point)
         if pair is None:
             continue
@@ -63,9 +68,11 @@ def survey(left: Formula, right: Formula, meaning: SymbolValue, *, roots: bool =
         sign = 0 if abs(gap) <= scale * context().mpf(10) ** -25 else (1 if gap > 0 else -1)
         examples.setdefault(sign, (point, *pair))
         counts[sign] = counts.get(sign, 0) + 1
+        if is_generic:
+            generic[sign] = generic.get(sign, 0) + 1
         values.append((point, gap))
     has_root = 0 in counts or (roots and _has_root(difference, values))
-    return Survey(examples, counts, has_root)
+    return Survey(examples, counts, generic, has_root)
 
 
 class _Difference:
@@ -91,13 +98,13 @@ class _Difference:
         return None if pair is None else pair[0] - pair[1]
 
 
-def _points(letters: list[str], meaning: SymbolValue) -> Iterator[Point]:
+def _points(letters: list[str], meaning: SymbolValue) -> Iterator[tuple[Point, bool]]:
     if not letters:
-        yield {}
+        yield {}, False
         return
     chance = random.Random(f"{letters}")
     for k in range(TRIES):
-        yield {name: _draw(name, meaning, chance, k % 3) for name in letters}
+        yield {name: _draw(name, meaning, chance, k % 3) for name in letters}, k % 3 < 2
 
 
 def _draw(name: str, meaning: SymbolValue, chance: random.Random, kind: int) -> Fraction:
