@@ -274,6 +274,8 @@ class Definitions:
             other = f"{plain(Name(name))} = {plain(earlier.node)}"
             return Decision(CONTRADICTION, f"contradicts {other} of line {earlier.line}")
         self.define(name, without_dots(value)[0], chain)
+        if earlier.solved:
+            return Decision(PREMISE, f"beside line {earlier.line}")
         return Decision(PREMISE, f"a new case: line {earlier.line} had another value")
 
     def _define_size(self, name: str, value: Formula, chain: Chain, knowledge: Knowledge) -> Decision | None:

@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import partial
+from itertools import product
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
 from symbalance.document.formula import Constant, Formula, Name, Span, names
@@ -27,6 +28,7 @@ from symbalance.notes.checking.descriptions import (
     unreadable_verdict,
     with_fault,
 )
+from symbalance.notes.checking.dimensions import Dimensions, unit_text
 from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
 from symbalance.notes.checking.sections import Sections
@@ -230,20 +232,48 @@ class Judge:
 
     def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on the k-th relation of a chain."""
+        decision = self._link(chain, k, sound, bad)
+        if isinstance(decision, Decision):
+            return describe(self.document, chain, k, decision)
+        return decision
+
+    def _mismatch(self, chain: Chain, k: int, against: int, knowledge: Knowledge) -> Decision | None:
+        """Refute a relation whose sides, or terms, are in different units."""
+        line = chain.lines[0]
+        values = {name: d.node for name, d in knowledge.definitions.items()}
+        dimensions = Dimensions(self.declarations.symbols_at(line), values)
+        left, right = chain.sides[against], chain.sides[k + 1]
+        sources = (self.document.source(left.span), self.document.source(right.span))
+        mismatches = [
+            dimensions.mismatch(first, second, sources)
+            for first, second in product(left.readings, right.readings)
+        ]
+        if not all(mismatches) or mismatches[0] is None:
+            return None
+        witness = {"left": unit_text(mismatches[0].left), "right": unit_text(mismatches[0].right)}
+        return Decision(REFUTED, mismatches[0].reason, witness=witness)
+
+    def _link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict | Decision:
+        """Return the verdict on the k-th relation of a chain, or the decision that it only describes."""
         knowledge = self.knowledge(chain.lines[0])
         relation = chain.relations[k]
         left, right = chain.sides[k], chain.sides[k + 1]
+        mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
+        if mismatch is not None:
+            if relation.sign not in SATISFIED_BY:
+                self.definitions.define_by(chain, k, knowledge)  # said once, not wherever it is used
+            return mismatch
         if relation.sign in SATISFIED_BY:
             ranges = self.definitions.ranges_at(chain.lines[0])
             decision = decide_inequality(chain, k, knowledge, ranges)
             self.definitions.state_range(chain, k, decision)
-            return describe(self.document, chain, k, decision)
+            return decision
         if relation.sign == "=" and (name := _meant_as_number(left.node, right.node, knowledge)):
             reason = f"true of the number {name}; here {name} is declared as a letter"
-            return describe(self.document, chain, k, Decision(UNDECIDED, reason))
+            return Decision(UNDECIDED, reason)
         definition = self.definitions.define_by(chain, k, knowledge)
         if definition is not None:
-            return describe(self.document, chain, k, definition)
+            return definition
         decision, against = decide(left, right, relation.sign, knowledge), left
         if bad and not decision.is_proved:
             from_sound = decide(chain.sides[sound], right, relation.sign, knowledge)
@@ -259,7 +289,7 @@ class Judge:
             in_use, used = self.definitions.letters_before(chain.lines[0]), self.definitions.first_lines
             constraint = constraints.constraint_of(chain, k, in_use, used, knowledge)
             if constraint is not None:
-                return describe(self.document, chain, k, self._fix(constraint, chain, k, knowledge))
+                return self._fix(constraint, chain, k, knowledge)
             decision = self._with_premises(against, right, relation.sign, decision, knowledge)
         if decision.status == REFUTED:
             case = decide_case(chain, k, decision, knowledge)
