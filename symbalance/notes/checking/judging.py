@@ -9,7 +9,7 @@ from functools import partial
 from itertools import product
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
-from symbalance.document.formula import Constant, Formula, Name, Span, names
+from symbalance.document.formula import Constant, Formula, Name, Number, Span, names
 from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import assertions, constraints
@@ -232,10 +232,15 @@ class Judge:
 
     def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on the k-th relation of a chain."""
-        decision = self._link(chain, k, sound, bad)
-        if isinstance(decision, Decision):
-            return describe(self.document, chain, k, decision)
-        return decision
+        knowledge = self.knowledge(chain.lines[0])
+        mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
+        outcome = self._link(chain, k, sound, bad, knowledge)
+        verdict = describe(self.document, chain, k, outcome) if isinstance(outcome, Decision) else outcome
+        if mismatch is None:
+            return verdict
+        if verdict.verdict == REFUTED:  # its witness and its correction say more
+            return replace(verdict, reason=verdict.reason or mismatch.reason)
+        return describe(self.document, chain, k, mismatch)
 
     def _mismatch(self, chain: Chain, k: int, against: int, knowledge: Knowledge) -> Decision | None:
         """Refute a relation whose sides, or terms, are in different units."""
@@ -253,16 +258,12 @@ class Judge:
         witness = {"left": unit_text(mismatches[0].left), "right": unit_text(mismatches[0].right)}
         return Decision(REFUTED, mismatches[0].reason, witness=witness)
 
-    def _link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict | Decision:
+    def _link(
+        self, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
+    ) -> Verdict | Decision:
         """Return the verdict on the k-th relation of a chain, or the decision that it only describes."""
-        knowledge = self.knowledge(chain.lines[0])
         relation = chain.relations[k]
         left, right = chain.sides[k], chain.sides[k + 1]
-        mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
-        if mismatch is not None:
-            if relation.sign not in SATISFIED_BY:
-                self.definitions.define_by(chain, k, knowledge)  # said once, not wherever it is used
-            return mismatch
         if relation.sign in SATISFIED_BY:
             ranges = self.definitions.ranges_at(chain.lines[0])
             decision = decide_inequality(chain, k, knowledge, ranges)
@@ -371,14 +372,20 @@ class Judge:
 
 
 def _meant_as_number(left: Formula, right: Formula, knowledge: Knowledge) -> str:
-    """Return the declared letter e, i or π by which a relation is only true if it is that number."""
-    for name in ("e", "i", "pi"):
-        if name not in knowledge.letters or name not in names(left) | names(right):
-            continue
-        first, second = (substitute(node, name, Constant(name)) for node in (left, right))
+    """Return the declared letters among e, i, π by which a relation is only true if they are those numbers.
+
+    One of them that is set to a number is given its value: e = 2.718.
+    """
+    own = [n for n in ("e", "i", "pi") if n in knowledge.letters and n in names(left) | names(right)]
+    if not own or (isinstance(left, Name) and isinstance(right, Number)):
+        return ""
+    for chosen in [*([name] for name in own), own]:
+        first, second = left, right
+        for name in chosen:
+            first, second = (substitute(node, name, Constant(name)) for node in (first, second))
         if decide_equality(first, second, knowledge).is_proved:
             is_letter = decide_equality(left, right, knowledge).is_proved
-            return "" if is_letter else formula_text(Constant(name), plain=True)
+            return "" if is_letter else ", ".join(formula_text(Constant(n), plain=True) for n in chosen)
     return ""
 
 

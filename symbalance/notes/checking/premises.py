@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from itertools import pairwise
 
-from symbalance.document.formula import Formula, Negative, Quotient, Sum, names
+from symbalance.document.formula import Formula, Negative, Number, Quotient, Sum, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import Domain, Monomial, NoFormError, Polynomial, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator
@@ -179,6 +180,8 @@ def _solve_linearly(
             continue
         parts = _by_powers(polynomial, number)
         powers = sorted(parts)
+        if len(powers) == 1 and not any(m for m in parts[powers[0]]):
+            return generator.content, Number(Fraction(0))  # 3 w = 0
         if len(powers) != 2 or any(b - a != 1 for a, b in pairwise(powers)):
             continue
         below, above = parts[powers[1]], parts[powers[0]]

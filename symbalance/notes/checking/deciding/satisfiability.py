@@ -1,7 +1,7 @@
 """Search for real values of the letters at which two sides are equal, or one is larger.
 
 Nothing is proved here: a relation for which no values turn up is refuted by a point at which it fails, which
-is exact, and said to have none as far as tried. Values are drawn over six decades, near 1, and at the
+is exact, and said to have none as far as tried. Values are drawn over fourteen decades, near 1, and at the
 multiples of 30 degrees, because numbers are put in for letters of any unit and conditions stand on angles.
 """
 
@@ -115,8 +115,8 @@ def _draw(name: str, meaning: SymbolValue, chance: random.Random, kind: int) -> 
         return Fraction(chance.randint(low, high), 100)
     if kind == 2 and name not in meaning.positive:
         return chance.randint(-12, 12) * _PI / 6
-    size = chance.uniform(-3, 3) if kind == 0 else chance.uniform(-0.7, 0.7)
-    value = Fraction(round(10**size * 10**6), 10**6)
+    size = chance.uniform(-7, 7) if kind == 0 else chance.uniform(-0.7, 0.7)
+    value = Fraction(round(10 ** (size + 12)), 10**12)
     return value if name in meaning.positive or chance.random() < 0.5 else -value
 
 
