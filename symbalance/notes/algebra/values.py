@@ -69,7 +69,8 @@ def random_point(names: list[str], domain: Domain, seed: int) -> Point:
             continue
         low, high = domain.ranges.get(name) or _RANGES.get(name, (50, 300))
         value = Fraction(chance.randint(low, high), 100)
-        may_be_negative = name not in domain.positive and name not in _RANGES and chance.random() < 0.3
+        is_open = name not in domain.positive and name not in _RANGES and name not in domain.ranges
+        may_be_negative = is_open and chance.random() < 0.3
         is_positive = f"{name} ≥ 0" in domain.assumptions
         point[name] = -value if may_be_negative and not is_positive else value
     return point

@@ -14,8 +14,8 @@ from symbalance.notes.algebra.tree_values import letters_behind, names_behind, s
 from symbalance.notes.algebra.values import context, letters, sample
 from symbalance.notes.checking.constraints import Constraint, letter_counts, solve_for
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision, without_dots
-from symbalance.notes.checking.deciding.inequalities import StatedRange, compare
-from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
+from symbalance.notes.checking.deciding.inequalities import compare, possible_branches
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, StatedRange
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.premises import EVERYWHERE, Premise, eliminate, related
 from symbalance.notes.checking.sections import Sections
@@ -57,6 +57,7 @@ class Definitions:
     """Lines that set two known quantities equal, with the letters these come down to."""
     ranges: list[StatedRange] = field(default_factory=list)
     premises: list[Premise] = field(default_factory=list)
+    _branches: dict[tuple[str, int, int], Definition] = field(default_factory=dict)
 
     def at(self, line: int) -> dict[str, Definition]:
         """Return the definitions that reach a line, of the letters as declared there."""
@@ -127,6 +128,17 @@ class Definitions:
         left, right = chain.sides[k].node, chain.sides[k + 1].node
         last_line = self.sections.premise_end(chain, is_number=not names(right))
         return Premise(left, right, chain.lines[0], EVERYWHERE if last_line is None else last_line)
+
+    def on_stated_branches(self, knowledge: Knowledge) -> Knowledge:
+        """Return what is known where ranges have said on which branch a letter lies; each is kept."""
+        for name, definition in knowledge.definitions.items():
+            concerned = [r for r in knowledge.ranges if name in names(r.left) | names(r.right)]
+            if definition.alternatives and concerned:
+                key = (name, definition.line, len(concerned))
+                if key not in self._branches:
+                    self._branches[key] = possible_branches(name, definition, knowledge)
+                knowledge = knowledge.with_definition(name, self._branches[key])
+        return knowledge
 
     def _reaches(self, own_line: int, line: int, letters_of_it: frozenset[str]) -> bool:
         """Tell whether what a line states is in scope at another, its letters being the same there."""

@@ -16,7 +16,7 @@ from symbalance.notes.checking import assertions, constraints
 from symbalance.notes.checking.deciding.cases import decide_case, decide_with_ratio, states_a_case
 from symbalance.notes.checking.deciding.equality import Decision, decide_equality
 from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
-from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality
+from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality, sample_ranges
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.constraints import Constraint
@@ -150,7 +150,9 @@ class Judge:
         moving = frozenset(n for m in MOVING for n in letters.get(m, ()))
         angles = frozenset(n for m in ANGLES for n in letters.get(m, ()))
         letters_declared = frozenset(symbols)
-        return Knowledge(
+        ranges = self.definitions.ranges_at(line)
+        meaning = replace(meaning, ranges={**meaning.ranges, **sample_ranges(ranges)})
+        knowledge = Knowledge(
             meaning,
             crank,
             definitions,
@@ -159,7 +161,9 @@ class Judge:
             moving,
             angles,
             universal,
+            ranges=tuple(ranges),
         )
+        return self.definitions.on_stated_branches(knowledge)
 
     def assumptions(self, line: int, letters: frozenset[str]) -> tuple[Assumption, ...]:
         """Return the assumptions at a line, each solved for a letter."""
@@ -265,8 +269,7 @@ class Judge:
         relation = chain.relations[k]
         left, right = chain.sides[k], chain.sides[k + 1]
         if relation.sign in SATISFIED_BY:
-            ranges = self.definitions.ranges_at(chain.lines[0])
-            decision = decide_inequality(chain, k, knowledge, ranges)
+            decision = decide_inequality(chain, k, knowledge)
             self.definitions.state_range(chain, k, decision)
             return decision
         if relation.sign == "=" and (name := _meant_as_number(left.node, right.node, knowledge)):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -21,7 +21,7 @@ from symbalance.notes.checking.deciding.equality import (
     digits,
     printed_decimal,
 )
-from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, Level, StatedRange
 from symbalance.notes.checking.deciding.satisfiability import Survey, survey
 from symbalance.notes.checking.verdicts import CONTRADICTION, RANGE
 from symbalance.notes.reading.equations import Chain
@@ -31,25 +31,7 @@ SATISFIED_BY = {"<": (-1,), ">": (1,), "≤": (-1, 0), "≥": (0, 1), "≠": (-1
 _MIRRORED = {"<": ">", ">": "<", "≤": "≥", "≥": "≤", "≠": "≠"}
 
 
-@dataclass(frozen=True, slots=True)
-class StatedRange:
-    """An inequality that a line states of letters."""
-
-    left: Formula
-    sign: str
-    right: Formula
-    line: int
-
-    @property
-    def text(self) -> str:
-        """The inequality as it is written."""
-        sides = (formula_text(node, plain=True) for node in (self.left, self.right))
-        return f" {self.sign} ".join(sides)
-
-
-def decide_inequality(
-    chain: Chain, k: int, knowledge: Knowledge, ranges: Iterable[StatedRange] = ()
-) -> Decision:
+def decide_inequality(chain: Chain, k: int, knowledge: Knowledge) -> Decision:
     """Decide an inequality; what some values satisfy and others not states a range.
 
     In a < x < b the two bounds are compared as well: 1/3 < x < 1/5 holds for no x.
@@ -57,7 +39,9 @@ def decide_inequality(
     left, right, sign = chain.sides[k].node, chain.sides[k + 1].node, chain.relations[k].sign
     decision = compare(left, right, sign, knowledge)
     if decision is not None:
-        return decision
+        if not _differs_by_branch(left, right, sign, decision, knowledge):
+            return decision
+        return Decision(RANGE, "says which solution is meant")
     if not names(left) and not names(right):
         return Decision(UNDECIDED, "two numbers that could not be compared")
     proof = _by_form(left, right, sign, knowledge)
@@ -70,8 +54,45 @@ def decide_inequality(
         if outer is not None and not outer.is_proved:
             return Decision(REFUTED, "the range is empty", witness=outer.witness)
     stated = StatedRange(left, sign, right, chain.lines[0])
-    contradiction = _contradiction(stated, list(ranges), knowledge)
+    contradiction = _contradiction(stated, knowledge)
     return contradiction or _by_survey(stated, knowledge)
+
+
+def _differs_by_branch(
+    left: Formula, right: Formula, sign: str, decision: Decision, knowledge: Knowledge
+) -> bool:
+    """Tell whether an inequality is true on one branch and false on another: u² = 4, u > 1."""
+    for name, definition in knowledge.branches_behind(left, right).items():
+        for value, _ in definition.alternatives:
+            other = replace(definition, node=value, alternatives=())
+            there = compare(left, right, sign, knowledge.with_definition(name, other))
+            if there is None or there.status != decision.status:
+                return True
+    return False
+
+
+def possible_branches(name: str, definition: Definition, knowledge: Knowledge) -> Definition:
+    """Return a letter's definition without the branches on which a range stated of it is true nowhere."""
+    branches = [(definition.node, definition.branch), *definition.alternatives]
+    possible = [pair for pair in branches if _is_possible(name, pair[0], knowledge)]
+    if not possible or len(possible) == len(branches):
+        return definition
+    (node, condition), *others = possible
+    return replace(
+        definition, node=node, branch=condition if others else "", alternatives=tuple(others)
+    )
+
+
+def _is_possible(name: str, value: Formula, knowledge: Knowledge) -> bool:
+    values = {n: d.node for n, d in knowledge.definitions.items()}
+    meaning = replace(knowledge.meaning, values={**values, **knowledge.meaning.values, name: value})
+    for stated in knowledge.ranges:
+        if name not in names(stated.left) | names(stated.right):
+            continue
+        signs = survey(stated.left, stated.right, meaning, roots=False)
+        if signs.tried and not any(s in SATISFIED_BY[stated.sign] for s in signs.counts):
+            return False
+    return True
 
 
 def compare(left: Formula, right: Formula, sign: str, knowledge: Knowledge) -> Decision | None:
@@ -193,9 +214,7 @@ def lone_letter(stated: StatedRange) -> tuple[str, str, Formula] | None:
     return None
 
 
-def _contradiction(
-    stated: StatedRange, ranges: list[StatedRange], knowledge: Knowledge
-) -> Decision | None:
+def _contradiction(stated: StatedRange, knowledge: Knowledge) -> Decision | None:
     """Return the contradiction between a letter's range and its declaration or earlier ranges."""
     own = lone_letter(stated)
     if own is None or own[1] == "≠":
@@ -205,7 +224,7 @@ def _contradiction(
         above = compare(bound, Number(Fraction(0)), ">", knowledge)
         if above is not None and not above.is_proved:
             return Decision(REFUTED, "the letter is declared to be positive", witness=above.witness)
-    for earlier in ranges:
+    for earlier in knowledge.ranges:
         other = lone_letter(earlier)
         if other is None or other[0] != name or other[1] == "≠" or (other[1] in "<≤") == (sign in "<≤"):
             continue
@@ -213,6 +232,48 @@ def _contradiction(
         touching = "≤" if sign in "≤≥" and other[1] in "≤≥" else "<"
         fits = compare(low, high, touching, knowledge)
         if fits is not None and not fits.is_proved:
-            reason = f"no value of {formula_text(Name(name), plain=True)} satisfies it and {earlier.text} of line {earlier.line}"
+            letter = formula_text(Name(name), plain=True)
+            reason = f"no value of {letter} satisfies it and {earlier.text} of line {earlier.line}"
             return Decision(CONTRADICTION, reason, witness=fits.witness)
     return None
+
+
+def sample_ranges(ranges: Iterable[StatedRange]) -> dict[str, tuple[int, int]]:
+    """Return where letters may be drawn at random so that they satisfy their ranges, in hundredths.
+
+    >>> low = StatedRange(Name("x"), ">", Number(Fraction(3)), 1)
+    >>> sample_ranges([low])
+    {'x': (301, 401)}
+    """
+    bounds: dict[str, list[Fraction | None]] = {}
+    for stated in ranges:
+        own = lone_letter(stated)
+        number = None if own is None else _rational_bound(own[2])
+        if own is None or number is None or own[1] == "≠":
+            continue
+        pair = bounds.setdefault(own[0], [None, None])
+        at, pick = (0, max) if own[1] in ">≥" else (1, min)
+        pair[at] = number if pair[at] is None else pick(number, pair[at])
+    drawn: dict[str, tuple[int, int]] = {}
+    for name, (low, high) in bounds.items():
+        width = max(abs(low or high or 0), Fraction(1))
+        first = low if low is not None else (high or Fraction(0)) - width
+        last = high if high is not None else first + width
+        span = (int(first * 100) + 1, int(last * 100) - 1)
+        if high is None:
+            span = (span[0], span[0] + int(width * 100))
+        if span[0] <= span[1]:
+            drawn[name] = span
+    return drawn
+
+
+def _rational_bound(node: Formula) -> Fraction | None:
+    """Return a bound as a number to three decimals."""
+    evaluator = Knowledge().evaluator(Level({}))
+    try:
+        points = values.sample([evaluator.form(node)], 1)
+    except (NoFormError, TooLargeError):
+        return None
+    if not points or not _is_real(points[0][1][0]) or abs(points[0][1][0]) > 10**6:
+        return None
+    return Fraction(round(float(points[0][1][0].real) * 1000), 1000)

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from symbalance.document.formula import Formula, names
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.geometry import Geometry
@@ -26,6 +27,22 @@ class Definition:
     """Whether an equation was solved for the letter, which is a premise beside it."""
     branch: str = ""
     """The condition under which `node` is the value, where there are alternatives."""
+
+
+@dataclass(frozen=True, slots=True)
+class StatedRange:
+    """An inequality that a line states of letters."""
+
+    left: Formula
+    sign: str
+    right: Formula
+    line: int
+
+    @property
+    def text(self) -> str:
+        """The inequality as it is written."""
+        sides = (formula_text(node, plain=True) for node in (self.left, self.right))
+        return f" {self.sign} ".join(sides)
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,6 +79,7 @@ class Knowledge:
     solved: Mapping[str, Formula] = field(default_factory=dict)
     """What letters equal by premises solved together, and the premises' texts."""
     solved_from: tuple[str, ...] = ()
+    ranges: tuple[StatedRange, ...] = ()
 
     def levels(self, *nodes: Formula) -> Iterator[Level]:
         """Yield what may be used, least first: nothing, meanings and definitions, then assumptions."""
