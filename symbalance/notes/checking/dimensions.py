@@ -33,14 +33,14 @@ def _dimension(kg: int = 0, m: int = 0, s: int = 0, kelvin: int = 0, ampere: int
 
 _UNITS: dict[str, Dimension] = {
     "m": _dimension(m=1), "g": _dimension(kg=1), "s": _dimension(s=1), "K": _dimension(kelvin=1),
-    "A": _dimension(ampere=1), "N": _dimension(1, 1, -2), "J": _dimension(1, 2, -2), "W": _dimension(1, 2, -3),
-    "Pa": _dimension(1, -1, -2), "Hz": _dimension(s=-1), "rad": NONE, "Nm": _dimension(1, 2, -2),
-    "Ns": _dimension(1, 1, -1), "V": _dimension(1, 2, -3, 0, -1),
+    "A": _dimension(ampere=1), "N": _dimension(1, 1, -2), "J": _dimension(1, 2, -2),
+    "W": _dimension(1, 2, -3), "Pa": _dimension(1, -1, -2), "Hz": _dimension(s=-1),
+    "rad": NONE, "Nm": _dimension(1, 2, -2), "Ns": _dimension(1, 1, -1), "V": _dimension(1, 2, -3, 0, -1),
 }  # fmt: skip
 _WHOLE_UNITS: dict[str, Dimension] = {
     "min": _dimension(s=1), "h": _dimension(s=1), "bar": _dimension(1, -1, -2), "rpm": _dimension(s=-1),
     "rps": _dimension(s=-1), "rev": NONE, "r": NONE, "U": NONE, "deg": NONE, "°": NONE, "1": NONE,
-    "%": NONE, "t": _dimension(kg=1), "l": _dimension(m=3), "L": _dimension(m=3), "kmh": _dimension(m=1, s=-1),
+    "%": NONE, "t": _dimension(kg=1), "l": _dimension(m=3), "L": _dimension(m=3),
     "Nmm": _dimension(1, 2, -2), "kNm": _dimension(1, 2, -2), "degrees": NONE, "radians": NONE,
 }  # fmt: skip
 _PREFIXES = ("", "k", "M", "G", "c", "d", "m", "u", "n")

@@ -13,13 +13,13 @@ from symbalance.document.formula import Constant, Formula, Name, Number, Span, n
 from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import assertions, constraints
+from symbalance.notes.checking.constraints import Constraint
 from symbalance.notes.checking.deciding.cases import decide_case, decide_with_ratio, states_a_case
 from symbalance.notes.checking.deciding.equality import Decision, decide_equality
-from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality, sample_ranges
+from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute
-from symbalance.notes.checking.constraints import Constraint
 from symbalance.notes.checking.definitions import Definitions, lines_of
 from symbalance.notes.checking.descriptions import (
     describe,
@@ -33,7 +33,7 @@ from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
 from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.sidecar import Binding, Declarations
-from symbalance.notes.checking.symbol_roles import MOVING, letters_by_role
+from symbalance.notes.checking.symbol_roles import KNOWN, MOVING, letters_by_role, role_of
 from symbalance.notes.checking.symbols import meaning_of
 from symbalance.notes.checking.verdicts import (
     CONDITION,
@@ -278,17 +278,7 @@ class Judge:
         definition = self.definitions.define_by(chain, k, knowledge)
         if definition is not None:
             return definition
-        decision, against = decide(left, right, relation.sign, knowledge), left
-        if bad and not decision.is_proved:
-            from_sound = decide(chain.sides[sound], right, relation.sign, knowledge)
-            if from_sound.is_proved or decision.status == REFUTED:
-                decision, against = from_sound, chain.sides[sound]
-        elif bad:
-            decision = replace(decision, reason=FOLLOWS)
-        head = chain.sides[0].node
-        has_value = k and isinstance(head, Name) and head.name in knowledge.meaning.values
-        if has_value and (relation.sign == "≈" or not decision.is_proved):
-            decision, against = decide(chain.sides[0], right, "≈", knowledge), chain.sides[0]
+        decision, against = self._decide_step(chain, k, sound, bad, knowledge)
         if decision.status in (REFUTED, UNDECIDED):
             in_use, used = self.definitions.letters_before(chain.lines[0]), self.definitions.first_lines
             constraint = constraints.constraint_of(chain, k, in_use, used, knowledge)
@@ -296,21 +286,75 @@ class Judge:
                 return self._fix(constraint, chain, k, knowledge)
             decision = self._with_premises(against, right, relation.sign, decision, knowledge)
         if decision.status == REFUTED:
-            case = decide_case(chain, k, decision, knowledge)
-            if case is not None and case.status in STATED and relation.sign == "=":
-                case = self._state(chain, k, case, knowledge)
-            decision = case or decide_with_ratio(against.node, right.node, knowledge) or decision
-        unknown = [name for name in self.not_judged if name in names(left.node) | names(right.node)]
-        if decision.status == REFUTED and unknown:
-            reason = f"may rest on line {self.not_judged[unknown[0]]}, which was not judged"
-            decision = replace(decision, status=UNDECIDED, reason=reason)
-        condition = self.definitions.condition_behind(decision, chain.lines[0])
-        if decision.status == REFUTED and condition is not None:
-            reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
-            decision = replace(decision, status=UNDECIDED, reason=reason)
+            decision = self._unless_stated(chain, k, against, decision, knowledge)
+        if decision.status == REFUTED:
+            decision = self._unless_open(chain, k, decision, knowledge)
         return self.add_fix(
             describe(self.document, chain, k, decision), chain, k, against, decision, knowledge
         )
+
+    def _decide_step(
+        self, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
+    ) -> tuple[Decision, Side]:
+        """Return the decision on a relation as a step, and the side its right one is compared with."""
+        sign, left, right = chain.relations[k].sign, chain.sides[k], chain.sides[k + 1]
+        decision, against = decide(left, right, sign, knowledge), left
+        if bad and not decision.is_proved:
+            from_sound = decide(chain.sides[sound], right, sign, knowledge)
+            if from_sound.is_proved or decision.status == REFUTED:
+                decision, against = from_sound, chain.sides[sound]
+        elif bad:
+            decision = replace(decision, reason=FOLLOWS)
+        head = chain.sides[0].node
+        has_value = k and isinstance(head, Name) and head.name in knowledge.meaning.values
+        if has_value and (sign == "≈" or not decision.is_proved):
+            decision, against = decide(chain.sides[0], right, "≈", knowledge), chain.sides[0]
+        return decision, against
+
+    def _unless_stated(
+        self, chain: Chain, k: int, against: Side, decision: Decision, knowledge: Knowledge
+    ) -> Decision:
+        """Return the decision on a refuted relation that may be a premise, a condition or a case."""
+        case = decide_case(chain, k, decision, knowledge)
+        if case is not None and case.status in STATED and chain.relations[k].sign == "=":
+            case = self._state(chain, k, case, knowledge)
+        if case is not None and case.status != REFUTED:
+            return case
+        with_ratio = decide_with_ratio(against.node, chain.sides[k + 1].node, knowledge)
+        return with_ratio or case or decision
+
+    def _unless_open(self, chain: Chain, k: int, decision: Decision, knowledge: Knowledge) -> Decision:
+        """Return the decision on a refuted relation: undecided if it may rest on what is not known."""
+        left, right, line = chain.sides[k].node, chain.sides[k + 1].node, chain.lines[0]
+        letters_here = names(left) | names(right)
+        reason = ""
+        unknown = [name for name in self.not_judged if name in letters_here]
+        condition = self.definitions.condition_behind(decision, line)
+        if unknown:
+            reason = f"may rest on line {self.not_judged[unknown[0]]}, which was not judged"
+        elif condition is not None:
+            reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
+        elif chain.relations[k].sign == "=":
+            reason = self._missing_meaning(left, right, line, knowledge)
+        return replace(decision, status=UNDECIDED, reason=reason) if reason else decision
+
+    def _missing_meaning(self, left: Formula, right: Formula, line: int, knowledge: Knowledge) -> str:
+        """Return for which size of the geometry a letter without a meaning makes a relation true.
+
+        A letter declared by other words than the known ones is just a letter, and sin β = k sin θ would
+        be refuted although k is r/l by its author's words.
+        """
+        declared = self.declarations.symbols_at(line)
+        for name in sorted(names(left) | names(right)):
+            if role_of(declared.get(name, KNOWN[0])) in KNOWN or knowledge.knows(name):
+                continue
+            if knowledge.meaning.values.keys().isdisjoint(names(left) | names(right)):
+                continue
+            size = constraints.size_of(left, right, name, knowledge)
+            if size is not None:
+                letter, text = (formula_text(node, plain=True) for node in (Name(name), size))
+                return f"true if {letter} = {text}: declare what {letter} means"
+        return ""
 
     def _fix(self, constraint: Constraint, chain: Chain, k: int, knowledge: Knowledge) -> Decision:
         """Return the decision on a relation that fixes a letter, after defining it."""
@@ -375,7 +419,7 @@ class Judge:
 
 
 def _meant_as_number(left: Formula, right: Formula, knowledge: Knowledge) -> str:
-    """Return the declared letters among e, i, π by which a relation is only true if they are those numbers.
+    """Return the declared letters among e, i, π that have to be those numbers for a relation to be true.
 
     One of them that is set to a number is given its value: e = 2.718.
     """

@@ -1,8 +1,8 @@
-"""Premises as a system: equations taken as given, solved for letters before anything is judged by them.
+"""Premises as a system: equations taken as given, solved before anything is judged by them.
 
-Each is brought to normal form with what is known, and solved for a letter in which it is linear; what that
-letter equals is put into the others. An equation that comes down to 0 = 0 follows from the rest, one that
-comes down to a number contradicts it. What is not linear in any letter is left over, and only checked.
+Each is brought to normal form with what is known, and solved for a letter in which it is linear; what
+that letter equals is put into the others. An equation that comes down to 0 = 0 follows from the rest, one
+that comes down to a number contradicts it. What is linear in no letter is left over, and only checked.
 """
 
 from __future__ import annotations
@@ -109,9 +109,7 @@ def _without_private(
 def _known_values(knowledge: Knowledge) -> dict[str, Formula]:
     """Return what the letters stand for at most; what is printed in decimals stays a letter."""
     defined = {
-        name: d.node
-        for name, d in knowledge.definitions.items()
-        if not d.solved and not decimals(d.node)
+        name: d.node for name, d in knowledge.definitions.items() if not d.solved and not decimals(d.node)
     }
     return {**defined, **knowledge.meaning.values}
 
@@ -143,7 +141,7 @@ def _eliminate(premises: Sequence[Premise], knowledge: Knowledge) -> Elimination
             if form.is_zero():
                 following.append(premise)
             elif not letters(form):
-                return Elimination(solved, (), tuple([*used, premise]), tuple(following))
+                return Elimination(solved, (), (*used, premise), tuple(following))
             elif solution is None:
                 continue
             else:

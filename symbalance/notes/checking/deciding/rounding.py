@@ -1,10 +1,10 @@
 """Agreement of printed decimals with exact values, to the digits they show.
 
-A lone decimal stands for all that is rounded to it, half a unit of its last place to either side. So does a
-decimal of three digits or more that a result is computed from, here or in a line before; shorter ones are
-data, taken as exact. A whole number is exact, unless it is the result of an arithmetic with decimals and
-has three digits. Among letters every coefficient is compared for itself, and may be off by what half a unit
-in the last place of each decimal in it brings.
+A lone decimal stands for all that is rounded to it, half a unit of its last place to either side. So does
+a decimal of three digits or more that a result is computed from, here or in a line before; shorter ones
+are data, taken as exact. A whole number is exact, unless it is the result of an arithmetic with decimals
+and has three digits. Among letters every coefficient is compared for itself, and may be off by what half
+a unit in the last place of each decimal in it brings.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Search for real values of the letters at which two sides are equal, or one is larger.
 
-Nothing is proved here: a relation for which no values turn up is refuted by a point at which it fails, which
-is exact, and said to have none as far as tried. Values are drawn over fourteen decades, near 1, and at the
-multiples of 30 degrees, because numbers are put in for letters of any unit and conditions stand on angles.
+Nothing is proved here: a relation for which no values turn up is refuted by a point at which it fails,
+which is exact, and said to have none as far as tried. Values are drawn over fourteen decades, near 1, and
+at the multiples of 30 degrees: numbers are put in for letters of any unit, conditions stand on angles.
 """
 
 from __future__ import annotations
@@ -162,9 +162,7 @@ def _touches_zero(difference: _Difference, start: Point, gap: Any) -> bool:
     bound, step = max(abs(gap), 1) * VANISHES, Fraction(1)
     for _ in range(4 * STEPS):
         moved = False
-        for name in point:
-            if name in difference.meaning.integer:
-                continue
+        for name in [n for n in point if n not in difference.meaning.integer]:
             for change in (step, -step):
                 value = point[name] + change
                 if abs(value) > FARTHEST or (name in difference.meaning.positive and value <= 0):
