@@ -283,17 +283,21 @@ class Definitions:
             if by_premises.status == PREMISE:
                 self.define(name, value, chain)
             return by_premises
+        if earlier.solved and _each_has_own_letters(earlier.node, value, knowledge):
+            contradiction = self._outside_range(name, value, line, knowledge)
+            if contradiction is None:
+                self.define(name, without_dots(value)[0], chain)
+            return contradiction or Decision(PREMISE, f"beside line {earlier.line}")
         if not _new_case(earlier, value, chain.relations[k].sign, knowledge):
             return None
         if isinstance(value, Name) and value.name in knowledge.definitions:
             self.conditions[line] = frozenset(_letters_behind([earlier.node, value], knowledge))
             return Decision(CONDITION, "sets two quantities equal")
-        if not chain.inline and earlier.numeric and not names(value) and name not in knowledge.universal:
+        is_case = chain.inline or name in knowledge.angles
+        if not is_case and earlier.numeric and not names(value):
             other = f"{plain(Name(name))} = {plain(earlier.node)}"
             return Decision(CONTRADICTION, f"contradicts {other} of line {earlier.line}")
         self.define(name, without_dots(value)[0], chain)
-        if earlier.solved:
-            return Decision(PREMISE, f"beside line {earlier.line}")
         return Decision(PREMISE, f"a new case: line {earlier.line} had another value")
 
     def _define_size(
@@ -316,8 +320,18 @@ class Definitions:
         if [abs(exponent) for _, exponent in monomial] != [1]:
             return None
         number = 1 / coefficient if monomial[0][1] > 0 else coefficient
-        is_premise = self.define(small, rational_node(number), chain)
-        return Decision(PREMISE if is_premise else DEFINITION, f"a case: {plain(Name(small))} = {number}")
+        return self._define_case(small, rational_node(number), chain, knowledge)
+
+    def _define_case(self, small: str, number: Formula, chain: Chain, knowledge: Knowledge) -> Decision:
+        """Return the decision on a size that gives the ratio a number: a case, or a contradiction."""
+        earlier = knowledge.definitions.get(small)
+        if earlier is not None and earlier.numeric and not chain.inline:
+            again = decide(_side(number), _side(earlier.node), "=", knowledge)
+            if not again.is_proved:
+                other = f"{plain(Name(small))} = {plain(earlier.node)}"
+                return Decision(CONTRADICTION, f"contradicts {other} of line {earlier.line}")
+        word = PREMISE if self.define(small, number, chain) else DEFINITION
+        return Decision(word, f"a case: {plain(Name(small))} = {plain(number)}")
 
     def _letter_defined(self, chain: Chain, k: int) -> tuple[str, Formula] | None:
         """Return the letter a relation may define, and its value."""
@@ -337,6 +351,16 @@ def _solve_for_one_letter(node: Formula, value: Formula) -> tuple[str, Formula] 
     (letter,) = counts
     solution = solve_for(node, value, letter)
     return None if solution is None else (letter, solution)
+
+
+def _each_has_own_letters(earlier: Formula, value: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a second value fixes another letter: F_1 = -F_2, then F_1 = cos θ; or is a number."""
+    first, second = (set(_letters_behind([node], knowledge)) for node in (earlier, value))
+    return not second or bool(first - second and second - first)
+
+
+def _side(node: Formula) -> Side:
+    return Side((node,), (0, 0))
 
 
 def plain(node: Formula) -> str:

@@ -140,7 +140,7 @@ def _eliminate(premises: Sequence[Premise], knowledge: Knowledge) -> Elimination
             form, solution = outcome
             if form.is_zero():
                 following.append(premise)
-            elif not letters(form):
+            elif _is_for_all_angles(premise, form, knowledge) or not letters(form):
                 return Elimination(solved, (), (*used, premise), tuple(following))
             elif solution is None:
                 continue
@@ -151,6 +151,11 @@ def _eliminate(premises: Sequence[Premise], knowledge: Knowledge) -> Elimination
         if len(waiting) == before:
             break
     return Elimination(solved, tuple(waiting), (), tuple(following))
+
+
+def _is_for_all_angles(premise: Premise, form: Form, knowledge: Knowledge) -> bool:
+    """Tell whether a premise on other letters comes down to one on angles alone, which are free."""
+    return set(letters(form)) <= knowledge.angles and not premise.names <= knowledge.angles
 
 
 def _reduce(

@@ -11,6 +11,7 @@ from symbalance.document.formula import Formula, Name, Negative, Number, Sum, na
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import Domain, Monomial, NoFormError, Polynomial, TooLargeError
+from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.roots import is_never_negative
 from symbalance.notes.checking.deciding.equality import (
@@ -22,12 +23,14 @@ from symbalance.notes.checking.deciding.equality import (
     printed_decimal,
 )
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, Level, StatedRange
-from symbalance.notes.checking.deciding.satisfiability import Survey, survey
+from symbalance.notes.checking.deciding.satisfiability import Survey, sign_at, survey
 from symbalance.notes.checking.verdicts import CONTRADICTION, RANGE
 from symbalance.notes.reading.equations import Chain
 
 SATISFIED_BY = {"<": (-1,), ">": (1,), "≤": (-1, 0), "≥": (0, 1), "≠": (-1, 1)}
 """The signs of left - right with which an inequality is true."""
+FEWEST = 12
+"""Points that satisfy earlier ranges, before one is said to contradict them."""
 _MIRRORED = {"<": ">", ">": "<", "≤": "≥", "≥": "≤", "≠": "≠"}
 
 
@@ -177,6 +180,13 @@ def _by_survey(stated: StatedRange, knowledge: Knowledge) -> Decision:
         return Decision(RANGE)
     level = list(knowledge.levels(stated.left, stated.right))[-1]
     meaning = replace(knowledge.meaning, values=level.values)
+    others = [r for r in knowledge.ranges if _shares_letters(r, stated)]
+    if others:
+        among = _within(stated, others, meaning)
+        if among.tried >= FEWEST and not any(s in SATISFIED_BY[stated.sign] for s in among.counts):
+            reason = " and ".join(f"{r.text} of line {r.line}" for r in others[:2])
+            reason = f"{_tried(among, 'true at none')} that satisfy {reason}"
+            return Decision(CONTRADICTION, reason, witness=_failing(among, stated))
     signs = survey(stated.left, stated.right, meaning, roots=False)
     if not signs.tried:
         return Decision(UNDECIDED, "no point where both sides are real", level=level)
@@ -187,6 +197,21 @@ def _by_survey(stated: StatedRange, knowledge: Knowledge) -> Decision:
     if len(true) == len(signs.counts):
         return Decision(RANGE, _tried(signs, "true at all") + ", not proved")
     return Decision(RANGE)
+
+
+def _shares_letters(earlier: StatedRange, stated: StatedRange) -> bool:
+    own = names(stated.left) | names(stated.right)
+    return not own.isdisjoint(names(earlier.left) | names(earlier.right))
+
+
+def _within(stated: StatedRange, others: list[StatedRange], meaning: SymbolValue) -> Survey:
+    """Return the signs of an inequality where others are satisfied."""
+
+    def satisfies(point: Mapping[str, Fraction]) -> bool:
+        return all(sign_at(r.left, r.right, meaning, dict(point)) in SATISFIED_BY[r.sign] for r in others)
+
+    nodes = [node for r in others for node in (r.left, r.right)]
+    return survey(stated.left, stated.right, meaning, roots=False, where=satisfies, also=nodes)
 
 
 def _tried(signs: Survey, words: str) -> str:

@@ -8,7 +8,7 @@ at the multiples of 30 degrees: numbers are put in for letters of any unit, cond
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -52,16 +52,27 @@ class Survey:
         return 0 in self.generic and len(self.generic) > 1
 
 
-def survey(left: Formula, right: Formula, meaning: SymbolValue, *, roots: bool = True) -> Survey:
-    """Return where left - right is negative, zero and positive; with `roots`, whether it vanishes."""
-    difference = _Difference(left, right, meaning)
+def survey(
+    left: Formula,
+    right: Formula,
+    meaning: SymbolValue,
+    *,
+    roots: bool = True,
+    where: Callable[[Point], bool] | None = None,
+    also: Sequence[Formula] = (),
+) -> Survey:
+    """Return where left - right is negative, zero and positive; with `roots`, whether it vanishes.
+
+    `where` chooses points, at which the letters of `also` have values too.
+    """
+    difference = _Difference(left, right, meaning, also)
     examples: dict[int, tuple[Point, Any, Any]] = {}
     counts: dict[int, int] = {}
     generic: dict[int, int] = {}
     values: list[tuple[Point, Any]] = []
     for point, is_generic in _points(difference.letters, meaning):
         pair = difference.pair(point)
-        if pair is None:
+        if pair is None or (where is not None and not where(point)):
             continue
         gap = pair[0] - pair[1]
         scale = max(abs(pair[0]), abs(pair[1]))
@@ -78,9 +89,11 @@ def survey(left: Formula, right: Formula, meaning: SymbolValue, *, roots: bool =
 class _Difference:
     """left - right at points, None where a side is not real."""
 
-    def __init__(self, left: Formula, right: Formula, meaning: SymbolValue) -> None:
+    def __init__(
+        self, left: Formula, right: Formula, meaning: SymbolValue, also: Sequence[Formula] = ()
+    ) -> None:
         self.left, self.right, self.meaning = left, right, meaning
-        names = {name for node in (left, right) for name in letters_behind(node, meaning.values)}
+        names = {name for node in (left, right, *also) for name in letters_behind(node, meaning.values)}
         self.letters = sorted(names)
 
     def pair(self, point: Point) -> tuple[Any, Any] | None:
@@ -96,6 +109,12 @@ class _Difference:
     def gap(self, point: Point) -> Any:
         pair = self.pair(point)
         return None if pair is None else pair[0] - pair[1]
+
+
+def sign_at(left: Formula, right: Formula, meaning: SymbolValue, point: Point) -> int | None:
+    """Return the sign of left - right at a point, None where a side is not real."""
+    gap = _Difference(left, right, meaning).gap(point)
+    return None if gap is None else (gap > 0) - (gap < 0)
 
 
 def _points(letters: list[str], meaning: SymbolValue) -> Iterator[tuple[Point, bool]]:
