@@ -277,3 +277,23 @@ def test_every_relation_is_counted_and_the_exit_code_says_what_failed():
 def test_only_a_page_with_relations_and_none_bad_passes(page, fails):
     checked: Checked = check(page + "\n", {"x": "variable", "c": "variable"})
     assert checked.failed == fails
+
+
+# Remarks
+
+
+def test_an_equals_sign_for_a_series_is_remarked():
+    letters = {"beta": "rod angle", "rho": "crank ratio r/l", "theta": "crank angle"}
+    roughly, exactly = (
+        check(rf"$$\beta {sign} \rho\sin\theta$$", letters).verdicts[0] for sign in (r"\approx", "=")
+    )
+    assert roughly.verdict == exactly.verdict == "holds_to_order"
+    assert (roughly.reason, exactly.reason) == ("", "= stands where ≈ is meant")
+
+
+@pytest.mark.parametrize(("meaning", "word"), [("slenderness", "undecided"), ("rod ratio r/l", "holds")])
+def test_a_meaning_that_is_not_known_accuses_nobody(meaning, word):
+    letters = {"phi": "rod angle", "rho": meaning, "theta": "crank angle"}
+    (verdict,) = check(r"$$\phi = \arcsin(\rho\sin\theta)$$", letters).verdicts
+    assert verdict.verdict == word
+    assert word == "holds" or "ρ = r/l" in verdict.reason
