@@ -154,6 +154,12 @@ $$x \approx r(1-\cos\theta) + \frac{r}{2\lambda}(1-\cos 2\theta)$$
 連桿比 $\lambda = 147.15/36.65 = 4.02$ and $|k| = |-k|$, so that $k \neq q$; $\ln(k^2) = 2 \ln k$
 
 $$\frac{\mathrm{d}x}{\mathrm{d}\theta} 度 = r \sin\theta = r \cos\theta$$
+
+$$u^2 = 4$$
+
+where $u > 1$, and for $w = 3$ the same
+
+$$u = 5$$
 """
 """Every verdict, Japanese prose, and characters that each medium writes in its own way."""
 LETTERS = {
@@ -162,6 +168,8 @@ LETTERS = {
     "lambda": "rod ratio l/r",
     "x": "displacement from top dead centre",
     "k": "positive",
+    "u": "variable",
+    "w": "variable",
 }
 
 

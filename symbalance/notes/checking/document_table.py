@@ -22,16 +22,15 @@ from symbalance.document.nodes import (
 from symbalance.document.result import Result
 from symbalance.errors import printable
 from symbalance.notes.checking.verdicts import (
-    CONDITIONAL,
-    DEFINITION,
-    HOLDS,
-    HOLDS_TO_ORDER,
+    CONTRADICTION,
+    PROVED_WORDS,
     REFUTED,
+    STATED,
     UNDECIDED,
     UNREADABLE,
 )
 
-RIGHT = (HOLDS, HOLDS_TO_ORDER, CONDITIONAL, DEFINITION)
+RIGHT = (*PROVED_WORDS, *STATED)
 """The verdicts that the table counts as holding."""
 LONGEST = 28
 """Characters of a name in the table, which has no room for more."""
@@ -52,13 +51,18 @@ class DocumentRow:
     exit_code: int
     problem: str = ""
 
+    @staticmethod
+    def _wrong(counts: Mapping[str, int]) -> list[int]:
+        """Return the counts of WRONG; a contradiction is counted with what is refuted."""
+        return [counts[v] + (counts[CONTRADICTION] if v == REFUTED else 0) for v in WRONG]
+
     @property
     def counts(self) -> list[int] | None:
         """How many relations were seen, and how many hold, are refuted, undecided, unreadable."""
         if self.report is None:
             return None
         counts = self.report["counts"]
-        return [self.report["seen"], sum(counts[v] for v in RIGHT), *(counts[v] for v in WRONG)]
+        return [self.report["seen"], sum(counts[v] for v in RIGHT), *self._wrong(counts)]
 
 
 @dataclass(frozen=True, repr=False)
@@ -85,7 +89,8 @@ class DocumentTable(Result):
         legend = (
             (
                 "hold",
-                "also to an order or under a condition that is stated; definitions are counted here",
+                "also to an order or under a condition that is stated; definitions, premises, "
+                "conditions and ranges are counted here",
             ),
             ("exit", "0 nothing wrong, 1 not to be relied on, 2 not checked, 3 a fault of symbalance"),
         )

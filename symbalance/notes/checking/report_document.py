@@ -20,11 +20,15 @@ from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.descriptions import rounded_number
 from symbalance.notes.checking.typeset_relations import Sides, is_readable, sides_by_span, typeset
 from symbalance.notes.checking.verdicts import (
+    CONDITION,
     CONDITIONAL,
+    CONTRADICTION,
     DEFINITION,
     FAILING,
     HOLDS,
     HOLDS_TO_ORDER,
+    PREMISE,
+    RANGE,
     REFUTED,
     UNDECIDED,
     UNREADABLE,
@@ -45,8 +49,12 @@ _TITLES = {
     HOLDS_TO_ORDER: "holds to order",
     CONDITIONAL: "holds if",
     REFUTED: "REFUTED",
+    CONTRADICTION: "CONTRADICTION",
     UNDECIDED: "UNDECIDED",
     DEFINITION: "definition",
+    PREMISE: "premise",
+    CONDITION: "condition",
+    RANGE: "range",
     UNREADABLE: "UNREADABLE",
 }
 _MEANINGS = {
@@ -55,7 +63,11 @@ _MEANINGS = {
     CONDITIONAL: "proved under the assumption named",
     REFUTED: "different: the witness is a point, with the value of each side there",
     UNDECIDED: "neither proved nor refuted",
-    DEFINITION: "gives a letter its value, or states a condition or a range",
+    CONTRADICTION: "cannot be true together with the lines named",
+    DEFINITION: "gives a new letter its value",
+    PREMISE: "taken as given from here on",
+    CONDITION: "an equation to be solved: what solves it is checked",
+    RANGE: "says where a letter lies",
     UNREADABLE: "not read, for the reason given",
 }
 
@@ -150,7 +162,7 @@ def _notes(verdict: Verdict) -> Iterable[Words]:
         yield verdict.reason
     yield from (f"note: {note}" for note in verdict.notes)
     yield from map(difference_words, verdict.differences)
-    if verdict.verdict == REFUTED and verdict.witness:
+    if verdict.is_bad and verdict.witness:
         yield witness_words(verdict)
     if verdict.fix:
         yield f"found: {verdict.fix.kind}"

@@ -30,6 +30,7 @@ from pathlib import Path
 from typing import Any
 
 from symbalance.notes.checking.role_phrases import USUAL
+from symbalance.notes.checking.symbol_roles import misspelt_role
 from symbalance.notes.reading import ReadingError, canonical_name
 from symbalance.text.files import file_name, read_text
 from symbalance.text.key_tables import Key, TableKeys
@@ -262,6 +263,10 @@ def _symbols(table: Section) -> dict[str, str]:
             raise table.refusal(letter, problem.what, "write one letter") from None
         if name in meanings:
             raise table.refusal(letter, "is declared twice", "keep one line of it")
+        nearest = misspelt_role(meaning)
+        if nearest is not None:
+            remedy = f'write "{nearest}", or "variable, {meaning.strip()}" for just a letter'
+            raise table.refusal(letter, f"has no known meaning, but one much like {nearest}", remedy)
         meanings[name] = meaning.strip()
     return meanings
 

@@ -22,10 +22,18 @@ CONDITIONAL = "conditional"
 REFUTED = "refuted"
 UNDECIDED = "undecided"
 DEFINITION = "definition"
+PREMISE = "premise"
+CONDITION = "condition"
+RANGE = "range"
+CONTRADICTION = "contradiction"
 UNREADABLE = "unreadable"
 
-VERDICTS = (HOLDS, HOLDS_TO_ORDER, CONDITIONAL, REFUTED, UNDECIDED, DEFINITION, UNREADABLE)
-BAD = (REFUTED, UNDECIDED)
+PROVED_WORDS = (HOLDS, HOLDS_TO_ORDER, CONDITIONAL)
+STATED = (DEFINITION, PREMISE, CONDITION, RANGE)
+"""What a relation may be that claims nothing: it gives a letter its value (definition), is taken as given
+(premise), is an equation to be solved (condition), or says where a letter lies (range)."""
+BAD = (REFUTED, CONTRADICTION, UNDECIDED)
+VERDICTS = (*PROVED_WORDS, REFUTED, CONTRADICTION, UNDECIDED, *STATED, UNREADABLE)
 FAILING = (*BAD, UNREADABLE)
 """What a document that is right throughout has none of; the unreadable may be forgiven."""
 
@@ -186,7 +194,7 @@ class Checked(Result):
 
     @property
     def failed(self) -> bool:
-        """Tell whether no relation was seen, or one is refuted, undecided or unreadable."""
+        """Tell whether no relation was seen, or one is of the verdicts that fail."""
         return self.fails()
 
     def fails(self, *, lenient: bool = False) -> bool:
