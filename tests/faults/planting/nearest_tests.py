@@ -168,6 +168,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "independent/test_drawn_solids",
         "textbook/test_crank_model",
         "documents/test_rotor_documents",
+        "documents/test_machine_results",
         "public/test_crankshaft_command",
         "independent/test_fatigue",
         "independent/test_fillet_factors",
