@@ -134,6 +134,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
     ),
     "notes": (
         "known_truth/test_single_lines",
+        "known_truth/test_slips",
         "known_truth/test_hand_pages",
         "known_truth/test_reading",
         "known_truth/test_reading_notation",
