@@ -106,6 +106,11 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "laws/test_csv_rows",
         "bad_input/test_named_files",
     ),
+    "drawing": (
+        "laws/test_drawings",
+        "independent/test_drawings",
+        "bad_input/test_drawing_requests",
+    ),
     "design": (
         "laws/test_amplitudes_and_phases",
         "independent/test_balancing",
