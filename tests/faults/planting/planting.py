@@ -198,14 +198,17 @@ def catch(
 def by_nearness(files: Sequence[str], fault: Fault, calling: Collection[str]) -> list[str]:
     """Return files of tests, first those that name the fault's module or have fast tests calling it.
 
-    What is slow is run in this order, and the time limit may end it. Doctests are fast and stay first.
+    What is slow is run in this order, and the time limit may end it. Doctests are fast and stay first;
+    what only prints a result has its golden files next.
     """
     module = fault.path.removesuffix(".py").replace("/", ".")
+    is_printed = fault.path.endswith(("_document.py", "_data.py", "_table.py"))
 
     def rank(file: str) -> int:
         if not file.startswith("tests/"):
             return 0
-        return 1 if module in _source(file) else 2 if file in calling else 3
+        golden = is_printed and file.startswith("tests/documents/")
+        return 1 if golden or module in _source(file) else 2 if file in calling else 3
 
     return sorted(files, key=rank)
 
