@@ -54,6 +54,7 @@ def nearly_the_same(old: tuple[str, str], new: tuple[str, str]) -> bool:
 
 def compare(path: Path, text: str) -> None:
     """Assert that a text is nearly what a golden file holds."""
+    assert path.exists(), f"{path.name}: no golden file yet: pytest --update, and read it"
     before = list(pieces(path.read_text(encoding="utf-8")))
     for place, (old, new) in enumerate(zip_longest(before, pieces(text), fillvalue=("end", ""))):
         if not nearly_the_same(old, new):
