@@ -17,14 +17,15 @@ def sentence(balance: Balance, language: str = "en") -> str:
 
     >>> from symbalance.engine.catalogue import load
     >>> from symbalance.forces.free_forces import balance
-    >>> sentence(balance(load("v8-90"), 4))
-    'Free of forces up to order 3. Largest force: order 4, 0.02318 of one piston\\'s first order. \
-First-order couple 3.162, all of it with the crank: counterweights balance it.'
+    >>> print(sentence(balance(load("inline-3"), 2)))  # doctest: +ELLIPSIS
+    Free of forces to order 2. Largest couple: ...
     """
     parts = []
     for of in ("force", "couple"):
-        sizes = {n: s for n, s in _sizes(balance, of).items() if s >= NEGLIGIBLE}
-        parts += _free(of, sizes, balance.highest, language)
+        all_sizes = _sizes(balance, of)
+        sizes = {n: s for n, s in all_sizes.items() if s >= NEGLIGIBLE}
+        # An order that is there, however small, is not free of.
+        parts += _free(of, sizes, min(all_sizes, default=0), balance.highest, language)
         first = Resultant(getattr(balance, of), 1)
         if 1 in sizes:
             parts.append(_cure(of, sizes[1], first, language))
@@ -41,21 +42,25 @@ def _sizes(balance: Balance, of: str) -> dict[int, float]:
     return sizes
 
 
-def _free(of: str, sizes: dict[int, float], highest: int, language: str) -> list[str]:
+def _free(of: str, sizes: dict[int, float], least: int, highest: int, language: str) -> list[str]:
     if language == "ja":
         name = NAMES["ja"][of]
-        if not sizes:
+        if not least:
             return [f"{highest}次までの{name}はない。"]
-        least, largest = min(sizes), max(sizes, key=lambda n: sizes[n])
+        if not sizes:
+            return [f"{name}は1気筒の1次慣性力の10⁻⁶倍未満。"]
+        largest = max(sizes, key=lambda n: sizes[n])
         free = f"{least - 1}次以下の{name}はない。" if least > 1 else ""
         if of == "couple" and largest == 1:
             return [free] if free else []
         unit = "1気筒の1次慣性力の" if of == "force" else "1気筒の1次慣性力×ピッチの"
         return [f"{free}最大の{name}は{largest}次で、{unit}{figure(sizes[largest])}倍。"]
     plural = of + "s"
-    if not sizes:
+    if not least:
         return [f"Free of {plural} to order {highest}."]
-    least, largest = min(sizes), max(sizes, key=lambda n: sizes[n])
+    if not sizes:
+        return [f"All {plural} below 10⁻⁶ of one piston's first order."]
+    largest = max(sizes, key=lambda n: sizes[n])
     free = [f"Free of {plural} up to order {least - 1}."] if least > 1 else []
     if of == "couple" and largest == 1:
         return free
