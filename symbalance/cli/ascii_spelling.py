@@ -137,7 +137,7 @@ def _table(lines: list[str], rule: int, encoding: str) -> list[str]:
         else:
             columns.append([start, end])
     # A cell that goes on alone in its line, and does not stand in the first column, moves with its own.
-    ends = {start: end for start, end in columns[1:]}
+    ends = {column[0]: column[1] for column in columns[1:]}
     alone = [(k, row[0].span()) for k, row in enumerate(cells) if k > rule and len(row) == 1]
     of_table += [k for k, (start, end) in alone if end <= ends.get(start, 0)]
     texts: list[dict[int, str]] = []
