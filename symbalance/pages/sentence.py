@@ -18,7 +18,7 @@ def sentence(balance: Balance, language: str = "en") -> str:
     >>> from symbalance.engine.catalogue import load
     >>> from symbalance.forces.free_forces import balance
     >>> print(sentence(balance(load("inline-3"), 2)))  # doctest: +ELLIPSIS
-    Free of forces to order 2. Largest couple: ...
+    Free of forces to order 2. First-order couple 1.732: ...
     """
     parts = []
     for of in ("force", "couple"):

@@ -16,8 +16,8 @@ from tests.results import EXAMPLES
 
 NAMES = ["campbell", "critical-speeds", "torsional-chain", "unbalance-response", "whirl", "crankshaft"]
 """Not `natural-modes`: a round shaft bends as willingly in one direction as in any other."""
-PROGRAMS = sorted(set(EXAMPLES) - {"natural-modes", "campbell", "presets", "pressure-trace"})
-"""Nor `campbell`, which tells of modes that do not whirl how far they do; presets come and go."""
+PROGRAMS = sorted(set(EXAMPLES) - {"natural-modes", "presets", "pressure-trace"})
+"""Presets come and go."""
 TOO_MUCH = {"whirl", "sensitivities", "sensitivities-at-speed", "design-unlike"}
 """JSON of shapes, whose phase each machine chooses, or of a hundred pages."""
 
