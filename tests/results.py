@@ -15,6 +15,7 @@ import sympy
 from sympy import Symbol
 
 import symbalance as sb
+from symbalance.checking import sidecar_draft
 from symbalance.crankshaft.files import read_running_engine
 from symbalance.crankshaft.reports import summarise_run
 from symbalance.crankshaft.running import configure_run, run_speeds
@@ -123,6 +124,13 @@ def _comparison_unlike() -> Result:
     return sb.design.compare(engines, 4, phases=True)
 
 
+def _comparison_at_speed() -> Result:
+    """In newtons: a file's own sizes, and sizes for those that have none; a symbol, and no couple."""
+    twin = sb.vee(Symbol("alpha"), pins=[0], name="twin", ratio=4)
+    engines = [sb.load("vq30de"), sb.load("inline-4"), twin]
+    return sb.design.compare(engines, 4).at(rpm=6000, stroke=86, mass="0.5", pitch=100)
+
+
 def _design() -> Result:
     return sb.design_balance(sb.load("inline-5"), [1, 2], shafts=2)
 
@@ -161,6 +169,12 @@ $$x \approx r(1-\cos\theta) + \frac{r}{2\lambda}(1-\cos 2\theta)$$
 連桿比 $\lambda = 147.15/36.65 = 4.02$ and $|k| = |-k|$, so that $k \neq q$; $\ln(k^2) = 2 \ln k$
 
 $$\frac{\mathrm{d}x}{\mathrm{d}\theta} 度 = r \sin\theta = r \cos\theta$$
+
+$$u^2 = 4$$
+
+where $u > 1$, and for $w = 3$ the same
+
+$$u = 5$$
 """
 """Every verdict, Japanese prose, and characters that each medium writes in its own way."""
 LETTERS = {
@@ -169,6 +183,8 @@ LETTERS = {
     "lambda": "rod ratio l/r",
     "x": "displacement from top dead centre",
     "k": "positive",
+    "u": "variable",
+    "w": "variable",
 }
 
 
@@ -181,6 +197,18 @@ def _document_table() -> Result:
     read = DocumentRow("notes/page.md", _check().data(), 1)
     missing = DocumentRow("notes/lost.md", None, 2, "notes/lost.md: cannot be read; check the path")
     return DocumentTable((read, missing))
+
+
+def _declaration_draft() -> Result:
+    """A page whose words propose meanings, components of a force and what lines claim."""
+    return sidecar_draft(
+        "# V12, banks at 60°\n\ncrank radius r, λ = l/r, α is half the bank angle\n\n"
+        "Lh is the horizontal component of L\n\n$$Lh = L \\sin α$$\n\n"
+        "## Sixth order force\n\nIts part in cos 6θ.\n\n"
+        "### Vertical, left bank\n\n$$3 \\sqrt 3 \\cos 6θ$$\n\n"
+        "## Shares, the first order being taken as 100, of the vq30de\n\nSixth order force 0.02\n\n"
+        "## Sixth order force, vertical\n\n$$6 \\sqrt 3 \\cos 6θ$$\n\n$$u = r \\sin θ$$\n"
+    )
 
 
 def _verdict() -> Result:
@@ -266,10 +294,12 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "harmonics": _harmonics,
     "comparison": _comparison,
     "comparison-unlike": _comparison_unlike,
+    "comparison-at-speed": _comparison_at_speed,
     "row-formulas": lambda: sb.forces.tabulate_row(6),
     "bank-angles": lambda: sb.engine.bank_angles([0, 120, 240], [60, 90]),
     "bank-angles-of-any-crank": lambda: sb.engine.bank_angles(6, [60]),
     "overbalance": lambda: sb.design.tabulate_overbalance(sb.load("inline-3")),
+    "overbalance-at-speed": lambda: sb.design.tabulate_overbalance(sb.load("vq30de")).at(rpm=6000),
     "design": _design,
     "design-segments": lambda: sb.design_balance(sb.load("vq30de"), [1]).cut_from(60, 20, inner=20),
     "design-at-speed": lambda: sb.design_balance(sb.load("vq30de"), [1, 2]).at(rpm=6000),
@@ -289,6 +319,7 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "ideal-cycle": lambda: sb.torque.ideal_cycle(16, heat=20, peak_pressure=100),
     "pressure-trace": lambda: sb.torque.ideal_cycle(10, heat=20).trace(4, 720),
     "check": _check,
+    "declaration-draft": _declaration_draft,
     "document-table": _document_table,
     "verdict": _verdict,
     "campbell": _campbell,

@@ -5,13 +5,16 @@ from __future__ import annotations
 import argparse
 import os
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from symbalance.cli.budget import read_budget
 from symbalance.cli.options import add_jobs, add_output, add_trust, command
 from symbalance.cli.outcomes import DONE, FAILED, FAULT, say_fault
-from symbalance.cli.output import show, write
+from symbalance.cli.output import show, write, write_all
 from symbalance.errors import SymbalanceError
+
+if TYPE_CHECKING:
+    from symbalance.notes.checking.verdicts import Checked
 
 
 def add(commands: argparse._SubParsersAction) -> None:
@@ -37,11 +40,31 @@ def add(commands: argparse._SubParsersAction) -> None:
         help="exit 0 although something could not be read; still 1 where nothing could",
     )
     parser.add_argument(
-        "--declare", action="store_true", help="print a symbols file to fill in, with the letters missing"
+        "--declare",
+        action="store_true",
+        help="draft a symbols file: every letter, with what the text proposes, for you to confirm; "
+        "--format html and others show the proposals typeset",
+    )
+    parser.add_argument(
+        "--accept-proposals",
+        action="store_true",
+        help="take proposals as confirmed: those of the symbols file or, without one, the text's own; "
+        "the report says so",
+    )
+    parser.add_argument(
+        "--no-fixes",
+        action="store_true",
+        help="verdicts alone, without a search for what is meant: quicker",
+    )
+    parser.add_argument(
+        "--certificates",
+        metavar="FILE",
+        help="write a certificate of each verdict to FILE.json, which verify_certificates.py, a program "
+        "of the standard library alone, retraces",
     )
     add_jobs(parser, "documents")
     add_trust(parser, "the symbols file")
-    add_output(parser)
+    add_output(parser, full=False)
 
 
 class _Documents(argparse.Action):
@@ -70,19 +93,51 @@ def run(options: argparse.Namespace) -> int:
     if options.dask is not None:
         raise SymbalanceError("--dask", "is for several documents", "leave it out, or name a folder")
     if options.declare:
-        from symbalance.notes.checking import sidecar_draft
-
-        for name in ("format", "standalone", "label", "lenient"):
-            if getattr(options, name):
-                raise SymbalanceError(f"--{name}", "plays no part in --declare", "leave it out")
-        write(sidecar_draft(Path(options.notes), options.symbols), options.output, "source")
-        return DONE
+        return _declare(options)
     limit = read_budget(options.budget)
-    checked = check(Path(options.notes), options.symbols, budget=limit, trust_paths=options.trust_paths)
+    checked = check(
+        Path(options.notes),
+        options.symbols,
+        budget=limit,
+        trust_paths=options.trust_paths,
+        accept_proposals=options.accept_proposals,
+        fixes=not options.no_fixes,
+    )
     show(checked, options)
+    if options.certificates is not None:
+        _write_certificates(checked, options.certificates)
     for verdict in checked.faults:
         place = f"line {verdict.line} of {file_name(options.notes)}"
         say_fault(f"{place}: {verdict.fault}", verdict.traceback)
     if checked.faults:
         return FAULT
     return FAILED if checked.fails(lenient=options.lenient) else DONE
+
+
+def _write_certificates(checked: Checked, name: str) -> None:
+    """Write the certificates of a document's verdicts."""
+    import json
+
+    from symbalance.notes.checking.certificates import certificates
+
+    if not name.endswith(".json"):
+        raise SymbalanceError(
+            f"--certificates {name}", "is no .json file", "name one: page.certificates.json"
+        )
+    write_all({name: json.dumps(certificates(checked), ensure_ascii=False, indent=1) + "\n"})
+
+
+def _declare(options: argparse.Namespace) -> int:
+    """Write the draft of a symbols file or, in a medium that is asked for, what is proposed, typeset."""
+    from symbalance.checking import sidecar_draft
+
+    for name in ("standalone", "label", "lenient", "accept_proposals", "no_fixes", "certificates"):
+        if getattr(options, name):
+            option = name.replace("_", "-")
+            raise SymbalanceError(f"--{option}", "plays no part in --declare", "leave it out")
+    draft = sidecar_draft(Path(options.notes), options.symbols, budget=read_budget(options.budget))
+    if options.format is None:
+        write(draft.toml(), options.output, "source")
+    else:
+        show(draft, options)
+    return DONE

@@ -29,6 +29,12 @@ def check_several(options: argparse.Namespace) -> int:
     """Check every document and show the table; the exit code is the worst of all of them."""
     if options.declare:
         raise SymbalanceError("--declare", "is for one document", "name a single one")
+    if options.certificates is not None:
+        raise SymbalanceError("--certificates", "is for one document", "name a single one")
+    if options.label or options.format == "xlsx":
+        what = "--label" if options.label else "--format xlsx"
+        remedy = "write them one by one" if options.label else "take csv, or write them one by one"
+        raise SymbalanceError(what, "is for the report of one document", remedy)
     form = medium_of_several(options)
     folder = None if options.output in (None, "-") else output_folder(options.output)
     documents = _documents(options.documents, folder)
@@ -36,6 +42,7 @@ def check_several(options: argparse.Namespace) -> int:
     if folder is not None:
         reports = report_paths(folder, _names(documents), form, documents)
     same = {"form": form, "standalone": options.standalone, "here": options.dask is None}
+    same["choices"] = (options.accept_proposals, not options.no_fixes)
     limit = read_budget(options.budget)  # for each document
     job_of = partial(_job, symbols=options.symbols, limit=limit, trust_paths=options.trust_paths, **same)
     jobs = [job_of(path) for path in documents]
@@ -116,17 +123,18 @@ def _job(
     form: str,
     standalone: bool,
     here: bool,
+    choices: tuple[bool, bool] = (False, True),
 ) -> Job:
     """Return the job of a document; its key is of all that decides what is said of it.
 
     `here` tells that it is checked by processes that have this working folder.
     """
     place, sidecar = (str(path), symbols) if here else (os.path.abspath(path), _absolute(symbols))
-    value = (place, str(path), sidecar, limit, trust_paths, form, standalone)
+    value = (place, str(path), sidecar, limit, trust_paths, form, standalone, choices)
     try:
         read = [path, *declared_files(path, symbols)]
         before = _states(read)
-        settings = (str(path), symbols or "", tuple(limit), trust_paths, form, standalone)
+        settings = (str(path), symbols or "", tuple(limit), trust_paths, form, standalone, *choices)
         key = key_of("check", *settings, [(str(p), p) for p in read])
         weight = float(path.stat().st_size)
     except (SymbalanceError, OSError):  # what cannot be read is refused where it is checked
@@ -159,10 +167,19 @@ def _absolute(name: str | None) -> str | None:
     return None if name is None else os.path.abspath(name)
 
 
-def _check(value: tuple[str, str, str | None, Budget, bool, str, bool]) -> dict[str, Any]:
+def _check(
+    value: tuple[str, str, str | None, Budget, bool, str, bool, tuple[bool, bool]],
+) -> dict[str, Any]:
     """Return what is said of a document, as data and in a medium, and what its check exits with."""
-    place, name, symbols, limit, trust_paths, form, standalone = value
-    checked = check(Path(place), symbols, budget=limit, trust_paths=trust_paths)
+    place, name, symbols, limit, trust_paths, form, standalone, (accepts, fixes) = value
+    checked = check(
+        Path(place),
+        symbols,
+        budget=limit,
+        trust_paths=trust_paths,
+        accept_proposals=accepts,
+        fixes=fixes,
+    )
     return {
         "report": {**checked.data(), "document": name},
         "printed": printed(checked, form, name, standalone=standalone),

@@ -19,7 +19,7 @@ from typing import Any
 from symbalance.errors import SymbalanceError
 
 READ = ("engine", "notes", "symbols", "pressure", "parts")
-WRITTEN = ("output", "write", "picture")
+WRITTEN = ("output", "write", "picture", "certificates")
 PIPED = "-"
 """Stands for standard input, and among what is written for the terminal."""
 IN_FOLDER = ("report.*", "curves-*.csv", "loads-*.csv", "*.png", "webs.json")

@@ -26,7 +26,20 @@ class DocumentWriter(ABC):
             return self.string(inline)
         if isinstance(inline, nodes.Code):
             return self.code(inline.text)
+        if isinstance(inline, nodes.Jump):
+            return self.jump(inline)
         return self.strong(inline.text) if isinstance(inline, nodes.Strong) else self.math(inline)
+
+    def jump(self, jump: nodes.Jump) -> str:
+        """Return words that lead elsewhere in the document; by themselves where nothing leads."""
+        return self.string(jump.text)
+
+    def marked(self, block: nodes.Marked) -> str:
+        """Return a marked line with all that is said of it; where nothing folds, in a row."""
+        head = nodes.Paragraph(
+            (f"{block.place} ", nodes.Strong(block.verdict), ": ", *inlines(block.words))
+        )
+        return "\n\n".join(self.block(each) for each in (head, *block.blocks))
 
     @abstractmethod
     def string(self, text: str) -> str:

@@ -40,10 +40,33 @@ _STYLE = """
 .symbalance .number{font-variant-numeric:tabular-nums;white-space:nowrap}
 .symbalance .pad{visibility:hidden}
 .symbalance .wide{overflow-x:auto}
+.symbalance .spoken{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}
 .symbalance dt{float:left;clear:left;margin-right:.6rem;font-weight:bold}
 .symbalance dd{margin-left:1.5rem}
 .symbalance .bad{font-weight:bold}
 .symbalance img,.symbalance svg{max-width:100%;height:auto}
+"""
+_MARKS = """
+.symbalance .marked{border-left:.35rem solid;margin:.25rem 0;padding:.1rem .6rem}
+.symbalance .marked summary{cursor:pointer;display:grid;grid-template-columns:3.2rem 1fr auto;gap:.6rem}
+.symbalance .marked .line{overflow-x:auto;overflow-y:hidden;padding:.15rem 0}
+.symbalance .marked .place{color:#555;font-variant-numeric:tabular-nums}
+.symbalance .marked .word{font-size:.85rem;white-space:nowrap}
+.symbalance .marked.right{border-color:#1a7f37;background:#f1f9f3}
+.symbalance .marked.wrong{border-color:#b3261e;background:#fdeeec}
+.symbalance .marked.wrong .word{color:#9a1b14;font-weight:bold}
+.symbalance .marked.unsure{border-color:#9a6700;background:#fff8e5}
+.symbalance .marked.plain{border-color:#5b6b82;background:#f3f5f8}
+.symbalance .marked .inside{padding:.2rem 0 .4rem 3.8rem;overflow-x:auto}
+.symbalance svg text{font:11px system-ui,sans-serif}
+@media(max-width:40rem){
+.symbalance .marked summary{grid-template-columns:1fr auto}
+.symbalance .marked .line{grid-column:1/-1;grid-row:2}
+.symbalance .marked .inside{padding-left:.2rem}
+}
+@media(prefers-color-scheme:dark){
+.symbalance{color-scheme:light}
+}
 """
 _PAGE = """<!DOCTYPE html>
 <html lang="en">
@@ -64,10 +87,11 @@ _PAGE = """<!DOCTYPE html>
 def document_html(document: nodes.Document, *, standalone: bool = False) -> str:
     """Return a document as HTML: an article to put into a page, or with `standalone` a whole page."""
     body = _Writer().document(document, top=1 if standalone else 2)
+    style = _STYLE + _MARKS if '<details class="marked ' in body else _STYLE
     if not standalone:
-        return f"<style>{_STYLE}</style>\n{body}"
+        return f"<style>{style}</style>\n{body}"
     title = shorten(plain_words(document.title), LONGEST_TITLE, placeholder="…")
-    return _PAGE.format(title=escape(title), style=_STYLE, body=body)
+    return _PAGE.format(title=escape(title), style=style, body=body)
 
 
 class _Writer(DocumentWriter):
@@ -117,6 +141,32 @@ class _Writer(DocumentWriter):
         inner = "\n".join(map(self.block, block.blocks))
         return f"<details>\n<summary>{escape(block.summary)}</summary>\n{inner}\n</details>"
 
+    def head(self, column: nodes.Column) -> str:
+        """Return a column's head; of a formula alone also in words, for checkers hear none in MathML."""
+        words = self.words(column.head)
+        if not words or any(isinstance(each, str) and each.strip() for each in inlines(column.head)):
+            return words
+        spoken = escape(plain_words(column.head))
+        return f'<span class="spoken">{spoken}</span><span aria-hidden="true">{words}</span>'
+
+    def jump(self, jump: nodes.Jump) -> str:
+        return f'<a href="#{escape(jump.anchor)}">{escape(jump.text, quote=False)}</a>'
+
+    def marked(self, block: nodes.Marked) -> str:
+        """Return a line that opens, by a click or the keyboard, to what is said of it."""
+        anchor = f' id="{escape(block.anchor)}"' if block.anchor else ""
+        cells = [
+            f'<span class="place">{escape(block.place)}</span>',
+            f'<span class="line">{_displayed(self.words(block.words))}</span>',
+            f'<span class="word">{escape(block.verdict)}</span>',
+        ]
+        inside = "\n".join(map(self.block, block.blocks))
+        below = f'<div class="inside">\n{inside}\n</div>\n' if inside else ""
+        return (
+            f'<details class="marked {block.mark}"{anchor}>\n<summary>{"".join(cells)}</summary>\n'
+            f"{below}</details>"
+        )
+
     def facts(self, block: nodes.Facts) -> str:
         title = self.words(block.title)
         head = f'<p class="title">{title}</p>\n' if title else ""
@@ -161,14 +211,14 @@ class _Writer(DocumentWriter):
         fit = fit_table(block, lambda words: len(plain_words(words)), ROOM, 2)
         columns = [_padding(fit.cells(i)) if each else None for i, each in enumerate(fit.numeric)]
         heads = "".join(
-            f'<th scope="col"{_number_class(pad)}>{self.words(column.head)}</th>'
+            f'<th scope="col"{_number_class(pad)}>{self.head(column)}</th>'
             for column, pad in zip(fit.columns, columns, strict=True)
         )
         pads = [[None if c is None else c[k] for c in columns] for k in range(len(fit.rows))]
         rows = [self.row(row, pad, block.keys) for row, pad in zip(fit.rows, pads, strict=True)]
         caption = f"<caption>{self.words(block.title)}</caption>" if inlines(block.title) else ""
         html = self.scrolling(plain_words(block.title) or "table", f"<tr>{heads}</tr>", rows, caption)
-        remark = f"\n<p>{fit.remark}</p>" if fit.remark else ""
+        remark = f"\n<p>{self.words(fit.remark)}</p>" if inlines(fit.remark) else ""
         return html + self.left_out(fit) + remark
 
     def row(self, row: Sequence[nodes.Words], pads: Sequence[str | None], keys: int) -> str:
@@ -197,6 +247,11 @@ class _Writer(DocumentWriter):
             for each in fit.left_out
         ]
         return f"\n<p>exactly:</p>\n<ul>\n{chr(10).join(items)}\n</ul>" if items else ""
+
+
+def _displayed(printed: str) -> str:
+    """Return a line's formula with fractions as high as in a display, in the line's own place."""
+    return printed.replace("<math>", '<math displaystyle="true">', 1)
 
 
 def _padding(cells: Sequence[nodes.Words]) -> list[str]:

@@ -185,12 +185,20 @@ class _Writer(DocumentWriter):
     def source_line(self, line: nodes.SourceLine) -> str:
         verdict = escaped(line.verdict)
         verdict = rf"\fbox{{\textsc{{{verdict.lower()}}}}}" if line.bad else rf"\textit{{{verdict}}}"
-        head = rf"\textbf{{{escaped(line.place)}}}\quad {verdict}\quad {{\small {self.code(line.text)}}}"
+        head = rf"\textbf{{{escaped(line.place)}}}\quad {verdict}"
+        if line.typeset is None:
+            head += rf"\quad {{\small {self.code(line.text)}}}"
         parts = [rf"{{\raggedright\hangindent=2em\hangafter=1 {head}\par}}"]
+        if line.typeset is not None:
+            shown = line.typeset
+            equation = shown if isinstance(shown, Equation) else Equation(Upright(""), (("", shown),))
+            rows = r" \\".join(_rows([equation], ROOM - 4.0))
+            parts.append(rf"{{\leftskip=2em$\begin{{aligned}}{rows}\end{{aligned}}$\par}}")
         below = r"\small\raggedright\leftskip=2em "
         parts += [rf"{{{below}{self.words(note)}\par}}" for note in line.notes]
-        if line.formulas:
-            equations = [Equation(Upright(f"{name}:"), (("", value),)) for name, value in line.formulas]
+        formulas = [each for each in line.formulas if line.typeset is None or each[0] != "stands"]
+        if formulas:  # what stands is above already, typeset
+            equations = [Equation(Upright(f"{name}:"), (("", value),)) for name, value in formulas]
             rows = r" \\".join(_rows(equations, ROOM - 6.0, r"\quad "))
             parts.append(rf"{{\leftskip=2em$\begin{{aligned}}{rows}\end{{aligned}}$\par}}")
         return _kept_together("\\parskip=2pt\n" + "\n".join(parts), "smallskip")
@@ -207,7 +215,7 @@ class _Writer(DocumentWriter):
         for rows in _pages(fit.rows, columns):
             head = f"{title} (continued)" if title and parts else title
             parts.append(self.tabular(head, columns, whole, rows))
-        remark = [rf"{fit.remark}.\par"] if fit.remark else []
+        remark = [rf"{self.words(fit.remark)}.\par"] if inlines(fit.remark) else []
         return "\n".join([*parts, *_left_out(fit.left_out), *remark])
 
     def tabular(
@@ -236,11 +244,19 @@ class _Writer(DocumentWriter):
         lines.append(" & ".join(heads) + r" \\")
         lines.append(r"\midrule")
         body = [" & ".join(c.cell(self, row[i]) for i, c in enumerate(columns)) for row in rows]
-        if any(r"\frac" in line or "aligned" in line for line in body):
-            lines.insert(-4, r"\renewcommand{\arraystretch}{1.5}")
+        stretch = max(map(_stretch, body), default="")
+        if stretch:
+            lines.insert(-4, rf"\renewcommand{{\arraystretch}}{{{stretch}}}")
         lines += [rf"{line} \\" for line in body]
         lines += [r"\bottomrule", r"\end{tabular}}"]
         return "\n".join(line for line in lines if line)
+
+
+def _stretch(row: str) -> str:
+    """Return how much higher than a line a row is set: bars need room, one over the other more of it."""
+    if "aligned" in row or r"\frac{\sqrt{\frac" in row or r"\sqrt{\frac" in row:
+        return "1.5"
+    return "1.3" if r"\frac" in row else ""
 
 
 _LABEL = re.compile(r"[A-Za-z0-9][A-Za-z0-9.:+-]*")

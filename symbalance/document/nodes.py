@@ -14,6 +14,7 @@ Formulas       equations, displayed, their relation signs in line
 Figure         a picture, with words for those who do not see it
 Source         lines somebody wrote, each with its verdict and notes
 Details        what a reader may skip
+Marked         a line somebody wrote, typeset and coloured, which opens to what is said of it
 =============  ==================================================================================
 
 A `Document` holds no character that a reader does not see: what a file's words hold of such is written by
@@ -49,7 +50,15 @@ class Strong:
     text: str
 
 
-Inline = str | Formula | Equation | Code | Strong
+@dataclass(frozen=True, eq=False)
+class Jump:
+    """Words that lead to a `Marked` line of the same document, where a medium can follow them."""
+
+    text: str
+    anchor: str
+
+
+Inline = str | Formula | Equation | Code | Strong | Jump
 Words = Inline | tuple[Inline, ...]
 """One inline, or several that follow one another; strings carry the spaces between them."""
 
@@ -115,7 +124,8 @@ class Table:
     """Rows of cells under columns; the first `keys` columns say what a row is about.
 
     A table without rows is written as its title and the words `empty`. A column whose cells are all
-    empty is left out. `topic` is what it is about in a word, which labels name it by: "force".
+    empty is left out. `topic` is what it is about in a word, which labels name it by: "force". Of a
+    table `in_short` many exact forms that have no room in it are left to the whole document.
     """
 
     title: Words
@@ -124,6 +134,7 @@ class Table:
     keys: int = 1
     empty: str = "none"
     topic: str = ""
+    in_short: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,6 +158,7 @@ class Figure:
 class SourceLine:
     """A line somebody wrote: its place, its text, a verdict in a word or two, and what is said of it.
 
+    `typeset` is the line as a formula, where it could be read: media for print show it, not the text.
     `bad` marks a verdict a reader must act on; `notes` and `formulas` stand below the line.
     """
 
@@ -156,6 +168,7 @@ class SourceLine:
     bad: bool = False
     notes: tuple[Words, ...] = ()
     formulas: tuple[tuple[str, Formula], ...] = ()
+    typeset: Formula | Equation | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -181,7 +194,25 @@ class Details:
     optional: bool = False
 
 
-Block = Heading | Paragraph | Facts | Table | Formulas | Figure | Source | Details
+MARKS = ("right", "wrong", "unsure", "plain")
+
+
+@dataclass(frozen=True, eq=False)
+class Marked:
+    """A line somebody wrote, typeset, with a verdict; it opens to what is said of it.
+
+    `mark` is one of MARKS: how it is coloured. `anchor` is what a `Jump` leads to.
+    """
+
+    place: str
+    words: Words
+    verdict: str
+    mark: str
+    blocks: tuple[Block, ...] = ()
+    anchor: str = ""
+
+
+Block = Heading | Paragraph | Facts | Table | Formulas | Figure | Source | Details | Marked
 
 
 @dataclass(frozen=True, eq=False)
@@ -233,7 +264,7 @@ def _rounded(table: Table, omitted: dict[str, None]) -> Table:
         return cell.near
 
     rows = tuple(tuple(map(short, row)) for row in table.rows)
-    return replace(table, rows=rows)
+    return replace(table, rows=rows, in_short=True)
 
 
 def _visible(value: Any) -> Any:

@@ -47,6 +47,10 @@ class Result:
         """Return what is written of the result, in any medium."""
         raise NotImplementedError
 
+    def browser_document(self) -> Document:
+        """Return what is written of the result where it can be opened and folded: in HTML."""
+        return self.document()
+
     def data(self) -> dict[str, Any]:
         """Return the result as numbers, strings, lists and dicts; exact numbers are strings."""
         raise NotImplementedError
@@ -153,7 +157,7 @@ def to_html(result: Any, *, standalone: bool = False) -> str:
     if isinstance(result, Result):
         from symbalance.document.html_document import document_html
 
-        return document_html(result.document(), standalone=standalone)
+        return document_html(result.browser_document(), standalone=standalone)
     from symbalance.document.mathml_writer import formula_mathml
 
     return formula_mathml(_formula(result))

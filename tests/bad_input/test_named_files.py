@@ -42,6 +42,7 @@ COMMANDS = {
     "check": ("check notes.md -o", "notes.md"),
     "check, latex": ("check notes.md --format latex -o", "notes.md"),
     "check, declare": ("check notes.md --declare -o", "notes.md"),
+    "check, certificates": ("check notes.md --certificates", "notes.md"),
     "check, sidecar beside": ("check notes.md -o", "notes.symbols.toml"),
     "check, declared anew": ("check notes.md --declare -o", "notes.symbols.toml"),
     "check, sidecar given": ("check notes.md --symbols other.toml -o", "other.toml"),

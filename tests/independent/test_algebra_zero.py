@@ -56,7 +56,7 @@ def formed(domain: Domain, parts: list[tuple[Fraction, int, Fraction]]) -> Form:
     """Return the sum of c √d cos(q π)."""
     total = Form.number(domain, 0)
     for coefficient, square, half_turns in parts:
-        wave = cosine(Form.letter(domain, "pi").scaled(half_turns))
+        wave = cosine(Form.constant(domain, "pi").scaled(half_turns))
         total = total.plus(wave.times(root(Form.number(domain, square))).scaled(coefficient))
     return total
 

@@ -77,9 +77,10 @@ EITHER = pytest.mark.parametrize("case", THROWS)
 
 def engine_text(case: int) -> str:
     """Return the preset's file with the throws of a case."""
-    throws = [throw for throw in THROWS[case] for _ in range(2)]
-    cylinders, head, weights = preset_text("innio-v16").partition("[[counterweight]]")
-    return re.sub(r"(?m)^throw = .*$", lambda _: f"throw = {throws.pop(0)}", cylinders) + head + weights
+    pins = f"pins = {list(THROWS[case])}"
+    text, count = re.subn(r"(?m)^pins = .*$", pins, preset_text("innio-v16"))
+    assert count == 1
+    return text
 
 
 def largest(of: Spectrum, order: int, component: str) -> float:

@@ -15,6 +15,7 @@ import pytest
 from sympy import Symbol
 
 import symbalance as sb
+from symbalance.checking import check
 from symbalance.crankshaft.running.measured import Comparison
 from symbalance.document.result import Result, to_json
 from symbalance.engine.engine_file import SCHEMA as ENGINE_FILE
@@ -81,6 +82,7 @@ VARIANTS: dict[str, Callable[[], Result]] = {
     "crankshaft-measured": _measured,
     "verdict-bound": _bound,
     "check-on-two-lines": _on_two_lines,
+    "check-on-proposals": lambda: check("crank radius r\n\n$$v = r u$$", accept_proposals=True),
 }
 """Results with keys that no example of `tests.results` has, and with null where those have values."""
 

@@ -88,7 +88,7 @@ def preset_from(name: str, table: Mapping[str, Any]) -> Preset:
     layout = table.get("layout", {})
     banks = [row.get("bank", 0) for row in rows] or layout.get("banks", [0])
     axes = [exact(bank, "bank") for bank in banks]
-    cylinders = len(rows) or len(layout["firing_order"])
+    cylinders = len(rows) or _layout_cylinders(layout)
     strokes = int(layout.get("strokes", table.get("strokes", 4)))
     return Preset(
         name,
@@ -102,6 +102,13 @@ def preset_from(name: str, table: Mapping[str, Any]) -> Preset:
         _present(train, MASSES),
         dict(table.get("estimates", {})),
     )
+
+
+def _layout_cylinders(layout: Mapping[str, Any]) -> int:
+    """Return how many cylinders a [layout] has, by the first of its lists that says it."""
+    if "firing_order" in layout:
+        return len(layout["firing_order"])
+    return sum(map(len, layout["cylinders"])) if "cylinders" in layout else len(layout["pins"])
 
 
 def _present(train: Mapping[str, Any], keys: Iterable[str]) -> dict[str, Fraction]:

@@ -6,7 +6,8 @@ A formula becomes a quotient of two Laurent polynomials with rational coefficien
 kind            generator                              relation it obeys
 ==============  =====================================  ======================================
 turn            e^(2 pi i x), the exponent x a turn    e^(pi i) = -1, cyclotomic (see `zero`)
-symbol          a letter, or pi, or e                  none
+symbol          a letter                               none
+constant        pi or e, whatever letters are called   none
 exponential     e^(i m) of a monomial m (θ, n h)       none (integer n: e^(2 pi i n) = 1)
 growth          e^m of a monomial m                    none
 prime           p^x of a prime p, 0 < x < 1            p^(1/2) is a Gauss sum (see `zero`)
@@ -79,7 +80,7 @@ class Domain:
         integer: Iterable[str] = (),
         ranges: Mapping[str, tuple[int, int]] | None = None,
     ) -> None:
-        self.positive, self.integer = frozenset(positive) | {"pi", "e"}, frozenset(integer)
+        self.positive, self.integer = frozenset(positive), frozenset(integer)
         self.ranges = ranges or {}
         self.generators: list[Generator] = [Generator("turn", None)]
         self._numbers: dict[Hashable, int] = {}
@@ -99,9 +100,13 @@ class Domain:
         return self._numbers[key]
 
     def symbol(self, name: str) -> int:
-        """Return the generator of a letter (or of `pi`, `e`)."""
+        """Return the generator of a letter; one that is called pi or e is a letter too."""
         generator = Generator("symbol", name, name in self.positive)
         return self._number(("symbol", name), generator)
+
+    def constant(self, name: str) -> int:
+        """Return the generator of the number `pi` or `e`."""
+        return self._number(("constant", name), Generator("constant", name, positive=True))
 
     def is_integer(self, monomial: Monomial) -> bool:
         """Tell whether a monomial is a product of letters declared to be whole numbers."""
@@ -115,7 +120,7 @@ class Domain:
 
     def exponential(self, monomial: Monomial) -> int:
         """Return the generator e^(i monomial)."""
-        pi = self.symbol("pi")
+        pi = self.constant("pi")
         rest = tuple((g, e) for g, e in monomial if (g, e) != (pi, 1))
         whole = len(rest) < len(monomial) and self.is_integer(rest)
         return self._number(("exponential", monomial), Generator("exponential", monomial, integer=whole))

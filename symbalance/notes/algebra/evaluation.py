@@ -111,7 +111,7 @@ def _constant(evaluator: FormEvaluator, node: formula.Constant) -> Form:
         return unit(evaluator.domain)
     if node.name == "infinity":
         raise NoFormError("infinity")
-    return Form.letter(evaluator.domain, node.name)
+    return Form.constant(evaluator.domain, node.name)
 
 
 def _sum(evaluator: FormEvaluator, node: formula.Sum) -> Form:
@@ -147,7 +147,7 @@ def _power(evaluator: FormEvaluator, node: formula.Power) -> Form:
         return rational_power(base, value)
     if base.rational() == -1:
         phase_exponent = unit(evaluator.domain).times(exponent)
-        return functions.exponential(phase_exponent.times(Form.letter(evaluator.domain, "pi")))
+        return functions.exponential(phase_exponent.times(Form.constant(evaluator.domain, "pi")))
     phase = functions.exponent_of(base)
     if phase is not None:
         functions.assume_whole(exponent, base)

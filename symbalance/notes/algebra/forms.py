@@ -52,6 +52,11 @@ class Form:
         """Return a letter."""
         return Form.of(domain, {((domain.symbol(name), 1),): Fraction(1)})
 
+    @staticmethod
+    def constant(domain: Domain, name: str) -> Form:
+        """Return the number `pi` or `e`."""
+        return Form.of(domain, {((domain.constant(name), 1),): Fraction(1)})
+
     @property
     def is_polynomial(self) -> bool:
         """Tell whether the denominator is 1."""

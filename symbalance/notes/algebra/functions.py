@@ -33,7 +33,7 @@ def _exponential_of_term(domain: Domain, monomial: Monomial, coefficient: Fracti
     rest = tuple((g, e) for g, e in monomial if g != TURN)
     if turns == 0:
         if rest == ONE:
-            return Form.of(domain, {((domain.symbol("e"), coefficient),): Fraction(1)})
+            return Form.of(domain, {((domain.constant("e"), coefficient),): Fraction(1)})
         return Form.of(domain, {((domain.growth(rest), coefficient),): Fraction(1)})
     if turns != QUARTER:
         raise NoFormError("a power of e that is neither real nor imaginary")
@@ -42,7 +42,7 @@ def _exponential_of_term(domain: Domain, monomial: Monomial, coefficient: Fracti
 
 def _phase(domain: Domain, monomial: Monomial, coefficient: Fraction) -> Form:
     """Return e^(i coefficient monomial)."""
-    if monomial == ((domain.symbol("pi"), 1),):
+    if monomial == ((domain.constant("pi"), 1),):
         factor, turn = domain.times(((TURN, coefficient * HALF),), ((TURN, Fraction(0)),))
         return Form.of(domain, {turn: Fraction(factor)})
     inverse = _inverse_function(domain, monomial)
@@ -65,7 +65,7 @@ def exponent_of(form: Form) -> Form | None:
     for number, exponent in monomial:
         generator = domain.generators[number]
         if generator.kind == "turn":
-            inner = Form.letter(domain, "pi").scaled(2).times(unit(domain))
+            inner = Form.constant(domain, "pi").scaled(2).times(unit(domain))
         elif generator.kind in ("exponential", "growth"):
             inner = Form.of(domain, {generator.content: Fraction(1)})
             inner = inner.times(unit(domain)) if generator.kind == "exponential" else inner
@@ -143,7 +143,7 @@ def apply(function: str, argument: Form) -> Form:
     """Return a function of a form; what has no rule raises NoFormError.
 
     >>> from symbalance.notes.algebra.domain import Domain
-    >>> third = Form.letter(Domain(), "pi").scaled(Fraction(1, 3))
+    >>> third = Form.constant(Domain(), "pi").scaled(Fraction(1, 3))
     >>> apply("cos", third).rational()
     """
     if function in _CIRCULAR:
@@ -155,7 +155,7 @@ def apply(function: str, argument: Form) -> Form:
 
 def logarithm(base: Form) -> Form:
     """Return ln base; ln e is 1."""
-    if base.equals(Form.letter(base.domain, "e")):
+    if base.equals(Form.constant(base.domain, "e")):
         return Form.number(base.domain, 1)
     if base.rational() == 1:
         return Form.number(base.domain, 0)

@@ -101,8 +101,9 @@ def _power(domain: Domain, number: int, exponent: int | Fraction) -> formula.For
     generator = domain.generators[number]
     base: formula.Formula
     if generator.kind == "symbol":
-        is_constant = generator.content in ("pi", "e")
-        base = formula.Constant(generator.content) if is_constant else formula.Name(generator.content)
+        base = formula.Name(generator.content)
+    elif generator.kind == "constant":
+        base = formula.Constant(generator.content)
     elif generator.kind == "radical":
         base = formula.Call("sqrt", polynomial_node(domain, generator.content))
     elif generator.kind == "prime":

@@ -82,7 +82,7 @@ def _leading(domain: Domain, square: Polynomial) -> tuple[Monomial, Fraction]:
 
 
 def _is_letter(domain: Domain, number: int) -> bool:
-    return domain.generators[number].kind in ("symbol", "prime", "growth")
+    return domain.generators[number].kind in ("symbol", "constant", "prime", "growth")
 
 
 def _positive_part(domain: Domain, monomial: Monomial) -> Monomial:
@@ -165,4 +165,4 @@ def _is_positive(domain: Domain, number: int, exponent: Exponent) -> bool:
     generator = domain.generators[number]
     if generator.kind == "symbol" and not generator.positive:
         return exponent % 2 == 0
-    return generator.kind in ("symbol", "prime", "growth", "radical")
+    return generator.kind in ("symbol", "constant", "prime", "growth", "radical")

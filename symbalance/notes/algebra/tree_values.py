@@ -20,17 +20,19 @@ MOST_TERMS = 2000
 
 def letters_behind(node: Formula, values: Mapping[str, Formula]) -> list[str]:
     """Return the letters a formula comes down to once all that have values are replaced."""
-    letters: dict[str, None] = {}
-    names: set[str] = set()
+    return [name for name in names_behind(node, values) if name not in values]
+
+
+def names_behind(node: Formula, values: Mapping[str, Formula]) -> list[str]:
+    """Return all letters of a formula, of what they stand for, and so on, as they come up."""
+    names: dict[str, None] = {}
     waiting = [node]
     while waiting:
         for name in sorted(formula.names(waiting.pop())):
             if name in values and name not in names:
                 waiting.append(values[name])
-            elif name not in values:
-                letters[name] = None
-            names.add(name)
-    return list(letters)
+            names[name] = None
+    return list(names)
 
 
 def sample_trees(

@@ -27,7 +27,7 @@ def letters(form: Form) -> list[str]:
     """Return the letters a form depends on, those inside roots, angles and functions included."""
     walk = _Letters()
     walk.visit(form)
-    return [name for name in walk.names if name not in ("pi", "e")]
+    return list(walk.names)
 
 
 class _Letters:
@@ -69,7 +69,8 @@ def random_point(names: list[str], domain: Domain, seed: int) -> Point:
             continue
         low, high = domain.ranges.get(name) or _RANGES.get(name, (50, 300))
         value = Fraction(chance.randint(low, high), 100)
-        may_be_negative = name not in domain.positive and name not in _RANGES and chance.random() < 0.3
+        is_open = name not in domain.positive and name not in _RANGES and name not in domain.ranges
+        may_be_negative = is_open and chance.random() < 0.3
         is_positive = f"{name} ≥ 0" in domain.assumptions
         point[name] = -value if may_be_negative and not is_positive else value
     return point
@@ -103,7 +104,7 @@ class Valuation:
         for polynomial in polynomials:
             walk = _Letters()
             walk.collect(self.domain, polynomial)
-            if walk.names.keys() <= {*self.point, "pi", "e"} and self.polynomial(polynomial).real < 0:
+            if walk.names.keys() <= self.point.keys() and self.polynomial(polynomial).real < 0:
                 raise NoFormError("a denominator under a root is negative at this point")
 
     def polynomial(self, polynomial: Polynomial) -> Any:
@@ -148,10 +149,10 @@ class Valuation:
         """Return the value of a letter, prime, root or function; out of its range, raise NoFormError."""
         mp, generator = self.mp, self.domain.generators[number]
         if generator.kind == "symbol":
-            if generator.content in ("pi", "e"):
-                return +getattr(mp, generator.content)
             exact = self.point[generator.content]
             return mp.mpf(exact.numerator) / exact.denominator
+        if generator.kind == "constant":
+            return +getattr(mp, generator.content)
         if generator.kind == "prime":
             return mp.mpf(generator.content)
         if generator.kind == "radical":
@@ -173,7 +174,7 @@ class Valuation:
         return result
 
 
-def sample(forms: list[Form], tries: int = 24) -> list[tuple[Point, list[Any]]]:
+def sample(forms: list[Form], count: int = 3, tries: int = 24) -> list[tuple[Point, list[Any]]]:
     """Return up to three points where all forms are defined and real, with their values."""
     names = sorted({name for form in forms for name in letters(form)})
     samples = []
@@ -184,6 +185,6 @@ def sample(forms: list[Form], tries: int = 24) -> list[tuple[Point, list[Any]]]:
             samples.append((point, [valuation.of(form) for form in forms]))
         except (NoFormError, KeyError, ZeroDivisionError, TypeError, OverflowError):
             continue
-        if len(samples) == 3:
+        if len(samples) == count:
             break
     return samples

@@ -30,6 +30,8 @@ def is_zero(domain: Domain, polynomial: Polynomial) -> bool | None:
     """
     if not polynomial:
         return True
+    if all(not monomial or monomial[0][0] != TURN for monomial in polynomial):
+        return False  # nothing but terms that are independent, as `_number_is_zero` has it of each group
     groups: dict[Monomial, list[tuple[Monomial, Fraction]]] = defaultdict(list)
     for monomial, coefficient in polynomial.items():
         number, rest = _split(domain, monomial)

@@ -8,8 +8,11 @@ In: a document, a sidecar that says what its letters mean, and somebody who know
     constraints, definitions        relations that state something, and letters defined on the way
     deciding, assertions, judging   is a relation true, is a line what it is bound to, all in order
     repair                          the smallest change that makes a refuted line true
+    role_phrases, proposals         what a page's words propose, for a person to confirm
+    declaration_draft               the symbols file drafted from it
     documents, sympy_expressions    `check` of a document, `check_equal` of two SymPy expressions
     report_document, report_data    the report for readers and for programs
+    marked_page, sides_plot         the author's page for a browser, both sides of what is wrong drawn
     document_table                  several documents, a line for each
 """
 

@@ -137,6 +137,7 @@ def with_decision(base: Verdict, decision: Decision, binding: Binding, reason: s
         exact_node=exact_node,
         witness=decision.witness if bad else {},
         differences=differences(decision) if bad else (),
+        decision=decision,
     )
 
 

@@ -8,8 +8,8 @@ r sin²θ + r cos²θ = 2r nothing is stated, it is just false.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Iterator
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -26,7 +26,13 @@ from symbalance.document.formula import (
     Quotient,
     Sum,
 )
-from symbalance.notes.algebra.evaluation import derivative_name
+from symbalance.document.text_writer import formula_text
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue, derivative_name
+from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.harmonics import polynomial_node
+from symbalance.notes.algebra.tree_values import names_behind, sample_trees
+from symbalance.notes.algebra.values import context, letters
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.reading.equations import Chain
 
@@ -43,10 +49,18 @@ _INVERSE = {
 
 @dataclass(frozen=True, slots=True)
 class Constraint:
-    """A letter and the formula that a relation gives it."""
+    """A letter and the formula that a relation gives it, on each branch with its condition."""
 
     name: str
     node: Formula
+    branch: str = ""
+    alternatives: tuple[tuple[Formula, str], ...] = ()
+    is_circular: bool = False
+    """Whether it fixes the letter only together with an equation before: two fix two letters."""
+
+
+Solution = tuple[Formula, tuple[str, ...]]
+"""A value, and the conditions under which the letter lies on its branch."""
 
 
 def letter_counts(node: Formula) -> Counter[str]:
@@ -55,16 +69,24 @@ def letter_counts(node: Formula) -> Counter[str]:
 
 
 def constraint_of(
-    chain: Chain, k: int, letters_in_use: set[str], knowledge: Knowledge
+    chain: Chain,
+    k: int,
+    letters_in_use: Collection[str],
+    letters_used_at_all: Collection[str],
+    knowledge: Knowledge,
 ) -> Constraint | None:
-    """Return what the k-th relation of a chain states, or None where it must be a step."""
+    """Return what the k-th relation of a chain states, or None where it must be a step.
+
+    A letter is new if it was not in use before the relation's paragraph; preferred is one that was not
+    used there either.
+    """
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     if k == 0 and isinstance(left, Name) and knowledge.knows(left.name):
         return None
     if chain.relations[k].sign != "=" or any(isinstance(p, formula.Dots) for p in _parts(left, right)):
         return None
     first, second = letter_counts(left), letter_counts(right)
-    earlier = letters_in_use | {n for side in chain.sides[:k] for n in formula.names(side.node)}
+    earlier = {*letters_in_use} | {n for side in chain.sides[:k] for n in formula.names(side.node)}
     if right == Number(Fraction(0)):
         pairs = [(_apart_from_others(left), left, right)] if k == 0 else []
     elif set(first) - set(second) and set(second) - set(first):
@@ -74,15 +96,50 @@ def constraint_of(
         pairs = [(set(first), left, right)]  # tan δ = 1/3
     else:
         return None
-    for own_letters, node, other_side in pairs:
-        for name in sorted(own_letters):
-            is_new = not (name in earlier or knowledge.has_meaning(name))
-            if is_new and (first + second)[name] == 1 and not _inside_derivative(node, name):
-                value = solve_for(node, other_side, name)
-                if value is not None:
-                    return Constraint(name, value)
+    candidates = [(name, node, other) for own, node, other in pairs for name in sorted(own)]
+    for name, node, other_side in sorted(candidates, key=lambda c: c[0] in letters_used_at_all):
+        is_new = not (name in earlier or knowledge.has_meaning(name))
+        if is_new and (first + second)[name] == 1 and not _inside_derivative(node, name):
+            constraint = _constraint(node, other_side, name, knowledge)
+            if constraint is not None:
+                return constraint
     derivative = _lone_derivative(left, right, knowledge)
     return Constraint(derivative, right) if derivative else None
+
+
+def _constraint(node: Formula, other: Formula, name: str, knowledge: Knowledge) -> Constraint | None:
+    """Return what a relation fixes a letter to; None if that is circular, or no such value exists."""
+    values = {**{n: d.node for n, d in knowledge.definitions.items()}, **knowledge.meaning.values}
+    plain_values = {n: v for n, v in values.items() if n not in knowledge.definitions}
+    plain_values |= {n: d.node for n, d in knowledge.definitions.items() if not d.solved}
+    real: list[Solution] = []
+    for value, conditions in solutions(node, other, name, knowledge.meaning.positive):
+        if name in names_behind(value, plain_values):
+            return None
+        if name in names_behind(value, values):
+            return Constraint(name, value, is_circular=True)
+        if _satisfies(node, other, name, value, replace(knowledge.meaning, values=values)):
+            real.append((value, conditions))
+    if not real:
+        return None
+    (value, conditions), *others = real
+    alternatives = tuple((v, " and ".join(texts)) for v, texts in others)
+    return Constraint(name, value, " and ".join(conditions), alternatives)
+
+
+def _satisfies(node: Formula, other: Formula, name: str, value: Formula, meaning: SymbolValue) -> bool:
+    """Tell whether a value solves the relation somewhere: √x = -2 is not solved by x = (-2)².
+
+    What cannot be evaluated in numbers (an unknown derivative) is taken as solved.
+    """
+    row = [node, other, value]  # the value too has to be real
+    if any(isinstance(p, Derivative | formula.Summation) for p in _parts(*row)):
+        return True
+    points = sample_trees(row, replace(meaning, values={**meaning.values, name: value}))
+    return any(
+        abs(left - right) <= max(abs(left), abs(right), 1) * context().mpf(10) ** -20
+        for _, (left, right, _) in points
+    )
 
 
 def _parts(*nodes: Formula) -> Iterator[Formula]:
@@ -117,6 +174,36 @@ def _lone_derivative(left: Formula, right: Formula, knowledge: Knowledge) -> str
     return "" if is_known else derivative_name(left)
 
 
+def size_of(left: Formula, right: Formula, name: str, knowledge: Knowledge) -> Formula | None:
+    """Return the size that a letter stands for if left = right: a monomial without angles, else None."""
+    if (letter_counts(left) + letter_counts(right))[name] != 1:
+        return None
+    node, other = (left, right) if name in formula.names(left) else (right, left)
+    value = solve_for(node, other, name)
+    if value is None:
+        return None
+    evaluator = FormEvaluator(knowledge.meaning.domain(), knowledge.meaning)
+    try:
+        form = evaluator.form(value)
+        size = form if form.is_polynomial else _as_monomial(form)
+    except (NoFormError, TooLargeError):
+        return None
+    if size is None or len(size.numerator) != 1 or not letters(size):
+        return None
+    has_angle = not knowledge.angles.isdisjoint(letters(size))
+    return None if has_angle else polynomial_node(size.domain, size.numerator)
+
+
+def _as_monomial(form: Form) -> Form | None:
+    """Return a quotient as a single term if it is one: (r/l) sin θ / sin θ, which no division finds."""
+    below = next(iter(form.denominator.items()))
+    for above in list(form.numerator.items())[:8]:
+        ratio = Form.of(form.domain, dict([above])).over(Form.of(form.domain, dict([below])))
+        if form.equals(ratio):
+            return ratio
+    return None
+
+
 def solve(left: Formula, right: Formula) -> tuple[str, Formula] | None:
     """Return (letter, formula) from an equality, the left side's letters first."""
     for node, other in ((left, right), (right, left)):
@@ -130,20 +217,49 @@ def solve(left: Formula, right: Formula) -> tuple[str, Formula] | None:
 
 def solve_for(node: Formula, other: Formula, name: str) -> Formula | None:
     """Return what `name` equals if node = other, where it stands once in node; None if not reachable."""
+    return next((value for value, _ in solutions(node, other, name)), None)
+
+
+def solutions(
+    node: Formula, other: Formula, name: str, positive: Collection[str] = ()
+) -> Iterator[Solution]:
+    """Yield what `name` may equal if node = other, the usual branch first."""
     if isinstance(node, Name):
-        return other
+        yield other, ()
+        return
     parts = [p for p in formula.children(node) if name in formula.names(p)]
     if len(parts) != 1:
-        return None
+        return
     inner = parts[0]
-    outside = _outside(node, inner, other)
-    return None if outside is None else solve_for(inner, outside, name)
+    for outside, condition in _branches(node, inner, other, positive):
+        for value, conditions in solutions(inner, outside, name, positive):
+            yield value, (*conditions, condition) if condition else conditions
 
 
-def _outside(node: Formula, inner: Formula, other: Formula) -> Formula | None:
-    """Return what the part `inner` of `node` equals if node = other."""
+def _branches(
+    node: Formula, inner: Formula, other: Formula, positive: Collection[str]
+) -> Iterator[tuple[Formula, str]]:
+    """Yield what the part `inner` of `node` may equal if node = other, and on which condition."""
     rule = _RULES.get(type(node))
-    return None if rule is None else rule(node, inner, other)
+    main = None if rule is None else rule(node, inner, other)
+    if main is None:
+        return
+    text, pi = formula_text(inner, plain=True), formula.Constant("pi")
+    function = node.function if isinstance(node, Call) else ""
+    if function == "sin":
+        yield main, f"|{text}| ≤ π/2"
+        yield Sum((pi, Negative(main))), f"|{text}| ≥ π/2"
+    elif function == "cos":
+        yield main, f"0 ≤ {text} ≤ π"
+        yield Negative(main), f"{text} ≤ 0"
+    elif function == "tan":
+        yield main, f"|{text}| < π/2"
+        yield Sum((main, pi)), f"|{text}| > π/2"
+    elif isinstance(node, Power) and not (isinstance(inner, Name) and inner.name in positive):
+        yield main, f"{text} ≥ 0"
+        yield Negative(main), f"{text} ≤ 0"
+    else:
+        yield main, ""
 
 
 def _solve_sum(node: Sum, inner: Formula, other: Formula) -> Formula | None:

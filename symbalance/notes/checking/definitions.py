@@ -2,54 +2,173 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 
-from symbalance.document.formula import Formula, Name, names
+from symbalance.document.formula import Formula, Name, Sum, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
 from symbalance.notes.algebra.number_formulas import rational_node
-from symbalance.notes.algebra.tree_values import letters_behind, sample_trees
-from symbalance.notes.algebra.values import letters
-from symbalance.notes.checking.constraints import letter_counts, solve_for
-from symbalance.notes.checking.deciding.equality import Decision, without_dots
-from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
+from symbalance.notes.algebra.tree_values import letters_behind, names_behind, sample_trees
+from symbalance.notes.algebra.values import context, letters, sample
+from symbalance.notes.checking.constraints import Constraint, letter_counts, solve_for
+from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision, without_dots
+from symbalance.notes.checking.deciding.inequalities import compare, possible_branches
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, StatedRange
 from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.premises import EVERYWHERE, Premise, eliminate, related
+from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.sidecar import Declarations
-from symbalance.notes.checking.verdicts import DEFINITION
+from symbalance.notes.checking.verdicts import (
+    CONDITION,
+    CONTRADICTION,
+    DEFINITION,
+    PREMISE,
+    RANGE,
+    STATED,
+)
 from symbalance.notes.reading.equations import Chain, Side
 
 NEARLY = 0.1
 """Relative difference: a second value closer to the first is a slip, not a new case."""
 
 
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A letter's definition, the scopes of the sidecar it stands in, and the last line it reaches."""
+
+    definition: Definition
+    scopes: tuple[int, ...]
+    last_line: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Solved:
+    """What is known with premises solved, and the premises that no letter could be solved from."""
+
+    knowledge: Knowledge
+    leftover: tuple[Premise, ...]
+
+
 @dataclass
 class Definitions:
-    """The letters a document has given values, and those it has used at all."""
+    """The letters a document has given values, those it has used at all, and what it takes as given."""
 
     declarations: Declarations
-    values: dict[str, tuple[Definition, tuple[int, ...]]] = field(default_factory=dict)
-    letters_in_use: set[str] = field(default_factory=set)
+    sections: Sections
+    values: dict[str, list[Entry]] = field(default_factory=dict)
+    first_lines: dict[str, int] = field(default_factory=dict)
+    """The letters in use, each with the line on which it first stands."""
     conditions: dict[int, frozenset[str]] = field(default_factory=dict)
     """Lines that set two known quantities equal, with the letters these come down to."""
+    ranges: list[StatedRange] = field(default_factory=list)
+    premises: list[Premise] = field(default_factory=list)
+    _branches: dict[tuple[str, int, int], Definition] = field(default_factory=dict)
 
     def at(self, line: int) -> dict[str, Definition]:
         """Return the definitions that reach a line, of the letters as declared there."""
         scopes_here, owner = set(self.declarations.scope_at(line)), self.declarations.owner
-        return {
-            name: definition
-            for name, (definition, scopes) in self.values.items()
-            if set(scopes) <= scopes_here and owner(name, definition.line) == owner(name, line)
-        }
+        reaching: dict[str, Definition] = {}
+        for name, entries in self.values.items():
+            for entry in reversed(entries):
+                if (
+                    set(entry.scopes) <= scopes_here
+                    and (entry.last_line is None or line <= entry.last_line)
+                    and owner(name, entry.definition.line) == owner(name, line)
+                ):
+                    reaching[name] = entry.definition
+                    break
+        return reaching
 
-    def define(self, name: str, node: Formula, line: int) -> None:
-        """Define a letter's value from here on."""
+    def define(self, name: str, node: Formula, chain: Chain) -> bool:
+        """Define a letter's value from here on; tell whether its sentence makes it a premise.
+
+        "Take r = 1" reaches its section, and what rests on it is conditional.
+        """
+        line, last_line = chain.lines[0], self.sections.premise_end(chain, is_number=not names(node))
+        text = "" if last_line is None else f"{plain(Name(name))} = {plain(node)}"
+        definition = Definition(node, line, not names(node), text)
+        self._add(name, Entry(definition, self.declarations.scope_at(line), last_line))
+        return last_line is not None
+
+    def fix(self, constraint: Constraint, chain: Chain) -> None:
+        """Define a letter that a relation fixes, perhaps on one branch of several."""
+        line, node = chain.lines[0], constraint.node
+        definition = Definition(
+            node,
+            line,
+            not names(node),
+            alternatives=constraint.alternatives,
+            solved=True,
+            branch=constraint.branch if constraint.alternatives else "",
+        )
         scopes = self.declarations.scope_at(line)
-        self.values[name] = (Definition(node, line, not names(node)), scopes)
+        last_line = self.sections.premise_end(chain, is_number=not names(node))
+        self._add(constraint.name, Entry(definition, scopes, last_line))
+
+    def _add(self, name: str, entry: Entry) -> None:
+        self.values.setdefault(name, []).append(entry)
+
+    def ranges_at(self, line: int) -> list[StatedRange]:
+        """Return the ranges that reach a line."""
+        return [r for r in self.ranges if self._reaches(r.line, line, names(r.left) | names(r.right))]
+
+    def premises_at(self, line: int) -> list[Premise]:
+        """Return the equations taken as given that reach a line."""
+        return [p for p in self.premises if self._reaches(p.line, line, p.names) and line <= p.last_line]
+
+    def state_range(self, chain: Chain, k: int, decision: Decision) -> None:
+        """Note a range that a relation states; one that is empty states nothing."""
+        left, right = chain.sides[k].node, chain.sides[k + 1].node
+        if decision.status == REFUTED:
+            self.ranges = [r for r in self.ranges if r.right is not left]
+        if decision.status == RANGE:
+            self.ranges.append(StatedRange(left, chain.relations[k].sign, right, chain.lines[0]))
+
+    def state(self, chain: Chain, k: int, fixes: str = "") -> None:
+        """Note an equation that is taken as given, and the letter it fixes."""
+        self.premises.append(replace(self.premise_of(chain, k), fixes=fixes))
+
+    def premise_of(self, chain: Chain, k: int) -> Premise:
+        """Return a relation of a chain as a premise, with its reach."""
+        left, right = chain.sides[k].node, chain.sides[k + 1].node
+        last_line = self.sections.premise_end(chain, is_number=not names(right))
+        return Premise(left, right, chain.lines[0], EVERYWHERE if last_line is None else last_line)
+
+    def on_stated_branches(self, knowledge: Knowledge) -> Knowledge:
+        """Return what is known where ranges have said on which branch a letter lies; each is kept."""
+        for name, definition in knowledge.definitions.items():
+            concerned = [r for r in knowledge.ranges if name in names(r.left) | names(r.right)]
+            if definition.alternatives and concerned:
+                key = (name, definition.line, len(concerned))
+                if key not in self._branches:
+                    self._branches[key] = possible_branches(name, definition, knowledge)
+                knowledge = knowledge.with_definition(name, self._branches[key])
+        return knowledge
+
+    def _reaches(self, own_line: int, line: int, letters_of_it: frozenset[str]) -> bool:
+        """Tell whether what a line states is in scope at another, its letters being the same there."""
+        declared = self.declarations
+        return set(declared.scope_at(own_line)) <= set(declared.scope_at(line)) and all(
+            declared.owner(name, own_line) == declared.owner(name, line) for name in letters_of_it
+        )
 
     def use(self, chain: Chain) -> None:
         """Note the letters of a chain."""
-        self.letters_in_use |= {name for side in chain.sides for name in names(side.node)}
+        for side in chain.sides:
+            for name in names(side.node):
+                self.first_lines.setdefault(name, chain.lines[0])
+
+    @property
+    def letters_in_use(self) -> set[str]:
+        """The letters that stand in the document so far."""
+        return set(self.first_lines)
+
+    def letters_before(self, line: int) -> set[str]:
+        """Return the letters in use before a line's paragraph: equations of one display are a system."""
+        start = self.sections.paragraph_start(line)
+        return {name for name, first in self.first_lines.items() if first < start}
 
     def condition_behind(self, decision: Decision, line: int) -> int | None:
         """Return the line of a condition that a refuted relation may rest on: it shares two letters."""
@@ -69,37 +188,127 @@ class Definitions:
         if pair is None or knowledge.assumes(pair[0]):
             return None
         name, value = pair
-        line = chain.lines[0]
         if name in knowledge.meaning.values:
-            return self._define_size(name, value, line, knowledge)
-        if knowledge.measures(name) and name in _letters_of(value, knowledge):
-            return None  # λ = 2l/r: it says something of the geometry, and may be wrong
+            return self._define_size(name, value, chain, knowledge)
+        # λ = 2l/r says something of the geometry, and x = y, y = x + 1 nothing new: both may be wrong.
+        says_of_geometry = knowledge.measures(name) and name in _letters_of(value, knowledge)
+        if says_of_geometry or self._is_circular(name, value, chain.lines[0], knowledge):
+            return None
         if name in knowledge.definitions:
-            return self._redefine(name, value, chain.relations[k].sign, line, knowledge)
-        self.define(name, without_dots(value)[0], line)
-        return Decision(DEFINITION)
+            return self._redefine(name, value, chain, k, knowledge)
+        return refuse_value(name, value, knowledge) or self._define_first(name, value, chain, knowledge)
+
+    def _define_first(self, name: str, value: Formula, chain: Chain, knowledge: Knowledge) -> Decision:
+        """Return the decision on a letter's first value, which premises and ranges may contradict."""
+        bare, line = without_dots(value)[0], chain.lines[0]
+        by_premises = self.decide_by_premises(Premise(Name(name), bare, line), knowledge)
+        if by_premises is not None and by_premises.status not in STATED:
+            return by_premises
+        contradiction = self._outside_range(name, bare, line, knowledge)
+        if contradiction is not None:
+            return contradiction
+        is_premise = self.define(name, bare, chain)
+        return by_premises or Decision(PREMISE if is_premise else DEFINITION)
+
+    def _is_circular(self, name: str, value: Formula, line: int, knowledge: Knowledge) -> bool:
+        """Tell whether a value comes down to its own letter, by what was defined before.
+
+        What was defined where the letter was declared as another one does not hold this one.
+        """
+        owner = self.declarations.owner
+        values = {
+            n: d.node
+            for n, d in knowledge.definitions.items()
+            if n != name and not (name in names(d.node) and owner(name, d.line) != owner(name, line))
+        }
+        return name in names_behind(value, values)
+
+    def decide_by_premises(self, statement: Premise, knowledge: Knowledge) -> Decision | None:
+        """Return what earlier premises say of a statement; None where they say nothing.
+
+        It follows from them, it contradicts them, or it is one of several solutions.
+        """
+        given = related(self.premises_at(statement.line), [statement.left, statement.right], knowledge)
+        if not given:
+            return None
+        before = eliminate(given, knowledge)
+        if not before.is_consistent:
+            return None  # said where the last of them stands
+        after = eliminate([*given, statement], knowledge)
+        if not after.is_consistent:
+            others = [p for p in after.contradiction if p is not statement]
+            reason = f"contradicts {lines_of(others)}"
+            return Decision(CONTRADICTION, reason)
+        if statement in after.following:
+            texts = tuple(dict.fromkeys(p.text for p in given))
+            return Decision(PROVED, f"by {lines_of(given)}", assumptions=texts)
+        if any(p in after.following for p in given if p not in before.following):
+            return Decision(PREMISE, f"satisfies {lines_of(given)}")
+        return None
+
+    def solved(self, nodes: Sequence[Formula], line: int, knowledge: Knowledge) -> Solved | None:
+        """Return what is known with the premises that formulas are connected with solved together.
+
+        None where there are none beside those that fix a letter each, or they contradict each other.
+        """
+        given = related(self.premises_at(line), nodes, knowledge)
+        if all(p.fixes for p in given):
+            return None
+        result = eliminate(given, knowledge)
+        if not result.is_consistent:
+            return None
+        texts = tuple(dict.fromkeys(p.text for p in given))
+        return Solved(replace(knowledge, solved=result.values, solved_from=texts), result.leftover)
+
+    def _outside_range(
+        self, name: str, value: Formula, line: int, knowledge: Knowledge
+    ) -> Decision | None:
+        """Return the contradiction between a letter's value and a range stated before."""
+        with_value = knowledge.with_definition(name, Definition(value, line, not names(value)))
+        for stated in self.ranges_at(line):
+            if name in names(stated.left) | names(stated.right):
+                decision = compare(stated.left, stated.right, stated.sign, with_value)
+                if decision is not None and decision.status == REFUTED:
+                    reason = f"contradicts {stated.text} of line {stated.line}"
+                    return Decision(CONTRADICTION, reason, witness=decision.witness)
+        return None
 
     def _redefine(
-        self, name: str, value: Formula, sign: str, line: int, knowledge: Knowledge
+        self, name: str, value: Formula, chain: Chain, k: int, knowledge: Knowledge
     ) -> Decision | None:
         """Return the decision on another value of a defined letter: a new case, a condition, or None."""
-        earlier = knowledge.definitions[name]
-        if not _new_case(earlier, value, sign, knowledge):
+        earlier, line = knowledge.definitions[name], chain.lines[0]
+        by_premises = self.decide_by_premises(Premise(Name(name), value, line), knowledge)
+        if by_premises is not None:
+            if by_premises.status == PREMISE:
+                self.define(name, value, chain)
+            return by_premises
+        if earlier.solved and _each_has_own_letters(earlier.node, value, knowledge):
+            contradiction = self._outside_range(name, value, line, knowledge)
+            if contradiction is None:
+                self.define(name, without_dots(value)[0], chain)
+            return contradiction or Decision(PREMISE, f"beside line {earlier.line}")
+        if not _new_case(earlier, value, chain.relations[k].sign, knowledge):
             return None
         if isinstance(value, Name) and value.name in knowledge.definitions:
             self.conditions[line] = frozenset(_letters_behind([earlier.node, value], knowledge))
-            return Decision(DEFINITION, "a condition")
-        self.define(name, without_dots(value)[0], line)
-        return Decision(DEFINITION, f"a new case: line {earlier.line} had another value")
+            return Decision(CONDITION, "sets two quantities equal")
+        is_case = chain.inline or name in knowledge.angles
+        if not is_case and earlier.numeric and not names(value):
+            other = f"{plain(Name(name))} = {plain(earlier.node)}"
+            return Decision(CONTRADICTION, f"contradicts {other} of line {earlier.line}")
+        self.define(name, without_dots(value)[0], chain)
+        return Decision(PREMISE, f"a new case: line {earlier.line} had another value")
 
-    def _define_size(self, name: str, value: Formula, line: int, knowledge: Knowledge) -> Decision | None:
+    def _define_size(
+        self, name: str, value: Formula, chain: Chain, knowledge: Knowledge
+    ) -> Decision | None:
         """Return the decision on a size that is fixed by itself, such as l = 4r: a case, λ = 4."""
         if knowledge.crank is None or knowledge.crank.small is None or name in knowledge.moving:
             return None
         base = _solve_for_one_letter(knowledge.meaning.values[name], value)
         if base is not None:
-            self.define(*base, line)
-            return Decision(DEFINITION)
+            return Decision(PREMISE if self.define(*base, chain) else DEFINITION)
         small, evaluator = knowledge.crank.small[0], FormEvaluator(Domain(), knowledge.meaning)
         try:
             ratio = evaluator.letter(name).over(evaluator.form(value))
@@ -111,8 +320,18 @@ class Definitions:
         if [abs(exponent) for _, exponent in monomial] != [1]:
             return None
         number = 1 / coefficient if monomial[0][1] > 0 else coefficient
-        self.define(small, rational_node(number), line)
-        return Decision(DEFINITION, f"a case: {formula_text(Name(small), plain=True)} = {number}")
+        return self._define_case(small, rational_node(number), chain, knowledge)
+
+    def _define_case(self, small: str, number: Formula, chain: Chain, knowledge: Knowledge) -> Decision:
+        """Return the decision on a size that gives the ratio a number: a case, or a contradiction."""
+        earlier = knowledge.definitions.get(small)
+        if earlier is not None and earlier.numeric and not chain.inline:
+            again = decide(_side(number), _side(earlier.node), "=", knowledge)
+            if not again.is_proved:
+                other = f"{plain(Name(small))} = {plain(earlier.node)}"
+                return Decision(CONTRADICTION, f"contradicts {other} of line {earlier.line}")
+        word = PREMISE if self.define(small, number, chain) else DEFINITION
+        return Decision(word, f"a case: {plain(Name(small))} = {plain(number)}")
 
     def _letter_defined(self, chain: Chain, k: int) -> tuple[str, Formula] | None:
         """Return the letter a relation may define, and its value."""
@@ -132,6 +351,60 @@ def _solve_for_one_letter(node: Formula, value: Formula) -> tuple[str, Formula] 
     (letter,) = counts
     solution = solve_for(node, value, letter)
     return None if solution is None else (letter, solution)
+
+
+def _each_has_own_letters(earlier: Formula, value: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a second value fixes another letter: F_1 = -F_2, then F_1 = cos θ; or is a number."""
+    first, second = (set(_letters_behind([node], knowledge)) for node in (earlier, value))
+    return not second or bool(first - second and second - first)
+
+
+def _side(node: Formula) -> Side:
+    return Side((node,), (0, 0))
+
+
+def plain(node: Formula) -> str:
+    """Return a formula as plain text."""
+    return formula_text(node, plain=True)
+
+
+def lines_of(premises: Sequence[Premise]) -> str:
+    """Return the lines of premises, as `lines 1 and 3`."""
+    numbers = [str(n) for n in sorted({p.line for p in premises})]
+    *others, last = numbers
+    return f"lines {', '.join(others)} and {last}" if others else f"line {last}"
+
+
+def refuse_value(name: str, value: Formula, knowledge: Knowledge) -> Decision | None:
+    """Return why a first value is none: it has no value, or looks like a slip of the pen."""
+    if isinstance(value, Sum):
+        terms = [t for t in value.terms if names(t)]
+        double = next((t for n, t in enumerate(terms) if isinstance(t, Name) and t in terms[:n]), None)
+        if double is not None and double.name[-1:].isdecimal():
+            letter = plain(double)
+            reason = f"{letter} stands twice in the sum: another letter is meant, or 2 {letter}"
+            return Decision(UNDECIDED, reason)
+    if has_no_value(value, knowledge):
+        return Decision(UNDECIDED, "the right side has no value")
+    if name in ("e", "pi", "i") and name not in knowledge.letters and not names(value):
+        return Decision(UNDECIDED, f"{plain(Name(name))} is a number of its own, unless it is declared")
+    return None
+
+
+def has_no_value(node: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a formula is a division by zero, infinite, or a number outside a function's range."""
+    level = list(knowledge.levels(node))[-1]
+    evaluator = knowledge.evaluator(level)
+    try:
+        form = evaluator.form(node)
+    except NoFormError as problem:
+        return str(problem) in ("a division by zero", "infinity")
+    except TooLargeError:
+        return False
+    if letters(form):
+        return False
+    points = sample([form], 1)
+    return not points or not context().isfinite(points[0][1][0])
 
 
 def _letters_behind(nodes: list[Formula], knowledge: Knowledge) -> list[str]:

@@ -21,11 +21,12 @@ from symbalance.notes.algebra.values import Valuation
 from symbalance.notes.algebra.zero import is_zero
 from symbalance.notes.checking.deciding.equality import Decision, digits
 from symbalance.notes.checking.verdicts import (
+    BAD,
     CONDITIONAL,
-    DEFINITION,
     HOLDS,
     HOLDS_TO_ORDER,
     REFUTED,
+    STATED,
     UNDECIDED,
     UNREADABLE,
     Difference,
@@ -47,7 +48,7 @@ def describe(document: ReadNotes, chain: Chain, k: int, decision: Decision) -> V
     side = chain.sides[k + 1]
     line = chain.relations[k].line
     word = word_for(decision)
-    bad = word in (REFUTED, UNDECIDED)
+    bad = word in BAD
     (exact, exact_node), terms, notes = ("", None), (), chain.notes
     if bad:
         try:
@@ -74,6 +75,7 @@ def describe(document: ReadNotes, chain: Chain, k: int, decision: Decision) -> V
         tag=chain.tag,
         span=side.span,
         node=side.node,
+        decision=decision,
     )
 
 
@@ -84,8 +86,8 @@ def _details(decision: Decision, word: str) -> tuple[tuple[str, Formula | None],
 
 def word_for(decision: Decision) -> str:
     """Return the verdict's word."""
-    if decision.status == DEFINITION:
-        return DEFINITION
+    if decision.status in STATED:
+        return decision.status
     if not decision.is_proved:
         return decision.status
     if decision.assumptions:

@@ -7,13 +7,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import partial
-from pathlib import Path
-from typing import Any
+from pathlib import Path, PurePath
+from shlex import quote
+from typing import TYPE_CHECKING, Any
 
 from symbalance.budgets import Budget, run_within
-from symbalance.document.formula import Name
-from symbalance.document.text_writer import formula_text
+from symbalance.document.letters import plain_letter
+from symbalance.document.nodes import Code, Strong, Words
 from symbalance.errors import SymbalanceError, brief
 from symbalance.notes.checking.engines import Engines, NoEngines, Sources
 from symbalance.notes.checking.judging import PAGE, Judge
@@ -24,15 +26,19 @@ from symbalance.notes.checking.sidecar import (
     read_sidecar,
     without_header,
 )
-from symbalance.notes.checking.symbol_roles import KNOWN
 from symbalance.notes.checking.verdicts import Checked
 from symbalance.notes.reading import read_document
 from symbalance.text.files import STANDARD_INPUT, file_name, read_text
 
+if TYPE_CHECKING:
+    from symbalance.notes.checking.declaration_draft import DeclarationDraft
+
 SUFFIXES = (".tex", ".md", ".txt", ".text")
-_UNDECLARED = re.compile(r"letter (\S+) is not declared$")
-MOST_ROUNDS = 60
-"""Each round of reading finds the first undeclared letter of every equation."""
+COURSE = "symbols.toml"
+"""The file that declares letters for every document of its folder."""
+_UNDECLARED = re.compile(r"letter (\S+) is not declared")
+MOST_LETTERS = 12
+"""Letters that a report names; the draft has them all."""
 
 
 def check(
@@ -41,6 +47,8 @@ def check(
     *,
     engines: Engines | None = None,
     budget: Budget = PAGE,
+    accept_proposals: bool = False,
+    fixes: bool = True,
 ) -> Checked:
     """Return the verdicts on every equation of a hand derivation.
 
@@ -49,6 +57,9 @@ def check(
     `symbols` maps letters to their meaning or unit, or is a whole sidecar (keys `symbols`, `scope`,
     `bind`), or the path of one; without it NAME.symbols.toml beside the file is read, or the header of
     the document. `engines` knows the engines that lines are bound to; without it such a line is refused.
+    `accept_proposals` takes what a symbols file proposes as confirmed or, where there is none, what the
+    document's own words propose (see `sidecar_draft`); the report says so at its head.
+    `fixes` searches a refuted line for the smallest change that makes it true, and takes time.
     `budget` is what the document may take, each relation a 60th of the time and a quarter of the memory;
     what takes more is "undecided" with that reason.
 
@@ -62,20 +73,87 @@ def check(
     """
     text, name, folder = text_of(document)
     declarations, text = declarations_of(document, symbols, text, name)
+    provider = engines or NoEngines()
+    remarks: list[Words] = []
+    is_declared = declarations.is_declared
+    if accept_proposals:
+        if not is_declared:
+            draft = run_within(budget, partial(_draft, text, name, declarations, provider))
+            declarations = parse_sidecar(draft.toml(), f"the draft for {name}")
+        remarks += _acceptance(declarations)
+        declarations = declarations.accepted()
+    elif count := declarations.proposal_count:
+        remarks.append(_waiting(count))
     page = run_within(budget, partial(read_document, text, name, _letters_by_line(declarations)))
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
-    return Judge(page, declarations, Sources(engines or NoEngines(), beside), budget).check()
+    checked = Judge(page, declarations, Sources(provider, beside), budget, fixes).check()
+    if not is_declared and not accept_proposals and (offer := _offer(checked, name)):
+        remarks.append(offer)
+    return replace(checked, remarks=tuple(remarks))
+
+
+def _acceptance(declarations: Declarations) -> list[Words]:
+    """Return what a report says first that rests on proposals nobody has confirmed."""
+    count = declarations.proposal_count
+    if not count:
+        return []
+    what = f"{count} proposed {'declaration' if count == 1 else 'declarations'}"
+    return [(Strong("Not confirmed: "), f"{what} taken as they are, by --accept-proposals.")]
+
+
+def _waiting(count: int) -> Words:
+    proposals = (
+        "1 proposal waits for confirmation and is"
+        if count == 1
+        else f"{count} proposals wait for confirmation and are"
+    )
+    remedy = "delete the ? or the line proposed = true of what is right, or add --accept-proposals"
+    return f"{proposals} not used: {remedy}."
+
+
+def _offer(checked: Checked, name: str) -> Words:
+    """Return what a document needs that declares nothing, and the command that drafts it."""
+    missing = {m[1] for v in checked.verdicts if (m := _UNDECLARED.search(v.reason))}
+    if not missing:
+        return ""
+    letters = ", ".join(plain_letter(letter) for letter in sorted(missing)[:MOST_LETTERS])
+    more = ", …" if len(missing) > MOST_LETTERS else ""
+    beside = PurePath(name).with_suffix(".symbols.toml")
+    return (
+        f"Nobody has said what these letters mean: {letters}{more}. ",
+        Code(f"symbalance check {quote(name)} --declare -o {quote(str(beside))}"),
+        " lists every letter with what the text proposes; ",
+        Code("--accept-proposals"),
+        " takes the proposals unread.",
+    )
 
 
 def declarations_of(
     document: str | Path, symbols: Mapping[str, Any] | str | Path | None, text: str, name: str
 ) -> tuple[Declarations, str]:
     """Return what is declared about a document, and its text without a header that declared it."""
-    declarations = _declarations_apart(symbols, None if name == "text" else Path(document))
+    path = None if name == "text" else Path(document)
+    declarations = _declarations_apart(symbols, path)
     body, header = without_header(text, Path(name).suffix)
     if declarations is not None:
         return declarations, text
-    return (parse_sidecar(header, name), body) if header else (Declarations(), text)
+    if header:
+        declarations, text = parse_sidecar(header, name), body
+    course = course_file(path) if path is not None and symbols is None else None
+    if course is None:
+        return declarations or Declarations(), text
+    of_course = _course(course)
+    return (declarations.below(of_course) if declarations else of_course), text
+
+
+def _course(path: Path) -> Declarations:
+    """Return what a folder's file declares for every document in it; what is of lines, it cannot say."""
+    declarations = read_sidecar(path)
+    of_lines = (declarations.scopes, declarations.bindings, declarations.proposed_scopes)
+    if any(of_lines) or declarations.proposed_bindings:
+        rule = "holds a [[scope]] or [[bind]], and is for every document of its folder"
+        raise SymbalanceError(file_name(path), rule, "put it into NAME.symbols.toml beside its document")
+    return declarations
 
 
 def _letters_by_line(declarations: Declarations) -> Any:
@@ -117,12 +195,27 @@ def _declarations_apart(
     if symbols is not None:
         return read_sidecar(symbols)
     if path is not None:
-        for beside in sidecars_beside(path):
-            return read_sidecar(beside)
+        for beside in own_sidecars(path):
+            declarations, course = read_sidecar(beside), course_file(path)
+            return declarations if course is None else declarations.below(_course(course))
     return None
 
 
 def sidecars_beside(path: Path) -> list[Path]:
+    """Return the files that declare a document's letters, its own first, then that of its folder."""
+    course = course_file(path)
+    return [*own_sidecars(path), *([] if course is None else [course])]
+
+
+def course_file(path: Path) -> Path | None:
+    """Return the file that declares letters for every document of a folder, if there is one."""
+    if not path.name or str(path) == STANDARD_INPUT:
+        return None
+    course = path.with_name(COURSE)
+    return course if course.is_file() else None
+
+
+def own_sidecars(path: Path) -> list[Path]:
     """Return the sidecars that lie beside a document; the first is its own. A pipe has none."""
     if not path.name or str(path) == STANDARD_INPUT:
         return []
@@ -133,42 +226,28 @@ def sidecars_beside(path: Path) -> list[Path]:
 # The sidecar a document still needs
 
 
-def sidecar_draft(document: str | Path, symbols: Mapping[str, Any] | str | Path | None = None) -> str:
-    """Return a sidecar with an entry for each undeclared letter, and the line it first stands on.
+def sidecar_draft(
+    document: str | Path,
+    symbols: Mapping[str, Any] | str | Path | None = None,
+    *,
+    engines: Engines | None = None,
+    budget: Budget = PAGE,
+) -> DeclarationDraft:
+    """Return a draft of the symbols file: every letter that is not declared, with proposed meanings.
 
-    `symbols` declares some already, as it does for `check`.
-    """
-    letters = undeclared_letters(document, symbols)
-    lines = ["[symbols]"]
-    for name, line in sorted(letters.items(), key=lambda pair: pair[1]):
-        lines.append(f'"{formula_text(Name(name), plain=True)}" = ""{"":12}# line {line}')
-    meanings = "\n".join(f"#   {meaning}" for meaning in KNOWN)
-    return (
-        "\n".join(lines)
-        + f"\n\n# meanings the checker knows; any other text is just a letter:\n{meanings}\n"
-    )
+    `symbols` declares some already, and `budget` is what it may take, as for `check`.
 
-
-def undeclared_letters(
-    document: str | Path, symbols: Mapping[str, Any] | str | Path | None = None
-) -> dict[str, int]:
-    """Return the letters of a document that are not declared, and where each is first missed.
-
-    >>> undeclared_letters("$$E = m c^2$$")
-    {'m': 1, 'c': 1}
+    >>> draft = sidecar_draft("crank radius r\\n\\n$$v = r u$$")
+    >>> [row["letter"] for row in draft.records()], draft.records()[0]["meaning"]
+    (['r', 'u', 'v'], 'crank radius')
     """
     text, name, _ = text_of(document)
     declarations, text = declarations_of(document, symbols, text, name)
-    letters: dict[str, int] = {}
+    return run_within(budget, partial(_draft, text, name, declarations, engines or NoEngines()))
 
-    def names_at(line: int) -> set[str]:
-        return {*declarations.symbols_at(line), *letters}
 
-    for _ in range(MOST_ROUNDS):
-        page = read_document(text, name, names_at)
-        missing = [(_UNDECLARED.search(u.what), u.line) for u in page.unreadable]
-        new_letters = {m[1]: line for m, line in reversed(missing) if m and m[1] not in letters}
-        if not new_letters:
-            break
-        letters.update(new_letters)
-    return letters
+def _draft(text: str, name: str, declarations: Declarations, engines: Engines) -> DeclarationDraft:
+    from symbalance.notes.checking.declaration_draft import DeclarationDraft
+    from symbalance.notes.checking.proposals import propose  # most checks have their letters declared
+
+    return DeclarationDraft(name, propose(text, name, _letters_by_line(declarations), engines))

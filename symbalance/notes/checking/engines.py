@@ -78,6 +78,10 @@ class Engines(Protocol):
         """Return A_order of a piston's acceleration as power of r/l -> coefficient; empty if it is 0."""
         ...
 
+    def mentions(self, text: str) -> Sequence[tuple[int, str]]:
+        """Return the engines that a text speaks of by name or arrangement, each with where it does."""
+        ...
+
     def coefficient_value(self, order: int, ratio: Fraction) -> Fraction:
         """Return A_order at a rod ratio l/r, to 30 digits; 0 if it is 0 whatever the ratio."""
         ...
@@ -93,6 +97,10 @@ class NoEngines:
     def coefficient_terms(self, order: int, power: int) -> Mapping[int, Fraction]:
         """Refuse."""
         raise self._refusal(f"A_{order}")
+
+    def mentions(self, text: str) -> Sequence[tuple[int, str]]:
+        """Return none."""
+        return ()
 
     def coefficient_value(self, order: int, ratio: Fraction) -> Fraction:
         """Refuse."""

@@ -6,16 +6,21 @@ import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import partial
+from itertools import product
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
-from symbalance.document.formula import Formula, Name, Span, names
+from symbalance.document.formula import Constant, Formula, Name, Number, Span, names
+from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import assertions, constraints
-from symbalance.notes.checking.deciding.cases import decide_numeric_case, decide_with_ratio, states_a_case
-from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.constraints import Constraint
+from symbalance.notes.checking.deciding.cases import decide_case, decide_with_ratio, states_a_case
+from symbalance.notes.checking.deciding.equality import Decision, decide_equality
+from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality, sample_ranges
 from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
-from symbalance.notes.checking.deciding.relations import decide, decide_inequality
-from symbalance.notes.checking.definitions import Definitions
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.definitions import Definitions, lines_of
 from symbalance.notes.checking.descriptions import (
     describe,
     undecided,
@@ -23,12 +28,24 @@ from symbalance.notes.checking.descriptions import (
     unreadable_verdict,
     with_fault,
 )
+from symbalance.notes.checking.dimensions import Dimensions, unit_text
 from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
+from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.sidecar import Binding, Declarations
-from symbalance.notes.checking.symbol_roles import MOVING, letters_by_role
+from symbalance.notes.checking.symbol_roles import KNOWN, MOVING, letters_by_role, role_of
 from symbalance.notes.checking.symbols import meaning_of
-from symbalance.notes.checking.verdicts import DEFINITION, REFUTED, UNDECIDED, Checked, Verdict
+from symbalance.notes.checking.verdicts import (
+    CONDITION,
+    CONTRADICTION,
+    DEFINITION,
+    PREMISE,
+    REFUTED,
+    STATED,
+    UNDECIDED,
+    Checked,
+    Verdict,
+)
 from symbalance.notes.reading import ReadingError, read_equation
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
@@ -58,9 +75,10 @@ class Judge:
     declarations: Declarations
     sources: Sources = field(default_factory=Sources)
     budget: Budget = PAGE
+    corrects: bool = True
 
     def __post_init__(self) -> None:
-        self.definitions = Definitions(self.declarations)
+        self.definitions = Definitions(self.declarations, Sections(self.document))
         self.start = time.monotonic()
         self.not_judged: dict[str, int] = {}
         """Letters that a relation may define which was not judged, with its line."""
@@ -133,7 +151,9 @@ class Judge:
         moving = frozenset(n for m in MOVING for n in letters.get(m, ()))
         angles = frozenset(n for m in ANGLES for n in letters.get(m, ()))
         letters_declared = frozenset(symbols)
-        return Knowledge(
+        ranges = self.definitions.ranges_at(line)
+        meaning = replace(meaning, ranges={**meaning.ranges, **sample_ranges(ranges)})
+        knowledge = Knowledge(
             meaning,
             crank,
             definitions,
@@ -142,7 +162,10 @@ class Judge:
             moving,
             angles,
             universal,
+            corrects=self.corrects,
+            ranges=tuple(ranges),
         )
+        return self.definitions.on_stated_branches(knowledge)
 
     def assumptions(self, line: int, letters: frozenset[str]) -> tuple[Assumption, ...]:
         """Return the assumptions at a line, each solved for a letter."""
@@ -216,44 +239,164 @@ class Judge:
     def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on the k-th relation of a chain."""
         knowledge = self.knowledge(chain.lines[0])
+        mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
+        outcome = self._link(chain, k, sound, bad, knowledge)
+        verdict = describe(self.document, chain, k, outcome) if isinstance(outcome, Decision) else outcome
+        if mismatch is None:
+            return verdict
+        if verdict.verdict == REFUTED:  # its witness and its correction say more
+            return replace(verdict, reason=verdict.reason or mismatch.reason)
+        return describe(self.document, chain, k, mismatch)
+
+    def _mismatch(self, chain: Chain, k: int, against: int, knowledge: Knowledge) -> Decision | None:
+        """Refute a relation whose sides, or terms, are in different units."""
+        line = chain.lines[0]
+        values = {name: d.node for name, d in knowledge.definitions.items()}
+        dimensions = Dimensions(self.declarations.symbols_at(line), values)
+        left, right = chain.sides[against], chain.sides[k + 1]
+        sources = (self.document.source(left.span), self.document.source(right.span))
+        mismatches = [
+            dimensions.mismatch(first, second, sources)
+            for first, second in product(left.readings, right.readings)
+        ]
+        if not all(mismatches) or mismatches[0] is None:
+            return None
+        witness = {"left": unit_text(mismatches[0].left), "right": unit_text(mismatches[0].right)}
+        return Decision(REFUTED, mismatches[0].reason, witness=witness)
+
+    def _link(
+        self, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
+    ) -> Verdict | Decision:
+        """Return the verdict on the k-th relation of a chain, or the decision that it only describes."""
         relation = chain.relations[k]
         left, right = chain.sides[k], chain.sides[k + 1]
-        if relation.sign in ("<", ">", "≤", "≥", "≠"):
-            return describe(self.document, chain, k, decide_inequality(chain, k, knowledge))
+        if relation.sign in SATISFIED_BY:
+            decision = decide_inequality(chain, k, knowledge)
+            self.definitions.state_range(chain, k, decision)
+            return decision
+        if relation.sign == "=" and (name := _meant_as_number(left.node, right.node, knowledge)):
+            reason = f"true of the number {name}; here {name} is declared as a letter"
+            return Decision(UNDECIDED, reason)
         definition = self.definitions.define_by(chain, k, knowledge)
         if definition is not None:
-            return describe(self.document, chain, k, definition)
-        decision, against = decide(left, right, relation.sign, knowledge), left
+            return definition
+        decision, against = self._decide_step(chain, k, sound, bad, knowledge)
+        if decision.status in (REFUTED, UNDECIDED):
+            in_use, used = self.definitions.letters_before(chain.lines[0]), self.definitions.first_lines
+            constraint = constraints.constraint_of(chain, k, in_use, used, knowledge)
+            if constraint is not None:
+                return self._fix(constraint, chain, k, knowledge)
+            decision = self._with_premises(against, right, relation.sign, decision, knowledge)
+        if decision.status == REFUTED:
+            decision = self._unless_stated(chain, k, against, decision, knowledge)
+        if decision.status == REFUTED:
+            decision = self._unless_open(chain, k, decision, knowledge)
+        return self.add_fix(
+            describe(self.document, chain, k, decision), chain, k, against, decision, knowledge
+        )
+
+    def _decide_step(
+        self, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
+    ) -> tuple[Decision, Side]:
+        """Return the decision on a relation as a step, and the side its right one is compared with."""
+        sign, left, right = chain.relations[k].sign, chain.sides[k], chain.sides[k + 1]
+        decision, against = decide(left, right, sign, knowledge), left
         if bad and not decision.is_proved:
-            from_sound = decide(chain.sides[sound], right, relation.sign, knowledge)
+            from_sound = decide(chain.sides[sound], right, sign, knowledge)
             if from_sound.is_proved or decision.status == REFUTED:
                 decision, against = from_sound, chain.sides[sound]
         elif bad:
             decision = replace(decision, reason=FOLLOWS)
         head = chain.sides[0].node
         has_value = k and isinstance(head, Name) and head.name in knowledge.meaning.values
-        if has_value and (relation.sign == "≈" or not decision.is_proved):
+        if has_value and (sign == "≈" or not decision.is_proved):
             decision, against = decide(chain.sides[0], right, "≈", knowledge), chain.sides[0]
-        if decision.status in (REFUTED, UNDECIDED):
-            constraint = constraints.constraint_of(chain, k, self.definitions.letters_in_use, knowledge)
-            if constraint is not None:
-                self.definitions.define(constraint.name, constraint.node, chain.lines[0])
-                reason = f"read as what fixes {constraint.name}"
-                return describe(self.document, chain, k, Decision(DEFINITION, reason))
-        if decision.status == REFUTED:
-            case = decide_numeric_case(chain, k, decision, knowledge)
-            decision = case or decide_with_ratio(against.node, right.node, knowledge) or decision
-        unknown = [name for name in self.not_judged if name in names(left.node) | names(right.node)]
-        if decision.status == REFUTED and unknown:
+        return decision, against
+
+    def _unless_stated(
+        self, chain: Chain, k: int, against: Side, decision: Decision, knowledge: Knowledge
+    ) -> Decision:
+        """Return the decision on a refuted relation that may be a premise, a condition or a case."""
+        case = decide_case(chain, k, decision, knowledge)
+        if case is not None and case.status in STATED and chain.relations[k].sign == "=":
+            case = self._state(chain, k, case, knowledge)
+        if case is not None and case.status != REFUTED:
+            return case
+        with_ratio = decide_with_ratio(against.node, chain.sides[k + 1].node, knowledge)
+        return with_ratio or case or decision
+
+    def _unless_open(self, chain: Chain, k: int, decision: Decision, knowledge: Knowledge) -> Decision:
+        """Return the decision on a refuted relation: undecided if it may rest on what is not known."""
+        left, right, line = chain.sides[k].node, chain.sides[k + 1].node, chain.lines[0]
+        letters_here = names(left) | names(right)
+        reason = ""
+        unknown = [name for name in self.not_judged if name in letters_here]
+        condition = self.definitions.condition_behind(decision, line)
+        if unknown:
             reason = f"may rest on line {self.not_judged[unknown[0]]}, which was not judged"
-            decision = replace(decision, status=UNDECIDED, reason=reason)
-        condition = self.definitions.condition_behind(decision, chain.lines[0])
-        if decision.status == REFUTED and condition is not None:
+        elif condition is not None:
             reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
-            decision = replace(decision, status=UNDECIDED, reason=reason)
-        return self.add_fix(
-            describe(self.document, chain, k, decision), chain, k, against, decision, knowledge
+        elif chain.relations[k].sign == "=":
+            reason = self._missing_meaning(left, right, line, knowledge)
+        return replace(decision, status=UNDECIDED, reason=reason) if reason else decision
+
+    def _missing_meaning(self, left: Formula, right: Formula, line: int, knowledge: Knowledge) -> str:
+        """Return for which size of the geometry a letter without a meaning makes a relation true.
+
+        A letter declared by other words than the known ones is just a letter, and sin β = k sin θ would
+        be refuted although k is r/l by its author's words.
+        """
+        declared = self.declarations.symbols_at(line)
+        for name in sorted(names(left) | names(right)):
+            if role_of(declared.get(name, KNOWN[0])) in KNOWN or knowledge.knows(name):
+                continue
+            if knowledge.meaning.values.keys().isdisjoint(names(left) | names(right)):
+                continue
+            size = constraints.size_of(left, right, name, knowledge)
+            if size is not None:
+                letter, text = (formula_text(node, plain=True) for node in (Name(name), size))
+                return f"true if {letter} = {text}: declare what {letter} means"
+        return ""
+
+    def _fix(self, constraint: Constraint, chain: Chain, k: int, knowledge: Knowledge) -> Decision:
+        """Return the decision on a relation that fixes a letter, after defining it."""
+        by_premises = self.definitions.decide_by_premises(
+            self.definitions.premise_of(chain, k), knowledge
         )
+        if by_premises is not None and by_premises.status == CONTRADICTION:
+            return by_premises
+        if constraint.is_circular:
+            self.definitions.state(chain, k)
+            return Decision(DEFINITION, f"read as what fixes {constraint.name}, with an equation before")
+        self.definitions.fix(constraint, chain)
+        self.definitions.state(chain, k, constraint.name)
+        if not names(chain.sides[k + 1].node) and len(names(chain.sides[k].node)) == 1:
+            return Decision(CONDITION)
+        return Decision(DEFINITION, f"read as what fixes {constraint.name}")
+
+    def _state(self, chain: Chain, k: int, case: Decision, knowledge: Knowledge) -> Decision:
+        """Return the decision on a relation that is taken as given, after noting it."""
+        by_premises = self.definitions.decide_by_premises(
+            self.definitions.premise_of(chain, k), knowledge
+        )
+        if by_premises is not None and by_premises.status != PREMISE:
+            return by_premises
+        self.definitions.state(chain, k)
+        return case
+
+    def _with_premises(
+        self, left: Side, right: Side, sign: str, decision: Decision, knowledge: Knowledge
+    ) -> Decision:
+        """Return the decision with the premises solved together: a witness must satisfy them all."""
+        nodes = [left.node, right.node]
+        solved = self.definitions.solved(nodes, self.document.line_of(right.span[0]), knowledge)
+        if solved is None:
+            return decision
+        by_all = decide(left, right, sign, solved.knowledge)
+        if by_all.status == REFUTED and solved.leftover:
+            reason = f"may rest on {lines_of(solved.leftover)}, which could not be solved for a letter"
+            return replace(by_all, status=UNDECIDED, reason=reason)
+        return by_all
 
     def add_fix(
         self, verdict: Verdict, chain: Chain, k: int, left: Side, decision: Decision, knowledge: Knowledge
@@ -275,6 +418,24 @@ class Judge:
         lone = isinstance(left.node, Name)
         other = None if lone else (left, proves_left)
         return add_fix(verdict, self.document, right, decision, knowledge, proves_right, other)
+
+
+def _meant_as_number(left: Formula, right: Formula, knowledge: Knowledge) -> str:
+    """Return the declared letters among e, i, π that have to be those numbers for a relation to be true.
+
+    One of them that is set to a number is given its value: e = 2.718.
+    """
+    own = [n for n in ("e", "i", "pi") if n in knowledge.letters and n in names(left) | names(right)]
+    if not own or (isinstance(left, Name) and isinstance(right, Number)):
+        return ""
+    for chosen in [*([name] for name in own), own]:
+        first, second = left, right
+        for name in chosen:
+            first, second = (substitute(node, name, Constant(name)) for node in (first, second))
+        if decide_equality(first, second, knowledge).is_proved:
+            is_letter = decide_equality(left, right, knowledge).is_proved
+            return "" if is_letter else ", ".join(formula_text(Constant(n), plain=True) for n in chosen)
+    return ""
 
 
 def _lone_letters(chain: Chain, k: int) -> Iterator[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+from symbalance.document.fitting import plain_words
 from symbalance.notes.checking.verdicts import HOLDS, REFUTED, VERDICTS, Checked, Verdict
 
 
@@ -16,6 +17,7 @@ def report_data(checked: Checked) -> dict[str, Any]:
         "seen": checked.relation_count,
         "counts": dict.fromkeys(VERDICTS, 0) | checked.counts(),
         "links": sorted(entries, key=lambda entry: entry["line"]),
+        **({"remarks": [plain_words(each) for each in checked.remarks]} if checked.remarks else {}),
     }
 
 

@@ -3,19 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from itertools import islice
 
 from symbalance.document.fitting import plain_words
-from symbalance.document.formula import Equation, Formula, Name, walk
-from symbalance.document.nodes import Code, Document, Facts, Inline, Source, SourceLine, Words
+from symbalance.document.formula import Equation, Formula, Name
+from symbalance.document.nodes import (
+    Code,
+    Document,
+    Facts,
+    Inline,
+    Paragraph,
+    Source,
+    SourceLine,
+    Words,
+)
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.descriptions import rounded_number
+from symbalance.notes.checking.typeset_relations import Sides, is_readable, sides_by_span, typeset
 from symbalance.notes.checking.verdicts import (
+    CONDITION,
     CONDITIONAL,
+    CONTRADICTION,
     DEFINITION,
     FAILING,
     HOLDS,
     HOLDS_TO_ORDER,
+    PREMISE,
+    RANGE,
     REFUTED,
     UNDECIDED,
     UNREADABLE,
@@ -28,8 +41,6 @@ from symbalance.notes.checking.verdicts import (
 
 LONGEST_SOURCE = 600
 """Characters of a relation that are shown; the rest is in the JSON."""
-LARGEST_FORMULA = 300
-"""Parts of a formula that is written out."""
 LONGEST_PIECE = 60
 """Of a wrong piece, which stands within a sentence."""
 
@@ -38,8 +49,12 @@ _TITLES = {
     HOLDS_TO_ORDER: "holds to order",
     CONDITIONAL: "holds if",
     REFUTED: "REFUTED",
+    CONTRADICTION: "CONTRADICTION",
     UNDECIDED: "UNDECIDED",
     DEFINITION: "definition",
+    PREMISE: "premise",
+    CONDITION: "condition",
+    RANGE: "range",
     UNREADABLE: "UNREADABLE",
 }
 _MEANINGS = {
@@ -48,36 +63,41 @@ _MEANINGS = {
     CONDITIONAL: "proved under the assumption named",
     REFUTED: "different: the witness is a point, with the value of each side there",
     UNDECIDED: "neither proved nor refuted",
-    DEFINITION: "gives a letter its value, or states a condition or a range",
+    CONTRADICTION: "cannot be true together with the lines named",
+    DEFINITION: "gives a new letter its value",
+    PREMISE: "taken as given from here on",
+    CONDITION: "an equation to be solved: what solves it is checked",
+    RANGE: "says where a letter lies",
     UNREADABLE: "not read, for the reason given",
 }
 
 
 def report_document(checked: Checked) -> Document:
     """Return the counts, every verdict in line order, then what the verdicts mean."""
-    lines = tuple(map(_line, checked.verdicts))
+    sides = sides_by_span(checked.derivation)
+    lines = tuple(_line(verdict, sides) for verdict in checked.verdicts)
+    remarks = tuple(map(Paragraph, checked.remarks))
+    title, lead = page_title(checked.derivation.name), summary(checked)
     if not lines:
-        return Document(_title(checked.derivation.name), (), summary(checked))
-    return Document(
-        _title(checked.derivation.name), (Source(lines), _legend(checked.verdicts)), summary(checked)
-    )
+        return Document(title, remarks, lead)
+    return Document(title, (*remarks, Source(lines), legend(checked.verdicts)), lead)
 
 
 def verdict_document(verdict: Verdict) -> Document:
     """Return one verdict with its reasons, then what it means."""
     return Document(
-        f"Verdict: {verdict_words(verdict)}", (Source((_line(verdict),)), _legend((verdict,)))
+        f"Verdict: {verdict_words(verdict)}", (Source((_line(verdict, {}),)), legend((verdict,)))
     )
 
 
-def _title(name: str) -> Words:
+def page_title(name: str) -> Words:
     """Return what was checked; a derivation that is no file has no name."""
     return "Check of a derivation" if name == "text" else ("Check of ", Code(name))
 
 
 def report_summary(checked: Checked) -> str:
     """Return what was checked and the counts of its verdicts, in one line."""
-    return f"{plain_words(_title(checked.derivation.name))}: {summary(checked)}"
+    return f"{plain_words(page_title(checked.derivation.name))}: {summary(checked)}"
 
 
 def summary(checked: Checked) -> str:
@@ -122,7 +142,7 @@ def one_line(source: str, limit: int) -> str:
     return line if len(line) <= limit else line[: limit - 1] + "…"
 
 
-def _line(verdict: Verdict) -> SourceLine:
+def _line(verdict: Verdict, sides: Sides) -> SourceLine:
     return SourceLine(
         place(verdict),
         one_line(verdict.source, LONGEST_SOURCE),
@@ -130,6 +150,7 @@ def _line(verdict: Verdict) -> SourceLine:
         verdict.verdict in FAILING,
         tuple(_notes(verdict)),
         _formulas(verdict),
+        typeset(verdict, sides),
     )
 
 
@@ -140,21 +161,22 @@ def _notes(verdict: Verdict) -> Iterable[Words]:
     if verdict.reason:
         yield verdict.reason
     yield from (f"note: {note}" for note in verdict.notes)
-    yield from map(_difference, verdict.differences)
-    if verdict.verdict == REFUTED and verdict.witness:
-        yield _witness(verdict)
+    yield from map(difference_words, verdict.differences)
+    if verdict.is_bad and verdict.witness:
+        yield witness_words(verdict)
     if verdict.fix:
         yield f"found: {verdict.fix.kind}"
-        yield from map(_fault, verdict.fix.faults)
+        yield from map(fault_words, verdict.fix.faults)
 
 
-def _difference(difference: Difference) -> Words:
+def difference_words(difference: Difference) -> Words:
+    """Return a difference as `cos 2θ: claimed 1/4, exact 1/2`."""
     term = difference.term_node or difference.term
     claimed = difference.claimed_node or difference.claimed
     return (term, ": claimed ", claimed, ", exact ", difference.exact_node or difference.exact)
 
 
-def _witness(verdict: Verdict) -> Words:
+def witness_words(verdict: Verdict) -> Words:
     """Return a witness as `witness: θ = 1.2, λ = 3.7: left 0.5, right 0.25`."""
     sides = {name: verdict.witness[name] for name in ("left", "right") if name in verdict.witness}
     parts: list[Inline] = []
@@ -167,7 +189,8 @@ def _witness(verdict: Verdict) -> Words:
     return ("witness: ", *parts)
 
 
-def _fault(fault: Fault) -> Words:
+def fault_words(fault: Fault) -> Words:
+    """Return a wrong piece as `line 3, column 7: for cos put sin`."""
     should = fault.node or fault.should
     where = f"line {fault.line}, column {fault.column}: "
     if not fault.source:
@@ -186,15 +209,10 @@ def _formulas(verdict: Verdict) -> tuple[tuple[str, Formula], ...]:
         sides = (("left side should be", fix.node),)
     else:
         sides = (stands, ("should be", fix.node))
-    return tuple((name, node) for name, node in sides if node is not None and _is_readable(node))
+    return tuple((name, node) for name, node in sides if node is not None and is_readable(node))
 
 
-def _is_readable(node: Formula) -> bool:
-    """Tell whether a formula is small enough to be written out; the JSON has any."""
-    return next(islice(walk(node), LARGEST_FORMULA, None), None) is None
-
-
-def _legend(verdicts: tuple[Verdict, ...]) -> Facts:
+def legend(verdicts: tuple[Verdict, ...]) -> Facts:
     """Return what the verdicts that occur mean, and how places and corrections are written."""
     kinds = {verdict.verdict for verdict in verdicts}
     entries: list[tuple[Words, Words]] = [

@@ -4,6 +4,10 @@
     [[scope]]                        lines = [a, b] with symbols and equalities of their own
     [[bind]]                         line, quantity, engine, order, ...: what a line claims to be
 
+`letters = "crank"` at the head takes a standard set of letters; what [symbols] says goes before it.
+Behind a question mark, `s = "? stroke"`, a meaning is proposed and not confirmed: s is just a letter. A
+scope or a binding with `proposed = true` plays no part.
+
 Unknown keys are errors; every refusal names the file and the line.
 
 The declarations may stand at the head of the document itself instead, as a comment that comes first:
@@ -21,14 +25,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from symbalance.notes.checking.role_phrases import USUAL
+from symbalance.notes.checking.symbol_roles import misspelt_role
 from symbalance.notes.reading import ReadingError, canonical_name
 from symbalance.text.files import file_name, read_text
 from symbalance.text.key_tables import Key, TableKeys
-from symbalance.text.kinds import Choice, ListOf, Text, Whole
+from symbalance.text.kinds import Choice, Flag, ListOf, Text, Whole
 from symbalance.text.sections import Section, SourceText, read_sections
 
 CONVENTIONS = ("l/r", "r/l", "l/s")
@@ -37,6 +43,9 @@ _COUNT = Whole(1, _MOST)
 _ORDER = Whole(1, 1000)
 """As far as every command goes: a series through 10^9 would fill the memory."""
 _SYMBOLS = "Letters and their meanings or units"
+PROPOSED = "?"
+"""Before a meaning that is proposed and not confirmed."""
+_PROPOSED = Key("proposed", Flag(), "Whether it is proposed and not confirmed: it plays no part")
 SCOPE = TableKeys(
     "scope",
     (
@@ -50,6 +59,7 @@ SCOPE = TableKeys(
         ),
         Key("symbols", TableKeys("scope.symbols", (), others=Text()), _SYMBOLS),
         Key("given", ListOf(Text(), '["α = π/6"]'), "Equalities that hold there"),
+        _PROPOSED,
     ),
 )
 BIND = TableKeys(
@@ -70,11 +80,13 @@ BIND = TableKeys(
         Key("bank", Whole(-_MOST, _MOST), "Of which bank", remedy="write bank = 2"),
         Key("through", _ORDER, "The highest order", remedy="write through = 4"),
         Key("power", Whole(-1000, 1000), "Of the series", remedy="write power = 2"),
+        _PROPOSED,
     ),
 )
 SIDECAR = TableKeys(
     "",
     (
+        Key("letters", Choice(tuple(USUAL)), "A standard set of letters", remedy="name one of them"),
         Key("symbols", TableKeys("symbols", (), others=Text()), _SYMBOLS),
         Key("scope", SCOPE, "Lines with letters and assumptions of their own", listed=True),
         Key("bind", BIND, "What lines claim to be", listed=True),
@@ -98,6 +110,7 @@ class Scope:
     last: int
     symbols: Mapping[str, str] = field(default_factory=dict)
     assumptions: tuple[str, ...] = ()
+    proposed: bool = False
 
     def holds(self, line: int) -> bool:
         """Tell whether a line lies in the scope."""
@@ -121,6 +134,7 @@ class Binding:
     bank: int | None = None
     through: int | None = None
     power: int | None = None
+    proposed: bool = False
     place: str = ""
 
     @property
@@ -144,6 +158,40 @@ class Declarations:
     scopes: tuple[Scope, ...] = ()
     bindings: tuple[Binding, ...] = ()
     place: str = "symbols"
+    proposed_scopes: tuple[Scope, ...] = ()
+    proposed_bindings: tuple[Binding, ...] = ()
+    """What is proposed and not confirmed, which nothing is judged by."""
+
+    @property
+    def is_declared(self) -> bool:
+        """Tell whether anything at all is declared."""
+        return self.place != "symbols" or bool(self.symbols or self.scopes or self.bindings)
+
+    @property
+    def proposal_count(self) -> int:
+        """The number of proposals that nobody has confirmed."""
+        texts = [
+            *self.symbols.values(),
+            *(text for scope in self.scopes for text in scope.symbols.values()),
+        ]
+        of_letters = sum(text.startswith(PROPOSED) for text in texts)
+        return of_letters + len(self.proposed_scopes) + len(self.proposed_bindings)
+
+    def accepted(self) -> Declarations:
+        """Return the declarations with every proposal taken as confirmed."""
+        scopes = (*self.scopes, *self.proposed_scopes)
+        return replace(
+            self,
+            symbols=_confirmed(self.symbols),
+            scopes=tuple(replace(scope, symbols=_confirmed(scope.symbols)) for scope in scopes),
+            bindings=(*self.bindings, *self.proposed_bindings),
+            proposed_scopes=(),
+            proposed_bindings=(),
+        )
+
+    def below(self, other: Declarations) -> Declarations:
+        """Return the declarations with the letters of `other` added that these do not declare."""
+        return replace(self, symbols={**other.symbols, **self.symbols})
 
     def symbols_at(self, line: int) -> dict[str, str]:
         """Return the letters declared for a line; later scopes override earlier ones."""
@@ -189,7 +237,21 @@ def declarations_in(symbols: Mapping[str, Any]) -> Declarations:
 def _declarations(file: Section) -> Declarations:
     scopes = tuple(_scope(table) for table in file.sections("scope"))
     bindings = tuple(Binding(**table.values(), place=table.place()) for table in file.sections("bind"))
-    return Declarations(_symbols(file.section("symbols")), scopes, bindings, file.source.place)
+    usual = {
+        canonical_name(letter): text for letter, text in USUAL.get(file.value("letters"), {}).items()
+    }
+    return Declarations(
+        usual | _symbols(file.section("symbols")),
+        tuple(scope for scope in scopes if not scope.proposed),
+        tuple(binding for binding in bindings if not binding.proposed),
+        file.source.place,
+        tuple(scope for scope in scopes if scope.proposed),
+        tuple(binding for binding in bindings if binding.proposed),
+    )
+
+
+def _confirmed(symbols: Mapping[str, str]) -> dict[str, str]:
+    return {name: text.removeprefix(PROPOSED).strip() for name, text in symbols.items()}
 
 
 def _symbols(table: Section) -> dict[str, str]:
@@ -201,6 +263,10 @@ def _symbols(table: Section) -> dict[str, str]:
             raise table.refusal(letter, problem.what, "write one letter") from None
         if name in meanings:
             raise table.refusal(letter, "is declared twice", "keep one line of it")
+        nearest = misspelt_role(meaning)
+        if nearest is not None:
+            remedy = f'write "{nearest}", or "variable, {meaning.strip()}" for just a letter'
+            raise table.refusal(letter, f"has no known meaning, but one much like {nearest}", remedy)
         meanings[name] = meaning.strip()
     return meanings
 
@@ -209,7 +275,8 @@ def _scope(table: Section) -> Scope:
     first, last = table.value("lines")
     if first > last:
         raise table.refusal("lines", "must go upwards", "write lines = [10, 20]")
-    return Scope(first, last, _symbols(table.section("symbols")), tuple(table.value("given") or ()))
+    symbols = _symbols(table.section("symbols"))
+    return Scope(first, last, symbols, tuple(table.value("given") or ()), bool(table.value("proposed")))
 
 
 # Declarations at the head of the document itself

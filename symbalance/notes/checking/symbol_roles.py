@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from difflib import SequenceMatcher
 
 FROM_TOP = "displacement from top dead centre"
 FROM_PIN = "piston position"
@@ -19,6 +20,11 @@ ALIASES = {
     "angular velocity": "angular speed",
     "rod ratio (l/r)": "rod ratio l/r",
     "rod ratio (l/s)": "rod ratio l/s",
+    "rod ratio r/l": "crank ratio r/l",
+    "rod ratio (r/l)": "crank ratio r/l",
+    "ratio l/r": "rod ratio l/r",
+    "ratio l/s": "rod ratio l/s",
+    "ratio r/l": "crank ratio r/l",
     "crank ratio (r/l)": "crank ratio r/l",
 }
 
@@ -63,6 +69,8 @@ RANGES = {
     "stroke": (120, 200),
 }
 """Ranges of values at random points, in hundredths: such that a rod is longer than its crank."""
+FEWEST_WORDS = 2
+"""Words of a meaning that can be misspelt: one alone (strike, tine) is as likely meant as it stands."""
 UNITS = (
     "m",
     "mm",
@@ -92,6 +100,34 @@ def role_of(text: str) -> str:
     role = " ".join(head.lower().split())
     role = ALIASES.get(role, role)
     return role if role in KNOWN else head
+
+
+SIMILAR = 0.7
+"""Of two words, by difflib: cranck and crank are 0.91, piston and position 0.71, rod and road 0.86."""
+
+
+def misspelt_role(text: str) -> str | None:
+    """Return the known meaning that a declaration misspells, None where it states one or another.
+
+    Word for word like a known meaning, but not the same: "cranck angle". A slip would make the letter
+    just a letter, and true lines refuted. "variable, cranck angle" is meant as it stands.
+
+    >>> misspelt_role("cranck angle"), misspelt_role("crank angle"), misspelt_role("angle of the bank")
+    ('crank angle', None, None)
+    """
+    role = role_of(text)
+    if role in KNOWN or HARMONIC.match(role):
+        return None
+    words = role.lower().split()
+    near: list[tuple[float, str]] = []
+    for known in (*KNOWN, *ALIASES):
+        known_words = known.split()
+        if len(words) != len(known_words) or len(words) < FEWEST_WORDS:
+            continue
+        scores = [SequenceMatcher(None, a, b).ratio() for a, b in zip(words, known_words, strict=True)]
+        if min(scores) >= SIMILAR:
+            near.append((sum(scores), ALIASES.get(known, known)))
+    return max(near)[1] if near else None
 
 
 def letters_by_role(symbols: Mapping[str, str]) -> dict[str, list[str]]:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
+from functools import partial
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.formula import Formula, Span
@@ -12,6 +13,8 @@ from symbalance.notes.reading.equations import ReadNotes
 
 if TYPE_CHECKING:
     from symbalance.document import nodes
+    from symbalance.document.nodes import Words
+    from symbalance.notes.checking.deciding.equality import Decision
 
 HOLDS = "holds"
 HOLDS_TO_ORDER = "holds_to_order"
@@ -19,10 +22,18 @@ CONDITIONAL = "conditional"
 REFUTED = "refuted"
 UNDECIDED = "undecided"
 DEFINITION = "definition"
+PREMISE = "premise"
+CONDITION = "condition"
+RANGE = "range"
+CONTRADICTION = "contradiction"
 UNREADABLE = "unreadable"
 
-VERDICTS = (HOLDS, HOLDS_TO_ORDER, CONDITIONAL, REFUTED, UNDECIDED, DEFINITION, UNREADABLE)
-BAD = (REFUTED, UNDECIDED)
+PROVED_WORDS = (HOLDS, HOLDS_TO_ORDER, CONDITIONAL)
+STATED = (DEFINITION, PREMISE, CONDITION, RANGE)
+"""What a relation may be that claims nothing: it gives a letter its value (definition), is taken as given
+(premise), is an equation to be solved (condition), or says where a letter lies (range)."""
+BAD = (REFUTED, CONTRADICTION, UNDECIDED)
+VERDICTS = (*PROVED_WORDS, REFUTED, CONTRADICTION, UNDECIDED, *STATED, UNREADABLE)
 FAILING = (*BAD, UNREADABLE)
 """What a document that is right throughout has none of; the unreadable may be forgiven."""
 
@@ -102,6 +113,13 @@ class Verdict(Result):
     traceback: str = ""
     is_unjudged: bool = False
     """Whether judging was not finished: by its budget, or by a fault."""
+    decision: Decision | None = field(default=None, repr=False, compare=False)
+    """What it rests on: the two sides' normal forms, which are drawn and certified."""
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Leave out the decision, whose forms belong to this process's calculation."""
+        values = {each.name: getattr(self, each.name) for each in fields(self)}
+        return partial(type(self), **{**values, "decision": None}), ()
 
     @property
     def is_bad(self) -> bool:
@@ -139,6 +157,8 @@ class Checked(Result):
 
     derivation: ReadNotes
     verdicts: tuple[Verdict, ...]
+    remarks: tuple[Words, ...] = ()
+    """What a reader must know before the verdicts: what they rest on, what is still to be declared."""
 
     kind: ClassVar[str] = "check"
 
@@ -154,6 +174,12 @@ class Checked(Result):
 
         return report_document(self)
 
+    def browser_document(self) -> nodes.Document:
+        """Return the author's own page, typeset, each relation marked; what is wrong stands first."""
+        from symbalance.notes.checking.marked_page import marked_page
+
+        return marked_page(self)
+
     def data(self) -> dict[str, Any]:
         """Return the counts, and an entry for each relation and each line that continues one."""
         from symbalance.notes.checking.report_data import report_data
@@ -168,7 +194,7 @@ class Checked(Result):
 
     @property
     def failed(self) -> bool:
-        """Tell whether no relation was seen, or one is refuted, undecided or unreadable."""
+        """Tell whether no relation was seen, or one is of the verdicts that fail."""
         return self.fails()
 
     def fails(self, *, lenient: bool = False) -> bool:

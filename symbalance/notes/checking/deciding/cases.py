@@ -1,50 +1,113 @@
-"""Relations that state a special case: numbers put in for letters, and conditions on an angle.
+"""Relations that state something: numbers put in for letters, and equations to be solved.
 
-They are definitions, and no line is refuted for them.
+They are premises and conditions, and no line is refuted for them, unless no values satisfy them.
 
 F = m r ω² = 0.5·0.04·628² = 7888       the second = puts numbers in, the third is arithmetic
-cos θ = 0,  2θ = 180°                   a condition
+cos θ = 0,  2θ = 180°,  x² - 3x = 2     a condition
+F_1 + F_2 = 0                           a premise, where neither has a value
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Call, Formula, Name, Negative, Number, Product, names
+from symbalance.document.formula import Call, Formula, Name, Negative, Number, Product, Sum, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.harmonics import polynomial_node
 from symbalance.notes.algebra.series import Expansion
 from symbalance.notes.algebra.values import letters
-from symbalance.notes.checking.deciding.equality import PROVED, Decision, decide_equality
+from symbalance.notes.checking.deciding.equality import PROVED, UNDECIDED, Decision, decide_equality
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.order_agreement import SmallLetter, truncated_sum
+from symbalance.notes.checking.deciding.satisfiability import survey
 from symbalance.notes.checking.deciding.substitution import substitute
-from symbalance.notes.checking.verdicts import DEFINITION
+from symbalance.notes.checking.verdicts import CONDITION, PREMISE
 from symbalance.notes.reading.equations import Chain
 
 HIGHEST_ORDER = 8
 """Of the rod ratio's powers that a line with numbers may have been cut off at."""
 
 
-def decide_numeric_case(
-    chain: Chain, k: int, refutation: Decision, knowledge: Knowledge
-) -> Decision | None:
-    """Return the decision on a refuted relation that only puts numbers in, or states a condition."""
+NO_VALUES = "no values satisfy it, as far as tried"
+ON_A_BRANCH = "equal at some points and not at others: say for which values it is meant"
+
+
+def decide_case(chain: Chain, k: int, refutation: Decision, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on a refuted relation that only states something; None where it is a claim.
+
+    It puts numbers in for letters, is an equation for one unknown letter, or a balance of letters without
+    values (F_1 + F_2 = 0). One that no values satisfy stays refuted.
+    """
+    word, reason = _kind_of_statement(chain, k, refutation, knowledge)
+    if not word:
+        return None
     left, right = chain.sides[k].node, chain.sides[k + 1].node
-    if names(right) or not names(left) or refutation.left is None:
-        return None
-    free = set(letters(refutation.left))
-    if not free:
-        return None
+    level = refutation.level or list(knowledge.levels(left, right))[-1]
+    signs = survey(left, right, replace(knowledge.meaning, values=level.values))
+    if signs.is_equal_in_places:
+        return replace(refutation, status=UNDECIDED, reason=ON_A_BRANCH)
+    return Decision(word, reason) if signs.has_root else replace(refutation, reason=NO_VALUES)
+
+
+def _kind_of_statement(
+    chain: Chain, k: int, refutation: Decision, knowledge: Knowledge
+) -> tuple[str, str]:
+    """Return the verdict's word for what a relation states, and the reason; "" for a claim."""
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    is_alone, is_zero = k == 0 and len(chain.relations) == 1, right == Number(Fraction(0))
+    free = set() if refutation.left is None else set(letters(refutation.left))
+    if is_alone and _is_balance_of_unknowns(left, right, knowledge):
+        return PREMISE, ""
+    if names(right) or not names(left) or not free:
+        return "", ""
     if free & knowledge.angles:
-        alone = k == 0 and len(chain.relations) == 1
-        simple = alone and (is_simple(left) or _is_product(left, right, knowledge))
-        return Decision(DEFINITION, "a condition") if simple else None
-    if right == Number(Fraction(0)):
-        return None
+        is_condition = is_alone and (is_simple(left) or _is_product(left, right, knowledge))
+        return (CONDITION, "") if is_condition else ("", "")
+    is_equation = names(left) == free and not knowledge.has_meaning(min(free))
+    if is_alone and len(free) == 1 and (is_equation or not is_zero):
+        return CONDITION, ""
     numeric_letters = {n for n, d in knowledge.definitions.items() if d.numeric}
-    return None if names(left) <= numeric_letters else Decision(DEFINITION, "numbers put in")
+    return ("", "") if is_zero or names(left) <= numeric_letters else (PREMISE, "numbers put in")
+
+
+def _is_balance_of_unknowns(left: Formula, right: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether letters without values are balanced: F_1 + F_2 = 0, or F_1 + F_2 = F_3 + 2."""
+    if any(_is_given(n, knowledge) for n in names(left) | names(right)) or not names(left):
+        return False
+    if names(right):
+        return _has_number(left, right) and _is_balance(Sum((left, right)))
+    return _is_balance(left)
+
+
+def _has_number(*nodes: Formula) -> bool:
+    """Tell whether a number stands alone among the terms: F_1 + F_2 = F_3 + 2 claims no identity."""
+    return any(isinstance(term, Number) for node in nodes for term in _terms(node))
+
+
+def _terms(node: Formula) -> tuple[Formula, ...]:
+    return node.terms if isinstance(node, Sum) else (node,)
+
+
+def _is_balance(node: Formula) -> bool:
+    """Tell whether a formula is a sum of letters, each once, perhaps times numbers: F_1 + 2 F_2."""
+    parts = [part for term in _terms(node) for part in _terms(term)]
+    terms = [part for part in parts if not isinstance(part, Number)]
+    bare = [term.operand if isinstance(term, Negative) else term for term in terms]
+    single = [
+        term.factors[1]
+        if isinstance(term, Product) and len(term.factors) == 2 and isinstance(term.factors[0], Number)
+        else term
+        for term in bare
+    ]
+    letters_of_terms = [term.name for term in single if isinstance(term, Name)]
+    return 1 < len(terms) == len(set(letters_of_terms))
+
+
+def _is_given(name: str, knowledge: Knowledge) -> bool:
+    definition = knowledge.definitions.get(name)
+    return knowledge.has_meaning(name) if definition is None else not definition.solved
 
 
 def states_a_case(chain: Chain) -> bool:

@@ -118,7 +118,7 @@ def _by_numbers(
         return Decision(
             PROVED, assumptions=(*level.assumptions, *assumptions), level=level, left=first, right=second
         )
-    if agrees_as_printed(left, right, evaluator.form):
+    if agrees_as_printed(left, right, evaluator.form, level.values):
         order = "the digits printed"
         return Decision(
             PROVED, order=order, assumptions=level.assumptions, level=level, left=first, right=second

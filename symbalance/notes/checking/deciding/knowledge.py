@@ -6,7 +6,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from symbalance.document.formula import Formula, names
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
+from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.geometry import Geometry
 
 
@@ -17,6 +19,30 @@ class Definition:
     node: Formula
     line: int
     numeric: bool = False
+    assumption: str = ""
+    """The premise as it is written, on which what uses it is conditional; "" for a definition."""
+    alternatives: tuple[tuple[Formula, str], ...] = ()
+    """The values on other branches, each with the condition under which the letter lies there."""
+    solved: bool = False
+    """Whether an equation was solved for the letter, which is a premise beside it."""
+    branch: str = ""
+    """The condition under which `node` is the value, where there are alternatives."""
+
+
+@dataclass(frozen=True, slots=True)
+class StatedRange:
+    """An inequality that a line states of letters."""
+
+    left: Formula
+    sign: str
+    right: Formula
+    line: int
+
+    @property
+    def text(self) -> str:
+        """The inequality as it is written."""
+        sides = (formula_text(node, plain=True) for node in (self.left, self.right))
+        return f" {self.sign} ".join(sides)
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,29 +76,74 @@ class Knowledge:
     angles: frozenset[str] = frozenset()
     universal: frozenset[str] = frozenset()
     """Letters that stay free although a line gives them a number: crank angle, rod angle, time."""
+    corrects: bool = True
+    """Whether a refuted side is searched for the change that makes it true."""
+    solved: Mapping[str, Formula] = field(default_factory=dict)
+    """What letters equal by premises solved together, and the premises' texts."""
+    solved_from: tuple[str, ...] = ()
+    ranges: tuple[StatedRange, ...] = ()
 
     def levels(self, *nodes: Formula) -> Iterator[Level]:
         """Yield what may be used, least first: nothing, meanings and definitions, then assumptions."""
         yield Level({})
         number = any(not names(node) for node in nodes)
-        defined_values = {
-            name: d.node
+        usable = {
+            name: d
             for name, d in self.definitions.items()
             if not (d.numeric and name in self.universal and not number)
         }
+        defined_values = {name: d.node for name, d in usable.items() if not d.assumption}
         values = {**defined_values, **self.meaning.values}
         if number:  # a numeric example: the numbers of the letters in which the geometry is written
-            values |= {name: d.node for name, d in self.definitions.items() if d.numeric}
+            values |= {name: d.node for name, d in usable.items() if d.numeric and not d.assumption}
         light = {name: node for name, node in values.items() if name not in self.moving}
         if defined_values and len(light) < len(values):
             yield Level(light)
         if values:
             yield Level(values)
+        premises = self._premises_behind(nodes, usable, number)
+        texts = tuple(dict.fromkeys(d.assumption for d in premises.values()))
+        if premises:
+            values = {**values, **{name: d.node for name, d in premises.items()}}
+            yield Level(values, texts)
+        if self.solved:
+            apart = {name: node for name, node in values.items() if not self._is_solved(name)}
+            values, texts = {**apart, **self.solved}, (*texts, *self.solved_from)
+            yield Level(values, texts)
         for assumption in self.assumptions:
-            yield Level({**values, assumption.name: assumption.node}, (assumption.text,))
+            yield Level({**values, assumption.name: assumption.node}, (*texts, assumption.text))
         if len(self.assumptions) > 1:
             all_values = {assumption.name: assumption.node for assumption in self.assumptions}
-            yield Level({**values, **all_values}, tuple(a.text for a in self.assumptions))
+            yield Level({**values, **all_values}, (*texts, *(a.text for a in self.assumptions)))
+
+    def _premises_behind(
+        self, nodes: tuple[Formula, ...], usable: Mapping[str, Definition], number: bool
+    ) -> dict[str, Definition]:
+        """Return the letters behind formulas whose values are premises."""
+        everything = {**{name: d.node for name, d in usable.items()}, **self.meaning.values}
+        reached = {name for node in nodes for name in names_behind(node, everything)}
+        return {
+            name: d
+            for name, d in usable.items()
+            if d.assumption
+            and name in reached
+            and (name not in self.meaning.values or (number and d.numeric))
+        }
+
+    def _is_solved(self, name: str) -> bool:
+        return name in self.definitions and self.definitions[name].solved
+
+    def branches_behind(self, *nodes: Formula) -> dict[str, Definition]:
+        """Return the letters behind formulas whose values have other branches."""
+        values = {**{name: d.node for name, d in self.definitions.items()}, **self.meaning.values}
+        if not any(d.alternatives for d in self.definitions.values()):
+            return {}
+        reached = {name for node in nodes for name in names_behind(node, values)}
+        return {n: d for n, d in self.definitions.items() if d.alternatives and n in reached}
+
+    def with_definition(self, name: str, definition: Definition) -> Knowledge:
+        """Return what is known if a letter is defined otherwise."""
+        return replace(self, definitions={**self.definitions, name: definition})
 
     def evaluator(self, level: Level) -> FormEvaluator:
         """Return an evaluator in a fresh domain for a level."""

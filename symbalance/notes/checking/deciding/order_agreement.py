@@ -13,12 +13,14 @@ from fractions import Fraction
 from symbalance.document.formula import Formula, Name
 from symbalance.document.letters import raised
 from symbalance.document.text_writer import formula_text
+from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra import values
-from symbalance.notes.algebra.domain import NoFormError, Polynomial, TooLargeError
+from symbalance.notes.algebra.domain import Monomial, NoFormError, Polynomial, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import components
 from symbalance.notes.algebra.series import Expansion, FormSeries
+from symbalance.notes.algebra.zero import is_zero
 from symbalance.notes.checking.deciding.equality import (
     PROVED,
     REFUTED,
@@ -130,7 +132,8 @@ def _as_numbers(
         abs(left_value), abs(right_value), values.context().mpf(10) ** -300
     )
     if decimals(left) or decimals(right):
-        fits, order = agrees_as_printed(left, right, evaluator.form, generous=True), "the digits printed"
+        fits = agrees_as_printed(left, right, evaluator.form, level.values, generous=True)
+        order = "the digits printed"
     else:
         fits, order = relative_error <= float(ROUGH), f"relative error {digits(relative_error, 2)}"
     if fits:
@@ -213,6 +216,16 @@ def _through(first: Form, second: Form, small: SmallLetter, level: Level, loose:
             right=right_form,
             through=small.order,
         )
+    if _leading_terms_agree(left_form, right_form, small):
+        return Decision(
+            PROVED,
+            order="the leading term of each harmonic",
+            assumptions=level.assumptions,
+            level=level,
+            left=left_form,
+            right=right_form,
+            through=small.order,
+        )
     order = f"{small.text}"
     points = values.sample([left_form, right_form])
     witness: dict[str, str] = {}
@@ -241,6 +254,44 @@ def truncated_sum(series: FormSeries, small: SmallLetter) -> Form:
         power: Polynomial = {((number, k * small.sign),): Fraction(1)} if k else {(): Fraction(1)}
         total = total.plus(form.times(Form.of(series.domain, power)))
     return total
+
+
+def _leading_terms_agree(left: Form, right: Form, small: SmallLetter) -> bool:
+    """Tell whether the right side has one term of each harmonic, the first that the left one has of it.
+
+    cos θ + ρ cos 2θ - ρ³/4 cos 4θ is written so, although ρ³ belongs to cos 2θ as well. No harmonic below
+    the highest may be missing.
+    """
+    if not left.is_polynomial or not right.is_polynomial:
+        return False
+    exact, claimed = _by_harmonic(left, small), _by_harmonic(right, small)
+    if len(claimed) < 2 or any(len(powers) > 1 for powers in claimed.values()):
+        return False
+    top = max(harmonic[1] for harmonic in claimed)
+    if any(harmonic not in claimed for harmonic in exact if harmonic[1] <= top):
+        return False
+    for harmonic, powers in claimed.items():
+        ((power, number),) = powers.items()
+        own = exact.get(harmonic, {})
+        if not own or min(own) != power:
+            return False
+        if is_zero(left.domain, poly.minus(own[power], number)) is not True:
+            return False
+    return True
+
+
+def _by_harmonic(
+    form: Form, small: SmallLetter
+) -> dict[tuple[str, Fraction, Monomial, Monomial], dict[Fraction, Polynomial]]:
+    """Return a form's coefficients by harmonic (function, order, angle, other letters) and power."""
+    number = form.domain.symbol(small.letter)
+    parts: dict[tuple[str, Fraction, Monomial, Monomial], dict[Fraction, Polynomial]] = {}
+    for key, value in components(form.domain, form.numerator).items():
+        rest = tuple(entry for entry in key.letters if entry[0] != number)
+        power = Fraction(dict(key.letters).get(number, 0)) * small.sign
+        order = max((Fraction(abs(e)) for _, e in key.angle), default=Fraction(0))
+        parts.setdefault((key.function, order, key.angle, rest), {})[power] = value
+    return parts
 
 
 def _only_higher(left: Form, right: Form) -> bool:

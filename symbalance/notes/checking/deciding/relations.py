@@ -1,36 +1,66 @@
-"""Decisions whether one relation (=, ≈, <, ...) holds, in any of the readings of its two sides."""
+"""Decisions whether one relation = or ≈ holds, in any of the readings of its two sides."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import product
-from typing import Any
 
-from symbalance.document.formula import Formula, Name, names
-from symbalance.notes.algebra import values
-from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.document.formula import Formula, Name
 from symbalance.notes.checking.deciding.equality import (
-    PROVED,
     REFUTED,
     UNDECIDED,
     Decision,
     decide_equality,
-    digits,
     without_dots,
 )
 from symbalance.notes.checking.deciding.induction import decide_by_induction
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.order_agreement import decide_agreement, degree
-from symbalance.notes.checking.verdicts import DEFINITION
-from symbalance.notes.reading.equations import Chain, Side
+from symbalance.notes.reading.equations import Side
 
 MOST_READINGS = 16
 """Pairs of readings that are tried: a decision may cost a second."""
+MEANT_ROUGHLY = "= stands where ≈ is meant"
+MOST_BRANCHED = 3
+"""Letters of one relation whose branches are gone through."""
 
 
 def decide(
     left: Side, right: Side, sign: str, knowledge: Knowledge, through: int | None = None
 ) -> Decision:
-    """Decide a relation = or ≈ in the first pair of readings that proves it; else in the usual ones."""
+    """Decide a relation = or ≈ in the first pair of readings that proves it; else in the usual ones.
+
+    sin β = ρ sin θ fixes β only on a branch. What is true on all branches is proved, what is true on one
+    of them under the condition that β lies there.
+    """
+    decision = _decide_as_defined(left, right, sign, knowledge, through)
+    branches = knowledge.branches_behind(left.node, right.node)
+    if not branches or (decision.level and branches.keys().isdisjoint(decision.level.values)):
+        return decision
+    conditions: list[str] = []
+    for name, definition in list(branches.items())[:MOST_BRANCHED]:
+        others: list[tuple[Decision, str]] = []
+        for value, condition in definition.alternatives:
+            there = _on_branch(knowledge, name, value)
+            others.append((_decide_as_defined(left, right, sign, there, through), condition))
+        if not decision.is_proved:
+            proof = next((pair for pair in others if pair[0].is_proved), None)
+            if proof is not None:
+                return replace(proof[0], assumptions=(*proof[0].assumptions, proof[1]))
+        elif not all(other.is_proved for other, _ in others):
+            conditions.append(definition.branch)
+    return replace(decision, assumptions=(*decision.assumptions, *conditions)) if conditions else decision
+
+
+def _on_branch(knowledge: Knowledge, name: str, value: Formula) -> Knowledge:
+    definition = replace(knowledge.definitions[name], node=value, alternatives=())
+    return knowledge.with_definition(name, definition)
+
+
+def _decide_as_defined(
+    left: Side, right: Side, sign: str, knowledge: Knowledge, through: int | None
+) -> Decision:
+    """Decide in the first pair of readings that proves it; else in the usual ones."""
     first: Decision | None = None
     pairs = list(product(left.readings, right.readings))[:MOST_READINGS]
     for left_node, right_node in pairs:
@@ -55,7 +85,10 @@ def decide_reading(
         )
     decision = decide_equality(bare_left, bare_right, knowledge)
     if decision.status == REFUTED and _is_cut_off(left, decision, knowledge):
-        return decide_agreement(left, right, knowledge)
+        by_series = decide_agreement(left, right, knowledge)
+        if by_series.is_proved and by_series.through is not None:
+            return replace(by_series, reason=by_series.reason or MEANT_ROUGHLY)
+        return by_series if by_series.is_proved or by_series.through else decision
     return decision
 
 
@@ -75,59 +108,3 @@ def _is_cut_off(node: Formula, decision: Decision, knowledge: Knowledge) -> bool
     has_meaning = isinstance(node, Name) and node.name in knowledge.meaning.values
     exact = has_meaning or degree(decision.left, letter, sign) is None
     return exact and degree(decision.right, letter, sign) is not None
-
-
-def decide_inequality(chain: Chain, k: int, knowledge: Knowledge) -> Decision:
-    """Decide an inequality between numbers; a range of a letter is stated, unless it is empty.
-
-    In a < x < b the two bounds are compared as well: 1/3 < x < 1/5 holds for no x.
-    """
-    sign = chain.relations[k].sign
-    decision = _compare(chain.sides[k].node, chain.sides[k + 1].node, sign, knowledge)
-    if decision is not None:
-        return decision
-    if not names(chain.sides[k].node) and not names(chain.sides[k + 1].node):
-        return Decision(UNDECIDED, "two numbers that could not be compared")
-    signs = {r.sign for r in chain.relations}
-    if k == 1 and len(chain.sides) == 3 and (signs <= {"<", "≤"} or signs <= {">", "≥"}):
-        outer = _compare(chain.sides[0].node, chain.sides[2].node, sign, knowledge)
-        if outer is not None and not outer.is_proved:
-            return Decision(REFUTED, "the range is empty", witness=outer.witness)
-    return Decision(DEFINITION, "a stated range")
-
-
-def _is_real(value: Any) -> bool:
-    return abs(value.imag) <= abs(value) * values.context().mpf(10) ** -20
-
-
-def _compare(left: Formula, right: Formula, sign: str, knowledge: Knowledge) -> Decision | None:
-    """Decide an inequality between two numbers; None where a letter stands in one."""
-    for level in knowledge.levels(left, right):
-        evaluator = knowledge.evaluator(level)
-        try:
-            first, second = evaluator.form(left), evaluator.form(right)
-        except (NoFormError, TooLargeError):
-            continue
-        if values.letters(first) or values.letters(second):
-            continue
-        same = first.equals(second)
-        points = values.sample([first, second])
-        if not points:
-            return None
-        if sign != "≠" and not all(_is_real(value) for value in points[0][1]):
-            return Decision(
-                UNDECIDED, "one side is not a real number", level=level, left=first, right=second
-            )
-        left_value, right_value = (value.real for value in points[0][1])
-        holds = {
-            "<": not same and left_value < right_value,
-            ">": not same and left_value > right_value,
-            "≤": same or left_value < right_value,
-            "≥": same or left_value > right_value,
-            "≠": not same,
-        }[sign]
-        witness = {"left": digits(points[0][1][0]), "right": digits(points[0][1][1])}
-        if holds:
-            return Decision(PROVED, level=level, left=first, right=second)
-        return Decision(REFUTED, level=level, left=first, right=second, witness=witness)
-    return None

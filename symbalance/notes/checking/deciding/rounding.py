@@ -1,23 +1,26 @@
 """Agreement of printed decimals with exact values, to the digits they show.
 
-A lone decimal is the result of what stands on the other side, whose own numbers count as exact. Among
-letters every coefficient is compared for itself, and may be off by what half a unit in the last place of
-each decimal in it brings.
+A lone decimal stands for all that is rounded to it, half a unit of its last place to either side. So does
+a decimal of three digits or more that a result is computed from, here or in a line before; shorter ones
+are data, taken as exact. A whole number is exact, unless it is the result of an arithmetic with decimals
+and has three digits. Among letters every coefficient is compared for itself, and may be off by what half
+a unit in the last place of each decimal in it brings.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
 from symbalance.document import formula
-from symbalance.document.formula import Formula, Negative, Number
+from symbalance.document.formula import Formula, Negative, Number, names
 from symbalance.notes.algebra import polynomials as poly
+from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import Components, components
 from symbalance.notes.algebra.values import Valuation, context, letters
-from symbalance.notes.checking.deciding.substitution import replace_part
+from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 
 LONG = 3
 """A decimal of this many digits on the way to a result may itself be rounded."""
@@ -31,13 +34,20 @@ def decimals(node: Formula) -> list[Number]:
 
 
 def agrees_as_printed(
-    left: Formula, right: Formula, form_of: Callable[[Formula], Form], *, generous: bool = False
+    left: Formula,
+    right: Formula,
+    form_of: Callable[[Formula], Form],
+    values: Mapping[str, Formula] | None = None,
+    *,
+    generous: bool = False,
 ) -> bool:
     """Tell whether two sides agree to the last digits printed; `form_of` gives a side's form.
 
-    A lone decimal may be off by half a unit of its last place; by a whole one towards zero if `generous`
-    (cut off, not rounded), or if the other side goes through long decimals.
+    A lone decimal may be off by half a unit of its last place, and by what the decimals bring that the
+    other side is computed from, those of the letters' `values` too; by a whole unit towards zero if
+    `generous` (cut off, not rounded).
     """
+    left, right = (with_decimals(node, values or {}) for node in (left, right))
     if not decimals(left) and not decimals(right):
         return False
     first, second = form_of(left), form_of(right)
@@ -46,29 +56,59 @@ def agrees_as_printed(
             (right, second, first, left),
             (left, first, second, right),
         ):
-            lone = _lone_decimal(node, generous) if decimals(node) or decimals(other_side) else None
-            if lone is not None:
-                numbers = _number(value), _number(exact)
-                unit = _unit(node, lone, numbers[0], form_of)
-                return _is_rounded(lone, unit, *numbers, decimals(other_side), generous)
+            lone = _lone_decimal(node, other_side, generous)
+            other = _lone_decimal(other_side, node, generous)
+            if lone is None or (other is not None and _is_finer(lone, other)):
+                continue  # of two lone decimals the coarser one is the other, rounded
+            numbers = _number(value), _number(exact)
+            unit = _unit(node, lone, numbers[0], form_of)
+            spread = 0 if other is not None else _spread(other_side, numbers[1], form_of)
+            return _is_rounded(lone, unit, *numbers, spread, generous)
+        if not names(left) and not names(right) and (_is_bare(left) or _is_bare(right)):
+            return False  # a whole number beside a decimal
     return _coefficients_agree(left, right, first, second, form_of)
 
 
-def _as_printed(number: Number, generous: bool) -> Number | None:
+def with_decimals(node: Formula, values: Mapping[str, Formula]) -> Formula:
+    """Return a formula with the letters put in whose values are numbers printed in decimals."""
+    for name in sorted(names(node)):
+        value = values.get(name)
+        if value is not None and not names(value) and decimals(value):
+            try:
+                node = substitute(node, name, value)
+            except NoFormError:
+                continue  # a derivative by the letter: it stays one
+    return node
+
+
+def _is_bare(node: Formula) -> bool:
+    """Tell whether a side is a number as printed, nothing computed."""
+    return isinstance(node.operand if isinstance(node, Negative) else node, Number)
+
+
+def _is_finer(lone: Number, other: Number) -> bool:
+    assert lone.last_place is not None
+    assert other.last_place is not None
+    return lone.last_place < other.last_place
+
+
+def _as_printed(number: Number, other_side: Formula, generous: bool) -> Number | None:
     """Return a whole number as the result it is: to its units, its closing zeros open if `generous`."""
-    if number.value.denominator != 1 or not number.value:
+    if number.value.denominator != 1 or not number.value or not decimals(other_side):
         return None
     digits = str(abs(number.value.numerator))
+    if not generous and (len(digits) < LONG or _is_bare(other_side)):
+        return None
     zeros = len(digits) - len(digits.rstrip("0")) if generous else 0
     return Number(number.value, Fraction(10**zeros))
 
 
-def _lone_decimal(node: Formula, generous: bool) -> Number | None:
+def _lone_decimal(node: Formula, other_side: Formula, generous: bool) -> Number | None:
     """Return the decimal a side consists of, up to its sign and a factor without decimals."""
     if isinstance(node, Negative):
-        return _lone_decimal(node.operand, generous)
+        return _lone_decimal(node.operand, other_side, generous)
     if isinstance(node, Number):
-        return node if node.last_place is not None else _as_printed(node, generous)
+        return node if node.last_place is not None else _as_printed(node, other_side, generous)
     numbers = decimals(node)
     if not isinstance(node, formula.Product) or len(numbers) != 1 or formula.names(node):
         return None
@@ -87,13 +127,21 @@ def _unit(node: Formula, lone: Number, value: Any, form_of: Callable[[Formula], 
     return abs(_number(form_of(replace_part(node, lone, Number(lone.last_place)))))
 
 
-def _is_rounded(
-    lone: Number, unit: Any, value: Any, exact: Any, others: list[Number], generous: bool
-) -> bool:
+def _spread(node: Formula, value: Any, form_of: Callable[[Formula], Form]) -> Any:
+    """Return how far a side may be off by the long decimals it is computed from, each by half a unit."""
+    total = context().mpf(0)
+    for number in decimals(node):
+        assert number.last_place is not None
+        if significant(number) >= LONG:
+            off_by_half = Number(number.value + number.last_place / 2, number.last_place)
+            total += abs(_number(form_of(replace_part(node, number, off_by_half))) - value)
+    return total
+
+
+def _is_rounded(lone: Number, unit: Any, value: Any, exact: Any, spread: Any, generous: bool) -> bool:
     """Tell whether a value is the exact one, rounded; a printed 0.000 stands for half a unit at most."""
-    is_loose = any(significant(number) >= LONG for number in others)
-    is_loose = is_loose or (generous and abs(value) <= abs(exact))
-    return abs(value - exact) <= unit * (1 if is_loose and lone.value else 0.5) * (1 + 1e-12)
+    is_cut_off = generous and bool(lone.value) and abs(value) <= abs(exact)
+    return abs(value - exact) <= (unit * (1 if is_cut_off else 0.5) + spread) * (1 + 1e-12)
 
 
 def significant(number: Number) -> int:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from math import isqrt
 
 from symbalance.document import formula
 from symbalance.document.formula import (
@@ -35,6 +36,8 @@ _SWAPS = {
     "asin": ("acos",),
     "acos": ("asin",),
 }
+MOST_RADICAND = 60
+"""Under a root that is put for another."""
 MOST_LETTERS = 24
 """That are put in for others: the number of changes grows with it times the formula's parts."""
 
@@ -86,7 +89,7 @@ def _role(node: Formula, part: Formula, role: str) -> str:
     if isinstance(node, Power):
         return "exponent" if part is node.exponent else outer_role or "operand"
     if isinstance(node, Call):
-        return "argument"
+        return "radicand" if node.function == "sqrt" and isinstance(part, Number) else "argument"
     if outer_role:
         return outer_role
     return "factor" if isinstance(node, Product | Quotient) else "operand"
@@ -103,6 +106,7 @@ def edits(node: Formula, letters: Iterable[str], variables: Iterable[str]) -> It
         yield from _letters(part, known_letters)
         yield from phases(part)
         yield from multiples(part, role)
+        yield from radicands(part, role)
         yield from _missing(part, role, known_letters)
         if isinstance(part, Derivative):
             for name in variables:
@@ -275,6 +279,23 @@ def _times(factor: Fraction, term: Formula) -> Formula:
     if isinstance(term, Negative):
         return Negative(_times(factor, term.operand))
     return Product((rational_node(factor), term))
+
+
+def radicands(part: Formula, role: str) -> Iterator[Edit]:
+    """Another whole number under a root, or for the root of one."""
+    if role == "radicand" and isinstance(part, Number) and part.value.denominator == 1:
+        for value in range(2, MOST_RADICAND + 1):
+            if value != part.value and isqrt(value) ** 2 != value:
+                cost = 1.1 + abs(value - float(part.value)) / 100
+                yield Edit(f"number misprinted ({value} for {part.value})", cost, part, _whole(value))
+    if isinstance(part, Call) and part.function == "sqrt" and isinstance(part.argument, Number):
+        for value in range(1, isqrt(MOST_RADICAND) + 1):
+            kind = f"number misprinted ({value} for √{part.argument.value})"
+            yield Edit(kind, 1.2 + value / 100, part, _whole(value))
+
+
+def _whole(value: int) -> Formula:
+    return rational_node(Fraction(value))
 
 
 def multiples(part: Formula, role: str) -> Iterator[Edit]:

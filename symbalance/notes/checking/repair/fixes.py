@@ -8,6 +8,7 @@ not proved is not reported.
 from __future__ import annotations
 
 import math
+import re
 from cmath import isfinite
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -16,7 +17,7 @@ from traceback import format_exception
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
 from symbalance.document import formula
-from symbalance.document.formula import Formula, Name, Number, Product, Quotient
+from symbalance.document.formula import Formula, Name, Negative, Number, Power, Product, Quotient
 from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError, fault_of
 from symbalance.notes.algebra import values
@@ -47,6 +48,10 @@ MOST_OTHER = 2.0
 """What costs this much rewrites a side (a factor, several terms): of the left side it is not proposed."""
 MOST_PROOFS = 8
 """Changes that fit in floats and are tried by proof, cheapest first: a proof may cost a second."""
+LONGEST_DENOMINATOR = 10_000
+"""Of an exact value that is put for a side of numbers alone."""
+OF_A_NUMBER = 1.3
+"""What that costs: more than another whole number, less than a fraction in a number's place."""
 LARGEST = 10**7
 """Of a whole number put for a printed one."""
 SEARCH = Budget(5)
@@ -68,7 +73,7 @@ def add_fix(
 
     `other` is the left side and how a changed one is proved: it may hold the slip just as well.
     """
-    if verdict.verdict != REFUTED or decision.left is None:
+    if verdict.verdict != REFUTED or decision.left is None or not knowledge.corrects:
         return verdict
     try:
         return run_within(
@@ -165,19 +170,38 @@ def diagnose(case: Case) -> Repair | None:
     rounding = _round_exact_value(case)
     if rounding is not None:
         return rounding
+    repair, number = _change(case), _exact_number(case)
+    if number is not None and (repair is None or repair.cost > number.cost):
+        repair = number if case.proves(number.node) else repair
+    return _rounded(repair, case) if repair is not None else None
+
+
+def _change(case: Case) -> Repair | None:
+    """Return the cheapest change of what is written that is proved, or None."""
     target_and_filter = filter_of(case)
     if target_and_filter is not None:
         targets, numeric = target_and_filter
         for edit in _edits_that_fit(case, numeric, targets):
-            node = edit.applied(parents_of(case.node))
+            parents = parents_of(case.node)
+            node = edit.applied(parents)
             if case.proves(node):
-                return Repair(edit.kind, node, ((edit.old, edit.new),), edit.cost)
+                return Repair(edit.kind, node, (_as_written(edit, parents),), edit.cost)
     return _by_factor(case) or _by_terms(case)
+
+
+def _as_written(edit: Edit, parents: dict[int, Formula]) -> tuple[Formula, Formula]:
+    """Return the part replaced and its replacement, with a power written in it: sin²θ holds no sin θ."""
+    outer = parents.get(id(edit.old))
+    start, end = edit.old.span
+    if isinstance(outer, Power) and outer.base is edit.old and start < outer.exponent.span[0] < end:
+        return replace(outer, span=edit.old.span), replace(outer, base=edit.new)
+    return edit.old, edit.new
 
 
 def _round_exact_value(case: Case) -> Repair | None:
     """Return the exact value rounded as the side is, where that is one decimal number."""
-    place = case.node.last_place if isinstance(case.node, Number) else None
+    printed = case.node.operand if isinstance(case.node, Negative) else case.node
+    place = printed.last_place if isinstance(printed, Number) else None
     points = values.sample([case.decision.left]) if place and case.decision.left is not None else []
     if not place or not points or points[0][0]:
         return None
@@ -186,14 +210,86 @@ def _round_exact_value(case: Case) -> Repair | None:
     exact = Fraction(str(points[0][1][0].real))
     while exact and abs(exact) < 10 * place:  # at least two digits
         place /= 10
-    number = Number(round(exact / place) * place, place)
+    number = _decimal(exact, place)
     return Repair("value", number, ((case.node, number),), 1.0) if case.proves(number) else None
+
+
+def _decimal(value: Fraction, place: Fraction) -> Formula:
+    """Return a value rounded to a place, as a decimal with its sign before it."""
+    number = Number(round(abs(value) / place) * place, place)
+    return Negative(number) if value < 0 and number.value else number
+
+
+def _exact_number(case: Case) -> Repair | None:
+    """Return the exact value for a side without letters, where that is a short number."""
+    left = case.decision.left
+    value = None if left is None or formula.names(case.node) else left.rational()
+    if value is None or value.denominator > LONGEST_DENOMINATOR or abs(value) > LARGEST:
+        return None
+    new = rational_node(value)
+    return Repair("value", new, ((case.node, new),), OF_A_NUMBER)
+
+
+def _rounded(repair: Repair, case: Case) -> Repair:
+    """Return a repair with decimals where the side is written in decimals, if it is proved so too."""
+    printed = [n for n in formula.walk(case.node) if isinstance(n, Number) and n.last_place]
+    if not printed:
+        return repair
+    significant = max(_digits(number) for number in printed)
+    own = {id(part) for part in formula.walk(case.node)}
+
+    def in_decimals(node: Formula) -> Formula:
+        whole = _rational(node)
+        if whole is not None and id(node) not in own and whole.denominator > 12:
+            place = Fraction(10) ** (_exponent(whole) + 1 - significant)
+            return _decimal(whole, place)
+        pieces = formula.children(node)
+        if id(node) in own or not pieces:
+            return node
+        return formula.with_children(node, tuple(map(in_decimals, pieces)))
+
+    changes = tuple((old, in_decimals(new)) for old, new in repair.changes)
+    if all(new is before for (_, new), (_, before) in zip(changes, repair.changes, strict=True)):
+        return repair
+    node = in_decimals(repair.node)
+    if not case.proves(node):
+        return repair
+    kind = _LONG_FACTOR.sub("value", repair.kind)
+    return replace(repair, kind=kind, node=node, changes=changes)
+
+
+_LONG_FACTOR = re.compile(r"factor -?[0-9]+/[0-9]{3,}")
+"""Two decimals in the ratio of their digits, which is no slip that anybody makes."""
+
+
+def _rational(node: Formula) -> Fraction | None:
+    """Return the value of a whole number or of a quotient of two."""
+    if isinstance(node, Number):
+        return node.value
+    if isinstance(node, Quotient):
+        above, below = _rational(node.numerator), _rational(node.denominator)
+        return above / below if above is not None and below else None
+    if isinstance(node, Negative):
+        inner = _rational(node.operand)
+        return None if inner is None else -inner
+    return None
+
+
+def _exponent(value: Fraction) -> int:
+    """Return the power of ten of a number's first digit."""
+    return math.floor(math.log10(abs(value))) if value else 0
+
+
+def _digits(number: Number) -> int:
+    """Return the significant digits that a decimal is printed with, at least two."""
+    return max(2, _exponent(number.value) - _exponent(number.last_place or Fraction(1)) + 1)
 
 
 def _edits_that_fit(case: Case, numeric: NumericFilter, targets: list[Values]) -> list[Edit]:
     """Return the changes whose values fit, cheapest first."""
     parents = parents_of(case.node)
     passing: list[Edit] = list(_integers(case, numeric, targets, parents))
+    is_nothing = not any(targets[0])
     variables = (
         [case.knowledge.crank.time, *formula.names(case.knowledge.crank.theta)]
         if case.knowledge.crank
@@ -203,6 +299,10 @@ def _edits_that_fit(case: Case, numeric: NumericFilter, targets: list[Values]) -
         if isinstance(edit.new, formula.Derivative):
             passing.append(edit)
             continue
+        if is_nothing and (
+            edit.kind.endswith("missing") or formula.names(edit.new) - formula.names(edit.old)
+        ):
+            continue  # of a side that should be 0, a letter that is 0 is no correction
         if fits(edit.applied(parents), numeric, targets):
             passing.append(edit)
     passing += _conventions(case, numeric, targets)
@@ -239,6 +339,10 @@ def _integers(
                     kind = f"number misprinted ({swap})" if abs(value) != abs(part.value) else "sign"
                     penalty = 0.6 if value.denominator > 12 or abs(value) > 20 * abs(part.value) else 0
                     cost = (1.1 if simple else 1.4) + (0.05 if inverse else 0) + penalty
+                    if part.last_place:
+                        new, kind = _decimal(Fraction(value), part.last_place), "value"
+                    elif inverse and not simple:
+                        continue  # a fraction below a bar is no slip of the pen
                     yield Edit(kind, cost, part, new)
 
 

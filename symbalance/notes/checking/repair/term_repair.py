@@ -166,8 +166,10 @@ def _rebuild(
     if extra:
         extra_node = polynomial_node(left.domain, extra)
         terms = result.terms if isinstance(result, Sum) else (result,)
+        terms = () if terms == (Number(Fraction(0)),) else terms
         extra_terms = extra_node.terms if isinstance(extra_node, Sum) else (extra_node,)
-        result = Sum((*terms, *extra_terms), span=node.span)
+        all_terms = (*terms, *extra_terms)
+        result = Sum(all_terms, span=node.span) if len(all_terms) > 1 else all_terms[0]
         changes.append((Number(Fraction(0)), extra_node))
     return (result, tuple(changes)) if changes else None
 

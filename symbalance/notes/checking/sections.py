@@ -1,0 +1,89 @@
+"""How far a premise in prose reaches: "Take r = 1" to the next heading, a caption to a blank line."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cached_property
+
+from symbalance.notes.reading.equations import Chain, ReadNotes
+
+_HEADING = re.compile(
+    r"#{1,6}\s|={2,6}\s*\S.*|<h[1-6]\b"
+    r"|\\(?:part|chapter|(?:sub){0,2}section|paragraph|subparagraph)\*?\s*[\[{]",
+    re.IGNORECASE,
+)
+_UNDERLINE = re.compile(r"(?:={3,}|-{3,})\s*$")
+_CAPTION = re.compile(
+    r"\s*(?:[*_]{0,2}(?:figure|fig\.|table|tab\.|abbildung|abb\.|bild|tabelle)\s*[\d.:a-z(]|図|表|!\[|\\caption\b)",
+    re.IGNORECASE,
+)
+_END = r"\s[^.;:!?\n$=]{0,30}$"
+_INTRODUCTION = re.compile(
+    r"(?<![A-Za-z])(?:take|for|if|assume|assuming|suppose|supposing|when|whenever|choose|at"
+    rf"|für|bei|falls|wenn|nimm|angenommen){_END}",
+    re.IGNORECASE,
+)
+_NAMING = re.compile(
+    rf"(?<![A-Za-z])(?:let|with|put|set|setting|sei|seien|mit|setze|setzt man){_END}", re.IGNORECASE
+)
+"""Before a number a premise (let r = 1), before a formula the name of it (let P = m r ω²)."""
+LONGEST_INTRODUCTION = 60
+"""Characters before a relation in which such a word is looked for."""
+
+
+@dataclass(frozen=True)
+class Sections:
+    """The headings and paragraphs of a document."""
+
+    document: ReadNotes
+
+    @cached_property
+    def _lines(self) -> list[str]:
+        return self.document.text.split("\n")
+
+    @cached_property
+    def _headings(self) -> list[int]:
+        """The lines, from 1, that begin a section."""
+        marked = [k for k, line in enumerate(self._lines, 1) if _HEADING.match(line.lstrip())]
+        underlined = [
+            k
+            for k in range(1, len(self._lines))
+            if _UNDERLINE.match(self._lines[k]) and self._lines[k - 1].strip()
+        ]
+        return sorted({*marked, *underlined})
+
+    def section_end(self, line: int) -> int:
+        """Return the last line of the section that a line stands in."""
+        after = [heading for heading in self._headings if heading > line]
+        return after[0] - 1 if after else len(self._lines)
+
+    def paragraph_end(self, line: int) -> int:
+        """Return the last line of the paragraph that a line stands in."""
+        for k in range(line, len(self._lines)):
+            if not self._lines[k].strip():
+                return k
+        return len(self._lines)
+
+    def premise_end(self, chain: Chain, *, is_number: bool) -> int | None:
+        """Return the last line that a relation reaches if its sentence makes it a premise, else None.
+
+        `is_number` tells whether it gives its letter a number.
+        """
+        line = chain.lines[0]
+        if chain.inline and _CAPTION.match(self._lines[self.paragraph_start(line) - 1]):
+            return self.paragraph_end(line)
+        start = min(side.span[0] for side in chain.sides)
+        before = self.document.text[max(0, start - LONGEST_INTRODUCTION) : start]
+        before = re.split(r"\n\s*\n", before)[-1].rstrip(" \t\n$\\([")
+        if not chain.inline:
+            return None
+        is_premise = _INTRODUCTION.search(before + " ") or (is_number and _NAMING.search(before + " "))
+        return self.section_end(line) if is_premise else None
+
+    def paragraph_start(self, line: int) -> int:
+        """Return the first line of the paragraph that a line stands in."""
+        first = line
+        while first > 1 and self._lines[first - 2].strip():
+            first -= 1
+        return first
