@@ -165,7 +165,7 @@ def _judged(
 
 
 def _values(tables: Tables, block: _Block) -> tuple[Array, Array, Array]:
-    """Return the objectives' values, which stars may meet the conditions, and of which that is in doubt."""
+    """Return the values, which stars may meet the conditions, and of which that is in doubt."""
     count = len(block)
     sizes = abs(block.partial)
     near = sizes <= tables.slack

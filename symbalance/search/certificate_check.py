@@ -187,7 +187,7 @@ class Check:
     def check_moments(
         self, source: list[int], sign: int, shift: list[int], capacities: list[tuple[int, ...]]
     ) -> None:
-        """Refuse a map by which stars of the walks would become stars of none: all moments turn as one."""
+        """Refuse a map by which a star of the walks would become one of none: all moments turn as one."""
         ticks = len(capacities[0])
         first, last = self.order[0], source[self.order[0]]
         for start in range(self.rays) if last != first else [0]:
@@ -231,8 +231,8 @@ class Check:
         return False
 
     def turned(
-        self, form: Any, other: Any, source: list[int], sign: int, shift: list[int], start: int, turn: int,
-        mirror: int,
+        self, form: Any, other: Any, source: list[int], sign: int, shift: list[int], start: int,
+        turn: int, mirror: int,
     ) -> bool:  # fmt: skip
         """Tell whether all terms are those of the other form, turned by one angle."""
         by: Fraction | None = None
@@ -252,7 +252,7 @@ class Check:
                     return False
         return True
 
-    def node(self, star: list[int]) -> None:
+    def node(self, star: list[int]) -> None:  # noqa: PLR0912 - a letter each
         """Check a node by its letter, and what follows."""
         letter = next(self.letters, "")
         if letter == "x" and len(star) < self.pins:

@@ -131,7 +131,7 @@ def search_spec(
     compiled: bool | None = None,
     **question: Any,
 ) -> SearchSpec:
-    """Return a question with all that is asked of its stars, checked; arguments as for `search_cranks`."""
+    """Return a question and all that is asked of its stars, checked; arguments as of `search_cranks`."""
     problem = search_problem(cylinders, **question)
     balanced = read_after(after)
     conditions = read_conditions(require, limit)
@@ -237,7 +237,7 @@ def star_value(
     rays: tuple[int, ...],
     moments: Any,
 ) -> Magnitude:
-    """Return one quantity of one star: summed up anew, in the exact core, apart from the walk's tables."""
+    """Return one quantity of one star: summed up anew in the exact core, not from the walk's tables."""
     from fractions import Fraction
 
     from symbalance.exact.phasor import Phasor, amplitude_sum

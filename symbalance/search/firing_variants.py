@@ -52,7 +52,7 @@ class FiringVariants:
         return (stars[:, pins] * (self.ticks // self.problem.rays) + lags) % self.ticks
 
     def moments(self, stars: Array) -> Array:
-        """Return [star, variant, cylinder]: the tick of the cycle at which each fires, cylinder 1 at 0."""
+        """Return [star, variant, cylinder]: the tick of the cycle at which each fires, the first at 0."""
         centres = self.dead_centres(stars)
         if self.problem.is_any:
             return centres[:, None, :] + self._free_turns[None]

@@ -125,7 +125,7 @@ class Judge:
     variants: FiringVariants
     listed: int
     known: Array
-    """[star, minimized]: values of stars that are known already, in floats: what they beat is not wanted."""
+    """[star, minimized]: floats of stars that are known already: what they beat is not wanted."""
     found: Counts = field(default_factory=Counts)
     firings_found: int = 0
     exact_decisions: int = 0
@@ -158,7 +158,7 @@ class Judge:
         return bool(self._firing)
 
     def float_front(self) -> tuple[Array, int]:
-        """Return the points' values in floats, zeros exact, the last column the margin of a comparison."""
+        """Return the points' values in floats, zeros exact, and last the margin of a comparison."""
         if not self.minimized or self._firing:
             return np.zeros((1, len(self.minimized) + 1)), 0
         rows = self._beaters()

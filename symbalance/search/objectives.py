@@ -1,7 +1,7 @@
 """What a search asks of a crank: forces, couples, bending, bearing loads, torsional sums, firing.
 
-An objective of a star is the largest of some groups, each the sum of one or two sizes |sum of w_p zeta^...|
-over the pins (`Group`): both halves of a couple of a vee, every section of a crank that bends. One of a
+An objective of a star is the largest of some groups, each the sum of one or two sizes |sum of w_p
+zeta^...| over the pins: both halves of a couple of a vee, every section of a crank that bends. One of a
 firing order is such a sum over the moments of a cycle, or a count.
 
     force.n, couple.n   the largest over a turn, F_n and F_n a; the couple about the stations' mean

@@ -371,7 +371,7 @@ def search_problem(
     checked_strokes(strokes)
     count = checked_whole(cylinders, "cylinders", 1, MOST_CYLINDERS, "of one engine")
     axes = tuple(exact(bank, "banks", 3600) for bank in as_list(banks, "banks", "[-45, 45]"))
-    if not axes or len(set(axis % 360 for axis in axes)) < len(axes):
+    if not axes or len({axis % 360 for axis in axes}) < len(axes):
         raise SymbalanceError(
             f"banks = {brief(list(map(str, axes)))}", "must be different angles", "degrees"
         )
@@ -390,8 +390,9 @@ def search_problem(
     places = _stations(stations, count, len(axes))
     rows = [
         [
-            Seat(row * len(axes) + b + 1, axis / 360, places[row * len(axes) + b], offset / 360 if b else Fraction(0))
+            Seat(n + 1, axis / 360, places[n], offset / 360 if b else Fraction(0))
             for b, axis in enumerate(axes)
+            for n in (row * len(axes) + b,)
         ]
         for row in range(count // len(axes))
     ]  # fmt: skip

@@ -27,7 +27,7 @@ class SearchStar:
     """A crank with a firing order, the first of its class, and what was asked of it.
 
     `rays` holds the ray of each pin, `firing_order` is empty where cylinders may fire at any moments and
-    nothing depends on it; `firings` counts the firing orders that the star allows and that attain the same.
+    nothing depends on it; `firings` counts the firing orders of the star that attain the same.
     """
 
     problem: SearchProblem
@@ -108,7 +108,7 @@ class CrankSearch(SequenceResult[SearchStar]):
         return search_document(self)
 
     def drawing(self) -> Drawing | None:
-        """Return the front as a picture, one quantity against the other; None for fewer than two points."""
+        """Return the front as a picture, one quantity against another; None for fewer than two points."""
         from symbalance.search.search_document import front_drawing
 
         return front_drawing(self)

@@ -178,7 +178,7 @@ def test_vees_of_two_and_four_pairs() -> None:
         stars = set()
         for rest in product(range(rays), repeat=pins - 1):
             star = (0, *rest)
-            moments = [s for s in star] + [(s + lag) % rays for s in star]
+            moments = [*star, *((s + lag) % rays for s in star)]
             if all(moments.count(m) == each for m in range(rays)):
                 stars.add(star)
         result = search_cranks(count, strokes=strokes, banks=[-Fraction(bank, 2), Fraction(bank, 2)])
@@ -204,7 +204,8 @@ def test_an_inline_twelve_has_19_958_400_stars() -> None:
 
 def test_none_of_them_is_an_answer() -> None:
     result = search_cranks(5, require=["couple.1=0"])
-    assert result.found.stars == 0 and not result.points
+    assert result.found.stars == 0
+    assert not result.points
     assert "none of 12 stars, proved" in result.summary()
     assert "None of 12 stars meets this: proved." in sb.to_text(result)
 
@@ -336,8 +337,8 @@ def test_a_certificate_is_verified_and_a_wrong_one_is_not(tmp_path, question) ->
     wrong = {letter: letters.find(letter) for letter in "xcifs" if letter in letters[1:]}
     for letter, place in wrong.items():
         for other in "cifs":
-            if other != letter and not {letter, other} == {"c", "f"}:
-                if letter in "cf" and other == "i" or letter == "i" and other in "cf":
+            if other != letter and {letter, other} != {"c", "f"}:
+                if (letter in "cf" and other == "i") or (letter == "i" and other in "cf"):
                     continue  # both reasons may hold
                 data["walks"][0]["letters"] = letters[:place] + other + letters[place + 1 :]
                 path.write_text(json.dumps(data), encoding="utf-8")

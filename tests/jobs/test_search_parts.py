@@ -95,9 +95,10 @@ def test_after_a_break_only_the_rest_is_searched(tmp_path, monkeypatch, in_parts
         finished.append(part)
         return subtrees.search_part(part)
 
-    with monkeypatch.context() as patched, pytest.raises(KeyboardInterrupt):
+    with monkeypatch.context() as patched:
         patched.setattr(cranks_search, "search_part", interrupted)
-        search_cranks(**QUESTION, store=Store(tmp_path))
+        with pytest.raises(KeyboardInterrupt):
+            search_cranks(**QUESTION, store=Store(tmp_path))
     progress = Progress()
     again = search_cranks(**QUESTION, store=tmp_path, progress=progress)
     assert again.data() == expected
