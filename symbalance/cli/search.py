@@ -7,7 +7,7 @@ from pathlib import Path
 
 from symbalance.cli.budget import ENDLESS
 from symbalance.cli.long_work import long_work
-from symbalance.cli.options import add_full, add_jobs, add_output, command
+from symbalance.cli.options import add_jobs, add_output, command
 from symbalance.cli.outcomes import DONE
 from symbalance.cli.output import medium, show, whole_number, write, write_folder
 
@@ -69,7 +69,6 @@ def add(commands: argparse._SubParsersAction) -> None:
         "--keep", metavar="FOLDER", help="parts are kept there, and not searched again after a break"
     )
     add_jobs(parser, "parts of the search")
-    add_full(parser)
     add_output(parser)
 
 

@@ -33,7 +33,7 @@ def search_certificate(cylinders: object, **question: Any) -> str:
     """Return the certificate of a search with conditions, as JSON; arguments as for `search_cranks`.
 
     >>> len(json.loads(search_certificate(5, require=["couple.1=0"]))["walks"][0]["letters"])
-    7
+    6
     """
     spec = search_spec(cylinders, **question)
     named = {c.name for c in spec.conditions}

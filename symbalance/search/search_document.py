@@ -27,6 +27,8 @@ from symbalance.search.search_result import CrankSearch, SearchPoint, SearchStar
 
 MOST_ROWS = 20
 """Stars of one point that have a row of their own in a short document."""
+MOST_COLUMNS = 4
+"""Quantities of one table."""
 WIDTH, HEIGHT = 420.0, 300.0
 
 
@@ -34,7 +36,7 @@ def search_document(result: CrankSearch) -> Document:
     """Return counts, the front as a table and a picture, and what was cut by which bound."""
     blocks: list[Block] = [Facts(tuple(_asked(result)), "Asked"), _counts(result)]
     if result.points:
-        blocks.append(_front(result))
+        blocks += _front(result)
         more = sum(point.counts.classes for point in result.points) - len(result.items)
         if more:
             blocks.append(Paragraph(f"and {more:,} more classes that attain the same values"))
@@ -74,26 +76,38 @@ def _counts(result: CrankSearch) -> Table:
     return Table("Counts", columns, rows, topic="counts")
 
 
-def _front(result: CrankSearch) -> Table:
+def _front(result: CrankSearch) -> list[Block]:
+    """Return the stars as a table; more quantities than it has room for stand in further ones."""
     has_order = any(star.firing_order for star in result.items)
-    columns = (
-        Column("point"),
-        *map(Column, result.quantities),
-        Column("firing order" if has_order else "throws, degrees"),
-        Column("classes"),
-    )
-    rows: list[tuple[Cell, ...]] = []
-    for place, point in enumerate(result.points, 1):
-        for star in point.stars[:MOST_ROWS]:
-            rows.append(_row(place, point, star, result, has_order))
+    chunks = [
+        result.quantities[i : i + MOST_COLUMNS] for i in range(0, len(result.quantities), MOST_COLUMNS)
+    ]
     title = "The front" if result.minimized else "Stars"
-    return Table(title, columns, tuple(rows), topic="front")
+    tables: list[Block] = []
+    for place, names in enumerate(chunks):
+        about = (Column("firing order" if has_order else "throws, degrees"), Column("classes"))
+        columns = (Column("point"), *map(Column, names), *(() if place else about))
+        rows = tuple(
+            _row(order, point, star, names, has_order and not place, not place)
+            for order, point in enumerate(result.points, 1)
+            for star in point.stars[:MOST_ROWS]
+        )
+        heading = title if not place else f"{title}, {names[0]} and on"
+        tables.append(Table(heading, columns, rows, topic="front" if not place else f"front-{place + 1}"))
+    return tables
 
 
 def _row(
-    place: int, point: SearchPoint, star: SearchStar, result: CrankSearch, has_order: bool
+    place: int,
+    point: SearchPoint,
+    star: SearchStar,
+    names: tuple[str, ...],
+    has_order: bool,
+    has_about: bool,
 ) -> tuple[Cell, ...]:
-    values = (_value(star.values[name]) if name in star.values else "–" for name in result.quantities)
+    values = (_value(star.values[name]) if name in star.values else "–" for name in names)
+    if not has_about:
+        return (number(place), *values)
     name = star.as_text() if has_order else ", ".join(map(str, star.throws))
     first = star is point.stars[0]
     return (number(place), *values, name, f"{point.counts.classes:,}" if first else "")
