@@ -76,7 +76,7 @@ def search_cranks(
     spec = search_spec(cylinders, **asked, modes=modes, listed=listed, compiled=compiled, **question)
     problem, conditions, wanted = spec.problem, spec.conditions, spec.minimized
     balanced, shapes = read_after(after), read_modes(modes, problem.cylinders)
-    named = list(dict.fromkeys([*(c.name for c in conditions), *wanted]))
+    named = list(dict.fromkeys([*wanted, *(c.name for c in conditions)]))
     searched = count_all(problem, spec.symmetries)
     jobs = [
         Job(

@@ -37,7 +37,8 @@ def search_document(result: CrankSearch) -> Document:
     blocks: list[Block] = [Facts(tuple(_asked(result)), "Asked"), _counts(result)]
     if result.points:
         blocks += _front(result)
-        more = sum(point.counts.classes for point in result.points) - len(result.items)
+        rows = sum(min(len(point.stars), MOST_ROWS) for point in result.points)
+        more = sum(point.counts.classes for point in result.points) - rows
         if more:
             blocks.append(Paragraph(f"and {more:,} more classes that attain the same values"))
         drawing = front_drawing(result)
