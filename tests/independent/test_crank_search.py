@@ -347,3 +347,30 @@ def test_a_certificate_is_verified_and_a_wrong_one_is_not(tmp_path, question) ->
     data["symmetries"] = [[list(range(len(data["order"]))), 1, [0, *[1] * (len(data["order"]) - 1)]]]
     path.write_text(json.dumps(data), encoding="utf-8")
     assert checked(path).returncode == 1
+
+
+MARINE = {
+    "man-5s50mc-c": "again",
+    "man-6s50mc-c": "again",
+    "man-7s50mc-c": "again",
+    "man-8s50mc-c": "bettered",
+    "man-9s50mc-c": "bettered",
+    "wartsila-10rta96c": "bettered",
+    "wartsila-11rta96c": "again",
+    "wartsila-12rta96c": "again",
+}
+"""Whether the couples of the firing order that the maker publishes are on the front, or beaten by it."""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", MARINE)
+def test_published_firing_orders_of_marine_engines_are_on_the_front_or_bettered(name: str) -> None:
+    engine = sb.load(name)
+    couple = sb.balance(engine, 2).couple
+    own = [sum(float(couple.terms[k].size(30)) for k in (n, -n) if k in couple.terms) for n in (1, 2)]
+    result = search_cranks(len(engine.cylinders), strokes=2, minimize=["couple.1", "couple.2"])
+    points = [[float(p.stars[0].values[f"couple.{n}"].near) for n in (1, 2)] for p in result.points]
+    again = any(point == pytest.approx(own, abs=1e-9) for point in points)
+    better = any(all(x <= y + NEAR for x, y in zip(point, own, strict=True)) for point in points)
+    assert better
+    assert again == (MARINE[name] == "again")
