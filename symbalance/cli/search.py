@@ -94,13 +94,16 @@ def run(options: argparse.Namespace) -> int:
     from symbalance.jobs.store import Store
     from symbalance.search.cranks_search import search_cranks
 
+    certificate = None
+    if options.certificate is not None:  # first: it may be refused, and the search may take hours
+        from symbalance.search.certificate import search_certificate
+
+        certificate = search_certificate(cylinders, **question)
     store = None if options.keep is None else Store(Path(options.keep), "--keep")
     with long_work(options, store and store.folder) as means:
         result = search_cranks(cylinders, store=store, **question, **means)
-    if options.certificate is not None:
-        from symbalance.search.certificate import search_certificate
-
-        write(search_certificate(cylinders, **question), options.certificate, "json")
+    if certificate is not None:
+        write(certificate, options.certificate, "json")
     if options.engines is not None:
         from symbalance.cli.long_work import output_folder
         from symbalance.cli.outcomes import say
