@@ -18,8 +18,8 @@ to pins, where the engine's banks and stations allow it, and rays to rays: s'_q 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import accumulate, pairwise
@@ -75,6 +75,8 @@ class Symmetry:
     shift: tuple[int, ...]
     along: int = 1
     """-1 where front and rear change places."""
+    cylinders: tuple[int, ...] = ()
+    """The cylinder that comes to stand in the place of each, by number; empty where none is named."""
 
     def image(self, star: Sequence[int], rays: int) -> tuple[int, ...]:
         """Return the star that a star becomes."""
@@ -122,7 +124,8 @@ class SearchProblem:
         """How many evenly spaced rays there are."""
         if self.is_any:
             assert self.grid is not None
-            return int(360 / self.grid)
+            # Rays count from each pin's own bank, which need not be on the grid; `allowed` keeps to it.
+            return lcm((self.grid / 360).denominator, *(base.denominator for base in self.bases()))
         if self.intervals is None:
             return (Fraction(self.cycle, self.cylinders) % 1).denominator
         return lcm(*((gap / 360).denominator for gap in self.intervals))
@@ -195,9 +198,14 @@ class SearchProblem:
     @cached_property
     def symmetries(self) -> tuple[Symmetry, ...]:
         """The maps other than the identity that mirror images and views from the rear make of stars."""
+        return of_stars(self.cylinder_symmetries)
+
+    @cached_property
+    def cylinder_symmetries(self) -> tuple[Symmetry, ...]:
+        """The same, those apart that change stars alike and exchange other cylinders."""
         kinds = ((-1, 1), (-1, -1), (1, -1))
         makers = [one for turn, along in kinds for one in self._maps(turn, along)]
-        return _closed(makers, self.pin_count, self.rays)
+        return _closed(makers, self.pin_count, self.rays, self.cylinders)
 
     @cached_property
     def mirrors(self) -> tuple[Symmetry, ...]:
@@ -219,6 +227,7 @@ class SearchProblem:
         if len(seats) < self.pin_count:  # two cylinders at one place: which is which is not to be said
             return None
         source, added = [0] * self.pin_count, [Fraction(0)] * self.pin_count
+        cylinders = [0] * self.cylinders
         for p, pin in enumerate(self.seats):
             image = tuple(
                 Seat(s.number, (about + turn * s.bank) % 1, along * s.station, turn * s.offset)
@@ -228,18 +237,20 @@ class SearchProblem:
             if target is None:
                 return None
             source[target] = p
-            # Where the image's pin stands: its cylinder in the place of the target's first.
-            first = self.seats[target][0]
-            partner = next(
-                s for s in image if (s.bank - first.bank) % 1 == 0 and s.station == first.station
-            )
-            added[target] = partner.offset - first.offset
+            for place in self.seats[target]:
+                partner = next(
+                    s for s in image if (s.bank - place.bank) % 1 == 0 and s.station == place.station
+                )
+                cylinders[place.number - 1] = partner.number
+                if place is self.seats[target][0]:  # where the image's pin stands
+                    added[target] = partner.offset - place.offset
         bases = self.bases()
         raw = [turn * bases[p] + add for p, add in zip(source, added, strict=True)]
         shifts = [(bases[q] - raw[q] + raw[0]) * self.rays for q in range(self.pin_count)]
         if any(shift.denominator != 1 for shift in shifts):
             return None
-        return Symmetry(tuple(source), turn, tuple(int(shift) % self.rays for shift in shifts), along)
+        turned = tuple(int(shift) % self.rays for shift in shifts)
+        return Symmetry(tuple(source), turn, turned, along, tuple(cylinders))
 
     def _reversible(self) -> bool:
         """Tell whether the intervals are those of the engine that turns the other way."""
@@ -309,9 +320,19 @@ class SearchProblem:
         return f"{strokes} {shape}, {firing}{grid}"
 
 
-def _closed(makers: list[Symmetry], pins: int, rays: int) -> tuple[Symmetry, ...]:
+def of_stars(symmetries: Iterable[Symmetry]) -> tuple[Symmetry, ...]:
+    """Return what symmetries do to stars, each once, without those that change none."""
+    distinct = dict.fromkeys(replace(one, cylinders=()) for one in symmetries)
+    return tuple(
+        one
+        for one in distinct
+        if (one.source, one.sign, one.along) != (tuple(range(len(one.source))), 1, 1) or any(one.shift)
+    )
+
+
+def _closed(makers: list[Symmetry], pins: int, rays: int, cylinders: int) -> tuple[Symmetry, ...]:
     """Return maps and all that follow from one another, without the identity."""
-    identity = Symmetry(tuple(range(pins)), 1, (0,) * pins)
+    identity = Symmetry(tuple(range(pins)), 1, (0,) * pins, 1, tuple(range(1, cylinders + 1)))
     group = {identity: None}
     pending = [identity]
     while pending:
@@ -331,7 +352,8 @@ def _product(second: Symmetry, first: Symmetry, rays: int) -> Symmetry:
     base = first.shift[second.source[0]]
     pairs = zip(second.source, second.shift, strict=True)
     shift = tuple((second.sign * (first.shift[p] - base) + k) % rays for p, k in pairs)
-    return Symmetry(source, first.sign * second.sign, shift, first.along * second.along)
+    cylinders = tuple(first.cylinders[n - 1] for n in second.cylinders)
+    return Symmetry(source, first.sign * second.sign, shift, first.along * second.along, cylinders)
 
 
 def _degrees(value: Fraction) -> str:

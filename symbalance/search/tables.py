@@ -18,7 +18,7 @@ import numpy as np
 from symbalance.errors import SymbalanceError
 from symbalance.search.integer_ring import Array, IntegerRing
 from symbalance.search.objectives import Condition, Form, Objective
-from symbalance.search.problem import SearchProblem, Symmetry
+from symbalance.search.problem import SearchProblem, Symmetry, of_stars
 
 SLACK = 1e-10
 """Of the sum of a form's weights: nearer than that no float decides."""
@@ -145,17 +145,16 @@ def build_tables(
 
 
 def preserved_symmetries(problem: SearchProblem, objectives: Iterable[Objective]) -> tuple[Symmetry, ...]:
-    """Return the symmetries that change none of the objectives: mode shapes know front from rear."""
-    torsion = [o for o in objectives if o.kind == "torsion"]
-    forms = [form for o in torsion for group in o.groups for form in group]
+    """Return the symmetries that change none of the objectives: mode shapes know every cylinder."""
+    forms = [form for o in objectives if o.kind == "torsion" for group in o.groups for form in group]
 
-    def weights(form: Form, pin: int) -> list[Fraction]:
-        return sorted(form.weights[seat.number][0] for seat in problem.seats[pin])
+    def preserves(one: Symmetry, form: Form) -> bool:
+        # Cylinder by cylinder: the two of a pin may differ, and a mirror image exchanges them.
+        pairs = enumerate(one.cylinders, 1)
+        return all(form.weights[to][0] == form.weights[source][0] for to, source in pairs)
 
-    return tuple(
-        one
-        for one in problem.symmetries
-        if all(weights(f, q) == weights(f, p) for f in forms for q, p in enumerate(one.source))
+    return of_stars(
+        one for one in problem.cylinder_symmetries if all(preserves(one, form) for form in forms)
     )
 
 
