@@ -79,16 +79,16 @@ def interrupted(progress: Progress, store: Path | None, command: Any) -> str:
     return f"{finished}, kept in {store}; go on with: {shlex.join(command)}"
 
 
-def output_folder(output: str) -> Path:
-    """Return the folder of -o, made if need be: refused before the long work, not after it."""
+def output_folder(output: str, option: str = "--output") -> Path:
+    """Return the folder of an option, made if need be: refused before the long work, not after it."""
     folder = Path(output)
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as problem:
         rule = f"cannot be made ({problem.strerror})"
-        raise SymbalanceError(f"--output {output}", rule, "name a folder you may write to") from None
+        raise SymbalanceError(f"{option} {output}", rule, "name a folder you may write to") from None
     if not os.access(folder, os.W_OK):
-        raise SymbalanceError(f"--output {output}", "is write-protected", "name another folder")
+        raise SymbalanceError(f"{option} {output}", "is write-protected", "name another folder")
     return folder
 
 

@@ -10,6 +10,7 @@ from symbalance.cli.long_work import long_work
 from symbalance.cli.options import add_jobs, add_output, command
 from symbalance.cli.outcomes import DONE
 from symbalance.cli.output import medium, show, whole_number, write, write_folder
+from symbalance.errors import SymbalanceError
 
 
 def add(commands: argparse._SubParsersAction) -> None:
@@ -61,6 +62,11 @@ def add(commands: argparse._SubParsersAction) -> None:
         "--engines", metavar="FOLDER", help="write an engine file for each star that is named there"
     )
     parser.add_argument(
+        "--pages",
+        metavar="FOLDER",
+        help="write a page of each of these engines in motion, as `page` does",
+    )
+    parser.add_argument(
         "--certificate",
         metavar="FILE",
         help="write there why each branch ends, for symbalance/search/certificate_check.py to verify",
@@ -82,37 +88,59 @@ def run(options: argparse.Namespace) -> int:
         "intervals": options.intervals,
         "grid": options.grid,
         "stations": None if options.stations is None else _parts(options.stations),
-        "minimize": _parts(options.minimize or ""),
-        "require": _parts(options.require or ""),
-        "limit": _parts(options.limit or ""),
+        "minimize": _named("minimize", options.minimize),
+        "require": _named("require", options.require),
+        "limit": _named("limit", options.limit),
         "after": options.after,
         "modes": [_parts(mode) for mode in options.mode],
         "listed": whole_number(options.list, "list"),
     }
     cylinders = whole_number(options.cylinders, "cylinders")
 
+    from symbalance.cli.long_work import output_folder
+    from symbalance.cli.outcomes import say
     from symbalance.jobs.store import Store
-    from symbalance.search.cranks_search import search_cranks
+    from symbalance.search.cranks_search import expected_work, search_cranks
+
+    work = expected_work(cylinders, **question)
 
     certificate = None
     if options.certificate is not None:  # first: it may be refused, and the search may take hours
         from symbalance.search.certificate import search_certificate
 
         certificate = search_certificate(cylinders, **question)
+    folders = {  # before the search too
+        option: output_folder(folder, f"--{option}")
+        for option, folder in (("engines", options.engines), ("pages", options.pages))
+        if folder is not None
+    }
+    if work is not None:
+        say(f"symbalance: {work}")
     store = None if options.keep is None else Store(Path(options.keep), "--keep")
     with long_work(options, store and store.folder) as means:
         result = search_cranks(cylinders, store=store, **question, **means)
     if certificate is not None:
         write(certificate, options.certificate, "json")
-    if options.engines is not None:
-        from symbalance.cli.long_work import output_folder
-        from symbalance.cli.outcomes import say
+    if "engines" in folders:
         from symbalance.engine.engine_writing import engine_text
 
         files = {f"{star.engine.name}.toml": engine_text(star.engine) for star in result}
-        write_folder(output_folder(options.engines), files, say)
+        write_folder(folders["engines"], files, say)
+    if "pages" in folders:
+        from symbalance.pages.moving_page import page
+
+        files = {f"{star.engine.name}.html": page(star.engine).html for star in result}
+        write_folder(folders["pages"], files, say)
     show(result, options)
     return DONE
+
+
+def _named(option: str, text: str | None) -> list[str]:
+    """Return the names or conditions of an option; one that is empty is a slip, not a search of all."""
+    parts = _parts(text or "")
+    if text is not None and not parts:
+        raise SymbalanceError(f"--{option} {text!r}", "names nothing", "as couple.1, or leave it out")
+    return parts
 
 
 def _parts(text: str) -> list[str]:

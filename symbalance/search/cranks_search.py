@@ -37,6 +37,12 @@ MOST_LISTED = 100_000
 NOT_COMPILED = 20_000
 """Cranks up to which a question is walked in NumPy."""
 MOST_OBJECTIVES = 12
+A_SECOND = 3_000_000
+"""Cranks that one core walks without bounds, compiled; measured by `symbalance bench search`."""
+MOST_WITHOUT_BOUNDS = 10**15
+"""Four days of a thousand cores: where no bound can cut, more are refused."""
+MANY_CRANKS = 10**10
+"""An hour of one core: what more may take is said before it is begun."""
 
 
 def search_cranks(
@@ -154,9 +160,44 @@ def search_spec(
         preserved_symmetries(problem, objectives),
         checked_whole(listed, "listed", 1, MOST_LISTED, "classes named of each point"),
     )
+    cranks = count_all(problem, ()).cranks
+    if cranks > MOST_WITHOUT_BOUNDS and not spec.of_stars:
+        rule = (
+            f"is of {cranks:,} cranks, {_time(cranks)} of one core, and nothing asked can cut any short"
+        )
+        remedy = "take fewer cylinders, or --limit 'couple.1<=0.1' or such"
+        raise SymbalanceError(problem.words(), rule, remedy)
     if compiled is None:
-        compiled = count_all(problem, ()).cranks > NOT_COMPILED
+        compiled = cranks > NOT_COMPILED
     return replace(spec, compiled=compiled)
+
+
+def expected_work(cylinders: object, **asked: Any) -> str | None:
+    """Return in a line how long a large search may take, None for one of less than an hour.
+
+    Arguments as of `search_spec`. With bounds it may take far less, which nobody knows before.
+
+    >>> expected_work(6) is None
+    True
+    >>> expected_work(16, strokes=2, minimize=["couple.1"]).partition(";")[0]
+    '1,307,674,368,000 cranks to be walked: some 5 days of one core unless bounds cut'
+    """
+    spec = search_spec(cylinders, **asked)
+    cranks = count_all(spec.problem, ()).cranks
+    if cranks <= MANY_CRANKS:
+        return None
+    bounds = " unless bounds cut" if spec.of_stars else ""
+    means = "--jobs and --dask share the work, --keep FOLDER keeps what is finished"
+    return f"{cranks:,} cranks to be walked: {_time(cranks)} of one core{bounds}; {means}"
+
+
+def _time(cranks: int) -> str:
+    """Return how long one core takes to walk so many cranks without bounds, in words."""
+    days = cranks / A_SECOND / 86_400
+    amount, unit = (
+        (days * 24, "hours") if days < 4 else (days, "days") if days < 1000 else (days / 365, "years")
+    )
+    return f"some {float(f'{amount:.2g}'):,.0f} {unit}"
 
 
 class _Merged:

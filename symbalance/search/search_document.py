@@ -48,7 +48,9 @@ def search_document(result: CrankSearch) -> Document:
             picture = drawing_svg(drawing, standalone=True).partition("?>\n")[2]
             blocks.append(Figure("front.svg", picture, caption, drawing.shows))
     else:
-        blocks.append(Paragraph(f"None of {result.searched.stars:,} stars meets this: proved."))
+        nothing = "No crank fires so at all: " if not result.searched.stars else ""
+        words = f"{nothing}{'none' if nothing else 'None'} of {result.searched.stars:,} stars meets this: proved."
+        blocks.append(Paragraph(words))
     blocks.append(_walk(result))
     blocks.append(Facts(tuple(_legend(result)), "How to read it"))
     return Document(f"Search: {result.problem.words()}", tuple(blocks))

@@ -295,6 +295,8 @@ def test_both_walks_pass_the_same_nodes() -> None:
         ({"cylinders": 5, "modes": [[1, 2]]}, "must have 5"),
         ({"cylinders": 5, "after": "glue"}, "counterweights, or balance-shafts"),
         ({"cylinders": 5, "stations": [1, 2, 3]}, "must be 5 places"),
+        ({"cylinders": 24, "strokes": 2}, "some [0-9,]+ years of one core, and nothing asked can cut"),
+        ({"cylinders": 20, "strokes": 2, "minimize": ["adjacent"]}, "take fewer cylinders, or --limit"),
     ],
 )
 def test_a_bad_question_is_refused_in_one_line(question, line) -> None:

@@ -2,7 +2,8 @@
 
 An engine is a list of cylinders: bank, station, pin, and how far its crank pin is turned on. Every way to
 turn the pins is tried, every way to fire, and every quantity is worked out from the throws alone: forces
-from the two columns of an ellipse, bending from the reactions of a beam, torsion from the firings. Nothing
+from the two columns of an ellipse, bending from the reactions of a beam, torsion from the firings.
+Nothing
 is shared with the search: no rays, no order of pins, no integers of a ring, no group of symmetries.
 """
 
@@ -17,6 +18,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import symbalance as sb
 from symbalance.search import search_cranks
 
 Crank = tuple[Fraction, ...]
@@ -372,3 +374,21 @@ def test_counterweights_and_shafts_leave_what_they_leave() -> None:
             assert star.values["couple.1"].is_zero()
             size = case.shaking(star.throws, 2, True)
             assert float(star.values["couple.2"].near) == pytest.approx(size, abs=NEAR)
+
+
+@pytest.mark.parametrize(("name", "least"), [("in-line five", 8), ("boxer four", 1)])
+def test_counterweights_leave_what_a_design_with_them_leaves(name: str, least: int) -> None:
+    """The couple of every class after counterweights, against the design of its engine."""
+    question = {"in-line five": {"cylinders": 5}, "boxer four": CASES["boxer four"].question}[name]
+    asked: dict[str, Any] = {"limit": ["couple.1<=1000"], "listed": EVERY, "compiled": False}
+    stars = search_cranks(after="counterweights", **asked, **question).items
+    assert len(stars) >= least
+    for star in stars:
+        design = sb.design_balance(star.engine, [1], shafts=0)
+        remaining = design.remains.couple.terms
+        size = sum(float(remaining[n].size(30)) for n in (1, -1) if n in remaining)
+        assert float(star.values["couple.1"].near) == pytest.approx(size, abs=NEAR)
+        whole = sb.design_balance(star.engine, [1])
+        assert not {1, -1} & set(whole.remains.couple.terms)
+    for star in search_cranks(after=("balance-shafts", 1), **asked, **question).items:
+        assert star.values["couple.1"].is_zero()

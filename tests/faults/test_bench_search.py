@@ -1,0 +1,46 @@
+"""The bench of the search: its counts are those of the search, and a wrong answer of workers is no row."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from symbalance.bench import search as bench
+from symbalance.search import search_cranks
+
+SIX = search_cranks(6, strokes=2, compiled=False)
+
+
+def test_all_that_is_measured_is_there(monkeypatch) -> None:
+    """Small engines stand for those of 11 to 15 cylinders, in half a second each."""
+    asked: list[tuple[int, dict[str, Any]]] = []
+
+    def timed(count: int, **question: Any) -> tuple[Any, float]:
+        asked.append((count, question))
+        return search_cranks(6 if count < 14 else count - 8, strokes=2, compiled=False), 0.5
+
+    monkeypatch.setattr(bench, "_timed", timed)
+    monkeypatch.setattr(bench, "search_cranks", lambda *_, **__: None)
+    for quick, most in ((True, 11), (False, 12)):
+        asked.clear()
+        report = bench.report(quick)
+        titles = [title for title, _ in report.parts]
+        assert titles[0] == "One core"
+        assert titles[-1].startswith("On paper")
+        assert len(titles) == (2 if quick else 3)
+        assert [count for count, _ in asked][:3] == [most, 14, 15]
+        (stars, nodes), papers = report.parts[0][1], report.parts[-1][1]
+        assert f"{SIX.searched.stars:,}" in stars.name
+        assert not stars.is_met
+        assert not nodes.is_met
+        eighteen, twenty = papers
+        assert eighteen.seconds < twenty.seconds
+
+
+def test_an_answer_that_depends_on_the_workers_is_a_fault(monkeypatch) -> None:
+    wrong = replace(SIX, firings=SIX.firings + 1)
+    monkeypatch.setattr(bench, "_timed", lambda *_, **__: (wrong, 0.5))
+    with pytest.raises(AssertionError, match="depends on the workers"):
+        bench._shared(SIX, 0.5)
