@@ -48,9 +48,8 @@ def search_document(result: CrankSearch) -> Document:
             picture = drawing_svg(drawing, standalone=True).partition("?>\n")[2]
             blocks.append(Figure("front.svg", picture, caption, drawing.shows))
     else:
-        nothing = "No crank fires so at all: " if not result.searched.stars else ""
-        words = f"{nothing}{'none' if nothing else 'None'} of {result.searched.stars:,} stars meets this: proved."
-        blocks.append(Paragraph(words))
+        opening = "None" if result.searched.stars else "No crank fires so at all: none"
+        blocks.append(Paragraph(f"{opening} of {result.searched.stars:,} stars meets this: proved."))
     blocks.append(_walk(result))
     blocks.append(Facts(tuple(_legend(result)), "How to read it"))
     return Document(f"Search: {result.problem.words()}", tuple(blocks))

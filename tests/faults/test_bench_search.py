@@ -1,4 +1,4 @@
-"""The bench of the search: its counts are those of the search, and a wrong answer of workers is no row."""
+"""The bench of the search: its counts are those of the search, and workers that differ are a fault."""
 
 from __future__ import annotations
 

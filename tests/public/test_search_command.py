@@ -1,4 +1,4 @@
-"""`symbalance search`: files of the stars that are named, refusals before the search, work said beforehand."""
+"""`symbalance search`: files of the named stars, refusals before the search, long work said first."""
 
 from __future__ import annotations
 
