@@ -67,6 +67,9 @@ def add(commands: argparse._SubParsersAction) -> None:
         help="write a page of each of these engines in motion, as `page` does",
     )
     parser.add_argument(
+        "--ratio", metavar="λ", default="4", help="rod ratio l/r of the pages' engines; default: 4"
+    )
+    parser.add_argument(
         "--certificate",
         metavar="FILE",
         help="write there why each branch ends, for symbalance/search/certificate_check.py to verify",
@@ -114,6 +117,11 @@ def run(options: argparse.Namespace) -> int:
         for option, folder in (("engines", options.engines), ("pages", options.pages))
         if folder is not None
     }
+    if "pages" in folders:  # a bad ratio is refused before the search too
+        from symbalance.engine.cylinders import Cylinder
+        from symbalance.engine.engine import Engine
+
+        Engine([Cylinder(1)]).with_ratio(options.ratio)
     if work is not None:
         say(f"symbalance: {work}")
     store = None if options.keep is None else Store(Path(options.keep), "--keep")
@@ -129,7 +137,10 @@ def run(options: argparse.Namespace) -> int:
     if "pages" in folders:
         from symbalance.pages.moving_page import page
 
-        files = {f"{star.engine.name}.html": page(star.engine).html for star in result}
+        files = {
+            f"{star.engine.name}.html": page(star.engine.with_ratio(options.ratio)).html
+            for star in result
+        }
         write_folder(folders["pages"], files, say)
     show(result, options)
     return DONE

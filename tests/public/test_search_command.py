@@ -40,6 +40,15 @@ def test_a_folder_that_cannot_be_made_is_refused_before_the_search(
     assert "cannot be made" in error
 
 
+@pytest.mark.parametrize("ratio", ["x", "0", "-3", "1/2"])
+def test_a_rod_ratio_is_refused_before_the_search(ratio, tmp_path: Path, capsys, monkeypatch) -> None:
+    monkeypatch.setattr(cranks_search, "search_cranks", lambda *_, **__: pytest.fail("it searched"))
+    assert run([*FIVE, "--pages", str(tmp_path / "pages"), f"--ratio={ratio}"]) == 2
+    error = capsys.readouterr().err
+    assert error.count("\n") == 1
+    assert "ratio" in error
+
+
 @pytest.mark.parametrize("option", ["--minimize", "--require", "--limit"])
 def test_an_option_that_names_nothing_is_refused(option, capsys) -> None:
     assert run(["search", "--cylinders", "5", option, ","]) == 2
