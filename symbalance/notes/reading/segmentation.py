@@ -18,7 +18,7 @@ from symbalance.document.wordlists import word_set
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.lexer import Vocabulary, vocabulary
 from symbalance.notes.reading.prose import line_rules, segments, trim_segment
-from symbalance.notes.reading.signs import ENVIRONMENTS, RELATION
+from symbalance.notes.reading.signs import CELLS, ENVIRONMENTS, RELATION
 from symbalance.notes.reading.units import follows_number, scale_of, unit_set_at
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
@@ -318,6 +318,7 @@ def _without_comments(text: str) -> str:
 
 _NAMES = "|".join(sorted(ENVIRONMENTS | {"cases", "array", "dcases"}, key=len, reverse=True))
 _OPENER = re.compile(rf"\\\\|\\\$|\$\$|\$|\\\(|\\\[|\\begin\s*\{{((?:{_NAMES})\*?)\}}")
+_ENVIRONMENT_NAME = re.compile(r"\s*\{([A-Za-z]+)\*?\}")
 _COLUMNS = re.compile(r"\s*\{\s*[0-9]+\s*\}")
 _IN_BRACES = re.compile(r"\\[A-Za-z]+|\{[^{}]*\}")
 _WORD_OF_PROSE = re.compile(r"[A-Za-z]{4,}")
@@ -499,7 +500,7 @@ def _separate(text: str, start: int, end: int) -> list[tuple[int, int]]:
     depth, place = 0, start
     while match := _PIECE.search(text, place, end):
         sign, place = match.group(), match.end()
-        depth = max(depth + _BRACKETS.get(sign, 0), 0)
+        depth = max(depth + _BRACKETS.get(sign, 0) + _level_of_cells(text, sign, place), 0)
         if depth:
             continue
         if unit := _unit_at(text, start, match.start(), end):
@@ -512,6 +513,16 @@ def _separate(text: str, start: int, end: int) -> list[tuple[int, int]]:
             introduces = sign in _ARROWS and last[2] and not text[last[1] : match.start()].strip(" \t\n&")
             cuts.append((match.start(), match.end(), introduces))
     return _join_spans(text, start, end, cuts)
+
+
+def _level_of_cells(text: str, sign: str, place: int) -> int:
+    """Return 1 where a matrix or cases begin, -1 where they end: what parts cells cuts no equation."""
+    if sign not in ("\\begin", "\\end"):
+        return 0
+    match = _ENVIRONMENT_NAME.match(text, place)
+    if match is None or match.group(1) not in CELLS:
+        return 0
+    return 1 if sign == "\\begin" else -1
 
 
 def _unit_at(text: str, start: int, place: int, end: int) -> int:
