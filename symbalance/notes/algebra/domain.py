@@ -103,6 +103,10 @@ class Domain:
         generator = Generator("symbol", name, name in self.positive)
         return self._number(("symbol", name), generator)
 
+    def count(self, name: str) -> None:
+        """Take a letter for a whole number from here on: the index of a sum."""
+        self.integer |= {name}
+
     def is_integer(self, monomial: Monomial) -> bool:
         """Tell whether a monomial is a product of letters declared to be whole numbers."""
         return all(

@@ -30,7 +30,7 @@ from symbalance.document.formula import (
     Sum,
 )
 from symbalance.notes.reading.failures import ReadingError
-from symbalance.notes.reading.lexer import Token
+from symbalance.notes.reading.lexer import AT, Token
 
 if TYPE_CHECKING:
     from symbalance.notes.reading.parser import Parser
@@ -350,7 +350,7 @@ def read_indexed(parser: Parser, token: Token) -> Formula | None:
     """Read J_n(z) and δ_{mn} where these are no declared letters, the parser behind the name."""
     base, _, script = token.value.partition("_")
     span = (token.start, token.end)
-    if base == "J" and script and parser.at("open", "(", "["):
+    if base == "J" and script and parser.at("open", "(", "[", AT):
         index = _index(parser, script, span)
         return index and Apply(
             "besselj", (index, parser.group()), span=(token.start, parser.tokens[parser.place - 1].end)

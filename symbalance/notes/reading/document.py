@@ -376,7 +376,7 @@ class Draft:
             self._without_argument(0)
 
     def _without_argument(self, place: int) -> None:
-        """Read x(θ), all of the left side, as x, and x(0) as x at 0; x is so called on later sides too."""
+        """Read x(θ), all of the left side, as x, and x(0) as x at 0; on later sides too."""
         side = self.sides[place]
         if place in self.failures or not (parts := head_and_argument(side)):
             return

@@ -425,7 +425,8 @@ _TAG = re.compile(
     r"\s*(?:\\q?quad\s*)*[-–—−]?\s*\((?P<tag>[0-9A-Za-z.\-']{1,8})\))\s*$"
 )
 _TRAILING = re.compile(
-    r"(?:\s|[.,;。、&]|\\end\s*\{[A-Za-z]*\*?\}|\\[,;:! ]|\\q?quad|\\nonumber|\\notag"
+    rf"(?:\s|[.,;。、&]|\\end\s*\{{(?!(?:{'|'.join(CELLS)})\*?\}})[A-Za-z]*\*?\}}"
+    r"|\\[,;:! ]|\\q?quad|\\nonumber|\\notag"
     r"|\\label\s*\{[^{}]*\}|\\\\|\\hfill)$"
 )
 _BOXED = re.compile(r"\\(?:boxed|fbox|framebox)\s*\{")

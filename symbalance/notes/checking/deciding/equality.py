@@ -183,6 +183,8 @@ def _is_root(node: Formula) -> bool:
         parts = formula.children(node)
         roots = [part for part in parts if _is_root(part)]
         return bool(roots) and all(p in roots or isinstance(p, formula.Number) for p in parts)
+    if isinstance(node, formula.Power):
+        return _is_root(node.base)
     return isinstance(node, formula.Call) and node.function in ("sqrt", "abs")
 
 

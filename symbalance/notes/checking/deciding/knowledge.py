@@ -76,7 +76,8 @@ class Knowledge:
 
     def evaluator(self, level: Level) -> FormEvaluator:
         """Return an evaluator in a fresh domain for a level."""
-        meaning = replace(self.meaning, values=level.values)
+        known = {**{name: d.node for name, d in self.definitions.items()}, **self.meaning.values}
+        meaning = replace(self.meaning, values=level.values, known=known)
         return FormEvaluator(meaning.domain(), meaning)
 
     def knows(self, name: str) -> bool:

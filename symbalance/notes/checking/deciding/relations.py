@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import product
 from typing import Any
 
-from symbalance.document.formula import Formula, Name, names
+from symbalance.document.formula import Dots, Formula, Name, names, walk
 from symbalance.notes.algebra import values
+from symbalance.notes.algebra.construct_rules import may_fail
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.checking.deciding.branches import decide_branches, has_branches
 from symbalance.notes.checking.deciding.equality import (
     PROVED,
     REFUTED,
@@ -44,10 +47,27 @@ def decide(
 def decide_reading(
     left: Formula, right: Formula, sign: str, knowledge: Knowledge, through: int | None = None
 ) -> Decision:
-    """Decide left = right or left ≈ right."""
+    """Decide left = right or left ≈ right; what is refuted under an open premise is not decided."""
+    decision = _decide_reading(left, right, sign, knowledge, through)
+    if decision.status == REFUTED and decision.left is not None:
+        open_premises = [text for text in decision.left.domain.assumptions if may_fail(text)]
+        if open_premises:
+            return replace(decision, status=UNDECIDED, reason=f"differs if {open_premises[0]}; say so")
+    return decision
+
+
+def _decide_reading(
+    left: Formula, right: Formula, sign: str, knowledge: Knowledge, through: int | None
+) -> Decision:
+    if has_branches(left, right, knowledge):
+
+        def decide_branch(one: Formula, other: Formula, known: Knowledge) -> Decision:
+            return decide_reading(one, other, sign, known, through)
+
+        return decide_branches(left, right, knowledge, decide_branch)
     by_steps = decide_by_induction(left, right, knowledge)
     if by_steps is not None:
-        return by_steps
+        return by_steps if by_steps.is_proved else _by_closed_form(left, right, knowledge) or by_steps
     (bare_left, left_is_cut), (bare_right, right_is_cut) = without_dots(left), without_dots(right)
     if sign == "≈" or left_is_cut or right_is_cut or through is not None:
         return decide_agreement(
@@ -57,6 +77,15 @@ def decide_reading(
     if decision.status == REFUTED and _is_cut_off(left, decision, knowledge):
         return decide_agreement(left, right, knowledge)
     return decision
+
+
+def _by_closed_form(left: Formula, right: Formula, knowledge: Knowledge) -> Decision | None:
+    """Decide by the closed form of sums whose bounds are whole numbers; None without one."""
+    parts = [part for node in (left, right) for part in walk(node)]
+    if any(isinstance(part, Dots) for part in parts):
+        return None
+    decision = decide_equality(left, right, knowledge)
+    return None if decision.left is None else decision
 
 
 def _is_cut_off(node: Formula, decision: Decision, knowledge: Knowledge) -> bool:
