@@ -12,6 +12,7 @@ from symbalance.notes.algebra.construct_rules import RULES, summed_in_letters
 from symbalance.notes.algebra.derivatives import differentiate
 from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
 from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.matrix_letters import Kinds
 from symbalance.notes.algebra.polynomials import MOST_WORK
 from symbalance.notes.algebra.roots import root, unit
 
@@ -40,6 +41,8 @@ class SymbolValue:
     """Letters that change with no other: sizes, speeds, what is declared constant."""
     complex: frozenset[str] = frozenset()
     """Letters that are not real: each is x + iy of two letters of its own."""
+    kinds: Kinds = field(default_factory=Kinds)
+    """Which letters are matrices and vectors."""
     known: Mapping[str, formula.Formula] = field(default_factory=dict)
     """All values there are, those too that `values` leaves out: what a letter may change with."""
 

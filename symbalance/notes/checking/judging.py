@@ -13,7 +13,8 @@ from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import assertions, constraints
 from symbalance.notes.checking.deciding.cases import decide_numeric_case, decide_with_ratio, states_a_case
 from symbalance.notes.checking.deciding.equality import Decision
-from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
+from symbalance.notes.checking.deciding.knowledge import Assumption, Definition, Knowledge
+from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices, matrix_constraint
 from symbalance.notes.checking.deciding.relations import decide, decide_inequality
 from symbalance.notes.checking.definitions import Definitions
 from symbalance.notes.checking.descriptions import (
@@ -43,6 +44,8 @@ UNIVERSAL = (
     "crank ratio r/l",
     "integer",
 )
+CLAUSES = 15
+"""Lines below an equation in matrices that may still say what its letters are."""
 PAGE = Budget(600, 4000)
 """What a whole document may take, where nobody says otherwise."""
 RELATIONS, IN_MEMORY = 60, 4
@@ -215,7 +218,7 @@ class Judge:
 
     def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on the k-th relation of a chain."""
-        knowledge = self.knowledge(chain.lines[0])
+        knowledge = self._with_clauses_below(chain, self.knowledge(chain.lines[0]))
         relation = chain.relations[k]
         left, right = chain.sides[k], chain.sides[k + 1]
         if relation.sign in ("<", ">", "≤", "≥", "≠"):
@@ -235,10 +238,10 @@ class Judge:
         if has_value and (relation.sign == "≈" or not decision.is_proved):
             decision, against = decide(chain.sides[0], right, "≈", knowledge), chain.sides[0]
         if decision.status in (REFUTED, UNDECIDED):
-            constraint = constraints.constraint_of(chain, k, self.definitions.letters_in_use, knowledge)
-            if constraint is not None:
-                self.definitions.define(constraint.name, constraint.node, chain.lines[0])
-                reason = f"read as what fixes {constraint.name}"
+            stated = self._stated(chain, k, knowledge)
+            if stated is not None:
+                self.definitions.define(*stated, chain.lines[0])
+                reason = f"read as what fixes {stated[0]}"
                 return describe(self.document, chain, k, Decision(DEFINITION, reason))
         if decision.status == REFUTED:
             case = decide_numeric_case(chain, k, decision, knowledge)
@@ -254,6 +257,34 @@ class Judge:
         return self.add_fix(
             describe(self.document, chain, k, decision), chain, k, against, decision, knowledge
         )
+
+    def _stated(self, chain: Chain, k: int, knowledge: Knowledge) -> tuple[str, Formula] | None:
+        """Return the letter that a relation which is no step fixes, and its value."""
+        left, right = chain.sides[k].node, chain.sides[k + 1].node
+        if is_of_matrices(left, right, knowledge):
+            return matrix_constraint(left, right, self.definitions.letters_in_use, knowledge)
+        constraint = constraints.constraint_of(chain, k, self.definitions.letters_in_use, knowledge)
+        return None if constraint is None else (constraint.name, constraint.node)
+
+    def _with_clauses_below(self, chain: Chain, knowledge: Knowledge) -> Knowledge:
+        """Return what is known with the new letters that the lines right below a relation explain.
+
+        An equation in matrices stands first as a rule, what its letters are after it: "here M̃ = ΦᵗMΦ".
+        """
+        if not any(is_of_matrices(side.node, side.node, knowledge) for side in chain.sides):
+            return knowledge
+        last = chain.lines[-1]
+        own = {name for side in chain.sides for name in names(side.node)}
+        clauses = dict(knowledge.definitions)
+        for other in self.document.chains:
+            head = other.sides[0].node
+            is_below = last < other.lines[0] <= last + CLAUSES and bool(other.relations)
+            if not is_below or not isinstance(head, Name) or other.relations[0].sign != "=":
+                continue
+            is_new = head.name in own and not knowledge.knows(head.name)
+            if is_new and head.name not in clauses and head.name not in names(other.sides[1].node):
+                clauses[head.name] = Definition(other.sides[1].node, other.lines[0])
+        return replace(knowledge, definitions=clauses)
 
     def add_fix(
         self, verdict: Verdict, chain: Chain, k: int, left: Side, decision: Decision, knowledge: Knowledge

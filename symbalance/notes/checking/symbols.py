@@ -19,6 +19,7 @@ from symbalance.document.formula import (
     Sum,
 )
 from symbalance.notes.algebra.evaluation import SymbolValue
+from symbalance.notes.algebra.matrix_letters import kinds_of
 from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.checking.engines import Engines, NoEngines
 from symbalance.notes.checking.geometry import Geometry, geometry, two
@@ -102,7 +103,14 @@ def meaning_of(
     constant |= {n for n, text in symbols.items() if CONSTANT_WORD.search(text.lower())}
     not_real = frozenset(letters.get("complex", ()))
     return SymbolValue(
-        values, rates, frozenset(positive), integer, ranges, frozenset(constant - {crank.time}), not_real
+        values,
+        rates,
+        frozenset(positive),
+        integer,
+        ranges,
+        frozenset(constant - {crank.time}),
+        not_real,
+        kinds_of(symbols),
     ), crank
 
 

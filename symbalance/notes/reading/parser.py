@@ -504,11 +504,12 @@ class Parser:
         if token.value == "e" and "e" not in self.names and following and following.kind == "sup":
             return self._exponential()
         self.take()
-        if (
-            token.value not in self.names
-            and (indexed := constructs.read_indexed(self, token)) is not None
-        ):
+        indexed = None if token.value in self.names else constructs.read_indexed(self, token)
+        if indexed is not None:
             return indexed
+        is_difference = token.value in ("Delta", "delta") and token.value not in self.names
+        if is_difference and self.at("cmd", *ACCENTS):
+            return self._accented_difference(token)
         letter = self.letter(token.value, (token.start, token.end))
         if isinstance(letter, Name):
             return constructs.read_place(self, letter, self.place - 1) or letter
@@ -610,6 +611,12 @@ class Parser:
             name = bare
             self.note(f"vector {bare} read as {bare}")
         return self.letter(name, self.span_since(first))
+
+    def _accented_difference(self, token: Token) -> Formula:
+        """Read \\Delta \\tilde{K}, one letter as ΔK is."""
+        accent = ACCENTS[self.take().value]
+        name = f"{token.value}_{accent}_{self._bare_name()}"
+        return self.letter(name, (token.start, self.tokens[self.place - 1].end))
 
     def _bare_name(self) -> str:
         """Read the letter under an accent and the subscript that follows the accent."""

@@ -22,6 +22,7 @@ from symbalance.notes.checking.deciding.equality import (
 )
 from symbalance.notes.checking.deciding.induction import decide_by_induction
 from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.matrix_relations import decide_matrices, is_of_matrices
 from symbalance.notes.checking.deciding.order_agreement import decide_agreement, degree
 from symbalance.notes.checking.verdicts import DEFINITION
 from symbalance.notes.reading.equations import Chain, Side
@@ -59,6 +60,8 @@ def decide_reading(
 def _decide_reading(
     left: Formula, right: Formula, sign: str, knowledge: Knowledge, through: int | None
 ) -> Decision:
+    if is_of_matrices(left, right, knowledge):
+        return decide_matrices(left, right, sign, knowledge)
     if has_branches(left, right, knowledge):
 
         def decide_branch(one: Formula, other: Formula, known: Knowledge) -> Decision:
