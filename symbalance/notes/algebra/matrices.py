@@ -97,7 +97,13 @@ class MatrixEvaluator:
     def value(self, node: Formula) -> Value:
         """Return the value of a formula; what is no matrix is a form."""
         rule = self._rules.get(type(node))
-        return self.evaluator.form(node) if rule is None else rule(node)
+        return self._scalar(node) if rule is None else rule(node)
+
+    def _scalar(self, node: Formula) -> Form:
+        """Return the form of a formula without matrices; a function of one has none here."""
+        if holds_matrices(node, self.kinds):
+            raise NoFormError("a function of a matrix")
+        return self.evaluator.form(node)
 
     def _product(self, node: formula.Product) -> Value:
         total = self.value(node.factors[0])
@@ -110,7 +116,7 @@ class MatrixEvaluator:
             return self.transposed(self.value(node.arguments[0]))
         if node.function == "det":
             return self.determinant(self.value(node.arguments[0]))
-        return self.evaluator.form(node)
+        return self._scalar(node)
 
     def number(self, value: int | Fraction) -> Form:
         """Return a rational as a form."""
@@ -132,7 +138,7 @@ class MatrixEvaluator:
     def _summation(self, node: formula.Summation) -> Value:
         """Return a sum of vectors: what it was set equal to, or a vector of its own."""
         if not any(name in self.kinds.letters for name in formula.names(node.body)):
-            return self.evaluator.form(node)
+            return self._scalar(node)
         name = sum_name(node)
         known = self.evaluator.meaning.values.get(name)
         return self.value(known) if known is not None else Words({(Factor(name),): self.number(1)})
@@ -285,7 +291,7 @@ class MatrixEvaluator:
     def _power(self, node: formula.Power) -> Value:
         base = self.value(node.base)
         if isinstance(base, Form):
-            return self.evaluator.form(node)
+            return self._power_of_number(node, base)
         exponent = node.exponent
         if isinstance(exponent, Name) and exponent.name in TRANSPOSE_LETTERS:
             return self.transposed(base)
@@ -298,6 +304,15 @@ class MatrixEvaluator:
         for _ in range(int(power) - 1):
             total = self.times(total, base)
         return total if power else self.number(1)
+
+    def _power_of_number(self, node: formula.Power, base: Form) -> Form:
+        """Return a power of a scalar, of a determinant or of vᵗw a whole one."""
+        if not holds_matrices(node, self.kinds):
+            return self.evaluator.form(node)
+        exponent = self._scalar(node.exponent).rational()
+        if exponent is None or exponent.denominator != 1:
+            raise NoFormError("a power of a determinant that is no whole number")
+        return base.raised(int(exponent))
 
     def _quotient(self, above: Value, below: Value) -> Value:
         if not isinstance(below, Form):
@@ -363,7 +378,7 @@ class MatrixEvaluator:
     def _derivative(self, node: formula.Derivative) -> Value:
         inner = self.value(node.expression)
         if isinstance(inner, Form):
-            return self.evaluator.form(node)
+            return self._scalar(node)
         if node.variable.name != "t" or isinstance(inner, Literal):
             raise NoFormError("a derivative of a matrix")
         for _ in range(node.order):

@@ -69,6 +69,8 @@ class Definitions:
         if pair is None or knowledge.assumes(pair[0]):
             return None
         name, value = pair
+        if name in knowledge.meaning.kinds.identities:
+            return None
         line = chain.lines[0]
         if name in knowledge.meaning.values:
             return self._define_size(name, value, line, knowledge)

@@ -14,7 +14,11 @@ from symbalance.notes.checking import assertions, constraints
 from symbalance.notes.checking.deciding.cases import decide_numeric_case, decide_with_ratio, states_a_case
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Assumption, Definition, Knowledge
-from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices, matrix_constraint
+from symbalance.notes.checking.deciding.matrix_relations import (
+    is_of_matrices,
+    matrix_constraint,
+    meaningless,
+)
 from symbalance.notes.checking.deciding.relations import decide, decide_inequality
 from symbalance.notes.checking.definitions import Definitions
 from symbalance.notes.checking.descriptions import (
@@ -144,6 +148,7 @@ class Judge:
             letters_declared,
             moving,
             angles,
+            symbols,
             universal,
         )
 
@@ -223,6 +228,9 @@ class Judge:
         left, right = chain.sides[k], chain.sides[k + 1]
         if relation.sign in ("<", ">", "≤", "≥", "≠"):
             return describe(self.document, chain, k, decide_inequality(chain, k, knowledge))
+        fault = meaningless(left.node, right.node, knowledge)
+        if fault:
+            return describe(self.document, chain, k, Decision(UNDECIDED, fault))
         definition = self.definitions.define_by(chain, k, knowledge)
         if definition is not None:
             return describe(self.document, chain, k, definition)

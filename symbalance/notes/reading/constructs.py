@@ -391,6 +391,17 @@ def read_binomial(parser: Parser) -> Formula:
     return Apply("binomial", (upper, lower), span=parser.span_since(first))
 
 
+def read_determinant(parser: Parser) -> Formula:
+    """Read \\det A, \\det(A B)."""
+    first = parser.place
+    parser.take()
+    if not parser.starts_factor():
+        raise parser.unexpected_token()
+    with parser.nested():
+        inside = parser.factor()
+    return Apply("det", (inside,), span=parser.span_since(first))
+
+
 def read_conjugate(parser: Parser) -> Formula | None:
     """Read \\overline{a b} over more than one letter: the complex conjugate; None for a letter."""
     opener, inside, after = parser.peek(1), parser.peek(2), parser.peek(3)

@@ -335,7 +335,7 @@ class Lexer:
             return True
         word = self.text[self.place : self.place + 3]
         after = self.text[self.place + 3 : min(self.place + 4, self.end)]
-        is_construct = word in ("lim", "max", "min") and after in ("_", "(", " ", "\\") and after
+        is_construct = word in ("lim", "max", "min", "det") and after in ("_", "(", " ", "\\") and after
         if is_construct and word not in names and not all(sign in names for sign in word):
             self._add("cmd", word, self.place + 3)
             return True

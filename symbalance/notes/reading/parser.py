@@ -53,7 +53,7 @@ MOST_SLASHES = 20
 HIGHEST_DERIVATIVE = 20
 _INDICES = ("i", "j", "k", "n", "N")
 _INVERSE = {"sin": "asin", "cos": "acos", "tan": "atan"}
-_WITH_BOUNDS = ("int", "oint", "prod", "lim", "max", "min")
+_WITH_BOUNDS = ("int", "oint", "prod", "lim", "max", "min", "det")
 _STARTS = frozenset({"number", "name", "function", "vulgar"})
 
 
@@ -536,7 +536,7 @@ class Parser:
             "int": constructs.read_integral, "oint": constructs.read_integral,
             "prod": constructs.read_product_sign, "lim": constructs.read_limit,
             "max": constructs.read_extremum, "min": constructs.read_extremum,
-            "binom": constructs.read_binomial,
+            "binom": constructs.read_binomial, "det": constructs.read_determinant,
         }  # fmt: skip
         if token.value in bounded:
             return bounded[token.value](self)

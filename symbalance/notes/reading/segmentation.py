@@ -429,6 +429,7 @@ _TRAILING = re.compile(
     r"|\\[,;:! ]|\\q?quad|\\nonumber|\\notag"
     r"|\\label\s*\{[^{}]*\}|\\\\|\\hfill)$"
 )
+_END_OF_ROWS = re.compile(rf"\\end\s*\{{(?!(?:{'|'.join(CELLS)})\*?\}})[A-Za-z]+\*?\}}$")
 _BOXED = re.compile(r"\\(?:boxed|fbox|framebox)\s*\{")
 _ALIGNED = word_set("align aligned alignat alignedat flalign")
 _BRACKETS = {"{": 1, "(": 1, "[": 1, "}": -1, ")": -1, "]": -1}
@@ -593,8 +594,13 @@ def without_tag(text: str, start: int, end: int) -> tuple[int, str]:
     >>> without_tag(r"a = b \\quad - (1)", 0, 17)
     (6, '1')
     """
-    while start < end and text[end - 1] in " \t\n,.;" and text[max(start, end - 3) : end] != "...":
-        end -= 1
+    while start < end:
+        if text[end - 1] in " \t\n,.;" and text[max(start, end - 3) : end] != "...":
+            end -= 1
+        elif match := _END_OF_ROWS.search(text[max(start, end - 40) : end]):
+            end -= len(match.group())  # a number may stand before \\end{aligned}
+        else:
+            break
     offset = max(start, end - 120)
     match = _TAG.search(text[offset:end])
     if not match:

@@ -53,7 +53,7 @@ WITH_BOUNDS = {
 
 CONSTRUCTS = {
     **WITH_BOUNDS, **dict.fromkeys(words("binom dbinom tbinom"), "binom"), "top": "top",
-    "intercal": "top",
+    "intercal": "top", "det": "det",
 }  # fmt: skip
 """Commands of constructs that `constructs` reads."""
 

@@ -48,6 +48,8 @@ class Knowledge:
     moving: frozenset[str] = frozenset()
     """Letters whose meaning is a motion or a force: left alone where a step holds without."""
     angles: frozenset[str] = frozenset()
+    meanings: Mapping[str, str] = field(default_factory=dict)
+    """What the letters are declared to be, in words."""
     universal: frozenset[str] = frozenset()
     """Letters that stay free although a line gives them a number: crank angle, rod angle, time."""
 

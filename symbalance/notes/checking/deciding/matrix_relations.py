@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from symbalance.document import formula
-from symbalance.document.formula import Formula, Name
+from symbalance.document.formula import Equation, Formula, Name
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
@@ -249,6 +249,8 @@ def matrix_constraint(
             return sum_name(side), other
     if isinstance(left, formula.Summation) or isinstance(right, formula.Summation):
         return None
+    if right == formula.number(0) and _is_of_a_vector(left, knowledge):
+        return formula_text(left, plain=True), right
     terms = right.terms if isinstance(right, formula.Sum) else (right,)
     for term in reversed(terms):
         if isinstance(term, Name) and _is_new(term.name, left, right, letters_in_use, knowledge):
@@ -264,6 +266,54 @@ def _is_new(
         isinstance(p, Name) and p.name == name for side in (left, right) for p in formula.walk(side)
     )
     return count == 1 and name not in letters_in_use and not knowledge.has_meaning(name)
+
+
+def _is_of_a_vector(left: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether all terms end in vectors without a value: (K - ω²M) φ = 0 is solved for φ."""
+    level = list(knowledge.levels(left))[-1]
+    try:
+        value = MatrixEvaluator(knowledge.evaluator(level), knowledge.meaning.kinds).value(left)
+    except (NoFormError, TooLargeError):
+        return False
+    vectors = knowledge.meaning.kinds.vectors
+    return isinstance(value, Words) and all(word and word[-1].name in vectors for word in value.terms)
+
+
+def meaningless(left: Formula, right: Formula, knowledge: Knowledge) -> str:
+    """Return why a relation between matrices can be none: A + 1, F = K; "" where it may be one."""
+    if not is_of_matrices(left, right, knowledge):
+        return ""
+    evaluator = MatrixEvaluator(knowledge.evaluator(Level({})), knowledge.meaning.kinds)
+    try:
+        sides = [evaluator.value(side) for side in (left, right)]
+    except NoFormError as problem:
+        return str(problem)
+    except TooLargeError:
+        return ""
+    numbers, shapes = Numbers(evaluator.kinds, random.Random("sizes")), set()
+    for side in sides:
+        terms = side.terms if isinstance(side, Words) else {}
+        if any(factor.name not in evaluator.kinds.letters for word in terms for factor in word):
+            return ""  # a sum of vectors, a row of columns: of no known size
+        try:
+            rows = numbers.of([(word, 1) for word in terms])
+        except ShapeError:
+            return "sizes of matrices and vectors that do not fit"
+        shapes |= {(len(rows), len(rows[0]))} if rows else set()
+    return "a vector set equal to a matrix" if len(shapes) > 1 else ""
+
+
+def decide_published(left: Formula, right: Formula, equation: Equation, knowledge: Knowledge) -> Decision:
+    """Decide whether an equation of columns is the one that somebody who knows engines hands in."""
+    level = list(knowledge.levels(left, right))[-1]
+    evaluator = MatrixEvaluator(knowledge.evaluator(level), knowledge.meaning.kinds)
+    try:
+        sides = [evaluator.value(side) for side in (left, right, equation.left, equation.links[0][1])]
+        minus = evaluator.number(-1)
+        gaps = [evaluator.plus(one, evaluator.scaled(two, minus)) for one, two in (sides[:2], sides[2:])]
+        return _compare(gaps[0], gaps[1], evaluator, level)
+    except (NoFormError, TooLargeError) as problem:
+        return Decision(UNDECIDED, f"not compared: {problem}", level=level)
 
 
 def _new_entry(
