@@ -438,8 +438,9 @@ def read_raised_mark(parser: Parser, node: Formula, first: int) -> Formula | Non
 
 
 def bracketed(parser: Parser, inside: Formula, opener: Token, first: int) -> Formula:
-    """Return what a bracket holds, a row (a_1 … a_N) or (U V W) as one, a matrix between bars as its
-    determinant. The bracket's own tokens tell a row from a sum and from a product.
+    """Return what a bracket holds, a row (a_1 … a_N) as one, a matrix between bars as its determinant.
+
+    The bracket's own tokens tell a row from a sum: no sign stands among them.
     """
     tokens = parser.tokens[first + 1 : parser.place - 1]
     if opener.value == "|" and isinstance(inside, Matrix):
@@ -449,9 +450,6 @@ def bracketed(parser: Parser, inside: Formula, opener: Token, first: int) -> For
     is_sum = isinstance(inside, Sum) and any(isinstance(term, Dots) for term in inside.terms)
     if is_sum and isinstance(inside, Sum) and not any(token.is_op("+-±∓") for token in tokens):
         return Matrix((inside.terms,), span=inside.span)
-    is_apart = len(tokens) > 1 and all(t.kind == "name" and t.spaced for t in tokens[1:])
-    if is_apart and isinstance(inside, Product) and len(tokens) == len(inside.factors):
-        return Matrix((inside.factors,), span=inside.span)
     return inside
 
 
