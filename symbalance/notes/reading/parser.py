@@ -847,9 +847,13 @@ class Parser:
     def _variable_below(self) -> Name:
         """Read the letter under the bar; time needs no declaration."""
         token = self.current
-        if token is not None and token.kind == "name" and token.value == "t":
+        if token is not None and token.kind == "name":
             self.take()
-            return Name("t", span=(token.start, token.end))
+            span = (token.start, token.end)
+            letter = Name("t", span=span) if token.value == "t" else self.letter(token.value, span)
+            if isinstance(letter, Name):
+                return letter
+            self.place -= 1
         place = self.offset
         variable = self.atom()
         if not isinstance(variable, Name):
