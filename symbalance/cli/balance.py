@@ -19,7 +19,6 @@ from symbalance.cli.long_work import STORE, long_work, output_folder, report_pat
 from symbalance.cli.options import (
     ENGINE,
     add_bank,
-    add_full,
     add_jobs,
     add_operating_point,
     add_output,
@@ -69,7 +68,6 @@ def add(commands: argparse._SubParsersAction) -> None:
     add_bank(parser)
     add_comparison(parser)
     add_operating_point(parser)
-    add_full(parser)
     add_jobs(parser, "engines")
     add_output(parser)
 

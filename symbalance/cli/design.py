@@ -6,7 +6,7 @@ import argparse
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from symbalance.cli.options import ENGINE, add_full, add_operating_point, add_output, command, engine_of
+from symbalance.cli.options import ENGINE, add_operating_point, add_output, command, engine_of
 from symbalance.cli.output import content_of, medium, whole_number, write, write_all
 from symbalance.errors import SymbalanceError
 
@@ -66,7 +66,6 @@ def add(commands: argparse._SubParsersAction) -> None:
         "--density", metavar="KG/M3", help="of the segments; default: 7850, a crankshaft's steel"
     )
     add_operating_point(parser, "N")
-    add_full(parser)
     add_output(parser)
     parser.add_argument("--write", metavar="FILE", help="write the balanced engine to FILE.toml")
     parser.add_argument("--picture", metavar="FILE", help="draw the ellipses to FILE.png or FILE.pdf")

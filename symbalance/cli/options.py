@@ -52,11 +52,15 @@ def command(
     return parser
 
 
-def add_output(parser: argparse.ArgumentParser, what: str = "FILE") -> None:
+def add_output(parser: argparse.ArgumentParser, what: str = "FILE", *, full: bool = True) -> None:
     """Add the options of the medium a result is shown in, and of where it goes; see `output.show`.
 
-    Where `what` is no FILE, the command adds its own -o.
+    Where `what` is no FILE, the command adds its own -o. With `full` comes the option that shows what a
+    short document leaves out and names.
     """
+    if full and what == "FILE":
+        help_ = "text, latex: all exact forms and tables, those that few readers need too"
+        parser.add_argument("--full", action="store_true", help=help_)
     default = "what the ending of -o says (.tex, .html, .md, .json, .csv, .xlsx), else text"
     parser.add_argument(
         "--format",
@@ -74,12 +78,6 @@ def add_output(parser: argparse.ArgumentParser, what: str = "FILE") -> None:
     if what == "FILE":
         help_ = "write to FILE instead of the terminal; - is the terminal"
         parser.add_argument("-o", "--output", metavar="FILE", help=help_)
-
-
-def add_full(parser: argparse.ArgumentParser) -> None:
-    """Add the option that shows what a short document names in its last line."""
-    help_ = "text, latex: all tables, those that few readers need too"
-    parser.add_argument("--full", action="store_true", help=help_)
 
 
 def add_trust(parser: argparse.ArgumentParser, what: str) -> None:
