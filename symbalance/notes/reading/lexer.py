@@ -196,6 +196,8 @@ class Lexer:
     def _rare_sign(self, sign: str) -> None:
         """Add the token of a sign that is none of the usual ones."""
         simple = {"^": "sup", "|": "bar", ",": "sep", ";": "sep", "!": "postfix"}
+        if sign == "!" and self.tokens and self.tokens[-1].kind == "postfix":
+            raise ReadingError(self.place, "a double factorial is not read", "write the product")
         if sign in simple:
             self._add(simple[sign], sign, self.place + 1)
         elif sign == "_":

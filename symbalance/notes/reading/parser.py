@@ -438,8 +438,6 @@ class Parser:
                 self.expect_close(opener)
                 node = Apply("at", (node, inside), span=self.span_since(first))
             elif self.at("postfix"):
-                if isinstance(node, Apply) and self.tokens[self.place - 1].kind == "postfix":
-                    raise ReadingError(self.offset, "a double factorial is not read", "write the product")
                 self.take()
                 node = Apply("factorial", (node,), span=self.span_since(first))
             elif self.at("under") and self.tokens[self.place - 1].value == "]":
