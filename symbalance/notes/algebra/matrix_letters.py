@@ -9,6 +9,7 @@ from dataclasses import dataclass
 _MATRIX = re.compile(r"\bmatri(?:x|ces)\b|行列", re.IGNORECASE)
 _VECTOR = re.compile(r"\bve[ck]tor\b|ベクトル", re.IGNORECASE)
 _SYMMETRIC = re.compile(r"\bsymmetric\b|\bsymmetrische\b|対称", re.IGNORECASE)
+_PLAINLY = re.compile(r"\s*(?:(?:column|row)\s+)?vector\s*(?:,.*)?", re.IGNORECASE)
 _IDENTITY = re.compile(r"\b(?:identity|unit) matrix\b|\bEinheitsmatrix\b|単位行列", re.IGNORECASE)
 
 
@@ -35,6 +36,7 @@ def kinds_of(symbols: Mapping[str, str]) -> Kinds:
     """
     identities = {name for name, text in symbols.items() if _IDENTITY.search(text)}
     matrices = {name for name, text in symbols.items() if _MATRIX.search(text)} - identities
-    vectors = {name for name, text in symbols.items() if _VECTOR.search(text)} - matrices - identities
+    is_vector = _VECTOR.search if matrices else _PLAINLY.fullmatch  # a phasor is called a vector too
+    vectors = {name for name, text in symbols.items() if is_vector(text)} - matrices - identities
     symmetric = {name for name in matrices if _SYMMETRIC.search(symbols[name])}
     return Kinds(frozenset(matrices), frozenset(vectors), frozenset(symmetric), frozenset(identities))

@@ -447,7 +447,8 @@ def bracketed(parser: Parser, inside: Formula, opener: Token, first: int) -> For
         return Apply("det", (inside,), span=inside.span)
     if opener.value not in ("(", "["):
         return inside
-    is_sum = isinstance(inside, Sum) and any(isinstance(term, Dots) for term in inside.terms)
+    kinds = {isinstance(term, Dots) for term in inside.terms} if isinstance(inside, Sum) else set()
+    is_sum = len(kinds) == 2  # dots beside entries: dots alone are no row
     if is_sum and isinstance(inside, Sum) and not any(token.is_op("+-±∓") for token in tokens):
         return Matrix((inside.terms,), span=inside.span)
     return inside
