@@ -65,7 +65,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--density", metavar="KG/M3", help="of the segments; default: 7850, a crankshaft's steel"
     )
-    add_operating_point(parser, "N")
+    add_operating_point(parser, "N", bore=True)
     add_output(parser)
     parser.add_argument("--write", metavar="FILE", help="write the balanced engine to FILE.toml")
     parser.add_argument("--picture", metavar="FILE", help="draw the ellipses to FILE.png or FILE.pdf")
@@ -102,7 +102,7 @@ def run(options: argparse.Namespace) -> int:
     if options.segment is not None:
         design = _cut(design, options)
     form = medium(options)
-    if form == "text" and not options.full and options.rpm is None:  # which asks for what remains
+    if form == "text" and not options.full:
         design = replace(design, full=False)
     content = content_of(design, form, options)
     files = _files(design, options)

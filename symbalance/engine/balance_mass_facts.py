@@ -11,6 +11,7 @@ from symbalance.document.nodes import Words
 from symbalance.document.text_writer import formula_text
 from symbalance.engine.balance_masses import BalanceShaft, Counterweight, Weight
 from symbalance.engine.engine import Engine
+from symbalance.engine.rotating_masses import share_sign
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.phasor import Phasor
 from symbalance.exact.radicals import ClosedForm
@@ -43,7 +44,7 @@ def balancer_facts(engine: Engine) -> list[Words]:
             facts.append("rotating masses are taken as balanced, throw by throw")
         if engine.has_link_pin_masses:
             facts.append("but for what link pins move those on them beside the crank pins")
-    return facts + [_shaft(s) for s in balancers.shafts]
+    return facts + [_shaft(s, share_sign(engine, s.speed)) for s in balancers.shafts]
 
 
 def _are_alike(one: Counterweight, other: Counterweight) -> bool:
@@ -76,11 +77,12 @@ def _places(name: str, places: Sequence[object]) -> str:
     return f"{name}s {', '.join(before)} and {last}" if before else f"{name} {last}"
 
 
-def _shaft(shaft: BalanceShaft) -> Words:
+def _shaft(shaft: BalanceShaft, sign: int) -> Words:
+    """Return a shaft in words; `sign` is that of what its shares are multiples of."""
     parts: list[Any] = [f"shaft at {shaft.speed:+d} times the crank: ".replace("-", "−")]
     for i, weight in enumerate(shaft.weights):
         parts += ["; "] if i else []
-        parts += _weight(weight)
+        parts += _weight(weight, 1 if weight.in_kg_mm else sign)
     if shaft.phase.turns or shaft.phase.symbols:
         parts.append(f", from {shaft.phase.as_text()} degrees")
     if shaft.x or shaft.y:
@@ -88,13 +90,15 @@ def _shaft(shaft: BalanceShaft) -> Words:
     return tuple(parts)
 
 
-def _weight(weight: Weight) -> tuple[Any, ...]:
-    return (*_size(weight.vector, weight.in_kg_mm), f", station {with_minus(weight.station)}")
+def _weight(weight: Weight, sign: int) -> tuple[Any, ...]:
+    return (*_size(weight.vector, weight.in_kg_mm, sign), f", station {with_minus(weight.station)}")
 
 
-def _size(vector: Amplitude, in_kg_mm: bool) -> tuple[Any, ...]:
+def _size(vector: Amplitude, in_kg_mm: bool, sign: int = 1) -> tuple[Any, ...]:
     if not in_kg_mm:
-        return ("share ", *size(vector), " at ", *direction(vector))
+        *before, value = size(vector)
+        signed = (*before, -value if sign < 0 else value)
+        return ("share ", *signed, " at ", *direction(vector.scaled(Fraction(sign))))
     fraction = vector.rational() if isinstance(vector, Phasor) else None
     is_short = fraction is not None and fraction > 0 and 10_000 % fraction.denominator == 0
     measured = (Decimal(f"{float(fraction):.12g}"),) if fraction and is_short else size(vector)

@@ -63,6 +63,12 @@ def origin_facts(engine: Engine) -> list[tuple[Words, Words]]:
     return entries
 
 
+def _with_decimal(ratio: Fraction) -> str:
+    """Return a number as tables print it, a fraction that few would recognise beside its decimal."""
+    text = short_text(ratio)
+    return f"{text} ≈ {float(ratio):.4g}" if "/" in text and 100 % ratio.denominator else text
+
+
 def size_facts(
     engine: Engine, ratio: Fraction | None, *, alike: bool, pitch: bool = True
 ) -> list[tuple[Words, Words]]:
@@ -73,7 +79,7 @@ def size_facts(
     entries: list[tuple[Words, Words]] = []
     letters: Words = (_M, ", ", _R, ", ", _A) if alike and pitch else (_M, ", ", _R)
     if alike:
-        here = ", not given" if ratio is None else f", here {short_text(ratio)}"
+        here = ", not given" if ratio is None else f", here {_with_decimal(ratio)}"
         entries.append((equal(_LAM, _L / _R), f"connecting rod over crank radius{here}"))
         also = ", cylinder pitch" if pitch else ""
         joined = ", crank radius" if pitch else " and crank radius"

@@ -18,7 +18,7 @@ from symbalance.engine.dead_centres import COARSEST, FINEST_STEP
 from symbalance.engine.engine import LONGEST_NAME
 from symbalance.engine.station_lists import PITCHES as IN_PITCHES
 from symbalance.engine.station_lists import STATION_UNITS
-from symbalance.errors import SymbalanceError
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.angles import LARGEST_DENOMINATOR, degrees
 from symbalance.exact.cosine_sums import PATTERN, read_cosines
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER
@@ -79,6 +79,27 @@ class ExactSize(ExactNumber):
 
 
 @dataclass(frozen=True)
+class SizeOrParts(ExactSize):
+    """A size, or a list of two: along a direction, and a quarter turn after it."""
+
+    words = "number or sum of cosines, or a list of two"
+
+    def read(self, value: object, name: str, remedy: str) -> Any:
+        """Return the size, or the two parts."""
+        if not isinstance(value, list):
+            return super().read(value, name, remedy)
+        if len(value) != 2:
+            rule = "must hold two parts: along its direction, and a quarter turn after it"
+            raise SymbalanceError(f"{name} = {brief(value)}", rule, 'write it like ["1/2", "-1/3"]')
+        each = (super(SizeOrParts, self).read(v, f"{name}[{i}]", remedy) for i, v in enumerate(value, 1))
+        return tuple(each)
+
+    def schema(self) -> Schema:
+        """Return the schema: a size, or two of them."""
+        each = super().schema()
+        return {"anyOf": [each, {"type": "array", "items": each, "minItems": 2, "maxItems": 2}]}
+
+
 class OnePitch(ExactNumber):
     """The pitch a, one number: several, as a drawing lists them, belong to the layout."""
 
@@ -90,7 +111,7 @@ class OnePitch(ExactNumber):
         return super().parse(value, name)
 
 
-ANGLE, QUOTIENT = ExactDegrees(), ExactNumber(finest=LARGEST_QUOTIENT)
+ANGLE, SIZE = ExactDegrees(), SizeOrParts(finest=LARGEST_QUOTIENT)
 
 ROD_KEYS = (
     Key("rod_mass", NOT_NEGATIVE, "The rod's own mass", KG, remedy=SIZES),
@@ -347,13 +368,14 @@ CYLINDER = TableKeys(
 
 _SHARE = (
     "A multiple of Aₙ m r/n², n the speed over the crank's; exact where it is no fraction, as "
-    '`"1/2 cos 36 - 1/8"`, in degrees'
+    '`"1/2 cos 36 - 1/8"`, in degrees, or as two parts, `["1/2", "-1/3"]`: along its direction, and a '
+    "quarter turn after it"
 )
 _WEIGHED = ("unbalance", "share")
 _SIZE = "takes either unbalance or share", "kg mm, or a multiple of A_n m r/n^2"
 _STATION = Key("station", ANY, "The place along the crank, + towards the front", PITCHES, otherwise="0")
-_UNBALANCE = Key("unbalance", QUOTIENT, "Mass times radius", KG_MM)
-_SHARE_KEY = Key("share", ExactSize(finest=LARGEST_QUOTIENT), _SHARE)
+_UNBALANCE = Key("unbalance", SIZE, "Mass times radius, one size or two parts as of `share`", KG_MM)
+_SHARE_KEY = Key("share", SIZE, _SHARE)
 _PLACE = Whole(1, 2 * MOST_CYLINDERS)
 
 COUNTERWEIGHT = TableKeys(
