@@ -16,6 +16,7 @@ from symbalance.notes.checking.constraints import Constraint, letter_counts, sol
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision, without_dots
 from symbalance.notes.checking.deciding.inequalities import compare, possible_branches
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, StatedRange
+from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.premises import EVERYWHERE, Premise, eliminate, related
 from symbalance.notes.checking.sections import Sections
@@ -188,6 +189,8 @@ class Definitions:
         if pair is None or knowledge.assumes(pair[0]):
             return None
         name, value = pair
+        if name in knowledge.meaning.kinds.identities:
+            return None
         if name in knowledge.meaning.values:
             return self._define_size(name, value, chain, knowledge)
         # λ = 2l/r says something of the geometry, and x = y, y = x + 1 nothing new: both may be wrong.
@@ -226,10 +229,11 @@ class Definitions:
     def decide_by_premises(self, statement: Premise, knowledge: Knowledge) -> Decision | None:
         """Return what earlier premises say of a statement; None where they say nothing.
 
-        It follows from them, it contradicts them, or it is one of several solutions.
+        It follows from them, it contradicts them, or it is one of several solutions. Of matrices they say
+        nothing: they are solved as numbers are, whose products commute.
         """
         given = related(self.premises_at(statement.line), [statement.left, statement.right], knowledge)
-        if not given:
+        if not given or is_of_matrices(statement.left, statement.right, knowledge):
             return None
         before = eliminate(given, knowledge)
         if not before.is_consistent:
@@ -393,6 +397,8 @@ def refuse_value(name: str, value: Formula, knowledge: Knowledge) -> Decision | 
 
 def has_no_value(node: Formula, knowledge: Knowledge) -> bool:
     """Tell whether a formula is a division by zero, infinite, or a number outside a function's range."""
+    if is_of_matrices(node, node, knowledge):
+        return False
     level = list(knowledge.levels(node))[-1]
     evaluator = knowledge.evaluator(level)
     try:

@@ -26,6 +26,7 @@ from symbalance.notes.checking.sidecar import (
     read_sidecar,
     without_header,
 )
+from symbalance.notes.checking.symbol_roles import readable_letters
 from symbalance.notes.checking.verdicts import Checked
 from symbalance.notes.reading import read_document
 from symbalance.text.files import STANDARD_INPUT, file_name, read_text
@@ -163,7 +164,7 @@ def _letters_by_line(declarations: Declarations) -> Any:
     def names_at(line: int) -> frozenset[str]:
         key = declarations.scope_at(line)
         if key not in cache:
-            cache[key] = frozenset(declarations.symbols_at(line))
+            cache[key] = readable_letters(declarations.symbols_at(line))
         return cache[key]
 
     return names_at

@@ -17,7 +17,12 @@ from symbalance.notes.checking.constraints import Constraint
 from symbalance.notes.checking.deciding.cases import decide_case, decide_with_ratio, states_a_case
 from symbalance.notes.checking.deciding.equality import Decision, decide_equality
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality, sample_ranges
-from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
+from symbalance.notes.checking.deciding.knowledge import Assumption, Definition, Knowledge
+from symbalance.notes.checking.deciding.matrix_relations import (
+    is_of_matrices,
+    matrix_constraint,
+    meaningless,
+)
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.definitions import Definitions, lines_of
@@ -60,6 +65,8 @@ UNIVERSAL = (
     "crank ratio r/l",
     "integer",
 )
+CLAUSES = 15
+"""Lines below an equation in matrices that may still say what its letters are."""
 PAGE = Budget(600, 4000)
 """What a whole document may take, where nobody says otherwise."""
 RELATIONS, IN_MEMORY = 60, 4
@@ -161,6 +168,7 @@ class Judge:
             letters_declared,
             moving,
             angles,
+            symbols,
             universal,
             corrects=self.corrects,
             ranges=tuple(ranges),
@@ -238,7 +246,7 @@ class Judge:
 
     def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on the k-th relation of a chain."""
-        knowledge = self.knowledge(chain.lines[0])
+        knowledge = self._with_clauses_below(chain, self.knowledge(chain.lines[0]))
         mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
         outcome = self._link(chain, k, sound, bad, knowledge)
         verdict = describe(self.document, chain, k, outcome) if isinstance(outcome, Decision) else outcome
@@ -270,11 +278,15 @@ class Judge:
         """Return the verdict on the k-th relation of a chain, or the decision that it only describes."""
         relation = chain.relations[k]
         left, right = chain.sides[k], chain.sides[k + 1]
+        of_matrices = is_of_matrices(left.node, right.node, knowledge)
+        if of_matrices and (fault := _no_relation_of_matrices(relation.sign, left, right, knowledge)):
+            return Decision(UNDECIDED, fault)
         if relation.sign in SATISFIED_BY:
             decision = decide_inequality(chain, k, knowledge)
             self.definitions.state_range(chain, k, decision)
             return decision
-        if relation.sign == "=" and (name := _meant_as_number(left.node, right.node, knowledge)):
+        is_equality = relation.sign == "=" and not of_matrices
+        if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):
             reason = f"true of the number {name}; here {name} is declared as a letter"
             return Decision(UNDECIDED, reason)
         definition = self.definitions.define_by(chain, k, knowledge)
@@ -282,12 +294,11 @@ class Judge:
             return definition
         decision, against = self._decide_step(chain, k, sound, bad, knowledge)
         if decision.status in (REFUTED, UNDECIDED):
-            in_use, used = self.definitions.letters_before(chain.lines[0]), self.definitions.first_lines
-            constraint = constraints.constraint_of(chain, k, in_use, used, knowledge)
-            if constraint is not None:
-                return self._fix(constraint, chain, k, knowledge)
+            stated = (self._fixed_matrix if of_matrices else self._fixed)(chain, k, knowledge)
+            if stated is not None:
+                return stated
             decision = self._with_premises(against, right, relation.sign, decision, knowledge)
-        if decision.status == REFUTED:
+        if decision.status == REFUTED and not of_matrices:  # cases and conditions are of numbers
             decision = self._unless_stated(chain, k, against, decision, knowledge)
         if decision.status == REFUTED:
             decision = self._unless_open(chain, k, decision, knowledge)
@@ -358,6 +369,24 @@ class Judge:
                 return f"true if {letter} = {text}: declare what {letter} means"
         return ""
 
+    def _fixed(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+        """Return the decision on a relation that is no step but fixes a letter; None for others."""
+        in_use, used = self.definitions.letters_before(chain.lines[0]), self.definitions.first_lines
+        constraint = constraints.constraint_of(chain, k, in_use, used, knowledge)
+        return None if constraint is None else self._fix(constraint, chain, k, knowledge)
+
+    def _fixed_matrix(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+        """Return the decision on a relation of matrices that fixes a letter, after defining it.
+
+        It does not join the premises: those are solved as numbers are, whose products commute.
+        """
+        left, right = chain.sides[k].node, chain.sides[k + 1].node
+        stated = matrix_constraint(left, right, self.definitions.letters_in_use, knowledge)
+        if stated is None:
+            return None
+        self.definitions.define(*stated, chain)
+        return Decision(DEFINITION, f"read as what fixes {stated[0]}")
+
     def _fix(self, constraint: Constraint, chain: Chain, k: int, knowledge: Knowledge) -> Decision:
         """Return the decision on a relation that fixes a letter, after defining it."""
         by_premises = self.definitions.decide_by_premises(
@@ -398,6 +427,26 @@ class Judge:
             return replace(by_all, status=UNDECIDED, reason=reason)
         return by_all
 
+    def _with_clauses_below(self, chain: Chain, knowledge: Knowledge) -> Knowledge:
+        """Return what is known with the new letters that the lines right below a relation explain.
+
+        An equation in matrices stands first as a rule, what its letters are after it: "here M̃ = ΦᵗMΦ".
+        """
+        if not any(is_of_matrices(side.node, side.node, knowledge) for side in chain.sides):
+            return knowledge
+        last = chain.lines[-1]
+        own = {name for side in chain.sides for name in names(side.node)}
+        clauses = dict(knowledge.definitions)
+        for other in self.document.chains:
+            head = other.sides[0].node
+            is_below = last < other.lines[0] <= last + CLAUSES and bool(other.relations)
+            if not is_below or not isinstance(head, Name) or other.relations[0].sign != "=":
+                continue
+            is_new = head.name in own and not knowledge.knows(head.name)
+            if is_new and head.name not in clauses and head.name not in names(other.sides[1].node):
+                clauses[head.name] = Definition(other.sides[1].node, other.lines[0])
+        return replace(knowledge, definitions=clauses)
+
     def add_fix(
         self, verdict: Verdict, chain: Chain, k: int, left: Side, decision: Decision, knowledge: Knowledge
     ) -> Verdict:
@@ -418,6 +467,13 @@ class Judge:
         lone = isinstance(left.node, Name)
         other = None if lone else (left, proves_left)
         return add_fix(verdict, self.document, right, decision, knowledge, proves_right, other)
+
+
+def _no_relation_of_matrices(sign: str, left: Side, right: Side, knowledge: Knowledge) -> str:
+    """Return why a relation cannot be one between matrices, "" where it may be."""
+    if sign in SATISFIED_BY:
+        return "matrices are compared for equality only"
+    return meaningless(left.node, right.node, knowledge)
 
 
 def _meant_as_number(left: Formula, right: Formula, knowledge: Knowledge) -> str:

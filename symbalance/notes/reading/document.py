@@ -15,7 +15,7 @@ from symbalance.document.formula import Formula
 from symbalance.document.letters import TIME_DOTS, is_greek, plain_letter
 from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
-from symbalance.notes.reading.lexer import CLOSER, LONGEST_EQUATION, Token, lex
+from symbalance.notes.reading.lexer import AT, CLOSER, LONGEST_EQUATION, Token, lex
 from symbalance.notes.reading.parser import read_tokens
 from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation, to_half_width
 from symbalance.notes.reading.signs import relation_at_start
@@ -376,7 +376,7 @@ class Draft:
             self._without_argument(0)
 
     def _without_argument(self, place: int) -> None:
-        """Read x(θ), all of the left side, as x, and refuse x(0); x is so called on later sides too."""
+        """Read x(θ), all of the left side, as x, and x(0) as x at 0; on later sides too."""
         side = self.sides[place]
         if place in self.failures or not (parts := head_and_argument(side)):
             return
@@ -388,7 +388,7 @@ class Draft:
             self.sides[place], note = letter_without_argument(head, inside, side[-1])
             self.notes += [note] if note not in self.notes else []
         elif is_value(inside):
-            self.failures[place] = value_refusal(head, inside)
+            self.sides[place] = letter_at_a_place(side)
         else:
             return
         self.function_letters.append(name)
@@ -546,10 +546,9 @@ def letter_without_argument(
     return [*head[:-1], replace(head[-1], end=last.end)], f"{name}({tokens_text(inside)}) read as {name}"
 
 
-def value_refusal(head: Sequence[Token], inside: Sequence[Token]) -> ReadingError:
-    """Return the refusal of x(π)."""
-    what = f"a value of a function: {tokens_text(head)}({tokens_text(inside)})"
-    return ReadingError(head[0].start, what, "write out what is meant")
+def letter_at_a_place(side: Sequence[Token]) -> list[Token]:
+    """Return the tokens of x(π) with a bracket that says that it holds no factor."""
+    return [replace(t, value=AT) if t.kind == "open" and t.value == "(" else t for t in side]
 
 
 def tokens_text(tokens: Sequence[Token]) -> str:

@@ -18,7 +18,7 @@ from symbalance.document.wordlists import word_set
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.lexer import Vocabulary, vocabulary
 from symbalance.notes.reading.prose import line_rules, segments, trim_segment
-from symbalance.notes.reading.signs import ENVIRONMENTS, RELATION
+from symbalance.notes.reading.signs import CELLS, ENVIRONMENTS, RELATION
 from symbalance.notes.reading.units import follows_number, scale_of, unit_set_at
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
@@ -318,6 +318,7 @@ def _without_comments(text: str) -> str:
 
 _NAMES = "|".join(sorted(ENVIRONMENTS | {"cases", "array", "dcases"}, key=len, reverse=True))
 _OPENER = re.compile(rf"\\\\|\\\$|\$\$|\$|\\\(|\\\[|\\begin\s*\{{((?:{_NAMES})\*?)\}}")
+_ENVIRONMENT_NAME = re.compile(r"\s*\{([A-Za-z]+)\*?\}")
 _COLUMNS = re.compile(r"\s*\{\s*[0-9]+\s*\}")
 _IN_BRACES = re.compile(r"\\[A-Za-z]+|\{[^{}]*\}")
 _WORD_OF_PROSE = re.compile(r"[A-Za-z]{4,}")
@@ -424,9 +425,11 @@ _TAG = re.compile(
     r"\s*(?:\\q?quad\s*)*[-–—−]?\s*\((?P<tag>[0-9A-Za-z.\-']{1,8})\))\s*$"
 )
 _TRAILING = re.compile(
-    r"(?:\s|[.,;。、&]|\\end\s*\{[A-Za-z]*\*?\}|\\[,;:! ]|\\q?quad|\\nonumber|\\notag"
+    rf"(?:\s|[.,;。、&]|\\end\s*\{{(?!(?:{'|'.join(CELLS)})\*?\}})[A-Za-z]*\*?\}}"
+    r"|\\[,;:! ]|\\q?quad|\\nonumber|\\notag"
     r"|\\label\s*\{[^{}]*\}|\\\\|\\hfill)$"
 )
+_END_OF_ROWS = re.compile(rf"\\end\s*\{{(?!(?:{'|'.join(CELLS)})\*?\}})[A-Za-z]+\*?\}}$")
 _BOXED = re.compile(r"\\(?:boxed|fbox|framebox)\s*\{")
 _ALIGNED = word_set("align aligned alignat alignedat flalign")
 _BRACKETS = {"{": 1, "(": 1, "[": 1, "}": -1, ")": -1, "]": -1}
@@ -499,7 +502,7 @@ def _separate(text: str, start: int, end: int) -> list[tuple[int, int]]:
     depth, place = 0, start
     while match := _PIECE.search(text, place, end):
         sign, place = match.group(), match.end()
-        depth = max(depth + _BRACKETS.get(sign, 0), 0)
+        depth = max(depth + _BRACKETS.get(sign, 0) + _level_of_cells(text, sign, place), 0)
         if depth:
             continue
         if unit := _unit_at(text, start, match.start(), end):
@@ -512,6 +515,16 @@ def _separate(text: str, start: int, end: int) -> list[tuple[int, int]]:
             introduces = sign in _ARROWS and last[2] and not text[last[1] : match.start()].strip(" \t\n&")
             cuts.append((match.start(), match.end(), introduces))
     return _join_spans(text, start, end, cuts)
+
+
+def _level_of_cells(text: str, sign: str, place: int) -> int:
+    """Return 1 where a matrix or cases begin, -1 where they end: what parts cells cuts no equation."""
+    if sign not in ("\\begin", "\\end"):
+        return 0
+    match = _ENVIRONMENT_NAME.match(text, place)
+    if match is None or match.group(1) not in CELLS:
+        return 0
+    return 1 if sign == "\\begin" else -1
 
 
 def _unit_at(text: str, start: int, place: int, end: int) -> int:
@@ -581,8 +594,13 @@ def without_tag(text: str, start: int, end: int) -> tuple[int, str]:
     >>> without_tag(r"a = b \\quad - (1)", 0, 17)
     (6, '1')
     """
-    while start < end and text[end - 1] in " \t\n,.;" and text[max(start, end - 3) : end] != "...":
-        end -= 1
+    while start < end:
+        if text[end - 1] in " \t\n,.;" and text[max(start, end - 3) : end] != "...":
+            end -= 1
+        elif match := _END_OF_ROWS.search(text[max(start, end - 40) : end]):
+            end -= len(match.group())  # a number may stand before \\end{aligned}
+        else:
+            break
     offset = max(start, end - 120)
     match = _TAG.search(text[offset:end])
     if not match:
