@@ -11,14 +11,16 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import PurePath
 
-from symbalance.document.formula import Formula
+from symbalance.document.formula import Formula, children, with_children
 from symbalance.document.letters import TIME_DOTS, is_greek, plain_letter
 from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.lexer import CLOSER, LONGEST_EQUATION, Token, lex
 from symbalance.notes.reading.parser import read_tokens
-from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation, to_half_width
+from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation
 from symbalance.notes.reading.signs import relation_at_start
+from symbalance.notes.reading.rewriting import Rewritten
+from symbalance.notes.reading.sources import Source, prepare, to_half_width
 
 LONGEST_DOCUMENT = 1_000_000  # characters
 MOST_LINES_OF_PROSE = 2  # that a chain may go past: "= …" further down is an equation of its own
@@ -42,11 +44,45 @@ def read_document(text: str, name: str, names_at: Callable[[int], Collection[str
             cache[line] = frozenset(names_at(line))
         return cache[line]
 
-    assembler = Assembler(ItemFinder(text, PurePath(name).suffix.lower(), names), names)
+    source = prepare(text, PurePath(name).suffix.lower(), lambda letter, line: letter in names(line))
+    assembler = Assembler(ItemFinder(source, names), names)
     assembler.run()
-    chains = sorted(assembler.chains, key=lambda chain: chain.sides[0].span)
-    unreadable = sorted(assembler.unreadable, key=lambda part: (part.line, part.column))
-    return ReadNotes(name, text, tuple(chains), tuple(unreadable))
+    chains, unreadable = assembler.chains, assembler.unreadable
+    if source.origin is not None:
+        chains = [_chain_in_place(chain, source.origin) for chain in chains]
+        unreadable = [_unreadable_in_place(part, source, text) for part in unreadable]
+    chains.sort(key=lambda chain: chain.sides[0].span)
+    unreadable.sort(key=lambda part: (part.line, part.column))
+    return ReadNotes(name, text, tuple(chains), tuple(unreadable), source.notes)
+
+
+def _chain_in_place(chain: Chain, origin: Rewritten) -> Chain:
+    """Return a chain with every span that of the document."""
+    sides = tuple(
+        Side(tuple(_in_place(node, origin) for node in side.readings), origin.span(side.span))
+        for side in chain.sides
+    )
+    return replace(chain, sides=sides)
+
+
+def _in_place(node: Formula, origin: Rewritten) -> Formula:
+    parts = children(node)
+    moved = with_children(node, tuple(_in_place(part, origin) for part in parts)) if parts else node
+    return replace(moved, span=origin.span(node.span))
+
+
+def _unreadable_in_place(part: Unreadable, source: Source, text: str) -> Unreadable:
+    """Return a refusal at its place in the document, with the reason of a macro that was not replaced."""
+    origin = source.origin
+    assert origin is not None
+    begin = 0
+    for _ in range(part.line - 1):
+        begin = source.text.find("\n", begin) + 1
+    offset = origin.offset(begin + part.column - 1)
+    what, remedy = dict(source.refusals).get(offset, (part.what, part.remedy))
+    line = text.count("\n", 0, offset) + 1
+    column = offset - (text.rfind("\n", 0, offset) + 1) + 1
+    return Unreadable(line, column, what, remedy, origin.span(part.span))
 
 
 def read_expression(text: str, names: Collection[str], offset: int = 0) -> tuple[Formula, ...]:

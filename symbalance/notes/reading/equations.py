@@ -63,12 +63,16 @@ class Unreadable:
 
 @dataclass(frozen=True, slots=True)
 class ReadNotes:
-    """A text with the equations found in it, in the order of their lines."""
+    """A text with the equations found in it, in the order of their lines.
+
+    `notes` say what of the whole text was read generously (for instance its decimal commas).
+    """
 
     name: str
     text: str
     chains: tuple[Chain, ...]
     unreadable: tuple[Unreadable, ...]
+    notes: tuple[str, ...] = ()
 
     def line_of(self, offset: int) -> int:
         """Return the line, from 1, of a character offset."""

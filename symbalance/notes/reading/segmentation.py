@@ -1,7 +1,6 @@
 """Splitting of a document into the parts that may be equations, in order.
 
-What is no mathematics (comments, code, addresses) is blanked, so that every offset stays that of the
-document. Then delimited mathematics ($ $, \\( \\), \\[ \\], environments) is cut into rows and these at
+What is no mathematics is blank by now (`sources`). Delimited mathematics ($ $, \\( \\), \\[ \\], environments) is cut into rows and these at
 separators, and the lines outside are searched for equations in prose (`prose`).
 """
 
@@ -19,6 +18,7 @@ from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.lexer import Vocabulary, vocabulary
 from symbalance.notes.reading.prose import line_rules, segments, trim_segment
 from symbalance.notes.reading.signs import ENVIRONMENTS, RELATION
+from symbalance.notes.reading.sources import Source
 from symbalance.notes.reading.units import follows_number, scale_of, unit_set_at
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
@@ -54,16 +54,9 @@ class Item:
 class ItemFinder:
     """Finds the items of one document."""
 
-    def __init__(self, text: str, suffix: str, names_at: Callable[[int], Collection[str]]) -> None:
-        self.suffix, self.names_at = suffix, names_at
-        self.fences: list[tuple[int, int]] = []
-        narrow = to_half_width(text)
-        if suffix == ".tex":
-            self.text = mask_tex(narrow)
-        elif suffix == ".md":
-            self.text, self.fences = mask_markdown(narrow)
-        else:
-            self.text = mask_plain(narrow)
+    def __init__(self, source: Source, names_at: Callable[[int], Collection[str]]) -> None:
+        self.source, self.names_at = source, names_at
+        self.kind, self.fences, self.text = source.kind, source.formulas, source.text
         self.breaks = [place for place, sign in enumerate(self.text) if sign == "\n"]
         self.failures: list[ReadingError] = []
 
@@ -78,7 +71,7 @@ class ItemFinder:
 
     def run(self) -> list[Item]:
         """Return the items, in order."""
-        finder = RegionFinder(self.text, self.suffix == ".tex")
+        finder = RegionFinder(self.text, self.kind == "tex")
         finder.run()
         self.failures += finder.failures
         regions = [region for region in finder.regions if not self._in_fence(region)]
@@ -94,7 +87,7 @@ class ItemFinder:
         for number, region in enumerate(regions):
             if region.start < region.end:
                 yield from self._items_of_region(region, number)
-        if self.suffix != ".tex":
+        if self.kind != "tex":
             yield from self._items_outside(regions)
 
     def _in_fence(self, region: Region) -> bool:
@@ -141,7 +134,7 @@ class ItemFinder:
     def _items_of_line(self, start: int, end: int, line: int, whole: bool) -> Iterator[Item]:
         """Yield the items of a line, or of a part of it, outside delimiters."""
         source = self.text[start:end]
-        if self.suffix == ".md" and source.lstrip().startswith(("#", "|")):
+        if self.kind == "markdown" and source.lstrip().startswith(("#", "|")):
             return
         if _RULE.fullmatch(source):
             return
@@ -163,7 +156,7 @@ class ItemFinder:
 
     def _after_bullet(self, start: int, end: int) -> int:
         """Return where a line begins after its number or bullet; `- a` alone may be a term."""
-        bullet = _MARKDOWN_BULLET if self.suffix == ".md" else _BULLET
+        bullet = _MARKDOWN_BULLET if self.kind == "markdown" else _BULLET
         match = bullet.match(self.text, start, end)
         start = match.end() if match else start
         dash = _DASH.match(self.text, start, end)
@@ -212,106 +205,6 @@ class ItemFinder:
             if has_relation(self.text, piece.start, piece.end):
                 inner = trim_segment(self.text, piece.start, piece.end, words)
                 yield Item(*inner, "prose", display >= 0, line, line, piece.tag)
-
-
-# What is not to be read as mathematics: blanked
-
-_WIDE = {0xFF01 + k: 0x21 + k for k in range(94)} | {0x3000: 0x20, 0x0D: 0x20, 0xA0: 0x20}
-_WIDE |= dict.fromkeys(
-    (*range(9), 0x0B, 0x0C, *range(0x0E, 0x20), 0x7F, 0xFEFF, 0x200B, 0x200C, 0x200D, 0x2060), 0x20
-)
-_COMMENT = re.compile(r"(?<!\\)(?:\\\\)*(%[^\n]*)")
-_VERBATIM = re.compile(r"\\begin\s*\{(verbatim\*?|lstlisting|minted|comment|Verbatim)\}")
-_VERB = re.compile(r"\\verb\*?([^A-Za-z\s*])[^\n]{0,400}?\1")
-_ADDRESS = re.compile(
-    r"[A-Za-z][A-Za-z0-9+.-]{1,20}://[^\s<>\"「」、。]+|[\w.+-]{1,64}@[\w-]{1,64}(?:\.[\w-]{1,64})+"
-)
-_FENCE = re.compile(r"[ ]{0,3}(`{3,}|~{3,})\s*([A-Za-z]*)")
-_BOLD = re.compile(r"(?<![\w)*])\*\*(?=[^\s*])([^*\n]{1,300})(?<=\S)\*\*(?![\w(*])")
-_CODE = re.compile(r"(`+)(?!`)[^`\n]{1,400}\1(?!`)")
-
-
-def blank(text: str) -> str:
-    """Return as many spaces, with the line ends where they were."""
-    return "".join("\n" if c == "\n" else " " for c in text) if "\n" in text else " " * len(text)
-
-
-def to_half_width(text: str) -> str:
-    """Return the text with full-width signs as plain ones, of the same length."""
-    return text.translate(_WIDE)
-
-
-def mask_tex(text: str) -> str:
-    """Blank comments, verbatim, the preamble and what follows the end."""
-    text = _COMMENT.sub(lambda m: m.group()[: m.start(1) - m.start()] + blank(m.group(1)), text)
-    text = _without_environments(text)
-    text = _VERB.sub(lambda m: blank(m.group()), text)
-    begin = text.find("\\begin{document}")
-    if begin >= 0:
-        begin += len("\\begin{document}")
-        text = blank(text[:begin]) + text[begin:]
-    end = text.find("\\end{document}")
-    return text if end < 0 else text[:end] + blank(text[end:])
-
-
-def _without_environments(text: str) -> str:
-    pieces: list[str] = []
-    place = 0
-    while match := _VERBATIM.search(text, place):
-        closer = f"\\end{{{match.group(1)}}}"
-        end = text.find(closer, match.end())
-        end = len(text) if end < 0 else end + len(closer)
-        pieces += [text[place : match.start()], blank(text[match.start() : end])]
-        place = end
-    return "".join([*pieces, text[place:]])
-
-
-def mask_plain(text: str) -> str:
-    """Blank addresses of the net and of mail."""
-    return _ADDRESS.sub(lambda m: blank(m.group()), text)
-
-
-def mask_markdown(text: str) -> tuple[str, list[tuple[int, int]]]:
-    """Blank code and comments; return the text and the spans of ```math blocks."""
-    text = _without_comments(text)
-    spans: list[tuple[int, int]] = []
-    lines: list[str] = []
-    fence, language, begin = "", "", 0
-    for offset, line in _lines(text):
-        match = _FENCE.match(line)
-        if fence:
-            is_closing = match is not None and match.group(1).startswith(fence)
-            if is_closing and language == "math":
-                spans.append((begin, offset))
-            lines.append(blank(line) if is_closing or language != "math" else line)
-            fence = "" if is_closing else fence
-        elif match:
-            fence, language, begin = match.group(1), match.group(2).lower(), offset + len(line)
-            lines.append(blank(line))
-        else:
-            without = _CODE.sub(lambda m: blank(m.group()), line)
-            lines.append(_BOLD.sub(lambda m: f"  {m.group(1)}  ", without))
-    return mask_plain("".join(lines)), spans
-
-
-def _lines(text: str) -> Iterator[tuple[int, str]]:
-    place = 0
-    while place < len(text):
-        end = text.find("\n", place)
-        end = len(text) if end < 0 else end + 1
-        yield place, text[place:end]
-        place = end
-
-
-def _without_comments(text: str) -> str:
-    pieces: list[str] = []
-    place = 0
-    while (start := text.find("<!--", place)) >= 0:
-        end = text.find("-->", start)
-        end = len(text) if end < 0 else end + 3
-        pieces += [text[place:start], blank(text[start:end])]
-        place = end
-    return "".join([*pieces, text[place:]])
 
 
 # Delimited mathematics
