@@ -27,9 +27,14 @@ from symbalance.notes.checking.sidecar import (
 from symbalance.notes.checking.symbol_roles import KNOWN
 from symbalance.notes.checking.verdicts import Checked
 from symbalance.notes.reading import read_document
+from symbalance.notes.reading.notebooks import SUFFIX as NOTEBOOK
+from symbalance.notes.reading.notebooks import notebook_text
 from symbalance.text.files import STANDARD_INPUT, file_name, read_text
 
-SUFFIXES = (".tex", ".md", ".txt", ".text")
+SUFFIXES = (
+    *(".tex", ".md", ".txt", ".text", ".ipynb", ".markdown", ".latex", ".wiki", ".mediawiki"),
+    *(".html", ".htm", ".xhtml", ".adoc", ".asciidoc"),
+)
 _UNDECLARED = re.compile(r"letter (\S+) is not declared$")
 MOST_ROUNDS = 60
 """Each round of reading finds the first undeclared letter of every equation."""
@@ -100,7 +105,9 @@ def text_of(document: str | Path) -> tuple[str, str, Path]:
     if isinstance(document, str) and ("\n" in document or not is_file_name(document)):
         return document, "text", Path()
     path = Path(document)
-    return read_text(path, what="a .tex, .md or .txt file"), file_name(path), path.parent
+    text, name = read_text(path, what="a .tex, .md, .txt, .ipynb, .wiki, .html or .adoc file"), file_name(path)
+    is_notebook = path.suffix.lower() == NOTEBOOK
+    return (notebook_text(text, name) if is_notebook else text), name, path.parent
 
 
 def is_file_name(document: str) -> bool:

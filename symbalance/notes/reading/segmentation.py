@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from itertools import islice
 
 from symbalance.document.letters import WORDS
-from symbalance.document.wordlists import word_set
+from symbalance.document.wordlists import word_set, words
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.lexer import Vocabulary, vocabulary
 from symbalance.notes.reading.prose import line_rules, segments, trim_segment
@@ -307,9 +307,13 @@ _ROW = re.compile(
     r"\\(begin|end)\s*\{([A-Za-z]*)\*?\}|\\\\(?:\*?[ \t]*\[[^\]\n]{0,20}\])?|\\.|[{}&]", re.DOTALL
 )
 _PIECE = re.compile(
-    rf"\\(?:{_WORDS})\s*(?=\{{)|\\q?quad(?![A-Za-z])|\\[A-Za-z]+|\\.|[{{}}()\[\],;、，∴⇒]", re.DOTALL
+    rf"\\(?:{_WORDS})\s*(?=\{{)|\\q?quad(?![A-Za-z])|\\[A-Za-z]+|\\.|[{{}}()\[\],;、，∴⇒⇔⟹⟺→⟶]", re.DOTALL
 )
-_ARROWS = ("\\therefore", "\\Rightarrow", "\\implies", "\\Longrightarrow", "∴", "⇒")
+_ARROW_COMMANDS = words(
+    "therefore Rightarrow implies Longrightarrow Leftrightarrow Longleftrightarrow iff leadsto rightarrow"
+    " longrightarrow to hence Leftarrow"
+)
+_ARROWS = (*(f"\\{name}" for name in _ARROW_COMMANDS), *"∴⇒⇔⟹⟺→⟶")
 _SCAN = re.compile(rf"{RELATION.pattern}|\\[A-Za-z]+|\\.|[{{}}()\[\]]", re.DOTALL)
 _TAG = re.compile(
     r"(?:\\tag\*?\s*\{([^{}]{1,20})\}|\\(?:l|r)?eqno\s*\(([^()]{1,12})\)"
@@ -318,7 +322,10 @@ _TAG = re.compile(
 )
 _TRAILING = re.compile(
     r"(?:\s|[.,;。、&]|\\end\s*\{[A-Za-z]*\*?\}|\\[,;:! ]|\\q?quad|\\nonumber|\\notag"
-    r"|\\label\s*\{[^{}]*\}|\\\\|\\hfill)$"
+    r"|\\label\s*\{[^{}]*\}|\\\\|\\hfill|[∴⇒⇔⟹⟺→⟶]|\\(?:" + "|".join(_ARROW_COMMANDS) + r"))$"
+)
+_LEADING = re.compile(
+    r"(?:\s|[、。,;&]|\\[,;:! ]|\\q?quad(?![A-Za-z])|[∴⇒⇔⟹⟺→⟶]|\\(?:" + "|".join(_ARROW_COMMANDS) + r")(?![A-Za-z]))+"
 )
 _BOXED = re.compile(r"\\(?:boxed|fbox|framebox)\s*\{")
 _ALIGNED = word_set("align aligned alignat alignedat flalign")
@@ -496,8 +503,8 @@ def without_tag(text: str, start: int, end: int) -> tuple[int, str]:
 
 def trim(text: str, start: int, end: int) -> tuple[int, int]:
     """Return a span without the space and punctuation at its edges."""
-    while start < end and (text[start].isspace() or text[start] in "、。,;"):
-        start += 1
+    if lead := _LEADING.match(text, start, end):
+        start = lead.end()
     while start < end:
         if text[max(start, end - 3) : end] == "..." or text[end - 1] == "…":
             break

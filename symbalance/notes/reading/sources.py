@@ -55,7 +55,10 @@ def prepare(
     """
     narrow = to_half_width(text)
     kind = kind_of(narrow, suffix)
-    first = _rewritten(narrow, kind)
+    first: Rewritten | None = None
+    for rules in _RULES.get(kind, ()):
+        done = _rewritten(first.text if first else narrow, rules)
+        first = done.after(first) if done else first
     current = first.text if first else narrow
     macros = expand_macros(mask_code_of_tex(current) if kind == "tex" else current)
     origin = macros.source.after(first) if macros.source else first
@@ -83,11 +86,8 @@ def kind_of(text: str, suffix: str) -> str:
     return kind
 
 
-def _rewritten(text: str, kind: str) -> Rewritten | None:
+def _rewritten(text: str, rules: tuple[Rule, ...]) -> Rewritten | None:
     """Return a text with a format's own marks in LaTeX, None where nothing changed."""
-    rules = _RULES.get(kind, ())
-    if not rules:
-        return None
     pattern = re.compile("|".join(f"(?:{rule.pattern.pattern})" for rule in rules), _FLAGS)
     rewriter = Rewriter(text)
     place, changed = 0, False
@@ -221,16 +221,21 @@ def _heading(match: re.Match[str]) -> Texts:
     return (" ", match.span(2), " ")
 
 
-_RULES: dict[str, tuple[Rule, ...]] = {
-    "markdown": (
+_RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
+    "markdown": ((
         _FENCED, _COMMENT, _GITLAB, *_DOUBLE_BACKSLASH, *_DISPLAYED, _MATH, _RAISED, _LOWERED,
         _INLINE_TAG, _BLOCK_TAG, _ENTITY,
         _rule(r"(?<=\])\([^()\s]{0,400}[.#/][^()\s]{0,400}[?&][^()\s]{0,400}=[^()\s]{0,400}\)", _blank),
-    ),
-    "wiki": (
+    ),),
+    "wiki": ((
         _COMMENT,
         _rule(r"<nowiki>.{0,20000}?</nowiki>|<(?:source|syntaxhighlight|pre)[\s>].*?</(?:source|syntaxhighlight|pre)>",
               _blank),
+        Rule(_MATH.pattern, lambda match: None), *_DISPLAYED,
+        _rule(r"^(={2,6})([^=\n](?:[^\n]*?[^=\n])?)\1[ \t]*$", _heading),
+        _rule(r"^[ \t]*(?:\{\||\|\}|\|-|\|\+)[^\n]*$", _blank),
+        _rule(r"^[ \t]*([|!])(?![|}+-])([^\n]*)$", _wiki_row),
+    ), (
         _MATH, *_DISPLAYED, _RAISED, _LOWERED,
         _rule(r"<ref(?:\s[^<>]*)?/>|<ref(?:\s[^<>]*)?>|</ref>", _gap),
         _INLINE_TAG, _BLOCK_TAG, _ENTITY,
@@ -238,19 +243,16 @@ _RULES: dict[str, tuple[Rule, ...]] = {
         _rule(r"\{\{([^{}]{1,2000})\}\}", _template),
         _rule(r"\[\[(?:[^][|\n]*\|)*([^][|\n]*)\]\]", _inside(1, " ", " ")),
         _rule(r"\[https?://[^\s\]]+", _blank),
-        _rule(r"^(={2,6})([^=\n](?:[^\n]*?[^=\n])?)\1[ \t]*$", _heading),
-        _rule(r"^[ \t]*(?:\{\||\|\}|\|-|\|\+)[^\n]*$", _blank),
-        _rule(r"^[ \t]*([|!])(?![|}+-])([^\n]*)$", _wiki_row),
         _rule(r"^[:;]+|'{2,5}", _blank),
-    ),
-    "html": (
+    )),
+    "html": ((
         _COMMENT,
         _rule(r"<script(?:\s[^<>]*)?>.*?</script\s*>", _script),
         _rule(r"<(style|noscript|head)(?:\s[^<>]*)?>.*?</\1\s*>", _blank),
         _rule(r"<span\s[^<>]*aria-hidden=\"true\"[^<>]*class=\"katex-html\".*?</span>", _blank),
         _MATH, _RAISED, _LOWERED, _INLINE_TAG, _BLOCK_TAG, _ENTITY,
-    ),
-    "asciidoc": (
+    ),),
+    "asciidoc": ((
         _rule(r"^////$.*?^////$|^//(?!/)[^\n]*", _blank),
         _rule(r"^\[(?:stem|latexmath|asciimath)[^\]\n]*\]\n\+{4}\n(.{0,20000}?)\n\+{4}$",
               lambda match: ("\\[", match.span(1), "\\]")),
@@ -259,9 +261,10 @@ _RULES: dict[str, tuple[Rule, ...]] = {
               _inside(1, "\\(", "\\)")),
         _rule(r"^\[[^\]\n]*\]$|^:[^:\n]+:[^\n]*$|^\.[A-Z][^\n]*$", _blank),
         _rule(r"^=+[ ]|^\|={3,}$", _blank),
-    ),
+        _rule(r"(?:^|(?<=\s))[0-9.+]{0,5}[a-z]?\|(?![|=])", _gap),
+    ),),
 }  # fmt: skip
-"""The marks of each format, in the order in which they are tried."""
+"""The marks of each format in passes, one after the other; within a pass in the order they are tried."""
 
 
 # What is not to be read as mathematics: blanked
