@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from symbalance.notes.checking.verdicts import HOLDS, REFUTED, VERDICTS, Checked, Verdict
+from symbalance.notes.checking.verdicts import HOLDS, NOT_MATHEMATICS, REFUTED, VERDICTS, Checked, Verdict
 
 
 def report_data(checked: Checked) -> dict[str, Any]:
@@ -14,7 +14,12 @@ def report_data(checked: Checked) -> dict[str, Any]:
     return {
         "document": checked.derivation.name,
         "seen": checked.relation_count,
-        "counts": dict.fromkeys(VERDICTS, 0) | checked.counts(),
+        "counts": dict.fromkeys((*VERDICTS, NOT_MATHEMATICS), 0) | checked.counts(),
+        "notes": list(checked.derivation.notes),
+        "not_mathematics": [
+            {"line": p.line, "column": p.column, "why": p.why, "source": checked.derivation.source(p.span)}
+            for p in checked.derivation.not_mathematics
+        ],
         "links": sorted(entries, key=lambda entry: entry["line"]),
     }
 

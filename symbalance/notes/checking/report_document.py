@@ -16,6 +16,7 @@ from symbalance.notes.checking.verdicts import (
     FAILING,
     HOLDS,
     HOLDS_TO_ORDER,
+    NOT_MATHEMATICS,
     REFUTED,
     UNDECIDED,
     UNREADABLE,
@@ -85,9 +86,11 @@ def summary(checked: Checked) -> str:
     counts = checked.counts()
     if not checked.relation_count:
         return "No relation was seen: nothing is checked."
-    kinds = ", ".join(f"{count} {_TITLES[name].lower()}" for name, count in counts.items())
+    titles = _TITLES | {NOT_MATHEMATICS: "not mathematics"}
+    kinds = ", ".join(f"{count} {titles[name].lower()}" for name, count in counts.items())
     count = checked.relation_count
-    return f"{count} {'relation' if count == 1 else 'relations'} seen: {kinds}."
+    notes = "".join(f" Note: {note}." for note in checked.derivation.notes)
+    return f"{count} {'relation' if count == 1 else 'relations'} seen: {kinds}.{notes}"
 
 
 def verdict_summary(verdict: Verdict) -> str:

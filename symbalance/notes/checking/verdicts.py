@@ -20,6 +20,8 @@ REFUTED = "refuted"
 UNDECIDED = "undecided"
 DEFINITION = "definition"
 UNREADABLE = "unreadable"
+NOT_MATHEMATICS = "not_mathematics"
+"""No verdict, but counted: a relation sign between words, in a tag or in program code."""
 
 VERDICTS = (HOLDS, HOLDS_TO_ORDER, CONDITIONAL, REFUTED, UNDECIDED, DEFINITION, UNREADABLE)
 BAD = (REFUTED, UNDECIDED)
@@ -182,8 +184,8 @@ class Checked(Result):
 
     @property
     def relation_count(self) -> int:
-        """The number of relations seen, whatever their verdict."""
-        return len(self.verdicts)
+        """The number of relation signs seen, whatever their verdict, those of no mathematics among them."""
+        return len(self.verdicts) + len(self.derivation.not_mathematics)
 
     @property
     def faults(self) -> tuple[Verdict, ...]:
@@ -193,6 +195,7 @@ class Checked(Result):
     def counts(self) -> dict[str, int]:
         """Return how many verdicts of each kind there are, zeros left out."""
         counts = {name: sum(v.verdict == name for v in self.verdicts) for name in VERDICTS}
+        counts[NOT_MATHEMATICS] = len(self.derivation.not_mathematics)
         return {name: count for name, count in counts.items() if count}
 
     def at(self, line: int) -> tuple[Verdict, ...]:

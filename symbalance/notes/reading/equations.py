@@ -62,10 +62,22 @@ class Unreadable:
 
 
 @dataclass(frozen=True, slots=True)
+class Passed:
+    """A relation sign that says nothing in mathematics, and why: words on both sides, a tag, a program."""
+
+    line: int
+    column: int
+    why: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class ReadNotes:
     """A text with the equations found in it, in the order of their lines.
 
     `notes` say what of the whole text was read generously (for instance its decimal commas).
+    `not_mathematics` lists the relation signs that stand in no formula: every sign of the text is one of
+    these, in a chain, or in something unreadable.
     """
 
     name: str
@@ -73,6 +85,7 @@ class ReadNotes:
     chains: tuple[Chain, ...]
     unreadable: tuple[Unreadable, ...]
     notes: tuple[str, ...] = ()
+    not_mathematics: tuple[Passed, ...] = ()
 
     def line_of(self, offset: int) -> int:
         """Return the line, from 1, of a character offset."""

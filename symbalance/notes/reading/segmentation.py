@@ -10,21 +10,22 @@ import re
 from bisect import bisect_right
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
-from itertools import islice
+from itertools import islice, pairwise
 
-from symbalance.document.letters import WORDS
+from symbalance.document.letters import NAME_OF_SIGN, WORDS
 from symbalance.document.wordlists import word_set, words
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.lexer import Vocabulary, vocabulary
 from symbalance.notes.reading.prose import line_rules, segments, trim_segment
-from symbalance.notes.reading.signs import ENVIRONMENTS, RELATION
-from symbalance.notes.reading.sources import Source
+from symbalance.notes.reading.signs import ENVIRONMENTS, RELATION, relation_at_start
+from symbalance.notes.reading.sources import CELL_END, Source
 from symbalance.notes.reading.units import follows_number, scale_of, unit_set_at
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _BULLET = re.compile(r"\s*(?:\(?[0-9]{1,3}[.)](?=\s))?\s*")
 _MARKDOWN_BULLET = re.compile(r"\s*(?:>\s*)*(?:[-*+]\s+|[0-9]{1,3}[.)]\s+)?\s*")
 _DASH = re.compile(r"[-*•]\s+(?=[^\s=])")
+_EXPLAINED = re.compile(r"\s*(?:[-*•]\s+)?([^\W\d_](?:_?[A-Za-z0-9]{1,3})?)\s*[:：]\s*([^:=0-9+*/]{2,60})$")
 _LONG_WORD = re.compile(r"(?<!\\)\b(?<!\\)[A-Za-z]{4,}")
 _CJK = re.compile("[\u2e80-\u9fff\uac00-\ud7af\uf900-\ufaff]")
 _RULE = re.compile(r"\s*([-=_*~#+])\1{2,}\s*")
@@ -38,7 +39,9 @@ _MARGIN = 200  # characters searched for the ends of the line that a formula may
 class Item:
     """A stretch that may be an equation: display, inline (in $ $), bare (a line) or prose (in a line).
 
-    `block` numbers the display it belongs to; `strict` tells that a refusal is to be reported.
+    `block` numbers the display it belongs to; `strict` tells that a refusal is to be reported. `doubt` is
+    what goes on behind it, or before it, and was not taken: what is left is not to be judged alone.
+    `head` is the letter that `l: rod length = λ s` is about, where the item is `= λ s`.
     """
 
     start: int
@@ -49,6 +52,8 @@ class Item:
     last_line: int
     tag: str = ""
     block: int = -1
+    doubt: ReadingError | None = None
+    head: tuple[int, int] | None = None
 
 
 class ItemFinder:
@@ -87,8 +92,7 @@ class ItemFinder:
         for number, region in enumerate(regions):
             if region.start < region.end:
                 yield from self._items_of_region(region, number)
-        if self.kind != "tex":
-            yield from self._items_outside(regions)
+        yield from self._items_outside(regions)
 
     def _in_fence(self, region: Region) -> bool:
         return any(
@@ -102,7 +106,7 @@ class ItemFinder:
         kind = "display" if alone else "inline"
         for piece in pieces_of(self.text, region.start, region.end, region.environment):
             lines = self.line_of(piece.start), self.line_of(piece.end - 1)
-            yield Item(piece.start, piece.end, kind, True, *lines, piece.tag, block)
+            yield Item(piece.start, piece.end, kind, True, *lines, piece.tag, block, piece.doubt)
 
     def _is_alone(self, region: Region) -> bool:
         before = self.text[max(0, region.first - _MARGIN) : region.first].rpartition("\n")
@@ -127,15 +131,30 @@ class ItemFinder:
             first, last = self.line_span(line)
             end = min(last, stop)
             whole = start == first and end == last
-            if self.text[start:end].strip():
-                yield from self._items_of_line(start, end, line, whole)
+            for first, last_of_cell in self._cells(start, end):
+                if self.text[first:last_of_cell].strip():
+                    is_whole = whole and first == start and last_of_cell == end
+                    yield from self._items_of_line(first, last_of_cell, line, is_whole)
             start, line = last + 1, line + 1
+
+    def _cells(self, start: int, end: int) -> list[tuple[int, int]]:
+        """Return the cells of a line that is a row of a table, else the line."""
+        gaps = [CELL_END]
+        if self.kind == "tex":
+            gaps += ["&", "\\\\"]
+        elif self.kind == "markdown" and self.text.startswith("|", start):
+            gaps.append("|")
+        cells, first = [], start
+        for match in re.finditer("|".join(map(re.escape, gaps)), self.text[start:end]):
+            cells.append((first, start + match.start()))
+            first = start + match.end()
+        return [*cells, (first, end)]
 
     def _items_of_line(self, start: int, end: int, line: int, whole: bool) -> Iterator[Item]:
         """Yield the items of a line, or of a part of it, outside delimiters."""
         source = self.text[start:end]
-        if self.kind == "markdown" and source.lstrip().startswith(("#", "|")):
-            return
+        if self.kind == "markdown" and (heading := re.match(r"\s*#+", source)):
+            start += heading.end()
         if _RULE.fullmatch(source):
             return
         words = vocabulary(self.names_at(line))
@@ -147,7 +166,7 @@ class ItemFinder:
         is_display = self.text.startswith("\\displaystyle", start) and not _CJK.search(
             self.text, start, end
         )
-        if whole and (is_display or (len(spans) == 1 and self._covers(spans[0], start, end))):
+        if self.kind != "tex" and whole and (is_display or (len(spans) == 1 and self._covers(spans[0], start, end))):
             yield from self._items_of_bare_line(start, end, line, command is not None)
             return
         for span in spans:
@@ -182,7 +201,7 @@ class ItemFinder:
             return
         for piece in pieces_of(self.text, start, end):
             strict = command or has_relation(self.text, piece.start, piece.end)
-            yield Item(piece.start, piece.end, "bare", strict, line, line, piece.tag)
+            yield Item(piece.start, piece.end, "bare", strict, line, line, piece.tag, doubt=piece.doubt)
 
     def _is_argument_of_word(self, place: int, start: int) -> bool:
         """Tell f(x) with a word for f from brackets after a word and a space."""
@@ -204,7 +223,17 @@ class ItemFinder:
         for piece in pieces_of(self.text, start, end):
             if has_relation(self.text, piece.start, piece.end):
                 inner = trim_segment(self.text, piece.start, piece.end, words)
-                yield Item(*inner, "prose", display >= 0, line, line, piece.tag)
+                doubt = piece.doubt or doubt_around(self.text, *inner, words)
+                head = self._letter_explained(inner[0], line)
+                yield Item(*inner, "prose", display >= 0, line, line, piece.tag, doubt=doubt, head=head)
+
+    def _letter_explained(self, place: int, line: int) -> tuple[int, int] | None:
+        """Return the letter of `l: rod length = λ s` before the relation at a place."""
+        if not relation_at_start(self.text[place : place + 20]):
+            return None
+        begin = self.line_span(line)[0]
+        match = _EXPLAINED.match(self.text, begin, place)
+        return match.span(1) if match else None
 
 
 # Delimited mathematics
@@ -340,6 +369,7 @@ class Passage:
     end: int
     tag: str = ""
     row: int = 0
+    doubt: ReadingError | None = None
 
 
 def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Passage]:
@@ -349,11 +379,84 @@ def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Pa
         last, tag = without_tag(text, first, end_of_row)
         spans = [_without_box(text, *trim(text, *span)) for span in _separate(text, first, last)]
         spans = [span for span in spans if span[0] < span[1]]
+        doubts: dict[tuple[int, int], ReadingError] = {}
         if len(spans) > 1:
+            doubts = _doubts(text, spans)
             spans = [span for span in spans if has_any_relation(text, *span)] or spans[:1]
-        for place, (begin, stop) in enumerate(spans):
-            pieces.append(Passage(begin, stop, tag if place == len(spans) - 1 else "", row))
+        for place, span in enumerate(spans):
+            last_tag = tag if place == len(spans) - 1 else ""
+            pieces.append(Passage(*span, last_tag, row, doubts.get(span)))
     return pieces
+
+
+_JOINING = re.compile(
+    r"(?:plus|minus|times|over|divided|multiplied|less|mal|durch|geteilt|weniger|fois|moins|squared|cubed"
+    r"|percent|prozent|and so|thousand|million|hundred|half|twice|tausend|hundert)\b",
+    re.IGNORECASE,
+)
+"""Words that go on with a formula."""
+_OPERATION = re.compile(r"[+\-−–*×·⋅∙/÷^±∓!]|\\(?:cdot|times|div|pm|mp|over)(?![A-Za-z])|\*\*")
+
+
+def _doubts(text: str, spans: list[tuple[int, int]]) -> dict[tuple[int, int], ReadingError]:
+    """Return the equations of a display behind which words, and then more of the formula, stand."""
+    result: dict[tuple[int, int], ReadingError] = {}
+    for before, after in pairwise(spans):
+        if not has_any_relation(text, *before) or has_any_relation(text, *after):
+            continue
+        between = text[before[1] : after[0]]
+        prose = re.sub(r"\\[A-Za-z]+\s*\{|[{}]", " ", between)
+        if _OPERATION.match(text, *after) or _JOINING.search(prose):
+            result[before] = _cut(after[0], text[before[1] : after[1]])
+    return result
+
+
+def _cut(place: int, rest: str) -> ReadingError:
+    words_left = " ".join(rest.split())
+    shown = words_left if len(words_left) <= 30 else words_left[:29] + "…"
+    return ReadingError(place, f"a formula that goes on in words: {shown}", "write it in signs, or end it")
+
+
+def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingError | None:
+    """Return why an equation in prose is not whole: what stands right before or behind it belongs to it.
+
+    >>> text = "cos 2t = 1 - 2 sin^2 t plus 3"
+    >>> print(doubt_around(text, 0, 22, vocabulary({"t"})))
+    at character 24: a formula that goes on in words: plus 3; write it in signs, or end it
+    """
+    line_end = text.find("\n", end)
+    stop = min(line_end if line_end >= 0 else len(text), end + _MARGIN)
+    after = text[end:stop].partition(CELL_END)[0]
+    behind = after.lstrip(" \t~)")
+    place = end + len(after) - len(behind)
+    if _goes_on(behind, after, words):
+        return _cut(place, behind)
+    line_begin = text.rfind("\n", 0, start) + 1
+    before = text[max(line_begin, start - _MARGIN) : start].rpartition(CELL_END)[2].rstrip()
+    operation = re.search(r"([\w)\]}²³])\s*([+*×·/^÷−])$", before)
+    if operation:
+        word = re.search(r"\w+$", before[: operation.start(2)].rstrip())
+        what = f"a formula that begins in words: {word.group() if word else ''} {operation[2]}"
+        return ReadingError(start, what, "declare the word, or write the relation in signs")
+    return None
+
+
+def _goes_on(behind: str, after: str, words: Vocabulary) -> bool:
+    """Tell whether what stands behind an equation in prose goes on with it."""
+    if not behind:
+        return False
+    if after[:1] == "," and after[1:2].isdecimal():
+        return True
+    if _JOINING.match(behind):
+        return True
+    operation = re.match(r"(?:[A-Za-z]{2,8}\s+){0,3}?([+*×·/÷^±∓]|[−—–-](?=\s*[0-9(\\]|\s[A-Za-z]\b))\s*", behind)
+    if operation is None:
+        return False
+    operand = behind[operation.end() :]
+    word = re.match(r"[A-Za-z]+", operand)
+    if word is None:
+        return operand[:1].isdecimal() or operand[:1] in ("(", "\\", "√") or operand[:1] in NAME_OF_SIGN
+    return len(word.group()) == 1 and word.group() not in "aAI" or word.group() in words.names
 
 
 def _without_box(text: str, start: int, end: int) -> tuple[int, int]:

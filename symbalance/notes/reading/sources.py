@@ -279,6 +279,8 @@ _VERB = re.compile(r"\\verb\*?([^A-Za-z\s*])[^\n]{0,400}?\1")
 _ADDRESS = re.compile(
     r"[A-Za-z][A-Za-z0-9+.-]{1,20}://[^\s<>\"「」、。]+|[\w.+-]{1,64}@[\w-]{1,64}(?:\.[\w-]{1,64})+"
 )
+_RULE_OF_SIGNS = re.compile(r"^[ \t]*(?:={2,}|~{3,})[ \t]*$", re.MULTILINE)
+_QUOTED = re.compile(r"^[ ]{0,3}(?:>[ ]?)+", re.MULTILINE)
 _FENCE = re.compile(r"[ ]{0,3}(`{3,}|~{3,})\s*([A-Za-z]*)")
 _BOLD = re.compile(r"(?<![\w)*])\*\*(?=[^\s*])([^*\n]{1,300})(?<=\S)\*\*(?![\w(*])")
 _CODE = re.compile(r"(`+)(?!`)[^`\n]{1,400}\1(?!`)")
@@ -327,7 +329,8 @@ def _without_environments(text: str) -> str:
 
 
 def mask_plain(text: str) -> str:
-    """Blank addresses of the net and of mail."""
+    """Blank addresses of the net and of mail, and rules of equals signs under a heading."""
+    text = _RULE_OF_SIGNS.sub(lambda m: blank(m.group()), text)
     return _ADDRESS.sub(lambda m: blank(m.group()), text)
 
 
@@ -358,7 +361,8 @@ def mask_markdown(text: str) -> tuple[str, list[Span], list[Span]]:
                 codes.append((offset + code.start() + ticks, offset + code.end() - ticks))
             line = _CODE.sub(_without_ticks, line)
             lines.append(_BOLD.sub(lambda m: f"  {m.group(1)}  ", line))
-    return mask_plain("".join(lines)), formulas, codes
+    unquoted = _QUOTED.sub(lambda m: blank(m.group()), "".join(lines))
+    return mask_plain(unquoted), formulas, codes
 
 
 def _without_ticks(match: re.Match[str]) -> str:
