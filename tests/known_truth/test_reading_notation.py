@@ -156,7 +156,7 @@ def test_the_side_of_a_function_is_all_of_it() -> None:
     ],
 )
 def test_a_value_of_a_function_is_refused(text: str, shown: str) -> None:
-    (refusal,) = read(text).unreadable
+    refusal = read(text).unreadable[0]
     assert refusal.what == f"a value of a function: {shown}"
     assert refusal.remedy == "write out what is meant"
     assert read(text).chains == ()

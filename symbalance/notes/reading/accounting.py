@@ -32,6 +32,7 @@ _AROUND = 120  # characters looked at on either side of a sign
 _BOUNDS = re.compile(r"[_^]\s*\{[^{}\n]{0,60}\}")
 _TAG = re.compile(r"</?[\u2e80-\u9fff][^<>\n=]{0,60}>|</?[A-Za-z!][\w-]*\s[^<>\n]{0,200}>|<[A-Za-z][\w.]{0,20}>")
 _SETTING = re.compile(r"\\([A-Za-z]+)\s*$")
+_SIGN = re.compile(rf"==|:=|<=(?!>)|>=|!=|{RELATION.pattern}")
 _BEFORE = re.compile(r"([^\W\d_][\w'’-]*|\S)\s*$")
 _AFTER = re.compile(r"\s*([^\W\d_][\w'’-]*|\S)")
 _END_OF_SENTENCE = re.compile(rf"[\n{CELL_END}]|[.;:!?。](?=\s)")
@@ -41,7 +42,7 @@ _ASSIGNED = re.compile(r"^[\w.-]*[A-Za-z][\w.-]+=(?:[\"'\w./#%-]*[A-Za-z\"'][\"'
 def relation_places(text: str) -> list[int]:
     """Return where the relation signs of a prepared text stand, those in the bounds of sums left out."""
     without = _BOUNDS.sub(lambda m: " " * len(m.group()), text)
-    return [match.start() for match in RELATION.finditer(without)]
+    return [match.start() for match in _SIGN.finditer(without)]
 
 
 @dataclass
@@ -96,7 +97,7 @@ class Account:
 
     def _sides(self, place: int) -> tuple[int, int]:
         """Return the sign with what stands around it, up to the next signs."""
-        match = RELATION.match(self.text, place)
+        match = _SIGN.match(self.text, place)
         end = match.end() if match else place + 1
         following = RELATION.search(self.text, end, end + 4 * _AROUND)
         line_end = self.text.find("\n", end)
@@ -132,9 +133,11 @@ class Account:
         return start, max(end, place + 1)
 
     def _neighbours(self, place: int) -> tuple[str, str]:
-        sign = RELATION.match(self.text, place)
+        """Return the words or signs next to a relation; for a bracket behind a word, f(x), that word."""
+        sign = _SIGN.match(self.text, place)
         end = sign.end() if sign else place + 1
-        before = _BEFORE.search(self.text[max(place - _AROUND, 0) : place])
+        left = self.text[max(place - _AROUND, 0) : place]
+        before = re.search(r"([A-Za-z]\w+)\([^()]*\)\s*$", left) or _BEFORE.search(left)
         after = _AFTER.match(self.text[end : end + _AROUND])
         return before[1] if before else "", after[1] if after else ""
 
@@ -160,9 +163,20 @@ class Account:
             return "an option or attribute"
         if _is_word(before, names) and _is_word(after, names):
             return "words on both sides"
+        if _is_word(before, names) and re.fullmatch(r"[-+−]?[0-9.,]+\W*(?:\w+\W*)?", self._right_side(place)):
+            return "the value of a word that is no declared letter"
+        if re.match(r"\s*\$[0-9]", self.text[place + 1 : place + 4]):
+            return "a sum of money"
         if (not before or before in "|&-•*") and (_is_word(after, names) or not after):
             return "a sign of the layout"
         return ""
+
+    def _right_side(self, place: int) -> str:
+        """Return what stands between a sign and the next word of prose or the end of the clause."""
+        rest = self.text[place + 1 : self._clause(place)[1]]
+        match = RELATION.search(rest)
+        rest = rest[: match.start()] if match else rest
+        return re.split(r"\s(?:and|or|und|oder|et|ou)\s", rest, maxsplit=1)[0].strip()
 
     def _is_formula(self, clause: tuple[int, int], names: Collection[str]) -> bool:
         """Tell whether all the words of a clause are declared letters and functions."""

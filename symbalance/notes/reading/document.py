@@ -198,7 +198,12 @@ class Assembler:
     def _follows_refused(self, item: Item, tokens: list[Token]) -> bool:
         """Tell whether `= c` continues an equation that could not be read; c then starts a chain."""
         before, self._refused_item = self._refused_item, None
-        return tokens[0].kind == "rel" and before is not None and self._is_near(before, item)
+        follows = tokens[0].kind == "rel" and before is not None and self._is_near(before, item)
+        if follows:
+            sign = tokens[0]
+            failure = ReadingError(sign.start, "the side before it is not read", "mend that side first")
+            self.account.refused.append(((sign.start, sign.end), failure))
+        return follows
 
     def _give_up_item(self, item: Item, failure: ReadingError) -> None:
         source = self.text[item.start : item.end].lstrip(" \n\t&")

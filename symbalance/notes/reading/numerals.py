@@ -31,6 +31,26 @@ _DASH = re.compile("[—―‒]")
 _WORD = re.compile(r"(?<![\\A-Za-z])[A-Za-z]{2,}")
 _OPERAND_BEFORE = re.compile(r"[\w)\]}²³°′'&]$")
 _OPERAND_AFTER = re.compile(r"[\w(\[\\√½¼¾|{]")
+_SPELLED = (
+    ("mm", "millimet(?:er|re)s?"), ("cm", "centimet(?:er|re)s?|Zentimeter"), ("km", "kilomet(?:er|re)s?"),
+    ("m", "met(?:er|re)s?|Meter"), ("kg", "kilograms?|kilogrammes?|Kilogramm"), ("g", "grams?|grammes?|Gramm"),
+    ("ms", "milliseconds?|Millisekunden?"), ("s", "seconds?|Sekunden?"), ("min", "minutes?|Minuten?"),
+    ("kN", "kilonewtons?"), ("N", "newtons?"), ("Nm", "newton[ -]?met(?:er|re)s?|Newtonmeter"),
+    ("Hz", "hertz"), ("W", "watts?"), ("kW", "kilowatts?"), ("J", "joules?"), ("rad", "radians?|Radiant"),
+    ("°", "degrees?|deg|Grad|degrés"), ("%", "percent|per cent|Prozent"),
+)  # fmt: skip
+_SPELLED_UNIT = re.compile(
+    r"(?<=[0-9])(\$?)[ ~]?(\$?)(?:" + "|".join(f"(?P<u{n}>{names})" for n, (_, names) in enumerate(_SPELLED)) + r")(?![A-Za-z])",
+    re.IGNORECASE,
+)
+_UNIT_BEHIND = (
+    r"(?:[kmcM]?N ?m?|[kmcd]?m(?:/s(?:\^?[2²])?)?|k?g|m?s|rpm|rad(?:/s)?|1/s|1/min|min\^?-1|min⁻¹|s\^-1|s⁻¹|[kM]?Pa|bar|[kM]?W|[kM]?J"
+    r"|k?Hz|kg ?m[²2]?|N/mm[²2]?|°|U/min)"
+)
+_BEHIND_DOLLAR = re.compile(
+    rf"(?<=[0-9])\$[ ~]?(?P<unit>{_UNIT_BEHIND})(?=[.,;:)]?(?:\s*$|[\s|)])|[.,;:)]\s)(?! ?[=<>≈+*/])", re.MULTILINE
+)
+_OPENED = re.compile(r"\$[^$\n]*$")
 FEWEST_WORDS = 3
 """Of a language that writes decimal commas, before `1,5` counts as one; `i = 1,2` is a list elsewhere."""
 
@@ -52,6 +72,7 @@ def with_plain_numerals(
     changes |= commas
     changes |= _scanned(text, is_letter, notes)
     changes |= _dashes(text, notes)
+    changes |= _units_in_words(text)
     if not changes:
         return None, ()
     rewriter = Rewriter(text)
@@ -126,6 +147,32 @@ def _scanned(
         changes[match.start()] = (match.end(), match.group().replace("O", "0"))
     _note(notes, "the letter O for a zero", changes, text)
     return changes
+
+
+def _units_in_words(text: str) -> dict[int, tuple[int, str]]:
+    """Return the units written out, 40 millimetres, or behind the dollar, $r = 40$ mm, in their signs."""
+    changes: dict[int, tuple[int, str]] = {}
+    for match in _SPELLED_UNIT.finditer(text):
+        which = next(n for n in range(len(_SPELLED)) if match[f"u{n}"])
+        unit, dollars = _SPELLED[which][0], match[1] + match[2]
+        changes[match.start()] = (match.end(), _unit_sign(unit, bool(dollars)) + dollars)
+    for match in _BEHIND_DOLLAR.finditer(text):
+        if _closes(text, match.start()):
+            changes[match.start()] = (match.end(), _unit_sign(match["unit"], True) + "$")
+    return changes
+
+
+def _unit_sign(unit: str, in_latex: bool) -> str:
+    if unit in ("°", "%"):
+        return {"°": "°", "%": "\\%" if in_latex else "%"}[unit]
+    return f"\\,\\mathrm{{{unit}}}" if in_latex else f" {unit}"
+
+
+def _closes(text: str, place: int) -> bool:
+    """Tell whether the dollar at a place closes mathematics of its line, which holds a relation."""
+    line = text[text.rfind("\n", 0, place) + 1 : place]
+    opened = _OPENED.search(line)
+    return line.count("$") % 2 == 1 and opened is not None and RELATION.search(opened.group()) is not None
 
 
 def _dashes(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:

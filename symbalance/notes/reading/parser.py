@@ -269,10 +269,14 @@ class Parser:
         following = self.peek(1)
         if not self.at("name", "O") or "O" in self.names or not following or following.value != "(":
             return None
-        depth, steps = 1, 2
+        depth, steps, has_letter = 1, 2, False
         while depth and (token := self.peek(steps)):
             depth += {"open": 1, "close": -1}.get(token.kind, 0)
+            has_letter = has_letter or (token.kind == "name" and token.value in self.names)
             steps += 1
+        if not has_letter:
+            remedy = "name the small letter, as in O(λ^2)"
+            raise ReadingError(self.offset, "an order O( ) without a small letter", remedy)
         after = self.peek(steps)
         if depth or not (after is None or after.kind == "close"):
             return None

@@ -140,7 +140,9 @@ def _is_mathematical_sign(sign: str, text: str, place: int, end: int) -> bool:
     if sign == ":":
         return text[place + 1 : place + 2] == "="
     if sign in "!%":
-        return _is_operation(sign, text[place - 1 : place], text[place + 1 : min(place + 9, end)])
+        before = text[max(place - 2, 0) : place]
+        before = before.rstrip() if sign == "%" else before
+        return _is_operation(sign, before[-1:], text[place + 1 : min(place + 9, end)])
     if sign == ".":
         return place + 1 < end and text[place + 1].isdecimal()
     return sign in _MATHEMATICAL

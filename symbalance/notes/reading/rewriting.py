@@ -98,7 +98,7 @@ def rewritten(pieces: Iterable[Piece]) -> Rewritten:
 class Rewriter:
     """Builds a rewritten text from left to right: what is replaced, and the rest as it stands.
 
-    Line ends of what is replaced follow it, so that every line of the result has its number.
+    Line ends of what is replaced stand in what replaces it or follow it: every line keeps its number.
 
     >>> rewriter = Rewriter("a = \\\\x b")
     >>> rewriter.replace(4, 6, "12")
@@ -120,15 +120,18 @@ class Rewriter:
                 self.pieces.append(Piece(text, start, end, False))
                 lines -= text.count("\n")
             else:
-                self.pieces += self._argument(*text)
+                stays = self.text.count("\n", *text) <= lines
+                lines -= self.text.count("\n", *text) if stays else 0
+                self.pieces += self._argument(*text, stays)
         if lines > 0:
             self.pieces.append(Piece(" \n" * lines, start, end, False))
         self.place = end
 
-    def _argument(self, start: int, end: int) -> Iterable[Piece]:
-        """Yield a stretch as it stands; its line ends are blanks, as they follow the whole."""
+    def _argument(self, start: int, end: int, stays: bool) -> Iterable[Piece]:
+        """Yield a stretch as it stands; line ends that stood there once already are blanks."""
         if start < end:
-            yield Piece(self.text[start:end].replace("\n", " "), start, end, True)
+            text = self.text[start:end]
+            yield Piece(text if stays else text.replace("\n", " "), start, end, True)
 
     def _keep(self, start: int) -> None:
         if self.place < start:

@@ -104,9 +104,17 @@ class ItemFinder:
         if not alone and not has_any_relation(self.text, region.start, region.end):
             return
         kind = "display" if alone else "inline"
-        for piece in pieces_of(self.text, region.start, region.end, region.environment):
+        pieces = pieces_of(self.text, region.start, region.end, region.environment)
+        around = self._doubt_around_region(region) if pieces and not region.display else None
+        for piece in pieces:
             lines = self.line_of(piece.start), self.line_of(piece.end - 1)
-            yield Item(piece.start, piece.end, kind, True, *lines, piece.tag, block, piece.doubt)
+            doubt = piece.doubt or (around if piece is pieces[-1] else None)
+            yield Item(piece.start, piece.end, kind, True, *lines, piece.tag, block, doubt)
+
+    def _doubt_around_region(self, region: Region) -> ReadingError | None:
+        """Return why $a = b$ in a line is not whole: the line goes on with it in words or signs."""
+        words = vocabulary(self.names_at(self.line_of(region.first)))
+        return doubt_around(self.text, region.first, region.last, words)
 
     def _is_alone(self, region: Region) -> bool:
         before = self.text[max(0, region.first - _MARGIN) : region.first].rpartition("\n")
@@ -395,6 +403,12 @@ _JOINING = re.compile(
     re.IGNORECASE,
 )
 """Words that go on with a formula."""
+_PART_OF = re.compile(r"(?:of|von|de)\b", re.IGNORECASE)
+_JOINED_BEFORE = re.compile(
+    r"(?:(?<=[0-9%)½¼¾²³}$])\s*(?:of|von|de)|\b(?:half|third|quarter|twice) (?:of )?|(?:\b|\s)(?:plus|minus|times|mal|over"
+    r"|durch|divided by|multiplied by|geteilt durch))$",
+    re.IGNORECASE,
+)
 _OPERATION = re.compile(r"[+\-−–*×·⋅∙/÷^±∓!]|\\(?:cdot|times|div|pm|mp|over)(?![A-Za-z])|\*\*")
 
 
@@ -429,7 +443,7 @@ def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingE
     after = text[end:stop].partition(CELL_END)[0]
     behind = after.lstrip(" \t~)")
     place = end + len(after) - len(behind)
-    if _goes_on(behind, after, words):
+    if _goes_on(behind, after, words) or (text[end - 1 : end] == "%" and _PART_OF.match(behind)):
         return _cut(place, behind)
     line_begin = text.rfind("\n", 0, start) + 1
     before = text[max(line_begin, start - _MARGIN) : start].rpartition(CELL_END)[2].rstrip()
@@ -438,6 +452,10 @@ def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingE
         word = re.search(r"\w+$", before[: operation.start(2)].rstrip())
         what = f"a formula that begins in words: {word.group() if word else ''} {operation[2]}"
         return ReadingError(start, what, "declare the word, or write the relation in signs")
+    joined = _JOINED_BEFORE.search(before)
+    if joined:
+        what = f"a formula that begins in words: {joined.group()}"
+        return ReadingError(start, what, "write the relation in signs")
     return None
 
 
@@ -455,7 +473,7 @@ def _goes_on(behind: str, after: str, words: Vocabulary) -> bool:
     operand = behind[operation.end() :]
     word = re.match(r"[A-Za-z]+", operand)
     if word is None:
-        return operand[:1].isdecimal() or operand[:1] in ("(", "\\", "√") or operand[:1] in NAME_OF_SIGN
+        return operand[:1].isdecimal() or operand[:1] in ("(", "\\", "√", "$") or operand[:1] in NAME_OF_SIGN
     return len(word.group()) == 1 and word.group() not in "aAI" or word.group() in words.names
 
 

@@ -56,11 +56,12 @@ def prepare(
     narrow = to_half_width(text)
     kind = kind_of(narrow, suffix)
     first: Rewritten | None = None
+    narrow = mask_code_of_tex(narrow) if kind == "tex" else narrow
     for rules in _RULES.get(kind, ()):
         done = _rewritten(first.text if first else narrow, rules)
         first = done.after(first) if done else first
     current = first.text if first else narrow
-    macros = expand_macros(mask_code_of_tex(current) if kind == "tex" else current)
+    macros = expand_macros(current)
     origin = macros.source.after(first) if macros.source else first
     current = origin.text if origin else narrow
     numerals, notes = with_plain_numerals(current, is_letter)
@@ -221,8 +222,24 @@ def _heading(match: re.Match[str]) -> Texts:
     return (" ", match.span(2), " ")
 
 
+def _boxed_display(match: re.Match[str]) -> Texts:
+    """\\begin{empheq}[box=\\fbox]{align} is an align; so are the equations of IEEEtran."""
+    name = match["display"]
+    return (f"\\begin{{{name}}}", match.span("body"), f"\\end{{{name}}}")
+
+
+_TEX_DISPLAYS = (
+    _rule(r"\\begin\s*\{empheq\}\s*(?:\[[^\[\]]{0,200}\])?\s*\{(?P<display>[a-z]+\*?)(?:=[0-9]+)?\}"
+          r"(?P<body>.{0,20000}?)\\end\s*\{empheq\}", _boxed_display),
+    _rule(r"\\begin\s*\{IEEEeqnarray(\*?)\}\s*(?:\[[^\[\]]*\])?\s*\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}",
+          lambda match: (f"\\begin{{eqnarray{match[1]}}}",)),
+    _rule(r"\\end\s*\{IEEEeqnarray(\*?)\}", lambda match: (f"\\end{{eqnarray{match[1]}}}",)),
+    _rule(r"\\begin\s*\{IEEEeqnarraybox\*?\}\s*(?:\[[^\[\]]*\])?\s*\{[^{}]*\}", lambda match: ("\\begin{aligned}",)),
+    _rule(r"\\end\s*\{IEEEeqnarraybox\*?\}", lambda match: ("\\end{aligned}",)),
+)
 _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
-    "markdown": ((
+    "tex": (_TEX_DISPLAYS,),
+    "markdown": (_TEX_DISPLAYS, (
         _FENCED, _COMMENT, _GITLAB, *_DOUBLE_BACKSLASH, *_DISPLAYED, _MATH, _RAISED, _LOWERED,
         _INLINE_TAG, _BLOCK_TAG, _ENTITY,
         _rule(r"(?<=\])\([^()\s]{0,400}[.#/][^()\s]{0,400}[?&][^()\s]{0,400}=[^()\s]{0,400}\)", _blank),

@@ -23,7 +23,7 @@ _OTHER: dict[str, Fraction] = {
 }  # fmt: skip
 _UNITS = {p + unit: scale for unit in _PREFIXED for p, scale in _PREFIXES.items()} | _OTHER
 _UNITS |= {p + "g": scale / 1000 for p, scale in _PREFIXES.items()}
-_TURNS = {**dict.fromkeys(words("rpm 1/min min^-1 r/min rev/min"), Fraction(1, 30))}
+_TURNS = {**dict.fromkeys(words("rpm 1/min min^-1 r/min rev/min U/min tr/min Umin^-1"), Fraction(1, 30))}
 _TURNS |= {"rps": Fraction(2), "rev/s": Fraction(2)}
 _PLAIN_SURE = word_set("mm cm km kg rpm kW kHz Hz")
 
