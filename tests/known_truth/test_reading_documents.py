@@ -102,7 +102,19 @@ def test_a_tex_file_gives_its_delimited_mathematics() -> None:
 
 
 def test_a_markdown_file_is_read_outside_code() -> None:
-    expected = ["x = 0", "x = 2", "x = 3", "F = m a", "x = 4", "y = 5", "M = F L", "x = 6", "v = 7", "a = r ω^2", "F = m a = m r"]
+    expected = [
+        "x = 0",
+        "x = 2",
+        "x = 3",
+        "F = m a",
+        "x = 4",
+        "y = 5",
+        "M = F L",
+        "x = 6",
+        "v = 7",
+        "a = r ω^2",
+        "F = m a = m r",
+    ]
     assert all_said(MARKDOWN, ".md") == expected
 
 
@@ -191,8 +203,11 @@ REFUSED = [
     ("a\n\n\\displaystyle x = \\foo{a}", [(3, 19, "unknown command \\foo")], []),
     ("x = a\n = \\foo\n = b", [(2, 4, "unknown command \\foo")], ["x = a = b"]),
     ("x = a\n + \\foo\n = b", [(2, 4, "unknown command \\foo")], ["x = b"]),
-    ("x = a\ny = \\foo b\n  = c\n  = b\n", [(2, 5, "unknown command \\foo"),
-     (3, 3, "the side before it is not read")], ["x = a", "c = b"]),
+    (
+        "x = a\ny = \\foo b\n  = c\n  = b\n",
+        [(2, 5, "unknown command \\foo"), (3, 3, "the side before it is not read")],
+        ["x = a", "c = b"],
+    ),
     ("x = 5%\nn! = 6", [(2, 2, "factorials are not read")], ["x = 5 (1/100)"]),
     ("$$x = 3", [(1, 1, "$$ without $$")], ["x = 3"]),
     (

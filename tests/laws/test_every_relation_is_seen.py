@@ -15,7 +15,9 @@ from tests import TESTS
 
 HAND = TESTS / "hand"
 CHECKED = TESTS.parent / "derivations" / "checked"
-PAGES = [HAND / tomllib.loads(t.read_text(encoding="utf-8"))["page"] for t in sorted(HAND.glob("*.truth.toml"))]
+PAGES = [
+    HAND / tomllib.loads(t.read_text(encoding="utf-8"))["page"] for t in sorted(HAND.glob("*.truth.toml"))
+]
 PAGES += sorted(CHECKED.glob("0*.txt"))
 COMMANDS = (
     "approx simeq fallingdotseq cong doteq doteqdot sim approxeq leq le leqq leqslant geq ge geqq geqslant"
@@ -48,7 +50,9 @@ def counted(path: Path) -> int:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("page", [p for p in PAGES if p.suffix in (".tex", ".md", ".txt")], ids=lambda p: p.name)
+@pytest.mark.parametrize(
+    "page", [p for p in PAGES if p.suffix in (".tex", ".md", ".txt")], ids=lambda p: p.name
+)
 def test_a_plain_scan_counts_what_the_report_accounts_for(page):
     sidecar = tomllib.loads(page.with_suffix(".symbols.toml").read_text(encoding="utf-8"))
     report = check(page, {key: sidecar[key] for key in ("symbols", "scope") if key in sidecar})
@@ -93,7 +97,9 @@ def test_nothing_vanishes_wherever_it_stands(text, suffix, tmp_path):
 
 
 def test_what_is_no_mathematics_is_counted_and_says_why(tmp_path):
-    text = "Kraft = Masse mal Weg. Use `--format=json` and <b>bold</b>; cost = 4.\n\n```python\nx = 3\n```\n"
+    text = (
+        "Kraft = Masse mal Weg. Use `--format=json` and <b>bold</b>; cost = 4.\n\n```python\nx = 3\n```\n"
+    )
     page = tmp_path / "page.md"
     page.write_text(text, encoding="utf-8")
     data = check(page, LETTERS).data()

@@ -105,7 +105,10 @@ def text_of(document: str | Path) -> tuple[str, str, Path]:
     if isinstance(document, str) and ("\n" in document or not is_file_name(document)):
         return document, "text", Path()
     path = Path(document)
-    text, name = read_text(path, what="a .tex, .md, .txt, .ipynb, .wiki, .html or .adoc file"), file_name(path)
+    text, name = (
+        read_text(path, what="a .tex, .md, .txt, .ipynb, .wiki, .html or .adoc file"),
+        file_name(path),
+    )
     is_notebook = path.suffix.lower() == NOTEBOOK
     return (notebook_text(text, name) if is_notebook else text), name, path.parent
 

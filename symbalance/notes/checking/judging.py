@@ -24,6 +24,7 @@ from symbalance.notes.checking.descriptions import (
     with_fault,
 )
 from symbalance.notes.checking.engines import Sources
+from symbalance.notes.checking.own_units import speeds_in_own_unit
 from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
 from symbalance.notes.checking.sidecar import Binding, Declarations
 from symbalance.notes.checking.symbol_roles import MOVING, letters_by_role
@@ -154,6 +155,7 @@ class Judge:
     def chain(self, chain: Chain, bindings: list[Binding]) -> list[Verdict]:
         """Return the verdicts on a chain's relations in order; none is lost by a fault of the checker."""
         verdicts: list[Verdict] = []
+        chain = speeds_in_own_unit(chain, self.declarations.symbols_at(chain.lines[0]))
         try:
             self._judge(chain, bindings, verdicts)
         except SymbalanceError:

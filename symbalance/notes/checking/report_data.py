@@ -17,7 +17,12 @@ def report_data(checked: Checked) -> dict[str, Any]:
         "counts": dict.fromkeys((*VERDICTS, NOT_MATHEMATICS), 0) | checked.counts(),
         "notes": list(checked.derivation.notes),
         "not_mathematics": [
-            {"line": p.line, "column": p.column, "why": p.why, "source": checked.derivation.source(p.span)}
+            {
+                "line": p.line,
+                "column": p.column,
+                "why": p.why,
+                "source": checked.derivation.source(p.span),
+            }
             for p in checked.derivation.not_mathematics
         ],
         "links": sorted(entries, key=lambda entry: entry["line"]),

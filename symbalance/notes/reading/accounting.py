@@ -30,7 +30,9 @@ MOST_SIGNS = 20_000
 """Signs looked at; a text with more is no derivation, and is said to have more."""
 _AROUND = 120  # characters looked at on either side of a sign
 _BOUNDS = re.compile(r"[_^]\s*\{[^{}\n]{0,60}\}")
-_TAG = re.compile(r"</?[\u2e80-\u9fff][^<>\n=]{0,60}>|</?[A-Za-z!][\w-]*\s[^<>\n]{0,200}>|<[A-Za-z][\w.]{0,20}>")
+_TAG = re.compile(
+    r"</?[\u2e80-\u9fff][^<>\n=]{0,60}>|</?[A-Za-z!][\w-]*\s[^<>\n]{0,200}>|<[A-Za-z][\w.]{0,20}>"
+)
 _SETTING = re.compile(r"\\([A-Za-z]+)\s*$")
 _SIGN = re.compile(rf"==|:=|<=(?!>)|>=|!=|{RELATION.pattern}")
 _BEFORE = re.compile(r"([^\W\d_][\w'’-]*|\S)\s*$")
@@ -163,7 +165,9 @@ class Account:
             return "an option or attribute"
         if _is_word(before, names) and _is_word(after, names):
             return "words on both sides"
-        if _is_word(before, names) and re.fullmatch(r"[-+−]?[0-9.,]+\W*(?:\w+\W*)?", self._right_side(place)):
+        if _is_word(before, names) and re.fullmatch(
+            r"[-+−]?[0-9.,]+\W*(?:\w+\W*)?", self._right_side(place)
+        ):
             return "the value of a word that is no declared letter"
         if re.match(r"\s*\$[0-9]", self.text[place + 1 : place + 4]):
             return "a sum of money"
@@ -201,4 +205,3 @@ def _running_ends(spans: Sequence[Unreadable]) -> list[int]:
         before = result[-1] if result else number
         result.append(number if part.span[1] >= spans[before].span[1] else before)
     return result
-

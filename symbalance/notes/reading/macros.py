@@ -278,7 +278,9 @@ class Round:
 
     def _parting(self, texts: list[str | Span], end: int) -> list[str]:
         """Return a blank where a command at the end would run into a letter."""
-        last = next((t if isinstance(t, str) else self.text[t[0] : t[1]] for t in reversed(texts) if t), "")
+        last = next(
+            (t if isinstance(t, str) else self.text[t[0] : t[1]] for t in reversed(texts) if t), ""
+        )
         runs_on = re.search(r"\\[A-Za-z]+$", last) and self.text[end : end + 1].isalpha()
         return [" "] if runs_on else []
 
@@ -310,7 +312,11 @@ class Round:
             before = body[done : match.start()]
             number = int(match[1])
             argument = arguments[number - 1] if number <= len(arguments) else ""
-            first = self.text[argument[0]] if isinstance(argument, tuple) and argument[0] < argument[1] else ""
+            first = (
+                self.text[argument[0]]
+                if isinstance(argument, tuple) and argument[0] < argument[1]
+                else ""
+            )
             parting = " " if re.search(r"\\[A-Za-z]+$", before) and first.isalpha() else ""
             texts += [before + parting, argument]
             done = match.end()
@@ -320,7 +326,9 @@ class Round:
 # Commands of packages
 
 
-def _arguments(text: str, place: int, count: int, optional: bool = False) -> tuple[list[Span], int] | None:
+def _arguments(
+    text: str, place: int, count: int, optional: bool = False
+) -> tuple[list[Span], int] | None:
     """Return the spans of so many arguments and where they end; an optional one first is passed over."""
     if optional and (match := _DEFAULT.match(text, place)):
         place = match.end()

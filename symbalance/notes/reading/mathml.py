@@ -76,7 +76,11 @@ def _written(node: Node, depth: int) -> str:
     name, attributes, children, text = node
     if name == "#text":
         return "".join(_SIGNS.get(sign, sign) for sign in text)
-    parts = [_written(child, depth + 1) for child in children if child[0] not in ("annotation", "annotation-xml")]
+    parts = [
+        _written(child, depth + 1)
+        for child in children
+        if child[0] not in ("annotation", "annotation-xml")
+    ]
     inside = "".join(parts)
     if name in ("mrow", "math", "mstyle", "semantics", "mn", "mpadded", "menclose", "none"):
         return inside

@@ -32,7 +32,9 @@ def notebook_text(source: str, name: str) -> str:
         raise SymbalanceError(name, what, "save it again with Jupyter") from None
     cells = _cells(notebook)
     if cells is None or len(cells) > MOST_CELLS:
-        rule = "is no notebook: it has no list of cells" if cells is None else f"has over {MOST_CELLS} cells"
+        rule = (
+            "is no notebook: it has no list of cells" if cells is None else f"has over {MOST_CELLS} cells"
+        )
         raise SymbalanceError(name, rule, "save it again with Jupyter, as format 4")
     return "\n\n".join(_cell_text(cell, number, name) for number, cell in enumerate(cells, 1))
 

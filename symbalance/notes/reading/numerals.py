@@ -17,7 +17,9 @@ _COMMA = re.compile(
     r"(?<![\w.,\\])(?<!_\{)(?<!\^\{)(?<!\{,\})(?<![0-9]\s,)([0-9]{1,12})(,|\{,\})([0-9]{1,15})"
     r"(?![0-9A-Za-z]|,[0-9]|\{,\}|\.[0-9])"
 )
-_GROUPED = re.compile(r"(?<![\w.,\\])(?<!_\{)(?<!\{,\})([1-9][0-9]{0,2})((?:,[0-9]{3})+)(?![0-9A-Za-z]|,[0-9])")
+_GROUPED = re.compile(
+    r"(?<![\w.,\\])(?<!_\{)(?<!\{,\})([1-9][0-9]{0,2})((?:,[0-9]{3})+)(?![0-9A-Za-z]|,[0-9])"
+)
 _POINT = re.compile(r"(?<![\w.,\\])([0-9]{1,12})\.([0-9]{1,15})(?![0-9A-Za-z]|\.[0-9])")
 _POINTED = re.compile(r"(?<![\w.,\\])([1-9][0-9]{0,2})((?:\.[0-9]{3})+)(?![0-9A-Za-z]|\.[0-9])")
 _LANGUAGES = re.compile(
@@ -40,7 +42,9 @@ _SPELLED = (
     ("°", "degrees?|deg|Grad|degrés"), ("%", "percent|per cent|Prozent"),
 )  # fmt: skip
 _SPELLED_UNIT = re.compile(
-    r"(?<=[0-9])(\$?)[ ~]?(\$?)(?:" + "|".join(f"(?P<u{n}>{names})" for n, (_, names) in enumerate(_SPELLED)) + r")(?![A-Za-z])",
+    r"(?<=[0-9])(\$?)[ ~]?(\$?)(?:"
+    + "|".join(f"(?P<u{n}>{names})" for n, (_, names) in enumerate(_SPELLED))
+    + r")(?![A-Za-z])",
     re.IGNORECASE,
 )
 _UNIT_BEHIND = (
@@ -48,7 +52,8 @@ _UNIT_BEHIND = (
     r"|k?Hz|kg ?m[²2]?|N/mm[²2]?|°|U/min)"
 )
 _BEHIND_DOLLAR = re.compile(
-    rf"(?<=[0-9])\$[ ~]?(?P<unit>{_UNIT_BEHIND})(?=[.,;:)]?(?:\s*$|[\s|)])|[.,;:)]\s)(?! ?[=<>≈+*/])", re.MULTILINE
+    rf"(?<=[0-9])\$[ ~]?(?P<unit>{_UNIT_BEHIND})(?=[.,;:)]?(?:\s*$|[\s|)])|[.,;:)]\s)(?! ?[=<>≈+*/])",
+    re.MULTILINE,
 )
 _OPENED = re.compile(r"\$[^$\n]*$")
 FEWEST_WORDS = 3
@@ -99,7 +104,9 @@ def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
         _note(notes, "decimal commas", decimal, text)
         _note(notes, "points between thousands", {m.start(): changes[m.start()] for m in thousands}, text)
         return changes
-    zeros = {m.start(): (m.end(), f"{m[1]}.{m[3]}") for m in sure if m[1].strip("0") == "" and len(m[3]) > 1}
+    zeros = {
+        m.start(): (m.end(), f"{m[1]}.{m[3]}") for m in sure if m[1].strip("0") == "" and len(m[3]) > 1
+    }
     _note(notes, "decimal commas", zeros, text)
     if points and not zeros:
         changes = {m.start(): (m.end(), m[1] + m[2].replace(",", "")) for m in grouped}
@@ -126,7 +133,9 @@ def _is_surely_decimal(match: re.Match[str], is_usual: bool) -> bool:
 def _follows_formula(text: str, match: re.Match[str]) -> bool:
     """Tell whether a number stands in a formula, not in a date or the number of a section."""
     before = text[max(match.start() - 12, 0) : match.start()].rstrip()
-    return bool(before) and (before[-1] in "=≈<>≤≥+-−*/·×({^" or before.endswith(("cdot", "times", "approx")))
+    return bool(before) and (
+        before[-1] in "=≈<>≤≥+-−*/·×({^" or before.endswith(("cdot", "times", "approx"))
+    )
 
 
 def _note(notes: list[str], what: str, changes: dict[int, tuple[int, str]], text: str) -> None:

@@ -35,7 +35,7 @@ from symbalance.document.formula import (
     names,
     walk,
 )
-from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek
+from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek, plain_letter
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.lexer import CLOSER, VULGAR, Token
 
@@ -49,6 +49,7 @@ MOST_SLASHES = 20
 HIGHEST_DERIVATIVE = 20
 _INDICES = ("i", "j", "k", "n", "N")
 _INVERSE = {"sin": "asin", "cos": "acos", "tan": "atan"}
+_TWO_FORMS = ("phi", "theta", "epsilon", "rho", "sigma", "kappa")
 _STARTS = frozenset({"number", "name", "function", "vulgar"})
 
 
@@ -220,6 +221,9 @@ class Parser:
         """Return a letter's node: a declared or bound name, π, the imaginary i, j in an exponential."""
         if name in self.names or name in self.bound:
             return Name(name, span=span)
+        if (other := _other_form(name)) in self.names:
+            self.note(f"{plain_letter(name)} read as {plain_letter(other)}, which is declared")
+            return Name(other, span=span)
         if name == "pi":
             return Constant("pi", span=span)
         if name == "i" or (name == "j" and self.exponentials):
@@ -952,6 +956,16 @@ def _is_time(token: Token) -> bool:
 
 def _is_minus_one(power: Formula) -> bool:
     return power in (Negative(Number(Fraction(1))), Number(Fraction(-1)))
+
+
+def _other_form(name: str) -> str:
+    """Return the letter in its other form, phi for varphi and back; "" if it has one form only."""
+    base, mark, rest = name.partition("_")
+    bare = base.rstrip("'")
+    if bare.removeprefix("var") not in _TWO_FORMS:
+        return ""
+    other = bare[3:] if bare.startswith("var") else f"var{bare}"
+    return other + base[len(bare) :] + mark + rest
 
 
 def _is_d(token: Token | None) -> bool:

@@ -25,7 +25,9 @@ _COMMAND = re.compile(r"\\[A-Za-z]+")
 _BULLET = re.compile(r"\s*(?:\(?[0-9]{1,3}[.)](?=\s))?\s*")
 _MARKDOWN_BULLET = re.compile(r"\s*(?:>\s*)*(?:[-*+]\s+|[0-9]{1,3}[.)]\s+)?\s*")
 _DASH = re.compile(r"[-*•]\s+(?=[^\s=])")
-_EXPLAINED = re.compile(r"\s*(?:[-*•]\s+)?([^\W\d_](?:_?[A-Za-z0-9]{1,3})?)\s*[:：]\s*([^:=0-9+*/]{2,60})$")
+_EXPLAINED = re.compile(
+    r"\s*(?:[-*•]\s+)?([^\W\d_](?:_?[A-Za-z0-9]{1,3})?)\s*[:：]\s*([^:=0-9+*/]{2,60})$"
+)
 _LONG_WORD = re.compile(r"(?<!\\)\b(?<!\\)[A-Za-z]{4,}")
 _CJK = re.compile("[\u2e80-\u9fff\uac00-\ud7af\uf900-\ufaff]")
 _RULE = re.compile(r"\s*([-=_*~#+])\1{2,}\s*")
@@ -174,7 +176,11 @@ class ItemFinder:
         is_display = self.text.startswith("\\displaystyle", start) and not _CJK.search(
             self.text, start, end
         )
-        if self.kind != "tex" and whole and (is_display or (len(spans) == 1 and self._covers(spans[0], start, end))):
+        if (
+            self.kind != "tex"
+            and whole
+            and (is_display or (len(spans) == 1 and self._covers(spans[0], start, end)))
+        ):
             yield from self._items_of_bare_line(start, end, line, command is not None)
             return
         for span in spans:
@@ -362,7 +368,9 @@ _TRAILING = re.compile(
     r"|\\label\s*\{[^{}]*\}|\\\\|\\hfill|[∴⇒⇔⟹⟺→⟶]|\\(?:" + "|".join(_ARROW_COMMANDS) + r"))$"
 )
 _LEADING = re.compile(
-    r"(?:\s|[、。,;&]|\\[,;:! ]|\\q?quad(?![A-Za-z])|[∴⇒⇔⟹⟺→⟶]|\\(?:" + "|".join(_ARROW_COMMANDS) + r")(?![A-Za-z]))+"
+    r"(?:\s|[、。,;&]|\\[,;:! ]|\\q?quad(?![A-Za-z])|[∴⇒⇔⟹⟺→⟶]|\\(?:"
+    + "|".join(_ARROW_COMMANDS)
+    + r")(?![A-Za-z]))+"
 )
 _BOXED = re.compile(r"\\(?:boxed|fbox|framebox)\s*\{")
 _ALIGNED = word_set("align aligned alignat alignedat flalign")
@@ -428,7 +436,9 @@ def _doubts(text: str, spans: list[tuple[int, int]]) -> dict[tuple[int, int], Re
 def _cut(place: int, rest: str) -> ReadingError:
     words_left = " ".join(rest.split())
     shown = words_left if len(words_left) <= 30 else words_left[:29] + "…"
-    return ReadingError(place, f"a formula that goes on in words: {shown}", "write it in signs, or end it")
+    return ReadingError(
+        place, f"a formula that goes on in words: {shown}", "write it in signs, or end it"
+    )
 
 
 def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingError | None:
@@ -467,13 +477,17 @@ def _goes_on(behind: str, after: str, words: Vocabulary) -> bool:
         return True
     if _JOINING.match(behind):
         return True
-    operation = re.match(r"(?:[A-Za-z]{2,8}\s+){0,3}?([+*×·/÷^±∓]|[−—–-](?=\s*[0-9(\\]|\s[A-Za-z]\b))\s*", behind)
+    operation = re.match(
+        r"(?:[A-Za-z]{2,8}\s+){0,3}?([+*×·/÷^±∓]|[−—–-](?=\s*[0-9(\\]|\s[A-Za-z]\b))\s*", behind
+    )
     if operation is None:
         return False
     operand = behind[operation.end() :]
     word = re.match(r"[A-Za-z]+", operand)
     if word is None:
-        return operand[:1].isdecimal() or operand[:1] in ("(", "\\", "√", "$") or operand[:1] in NAME_OF_SIGN
+        return (
+            operand[:1].isdecimal() or operand[:1] in ("(", "\\", "√", "$") or operand[:1] in NAME_OF_SIGN
+        )
     return len(word.group()) == 1 and word.group() not in "aAI" or word.group() in words.names
 
 

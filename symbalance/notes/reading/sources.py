@@ -158,7 +158,9 @@ _MATH = _rule(r"<math(?:\s[^<>]*)?>.{0,20000}?</math\s*>", _math_element)
 _COMMENT = _rule(r"<!--.*?(?:-->|\Z)", _blank)
 _RAISED = _rule(r"<sup(?:\s[^<>]*)?>([^<>]{1,40})</sup\s*>", _inside(1, "^{", "}"))
 _LOWERED = _rule(r"<sub(?:\s[^<>]*)?>([^<>]{1,40})</sub\s*>", _inside(1, "_{", "}"))
-_INLINE_TAGS = "|".join(words("span i b em strong u var big small font a abbr tt cite ins mark q s wbr code samp kbd"))
+_INLINE_TAGS = "|".join(
+    words("span i b em strong u var big small font a abbr tt cite ins mark q s wbr code samp kbd")
+)
 _BLOCK_TAGS = "|".join(
     words(
         "p div li ul ol dl dt dd h1 h2 h3 h4 h5 h6 table thead tbody tfoot tr td th caption br hr img body"
@@ -176,10 +178,15 @@ _DOUBLE_BACKSLASH = (
 )
 _DISPLAYED = (
     _rule(r"\$\$.{0,20000}?\$\$", lambda match: None),
-    _rule(r"\\begin\s*\{([a-z]+\*?)\}.{0,20000}?\\end\s*\{\1\}", lambda match: None),
+    _rule(
+        r"\\begin\s*\{(?P<environment>[a-z]+\*?)\}.{0,20000}?\\end\s*\{(?P=environment)\}",
+        lambda match: None,
+    ),
 )
 """Mathematics that is LaTeX already: no mark of the format stands in it."""
-_FENCED = _rule(r"^[ ]{0,3}(`{3,}|~{3,}).*?(?:^[ ]{0,3}\1[`~]*[ \t]*$|\Z)", lambda match: None)
+_FENCED = _rule(
+    r"^[ ]{0,3}(?P<fence>`{3,}|~{3,}).*?(?:^[ ]{0,3}(?P=fence)[`~]*[ \t]*$|\Z)", lambda match: None
+)
 
 
 def _script(match: re.Match[str]) -> Texts:
@@ -212,14 +219,16 @@ def _wiki_row(match: re.Match[str]) -> Texts:
     text, place = match.string, start
     for gap in [*_WIKI_ROW.finditer(text, start, end), None]:
         stop = gap.start() if gap else end
-        style = re.compile(r"\s*[a-z]+\s*=\s*(?:\"[^\"\n]*\"|[0-9]+)[^|\n]*\|(?!\|)").match(text, place, stop)
+        style = re.compile(r"\s*[a-z]+\s*=\s*(?:\"[^\"\n]*\"|[0-9]+)[^|\n]*\|(?!\|)").match(
+            text, place, stop
+        )
         texts += [(style.end() if style else place, stop), CELL_END]
         place = gap.end() if gap else end
     return tuple(texts)
 
 
 def _heading(match: re.Match[str]) -> Texts:
-    return (" ", match.span(2), " ")
+    return (" ", match.span("title"), " ")
 
 
 def _boxed_display(match: re.Match[str]) -> Texts:
@@ -229,12 +238,20 @@ def _boxed_display(match: re.Match[str]) -> Texts:
 
 
 _TEX_DISPLAYS = (
-    _rule(r"\\begin\s*\{empheq\}\s*(?:\[[^\[\]]{0,200}\])?\s*\{(?P<display>[a-z]+\*?)(?:=[0-9]+)?\}"
-          r"(?P<body>.{0,20000}?)\\end\s*\{empheq\}", _boxed_display),
-    _rule(r"\\begin\s*\{IEEEeqnarray(\*?)\}\s*(?:\[[^\[\]]*\])?\s*\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}",
-          lambda match: (f"\\begin{{eqnarray{match[1]}}}",)),
+    _rule(
+        r"\\begin\s*\{empheq\}\s*(?:\[[^\[\]]{0,200}\])?\s*\{(?P<display>[a-z]+\*?)(?:=[0-9]+)?\}"
+        r"(?P<body>.{0,20000}?)\\end\s*\{empheq\}",
+        _boxed_display,
+    ),
+    _rule(
+        r"\\begin\s*\{IEEEeqnarray(\*?)\}\s*(?:\[[^\[\]]*\])?\s*\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}",
+        lambda match: (f"\\begin{{eqnarray{match[1]}}}",),
+    ),
     _rule(r"\\end\s*\{IEEEeqnarray(\*?)\}", lambda match: (f"\\end{{eqnarray{match[1]}}}",)),
-    _rule(r"\\begin\s*\{IEEEeqnarraybox\*?\}\s*(?:\[[^\[\]]*\])?\s*\{[^{}]*\}", lambda match: ("\\begin{aligned}",)),
+    _rule(
+        r"\\begin\s*\{IEEEeqnarraybox\*?\}\s*(?:\[[^\[\]]*\])?\s*\{[^{}]*\}",
+        lambda match: ("\\begin{aligned}",),
+    ),
     _rule(r"\\end\s*\{IEEEeqnarraybox\*?\}", lambda match: ("\\end{aligned}",)),
 )
 _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
@@ -249,7 +266,7 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
         _rule(r"<nowiki>.{0,20000}?</nowiki>|<(?:source|syntaxhighlight|pre)[\s>].*?</(?:source|syntaxhighlight|pre)>",
               _blank),
         Rule(_MATH.pattern, lambda match: None), *_DISPLAYED,
-        _rule(r"^(={2,6})([^=\n](?:[^\n]*?[^=\n])?)\1[ \t]*$", _heading),
+        _rule(r"^(?P<heading>={2,6})(?P<title>[^=\n](?:[^\n]*?[^=\n])?)(?P=heading)[ \t]*$", _heading),
         _rule(r"^[ \t]*(?:\{\||\|\}|\|-|\|\+)[^\n]*$", _blank),
         _rule(r"^[ \t]*([|!])(?![|}+-])([^\n]*)$", _wiki_row),
     ), (
@@ -265,7 +282,7 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
     "html": ((
         _COMMENT,
         _rule(r"<script(?:\s[^<>]*)?>.*?</script\s*>", _script),
-        _rule(r"<(style|noscript|head)(?:\s[^<>]*)?>.*?</\1\s*>", _blank),
+        _rule(r"<(?P<hidden>style|noscript|head)(?:\s[^<>]*)?>.*?</(?P=hidden)\s*>", _blank),
         _rule(r"<span\s[^<>]*aria-hidden=\"true\"[^<>]*class=\"katex-html\".*?</span>", _blank),
         _MATH, _RAISED, _LOWERED, _INLINE_TAG, _BLOCK_TAG, _ENTITY,
     ),),
@@ -273,7 +290,7 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
         _rule(r"^////$.*?^////$|^//(?!/)[^\n]*", _blank),
         _rule(r"^\[(?:stem|latexmath|asciimath)[^\]\n]*\]\n\+{4}\n(.{0,20000}?)\n\+{4}$",
               lambda match: ("\\[", match.span(1), "\\]")),
-        _rule(r"^(-{4,}|\.{4,}|\+{4,})$.*?^\1$", _blank),
+        _rule(r"^(?P<listing>-{4,}|\.{4,}|\+{4,})$.*?^(?P=listing)$", _blank),
         _rule(r"\b(?:stem|latexmath|asciimath):[a-z,]*\[((?:[^][\n]|\\\]|\[[^][\n]*\]){1,4000})\]",
               _inside(1, "\\(", "\\)")),
         _rule(r"^\[[^\]\n]*\]$|^:[^:\n]+:[^\n]*$|^\.[A-Z][^\n]*$", _blank),
