@@ -80,7 +80,10 @@ class Judge:
         for binding in self.declarations.bindings:
             if binding.text:
                 verdicts.append(self.guard(partial(self.piece, binding), (0, 0), binding.line))
-        return Checked(self.document, tuple(number_verdicts(verdicts)))
+        numbered = number_verdicts(verdicts)
+        return Checked(
+            self.document, tuple(replace(v, cell=self.document.cell_of(v.line)) for v in numbered)
+        )
 
     def guard(self, verdict: Callable[[], Verdict], span: Span, line: int = 0) -> Verdict:
         """Return a verdict; one that takes too much, or a fault of the checker, is "undecided"."""

@@ -55,7 +55,8 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
             for f in (fix.faults if fix else ())
         ],
     }
-    optional = {"bind": verdict.bind, "tag": verdict.tag, "notes": list(verdict.notes)}
+    cell, line = verdict.cell or (0, 0)
+    optional = {"cell": cell, "cell_line": line, "bind": verdict.bind, "tag": verdict.tag, "notes": list(verdict.notes)}
     return entry | {key: value for key, value in optional.items() if value}
 
 

@@ -111,8 +111,12 @@ def verdict_words(verdict: Verdict) -> str:
 
 
 def place(verdict: Verdict) -> str:
-    """Return a relation's line, with its number there unless it is the first."""
-    return f"{verdict.line}" if verdict.link == 1 else f"{verdict.line}.{verdict.link}"
+    """Return a relation's line, with its number there unless it is the first.
+
+    In a notebook the cell comes first: 3:2 is the second line of the third cell.
+    """
+    line = f"{verdict.cell[0]}:{verdict.cell[1]}" if verdict.cell else f"{verdict.line}"
+    return line if verdict.link == 1 else f"{line}.{verdict.link}"
 
 
 def one_line(source: str, limit: int) -> str:
@@ -148,7 +152,7 @@ def _notes(verdict: Verdict) -> Iterable[Words]:
         yield _witness(verdict)
     if verdict.fix:
         yield f"found: {verdict.fix.kind}"
-        yield from map(_fault, verdict.fix.faults)
+        yield from (_fault(fault, verdict) for fault in verdict.fix.faults)
 
 
 def _difference(difference: Difference) -> Words:
@@ -170,9 +174,12 @@ def _witness(verdict: Verdict) -> Words:
     return ("witness: ", *parts)
 
 
-def _fault(fault: Fault) -> Words:
+def _fault(fault: Fault, verdict: Verdict) -> Words:
     should = fault.node or fault.should
     where = f"line {fault.line}, column {fault.column}: "
+    if verdict.cell:
+        number, line = verdict.cell
+        where = f"cell {number}, line {line + fault.line - verdict.line}, column {fault.column}: "
     if not fault.source:
         return (f"{where}add ", should)
     return (f"{where}for ", Code(one_line(fault.source, LONGEST_PIECE)), " put ", should)
@@ -203,9 +210,13 @@ def _legend(verdicts: tuple[Verdict, ...]) -> Facts:
     entries: list[tuple[Words, Words]] = [
         (_TITLES[word], _MEANINGS[word]) for word in VERDICTS if word in kinds
     ]
+    first_cell = next((verdict for verdict in verdicts if verdict.cell), None)
+    if first_cell is not None and first_cell.cell:
+        number, line = first_cell.cell
+        entries.append((f"{number}:{line}", f"cell {number} of the notebook, line {line}"))
     second = next((place(verdict) for verdict in verdicts if verdict.link == 2), None)
     if second:
-        entries.append((second, f"the second relation of line {second.split('.')[0]}"))
+        entries.append((second, f"the second relation of line {second.rpartition('.')[0]}"))
     if any(verdict.differences for verdict in verdicts):
         entries.append(("claimed, exact", "a term's coefficient in the line, and the right one"))
     if any(verdict.fix for verdict in verdicts):

@@ -99,6 +99,8 @@ class Verdict(Result):
     node: Formula | None = None
     exact_node: Formula | None = None
     """`exact` as a formula."""
+    cell: tuple[int, int] | None = None
+    """In a notebook: the cell, from 1, and the line in it."""
     fault: str = ""
     """A fault of symbalance that kept the relation from being judged or corrected."""
     traceback: str = ""

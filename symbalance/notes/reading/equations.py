@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from symbalance.document.formula import Formula, Span
+from symbalance.notes.reading.notebooks import SUFFIX, cell_place
 
 RELATIONS = ("=", "≈", "<", ">", "≤", "≥", "≡", "≠")
 
@@ -94,6 +95,10 @@ class ReadNotes:
     def column_of(self, offset: int) -> int:
         """Return the column, from 1, of a character offset."""
         return offset - (self.text.rfind("\n", 0, offset) + 1) + 1
+
+    def cell_of(self, line: int) -> tuple[int, int] | None:
+        """Return the cell of a notebook, from 1, that a line stands in, and its line there."""
+        return cell_place(self.text, line) if self.name.lower().endswith(SUFFIX) else None
 
     def source(self, span: Span) -> str:
         """Return the text of a span."""

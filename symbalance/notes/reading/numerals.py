@@ -31,6 +31,7 @@ _SCANNED = re.compile(
 )
 _DASH = re.compile("[—―‒]")
 _WORD = re.compile(r"(?<![\\A-Za-z])[A-Za-z]{2,}")
+_FUNCTION = re.compile(r"\b(?:" + "|".join(sorted(FUNCTION_WORDS, key=len, reverse=True)) + r")\b")
 _OPERAND_BEFORE = re.compile(r"[\w)\]}²³°′'&]$")
 _OPERAND_AFTER = re.compile(r"[\w(\[\\√½¼¾|{]")
 _SPELLED = (
@@ -133,6 +134,8 @@ def _is_surely_decimal(match: re.Match[str], is_usual: bool) -> bool:
 def _follows_formula(text: str, match: re.Match[str]) -> bool:
     """Tell whether a number stands in a formula, not in a date or the number of a section."""
     before = text[max(match.start() - 12, 0) : match.start()].rstrip()
+    if re.match(r"\s*(?:[-+−*/·×=≈<>≤≥]|\\(?:cdot|times|approx))", text[match.end() : match.end() + 12]):
+        return True
     return bool(before) and (
         before[-1] in "=≈<>≤≥+-−*/·×({^" or before.endswith(("cdot", "times", "approx"))
     )
@@ -204,6 +207,9 @@ def _is_minus(before: str, after: str) -> bool:
         return False
     if before[-1:].isdecimal() and after[:1].isdecimal():
         return False  # 10—20 is a range
-    is_relation = RELATION.search(before) is not None or "$" in before or "\\" in before or "&" in before
-    words = (word for word in _WORD.findall(goes_on) if word not in FUNCTION_WORDS)
-    return is_relation and not any(words) and not RELATION.search(goes_on)
+    is_open = before.count("(") > before.count(")")
+    is_formula = is_open or RELATION.search(before) is not None or "\\" in before or "&" in before
+    is_formula = is_formula or before.count("$") % 2 == 1
+    if any(word not in FUNCTION_WORDS for word in _WORD.findall(goes_on)):
+        return False
+    return is_formula if is_open or not RELATION.search(goes_on) else not _WORD.search(_FUNCTION.sub(" ", before))

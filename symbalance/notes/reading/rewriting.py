@@ -114,18 +114,23 @@ class Rewriter:
     def replace(self, start: int, end: int, *texts: str | Span) -> None:
         """Put texts, and spans of the document's own, in place of a stretch at or after the last one."""
         self._keep(start)
-        lines = self.text.count("\n", start, end)
+        done = start
         for text in texts:
             if isinstance(text, str):
                 self.pieces.append(Piece(text, start, end, False))
-                lines -= text.count("\n")
+            elif text[0] >= done:
+                self._add_lines(done, text[0], start, end)
+                self.pieces += self._argument(*text, True)
+                done = text[1]
             else:
-                stays = self.text.count("\n", *text) <= lines
-                lines -= self.text.count("\n", *text) if stays else 0
-                self.pieces += self._argument(*text, stays)
-        if lines > 0:
-            self.pieces.append(Piece(" \n" * lines, start, end, False))
+                self.pieces += self._argument(*text, False)
+        self._add_lines(done, end, start, end)
         self.place = end
+
+    def _add_lines(self, first: int, last: int, start: int, end: int) -> None:
+        lines = self.text.count("\n", first, last)
+        if lines:
+            self.pieces.append(Piece(" \n" * lines, start, end, False))
 
     def _argument(self, start: int, end: int, stays: bool) -> Iterable[Piece]:
         """Yield a stretch as it stands; line ends that stood there once already are blanks."""

@@ -152,7 +152,7 @@ class ItemFinder:
         gaps = [CELL_END]
         if self.kind == "tex":
             gaps += ["&", "\\\\"]
-        elif self.kind == "markdown" and self.text.startswith("|", start):
+        elif self.kind == "markdown" and re.match(r"\s*\|", self.text[self.line_span(self.line_of(start))[0] :][:80]):
             gaps.append("|")
         cells, first = [], start
         for match in re.finditer("|".join(map(re.escape, gaps)), self.text[start:end]):
@@ -448,6 +448,10 @@ def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingE
     >>> print(doubt_around(text, 0, 22, vocabulary({"t"})))
     at character 24: a formula that goes on in words: plus 3; write it in signs, or end it
     """
+    if _is_cut_from(text, start - 1) and not text[start].isspace():
+        return ReadingError(start, "a formula that begins before what is read", "write it whole, between dollars")
+    if _is_cut_from(text, end) and not text[end - 1].isspace():
+        return ReadingError(end, "a formula that goes on behind what is read", "write it whole, between dollars")
     line_end = text.find("\n", end)
     stop = min(line_end if line_end >= 0 else len(text), end + _MARGIN)
     after = text[end:stop].partition(CELL_END)[0]
@@ -467,6 +471,15 @@ def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingE
         what = f"a formula that begins in words: {joined.group()}"
         return ReadingError(start, what, "write the relation in signs")
     return None
+
+
+def _is_cut_from(text: str, place: int) -> bool:
+    """Tell whether a letter or digit, or a bracket that goes with one, stands at a place."""
+    sign = text[place : place + 1] if place >= 0 else ""
+    if sign in (")", "]"):
+        place, sign = place + 1, text[place + 1 : place + 2]
+        return sign in ("(", "[") or (sign.isascii() and sign.isalnum())
+    return sign.isascii() and sign.isalnum()
 
 
 def _goes_on(behind: str, after: str, words: Vocabulary) -> bool:
