@@ -37,6 +37,8 @@ _LET = re.compile(r"\s*=?\s*(\\[A-Za-z@]+)")
 _USE = re.compile(r"\\(\\|[A-Za-z@]+)")
 _PARAMETER = re.compile(r"#([1-9])")
 _SPACE = re.compile(r"\s*")
+_BRACE = re.compile(r"\\.|[{}]", re.DOTALL)
+_SIGN = re.compile(r"\\(?:[A-Za-z@]+|.)", re.DOTALL)
 _EMPTY = re.compile(r"\{\s*\}")
 
 LEFT_ALONE = word_set("section subsection thesection theequation maketitle item labelenumi")
@@ -118,26 +120,29 @@ def _endless(name: str) -> tuple[str, str]:
 def definitions_in(text: str) -> Definitions:
     """Return the macros that a text defines."""
     result = Definitions()
+    pairs = brace_pairs(text)
     place = 0
     while match := _DEFINITION.search(text, place):
         name = match["braced"] or match["bare"]
-        macro, place = _definition(text, match, name)
+        macro, place = _definition(text, match, name, pairs)
         if macro is not None and name not in LEFT_ALONE:
             result.by_name.setdefault(name, []).append(macro)
             result.spans.append((match.start(), place))
     return result
 
 
-def _definition(text: str, match: re.Match[str], name: str) -> tuple[Macro | None, int]:
+def _definition(
+    text: str, match: re.Match[str], name: str, pairs: dict[int, int]
+) -> tuple[Macro | None, int]:
     """Return the macro that a definition makes, and where the definition ends."""
     command, place, start = match["command"], match.end(), match.start()
     if command == "let":
         target = _LET.match(text, place)
         return (Macro(name, target[1], place=start), target.end()) if target else (None, place)
     if command.endswith("DocumentCommand"):
-        return _document_command(text, place, name, start)
+        return _document_command(text, place, name, start, pairs)
     if command == "DeclarePairedDelimiter":
-        return _paired_delimiter(text, place, name, start)
+        return _paired_delimiter(text, place, name, start, pairs)
     parameters, default, refusal = 0, None, ""
     if command.endswith("def"):
         listed = _PARAMETERS.match(text, place)
@@ -151,7 +156,7 @@ def _definition(text: str, match: re.Match[str], name: str) -> tuple[Macro | Non
             parameters, place = int(count[1]), count.end()
             if optional := _DEFAULT.match(text, place):
                 default, place = optional[1], optional.end()
-    body = argument_at(text, place)
+    body = argument_at(text, place, pairs)
     if body is None:
         return None, match.end()
     words_of_body = text[body[0] : body[1]]
@@ -160,10 +165,12 @@ def _definition(text: str, match: re.Match[str], name: str) -> tuple[Macro | Non
     return Macro(name, words_of_body, parameters, default, start, refusal), body[2]
 
 
-def _document_command(text: str, place: int, name: str, start: int) -> tuple[Macro | None, int]:
+def _document_command(
+    text: str, place: int, name: str, start: int, pairs: dict[int, int]
+) -> tuple[Macro | None, int]:
     """Read \\NewDocumentCommand{\\x}{O{1} m}{body}: an optional argument first, the others in braces."""
-    kinds = argument_at(text, place)
-    body = argument_at(text, kinds[2]) if kinds else None
+    kinds = argument_at(text, place, pairs)
+    body = argument_at(text, kinds[2], pairs) if kinds else None
     if kinds is None or body is None:
         return None, place
     match = re.fullmatch(r"\s*(?:O\{([^{}]*)\}|(o))?((?:\s*m)*)\s*", text[kinds[0] : kinds[1]])
@@ -176,44 +183,48 @@ def _document_command(text: str, place: int, name: str, start: int) -> tuple[Mac
     return Macro(name, text[body[0] : body[1]], count, default, start), body[2]
 
 
-def _paired_delimiter(text: str, place: int, name: str, start: int) -> tuple[Macro | None, int]:
-    left = argument_at(text, place)
-    right = argument_at(text, left[2]) if left else None
+def _paired_delimiter(
+    text: str, place: int, name: str, start: int, pairs: dict[int, int]
+) -> tuple[Macro | None, int]:
+    left = argument_at(text, place, pairs)
+    right = argument_at(text, left[2], pairs) if left else None
     if left is None or right is None:
         return None, place
     body = f"\\left{text[left[0] : left[1]].strip()} #1 \\right{text[right[0] : right[1]].strip()}"
     return Macro(name, body, 1, place=start), right[2]
 
 
-def argument_at(text: str, place: int) -> tuple[int, int, int] | None:
+def brace_pairs(text: str) -> dict[int, int]:
+    """Return where each brace of a text closes, those nested too deeply left out; once for all arguments."""
+    pairs: dict[int, int] = {}
+    open_braces: list[int] = []
+    for match in _BRACE.finditer(text):
+        if match.group() == "{":
+            open_braces.append(match.start())
+        elif match.group() == "}" and open_braces:
+            start = open_braces.pop()
+            if len(open_braces) < _DEEPEST and match.start() - start < LONGEST_ARGUMENT:
+                pairs[start] = match.start()
+    return pairs
+
+
+def argument_at(text: str, place: int, pairs: dict[int, int]) -> tuple[int, int, int] | None:
     """Return where an argument's inside begins and ends and where it ends with its braces: { }, or a sign."""
     blank = _SPACE.match(text, place)
     place = blank.end() if blank else place
     if place >= len(text) or text[place] in "}&$%":
         return None
     if text[place] != "{":
-        command = re.compile(r"\\(?:[A-Za-z@]+|.)").match(text, place)
+        command = _SIGN.match(text, place)
         stop = command.end() if command else place + 1
         return place, stop, stop
-    depth, at = 0, place
-    end = min(len(text), place + LONGEST_ARGUMENT)
-    while at < end:
-        sign = text[at]
-        if sign == "\\":
-            at += 2
-            continue
-        depth += {"{": 1, "}": -1}.get(sign, 0)
-        if depth > _DEEPEST:
-            return None
-        at += 1
-        if not depth:
-            return place + 1, at - 1, at
-    return None
+    close = pairs.get(place)
+    return None if close is None else (place + 1, close, close + 1)
 
 
 # One round: every outermost use is replaced
 
-Handler = Callable[[str, int], "tuple[list[str | Span], int] | str | None"]
+Handler = Callable[[str, int, dict[int, int]], "tuple[list[str | Span], int] | str | None"]
 """What a package's command at a place becomes, and where it ends; why not; or None: it stays."""
 
 
@@ -230,6 +241,7 @@ class Round:
     ) -> None:
         self.text, self.source, self.definitions, self.refusals = text, source, definitions, refusals
         self.room = most - len(text)
+        self.pairs = brace_pairs(text)
         self.rewriter = Rewriter(text)
         self.changes = 0
 
@@ -259,7 +271,7 @@ class Round:
         if macro is not None:
             result = self._replacement(macro, match.end())
         elif name in PACKAGES and name not in self.definitions.by_name:
-            result = PACKAGES[name](self.text, match.end())
+            result = PACKAGES[name](self.text, match.end(), self.pairs)
         else:
             return match.end()
         if isinstance(result, str):
@@ -296,7 +308,7 @@ class Round:
             arguments.append(optional.span(1) if optional else macro.default)
             place = optional.end() if optional else place
         while len(arguments) < macro.parameters:
-            argument = argument_at(self.text, place)
+            argument = argument_at(self.text, place, self.pairs)
             if argument is None:
                 return f"macro \\{macro.name} without its {macro.parameters} arguments"
             arguments.append((argument[0], argument[1]))
@@ -327,14 +339,14 @@ class Round:
 
 
 def _arguments(
-    text: str, place: int, count: int, optional: bool = False
+    text: str, place: int, pairs: dict[int, int], count: int, optional: bool = False
 ) -> tuple[list[Span], int] | None:
     """Return the spans of so many arguments and where they end; an optional one first is passed over."""
     if optional and (match := _DEFAULT.match(text, place)):
         place = match.end()
     spans: list[Span] = []
     for _ in range(count):
-        argument = argument_at(text, place)
+        argument = argument_at(text, place, pairs)
         if argument is None:
             return None
         spans.append((argument[0], argument[1]))
@@ -345,8 +357,8 @@ def _arguments(
 def _only(which: int, count: int) -> Handler:
     """Return the handler of a command that shows one of its arguments, for instance \\textcolor{red}{x}."""
 
-    def handle(text: str, place: int) -> tuple[list[str | Span], int] | None:
-        parts = _arguments(text, place, count, optional=True)
+    def handle(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Span], int] | None:
+        parts = _arguments(text, place, pairs, count, optional=True)
         if parts is None:
             return None
         texts: list[str | Span] = ["{", parts[0][which], "}"]
@@ -358,8 +370,8 @@ def _only(which: int, count: int) -> Handler:
 def _dropped(count: int) -> Handler:
     """Return the handler of a command that says nothing, with so many arguments."""
 
-    def handle(text: str, place: int) -> tuple[list[str | Span], int] | None:
-        parts = _arguments(text, place, count, optional=True)
+    def handle(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Span], int] | None:
+        parts = _arguments(text, place, pairs, count, optional=True)
         return ([" "], parts[1]) if parts else None
 
     return handle
@@ -368,8 +380,8 @@ def _dropped(count: int) -> Handler:
 def _siunitx(write: Callable[..., str | None], count: int) -> Handler:
     """Return the handler of a command of siunitx with so many arguments."""
 
-    def handle(text: str, place: int) -> tuple[list[str | Span], int] | str | None:
-        parts = _arguments(text, place, count, optional=True)
+    def handle(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Span], int] | str | None:
+        parts = _arguments(text, place, pairs, count, optional=True)
         if parts is None:
             return None
         inside = [text[a:b] for a, b in parts[0]]
@@ -381,13 +393,13 @@ def _siunitx(write: Callable[..., str | None], count: int) -> Handler:
     return handle
 
 
-def _quantity(text: str, place: int) -> tuple[list[str | Span], int] | str | None:
+def _quantity(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Span], int] | str | None:
     """\\qty{40}{mm} is a quantity; \\qty( ) of the package physics only a bracket."""
     blank = _SPACE.match(text, place)
     start = blank.end() if blank else place
     if text.startswith(("(", "[", "|"), start) and not _siunitx_options(text, start):
         return [" "], place
-    return _siunitx(siunitx.quantity_text, 2)(text, place)
+    return _siunitx(siunitx.quantity_text, 2)(text, place, pairs)
 
 
 def _siunitx_options(text: str, place: int) -> bool:
@@ -398,15 +410,15 @@ def _siunitx_options(text: str, place: int) -> bool:
 def _derivative(sign: str) -> Handler:
     """Return the handler of \\dv[n]{f}{x} and \\dv{x}."""
 
-    def handle(text: str, place: int) -> tuple[list[str | Span], int] | None:
+    def handle(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Span], int] | None:
         order = _DEFAULT.match(text, place)
         place = order.end() if order else place
-        first = _arguments(text, place, 1)
+        first = _arguments(text, place, pairs, 1)
         if first is None:
             return None
         power = f"^{{{order[1]}}}" if order else ""
         after = text[first[1] : first[1] + 1]
-        second = _arguments(text, first[1], 1) if after == "{" else None
+        second = _arguments(text, first[1], pairs, 1) if after == "{" else None
         variable, end = (second[0][0], second[1]) if second else (first[0][0], first[1])
         body: Span = first[0][0] if second else (place, place)
         return [f"\\frac{{{sign}{power} ", body, f"}}{{{sign} ", variable, f"{power}}}"], end
@@ -414,9 +426,9 @@ def _derivative(sign: str) -> Handler:
     return handle
 
 
-def _above(text: str, place: int) -> tuple[list[str | Span], int] | str | None:
+def _above(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Span], int] | str | None:
     """\\overset{!}{=} is =, which is to hold; words above another relation say nothing about it."""
-    parts = _arguments(text, place, 2)
+    parts = _arguments(text, place, pairs, 2)
     if parts is None:
         return None
     above, sign = (text[a:b].strip() for a, b in parts[0])

@@ -57,6 +57,7 @@ _BEHIND_DOLLAR = re.compile(
     re.MULTILINE,
 )
 _OPENED = re.compile(r"\$[^$\n]*$")
+_AROUND = 400  # characters of a line looked at on either side
 FEWEST_WORDS = 3
 """Of a language that writes decimal commas, before `1,5` counts as one; `i = 1,2` is a list elsewhere."""
 
@@ -182,7 +183,7 @@ def _unit_sign(unit: str, in_latex: bool) -> str:
 
 def _closes(text: str, place: int) -> bool:
     """Tell whether the dollar at a place closes mathematics of its line, which holds a relation."""
-    line = text[text.rfind("\n", 0, place) + 1 : place]
+    line = text[max(place - _AROUND, 0) : place].rpartition("\n")[2]
     opened = _OPENED.search(line)
     return line.count("$") % 2 == 1 and opened is not None and RELATION.search(opened.group()) is not None
 
@@ -191,9 +192,8 @@ def _dashes(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
     """Return the long dashes that are minus signs: between operands, nothing but a formula after them."""
     changes: dict[int, tuple[int, str]] = {}
     for match in _DASH.finditer(text):
-        begin = text.rfind("\n", 0, match.start()) + 1
-        end = text.find("\n", match.end())
-        before, after = text[begin : match.start()], text[match.end() : end if end >= 0 else len(text)]
+        before = text[max(match.start() - _AROUND, 0) : match.start()].rpartition("\n")[2]
+        after = text[match.end() : match.end() + _AROUND].partition("\n")[0]
         if _is_minus(before, after):
             changes[match.start()] = (match.end(), "-")
     if changes:

@@ -154,7 +154,7 @@ def _entity(match: re.Match[str]) -> Texts | None:
     return None if sign == match[0] else (sign.replace("\n", " "),)
 
 
-_MATH = _rule(r"<math(?:\s[^<>]*)?>.{0,20000}?</math\s*>", _math_element)
+_MATH = _rule(r"<math(?:\s[^<>]*)?>(?:(?!<math).){0,20000}?</math\s*>", _math_element)
 _COMMENT = _rule(r"<!--.*?(?:-->|\Z)", _blank)
 _RAISED = _rule(r"<sup(?:\s[^<>]*)?>([^<>]{1,40})</sup\s*>", _inside(1, "^{", "}"))
 _LOWERED = _rule(r"<sub(?:\s[^<>]*)?>([^<>]{1,40})</sub\s*>", _inside(1, "_{", "}"))
@@ -179,7 +179,8 @@ _DOUBLE_BACKSLASH = (
 _DISPLAYED = (
     _rule(r"\$\$.{0,20000}?\$\$", lambda match: None),
     _rule(
-        r"\\begin\s*\{(?P<environment>[a-z]+\*?)\}.{0,20000}?\\end\s*\{(?P=environment)\}",
+        r"\\begin\s*\{(?P<environment>[a-z]+\*?)\}(?:(?!\\begin\s*\{(?P=environment)\}).){0,20000}?"
+          r"\\end\s*\{(?P=environment)\}",
         lambda match: None,
     ),
 )
@@ -240,7 +241,7 @@ def _boxed_display(match: re.Match[str]) -> Texts:
 _TEX_DISPLAYS = (
     _rule(
         r"\\begin\s*\{empheq\}\s*(?:\[[^\[\]]{0,200}\])?\s*\{(?P<display>[a-z]+\*?)(?:=[0-9]+)?\}"
-        r"(?P<body>.{0,20000}?)\\end\s*\{empheq\}",
+        r"(?P<body>(?:(?!\\begin\s*\{empheq).){0,20000}?)\\end\s*\{empheq\}",
         _boxed_display,
     ),
     _rule(
@@ -263,7 +264,7 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
     ),),
     "wiki": ((
         _COMMENT,
-        _rule(r"<nowiki>.{0,20000}?</nowiki>|<(?:source|syntaxhighlight|pre)[\s>].*?</(?:source|syntaxhighlight|pre)>",
+        _rule(r"<nowiki>(?:(?!<nowiki).){0,20000}?</nowiki>|<(?:source|syntaxhighlight|pre)[\s>](?:(?!<(?:source|syntax|pre)).)*?</(?:source|syntaxhighlight|pre)>",
               _blank),
         Rule(_MATH.pattern, lambda match: None), *_DISPLAYED,
         _rule(r"^(?P<heading>={2,6})(?P<title>[^=\n](?:[^\n]*?[^=\n])?)(?P=heading)[ \t]*$", _heading),
@@ -281,8 +282,8 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
     )),
     "html": ((
         _COMMENT,
-        _rule(r"<script(?:\s[^<>]*)?>.*?</script\s*>", _script),
-        _rule(r"<(?P<hidden>style|noscript|head)(?:\s[^<>]*)?>.*?</(?P=hidden)\s*>", _blank),
+        _rule(r"<script(?:\s[^<>]*)?>(?:(?!<script).)*?</script\s*>", _script),
+        _rule(r"<(?P<hidden>style|noscript|head)(?:\s[^<>]*)?>(?:(?!<(?P=hidden)[\s>]).)*?</(?P=hidden)\s*>", _blank),
         _rule(r"<span\s[^<>]*aria-hidden=\"true\"[^<>]*class=\"katex-html\".*?</span>", _blank),
         _MATH, _RAISED, _LOWERED, _INLINE_TAG, _BLOCK_TAG, _ENTITY,
     ),),
