@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
@@ -17,6 +18,7 @@ from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError, brief
 from symbalance.notes.checking.engines import Engines, NoEngines, Sources
 from symbalance.notes.checking.judging import PAGE, Judge
+from symbalance.notes.checking.one_reading import judge_in_one_reading
 from symbalance.notes.checking.sidecar import (
     Declarations,
     declarations_in,
@@ -27,6 +29,7 @@ from symbalance.notes.checking.sidecar import (
 from symbalance.notes.checking.symbol_roles import KNOWN
 from symbalance.notes.checking.verdicts import Checked
 from symbalance.notes.reading import read_document
+from symbalance.notes.reading.equations import ReadNotes
 from symbalance.notes.reading.notebooks import SUFFIX as NOTEBOOK
 from symbalance.notes.reading.notebooks import notebook_text
 from symbalance.text.files import STANDARD_INPUT, file_name, read_text
@@ -69,7 +72,16 @@ def check(
     declarations, text = declarations_of(document, symbols, text, name)
     page = run_within(budget, partial(read_document, text, name, _letters_by_line(declarations)))
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
-    return Judge(page, declarations, Sources(engines or NoEngines(), beside), budget).check()
+    sources = Sources(engines or NoEngines(), beside)
+    start = time.monotonic()
+
+    def judge(notes: ReadNotes) -> Checked:
+        """Judge a reading of the page in what is left of its budget."""
+        seconds, memory = budget
+        left = None if seconds is None else max(seconds - (time.monotonic() - start), 0.01)
+        return Judge(notes, declarations, sources, Budget(left, memory)).check()
+
+    return judge_in_one_reading(page, judge)
 
 
 def declarations_of(

@@ -20,7 +20,7 @@ from symbalance.notes.reading.lexer import CLOSER, LONGEST_EQUATION, Token, lex
 from symbalance.notes.reading.parser import read_tokens
 from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation
 from symbalance.notes.reading.signs import relation_at_start
-from symbalance.notes.reading.rewriting import Rewritten
+from symbalance.notes.reading.rewriting import Piece, Rewritten, rewritten
 from symbalance.notes.reading.sources import Source, prepare, to_half_width
 
 LONGEST_DOCUMENT = 1_000_000  # characters
@@ -51,8 +51,9 @@ def read_document(text: str, name: str, names_at: Callable[[int], Collection[str
     chains, unreadable, passed = assembler.chains, assembler.unreadable, assembler.not_mathematics
     if source.origin is not None:
         chains = [_chain_in_place(chain, source.origin) for chain in chains]
-        unreadable = [_unreadable_in_place(part, source, text) for part in unreadable]
         passed = [_passed_in_place(part, source.origin, text) for part in passed]
+    if source.origin is not None or source.refusals:
+        unreadable = [_unreadable_in_place(part, source, text) for part in unreadable]
     chains.sort(key=lambda chain: chain.sides[0].span)
     unreadable.sort(key=lambda part: (part.line, part.column))
     return ReadNotes(name, text, tuple(chains), tuple(unreadable), source.notes, tuple(passed))
@@ -80,8 +81,7 @@ def _passed_in_place(part: Passed, origin: Rewritten, text: str) -> Passed:
 
 def _unreadable_in_place(part: Unreadable, source: Source, text: str) -> Unreadable:
     """Return a refusal at its place in the document, with the reason of a macro that was not replaced."""
-    origin = source.origin
-    assert origin is not None
+    origin = source.origin or rewritten((Piece(text, 0, len(text), True),))
     begin = 0
     for _ in range(part.line - 1):
         begin = source.text.find("\n", begin) + 1

@@ -57,6 +57,7 @@ _PLAIN_WORDS = word_set(
 )
 _LONG_WORD = re.compile(r"(?<![\\A-Za-z_])[A-Za-z]{4,}")
 _ARTICLE_FIRST = re.compile(r"(a|I|A)\s+(?=[\w\\(])")
+_DASH_LAST = re.compile(r"\s+[-–—−]\s*$")
 _ARTICLE_LAST = re.compile(r"\s(a|I|A)$")
 
 
@@ -198,6 +199,8 @@ def trim_segment(text: str, start: int, end: int, words: Vocabulary) -> tuple[in
     match = _ARTICLE_LAST.search(text[max(start, end - 4) : end])
     if match and match.group(1) not in words.names:
         end -= len(match.group())
+        if dash := _DASH_LAST.search(text[max(start, end - 4) : end]):
+            end -= len(dash.group())  # "… - a known identity": the dash is the prose's too
     return _within_brackets(text, start, end)
 
 

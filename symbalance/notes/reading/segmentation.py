@@ -213,9 +213,17 @@ class ItemFinder:
         if end - start > LONGEST_LINE:
             yield Item(start, end, "bare", command, line, line)
             return
+        start, end = self._without_brackets(start, end)
         for piece in pieces_of(self.text, start, end):
             strict = command or has_relation(self.text, piece.start, piece.end)
             yield Item(piece.start, piece.end, "bare", strict, line, line, piece.tag, doubt=piece.doubt)
+
+    def _without_brackets(self, start: int, end: int) -> tuple[int, int]:
+        """Return a line without the brackets around the whole of an equation: (a = b)."""
+        inner = re.fullmatch(r"\s*\(([^()]*(?:\([^()]*\)[^()]*)*)\)\s*[.,;]?\s*", self.text[start:end])
+        if inner is None or not has_relation(self.text, start + inner.start(1), start + inner.end(1)):
+            return start, end
+        return start + inner.start(1), start + inner.end(1)
 
     def _is_argument_of_word(self, place: int, start: int) -> bool:
         """Tell f(x) with a word for f from brackets after a word and a space."""
