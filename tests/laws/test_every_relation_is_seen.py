@@ -19,10 +19,7 @@ PAGES = [
     HAND / tomllib.loads(t.read_text(encoding="utf-8"))["page"] for t in sorted(HAND.glob("*.truth.toml"))
 ]
 PAGES += sorted(CHECKED.glob("0*.txt"))
-COMMANDS = (
-    "approx simeq fallingdotseq cong doteq doteqdot sim approxeq leq le leqq leqslant geq ge geqq geqslant"
-    " triangleq coloneqq eq defeq lt gt equiv neq ne"
-).split()
+COMMANDS = ["approx", "simeq", "fallingdotseq", "cong", "doteq", "doteqdot", "sim", "approxeq", "leq", "le", "leqq", "leqslant", "geq", "ge", "geqq", "geqslant", "triangleq", "coloneqq", "eq", "defeq", "lt", "gt", "equiv", "neq", "ne"]
 SIGN = re.compile(
     r"==|:=|<=(?!>)|>=|!=|=(?!>)|<(?!-)|(?<![-=])>|[≈≒≃≅≐∼≑≤≥≦≧⩽⩾≡≜≔≠]|(?<=\s)~(?=\s)|\\(?:"
     + "|".join(sorted(COMMANDS, key=len, reverse=True))
@@ -37,11 +34,12 @@ def counted(path: Path) -> int:
         text = re.sub(r"(?<!\\)%[^\n]*", "", text)
         body = re.search(r"\\begin\{document\}(.*)\\end\{document\}", text, re.DOTALL)
         text = body[1] if body else text
+        text = re.sub(r"\[[a-z-]+=[^\]\n]*\]", "", text)  # options: \SI[per-mode=symbol]
         text = re.sub(r"\\begin\{verbatim\}.*?\\end\{verbatim\}", "", text, flags=re.DOTALL)
     elif path.suffix == ".md":
         text = re.sub(r"<!--.*?-->", "", text, flags=re.DOTALL)
         text = re.sub(r"^```(?!math|\s*$).*?^```", "", text, flags=re.DOTALL | re.MULTILINE)
-        text = re.sub(r"^> ?", "", text, flags=re.MULTILINE)
+        text = re.sub(r"^> ?|</?(?:math|br)>", "", text, flags=re.MULTILINE)
     elif text.startswith("#"):
         text = re.sub(r"\A(?:#[^\n]*\n)+", "", text)
     text = re.sub(r"^[ \t]*={2,}[ \t]*$", "", text, flags=re.MULTILINE)

@@ -151,11 +151,10 @@ def _definition(
             refusal, place = "with arguments that are not in braces", brace if brace >= 0 else place
         else:
             parameters, place = listed[1].count("#"), listed.end()
-    elif command != "DeclareMathOperator":
-        if count := _COUNT.match(text, place):
-            parameters, place = int(count[1]), count.end()
-            if optional := _DEFAULT.match(text, place):
-                default, place = optional[1], optional.end()
+    elif command != "DeclareMathOperator" and (count := _COUNT.match(text, place)):
+        parameters, place = int(count[1]), count.end()
+        if optional := _DEFAULT.match(text, place):
+            default, place = optional[1], optional.end()
     body = argument_at(text, place, pairs)
     if body is None:
         return None, match.end()

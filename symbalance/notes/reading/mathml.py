@@ -111,7 +111,7 @@ def _identifier(word: str) -> str:
     return word
 
 
-_FUNCTIONS = frozenset("sin cos tan cot sec csc sinh cosh tanh exp ln log arcsin arccos arctan".split())
+_FUNCTIONS = frozenset(["sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "exp", "ln", "log", "arcsin", "arccos", "arctan"])
 
 
 def _attribute(attributes: str, name: str, usual: str) -> str:

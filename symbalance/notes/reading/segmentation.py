@@ -509,7 +509,7 @@ def _goes_on(behind: str, after: str, words: Vocabulary) -> bool:
         return (
             operand[:1].isdecimal() or operand[:1] in ("(", "\\", "√", "$") or operand[:1] in NAME_OF_SIGN
         )
-    return len(word.group()) == 1 and word.group() not in "aAI" or word.group() in words.names
+    return (len(word.group()) == 1 and word.group() not in "aAI") or word.group() in words.names
 
 
 def _without_box(text: str, start: int, end: int) -> tuple[int, int]:
