@@ -19,7 +19,11 @@ PAGES = [
     HAND / tomllib.loads(t.read_text(encoding="utf-8"))["page"] for t in sorted(HAND.glob("*.truth.toml"))
 ]
 PAGES += sorted(CHECKED.glob("0*.txt"))
-COMMANDS = ["approx", "simeq", "fallingdotseq", "cong", "doteq", "doteqdot", "sim", "approxeq", "leq", "le", "leqq", "leqslant", "geq", "ge", "geqq", "geqslant", "triangleq", "coloneqq", "eq", "defeq", "lt", "gt", "equiv", "neq", "ne"]
+COMMANDS = (
+    *("approx", "simeq", "fallingdotseq", "cong", "doteq", "doteqdot", "sim", "approxeq", "leq", "le"),
+    *("leqq", "leqslant", "geq", "ge", "geqq", "geqslant", "triangleq", "coloneqq", "eq", "defeq"),
+    *("lt", "gt", "equiv", "neq", "ne"),
+)
 SIGN = re.compile(
     r"==|:=|<=(?!>)|>=|!=|=(?!>)|<(?!-)|(?<![-=])>|[≈≒≃≅≐∼≑≤≥≦≧⩽⩾≡≜≔≠]|(?<=\s)~(?=\s)|\\(?:"
     + "|".join(sorted(COMMANDS, key=len, reverse=True))

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import pairwise
 
 from symbalance.document.formula import Formula, Name, Number, Product, Quotient, Sum, walk
 from symbalance.notes.checking.verdicts import FAILING, Checked, Verdict
@@ -112,16 +113,16 @@ def _uses(node: Formula) -> Iterator[Use]:
             if is_bare and _is_slash(part) and isinstance(below.factors[0], Number):
                 yield _kind(below.factors[1]), INSIDE
         if isinstance(part, Product):
-            for first, second in zip(part.factors, part.factors[1:], strict=False):
-                is_half = isinstance(first, Quotient) and isinstance(first.denominator, Number)
-                if is_half and isinstance(first, Quotient) and _is_slash(first):
-                    if first.span[1] == second.span[0]:
-                        yield _kind(second), OUTSIDE
+            for first, second in pairwise(part.factors):
+                if _is_slash(first) and first.span[1] == second.span[0]:
+                    yield _kind(second), OUTSIDE
 
 
-def _is_slash(quotient: Quotient) -> bool:
-    """Tell a/b from \\frac{a}{b}, whose command stands before its numerator."""
-    return quotient.span[0] == quotient.numerator.span[0]
+def _is_slash(node: Formula) -> bool:
+    """Tell a/2 from \\frac{a}{2}, whose command stands before its numerator."""
+    if not isinstance(node, Quotient) or node.span[0] != node.numerator.span[0]:
+        return False
+    return isinstance(node.denominator, Number | Product)
 
 
 def _kind(node: Formula) -> str:

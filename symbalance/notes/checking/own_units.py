@@ -1,7 +1,7 @@
 """Speeds in revolutions per minute: a letter that counts them takes the number as it stands.
 
-The reader turns 3000 rpm into radians per second, which an angular speed wants. `n = 3000 min⁻¹` says of a
-letter declared as "engine speed rpm" that it is 3000.
+The reader turns 3000 rpm into radians per second, which an angular speed wants. `n = 3000 min⁻¹`
+says of a letter declared as "engine speed rpm" that it is 3000.
 """
 
 from __future__ import annotations

@@ -56,7 +56,8 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         ],
     }
     cell, line = verdict.cell or (0, 0)
-    optional = {"cell": cell, "cell_line": line, "bind": verdict.bind, "tag": verdict.tag, "notes": list(verdict.notes)}
+    place = {"cell": cell, "cell_line": line}
+    optional = place | {"bind": verdict.bind, "tag": verdict.tag, "notes": list(verdict.notes)}
     return entry | {key: value for key, value in optional.items() if value}
 
 

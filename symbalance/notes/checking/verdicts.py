@@ -186,7 +186,7 @@ class Checked(Result):
 
     @property
     def relation_count(self) -> int:
-        """The number of relation signs seen, whatever their verdict, those of no mathematics among them."""
+        """The number of relation signs seen, those of no mathematics among them."""
         return len(self.verdicts) + len(self.derivation.not_mathematics)
 
     @property

@@ -12,7 +12,7 @@ from bisect import bisect_right
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field
 
-from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, NAME_OF_SIGN
+from symbalance.document.letters import FUNCTION_WORDS, NAME_OF_SIGN
 from symbalance.document.wordlists import word_set
 from symbalance.notes.reading.equations import Passed, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
@@ -84,7 +84,10 @@ class Account:
                 counted.add(holder)
                 continue
             outcome = self._leftover(place, names, line_of)
-            (more if isinstance(outcome, Unreadable) else passed).append(outcome)  # type: ignore[arg-type]
+            if isinstance(outcome, Unreadable):
+                more.append(outcome)
+            else:
+                passed.append(outcome)
         if beyond:
             what = f"more than {MOST_SIGNS} relation signs: {len(beyond)} were not looked at"
             line, column = line_of(beyond[0])
@@ -146,34 +149,39 @@ class Account:
     def _why_no_mathematics(self, place: int, clause: tuple[int, int], names: Collection[str]) -> str:
         """Return why a sign says nothing in mathematics, "" if it may."""
         before, after = self._neighbours(place)
-        for tag in _TAG.finditer(self.text, max(place - 200, 0), min(place + 200, len(self.text))):
-            if tag.start() <= place < tag.end() and self.text[place] in "<>=":
-                return "in a tag"
-        if any(a <= place < b for a, b in self.codes) and not self._is_formula(clause, names):
-            return "in program code"
-        if not before and not after:
-            return "alone on its line"
+        is_code = any(a <= place < b for a, b in self.codes) and not self._is_formula(clause, names)
+        is_value = re.fullmatch(r"[-+−]?[0-9.,]+\W*(?:\w+\W*)?", self._right_side(place))
+        reasons = {
+            "in a tag": self._is_in_tag(place),
+            "in program code": is_code,
+            "alone on its line": not before and not after,
+            "a setting of TeX": self._is_setting(place),
+            "a blank to be filled in": self._is_blank(place),
+            "an option or attribute": self._is_option(place) and _is_word(before, names),
+            "words on both sides": _is_word(before, names) and _is_word(after, names),
+            "the value of a word that is no declared letter": is_value and _is_word(before, names),
+            "a sum of money": re.match(r"\s*\$[0-9]", self.text[place + 1 : place + 4]),
+            "a sign of the layout": before in ("", *"|&-•*") and (not after or _is_word(after, names)),
+        }
+        return next((reason for reason, holds in reasons.items() if holds), "")
+
+    def _is_in_tag(self, place: int) -> bool:
+        tags = _TAG.finditer(self.text, max(place - 200, 0), min(place + 200, len(self.text)))
+        return self.text[place] in "<>=" and any(tag.start() <= place < tag.end() for tag in tags)
+
+    def _is_setting(self, place: int) -> bool:
         setting = _SETTING.search(self.text[max(place - _AROUND, 0) : place])
-        if setting and setting[1] not in GREEK_SIGN and setting[1] in _SETTINGS:
-            return "a setting of TeX"
-        rest = self.text[place + 1 : self.text.find("\n", place) + 1 or None]
-        if not rest.strip() and not self.text[place + 1 + len(rest) :].partition("\n")[0].strip():
-            return "a blank to be filled in"
-        chunk_start = max(self.text.rfind(" ", 0, place), self.text.rfind("\n", 0, place)) + 1
-        chunk = re.match(r"\S*", self.text[chunk_start : chunk_start + 2 * _AROUND])
-        if chunk and _ASSIGNED.match(chunk.group().rstrip(".,;)")) and _is_word(before, names):
-            return "an option or attribute"
-        if _is_word(before, names) and _is_word(after, names):
-            return "words on both sides"
-        if _is_word(before, names) and re.fullmatch(
-            r"[-+−]?[0-9.,]+\W*(?:\w+\W*)?", self._right_side(place)
-        ):
-            return "the value of a word that is no declared letter"
-        if re.match(r"\s*\$[0-9]", self.text[place + 1 : place + 4]):
-            return "a sum of money"
-        if (not before or before in "|&-•*") and (_is_word(after, names) or not after):
-            return "a sign of the layout"
-        return ""
+        return setting is not None and setting[1] in _SETTINGS
+
+    def _is_blank(self, place: int) -> bool:
+        """Tell whether nothing stands right of a sign, nor on the line below: a form's field."""
+        rest, _, below = self.text[place + 1 : place + 1 + 4 * _AROUND].partition("\n")
+        return not rest.strip() and not below.partition("\n")[0].strip()
+
+    def _is_option(self, place: int) -> bool:
+        first = max(self.text.rfind(" ", 0, place), self.text.rfind("\n", 0, place)) + 1
+        chunk = re.match(r"\S*", self.text[first : first + 2 * _AROUND])
+        return chunk is not None and _ASSIGNED.match(chunk.group().rstrip(".,;)")) is not None
 
     def _right_side(self, place: int) -> str:
         """Return what stands between a sign and the next word of prose or the end of the clause."""

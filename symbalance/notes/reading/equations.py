@@ -64,7 +64,7 @@ class Unreadable:
 
 @dataclass(frozen=True, slots=True)
 class Passed:
-    """A relation sign that says nothing in mathematics, and why: words on both sides, a tag, a program."""
+    """A relation sign that says nothing in mathematics, and why: words around it, a tag, a program."""
 
     line: int
     column: int

@@ -47,7 +47,7 @@ LEFT_ALONE = word_set("section subsection thesection theequation maketitle item 
 
 @dataclass(frozen=True, slots=True)
 class Macro:
-    """What a macro stands for: its body, in which #1 to #9 are its arguments; `place` is where it is defined.
+    """What a macro stands for: its body, with #1 to #9 for its arguments; `place` is its definition's.
 
     `default` is that of the first argument, which stands in [ ]. `refusal` tells why it is not read.
     """
@@ -194,7 +194,7 @@ def _paired_delimiter(
 
 
 def brace_pairs(text: str) -> dict[int, int]:
-    """Return where each brace of a text closes, those nested too deeply left out; once for all arguments."""
+    """Return where each brace of a text closes, those nested too deeply left out."""
     pairs: dict[int, int] = {}
     open_braces: list[int] = []
     for match in _BRACE.finditer(text):
@@ -208,7 +208,7 @@ def brace_pairs(text: str) -> dict[int, int]:
 
 
 def argument_at(text: str, place: int, pairs: dict[int, int]) -> tuple[int, int, int] | None:
-    """Return where an argument's inside begins and ends and where it ends with its braces: { }, or a sign."""
+    """Return where an argument's inside begins and ends, and where it ends with its braces."""
     blank = _SPACE.match(text, place)
     place = blank.end() if blank else place
     if place >= len(text) or text[place] in "}&$%":
@@ -354,7 +354,7 @@ def _arguments(
 
 
 def _only(which: int, count: int) -> Handler:
-    """Return the handler of a command that shows one of its arguments, for instance \\textcolor{red}{x}."""
+    """Return the handler of a command that shows one of its arguments, as \\textcolor{red}{x} does."""
 
     def handle(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Span], int] | None:
         parts = _arguments(text, place, pairs, count, optional=True)
@@ -437,11 +437,15 @@ def _above(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Spa
 
 
 PACKAGES: dict[str, Handler] = {
-    **dict.fromkeys(words("cancel bcancel xcancel mathclap mathllap mathrlap smash ensuremath"), _only(0, 1)),
+    **dict.fromkeys(
+        words("cancel bcancel xcancel mathclap mathllap mathrlap smash ensuremath"), _only(0, 1)
+    ),
     **dict.fromkeys(words("textcolor mathcolor colorbox raisebox scalebox href"), _only(1, 2)),
     **dict.fromkeys(words("fcolorbox resizebox"), _only(2, 3)),
     **dict.fromkeys(words("color pagecolor eqref ref cite autoref cref Cref"), _dropped(1)),
-    **dict.fromkeys(words("xspace IEEEyesnumber IEEEyessubnumber IEEEnonumber IEEEeqnarraynumspace"), _dropped(0)),
+    **dict.fromkeys(
+        words("xspace IEEEyesnumber IEEEyessubnumber IEEEnonumber IEEEeqnarraynumspace"), _dropped(0)
+    ),
     **dict.fromkeys(words("overset underset stackrel stackbin"), _above),
     "IEEEeqnarraymulticol": _only(2, 3),
     "SI": _siunitx(siunitx.quantity_text, 2),

@@ -10,6 +10,8 @@ import re
 from collections.abc import Callable
 from html import unescape
 
+from symbalance.document.wordlists import word_set
+
 MOST_ELEMENTS = 5000
 DEEPEST = 60
 _TAG = re.compile(r"<(/?)\s*(?:[A-Za-z]{1,8}:)?([A-Za-z]+)((?:\s[^<>]*)?)>", re.DOTALL)
@@ -19,8 +21,8 @@ _ANNOTATION = re.compile(
 )
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _SIGNS = {
-    "−": "-", "⁢": " ", "⁡": " ", "⁣": ",", "·": "\\cdot ", "×": "\\times ", "{": "\\{", "}": "\\}", "…": "\\dots ",
-    "⋯": "\\dots ", "≈": "\\approx ", "%": "\\%", "′": "'",
+    "−": "-", "⁢": " ", "⁡": " ", "⁣": ",", "·": "\\cdot ", "×": "\\times ", "{": "\\{", "}": "\\}",
+    "…": "\\dots ",    "⋯": "\\dots ", "≈": "\\approx ", "%": "\\%", "′": "'",
 }  # fmt: skip
 _ACCENTS = {"¯": "overline", "‾": "overline", "̇": "dot", "˙": "dot", "¨": "ddot", "^": "hat", "→": "vec"}
 Node = tuple[str, str, list["Node"], str]
@@ -44,7 +46,7 @@ def is_mathml(source: str) -> bool:
 
 
 def _tree(source: str) -> Node:
-    """Return the elements of a source below one of no name; an end without its beginning is passed over."""
+    """Return the elements of a source below one of no name; a stray end is passed over."""
     root: Node = ("mrow", "", [], "")
     open_nodes = [root]
     place = 0
@@ -76,32 +78,18 @@ def _written(node: Node, depth: int) -> str:
     name, attributes, children, text = node
     if name == "#text":
         return "".join(_SIGNS.get(sign, sign) for sign in text)
-    parts = [
-        _written(child, depth + 1)
-        for child in children
-        if child[0] not in ("annotation", "annotation-xml")
-    ]
+    shown = (child for child in children if not child[0].startswith("annotation"))
+    parts = [_written(child, depth + 1) for child in shown]
     inside = "".join(parts)
-    if name in ("mrow", "math", "mstyle", "semantics", "mn", "mpadded", "menclose", "none"):
-        return inside
-    if name == "mi":
-        return _identifier(inside)
-    if name in ("mo", "mtext"):
-        return inside if name == "mo" or not inside.strip(" \xa0") else f"\\text{{{inside}}}"
-    if name in ("mspace", "mphantom", "mprescripts"):
-        return " "
     write = _BY_COUNT.get((name, len(parts)))
     if write is not None:
         return write(parts)
-    if name == "msqrt":
-        return f"\\sqrt{{{inside}}}"
+    if name in _SHOWN_AS:
+        return _SHOWN_AS[name](parts)
     if name == "mfenced":
-        return f"{_attribute(attributes, 'open', '(')}{','.join(parts)}{_attribute(attributes, 'close', ')')}"
-    if name == "mtable":
-        return "\\begin{aligned}" + inside + "\\end{aligned}"
-    if name in ("mtr", "mlabeledtr"):
-        return "&".join(parts) + "\\\\"
-    return inside if name == "mtd" else f"\\{name} {inside}"
+        left, right = (_attribute(attributes, *pair) for pair in (("open", "("), ("close", ")")))
+        return f"{left}{','.join(parts)}{right}"
+    return f"\\{name} {inside}"
 
 
 def _identifier(word: str) -> str:
@@ -111,7 +99,7 @@ def _identifier(word: str) -> str:
     return word
 
 
-_FUNCTIONS = frozenset(["sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "exp", "ln", "log", "arcsin", "arccos", "arctan"])
+_FUNCTIONS = word_set("sin cos tan cot sec csc sinh cosh tanh exp ln log arcsin arccos arctan")
 
 
 def _attribute(attributes: str, name: str, usual: str) -> str:
@@ -138,4 +126,15 @@ _BY_COUNT: dict[tuple[str, int], Callable[[list[str]], str]] = {
     ("munderover", 3): lambda p: f"{_base(p[0])}_{{{p[1]}}}^{{{p[2]}}}",
     ("mover", 2): _over,
     ("mroot", 2): lambda p: f"\\sqrt[{p[1]}]{{{p[0]}}}",
+}
+_SHOWN_AS: dict[str, Callable[[list[str]], str]] = {
+    **dict.fromkeys(
+        ("mrow", "math", "mstyle", "semantics", "mn", "mpadded", "menclose", "none", "mo", "mtd"), "".join
+    ),
+    **dict.fromkeys(("mspace", "mphantom", "mprescripts"), lambda p: " "),
+    "mi": lambda p: _identifier("".join(p)),
+    "mtext": lambda p: f"\\text{{{''.join(p)}}}" if "".join(p).strip(" \xa0") else " ",
+    "msqrt": lambda p: f"\\sqrt{{{''.join(p)}}}",
+    "mtable": lambda p: "\\begin{aligned}" + "".join(p) + "\\end{aligned}",
+    **dict.fromkeys(("mtr", "mlabeledtr"), lambda p: "&".join(p) + "\\\\"),
 }

@@ -36,7 +36,7 @@ _OPERAND_BEFORE = re.compile(r"[\w)\]}²³°′'&]$")
 _OPERAND_AFTER = re.compile(r"[\w(\[\\√½¼¾|{]")
 _SPELLED = (
     ("mm", "millimet(?:er|re)s?"), ("cm", "centimet(?:er|re)s?|Zentimeter"), ("km", "kilomet(?:er|re)s?"),
-    ("m", "met(?:er|re)s?|Meter"), ("kg", "kilograms?|kilogrammes?|Kilogramm"), ("g", "grams?|grammes?|Gramm"),
+    ("m", "met(?:er|re)s?|Meter"), ("kg", "kilogram(?:me)?s?|Kilogramm"), ("g", "gram(?:me)?s?|Gramm"),
     ("ms", "milliseconds?|Millisekunden?"), ("s", "seconds?|Sekunden?"), ("min", "minutes?|Minuten?"),
     ("kN", "kilonewtons?"), ("N", "newtons?"), ("Nm", "newton[ -]?met(?:er|re)s?|Newtonmeter"),
     ("Hz", "hertz"), ("W", "watts?"), ("kW", "kilowatts?"), ("J", "joules?"), ("rad", "radians?|Radiant"),
@@ -49,7 +49,9 @@ _SPELLED_UNIT = re.compile(
     re.IGNORECASE,
 )
 _UNIT_BEHIND = (
-    r"(?:[kmcM]?N ?m?|[kmcd]?m(?:/s(?:\^?[2²])?)?|k?g|m?s|rpm|rad(?:/s)?|1/s|1/min|min\^?-1|min⁻¹|s\^-1|s⁻¹|[kM]?Pa|bar|[kM]?W|[kM]?J"
+    r"(?:[kmcM]?N ?m?|[kmcd]?m(?:/s(?:\^?[2²])?)?|k?g|m?s|rpm"
+    r"|rad(?:/s)?|1/s|1/min|min\^?-1|min⁻¹|s\^-1|s⁻¹"
+    r"|[kM]?Pa|bar|[kM]?W|[kM]?J"
     r"|k?Hz|kg ?m[²2]?|N/mm[²2]?|°|U/min)"
 )
 _BEHIND_DOLLAR = re.compile(
@@ -212,4 +214,6 @@ def _is_minus(before: str, after: str) -> bool:
     is_formula = is_formula or before.count("$") % 2 == 1
     if any(word not in FUNCTION_WORDS for word in _WORD.findall(goes_on)):
         return False
-    return is_formula if is_open or not RELATION.search(goes_on) else not _WORD.search(_FUNCTION.sub(" ", before))
+    if is_open or not RELATION.search(goes_on):
+        return is_formula
+    return not _WORD.search(_FUNCTION.sub(" ", before))

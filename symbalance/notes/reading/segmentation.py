@@ -1,6 +1,7 @@
 """Splitting of a document into the parts that may be equations, in order.
 
-What is no mathematics is blank by now (`sources`). Delimited mathematics ($ $, \\( \\), \\[ \\], environments) is cut into rows and these at
+What is no mathematics is blank by now (`sources`). Delimited mathematics ($ $, \\( \\), \\[ \\],
+environments) is cut into rows and these at
 separators, and the lines outside are searched for equations in prose (`prose`).
 """
 
@@ -30,6 +31,7 @@ _EXPLAINED = re.compile(
 )
 _LONG_WORD = re.compile(r"(?<!\\)\b(?<!\\)[A-Za-z]{4,}")
 _CJK = re.compile("[\u2e80-\u9fff\uac00-\ud7af\uf900-\ufaff]")
+_ROW_OF_TABLE = re.compile(r"[ \t]*\|")
 _RULE = re.compile(r"\s*([-=_*~#+])\1{2,}\s*")
 # Limits for text that is no derivation, so that its cost stays in proportion to its length.
 LONGEST_LINE = 20_000
@@ -152,7 +154,9 @@ class ItemFinder:
         gaps = [CELL_END]
         if self.kind == "tex":
             gaps += ["&", "\\\\"]
-        elif self.kind == "markdown" and re.match(r"\s*\|", self.text[self.line_span(self.line_of(start))[0] :][:80]):
+        elif self.kind == "markdown" and _ROW_OF_TABLE.match(
+            self.text, self.line_span(self.line_of(start))[0]
+        ):
             gaps.append("|")
         cells, first = [], start
         for match in re.finditer("|".join(map(re.escape, gaps)), self.text[start:end]):
@@ -419,9 +423,11 @@ _JOINING = re.compile(
     re.IGNORECASE,
 )
 """Words that go on with a formula."""
+_WRITE_WHOLE = "write it whole, between dollars"
 _PART_OF = re.compile(r"(?:of|von|de)\b", re.IGNORECASE)
 _JOINED_BEFORE = re.compile(
-    r"(?:(?<=[0-9%)½¼¾²³}$])\s*(?:of|von|de)|\b(?:half|third|quarter|twice) (?:of )?|(?:\b|\s)(?:plus|minus|times|mal|over"
+    r"(?:(?<=[0-9%)½¼¾²³}$])\s*(?:of|von|de)|\b(?:half|third|quarter|twice) (?:of )?"
+    r"|(?:\b|\s)(?:plus|minus|times|mal|over"
     r"|durch|divided by|multiplied by|geteilt durch))$",
     re.IGNORECASE,
 )
@@ -457,9 +463,9 @@ def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingE
     at character 24: a formula that goes on in words: plus 3; write it in signs, or end it
     """
     if _is_cut_from(text, start - 1) and not text[start].isspace():
-        return ReadingError(start, "a formula that begins before what is read", "write it whole, between dollars")
+        return ReadingError(start, "a formula that begins before what is read", _WRITE_WHOLE)
     if _is_cut_from(text, end) and not text[end - 1].isspace():
-        return ReadingError(end, "a formula that goes on behind what is read", "write it whole, between dollars")
+        return ReadingError(end, "a formula that goes on behind what is read", _WRITE_WHOLE)
     line_end = text.find("\n", end)
     stop = min(line_end if line_end >= 0 else len(text), end + _MARGIN)
     after = text[end:stop].partition(CELL_END)[0]

@@ -1,6 +1,6 @@
 """Numbers, units and angles of LaTeX's package siunitx, put into plain LaTeX.
 
-\\SI{40}{\\milli\\metre} and \\qty{40}{mm} become 40\\,\\mathrm{mm}, \\num{1.5e3} becomes 1.5\\cdot 10^{3},
+\\SI{40}{\\milli\\metre} and \\qty{40}{mm} become 40\\,\\mathrm{mm}, \\num{1.5e3} 1.5\\cdot 10^{3},
 \\ang{12;30} becomes (12+30/60)^\\circ. A list, a range and an uncertainty are no single number: None.
 """
 
@@ -11,7 +11,8 @@ import re
 from symbalance.document.wordlists import words
 
 _PREFIXES = {
-    **dict(zip(words("kilo mega giga centi deci milli micro nano hecto"), words("k M G c d m u n h"), strict=True)),
+    "kilo": "k", "mega": "M", "giga": "G", "centi": "c", "deci": "d",
+    "milli": "m", "micro": "u", "nano": "n",
 }  # fmt: skip
 _UNITS = dict(
     zip(

@@ -163,9 +163,10 @@ _INLINE_TAGS = "|".join(
 )
 _BLOCK_TAGS = "|".join(
     words(
-        "p div li ul ol dl dt dd h1 h2 h3 h4 h5 h6 table thead tbody tfoot tr td th caption br hr img body"
-        " html head meta link title section article header footer main nav figure figcaption pre blockquote"
-        " input button form label aside center sup sub details summary colgroup col svg path gallery poem"
+        "p div li ul ol dl dt dd h1 h2 h3 h4 h5 h6 table thead tbody tfoot tr td th caption br hr img"
+        " body html head meta link title section article header footer main nav figure figcaption"
+        " pre blockquote input button form label aside center sup sub details summary"
+        " colgroup col svg path gallery poem"
     )
 )
 _INLINE_TAG = _rule(rf"</?(?:{_INLINE_TAGS})(?:\s[^<>]*)?/?>", lambda match: ("",))
@@ -180,7 +181,7 @@ _DISPLAYED = (
     _rule(r"\$\$.{0,20000}?\$\$", lambda match: None),
     _rule(
         r"\\begin\s*\{(?P<environment>[a-z]+\*?)\}(?:(?!\\begin\s*\{(?P=environment)\}).){0,20000}?"
-          r"\\end\s*\{(?P=environment)\}",
+        r"\\end\s*\{(?P=environment)\}",
         lambda match: None,
     ),
 )
@@ -283,7 +284,8 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
     "html": ((
         _COMMENT,
         _rule(r"<script(?:\s[^<>]*)?>(?:(?!<script).)*?</script\s*>", _script),
-        _rule(r"<(?P<hidden>style|noscript|head)(?:\s[^<>]*)?>(?:(?!<(?P=hidden)[\s>]).)*?</(?P=hidden)\s*>", _blank),
+        _rule(r"<(?P<hidden>style|noscript|head)(?:\s[^<>]*)?>(?:(?!<(?P=hidden)[\s>]).)*?"
+              r"</(?P=hidden)\s*>", _blank),
         _rule(r"<span\s[^<>]*aria-hidden=\"true\"[^<>]*class=\"katex-html\".*?</span>", _blank),
         _MATH, _RAISED, _LOWERED, _INLINE_TAG, _BLOCK_TAG, _ENTITY,
     ),),
@@ -394,8 +396,8 @@ def mask_markdown(text: str) -> tuple[str, list[Span], list[Span]]:
             for code in _CODE.finditer(line):
                 ticks = len(code.group(1))
                 codes.append((offset + code.start() + ticks, offset + code.end() - ticks))
-            line = _CODE.sub(_without_ticks, line)
-            lines.append(_BOLD.sub(lambda m: f"  {m.group(1)}  ", line))
+            without_ticks = _CODE.sub(_without_ticks, line)
+            lines.append(_BOLD.sub(lambda m: f"  {m.group(1)}  ", without_ticks))
     unquoted = _QUOTED.sub(lambda m: blank(m.group()), "".join(lines))
     return mask_plain(unquoted), formulas, codes
 
