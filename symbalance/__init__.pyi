@@ -3,6 +3,8 @@ from symbalance import codegen as codegen
 from symbalance import crankshaft as crankshaft
 from symbalance import design as design
 from symbalance import document as document
+from symbalance import draw as draw
+from symbalance import drawing as drawing
 from symbalance import engine as engine
 from symbalance import exact as exact
 from symbalance import forces as forces

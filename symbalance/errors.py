@@ -147,12 +147,31 @@ def brief(value: object, limit: int = 40) -> str:
 
     >>> brief(10**100)
     '10000000000000000000...(101 characters)'
+    >>> from fractions import Fraction
+    >>> brief([Fraction(1, 4), "x"])
+    "[1/4, 'x']"
     """
     try:
-        text = str(value)
+        text = _listed(value) if isinstance(value, list) else str(value)
     except ValueError:  # an integer past Python's limit for decimal strings
         return "an integer of thousands of digits"
     return text if len(text) <= limit else f"{text[:20]}...({len(text)} characters)"
+
+
+def _listed(values: list[Any], depth: int = 2) -> str:
+    """Return a list as a person writes it: its fractions and decimals without their types' names."""
+    if not depth:
+        return str(values)
+    numbers = ("Fraction", "Decimal")
+    parts = (
+        _listed(v, depth - 1)
+        if isinstance(v, list)
+        else str(v)
+        if type(v).__name__ in numbers
+        else repr(v)
+        for v in values
+    )
+    return f"[{', '.join(parts)}]"
 
 
 def literal(value: object) -> str:

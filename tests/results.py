@@ -108,6 +108,13 @@ def _comparison_unlike() -> Result:
     return sb.design.compare(engines, 4, phases=True)
 
 
+def _comparison_at_speed() -> Result:
+    """In newtons: a file's own sizes, and sizes for those that have none; a symbol, and no couple."""
+    twin = sb.vee(Symbol("alpha"), pins=[0], name="twin", ratio=4)
+    engines = [sb.load("vq30de"), sb.load("inline-4"), twin]
+    return sb.design.compare(engines, 4).at(rpm=6000, stroke=86, mass="0.5", pitch=100)
+
+
 def _design() -> Result:
     return sb.design_balance(sb.load("inline-5"), [1, 2], shafts=2)
 
@@ -248,10 +255,12 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "harmonics": _harmonics,
     "comparison": _comparison,
     "comparison-unlike": _comparison_unlike,
+    "comparison-at-speed": _comparison_at_speed,
     "row-formulas": lambda: sb.forces.tabulate_row(6),
     "bank-angles": lambda: sb.engine.bank_angles([0, 120, 240], [60, 90]),
     "bank-angles-of-any-crank": lambda: sb.engine.bank_angles(6, [60]),
     "overbalance": lambda: sb.design.tabulate_overbalance(sb.load("inline-3")),
+    "overbalance-at-speed": lambda: sb.design.tabulate_overbalance(sb.load("vq30de")).at(rpm=6000),
     "design": _design,
     "design-segments": lambda: sb.design_balance(sb.load("vq30de"), [1]).cut_from(60, 20, inner=20),
     "design-at-speed": lambda: sb.design_balance(sb.load("vq30de"), [1, 2]).at(rpm=6000),

@@ -19,7 +19,6 @@ from symbalance.cli.long_work import STORE, long_work, output_folder, report_pat
 from symbalance.cli.options import (
     ENGINE,
     add_bank,
-    add_full,
     add_jobs,
     add_operating_point,
     add_output,
@@ -30,7 +29,7 @@ from symbalance.cli.options import (
     resized,
 )
 from symbalance.cli.outcomes import DONE, FAULT, REFUSED, say_fault
-from symbalance.cli.output import medium_of_several, printed, show, whole_number, write_all
+from symbalance.cli.output import label_of, medium_of_several, printed, show, whole_number, write_all
 from symbalance.errors import SymbalanceError
 
 if TYPE_CHECKING:
@@ -68,8 +67,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     )
     add_bank(parser)
     add_comparison(parser)
-    add_operating_point(parser)
-    add_full(parser)
+    add_operating_point(parser, bore=True)
     add_jobs(parser, "engines")
     add_output(parser)
 
@@ -125,8 +123,12 @@ def _balance_several(options: argparse.Namespace, order: int, power: int | None)
     form = medium_of_several(options)
 
     from symbalance.jobs.running import Job, run_jobs
-    from symbalance.jobs.store import Store, key_of
+    from symbalance.jobs.store import TEXT_OR_BYTES, Store, key_of
 
+    if options.label is not None and form == "latex":
+        from symbalance.document.latex_document import checked_label
+
+        checked_label(options.label)  # once, before the first is written
     names = [_result_name(engine) for engine in options.engines]
     folder = output_folder(options.output)
     paths = report_paths(folder, names, form, map(Path, options.engines))
@@ -134,14 +136,19 @@ def _balance_several(options: argparse.Namespace, order: int, power: int | None)
     settings = (order, power, options.rpm, form, options.standalone, options.full)
     loaded = [_loaded(engine, options) for engine in options.engines]
     limit = read_budget(options.budget)  # for each engine
+    labels = [label_of(options.label, name) for name in names]
     jobs = [
-        Job(engine, (limit, value, *settings), key)
-        for engine, value in zip(options.engines, loaded, strict=True)
-        for key in ["" if isinstance(value, SymbalanceError) else key_of("balance", value, settings)]
+        Job(engine, (limit, value, *settings, label), key)
+        for engine, value, label in zip(options.engines, loaded, labels, strict=True)
+        for key in [
+            "" if isinstance(value, SymbalanceError) else key_of("balance", value, settings, label)
+        ]
     ]
     code, store = DONE, Store(folder / STORE, "--output")
     with long_work(options, store.folder) as means:
-        for place, (job, outcome) in enumerate(run_jobs(_balanced, jobs, store=store, **means)):
+        for place, (job, outcome) in enumerate(
+            run_jobs(_balanced, jobs, store=store, codec=TEXT_OR_BYTES, **means)
+        ):
             if outcome.is_done:
                 write_all({str(paths[place]): outcome.value})
             elif outcome.problem is not None:
@@ -171,17 +178,19 @@ def _loaded(engine: str, options: argparse.Namespace) -> Any:
         return problem
 
 
-def _balanced(value: tuple[Budget, Any, int, int | None, str | None, str, bool, bool]) -> str | bytes:
+def _balanced(
+    value: tuple[Budget, Any, int, int | None, str | None, str, bool, bool, str | None],
+) -> str | bytes:
     """Return the balance of an engine in a medium, within the budget of one engine."""
     from symbalance.forces.free_forces import balance
 
-    limit, engine, order, power, rpm, form, standalone, full = value
+    limit, engine, order, power, rpm, form, standalone, full, label = value
     if isinstance(engine, SymbalanceError):
         raise engine
 
     def work() -> str | bytes:
         result = balance(engine, order, power=power)
         shown = result if rpm is None else _at_speeds(result, rpm)
-        return printed(shown, form, "file", standalone=standalone, full=full)
+        return printed(shown, form, "file", standalone=standalone, full=full, label=label)
 
     return run_within(limit, work)

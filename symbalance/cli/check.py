@@ -41,7 +41,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     )
     add_jobs(parser, "documents")
     add_trust(parser, "the symbols file")
-    add_output(parser)
+    add_output(parser, full=False)
 
 
 class _Documents(argparse.Action):

@@ -29,6 +29,10 @@ def check_several(options: argparse.Namespace) -> int:
     """Check every document and show the table; the exit code is the worst of all of them."""
     if options.declare:
         raise SymbalanceError("--declare", "is for one document", "name a single one")
+    if options.label or options.format == "xlsx":
+        what = "--label" if options.label else "--format xlsx"
+        remedy = "write them one by one" if options.label else "take csv, or write them one by one"
+        raise SymbalanceError(what, "is for the report of one document", remedy)
     form = medium_of_several(options)
     folder = None if options.output in (None, "-") else output_folder(options.output)
     documents = _documents(options.documents, folder)

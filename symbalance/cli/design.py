@@ -6,7 +6,7 @@ import argparse
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from symbalance.cli.options import ENGINE, add_full, add_operating_point, add_output, command, engine_of
+from symbalance.cli.options import ENGINE, add_operating_point, add_output, command, engine_of
 from symbalance.cli.output import content_of, medium, whole_number, write, write_all
 from symbalance.errors import SymbalanceError
 
@@ -65,8 +65,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--density", metavar="KG/M3", help="of the segments; default: 7850, a crankshaft's steel"
     )
-    add_operating_point(parser, "N")
-    add_full(parser)
+    add_operating_point(parser, "N", bore=True)
     add_output(parser)
     parser.add_argument("--write", metavar="FILE", help="write the balanced engine to FILE.toml")
     parser.add_argument("--picture", metavar="FILE", help="draw the ellipses to FILE.png or FILE.pdf")
@@ -103,7 +102,7 @@ def run(options: argparse.Namespace) -> int:
     if options.segment is not None:
         design = _cut(design, options)
     form = medium(options)
-    if form == "text" and not options.full and options.rpm is None:  # which asks for what remains
+    if form == "text" and not options.full:
         design = replace(design, full=False)
     content = content_of(design, form, options)
     files = _files(design, options)

@@ -5,11 +5,16 @@ from __future__ import annotations
 import argparse
 from math import isfinite
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from symbalance.cli.options import ENGINE, add_running, command, engine_of
 from symbalance.cli.output import whole_number, write, write_all
 from symbalance.cli.torque import running_engine
 from symbalance.errors import SymbalanceError
+
+if TYPE_CHECKING:
+    from symbalance.codegen.plans import Plan
+    from symbalance.engine.engine import Engine
 
 TARGETS = ("numpy", "numba", "array-api", "c", "javascript", "octave")
 
@@ -38,7 +43,7 @@ def add(commands: argparse._SubParsersAction) -> None:
         "default: every order that shows in a double",
     )
     parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
-    add_running(parser)
+    add_running(parser, pitch=True)
     parser.add_argument(
         "--uniform-grid",
         action="store_true",
@@ -62,11 +67,14 @@ def run(options: argparse.Namespace) -> int:
 
     path = _path(options.output, FILES[options.target], options.target)
     engine = engine_of(options)
+    _check_sizes(options, engine, outputs)
     running = running_engine(options, engine, "torque.total" in outputs)
     highest = 1 if order is None else order
     result = balance(engine, highest) if running is None else running
     plan = plan_for(result, None, outputs, options.target, tolerance, highest)
     name = identifier(engine.name) if path is None else path.stem
+    if options.rpm is not None:
+        plan = _at_speed(plan, engine, options)
     texts = files(plan, options.target, engine.name, name, grid=options.uniform_grid)
     if path is None or len(texts) == 1:
         write(next(iter(texts.values())), None if path is None else str(path), "source")
@@ -80,17 +88,45 @@ def _check_use(options: argparse.Namespace, outputs: list[str]) -> None:
     if options.order is not None and all(name.startswith("piston.") for name in outputs):
         raise SymbalanceError("--order", "plays no part in piston outputs, always exact", "leave it out")
     gas = {"torque.gas", "torque.total"} & set(outputs)
-    for name in ("pressure", "compression", "heat", "bore", "stroke", "rpm", "mass"):
-        if getattr(options, name) is None or "torque.total" in gas:
-            continue
-        if name == "stroke" and options.rod is not None:
-            continue  # the two are the rod ratio
-        if name in ("rpm", "mass"):
-            rule = "is for the output torque.total"
-            raise SymbalanceError(f"--{name}", rule, "add it to --outputs, or leave this out")
-        if not gas:
+    for name in ("pressure", "compression", "heat", "bore"):
+        if getattr(options, name) is not None and not gas:
             rule = "is for the outputs torque.gas and torque.total"
             raise SymbalanceError(f"--{name}", rule, "add one to --outputs, or leave this out")
+    if options.rpm is not None or "torque.total" in gas:
+        return
+    for name in ("stroke", "mass", "pitch"):
+        # Stroke and rod are the rod ratio, and gas pushes at the crank radius.
+        if getattr(options, name) is None or (name == "stroke" and (options.rod is not None or gas)):
+            continue
+        rule = "makes newtons at a speed only, and mass, radius, omega and pitch are 1 unless given"
+        raise SymbalanceError(f"--{name}", rule, "add --rpm N, or leave this out")
+
+
+def _check_sizes(options: argparse.Namespace, engine: Engine, outputs: list[str]) -> None:
+    """Refuse forces at a speed without a rod ratio, naming all that is missing beside it."""
+    kinds = {name.partition(".")[0] for name in outputs}
+    if options.rpm is None or engine.first.ratio is not None or not kinds <= {"force", "couple"}:
+        return
+    from symbalance.forces.operating_point import operating_point
+
+    operating_point(engine, options.rpm, needs_pitch="couple" in kinds, needs_ratio=True)
+
+
+def _at_speed(plan: Plan, engine: Engine, options: argparse.Namespace) -> Plan:
+    """Return a plan whose keywords are the engine's at a speed where none is given."""
+    from dataclasses import replace
+
+    from symbalance.codegen.keyword_defaults import defaults_at
+
+    whole = any(output.harmonic_sum.name == "torque.total" for output in plan.outputs)
+    used = plan.factors | ({"mass"} if whole else set())
+    for name in ("mass", "pitch"):
+        if getattr(options, name) is not None and name not in used:
+            rule = "plays no part in the outputs asked for"
+            raise SymbalanceError(
+                f"--{name}", rule, "leave it out, or add an output that it does to --outputs"
+            )
+    return replace(plan, defaults=defaults_at(engine, options.rpm, plan.factors))
 
 
 def _tolerance(text: str | None) -> float:

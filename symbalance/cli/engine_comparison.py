@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from symbalance.cli.options import check_speed_for_sizes, resized, sizes_of
 from symbalance.cli.output import MEDIA, show
 from symbalance.errors import SymbalanceError
 
@@ -59,18 +60,24 @@ def show_comparison(options: argparse.Namespace, order: int) -> None:
         name = "--jobs" if options.dask is None else "--dask"
         rule = "shares engines with files of their own, and this is one table"
         raise SymbalanceError(name, rule, "leave it out, or add -o FOLDER/")
-    from symbalance.forces.operating_point import SIZES
-
-    for name in ("rpm", *SIZES):
-        if getattr(options, name, None) is not None:
-            rule = "is for values in N and N m, and a table of several engines has none"
-            raise SymbalanceError(f"--{name}", rule, "leave it out, or add -o FOLDER/")
+    if options.rpm is not None and ":" in options.rpm:
+        rule = "is of one engine, and a table of several is at one speed"
+        raise SymbalanceError(f"--rpm {options.rpm}", rule, "give one speed, or add -o FOLDER/")
+    check_speed_for_sizes(options)
     if "-" in options.engines:
         raise SymbalanceError("ENGINE '-'", "is standard input, among several", "name a file")
 
-    from symbalance.design.comparison import compare
+    from symbalance.design.comparison import compare, lacking_sizes
     from symbalance.engine.catalogue import load
 
-    engines = [load(name) for name in options.engines]
+    sizes = sizes_of(options)
+    engines = []
+    for name in options.engines:
+        engine = load(name)
+        try:
+            engines.append(resized(engine, options, lacking_sizes(engine, sizes)))
+        except SymbalanceError as problem:
+            raise problem.within(engine.name) from None
     own = {name: getattr(options, name) for name in OWN}
-    show(compare(engines, order, ratio=options.ratio, **own), options)
+    table = compare(engines, order, **own)
+    show(table if options.rpm is None else table.at(rpm=options.rpm), options)

@@ -43,7 +43,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--full", action="store_true", help="add what each is, its sources and its estimates"
     )
-    add_output(parser)
+    add_output(parser, full=False)
 
 
 def run(options: argparse.Namespace) -> int:

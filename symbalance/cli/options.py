@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from symbalance.budgets import Budget
@@ -52,11 +52,15 @@ def command(
     return parser
 
 
-def add_output(parser: argparse.ArgumentParser, what: str = "FILE") -> None:
+def add_output(parser: argparse.ArgumentParser, what: str = "FILE", *, full: bool = True) -> None:
     """Add the options of the medium a result is shown in, and of where it goes; see `output.show`.
 
-    Where `what` is no FILE, the command adds its own -o.
+    Where `what` is no FILE, the command adds its own -o. With `full` comes the option that shows what a
+    short document leaves out and names.
     """
+    if full and what == "FILE":
+        help_ = "text, latex: all exact forms and tables, those that few readers need too"
+        parser.add_argument("--full", action="store_true", help=help_)
     default = "what the ending of -o says (.tex, .html, .md, .json, .csv, .xlsx), else text"
     parser.add_argument(
         "--format",
@@ -74,12 +78,6 @@ def add_output(parser: argparse.ArgumentParser, what: str = "FILE") -> None:
     if what == "FILE":
         help_ = "write to FILE instead of the terminal; - is the terminal"
         parser.add_argument("-o", "--output", metavar="FILE", help=help_)
-
-
-def add_full(parser: argparse.ArgumentParser) -> None:
-    """Add the option that shows what a short document names in its last line."""
-    help_ = "text, latex: all tables, those that few readers need too"
-    parser.add_argument("--full", action="store_true", help=help_)
 
 
 def add_trust(parser: argparse.ArgumentParser, what: str) -> None:
@@ -122,7 +120,12 @@ def bank_angle(text: str) -> object:
 
 
 def add_operating_point(
-    parser: argparse.ArgumentParser, speeds: str = "N or FROM:TO:STEP", *, pitch: bool = True
+    parser: argparse.ArgumentParser,
+    speeds: str = "N or FROM:TO:STEP",
+    *,
+    rod: bool = True,
+    pitch: bool = True,
+    bore: bool = False,
 ) -> None:
     """Add the speed that values in N and N m are for, and the sizes that an engine may lack."""
     about = "for values in N and N m" + ("; several make a table" if ":" in speeds else "")
@@ -131,8 +134,9 @@ def add_operating_point(
     for option, unit, what in (
         ("mass", "KG", "reciprocating mass of a cylinder"),
         ("stroke", "MM", "stroke"),
-        ("rod", "MM", "rod's length"),
+        *((("rod", "MM", "rod's length"),) if rod else ()),
         *((("pitch", "MM", "pitch of the cylinders"),) if pitch else ()),
+        *((("bore", "MM", "bore"),) if bore else ()),
     ):
         parser.add_argument(f"--{option}", metavar=unit, help=f"{what}, where the engine gives none")
 
@@ -151,10 +155,10 @@ def resized(
     engine: Engine, options: argparse.Namespace, sizes: Mapping[str, str] | None = None
 ) -> Engine:
     """Return an engine with the rod ratio and the sizes that a command line gives."""
-    from symbalance.forces.operating_point import SIZES, sized
+    from symbalance.forces.operating_point import sized
 
     if sizes is None:
-        sizes = {name: text for name in SIZES if (text := getattr(options, name, None)) is not None}
+        sizes = sizes_of(options)
     ratio = getattr(options, "ratio", None)
     if ratio is not None and "rod" in sizes:
         rule = "gives the rod ratio, and so does --ratio"
@@ -162,11 +166,20 @@ def resized(
     return sized(engine if ratio is None else engine.with_ratio(ratio), sizes)
 
 
-def check_speed_for_sizes(options: argparse.Namespace) -> None:
+def sizes_of(options: argparse.Namespace) -> dict[str, str]:
+    """Return the sizes that a command line gives, as they are written."""
+    from symbalance.forces.operating_point import SIZES
+
+    return {name: text for name in SIZES if (text := getattr(options, name, None)) is not None}
+
+
+def check_speed_for_sizes(
+    options: argparse.Namespace, sizes: Sequence[str] = ("mass", "pitch", "bore")
+) -> None:
     """Refuse sizes that play a part at a speed only, where none is given."""
     if any(getattr(options, name, None) is not None for name in ("rpm", "pressure", "compression")):
         return
-    for name in ("mass", "pitch", *(() if options.rod is not None else ("stroke",))):
+    for name in (*sizes, *(() if getattr(options, "rod", None) is not None else ("stroke",))):
         if getattr(options, name, None) is not None:
             remedy = "add --rpm N, or leave it out"
             raise SymbalanceError(f"--{name}", "plays a part at a speed only", remedy)
@@ -184,8 +197,7 @@ def add_running(parser: argparse.ArgumentParser, *, pitch: bool = False) -> None
         metavar="Q",
         help="its heat added over the swept volume, in bar (100 J per litre); default: 18, 0: motored",
     )
-    parser.add_argument("--bore", metavar="MM", help="bore, where the engine gives none")
-    add_operating_point(parser, "N", pitch=pitch)
+    add_operating_point(parser, "N", pitch=pitch, bore=True)
 
 
 def add_jobs(parser: argparse.ArgumentParser, what: str) -> None:

@@ -83,11 +83,19 @@ def medium(options: argparse.Namespace) -> str:
 
 def medium_of_several(options: argparse.Namespace) -> str:
     """Return the medium of several results, which the ending of a file cannot say: -o is a folder."""
-    if options.label:
-        raise SymbalanceError("--label", "is for one result", "write the results one by one")
-    if options.format == "xlsx":
-        raise SymbalanceError("--format xlsx", "is for one result", "take csv, or write them one by one")
-    return medium(for_terminal(options))
+    return medium(argparse.Namespace(**{**vars(options), "output": "a folder"}))
+
+
+def label_of(prefix: str | None, name: str) -> str | None:
+    """Return the beginning of labels of one result among several, which its name makes its own.
+
+    >>> label_of("mine", "v8_90 (1)"), label_of(None, "v8-90")
+    ('mine-v8-90-1', None)
+    """
+    if prefix is None:
+        return None
+    plain = re.sub("[^A-Za-z0-9.:+-]+", "-", name).strip("-")
+    return f"{prefix}-{plain}" if plain else prefix
 
 
 def for_terminal(options: argparse.Namespace) -> argparse.Namespace:

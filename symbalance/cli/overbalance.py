@@ -5,7 +5,14 @@ from __future__ import annotations
 import argparse
 from fractions import Fraction
 
-from symbalance.cli.options import ENGINE, add_output, command
+from symbalance.cli.options import (
+    ENGINE,
+    add_operating_point,
+    add_output,
+    check_speed_for_sizes,
+    command,
+    engine_of,
+)
 from symbalance.cli.output import show
 from symbalance.errors import SymbalanceError
 
@@ -25,13 +32,13 @@ def add(commands: argparse._SubParsersAction) -> None:
         default="0:100:10",
         help="from A to B by STEP, or a list with commas; default: 0:100:10",
     )
+    add_operating_point(parser, "N", rod=False)  # which the first order does not depend on
     add_output(parser)
 
 
 def run(options: argparse.Namespace) -> int:
     """Tabulate what each share leaves, and the best."""
     from symbalance.design.balancing.overbalance_table import MOST_SHARES, tabulate_overbalance
-    from symbalance.engine.catalogue import load
     from symbalance.text.numbers import exact
 
     what = f"--percent {options.percent}"
@@ -47,5 +54,7 @@ def run(options: argparse.Namespace) -> int:
             raise SymbalanceError(what, f"makes more than {MOST_SHARES} lines", "take a larger step")
         percents = [first + k * step for k in range(int(count))]
     shares: list[Fraction] = [percent / 100 for percent in percents]
-    show(tabulate_overbalance(load(options.engine), shares), options)
+    check_speed_for_sizes(options, ("mass", "pitch"))
+    table = tabulate_overbalance(engine_of(options), shares)
+    show(table if options.rpm is None else table.at(rpm=options.rpm), options)
     return 0

@@ -46,9 +46,6 @@ def add(commands: argparse._SubParsersAction) -> None:
 def run(options: argparse.Namespace) -> int:
     """Compute the grid and show it; 1 where some of its points are refused."""
     medium(options)
-    if str(options.output or "").lower().endswith(".csv"):
-        remedy = "name a .json, .md, .tex, .html or .txt file"
-        raise SymbalanceError(f"--output {options.output}", "is no medium of this command", remedy)
     vary: dict[str, list[Fraction]] = {}
     for text in options.vary:
         name, values = read_values(text)

@@ -57,10 +57,10 @@ def run(options: argparse.Namespace) -> int:
     engine = engine_of(options, _sizes(options.sizes))
     first = engine.first
     if options.rpm is not None and (first.radius is None or not first.reciprocating_mass):
-        lacks = {"stroke=MM": first.radius is None, "mass=KG": not first.reciprocating_mass}
+        lacks = {"stroke=86": first.radius is None, "mass=0.5": not first.reciprocating_mass}
         names = ",".join(name for name, is_missing in lacks.items() if is_missing)
         rule = "needs the engine's stroke and reciprocating_mass for newtons"
-        remedy = f"add what is missing to [crank_train], or say --sizes {names}"
+        remedy = f"add what is missing to [crank_train], or append your own figures like --sizes {names}"
         raise SymbalanceError(f"--rpm {options.rpm}", rule, remedy)
     of = [name.strip() for name in options.of.split(",")]
     show(worst_cases(engine, Tolerances(**tolerances), order, of=of, rpm=options.rpm), options)
@@ -71,12 +71,13 @@ def _sizes(text: str | None) -> dict[str, str]:
     """Return the sizes that an option lists, or refuse what is none."""
     from symbalance.forces.operating_point import SIZES
 
+    known = [name for name in SIZES if name != "bore"]  # which plays no part here
     pairs = [part.split("=") for part in (text or "").split(",") if part.strip()]
     sizes: dict[str, str] = {}
     for pair in pairs:
         name = pair[0].strip()
-        if len(pair) != 2 or name not in SIZES or name in sizes:
+        if len(pair) != 2 or name not in known or name in sizes:
             remedy = "write mass=0.5,stroke=86,rod=143,pitch=98, each once"
-            raise SymbalanceError(f"--sizes {text}", f"must name some of {', '.join(SIZES)}", remedy)
+            raise SymbalanceError(f"--sizes {text}", f"must name some of {', '.join(known)}", remedy)
         sizes[name] = pair[1].strip()
     return sizes

@@ -38,7 +38,7 @@ def run(options: argparse.Namespace) -> int:
     from symbalance.torque import torque_report
     from symbalance.torque.flywheel import checked_delta
 
-    check_speed_for_sizes(options)
+    check_speed_for_sizes(options, ("mass", "pitch"))  # the bore is a running engine's
     engine = engine_of(options)
     printed: dict[str, Any] = {"order": order}
     if options.delta is not None:

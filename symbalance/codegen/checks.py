@@ -72,6 +72,11 @@ def unit_values(plan: Plan) -> list[float]:
     return [prod(KEYWORDS[factor] for factor in o.harmonic_sum.unit.factors) for o in plan.outputs]
 
 
+def default_values(plan: Plan) -> list[float]:
+    """Return what each output is to be multiplied by where no keyword is given."""
+    return [plan.defaults.unit(o.harmonic_sum.unit.factors) for o in plan.outputs]
+
+
 def grid_points(plan: Plan) -> int:
     """Return how many points to a turn test a grid: the fewest that do not repeat within the turn."""
     return next(points for points in GRIDS if plan.step.numerator % points)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from importlib.util import find_spec
@@ -11,6 +11,7 @@ from math import isfinite
 from typing import Any
 
 from symbalance.codegen.harmonic_sum import HarmonicSum
+from symbalance.codegen.keyword_defaults import defaults_of
 from symbalance.codegen.plans import Plan, choose_plan
 from symbalance.codegen.requests import OUTPUTS, checked_outputs, rod_ratio, sums_to_order, sums_within
 from symbalance.codegen.source_cache import source_file
@@ -35,10 +36,12 @@ class Evaluator:
     Called as f(theta, *, mass, radius, omega, pitch, out=None).
     theta may have any shape; the values come back in it, as an array for one output and a dict of arrays
     for several. mass (kg, reciprocating, one cylinder), radius (m, half the stroke), omega (rad/s) and
-    pitch (m) are 1 unless given: the result then is in units of m r omega^2 (couples: times a; torque:
-    times r); each is one number. + is up and right; couples are + with the front pushed up or right,
-    torque as it turns. `out` takes the values, an array for each output, and may overlap theta. What is
-    no angle is refused with TypeError: None, text, and a masked array, whose mask would be lost.
+    pitch (m) are one number each. Unless given they are 1, and the result is in units of m r omega^2
+    (couples: times a; torque: times r); of a result at an operating point, `balance(…).at(rpm=6000)`,
+    they are that point's, and the result is in N and N m. + is up and right; couples are + with the front
+    pushed up or right, torque as it turns. `out` takes the values, an array for each output, and may
+    overlap theta. What is no angle is refused with TypeError: None, text, and a masked array, whose mask
+    would be lost.
 
     `rounding` holds, by output, what a value may be off by rounding, in u = 2^-53 of the output's
     `amplitude` (for |theta| <= 2^20); `left_out` what the orders left out may sum to, in units of
@@ -114,11 +117,17 @@ def to_function(
     0 all that can show in a double. A tolerance leaves the choice between harmonics and the closed form
     to the cheaper (`codegen.plans`).
 
+    The keywords' defaults are 1; of a result at an operating point they are that point's, so that the
+    values are in N and N m with no keyword given.
+
     >>> from symbalance.forces.free_forces import balance
     >>> from symbalance.engine.catalogue import load
     >>> force = to_function(balance(load("inline-4"), order=4))
     >>> float(force(0.0).round(6)), force.orders
     (0.999708, {'force.vertical': ('2', '4')})
+    >>> at_speed = balance(load("inline-4"), 2).at(rpm=6000, stroke=80, mass="0.5", rod=160)
+    >>> float(to_function(at_speed)(0.0).round(3))  # newtons
+    8022.805
     """
     if target not in IN_MEMORY:
         known = ", ".join(IN_MEMORY)
@@ -167,7 +176,9 @@ def plan_for(
         known = result if isinstance(result, Balance) and order is None else None
         known = balance(result.engine, highest) if known is None else known
         sums |= {each.name: each for each in _force_sums(known, forces, number, tolerance)}
-    return choose_plan([sums[name] for name in names], number, target)
+    plan = choose_plan([sums[name] for name in names], number, target)
+    point = None if isinstance(result, RunningTorque) else result.operating_point
+    return replace(plan, defaults=defaults_of(point))
 
 
 def _force_sums(

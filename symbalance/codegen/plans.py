@@ -23,6 +23,7 @@ from symbalance.codegen.closed_forms import (
 from symbalance.codegen.evaluation_scheme import constant_prefix, sum_formula
 from symbalance.codegen.expression_ir import NAME, Kernel
 from symbalance.codegen.harmonic_sum import ClosedForm, HarmonicSum
+from symbalance.codegen.keyword_defaults import ALL_ONE, KeywordDefaults
 from symbalance.codegen.polynomials import family
 from symbalance.codegen.shared_cosines import SharedCosines
 from symbalance.text.reals import Exact, Real
@@ -85,6 +86,13 @@ class Plan:
     step: Fraction
     highest_step: float
     shared: SharedCosines
+    defaults: KeywordDefaults = ALL_ONE
+    """The keywords where a call gives none: 1 each, or an engine's sizes at a speed."""
+
+    @property
+    def factors(self) -> set[str]:
+        """The keywords that some output depends on."""
+        return {factor for output in self.outputs for factor in output.harmonic_sum.unit.factors}
 
 
 def choose_plan(sums: Sequence[HarmonicSum], ratio: Fraction, target: str) -> Plan:

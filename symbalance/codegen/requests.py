@@ -91,7 +91,7 @@ def rod_ratio(result: _EngineResult, ratio: object) -> Fraction:
         raise SymbalanceError(
             f"engine {result.engine.name!r}",
             "has no rod ratio",
-            "pass ratio=..., lambda = l/r, often 3 to 4.5",
+            "add rod and stroke to [crank_train], or say --ratio 4 (ratio=4): l/r, often 3 to 4.5",
         )
     if result.engine.has_symbols:
         raise SymbalanceError(

@@ -15,15 +15,18 @@ which is the amplitude itself of a vector that only turns, or only swings up and
 Values are geometry, in units of each order's own F_n = A_n m r omega^2, or in per cent of the first
 order of one piston, m r omega^2 of cylinder 1, which takes a rod ratio. Cylinders that differ have no A_n
 in common: with one such engine in the table all of it is in per cent.
+
+At a speed (`EngineComparison.at`) every value is in N and N m too, each engine's with its own sizes, and
+so is the largest of all orders together over a turn, which is no sum: orders are not largest at once.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Unpack
 
 from symbalance.design.balancing.order_selection import parts_of
 from symbalance.document.result import SequenceResult
@@ -31,8 +34,10 @@ from symbalance.engine.engine import Engine, checked_engine
 from symbalance.engine.engine_document import firing_intervals
 from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.spectrum import COMPONENTS, Component
-from symbalance.forces.balance_data import component_values
+from symbalance.forces.balance_data import KEYS, largest_data, resultant_data
 from symbalance.forces.free_forces import Balance, Resultant, balance
+from symbalance.forces.operating_point import SIZES, UNITS, OperatingPoint, Sizes, check_size_names
+from symbalance.forces.turn_maximum import TurnMaximum
 from symbalance.kinematics.slider_crank import checked_order
 from symbalance.text.numbers import as_list, decimal_text
 from symbalance.text.reals import Real
@@ -134,6 +139,25 @@ class ComparedEngine:
             return size
         return None if size is None or factor is None else 100 * size * abs(factor)
 
+    @property
+    def operating_point(self) -> OperatingPoint | None:
+        """The engine's speed and sizes, None where values in N and N m are not asked for."""
+        return self.balance.operating_point
+
+    def newtons(self, place: Place) -> Real | None:
+        """Return an order's largest value in N, a couple's in N m; None with symbols in it."""
+        percent = self.percent(place)
+        if not percent:
+            return percent
+        return percent / 100 * self.balance.unit_value(place[0])
+
+    def all_orders(self, kind: str) -> TurnMaximum | None:
+        """Return the largest of all orders together over a turn, in N or N m; None with symbols in it."""
+        if self.engine.has_symbols:
+            return None
+        # Where no pitch is known no order of the couple is free: the operating point sees to that.
+        return self.balance.turn_maxima.get(kind, TurnMaximum(0.0, 0.0, 0.0))
+
 
 @dataclass(frozen=True, repr=False, eq=False)
 class EngineComparison(SequenceResult[ComparedEngine]):
@@ -163,6 +187,26 @@ class EngineComparison(SequenceResult[ComparedEngine]):
         names = ", ".join(line.engine.name for line in self.items[:6])
         more = f" and {len(self) - 6} more" if len(self) > 6 else ""
         return f"Comparison to order {self.order} of {names}{more}"
+
+    def at(self, *, rpm: object, **sizes: Unpack[Sizes]) -> EngineComparison:
+        """Return the same comparison with values in N and N m too, at a speed.
+
+        `stroke`, `rod`, `pitch`, `bore` (mm) and `mass` (kg, of one cylinder's reciprocating parts) are
+        for those engines that lack them.
+
+        >>> from symbalance.engine.catalogue import load
+        >>> table = compare([load("inline-4"), load("vq30de")], 2)
+        >>> four, six = table.at(rpm=6000, stroke=80, mass="0.5")
+        >>> round(four.newtons(("force", 2))), round(six.newtons(("couple", 1)))
+        (8023, 1577)
+        """
+        return replace(self, items=tuple(_at(line, rpm, sizes) for line in self))
+
+    @property
+    def rpm(self) -> Fraction | None:
+        """The speed that values in N and N m are for; None where they are not asked for."""
+        point = self.items[0].operating_point
+        return None if point is None else point.rpm
 
     @cached_property
     def places(self) -> tuple[Place, ...]:
@@ -198,9 +242,27 @@ class EngineComparison(SequenceResult[ComparedEngine]):
                 "percent": _float(line.percent(place)),
                 "unit": "m r omega^2" if line.balance.kinematics is None else "A_n m r omega^2",
             }
+            | self._value_record(line, place)
             for line in self
             for place in self.places
-        ]
+        ] + [self._whole_record(line, kind) for line in self for kind in KINDS if self.rpm is not None]
+
+    def _value_record(self, line: ComparedEngine, place: Place) -> dict[str, Any]:
+        """Return the rest of a row, at a speed alone."""
+        if self.rpm is None:
+            return {}
+        value, unit = _float(line.newtons(place)), UNITS[place[0]]
+        return {"rpm": float(self.rpm), "value": value, "value_unit": unit}
+
+    def _whole_record(self, line: ComparedEngine, kind: str) -> dict[str, Any]:
+        """Return the row of all orders together."""
+        assert self.rpm is not None
+        top = line.all_orders(kind)
+        return {
+            **dict.fromkeys(self.record_keys),
+            **{"engine": line.engine.name, "of": kind, "motion": "all orders together"},
+            **{"rpm": float(self.rpm), "value": top and top.value, "value_unit": UNITS[kind]},
+        }
 
     def _line(self, line: ComparedEngine) -> dict[str, Any]:
         gaps, engine = line.firing_intervals, line.engine
@@ -211,7 +273,9 @@ class EngineComparison(SequenceResult[ComparedEngine]):
             "ratio": None if line.balance.ratio is None else str(line.balance.ratio),
             "unlike": line.balance.kinematics is None,
             "firing_intervals": None if gaps is None else list(map(str, gaps)),
+            **({} if line.operating_point is None else {"operating_point": line.operating_point.data()}),
             "orders": list(self._orders(line)),
+            **({} if self.rpm is None or engine.has_symbols else {"largest": largest_data(line.balance)}),
             "balanced_by": {"counterweights": line.counterweights, "shafts": list(line.shafts)},
         }
 
@@ -228,8 +292,41 @@ class EngineComparison(SequenceResult[ComparedEngine]):
                 "largest": " + ".join(part.form("amplitude").spelling for part in line.largest(place)),
                 "decimal": None if size is None else decimal_text(size, DIGITS),
                 "percent": None if percent is None else decimal_text(percent, DIGITS),
-                **{name: dict(component_values(vector.component(name))) for name in DIRECTIONS},
+                **self._newtons(line, place),
+                **resultant_data(vector, line.balance, place[0], DIRECTIONS),
             }
+
+    def _newtons(self, line: ComparedEngine, place: Place) -> dict[str, str | None]:
+        """Return an order's largest value in N or N m, at a speed alone."""
+        if self.rpm is None:
+            return {}
+        value = line.newtons(place)
+        return {KEYS[place[0]]: None if value is None else decimal_text(value, DIGITS)}
+
+
+def _at(line: ComparedEngine, rpm: object, sizes: Mapping[str, object]) -> ComparedEngine:
+    """Return a line at a speed; what an engine lacks is refused with its name."""
+    lacking = lacking_sizes(line.engine, sizes)
+    try:
+        return ComparedEngine(line.balance.at(rpm=rpm, **lacking))  # type: ignore[arg-type]
+    except SymbalanceError as problem:
+        raise problem.within(line.engine.name) from None
+
+
+def lacking_sizes(engine: Engine, sizes: Mapping[str, object]) -> dict[str, object]:
+    """Return those sizes that an engine does not have: its own count before what is said for several.
+
+    >>> from symbalance.engine.catalogue import load
+    >>> [lacking_sizes(load(name), {"mass": 1, "pitch": 90}) for name in ("vq30de", "inline-4")]
+    [{}, {'mass': 1, 'pitch': 90}]
+    """
+    of_engine = {"pitch": engine.pitch, "bore": engine.bore}
+    check_size_names(sizes)
+    return {
+        name: value
+        for name, value in sizes.items()
+        if (of_engine[name] if name in of_engine else getattr(engine.first.sizes, SIZES[name])) is None
+    }
 
 
 def _float(number: Real | None) -> float | None:

@@ -34,6 +34,7 @@ from symbalance.document.nodes import (
 from symbalance.document.text_writer import formula_text
 from symbalance.engine.engine_document import SIGNS, degrees_text, repeated_intervals
 from symbalance.exact.spectrum import Component
+from symbalance.forces.operating_point import UNITS
 from symbalance.forces.rows import Row
 from symbalance.text.numbers import short_text
 from symbalance.text.reals import Real
@@ -44,6 +45,8 @@ MOST_INTERVALS = 2
 """Uneven firing intervals that are listed; of more, the shortest and the longest."""
 SHOWN = 4
 """Digits of a decimal: what a handbook's table has, and a line of many orders has room for."""
+SHOWN_NEWTONS = 5
+"""Digits of a value in N, whose masses and lengths have no more."""
 LEAST = Fraction(1, 10_000)
 """Per cent of one piston's first order below which nobody feels an order, a millionth of it."""
 LONGEST = 8
@@ -61,7 +64,12 @@ def comparison_document(comparison: EngineComparison) -> Document:
     title = f"{len(comparison)} engines compared, to order {comparison.order}"
     return Document(
         title if len(comparison) > 1 else comparison.summary(),
-        blocks(_tables(comparison), cosines, Facts(_reading(comparison), "How to read it")),
+        blocks(
+            _newton_tables(comparison) if comparison.rpm is not None else (),
+            _tables(comparison),
+            cosines,
+            Facts(_reading(comparison), "How to read it"),
+        ),
     )
 
 
@@ -104,6 +112,71 @@ def _table(
         for line in comparison
     )
     return Table((f"{title}, ", *inlines(unit)), columns, rows)
+
+
+def _newton_tables(comparison: EngineComparison) -> tuple[Table, ...]:
+    """Return the table in N and N m, all orders together beside each; of many orders two."""
+    places = _shown(comparison)
+    kinds = [kind for kind in KINDS if any(place[0] == kind for place in places)]
+    if len(places) + len(kinds) <= MOST_ORDERS:
+        return (_newton_table(comparison, kinds or ["force"]),)
+    first, *others = kinds
+    return (
+        _newton_table(comparison, [first], ends=not others),
+        *(_newton_table(comparison, [kind], begins=False) for kind in others),
+    )
+
+
+def _newton_table(
+    comparison: EngineComparison, kinds: Sequence[str], *, begins: bool = True, ends: bool = True
+) -> Table:
+    """Return a table in N and N m; `begins` with the firing intervals, `ends` with the balance."""
+    places = [place for place in _shown(comparison) if place[0] in kinds]
+    ordered = [p for kind in kinds for p in (*(p for p in places if p[0] == kind), (kind, 0))]
+    columns = (
+        Column("engine"),
+        *([Column("fires", "firing interval")] if begins else []),
+        *(Column(*_newton_head(*place)) for place in ordered),
+        *([Column("balanced by")] if ends else []),
+    )
+    rows = tuple(
+        (
+            line.engine.name,
+            *([_intervals(line)] if begins else []),
+            *(_newton_cell(line, place) for place in ordered),
+            *([balanced_by(line)] if ends else []),
+        )
+        for line in comparison
+    )
+    units = ", couples in N m" if len(kinds) > 1 else ""
+    of = " and ".join(kinds)
+    title = f"Free {of} at {_speed(comparison)} rpm, in {UNITS[kinds[0]]}{units}"
+    return Table(title, columns, rows, topic="newtons" if begins else "newton-metres")
+
+
+def _newton_head(kind: str, order: int) -> tuple[str, str]:
+    """Return the head of a column in N or N m, and its name; order 0 is all of them together."""
+    if not order:
+        return f"{kind}, all", f"all orders of the {kind}"
+    return f"{kind} {order}", f"{kind} of order {order}, {UNITS[kind]}"
+
+
+def _newton_cell(line: ComparedEngine, place: Place) -> Cell:
+    """Return an order's largest value over a turn; of order 0 that of all orders together."""
+    kind, order = place
+    if not order:
+        top = line.all_orders(kind)
+        return UNKNOWN if top is None else _newtons(Real(top.value))
+    value = line.newtons(place)
+    return UNKNOWN if value is None else _newtons(value)
+
+
+def _newtons(value: Real) -> Formula:
+    return Decimal(short_decimal(value, SHOWN_NEWTONS)) if value else number(0)
+
+
+def _speed(comparison: EngineComparison) -> str:
+    return short_text(comparison.rpm) if comparison.rpm is not None else ""
 
 
 def _units(comparison: EngineComparison, kinds: Sequence[str]) -> Words:
@@ -289,6 +362,9 @@ def _reading(comparison: EngineComparison) -> tuple[tuple[Words, Words], ...]:
     upright = ["upright without a letter"] if marks and "vertical" in motions else []
     largest = "largest over a turn; orders that cancel in every engine are left out"
     entries: list[tuple[Words, Words]] = [("cells", "; ".join([largest, *upright, *marks]))]
+    if comparison.rpm is not None:
+        words = "all orders together, not their sum: they are not largest at once"
+        entries.append(("all", f"the largest over a turn of {words}"))
     small = [place for place in comparison.places if place not in _shown(comparison)]
     if small:
         numbers = {kind: [str(order) for of, order in small if of == kind] for kind in KINDS}
@@ -301,6 +377,8 @@ def _reading(comparison: EngineComparison) -> tuple[tuple[Words, Words], ...]:
     else:
         coefficient = "coefficient of one cylinder, a function of its rod ratio, with a sign of its own"
         entries.append((_A_N, coefficient))
+    if comparison.rpm is not None:
+        letters = f"{letters}: {'; '.join(map(_sizes, comparison))}"
     entries += [
         ((_M, ", ", _R, ", ", _A), letters),
         (equal(Name("lam"), Name("l") / _R), f"rod over crank radius, {_ratios(comparison)}"),
@@ -322,6 +400,16 @@ _BALANCED = (
     "orders 1 and 2: crank, by counterweights on it; ±2, by balance shafts at twice its speed, "
     "− against it"
 )
+
+
+def _sizes(line: ComparedEngine) -> str:
+    """Return an engine's mass, crank radius and pitch at its operating point."""
+    point = line.operating_point
+    if point is None:
+        return f"{line.engine.name} {UNKNOWN}"
+    lengths = [point.radius, *(() if point.pitch is None else (point.pitch,))]
+    in_mm = ", ".join(f"{float(length * 1000):.6g} mm" for length in lengths)
+    return f"{line.engine.name} {float(point.mass):.6g} kg, {in_mm}"
 
 
 def _ratios(comparison: EngineComparison) -> str:

@@ -30,6 +30,8 @@ SHORT = 14
 """An exact form of up to so many characters keeps its cell, whatever becomes of its column."""
 LONGEST_PIECE = 60
 """Characters of an exact form that no sign parts; one with more has numbers that nobody reads."""
+MOST_BELOW = 4
+"""Exact forms that stand below a table of a short document; of more its reader is sent to the whole."""
 SHORTEST = 3
 """No form shorter than this is worth a line below the table."""
 
@@ -50,8 +52,8 @@ class Fitted:
     columns: tuple[Column, ...]
     rows: tuple[tuple[Words, ...], ...]
     left_out: tuple[LeftOut, ...]
-    remark: str = ""
-    """What is said of exact forms that no medium has room for."""
+    remark: Words = ""
+    """What is said of exact forms that have no room: in any medium, or in a short document."""
 
     def cells(self, column: int) -> tuple[Words, ...]:
         """Return what stands in a column below its head."""
@@ -94,7 +96,11 @@ def fit_table(table: Table, width: Callable[[Words], float], room: float, gap: f
             sizes[widest] = width_of(widest)
     rows = tuple(tuple(_words_in(c, longest.get(i)) for i, c in enumerate(row)) for row in cells)
     keys = sum(i < table.keys for i in filled)
-    return Fitted(columns, rows, _left_out(keys, columns, cells, longest), _remark(unread))
+    left_out, remark = _left_out(keys, columns, cells, longest), _remark(unread)
+    if table.in_short and len(left_out) > MOST_BELOW:
+        said = (f"{remark}; " if remark else "", "the exact forms of what is rounded: ", Code("--full"))
+        return Fitted(columns, rows, (), said)
+    return Fitted(columns, rows, left_out, remark)
 
 
 def _readable(cell: Cell) -> Words | Exact:

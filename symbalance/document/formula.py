@@ -21,7 +21,7 @@ Span = tuple[int, int]
 FUNCTIONS = frozenset(
     {
         *("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan"),
-        *("sinh", "cosh", "tanh", "exp", "ln", "log", "abs", "sqrt"),
+        *("sinh", "cosh", "tanh", "exp", "ln", "log", "lg", "abs", "sqrt", "re", "im", "conj"),
     }
 )
 
@@ -153,7 +153,11 @@ class Call(Formula):
 
 @dataclass(frozen=True, slots=True)
 class Apply(Formula):
-    """A function of several arguments: `atan2`, `binomial` (upper, lower), `hyp2f1` (a, b, c, z), ...."""
+    """A function of several arguments, or of one that is written in a way of its own.
+
+    `atan2`, `binomial` (upper, lower), `hyp2f1` (a, b, c, z), `factorial` (n), `besselj` (order, argument),
+    `kronecker` (m, n), `max`, `min`, `det`, and `at` (a letter, where it is taken): x(π).
+    """
 
     function: str
     arguments: tuple[Formula, ...]
@@ -184,6 +188,75 @@ class Summation(Formula):
     index: Name | None = None
     lower: Formula | None = None
     upper: Formula | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class IndexedProduct(Formula):
+    """A product sign with its index and bounds."""
+
+    body: Formula
+    index: Name
+    lower: Formula
+    upper: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Integral(Formula):
+    """The integral of `body` over a letter; without bounds `lower` and `upper` are None.
+
+    `closed` is the circle on the sign: over one whole cycle of the letter.
+    """
+
+    body: Formula
+    variable: Name
+    lower: Formula | None = None
+    upper: Formula | None = None
+    closed: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Evaluation(Formula):
+    """A formula at a value of a letter, f|_(x=b); with `lower`, its increase from there, [f]_a^b."""
+
+    expression: Formula
+    variable: Name
+    upper: Formula
+    lower: Formula | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Limit(Formula):
+    """What `body` tends to as a letter tends to a point; `side` is 1 or -1 for one-sided limits."""
+
+    body: Formula
+    variable: Name
+    point: Formula
+    side: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Extremum(Formula):
+    """The largest ("max") or smallest ("min") value of `body` over all values of a letter."""
+
+    function: str
+    body: Formula
+    variable: Name
+
+
+@dataclass(frozen=True, slots=True)
+class PlusMinus(Formula):
+    """±a, or ∓a where `upper` is -1: the upper signs of an equation belong together, and the lower ones."""
+
+    operand: Formula
+    upper: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Cases(Formula):
+    """One of several values, each with its condition: a relation (left, sign, right), None for "else"."""
+
+    values: tuple[Formula, ...]
+    conditions: tuple[tuple[Formula, str, Formula] | None, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -321,6 +394,12 @@ _SINGLE: dict[type[Formula], tuple[str, ...]] = {
     Subscript: ("base", "index"),
     Derivative: ("expression", "variable"),
     Summation: ("body", "index", "lower", "upper"),
+    IndexedProduct: ("body", "index", "lower", "upper"),
+    Integral: ("body", "variable", "lower", "upper"),
+    Evaluation: ("expression", "variable", "upper", "lower"),
+    Limit: ("body", "variable", "point"),
+    Extremum: ("body", "variable"),
+    PlusMinus: ("operand",),
 }
 _SEVERAL: dict[type[Formula], str] = {Sum: "terms", Product: "factors", Apply: "arguments"}
 
@@ -336,6 +415,9 @@ def children(node: Formula) -> tuple[Formula, ...]:
         return getattr(node, _SEVERAL[kind])
     if isinstance(node, Matrix):
         return tuple(entry for row in node.rows for entry in row)
+    if isinstance(node, Cases):
+        sides = [side for condition in node.conditions if condition for side in condition[::2]]
+        return (*node.values, *(side for side in sides if isinstance(side, Formula)))
     parts = (getattr(node, name) for name in _SINGLE.get(kind, ()))
     return tuple(part for part in parts if part is not None)
 
@@ -351,6 +433,10 @@ def with_children(node: Formula, parts: tuple[Formula, ...]) -> Formula:
     replacements = iter(parts)
     if isinstance(node, Matrix):
         return replace(node, rows=tuple(tuple(next(replacements) for _ in row) for row in node.rows))
+    if isinstance(node, Cases):
+        values = tuple(next(replacements) for _ in node.values)
+        conditions = tuple(c and (next(replacements), c[1], next(replacements)) for c in node.conditions)
+        return replace(node, values=values, conditions=conditions)
     own = (name for name in _SINGLE.get(type(node), ()) if getattr(node, name) is not None)
     changes = {name: next(replacements) for name in own}
     return replace(node, **changes) if changes else node

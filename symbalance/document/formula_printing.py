@@ -9,16 +9,23 @@ from typing import Any
 from symbalance.document.formula import (
     Apply,
     Call,
+    Cases,
     Constant,
     Decimal,
     Derivative,
     Dots,
     Equation,
+    Evaluation,
+    Extremum,
     Formula,
+    IndexedProduct,
+    Integral,
+    Limit,
     Matrix,
     Name,
     Negative,
     Number,
+    PlusMinus,
     Power,
     Product,
     Quotient,
@@ -28,13 +35,16 @@ from symbalance.document.formula import (
     Upright,
 )
 
+OPERATORS = (Summation, IndexedProduct, Integral, Limit, Extremum)
+"""What begins with a sign of its own and goes on to the end of its term."""
 SUM, SIGN, PRODUCT, QUOTIENT, POWER, ATOM = range(6)
 """How tightly a formula binds; one within another that binds tighter needs brackets."""
 
 _STRENGTH: dict[type[Formula], int] = {
     Sum: SUM, Dots: SUM, Negative: SIGN, Summation: SIGN, Product: PRODUCT, Quotient: QUOTIENT,
     Derivative: QUOTIENT, Power: POWER, Call: ATOM, Apply: ATOM, Subscript: ATOM, Name: ATOM,
-    Constant: ATOM, Upright: ATOM, Matrix: ATOM,
+    Constant: ATOM, Upright: ATOM, Matrix: ATOM, IndexedProduct: SIGN, Integral: SIGN, Limit: SIGN,
+    Extremum: SIGN, PlusMinus: SUM, Evaluation: POWER, Cases: ATOM,
 }  # fmt: skip
 
 
@@ -123,6 +133,7 @@ class FormulaWriter:
 
     minus = "-"
     dots_sign = "…"
+    plus_minus = {1: "±", -1: "∓"}  # noqa: RUF012 - a table
     relations: dict[str, str] = {}  # noqa: RUF012 - a table that subclasses replace
 
     def __init__(self) -> None:
@@ -175,6 +186,10 @@ class FormulaWriter:
         """Write -a."""
         return f"{self.minus}{self.write(node.operand, PRODUCT, closed)}"
 
+    def plusminus(self, node: PlusMinus, closed: bool) -> str:
+        """Write ±a."""
+        return f"{self.plus_minus[node.upper]}{self.write(node.operand, PRODUCT, closed)}"
+
     def sum(self, node: Sum, closed: bool) -> str:
         """Write a + b - c."""
         return "".join(sign + term for sign, term in self.signed_terms(node, closed)) or "0"
@@ -190,11 +205,14 @@ class FormulaWriter:
             return " + " if place else "", self.write(term)
         if not place:
             return "", self.write(term, SIGN if last else 0, closed)
+        if isinstance(term, PlusMinus):
+            least = self.least_subtracted(term.operand)
+            return f" {self.plus_minus[term.upper]} ", self.write(term.operand, least, closed)
         if isinstance(term, Negative) and self.takes_minus(term.operand):
             return f" {self.minus} ", self.write(
                 term.operand, self.least_subtracted(term.operand), closed
             )
-        return " + ", self.write(term, SIGN if isinstance(term, Summation) else PRODUCT, closed)
+        return " + ", self.write(term, SIGN if isinstance(term, OPERATORS) else PRODUCT, closed)
 
     def takes_minus(self, operand: Formula) -> bool:
         """Tell whether a minus may stand before an operand in a sum without brackets around both."""
@@ -202,7 +220,7 @@ class FormulaWriter:
 
     def least_subtracted(self, operand: Formula) -> int:
         """Return how tightly a subtracted term must bind to stand without brackets."""
-        return SUM if isinstance(operand, Dots) else SIGN if isinstance(operand, Summation) else PRODUCT
+        return SUM if isinstance(operand, Dots) else SIGN if isinstance(operand, OPERATORS) else PRODUCT
 
     def exponential(self, node: Call) -> str:
         """Write the argument of exp, where i is the imaginary unit."""

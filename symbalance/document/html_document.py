@@ -168,7 +168,7 @@ class _Writer(DocumentWriter):
         rows = [self.row(row, pad, block.keys) for row, pad in zip(fit.rows, pads, strict=True)]
         caption = f"<caption>{self.words(block.title)}</caption>" if inlines(block.title) else ""
         html = self.scrolling(plain_words(block.title) or "table", f"<tr>{heads}</tr>", rows, caption)
-        remark = f"\n<p>{fit.remark}</p>" if fit.remark else ""
+        remark = f"\n<p>{self.words(fit.remark)}</p>" if inlines(fit.remark) else ""
         return html + self.left_out(fit) + remark
 
     def row(self, row: Sequence[nodes.Words], pads: Sequence[str | None], keys: int) -> str:

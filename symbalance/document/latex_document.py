@@ -207,7 +207,7 @@ class _Writer(DocumentWriter):
         for rows in _pages(fit.rows, columns):
             head = f"{title} (continued)" if title and parts else title
             parts.append(self.tabular(head, columns, whole, rows))
-        remark = [rf"{fit.remark}.\par"] if fit.remark else []
+        remark = [rf"{self.words(fit.remark)}.\par"] if inlines(fit.remark) else []
         return "\n".join([*parts, *_left_out(fit.left_out), *remark])
 
     def tabular(
@@ -236,11 +236,19 @@ class _Writer(DocumentWriter):
         lines.append(" & ".join(heads) + r" \\")
         lines.append(r"\midrule")
         body = [" & ".join(c.cell(self, row[i]) for i, c in enumerate(columns)) for row in rows]
-        if any(r"\frac" in line or "aligned" in line for line in body):
-            lines.insert(-4, r"\renewcommand{\arraystretch}{1.5}")
+        stretch = max(map(_stretch, body), default="")
+        if stretch:
+            lines.insert(-4, rf"\renewcommand{{\arraystretch}}{{{stretch}}}")
         lines += [rf"{line} \\" for line in body]
         lines += [r"\bottomrule", r"\end{tabular}}"]
         return "\n".join(line for line in lines if line)
+
+
+def _stretch(row: str) -> str:
+    """Return how much higher than a line a row is set: bars need room, one over the other more of it."""
+    if "aligned" in row or r"\frac{\sqrt{\frac" in row or r"\sqrt{\frac" in row:
+        return "1.5"
+    return "1.3" if r"\frac" in row else ""
 
 
 _LABEL = re.compile(r"[A-Za-z0-9][A-Za-z0-9.:+-]*")

@@ -78,7 +78,7 @@ class _Writer(DocumentWriter):
         lines = ["| " + " | ".join(row) + " |" for row in rows]
         below = [f"- {self.string(f'{e.place} {e.name}')} = {self.math(e.value)}" for e in fit.left_out]
         below = ["", "exactly:", "", *below] if below else []
-        below += ["", fit.remark] if fit.remark else []
+        below += ["", self.words(fit.remark)] if inlines(fit.remark) else []
         head = [title if "$" in title else f"**{title}**", ""] if title else []
         return "\n".join([*head, *lines, *below])
 

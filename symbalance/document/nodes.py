@@ -115,7 +115,8 @@ class Table:
     """Rows of cells under columns; the first `keys` columns say what a row is about.
 
     A table without rows is written as its title and the words `empty`. A column whose cells are all
-    empty is left out. `topic` is what it is about in a word, which labels name it by: "force".
+    empty is left out. `topic` is what it is about in a word, which labels name it by: "force". Of a
+    table `in_short` many exact forms that have no room in it are left to the whole document.
     """
 
     title: Words
@@ -124,6 +125,7 @@ class Table:
     keys: int = 1
     empty: str = "none"
     topic: str = ""
+    in_short: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -233,7 +235,7 @@ def _rounded(table: Table, omitted: dict[str, None]) -> Table:
         return cell.near
 
     rows = tuple(tuple(map(short, row)) for row in table.rows)
-    return replace(table, rows=rows)
+    return replace(table, rows=rows, in_short=True)
 
 
 def _visible(value: Any) -> Any:

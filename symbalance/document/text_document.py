@@ -155,13 +155,27 @@ class _Writer(DocumentWriter):
         if not block.rows:
             return "\n".join([*title, *self.wrapped(block.empty, _INDENT, _INDENT)])
         room = self.width - len(_INDENT)
-        fit = fit_table(block, lambda words: len(self.cell(words)), room, _GAP)
+        fit = self.fitted(block, room)
         return "\n".join([*title, *self.grid(fit, room), *self.left_out(fit)])
 
+    def fitted(self, block: nodes.Table, room: int) -> Fitted:
+        """Return a table whose columns fit with their points in line, which makes some of them wider."""
+        fit = fit_table(block, lambda words: len(self.cell(words)), room, _GAP)
+        over = _spare(self.columns(fit), room)
+        if over < 0:
+            narrower = fit_table(block, lambda words: len(self.cell(words)), room + over, _GAP)
+            if _spare(self.columns(narrower), room) >= 0:
+                return narrower
+        return fit
+
+    def columns(self, fit: Fitted) -> list[list[str]]:
+        """Return the cells of each column of a table under its head."""
+        return [self.column(fit, i) for i in range(len(fit.columns))]
+
     def grid(self, fit: Fitted, room: int) -> list[str]:
-        columns = [self.column(fit, i) for i in range(len(fit.columns))]
+        columns = self.columns(fit)
         widths = [max(map(len, column)) for column in columns]
-        spare = room - sum(widths) - _GAP * (len(widths) - 1)
+        spare = _spare(columns, room)
         if spare < 0:
             widths = self.narrowed(fit, columns, -spare)
         rows = []
@@ -213,8 +227,13 @@ class _Writer(DocumentWriter):
                 (f"{each.place} {each.name} = ", each.value), _INDENT, _INDENT + "    "
             )
         ]
-        remark = self.wrapped(fit.remark, _INDENT, _INDENT) if fit.remark else []
+        remark = self.wrapped(fit.remark, _INDENT, _INDENT) if inlines(fit.remark) else []
         return [*([f"{_INDENT}exactly:", *lines] if lines else []), *remark]
+
+
+def _spare(columns: Sequence[Sequence[str]], room: int) -> int:
+    """Return how many characters of a line a table's columns leave; below 0 it is too wide."""
+    return room - sum(max(map(len, column)) for column in columns) - _GAP * (len(columns) - 1)
 
 
 _POWER = re.compile(" × 10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)")

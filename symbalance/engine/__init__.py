@@ -6,6 +6,7 @@ that know all about themselves, in groups of like ones, and what balances them.
     crank_train, cylinders, engine    sizes; one cylinder; all of them together
     variants                          the same engine with other sizes, bank angle or rod ratio
     builders                          engines from a firing order and bank angles, or from crank pins
+    station_lists                     stations and pins as a drawing lists them
     stars                             cranks, firing orders and bank angles that fire evenly
     balance_masses                    counterweights and balance shafts
     rotating_masses                   all that turns and is not balanced by itself

@@ -5,6 +5,7 @@ from symbalance.engine.balance_masses import Weight as Weight
 from symbalance.engine.builders import boxer as boxer
 from symbalance.engine.builders import from_cylinders as from_cylinders
 from symbalance.engine.builders import from_firing_order as from_firing_order
+from symbalance.engine.builders import from_pins as from_pins
 from symbalance.engine.builders import inline as inline
 from symbalance.engine.builders import radial as radial
 from symbalance.engine.builders import vee as vee

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -10,7 +11,9 @@ from symbalance.document.nodes import Words
 from symbalance.document.text_writer import formula_text
 from symbalance.engine.balance_masses import BalanceShaft, Counterweight, Weight
 from symbalance.engine.engine import Engine
+from symbalance.engine.rotating_masses import share_sign
 from symbalance.exact.amplitude import Amplitude
+from symbalance.exact.phasor import Phasor
 from symbalance.exact.radicals import ClosedForm
 from symbalance.exact.spectrum import Component
 from symbalance.text.reals import atan2, nstr, pi
@@ -29,35 +32,57 @@ def balancer_facts(engine: Engine) -> list[Words]:
     'shaft at −1 times the crank: share 1/2 at 180°, station 0'
     """
     balancers = engine.balancers
-    facts: list[Words] = [_counterweight(c) for c in balancers.counterweights]
+    groups: list[list[Counterweight]] = []
+    for counterweight in balancers.counterweights:
+        if groups and _are_alike(groups[-1][-1], counterweight):
+            groups[-1].append(counterweight)
+        else:
+            groups.append([counterweight])
+    facts: list[Words] = [_counterweights(group) for group in groups]
     if not facts:
         if any(c.rotating_mass for c in engine.cylinders):
             facts.append("rotating masses are taken as balanced, throw by throw")
         if engine.has_link_pin_masses:
             facts.append("but for what link pins move those on them beside the crank pins")
-    return facts + [_shaft(s) for s in balancers.shafts]
+    return facts + [_shaft(s, share_sign(engine, s.speed)) for s in balancers.shafts]
 
 
-def _counterweight(counterweight: Counterweight) -> Words:
-    where = [f"throw {counterweight.throw}"] if counterweight.throw else []
-    where += [f"web {counterweight.web}"] if counterweight.web else []
+def _are_alike(one: Counterweight, other: Counterweight) -> bool:
+    """Tell whether two counterweights differ in no more than the place where they are."""
+    has_places = [(c.throw is None, c.web is None, c.station is None) for c in (one, other)]
+    sizes = [(c.angle, c.weight, c.overbalance) for c in (one, other)]
+    return has_places[0] == has_places[1] and sizes[0] == sizes[1]
+
+
+def _counterweights(alike: Sequence[Counterweight]) -> Words:
+    first = alike[0]
+    where = [_places("throw", [c.throw for c in alike])] if first.throw else []
+    where += [_places("web", [c.web for c in alike])] if first.web else []
     opposite = ", from opposite its pin" if where else ""
-    if counterweight.station is not None or not where:
-        where.append(f"station {with_minus(counterweight.station or 0)}")
-    head = f"counterweight on {', '.join(where)}: "
-    if counterweight.weight is None:
-        share = counterweight.overbalance or 0
-        tail = f" from opposite the pin, by {counterweight.angle.as_text()} degrees"
-        direction = tail if counterweight.angle.turns or counterweight.angle.symbols else ""
+    if first.station is not None or not where:
+        where.append(_places("station", [with_minus(c.station or 0) for c in alike]))
+    several = len(alike) > 1
+    head = f"counterweight{'s' * several} on {', '.join(where)}: {'each ' * several}"
+    if first.weight is None:
+        share = first.overbalance or 0
+        tail = f" from opposite the pin, by {first.angle.as_text()} degrees"
+        direction = tail if first.angle.turns or first.angle.symbols else ""
         return f"{head}for its rotating mass and {share} of its reciprocating mass{direction}"
-    return (head, *_size(counterweight.weight.vector, counterweight.weight.in_kg_mm), opposite)
+    return (head, *_size(first.weight.vector, first.weight.in_kg_mm), opposite)
 
 
-def _shaft(shaft: BalanceShaft) -> Words:
+def _places(name: str, places: Sequence[object]) -> str:
+    """Return places with what they are, as "throws 1, 3 and 5"."""
+    *before, last = map(str, places)
+    return f"{name}s {', '.join(before)} and {last}" if before else f"{name} {last}"
+
+
+def _shaft(shaft: BalanceShaft, sign: int) -> Words:
+    """Return a shaft in words; `sign` is that of what its shares are multiples of."""
     parts: list[Any] = [f"shaft at {shaft.speed:+d} times the crank: ".replace("-", "−")]
     for i, weight in enumerate(shaft.weights):
         parts += ["; "] if i else []
-        parts += _weight(weight)
+        parts += _weight(weight, 1 if weight.in_kg_mm else sign)
     if shaft.phase.turns or shaft.phase.symbols:
         parts.append(f", from {shaft.phase.as_text()} degrees")
     if shaft.x or shaft.y:
@@ -65,13 +90,19 @@ def _shaft(shaft: BalanceShaft) -> Words:
     return tuple(parts)
 
 
-def _weight(weight: Weight) -> tuple[Any, ...]:
-    return (*_size(weight.vector, weight.in_kg_mm), f", station {with_minus(weight.station)}")
+def _weight(weight: Weight, sign: int) -> tuple[Any, ...]:
+    return (*_size(weight.vector, weight.in_kg_mm, sign), f", station {with_minus(weight.station)}")
 
 
-def _size(vector: Amplitude, in_kg_mm: bool) -> tuple[Any, ...]:
-    unit = " kg mm" if in_kg_mm else ""
-    return ("" if in_kg_mm else "share ", *size(vector), f"{unit} at ", *direction(vector))
+def _size(vector: Amplitude, in_kg_mm: bool, sign: int = 1) -> tuple[Any, ...]:
+    if not in_kg_mm:
+        *before, value = size(vector)
+        signed = (*before, -value if sign < 0 else value)
+        return ("share ", *signed, " at ", *direction(vector.scaled(Fraction(sign))))
+    fraction = vector.rational() if isinstance(vector, Phasor) else None
+    is_short = fraction is not None and fraction > 0 and 10_000 % fraction.denominator == 0
+    measured = (Decimal(f"{float(fraction):.12g}"),) if fraction and is_short else size(vector)
+    return (*measured, " kg mm at ", *direction(vector))
 
 
 def size(vector: Amplitude) -> tuple[Any, ...]:

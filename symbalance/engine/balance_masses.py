@@ -27,7 +27,7 @@ MOST_BALANCERS = 2000
 """Counterweights, or shafts, or weights of a shaft: one for each of 1000 throws, and as many again."""
 WEB = Fraction(1, 4)
 """How far a web stands from the middle of its pin, in pitches, where no station is given."""
-HALF = Fraction(1, 2)
+HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
 
 
 @dataclass(frozen=True, init=False)
@@ -36,11 +36,15 @@ class Weight:
 
     Give `unbalance` in kg mm, or `share`, a multiple of A_n m r/n^2 (a number of the exact fields, as a
     design finds it, counts with its own direction). `phase` is its direction at theta = 0, degrees from
-    straight up, positive in the sense of rotation; `station` in pitches, as for cylinders.
+    straight up, positive in the sense of rotation; `station` in pitches, as for cylinders. A direction
+    that is no fraction of a turn is given exactly by two parts in place of one size: along `phase`, and a
+    quarter turn after it.
 
     >>> weight = Weight(share="1/2", phase=180)
     >>> weight.vector == Phasor.root(Fraction(1, 2)).scaled(Fraction(1, 2)), weight.in_kg_mm
     (True, False)
+    >>> Weight(share=("1/2", "-1/3")).vector == Phasor.of(4, {0: Fraction(1, 2), 1: Fraction(-1, 3)})
+    True
     """
 
     station: Fraction
@@ -61,6 +65,16 @@ class Weight:
 
 def _size(share: object, unbalance: object) -> Amplitude:
     name, value = ("unbalance", unbalance) if share is None else ("share", share)
+    if not isinstance(value, tuple | list):
+        return _part(value, name)
+    if len(value) != 2:
+        rule = "must be one size, or two parts: along its direction, and a quarter turn after it"
+        raise SymbalanceError(f"{name} = {brief(value)}", rule, "write it like [1/2, -1/3]")
+    along, across = (_part(part, f"{name}[{i}]") for i, part in enumerate(value, 1))
+    return along + across.rotated(QUARTER)
+
+
+def _part(value: object, name: str) -> Amplitude:
     if isinstance(value, Amplitude):
         return value
     return Phasor.of(1, {0: exact(value, name, LARGEST_QUOTIENT)})

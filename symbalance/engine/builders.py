@@ -2,8 +2,9 @@
 
 Built from a firing order, theta = 0 is cylinder 1 at its firing top dead centre, and a cylinder that
 fires delta later has throw = bank - delta: exact pins for any firing order, bank angles and intervals.
-Stations: in each bank the i-th cylinder sits i - 1 pitches behind the bank's first; all are shifted so
-that their mean is 0.
+Built from crank pins, theta is what it is in the pins' list. Stations: in each bank the i-th cylinder
+sits i - 1 pitches behind the bank's first, or where a drawing's lists say (`station_lists`); all are
+shifted so that their mean is 0.
 """
 
 from __future__ import annotations
@@ -18,6 +19,14 @@ from symbalance.engine.crank_train import CrankTrain, checked_sizes
 from symbalance.engine.cylinders import MOST_CYLINDERS, Cylinder, checked_bank, unchecked_copy
 from symbalance.engine.dead_centres import bank_shifts
 from symbalance.engine.engine import Engine, checked_cylinders, checked_engine, checked_strokes
+from symbalance.engine.station_lists import (
+    PITCHES,
+    check_firing_intervals,
+    firing_angles_on_pins,
+    pitch_of_stations,
+    read_pins,
+    read_stations,
+)
 from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.angles import Angle, angle, degrees
 from symbalance.kinematics.slider_crank import checked_ratio
@@ -64,6 +73,9 @@ def from_firing_order(
     cylinders: Sequence[Sequence[int]] | None = None,
     firing_intervals: Sequence[object] | None = None,
     stagger: Sequence[object] | None = None,
+    stations: Sequence[Any] | None = None,
+    pitch: Sequence[object] | None = None,
+    station_unit: str = PITCHES,
     offset: Sequence[object] | None = None,
     firing_at: str = "pins",
     pin_step: object = "1/100",
@@ -75,8 +87,10 @@ def from_firing_order(
     `banks` are angles from vertical, `cylinders` the numbers in each bank from front to rear (may be
     left out with one bank), `firing_intervals` the degrees after each firing (default: even), summing
     to 720 (360 for two strokes), `stagger` each bank's shift towards the front in pitches, `offset` how
-    far each bank's axes pass the crank, mm. Offset moves the dead centres: with `firing_at` "pins" the
-    intervals are those at which the pins pass the axes; with "dead centres" the pins are turned on by
+    far each bank's axes pass the crank, mm. `pitch` lists unequal distances from cylinder to cylinder of
+    a bank, `stations` every place along the crank, one list for all banks or one a bank; both, and
+    `stagger`, are in mm with `station_unit` "mm". Offset moves the dead centres: with `firing_at` "pins"
+    the intervals are those at which the pins pass the axes; with "dead centres" the pins are turned on by
     what the dead centres have moved, to `pin_step` of a degree, bank by bank. `about`: name, ratio,
     crank_train, as in `from_cylinders`.
 
@@ -85,12 +99,11 @@ def from_firing_order(
     """
     checked_strokes(strokes)
     order = read_firing_order(firing_order)
-    axes = [checked_bank(bank, f"banks[{i}]") for i, bank in enumerate(as_list(banks, "banks"), 1)]
-    if not axes:
-        raise SymbalanceError("banks = []", "an engine has at least one bank", "[0] stands upright")
+    axes = _read_banks(banks)
     numbers = read_cylinders(cylinders, order, len(axes))
     fires = firing_angles(order, firing_intervals, 180 * strokes)
-    places = stations(numbers, read_stagger(stagger, len(axes)))
+    drawing = {"stations": stations, "pitch": pitch, "stagger": stagger, "station_unit": station_unit}
+    places, about = _stations_of(numbers, about, drawing)
     offsets = read_offset(offset, len(axes))
 
     def build(shifts: Sequence[Fraction]) -> Engine:
@@ -110,22 +123,112 @@ def from_firing_order(
     return build(bank_shifts(engine, numbers, pin_step)) if read_firing_at(firing_at) else engine
 
 
+def from_pins(
+    pins: Sequence[Any],
+    *,
+    banks: Sequence[object] = (0,),
+    cylinders: Sequence[Sequence[int]] | None = None,
+    splay: Sequence[object] | None = None,
+    firing_order: FiringOrder | None = None,
+    firing_intervals: Sequence[object] | None = None,
+    stagger: Sequence[object] | None = None,
+    stations: Sequence[Any] | None = None,
+    pitch: Sequence[object] | None = None,
+    station_unit: str = PITCHES,
+    offset: Sequence[object] | None = None,
+    strokes: int = 4,
+    **about: Any,
+) -> Engine:
+    """Return the engine whose crank has pins at these angles at theta = 0, front to rear, in degrees.
+
+    `pins` is one list, of pins that the cylinders of all banks share, those of each bank turned on by its
+    `splay`; or a list for each bank, where each cylinder has a pin of its own. With a `firing_order` each
+    cylinder fires when its pin has brought it to the top, in that order, evenly where the pins allow it;
+    where they leave open in which turn, `firing_intervals` say it. Without one, firings are left open.
+    The rest is as in `from_firing_order`.
+
+    >>> six = from_pins([0, 240, 120], banks=[-45, 45], cylinders=[[1, 3, 5], [2, 4, 6]], splay=[0, 30])
+    >>> [c.throw.as_text() for c in six.cylinders]
+    ['0', '-120', '120', '30', '-90', '150']
+    """
+    checked_strokes(strokes)
+    axes = _read_banks(banks)
+    if not as_list(pins, "pins"):
+        raise SymbalanceError("pins = []", "a crank has at least one pin", "give the throw of each")
+    order = None if firing_order is None else read_firing_order(firing_order)
+    if order is None and firing_intervals is not None:
+        what = f"firing_intervals = {brief(firing_intervals)}"
+        raise SymbalanceError(what, "follow a firing order", "add firing_order = [1, ...]")
+    if cylinders is None and order is None and len(axes) == 1:
+        cylinders = [list(range(1, 1 + len(as_list(pins, "pins"))))]
+    numbers = read_cylinders(cylinders, order, len(axes))
+    throws = read_pins(pins, splay, numbers)
+    drawing = {"stations": stations, "pitch": pitch, "stagger": stagger, "station_unit": station_unit}
+    places, about = _stations_of(numbers, about, drawing)
+    offsets = read_offset(offset, len(axes))
+    fires: dict[int, Fraction] = {}
+    if order is not None:
+        delays = {n: axis - throws[n] for axis, bank in zip(axes, numbers, strict=True) for n in bank}
+        if any(delay.symbols for delay in delays.values()):
+            rule = "cannot be timed where angles hold symbols"
+            raise SymbalanceError(f"firing_order = {brief(order)}", rule, "leave it out")
+        tops = {n: delay.in_degrees() for n, delay in delays.items()}
+        if firing_intervals is None:
+            fires = firing_angles_on_pins(order, tops, 180 * strokes)
+        else:
+            fires = firing_angles(order, firing_intervals, 180 * strokes)
+            train = about.get("crank_train")
+            if not any(offsets) and not (train and train.offset):  # which moves the dead centres
+                check_firing_intervals(fires, tops)
+    return from_cylinders(
+        (
+            Cylinder(n, throws[n], axis, places[n], fires.get(n), offset=aside)
+            for axis, bank, aside in zip(axes, numbers, offsets, strict=True)
+            for n in bank
+        ),
+        strokes=strokes,
+        **about,
+    )
+
+
+def _read_banks(banks: Sequence[object]) -> list[Angle]:
+    axes = [checked_bank(bank, f"banks[{i}]") for i, bank in enumerate(as_list(banks, "banks"), 1)]
+    if not axes:
+        raise SymbalanceError("banks = []", "an engine has at least one bank", "[0] stands upright")
+    return axes
+
+
+def _stations_of(
+    numbers: list[list[int]], about: dict[str, Any], drawing: dict[str, Any]
+) -> tuple[dict[int, Fraction], dict[str, Any]]:
+    """Return each cylinder's station, and `about` with the pitch a that a list in mm begins with."""
+    train = _checked_train(about.get("crank_train"))
+    pitch_mm = pitch_of_stations(train.pitch, drawing["pitch"], drawing["station_unit"])
+    places = read_stations(numbers, pitch_mm, **drawing)
+    if pitch_mm == train.pitch:
+        return places, about
+    return places, {**about, "crank_train": replace(train, pitch=pitch_mm)}
+
+
 def inline(
     firing_order: FiringOrder | None = None, *, throws: Sequence[object] | None = None, **rest: Any
 ) -> Engine:
-    """Return an in-line engine, from its firing order or from its `throws`, front to rear, in degrees.
+    """Return an in-line engine, from its firing order, from its `throws`, front to rear, or from both.
 
-    `rest` goes to `from_firing_order` (firing_intervals, strokes) or names the engine (name, ratio).
+    `throws` are in degrees. `rest` goes to `from_firing_order` (firing_intervals, pitch, strokes) or,
+    with throws, to `from_pins`; or it names the engine (name, ratio).
 
     >>> [str(c.station) for c in inline(throws=[0, 120, 240]).cylinders]
     ['1', '0', '-1']
     """
-    if (firing_order is None) == (throws is None):
-        raise SymbalanceError("inline(...)", "takes either a firing order or throws", "give one of them")
-    if firing_order is not None:
-        return from_firing_order(firing_order, **rest)
-    assert throws is not None
-    return _on_pins(throws, [Angle(Fraction(0))], [Angle(Fraction(0))], (0,), rest)
+    if firing_order is None and throws is None:
+        raise SymbalanceError(
+            "inline(...)", "takes a firing order or throws", "give one of them, or both"
+        )
+    if throws is not None:
+        return from_pins(throws, firing_order=firing_order, **rest)
+    assert firing_order is not None
+    return from_firing_order(firing_order, **rest)
 
 
 def vee(
@@ -135,13 +238,14 @@ def vee(
     pins: Sequence[object] | None = None,
     splay: object = 0,
     cylinders: Sequence[Sequence[int]] | None = None,
-    stagger: Sequence[object] = (0, 0),
+    stagger: Sequence[object] | None = None,
     **rest: Any,
 ) -> Engine:
-    """Return a vee, from its firing order or from the throws of its `pins`, front to rear.
+    """Return a vee, from its firing order or from the throws of its `pins`, front to rear, or from both.
 
     The banks stand at -bank_angle/2 (left, odd numbers unless `cylinders` says otherwise) and
-    +bank_angle/2. With `pins` each is shared by two cylinders, the right one's turned on by `splay`.
+    +bank_angle/2. With `pins` each is shared by two cylinders, the right one's turned on by `splay`;
+    two lists are the pins of each bank. `rest` is as in `from_firing_order` and `from_pins`.
     The bank angle may be a SymPy symbol: the angle itself, in radians.
 
     >>> [c.throw.as_text() for c in vee(60, "1-2-3-4-5-6").cylinders]
@@ -154,14 +258,22 @@ def vee(
     if not full.symbols and not 0 <= full.turns <= Fraction(1, 2):
         remedy = "degrees between the banks; banks that hang: from_firing_order(banks=[-150, 150])"
         raise SymbalanceError(f"bank_angle = {brief(bank_angle)}", "must lie in [0, 180]", remedy)
-    if (firing_order is None) == (pins is None):
-        raise SymbalanceError("vee(...)", "takes either a firing order or pins", "give one of them")
-    if firing_order is None:
-        assert pins is not None
-        return _on_pins(pins, axes, [Angle(Fraction(0)), angle(splay, "splay")], stagger, rest)
-    count = len(read_firing_order(firing_order))
+    if firing_order is None and pins is None:
+        raise SymbalanceError("vee(...)", "takes a firing order or pins", "give one of them, or both")
+    count = len(read_firing_order(firing_order)) if firing_order is not None else 0
+    nested = False
+    if pins is not None:
+        throws = as_list(pins, "pins")
+        nested = any(isinstance(own, list | tuple) for own in throws)
+        counts = (len(own) if isinstance(own, list | tuple) else 1 for own in throws)
+        count = count or (sum(counts) if nested else 2 * len(throws))
     banks = cylinders or [list(range(1, count + 1, 2)), list(range(2, count + 1, 2))]
-    return from_firing_order(firing_order, banks=axes, cylinders=banks, stagger=stagger, **rest)
+    rest = {"banks": axes, "cylinders": banks, "stagger": stagger, **rest}
+    if pins is None:
+        assert firing_order is not None
+        return from_firing_order(firing_order, **rest)
+    turned = {} if nested and not splay else {"splay": [0, splay]}
+    return from_pins(pins, firing_order=firing_order, **turned, **rest)
 
 
 def vr(
@@ -172,7 +284,7 @@ def vr(
     stroke: object,
     rod: object,
     cylinders: Sequence[Sequence[int]] | None = None,
-    stagger: Sequence[object] = ("1/4", "-1/4"),
+    stagger: Sequence[object] | None = ("1/4", "-1/4"),
     firing_at: str = "dead centres",
     **rest: Any,
 ) -> Engine:
@@ -201,7 +313,7 @@ def vr(
 
 
 def boxer(
-    firing_order: FiringOrder, *, stagger: Sequence[object] = ("1/4", "-1/4"), **rest: Any
+    firing_order: FiringOrder, *, stagger: Sequence[object] | None = ("1/4", "-1/4"), **rest: Any
 ) -> Engine:
     """Return a horizontally opposed engine with a pin for each cylinder.
 
@@ -248,29 +360,6 @@ def radial(count: int, *, strokes: int = 4, **about: Any) -> Engine:
             Cylinder(i + 1, 0, Angle(direction / 360).normalized(), 0, fires if known else None)
         )
     return from_cylinders(cylinders, strokes=strokes, **about)
-
-
-def _on_pins(
-    pins: Sequence[object],
-    axes: list[Angle],
-    splays: list[Angle],
-    stagger: Sequence[object],
-    about: dict[str, Any],
-) -> Engine:
-    """Return one cylinder of every bank on each pin, numbered pin by pin."""
-    throws = [angle(pin, f"pins[{i}]") for i, pin in enumerate(as_list(pins, "pins"), 1)]
-    if not throws:
-        raise SymbalanceError("pins = []", "a crank has at least one pin", "give the throw of each")
-    numbers = [list(range(1 + b, 1 + len(axes) * len(throws), len(axes))) for b in range(len(axes))]
-    places = stations(numbers, read_stagger(stagger, len(axes)))
-    return from_cylinders(
-        (
-            Cylinder(n, throw + splay, axis, places[n])
-            for axis, splay, bank in zip(axes, splays, numbers, strict=True)
-            for n, throw in zip(bank, throws, strict=True)
-        ),
-        **about,
-    )
 
 
 def with_bank_angle(engine: Engine, bank_angle: object) -> Engine:
@@ -345,9 +434,9 @@ def read_firing_order(firing_order: FiringOrder) -> list[int]:
 
 
 def read_cylinders(
-    cylinders: Sequence[Sequence[int]] | None, order: list[int], banks: int
+    cylinders: Sequence[Sequence[int]] | None, order: list[int] | None, banks: int
 ) -> list[list[int]]:
-    """Return the numbers in each bank, checked against the firing order."""
+    """Return the numbers in each bank, checked against the firing order where there is one."""
     if cylinders is None:
         if banks > 1:
             raise SymbalanceError(
@@ -355,6 +444,7 @@ def read_cylinders(
                 "need cylinders, the numbers in each",
                 "as in [[1, 3, 5], [2, 4, 6]]",
             )
+        assert order is not None
         cylinders = [sorted(order)]
     cylinders = [as_list(bank, "cylinders") for bank in as_list(cylinders, "cylinders")]
     if len(cylinders) != banks:
@@ -370,6 +460,8 @@ def read_cylinders(
             "leave the bank out, or name its cylinders",
         )
     numbers = [n for bank in cylinders for n in bank]
+    if order is None:
+        return [list(bank) for bank in cylinders]  # repeated numbers are refused with the cylinders
     if 1 not in numbers:
         raise SymbalanceError(
             f"cylinders = {brief(cylinders)}", "lacks cylinder 1", "theta = 0 is its firing"
@@ -428,20 +520,6 @@ def _check_intervals(steps: list[Fraction], count: int, cycle: int) -> None:
         )
 
 
-def read_stagger(stagger: Sequence[object] | None, banks: int) -> list[Fraction]:
-    """Return each bank's shift towards the front, in pitches."""
-    if stagger is None:
-        return [Fraction(0)] * banks
-    stagger = as_list(stagger, "stagger")
-    if len(stagger) != banks:
-        raise SymbalanceError(
-            f"stagger = {brief(stagger)}",
-            f"has {len(stagger)} values for {banks} bank(s)",
-            "give one value a bank, in pitches",
-        )
-    return [exact(value, f"stagger[{i}]") for i, value in enumerate(stagger, 1)]
-
-
 def read_offset(offset: Sequence[object] | None, banks: int) -> list[Fraction | None]:
     """Return each bank's own offset in mm, None where it has none of its own."""
     if offset is None:
@@ -459,14 +537,3 @@ def read_firing_at(firing_at: object) -> bool:
         what, rule = f"firing_at = {brief(firing_at)}", f"must be one of {', '.join(FIRING_AT)}"
         raise SymbalanceError(what, rule, "they differ where cylinders are offset")
     return firing_at == "dead centres"
-
-
-def stations(numbers: list[list[int]], stagger: list[Fraction]) -> dict[int, Fraction]:
-    """Return each cylinder's station: banks in pitches from the front, staggered, their mean at 0."""
-    raw = {
-        number: shift - place
-        for bank, shift in zip(numbers, stagger, strict=True)
-        for place, number in enumerate(bank)
-    }
-    mean = sum(raw.values(), Fraction(0)) / len(raw)
-    return {number: station - mean for number, station in raw.items()}

@@ -248,6 +248,7 @@ class Engine:
         rod: object = None,
         reciprocating_mass: object = None,
         pitch: object = None,
+        bore: object = None,
     ) -> Engine:
         """Return the engine with sizes that it lacks, mm and kg, the same for every cylinder.
 
@@ -268,9 +269,10 @@ class Engine:
             if present:
                 rule = f"is given by the engine already, as {brief(present[0])}"
                 raise SymbalanceError(f"{key} = {brief(value)}", rule, "leave it out, or change the file")
-        if pitch is not None and self.pitch not in (None, checked_size("pitch", pitch)):
-            rule = f"is given by the engine already, as {brief(self.pitch)}"
-            raise SymbalanceError(f"pitch = {brief(pitch)}", rule, "leave it out, or change the file")
+        for key, value, known in (("pitch", pitch, self.pitch), ("bore", bore, self.bore)):
+            if value is not None and known not in (None, checked_size(key, value)):
+                rule = f"is given by the engine already, as {brief(known)}"
+                raise SymbalanceError(f"{key} = {brief(value)}", rule, "leave it out, or change the file")
         on_pins = [c for c in self.cylinders if c.link is None]
         if "rod" in added and "stroke" not in added and any(c.sizes.stroke is None for c in on_pins):
             rule = "makes a rod ratio with the stroke only, which is not known"
@@ -287,7 +289,7 @@ class Engine:
             strokes=self.strokes,
             name=self.name,
             pitch=self.pitch if pitch is None else pitch,
-            bore=self.bore,
+            bore=self.bore if bore is None else bore,
             balancers=self.balancers,
         )
 

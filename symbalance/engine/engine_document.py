@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
+from itertools import pairwise
 
 from symbalance.document.decimals import short_decimal
 from symbalance.document.formula import Decimal, Formula, Name, Product, Upright, cos, equal, sin
@@ -62,6 +63,12 @@ def origin_facts(engine: Engine) -> list[tuple[Words, Words]]:
     return entries
 
 
+def _with_decimal(ratio: Fraction) -> str:
+    """Return a number as tables print it, a fraction that few would recognise beside its decimal."""
+    text = short_text(ratio)
+    return f"{text} ≈ {float(ratio):.4g}" if "/" in text and 100 % ratio.denominator else text
+
+
 def size_facts(
     engine: Engine, ratio: Fraction | None, *, alike: bool, pitch: bool = True
 ) -> list[tuple[Words, Words]]:
@@ -72,7 +79,7 @@ def size_facts(
     entries: list[tuple[Words, Words]] = []
     letters: Words = (_M, ", ", _R, ", ", _A) if alike and pitch else (_M, ", ", _R)
     if alike:
-        here = ", not given" if ratio is None else f", here {short_text(ratio)}"
+        here = ", not given" if ratio is None else f", here {_with_decimal(ratio)}"
         entries.append((equal(_LAM, _L / _R), f"connecting rod over crank radius{here}"))
         also = ", cylinder pitch" if pitch else ""
         joined = ", crank radius" if pitch else " and crank radius"
@@ -310,16 +317,43 @@ def drawing_blocks(engine: Engine) -> tuple[Block, ...]:
         for name, values in (
             (crank, {c.sizes.stroke for c in engine.cylinders if c.link is None}),
             ("rod", {c.sizes.rod for c in engine.cylinders if c.link is None}),
-            ("pitch", {engine.pitch}),
         )
         if len(values) == 1 and None not in values
     ]
+    sizes += [_pitch_words(engine)] if _pitch_words(engine) else []
     steps = firing_intervals(engine) if engine.firing_order() and not engine.has_symbols else []
     sizes += [f"fires every {_drawn_degrees(steps[0])}"] if steps[1:] and len(set(steps)) == 1 else []
     title = ": ".join(["As drawn", ", ".join(sizes)] if sizes else ["As drawn"])
     table = Table(title, tuple(column for column, _ in columns), rows)
     left = len(engine.cylinders) - len(shown)
     return (table, Paragraph(f"and {left} cylinders more, listed in the JSON")) if left else (table,)
+
+
+MOST_PITCHES = 12
+"""Distances between neighbours that are listed; of more the table's stations say the same."""
+
+
+def _pitch_words(engine: Engine) -> str:
+    """Return the pitch, or the distances between neighbours of a bank where they are no whole pitches.
+
+    Empty where nothing is known of it but the stations.
+
+    >>> from symbalance.engine.builders import inline
+    >>> _pitch_words(inline("1-2-3", pitch=[91, "95.5"], station_unit="mm"))
+    'pitches 91, 95.5 mm, a = 91 mm'
+    """
+    banks = [
+        sorted((c.station for c in of_bank), reverse=True)
+        for of_bank in engine.grouped(lambda c: c.bank).values()
+    ]
+    steps = [tuple(before - after for before, after in pairwise(stations)) for stations in banks]
+    pitch = engine.pitch
+    if all(step.denominator == 1 for of_bank in steps for step in of_bank):
+        return f"pitch {_millimetres(pitch)}" if pitch else ""
+    if len(set(steps)) > 1 or len(steps[0]) > MOST_PITCHES:
+        return f"a = {_millimetres(pitch)}" if pitch else ""
+    listed = ", ".join(degrees_text(step * (pitch or 1)) for step in steps[0])
+    return f"pitches {listed} mm, a = {_millimetres(pitch)}" if pitch else f"pitches {listed} a"
 
 
 def _drawn_columns(engine: Engine) -> list[tuple[Column, Callable[[Cylinder], Cell]]]:

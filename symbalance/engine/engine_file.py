@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from symbalance.engine.balance_masses import BalanceShaft, Counterweight, Weight
-from symbalance.engine.builders import from_cylinders, from_firing_order
+from symbalance.engine.builders import from_cylinders, from_firing_order, from_pins
 from symbalance.engine.crank_train import ROD, CrankTrain, Link
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine, checked_name
@@ -69,7 +69,7 @@ def engine_from(file: Section, default_name: str) -> Engine:
     about = {"name": name, "crank_train": _crank_train(train)}
     if "layout" in file:
         rows, arrangement = [], file.section("layout")
-        engine = _by_firing_order(arrangement, train, about)
+        engine = _by_lists(arrangement, train, about)
     else:
         rows, arrangement = file.sections("cylinder"), train
         engine = _by_cylinder(file, rows, train, about)
@@ -93,10 +93,12 @@ def _crank_train(train: Section) -> CrankTrain:
     return shared
 
 
-def _by_firing_order(arrangement: Section, train: Section, about: dict[str, Any]) -> Engine:
+def _by_lists(arrangement: Section, train: Section, about: dict[str, Any]) -> Engine:
     values = arrangement.values()
-    engine = arrangement.guarded(lambda: from_firing_order(**values, **about), elsewhere=(train,))
-    fine = next((k for k in ("firing_intervals", "banks") if k in arrangement), "firing_order")
+    build = from_pins if "pins" in arrangement else from_firing_order
+    engine = arrangement.guarded(lambda: build(**values, **about), elsewhere=(train,))
+    angles = ("pins", "splay", "firing_intervals", "banks", "firing_order")
+    fine = next(k for k in angles if k in arrangement)
     arrangement.guarded(lambda: engine.modulus, fine)
     return engine
 

@@ -16,10 +16,13 @@ from symbalance.engine.builders import FIRING_AT
 from symbalance.engine.cylinders import LONGEST_STATION, MOST_CYLINDERS
 from symbalance.engine.dead_centres import COARSEST, FINEST_STEP
 from symbalance.engine.engine import LONGEST_NAME
+from symbalance.engine.station_lists import PITCHES as IN_PITCHES
+from symbalance.engine.station_lists import STATION_UNITS
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.angles import LARGEST_DENOMINATOR, degrees
 from symbalance.exact.cosine_sums import PATTERN, read_cosines
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER
-from symbalance.text.key_tables import Excludes, FileUnit, Key, Needs, OneOf, TableKeys
+from symbalance.text.key_tables import Excludes, FileUnit, Key, Needs, OneOf, Some, TableKeys
 from symbalance.text.kinds import (
     ANY,
     NOT_NEGATIVE,
@@ -27,6 +30,7 @@ from symbalance.text.kinds import (
     Choice,
     ExactNumber,
     ListOf,
+    ListOrLists,
     Schema,
     Text,
     Whole,
@@ -74,7 +78,40 @@ class ExactSize(ExactNumber):
         return {**schema, "pattern": f"{schema['pattern']}|^(?=.*cos){PATTERN.removeprefix('^')}"}
 
 
-ANGLE, QUOTIENT = ExactDegrees(), ExactNumber(finest=LARGEST_QUOTIENT)
+@dataclass(frozen=True)
+class SizeOrParts(ExactSize):
+    """A size, or a list of two: along a direction, and a quarter turn after it."""
+
+    words = "number or sum of cosines, or a list of two"
+
+    def read(self, value: object, name: str, remedy: str) -> Any:
+        """Return the size, or the two parts."""
+        if not isinstance(value, list):
+            return super().read(value, name, remedy)
+        if len(value) != 2:
+            rule = "must hold two parts: along its direction, and a quarter turn after it"
+            raise SymbalanceError(f"{name} = {brief(value)}", rule, 'write it like ["1/2", "-1/3"]')
+        each = (super(SizeOrParts, self).read(v, f"{name}[{i}]", remedy) for i, v in enumerate(value, 1))
+        return tuple(each)
+
+    def schema(self) -> Schema:
+        """Return the schema: a size, or two of them."""
+        each = super().schema()
+        return {"anyOf": [each, {"type": "array", "items": each, "minItems": 2, "maxItems": 2}]}
+
+
+class OnePitch(ExactNumber):
+    """The pitch a, one number: several, as a drawing lists them, belong to the layout."""
+
+    def parse(self, value: object, name: str) -> Fraction:
+        """Return the number, or refuse a list with the place it belongs to."""
+        if isinstance(value, list):
+            rule, remedy = "must be one number", 'list distances in [layout], with station_unit = "mm"'
+            raise SymbalanceError(f"{name} of {len(value)} values", rule, remedy)
+        return super().parse(value, name)
+
+
+ANGLE, SIZE = ExactDegrees(), SizeOrParts(finest=LARGEST_QUOTIENT)
 
 ROD_KEYS = (
     Key("rod_mass", NOT_NEGATIVE, "The rod's own mass", KG, remedy=SIZES),
@@ -111,7 +148,13 @@ CRANK_TRAIN = TableKeys(
         Key("bore", POSITIVE, "Of every cylinder; for the gas torque", MM, remedy=SIZES),
         STROKE,
         ROD_LENGTH,
-        Key("pitch", POSITIVE, "Between neighbouring cylinders of a bank", MM, remedy=SIZES),
+        Key(
+            "pitch",
+            OnePitch(0, open_low=True),
+            "a, between neighbouring cylinders of a bank; unequal ones are listed in `[layout]`",
+            MM,
+            remedy=SIZES,
+        ),
         *MASSES,
         Key(
             "ratio",
@@ -145,6 +188,7 @@ _STROKES = Key(
 )
 _CYLINDER_NUMBER = Whole(1, MOST_CYLINDERS)
 
+_ONCE = "leave one of them out"
 LAYOUT = TableKeys(
     "layout",
     (
@@ -167,9 +211,8 @@ LAYOUT = TableKeys(
             "firing_order",
             ListOf(_CYLINDER_NUMBER, "[1, 3, 4, 2]", least=1),
             "The cylinders' numbers as they fire",
-            required=True,
+            otherwise="left open, with `pins`",
             remedy="write it like [1, 3, 4, 2]",
-            add="write it like firing_order = [1, 3, 4, 2]",
         ),
         Key(
             "firing_intervals",
@@ -184,6 +227,45 @@ LAYOUT = TableKeys(
             ListOf(ANY, '["1/4", "-1/4"]'),
             "Each bank's shift, + towards the front",
             PITCHES,
+            otherwise="0",
+        ),
+        Key(
+            "stations",
+            ListOrLists(ANY, "[0, -1, -2.25]", "[[0, -1, -2.25], [-0.2, -1.2, -2.45]]"),
+            "Places along the crank, front to rear, + towards the front, from any zero: one list for all "
+            "banks, or one a bank",
+            PITCHES,
+            otherwise="one pitch apart",
+        ),
+        Key(
+            "pitch",
+            ListOf(POSITIVE, '[1, 1, "5/4", 1, 1]'),
+            "Or unequal distances from each cylinder of a bank to the next, front to rear",
+            PITCHES,
+            otherwise="1",
+            remedy="from each cylinder to the next",
+        ),
+        Key(
+            "station_unit",
+            Choice(STATION_UNITS),
+            "Of `stations`, `pitch` and `stagger`; in mm the pitch a, in which couples count, is that of "
+            "`[crank_train]`, or else the first of `pitch`",
+            default=IN_PITCHES,
+            remedy="of stations, pitch and stagger",
+        ),
+        Key(
+            "pins",
+            ListOrLists(ANGLE, "[0, 240, 120]", "[[0, 240, 120], [30, 270, 150]]"),
+            "The crank pins' angles at θ = 0, front to rear: one list of pins that all banks share, or, "
+            "where every cylinder has its own, one a bank",
+            DEGREES,
+            otherwise="as the firing order needs",
+        ),
+        Key(
+            "splay",
+            ListOf(ANGLE, "[0, 30]"),
+            "How far each bank's pins are turned on from those listed",
+            DEGREES,
             otherwise="0",
         ),
         Key(
@@ -209,7 +291,25 @@ LAYOUT = TableKeys(
             remedy='write it like "1/2" or 0.01',
         ),
     ),
-    meaning="Banks and a firing order. Cylinder 1 is at its firing top dead centre at θ = 0.",
+    (
+        Some(
+            ("firing_order", "pins"),
+            "write it like firing_order = [1, 3, 4, 2], or list the crank's pins",
+        ),
+        Needs(
+            "firing_intervals",
+            "firing_order",
+            "add firing_order = [1, 3, 4, 2]",
+            "follow a firing order",
+        ),
+        Excludes("pitch", ("stations",), "says with stations where the cylinders stand twice", _ONCE),
+        Needs("splay", "pins", "list them with pins = [...]", "turns the pins that are listed"),
+        Excludes("firing_at", ("pins",), "turns the pins, which are listed", _ONCE),
+        Excludes("pin_step", ("pins",), "turns the pins, which are listed", _ONCE),
+    ),
+    "Banks, and a firing order or the crank's pins. Without `pins` cylinder 1 is at its firing top dead "
+    "centre at θ = 0. With both, each cylinder fires when its pin has brought it to the top, evenly "
+    "where the pins allow it.",
 )
 
 _LINK = "belongs to a link rod"
@@ -268,13 +368,14 @@ CYLINDER = TableKeys(
 
 _SHARE = (
     "A multiple of Aₙ m r/n², n the speed over the crank's; exact where it is no fraction, as "
-    '`"1/2 cos 36 - 1/8"`, in degrees'
+    '`"1/2 cos 36 - 1/8"`, in degrees, or as two parts, `["1/2", "-1/3"]`: along its direction, and a '
+    "quarter turn after it"
 )
 _WEIGHED = ("unbalance", "share")
 _SIZE = "takes either unbalance or share", "kg mm, or a multiple of A_n m r/n^2"
 _STATION = Key("station", ANY, "The place along the crank, + towards the front", PITCHES, otherwise="0")
-_UNBALANCE = Key("unbalance", QUOTIENT, "Mass times radius", KG_MM)
-_SHARE_KEY = Key("share", ExactSize(finest=LARGEST_QUOTIENT), _SHARE)
+_UNBALANCE = Key("unbalance", SIZE, "Mass times radius, one size or two parts as of `share`", KG_MM)
+_SHARE_KEY = Key("share", SIZE, _SHARE)
 _PLACE = Whole(1, 2 * MOST_CYLINDERS)
 
 COUNTERWEIGHT = TableKeys(
@@ -372,6 +473,7 @@ ESTIMATED = (
     *("bore", "stroke", "rod", "pitch", "ratio", "offset"),
     *("reciprocating_mass", "rotating_mass", "rod_mass", "rod_centre", "rod_inertia"),
     *("banks", "cylinders", "firing_order", "firing_intervals", "stagger"),
+    *("stations", "pins", "splay"),
     *("master", "link_angle", "link_radius"),
 )
 """What may be marked as an estimate: keys of [crank_train], [layout] and [[cylinder]]."""
@@ -399,7 +501,7 @@ ENGINE_FILE = TableKeys(
         Key("estimates", ESTIMATES, "Which of its figures are estimates, and why"),
         _STROKES,
         Key("crank_train", CRANK_TRAIN, "The sizes all cylinders share"),
-        Key("layout", LAYOUT, "Banks and a firing order"),
+        Key("layout", LAYOUT, "Banks, and a firing order or crank pins"),
         Key("cylinder", CYLINDER, "Or: each cylinder by itself", listed=True, least=1),
         Key("counterweight", COUNTERWEIGHT, "Weights on the crank", listed=True),
         Key("balance_shaft", BALANCE_SHAFT, "Shafts that turn beside the crank", listed=True),

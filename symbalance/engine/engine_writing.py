@@ -1,8 +1,9 @@
 """Writing of an engine file, which `symbalance.engine.engine_file` reads back as the same engine.
 
 Cylinders are written one by one, so that any layout can be. A weight's size is written
-exactly, as a fraction or a sum of cosines; one whose direction is no fraction of a turn as the sum of
-weights whose is. What each weight is in decimals, and in kg mm where sizes say it, stands above it.
+exactly, as a fraction or a sum of cosines; one whose direction is no fraction of a turn by its two parts,
+straight up and to the right. What each weight is in decimals, and in kg mm where sizes say it, stands
+above it.
 """
 
 from __future__ import annotations
@@ -19,9 +20,8 @@ from symbalance.engine.balance_masses import BalanceShaft, Counterweight, Weight
 from symbalance.engine.crank_train import CYLINDER_SIZES
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine, checked_engine
-from symbalance.engine.rotating_masses import unit_of_share
+from symbalance.engine.rotating_masses import share_sign, unit_of_share
 from symbalance.errors import SymbalanceError
-from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.angles import Angle
 from symbalance.exact.cosine_sums import cosine_text
 from symbalance.exact.phasor import Phasor
@@ -30,6 +30,7 @@ from symbalance.exact.symbolic_phasor import SymbolicPhasor
 from symbalance.text.reals import Real, atan2, nstr, pi
 
 DIGITS = 30
+QUARTER = Fraction(1, 4)
 SHOWN = 6
 """Digits of a decimal in a comment."""
 COMMENT = "#"
@@ -67,6 +68,8 @@ def _table(head: str, rows: Row) -> str:
 
 
 def _value(value: Any) -> str:
+    if isinstance(value, tuple):
+        return f"[{', '.join(map(_value, value))}]"
     if isinstance(value, list):
         inline = (", ".join(f"{k} = {_value(v)}" for k, v in row) for row in value)
         return f"[{', '.join(f'{{ {row} }}' for row in inline)}]"
@@ -158,8 +161,8 @@ def _counterweight(engine: Engine, counterweight: Counterweight) -> list[Row]:
         direction: Row = [("angle", angle)] if angle else []
         return [[*place, *direction, ("overbalance", counterweight.overbalance)]]
     weight = counterweight.weight
-    parts = _simple(weight.vector)
-    rows = [[*place, ("angle", angle), (_unit(weight), size)] for size, angle in parts]
+    parts = _parts(engine, weight, 1)
+    rows = [[*place, *_direction("angle", angle), (_unit(weight), size)] for size, angle in parts]
     words = _in_decimals(engine, weight, 1)
     if counterweight.throw is not None or counterweight.web is not None:
         words += ", from opposite its pin"
@@ -169,19 +172,20 @@ def _counterweight(engine: Engine, counterweight: Counterweight) -> list[Row]:
 
 def _in_decimals(engine: Engine, weight: Weight, speed: int) -> str:
     """Return what a weight is in decimals: size, direction, and mass times radius if that is known."""
-    value = weight.vector.evaluated()
+    sign = 1 if weight.in_kg_mm else share_sign(engine, speed)
+    value = weight.vector.evaluated() * sign  # what points where the weight does
     angle = atan2(value.imag, value.real) * 180 / pi()
     where = f"at {_rounded(angle)} degrees"
     if weight.in_kg_mm:
         return f"{_rounded(abs(value))} kg mm {where}"
-    size, unit = abs(value), engine.unit_unbalance
+    size, unit = sign * abs(value), engine.unit_unbalance
     words = (
         f"{_rounded(size)} {'m r' if abs(speed) == 1 else f'A{abs(speed)} m r/{speed * speed}'} {where}"
     )
     known = abs(speed) == 1 or not engine.has_common_harmonics or engine.ratio is not None
     if unit is None or not known:
         return words
-    kg_mm = size * unit_of_share(engine, speed) * unit / speed**2  # below 0: it points the other way
+    kg_mm = size * unit_of_share(engine, speed) * unit / speed**2
     return f"{words}, {_rounded(kg_mm)} kg mm"
 
 
@@ -194,9 +198,9 @@ def _shaft(engine: Engine, shaft: BalanceShaft) -> Row:
     rows: Row = [("speed", shaft.speed), *([("phase", phase)] if phase else [])]
     rows += [(key, value) for key, value in (("x", shaft.x), ("y", shaft.y)) if value]
     weights: list[Row] = [
-        [("station", weight.station), (_unit(weight), size), ("phase", phase)]
+        [("station", weight.station), (_unit(weight), size), *_direction("phase", phase)]
         for weight in shaft.weights
-        for size, phase in _simple(weight.vector)
+        for size, phase in _parts(engine, weight, shaft.speed)
     ]
     said: Row = [
         (COMMENT, f"station {weight.station}: {_in_decimals(engine, weight, shaft.speed)}")
@@ -209,27 +213,54 @@ def _unit(weight: Weight) -> str:
     return "unbalance" if weight.in_kg_mm else "share"
 
 
-def _simple(vector: Amplitude) -> list[tuple[Fraction | str, Fraction]]:
-    """Return sizes and degrees of weights that add up to a vector: one, if its direction is a fraction.
+def _direction(key: str, degrees: Fraction | None) -> Row:
+    """Return the row of a direction; none where a weight is given by its parts up and to the right."""
+    return [] if degrees is None else [(key, degrees)]
 
-    A size that is no fraction is written as a sum of cosines.
+
+Size = Fraction | str | tuple[Fraction | str, Fraction | str]
+"""A weight's size as it is written, or its parts straight up and to the right."""
+
+
+def _parts(engine: Engine, weight: Weight, speed: int) -> list[tuple[Size, Fraction | None]]:
+    """Return a weight as it is written: its size and degrees, or its parts and None.
+
+    The size is below 0 where the A_n is that it is a multiple of: then it points where the degrees say.
+    What takes too many cosines is written as several weights, whose sizes are fractions.
     """
+    vector = weight.vector
     if vector.is_decimal:
         value = vector.evaluated()
-        parts = ((value.real, 0), (value.imag, 90))
-        return [(_decimal(x), Fraction(degrees)) for x, degrees in parts if x]
+        if not value.imag or not value.real:  # straight up, or to the right
+            along, degrees = (value.real, 0) if not value.imag else (value.imag, 90)
+            return [(_decimal(along), Fraction(degrees))]
+        return [((_decimal(value.real), _decimal(value.imag)), None)]
     if isinstance(vector, SymbolicPhasor):
         _degrees(Angle(Fraction(0), next(s for s in vector.parts if s)))
     assert isinstance(vector, Phasor)  # every symbol is refused
     if vector.is_zero():
         return [(Fraction(0), Fraction(0))]
-    short = min(vector.primitive(), vector, key=lambda p: len(p.terms))
-    if len(short.terms) > 1 and (polar := turns_and_size(vector)) is not None:
+    sign = 1 if weight.in_kg_mm else share_sign(engine, speed)
+    polar = turns_and_size(vector.scaled(sign))
+    if polar is not None:
         turns, amplitude = polar
-        rational = amplitude.rational()
-        size = cosine_text(amplitude) if rational is None else rational
-        if size is not None:
-            return [(size, turns * 360)]
+        size = _real(amplitude.scaled(sign))
+        return _several(vector) if size is None else [(size, turns * 360)]
+    up, right = _real(vector.real()), _real(vector.rotated(-QUARTER).real())
+    if up is None or right is None:
+        return _several(vector)
+    return [((up, right), None)]
+
+
+def _real(number: Phasor) -> Fraction | str | None:
+    """Return a real number as it is written: a fraction, or a sum of cosines unless it is too long."""
+    rational = number.rational()
+    return cosine_text(number) if rational is None else rational
+
+
+def _several(vector: Phasor) -> list[tuple[Size, Fraction | None]]:
+    """Return sizes and degrees of weights that add up to a vector."""
+    short = min(vector.primitive(), vector, key=lambda p: len(p.terms))
     return [(Fraction(c), Fraction(360 * k, short.modulus)) for k, c in sorted(short.terms.items())]
 
 

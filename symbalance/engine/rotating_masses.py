@@ -90,6 +90,16 @@ def has_unit_share(engine: Engine, speed: int) -> bool:
     return engine.counts_in_orders or not engine.has_common_harmonics or abs(speed) == 1
 
 
+def share_sign(engine: Engine, speed: int) -> int:
+    """Return the sign of what a share is a multiple of, known without a rod ratio: -1 for A_4, A_8, ...
+
+    The distance of a piston is sqrt(lambda^2 - 1/2 + cos(2 theta)/2) beside the crank's part. The powers
+    of the cosine have the signs of the binomial coefficients of 1/2, which take turns, and the k-th adds
+    to harmonics k, k - 2, ... of 2 theta alone: so A_2, A_6, ... are above 0, and A_4, A_8, ... below.
+    """
+    return -1 if engine.has_common_harmonics and abs(speed) % 4 == 0 else 1
+
+
 def unit_of_share(engine: Engine, speed: int) -> Real:
     """Return what a share of 1 pushes with at n times the crank's speed, in m r omega^2: A_n, or 1.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
 from math import hypot
 from typing import Any
@@ -32,7 +33,7 @@ def balance_data(balance: Balance) -> dict[str, Any]:
         **({"balancers": _balancers(balance.engine.balancers)} if balance.engine.balancers else {}),
         **({"operating_point": point.data()} if (point := balance.operating_point) else {}),
         "orders": [_order(order, balance) for order in balance.orders],
-        **({"largest": _largest(balance)} if point and not balance.engine.has_symbols else {}),
+        **({"largest": largest_data(balance)} if point and not balance.engine.has_symbols else {}),
         **({"roll": _roll(balance)} if roll_rows(balance) else {}),
     }
 
@@ -131,12 +132,12 @@ def _order(order: Order, balance: Balance) -> dict[str, Any]:
     return {
         "order": str(order.order),
         "coefficient": _coefficient(order, balance),
-        "force": _resultant(order.force, balance, "force"),
-        "couple": _resultant(order.couple, balance, "couple"),
+        "force": resultant_data(order.force, balance, "force"),
+        "couple": resultant_data(order.couple, balance, "couple"),
     }
 
 
-def _largest(balance: Balance) -> dict[str, Any]:
+def largest_data(balance: Balance) -> dict[str, Any]:
     """Return the largest force and couple over a turn, all orders together, with a proved bound."""
     return {
         output: {"value": top.value, "bound": top.bound, "degrees": top.angle, "unit": unit}
@@ -160,13 +161,15 @@ def _coefficient(order: Order, balance: Balance) -> dict[str, Any] | None:
 KEYS = {"force": "newtons", "couple": "newton_metres"}
 
 
-def _resultant(resultant: Resultant, balance: Balance, of: str) -> dict[str, Any]:
+def resultant_data(
+    resultant: Resultant, balance: Balance, of: str, names: Sequence[str] = COMPONENTS
+) -> dict[str, Any]:
     """Return the components of one order, at an operating point in N or N m too."""
     point = balance.operating_point
     factor = None
     if point is not None and not (of == "couple" and point.couple is None):
         factor = balance.unit_value(of) * balance.share(resultant.order)
-    return {name: _with_value(resultant.component(name), KEYS[of], factor) for name in COMPONENTS}
+    return {name: _with_value(resultant.component(name), KEYS[of], factor) for name in names}
 
 
 def _with_value(component: Component, key: str, factor: Real | None) -> dict[str, Any]:

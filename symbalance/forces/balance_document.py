@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from math import pi
 from typing import Protocol
 
 from symbalance.document.decimals import decimal, short_decimal
@@ -35,6 +36,7 @@ from symbalance.document.nodes import (
     blocks,
 )
 from symbalance.document.text_writer import formula_text
+from symbalance.engine.engine import Engine
 from symbalance.engine.engine_document import (
     ORDER,
     SIGNS,
@@ -73,8 +75,8 @@ def balance_document(balance: Balance) -> Document:
     return Document(
         engine_title(balance.engine),
         blocks(
+            turn_blocks(balance),  # how much it is, before what it is made of
             resultant_blocks(balance),
-            turn_blocks(balance),
             drawing_blocks(balance.engine),
             conventions(balance),
         ),
@@ -215,13 +217,13 @@ def turn_blocks(balance: Balance) -> tuple[Block, ...]:
     point = balance.operating_point
     if point is None:
         return ()
-    at = operating_facts(point)
+    at = operating_facts(point, engine=balance.engine)
     if balance.engine.has_symbols:
         return (at,)
     rows = []
     for output, top in balance.turn_maxima.items():
         of, _, name = output.partition(".")
-        if top.value > 0:
+        if top.value > NEGLIGIBLE * float(balance.unit_value(of)):
             where = Decimal(f"{top.angle:.1f}")
             cells = (f"{of}, {name or 'in any direction'}", UNITS[of], decimal(top.value, SHOWN))
             rows.append((*cells, decimal(_upwards(top.bound), 8), where))
@@ -232,10 +234,11 @@ def turn_blocks(balance: Balance) -> tuple[Block, ...]:
         Column("proved to be at most"),
         Column(("at ", Name("theta"), ", degrees")),
     )
-    return (at, Table("All orders together, over a turn", columns, tuple(rows)))
+    title, nothing = "All orders together, over a turn", "below 10⁻⁶ of one piston's first order"
+    return (at, Table(title, columns, tuple(rows), empty=nothing))
 
 
-def operating_facts(point: OperatingPoint, of: str = "force") -> Facts:
+def operating_facts(point: OperatingPoint, of: str = "force", *, engine: Engine | None = None) -> Facts:
     """Return the speed and the sizes that values are for, and what the unit of a "torque" is there."""
     pitch = point.pitch if of == "force" else None
     letters: Words = (_M, ", ", _R, *(() if pitch is None else (", ", _A)))
@@ -246,7 +249,19 @@ def operating_facts(point: OperatingPoint, of: str = "force") -> Facts:
     if of == "torque":
         unit = (_M * _R**2 * _OMEGA**2, (Decimal(short_decimal(point.torque, SHOWN)), " N m"))
     speed: tuple[Words, Words] = ("speed", f"{float(point.rpm):.8g} rpm")
-    return Facts((speed, (letters, _sizes_of(point, pitch)), unit), "Operating point")
+    swept = () if engine is None else _swept(engine)
+    return Facts((speed, (letters, _sizes_of(point, pitch)), *swept, unit), "Operating point")
+
+
+def _swept(engine: Engine) -> tuple[tuple[Words, Words], ...]:
+    """Return bore and stroke, and the volume that the pistons sweep; empty where no bore is known."""
+    stroke = engine.first.stroke
+    alike = all(c.link is None and not c.offset and c.stroke == stroke for c in engine.cylinders)
+    if engine.bore is None or stroke is None or not alike:  # an offset piston's way is not the stroke
+        return ()
+    litres = float(engine.bore**2 * stroke * len(engine.cylinders)) * pi / 4e6
+    size = f"{float(engine.bore):.8g} by {float(stroke):.8g} mm, {litres:.4g} litres"
+    return (("bore and stroke", size),)
 
 
 def _upwards(bound: float) -> float:

@@ -76,7 +76,7 @@ def moving_masses(engine: Engine, measures: Sequence[str] = MASSES) -> list[Movi
 def _check_numbers(engine: Engine) -> None:
     if engine.has_symbols:
         rule = "has angles with symbols, and cylinders that are not alike"
-        remedy = "give the angles in numbers, or take symbolic_order"
+        remedy = "give the angles in numbers, or take symbolic_order (formulas), an order at a time"
         raise SymbalanceError(f"engine {engine.name!r}", rule, remedy)
 
 

@@ -23,14 +23,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeVar, Unpack
 
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.spectrum import COMPONENTS, Component, Spectrum
 from symbalance.forces.force_sums import planar_vectors
-from symbalance.forces.operating_point import OperatingPoint, operating_point, sized
+from symbalance.forces.operating_point import OperatingPoint, Sizes, operating_point, sized
 from symbalance.kinematics.coefficients import FORCE, Kinematics
 from symbalance.kinematics.slider_crank import Series, checked_order, checked_power
 from symbalance.text.numbers import exact
@@ -159,11 +159,11 @@ class Balance(Result):
         """The rod ratio lambda = l/r, if known."""
         return self.engine.ratio
 
-    def at(self, *, rpm: object, **sizes: object) -> Balance:
+    def at(self, *, rpm: object, **sizes: Unpack[Sizes]) -> Balance:
         """Return the same balance with its values in N and N m at a speed.
 
-        `stroke`, `rod`, `pitch` (mm) and `mass` (kg, of one cylinder's reciprocating parts) are sizes
-        that the engine lacks. A couple needs the pitch, an order above the first the rod ratio.
+        `stroke`, `rod`, `pitch`, `bore` (mm) and `mass` (kg, of one cylinder's reciprocating parts) are
+        sizes that the engine lacks. A couple needs the pitch, an order above the first the rod ratio.
 
         >>> from symbalance.engine.catalogue import load
         >>> four = balance(load("inline-4"), 2).at(rpm=6000, stroke=80, mass="0.5", rod=160)
@@ -173,12 +173,12 @@ class Balance(Result):
         if sizes:  # what holds the kinematics too, or weights in kg mm, depends on them
             engine = sized(self.engine, sizes)
             return _balance(engine, self.highest, self.power, self.reference).at(rpm=rpm)
-        engine = self.engine
-        if self.kinematics is not None and engine.ratio is None and max(self._numbers, default=1) > 1:
-            rule = "needs the rod ratio for newtons: orders above the first depend on it"
-            remedy = "add rod to [crank_train], or say --rod MM or --ratio λ"
-            raise SymbalanceError(f"rpm = {brief(rpm)}", rule, remedy)
-        point = operating_point(engine, rpm, bool(self.couple.orders()))
+        point = operating_point(
+            self.engine,
+            rpm,
+            needs_pitch=bool(self.couple.orders()),
+            needs_ratio=self.kinematics is not None and max(self._numbers, default=1) > 1,
+        )
         return replace(self, operating_point=point)
 
     def in_newtons(self, order: int, output: str) -> tuple[Real, Real]:

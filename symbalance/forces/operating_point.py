@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import Any, TypedDict
 
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, brief
@@ -41,12 +41,12 @@ class OperatingPoint:
     @cached_property
     def omega(self) -> Real:
         """The crank's speed in rad/s."""
-        return pi() * self.rpm / 30
+        return omega_at(self.rpm)
 
     @cached_property
     def force(self) -> Real:
         """The unit of forces, m r omega^2, in N: what one piston's first order is."""
-        return self.omega**2 * (self.mass * self.radius)
+        return acceleration_at(self.rpm, self.radius) * self.mass
 
     @property
     def couple(self) -> Real | None:
@@ -72,8 +72,33 @@ def _text(value: Fraction) -> str:
     return decimal_text(Real(value), 17)
 
 
-def operating_point(engine: Engine, rpm: object, needs_pitch: bool = True) -> OperatingPoint:
-    """Return an engine's operating point at a speed, or refuse, naming the key that is missing.
+def omega_at(rpm: Fraction) -> Real:
+    """Return turns a minute in rad/s."""
+    return pi() * rpm / 30
+
+
+def acceleration_at(rpm: Fraction, radius: Fraction) -> Real:
+    """Return r omega^2 in m/s^2, of a radius in m: what 1 kg at the crank pins pushes with, in N."""
+    return omega_at(rpm) ** 2 * radius
+
+
+class Sizes(TypedDict, total=False):
+    """Sizes that an engine lacks, as every result's `at` takes them beside the speed.
+
+    `mass` is the reciprocating mass of a cylinder in kg; `stroke`, `rod`, `pitch` and `bore` are in mm.
+    """
+
+    mass: object
+    stroke: object
+    rod: object
+    pitch: object
+    bore: object
+
+
+def operating_point(
+    engine: Engine, rpm: object, *, needs_pitch: bool = True, needs_ratio: bool = False
+) -> OperatingPoint:
+    """Return an engine's operating point at a speed, or refuse, naming every key that is missing.
 
     >>> from symbalance.engine.catalogue import load
     >>> operating_point(load("vq30de"), 6000).mass
@@ -87,6 +112,7 @@ def operating_point(engine: Engine, rpm: object, needs_pitch: bool = True) -> Op
             ("stroke", first.radius),
             ("reciprocating_mass", first.reciprocating_mass),
             ("pitch", engine.pitch if needs_pitch else 1),
+            ("rod", engine.ratio if needs_ratio else 1),
         )
         if value is None
     ]
@@ -103,27 +129,44 @@ def operating_point(engine: Engine, rpm: object, needs_pitch: bool = True) -> Op
 def needed(rpm: object, missing: Sequence[str]) -> SymbalanceError:
     """Return the refusal of a speed without the sizes that it needs, by their keys in an engine file."""
     keys = " and ".join([", ".join(missing[:-1]), missing[-1]] if missing[1:] else missing)
-    remedy = f"add {keys} to [crank_train], or say {', '.join(OPTIONS[key] for key in missing)}"
+    options = " ".join(OPTIONS[key] for key in missing)
+    remedy = f"add {keys} to [crank_train], or append your own figures like {options}"
     return SymbalanceError(f"rpm = {brief(rpm)}", f"needs the engine's {keys} for newtons", remedy)
 
 
 def sized(engine: Engine, sizes: Mapping[str, object]) -> Engine:
-    """Return an engine with sizes that it lacks: `stroke`, `rod`, `pitch` in mm, `mass` in kg.
+    """Return an engine with sizes that it lacks: `stroke`, `rod`, `pitch`, `bore` in mm, `mass` in kg.
 
     >>> from symbalance.engine.catalogue import load
     >>> sized(load("inline-4"), {"stroke": 80, "mass": "0.5"}).unit_unbalance
     Fraction(20, 1)
     """
-    unknown = [name for name in sizes if name not in SIZES]
-    if unknown:
-        raise TypeError(f"the sizes are {', '.join(SIZES)}, not {unknown[0]!r}")
+    check_size_names(sizes)
     return engine.with_sizes(**{SIZES[name]: value for name, value in sizes.items()}) if sizes else engine
 
 
-SIZES = {"stroke": "stroke", "rod": "rod", "pitch": "pitch", "mass": "reciprocating_mass"}
+def check_size_names(sizes: Mapping[str, object]) -> None:
+    """Refuse a keyword that is no size, as Python refuses one that a function does not have."""
+    unknown = [name for name in sizes if name not in SIZES]
+    if unknown:
+        raise TypeError(f"the sizes are {', '.join(SIZES)}, not {unknown[0]!r}")
+
+
+SIZES = {
+    "stroke": "stroke",
+    "rod": "rod",
+    "pitch": "pitch",
+    "mass": "reciprocating_mass",
+    "bore": "bore",
+}
 """What the sizes of an operating point are called, and their keys in an engine file."""
-OPTIONS = {"stroke": "--stroke MM", "reciprocating_mass": "--mass KG", "pitch": "--pitch MM"}
-"""How the command line gives what an engine file lacks."""
+OPTIONS = {
+    "stroke": "--stroke 86",
+    "reciprocating_mass": "--mass 0.5",
+    "pitch": "--pitch 100",
+    "rod": "--rod 145",
+}
+"""How the command line gives what an engine file lacks, mm and kg, with a figure to replace."""
 
 
 def checked_rpm(rpm: object) -> Fraction:

@@ -61,6 +61,19 @@ JSON: Codec[Any] = Codec(
 """Results of numbers, texts, lists and dicts whose keys are texts."""
 
 
+def _decoded(payload: bytes) -> str | bytes:
+    kind, content = payload[:1], payload[1:]
+    if kind not in (b"t", b"b"):
+        raise DamagedError("is neither a text nor bytes")
+    return content.decode("utf-8") if kind == b"t" else content
+
+
+TEXT_OR_BYTES: Codec[str | bytes] = Codec(
+    lambda value: b"b" + value if isinstance(value, bytes) else b"t" + value.encode("utf-8"), _decoded
+)
+"""Results that are files as they are written: texts, or bytes, as a workbook's are."""
+
+
 @dataclass(frozen=True)
 class Saved:
     """What a store has under a key: the payload, or None and the `reason` why a file is not valid.

@@ -288,6 +288,52 @@ class ListOf:
 
 
 @dataclass(frozen=True)
+class ListOrLists:
+    """A list of values of one kind for all, or a list of such lists, one each; none of them empty.
+
+    >>> each = ListOrLists(ANY, "[0, 120]", "[[0, 120], [30, 150]]")
+    >>> each.read([0, 120], "pins", "") == [0, 120], each.read([[0], [30]], "pins", "") == [[0], [30]]
+    (True, True)
+    """
+
+    kind: Any
+    example: str
+    example_of_lists: str
+
+    @property
+    def _list(self) -> ListOf:
+        return ListOf(self.kind, self.example, least=1)
+
+    @property
+    def _lists(self) -> ListOf:
+        return ListOf(self._list, self.example_of_lists, least=1)
+
+    @property
+    def words(self) -> str:
+        """A list of the kind, or a list of lists."""
+        return f"{self._list.words}, or a list of such lists"
+
+    @property
+    def plural(self) -> str:
+        """The kind's own."""
+        return self.kind.plural
+
+    @property
+    def range(self) -> str:
+        """The range of each element, and how many there must be."""
+        return self._list.range
+
+    def read(self, value: object, name: str, remedy: str) -> list[Any]:
+        """Return the list, or the list of lists; one that mixes both is refused."""
+        nested = isinstance(value, list) and any(isinstance(inner, list) for inner in value)
+        return (self._lists if nested else self._list).read(value, name, remedy)
+
+    def schema(self) -> Schema:
+        """Return the schema."""
+        return {"anyOf": [self._list.schema(), self._lists.schema()]}
+
+
+@dataclass(frozen=True)
 class OneOrList:
     """One value of a kind, or a list of them."""
 

@@ -20,18 +20,18 @@ Formulas:
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Unpack
 
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.spectrum import QUARTER, Component
 from symbalance.forces.free_forces import DIGITS, listed_orders, order_of
-from symbalance.forces.operating_point import OperatingPoint, operating_point, sized
+from symbalance.forces.operating_point import OperatingPoint, Sizes, operating_point, sized
 from symbalance.kinematics.coefficients import INERTIA, OF_RODS, Kinematics
 from symbalance.kinematics.slider_crank import Series, checked_order, checked_power, checked_ratio
 from symbalance.text.reals import Real
@@ -78,6 +78,8 @@ class TorqueBalance(Result):
     quantity: str = INERTIA_TORQUE
     operating_point: OperatingPoint | None = None
     """The speed and sizes that values in N m are for; None where none is asked for."""
+    function: Callable[..., TorqueBalance] | None = field(default=None, compare=False, repr=False)
+    """The function of engine and order that computes it, for other sizes; None where nobody says."""
 
     kind: ClassVar[str] = "torque-orders"
     record_keys: ClassVar[tuple[str, ...]] = (
@@ -132,11 +134,11 @@ class TorqueBalance(Result):
             return {}
         return self.kinematics.values_of(self.components, self.ratio, DIGITS)
 
-    def at(self, *, rpm: object, **sizes: object) -> TorqueBalance:
+    def at(self, *, rpm: object, **sizes: Unpack[Sizes]) -> TorqueBalance:
         """Return the same torque with its values in N m at a speed.
 
-        `stroke`, `rod` (mm) and `mass` (kg, of one cylinder's reciprocating parts) are sizes that the
-        engine lacks. The rod ratio has to be known.
+        `stroke`, `rod`, `pitch`, `bore` (mm) and `mass` (kg, of one cylinder's reciprocating parts) are
+        sizes that the engine lacks. The rod ratio has to be known.
 
         >>> from symbalance.engine.builders import inline
         >>> four = inertia_torque(inline("1-3-4-2"), 2).at(rpm=6000, stroke=80, rod=160, mass="0.5")
@@ -144,13 +146,16 @@ class TorqueBalance(Result):
         [0.0, -631.819]
         """
         engine = sized(self.engine, sizes)
-        if engine.ratio != self.engine.ratio and self.kinematics is None:
-            rule = "changes the rod ratio, which these numbers hold"
-            raise SymbalanceError("rod", rule, "give it to the engine: engine.with_sizes(rod=...)")
-        if self.kinematics is not None and self.components:
-            checked_known(engine, None)
-        point = operating_point(engine, rpm, needs_pitch=False)
-        return replace(self, engine=engine, operating_point=point)
+        if engine != self.engine:  # what holds the kinematics too, or weights in kg mm, depends on them
+            if self.function is None:
+                rule = "are of an engine whose torque these numbers are not"
+                raise SymbalanceError("sizes", rule, "give them to the engine: engine.with_sizes(...)")
+            again = replace(self.function(engine, self.highest), power=self.power)
+            is_opposite = self.quantity.startswith(OPPOSITE)
+            return (again.reaction() if is_opposite else again).at(rpm=rpm)
+        needs_ratio = self.kinematics is not None and bool(self.components)
+        point = operating_point(engine, rpm, needs_pitch=False, needs_ratio=needs_ratio)
+        return replace(self, operating_point=point)
 
     @cached_property
     def unit_value(self) -> Real:
@@ -238,10 +243,10 @@ def inertia_torque(
     if has_common_torque(engine):
         components = sine_components(engine, order)
         _check_power(power, list(components))
-        return TorqueBalance(engine, order, components, power)
+        return TorqueBalance(engine, order, components, power, function=inertia_torque)
     _check_no_power(engine, power)
     components = total_torque(torque_groups(engine), order)
-    return TorqueBalance(engine, order, components, kinematics=None)
+    return TorqueBalance(engine, order, components, kinematics=None, function=inertia_torque)
 
 
 def first_excess(engine: Engine) -> Fraction:

@@ -22,14 +22,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Unpack
 
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.spectrum import Component
-from symbalance.forces.operating_point import sized
+from symbalance.forces.operating_point import Sizes, sized
 from symbalance.forces.shaft_moments import shaft_moment, shaft_terms
 from symbalance.kinematics.bodies import EXCESS
 from symbalance.kinematics.coefficients import OF_RODS, ROCKING, RODS, Kinematics
@@ -80,7 +80,9 @@ def offset_moment(engine: Engine, order: int = 12, *, ratio: object = None) -> T
     engine = _at_ratio(engine, order, ratio)
     groups = [] if has_common_torque(engine) else torque_groups(engine)
     moments = total_moment(groups, order)
-    return TorqueBalance(engine, order, moments, kinematics=None, quantity=BESIDE_MOMENT)
+    return TorqueBalance(
+        engine, order, moments, kinematics=None, quantity=BESIDE_MOMENT, function=offset_moment
+    )
 
 
 def roll_moment(engine: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:
@@ -108,7 +110,9 @@ def roll_moment(engine: Engine, order: int = 12, *, ratio: object = None) -> Tor
         total[int(n)] = total[int(n)] + number if int(n) in total else number
     components = {n: Component(total[n]) for n in sorted(total) if not total[n].is_zero()}
     quantity = ROLL_MOMENT + (" and balance shafts" if of_shafts else "")
-    return TorqueBalance(engine, order, components, kinematics=None, quantity=quantity)
+    return TorqueBalance(
+        engine, order, components, kinematics=None, quantity=quantity, function=roll_moment
+    )
 
 
 @dataclass(frozen=True, repr=False)
@@ -160,7 +164,7 @@ class TorqueReport(Result):
 
         return torque_records(self)
 
-    def at(self, *, rpm: object, **sizes: object) -> TorqueReport:
+    def at(self, *, rpm: object, **sizes: Unpack[Sizes]) -> TorqueReport:
         """Return the same report with its values in N m at a speed; sizes as of `TorqueBalance.at`."""
         if sizes:
             engine = sized(self.engine, sizes)
@@ -249,7 +253,10 @@ def _of_rods(engine: Engine, order: int, ratio: object, kinematics: Kinematics) 
         total = total_of(torque_groups(engine, [EXCESS]), order)
         components = {n: Component(c.number.scaled(1 / unit)) for n, c in total.items()}
     quantity = ROD_COUPLE if couple else ROD_TORQUE
-    return TorqueBalance(engine, order, components, kinematics=own, unit=OF_RODS, quantity=quantity)
+    function = rod_couple if couple else rod_torque
+    return TorqueBalance(
+        engine, order, components, kinematics=own, unit=OF_RODS, quantity=quantity, function=function
+    )
 
 
 def _at_ratio(engine: Engine, order: int, ratio: object) -> Engine:

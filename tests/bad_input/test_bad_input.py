@@ -209,6 +209,17 @@ REFUSED: dict[str, Callable[[], Any]] = {
     "a bound of no order": lambda: left_out(0, Fraction(4)),
     "no name": lambda: Engine(TWIN, name=""),
     "a name of spaces": lambda: Engine(TWIN, name="  "),
+    "neither order nor pins": lambda: vee(90),
+    "pins that are text": lambda: vee(90, pins="0-90"),
+    "pins and lists of pins": lambda: vee(90, pins=[0, [90]]),
+    "pins of one bank": lambda: vee(90, pins=[[0, 90]]),
+    "a pin too many": lambda: inline("1-2", throws=[0, 90, 180]),
+    "one distance for all": lambda: inline("1-2-3", pitch=108),
+    "a distance too few": lambda: inline("1-2-3", pitch=[1]),
+    "an unknown unit of stations": lambda: inline("1-2", station_unit="inch"),
+    "a list for a unit of stations": lambda: inline("1-2", station_unit=["mm"]),
+    "stations of mm without a pitch": lambda: inline("1-2", stations=[0, -90], station_unit="mm"),
+    "an order and symbolic axes": lambda: vee(X, "1-2", pins=[0]),
     "an empty bank": lambda: vee(60, "1-2", cylinders=[[1, 2], []]),
     "fine intervals": lambda: inline("1-2", firing_intervals=["17.3333333", "702.6666667"]),
     "a fine firing angle": lambda: Cylinder(1, fires=17.3333333),
@@ -299,7 +310,20 @@ number = 2
 throw = 13.5
 bank = -45
 """
-FILES = (LAYOUT_FILE, CYLINDER_FILE)
+LISTS_FILE = """\
+[crank_train]
+pitch = 100
+[layout]
+banks = [45, -45]
+cylinders = [[1, 3, 5], [2, 4, 6]]
+firing_order = [1, 6, 5, 4, 3, 2]
+pins = [45, -75, 165]
+splay = [0, 30]
+stagger = [10, -10]
+stations = [0, -100, "-225.5"]
+station_unit = "mm"
+"""
+FILES = (LAYOUT_FILE, CYLINDER_FILE, LISTS_FILE)
 
 
 @pytest.mark.parametrize("text", FILES)
@@ -351,6 +375,11 @@ KEYS = [
     "cylinders",
     "firing_order",
     "stagger",
+    "stations",
+    "pitch",
+    "station_unit",
+    "pins",
+    "splay",
     "firing_intervals",
     "number",
     "throw",

@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 import symbalance as sb
 from symbalance.cli import run
 
 REFUSED = [
-    (["balance", "inline-4", "--rpm", "6000"], "stroke and reciprocating_mass to [crank_train], or say"),
-    (["balance", "v8-90", "--rpm", "6000", "--stroke", "80", "--mass", "0.5"], "or say --pitch MM"),
+    (
+        ["balance", "inline-4", "--rpm", "6000"],
+        "stroke and reciprocating_mass to [crank_train], or append your own",
+    ),
+    (
+        ["balance", "v8-90", "--rpm", "6000", "--stroke", "80", "--mass", "0.5"],
+        "or append your own figures like --pitch 100",
+    ),
     (
         ["balance", "vq30de", "--rpm", "6000", "--mass", "0.7"],
         "is given by the engine already, as 673/1000",
@@ -25,7 +33,7 @@ REFUSED = [
     (["torque", "inline-4", "--stroke", "80"], "--stroke: plays a part at a speed only"),
     (["design", "inline-4", "--rpm", "6000"], "stroke and reciprocating_mass"),
     (["sensitivities", "inline-4", "--rpm", "6000"], "stroke and reciprocating_mass"),
-    (["tolerances", "inline-4", "--mass", "1%", "--rpm", "6000"], "--sizes stroke=MM,mass=KG"),
+    (["tolerances", "inline-4", "--mass", "1%", "--rpm", "6000"], "--sizes stroke=86,mass=0.5"),
     (["tolerances", "inline-4", "--mass", "1%", "--sizes", "bore=80"], "must name some of"),
     (["tolerances", "inline-4", "--mass", "1%", "--sizes", "mass=1,mass=2"], "must name some of"),
 ]
@@ -65,3 +73,76 @@ def test_orders_out_of_range_and_other_outputs_are_refused() -> None:
             balance.in_newtons(order, output)
     with pytest.raises(sb.SymbalanceError, match="no operating point"):
         sb.balance(sb.load("vq30de"), 6).in_newtons(1, "force.vertical")
+
+
+UNLIKE = """
+[[cylinder]]
+number = 1
+throw = 0
+rod = 140
+[[cylinder]]
+number = 2
+throw = 180
+station = -1
+rod = 160
+[crank_train]
+stroke = 80
+pitch = 100
+"""
+
+
+def _unlike(tmp_path: Path) -> sb.Engine:
+    path = tmp_path / "unlike.toml"
+    path.write_text(UNLIKE, encoding="utf-8")
+    return sb.load(path)
+
+
+TORQUES = {
+    "inertia": sb.inertia_torque,
+    "rod": sb.torque.rod_torque,
+    "couple": sb.torque.rod_couple,
+    "roll": sb.torque.roll_moment,
+    "beside": sb.torque.offset_moment,
+}
+
+
+@pytest.mark.parametrize("name", TORQUES)
+def test_sizes_given_late_to_a_torque_are_those_given_early(name: str) -> None:
+    """In-line with offset axes and a rod's inertia: every part of the torque holds the kinematics."""
+    engine = sb.inline("1-3-2", ratio=4).with_sizes(stroke=80)
+    sizes = {"mass": "0.5", "rod": 140, "pitch": 100, "bore": 82}
+    function = TORQUES[name]
+    late = function(engine, 4).at(rpm=3000, **sizes)
+    early = function(engine.with_sizes(reciprocating_mass="0.5", rod=140, pitch=100, bore=82), 4)
+    assert sb.to_json(late) == sb.to_json(early.at(rpm=3000))
+    opposite = function(engine, 4).reaction().at(rpm=3000, **sizes)
+    assert sb.to_json(opposite) == sb.to_json(early.reaction().at(rpm=3000))
+
+
+def test_a_torque_that_holds_the_kinematics_takes_sizes_late(tmp_path: Path) -> None:
+    engine = _unlike(tmp_path)
+    late = sb.inertia_torque(engine, 4).at(rpm=3000, mass="0.5")
+    early = sb.inertia_torque(engine.with_sizes(reciprocating_mass="0.5"), 4)
+    assert late.kinematics is None
+    assert sb.to_json(late) == sb.to_json(early.at(rpm=3000))
+
+
+def test_a_design_takes_sizes_late() -> None:
+    """They are those given early; which orders get a shaft may depend on them."""
+    engine = sb.load("inline-4")
+    late = sb.design_balance(engine, [2, 4], shafts=2).at(rpm=3000, mass="0.5", stroke=80, rod=150)
+    sized = engine.with_sizes(reciprocating_mass="0.5", stroke=80, rod=150)
+    early = sb.design_balance(sized, [2, 4], shafts=2).at(rpm=3000)
+    assert late == early
+    with pytest.raises(sb.SymbalanceError, match="needs the engine's reciprocating_mass for newtons"):
+        sb.design_balance(engine, [2]).at(rpm=3000, stroke=80)
+
+
+def test_all_that_is_missing_is_named_at_once() -> None:
+    engine = sb.vee(90, "1-8-4-3-6-5-7-2")
+    with pytest.raises(sb.SymbalanceError) as refusal:
+        sb.balance(engine, 4).at(rpm=6000)
+    keys = "stroke, reciprocating_mass, pitch and rod"
+    assert f"needs the engine's {keys} for newtons" in str(refusal.value)
+    assert "--stroke 86 --mass 0.5 --pitch 100 --rod 145" in str(refusal.value)
+    sb.balance(engine, 4).at(rpm=6000, stroke=86, mass="0.5", pitch=100, rod=145)

@@ -92,8 +92,9 @@ def test_without_openpyxl_the_extra_is_named(monkeypatch, capsys, tmp_path):
         ("balance inline-4 --format xlsx", "no terminal shows; name a file: -o FILE.xlsx"),
         ("balance inline-4 --label v4", "--label: is for LaTeX, and this is text"),
         ("balance inline-4 --format latex --label a_b", "label = a_b: must begin with"),
-        ("balance inline-4 inline-5 --format xlsx -o {out}", "--format xlsx: is for one result"),
-        ("balance inline-4 inline-5 --label x --format latex -o {out}", "--label: is for one result"),
+        ("check a.md b.md --format xlsx -o {out}", "--format xlsx: is for the report of one document"),
+        ("check a.md b.md --label x --format latex -o {out}", "--label: is for the report of one"),
+        ("balance inline-4 inline-5 --label a_b --format latex -o {out}", "label = a_b: must begin with"),
         ("engines --schema --label x", "--label: plays no part in --schema"),
     ],
 )
@@ -105,6 +106,21 @@ def test_what_has_no_place_is_refused(line, says, capsys, tmp_path):
     assert says in shown.err
     assert shown.err.count("\n") == 1
     assert not out.exists()
+
+
+def test_several_engines_have_a_workbook_or_labels_each(tmp_path):
+    """In a folder, from the store too: what is kept is what was written."""
+    import openpyxl
+
+    command = ["balance", "inline-4", "v8-90", "--order", "4", "-o", str(tmp_path / "each")]
+    for _ in range(2):
+        assert run([*command, "--format", "xlsx"]) == 0
+        expected = sb.balance(sb.load("v8-90"), 4).records()
+        (sheet,) = openpyxl.load_workbook(tmp_path / "each" / "v8-90.xlsx").worksheets
+        assert [row[0].value for row in sheet.iter_rows(min_row=2)] == [row["order"] for row in expected]
+    assert run([*command, "--format", "latex", "--label", "mine"]) == 0
+    text = (tmp_path / "each" / "v8-90.tex").read_text(encoding="utf-8")
+    assert r"\label{tab:mine-v8-90-force}" in text
 
 
 def test_an_ending_asks_for_csv(tmp_path, capfdbinary):

@@ -93,3 +93,11 @@ def _words(folder: Path) -> str:
     command = ["pdftotext", "-layout", "document.pdf", "-"]
     done = subprocess.run(command, cwd=folder, capture_output=True, timeout=60, check=True)
     return done.stdout.decode("utf-8")
+
+
+@pytest.mark.parametrize("preset", different_presets())
+def test_every_preset_s_balance_is_one_page(preset: str, tmp_path: Path) -> None:
+    source = to_latex(sb.balance(sb.load(preset)), standalone=True)
+    assert compiled(source, "pdflatex", tmp_path) == []
+    log = (tmp_path / "document.log").read_text(encoding="latin-1").replace("\n", "")
+    assert "Output written on document.pdf (1 page," in log

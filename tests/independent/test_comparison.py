@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import cmath
+import csv
+import io
 import json
 import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import symbalance as sb
@@ -71,6 +74,83 @@ def test_what_balances_does_not_depend_on_the_order_shown():
     assert [line.speeds for line in compared("inline-4", "v8-90", order=1)] == [(2, -2), (1,)]
 
 
+# In newtons ------------------------------------------------------------------------------------------
+
+
+SIZES = {"stroke": 86, "rod": 145, "mass": "0.5", "pitch": 100}
+OWN = {"vq30de": (0.673, 0.03665, 0.108, 147.15 / 36.65)}
+OMEGA = 6000 * math.pi / 30
+
+
+def shaking(engine: sb.Engine, kind: str) -> list[complex]:
+    """Return the force in N or the couple in N m at 1440 angles, from the pistons' own places."""
+    mass, radius, pitch, lam = OWN.get(engine.name, (0.5, 0.043, 0.1, 145 / 43))
+    plane, count = sum(c.station for c in engine.cylinders) / len(engine.cylinders), 1440
+    turn = np.arange(count) * 2 * np.pi / count
+    total = np.zeros(count, complex)
+    orders = np.fft.fftfreq(count, 1 / count)
+    for c in engine.cylinders:
+        bank, throw = (math.radians(float(a.in_degrees())) for a in (c.bank, c.throw))
+        angle = turn + throw - bank
+        place = np.cos(angle) + np.sqrt(lam**2 - np.sin(angle) ** 2)
+        # Below 60, which is where the noise of doubles, times n squared, begins to show.
+        spectrum = np.where(abs(orders) < 60, -(orders**2) * np.fft.fft(place), 0)
+        push = -mass * radius * OMEGA**2 * np.fft.ifft(spectrum).real
+        arm = float(c.station - plane) * pitch if kind == "couple" else 1.0
+        total += arm * push * cmath.exp(1j * bank)
+    return list(total)
+
+
+@pytest.mark.parametrize("name", ["v8-90", "vq30de", "inline-5", "v2-90"])
+def test_newtons_are_those_of_the_pistons(name):
+    table = compared(name, "vq30de", order=6).at(rpm=6000, **SIZES)
+    line, size = table[0], 1440
+    for kind in ("force", "couple"):
+        whole = np.array(shaking(line.engine, kind))
+        top = line.all_orders(kind)
+        assert top is not None
+        assert math.isclose(top.value, abs(whole).max(), rel_tol=1e-4, abs_tol=1e-3)
+        harmonics = np.fft.fft(whole) / size
+        for order in (n for of, n in table.places if of == kind):
+            value = line.newtons((kind, order))
+            assert value is not None
+            largest = abs(harmonics[order]) + abs(harmonics[-order])
+            assert math.isclose(float(value), largest, rel_tol=1e-9, abs_tol=1e-6)
+
+
+def test_each_engine_has_its_own_sizes_and_what_is_said_fills_the_gaps():
+    table = compared("inline-4", "vq30de", order=2).at(rpm=6000, **SIZES)
+    points = [line.operating_point for line in table]
+    assert [str(p.mass) for p in points if p] == ["1/2", "673/1000"]
+    with pytest.raises(TypeError, match="the sizes are"):
+        table.at(rpm=6000, weight=1)
+
+
+def test_a_table_at_a_speed_in_every_medium(capsys, tmp_path):
+    options = ["balance", "vq30de", "inline-4", "--order", "2", "--rpm", "6000"]
+    options += ["--stroke", "86", "--mass", "0.5"]
+    text = printed(capsys, *options)
+    assert "Free force and couple at 6000 rpm, in N, couples in N m" in text
+    primary = 1.5 * 0.673 * 0.03665 * 0.108 * OMEGA**2  # N m
+    data = json.loads(printed(capsys, *options, "--format", "json"))
+    six = data["engines"][0]
+    assert six["operating_point"]["mass"] == "0.673"
+    (first,) = [o for o in six["orders"] if (o["of"], o["order"]) == ("couple", "1")]
+    assert math.isclose(float(first["newton_metres"]), primary, rel_tol=1e-12)
+    assert "newton_metres" in first["vertical"]
+    assert six["largest"]["couple"]["unit"] == "N m"
+    rows = list(csv.DictReader(io.StringIO(printed(capsys, *options, "--format", "csv"))))
+    (row,) = [r for r in rows if (r["engine"], r["of"], r["order"]) == ("vq30de", "couple", "1")]
+    assert math.isclose(float(row["value"]), primary, rel_tol=1e-12)
+    assert row["value_unit"] == "N m"
+    (whole,) = [r for r in rows if (r["engine"], r["of"], r["order"]) == ("vq30de", "couple", "")]
+    assert math.isclose(float(whole["value"]), six["largest"]["couple"]["value"])
+    assert "tab:mine-newtons" in printed(capsys, *options, "--format", "latex", "--label", "mine")
+    book = tmp_path / "table.xlsx"
+    assert printed(capsys, *options, "-o", str(book)) == ""
+    assert book.read_bytes().startswith(b"PK")
+
+
 # The command ----------------------------------------------------------------------------------------
 
 
@@ -130,7 +210,10 @@ def test_a_table_never_replaces_an_engine_that_is_read(capsys, tmp_path: Path):
         (("v8-90", "--phases"), "several engines"),
         (("v8-90", "inline-4", "--power", "3"), "--power"),
         (("v8-90", "inline-4", "--jobs", "2"), "-o FOLDER/"),
-        (("v8-90", "inline-4", "--rpm", "3000"), "--rpm"),
+        (("v8-90", "inline-4", "--rpm", "3000"), "v8-90: rpm = 3000: needs the engine's stroke, recip"),
+        (("vq30de", "inline-4", "--rpm", "3000"), "inline-4: rpm = 3000: needs the engine's stroke"),
+        (("vq30de", "inline-4", "--rpm", "1000:2000:500"), "is at one speed"),
+        (("v8-90", "vq30de", "--rod", "140", "--rpm", "9"), "v8-90: rod = 140: makes a rod ratio with"),
         (("v8-90", "inline-4", "--mass", "0.5"), "--mass"),
         (("v8-90", "-"), "standard input"),
         (("v8-90", "inline-4", "--order", "0"), "order = 0"),

@@ -130,14 +130,16 @@ def test_rows_and_unbalances_are_the_same_weights(name, limits):
         assert (device["kind"], row["on"]) in (("counterweights", "crank"), ("shaft", "shaft"))
         assert (row["on"] == "crank") == (speed == 1 and limits.get("counterweights", True))
         assert row["station"] == float(Fraction(weight["station"]))
-        assert row["share"] == pytest.approx(abs(share), rel=1e-12)
+        own = values.get(abs(speed), 0) if abs(speed) > 1 else 1.0
+        below = -1 if own < 0 else 1  # a share of what is below 0 is so too, and the weight is not
+        assert row["share"] == pytest.approx(below * abs(share), rel=1e-12)
+        assert float(weight["direction"]) == pytest.approx(row["direction_deg"], rel=1e-12)
         # degrees from straight up, to the right
         turned = cmath.rect(row["share"], sympy.rad(row["direction_deg"]).evalf())
         assert complex(turned) == pytest.approx(share, rel=1e-9)
         assert complex(exact(row["exact_up"]), exact(row["exact_right"])) == pytest.approx(share)
-        # kg mm: |share| A_n m r / n^2, at 0.5 kg and 40 mm; negative where A_n is
-        own = values.get(abs(speed), 0) if abs(speed) > 1 else 1.0
-        unbalance = abs(share) * own * 0.5 * 40 / speed**2
+        # kg mm: |share A_n| m r / n^2, at 0.5 kg and 40 mm
+        unbalance = abs(share * own) * 0.5 * 40 / speed**2
         assert row["unbalance_kg_mm"] == pytest.approx(unbalance, rel=1e-9)
         assert float(weight["unbalance"]) == pytest.approx(unbalance, rel=1e-9)
 

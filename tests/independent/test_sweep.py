@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import itertools
 import json
+import math
 from fractions import Fraction
 
 import mpmath
@@ -15,6 +18,8 @@ from symbalance.engine.crank_train import CrankTrain
 from symbalance.engine.variants import varied_engine
 from symbalance.jobs import Progress
 from tests.effort import effort
+
+TURN = [2 * math.pi * k / 256 for k in range(256)]
 
 TRAIN = CrankTrain(stroke=Fraction(80), rod=Fraction(150))
 QUANTITIES = ["force.1", "force.2", "force.2.vertical", "couple.1", "couple.2.lateral", "torque.2"]
@@ -256,6 +261,23 @@ def test_the_command_prints_the_grid(capsys) -> None:
     assert err.splitlines()[-1] == "6 of 6 done"
 
 
+def test_the_grid_is_a_table_for_spreadsheets(tmp_path) -> None:
+    """By the ending of the file; a point that is refused says why, and has no numbers."""
+    command = ["sweep", "v2-90", "--vary", "ratio=1,3,4", "--quantities", "force.2", "-o"]
+    table, book = tmp_path / "grid.csv", tmp_path / "grid.xlsx"
+    assert run([*command, str(table)]) == 1  # a rod ratio of 1 is refused
+    first, *rows = csv.DictReader(io.StringIO(table.read_text(encoding="utf-8")))
+    assert first["force.2"] == ""
+    assert "ratio = 1" in first["problem"]
+    # Two second orders, 90 degrees apart, of opposite phase: sqrt(2) A_2 along the lateral.
+    for row, ratio in zip(rows, (3, 4), strict=True):
+        height = [math.cos(t) + math.sqrt(ratio**2 - math.sin(t) ** 2) for t in TURN]
+        second = 2 * sum(4 * y * math.cos(2 * t) for y, t in zip(height, TURN, strict=True)) / len(TURN)
+        assert math.isclose(float(row["force.2"]), math.sqrt(2) * second, rel_tol=1e-12)
+    assert run([*command, str(book)]) == 1
+    assert book.read_bytes().startswith(b"PK")
+
+
 @pytest.mark.parametrize(
     ("options", "said"),
     [
@@ -266,7 +288,6 @@ def test_the_command_prints_the_grid(capsys) -> None:
         (["--vary", "ratio=3:4:0"], "must rise by a positive step"),
         (["--vary", "ratio=3:4:1e-9"], "asks for more than 10000 values"),
         (["--vary", "ratio=3", "--vary", "ratio=4"], "names ratio again"),
-        (["--vary", "ratio=3", "-o", "x.csv"], "is no medium of this command"),
         (["--vary", "ratio=3", "--jobs", "0"], "--jobs = 0: must be a whole number from 1"),
         (["--vary", "ratio=3", "--jobs", "2", "--dask", "tcp://x:1"], "not allowed with argument --jobs"),
     ],

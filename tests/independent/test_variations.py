@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -568,3 +569,36 @@ def test_a_sensitivity_is_the_balance_of_a_slightly_changed_engine(of, name):
                 ]
             pair = ours[0].pair(quantity) if ours else (0j, 0j)
             assert pair == pytest.approx(by_hand, rel=1e-5, abs=1e-6), (n, quantity)
+
+
+def test_the_worst_step_comes_first_by_the_force_or_the_couple_over_a_pitch() -> None:
+    """In newtons as in units of the crank: a speed does not change what is worst."""
+    engine = sb.load("vq30de")
+    rows = sb.sensitivities(engine, 4, rpm=6000).records()
+    effects = [max(row["force_of_step"], row["couple_of_step"] / 0.108) for row in rows]
+    assert all(a >= b * (1 - 1e-12) for a, b in pairwise(effects))
+    assert len({round(x) for x in effects}) > 5
+    plain = sb.sensitivities(engine, 4).records()
+    assert [(r["order"], r["parameter"], r["cylinder"]) for r in plain] == [
+        (r["order"], r["parameter"], r["cylinder"]) for r in rows
+    ]
+
+
+def test_masses_that_differ_count_beside_a_symbolic_bank_angle() -> None:
+    """Two pistons on one pin, of 0.5 and 0.6 kg, their force as numbers at an angle put in."""
+    alpha = sympy.Symbol("alpha", real=True)
+    masses = (Fraction(1, 2), Fraction(3, 5))
+    twin = sb.vee(alpha, pins=[0])
+    unlike = sb.Engine(
+        sb.Cylinder(c.number, 0, c.bank.expression(), reciprocating_mass=mass)
+        for c, mass in zip(twin.cylinders, masses, strict=True)
+    )
+    order = sb.design.symbolic_order(unlike, 2)
+    half = np.radians(37.5)
+    banks, theta = np.array([-half, half]), 0.7
+    pushed = np.array([1.0, 1.2]) * np.cos(2 * (theta - banks))
+    for name, part in (("vertical", np.cos), ("lateral", np.sin)):
+        component = order.force.component(name)
+        cos, sin = (float(x.subs(alpha, np.radians(75))) for x in (component.cos, component.sin))
+        ours = cos * np.cos(2 * theta) + sin * np.sin(2 * theta)
+        assert ours == pytest.approx(float(np.sum(part(banks) * pushed)), abs=1e-12)

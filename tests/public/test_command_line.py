@@ -297,9 +297,9 @@ def test_unreadable_files_are_refused(capsys, tmp_path):
 GAS = "emit inline-4 --target numpy --outputs torque.gas --compression 10 --bore 80 --order 4"
 IDLE = {
     "emit inline-4 --target numpy --compression 10 --bore 80": "--compression: is for the outputs",
-    "emit inline-4 --target numpy --outputs torque.inertia --stroke 80": "--stroke: is for the outputs",
-    f"{GAS} --rpm 3000": "--rpm: is for the output torque.total",
-    f"{GAS} --mass 1": "--mass: is for the output torque.total",
+    "emit inline-4 --target numpy --outputs torque.inertia --stroke 80": "--stroke: makes newtons",
+    f"{GAS} --mass 1": "--mass: makes newtons at a speed only",
+    f"{GAS} --rpm 3000 --stroke 80 --mass 1": "--mass: plays no part in the outputs",
     "emit inline-4 --target numpy --outputs piston.velocity --order 2": "--order: plays no part",
     "derive --quantity crank-node --order 4": "--order: plays no part in crank-node",
     "derive --quantity crank-node --convention r/l": "--convention: plays no part in crank-node",

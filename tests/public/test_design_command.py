@@ -95,6 +95,10 @@ def test_segments_have_the_unbalance_they_are_cut_for():
             moment += piece * radius * sum(map(math.cos, angles)) * 2 * half / steps
         assert math.isclose(moment, float(size), rel_tol=1e-4)
         assert math.isclose(mass, float(segment.mass), rel_tol=1e-4)
+    rows = design.records()
+    assert [row["segment_deg"] for row in rows] == [float(each.angle) for each in design.segments]
+    assert [row["segment_kg"] for row in rows] == [float(each.mass) for each in design.segments]
+    assert "segment_kg" not in sb.design_balance(sb.load("vq30de"), [1]).records()[0]
 
 
 @pytest.mark.parametrize(

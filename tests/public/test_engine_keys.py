@@ -30,7 +30,16 @@ from symbalance.engine.catalogue import preset_names, preset_text
 from symbalance.engine.engine_file import SCHEMA, parse_engine, schema_text
 from symbalance.errors import SymbalanceError
 from symbalance.text.key_tables import Key, TableKeys
-from symbalance.text.kinds import Choice, ExactNumber, ListOf, MeasuredNumber, OneOrList, Text, Whole
+from symbalance.text.kinds import (
+    Choice,
+    ExactNumber,
+    ListOf,
+    ListOrLists,
+    MeasuredNumber,
+    OneOrList,
+    Text,
+    Whole,
+)
 from tests import ROOT
 from tests.toml_writing import Path, text_of, written
 
@@ -129,6 +138,9 @@ cylinders = "assumed"
 firing_order = "assumed"
 firing_intervals = "assumed"
 stagger = "assumed"
+stations = "assumed"
+pins = "assumed"
+splay = "assumed"
 master = "assumed"
 link_angle = "assumed"
 link_radius = "assumed"
@@ -206,6 +218,23 @@ link_radius = 54
 rod = 186
 reciprocating_mass = 2
 rotating_mass = 0
+"""
+LISTS = """\
+[crank_train]
+pitch = 108
+[layout]
+banks = [45, -45]
+cylinders = [[1, 3, 5], [2, 4, 6]]
+firing_order = [1, 6, 5, 4, 3, 2]
+pins = [45, -75, "330/2"]
+splay = [0, 30]
+stations = [[0, -108, "-226.5"], [-20, -128, "-246.5"]]
+station_unit = "mm"
+"""
+DISTANCES = """\
+[layout]
+firing_order = [1, 3, 2]
+pitch = [1, "5/4"]
 """
 CRANK = """\
 [crank_train]
@@ -288,6 +317,8 @@ TRACE = 'pressure = "trace.csv"\nrod_mass = 1.6\nrod_centre = 60\nrod_inertia = 
 SOUND = {
     "sized": SIZED,
     "radial": RADIAL,
+    "lists": LISTS,
+    "distances": DISTANCES,
     "ideal": CRANK + IDEAL + STRENGTH,
     "trace": CRANK + TRACE + STRENGTH,
 }
@@ -390,6 +421,9 @@ def wrong_types(key: Key) -> list[Any]:
             return [3, True, day, ["x"]]
         case Choice():
             return ["zz", 3, True, day, [4]]
+        case ListOrLists():
+            inner = [[value] for value in wrong_types(Key("", key.kind.kind, "")) if value != [[1]]]
+            return [3, "x", True, {"inline": True, "a": 1}, [[]], [0, [1]], *inner, *([v] for v in inner)]
         case ListOf():
             inner = [[value] for value in wrong_types(Key("", key.kind.kind, ""))]
             return [3, "x", True, {"inline": True, "a": 1}, *(v for v in inner if v != [[1]])]
@@ -413,6 +447,9 @@ def out_of_range(kind: Any) -> list[Any]:
         case OneOrList():
             inner = out_of_range(kind.kind)
             return [*inner, *([value] for value in inner)]
+        case ListOrLists():
+            inner = [[value] for value in out_of_range(kind.kind)]
+            return [[], *inner, *([value] for value in inner)]
         case ListOf():
             short = [] if kind.least == 0 else [[]]
             return short + [[value] for value in out_of_range(kind.kind)]
@@ -509,6 +546,11 @@ TOGETHER = [
     ("sized", ("balance_shaft", 0, "station"), 1),
     ("sized", ("balance_shaft", 1, "share"), 1),
     ("sized", ("balance_shaft", 0, "weights"), [{"inline": True, "station": 1}]),
+    ("lists", ("layout", "pitch"), [108, 118.5]),
+    ("lists", ("layout", "firing_at"), "pins"),
+    ("lists", ("layout", "pin_step"), 1),
+    ("distances", ("layout", "splay"), [0]),
+    ("distances", ("layout", "stations"), [0, -1, -2]),
     ("radial", ("cylinder", 0, "link_angle"), 10),
     ("radial", ("cylinder", 0, "link_radius"), 10),
     ("ideal", ("running", "pressure"), "trace.csv"),
@@ -533,6 +575,8 @@ def test_keys_that_contradict_each_other_are_refused_by_both(
 
 ALONE = [
     ("sized", ("layout",)),
+    ("lists", ("layout", "pins")),
+    ("distances", ("layout", "firing_order")),
     ("sized", ("counterweight", 0, "throw")),
     ("sized", ("counterweight", 1, "unbalance")),
     ("sized", ("balance_shaft", 1, "unbalance")),
@@ -615,5 +659,5 @@ def test_defaults_are_those_of_the_builders() -> None:
     assert isinstance(layout, TableKeys)
     given: Callable[[Key], str] = lambda key: f"{key.name} = {text_of(key.default)}\n"  # noqa: E731
     defaults = "".join(given(key) for key in layout.keys if key.default is not None)
-    assert defaults.count("\n") == 3
+    assert defaults.count("\n") == 4
     assert parse_engine(text + defaults, "a.toml") == parse_engine(text, "a.toml")

@@ -68,7 +68,8 @@ def test_every_estimate_is_of_something_and_has_a_reason() -> None:
 
 def test_there_are_eighty_engines_and_more() -> None:
     assert len(LISTED) == len(preset_names()) >= 80
-    assert sum(preset.sizes == "looked up" for preset in LISTED) >= 33
+    assert sum(preset.sizes == "looked up" for preset in LISTED) >= 40
+    assert sum(preset.weights == "looked up" for preset in LISTED) >= 10
 
 
 @pytest.mark.parametrize(
@@ -83,6 +84,14 @@ def test_there_are_eighty_engines_and_more() -> None:
 )
 def test_how_well_sizes_are_known(sizes: str, estimates: str, word: str) -> None:
     assert preset_of(sizes, estimates).sizes == word
+
+
+def test_a_single_cylinder_needs_no_pitch() -> None:
+    sizes = {"bore": 80, "stroke": 80, "rod": 140}
+    single = {"description": "d", "source": "s", "crank_train": sizes, "layout": {"firing_order": [1]}}
+    assert preset_from("x", single).sizes == "looked up"
+    assert preset_from("x", {**single, "layout": {"firing_order": [1, 2]}}).sizes == "in part"
+    assert preset_from("x", {**single, "crank_train": {"bore": 80, "rod": 140}}).sizes == "in part"
 
 
 @pytest.mark.parametrize(
@@ -121,7 +130,7 @@ def test_with_masses_and_sizes(capsys: pytest.CaptureFixture[str]) -> None:
     assert {row["name"] for row in rows} == {
         name
         for name in preset_names()
-        if {"reciprocating_mass", *LENGTHS}
+        if {"reciprocating_mass", *LENGTHS} - ({"pitch"} if BY_NAME[name].cylinders == 1 else set())
         <= set(tomllib.loads(preset_text(name)).get("crank_train", {}))
     }
     bores = [row["bore_mm"] for row in rows]

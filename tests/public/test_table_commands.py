@@ -112,6 +112,21 @@ def test_overbalance_is_the_balance_of_the_engine_with_those_weights(capsys, nam
                 assert math.isclose(float(row[kind][side]), float(part.number.size()), abs_tol=1e-15)
 
 
+def test_overbalance_at_a_speed_is_the_balance_in_newtons(capsys):
+    sizes = ("--stroke", "80", "--mass", "0.5", "--pitch", "100")
+    table = data(capsys, "overbalance", "v2-60", "--percent", "0,35", "--rpm", "6000", *sizes)
+    for row in table["shares"]:
+        balance = sb.balance(sb.design.overbalanced(sb.load("v2-60"), row["share"]), 1)
+        at_speed = balance.at(rpm=6000, stroke=80, mass="0.5", pitch=100)
+        for of, key in (("force", "newtons"), ("couple", "newton_metres")):
+            for name in ("vertical", "lateral"):
+                values = at_speed.in_newtons(1, f"{of}.{name}")
+                size = math.hypot(*map(float, values))
+                assert math.isclose(float(row[key][name]), size, rel_tol=1e-12, abs_tol=1e-9)
+    text = printed(capsys, "overbalance", "v2-60", "--rpm", "6000", *sizes)
+    assert "Amplitudes of order 1 at 6000 rpm, forces in N, couples in N m" in text
+
+
 def test_overbalance_goes_from_0_to_100_per_cent(capsys):
     table = data(capsys, "overbalance", "inline-1")
     assert [row["share"] for row in table["shares"]][::5] == ["0", "1/2", "1"]

@@ -31,8 +31,8 @@ from symbalance.codegen.expression_ir import Kernel
 from symbalance.codegen.float32_cosines import LIMIT32, float32_kernel
 from symbalance.codegen.plans import Plan
 from symbalance.codegen.targets.header_text import paragraphs
-from symbalance.codegen.targets.numpy_module import WHOLE
-from symbalance.codegen.targets.syntax import Syntax, fold, points_per_period, unique
+from symbalance.codegen.targets.numpy_module import WHOLE, defaults_text
+from symbalance.codegen.targets.syntax import Syntax, fold, keyword_arguments, points_per_period, unique
 
 SYNTAX = Syntax(
     {
@@ -71,7 +71,7 @@ LIMIT_SINGLE = {limit_single!r}  # and in float32
 {constants}
 
 
-def evaluate(theta, *, mass=1.0, radius=1.0, omega=1.0, pitch=1.0, xp=None):
+def evaluate(theta, *, {arguments}, xp=None):
     """Return the outputs at crank angles `theta` (radians, any shape), in SI units.
 
     One array of theta's shape, type and device for one output, a dict of arrays by name for
@@ -157,7 +157,7 @@ def _outputs({basis}, xp):
 GRID = (
     '''
 
-def on_grid(points, turns=1, *, xp, dtype=None, mass=1.0, radius=1.0, omega=1.0, pitch=1.0):
+def on_grid(points, turns=1, *, xp, dtype=None, {arguments}):
     """Return the outputs at theta = 2 pi j/points, j = 0, 1, ... over so many whole turns.
 
     Only one period is computed, from angles that are exact; the rest repeats it. `xp` is the array
@@ -190,7 +190,7 @@ CHECKS_SINGLE = (
 # Keywords that tell each from every other, and what they make of a value of 1.
 KEYWORDS = {keywords!r}
 UNITS = ({units},)
-{grid_rows}
+{defaults}{grid_rows}
 
 def self_test(xp=None):
     """Compare with the true values, in float32 and, where `xp` (or NumPy) has it, float64."""
@@ -208,8 +208,8 @@ def self_test(xp=None):
 
 
 def _test(angles, checks, xp, times):
-    _compare("", evaluate(angles, xp=xp), checks, angles.dtype, 1.0)
-    actual = evaluate(angles, xp=xp, **KEYWORDS)
+    _compare("", evaluate(angles, xp=xp{ones}), checks, angles.dtype, 1.0)
+{at_speed}    actual = evaluate(angles, xp=xp, **KEYWORDS)
     _compare(" with keywords", actual, checks, angles.dtype, 2.0, UNITS)
 {grid}    infinite = xp.asarray([float("inf"), float("-inf"), float("nan")], dtype=angles.dtype)
     lost = evaluate(infinite, xp=xp)
@@ -234,13 +234,16 @@ if __name__ == "__main__":
     self_test()
     print("self-test passed:", len(CHECKS) + len(CHECKS_SINGLE), "angles,", ", ".join(OUTPUTS))
 '''
+AT_SPEED = """    actual = evaluate(angles, xp=xp)
+    _compare(" at speed", actual, checks, angles.dtype, 2.0, UNITS_AT_SPEED)
+"""
 GRID_ROWS = """
 # The same at theta = 2 pi j/{points}, two turns, for on_grid.
 GRID_CHECKS = (
 {rows}
 )
 """
-GRID_TEST = """    grid = on_grid({points}, 2, xp=xp, dtype=angles.dtype)
+GRID_TEST = """    grid = on_grid({points}, 2, xp=xp, dtype=angles.dtype{ones})
     _compare(" on the grid", grid, GRID_CHECKS, angles.dtype, times)
     grid = on_grid({points}, 2, xp=xp, dtype=angles.dtype, **KEYWORDS)
     _compare(" on the grid, with keywords", grid, GRID_CHECKS, angles.dtype, 2.0*times, UNITS)
@@ -266,6 +269,7 @@ def array_api_source(plan: Plan, engine: str, grid: bool) -> str:
     module = MODULE.format(
         imports="import math\nimport sys" if calls_gcd else "import sys",
         names=", ".join(repr(o.harmonic_sum.name) for o in plan.outputs),
+        arguments=keyword_arguments(plan),
         limit=FARTHEST_ANGLE,
         limit_single=LIMIT32,
         **_constants(double, single, more),
@@ -281,13 +285,18 @@ def array_api_source(plan: Plan, engine: str, grid: bool) -> str:
     angles = (*ANGLES, FAR_ANGLE, *chain.from_iterable(hard))
     rows = "\n".join(_row(check) for check in checks(plan, angles))
     points, grid_rows = grid_points(plan), "\n".join(map(_row, grid_checks(plan)))
+    at_speed = plan.defaults.at_speed
+    ones = ", **ONES" if at_speed else ""
     test = SELF_TEST.format(
+        defaults=defaults_text(plan) if at_speed else "",
+        at_speed=AT_SPEED if at_speed else "",
+        ones=ones,
         rows=rows,
         rows_single="\n".join(map(_row, _single_checks(plan))),
         keywords=KEYWORDS,
         units=", ".join(map(repr, unit_values(plan))),
         grid_rows=GRID_ROWS.format(points=points, rows=grid_rows) if grid else "",
-        grid=GRID_TEST.format(points=points) if grid else "",
+        grid=GRID_TEST.format(points=points, ones=ones) if grid else "",
     )
     return fold("\n".join([f'"""{first}', *rest, '"""']) + "\n" + module + test, "# ", bracketed=True)
 
@@ -320,7 +329,7 @@ def _body(kernel: Kernel) -> list[str]:
 def _grid(plan: Plan, basis: str) -> str:
     highest = int(plan.highest_step * plan.step.denominator**2)
     period, _ = points_per_period(plan, "//", "math.gcd")
-    text = GRID.format(period=period, basis=basis, highest=highest)
+    text = GRID.format(period=period, basis=basis, highest=highest, arguments=keyword_arguments(plan))
     kernel = plan.on_grid
     where = "theta = 2 pi index/points"
     if not kernel.lines:  # every output is zero

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from hashlib import sha256
+from textwrap import wrap
 
-from symbalance.codegen.checks import Check, checks, grid_checks, grid_points, unit_values
+from symbalance.codegen.checks import Check, checks, default_values, grid_checks, grid_points, unit_values
 from symbalance.codegen.cosines import LIMIT
 from symbalance.codegen.expression_ir import Statement
 from symbalance.codegen.plans import Plan
-from symbalance.codegen.targets.header_text import comment_text, identifier, paragraphs
+from symbalance.codegen.targets.header_text import WIDTH, comment_text, identifier, paragraphs
 from symbalance.codegen.targets.syntax import Syntax, fold, points_per_period, unique
 from symbalance.errors import SymbalanceError
 
@@ -33,7 +34,7 @@ volatile while class new delete this template namespace using try catch throw pu
 far outputs on_grid gcd near_double near_float any_double any_float main printf differs checks theta
 n points turns mass radius omega pitch fabs sqrt sin cos copysign isnan
 constants_are_doubles grid_checks units angles values singles rounded row prepare arrays_differ
-floats_differ grids_differ
+floats_differ grids_differ at_speed_differs
 """
 RESERVED = frozenset(WORDS.split())
 """Names the function must not bear: words of C and C++, and what the source itself uses."""
@@ -58,7 +59,7 @@ extern "C" {{
 
 /* The same for float arrays, computed in double and rounded once. */
 {prototype_float};
-{prototype_grid}
+{prototype_grid}{at_speed}
 #ifdef __cplusplus
 }}
 #endif
@@ -109,6 +110,36 @@ typedef char constants_are_doubles[sizeof 1.0 == sizeof(double) ? 1 : -1];
 {constants}
 
 {functions}
+"""
+AT_SPEED_PROTOTYPE = """
+/* {words} */
+#define {macro}_MASS {mass}
+#define {macro}_RADIUS {radius}
+#define {macro}_OMEGA {omega}
+#define {macro}_PITCH {pitch}
+
+/* Write n values of each output at n crank angles, with these. Arrays must not overlap. */
+{prototype};
+"""
+AT_SPEED = """
+{prototype} {{
+    {name}(n, theta, {macro}_MASS, {macro}_RADIUS, {macro}_OMEGA, {macro}_PITCH, {outs});
+}}
+"""
+AT_SPEED_CHECKS = """
+/* Compare with the values at the engine's own speed. */
+static int at_speed_differs(void) {{
+    static const double unit[{count}] = {{{units}}};
+    int failed = 0;
+    for (size_t i = 0; i < ANGLES; i++) {{
+        double actual[{count}];
+        {name}_at_speed(1, checks[i], {pointers});
+        failed |= differs(checks[i], actual, unit);
+    }}
+    return failed;
+}}
+"""
+AT_SPEED_TEST = """    failed |= at_speed_differs();
 """
 GRID_PROTOTYPE = """
 /* Write points * turns values of each output at theta = 2 pi j/points, j = 0, 1, ...: so many whole
@@ -257,7 +288,7 @@ static int floats_differ(void) {{
     }}
     return failed;
 }}
-{grid_checks}
+{grid_checks}{at_speed_checks}
 int main(void) {{
     int failed = 0;
     for (size_t i = 0; i < ANGLES; i++) {{
@@ -267,7 +298,7 @@ int main(void) {{
     }}
     failed |= arrays_differ();
     failed |= floats_differ();
-{grid}    const double lost[] = {{INFINITY, NAN}};
+{grid}{at_speed}    const double lost[] = {{INFINITY, NAN}};
     for (size_t i = 0; i < 2; i++) {{
         double actual[{count}];
         {name}(1, lost + i, 1.0, 1.0, 1.0, 1.0, {pointers});
@@ -329,10 +360,12 @@ def c_sources(plan: Plan, engine: str, stem: str, grid: bool) -> dict[str, str]:
         prototype_double=prototypes["double"],
         prototype_float=prototypes["float"],
         prototype_grid=GRID_PROTOTYPE.format(prototype=prototypes["grid"]) if grid else "",
+        at_speed=_at_speed_prototype(plan, name, outs) if plan.defaults.at_speed else "",
     )
     kernels = (plan.reduced_range, plan.full_range, plan.tail, *([plan.on_grid] if grid else []))
     functions = [_functions(plan, prototypes, outs)]
     functions += [_grid(plan, prototypes["grid"], outs)] if grid else []
+    functions += [_at_speed(name, outs)] if plan.defaults.at_speed else []
     source = SOURCE.format(
         title=next(paragraphs(plan, engine)).split(";")[0],
         stem=stem,
@@ -356,13 +389,29 @@ def _marked(texts: dict[str, str]) -> dict[str, str]:
 
 
 def _prototype(name: str, kind: str, outs: list[str]) -> str:
-    """Return a function's head; `kind` is "double", "float" or "grid"."""
-    suffix = {"double": "", "float": "_float", "grid": "_on_grid"}[kind]
+    """Return a function's head; `kind` is "double", "float", "grid" or, without keywords, "speed"."""
+    suffix = {"double": "", "float": "_float", "grid": "_on_grid", "speed": "_at_speed"}[kind]
     number = "float" if kind == "float" else "double"
     first = "size_t points, size_t turns" if kind == "grid" else f"size_t n, const {number} *theta"
     pointers = ", ".join(f"{number} *{out}" for out in outs)
     keywords = "double mass, double radius, double omega, double pitch"
+    if kind == "speed":
+        return fold(f"void {name}{suffix}({first},\n    {pointers})", "/* ")
     return fold(f"void {name}{suffix}({first},\n    {keywords},\n    {pointers})", "/* ")
+
+
+def _at_speed_prototype(plan: Plan, name: str, outs: list[str]) -> str:
+    """Return the sizes and the speed of an engine as macros, and the function that takes them."""
+    numbers = {each: repr(value) for each, value in plan.defaults.values.items()}
+    prototype = _prototype(name, "speed", outs)
+    words = "\n * ".join(wrap(f"The engine at {plan.defaults.words()}.", WIDTH))
+    return AT_SPEED_PROTOTYPE.format(words=words, macro=name.upper(), prototype=prototype, **numbers)
+
+
+def _at_speed(name: str, outs: list[str]) -> str:
+    """Return the function of an engine's own sizes and speed."""
+    prototype = _prototype(name, "speed", outs)
+    return AT_SPEED.format(prototype=prototype, name=name, macro=name.upper(), outs=", ".join(outs))
 
 
 def _functions(plan: Plan, prototypes: dict[str, str], outs: list[str]) -> str:
@@ -479,13 +528,19 @@ def _self_test(plan: Plan, name: str, grid: bool) -> str:
     shared = {"name": name, "count": count, "columns": 1 + 2 * count, "points": grid_points(plan)}
     values = ", ".join(f"values[{i}]" for i in range(count))
     grid_test = GRID_CHECKS.format(rows=grid_rows, values=values, **shared)
+    pointers = ", ".join(f"actual + {i}" for i in range(count))
+    at_speed = AT_SPEED_CHECKS.format(
+        units=", ".join(map(repr, default_values(plan))), pointers=pointers, name=name, count=count
+    )
     return SELF_TEST.format(
         macro=name.upper(),
         rows=rows,
         units=", ".join(map(repr, unit_values(plan))),
         values=values,
         rounded=", ".join(f"rounded[{i}]" for i in range(count)),
-        pointers=", ".join(f"actual + {i}" for i in range(count)),
+        pointers=pointers,
+        at_speed_checks=at_speed if plan.defaults.at_speed else "",
+        at_speed=AT_SPEED_TEST if plan.defaults.at_speed else "",
         grid_checks=grid_test if grid else "",
         grid=GRID_TEST if grid else "",
         **shared,

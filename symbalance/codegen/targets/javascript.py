@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from symbalance.codegen.checks import Check, checks, grid_checks, grid_points, unit_values
+from symbalance.codegen.checks import Check, checks, default_values, grid_checks, grid_points, unit_values
 from symbalance.codegen.cosines import LIMIT
 from symbalance.codegen.expression_ir import Statement
 from symbalance.codegen.plans import Plan
 from symbalance.codegen.targets.header_text import paragraphs
-from symbalance.codegen.targets.syntax import Syntax, fold, points_per_period, unique
+from symbalance.codegen.targets.syntax import Syntax, default_numbers, fold, points_per_period, unique
 
 SYNTAX = Syntax(
     {
@@ -62,12 +62,12 @@ export function evaluate(theta, engine = {{}}) {{
   return given(single ? results.map((values) => values[0]) : results);
 }}
 {grid}
-/** Return the keywords, 1 where not given; what is none of them is refused. */
+/** Return the keywords, {defaults_are} where not given; what is none of them is refused. */
 function keywords(engine) {{
   if (engine === null || typeof engine !== "object") {{
     throw new TypeError(`engine = ${{engine}}: must be an object, such as {{ mass: 0.5 }}`);
   }}
-  const {{ mass = 1, radius = 1, omega = 1, pitch = 1, ...unknown }} = engine;
+  const {{ {arguments}, ...unknown }} = engine;
   for (const name of Object.keys(unknown)) {{
     throw new TypeError(`${{name}}: unknown; the keywords are mass, radius, omega and pitch`);
   }}
@@ -101,11 +101,11 @@ const CHECKS = [
 // Keywords that tell each from every other, and what they make of a value of 1.
 const KEYWORDS = {{ mass: 2, radius: 3, omega: 5, pitch: 7 }};
 const UNITS = [{units}];
-{grid_rows}
+{defaults}{grid_rows}
 /** Compare with the true values, singly and as an array; throw an Error past a bound. */
 export function selfTest() {{
   const values = (actual) => OUTPUTS.map((name) => (OUTPUTS.length === 1 ? actual : actual[name]));
-  const together = values(evaluate(CHECKS.map(([theta]) => theta)));
+  const together = values(evaluate(CHECKS.map(([theta]) => theta){ones}));
   const compare = ([theta, expected, allowed], actual, where, units) => OUTPUTS.forEach((name, j) => {{
     const unit = units ? units[j] : 1, off = units ? 2*unit*allowed[j] : allowed[j];
     if (!(Math.abs(actual[j] - unit*expected[j]) <= off)) {{
@@ -114,10 +114,11 @@ export function selfTest() {{
   }});
   const column = (actual, i) => actual.map((values) => values[i]);
   const singles = Float32Array.from(CHECKS, ([theta]) => theta);
-  const rounded = values(evaluate(singles)), doubled = values(evaluate(Float64Array.from(singles)));
+  const rounded = values(evaluate(singles{ones}));
+  const doubled = values(evaluate(Float64Array.from(singles){ones}));
   CHECKS.forEach((check, i) => {{
-    compare(check, values(evaluate(check[0])), "");
-    compare(check, column(together, i), "");
+    compare(check, values(evaluate(check[0]{ones})), "");
+{at_speed}    compare(check, column(together, i), "");
     compare(check, values(evaluate(check[0], KEYWORDS)), " with keywords", UNITS);
     OUTPUTS.forEach((name, j) => {{  // float32 values are rounded once
       const one = rounded[j][i], other = doubled[j][i];
@@ -175,13 +176,15 @@ export function onGrid(points, turns = 1, engine = {{}}) {{
   return given(results);
 }}
 {gcd}"""
+AT_SPEED = """    compare(check, values(evaluate(check[0])), " at speed", UNITS_AT_SPEED);
+"""
 GRID_ROWS = """
 // The same at theta = 2 pi j/{points}, two turns, for onGrid.
 const GRID_CHECKS = [
 {rows}
 ];
 """
-GRID_TEST = """  const grid = values(onGrid({points}, 2));
+GRID_TEST = """  const grid = values(onGrid({points}, 2{grid_ones}));
   GRID_CHECKS.forEach((check, i) => compare(check, column(grid, i), " on the grid"));
   const other = values(onGrid({points}, 2, KEYWORDS));
   GRID_CHECKS.forEach((check, i) => compare(check, column(other, i), " on the grid", UNITS));
@@ -214,9 +217,14 @@ def javascript_source(plan: Plan, engine: str, grid: bool) -> str:
     on_grid = "\n".join(SYNTAX.lines(plan.on_grid.lines, "    "))
     on_grid = on_grid or "    const theta = 0;  // every output is zero"
     fill_grid = FILL_GRID.format(outs=outs, scales=scales, lines=on_grid, outputs=_outputs(plan, "index"))
-    points = grid_points(plan)
+    points, at_speed = grid_points(plan), plan.defaults.at_speed
     text = MODULE.format(
         head="\n * ".join([first, *rest]).replace(" * \n", " *\n"),
+        defaults_are="the engine's" if at_speed else "1",
+        arguments=", ".join(f"{name} = {value}" for name, value in default_numbers(plan).items()),
+        defaults=_defaults(plan) if at_speed else "",
+        at_speed=AT_SPEED if at_speed else "",
+        ones=", ONES" if at_speed else "",
         names=", ".join(f'"{o.harmonic_sum.name}"' for o in plan.outputs),
         limit=int(LIMIT),
         constants="\n".join(SYNTAX.constants(unique(k.constants for k in kernels))),
@@ -229,9 +237,16 @@ def javascript_source(plan: Plan, engine: str, grid: bool) -> str:
         rows=_rows(checks(plan)),
         units=", ".join(map(repr, unit_values(plan))),
         grid_rows=GRID_ROWS.format(points=points, rows=_rows(grid_checks(plan))) if grid else "",
-        grid_test=GRID_TEST.format(points=points) if grid else "",
+        grid_test=GRID_TEST.format(points=points, grid_ones=", ONES" if at_speed else "") if grid else "",
     )
     return fold(text, "// ")
+
+
+def _defaults(plan: Plan) -> str:
+    """Return the keywords that make units of the defaults, and what the defaults make of a value of 1."""
+    units = ", ".join(map(repr, default_values(plan)))
+    ones = "{ mass: 1, radius: 1, omega: 1, pitch: 1 }"
+    return f"// Where none is given.\nconst ONES = {ones}, UNITS_AT_SPEED = [{units}];\n"
 
 
 def _rows(rows: Iterable[Check]) -> str:

@@ -16,7 +16,7 @@ from symbalance.codegen.targets.numpy_module import (
     return_statement,
     self_test_text,
 )
-from symbalance.codegen.targets.syntax import Syntax
+from symbalance.codegen.targets.syntax import Syntax, keyword_arguments
 
 NUMBA = Syntax(
     {
@@ -94,7 +94,7 @@ NUMBA_CALL = '''
 BLOCK = 4096  # angles at a time: one far angle sends its block the slow way, not all
 
 
-def evaluate(theta, *, mass=1.0, radius=1.0, omega=1.0, pitch=1.0, out=None):
+def evaluate(theta, *, {arguments}, out=None):
 {call_doc}
     theta = _crank_angles(theta)
     mass, radius, omega, pitch = _numbers(mass=mass, radius=radius, omega=omega, pitch=pitch)
@@ -163,6 +163,7 @@ def numba_source(plan: Plan, engine: str, grid: bool) -> str:
     at = "np.float64(theta[i])"
     values = ", ".join(f"float({o.harmonic_sum.unit.formula})" for o in plan.outputs)
     body = NUMBA_CALL.format(
+        arguments=keyword_arguments(plan),
         call_doc=CALL_DOC.format(note=NOTE),
         scales=values,
         flattened=", ".join(f"np.asarray(results[{i}]).reshape(-1)" for i in count),

@@ -7,12 +7,20 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from symbalance.codegen.checks import KEYWORDS, Check, checks, grid_checks, grid_points, unit_values
+from symbalance.codegen.checks import (
+    KEYWORDS,
+    Check,
+    checks,
+    default_values,
+    grid_checks,
+    grid_points,
+    unit_values,
+)
 from symbalance.codegen.cosines import LIMIT
 from symbalance.codegen.expression_ir import Statement
 from symbalance.codegen.plans import Plan
 from symbalance.codegen.targets.header_text import paragraphs
-from symbalance.codegen.targets.syntax import Syntax, fold, points_per_period, unique
+from symbalance.codegen.targets.syntax import Syntax, fold, keyword_arguments, points_per_period, unique
 
 NUMPY = Syntax(
     {
@@ -44,7 +52,7 @@ def _whole(name, value):
 GRID = (
     '''
 
-def on_grid(points, turns=1, *, mass=1.0, radius=1.0, omega=1.0, pitch=1.0):
+def on_grid(points, turns=1, *, {arguments}):
     """Return the outputs at theta = 2 pi j/points, j = 0, 1, ... over so many whole turns.
 
     Only one period is computed, from angles that are exact; the rest repeats it.
@@ -151,7 +159,7 @@ CHECKS = (
 # Keywords that tell each from every other, and what they make of a value of 1.
 KEYWORDS = {keywords!r}
 UNITS = ({units},)
-{grid_rows}
+{defaults}{grid_rows}
 
 def self_test():
     """Compare with the true values: single angles, arrays of several blocks, float32, keywords.
@@ -160,14 +168,14 @@ def self_test():
     """
     theta = np.array([check[0] for check in CHECKS])
     for i in range(len(CHECKS)):
-        _compare("alone", evaluate(CHECKS[i][0]), CHECKS, [i])
-    _compare("together", evaluate(theta), CHECKS, range(len(CHECKS)))
-    _compare("with keywords", evaluate(theta, **KEYWORDS), CHECKS, range(len(CHECKS)), UNITS)
+        _compare("alone", evaluate(CHECKS[i][0]{ones}), CHECKS, [i])
+    _compare("together", evaluate(theta{ones}), CHECKS, range(len(CHECKS)))
+{at_speed}    _compare("with keywords", evaluate(theta, **KEYWORDS), CHECKS, range(len(CHECKS)), UNITS)
     near = np.flatnonzero(np.abs(theta) <= LIMIT)
     row = np.resize(near, 3*BLOCK + 1)
     row[BLOCK:2*BLOCK] = np.resize(np.arange(len(CHECKS)), BLOCK)  # this block has far angles too
     empty = [np.full(row.size, np.nan) for _ in OUTPUTS]
-    _compare("in blocks", evaluate(theta[row], out=_given(empty)), CHECKS, row)
+    _compare("in blocks", evaluate(theta[row], out=_given(empty){ones}), CHECKS, row)
     _compare_single(theta)
     lost = evaluate(np.array([np.inf, -np.inf, np.nan]))
     for values in [lost] if len(OUTPUTS) == 1 else lost.values():
@@ -191,7 +199,7 @@ def _compare(where, actual, checks, rows, units=(1.0,)*len(OUTPUTS)):
 def _compare_single(theta):
     """Compare values at float32 angles, which are rounded once, with those at the same doubles."""
     single = theta.astype(np.float32)
-    values, true = evaluate(single), evaluate(single.astype(np.float64))
+    values, true = evaluate(single{ones}), evaluate(single.astype(np.float64){ones})
     for j, name in enumerate(OUTPUTS):
         one, other = (values, true) if len(OUTPUTS) == 1 else (values[name], true[name])
         allowed = 2.0**-23*np.abs(other) + np.array([check[2][j] for check in CHECKS])
@@ -203,6 +211,8 @@ if __name__ == "__main__":
     self_test()
     print("self-test passed:", len(CHECKS), "angles,", ", ".join(OUTPUTS))
 '''
+AT_SPEED = """    _compare("at speed", evaluate(theta), CHECKS, range(len(CHECKS)), UNITS_AT_SPEED)
+"""
 GRID_ROWS = """
 # The same at theta = 2 pi j/{points}, two turns, for on_grid.
 GRID_CHECKS = (
@@ -211,7 +221,7 @@ GRID_CHECKS = (
 """
 FINER = 4099
 """A prime above every order: a grid so many times finer has a period of more than a block."""
-GRID_TEST = """    _compare("on the grid", on_grid({points}, 2), GRID_CHECKS, range({twice}))
+GRID_TEST = """    _compare("on the grid", on_grid({points}, 2{ones}), GRID_CHECKS, range({twice}))
     finer = on_grid({points}*{finer}, **KEYWORDS)
     every = [(finer if len(OUTPUTS) == 1 else finer[name])[::{finer}] for name in OUTPUTS]
     _compare("on a fine grid", _given(every), GRID_CHECKS, range({points}), UNITS)
@@ -278,7 +288,8 @@ def grid_function(syntax: Syntax, plan: Plan, decorator: str = "") -> list[str]:
 
 def grid_call(plan: Plan, fill: str) -> str:
     """Return `on_grid`; `fill` computes one period, `size` values of each of `results`."""
-    return GRID.format(period=points_per_period(plan, "//", "math.gcd")[0], fill=fill)
+    period = points_per_period(plan, "//", "math.gcd")[0]
+    return GRID.format(period=period, fill=fill, arguments=keyword_arguments(plan))
 
 
 def return_statement(formulas: list[str]) -> list[str]:
@@ -292,14 +303,26 @@ def self_test_text(plan: Plan, grid: bool) -> str:
     """Return the checks and the function that makes them; `grid` where there is `on_grid` to check."""
     points = grid_points(plan)
     grid_rows = GRID_ROWS.format(points=points, rows=_rows(grid_checks(plan))) if grid else ""
-    test = GRID_TEST.format(points=points, twice=2 * points, finer=FINER)
+    at_speed = plan.defaults.at_speed
+    ones = ", **ONES" if at_speed else ""
+    test = GRID_TEST.format(points=points, twice=2 * points, finer=FINER, ones=ones)
     return SELF_TEST.format(
         rows=_rows(checks(plan)),
         keywords=KEYWORDS,
         units=", ".join(map(repr, unit_values(plan))),
         grid_rows=grid_rows,
         grid=test if grid else "",
+        defaults=defaults_text(plan) if at_speed else "",
+        at_speed=AT_SPEED if at_speed else "",
+        ones=ones,
     )
+
+
+def defaults_text(plan: Plan) -> str:
+    """Return the keywords that make units of the defaults, and what the defaults make of a value of 1."""
+    units = ", ".join(map(repr, default_values(plan)))
+    ones = dict.fromkeys(KEYWORDS, 1.0)
+    return f"# Where none is given.\nONES, UNITS_AT_SPEED = {ones!r}, ({units},)\n"
 
 
 def _rows(rows: Iterable[Check]) -> str:
@@ -316,7 +339,7 @@ NUMPY_CALL = '''
 BLOCK = 16000  # angles at a time: intermediate values of 128 kB stay in cache, on pages in use
 
 
-def evaluate(theta, *, mass=1.0, radius=1.0, omega=1.0, pitch=1.0, out=None):
+def evaluate(theta, *, {arguments}, out=None):
 {call_doc}
     theta = _crank_angles(theta)
     mass, radius, omega, pitch = _numbers(mass=mass, radius=radius, omega=omega, pitch=pitch)
@@ -363,6 +386,7 @@ def numpy_source(plan: Plan, engine: str, grid: bool) -> str:
     scales = ", ".join(o.harmonic_sum.unit.formula for o in plan.outputs) + ","
     fill = GRID_FILL.format(scales=scales, basis=basis_call("_on_grid", plan, "index, points", "index"))
     body = NUMPY_CALL.format(
+        arguments=keyword_arguments(plan),
         call_doc=CALL_DOC.format(note=""),
         scales=scales,
         near=basis_call("_near", plan),

@@ -4,12 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from symbalance.codegen.checks import KEYWORDS, Check, checks, grid_checks, grid_points, unit_values
+from symbalance.codegen.checks import (
+    KEYWORDS,
+    Check,
+    checks,
+    default_values,
+    grid_checks,
+    grid_points,
+    unit_values,
+)
 from symbalance.codegen.cosines import LIMIT
 from symbalance.codegen.expression_ir import NAME, Kernel, Statement
 from symbalance.codegen.plans import Plan
 from symbalance.codegen.targets.header_text import identifier, paragraphs
-from symbalance.codegen.targets.syntax import Syntax, fold, points_per_period, unique
+from symbalance.codegen.targets.syntax import Syntax, default_numbers, fold, points_per_period, unique
 from symbalance.errors import SymbalanceError
 
 SYNTAX = Syntax(
@@ -40,7 +48,7 @@ MODULE = """function result = {name}(theta, varargin)
 %
 % values = {name}(theta)
 % values = {name}(theta, mass, radius, omega, pitch)
-%     theta: crank angles, an array of any shape. Trailing arguments may be left out: each is 1
+%     theta: crank angles, an array of any shape. Trailing arguments may be left out: each is {default}
 %     then. {returned} single angles give single values.
 {grid_help}% {name}('self-test')
 %     compares with the true values, and is an error where one is past its bound.
@@ -57,10 +65,10 @@ MODULE = """function result = {name}(theta, varargin)
 end
 
 function result = evaluate(theta, mass, radius, omega, pitch)
-    if nargin < 2, mass = 1; end
-    if nargin < 3, radius = 1; end
-    if nargin < 4, omega = 1; end
-    if nargin < 5, pitch = 1; end
+    if nargin < 2, mass = {mass}; end
+    if nargin < 3, radius = {radius}; end
+    if nargin < 4, omega = {omega}; end
+    if nargin < 5, pitch = {pitch}; end
     if ~(isnumeric(theta) || islogical(theta)) || ~isreal(theta)
         error('theta must be real crank angles, in radians');
     end
@@ -102,7 +110,7 @@ function self_test()
     units = [{units}];
     together = {check_all};
     other = {check_other};
-    angles = single(checks(:, 1));
+{at_speed}    angles = single(checks(:, 1));
     rounded = {check_single};
     doubled = {check_doubled};
     for i = 1:size(checks, 1)
@@ -141,6 +149,18 @@ GRID_CALL = """
             result = on_grid(varargin{:});
             return
         end"""
+AT_SPEED = """% The same where none of the four is given.
+    at_speed = {values};
+    units_at_speed = [{units}];
+    for i = 1:size(checks, 1)
+        for j = 1:{count}
+            unit = units_at_speed(j);
+            if ~(abs(at_speed(i, j) - unit*checks(i, 1 + j)) <= 2*unit*checks(i, 1 + {count} + j))
+                error('output %d at speed at %.17g: %.17g', j, checks(i, 1), at_speed(i, j));
+            end
+        end
+    end
+"""
 GRID_TEST = """% The same at theta = 2 pi j/{points}, two turns.
     checks = [
 {rows}
@@ -163,10 +183,10 @@ GRID_TEST = """% The same at theta = 2 pi j/{points}, two turns.
 GRID = """
 function result = on_grid(points, turns, mass, radius, omega, pitch)
     if nargin < 2, turns = 1; end
-    if nargin < 3, mass = 1; end
-    if nargin < 4, radius = 1; end
-    if nargin < 5, omega = 1; end
-    if nargin < 6, pitch = 1; end
+    if nargin < 3, mass = {mass}; end
+    if nargin < 4, radius = {radius}; end
+    if nargin < 5, omega = {omega}; end
+    if nargin < 6, pitch = {pitch}; end
     [points, turns] = numbers(points, turns);
     if ~(points >= 1 && turns >= 1 && points == round(points) && turns == round(turns))
         error('points and turns must be whole numbers, at least 1');
@@ -197,6 +217,8 @@ def octave_source(plan: Plan, engine: str, name: str, grid: bool) -> str:
         upper=name.upper(),
         head=first,
         about="\n% ".join(rest[1:]).replace("% \n", "%\n"),
+        default="the\n%     engine's at its speed" if plan.defaults.at_speed else "1",
+        **default_numbers(plan),
         returned="The values have its shape;" if one else "A struct of arrays of its shape, by output;",
         grid_help=GRID_HELP.format(name=name) if grid else "",
         grid_call=GRID_CALL if grid else "",
@@ -278,6 +300,7 @@ def _function(name: str, kernel: Kernel, basis: tuple[str, ...], where: str) -> 
 def _grid(plan: Plan, outs: Sequence[str]) -> str:
     lines = SYNTAX.lines(plan.on_grid.lines, "    ") or ["    theta = index;"]
     return GRID.format(
+        **default_numbers(plan),
         period=points_per_period(plan)[0],
         constants="\n".join(SYNTAX.constants(plan.on_grid.constants, "    ")),
         lines="\n".join(lines),
@@ -307,21 +330,25 @@ def _checked(plan: Plan, outs: Sequence[str], grid: bool) -> dict[str, str]:
 
     points, count = grid_points(plan), str(len(outs))
     keywords = ", ".join(f"{value:g}" for value in KEYWORDS.values())
+    ones = ", 1, 1, 1, 1" if plan.defaults.at_speed else ""
+    units = ", ".join(map(repr, default_values(plan)))
+    at_speed = AT_SPEED.format(units=units, values=values("evaluate(checks(:, 1))"), count=count)
     on_grid = {
         "points": points,
         "rows": rows(grid_checks(plan)),
         "count": count,
-        "values": values(f"on_grid({points}, 2)"),
+        "values": values(f"on_grid({points}, 2{ones})"),
         "others": values(f"on_grid({points}, 2, {keywords})"),
     }
     return {
+        "at_speed": at_speed if ones else "",
         "rows": rows(checks(plan)),
         "count": count,
-        "check_all": values("evaluate(checks(:, 1))"),
-        "check_one": values("evaluate(checks(i, 1))"),
+        "check_all": values(f"evaluate(checks(:, 1){ones})"),
+        "check_one": values(f"evaluate(checks(i, 1){ones})"),
         "check_other": values(f"evaluate(checks(:, 1), {keywords})"),
-        "check_single": values("evaluate(angles)"),
-        "check_doubled": values("evaluate(double(angles))"),
+        "check_single": values(f"evaluate(angles{ones})"),
+        "check_doubled": values(f"evaluate(double(angles){ones})"),
         "units": ", ".join(map(repr, unit_values(plan))),
         "check_grid": GRID_TEST.format(**on_grid) if grid else "",
         "check_lost": values("evaluate([inf; -inf; nan])"),

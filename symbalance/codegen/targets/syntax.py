@@ -73,6 +73,16 @@ class Syntax:
         return f"{text}  {self.comment.format(note)}" if note else text
 
 
+def keyword_arguments(plan: Plan) -> str:
+    """Return mass, radius, omega and pitch with their defaults, as Python has keyword arguments."""
+    return ", ".join(f"{name}={value!r}" for name, value in plan.defaults.values.items())
+
+
+def default_numbers(plan: Plan) -> dict[str, str]:
+    """Return the defaults of the keywords in a language whose whole numbers have no point."""
+    return {name: repr(value).removesuffix(".0") for name, value in plan.defaults.values.items()}
+
+
 def _split_at_close(text: str) -> tuple[str, str]:
     depth = 1
     for i, character in enumerate(text):

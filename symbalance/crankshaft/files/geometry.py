@@ -238,5 +238,5 @@ def _check_pitch(section: Section, crank: Crank, engine: Engine, groups: Sequenc
         if not same_bay and abs((m1 - m0) - (p1 - p0)) > PITCH_TOLERANCE * float(pitch):
             what = f"pins {i} and {i + 1} lie {m1 - m0:.6g} mm apart"
             rule = f"must lie {p1 - p0:.6g} mm apart, as their cylinders do"
-            remedy = "journal + 2 webs + pin is the pitch: correct a length, or [crank_train] pitch"
+            remedy = "half pins, webs and journal between them: correct a length, or pitch or stations"
             raise SymbalanceError(what, rule, remedy, section.place())

@@ -20,6 +20,7 @@ from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.spectrum import Component
 from symbalance.forces.balance_data import VALUE_DIGITS, balance_data, component_values
 from symbalance.text.numbers import decimal_text
+from symbalance.text.reals import atan2, pi
 
 
 def design_data(design: Design) -> dict[str, Any]:
@@ -75,11 +76,20 @@ def _device(design: Design, device: Device) -> dict[str, Any]:
                 "station": str(station),
                 "share": vector_data(share),
                 "unbalance": _unbalance(design, device, share),
+                "direction": _degrees(design.direction(device, share)),
                 **_segment(design, device, share),
             }
             for station, share in device.weights
         ],
     }
+
+
+def _degrees(pointing: Amplitude) -> str | None:
+    """Return where a weight points, in degrees from straight up to the right; None with symbols."""
+    if pointing.has_symbols:
+        return None
+    near = pointing.evaluated()
+    return decimal_text(atan2(near.imag, near.real) * 180 / pi(), VALUE_DIGITS)
 
 
 def _ring(ring: SegmentRing) -> dict[str, str]:
@@ -114,15 +124,20 @@ def design_records(design: Design) -> list[dict[str, Any]]:
     """Return a row for each weight that is built in.
 
     Keys: speed (times the crank's), on (crank or shaft), station (pitches), share and direction_deg
-    (floats, None with symbols in them), exact_up and exact_right (the share's parts), unbalance_kg_mm
-    (None where sizes do not say). A counterweight on a throw has throw and overbalance instead: it
-    balances the throw's rotating mass and that part of its reciprocating mass.
+    (floats, None with symbols in them; the share is below 0 where its A_n is, and the weight points in
+    the direction), exact_up and exact_right (the share's parts), unbalance_kg_mm (None where sizes do not
+    say); with a ring to cut from, segment_deg and segment_kg. A counterweight on a throw has throw and
+    overbalance instead: it balances the throw's rotating mass and that part of its reciprocating mass.
     """
-    none = dict.fromkeys(design.record_keys)
+    cut = ("segment_deg", "segment_kg") if design.ring else ()
+    none = dict.fromkeys((*design.record_keys, *cut))
     rows = []
     for weight in design_weights(design):
         part = Component(weight.vector)
-        share, degrees = polar(weight.vector)
+        share, degrees = polar(weight.pointing)
+        signed = -share if share is not None and weight.is_opposite else share
+        segment = weight.segment
+        sizes = () if segment is None else (float(segment.angle), float(segment.mass))
         exact = {"exact_up": part.form("cos").spelling, "exact_right": part.form("sin").spelling}
         size = None if weight.unbalance is None else float(weight.unbalance)
         place = {
@@ -131,7 +146,8 @@ def design_records(design: Design) -> list[dict[str, Any]]:
             "station": float(weight.station),
         }
         rows.append(
-            {**none, **place, "share": share, "direction_deg": degrees, **exact, "unbalance_kg_mm": size}
+            {**none, **place, "share": signed, "direction_deg": degrees, **exact, "unbalance_kg_mm": size}
+            | dict(zip(cut, sizes, strict=True))
         )
     for counterweight in throw_counterweights(design):
         overbalance = float(counterweight.overbalance or 0)

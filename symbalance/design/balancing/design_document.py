@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from symbalance.design.balancing.design_facts import (
     PlacedWeight,
     achievement,
@@ -44,10 +46,8 @@ VERDICTS = {
 }
 _A_N = Subscript(Name("A"), Name("n"))
 _U, _S, _N, _M, _R = Name("U"), Name("s"), Name("n"), Name("m"), Name("r")
+_PLACES = (Column("speed"), Column("on the"))
 _PROPOSED = (
-    Column("speed"),
-    Column("on the"),
-    Column("station"),
     Column(("share ", _S), "share"),
     Column(("at ", Name("theta"), " = 0")),
     Column((_U, ", kg mm"), "U"),
@@ -90,7 +90,7 @@ def _answer(design: Design) -> Document:
     legend = tuple(_proposal_legend(design))
     return Document(
         f"{design.engine.name}: {achievement(design)}",
-        blocks(_proposal(design), left, Facts(legend) if legend else None),
+        blocks(_proposal(design), left, turn_blocks(design.remains), Facts(legend) if legend else None),
         lead=_lead(design),
     )
 
@@ -112,18 +112,14 @@ def _size(design: Design) -> Formula:
 
 
 def _proposal(design: Design) -> tuple[Block, ...]:
-    segments = [tuple(Decimal(five_digits(x)) for x in (cut.angle, cut.mass)) for cut in design.segments]
-    weights = design_weights(design)
-    rows = tuple(
-        (*_row(weight), *cells)
-        for weight, cells in zip(weights, segments or [()] * len(weights), strict=True)
-    )
+    rows = tuple(_row(weight, design.engine.pitch) for weight in design_weights(design))
     title: Words = (
         "Proposed weights: mass times radius ",
         equal(_U, _size(design)),
     )
-    cut = (Column("segment, °", "segment"), Column("kg")) if design.ring else ()
-    table = Table(title, (*_PROPOSED, *cut), rows, keys=3) if rows else None
+    cut = (Column("cut, °", "segment"), Column("kg")) if design.ring else ()
+    station = Column("station" if design.engine.pitch is None else "station, mm", "station")
+    table = Table(title, (*_PLACES, station, *_PROPOSED, *cut), rows, keys=3) if rows else None
     counterweights = throw_counterweights(design)
     if not counterweights:
         return blocks(table)
@@ -133,14 +129,16 @@ def _proposal(design: Design) -> tuple[Block, ...]:
     return blocks(table, Paragraph(f"{begin} a counterweight for its rotating mass{also}."))
 
 
-def _row(weight: PlacedWeight) -> tuple[Cell, ...]:
+def _row(weight: PlacedWeight, pitch: Fraction | None) -> tuple[Cell, ...]:
+    cut, station = weight.segment, weight.station
     return (
         Decimal(f"{weight.device.speed:+d}"),
         device_name(weight.device),
-        station_cell(weight.station),
-        size_cell(weight.vector),
-        direction(weight.vector),
+        station_cell(station) if pitch is None else Decimal(f"{float(station * pitch):.8g}"),
+        size_cell(weight.vector, below_zero=weight.is_opposite),
+        direction(weight.pointing),
         "" if weight.unbalance is None else Decimal(five_digits(weight.unbalance)),
+        *(() if cut is None else (Decimal(five_digits(x)) for x in (cut.angle, cut.mass))),
     )
 
 
@@ -172,7 +170,7 @@ def _proposal_legend(design: Design) -> list[tuple[Words, Words]]:
         entries.append((_A_N, ("coefficient of one cylinder at speed ", _N, "; ", first)))
     entries += [
         (("speed ", _N), "times that of the crank; below 0 against it"),
-        ("station", "place along the crank, in cylinder pitches, + to the front"),
+        ("station", f"place along the crank {_places(design.engine.pitch)}, + to the front"),
         (("at ", Name("theta"), " = 0"), "where a weight points, from straight up, + to the right"),
     ]
     if design.ring:
@@ -180,10 +178,15 @@ def _proposal_legend(design: Design) -> list[tuple[Words, Words]]:
         radii, thick = f"{short_text(ring.inner)} to {short_text(ring.outer)}", short_text(ring.thickness)
         steel = f"{short_text(ring.density)} kg/m³"
         cut = f"its whole angle, cut from a ring of {radii} mm, {thick} mm thick, {steel}"
-        entries.append(("segment", f"{cut}; its middle where the weight points"))
-    if any(w.unbalance is not None and w.unbalance < 0 for w in design_weights(design)):
-        entries.append((_U, "below 0, as its Aₙ is: the weight points the other way"))
+        entries.append(("cut", f"{cut}; its middle where the weight points"))
+    if any(w.is_opposite for w in design_weights(design)):
+        entries.append((_S, "below 0 where its Aₙ is; U never is, and points as said"))
     return entries
+
+
+def _places(pitch: Fraction | None) -> str:
+    """Return in what stations are."""
+    return "in cylinder pitches" if pitch is None else "in mm, counted as the cylinders' are"
 
 
 def _limits(design: Design) -> list[str]:

@@ -8,6 +8,7 @@ from fractions import Fraction
 from symbalance.design.balancing.designs import Claim, Design
 from symbalance.design.balancing.devices import Device
 from symbalance.design.balancing.ellipses import Ellipse, ellipse
+from symbalance.design.balancing.web_segments import Segment
 from symbalance.engine.balance_masses import Counterweight
 from symbalance.exact.amplitude import Amplitude
 from symbalance.text.reals import Real
@@ -15,20 +16,38 @@ from symbalance.text.reals import Real
 
 @dataclass(frozen=True)
 class PlacedWeight:
-    """One weight of a design: station, exact vector (a share), mass times radius in kg mm if known."""
+    """One weight of a design: station, exact vector (a share), mass times radius in kg mm if known.
+
+    `pointing` is a vector of its size that points where the weight does, and `segment` what it is cut as.
+    """
 
     device: Device
     station: Fraction
     vector: Amplitude
     unbalance: Real | None
+    pointing: Amplitude
+    segment: Segment | None = None
+
+    @property
+    def is_opposite(self) -> bool:
+        """Whether its share is below 0 along where it points, as its A_n is: then U is above 0."""
+        return not (self.pointing - self.vector).is_zero()
 
 
 def design_weights(design: Design) -> list[PlacedWeight]:
     """Return every weight that stands at a station, device by device."""
+    placed = [(device, *weight) for device in design.devices for weight in device.weights]
+    segments = design.segments or [None] * len(placed)
     return [
-        PlacedWeight(device, station, vector, design.unbalance(device, vector))
-        for device in design.devices
-        for station, vector in device.weights
+        PlacedWeight(
+            device,
+            station,
+            vector,
+            design.unbalance(device, vector),
+            design.direction(device, vector),
+            segment,
+        )
+        for (device, station, vector), segment in zip(placed, segments, strict=True)
     ]
 
 

@@ -17,7 +17,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, ClassVar
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, ClassVar, Unpack
 
 from symbalance.design.balancing.design_limits import Limits, checked_limits, checked_orders
 from symbalance.design.balancing.devices import Device, devices_for, rotating_counterweights
@@ -25,12 +26,13 @@ from symbalance.design.balancing.order_selection import parts_of
 from symbalance.design.balancing.web_segments import STEEL, Segment, SegmentRing, checked_ring
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine, checked_engine
-from symbalance.engine.rotating_masses import unit_of_share
+from symbalance.engine.rotating_masses import share_sign, unit_of_share
 from symbalance.errors import SymbalanceError
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.phasor import ZERO
 from symbalance.exact.spectrum import Component
 from symbalance.forces.free_forces import Balance, balance
+from symbalance.forces.operating_point import Sizes, sized
 from symbalance.text.reals import Real
 
 if TYPE_CHECKING:
@@ -174,11 +176,20 @@ class Design(Result):
                 segments.append(self.ring.segment(size))
         return segments
 
-    def at(self, *, rpm: object) -> Design:
+    def at(self, *, rpm: object, **sizes: Unpack[Sizes]) -> Design:
         """Return the same design with what remains in N and N m at a speed.
 
-        The engine's stroke, reciprocating mass and pitch have to be known: `engine.with_sizes` adds them.
+        `stroke`, `rod`, `pitch`, `bore` (mm) and `mass` (kg, of one cylinder's reciprocating parts) are
+        sizes that the engine lacks; with them the engine is designed for anew, within the same limits.
+
+        >>> from symbalance.engine.catalogue import load
+        >>> four = design_balance(load("inline-4"), [2]).at(rpm=6000, stroke=80, mass="0.5")
+        >>> [round(four.unbalance(d, vector), 2) for d in four.devices for _, vector in d.weights]
+        [2.54, 2.54]
         """
+        if sizes:
+            again = _designed(sized(self.engine, sizes), self.remove, self.limits)
+            return replace(again, ring=self.ring, full=self.full).at(rpm=rpm)
         return replace(self, before=self.before.at(rpm=rpm), remains=self.remains.at(rpm=rpm))
 
     @property
@@ -208,7 +219,11 @@ class Design(Result):
         needs_ratio = abs(device.speed) > 1 and self.balanced.has_common_harmonics
         if unit is None or (needs_ratio and self.balanced.ratio is None) or self.balanced.has_symbols:
             return None
-        return vector.size() * unit_of_share(self.balanced, device.speed) * unit / device.speed**2
+        return abs(vector.size() * unit_of_share(self.balanced, device.speed)) * unit / device.speed**2
+
+    def direction(self, device: Device, vector: Amplitude) -> Amplitude:
+        """Return a vector that points where a weight does: a share of A_4, below 0, the other way."""
+        return vector.scaled(Fraction(share_sign(self.balanced, device.speed)))
 
 
 def design_balance(
@@ -249,6 +264,11 @@ def design_balance(
         most=most,
         per_throw=per_throw,
     )
+    return _designed(engine, orders, limits)
+
+
+def _designed(engine: Engine, orders: tuple[int, ...], limits: Limits) -> Design:
+    """Return the design of an engine within limits that are checked."""
     highest = max(LISTED_ORDERS, orders[-1])
     before = balance(engine, highest)
     devices = tuple(devices_for(before, orders, limits))

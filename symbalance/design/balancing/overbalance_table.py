@@ -2,15 +2,15 @@
 
 At a share k the counterweights on the throws balance all of the rotating and k of the reciprocating mass
 (`symbalance.design.balancing.overbalance`). Amplitudes are in units of m r omega^2 of cylinder 1, couples
-times the pitch.
+times the pitch; at a speed they are in N and N m too.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Unpack
 
 from symbalance.design.balancing.overbalance import (
     FirstOrderParts,
@@ -26,7 +26,10 @@ from symbalance.document.result import SequenceResult
 from symbalance.engine.engine import Engine, checked_engine
 from symbalance.engine.engine_document import degrees_text
 from symbalance.errors import SymbalanceError, brief
-from symbalance.text.numbers import as_list, decimal_text, exact
+from symbalance.forces.balance_data import KEYS
+from symbalance.forces.balance_document import SHOWN, operating_facts
+from symbalance.forces.operating_point import OperatingPoint, Sizes, operating_point, sized
+from symbalance.text.numbers import as_list, decimal_text, exact, short_text
 from symbalance.text.reals import Real
 
 if TYPE_CHECKING:
@@ -61,7 +64,37 @@ class OverbalanceTable(SequenceResult[Overbalance]):
     engine: Engine
     items: tuple[Overbalance, ...]
     best: tuple[tuple[str, sympy.Expr | None], ...]
+    operating_point: OperatingPoint | None = None
+    """The speed and sizes that values in N and N m are for; None where none is asked for."""
     kind: ClassVar[str] = "overbalance"
+
+    def at(self, *, rpm: object, **sizes: Unpack[Sizes]) -> OverbalanceTable:
+        """Return the same table in N and N m at a speed.
+
+        `stroke`, `rod`, `pitch`, `bore` (mm) and `mass` (kg, of one cylinder's reciprocating parts) are
+        sizes that the engine lacks.
+
+        >>> from symbalance.engine.builders import inline
+        >>> table = tabulate_overbalance(inline("1"), ["1/2"]).at(rpm=6000, stroke=80, mass="0.5")
+        >>> [round(float(x), 1) for x in table.in_newtons(table[0], "force")]
+        [3947.8, 3947.8]
+        """
+        if sizes:
+            engine, shares = sized(self.engine, sizes), [row.share for row in self]
+            return tabulate_overbalance(engine, shares).at(rpm=rpm)
+        needs_pitch = any(any(row.couple) for row in self)
+        return replace(self, operating_point=operating_point(self.engine, rpm, needs_pitch=needs_pitch))
+
+    def in_newtons(self, row: Overbalance, kind: str) -> tuple[Real, Real]:
+        """Return the vertical and the lateral amplitude in N, of a "couple" in N m, at the speed."""
+        point = self.operating_point
+        if point is None:
+            remedy = "put the table at one: tabulate_overbalance(engine).at(rpm=6000)"
+            raise SymbalanceError("the table", "has no operating point", remedy)
+        # Without a pitch no couple is free: the operating point sees to that.
+        unit = point.force if kind == "force" else point.couple or Real(0)
+        vertical, lateral = row.force if kind == "force" else row.couple
+        return vertical * unit, lateral * unit
 
     def summary(self) -> str:
         """Return what is balanced, in one line."""
@@ -77,11 +110,14 @@ class OverbalanceTable(SequenceResult[Overbalance]):
         rows = tuple(
             (
                 Decimal(_percent(row.share)),
-                *(Decimal(short_decimal(x)) for kind in kinds or ["force"] for x in getattr(row, kind)),
+                *(self._cell(x) for kind in kinds or ["force"] for x in self._values(row, kind)),
             )
             for row in self
         )
         title: Words = ("Amplitudes of order 1, forces in ", _MR, ", couples in ", _MR * _A)
+        point = self.operating_point
+        if point is not None:
+            title = f"Amplitudes of order 1 at {short_text(point.rpm)} rpm, forces in N, couples in N m"
         entries: list[tuple[Words, Words]] = [
             (
                 "overbalance",
@@ -100,23 +136,35 @@ class OverbalanceTable(SequenceResult[Overbalance]):
                 else (formula_of(100 * share), " %, least sum of squares of both")
             )
             entries.append((f"best, {kind}", words))
-        return Document(
-            self.summary(), (Table(title, tuple(columns), rows), Facts(tuple(entries), "How to read it"))
-        )
+        at = () if point is None else (operating_facts(point, engine=self.engine),)
+        table = Table(title, tuple(columns), rows)
+        return Document(self.summary(), (*at, table, Facts(tuple(entries), "How to read it")))
+
+    def _values(self, row: Overbalance, kind: str) -> tuple[Real, Real]:
+        """Return the vertical and the lateral amplitude as the table has them."""
+        if self.operating_point is None:
+            return row.force if kind == "force" else row.couple
+        return self.in_newtons(row, kind)
+
+    def _cell(self, value: Real) -> Decimal:
+        digits = () if self.operating_point is None else (SHOWN,)
+        return Decimal(short_decimal(value, *digits))
 
     def data(self) -> dict[str, Any]:
         """Return every share and what it leaves, to 20 digits."""
         return {
             "engine": self.engine.name,
+            **({"operating_point": point.data()} if (point := self.operating_point) else {}),
             "shares": [
                 {"share": str(row.share), **{kind: _pair(getattr(row, kind)) for kind in KINDS}}
+                | ({KEYS[kind]: _pair(self.in_newtons(row, kind)) for kind in KINDS} if point else {})
                 for row in self
             ],
             "best": {kind: None if share is None else str(share) for kind, share in self.best},
         }
 
     def records(self) -> list[dict[str, Any]]:
-        """Return a row for each share."""
+        """Return a row for each share; at a speed N and N m too."""
         return [
             {
                 "overbalance_percent": float(100 * row.share),
@@ -124,9 +172,18 @@ class OverbalanceTable(SequenceResult[Overbalance]):
                 "force_lateral": float(row.force[1]),
                 "couple_vertical": float(row.couple[0]),
                 "couple_lateral": float(row.couple[1]),
+                **(self._value_record(row) if self.operating_point else {}),
             }
             for row in self
         ]
+
+    def _value_record(self, row: Overbalance) -> dict[str, float]:
+        """Return the rest of a row at a speed."""
+        return {
+            f"{kind}_{direction}_{KEYS[kind]}": float(value)
+            for kind in KINDS
+            for direction, value in zip(("vertical", "lateral"), self.in_newtons(row, kind), strict=True)
+        }
 
 
 def _percent(share: Fraction) -> str:

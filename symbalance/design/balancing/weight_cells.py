@@ -18,7 +18,10 @@ def station_cell(station: Fraction) -> Formula:
     return formula_of(sympy.Rational(station.numerator, station.denominator))
 
 
-def size_cell(vector: Amplitude) -> Cell:
+def size_cell(vector: Amplitude, *, below_zero: bool = False) -> Cell:
     """Return how large a vector is: exactly, beside its decimal, where that is short."""
-    words, near = size(vector), nearly(vector)
-    return Exact(words[0], near, beside=True) if isinstance(near, Decimal) else words
+    *before, value = size(vector)
+    near, signed = nearly(vector), -value if below_zero else value
+    if not isinstance(near, Decimal):
+        return (*before, signed)
+    return Exact(signed, -near if below_zero else near, beside=True)

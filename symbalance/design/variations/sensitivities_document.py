@@ -30,6 +30,7 @@ def sensitivities_document(result: Sensitivities) -> Document:
     entries: list[Entry] = [
         ("a step", "changes one size of one cylinder"),
         ("force, couple", "the largest modulus over a turn of what is added"),
+        ("rows", "worst first: by the force, or where it is larger the couple over one pitch"),
         ("orders", "those that cancel in the engine as drawn are among them"),
         ("couples", f"about {plane(result.reference)}"),
         letters_entry(result.engine),

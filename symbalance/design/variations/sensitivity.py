@@ -126,8 +126,10 @@ class Sensitivity:
 class Sensitivities(Result, Sequence[Sensitivity]):
     """All derivatives of orders by each cylinder's sizes, largest effect of a step first: a sequence.
 
-    A sequence of them. Forces are in m r omega^2 of cylinder 1, couples in m r omega^2 a about
-    `reference`, None for the mean of all stations. `parameters` are the sizes they are by.
+    An effect is the force, or where it is larger the couple over one pitch: the pair of forces, a pitch
+    apart, that makes it. So it is the same sequence at every speed. Forces are in m r omega^2 of cylinder
+    1, couples in m r omega^2 a about `reference`, None for the mean of all stations. `parameters` are the
+    sizes they are by.
     """
 
     engine: Engine

@@ -13,7 +13,7 @@ from symbalance.design.variations.assignment_bounds import Generators, Vector
 from symbalance.design.variations.contributions import Contribution, rotating_pair
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, brief
-from symbalance.forces.operating_point import needed
+from symbalance.forces.operating_point import MILLI, acceleration_at, needed
 from symbalance.kinematics.mechanisms.moving_masses import link_pin_force
 from symbalance.text.numbers import exact
 
@@ -48,7 +48,7 @@ def units_of(
     if speed is not None:
         if radius is None:
             raise needed(speed, ["stroke"])
-        force, names = float(radius) / 1000 * (float(speed) * pi / 30) ** 2, ("N", "N a")
+        force, names = float(acceleration_at(speed, radius * MILLI)), ("N", "N a")
     if pitch is not None and speed is not None:
         arm, names = float(pitch) / 1000, (names[0], "N m")
     spread = sqrt(sum(float(s.arm) ** 2 for s in rows) / len(rows)) or 1.0

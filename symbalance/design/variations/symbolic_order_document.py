@@ -150,6 +150,8 @@ def _legend(order: SymbolicOrder) -> Block:
         pairs = [(", ", equal(_letter(symbol), number(value))) for symbol, value in order.values]
         entries.append(("put in", tuple(part for pair in pairs for part in pair)[1:]))
     entries += [(letter, meaning) for size, letter, meaning in _UNITS if size not in order.sizes]
+    if "masses" not in order.sizes and len({c.reciprocating_mass for c in order.engine.cylinders}) > 1:
+        entries.append(("masses", f"of the others over that of cylinder {order.engine.first.number}, m"))
     if order.sizes:
         entries.append(("units", f"besides, those in which {' and '.join(order.sizes)} are given"))
     return Facts((*entries, *origin_facts(order.engine), SIGNS), "How to read it")

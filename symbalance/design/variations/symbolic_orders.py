@@ -215,10 +215,10 @@ def symbolic_order(
 
     Each of `masses`, `stations`, `radii`, `rods` and `offsets` is a letter ("m" gives m_1, m_2, ... by
     the cylinders' numbers), a list with one entry a cylinder (a number, or a SymPy polynomial), or None:
-    masses and radii then count 1, stations are the engine's in pitches. Give radii, rods and offsets in
-    one unit of length; any of them brings the kinematics into the sums, `through` being the highest total
-    power of r/l and e/l kept (default: three terms). `reference` is the station couples are taken about
-    (default: the mean of the stations, symbols too).
+    masses are then the engine's over cylinder 1's, or 1, radii 1, stations the engine's in pitches. Give
+    radii, rods and offsets in one unit of length; any of them brings the kinematics into the sums,
+    `through` being the highest total power of r/l and e/l kept (default: three terms). `reference` is
+    the station couples are taken about (default: the mean of the stations, symbols too).
 
     >>> from symbalance.engine.builders import inline
     >>> one = symbolic_order(inline("1-3-4-2"), 1, masses="m")
@@ -229,10 +229,8 @@ def symbolic_order(
     """
     n = checked_order(order)
     checked_engine(engine)
-    mass, radius = (
-        cylinder_symbols(engine, v, k) or [UNIT] * len(engine.cylinders)
-        for v, k in ((masses, "masses"), (radii, "radii"))
-    )
+    mass = cylinder_symbols(engine, masses, "masses") or _mass_shares(engine)
+    radius = cylinder_symbols(engine, radii, "radii") or [UNIT] * len(engine.cylinders)
     weights = [multiply(m, r) for m, r in zip(mass, radius, strict=True)]
     _check_link_pins(engine)
     kinematics, power = None, None
@@ -262,6 +260,12 @@ def symbolic_order(
         tuple(key for key, value in sizes.items() if value is not None),
         tuple(all_symbols),
     )
+
+
+def _mass_shares(engine: Engine) -> list[Polynomial]:
+    """Return every cylinder's reciprocating mass over that of the first; 1 where none are given."""
+    shares = [size / radius for size, radius in zip(engine.sizes, engine.radii, strict=True)]
+    return [{(): share} if share else {} for share in shares]
 
 
 def _check_link_pins(engine: Engine) -> None:

@@ -52,13 +52,18 @@ class Preset:
     def sizes(self) -> str:
         """How well bore, stroke, rod and pitch are known: looked up, estimated, in part or none.
 
-        One estimate among them makes them estimated; one that is not given, looked up in part.
+        One estimate among them makes them estimated; one that is not given, looked up in part. A single
+        cylinder has no pitch to look up.
         """
         if not self.lengths:
             return "none"
         if any(key in self.estimates for key in self.lengths):
             return "estimated"
-        return "looked up" if len(self.lengths) == len(LENGTHS) else "in part"
+        return "looked up" if self._has_all_lengths else "in part"
+
+    @property
+    def _has_all_lengths(self) -> bool:
+        return all(key in self.lengths or (key == "pitch" and self.cylinders == 1) for key in LENGTHS)
 
     @property
     def weights(self) -> str:
@@ -70,7 +75,7 @@ class Preset:
     def holds(self, contents: str) -> bool:
         """Tell whether the preset has all lengths, a reciprocating mass, or something estimated."""
         known = {
-            "sizes": len(self.lengths) == len(LENGTHS),
+            "sizes": self._has_all_lengths,
             "masses": "reciprocating_mass" in self.masses,
             "estimates": bool(self.estimates),
         }
@@ -83,7 +88,7 @@ def preset_from(name: str, table: Mapping[str, Any]) -> Preset:
     layout = table.get("layout", {})
     banks = [row.get("bank", 0) for row in rows] or layout.get("banks", [0])
     axes = [exact(bank, "bank") for bank in banks]
-    cylinders = len(rows) or len(layout["firing_order"])
+    cylinders = len(rows) or _layout_cylinders(layout)
     strokes = int(layout.get("strokes", table.get("strokes", 4)))
     return Preset(
         name,
@@ -97,6 +102,13 @@ def preset_from(name: str, table: Mapping[str, Any]) -> Preset:
         _present(train, MASSES),
         dict(table.get("estimates", {})),
     )
+
+
+def _layout_cylinders(layout: Mapping[str, Any]) -> int:
+    """Return how many cylinders a [layout] has, by the first of its lists that says it."""
+    if "firing_order" in layout:
+        return len(layout["firing_order"])
+    return sum(map(len, layout["cylinders"])) if "cylinders" in layout else len(layout["pins"])
 
 
 def _present(train: Mapping[str, Any], keys: Iterable[str]) -> dict[str, Fraction]:

@@ -1,0 +1,136 @@
+"""Drawings as SVG: one element that stands in a page or alone, readable in light and dark surroundings.
+
+It asks for nothing from outside, has a title and a description for those who hear it, and marks moving
+parts by `data-part`, so that a script can place them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from html import escape
+from itertools import count
+
+from symbalance.document.shapes import (
+    LOOKS,
+    Arrow,
+    Circle,
+    Drawing,
+    Group,
+    Label,
+    Line,
+    Look,
+    Point,
+    Shape,
+    arrow_head,
+)
+
+PAPER = ("#ffffff", "#111827")
+"""What opaque shapes are filled with, in light and in dark surroundings."""
+_numbers = count(1)
+
+
+def style() -> str:
+    """Return the rules that drawings are styled by, once for any number of them in a page."""
+    light = "".join(_rules(name, look, look.light) for name, look in LOOKS.items())
+    dark = "".join(_rules(name, look, look.dark, colours=True) for name, look in LOOKS.items())
+    return (
+        ".sbd{font:12px system-ui,sans-serif}.sbd .faded{opacity:.35}"
+        f"{light}.sbd .opaque{{fill:{PAPER[0]}}}"
+        f"@media (prefers-color-scheme:dark){{{dark}.sbd .opaque{{fill:{PAPER[1]}}}}}"
+        # Paper is light whatever the screen is.
+        "@media print{"
+        + "".join(_rules(n, look, look.light, colours=True) for n, look in LOOKS.items())
+        + f".sbd .opaque{{fill:{PAPER[0]}}}}}"
+    )
+
+
+def _rules(name: str, look: Look, colour: str, colours: bool = False) -> str:
+    fill = colour if look.filled else "none"
+    line = "" if colours else f";stroke-width:{_n(look.width)}"
+    if look.dashes and not colours:
+        line += f";stroke-dasharray:{' '.join(map(_n, look.dashes))}"
+    ink = LOOKS["ink"]
+    edge = (ink.light if colour == look.light else ink.dark) if name == "piston" else colour
+    return (
+        f".sbd .{name}{{stroke:{edge};fill:{fill}{line}}}"
+        f".sbd .head.{name}{{fill:{colour}}}.sbd text.{name}{{fill:{colour};stroke:none}}"
+    )
+
+
+def drawing_svg(drawing: Drawing, *, standalone: bool = False, styled: bool = True) -> str:
+    """Return a drawing as an `<svg>` element, or with `standalone` as a file of its own.
+
+    Where a page holds several, `styled` false leaves out the rules, which `style` returns once.
+    """
+    number = next(_numbers)
+    ids = f"sbd{number}t", f"sbd{number}d"
+    if standalone:
+        ids = "title", "description"  # the same drawing is the same file
+    box = f"{_n(drawing.left)} {_n(-drawing.top)} {_n(drawing.width)} {_n(drawing.height)}"
+    space = ' xmlns="http://www.w3.org/2000/svg"' if standalone else ""
+    head = (
+        f'<svg{space} class="sbd" role="img" aria-labelledby="{ids[0]} {ids[1]}" viewBox="{box}" '
+        f'width="{_n(drawing.width)}" height="{_n(drawing.height)}">'
+    )
+    words = (
+        f'<title id="{ids[0]}">{escape(drawing.title)}</title>'
+        f'<desc id="{ids[1]}">{escape(drawing.shows)}</desc>'
+    )
+    rules = f"<style>{style()}</style>" if styled else ""
+    parts = [head, words, rules, *map(_shape, drawing.shapes), "</svg>"]
+    text = "\n".join(part for part in parts if part)
+    return '<?xml version="1.0" encoding="UTF-8"?>\n' + text + "\n" if standalone else text
+
+
+def _shape(shape: Shape) -> str:
+    if isinstance(shape, Line):
+        if len(shape.points) == 2 and not shape.closed:
+            (x1, y1), (x2, y2) = shape.points
+            return (
+                f'<line class="{shape.look}" x1="{_n(x1)}" y1="{_n(-y1)}" x2="{_n(x2)}" y2="{_n(-y2)}"/>'
+            )
+        kind = "polygon" if shape.closed else "polyline"
+        return f'<{kind} class="{shape.look}" points="{_points(shape.points)}"/>'
+    if isinstance(shape, Circle):
+        look = f"{shape.look} opaque" if shape.opaque else shape.look
+        x, y = shape.centre
+        return f'<circle class="{look}" cx="{_n(x)}" cy="{_n(-y)}" r="{_n(shape.radius)}"/>'
+    if isinstance(shape, Arrow):
+        head = arrow_head(shape.start, shape.end)
+        (x1, y1), base = shape.start, ((head[1][0] + head[2][0]) / 2, (head[1][1] + head[2][1]) / 2)
+        line = f'x1="{_n(x1)}" y1="{_n(-y1)}" x2="{_n(base[0])}" y2="{_n(-base[1])}"'
+        return (
+            f'<line class="{shape.look}" {line}/>'
+            f'<polygon class="head {shape.look}" style="stroke-dasharray:none;stroke-width:.5" '
+            f'points="{_points(head)}"/>'
+        )
+    if isinstance(shape, Label):
+        x, y = shape.at
+        more = "" if shape.size == 12 else f' font-size="{_n(shape.size)}"'
+        more += ' font-weight="bold"' if shape.strong else ""
+        anchor = "" if shape.align == "start" else f' text-anchor="{shape.align}"'
+        # Half a capital's height below its middle: `dominant-baseline` is not drawn alike everywhere.
+        low = -y + 0.35 * shape.size
+        place = f'x="{_n(x)}" y="{_n(low)}"{anchor}{more}'
+        return f'<text class="{shape.look}" {place}>{escape(shape.text)}</text>'
+    return _group(shape)
+
+
+def _group(group: Group) -> str:
+    transform = ""
+    if group.at != (0.0, 0.0) or group.turned or group.name:
+        turn = f" rotate({_n(group.turned)})" if group.turned or group.name else ""
+        transform = f' transform="translate({_n(group.at[0])} {_n(-group.at[1])}){turn}"'
+    name = f' data-part="{escape(group.name)}"' if group.name else ""
+    faded = ' class="faded"' if group.faded else ""
+    return f"<g{name}{faded}{transform}>" + "".join(map(_shape, group.shapes)) + "</g>"
+
+
+def _points(points: Sequence[Point]) -> str:
+    return " ".join(f"{_n(x)},{_n(-y)}" for x, y in points)
+
+
+def _n(value: float) -> str:
+    """Return a number to a millionth of a pixel, as short as may be: positions are read back by tests."""
+    text = f"{value:.6f}".rstrip("0").rstrip(".")
+    return "0" if text in ("-0", "") else text

@@ -1,0 +1,97 @@
+"""The plan of an engine: crank and pistons seen from above, the front to the left, at a crank angle.
+
+A pin stands as far to the side as it does at that angle; a cylinder's bore is drawn where its axis is at
+the piston pin. The lever arms of couples are the distances from the mean of all stations, a line across.
+"""
+
+from __future__ import annotations
+
+from math import pi
+
+from symbalance.document.shapes import Circle, Drawing, Group, Label, Line, Point, Shape
+from symbalance.drawing.positions import Machine
+from symbalance.drawing.section import HEAD, SKIRT
+from symbalance.engine.engine import Engine
+
+LENGTH, HEIGHT = 620.0, 420.0
+"""Pixels that a plan may be long and high."""
+EDGE = 30.0
+
+
+def draw_plan(engine: Engine, theta: float = 0.0) -> Drawing:
+    """Return the plan at a crank angle in degrees.
+
+    >>> from symbalance.engine.builders import boxer
+    >>> draw_plan(boxer("1-2")).title
+    'Plan of boxer 2 at θ = 0°, the front to the left'
+    """
+    machine, turn = Machine(engine), theta * pi / 180
+    stations = [c.station for c in engine.cylinders]
+    length = machine.pitch * float(max(stations) - min(stations)) + 1.2 * machine.bore
+    sides = [
+        abs(machine.axis(c).imag) * (machine.travel(c)[1] + HEAD * machine.bore) for c in engine.cylinders
+    ]
+    width = 2 * max(machine.bore, 1.2 * machine.radius(engine.first), *sides)
+    scale = min(LENGTH / length, HEIGHT / width)
+    front = float(max(stations))
+
+    def across(station: float) -> float:
+        return scale * machine.pitch * (front - station)
+
+    shapes: list[Shape] = []
+    for cylinder in reversed(machine.front_to_rear):
+        axis, x = machine.axis(cylinder), across(float(cylinder.station))
+        posture = machine.posture(cylinder, turn)
+        middle = posture.piston_pin.imag * scale
+        # Seen from above, a piston of an axis at an angle shows its crown and its side.
+        half = 0.475 * machine.bore * scale
+        low, high = (-SKIRT * machine.bore * scale, HEAD * machine.bore * scale)
+        ends = sorted(middle + h * axis.imag for h in (low, high))
+        deep = abs(axis.real) * half
+        corners = (
+            (x - half, ends[0] - deep),
+            (x + half, ends[0] - deep),
+            (x + half, ends[1] + deep),
+            (x - half, ends[1] + deep),
+        )
+        rod = Line(((x, posture.rod_pin.imag * scale), (x, middle)), "rod")
+        shapes += [Group((Line(corners, "piston", closed=True),), name=f"piston-{cylinder.number}"), rod]
+        shapes.append(Circle((x, middle), 9, "ink", opaque=True))
+        shapes.append(Label((x, middle), str(cylinder.number), size=11))
+    shapes += _crank(machine, turn, scale, front)
+    mean = across(float(engine.mean_station))
+    low, high = -0.5 * width * scale - 8, 0.5 * width * scale + 8
+    shapes.append(Line(((mean, low), (mean, high)), "axis"))
+    shapes.append(Label((mean, low - 9), "mean of stations", size=11))
+    left = -0.6 * machine.bore * scale - EDGE
+    right = across(float(min(stations))) + 0.6 * machine.bore * scale + EDGE
+    words = ", ".join(
+        f"{c.number} at {float(c.station - engine.mean_station):g}" for c in machine.front_to_rear
+    )
+    return Drawing(
+        tuple(shapes),
+        left,
+        low - EDGE,
+        right,
+        high + EDGE / 2,
+        f"Plan of {engine.name} at θ = {theta:g}°, the front to the left".replace("-0°", "0°"),
+        f"Stations in pitches from the mean, + towards the front: {words}.",
+    )
+
+
+def _crank(machine: Machine, theta: float, scale: float, front: float) -> list[Shape]:
+    """Return the crank as a line that goes out to each throw's pin and back."""
+    half = min(0.25 * machine.pitch, 0.3 * machine.bore) * scale
+    points: list[Point] = [(-0.6 * machine.bore * scale - 18, 0.0)]
+    throws: dict[tuple[float, float], float] = {}
+    for cylinder in machine.front_to_rear:
+        x = scale * machine.pitch * (front - float(cylinder.station))
+        side = machine.pin(cylinder, theta).imag * scale
+        throws.setdefault((round(x, 6), round(side, 6)), x)
+    for (x, side), _ in sorted(throws.items()):
+        points += [(x - half, 0.0), (x - half, side), (x + half, side), (x + half, 0.0)]
+    stations = [c.station for c in machine.engine.cylinders]
+    points.append(
+        (scale * machine.pitch * (front - float(min(stations))) + 0.6 * machine.bore * scale + 18, 0.0)
+    )
+    return [Line(tuple(points), "crank")]
