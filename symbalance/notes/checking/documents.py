@@ -34,10 +34,9 @@ from symbalance.notes.reading.notebooks import SUFFIX as NOTEBOOK
 from symbalance.notes.reading.notebooks import notebook_text
 from symbalance.text.files import STANDARD_INPUT, file_name, read_text
 
-SUFFIXES = (
-    *(".tex", ".md", ".txt", ".text", ".ipynb", ".markdown", ".latex", ".wiki", ".mediawiki"),
-    *(".html", ".htm", ".xhtml", ".adoc", ".asciidoc"),
-)
+IN_FOLDERS = (".tex", ".md", ".txt", ".text", ".ipynb", ".markdown", ".latex", ".wiki", ".adoc")
+"""What is taken for notes in a folder; web pages only by their names, as reports are web pages too."""
+SUFFIXES = (*IN_FOLDERS, ".mediawiki", ".asciidoc", ".html", ".htm", ".xhtml")
 _UNDECLARED = re.compile(r"letter (\S+) is not declared$")
 MOST_ROUNDS = 60
 """Each round of reading finds the first undeclared letter of every equation."""
@@ -52,8 +51,8 @@ def check(
 ) -> Checked:
     """Return the verdicts on every equation of a hand derivation.
 
-    `document` is a file (a Path, or a text that ends in .tex, .md or .txt, or `-` for standard input) or
-    the derivation itself.
+    `document` is a file (a Path, or a text that ends as one of SUFFIXES, or `-` for standard input) or the
+    derivation itself.
     `symbols` maps letters to their meaning or unit, or is a whole sidecar (keys `symbols`, `scope`,
     `bind`), or the path of one; without it NAME.symbols.toml beside the file is read, or the header of
     the document. `engines` knows the engines that lines are bound to; without it such a line is refused.
