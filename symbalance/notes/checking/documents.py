@@ -51,8 +51,8 @@ def check(
 ) -> Checked:
     """Return the verdicts on every equation of a hand derivation.
 
-    `document` is a file (a Path, or a text that ends as one of SUFFIXES, or `-` for standard input) or the
-    derivation itself.
+    `document` is a file (a Path, or a text that ends as one of SUFFIXES, or `-` for standard input) or
+    the derivation itself.
     `symbols` maps letters to their meaning or unit, or is a whole sidecar (keys `symbols`, `scope`,
     `bind`), or the path of one; without it NAME.symbols.toml beside the file is read, or the header of
     the document. `engines` knows the engines that lines are bound to; without it such a line is refused.

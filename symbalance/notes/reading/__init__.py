@@ -1,4 +1,4 @@
-"""The reader of hand derivations: LaTeX, Markdown, notebooks, wikis, web pages to equations as formula trees.
+"""The reader of hand derivations: notes of any common kind to equations as formula trees.
 
 In: a text and the letters declared at each line. Out: a `Document` of chains a = b = c, each side with
 every reading it may have, and what could not be read, with its place and a remedy. No text is ever

@@ -318,6 +318,7 @@ _ADDRESS = re.compile(
 )
 _RULE_OF_SIGNS = re.compile(r"^[ \t]*(?:={2,}|~{3,})[ \t]*$", re.MULTILINE)
 _QUOTED = re.compile(r"^[ ]{0,3}(?:>[ ]?)+", re.MULTILINE)
+_OPTIONS = re.compile(r"(?<=[A-Za-z}*])\[\s*[a-z-]{2,20}\s*=[^\[\]\n$]{0,200}\]")
 _FENCE = re.compile(r"[ ]{0,3}(`{3,}|~{3,})\s*([A-Za-z]*)")
 _BOLD = re.compile(r"(?<![\w)*])\*\*(?=[^\s*])([^*\n]{1,300})(?<=\S)\*\*(?![\w(*])")
 _CODE = re.compile(r"(`+)(?!`)[^`\n]{1,400}\1(?!`)")
@@ -344,7 +345,7 @@ def mask_code_of_tex(text: str) -> str:
 
 def mask_tex(text: str) -> str:
     """Blank comments, verbatim, the preamble and what follows the end."""
-    text = mask_code_of_tex(text)
+    text = _OPTIONS.sub(lambda m: blank(m.group()), mask_code_of_tex(text))
     begin = text.find("\\begin{document}")
     if begin >= 0:
         begin += len("\\begin{document}")
