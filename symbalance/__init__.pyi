@@ -11,6 +11,7 @@ from symbalance import forces as forces
 from symbalance import jobs as jobs
 from symbalance import kinematics as kinematics
 from symbalance import notes as notes
+from symbalance import pages as pages
 from symbalance import text as text
 from symbalance import torque as torque
 from symbalance.checking import check as check
@@ -42,5 +43,6 @@ from symbalance.errors import SymbalanceError as SymbalanceError
 from symbalance.forces.free_forces import balance as balance
 from symbalance.kinematics.derivation import derive as derive
 from symbalance.notes.checking import check_equal as check_equal
+from symbalance.pages import page as page
 from symbalance.torque import inertia_torque as inertia_torque
 from symbalance.torque import running_torque as running_torque

@@ -40,6 +40,7 @@ _STYLE = """
 .symbalance .number{font-variant-numeric:tabular-nums;white-space:nowrap}
 .symbalance .pad{visibility:hidden}
 .symbalance .wide{overflow-x:auto}
+.symbalance .spoken{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}
 .symbalance dt{float:left;clear:left;margin-right:.6rem;font-weight:bold}
 .symbalance dd{margin-left:1.5rem}
 .symbalance .bad{font-weight:bold}
@@ -117,6 +118,14 @@ class _Writer(DocumentWriter):
         inner = "\n".join(map(self.block, block.blocks))
         return f"<details>\n<summary>{escape(block.summary)}</summary>\n{inner}\n</details>"
 
+    def head(self, column: nodes.Column) -> str:
+        """Return a column's head; of a formula alone also in words, for checkers hear none in MathML."""
+        words = self.words(column.head)
+        if not words or any(isinstance(each, str) and each.strip() for each in inlines(column.head)):
+            return words
+        spoken = escape(plain_words(column.head))
+        return f'<span class="spoken">{spoken}</span><span aria-hidden="true">{words}</span>'
+
     def facts(self, block: nodes.Facts) -> str:
         title = self.words(block.title)
         head = f'<p class="title">{title}</p>\n' if title else ""
@@ -161,7 +170,7 @@ class _Writer(DocumentWriter):
         fit = fit_table(block, lambda words: len(plain_words(words)), ROOM, 2)
         columns = [_padding(fit.cells(i)) if each else None for i, each in enumerate(fit.numeric)]
         heads = "".join(
-            f'<th scope="col"{_number_class(pad)}>{self.words(column.head)}</th>'
+            f'<th scope="col"{_number_class(pad)}>{self.head(column)}</th>'
             for column, pad in zip(fit.columns, columns, strict=True)
         )
         pads = [[None if c is None else c[k] for c in columns] for k in range(len(fit.rows))]

@@ -119,8 +119,8 @@ def _shape(shape: Shape) -> str:
 def _group(group: Group) -> str:
     transform = ""
     if group.at != (0.0, 0.0) or group.turned or group.name:
-        turn = f" rotate({_n(group.turned)})" if group.turned or group.name else ""
-        transform = f' transform="translate({_n(group.at[0])} {_n(-group.at[1])}){turn}"'
+        turn = f" rotate({_exactly(group.turned)})" if group.turned or group.name else ""
+        transform = f' transform="translate({_exactly(group.at[0])} {_exactly(-group.at[1])}){turn}"'
     name = f' data-part="{escape(group.name)}"' if group.name else ""
     faded = ' class="faded"' if group.faded else ""
     return f"<g{name}{faded}{transform}>" + "".join(map(_shape, group.shapes)) + "</g>"
@@ -130,7 +130,12 @@ def _points(points: Sequence[Point]) -> str:
     return " ".join(f"{_n(x)},{_n(-y)}" for x, y in points)
 
 
-def _n(value: float) -> str:
-    """Return a number to a millionth of a pixel, as short as may be: positions are read back by tests."""
-    text = f"{value:.6f}".rstrip("0").rstrip(".")
+def _n(value: float, places: int = 3) -> str:
+    """Return a number of pixels, as short as may be."""
+    text = f"{value:.{places}f}".rstrip("0").rstrip(".")
     return "0" if text in ("-0", "") else text
+
+
+def _exactly(value: float) -> str:
+    """Return a number to a millionth of a pixel: where parts stand is read back by tests."""
+    return _n(value, 6)

@@ -77,7 +77,10 @@ def draw_curves(curves: Sequence[Curve], cycle: float, unit: str, title: str, sh
     x = 0.0
     for curve in curves:
         step_x = WIDTH / (len(curve.values) - 1)
-        points = tuple((k * step_x, (v - low) * up) for k, v in enumerate(curve.values))
+        # A tenth of a pixel is enough for a curve, and keeps pages small.
+        points = tuple(
+            (round(k * step_x, 1), round((v - low) * up, 1)) for k, v in enumerate(curve.values)
+        )
         shapes.append(Line(points, curve.look))
         shapes += [
             Line(((x, HEIGHT + 14), (x + 26, HEIGHT + 14)), curve.look),
@@ -113,7 +116,8 @@ def draw_path(
         Line(((0, -half - 14), (0, half + 14)), "axis"),
         Line(((-half - 14, 0), (half + 14, 0)), "axis"),
     ]
-    shapes.append(Line(tuple((x * scale, y * scale) for x, y in points), look, closed=True))
+    path = tuple((round(x * scale, 1), round(y * scale, 1)) for x, y in points)
+    shapes.append(Line(path, look, closed=True))
     for place, name in _apart(marks, points, 14 / scale):
         x, y = points[place][0] * scale, points[place][1] * scale
         out = hypot(x, y) or 1.0

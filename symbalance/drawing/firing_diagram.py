@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.document.shapes import Drawing, Label, Line, Shape
+from symbalance.document.shapes import Drawing, Group, Label, Line, Shape
 from symbalance.engine.dead_centres import firing_dead_centres
 from symbalance.engine.engine import Engine
 
@@ -66,6 +66,8 @@ def draw_firing(engine: Engine) -> Drawing:
         x += 104
     if uneven:
         shapes.append(Label((x, low - 36), "* unlike the others", "start", 11))
+    cursor = Line(((LEFT, high + 2), (LEFT, low)), "ink")
+    shapes.append(Group((cursor,), name="cursor"))
     order = "-".join(str(number) for number, _, _ in rows)
     steps = ", ".join(f"{_figure(step)}°" for _, _, step in rows)
     even = f"every {_figure(usual)}°" if not uneven else f"unevenly, after {steps}"

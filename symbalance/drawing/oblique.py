@@ -19,7 +19,7 @@ from symbalance.engine.engine import Engine
 WIDTH, HEIGHT = 560.0, 460.0
 ALONG, UP = 0.80, 0.42
 """Of a length along the crank: to the right and up."""
-CORNERS = 24
+CORNERS = 16
 """Of what is drawn for a circle across an axis."""
 
 
@@ -141,7 +141,9 @@ def _hull(points: list[Point]) -> Line:
 
 def _scaled(shape: Shape, scale: float) -> Shape:
     if isinstance(shape, Line):
-        return Line(tuple((scale * x, scale * y) for x, y in shape.points), shape.look, shape.closed)
+        # A tenth of a pixel is enough for a view, and keeps pages small.
+        points = tuple((round(scale * x, 1), round(scale * y, 1)) for x, y in shape.points)
+        return Line(points, shape.look, shape.closed)
     if isinstance(shape, Label):
         return Label((scale * shape.at[0], scale * shape.at[1]), shape.text, shape.align, shape.size)
     assert isinstance(shape, Circle)

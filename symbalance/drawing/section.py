@@ -7,9 +7,10 @@ part is a group of its own, in its own frame: `crank` turns about the origin, `r
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import degrees, pi
 
-from symbalance.document.shapes import Circle, Drawing, Group, Label, Line, Point, Shape
+from symbalance.document.shapes import Circle, Drawing, Group, Label, Line, Point, Shape, labels_of
 from symbalance.drawing.positions import Machine
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
@@ -32,19 +33,11 @@ def draw_section(engine: Engine, theta: float = 0.0) -> Drawing:
     machine = Machine(engine)
     turn = theta * pi / 180
     room = machine.reach + (HEAD + GAP + 0.25) * machine.bore
-    left, bottom, right, top = _box(machine, 1.0)
-    scale = SIZE / max(right - left, top - bottom)
+    scale = section_scale(machine)
     front = _front(machine)
     shapes: list[Shape] = []
     ordered = sorted(machine.front_to_rear, key=lambda c: (c in front, c.station))
-    done: set[tuple[object, float]] = set()
-    for cylinder in reversed([c for c in ordered if c in front]):
-        key = cylinder.bank, machine.offset(cylinder)
-        if key not in done:
-            done.add(key)
-            shapes.append(_axis(machine, cylinder, scale, room))
-    for cylinder in front:
-        shapes.append(_liner(machine, cylinder, scale))
+    shapes += [_axis(machine, cylinder, scale, room) for cylinder in front]
     shapes.append(Circle((0, 0), scale * machine.radius(engine.first), "path"))
     for cylinder in ordered:
         shapes += _master(machine, cylinder, turn, scale, cylinder not in front)
@@ -56,18 +49,18 @@ def draw_section(engine: Engine, theta: float = 0.0) -> Drawing:
         shapes += [shape for c in beside for shape in _offset(machine, c, scale, words=c is beside[0])]
     shapes += _numbers(machine, scale, room)
     left, bottom, right, top = _box(machine, scale)
-    for label in (shape.box for shape in shapes if isinstance(shape, Label)):
+    title = f"Cross-section of {engine.name} at θ = {_degrees(theta)}"
+    drawing = Drawing(tuple(shapes), left, bottom, right, top, title, _words(machine, front, theta))
+    for label in (each.box for each in labels_of(drawing)):
         left, bottom = min(left, label[0] + 20), min(bottom, label[1] + 20)
         right, top = max(right, label[2] - 20), max(top, label[3] - 20)
-    return Drawing(
-        tuple(shapes),
-        left - 26,
-        bottom - 26,
-        right + 26,
-        top + 26,
-        f"Cross-section of {engine.name} at θ = {_degrees(theta)}",
-        _words(machine, front, theta),
-    )
+    return replace(drawing, left=left - 26, bottom=bottom - 26, right=right + 26, top=top + 26)
+
+
+def section_scale(machine: Machine) -> float:
+    """Return the pixels that a length of one takes in the cross-section."""
+    left, bottom, right, top = _box(machine, 1.0)
+    return SIZE / max(right - left, top - bottom)
 
 
 def point(place: complex, scale: float) -> Point:
@@ -84,18 +77,16 @@ def _front(machine: Machine) -> list[Cylinder]:
 
 
 def _axis(machine: Machine, cylinder: Cylinder, scale: float, room: float) -> Shape:
-    axis, offset = machine.axis(cylinder), machine.offset(cylinder)
-    start, end = -0.35 * machine.radius(cylinder), room - 0.1 * machine.bore
-    return Line(tuple(point(complex(h, offset) * axis, scale) for h in (start, end)), "axis")
-
-
-def _liner(machine: Machine, cylinder: Cylinder, scale: float) -> Shape:
-    """Return a cylinder's bore, from the lowest skirt to the head."""
-    axis, offset, half = machine.axis(cylinder), machine.offset(cylinder), machine.bore / 2
+    """Return an axis and the bore about it, from the lowest skirt to the head, in the axis' own frame."""
+    x, half = scale * machine.offset(cylinder), scale * machine.bore / 2
     low, high = machine.travel(cylinder)
-    foot, head = low - 0.6 * SKIRT * machine.bore, high + (HEAD + GAP) * machine.bore
-    corners = ((foot, -half), (head, -half), (head, half), (foot, half))
-    return Line(tuple(point(complex(h, offset + x) * axis, scale) for h, x in corners), "part")
+    foot = scale * (low - 0.6 * SKIRT * machine.bore)
+    head = scale * (high + (HEAD + GAP) * machine.bore)
+    end = scale * (room - 0.1 * machine.bore)
+    line = Line(((x, -0.35 * scale * machine.radius(cylinder)), (x, end)), "axis")
+    bore = Line(((x - half, foot), (x - half, head), (x + half, head), (x + half, foot)), "part")
+    turned = degrees(2 * pi * float(cylinder.bank.turns))
+    return Group((line, bore), turned=turned, name=f"axis-{cylinder.number}")
 
 
 def _moving(machine: Machine, cylinder: Cylinder, theta: float, scale: float, faded: bool) -> list[Shape]:
@@ -166,7 +157,7 @@ def _crank(machine: Machine, theta: float, scale: float) -> Shape:
     for place, pin in enumerate(webs):
         end = point(pin, scale)
         throw = (Line(((0, 0), end), "crank"), Circle(end, 0.12 * bore, "crank", opaque=True))
-        shapes.append(Group(throw, faded=place > 0))
+        shapes.append(Group(throw, name=f"throw-{webs[pin].number}", faded=place > 0))
     shapes = [*reversed(shapes), Circle((0, 0), 0.16 * bore, "crank", opaque=True)]
     return Group(tuple(shapes), (0, 0), degrees(theta), "crank")
 
@@ -200,7 +191,8 @@ def _numbers(machine: Machine, scale: float, room: float) -> list[Shape]:
         x, y = point(complex(high, machine.offset(cylinder)) * axis, scale)
         text = numbers_text(numbers)
         away = 12 + 3.4 * (len(text) - 1) * abs(axis.imag)
-        labels.append(Label((x + away * axis.imag, y + 12 * axis.real), text))
+        at = x + away * axis.imag, y + 12 * axis.real
+        labels.append(Group((Label((0.0, 0.0), text),), at, name=f"numbers-{cylinder.number}"))
     return labels
 
 

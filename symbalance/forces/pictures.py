@@ -14,15 +14,15 @@ if TYPE_CHECKING:
     from symbalance.exact.spectrum import Spectrum
     from symbalance.forces.free_forces import Balance
 
-POINTS = 360
-"""Steps of a turn."""
+POINTS = 180
+"""Steps of a turn: what a line of some 500 pixels can show."""
 LEAST = 1e-6
 """Of one piston's first order: where a logarithmic scale ends."""
 NAMES = ("force", "couple")
 
 
 def component_over_a_turn(balance: Balance, output: str) -> list[float]:
-    """Return an output ("force.vertical") at whole degrees from 0 to 360, in m r omega^2, or N and N m.
+    """Return an output ("force.vertical") at even steps of a turn, in m r omega^2, or N and N m.
 
     It holds the orders of the balance, none above. A couple counts in m r omega^2 a, a the pitch.
     """
@@ -89,24 +89,26 @@ def draw_orders(balance: Balance) -> Drawing:
 
 def draw_forces(balance: Balance) -> Drawing:
     """Return the free force over a turn, vertical and lateral, and below it the couple, if any."""
-    _check(balance)
     name = balance.engine.name
-    drawings = []
-    for of in NAMES:
-        if not getattr(balance, of).orders():
-            continue
-        unit, curves, words = unit_words(balance, of), [], []
-        for part, look in (("vertical", "force"), ("lateral", "couple")):
-            values = component_over_a_turn(balance, f"{of}.{part}")
-            largest = max(map(abs, values))
-            if largest:
-                curves.append(Curve(f"{part} {of}", tuple(values), look))
-                words.append(f"{part} {of} within ±{figure(largest)} {unit}")
-        drawings.append(draw_curves(curves, 360, unit, f"Free {of} of {name}", "; ".join(words) + "."))
+    drawings = [draw_one_of_forces(balance, of) for of in NAMES if getattr(balance, of).orders()]
     if not drawings:
         rule = f"has no free force and no couple, to order {balance.highest}"
         raise SymbalanceError(name, rule, "there is nothing to draw; take a higher --order")
     return stacked(drawings, f"Free force and couple of {name} over a turn")
+
+
+def draw_one_of_forces(balance: Balance, of: str) -> Drawing:
+    """Return the free "force", or "couple", over a turn: its vertical and its lateral part."""
+    _check(balance)
+    unit, curves, words = unit_words(balance, of), [], []
+    for part, look in (("vertical", "force"), ("lateral", "couple")):
+        values = component_over_a_turn(balance, f"{of}.{part}")
+        largest = max(map(abs, values))
+        if largest:
+            curves.append(Curve(f"{part} {of}", tuple(values), look))
+            words.append(f"{part} {of} within ±{figure(largest)} {unit}")
+    title = f"Free {of} of {balance.engine.name} over a turn"
+    return draw_curves(curves, 360, unit, title, "; ".join(words) + ".")
 
 
 def draw_force_path(balance: Balance, of: str = "force") -> Drawing:
@@ -122,8 +124,9 @@ def draw_force_path(balance: Balance, of: str = "force") -> Drawing:
     right = component_over_a_turn(balance, f"{of}.lateral")[:-1]
     points = list(zip(right, up, strict=True))
     largest = max(range(POINTS), key=lambda k: hypot(*points[k]))
-    words = f"Largest {figure(hypot(*points[largest]))} {unit_words(balance, of)} near θ = {largest}°."
-    marks = [(k, f"{k}°") for k in (0, 90, 180, 270)]
+    size = f"{figure(hypot(*points[largest]))} {unit_words(balance, of)}"
+    words = f"Largest {size} near θ = {360 // POINTS * largest}°."
+    marks = [(k * POINTS // 360, f"{k}°") for k in (0, 90, 180, 270)]
     return draw_path(
         points,
         of,

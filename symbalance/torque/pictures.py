@@ -11,7 +11,7 @@ from symbalance.drawing.charts import Curve, draw_curves, figure
 if TYPE_CHECKING:
     from symbalance.torque.inertia_balance import TorqueBalance
 
-POINTS = 360
+POINTS = 180
 
 
 def draw_torque(torque: TorqueBalance) -> Drawing:

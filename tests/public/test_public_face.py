@@ -214,6 +214,7 @@ def test_every_class_that_users_construct_is_among_them():
         "Order",
         "Overbalance",
         "Overlay",
+        "Page",
         "Part",
         "PartSet",
         "PeriodicSystem",
