@@ -135,7 +135,7 @@ def _over_a_cycle(evaluator: FormEvaluator, node: formula.Integral) -> Form:
     form = bound_form(evaluator, node.body, name)
     domain = evaluator.domain
     letter = domain.symbol(name)
-    pi = Form.letter(domain, "pi")
+    pi = Form.constant(domain, "pi")
     if is_greek(name):
         _refuse_assumptions_on(evaluator, name)
         result = integrals.definite(form, letter, Form.number(domain, 0), pi.scaled(2))

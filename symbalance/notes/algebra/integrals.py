@@ -106,7 +106,7 @@ def _printed(form: Form) -> str:
         letters = [
             f"{domain.generators[g].content}" + ("" if e == 1 else f"^{e}")
             for g, e in monomial
-            if domain.generators[g].kind == "symbol"
+            if domain.generators[g].kind in ("symbol", "constant")
         ]
         factor = coefficient / content
         size = "" if abs(factor) == 1 and letters else f"{abs(factor)} "

@@ -35,6 +35,7 @@ from symbalance.notes.checking.descriptions import (
 )
 from symbalance.notes.checking.dimensions import Dimensions, unit_text
 from symbalance.notes.checking.engines import Sources
+from symbalance.notes.checking.own_units import speeds_in_own_unit
 from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
 from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.sidecar import Binding, Declarations
@@ -104,7 +105,10 @@ class Judge:
         for binding in self.declarations.bindings:
             if binding.text:
                 verdicts.append(self.guard(partial(self.piece, binding), (0, 0), binding.line))
-        return Checked(self.document, tuple(number_verdicts(verdicts)))
+        numbered = number_verdicts(verdicts)
+        return Checked(
+            self.document, tuple(replace(v, cell=self.document.cell_of(v.line)) for v in numbered)
+        )
 
     def guard(self, verdict: Callable[[], Verdict], span: Span, line: int = 0) -> Verdict:
         """Return a verdict; one that takes too much, or a fault of the checker, is "undecided"."""
@@ -185,6 +189,7 @@ class Judge:
     def chain(self, chain: Chain, bindings: list[Binding]) -> list[Verdict]:
         """Return the verdicts on a chain's relations in order; none is lost by a fault of the checker."""
         verdicts: list[Verdict] = []
+        chain = speeds_in_own_unit(chain, self.declarations.symbols_at(chain.lines[0]))
         try:
             self._judge(chain, bindings, verdicts)
         except SymbalanceError:

@@ -278,9 +278,11 @@ class Lexer:
         self._add(kinds.get(plain, "name"), plain, self.place + 1)
 
     def _unknown(self, sign: str) -> None:
-        if sign in signs.REFUSED_SIGNS:
+        if sign == "%":
+            self._percent(self.place + 1)
+        elif sign in signs.REFUSED_SIGNS:
             raise ReadingError(self.place, *signs.REFUSED_SIGNS[sign])
-        if sign == "~":
+        elif sign == "~":
             self._tilde()
         elif sign in ".。":
             raise ReadingError(self.place, "a stray point", "remove it")
@@ -288,6 +290,12 @@ class Lexer:
             raise ReadingError(
                 self.place, f"sign {sign} is not read", "write it in letters and operators"
             )
+
+    def _percent(self, stop: int) -> None:
+        """5 % is 5/100."""
+        if not self.is_behind_number():
+            raise ReadingError(self.place, *signs.REFUSED_SIGNS["%"])
+        self.add_factor("%", (Fraction(1, 100), False), stop)
 
     def _tilde(self) -> None:
         around = self.text[max(self.place - 1, 0) : self.place + 2]
@@ -407,7 +415,7 @@ class Lexer:
         elif sign == "|":
             self._add("bar", "|", self.place + 2)
         elif sign == "%":
-            raise ReadingError(self.place, *signs.REFUSED_SIGNS["%"])
+            self._percent(self.place + 2)
         elif not sign or sign in ",;:!> \t\r\n/\\":
             self.place += 2
         else:

@@ -37,7 +37,7 @@ from symbalance.document.formula import (
     names,
     walk,
 )
-from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek
+from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek, plain_letter
 from symbalance.notes.reading import constructs
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.lexer import AT, CLOSER, VULGAR, Token
@@ -54,6 +54,7 @@ HIGHEST_DERIVATIVE = 20
 _INDICES = ("i", "j", "k", "n", "N")
 _INVERSE = {"sin": "asin", "cos": "acos", "tan": "atan"}
 _WITH_BOUNDS = ("int", "oint", "prod", "lim", "max", "min", "det")
+_TWO_FORMS = ("phi", "theta", "epsilon", "rho", "sigma", "kappa")
 _STARTS = frozenset({"number", "name", "function", "vulgar"})
 
 
@@ -225,6 +226,9 @@ class Parser:
         """Return a letter's node: a declared or bound name, π, the imaginary i, j in an exponential."""
         if name in self.names or name in self.bound:
             return Name(name, span=span)
+        if (other := _other_form(name)) in self.names:
+            self.note(f"{plain_letter(name)} read as {plain_letter(other)}, which is declared")
+            return Name(other, span=span)
         if name == "pi":
             return Constant("pi", span=span)
         if name == "i" or (name == "j" and self.exponentials):
@@ -277,10 +281,14 @@ class Parser:
         following = self.peek(1)
         if not self.at("name", "O") or "O" in self.names or not following or following.value != "(":
             return None
-        depth, steps = 1, 2
+        depth, steps, has_letter = 1, 2, False
         while depth and (token := self.peek(steps)):
             depth += {"open": 1, "close": -1}.get(token.kind, 0)
+            has_letter = has_letter or (token.kind == "name" and token.value in self.names)
             steps += 1
+        if not has_letter:
+            remedy = "name the small letter, as in O(λ^2)"
+            raise ReadingError(self.offset, "an order O( ) without a small letter", remedy)
         after = self.peek(steps)
         if depth or not (after is None or after.kind == "close"):
             return None
@@ -1021,6 +1029,16 @@ def _is_time(token: Token) -> bool:
 
 def _is_minus_one(power: Formula) -> bool:
     return power in (Negative(Number(Fraction(1))), Number(Fraction(-1)))
+
+
+def _other_form(name: str) -> str:
+    """Return the letter in its other form, phi for varphi and back; "" if it has one form only."""
+    base, mark, rest = name.partition("_")
+    bare = base.rstrip("'")
+    if bare.removeprefix("var") not in _TWO_FORMS:
+        return ""
+    other = bare[3:] if bare.startswith("var") else f"var{bare}"
+    return other + base[len(bare) :] + mark + rest
 
 
 def _is_d(token: Token | None) -> bool:

@@ -58,6 +58,7 @@ _PLAIN_WORDS = word_set(
 _OWN_FUNCTION = re.compile(r"(?:lim|max|min|det|Re|Im|conj|lg)(?=\s*[_(])|lg(?=\s[0-9])")
 _LONG_WORD = re.compile(r"(?<![\\A-Za-z_])[A-Za-z]{4,}")
 _ARTICLE_FIRST = re.compile(r"(a|I|A)\s+(?=[\w\\(])")
+_DASH_LAST = re.compile(r"\s+[-–—−]\s*$")
 _ARTICLE_LAST = re.compile(r"\s(a|I|A)$")
 
 
@@ -142,7 +143,9 @@ def _is_mathematical_sign(sign: str, text: str, place: int, end: int) -> bool:
     if sign == ":":
         return text[place + 1 : place + 2] == "="
     if sign in "!%":
-        return _is_operation(sign, text[place - 1 : place], text[place + 1 : min(place + 9, end)])
+        before = text[max(place - 2, 0) : place]
+        before = before.rstrip() if sign == "%" else before
+        return _is_operation(sign, before[-1:], text[place + 1 : min(place + 9, end)])
     if sign == ".":
         return place + 1 < end and text[place + 1].isdecimal()
     return sign in _MATHEMATICAL
@@ -198,6 +201,8 @@ def trim_segment(text: str, start: int, end: int, words: Vocabulary) -> tuple[in
     match = _ARTICLE_LAST.search(text[max(start, end - 4) : end])
     if match and match.group(1) not in words.names:
         end -= len(match.group())
+        if dash := _DASH_LAST.search(text[max(start, end - 4) : end]):
+            end -= len(dash.group())  # "… - a known identity": the dash is the prose's too
     return _within_brackets(text, start, end)
 
 

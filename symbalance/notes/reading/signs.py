@@ -16,7 +16,7 @@ RELATION_COMMANDS = {
     **dict.fromkeys(words("approx simeq fallingdotseq cong doteq doteqdot sim approxeq"), "≈"),
     **dict.fromkeys(words("leq le leqq leqslant"), "≤"),
     **dict.fromkeys(words("geq ge geqq geqslant"), "≥"),
-    **dict.fromkeys(words("triangleq coloneqq eq defeq"), "="),
+    **dict.fromkeys(words("triangleq coloneqq eq defeq shallbe"), "="),
     "lt": "<", "gt": ">", "equiv": "≡", "neq": "≠", "ne": "≠",
 }  # fmt: skip
 
@@ -126,7 +126,7 @@ BRACKET_COMMANDS = {
 
 ENVIRONMENTS = word_set(
     "equation align aligned gather gathered eqnarray multline split displaymath flalign alignat alignedat"
-    " math dmath"
+    " math dmath multlined dgroup darray"
 )
 """LaTeX environments that hold equations, without the star."""
 
