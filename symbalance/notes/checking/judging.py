@@ -25,7 +25,7 @@ from symbalance.notes.checking.deciding.matrix_relations import (
 )
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute
-from symbalance.notes.checking.definitions import Definitions, lines_of
+from symbalance.notes.checking.definitions import Definitions, lines_of, refuted_at_angles
 from symbalance.notes.checking.descriptions import (
     describe,
     undecided,
@@ -251,7 +251,7 @@ class Judge:
 
     def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on the k-th relation of a chain."""
-        knowledge = self._with_clauses_below(chain, self.knowledge(chain.lines[0]))
+        knowledge = self._with_clauses_below(chain, k, self.knowledge(chain.lines[0]))
         mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
         outcome = self._link(chain, k, sound, bad, knowledge)
         verdict = describe(self.document, chain, k, outcome) if isinstance(outcome, Decision) else outcome
@@ -415,7 +415,7 @@ class Judge:
         )
         if by_premises is not None and by_premises.status != PREMISE:
             return by_premises
-        self.definitions.state(chain, k)
+        self.definitions.state(chain, k, angles=knowledge.angles)
         return case
 
     def _with_premises(
@@ -428,16 +428,19 @@ class Judge:
             return decision
         by_all = decide(left, right, sign, solved.knowledge)
         if by_all.status == REFUTED and solved.leftover:
+            at_solution = refuted_at_angles(left, right, sign, solved)
+            if at_solution is not None:
+                return at_solution
             reason = f"may rest on {lines_of(solved.leftover)}, which could not be solved for a letter"
             return replace(by_all, status=UNDECIDED, reason=reason)
         return by_all
 
-    def _with_clauses_below(self, chain: Chain, knowledge: Knowledge) -> Knowledge:
+    def _with_clauses_below(self, chain: Chain, k: int, knowledge: Knowledge) -> Knowledge:
         """Return what is known with the new letters that the lines right below a relation explain.
 
         An equation in matrices stands first as a rule, what its letters are after it: "here M̃ = ΦᵗMΦ".
         """
-        if not any(is_of_matrices(side.node, side.node, knowledge) for side in chain.sides):
+        if not is_of_matrices(chain.sides[k].node, chain.sides[k + 1].node, knowledge):
             return knowledge
         last = chain.lines[-1]
         own = {name for side in chain.sides for name in names(side.node)}

@@ -354,6 +354,10 @@ class Assembler:
         if draft.signs or len(draft.sides[0]) > 1:
             self.chains.append(chain)
             self.account.read.update(at for _, _, at in sides_read[1:])
+            spans = {side.span for side, _, _ in sides_read}
+            for tokens in draft.sides:  # the conditions of cases are read with their side
+                if tokens and (tokens[0].start, tokens[-1].end) in spans:
+                    self.account.read.update(t.start for t in tokens if t.kind == "rel")
 
     def _report_undeclared(self, draft: Draft, names: frozenset[str]) -> None:
         """Report prose with a relation only where one undeclared letter is all that is wrong."""
