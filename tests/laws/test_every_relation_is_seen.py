@@ -48,6 +48,8 @@ def counted(path: Path) -> int:
         text = re.sub(r"\A(?:#[^\n]*\n)+", "", text)
     text = re.sub(r"^[ \t]*={2,}[ \t]*$", "", text, flags=re.MULTILINE)
     text = re.sub(r"https?://\S+", "", text)
+    cases = r"\\begin\{cases\}.*?\\end\{cases\}"  # a condition of a case is no relation of its own
+    text = re.sub(cases, "", text, flags=re.DOTALL)
     return len(SIGN.findall(re.sub(r"[_^]\s*\{[^{}\n]{0,60}\}", "", text)))
 
 

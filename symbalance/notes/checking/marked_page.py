@@ -89,7 +89,7 @@ def _entry(verdict: Verdict) -> tuple[Words, Words]:
 
 
 def _anchor(verdict: Verdict) -> str:
-    return f"line-{place(verdict).replace('.', '-')}"
+    return "line-" + re.sub("[.:]", "-", place(verdict))
 
 
 def _mark(verdict: Verdict) -> str:
