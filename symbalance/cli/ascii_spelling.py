@@ -136,6 +136,10 @@ def _table(lines: list[str], rule: int, encoding: str) -> list[str]:
             columns[-1][1] = max(columns[-1][1], end)
         else:
             columns.append([start, end])
+    # A cell that goes on alone in its line, and does not stand in the first column, moves with its own.
+    ends = {column[0]: column[1] for column in columns[1:]}
+    alone = [(k, row[0].span()) for k, row in enumerate(cells) if k > rule and len(row) == 1]
+    of_table += [k for k, (start, end) in alone if end <= ends.get(start, 0)]
     texts: list[dict[int, str]] = []
     for k, line in enumerate(lines):
         within = [line[start:end].rstrip() for start, end in columns] if k in of_table else []
@@ -192,7 +196,8 @@ def _spelled(line: str, encoding: str) -> str:
             out += ("*" if _ends_factor(out) else "") + f"({_fraction(character)})"
             out += "*" if follows == "(" or (follows.isascii() and follows.isalpha()) else ""
         else:
-            out += _sign(character, encoding)
+            sign = _sign(character, encoding)
+            out += (sign.lstrip() or sign) if out.endswith(" ") else sign
         at = end
     return out
 

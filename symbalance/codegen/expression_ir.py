@@ -41,10 +41,16 @@ class Kernel:
 
     constants: list[NamedConstant] = field(default_factory=list)
     lines: list[Statement] = field(default_factory=list)
+    _known: set[str] = field(init=False, repr=False, compare=False)
+    """Names of constants and of lines, which differ: there may be as many as terms of a long sum."""
+
+    def __post_init__(self) -> None:
+        self._known = {each.name for each in (*self.constants, *self.lines)}
 
     def constant(self, name: str, value: object, note: str = "") -> str:
         """Add a constant, rounded once to a double, and return its name."""
-        if all(c.name != name for c in self.constants):
+        if name not in self._known:
+            self._known.add(name)
             self.constants.append(NamedConstant(name, float(value), note))  # pyright: ignore[reportArgumentType]
         return name
 
@@ -63,7 +69,8 @@ class Kernel:
 
     def line(self, name: str, formula: str, note: str = "") -> str:
         """Add a line and return its name."""
-        if all(line.name != name for line in self.lines):
+        if name not in self._known:
+            self._known.add(name)
             self.lines.append(Statement(name, formula, note))
         return name
 

@@ -26,7 +26,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar, Unpack
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, Unpack
 
 from symbalance.design.balancing.order_selection import parts_of
 from symbalance.document.result import SequenceResult
@@ -55,6 +55,8 @@ DIGITS = 20
 
 Place = tuple[str, int]
 """Force or couple, and the order: what a column is about."""
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -313,7 +315,7 @@ def _at(line: ComparedEngine, rpm: object, sizes: Mapping[str, object]) -> Compa
         raise problem.within(line.engine.name) from None
 
 
-def lacking_sizes(engine: Engine, sizes: Mapping[str, object]) -> dict[str, object]:
+def lacking_sizes(engine: Engine, sizes: Mapping[str, T]) -> dict[str, T]:
     """Return those sizes that an engine does not have: its own count before what is said for several.
 
     >>> from symbalance.engine.catalogue import load

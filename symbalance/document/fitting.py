@@ -18,6 +18,7 @@ from symbalance.document.nodes import (
     Column,
     Exact,
     Inline,
+    Jump,
     Strong,
     Table,
     TooLong,
@@ -211,6 +212,6 @@ def plain_words(words: Words) -> str:
 
 
 def _plain(inline: Inline) -> str:
-    if isinstance(inline, Code | Strong):
+    if isinstance(inline, Code | Strong | Jump):
         return inline.text
     return inline if isinstance(inline, str) else formula_text(inline)

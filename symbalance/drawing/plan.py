@@ -24,7 +24,7 @@ def draw_plan(engine: Engine, theta: float = 0.0) -> Drawing:
 
     >>> from symbalance.engine.builders import boxer
     >>> draw_plan(boxer("1-2")).title
-    'Plan of boxer 2 at θ = 0°, the front to the left'
+    'Plan of engine at θ = 0°, the front to the left'
     """
     machine, turn = Machine(engine), theta * pi / 180
     scale, width = plan_scale(machine)

@@ -28,7 +28,7 @@ def draw_section(engine: Engine, theta: float = 0.0) -> Drawing:
 
     >>> from symbalance.engine.builders import inline
     >>> draw_section(inline("1-2-3"), 30).title
-    'Cross-section of in-line 3 at θ = 30°'
+    'Cross-section of engine at θ = 30°'
     """
     machine = Machine(engine)
     turn = theta * pi / 180

@@ -17,14 +17,15 @@ def sentence(balance: Balance, language: str = "en") -> str:
 
     >>> from symbalance.engine.catalogue import load
     >>> from symbalance.forces.free_forces import balance
-    >>> sentence(balance(load("v8-90"), 4))
-    'Free of forces up to order 3. Largest force: order 4, 0.02318 of one piston\\'s first order. \
-First-order couple 3.162, all of it with the crank: counterweights balance it.'
+    >>> print(sentence(balance(load("inline-3"), 2)))  # doctest: +ELLIPSIS
+    Free of forces to order 2. First-order couple 1.732: ...
     """
     parts = []
     for of in ("force", "couple"):
-        sizes = {n: s for n, s in _sizes(balance, of).items() if s >= NEGLIGIBLE}
-        parts += _free(of, sizes, balance.highest, language)
+        all_sizes = _sizes(balance, of)
+        sizes = {n: s for n, s in all_sizes.items() if s >= NEGLIGIBLE}
+        # An order that is there, however small, is not free of.
+        parts += _free(of, sizes, min(all_sizes, default=0), balance.highest, language)
         first = Resultant(getattr(balance, of), 1)
         if 1 in sizes:
             parts.append(_cure(of, sizes[1], first, language))
@@ -41,26 +42,36 @@ def _sizes(balance: Balance, of: str) -> dict[int, float]:
     return sizes
 
 
-def _free(of: str, sizes: dict[int, float], highest: int, language: str) -> list[str]:
-    if language == "ja":
-        name = NAMES["ja"][of]
-        if not sizes:
-            return [f"{highest}次までの{name}はない。"]
-        least, largest = min(sizes), max(sizes, key=lambda n: sizes[n])
-        free = f"{least - 1}次以下の{name}はない。" if least > 1 else ""
-        if of == "couple" and largest == 1:
-            return [free] if free else []
-        unit = "1気筒の1次慣性力の" if of == "force" else "1気筒の1次慣性力×ピッチの"
-        return [f"{free}最大の{name}は{largest}次で、{unit}{figure(sizes[largest])}倍。"]
-    plural = of + "s"
+_SAID = {
+    "en": {
+        "none": "Free of {of}s to order {highest}.",
+        "small": "All {of}s below 10⁻⁶ of one piston's first order.",
+        "free": "Free of {of}s up to order {below}.",
+        "force": "Largest {of}: order {order}, {size} of one piston's first order.",
+        "couple": "Largest {of}: order {order}, {size} of one piston's first order times the pitch.",
+    },
+    "ja": {
+        "none": "{highest}次までの{of}はない。",
+        "small": "{of}は1気筒の1次慣性力の10⁻⁶倍未満。",
+        "free": "{below}次以下の{of}はない。",
+        "force": "最大の{of}は{order}次で、1気筒の1次慣性力の{size}倍。",
+        "couple": "最大の{of}は{order}次で、1気筒の1次慣性力×ピッチの{size}倍。",
+    },
+}
+
+
+def _free(of: str, sizes: dict[int, float], least: int, highest: int, language: str) -> list[str]:
+    """Return up to which order there is nothing, and the largest of what there is."""
+    said, name = _SAID[language], NAMES[language][of]
+    if not least:
+        return [said["none"].format(of=name, highest=highest)]
     if not sizes:
-        return [f"Free of {plural} to order {highest}."]
-    least, largest = min(sizes), max(sizes, key=lambda n: sizes[n])
-    free = [f"Free of {plural} up to order {least - 1}."] if least > 1 else []
-    if of == "couple" and largest == 1:
+        return [said["small"].format(of=name)]
+    free = [said["free"].format(of=name, below=least - 1)] if least > 1 else []
+    largest = max(sizes, key=lambda n: sizes[n])
+    if of == "couple" and largest == 1:  # its cure says how large it is
         return free
-    unit = "one piston's first order" + ("" if of == "force" else " times the pitch")
-    return [*free, f"Largest {of}: order {largest}, {figure(sizes[largest])} of {unit}."]
+    return [*free, said[of].format(of=name, order=largest, size=figure(sizes[largest]))]
 
 
 def _cure(of: str, size: float, first: Resultant, language: str) -> str:

@@ -5,6 +5,8 @@ import os
 import re
 import subprocess
 import sys
+from itertools import pairwise
+from pathlib import Path
 
 import pytest
 import sympy
@@ -16,6 +18,7 @@ from symbalance.engine.catalogue import preset_text
 from tests.different_presets import different_presets
 
 ENCODINGS = ("ascii", "latin-1", "cp1252", "cp932", "koi8-r")
+GOLDEN = Path(__file__).parent.parent / "golden"
 C_LOCALE = {"LC_ALL": "C", "PYTHONCOERCECLOCALE": "0", "PYTHONUTF8": "0"}
 
 
@@ -162,6 +165,57 @@ def test_columns_stay_in_line_and_amplitudes_keep_their_value(name, capsys):
                     compared += 1
     assert compared or not any(o[k][c]["cos"] != "0" for o in exact for k in ("force", "couple")
                                for c in ("vertical", "lateral"))  # fmt: skip
+
+
+REPORTS = sorted(path.name for path in GOLDEN.glob("*.txt"))
+
+
+def rows_of_table(text: str) -> tuple[int, list[list[tuple[int, int]]]]:
+    """Return where the rule stands, 0 if nowhere, and the cells of rows with one in each column."""
+    rows = [columns(line) for line in text.split("\n")]
+    rule = next((k for k, line in enumerate(text.split("\n")) if re.fullmatch(" *─{3,}", line)), 0)
+    most = max(map(len, rows))
+    rows = [row if len(row) == most > 1 and k >= rule - 1 else [] for k, row in enumerate(rows)]
+    if min(gaps_of(rows), default=2) < 2:
+        return 0, rows  # a cell wider than its column: where it ends, no reader knows
+    return rule, rows
+
+
+def gaps_of(rows: list[list[tuple[int, int]]]) -> list[int]:
+    """Return how many blanks at least stand between a column and the next."""
+    by_column = zip(*filter(None, rows), strict=True)
+    return [
+        min(start for start, _ in right) - max(end for _, end in left)
+        for left, right in pairwise(by_column)
+    ]
+
+
+@pytest.mark.spread(12)
+@pytest.mark.parametrize("name", REPORTS)
+def test_a_table_in_ascii_has_its_cells_and_its_columns(name):
+    """Cell by cell what stands there, also what goes on alone; no column in another; a rule as wide."""
+    before = (GOLDEN / name).read_text(encoding="utf-8")
+    for old, new in zip(before.split("\n\n"), as_encodable(before, "ascii").split("\n\n"), strict=True):
+        rule, rows = rows_of_table(old)
+        old_lines, lines = old.split("\n"), new.split("\n")
+        places = [columns(line) if row else [] for row, line in zip(rows, lines, strict=True)]
+        if not rule or not any(rows):
+            continue
+        for old_line, line, row, cells in zip(old_lines, lines, rows, places, strict=True):
+            spelled = [as_encodable(old_line[start:end], "ascii") for start, end in row]
+            assert [line[start:end] for start, end in cells] == spelled
+        gaps = [gaps_of(rows), gaps_of(places)]
+        if all(rows[rule - 1 : rule] + rows[rule + 1 :]):  # no cell stands anywhere else
+            assert gaps[0] == gaps[1]
+            assert len(lines[rule]) == max(row[-1][1] for row in places if row)
+        assert min(gaps[1]) >= 2
+        for k, line in enumerate(old_lines):
+            start = len(line) - len(line.lstrip())
+            if k > rule and not rows[k] and len(columns(line)) == 1:
+                for was, now in zip(rows[rule - 1], places[rule - 1], strict=False):
+                    if was[0] == start > rows[rule - 1][0][0] and len(line) <= was[1]:
+                        assert columns(lines[k])[0][0] == now[0]
+        assert columns(lines[rule])[0][0] == columns(old_lines[rule])[0][0]
 
 
 @pytest.mark.slow

@@ -9,7 +9,7 @@ from random import Random
 import pytest
 
 from tests.faults.planting.baseline import Baseline
-from tests.faults.planting.planting import Outcome, report
+from tests.faults.planting.planting import Outcome, by_nearness, report
 from tests.faults.planting.single_faults import Fault, choose, faults_of, is_another_program
 from tests.faults.planting.trees import Tree
 
@@ -121,3 +121,16 @@ def test_report_counts_what_changes() -> None:
     assert text.splitlines()[1].split() == ["exact", "3", "2", "1", "50", "%"]
     assert "symbalance/m.py:7 (sign)" in text
     assert "- return -a" in text
+
+
+def test_files_that_name_the_module_come_first() -> None:
+    """The time limit may end what is slow: what is about the module is not what it leaves out."""
+    fault = Fault("symbalance/crankshaft/solid/meshing.py", 1, "sign", "a", "b", 1, ("f", 1))
+    files = [
+        "symbalance/crankshaft",
+        "tests/public/test_crankshaft_command.py",
+        "tests/laws/test_rotors.py",
+        "tests/independent/test_drawn_solids.py",
+    ]
+    order = by_nearness(files, fault, {"tests/laws/test_rotors.py"})
+    assert order == [files[0], files[3], files[2], files[1]]

@@ -297,3 +297,34 @@ def test_a_document_that_is_too_long_is_refused() -> None:
 def test_deep_nesting_is_refused_not_a_recursion_error(unit: str) -> None:
     document = read("$$x = " + unit * (9_000 // len(unit)) + " x$$")
     assert len(document.unreadable) == 1 + unit.count("=") * (9_000 // len(unit))  # each is said
+
+
+FORMULAS = [
+    "sin 2θ = 2 sin θ cos θ",
+    "x = r(1 - cos θ)",
+    "a = r ω² (cos θ + cos 2θ/λ)",
+    "v = dx/dt",
+    "(r + l)² = r² + 2 r l + l²",
+    "rcos θ = r cos θ",
+    "-sin θ = sin(-θ)",
+    "λ = l/r ≈ 4",
+]
+PROSE = [
+    *("- {}", "* {}", "+ {}", "• {}", "-  {} ,", "    {}", "1. {}", "1) {}", "(2) {}", "& {} &"),
+    *("{}.", "{},", "{};", "{})", "“{}”", "{}  (2.1)", "(see above) {}", "{} (see above)"),
+    *("Thus {}", "hence: {}", "where {}, and", "the velocity {}", "so that {} holds", "If {}, then"),
+    *("The displacement is {}.", "{} holds because of the above", "with {} we get", "Es gilt {}."),
+]
+
+
+@pytest.mark.parametrize("prose", PROSE)
+def test_prose_around_a_formula_changes_nothing(prose: str) -> None:
+    for formula in FORMULAS:
+        document = read(prose.format(formula), ".txt")
+        assert not document.unreadable
+        (chain,) = document.chains
+        assert said(chain) == all_said(formula, ".txt")[0]
+        start, end = prose.index("{}"), prose.index("{}") + len(formula)
+        begin, stop = chain.sides[0].span[0], chain.sides[-1].span[1]
+        assert begin >= start or prose == "+ {}"  # a sign is no bullet for sure: its place is noted
+        assert begin < stop <= end

@@ -90,7 +90,7 @@ def _with_bounds(parts: st.SearchStrategy[Formula]) -> st.SearchStrategy[Formula
         several.map(Sum),
         several.map(Product),
         st.builds(Quotient, parts, parts),
-        # A bar over one letter is a letter of its own: the conjugate, where that letter is declared complex.
+        # A bar over one letter is a letter of its own, the conjugate where that is declared.
         st.builds(Call, st.sampled_from(["sin", "sqrt", "exp", "conj", "re", "lg"]), parts).filter(
             lambda call: call.function != "conj" or not isinstance(call.argument, Name)
         ),

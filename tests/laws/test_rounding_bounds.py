@@ -6,6 +6,7 @@ and the effects are added up in size.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from fractions import Fraction
 from itertools import count
@@ -397,3 +398,20 @@ def test_a_closed_form_holds_the_first_order_once_and_all_others(ratio):
             bank, throw = (kinematics.radians(x.in_degrees()) for x in (cylinder.bank, cylinder.throw))
             total += mp.cos(bank) * kinematics.acceleration(mp.mpf(0.7) + throw - bank, lam)
         assert float(form.value(0.7)) == pytest.approx(float(total), rel=1e-13)
+
+
+@pytest.mark.spread("far apart", "one cosine", "half orders")
+@pytest.mark.parametrize("name", SUMS)
+def test_the_float32_sine_holds_on_all_that_its_angles_reach(name: str) -> None:
+    """To 0.01 u32 up to a quarter turn and what a multiple of e, below 2^-11 turns, adds to it."""
+    wave = HarmonicSum("force.vertical", FORCE, "a wave", SUMS[name], 60)
+    plan = choose_plan([wave], Fraction(4), "array-api")
+    (source,) = files(plan, "array-api", "wave", "wave").values()
+    coefficients = [mp.mpf(value) for _, value in re.findall(r"\bR(\d+) = ([-\de.]+)", source)]
+    assert len(coefficients) == 5
+    multiples = [1.0, *(float(s) for s in re.findall(r"(?<![\w.])([\d.]+)\*e\b", source))]
+    with mp.workdps(30):
+        reach = mp.pi / 2 + 2 * mp.pi * max(multiples) / 2**11
+        places = mp.linspace(0, reach, 200)
+        values = [x + sum(s * x ** (2 * j + 3) for j, s in enumerate(coefficients)) for x in places]
+        assert max(abs(v - mp.sin(x)) for v, x in zip(values, places, strict=True)) < 0.01 / 2**24

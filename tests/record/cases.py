@@ -31,6 +31,7 @@ COMMANDS = (
     "overbalance",
     "firing",
     "formulas",
+    "search",
     "sensitivities",
     "sweep",
     "tolerances",

@@ -114,15 +114,20 @@ class Campbell(Result):
         return campbell_document(self)
 
     def data(self) -> dict[str, Any]:
-        """Return `speeds_rpm` and lists (speed, mode) in Hz; growth in 1/s, forward shares 0 to 1."""
+        """Return `speeds_rpm` and lists (speed, mode) in Hz; growth in 1/s, forward shares 0 to 1.
+
+        A mode that moves along or about the axis has no forward share: None.
+        """
         hertz = 1 / (2 * np.pi)
+        # Of a mode that hardly moves sideways the share is a quotient of two roundings.
+        forward = np.where(self.lateral, self.forward, None)
         return {
             "free": self.is_free,
             "speeds_rpm": (self.speeds * 30 / np.pi).tolist(),
             "rotating_hertz": (self.rotating * hertz).tolist(),
             "stationary_hertz": (self.stationary * hertz).tolist(),
             "growth": self.growth.tolist(),
-            "forward": self.forward.tolist(),
+            "forward": forward.tolist(),
             "lateral": self.lateral.tolist(),
         }
 

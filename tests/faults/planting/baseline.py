@@ -69,28 +69,25 @@ def measure(rooms: Iterable[str], crew: Crew, say: Callable[[str], None]) -> Bas
     )
     tests: dict[str, dict[str, Any]] = {}
     units = sorted({file for room in rooms for file in nearest_files(room)})
-    jobs = {}
+    keys = {}
     for unit in units:
         own = digest_of([unit]) if unit.endswith(".py") else ""
-        key = f"tests-{library}-{shared}-{own}-{unit.replace('/', '+')}"
-        if not (STORE / f"{key}.json").exists():
-            jobs[key] = _covered(unit)
-    if jobs:
-        say(f"baseline: the fast tests of {len(jobs)} files")
-        for key, value in crew.run_all(jobs).items():
-            keep(key, value)
+        keys[unit] = f"tests-{library}-{shared}-{own}-{unit.replace('/', '+')}"
+    lacking = [unit for unit in units if not (STORE / f"{keys[unit]}.json").exists()]
+    if lacking:
+        say(f"baseline: the fast tests of {len(lacking)} files")
+        crew.run_all({unit: _covered(unit, keys[unit]) for unit in lacking})
     for unit in units:
-        own = digest_of([unit]) if unit.endswith(".py") else ""
-        tests |= read(f"tests-{library}-{shared}-{own}-{unit.replace('/', '+')}")
+        tests |= read(keys[unit])
     return Baseline(tests=tests, **results)
 
 
-def _covered(unit: str) -> Callable[[Tree], Any]:
-    def job(tree: Tree) -> Any:
+def _covered(unit: str, key: str) -> Callable[[Tree], None]:
+    def job(tree: Tree) -> None:
         answer = tree.do("cover", LIMIT, files=[unit])
         if "value" not in answer:
             raise PlantingError(f"{unit}: its tests did not come to an end without a fault: {answer}")
-        return answer["value"]
+        keep(key, answer["value"])  # at once: a break costs what was being measured, no more
 
     return job
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from random import Random
@@ -160,7 +160,7 @@ def catch(
     stages = [
         (files, first),
         (sorted({name.split("::")[0] for name in others}), others),
-        (nearest_files(room), []),
+        (by_nearness(nearest_files(room), fault, {name.split("::")[0] for name in calling}), []),
     ]
     for stage_files, names in stages:
         if not stage_files:
@@ -193,6 +193,24 @@ def catch(
             without.add(value["failed"])  # it fails without the fault too, so it says nothing about it
             without |= ran
     return "", f"the time limit left {omitted} tests out" if omitted else ""
+
+
+def by_nearness(files: Sequence[str], fault: Fault, calling: Collection[str]) -> list[str]:
+    """Return files of tests, first those that name the fault's module or have fast tests calling it.
+
+    What is slow is run in this order, and the time limit may end it. Doctests are fast and stay first;
+    what only prints a result has its golden files next.
+    """
+    module = fault.path.removesuffix(".py").replace("/", ".")
+    is_printed = fault.path.endswith(("_document.py", "_data.py", "_table.py"))
+
+    def rank(file: str) -> int:
+        if not file.startswith("tests/"):
+            return 0
+        golden = is_printed and file.startswith("tests/documents/")
+        return 1 if golden or module in _source(file) else 2 if file in calling else 3
+
+    return sorted(files, key=rank)
 
 
 def _is_steady(tree: Tree, name: str, baseline: Baseline, clean: dict[str, bool]) -> bool:

@@ -17,7 +17,7 @@ from traceback import format_exception
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
 from symbalance.document import formula
-from symbalance.document.formula import Formula, Name, Negative, Number, Product, Quotient
+from symbalance.document.formula import Formula, Name, Negative, Number, Power, Product, Quotient
 from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError, fault_of
 from symbalance.notes.algebra import values
@@ -182,10 +182,20 @@ def _change(case: Case) -> Repair | None:
     if target_and_filter is not None:
         targets, numeric = target_and_filter
         for edit in _edits_that_fit(case, numeric, targets):
-            node = edit.applied(parents_of(case.node))
+            parents = parents_of(case.node)
+            node = edit.applied(parents)
             if case.proves(node):
-                return Repair(edit.kind, node, ((edit.old, edit.new),), edit.cost)
+                return Repair(edit.kind, node, (_as_written(edit, parents),), edit.cost)
     return _by_factor(case) or _by_terms(case)
+
+
+def _as_written(edit: Edit, parents: dict[int, Formula]) -> tuple[Formula, Formula]:
+    """Return the part replaced and its replacement, with a power written in it: sin²θ holds no sin θ."""
+    outer = parents.get(id(edit.old))
+    start, end = edit.old.span
+    if isinstance(outer, Power) and outer.base is edit.old and start < outer.exponent.span[0] < end:
+        return replace(outer, span=edit.old.span), replace(outer, base=edit.new)
+    return edit.old, edit.new
 
 
 def _round_exact_value(case: Case) -> Repair | None:
