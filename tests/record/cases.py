@@ -31,6 +31,8 @@ COMMANDS = (
     "overbalance",
     "firing",
     "formulas",
+    "draw",
+    "page",
     "search",
     "sensitivities",
     "sweep",
