@@ -261,7 +261,12 @@ CASES = {
     ),
 }
 SLOW = {"w twelve", "boxer six", "vee eight", "radial of two rows", "in-line six", "grid of 10"}
-SLOW |= {"even firing on a grid of 90", "radial two-stroke of four rows"}
+SLOW |= {
+    "even firing on a grid of 90",
+    "even firing on a grid of 60",
+    "two-stroke six on unequal stations",
+    "radial two-stroke of four rows",
+}
 NAMED = [pytest.param(name, marks=pytest.mark.slow if name in SLOW else ()) for name in CASES]
 
 
