@@ -65,7 +65,9 @@ class FiringVariants:
     @property
     def count(self) -> int:
         """How many firing orders a star has."""
-        return len(self._free_turns if self.problem.is_any else self._slots)
+        if self.problem.is_any:  # counted, not written out: there may be more than could be judged
+            return self.problem.cycle ** (self.problem.cylinders - 1)
+        return len(self._slots)
 
     @cached_property
     def _free_turns(self) -> Array:

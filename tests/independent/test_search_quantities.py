@@ -361,6 +361,20 @@ def test_torsion_and_neighbours_of_every_firing_order(name: str) -> None:
     assert everything.firings == per_star * everything.searched.stars
 
 
+def test_many_cylinders_at_any_intervals_are_searched_where_no_firing_order_matters() -> None:
+    """Fourteen on a flat crank: each of thirteen throws is up or down, and fires in either turn."""
+    ups = np.array(list(product((1, -1), repeat=13)))
+    cranks = np.concatenate([np.ones((len(ups), 1)), ups], axis=1)
+    levers = np.arange(6.5, -7, -1)
+    balanced = (cranks.sum(1) == 0) & (cranks @ levers == 0)
+    result = search_cranks(
+        14, intervals="any", grid=180, require=["force.1=0", "couple.1=0"], compiled=False
+    )
+    assert result.searched.cranks == 2**13
+    assert result.found.cranks == int(balanced.sum())
+    assert result.firings == result.found.stars * 2**13
+
+
 def test_counterweights_and_shafts_leave_what_they_leave() -> None:
     """After counterweights half of order 1 remains, that which turns backward; after shafts nothing."""
     for name in ("in-line five on unequal stations", "vee four on split pins", "boxer four"):
