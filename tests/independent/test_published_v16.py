@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 import re
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -167,3 +168,27 @@ def test_the_command_says_the_published_newtons(
                 assert 0 <= exact / UNITS[order] - 1 <= SHARE_LEFT_OUT[order] + 1e-12, order
             else:
                 assert published == 0
+
+
+@pytest.mark.slow
+def test_the_search_betters_all_of_the_cases_in_couples() -> None:
+    """All throws on the tool's grid, one bank 60 mm behind: some leave no couple of order 1 or 2 at all."""
+    from symbalance.search import search_cranks
+
+    behind = "-3/16"
+    places = [f"{7 - 2 * row}/2" if n == 0 else Fraction(behind) + Fraction(7 - 2 * row, 2)
+              for row in range(8) for n in (0, 1)]  # fmt: skip
+    result = search_cranks(
+        16,
+        banks=[45, -45],
+        intervals="any",
+        grid="22.5",
+        stations=places,
+        minimize=["couple.1", "couple.2"],
+        require=["force.1=0"],
+        limit=["couple.1<=1/2", "couple.2<=2"],
+    )
+    assert result.searched.cranks == 16**7
+    (point,) = result.points
+    assert all(point.stars[0].values[one].is_zero() for one in ("couple.1", "couple.2"))
+    assert all(case[1][0] > 0 for case in MOMENTS.values())
