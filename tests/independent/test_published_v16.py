@@ -172,7 +172,7 @@ def test_the_command_says_the_published_newtons(
 
 @pytest.mark.slow
 def test_the_search_betters_all_of_the_cases_in_couples() -> None:
-    """All throws on the tool's grid, one bank 60 mm behind: some leave no couple of order 1 or 2 at all."""
+    """Throws on the tool's grid, one bank 60 mm behind: some leave no couple of order 1 or 2."""
     from symbalance.search import search_cranks
 
     behind = "-3/16"
