@@ -253,7 +253,7 @@ class MatrixEvaluator:
         joined = tuple(word)
         if len(joined) < 2:
             return joined
-        vectors, (first, *_, last) = self.kinds.vectors, joined
+        vectors, first, last = self.kinds.vectors, word[0], word[-1]
         ends = first.name in vectors and last.name in vectors
         is_number = ends and first.is_transposed and not last.is_transposed
         return min(joined, self._mirrored(joined), key=repr) if is_number else joined

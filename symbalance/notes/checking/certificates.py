@@ -137,7 +137,8 @@ def _without_dots(node: Formula) -> Formula:
         terms = tuple(_without_dots(term) for term in node.terms if not isinstance(term, formula.Dots))
         if not terms:  # dots alone claim nothing
             return node
-        return formula.Sum(terms) if len(terms) > 1 else terms[0]
+        first, *others = terms
+        return formula.Sum(terms) if others else first
     parts = formula.children(node)
     return formula.with_children(node, tuple(map(_without_dots, parts))) if parts else node
 

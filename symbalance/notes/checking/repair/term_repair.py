@@ -171,7 +171,8 @@ def _rebuild(
         all_terms = (*terms, *extra_terms)
         if not all_terms:
             return None
-        result = Sum(all_terms, span=node.span) if len(all_terms) > 1 else all_terms[0]
+        first, *others = all_terms
+        result = Sum(all_terms, span=node.span) if others else first
         changes.append((Number(Fraction(0)), extra_node))
     return (result, tuple(changes)) if changes else None
 
