@@ -253,9 +253,9 @@ class MatrixEvaluator:
         joined = tuple(word)
         if len(joined) < 2:
             return joined
-        vectors, first, last = self.kinds.vectors, word[0], word[-1]
-        ends = first.name in vectors and last.name in vectors
-        is_number = ends and first.is_transposed and not last.is_transposed
+        vectors, head, tail = self.kinds.vectors, word[0], word[-1]
+        ends = head.name in vectors and tail.name in vectors
+        is_number = ends and head.is_transposed and not tail.is_transposed
         return min(joined, self._mirrored(joined), key=repr) if is_number else joined
 
     # Transpose, inverse, powers, determinants
