@@ -26,9 +26,11 @@ from symbalance.text.reals import Real
 _M, _R, _L, _A, _N = Name("m"), Name("r"), Name("l"), Name("a"), Name("n")
 _THETA, _LAM = Name("theta"), Name("lam")
 _ANGLE = _N * _THETA
+WAVE_OF_PHASE = cos(_ANGLE - Upright("phase"))
+"""What an order's amplitude, or its value in N or N m, is multiplied by."""
 WAVE = equal(
     Name("C") * cos(_ANGLE) + Name("S") * sin(_ANGLE),
-    Upright("amplitude") * cos(_ANGLE - Upright("phase")),
+    Upright("amplitude") * WAVE_OF_PHASE,
 )
 """What an order's coefficients, amplitude and phase are."""
 ORDER: tuple[Words, Words] = (("order ", _N), WAVE)
