@@ -219,7 +219,7 @@ class _Writer(DocumentWriter):
         return narrow
 
     def longest_piece(self, fit: Fitted, place: int) -> int:
-        """Return the length of the longest part of a column that is not broken: a word, a formula's term."""
+        """Return the length of the longest part of a column that is not broken: a word, a term."""
         texts = [self.words(words) for words in (fit.columns[place].head, *fit.cells(place))]
         return max(len(piece) for text in texts for piece in _SIGNS.sub(" ", text).split(" "))
 

@@ -63,6 +63,8 @@ def _certificate(verdict: Verdict, sides: Sides) -> dict[str, Any]:
     decision = verdict.decision
     if decision is None or verdict.node is None or decision.level is None:
         return entry | {"proof": "nothing", "why": verdict.reason or "no comparison of two sides"}
+    if decision.of_matrices:
+        return entry | {"proof": "nothing", "why": "matrices are not retraced: products would commute"}
     entry["premises"] = list(decision.assumptions)
     problem = "no proof that can be retraced was found for it"
     for left in _candidates(verdict, decision, sides):
@@ -133,6 +135,8 @@ def _without_dots(node: Formula) -> Formula:
     """Return a side without the dots at its end: what it claims to an order are the terms before."""
     if isinstance(node, formula.Sum):
         terms = tuple(_without_dots(term) for term in node.terms if not isinstance(term, formula.Dots))
+        if not terms:  # dots alone claim nothing
+            return node
         return formula.Sum(terms) if len(terms) > 1 else terms[0]
     parts = formula.children(node)
     return formula.with_children(node, tuple(map(_without_dots, parts))) if parts else node

@@ -89,7 +89,7 @@ def _entry(verdict: Verdict) -> tuple[Words, Words]:
 
 
 def _anchor(verdict: Verdict) -> str:
-    return f"line-{place(verdict).replace('.', '-')}"
+    return "line-" + re.sub("[.:]", "-", place(verdict))
 
 
 def _mark(verdict: Verdict) -> str:
@@ -249,10 +249,11 @@ class _Page:
         if verdict.is_bad and verdict.exact_node is not None and is_readable(verdict.exact_node):
             entries.append(("Exact value", verdict.exact_node))
         if verdict.verdict == REFUTED and verdict.witness:
-            entries.append(("Witness", witness_words(verdict)[1:]))
+            words = witness_words(verdict)
+            entries.append(("Witness", words[1:] if isinstance(words, tuple) else words))
         if verdict.fix:
             entries.append(("Found", verdict.fix.kind))
-            entries += [("Change", fault_words(fault)) for fault in verdict.fix.faults]
+            entries += [("Change", fault_words(fault, verdict)) for fault in verdict.fix.faults]
             if is_readable(verdict.fix.node):
                 side = "Left side should be" if verdict.fix.of_left else "Should be"
                 entries.append((f"{side}, proved", verdict.fix.node))
