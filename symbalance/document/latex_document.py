@@ -50,6 +50,8 @@ Digits of Computer Modern shrink less than their size: one of \\tiny, 5 pt, is 3
 """
 _SMALLEST = 0.85
 """A table is fitted as for this size, \\footnotesize: smaller ones are for what cannot give way."""
+_OWN_PAGE = 0.8
+"""The same on a page of the document's own."""
 _PARTED = 4
 """Sizes that are tried before a table is parted into several, which are then in the largest that fits."""
 _DIGIT = 5.0
@@ -106,6 +108,7 @@ def document_latex(
     With a `label` each table floats, under a caption and a label of its own: tab:LABEL-force.
     """
     writer = _Writer() if label is None else _LabellingWriter(checked_label(label))
+    writer.on_own_page = standalone
     body = writer.document(document)
     if label is not None and r"\label{" not in body:
         body = "% No table stands here, so nothing has a label.\n" + body
@@ -139,6 +142,9 @@ def _lines(blocks: tuple[nodes.Block, ...]) -> int:
 
 
 class _Writer(DocumentWriter):
+    on_own_page = False
+    """Whether the page is the document's own, whose lines hold half as much again: no table is parted."""
+
     def document(self, document: nodes.Document) -> str:
         title = self.words(document.title)
         parts = [rf"\section*{{\raggedright {title}}}"]
@@ -225,11 +231,12 @@ class _Writer(DocumentWriter):
         title = f"{self.words(block.title)}" if inlines(block.title) else ""
         if not block.rows:
             return rf"{title}: {escaped(block.empty)}.\par" if title else rf"{escaped(block.empty)}.\par"
-        fit = fit_table(block, _width, ROOM / _SMALLEST, _GAP)
+        fit = fit_table(block, _width, ROOM / (_OWN_PAGE if self.on_own_page else _SMALLEST), _GAP)
         columns, whole = _columns(fit)
         keys = sum(column in fit.columns for column in block.columns[: block.keys])
         parts = []
-        for places in _parted(columns, whole, keys):
+        everything = [list(range(len(columns)))]
+        for places in everything if self.on_own_page else _parted(columns, whole, keys):
             shown = [columns[i] for i in places]
             width = whole if len(shown) == len(columns) else _whole(shown)
             for rows in _pages([tuple(row[i] for i in places) for row in fit.rows], shown):
