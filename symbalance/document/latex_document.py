@@ -37,11 +37,29 @@ _INDENT = 2.0
 """Of a line that continues a bracket: \\quad."""
 _QUAD = r"\quad "
 _BREAKS = re.compile(r"(?<=.)(?=\\)|(?<=[=+,}/_])(?=.)", re.DOTALL)
-_SIZES = ((1.0, ""), (0.9, r"\small"), (0.8, r"\footnotesize"), (0.7, r"\scriptsize"), (0.55, r"\tiny"))
-_SMALLEST = 0.8
+_SIZES = (
+    (1.0, 12.0, ""),
+    (0.925, 11.0, r"\small"),
+    (0.85, 10.0, r"\footnotesize"),
+    (0.8, 8.0, r"\scriptsize"),
+    (0.685, 6.0, r"\tiny"),
+)
+"""How wide a digit is beside one at 10 pt, the gap between columns in pt, and the size's command.
+
+Digits of Computer Modern shrink less than their size: one of \\tiny, 5 pt, is 3.4 pt wide and not 2.5.
+"""
+_SMALLEST = 0.85
 """A table is fitted as for this size, \\footnotesize: smaller ones are for what cannot give way."""
+_OWN_PAGE = 0.8
+"""The same on a page of the document's own."""
+_PARTED = 4
+"""Sizes that are tried before a table is parted into several, which are then in the largest that fits."""
+_DIGIT = 5.0
+"""Width of a digit at 10 pt, in pt."""
 _CELL, _CELL_LINE = 0.75, 0.7
 """Of a line: a formula wider than the first stands in its cell over lines of the second."""
+_POINT = 0.56
+"""How wide a decimal point is, in digits."""
 _LETTER, _TYPED = 0.95, 1.15
 """How wide a letter is on average, and one of a typewriter, in digits."""
 _HIGH = 1.1
@@ -90,6 +108,7 @@ def document_latex(
     With a `label` each table floats, under a caption and a label of its own: tab:LABEL-force.
     """
     writer = _Writer() if label is None else _LabellingWriter(checked_label(label))
+    writer.on_own_page = standalone
     body = writer.document(document)
     if label is not None and r"\label{" not in body:
         body = "% No table stands here, so nothing has a label.\n" + body
@@ -123,6 +142,9 @@ def _lines(blocks: tuple[nodes.Block, ...]) -> int:
 
 
 class _Writer(DocumentWriter):
+    on_own_page = False
+    """Whether the page is the document's own, whose lines hold half as much again: no table is parted."""
+
     def document(self, document: nodes.Document) -> str:
         title = self.words(document.title)
         parts = [rf"\section*{{\raggedright {title}}}"]
@@ -209,12 +231,17 @@ class _Writer(DocumentWriter):
         title = f"{self.words(block.title)}" if inlines(block.title) else ""
         if not block.rows:
             return rf"{title}: {escaped(block.empty)}.\par" if title else rf"{escaped(block.empty)}.\par"
-        fit = fit_table(block, _width, ROOM / _SMALLEST, _GAP)
+        fit = fit_table(block, _width, ROOM / (_OWN_PAGE if self.on_own_page else _SMALLEST), _GAP)
         columns, whole = _columns(fit)
+        keys = sum(column in fit.columns for column in block.columns[: block.keys])
         parts = []
-        for rows in _pages(fit.rows, columns):
-            head = f"{title} (continued)" if title and parts else title
-            parts.append(self.tabular(head, columns, whole, rows))
+        everything = [list(range(len(columns)))]
+        for places in everything if self.on_own_page else _parted(columns, whole, keys):
+            shown = [columns[i] for i in places]
+            width = whole if len(shown) == len(columns) else _whole(shown)
+            for rows in _pages([tuple(row[i] for i in places) for row in fit.rows], shown):
+                head = f"{title} (continued)" if title and parts else title
+                parts.append(self.tabular(head, shown, width, rows))
         remark = [rf"{self.words(fit.remark)}.\par"] if inlines(fit.remark) else []
         return "\n".join([*parts, *_left_out(fit.left_out), *remark])
 
@@ -236,11 +263,12 @@ class _Writer(DocumentWriter):
         rows: Sequence[tuple[nodes.Words, ...]],
     ) -> str:
         """Return a table's rows between rules, in the largest size that fits a line."""
-        size = next((name for scale, name in _SIZES if whole * scale <= ROOM), _SIZES[-1][1])
-        shape = r"@{\hspace{12pt}}".join(column.shape for column in columns)
+        fits = (each for each in _SIZES if _set_width(columns, whole, each) <= ROOM)
+        _, gap, size = next(fits, _SIZES[-1])
+        shape = rf"@{{\hspace{{{gap:g}pt}}}}".join(column.shape for column in columns)
         lines = [rf"\textbf{{{title}}}\par\nobreak\smallskip" if title else ""]
         lines += [rf"{{{size}", rf"\begin{{tabular}}{{@{{}}{shape}@{{}}}}", r"\toprule"]
-        heads = [c.head(self.words(c.title), last=c is columns[-1]) for c in columns]
+        heads = [c.head(self.words(c.title), gap, last=c is columns[-1]) for c in columns]
         lines.append(" & ".join(heads) + r" \\")
         lines.append(r"\midrule")
         body = [" & ".join(c.cell(self, row[i]) for i, c in enumerate(columns)) for row in rows]
@@ -327,6 +355,15 @@ class _Column:
         self.title, cells, numeric = fit.columns[place].head, fit.cells(place), fit.numeric[place]
         self.splits = numeric and any("." in plain_words(cell) for cell in cells)
         self.width = max(map(_width, (self.title, *cells)))
+        if self.splits:  # whole parts end, and fractions begin, at one place
+            halves = [
+                formula_latex(part).partition(".")
+                for cell in cells
+                for part in inlines(cell)[:1]
+                if isinstance(part, Formula)
+            ]
+            widths = (max((latex_width(half[i]) for half in halves), default=0.0) for i in (0, 2))
+            self.width = max(self.width, sum(widths) + _POINT)
         self.room = 0.0
         """Of a paragraph's lines; 0 where cells are one line each."""
         self.shape = "r@{}l" if self.splits else "r" if numeric else "l"
@@ -342,10 +379,10 @@ class _Column:
         """Return how many lines a cell takes, an estimate on the high side."""
         return ceil(_HIGH * _width(words) / self.room) if self.room else 1
 
-    def head(self, printed: str, *, last: bool) -> str:
+    def head(self, printed: str, gap: float, *, last: bool) -> str:
         """Return a column's head, over both halves of a column that is parted at its points."""
-        gap = "" if last else r"\hspace{12pt}"
-        return rf"\multicolumn{{2}}{{@{{}}l@{{{gap}}}}}{{{printed}}}" if self.splits else printed
+        space = "" if last else rf"\hspace{{{gap:g}pt}}"
+        return rf"\multicolumn{{2}}{{@{{}}l@{{{space}}}}}{{{printed}}}" if self.splits else printed
 
     def cell(self, writer: _Writer, words: nodes.Words) -> str:
         """Return a cell; a decimal is parted at its point, so that points stand in line."""
@@ -386,6 +423,36 @@ def _columns(fit: Fitted) -> tuple[list[_Column], float]:
     rest = sum(c.width for i, c in enumerate(columns) if i != paragraph)
     columns[paragraph].as_paragraph(ROOM / _SMALLEST - rest - gaps)
     return columns, ROOM / _SMALLEST
+
+
+def _whole(columns: Sequence[_Column]) -> float:
+    """Return how wide columns are with the gaps between them, in digits."""
+    return sum(column.width for column in columns) + _GAP * (len(columns) - 1)
+
+
+def _set_width(columns: Sequence[_Column], whole: float, size: tuple[float, float, str]) -> float:
+    """Return how wide a table is set in a size, in digits at 10 pt."""
+    gaps = len(columns) - 1
+    scale, gap, _ = size
+    return (whole - _GAP * gaps) * scale + gaps * gap / _DIGIT
+
+
+def _parted(columns: Sequence[_Column], whole: float, keys: int) -> list[list[int]]:
+    """Return the places of the columns of each part of a table: all, where a readable size holds them.
+
+    Every part begins with the columns that name a row. A table with a paragraph has been fitted.
+    """
+    everything = list(range(len(columns)))
+    fits = any(_set_width(columns, whole, size) <= ROOM for size in _SIZES[:_PARTED])
+    if fits or any(column.room for column in columns) or not 0 < keys < len(columns):
+        return [everything]
+    for count in range(2, len(columns) - keys + 1):
+        share = ceil((len(columns) - keys) / count)
+        parts = [everything[:keys] + everything[i : i + share] for i in range(keys, len(columns), share)]
+        chosen = [[columns[i] for i in part] for part in parts]
+        if all(_set_width(each, _whole(each), _SIZES[_PARTED - 1]) <= ROOM for each in chosen):
+            return parts
+    return [everything]
 
 
 def _pages(

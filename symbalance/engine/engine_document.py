@@ -26,9 +26,11 @@ from symbalance.text.reals import Real
 _M, _R, _L, _A, _N = Name("m"), Name("r"), Name("l"), Name("a"), Name("n")
 _THETA, _LAM = Name("theta"), Name("lam")
 _ANGLE = _N * _THETA
+WAVE_OF_PHASE = cos(_ANGLE - Upright("phase"))
+"""What an order's amplitude, or its value in N or N m, is multiplied by."""
 WAVE = equal(
     Name("C") * cos(_ANGLE) + Name("S") * sin(_ANGLE),
-    Upright("amplitude") * cos(_ANGLE - Upright("phase")),
+    Upright("amplitude") * WAVE_OF_PHASE,
 )
 """What an order's coefficients, amplitude and phase are."""
 ORDER: tuple[Words, Words] = (("order ", _N), WAVE)
@@ -232,6 +234,16 @@ def degrees_text(number: Fraction) -> str:
     return f"{float(number):.12g}" if 10_000 % number.denominator == 0 else str(number)
 
 
+def mm_text(number: Fraction) -> str:
+    """Return a length in mm as a decimal, to a thousandth where it has no short end.
+
+    >>> mm_text(Fraction(1345, 12)), mm_text(Fraction("0.0625")), mm_text(Fraction(88))
+    ('112.083', '0.0625', '88')
+    """
+    short = 10_000 % number.denominator == 0
+    return f"{float(number if short else round(number, 3)):.12g}"
+
+
 MOST_GROUPS = 100
 """Kinds of cylinders that are listed."""
 MOST_NAMED = 8
@@ -352,7 +364,8 @@ def _pitch_words(engine: Engine) -> str:
         return f"pitch {_millimetres(pitch)}" if pitch else ""
     if len(set(steps)) > 1 or len(steps[0]) > MOST_PITCHES:
         return f"a = {_millimetres(pitch)}" if pitch else ""
-    listed = ", ".join(degrees_text(step * (pitch or 1)) for step in steps[0])
+    text = degrees_text if pitch is None else mm_text
+    listed = ", ".join(text(step * (pitch or 1)) for step in steps[0])
     return f"pitches {listed} mm, a = {_millimetres(pitch)}" if pitch else f"pitches {listed} a"
 
 
@@ -384,7 +397,7 @@ def _drawn_columns(engine: Engine) -> list[tuple[Column, Callable[[Cylinder], Ce
 
 def _station(engine: Engine, cylinder: Cylinder) -> Cell:
     place = cylinder.station * (engine.pitch or 1)
-    return Decimal(degrees_text(place)) if engine.pitch else number_cell(place)
+    return Decimal(mm_text(place)) if engine.pitch else number_cell(place)
 
 
 def number_cell(value: Fraction) -> Cell:

@@ -197,8 +197,12 @@ def balance_records(balance: Balance) -> list[dict[str, Any]]:
     """Return a row for each component of force and couple that does not vanish.
 
     Keys: order, of (force or couple), component, cos, sin, amplitude (floats, None with symbols in them),
-    unit, and coefficient, A_n in decimals (None where it is not apart or no ratio is known); at an
-    operating point the amplitude as `value`, in `value_unit`.
+    unit, and coefficient, A_n in decimals (None where it is not apart or no ratio is known).
+
+    At an operating point also `value`, the amplitude in `value_unit` (without the sign of A_n),
+    `value_cos` and `value_sin` with all signs, `per_cent` of one piston's first order, `rpm`; and a row
+    "all orders" for each component, and for the vector in any direction: `value` is the largest over a
+    turn, `bound` what it is proved not to exceed, `degrees` the crank angle.
     """
     records = []
     for order in balance.orders:
@@ -224,7 +228,7 @@ def balance_records(balance: Balance) -> list[dict[str, Any]]:
                         **_value_record(balance, order.order, of, cos, sin),
                     }
                 )
-    return records
+    return records + _largest_records(balance)
 
 
 def _value_record(
@@ -233,11 +237,47 @@ def _value_record(
     point = balance.operating_point
     if point is None:
         return {}
-    unit = {"value_unit": UNITS[of]}
-    if cos is None or sin is None or (of == "couple" and point.couple is None):
-        return {"value": None, **unit}
-    factor = abs(float(balance.unit_value(of) * balance.share(order)))
-    return {"value": hypot(cos, sin) * factor, **unit}
+    known = cos is not None and sin is not None and not (of == "couple" and point.couple is None)
+    factor = float(balance.unit_value(of) * balance.share(order)) if known else None
+    value = None if factor is None or cos is None or sin is None else hypot(cos, sin) * abs(factor)
+    return {
+        "value": value,
+        "value_unit": UNITS[of],
+        "value_cos": None if factor is None or cos is None else cos * factor + 0.0,  # no -0.0
+        "value_sin": None if factor is None or sin is None else sin * factor + 0.0,
+        "per_cent": None if value is None else 100 * value / float(balance.unit_value(of)),
+        "rpm": float(point.rpm),
+        "bound": None,
+        "degrees": None,
+    }
+
+
+def _largest_records(balance: Balance) -> list[dict[str, Any]]:
+    """Return a row for each output's largest value over a turn; none without an operating point."""
+    point = balance.operating_point
+    if point is None or balance.engine.has_symbols:
+        return []
+    unknown = ("cos", "sin", "amplitude", "exact_cos", "exact_sin", "unit", "coefficient")
+    records = []
+    for output, top in balance.turn_maxima.items():
+        of, _, name = output.partition(".")
+        records.append(
+            {
+                "order": "all orders",
+                "of": of,
+                "component": name or "any direction",
+                **dict.fromkeys(unknown),
+                "value": top.value,
+                "value_unit": UNITS[of],
+                "value_cos": None,
+                "value_sin": None,
+                "per_cent": 100 * top.value / float(balance.unit_value(of)),
+                "rpm": float(point.rpm),
+                "bound": top.bound,
+                "degrees": top.angle,
+            }
+        )
+    return records
 
 
 _UNITS = {

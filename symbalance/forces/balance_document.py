@@ -40,6 +40,7 @@ from symbalance.engine.engine import Engine
 from symbalance.engine.engine_document import (
     ORDER,
     SIGNS,
+    WAVE_OF_PHASE,
     balancer_entries,
     drawing_blocks,
     engine_title,
@@ -117,9 +118,24 @@ def conventions(balance: Balance, own: Sequence[tuple[Words, Words]] = ()) -> tu
         *balancer_entries(engine),
         SIGNS,
         ORDER,
+        *_value_facts(balance),
     )
     facts = Facts(entries, "How to read it")
     return (facts,) if alike else (group_table(engine), facts)
+
+
+def _value_facts(balance: Balance) -> tuple[tuple[Words, Words], ...]:
+    """Return what the columns of values at an operating point hold; empty without such columns."""
+    if balance.kinematics is None or in_newtons(balance, "force") is None:
+        return ()
+    couple = in_newtons(balance, "couple") is not None
+    name = ", ".join(UNITS.values()) if couple else UNITS["force"]
+    return value_fact(name, _A_N * _MR, *((", for couples × ", _A) if couple else ()))
+
+
+def value_fact(name: str, *unit: str | Formula) -> tuple[tuple[Words, Words], ...]:
+    """Return what a column of values in N or N m holds, where the coefficients are apart."""
+    return ((name, ("amplitude × ", *unit, ", sign included: the factor of ", WAVE_OF_PHASE)),)
 
 
 def _resultant(balance: Balance, name: str, title: Words) -> tuple[Block, ...]:
@@ -186,7 +202,11 @@ def component_table(
 
 @dataclass(frozen=True)
 class Measured:
-    """Columns of an operating point: the amplitude in N or N m, and in per cent of the unit."""
+    """Columns of an operating point: the value in N or N m, and in per cent of the unit.
+
+    The phase beside it is that of the factor of A_n (t_n), and many of these are negative: a value has
+    that sign, so that value cos(n theta - phase) is the force, the couple or the torque.
+    """
 
     columns: tuple[Column, ...]
     cells: Callable[[Row], tuple[Cell, ...]]
@@ -202,7 +222,7 @@ def in_newtons(balance: Balance, of: str) -> Measured | None:
     per_cent = ("% of ", _F_1 if of == "force" else _F_1 * _A)
 
     def cells(row: Row) -> tuple[Cell, ...]:
-        share = hypot(*row.component.decimal(SHOWN + 10)) * abs(balance.share(int(row.order)))
+        share = hypot(*row.component.decimal(SHOWN + 10)) * balance.share(int(row.order))
         return Decimal(short_decimal(share * unit, SHOWN)), Decimal(short_decimal(share * 100, SHOWN))
 
     return Measured((Column(UNITS[of]), Column(per_cent)), cells)

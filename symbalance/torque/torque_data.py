@@ -82,7 +82,8 @@ def orders_records(balance: TorqueBalance) -> list[dict[str, Any]]:
 
     Keys: order, of (which torque), cos, sin, amplitude (floats, None with symbols in them), exact_cos,
     exact_sin, coefficient (that of one cylinder, None where it is not apart or no ratio is known), unit;
-    at an operating point the amplitude as `value`, in `value_unit`.
+    at an operating point the amplitude as `value`, in `value_unit`, `value_cos` and `value_sin` with all
+    signs, and `rpm`.
     """
     records = []
     for order in balance.orders:
@@ -111,12 +112,17 @@ def orders_records(balance: TorqueBalance) -> list[dict[str, Any]]:
 
 
 def _value(balance: TorqueBalance, order: int) -> dict[str, Any]:
-    """Return an order's amplitude in N m at the operating point; None with symbols in it."""
+    """Return an order's amplitude and parts in N m at the operating point; None with symbols in it."""
     if balance.operating_point is None:
         return {}
-    symbolic = balance.engine.has_symbols
-    value = None if symbolic else hypot(*map(float, balance.in_newton_metres(order)))
-    return {"value": value, "value_unit": "N m"}
+    parts = None if balance.engine.has_symbols else [float(x) for x in balance.in_newton_metres(order)]
+    return {
+        "value": None if parts is None else hypot(*parts),
+        "value_unit": "N m",
+        "value_cos": None if parts is None else parts[0],
+        "value_sin": None if parts is None else parts[1],
+        "rpm": float(balance.operating_point.rpm),
+    }
 
 
 def _rods(report: TorqueReport) -> dict[str, Any]:

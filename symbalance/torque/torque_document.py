@@ -31,6 +31,7 @@ from symbalance.forces.balance_document import (
     coefficient_table,
     component_table,
     operating_facts,
+    value_fact,
 )
 from symbalance.forces.rows import Row
 from symbalance.kinematics.coefficients import INERTIA, OF_RODS
@@ -60,7 +61,7 @@ def torque_document(report: TorqueReport) -> Document:
             "gas torque",
             "comes on top: it needs a pressure trace or an ideal cycle",
         )
-        return Document(title, inertia + _legend(engine, LEGEND, gas), lead)
+        return Document(title, inertia + _legend(report.inertia, LEGEND, gas), lead)
     return Document(
         title,
         blocks(
@@ -69,7 +70,7 @@ def torque_document(report: TorqueReport) -> Document:
             Heading(running_title(running)),
             running_blocks(running),
             Heading(LEGEND),
-            _legend(engine, "", *running_facts(running)),
+            _legend(report.inertia, "", *running_facts(running)),
         ),
         lead,
     )
@@ -82,7 +83,7 @@ def orders_document(balance: TorqueBalance) -> Document:
         _orders(balance),
         _coefficients(balance),
         _operating(balance),
-        _legend(balance.engine, LEGEND),
+        _legend(balance, LEGEND),
     )
     return Document(title, body, engine_words(balance.engine))
 
@@ -117,13 +118,15 @@ def _orders(balance: TorqueBalance) -> Table:
 
 
 def _in_newton_metres(balance: TorqueBalance) -> Measured | None:
-    """Return the column of a torque's amplitudes in N m; None without an operating point."""
+    """Return the column of values in N m, with the sign of t_n; None without an operating point."""
     if balance.operating_point is None or balance.engine.has_symbols:
         return None
 
     def cells(row: Row) -> tuple[Cell, ...]:
-        value = hypot(*balance.in_newton_metres(int(row.order)))
-        return (Decimal(short_decimal(value, SHOWN)),)
+        order = int(row.order)
+        value = hypot(*balance.in_newton_metres(order))
+        below_zero = balance.kinematics is not None and balance.values[order] < 0
+        return (Decimal(short_decimal(-value if below_zero else value, SHOWN)),)
 
     return Measured((Column("N m"),), cells)
 
@@ -147,9 +150,11 @@ def _coefficients(balance: TorqueBalance) -> tuple[Block, ...]:
     return (coefficient_table(balance.kinematics, balance.orders, balance.values, balance.ratio),)
 
 
-def _legend(engine: Engine, title: str, *more: tuple[Words, Words]) -> tuple[Block, ...]:
+def _legend(balance: TorqueBalance, title: str, *more: tuple[Words, Words]) -> tuple[Block, ...]:
     """Return what letters, signs and angles mean; `more` stands before the signs."""
+    engine = balance.engine
     alike = has_common_torque(engine)
+    signed = _in_newton_metres(balance) is not None and balance.kinematics is not None
     entries = [
         *origin_facts(engine),
         *size_facts(engine, engine.ratio, alike=alike, pitch=False),
@@ -158,6 +163,7 @@ def _legend(engine: Engine, title: str, *more: tuple[Words, Words]) -> tuple[Blo
         *more,
         SIGNS,
         ORDER,
+        *(value_fact("N m", "the unit") if signed else ()),
     ]
     return blocks(None if alike else group_table(engine), Facts(tuple(entries), title))
 

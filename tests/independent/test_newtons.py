@@ -11,18 +11,21 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from math import pi
+from math import atan2, cos, pi, sin
 from typing import Any
 
 import numpy as np
 import pytest
 
 import symbalance as sb
+from symbalance.document.formula import Decimal
+from symbalance.document.nodes import Document, Table
 from symbalance.engine.cylinders import unchecked_copy
 from symbalance.forces.turn_maximum import turn_maximum
 from tests import TESTS, placed
 
 POINTS = 512
+PLANAR = ("vertical", "lateral")
 HIGHEST = 120
 """Orders above are below a rounding of the first; the noise of doubles grows with n squared."""
 GRID = 1 << 16
@@ -200,6 +203,45 @@ def test_every_order_in_newtons(name: str) -> None:
                 expected = placed.component(series, n, part)
                 values = [float(x) for x in balance.in_newtons(n, f"{of}.{part}")]
                 assert np.allclose(values, expected, rtol=1e-9, atol=atol), (of, n, part)
+
+
+def _column(document: Document, topic: str, head: str) -> list[float]:
+    """Return a column of a document's table as numbers."""
+    (table,) = [b for b in document.blocks if isinstance(b, Table) and b.topic == topic]
+    place = [column.head for column in table.columns].index(head)
+    return [float(cell.text) for row in table.rows if isinstance(cell := row[place], Decimal)]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["vee", "in line", "unlike"])
+def test_a_printed_value_times_the_cosine_at_its_phase_is_the_force(name: str) -> None:
+    """A_4 and A_8 are below zero: an amplitude at the phase printed would be half a turn out."""
+    balance = _at(name)
+    for of in _outputs(name):
+        rows = [
+            row
+            for row in balance.records()
+            if row["of"] == of and row["component"] in PLANAR and row["bound"] is None
+        ]
+        column = _column(balance.document(), of, {"force": "N", "couple": "N m"}[of])
+        for value, row in zip(column, rows, strict=False):  # the smallest are said in a line
+            phase = atan2(row["sin"], row["cos"])
+            expected = placed.component(_harmonics(name, of), row["order"], row["component"])
+            assert np.allclose([value * cos(phase), value * sin(phase)], expected, rtol=1e-4, atol=1e-3)
+            of_row = row["value_cos"], row["value_sin"]
+            assert np.allclose(of_row, expected, rtol=1e-8, atol=1e-6)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["in line", "vee", "unlike"])
+def test_a_printed_torque_times_the_cosine_at_its_phase_is_the_torque(name: str) -> None:
+    torque = sb.inertia_torque(_at(name).engine, ORDERS).at(rpm=RPM)
+    column = _column(torque.document(), "inertia", "N m")
+    for value, row in zip(column, torque.records(), strict=True):
+        phase = atan2(row["sin"], row["cos"])
+        expected = [float(x) for x in torque.in_newton_metres(int(row["order"]))]
+        assert [row["value_cos"], row["value_sin"]] == expected
+        assert np.allclose([value * cos(phase), value * sin(phase)], expected, rtol=1e-4)
 
 
 @pytest.mark.slow

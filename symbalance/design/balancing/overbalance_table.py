@@ -20,9 +20,10 @@ from symbalance.design.balancing.overbalance import (
 )
 from symbalance.document.decimals import short_decimal
 from symbalance.document.expressions import formula_of
-from symbalance.document.formula import Decimal, Name
+from symbalance.document.formula import Decimal, Formula, Name
 from symbalance.document.nodes import Column, Document, Facts, Table, Words
 from symbalance.document.result import SequenceResult
+from symbalance.document.text_writer import formula_text
 from symbalance.engine.engine import Engine, checked_engine
 from symbalance.engine.engine_document import degrees_text
 from symbalance.errors import SymbalanceError, brief
@@ -133,7 +134,7 @@ class OverbalanceTable(SequenceResult[Overbalance]):
             words: Words = (
                 "no share makes a difference: counterweights on the throws cancel"
                 if share is None
-                else (formula_of(100 * share), " %, least sum of squares of both")
+                else (*_best_share(share), " %, least sum of squares of both")
             )
             entries.append((f"best, {kind}", words))
         at = () if point is None else (operating_facts(point, engine=self.engine),)
@@ -188,6 +189,18 @@ class OverbalanceTable(SequenceResult[Overbalance]):
 
 def _percent(share: Fraction) -> str:
     return degrees_text(100 * share)
+
+
+LONGEST_SHARE = 24
+"""Characters of the exact best share, in per cent, that are read; a longer one is rounded."""
+
+
+def _best_share(share: sympy.Expr) -> tuple[str | Formula, ...]:
+    """Return a share in per cent, exact where it is short; JSON has the exact one whatever its length."""
+    percent = formula_of(100 * share)
+    if len(formula_text(percent)) <= LONGEST_SHARE:
+        return (percent,)
+    return ("≈ ", Decimal(short_decimal(100 * Real(str(share.evalf(DIGITS))))))
 
 
 def _pair(pair: tuple[Real, Real]) -> dict[str, str]:

@@ -60,7 +60,11 @@ def firing_orders_document(orders: FiringOrders) -> Document:
     if orders.within:
         near = f"dead centres within {degrees_text(orders.within)}° of an even moment"
         entries.append(("within", f"{near} count as lying there"))
-    blocks = (Table("", columns, rows, empty="none"),)
+    empty = "none"
+    if orders.even_only:
+        wider = "" if orders.within else "--within 5 counts dead centres as near as 5°; "
+        empty = f"none that is even; {wider}--uneven lists uneven ones too"
+    blocks = (Table("", columns, rows, empty=empty),)
     return Document(title, (*blocks, Facts(tuple(entries), "How to read it")) if entries else blocks)
 
 
@@ -70,10 +74,24 @@ def _couple(expression: object) -> Exact | Formula:
     return Exact(value, near, beside=formula_text(near) != formula_text(value))
 
 
+LONGEST_DENOMINATOR = 1000
+"""An interval with a larger one comes from dead centres that are rounded: a decimal says more."""
+
+
 def _intervals(gaps: Sequence[Fraction]) -> str:
     if len(set(gaps)) == 1:
-        return f"{degrees_text(gaps[0])} each"
-    return ", ".join(map(degrees_text, gaps))
+        return f"{_degrees(gaps[0])} each"
+    return ", ".join(map(_degrees, gaps))
+
+
+def _degrees(gap: Fraction) -> str:
+    """Return an interval; to a hundredth of a degree where no exact one is readable.
+
+    >>> [_degrees(Fraction(gap)) for gap in ("720/7", "117.5", "3823477/31250")]
+    ['720/7', '117.5', '122.35']
+    """
+    exact = 10_000 % gap.denominator == 0 or gap.denominator <= LONGEST_DENOMINATOR
+    return degrees_text(gap if exact else round(gap, 2))
 
 
 def _listed(names: Sequence[str]) -> str:
