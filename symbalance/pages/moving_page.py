@@ -159,6 +159,8 @@ def _inputs(data: dict[str, Any], words: dict[str, str]) -> str:
         options = "".join(f'<option value="{n}">{escape(words[f"reading-{n}"])}</option>' for n in names)
         rows.append(f'<label>{escape(words["reading"])}<select id="reading">{options}</select></label>')
     rows.append(_range("share", words, 0, 1, 0.01, ""))
+    if data["hasWeights"]:
+        rows.append(_range("weights", words, 0, 1.5, 0.01, ""))
     if data["sizes"] is not None:
         rows.append(_range("rpm", words, 0, max(9000, data["rpm"]), 50, " rpm"))
     options = "".join(f"<option>{n}</option>" for n in data["orders"])
