@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from html import escape
-from itertools import count
+from zlib import crc32
 
 from symbalance.document.shapes import (
     LOOKS,
@@ -27,7 +27,7 @@ from symbalance.document.shapes import (
 PAPER = ("#ffffff", "#111827")
 """What opaque shapes are filled with, in light and in dark surroundings."""
 MANY = 8
-_numbers = count(1)
+"""Points of a line from which it counts as a curve."""
 
 
 def style() -> str:
@@ -61,8 +61,9 @@ def drawing_svg(drawing: Drawing, *, standalone: bool = False, styled: bool = Tr
 
     Where a page holds several, `styled` false leaves out the rules, which `style` returns once.
     """
-    number = next(_numbers)
-    ids = f"sbd{number}t", f"sbd{number}d"
+    # Of its words, so that the same document is the same file whatever was drawn before.
+    number = crc32(f"{drawing.title}\n{drawing.shows}".encode())
+    ids = f"sbd{number:x}t", f"sbd{number:x}d"
     if standalone:
         ids = "title", "description"  # the same drawing is the same file
     box = f"{_n(drawing.left)} {_n(-drawing.top)} {_n(drawing.width)} {_n(drawing.height)}"
@@ -83,16 +84,7 @@ def drawing_svg(drawing: Drawing, *, standalone: bool = False, styled: bool = Tr
 
 def _shape(shape: Shape) -> str:
     if isinstance(shape, Line):
-        if len(shape.points) == 2 and not shape.closed:
-            (x1, y1), (x2, y2) = shape.points
-            return (
-                f'<line class="{shape.look}" x1="{_n(x1)}" y1="{_n(-y1)}" x2="{_n(x2)}" y2="{_n(-y2)}"/>'
-            )
-        if shape.closed and _is_upright_box(shape.points):
-            (x1, y1), (x2, y2) = shape.points[0], shape.points[2]
-            return f'<path class="{shape.look}" d="M{_n(x1)} {_n(-y1)}H{_n(x2)}V{_n(-y2)}H{_n(x1)}z"/>'
-        kind = "polygon" if shape.closed else "polyline"
-        return f'<{kind} class="{shape.look}" points="{_points(shape.points)}"/>'
+        return _line(shape)
     if isinstance(shape, Circle):
         look = f"{shape.look} opaque" if shape.opaque else shape.look
         x, y = shape.centre
@@ -118,8 +110,19 @@ def _shape(shape: Shape) -> str:
     return _group(shape)
 
 
+def _line(shape: Line) -> str:
+    if len(shape.points) == 2 and not shape.closed:
+        (x1, y1), (x2, y2) = shape.points
+        return f'<line class="{shape.look}" x1="{_n(x1)}" y1="{_n(-y1)}" x2="{_n(x2)}" y2="{_n(-y2)}"/>'
+    if shape.closed and _is_upright_box(shape.points):
+        (x1, y1), (x2, y2) = shape.points[0], shape.points[2]
+        return f'<path class="{shape.look}" d="M{_n(x1)} {_n(-y1)}H{_n(x2)}V{_n(-y2)}H{_n(x1)}z"/>'
+    kind = "polygon" if shape.closed else "polyline"
+    return f'<{kind} class="{shape.look}" points="{_points(shape.points)}"/>'
+
+
 def _is_upright_box(points: Sequence[Point]) -> bool:
-    """Tell whether points go right or left, then up or down, then back: a path says it in half the room."""
+    """Tell whether points are a box that stands upright: a path says it in half the room."""
     if len(points) != 4:
         return False
     (ax, ay), (bx, by), (cx, cy), (dx, dy) = points
