@@ -8,6 +8,7 @@ from typing import Any, NoReturn
 
 from symbalance.cli import (
     assign,
+    atlas,
     balance,
     bench,
     bounds,
@@ -44,6 +45,7 @@ COMMANDS = (
     draw,
     page,
     sheet,
+    atlas,
     sensitivities,
     sweep,
     tolerances,

@@ -43,9 +43,7 @@ def test_a_sheet_holds_every_amplitude_of_the_balance() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "text", ["<script>", "]]>", "\\input{x}", "n" * 60, "横置き", "$^&%#_{}~"]
-)
+@pytest.mark.parametrize("text", ["<script>", "]]>", "\\input{x}", "n" * 60, "横置き", "$^&%#_{}~"])
 def test_a_hostile_name_is_text_on_a_sheet(text: str) -> None:
     engine = sb.inline("1-3-2", ratio=4, name=text)
     svg = ElementTree.fromstring(draw.to_svg(sheet(engine), standalone=True))
