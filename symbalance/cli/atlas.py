@@ -1,4 +1,4 @@
-"""`symbalance atlas`: a static site of engines, each in motion, under a table that sorts by what shakes."""
+"""`symbalance atlas`: a static site of engines in motion, and a table that sorts by what shakes."""
 
 from __future__ import annotations
 

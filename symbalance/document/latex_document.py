@@ -1,9 +1,10 @@
 r"""Documents as LaTeX: a fragment for an article, or a document that compiles alone.
 
 A fragment needs amsmath and booktabs (graphicx or tikz where it has a picture), which its first line
-says. It is measured for a line of 345 pt at 10 pt, the default article's, so nothing runs off a page there, nor in
-the document of its own. pdflatex and lualatex both compile it; Chinese, Japanese and Korean need
-lualatex with luatexja: pdflatex writes their codes, and says on the page and in its log that it does.
+says. It is measured for a line of 345 pt at 10 pt, the default article's, so nothing runs off a page
+there, nor in the document of its own. pdflatex and lualatex both compile it; Chinese, Japanese and Korean
+need lualatex with luatexja: pdflatex writes their codes, and says on the page and in its log that it
+does.
 """
 
 from __future__ import annotations

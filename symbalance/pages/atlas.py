@@ -41,9 +41,11 @@ main{max-width:80rem;margin:0 auto;padding:.8rem}
 a{color:var(--link)}
 .wide{overflow-x:auto}
 table{border-collapse:collapse;width:100%}
-th,td{text-align:left;padding:.25rem .9rem .25rem 0;vertical-align:top;border-bottom:1px solid var(--line)}
+th,td{text-align:left;padding:.25rem .9rem .25rem 0;vertical-align:top}
+tr{border-bottom:1px solid var(--line)}
 tbody th{font-weight:normal;white-space:nowrap}
-th button{font:inherit;font-weight:bold;color:var(--ink);background:none;border:0;padding:0;cursor:pointer;text-align:left}
+th button{font:inherit;font-weight:bold;color:var(--ink);background:none;border:0;padding:0}
+th button{cursor:pointer;text-align:left}
 th[aria-sort=ascending] button::after{content:" ▲"}
 th[aria-sort=descending] button::after{content:" ▼"}
 td{font-variant-numeric:tabular-nums}
@@ -85,8 +87,8 @@ script-src 'sha256-{digest}'">
 <main>
 <h1>Atlas of engines</h1>
 <p>{count}: which orders are free, and how much. A head sorts the table; a name opens the engine in motion.
-Sizes are over one piston's first order, of couples also over the pitch; an order that is not named
-cancels exactly, to order {order}, or is below 10⁻⁶.</p>
+Sizes are over one piston's first order, of couples also over the pitch. None: every order to {order}
+cancels exactly or is below 10⁻⁶.</p>
 <section class="wide" tabindex="0" aria-label="Engines by what shakes">
 <table>
 <thead><tr>{heads}</tr></thead>

@@ -220,7 +220,8 @@ def test_a_page_prints_on_one_a4(name: str, browser: Any, tmp_path: Path) -> Non
     opened.page.set_viewport_size({"width": 718, "height": 1000})
     wide = opened.page.evaluate(
         """() => { const half = document.querySelector("article").clientWidth/2;
-        return Array.from(document.querySelectorAll("article table"), (t) => t.rows[0].offsetWidth - half); }"""
+        const tables = document.querySelectorAll("article table");
+        return Array.from(tables, (table) => table.rows[0].offsetWidth - half); }"""
     )
     assert max(wide) <= 0
 

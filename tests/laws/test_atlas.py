@@ -1,4 +1,4 @@
-"""The atlas: a page of each engine, a table that holds the library's sizes, finished work not done twice."""
+"""The atlas: a page of each engine, a table of the library's sizes, finished work not done twice."""
 
 from __future__ import annotations
 
