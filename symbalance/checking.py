@@ -10,6 +10,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from symbalance.budgets import Budget
+from symbalance.document.formula import Derivative, Equation, Matrix, Name, equal
+from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import documents
 from symbalance.notes.checking.engines import KnownEngine
 from symbalance.notes.checking.judging import PAGE
@@ -84,6 +86,31 @@ class LibraryEngines:
         from symbalance.text.reals import nstr
 
         return Fraction(nstr(acceleration_value(order, ratio, VALUE_DIGITS), VALUE_DIGITS))
+
+    def equation(self, name: str) -> Equation:
+        """Return the equation of motion of a node of the turning crankshaft, of the principal one.
+
+        Its letters are those of `symbalance derive --quantity crank-node`, with F_u to N_w for the force.
+        """
+        if name != "crank-node":
+            raise SymbalanceError(f"quantity = {name}", "is no known equation", "write crank-node")
+        from symbalance.crankshaft.equations.node import node_equations
+        from symbalance.document.expressions import formula_of
+
+        node = node_equations().principal()
+        letters = ("u", "v", "w", "theta_u", "theta_v", "theta_w")
+        time, omega = Name("t"), Name("omega")
+
+        def column(order: int) -> Matrix:
+            rows = [Derivative(Name(q), time, order) if order else Name(q) for q in letters]
+            return Matrix(tuple((row,) for row in rows))
+
+        mass, gyroscopic, centrifugal, outward = map(
+            formula_of, (node.mass, node.gyroscopic, node.centrifugal, node.centrifugal_force)
+        )
+        force = Matrix(tuple((Name(f"{kind}_{axis}"),) for kind in "FN" for axis in "uvw"))
+        left = mass * column(2) + omega * gyroscopic * column(1) + omega**2 * centrifugal * column(0)
+        return equal(left, force + omega**2 * outward)
 
 
 def check(

@@ -84,6 +84,21 @@ def _crank_stars() -> Result:
     return sb.engine.crank_stars(5)
 
 
+def _search() -> Result:
+    shape = [1, "0.7", "0.4", "0.2"]
+    asked = ["couple.1", "couple.2", "torsion.1.5"]
+    return sb.search.search_cranks(4, minimize=asked, modes=[shape], limit=["couple.1<=3"])
+
+
+def _search_of_a_vee() -> Result:
+    return sb.search.search_cranks(8, banks=[-45, 45], minimize=["couple.1", "bending"], listed=2)
+
+
+def _search_of_firing_orders() -> Result:
+    asked = ["adjacent", "evenness", "bearing", "force.3"]
+    return sb.search.search_cranks(6, minimize=asked, limit=["evenness<=90"], listed=1)
+
+
 def _firing_orders() -> Result:
     return sb.engine.firing_orders(sb.load("vw-vr6"), within="1/2")
 
@@ -272,6 +287,9 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "presets": sb.presets,
     "crank-stars": _crank_stars,
     "firing-orders": _firing_orders,
+    "search": _search,
+    "search-of-a-vee": _search_of_a_vee,
+    "search-of-firing-orders": _search_of_firing_orders,
     "truncation-bounds": _truncation_bounds,
     "harmonics": _harmonics,
     "comparison": _comparison,

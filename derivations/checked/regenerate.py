@@ -29,6 +29,7 @@ NAMES = {
     "001_7249841cd23ed9c0": "Balance of piston engines: two tables of unbalance",
     "002_f1efe5daf3818fe8": "Counterweight and balance shaft of a single-cylinder engine",
     "003_df624e4641130983": "Inertia forces and couples of a V12",
+    "004_15a7b96dd30e08a0": "Motion and stress of a turning crankshaft, in matrices",
 }
 
 
@@ -101,6 +102,7 @@ def made_sheet(document: Path, symbols: Path) -> str:
     lines = checked.derivation.text.split("\n")
     wanted = {line for chain in checked.derivation.chains for line in chain.lines}
     wanted |= {verdict.line for verdict in checked.verdicts}
+    wanted |= {n for n, line in enumerate(lines, 1) if line.count("$$") % 2 and n - 1 in wanted}
     kept = [bare(line).rstrip() if number in wanted else "" for number, line in enumerate(lines, 1)]
     return "\n".join(kept).rstrip("\n") + "\n"
 

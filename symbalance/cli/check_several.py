@@ -19,7 +19,7 @@ from symbalance.errors import SymbalanceError
 from symbalance.jobs.running import Job, JobOutcome, run_jobs
 from symbalance.jobs.store import JSON, Codec, Store, key_of
 from symbalance.notes.checking.document_table import DocumentRow, DocumentTable
-from symbalance.notes.checking.documents import SUFFIXES
+from symbalance.notes.checking.documents import IN_FOLDERS
 from symbalance.text.files import STANDARD_INPUT
 
 MOST_DOCUMENTS = 10_000
@@ -79,7 +79,7 @@ def _documents(named: list[str], output: Path | None) -> list[Path]:
             raise SymbalanceError("NOTES ''", "is an empty name", "name a file or a folder")
         inside = _inside(Path(name), output) if os.path.isdir(name) else [Path(name)]
         if not inside:
-            rule = f"holds no {', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]} file"
+            rule = f"holds no {', '.join(IN_FOLDERS[:-1])} or {IN_FOLDERS[-1]} file"
             raise SymbalanceError(name, rule, "name a folder of documents")
         for path in inside:
             documents.setdefault(os.path.realpath(path), path)
@@ -103,7 +103,7 @@ def _inside(folder: Path, output: Path | None) -> list[Path]:
         documents += [
             Path(place, name)
             for name in names
-            if name.endswith(SUFFIXES) and not name.startswith(".") and Path(place, name).is_file()
+            if name.endswith(IN_FOLDERS) and not name.startswith(".") and Path(place, name).is_file()
         ]
     return sorted(documents)
 

@@ -72,12 +72,21 @@ def show_comparison(options: argparse.Namespace, order: int) -> None:
 
     sizes = sizes_of(options)
     engines = []
+    taken: set[str] = set()
     for name in options.engines:
         engine = load(name)
+        lacking = lacking_sizes(engine, sizes)
+        taken |= set(lacking)
         try:
-            engines.append(resized(engine, options, lacking_sizes(engine, sizes)))
+            engines.append(resized(engine, options, lacking))
         except SymbalanceError as problem:
             raise problem.within(engine.name) from None
+    unused = sorted(set(sizes) - taken)
+    if unused:
+        rule = "is given by every one of these engines already"
+        raise SymbalanceError(
+            f"--{unused[0]} {sizes[unused[0]]}", rule, "leave it out, or change the files"
+        )
     own = {name: getattr(options, name) for name in OWN}
     table = compare(engines, order, **own)
     show(table if options.rpm is None else table.at(rpm=options.rpm), options)

@@ -19,7 +19,7 @@ from typing import Any
 from symbalance.errors import SymbalanceError
 
 READ = ("engine", "notes", "symbols", "pressure", "parts")
-WRITTEN = ("output", "write", "picture", "certificates")
+WRITTEN = ("output", "write", "picture", "certificates", "certificate")
 PIPED = "-"
 """Stands for standard input, and among what is written for the terminal."""
 IN_FOLDER = ("report.*", "curves-*.csv", "loads-*.csv", "*.png", "webs.json")

@@ -155,8 +155,8 @@ class Call(Formula):
 class Apply(Formula):
     """A function of several arguments, or of one that is written in a way of its own.
 
-    `atan2`, `binomial` (upper, lower), `hyp2f1` (a, b, c, z), `factorial` (n), `besselj` (order, argument),
-    `kronecker` (m, n), `max`, `min`, `det`, and `at` (a letter, where it is taken): x(π).
+    `atan2`, `binomial` (upper, lower), `hyp2f1` (a, b, c, z), `factorial` (n), `besselj` (order, z),
+    `kronecker` (m, n), `transpose` (M), `max`, `min`, `det`, and `at` (a letter, a place): x(π).
     """
 
     function: str
@@ -245,7 +245,7 @@ class Extremum(Formula):
 
 @dataclass(frozen=True, slots=True)
 class PlusMinus(Formula):
-    """±a, or ∓a where `upper` is -1: the upper signs of an equation belong together, and the lower ones."""
+    """±a, or ∓a where `upper` is -1: all upper signs of an equation belong together, and all lower."""
 
     operand: Formula
     upper: int = 1

@@ -12,12 +12,18 @@ import re
 from symbalance.document.formula import (
     Apply,
     Call,
+    Cases,
     Constant,
     Decimal,
     Derivative,
     Dots,
     Equation,
+    Evaluation,
+    Extremum,
     Formula,
+    IndexedProduct,
+    Integral,
+    Limit,
     Matrix,
     Name,
     Number,
@@ -32,6 +38,7 @@ from symbalance.document.formula import (
 )
 from symbalance.document.formula_printing import (
     ATOM,
+    OPERATORS,
     POWER,
     QUOTIENT,
     SIGN,
@@ -63,7 +70,8 @@ class LatexWriter(FormulaWriter):
     """LaTeX for amsmath; widths in digits, on the wide side."""
 
     dots_sign = "\\cdots"
-    relations = {"≈": r"\approx", "≤": r"\leq"}  # noqa: RUF012 - a table
+    plus_minus = {1: r"\pm ", -1: r"\mp "}  # noqa: RUF012 - a table
+    relations = {"≈": r"\approx", "≤": r"\leq", "≥": r"\geq", "≠": r"\neq"}  # noqa: RUF012 - a table
 
     def __init__(self) -> None:
         super().__init__()
@@ -94,7 +102,7 @@ class LatexWriter(FormulaWriter):
         least = POWER
         if isinstance(value, Decimal):
             least = PRODUCT_STRENGTH
-        elif last and not closed and isinstance(value, Summation):
+        elif last and not closed and isinstance(value, OPERATORS):
             least = SIGN
         elif last and not closed and isinstance(value, Derivative) and isinstance(value.expression, Name):
             least = QUOTIENT
@@ -182,6 +190,8 @@ class LatexWriter(FormulaWriter):
         if node.function == "abs":
             left, right = ("\\left", "\\right") if _is_tall(inside) else ("", "")
             return f"{left}\\lvert {inside} {right}\\rvert"
+        if node.function == "conj":
+            return f"\\overline{{{self.write(node.argument)}}}"
         word = _FUNCTIONS.get(node.function, f"\\{node.function}")
         return word + self._argument(node.argument, closed)
 
@@ -199,11 +209,34 @@ class LatexWriter(FormulaWriter):
         arguments = [self._small(argument) for argument in node.arguments]
         if node.function == "binomial":
             return rf"\binom{{{arguments[0]}}}{{{arguments[1]}}}"
+        special = self.applied(node)
+        if special is not None:
+            return special
         left, right = (r"\left(", r"\right)") if any(map(_is_tall, arguments)) else ("(", ")")
         if node.function == "hyp2f1":
             a, b, c, z = arguments
             return rf"{{}}_{{2}}F_{{1}}{left}{a}, {b}; {c}; {z}{right}"
         return rf"\operatorname{{{escaped(node.function)}}}{left}{', '.join(arguments)}{right}"
+
+    def applied(self, node: Apply) -> str | None:
+        """Write n!, J_0(z), δ_(m,n), x(π), M^t; None for a function with its name in front."""
+        first, last = node.arguments[0], node.arguments[-1]
+        printed: str | None = None
+        match node.function:
+            case "factorial":
+                printed = self.write(first, ATOM, closed=True) + "!"
+            case "besselj":
+                printed = f"J_{{{self.write(first)}}}{self.bracketed(self.write(last))}"
+            case "kronecker":
+                printed = rf"\delta_{{{self.write(first)},{self.write(last)}}}"
+            case "at":
+                printed = f"{self.write(first, ATOM)}{self.bracketed(self.write(last))}"
+            case "transpose":
+                printed = self.write(first, ATOM, closed=True) + r"^{\top}"
+            case "det" | "max" | "min":
+                inside = ", ".join(map(self.write, node.arguments))
+                printed = f"\\{node.function}{self.bracketed(inside)}"
+        return printed
 
     def _small(self, argument: Formula) -> str:
         r"""Write an argument among others: a half is small in it."""
@@ -235,6 +268,53 @@ class LatexWriter(FormulaWriter):
             bounds = f"_{{{latex_letter(node.index.name)}{lower}}}"
             bounds += f"^{{{self.write(node.upper)}}}" if node.upper is not None else ""
         return f"\\sum{bounds} {self.write(node.body, PRODUCT_STRENGTH, closed)}"
+
+    def _bounds(self, lower: Formula | None, upper: Formula | None, index: str = "") -> str:
+        below = "" if lower is None else f"_{{{index}{self.write(lower)}}}"
+        return below + ("" if upper is None else f"^{{{self.write(upper)}}}")
+
+    def indexedproduct(self, node: IndexedProduct, closed: bool) -> str:
+        """Write a product sign with its bounds."""
+        bounds = self._bounds(node.lower, node.upper, f"{latex_letter(node.index.name)}=")
+        return f"\\prod{bounds} {self.write(node.body, PRODUCT_STRENGTH, closed)}"
+
+    def integral(self, node: Integral, _: bool) -> str:
+        """Write an integral with its bounds."""
+        sign = r"\oint" if node.closed else r"\int"
+        body = self.write(node.body, PRODUCT_STRENGTH, closed=True)
+        bounds = self._bounds(node.lower, node.upper)
+        return rf"{sign}{bounds} {body} \, \mathrm{{d}}{latex_letter(node.variable.name)}"
+
+    def evaluation(self, node: Evaluation, _: bool) -> str:
+        """Write a value behind a bar, an increase in square brackets."""
+        letter, inside = latex_letter(node.variable.name), self.write(node.expression)
+        if node.lower is None:
+            return rf"\left.{inside}\right|_{{{letter}={self.write(node.upper)}}}"
+        return rf"\left[{inside}\right]" + self._bounds(node.lower, node.upper, f"{letter}=")
+
+    def limit(self, node: Limit, closed: bool) -> str:
+        """Write a limit."""
+        side = {1: "^{+}", -1: "^{-}"}.get(node.side, "")
+        point = self.write(node.point, ATOM) if side else self.write(node.point)
+        under = rf"_{{{latex_letter(node.variable.name)} \to {point}{side}}}"
+        return rf"\lim{under} {self.write(node.body, PRODUCT_STRENGTH, closed)}"
+
+    def extremum(self, node: Extremum, closed: bool) -> str:
+        """Write a largest or smallest value."""
+        under = f"_{{{latex_letter(node.variable.name)}}}" if node.variable.name else ""
+        return f"\\{node.function}{under} {self.write(node.body, PRODUCT_STRENGTH, closed)}"
+
+    def cases(self, node: Cases, _: bool) -> str:
+        """Write values behind a brace, each with its condition."""
+        rows = []
+        for value, condition in zip(node.values, node.conditions, strict=True):
+            when = r"\text{else}"
+            if condition is not None:
+                left, sign, right = condition
+                when = f"{self.write(left)} {self.relation(sign)} {self.write(right)}"
+            rows.append(f"{self.write(value)} & {when}")
+        lines = r" \\ ".join(rows)
+        return rf"\begin{{cases}} {lines} \end{{cases}}"
 
     def matrix(self, node: Matrix, _: bool) -> str:
         """Write a matrix in round brackets."""
@@ -278,8 +358,19 @@ class InlineLatexWriter(LatexWriter):
 
 
 _CONSTANTS = {"pi": "\\pi", "infinity": "\\infty", "e": "\\exp\\left(1\\right)", "i": "\\sqrt{-1}"}
-_FUNCTIONS = {"asin": "\\arcsin", "acos": "\\arccos", "atan": "\\arctan"}
-_TALL = (r"\frac", r"\binom", r"\sum", r"\sqrt", r"\tfrac", r"\begin")
+_FUNCTIONS = {"asin": "\\arcsin", "acos": "\\arccos", "atan": "\\arctan", "re": "\\Re", "im": "\\Im"}
+_TALL = (
+    r"\int",
+    r"\oint",
+    r"\prod",
+    r"\lim",
+    r"\frac",
+    r"\binom",
+    r"\sum",
+    r"\sqrt",
+    r"\tfrac",
+    r"\begin",
+)
 
 
 def _is_tall(printed: str) -> bool:

@@ -13,16 +13,23 @@ from html import escape
 from symbalance.document.formula import (
     Apply,
     Call,
+    Cases,
     Constant,
     Decimal,
     Derivative,
     Dots,
     Equation,
+    Evaluation,
+    Extremum,
     Formula,
+    IndexedProduct,
+    Integral,
+    Limit,
     Matrix,
     Name,
     Negative,
     Number,
+    PlusMinus,
     Power,
     Product,
     Quotient,
@@ -33,6 +40,7 @@ from symbalance.document.formula import (
 )
 from symbalance.document.formula_printing import (
     ATOM,
+    OPERATORS,
     POWER,
     QUOTIENT,
     SIGN,
@@ -149,6 +157,10 @@ class MathmlWriter(FormulaWriter):
         """Write -a."""
         return _row(_mo(self.minus), self.write(node.operand, PRODUCT_STRENGTH, closed))
 
+    def plusminus(self, node: PlusMinus, closed: bool) -> str:
+        """Write ±a."""
+        return _row(_mo(self.plus_minus[node.upper]), self.write(node.operand, PRODUCT_STRENGTH, closed))
+
     def sum(self, node: Sum, closed: bool) -> str:
         """Write a + b - c."""
         parts = [
@@ -175,7 +187,7 @@ class MathmlWriter(FormulaWriter):
         least = POWER
         if isinstance(value, Decimal):
             least = PRODUCT_STRENGTH
-        elif last and not closed and isinstance(value, Summation):
+        elif last and not closed and isinstance(value, OPERATORS):
             least = SIGN
         elif isinstance(value, Derivative) and isinstance(value.expression, Name):
             least = QUOTIENT
@@ -212,6 +224,8 @@ class MathmlWriter(FormulaWriter):
             return f"<msqrt>{self.write(node.argument)}</msqrt>"
         if node.function == "abs":
             return _row(_mo("|"), self.write(node.argument), _mo("|"))
+        if node.function == "conj":
+            return f"<mover>{self.write(node.argument)}{_mo('¯')}</mover>"
         name = _WORDS.get(node.function, node.function)
         return _row(_mi(name), *self._applied(node.argument, closed or node.function not in CIRCULAR))
 
@@ -226,6 +240,9 @@ class MathmlWriter(FormulaWriter):
         if node.function == "binomial":
             over = f'<mfrac linethickness="0">{arguments[0]}{arguments[1]}</mfrac>'
             return _row(_mo("("), over, _mo(")"))
+        special = self.applied(node)
+        if special is not None:
+            return special
         head, between = _mi(node.function), [_mo(",")] * (len(arguments) - 1)
         if node.function == "hyp2f1":
             left = f"<mmultiscripts>{_mi('F')}{_mn('1')}<mrow></mrow><mprescripts></mprescripts>"
@@ -235,6 +252,24 @@ class MathmlWriter(FormulaWriter):
             mark + part for mark, part in zip(between, arguments[1:], strict=True)
         )
         return _row(head, _mo(APPLICATION), _mo("("), inside, _mo(")"))
+
+    def applied(self, node: Apply) -> str | None:
+        """Write n!, J_0(z), δ_(m,n), x(π), M^t; None for a function with its name in front."""
+        first, last = node.arguments[0], node.arguments[-1]
+        printed: str | None = None
+        match node.function:
+            case "factorial":
+                printed = _row(self.write(first, ATOM, closed=True), _mo("!"))
+            case "besselj":
+                head = f"<msub>{_mi('J')}{self.write(first)}</msub>"
+                printed = _row(head, _mo(APPLICATION), self.bracketed(self.write(last)))
+            case "kronecker":
+                printed = f"<msub>{_mi('δ')}{_row(self.write(first), _mo(','), self.write(last))}</msub>"
+            case "at":
+                printed = _row(self.write(first), _mo(APPLICATION), self.bracketed(self.write(last)))
+            case "transpose":
+                printed = f"<msup>{self.write(first, ATOM, closed=True)}{_mo('⊤')}</msup>"
+        return printed
 
     def subscript(self, node: Subscript, _: bool) -> str:
         """Write a letter with an index."""
@@ -263,6 +298,58 @@ class MathmlWriter(FormulaWriter):
                 sign = f"<munderover>{_mo('∑')}{below}{self.write(node.upper)}</munderover>"
         return _row(sign, self.write(node.body, PRODUCT_STRENGTH, closed))
 
+    def indexedproduct(self, node: IndexedProduct, closed: bool) -> str:
+        """Write a product sign with its bounds."""
+        below = _row(self.write(node.index), _mo("="), self.write(node.lower))
+        sign = f"<munderover>{_mo('∏')}{below}{self.write(node.upper)}</munderover>"
+        return _row(sign, self.write(node.body, PRODUCT_STRENGTH, closed))
+
+    def integral(self, node: Integral, _: bool) -> str:
+        """Write an integral with its bounds."""
+        sign = _mo("∮" if node.closed else "∫")
+        if node.lower is not None and node.upper is not None:
+            sign = f"<msubsup>{sign}{self.write(node.lower)}{self.write(node.upper)}</msubsup>"
+        d = '<mi mathvariant="normal">d</mi>'
+        body = self.write(node.body, PRODUCT_STRENGTH, closed=True)
+        return _row(sign, body, _SPACE, d, self.write(node.variable))
+
+    def evaluation(self, node: Evaluation, _: bool) -> str:
+        """Write a value behind a bar, an increase in square brackets."""
+        inside, upper = self.write(node.expression), self.write(node.upper)
+        if node.lower is None:
+            where = _row(self.write(node.variable), _mo("="), upper)
+            return _row(inside, f"<msub>{_mo('|')}{where}</msub>")
+        where = _row(self.write(node.variable), _mo("="), self.write(node.lower))
+        return f"<msubsup>{_row(_mo('['), inside, _mo(']'))}{where}{upper}</msubsup>"
+
+    def limit(self, node: Limit, closed: bool) -> str:
+        """Write a limit."""
+        point = self.write(node.point)
+        if node.side:
+            point = f"<msup>{point}{_mo('+' if node.side > 0 else self.minus)}</msup>"
+        below = _row(self.write(node.variable), _mo("→"), point)
+        return _row(
+            f"<munder>{_mi('lim')}{below}</munder>", self.write(node.body, PRODUCT_STRENGTH, closed)
+        )
+
+    def extremum(self, node: Extremum, closed: bool) -> str:
+        """Write a largest or smallest value."""
+        sign = _mi(node.function)
+        if node.variable.name:
+            sign = f"<munder>{sign}{self.write(node.variable)}</munder>"
+        return _row(sign, self.write(node.body, PRODUCT_STRENGTH, closed))
+
+    def cases(self, node: Cases, _: bool) -> str:
+        """Write values behind a brace, each with its condition."""
+        rows = []
+        for value, condition in zip(node.values, node.conditions, strict=True):
+            when = "<mtext>else</mtext>"
+            if condition is not None:
+                left, sign, right = condition
+                when = _row(self.write(left), self._relation(sign), self.write(right))
+            rows.append(f"<mtr><mtd>{self.write(value)}</mtd><mtd>{when}</mtd></mtr>")
+        return _row(_mo("{"), f"<mtable>{''.join(rows)}</mtable>")
+
     def matrix(self, node: Matrix, _: bool) -> str:
         """Write a matrix in round brackets."""
         rows = (
@@ -272,7 +359,7 @@ class MathmlWriter(FormulaWriter):
         return _row(_mo("("), f"<mtable>{''.join(rows)}</mtable>", _mo(")"))
 
 
-_WORDS = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
+_WORDS = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "re": "Re", "im": "Im"}
 _ACCENTS = {"bar": "¯", "hat": "^", "vec": "→", "tilde": "~"}
 
 

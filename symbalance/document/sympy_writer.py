@@ -8,13 +8,20 @@ from functools import cache
 from typing import Any
 
 from symbalance.document.formula import (
+    INFINITY,
     Apply,
     Call,
+    Cases,
     Constant,
     Decimal,
     Derivative,
     Equation,
+    Evaluation,
+    Extremum,
     Formula,
+    IndexedProduct,
+    Integral,
+    Limit,
     Matrix,
     Name,
     Negative,
@@ -72,6 +79,10 @@ def _writers() -> dict[type[Formula], Callable[[Any], Any]]:
 
     def call(node: Call) -> Any:
         argument = of(node.argument)
+        if node.function == "lg":
+            return sympy.log(argument, 10)
+        if node.function in ("re", "im", "conj"):
+            return {"re": sympy.re, "im": sympy.im, "conj": sympy.conjugate}[node.function](argument)
         function = getattr(sympy, {"abs": "Abs", "ln": "log"}.get(node.function, node.function))
         if node.function in ("sin", "cos") and argument.has(sympy.pi) and not argument.free_symbols:
             # SymPy multiplies some of these out into long radicals, and takes its time.
@@ -85,7 +96,16 @@ def _writers() -> dict[type[Formula], Callable[[Any], Any]]:
             return sympy.hyper((a, b), (c,), z)
         if node.function == "atan2":
             return sympy.atan2(*arguments, evaluate=False)
-        known = {"binomial": sympy.binomial}
+        known = {
+            "binomial": sympy.binomial,
+            "factorial": sympy.factorial,
+            "besselj": sympy.besselj,
+            "kronecker": sympy.KroneckerDelta,
+            "max": sympy.Max,
+            "min": sympy.Min,
+            "transpose": sympy.transpose,
+            "det": sympy.det,
+        }
         return known.get(node.function, sympy.Function(node.function))(*arguments)
 
     def subscript(node: Subscript) -> Any:
@@ -105,6 +125,44 @@ def _writers() -> dict[type[Formula], Callable[[Any], Any]]:
             )
         return sympy.Sum(of(node.body), (of(node.index), of(node.lower), of(node.upper)))
 
+    def product_sign(node: IndexedProduct) -> Any:
+        return sympy.Product(of(node.body), (of(node.index), of(node.lower), of(node.upper)))
+
+    def integral(node: Integral) -> Any:
+        if node.lower is None or node.upper is None:
+            if node.closed:
+                raise SymbalanceError(formula_text(node), "has no bounds", "write them: ∫ from 0 to 2π")
+            return sympy.Integral(of(node.body), of(node.variable))
+        return sympy.Integral(of(node.body), (of(node.variable), of(node.lower), of(node.upper)))
+
+    def evaluation(node: Evaluation) -> Any:
+        body, variable = of(node.expression), of(node.variable)
+        upper = sympy.Subs(body, variable, of(node.upper))
+        return upper if node.lower is None else upper - sympy.Subs(body, variable, of(node.lower))
+
+    def limit(node: Limit) -> Any:
+        side = {1: "+", -1: "-"}.get(node.side, "+-")
+        if node.point == INFINITY:
+            side = "-"
+        return sympy.Limit(of(node.body), of(node.variable), of(node.point), side)
+
+    def extremum(node: Extremum) -> Any:
+        if not node.variable.name:
+            raise SymbalanceError(formula_text(node), "names no variable", "write max over θ")
+        function = sympy.Function(node.function)
+        return function(of(node.body), of(node.variable))
+
+    relations = {"=": sympy.Eq, "≠": sympy.Ne, "<": sympy.Lt, ">": sympy.Gt, "≤": sympy.Le, "≥": sympy.Ge}
+
+    def cases(node: Cases) -> Any:
+        pairs = []
+        for value, condition in zip(node.values, node.conditions, strict=True):
+            when: Any = True
+            if condition is not None:
+                when = relations[condition[1]](of(condition[0]), of(condition[2]))
+            pairs.append((of(value), when))
+        return sympy.Piecewise(*pairs)
+
     return {
         Number: lambda node: rational(node.value),
         Decimal: lambda node: sympy.Float(node.text),
@@ -120,5 +178,11 @@ def _writers() -> dict[type[Formula], Callable[[Any], Any]]:
         Subscript: subscript,
         Derivative: derivative,
         Summation: summation,
+        IndexedProduct: product_sign,
+        Integral: integral,
+        Evaluation: evaluation,
+        Limit: limit,
+        Extremum: extremum,
+        Cases: cases,
         Matrix: lambda node: sympy.Matrix([[of(entry) for entry in row] for row in node.rows]),
     }

@@ -211,7 +211,7 @@ class _Writer(DocumentWriter):
         """Return widths that fit, the widest columns giving way: words, and the heads of numbers."""
         narrow = [max(map(len, column)) for column in columns]
         numbers = {i: max(map(len, columns[i][1:])) for i, numeric in enumerate(fit.numeric) if numeric}
-        words = [numbers.get(i, max(map(_longest_word, column))) for i, column in enumerate(columns)]
+        words = [numbers.get(i) or self.longest_piece(fit, i) for i in range(len(columns))]
         least = [numbers.get(i, _NARROWEST) for i in range(len(columns))]
         # A column narrower than a word of its own stands out of line: that comes last.
         for limits in (list(map(max, words, least)), words, least):
@@ -219,6 +219,11 @@ class _Writer(DocumentWriter):
                 narrow[max(open_columns, key=lambda i: narrow[i])] -= 1
                 over -= 1
         return narrow
+
+    def longest_piece(self, fit: Fitted, place: int) -> int:
+        """Return the length of the longest part of a column that is not broken: a word, a term."""
+        texts = [self.words(words) for words in (fit.columns[place].head, *fit.cells(place))]
+        return max(len(piece) for text in texts for piece in _SIGNS.sub(" ", text).split(" "))
 
     def left_out(self, fit: Fitted) -> list[str]:
         """Return the exact forms that have no room in the table, a line each."""
@@ -279,10 +284,6 @@ def _whole(cell: str) -> str:
     """Return what stands before a number's point."""
     point = _POINT.match(cell)
     return point[0] if point else cell
-
-
-def _longest_word(cell: str) -> int:
-    return max(map(len, cell.split(" ")))
 
 
 def _side_by_side(cells: Sequence[Sequence[str]], widths: Sequence[int]) -> list[str]:

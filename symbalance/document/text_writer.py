@@ -11,12 +11,18 @@ from symbalance.document.formula import (
     INFINITY,
     Apply,
     Call,
+    Cases,
     Constant,
     Decimal,
     Derivative,
     Dots,
     Equation,
+    Evaluation,
+    Extremum,
     Formula,
+    IndexedProduct,
+    Integral,
+    Limit,
     Matrix,
     Name,
     Number,
@@ -30,6 +36,7 @@ from symbalance.document.formula import (
 )
 from symbalance.document.formula_printing import (
     ATOM,
+    OPERATORS,
     POWER,
     QUOTIENT,
     SIGN,
@@ -83,7 +90,7 @@ class TextWriter(FormulaWriter):
         least = POWER
         if isinstance(value, Decimal):
             least = PRODUCT_STRENGTH
-        elif last and isinstance(value, Summation):
+        elif last and isinstance(value, OPERATORS):
             least = SIGN
         elif last and isinstance(value, Quotient | Derivative):
             least = QUOTIENT
@@ -177,6 +184,8 @@ class TextWriter(FormulaWriter):
             return f"|{self.write(argument)}|"
         if node.function == "exp":
             return f"exp({self.exponential(node)})"
+        if node.function in WORDS:
+            return f"{WORDS[node.function]}({self.write(argument)})"
         return node.function + self._argument(argument, closed, " ")
 
     def _argument(self, node: Formula, closed: bool, space: str) -> str:
@@ -189,10 +198,30 @@ class TextWriter(FormulaWriter):
         if node.function == "hyp2f1":
             a, b, c, z = map(self._tight, node.arguments)
             return f"₂F₁({a}, {b}; {c}; {z})"
+        special = self.applied(node)
+        if special is not None:
+            return special
         write = self._tight if node.function == "binomial" else self.write
         return (
             f"{self.functions.get(node.function, node.function)}({', '.join(map(write, node.arguments))})"
         )
+
+    def applied(self, node: Apply) -> str | None:
+        """Write n!, J₀(z), δ_(m,n), x(π), Mᵗ; None for a function with its name in front."""
+        first, last = node.arguments[0], node.arguments[-1]
+        printed: str | None = None
+        match node.function:
+            case "factorial":
+                printed = self.write(first, ATOM, closed=True) + "!"
+            case "besselj":
+                printed = f"J{lowered(self._tight(first))}({self.write(last)})"
+            case "kronecker":
+                printed = f"δ{lowered(f'{self._tight(first)},{self._tight(last)}')}"
+            case "at":
+                printed = f"{self.write(first, ATOM)}({self.write(last)})"
+            case "transpose":
+                printed = self.write(first, ATOM, closed=True) + "ᵗ"
+        return printed
 
     def subscript(self, node: Subscript, _: bool) -> str:
         """Write A₂ₖ."""
@@ -221,9 +250,56 @@ class TextWriter(FormulaWriter):
                 span = f"({index}={lower}…{self._tight(node.upper)})"
         return f"Σ{span} {self.write(node.body, PRODUCT_STRENGTH, closed)}"
 
+    def indexedproduct(self, node: IndexedProduct, closed: bool) -> str:
+        """Write Π(k=1…n) body."""
+        span = f"({self.write(node.index)}={self._tight(node.lower)}…{self._tight(node.upper)})"
+        return f"Π{span} {self.write(node.body, PRODUCT_STRENGTH, closed)}"
+
+    def integral(self, node: Integral, _: bool) -> str:
+        """Write ∫(0…2π) body dθ."""
+        span = ""
+        if node.lower is not None and node.upper is not None:
+            span = f"({self._tight(node.lower)}…{self._tight(node.upper)})"
+        sign = "∮" if node.closed else "∫"
+        body = self.write(node.body, PRODUCT_STRENGTH, closed=True)
+        return f"{sign}{span} {body} d{self.write(node.variable)}"
+
+    def evaluation(self, node: Evaluation, _: bool) -> str:
+        """Write f|(x=b), or [f](x=a…b)."""
+        letter, upper = self.write(node.variable), self._tight(node.upper)
+        if node.lower is None:
+            return f"{self.write(node.expression, ATOM, closed=True)}|({letter}={upper})"
+        return f"[{self.write(node.expression)}]({letter}={self._tight(node.lower)}…{upper})"
+
+    def limit(self, node: Limit, closed: bool) -> str:
+        """Write lim(x→0) body."""
+        point = self._tight(node.point) + {1: "⁺", -1: "⁻"}.get(node.side, "")
+        body = self.write(node.body, PRODUCT_STRENGTH, closed)
+        return f"lim({self.write(node.variable)}→{point}) {body}"
+
+    def extremum(self, node: Extremum, closed: bool) -> str:
+        """Write max(θ) body."""
+        over = f"({self.write(node.variable)})" if node.variable.name else ""
+        return f"{node.function}{over} {self.write(node.body, PRODUCT_STRENGTH, closed)}"
+
+    def cases(self, node: Cases, _: bool) -> str:
+        """Write {a if x > 0; b else}."""
+        parts = []
+        for value, condition in zip(node.values, node.conditions, strict=True):
+            when = "else"
+            if condition is not None:
+                left, sign, right = condition
+                when = f"if {self.write(left)} {self.relation(sign)} {self.write(right)}"
+            parts.append(f"{self.write(value)} {when}")
+        return f"{{{'; '.join(parts)}}}"
+
     def matrix(self, node: Matrix, _: bool) -> str:
         """Write [a, b; c, d]."""
         return f"[{'; '.join(', '.join(map(self.write, row)) for row in node.rows)}]"
+
+
+WORDS = {"re": "Re", "im": "Im", "conj": "conj", "lg": "lg"}
+"""Functions whose name in print is another, always with brackets."""
 
 
 def _is_plain_product(node: Formula) -> bool:
@@ -310,7 +386,7 @@ class PlainWriter(TextWriter):
         if node.function == "exp":
             return f"exp({self.exponential(node)})"
         if node.function not in CIRCULAR:
-            return f"{word}({self.write(node.argument)})"
+            return f"{WORDS.get(word, word)}({self.write(node.argument)})"
         return word + self._argument(node.argument, closed, " ")
 
     def _argument(self, node: Formula, closed: bool, space: str) -> str:
@@ -318,7 +394,11 @@ class PlainWriter(TextWriter):
         return f"{space}{self.write(node)}" if simple else f"({self.write(node)})"
 
     def apply(self, node: Apply, _: bool) -> str:
-        """Write f(a, b)."""
+        """Write f(a, b), n!, x(π)."""
+        if node.function == "factorial":
+            return f"({self.write(node.arguments[0])})!"
+        if node.function == "at":
+            return f"{self.write(node.arguments[0], ATOM)}({self.write(node.arguments[1])})"
         return f"{node.function}({', '.join(map(self.write, node.arguments))})"
 
     def subscript(self, node: Subscript, _: bool) -> str:
@@ -344,3 +424,37 @@ class PlainWriter(TextWriter):
             bounds = f"_{{{self.names(node.index.name)}{lower}}}"
             bounds += f"^{{{self.write(node.upper)}}}" if node.upper is not None else ""
         return f"Σ{bounds} {self.write(node.body, PRODUCT_STRENGTH, closed)}"
+
+    def _bounds(self, lower: Formula | None, upper: Formula | None, index: str = "") -> str:
+        below = "" if lower is None else f"_{{{index}{self.write(lower)}}}"
+        return below + ("" if upper is None else f"^{{{self.write(upper)}}}")
+
+    def indexedproduct(self, node: IndexedProduct, closed: bool) -> str:
+        """Write ∏_{k=1}^{n} body."""
+        bounds = self._bounds(node.lower, node.upper, f"{self.names(node.index.name)}=")
+        return f"∏{bounds} {self.write(node.body, PRODUCT_STRENGTH, closed)}"
+
+    def integral(self, node: Integral, _: bool) -> str:
+        """Write ∫_{a}^{b} (body) dx."""
+        sign = "∮" if node.closed else "∫"
+        bounds = self._bounds(node.lower, node.upper)
+        return f"{sign}{bounds} ({self.write(node.body)}) d{self.names(node.variable.name)}"
+
+    def evaluation(self, node: Evaluation, _: bool) -> str:
+        """Write [body]_{x=a}^{b}."""
+        letter, expression = self.names(node.variable.name), self.write(node.expression)
+        if node.lower is None:
+            return f"[{expression}]_{{{letter}={self.write(node.upper)}}}"
+        return f"[{expression}]" + self._bounds(node.lower, node.upper, f"{letter}=")
+
+    def limit(self, node: Limit, closed: bool) -> str:
+        """Write lim_{x → 0} body."""
+        side = {1: "^{+}", -1: "^{-}"}.get(node.side, "")
+        point = self.write(node.point, ATOM) if side else self.write(node.point)
+        under = f"_{{{self.names(node.variable.name)} → {point}{side}}}"
+        return f"lim{under} {self.write(node.body, PRODUCT_STRENGTH, closed)}"
+
+    def extremum(self, node: Extremum, closed: bool) -> str:
+        """Write max_{θ} body."""
+        under = f"_{{{self.names(node.variable.name)}}}" if node.variable.name else ""
+        return f"{node.function}{under} {self.write(node.body, PRODUCT_STRENGTH, closed)}"

@@ -81,6 +81,9 @@ def read_stations(
     >>> places = read_stations([[1, 3], [2]], Fraction(90), stations=[[0, -90], [-45]], station_unit="mm")
     >>> {n: str(s) for n, s in places.items()}
     {1: '1/2', 3: '-1/2', 2: '0'}
+    >>> places = read_stations([[1, 3], [2, 4]], Fraction(100), stagger=[10, -10], station_unit="mm")
+    >>> {n: str(s) for n, s in places.items()}
+    {1: '3/5', 3: '-2/5', 2: '2/5', 4: '-3/5'}
     """
     in_mm = _is_in_mm(station_unit)
     if stations is not None and pitch is not None:
@@ -100,8 +103,10 @@ def read_stations(
             what, rule = 'station_unit = "mm"', "needs the pitch a, in which couples count"
             raise SymbalanceError(what, rule, "give pitch = ..., mm, of the crank train")
         scale = pitch_mm
+    # Places that nobody listed count in pitches, whatever the unit of what is listed.
+    of_places = scale if name else Fraction(1)
     raw = {
-        number: (shift + place) / scale
+        number: shift / scale + place / of_places
         for bank, in_bank, shift in zip(banks, places, shifts, strict=True)
         for number, place in zip(bank, in_bank, strict=True)
     }

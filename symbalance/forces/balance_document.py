@@ -246,6 +246,8 @@ def in_newtons(balance: Balance, of: str) -> Measured | None:
 
 SHOWN = 5
 """Digits of a value in N: its masses and lengths have no more."""
+CLOSE = 8
+"""Digits of a largest value beside its bound: with fewer it could be printed above it."""
 
 
 def turn_blocks(balance: Balance) -> tuple[Block, ...]:
@@ -261,8 +263,8 @@ def turn_blocks(balance: Balance) -> tuple[Block, ...]:
         of, _, name = output.partition(".")
         if top.value > NEGLIGIBLE * float(balance.unit_value(of)):
             where = Decimal(f"{top.angle:.1f}")
-            cells = (f"{of}, {name or 'in any direction'}", UNITS[of], decimal(top.value, SHOWN))
-            rows.append((*cells, decimal(_upwards(top.bound), 8), where))
+            cells = (f"{of}, {name or 'in any direction'}", UNITS[of], decimal(top.value, CLOSE))
+            rows.append((*cells, decimal(_upwards(top.bound), CLOSE), where))
     columns = (
         Column(""),
         Column("unit"),

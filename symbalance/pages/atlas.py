@@ -86,7 +86,7 @@ script-src 'sha256-{digest}'">
 <body>
 <main>
 <h1>Atlas of engines</h1>
-<p>{count}: which orders are free, and how much. A head sorts the table; a name opens the engine in motion.
+<p>{count}: which orders are free, and how much. A head sorts the table; a name opens the engine.
 Sizes are over one piston's first order, of couples also over the pitch. None: every order to {order}
 cancels exactly or is below 10⁻⁶.</p>
 <section class="wide" tabindex="0" aria-label="Engines by what shakes">

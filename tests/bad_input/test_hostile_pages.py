@@ -56,6 +56,17 @@ LARGE = {
     "deep superscripts": "$$x" + "^{x" * 2_000 + "}" * 2_000 + " = 1$$",
     "many lines": "x = x + \n" * 4_000,
     "backslashes": "\\" * 100_000,
+    "a macro of itself": r"\def\a{\a\a}$\a = x$",
+    "macros of macros": r"\def\a{\b\b}\def\b{\a\a}$\a = x$",
+    "a macro that grows": r"\def\a#1{\a{#1#1}}$\a{x} = x$",
+    "many macros": r"\def\z{x}" * 20_000 + r"$\z=\z$" * 1_000,
+    "cancelled": "$" + r"\cancel{" * 5_000 + "x" + "}" * 5_000 + "=x$",
+    "quantities": r"\SI{1}{" * 20_000,
+    "dashes": "$a — b " * 20_000,
+    "words and signs": "foo = bar " * 30_000,
+    "smaller than": "<a " * 50_000,
+    "tags": "<math>" * 20_000,
+    "fences": "```\n" * 30_000,
     "minus signs": "$$" + "-" * 20_000 + "x = x$$",
 }
 
@@ -71,3 +82,32 @@ def test_large_input_is_judged_or_refused_and_the_line_after_it_is_read(name):
     verdicts = [v.verdict for v in found.verdicts]
     assert "holds" in verdicts[-1:] or "unreadable" in verdicts or not verdicts
     assert time.process_time() - start < 30
+
+
+@pytest.mark.parametrize(
+    ("text", "rule"),
+    [
+        ("{", "is no JSON"),
+        ("[]", "is no notebook"),
+        ("[" * 100_000, "is"),
+        ('{"cells": [3]}', "is no cell of a notebook"),
+        ('{"cells": [{"cell_type": "markdown", "source": {"a": 1}}]}', "is no cell of a notebook"),
+    ],
+)
+def test_a_broken_notebook_is_refused_in_one_line(text, rule, tmp_path):
+    path = tmp_path / "notes.ipynb"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(SymbalanceError, match=rule) as refusal:
+        check(path, LETTERS)
+    assert "\n" not in str(refusal.value)
+
+
+def test_what_a_notebook_computes_is_not_read_and_never_run(tmp_path):
+    path = tmp_path / "notes.ipynb"
+    cells = """{"cells": [
+      {"cell_type": "code", "source": ["x = 1\\n", "open('made', 'w')"], "outputs": [{"text": "x = 5"}]},
+      {"cell_type": "markdown", "source": "then\\n$\\\\sin^2\\\\theta+\\\\cos^2\\\\theta=1$"}]}"""
+    path.write_text(cells, encoding="utf-8")
+    (verdict,) = check(path, LETTERS).verdicts
+    assert (verdict.verdict, verdict.cell) == ("holds", (2, 2))
+    assert list(tmp_path.iterdir()) == [path]

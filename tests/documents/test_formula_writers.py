@@ -56,6 +56,18 @@ def _larger(parts: st.SearchStrategy[f.Formula]) -> st.SearchStrategy[f.Formula]
         st.builds(f.Derivative, parts, letters, st.integers(1, 3)),
         st.builds(f.Summation, parts),
         st.builds(f.Summation, parts, letters, parts, parts),
+        st.builds(f.IndexedProduct, parts, letters, parts, parts),
+        st.builds(f.Integral, parts, letters, parts, parts, st.booleans()),
+        st.builds(f.Integral, parts, letters),
+        st.builds(f.Evaluation, parts, letters, parts, st.one_of(st.none(), parts)),
+        st.builds(f.Limit, parts, letters, parts, st.sampled_from([-1, 0, 1])),
+        st.builds(f.Extremum, st.sampled_from(["max", "min"]), parts, letters),
+        st.builds(f.PlusMinus, parts, st.sampled_from([1, -1])),
+        st.builds(lambda a, b, c, d: f.Cases((a, b), ((c, "<", d), None)), parts, parts, parts, parts),
+        st.builds(f.Apply, st.sampled_from(["factorial", "transpose", "det"]), st.tuples(parts)),
+        st.builds(
+            f.Apply, st.sampled_from(["at", "besselj", "kronecker", "max"]), st.tuples(parts, parts)
+        ),
         st.builds(f.Matrix, st.tuples(st.tuples(parts, parts), st.tuples(parts, parts))),
     )
 
@@ -92,7 +104,8 @@ def test_operators_keep_what_is_written() -> None:
 
 # MathML -------------------------------------------------------------------------------------------
 
-_FUNCTION_WORDS = {*f.FUNCTIONS, "arcsin", "arccos", "arctan", "atan2", "F", "d"}
+_FUNCTION_WORDS = {*f.FUNCTIONS, "arcsin", "arccos", "arctan", "atan2", "F", "d", "Re", "Im"}
+_FUNCTION_WORDS |= {"lim", "max", "min", "det", "J", "δ"}
 CORE = {
     *("math", "mrow", "mi", "mn", "mo", "mtext", "mspace", "mfrac", "msqrt", "msub", "msup", "msubsup"),
     "munder",

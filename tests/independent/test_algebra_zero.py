@@ -187,7 +187,7 @@ NO_FORM = [
     "1/(1 - cos(2*pi*n))",
     "exp((1 + i)*theta*i)*exp(cos(pi/5) + i*sin(pi/5))",
     "(1 + a)**(1/3)",
-    "sum(k, k, 1, n)",
+    "sum(k, k, 1, x)",
     "sum(k, k, 1/2, 3)",
     "sum(k, k, 1, 100000)",
     "sum(1/k, k, 0, 3)",

@@ -139,7 +139,7 @@ def test_the_same_document_by_two_ways_is_one(notes, capsys):
         (["right.md", "wrong.txt", "--declare"], "--declare: is for one document"),
         ([".", "-o", "."], "is a folder of documents, and reports in it would be documents too"),
         ([".hidden/none"], "cannot be read"),
-        (["empty"], "holds no .tex, .md, .txt or .text file"),
+        (["empty"], "holds no .tex, .md, .txt, .text, "),
         (["right.md", "wrong.txt", "-o", "right.md"], "--output right.md: cannot be made"),
         (["right.md", "--dask", "tcp://x:1"], "--dask: is for several documents"),
         (["right.md", "wrong.txt", "--jobs", "many"], "--jobs = many: must be a whole number"),

@@ -9,12 +9,14 @@ import sys
 import threading
 import time
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
 
 from symbalance.cli import run
 from symbalance.errors import MissingPartError, SymbalanceError
 from symbalance.jobs import Progress, Store, dask_executor, pools, run_jobs
+from symbalance.search import search_cranks
 from tests import ROOT
 from tests.jobs.work import jobs, marks, square
 
@@ -159,3 +161,32 @@ def test_no_thread_of_dask_is_left(cluster, tmp_path):
     while threading.active_count() > before + 4:
         assert time.monotonic() < end
         time.sleep(0.1)
+
+
+class KillingProgress(Progress):
+    """Kills a worker of the cluster after some jobs."""
+
+    def __init__(self, pid: int, after: int) -> None:
+        super().__init__()
+        self.pid, self.after = pid, after
+
+    def advance(self, weight: float = 1.0) -> None:
+        super().advance(weight)
+        if self.computed == self.after:
+            os.kill(self.pid, signal.SIGKILL)
+
+
+def test_a_search_on_a_cluster_one_of_whose_workers_is_killed(cluster):
+    from distributed import Client
+
+    question: dict[str, Any] = {"cylinders": 10, "strokes": 2, "minimize": ["couple.1", "couple.2"]}
+    alone = search_cranks(**question)
+    with Client(cluster.address, set_as_default=False) as client:
+        pid = next(iter(client.run(os.getpid).values()))
+    progress = KillingProgress(pid, 5)
+    with dask_executor(cluster.address) as executor:
+        shared = search_cranks(**question, executor=executor, progress=progress)
+    assert progress.computed == alone.parts > 100
+    with pytest.raises(ProcessLookupError):
+        os.kill(pid, 0)
+    assert shared.data() == alone.data()

@@ -10,6 +10,7 @@ from symbalance.checking import check, sidecar_draft
 from symbalance.cli import run
 from symbalance.document.letters import plain_letter
 from symbalance.errors import SymbalanceError
+from symbalance.notes.checking.documents import SUFFIXES
 from symbalance.notes.checking.sidecar import parse_sidecar, read_sidecar
 from symbalance.notes.checking.symbol_roles import KNOWN, role_of
 from tests import TESTS
@@ -55,7 +56,7 @@ def test_proposals_are_those_of_the_files_written_by_hand():
     right, wrong = 0, set()
     for sidecar in sorted(HAND.glob("*.symbols.toml")):
         stem = sidecar.name.split(".")[0]
-        page = next(p for p in HAND.glob(f"{stem}.*") if p.suffix in (".tex", ".md", ".txt"))
+        page = next(p for p in HAND.glob(f"{stem}.*") if p.suffix in SUFFIXES)
         meanings = proposed(page)
         for letter, text in read_sidecar(sidecar).symbols.items():
             name, role = plain_letter(letter), role_of(text)

@@ -126,6 +126,14 @@ def test_what_all_banks_share(
     assert by_lists(train, {**shared, **in_mm, "stations": stations}) == other
 
 
+def test_stagger_alone_in_mm_leaves_the_cylinders_a_pitch_apart() -> None:
+    train = {"stroke": 80, "rod": 130, "pitch": 100, "reciprocating_mass": "1/2"}
+    shared = {"banks": [-45, 45], "cylinders": [[1, 3], [2, 4]], "pins": [0, 180]}
+    in_mm = by_lists(train, {**shared, "stagger": [10, -10], "station_unit": "mm"})
+    assert in_mm == by_lists(train, {**shared, "stagger": ["1/10", "-1/10"]})
+    assert by_lists(train, {**shared, "stagger": [0, 0], "station_unit": "mm"}) == by_lists(train, shared)
+
+
 def cylinders_of(engine: sb.Engine) -> list[sb.Cylinder]:
     return sorted(engine.cylinders, key=lambda c: c.number)
 

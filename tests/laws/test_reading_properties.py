@@ -16,15 +16,22 @@ from symbalance.document.formula import (
     Constant,
     Derivative,
     Dots,
+    Evaluation,
+    Extremum,
     Formula,
+    IndexedProduct,
+    Integral,
+    Limit,
     Name,
     Negative,
     Number,
+    PlusMinus,
     Power,
     Product,
     Quotient,
     Sum,
     Summation,
+    children,
     walk,
 )
 from symbalance.document.latex_writer import formula_latex
@@ -73,6 +80,39 @@ def _larger(parts: st.SearchStrategy[Formula]) -> st.SearchStrategy[Formula]:
 trees = st.recursive(leaves, _larger, max_leaves=14)
 
 
+plain_letters = st.sampled_from(["y", "s", "r", "theta", "phi", "m_1"]).map(Name)
+bound_letters = st.sampled_from(["x", "theta", "phi"]).map(Name)
+
+
+def _with_bounds(parts: st.SearchStrategy[Formula]) -> st.SearchStrategy[Formula]:
+    several = st.lists(parts, min_size=2, max_size=3).map(tuple)
+    return st.one_of(
+        several.map(Sum),
+        several.map(Product),
+        st.builds(Quotient, parts, parts),
+        # A bar over one letter is a letter of its own, the conjugate where that is declared.
+        st.builds(Call, st.sampled_from(["sin", "sqrt", "exp", "conj", "re", "lg"]), parts).filter(
+            lambda call: call.function != "conj" or not isinstance(call.argument, Name)
+        ),
+        st.builds(IndexedProduct, parts, st.just(Name("k")), parts, parts),
+        st.builds(Integral, parts, bound_letters, parts, parts),
+        st.builds(Integral, parts, bound_letters, closed=st.booleans()),
+        st.builds(Evaluation, parts, bound_letters, parts, st.one_of(st.none(), parts)),
+        st.builds(Limit, parts, bound_letters, parts),
+        st.builds(Extremum, st.sampled_from(["max", "min"]), parts, bound_letters),
+        st.builds(
+            lambda a, b, sign: Sum((a, PlusMinus(b, sign))), parts, parts, st.sampled_from([1, -1])
+        ),
+    )
+
+
+bounded_trees = st.recursive(
+    st.one_of(st.integers(0, 40).map(lambda n: Number(Fraction(n))), plain_letters, plain_letters),
+    _with_bounds,
+    max_leaves=8,
+)
+
+
 def value(node: Formula) -> complex:
     """Return a number that two trees share if they say the same: unreal functions, real arithmetic."""
     match node:
@@ -97,6 +137,12 @@ def value(node: Formula) -> complex:
             return _call(function, argument)
         case Derivative():
             return _mixed(f"d{node.order}", value(node.expression), value(node.variable))
+        case PlusMinus():
+            return _mixed(f"pm{node.upper}", value(node.operand), 0.3)
+        case IndexedProduct() | Integral() | Evaluation() | Limit() | Extremum():
+            body, *rest = (value(part) for part in children(node))
+            places = sum((0.7**k * part for k, part in enumerate(rest)), 0j)
+            return _mixed(type(node).__name__, body, places)
         case Summation():
             parts = [value(part) for part in (node.index, node.lower, node.upper) if part is not None]
             return _mixed(f"sum{len(parts)}", value(node.body), sum(parts, 0j))
@@ -143,6 +189,15 @@ e i \dot \bar d dx/dt \frac{d}{dt} \mathrm{ \text{ $ $$ \[ \] \begin{align} \end
 junk = st.lists(
     st.sampled_from([*_PIECES.split(), " ", " ", "\n", "\r\n", "\x00", "\ud800"]), max_size=40
 ).map("".join)
+
+
+@pytest.mark.slow
+@UNHURRIED
+@given(bounded_trees)
+def test_integrals_limits_and_values_at_a_place_read_back(tree: Formula) -> None:
+    for text in (formula_text(tree, plain=True), formula_latex(tree)):
+        back = read_expression(text, [*NAMES, "k"])[0]
+        assert abs(value(back) - value(tree)) <= 1e-6 * (1 + abs(value(tree))), text
 
 
 @pytest.mark.slow

@@ -248,8 +248,8 @@ def test_torque_takes_the_bore_of_the_engine_where_none_is_given(
     own = json.loads(capsys.readouterr().out)
     assert run([*usual, "--bore", "92.2"]) == 0
     assert json.loads(capsys.readouterr().out) == own
-    assert run([*usual, "--bore", "90"]) == 0
-    assert json.loads(capsys.readouterr().out) != own
+    assert run([*usual, "--bore", "90"]) == 2
+    assert "is given by the engine already" in capsys.readouterr().err
 
 
 def test_a_bore_that_nobody_gives_is_asked_for(capsys: pytest.CaptureFixture[str]) -> None:

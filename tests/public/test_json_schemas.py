@@ -21,6 +21,7 @@ from symbalance.document.result import Result, to_json
 from symbalance.engine.engine_file import SCHEMA as ENGINE_FILE
 from symbalance.kinematics.conventions import CONVENTIONS
 from symbalance.kinematics.truncation_table import UNITS
+from symbalance.notes.checking.document_table import DocumentRow, DocumentTable
 from symbalance.notes.checking.verdicts import VERDICTS
 from tests import TESTS
 from tests.results import EXAMPLES, UNEVEN, example, result_classes
@@ -57,6 +58,21 @@ def _on_two_lines() -> Result:
     return sb.check("$$a = b +\n c$$\n", {"a": "any", "b": "any", "c": "any"})
 
 
+def _notebook() -> Result:
+    """A notebook with decimal commas and a relation of words."""
+    page = TESTS / "hand" / "secondary.ipynb"
+    report: Any = sb.check(page)
+    words = sb.check("Kraft = Masse und 0,045 = 0,045\n").derivation
+    return replace(
+        report,
+        derivation=replace(report.derivation, notes=words.notes, not_mathematics=words.not_mathematics),
+    )
+
+
+def _table_of_a_notebook() -> Result:
+    return DocumentTable((DocumentRow("secondary.ipynb", _notebook().data(), 1),))
+
+
 VARIANTS: dict[str, Callable[[], Result]] = {
     "balance-with-shafts-aside": lambda: sb.balance(_engine("lanchester-four"), 4),
     "balance-with-weights-on-webs": lambda: sb.balance(_engine("placed-counterweights-three"), 2),
@@ -83,6 +99,9 @@ VARIANTS: dict[str, Callable[[], Result]] = {
     "verdict-bound": _bound,
     "check-on-two-lines": _on_two_lines,
     "check-on-proposals": lambda: check("crank radius r\n\n$$v = r u$$", accept_proposals=True),
+    "check-of-a-notebook": _notebook,
+    "document-table-of-a-notebook": _table_of_a_notebook,
+    "verdict-in-a-notebook": lambda: sb.check(TESTS / "hand" / "secondary.ipynb").verdicts[0],
 }
 """Results with keys that no example of `tests.results` has, and with null where those have values."""
 

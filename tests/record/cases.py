@@ -35,6 +35,7 @@ COMMANDS = (
     "page",
     "sheet",
     "atlas",
+    "search",
     "sensitivities",
     "sweep",
     "tolerances",

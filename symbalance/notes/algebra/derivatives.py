@@ -11,6 +11,7 @@ from fractions import Fraction
 
 from symbalance.notes.algebra.domain import HALF, Domain, NoFormError, Polynomial
 from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.functions import opaque
 from symbalance.notes.algebra.roots import root, unit
 
 Rates = Mapping[int, Polynomial]
@@ -95,5 +96,7 @@ _SLOPES: dict[str, Callable[[Form], Form]] = {
     "atan": lambda x: _one_over(_square_and_one(x, 1)),
     "asin": lambda x: _one_over(root(_square_and_one(x, -1))),
     "acos": lambda x: _one_over(root(_square_and_one(x, -1))).scaled(-1),
+    "besselj0": lambda x: opaque("besselj1", x).scaled(-1),
+    "besselj1": lambda x: opaque("besselj0", x).minus(opaque("besselj1", x).over(x)),
     "over": lambda x: _one_over(x.times(x)).scaled(-1),
 }

@@ -108,6 +108,10 @@ class Domain:
         """Return the generator of the number `pi` or `e`."""
         return self._number(("constant", name), Generator("constant", name, positive=True))
 
+    def count(self, name: str) -> None:
+        """Take a letter for a whole number from here on: the index of a sum."""
+        self.integer |= {name}
+
     def is_integer(self, monomial: Monomial) -> bool:
         """Tell whether a monomial is a product of letters declared to be whole numbers."""
         return all(

@@ -8,9 +8,11 @@ from fractions import Fraction
 
 from symbalance.document import formula
 from symbalance.notes.algebra import functions
+from symbalance.notes.algebra.construct_rules import RULES, summed_in_letters
 from symbalance.notes.algebra.derivatives import differentiate
 from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
 from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.matrix_letters import Kinds
 from symbalance.notes.algebra.polynomials import MOST_WORK
 from symbalance.notes.algebra.roots import root, unit
 
@@ -35,6 +37,14 @@ class SymbolValue:
     integer: frozenset[str] = frozenset()
     ranges: Mapping[str, tuple[int, int]] = field(default_factory=dict)
     """Range of a letter's values at random points, in hundredths: a rod ratio l/r from 300 to 500."""
+    constant: frozenset[str] = frozenset()
+    """Letters that change with no other: sizes, speeds, what is declared constant."""
+    complex: frozenset[str] = frozenset()
+    """Letters that are not real: each is x + iy of two letters of its own."""
+    kinds: Kinds = field(default_factory=Kinds)
+    """Which letters are matrices and vectors."""
+    known: Mapping[str, formula.Formula] = field(default_factory=dict)
+    """All values there are, those too that `values` leaves out: what a letter may change with."""
 
     def domain(self) -> Domain:
         """Return a fresh domain for formulas of this meaning."""
@@ -67,7 +77,10 @@ class FormEvaluator:
             self._depth -= 1
 
     def letter(self, name: str) -> Form:
-        """Return what a letter stands for, or the letter itself."""
+        """Return what a letter stands for, or the letter itself; a complex one is x + iy."""
+        if name in self.meaning.complex and name not in self.meaning.values:
+            real, imaginary = (Form.letter(self.domain, part) for part in complex_parts(name))
+            return real.plus(unit(self.domain).times(imaginary))
         if name not in self.meaning.values or name in self._open:
             return Form.letter(self.domain, name)
         if name not in self._forms:
@@ -85,6 +98,22 @@ class FormEvaluator:
         values = dict(self.meaning.values) | {name: value}
         inner = FormEvaluator(self.domain, replace(self.meaning, values=values))
         inner._open, inner._depth = [letter for letter in self._open if letter != name], self._depth
+        return inner
+
+    def freeing(self, name: str) -> FormEvaluator:
+        """Return an evaluator to which a letter is free; what moves with time t as ωt does so still."""
+        values = {other: value for other, value in self.meaning.values.items() if other != name}
+        for moving, rate in self.meaning.rates.get(name, {}).items():
+            values[moving] = formula.Product((rate, formula.Name(name)))
+        inner = FormEvaluator(self.domain, replace(self.meaning, values=values))
+        inner._open, inner._depth = [letter for letter in self._open if letter != name], self._depth
+        return inner
+
+    def counting(self, name: str) -> FormEvaluator:
+        """Return an evaluator to which a letter is a whole number: the index of a sum."""
+        self.domain.count(name)
+        inner = FormEvaluator(self.domain, replace(self.meaning, integer=self.meaning.integer | {name}))
+        inner._open, inner._depth = list(self._open), self._depth
         return inner
 
     def rates(self, variable: str) -> dict[int, Polynomial]:
@@ -171,8 +200,20 @@ def rational_power(base: Form, exponent: Fraction) -> Form:
 
 
 def _call(evaluator: FormEvaluator, node: formula.Call) -> Form:
+    if node.function in ("conj", "re", "im"):
+        _refuse_unknown_parts(evaluator, node)
     argument = evaluator.form(node.argument)
     return functions.apply(node.function, argument)
+
+
+def _refuse_unknown_parts(evaluator: FormEvaluator, node: formula.Call) -> None:
+    """Refuse the conjugate of a bare letter that nothing says to be complex: it would be the letter."""
+    inner = node.argument
+    if isinstance(inner, formula.Name) and inner.name not in {
+        *evaluator.meaning.values,
+        *evaluator.meaning.complex,
+    }:
+        raise NoFormError(f"{inner.name}, of which nothing says that it is complex; declare it so")
 
 
 def _derivative(evaluator: FormEvaluator, node: formula.Derivative) -> Form:
@@ -201,6 +242,11 @@ def _by_chain_rule(evaluator: FormEvaluator, form: Form, node: formula.Derivativ
     return form
 
 
+def complex_parts(name: str) -> tuple[str, str]:
+    """Return the letters that stand for real and imaginary part of a complex letter."""
+    return f"Re {name}", f"Im {name}"
+
+
 def derivative_name(node: formula.Derivative) -> str:
     """Return the letter that stands for the derivative of an unknown letter.
 
@@ -217,7 +263,9 @@ def _summation(evaluator: FormEvaluator, node: formula.Summation) -> Form:
     if node.index is None or node.lower is None or node.upper is None:
         return functions.opaque("sum", evaluator.form(node.body))
     lower, upper = (evaluator.form(bound).rational() for bound in (node.lower, node.upper))
-    if lower is None or upper is None or not lower.denominator == upper.denominator == 1:
+    if lower is None or upper is None:
+        return summed_in_letters(evaluator, node)
+    if not lower.denominator == upper.denominator == 1:
         raise NoFormError("a sum without bounds in whole numbers")
     if upper - lower > LONGEST_SUM:
         raise NoFormError("a sum of very many terms")
@@ -248,4 +296,5 @@ _RULES: dict[type, Callable[[FormEvaluator, formula.Formula], Form]] = {
     formula.Derivative: _derivative,
     formula.Summation: _summation,
     formula.Dots: _dots,
+    **RULES,
 }  # type: ignore[assignment]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from symbalance.notes.algebra import polynomials as poly
-from symbalance.notes.algebra.domain import ONE, Domain, NoFormError, Polynomial
+from symbalance.notes.algebra.domain import ONE, Domain, Monomial, NoFormError, Polynomial
 from symbalance.notes.algebra.polynomials import common_multiple, quotient
 from symbalance.notes.algebra.zero import is_zero
 
@@ -136,5 +136,20 @@ def _with_rational_denominator(domain: Domain, numerator: Polynomial, denominato
             numerator = poly.times(domain, numerator, conjugate)
             denominator = poly.times(domain, denominator, conjugate)
             return Form.of(domain, numerator, denominator)
+    shared = _shared_special_factor(domain, denominator)
+    if shared:
+        factor, inverse = domain.raised(shared, -1)
+        by = {inverse: Fraction(factor)}
+        below = poly.times(domain, denominator, by)
+        return Form.of(domain, poly.times(domain, numerator, by), below)
     whole = quotient(domain, numerator, denominator)
     return Form(domain, numerator, denominator) if whole is None else Form.of(domain, whole)
+
+
+def _shared_special_factor(domain: Domain, denominator: Polynomial) -> Monomial:
+    """Return the turn or root that all terms below share: i in sin θ = (e^(iθ) - e^(-iθ))/(2i).
+
+    No division by a polynomial that holds one is tried, and the quotient would stay one for ever.
+    """
+    parts = {tuple((g, e) for g, e in m if not domain.is_free(g)) for m in denominator}
+    return parts.pop() if len(parts) == 1 else ONE

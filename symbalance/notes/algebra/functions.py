@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 
+from symbalance.notes.algebra.conjugation import PARTS
 from symbalance.notes.algebra.domain import HALF, ONE, QUARTER, TURN, Domain, Monomial, NoFormError
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.roots import root, unit
@@ -148,7 +149,9 @@ def apply(function: str, argument: Form) -> Form:
     """
     if function in _CIRCULAR:
         return _CIRCULAR[function](argument)
-    if function in ("asin", "acos", "atan"):
+    if function in PARTS:
+        return PARTS[function](argument)
+    if function in ("asin", "acos", "atan", "factorial", "besselj0", "besselj1"):
         return opaque(function, argument)
     raise NoFormError(f"the function {function}")
 
@@ -159,7 +162,29 @@ def logarithm(base: Form) -> Form:
         return Form.number(base.domain, 1)
     if base.rational() == 1:
         return Form.number(base.domain, 0)
+    power = _power_of_a_number(base)
+    if power is not None:
+        return opaque("ln", Form.number(base.domain, power[0])).scaled(power[1])
     return opaque("ln", base)
+
+
+def _power_of_a_number(base: Form) -> tuple[int, int] | None:
+    """Return (b, n) where a whole number is b^n with the largest n > 1: ln 100 is 2 ln 10."""
+    value = base.rational()
+    if value is None or value <= 0 or (value.numerator != 1 and value.denominator != 1):
+        return None
+    size, sign = (value.numerator, 1) if value.denominator == 1 else (value.denominator, -1)
+    if size > LARGEST_POWER:
+        return None
+    for exponent in range(size.bit_length() - 1, 0, -1):
+        root_ = round(size ** (1 / exponent))
+        if root_ > 1 and root_**exponent == size and (exponent > 1 or sign < 0):
+            return root_, sign * exponent
+    return None
+
+
+LARGEST_POWER = 10**15
+"""Of a whole number that is looked at as a power: its root in floats is exact enough below."""
 
 
 def _over(first: Callable[[Form], Form], second: Callable[[Form], Form]) -> Callable[[Form], Form]:
@@ -191,6 +216,6 @@ _CIRCULAR: dict[str, Callable[[Form], Form]] = {
     "exp": exponential,
     "ln": logarithm,
     "log": logarithm,
+    "lg": lambda x: logarithm(x).over(logarithm(Form.number(x.domain, 10))),
     "sqrt": root,
-    "abs": lambda x: root(x.times(x)),
 }

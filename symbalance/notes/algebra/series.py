@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from symbalance.notes.algebra import functions
+from symbalance.notes.algebra.bessel import series_of
 from symbalance.notes.algebra.domain import HALF, Domain, Monomial, NoFormError, Polynomial
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.roots import root, unit
@@ -185,6 +186,8 @@ class Expansion:
         size = self.limit + 2
         if function == "over":
             return self.reciprocal(inner)
+        if function in ("besselj0", "besselj1"):
+            return self._compose(series_of(int(function[-1]), size), inner)
         if function == "asin":
             return self._compose(_asin(size), inner)
         if function == "atan":

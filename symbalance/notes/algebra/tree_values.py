@@ -9,7 +9,8 @@ from typing import Any
 from symbalance.document import formula
 from symbalance.document.formula import Formula
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
-from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
+from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue, complex_parts
+from symbalance.notes.algebra.tree_constructs import CONSTRUCTS
 from symbalance.notes.algebra.values import DIGITS, Point, Valuation, context, random_point
 
 DEEPEST = 40
@@ -40,6 +41,7 @@ def sample_trees(
 ) -> list[tuple[Point, list[Any]]]:
     """Return up to three points where all formulas are real, with their values to `DIGITS` digits."""
     names = sorted({name for node in nodes for name in letters_behind(node, meaning.values)})
+    names = sorted({part for n in names for part in (complex_parts(n) if n in meaning.complex else (n,))})
     samples: list[tuple[Point, list[Any]]] = []
     for seed in range(tries):
         point = random_point(names, meaning.domain(), seed)
@@ -71,6 +73,19 @@ class TreeValues:
         self._values: dict[str, Any] = {}
         self._depth = 0
         self.terms = 0
+        self.bound: frozenset[str] = frozenset()
+        """Letters that a construct binds: their number is the point's, whatever they stand for."""
+
+    def with_letter(self, name: str, number: Any) -> TreeValues:
+        """Return the values with a letter bound to a number."""
+        inner = TreeValues(self.meaning, self.point)
+        inner.bound = self.bound | {name}
+        inner._values = {n: v for n, v in self._values.items() if n in self.bound} | {name: number}
+        inner.terms, inner._depth = self.terms, self._depth
+        for moving, rate in self.meaning.rates.get(name, {}).items():
+            inner.bound |= {moving}
+            inner._values[moving] = self.value(rate) * number
+        return inner
 
     def value(self, node: Formula) -> Any:
         """Return a formula's value; what has none raises NoFormError or ZeroDivisionError."""
@@ -79,7 +94,10 @@ class TreeValues:
     def letter(self, name: str) -> Any:
         """Return a letter's value."""
         if name not in self._values:
-            if name in self.meaning.values:
+            if name in self.meaning.complex and name not in self.meaning.values:
+                real, imaginary = map(self.letter, complex_parts(name))
+                self._values[name] = real + 1j * imaginary
+            elif name in self.meaning.values and name not in self.bound:
                 self._depth += 1
                 if self._depth > DEEPEST:
                     raise NoFormError("definitions nested too deep")
@@ -125,11 +143,20 @@ def _power(at: TreeValues, node: formula.Power) -> Any:
 
 def _call(at: TreeValues, node: formula.Call) -> Any:
     argument, mp = at.value(node.argument), at.mp
+    if node.function in ("conj", "re", "im"):
+        _refuse_unknown_parts(at, node)
     if abs(argument) > 10**9:
         raise NoFormError("a function of a huge number")
     if node.function == "abs":
         return abs(argument)
-    return getattr(mp, {"ln": "log"}.get(node.function, node.function))(argument)
+    return getattr(mp, {"ln": "log", "lg": "log10"}.get(node.function, node.function))(argument)
+
+
+def _refuse_unknown_parts(at: TreeValues, node: formula.Call) -> None:
+    inner = node.argument
+    known = {*at.meaning.values, *at.meaning.complex}
+    if isinstance(inner, formula.Name) and inner.name not in known:
+        raise NoFormError(f"{inner.name}, of which nothing says that it is complex; declare it so")
 
 
 def _summation(at: TreeValues, node: formula.Summation) -> Any:
@@ -165,4 +192,5 @@ _RULES: dict[type, Callable[[TreeValues, Any], Any]] = {
     formula.Derivative: lambda at, node: at.derivative(node),
     formula.Summation: _summation,
     formula.Dots: _dots,
+    **CONSTRUCTS,
 }

@@ -168,6 +168,8 @@ class Valuation:
             raise NoFormError("a sum without bounds")
         if function == "over":
             return 1 / argument
+        if function.startswith("besselj"):
+            return self.mp.besselj(int(function[-1]), argument)
         result = getattr(self.mp, {"ln": "log"}.get(function, function))(argument)
         if abs(result.imag) > self.mp.mpf(10) ** (-DIGITS // 2):
             raise NoFormError("a function outside its range at this point")
@@ -183,7 +185,7 @@ def sample(forms: list[Form], count: int = 3, tries: int = 24) -> list[tuple[Poi
         valuation = Valuation(forms[0].domain, point)
         try:
             samples.append((point, [valuation.of(form) for form in forms]))
-        except (NoFormError, KeyError, ZeroDivisionError, TypeError, OverflowError):
+        except (NoFormError, KeyError, ZeroDivisionError, ValueError, TypeError, OverflowError):
             continue
         if len(samples) == count:
             break

@@ -14,11 +14,12 @@ from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.harmonics import components
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.matrix_relations import decide_published
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.descriptions import differences, exact_value, source_lines, word_for
 from symbalance.notes.checking.engines import Sources
-from symbalance.notes.checking.quantities import quantity
+from symbalance.notes.checking.quantities import EQUATIONS, equation_of, quantity
 from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
 from symbalance.notes.checking.sidecar import Binding
 from symbalance.notes.checking.verdicts import UNREADABLE, Verdict
@@ -58,7 +59,10 @@ def side_verdict(
     """Return the verdict on a bound side; where its relation was judged too, the binding decides."""
     side = chain.sides[index]
     line = chain.relations[index - 1].line if index else document.line_of(side.span[0])
-    decision = decide_assertion(side, binding, knowledge, sources)
+    if binding.quantity in EQUATIONS:
+        decision = _decide_equation(chain, index, binding, sources, knowledge)
+    else:
+        decision = decide_assertion(side, binding, knowledge, sources)
     base = Verdict(
         line=line,
         link=1,
@@ -73,7 +77,8 @@ def side_verdict(
         claimed=formula_text(side.node, plain=True),
         node=side.node,
     )
-    if decision.status == REFUTED and knowledge.crank is not None and binding.quantity != "harmonic":
+    is_value = binding.quantity not in ("harmonic", *EQUATIONS)
+    if decision.status == REFUTED and knowledge.crank is not None and is_value:
         base = _add_fix(base, document, side, decision, binding, knowledge, sources)
     reason = ""
     if step is not None and step.verdict == REFUTED and decision.is_proved and not is_excused:
@@ -85,6 +90,21 @@ def side_verdict(
     elif step is not None and step.fix is not None and base.fix is not None:
         base = replace(base, notes=(*base.notes, f"as a step: {step.fix.kind}, {step.fix.text}"))
     return with_fault_of(step, with_decision(base, decision, binding, reason))
+
+
+def _decide_equation(
+    chain: Chain, index: int, binding: Binding, sources: Sources, knowledge: Knowledge
+) -> Decision:
+    """Decide whether a relation is the equation that it is bound to."""
+    if not index:
+        raise SymbalanceError(
+            f"quantity = {binding.quantity}",
+            "is an equation, and the line is none",
+            "bind a line that holds the relation's right side",
+            f"{binding.place}: bind",
+        )
+    equation = equation_of(binding, sources, knowledge.meanings)
+    return decide_published(chain.sides[index - 1].node, chain.sides[index].node, equation, knowledge)
 
 
 def with_fault_of(step: Verdict | None, assertion: Verdict) -> Verdict:

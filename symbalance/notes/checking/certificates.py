@@ -63,6 +63,8 @@ def _certificate(verdict: Verdict, sides: Sides) -> dict[str, Any]:
     decision = verdict.decision
     if decision is None or verdict.node is None or decision.level is None:
         return entry | {"proof": "nothing", "why": verdict.reason or "no comparison of two sides"}
+    if decision.of_matrices:
+        return entry | {"proof": "nothing", "why": "matrices are not retraced: products would commute"}
     entry["premises"] = list(decision.assumptions)
     problem = "no proof that can be retraced was found for it"
     for left in _candidates(verdict, decision, sides):

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from math import pi
 
-from symbalance.document.formula import Formula, Name, Sum, names
+from symbalance.document.formula import Constant, Formula, Name, Product, Sum, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
@@ -13,10 +15,19 @@ from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.algebra.tree_values import letters_behind, names_behind, sample_trees
 from symbalance.notes.algebra.values import context, letters, sample
 from symbalance.notes.checking.constraints import Constraint, letter_counts, solve_for
-from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision, without_dots
+from symbalance.notes.checking.deciding.equality import (
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Decision,
+    decide_equality,
+    without_dots,
+)
 from symbalance.notes.checking.deciding.inequalities import compare, possible_branches
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, StatedRange
+from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.premises import EVERYWHERE, Premise, eliminate, related
 from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.sidecar import Declarations
@@ -126,9 +137,17 @@ class Definitions:
         if decision.status == RANGE:
             self.ranges.append(StatedRange(left, chain.relations[k].sign, right, chain.lines[0]))
 
-    def state(self, chain: Chain, k: int, fixes: str = "") -> None:
-        """Note an equation that is taken as given, and the letter it fixes."""
-        self.premises.append(replace(self.premise_of(chain, k), fixes=fixes))
+    def state(self, chain: Chain, k: int, fixes: str = "", angles: frozenset[str] = frozenset()) -> None:
+        """Note an equation that is taken as given, and the letter it fixes.
+
+        On angles alone it says at which of them something is looked at (largest where cos 2θ = 1), and
+        reaches to the end of its section.
+        """
+        premise = replace(self.premise_of(chain, k), fixes=fixes)
+        if premise.names <= angles:
+            end = self.sections.section_end(premise.line)
+            premise = replace(premise, last_line=min(premise.last_line, end))
+        self.premises.append(premise)
 
     def premise_of(self, chain: Chain, k: int) -> Premise:
         """Return a relation of a chain as a premise, with its reach."""
@@ -188,6 +207,8 @@ class Definitions:
         if pair is None or knowledge.assumes(pair[0]):
             return None
         name, value = pair
+        if name in knowledge.meaning.kinds.identities:
+            return None
         if name in knowledge.meaning.values:
             return self._define_size(name, value, chain, knowledge)
         # λ = 2l/r says something of the geometry, and x = y, y = x + 1 nothing new: both may be wrong.
@@ -226,10 +247,11 @@ class Definitions:
     def decide_by_premises(self, statement: Premise, knowledge: Knowledge) -> Decision | None:
         """Return what earlier premises say of a statement; None where they say nothing.
 
-        It follows from them, it contradicts them, or it is one of several solutions.
+        It follows from them, it contradicts them, or it is one of several solutions. Of matrices they say
+        nothing: they are solved as numbers are, whose products commute.
         """
         given = related(self.premises_at(statement.line), [statement.left, statement.right], knowledge)
-        if not given:
+        if not given or is_of_matrices(statement.left, statement.right, knowledge):
             return None
         before = eliminate(given, knowledge)
         if not before.is_consistent:
@@ -375,6 +397,39 @@ def lines_of(premises: Sequence[Premise]) -> str:
     return f"lines {', '.join(others)} and {last}" if others else f"line {last}"
 
 
+def refuted_at_angles(left: Side, right: Side, sign: str, solved: Solved) -> Decision | None:
+    """Return the refutation at an angle that satisfies what could not be solved, such as cos 2θ = 1.
+
+    None where that is more than equations for one angle, or no multiple of 15 degrees is such a witness.
+    """
+    concerned = {name for premise in solved.leftover for name in premise.names}
+    if len(concerned) != 1 or not concerned <= solved.knowledge.angles:
+        return None
+    (letter,) = concerned
+    for twelfths in range(24):
+        angle = Product((rational_node(Fraction(twelfths, 12)), Constant("pi")))
+
+        def at_angle(node: Formula, angle: Formula = angle) -> Formula:
+            return substitute(node, letter, angle)
+
+        try:
+            satisfies = all(
+                decide_equality(at_angle(p.left), at_angle(p.right), solved.knowledge).is_proved
+                for p in solved.leftover
+            )
+            if not satisfies:
+                continue
+            sides = [replace(s, readings=tuple(map(at_angle, s.readings))) for s in (left, right)]
+        except NoFormError:  # a derivative by the angle: it has no value there
+            return None
+        decision = decide(*sides, sign, solved.knowledge)
+        if decision.status == REFUTED:
+            reason = f"also at {plain(Name(letter))} = {15 * twelfths}°, by {lines_of(solved.leftover)}"
+            witness = {letter: f"{twelfths * pi / 12:.12g}", **decision.witness}
+            return replace(decision, reason=decision.reason or reason, witness=witness)
+    return None
+
+
 def refuse_value(name: str, value: Formula, knowledge: Knowledge) -> Decision | None:
     """Return why a first value is none: it has no value, or looks like a slip of the pen."""
     if isinstance(value, Sum):
@@ -393,6 +448,8 @@ def refuse_value(name: str, value: Formula, knowledge: Knowledge) -> Decision | 
 
 def has_no_value(node: Formula, knowledge: Knowledge) -> bool:
     """Tell whether a formula is a division by zero, infinite, or a number outside a function's range."""
+    if is_of_matrices(node, node, knowledge):
+        return False
     level = list(knowledge.levels(node))[-1]
     evaluator = knowledge.evaluator(level)
     try:

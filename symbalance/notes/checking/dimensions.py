@@ -266,7 +266,7 @@ def _rational(node: Formula) -> Fraction | None:
 
 def _call(dimensions: Dimensions, node: formula.Call, depth: int) -> Dimension | None:
     inner = dimensions.of(node.argument, depth)
-    if node.function == "abs":
+    if node.function in ("abs", "conj", "re", "im"):
         return inner
     if node.function == "sqrt":
         return None if inner is None else tuple(e / 2 for e in inner)

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
@@ -19,6 +20,7 @@ from symbalance.document.nodes import Code, Strong, Words
 from symbalance.errors import SymbalanceError, brief
 from symbalance.notes.checking.engines import Engines, NoEngines, Sources
 from symbalance.notes.checking.judging import PAGE, Judge
+from symbalance.notes.checking.one_reading import judge_in_one_reading
 from symbalance.notes.checking.sidecar import (
     Declarations,
     declarations_in,
@@ -26,14 +28,20 @@ from symbalance.notes.checking.sidecar import (
     read_sidecar,
     without_header,
 )
+from symbalance.notes.checking.symbol_roles import readable_letters
 from symbalance.notes.checking.verdicts import Checked
 from symbalance.notes.reading import read_document
+from symbalance.notes.reading.equations import ReadNotes
+from symbalance.notes.reading.notebooks import SUFFIX as NOTEBOOK
+from symbalance.notes.reading.notebooks import notebook_text
 from symbalance.text.files import STANDARD_INPUT, file_name, read_text
 
 if TYPE_CHECKING:
     from symbalance.notes.checking.declaration_draft import DeclarationDraft
 
-SUFFIXES = (".tex", ".md", ".txt", ".text")
+IN_FOLDERS = (".tex", ".md", ".txt", ".text", ".ipynb", ".markdown", ".latex", ".wiki", ".adoc")
+"""What is taken for notes in a folder; web pages only by their names, as reports are web pages too."""
+SUFFIXES = (*IN_FOLDERS, ".mediawiki", ".asciidoc", ".html", ".htm", ".xhtml")
 COURSE = "symbols.toml"
 """The file that declares letters for every document of its folder."""
 _UNDECLARED = re.compile(r"letter (\S+) is not declared")
@@ -52,7 +60,7 @@ def check(
 ) -> Checked:
     """Return the verdicts on every equation of a hand derivation.
 
-    `document` is a file (a Path, or a text that ends in .tex, .md or .txt, or `-` for standard input) or
+    `document` is a file (a Path, or a text that ends as one of SUFFIXES, or `-` for standard input) or
     the derivation itself.
     `symbols` maps letters to their meaning or unit, or is a whole sidecar (keys `symbols`, `scope`,
     `bind`), or the path of one; without it NAME.symbols.toml beside the file is read, or the header of
@@ -86,7 +94,16 @@ def check(
         remarks.append(_waiting(count))
     page = run_within(budget, partial(read_document, text, name, _letters_by_line(declarations)))
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
-    checked = Judge(page, declarations, Sources(provider, beside), budget, fixes).check()
+    sources = Sources(provider, beside)
+    start = time.monotonic()
+
+    def judge(notes: ReadNotes) -> Checked:
+        """Judge a reading of the page in what is left of its budget."""
+        seconds, memory = budget
+        left = None if seconds is None else max(seconds - (time.monotonic() - start), 0.01)
+        return Judge(notes, declarations, sources, Budget(left, memory), fixes).check()
+
+    checked = judge_in_one_reading(page, judge)
     if not is_declared and not accept_proposals and (offer := _offer(checked, name)):
         remarks.append(offer)
     return replace(checked, remarks=tuple(remarks))
@@ -163,7 +180,7 @@ def _letters_by_line(declarations: Declarations) -> Any:
     def names_at(line: int) -> frozenset[str]:
         key = declarations.scope_at(line)
         if key not in cache:
-            cache[key] = frozenset(declarations.symbols_at(line))
+            cache[key] = readable_letters(declarations.symbols_at(line))
         return cache[key]
 
     return names_at
@@ -178,7 +195,12 @@ def text_of(document: str | Path) -> tuple[str, str, Path]:
     if isinstance(document, str) and ("\n" in document or not is_file_name(document)):
         return document, "text", Path()
     path = Path(document)
-    return read_text(path, what="a .tex, .md or .txt file"), file_name(path), path.parent
+    text, name = (
+        read_text(path, what="a .tex, .md, .txt, .ipynb, .wiki, .html or .adoc file"),
+        file_name(path),
+    )
+    is_notebook = path.suffix.lower() == NOTEBOOK
+    return (notebook_text(text, name) if is_notebook else text), name, path.parent
 
 
 def is_file_name(document: str) -> bool:

@@ -12,6 +12,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Protocol
 
+from symbalance.document.formula import Equation
 from symbalance.errors import SymbalanceError
 
 
@@ -86,6 +87,10 @@ class Engines(Protocol):
         """Return A_order at a rod ratio l/r, to 30 digits; 0 if it is 0 whatever the ratio."""
         ...
 
+    def equation(self, name: str) -> Equation:
+        """Return a known equation between columns, in letters of its own; refuse an unknown one."""
+        ...
+
 
 class NoEngines:
     """No knowledge of engines: refuses every question."""
@@ -105,6 +110,10 @@ class NoEngines:
     def coefficient_value(self, order: int, ratio: Fraction) -> Fraction:
         """Refuse."""
         raise self._refusal(f"A_{order}")
+
+    def equation(self, name: str) -> Equation:
+        """Refuse."""
+        raise self._refusal(f"quantity = {name}")
 
     @staticmethod
     def _refusal(what: str) -> SymbalanceError:

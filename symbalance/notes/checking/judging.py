@@ -17,10 +17,15 @@ from symbalance.notes.checking.constraints import Constraint
 from symbalance.notes.checking.deciding.cases import decide_case, decide_with_ratio, states_a_case
 from symbalance.notes.checking.deciding.equality import Decision, decide_equality
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality, sample_ranges
-from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
+from symbalance.notes.checking.deciding.knowledge import Assumption, Definition, Knowledge
+from symbalance.notes.checking.deciding.matrix_relations import (
+    is_of_matrices,
+    matrix_constraint,
+    meaningless,
+)
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute
-from symbalance.notes.checking.definitions import Definitions, lines_of
+from symbalance.notes.checking.definitions import Definitions, lines_of, refuted_at_angles
 from symbalance.notes.checking.descriptions import (
     describe,
     undecided,
@@ -30,6 +35,7 @@ from symbalance.notes.checking.descriptions import (
 )
 from symbalance.notes.checking.dimensions import Dimensions, unit_text
 from symbalance.notes.checking.engines import Sources
+from symbalance.notes.checking.own_units import speeds_in_own_unit
 from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
 from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.sidecar import Binding, Declarations
@@ -60,6 +66,8 @@ UNIVERSAL = (
     "crank ratio r/l",
     "integer",
 )
+CLAUSES = 15
+"""Lines below an equation in matrices that may still say what its letters are."""
 PAGE = Budget(600, 4000)
 """What a whole document may take, where nobody says otherwise."""
 RELATIONS, IN_MEMORY = 60, 4
@@ -97,7 +105,10 @@ class Judge:
         for binding in self.declarations.bindings:
             if binding.text:
                 verdicts.append(self.guard(partial(self.piece, binding), (0, 0), binding.line))
-        return Checked(self.document, tuple(number_verdicts(verdicts)))
+        numbered = number_verdicts(verdicts)
+        return Checked(
+            self.document, tuple(replace(v, cell=self.document.cell_of(v.line)) for v in numbered)
+        )
 
     def guard(self, verdict: Callable[[], Verdict], span: Span, line: int = 0) -> Verdict:
         """Return a verdict; one that takes too much, or a fault of the checker, is "undecided"."""
@@ -161,6 +172,7 @@ class Judge:
             letters_declared,
             moving,
             angles,
+            symbols,
             universal,
             corrects=self.corrects,
             ranges=tuple(ranges),
@@ -177,6 +189,7 @@ class Judge:
     def chain(self, chain: Chain, bindings: list[Binding]) -> list[Verdict]:
         """Return the verdicts on a chain's relations in order; none is lost by a fault of the checker."""
         verdicts: list[Verdict] = []
+        chain = speeds_in_own_unit(chain, self.declarations.symbols_at(chain.lines[0]))
         try:
             self._judge(chain, bindings, verdicts)
         except SymbalanceError:
@@ -238,7 +251,7 @@ class Judge:
 
     def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on the k-th relation of a chain."""
-        knowledge = self.knowledge(chain.lines[0])
+        knowledge = self._with_clauses_below(chain, k, self.knowledge(chain.lines[0]))
         mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
         outcome = self._link(chain, k, sound, bad, knowledge)
         verdict = describe(self.document, chain, k, outcome) if isinstance(outcome, Decision) else outcome
@@ -270,11 +283,15 @@ class Judge:
         """Return the verdict on the k-th relation of a chain, or the decision that it only describes."""
         relation = chain.relations[k]
         left, right = chain.sides[k], chain.sides[k + 1]
+        of_matrices = is_of_matrices(left.node, right.node, knowledge)
+        if of_matrices and (fault := _no_relation_of_matrices(relation.sign, left, right, knowledge)):
+            return Decision(UNDECIDED, fault)
         if relation.sign in SATISFIED_BY:
             decision = decide_inequality(chain, k, knowledge)
             self.definitions.state_range(chain, k, decision)
             return decision
-        if relation.sign == "=" and (name := _meant_as_number(left.node, right.node, knowledge)):
+        is_equality = relation.sign == "=" and not of_matrices
+        if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):
             reason = f"true of the number {name}; here {name} is declared as a letter"
             return Decision(UNDECIDED, reason)
         definition = self.definitions.define_by(chain, k, knowledge)
@@ -282,12 +299,11 @@ class Judge:
             return definition
         decision, against = self._decide_step(chain, k, sound, bad, knowledge)
         if decision.status in (REFUTED, UNDECIDED):
-            in_use, used = self.definitions.letters_before(chain.lines[0]), self.definitions.first_lines
-            constraint = constraints.constraint_of(chain, k, in_use, used, knowledge)
-            if constraint is not None:
-                return self._fix(constraint, chain, k, knowledge)
+            stated = (self._fixed_matrix if of_matrices else self._fixed)(chain, k, knowledge)
+            if stated is not None:
+                return stated
             decision = self._with_premises(against, right, relation.sign, decision, knowledge)
-        if decision.status == REFUTED:
+        if decision.status == REFUTED and not of_matrices:  # cases and conditions are of numbers
             decision = self._unless_stated(chain, k, against, decision, knowledge)
         if decision.status == REFUTED:
             decision = self._unless_open(chain, k, decision, knowledge)
@@ -358,6 +374,24 @@ class Judge:
                 return f"true if {letter} = {text}: declare what {letter} means"
         return ""
 
+    def _fixed(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+        """Return the decision on a relation that is no step but fixes a letter; None for others."""
+        in_use, used = self.definitions.letters_before(chain.lines[0]), self.definitions.first_lines
+        constraint = constraints.constraint_of(chain, k, in_use, used, knowledge)
+        return None if constraint is None else self._fix(constraint, chain, k, knowledge)
+
+    def _fixed_matrix(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+        """Return the decision on a relation of matrices that fixes a letter, after defining it.
+
+        It does not join the premises: those are solved as numbers are, whose products commute.
+        """
+        left, right = chain.sides[k].node, chain.sides[k + 1].node
+        stated = matrix_constraint(left, right, self.definitions.letters_in_use, knowledge)
+        if stated is None:
+            return None
+        self.definitions.define(*stated, chain)
+        return Decision(DEFINITION, f"read as what fixes {stated[0]}")
+
     def _fix(self, constraint: Constraint, chain: Chain, k: int, knowledge: Knowledge) -> Decision:
         """Return the decision on a relation that fixes a letter, after defining it."""
         by_premises = self.definitions.decide_by_premises(
@@ -381,7 +415,7 @@ class Judge:
         )
         if by_premises is not None and by_premises.status != PREMISE:
             return by_premises
-        self.definitions.state(chain, k)
+        self.definitions.state(chain, k, angles=knowledge.angles)
         return case
 
     def _with_premises(
@@ -394,9 +428,32 @@ class Judge:
             return decision
         by_all = decide(left, right, sign, solved.knowledge)
         if by_all.status == REFUTED and solved.leftover:
+            at_solution = refuted_at_angles(left, right, sign, solved)
+            if at_solution is not None:
+                return at_solution
             reason = f"may rest on {lines_of(solved.leftover)}, which could not be solved for a letter"
             return replace(by_all, status=UNDECIDED, reason=reason)
         return by_all
+
+    def _with_clauses_below(self, chain: Chain, k: int, knowledge: Knowledge) -> Knowledge:
+        """Return what is known with the new letters that the lines right below a relation explain.
+
+        An equation in matrices stands first as a rule, what its letters are after it: "here M̃ = ΦᵗMΦ".
+        """
+        if not is_of_matrices(chain.sides[k].node, chain.sides[k + 1].node, knowledge):
+            return knowledge
+        last = chain.lines[-1]
+        own = {name for side in chain.sides for name in names(side.node)}
+        clauses = dict(knowledge.definitions)
+        for other in self.document.chains:
+            head = other.sides[0].node
+            is_below = last < other.lines[0] <= last + CLAUSES and bool(other.relations)
+            if not is_below or not isinstance(head, Name) or other.relations[0].sign != "=":
+                continue
+            is_new = head.name in own and not knowledge.knows(head.name)
+            if is_new and head.name not in clauses and head.name not in names(other.sides[1].node):
+                clauses[head.name] = Definition(other.sides[1].node, other.lines[0])
+        return replace(knowledge, definitions=clauses)
 
     def add_fix(
         self, verdict: Verdict, chain: Chain, k: int, left: Side, decision: Decision, knowledge: Knowledge
@@ -418,6 +475,13 @@ class Judge:
         lone = isinstance(left.node, Name)
         other = None if lone else (left, proves_left)
         return add_fix(verdict, self.document, right, decision, knowledge, proves_right, other)
+
+
+def _no_relation_of_matrices(sign: str, left: Side, right: Side, knowledge: Knowledge) -> str:
+    """Return why a relation cannot be one between matrices, "" where it may be."""
+    if sign in SATISFIED_BY:
+        return "matrices are compared for equality only"
+    return meaningless(left.node, right.node, knowledge)
 
 
 def _meant_as_number(left: Formula, right: Formula, knowledge: Knowledge) -> str:

@@ -89,7 +89,7 @@ def _entry(verdict: Verdict) -> tuple[Words, Words]:
 
 
 def _anchor(verdict: Verdict) -> str:
-    return f"line-{place(verdict).replace('.', '-')}"
+    return "line-" + re.sub("[.:]", "-", place(verdict))
 
 
 def _mark(verdict: Verdict) -> str:
@@ -252,7 +252,7 @@ class _Page:
             entries.append(("Witness", witness_words(verdict)[1:]))
         if verdict.fix:
             entries.append(("Found", verdict.fix.kind))
-            entries += [("Change", fault_words(fault)) for fault in verdict.fix.faults]
+            entries += [("Change", fault_words(fault, verdict)) for fault in verdict.fix.faults]
             if is_readable(verdict.fix.node):
                 side = "Left side should be" if verdict.fix.of_left else "Should be"
                 entries.append((f"{side}, proved", verdict.fix.node))

@@ -8,19 +8,23 @@ written out and left to the algebra: it is exact, and short enough.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 
 from symbalance.document.formula import (
     Call,
     Constant,
+    Equation,
     Formula,
+    Name,
     Negative,
     Number,
     Power,
     Product,
     Quotient,
     Sum,
+    children,
+    with_children,
 )
 from symbalance.errors import SymbalanceError
 from symbalance.notes.algebra.number_formulas import rational_node
@@ -45,7 +49,9 @@ OF_AN_ENGINE = (
     *_COMPONENTS,
     *(f"{c}.{f}" for c in _COMPONENTS for f in ("cos", "sin")),
 )
-QUANTITIES = (*ONE_CYLINDER, *OF_AN_ENGINE[1:], "coefficient", "harmonic", "value")
+EQUATIONS = ("crank-node",)
+"""Equations between columns that a whole relation may be bound to."""
+QUANTITIES = (*EQUATIONS, *ONE_CYLINDER, *OF_AN_ENGINE[1:], "coefficient", "harmonic", "value")
 
 
 def quantity(binding: Binding, crank: Geometry, sources: Sources, in_numbers: bool) -> Formula:
@@ -77,6 +83,23 @@ def quantity(binding: Binding, crank: Geometry, sources: Sources, in_numbers: bo
             [crank.pitch] if binding.quantity.startswith("couple") and crank.pitch is not None else []
         )
     return Product(tuple(parts))
+
+
+def equation_of(binding: Binding, sources: Sources, symbols: Mapping[str, str]) -> Equation:
+    """Return the equation a relation is bound to, in the document's letters: M = "m of crank-node"."""
+    known = sources.engines.equation(binding.quantity)
+    suffix = f" of {binding.quantity}"
+    letters = {
+        text.removesuffix(suffix).strip(): name for name, text in symbols.items() if text.endswith(suffix)
+    }
+
+    def renamed(node: Formula) -> Formula:
+        if isinstance(node, Name):
+            return Name(letters.get(node.name, node.name))
+        parts = children(node)
+        return with_children(node, tuple(map(renamed, parts))) if parts else node
+
+    return Equation(renamed(known.left), tuple((sign, renamed(side)) for sign, side in known.links))
 
 
 def _refusal(binding: Binding, key: str, value: object, remedy: str) -> SymbalanceError:

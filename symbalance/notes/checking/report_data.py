@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from symbalance.document.fitting import plain_words
-from symbalance.notes.checking.verdicts import HOLDS, REFUTED, VERDICTS, Checked, Verdict
+from symbalance.notes.checking.verdicts import HOLDS, NOT_MATHEMATICS, REFUTED, VERDICTS, Checked, Verdict
 
 
 def report_data(checked: Checked) -> dict[str, Any]:
@@ -15,7 +15,17 @@ def report_data(checked: Checked) -> dict[str, Any]:
     return {
         "document": checked.derivation.name,
         "seen": checked.relation_count,
-        "counts": dict.fromkeys(VERDICTS, 0) | checked.counts(),
+        "counts": dict.fromkeys((*VERDICTS, NOT_MATHEMATICS), 0) | checked.counts(),
+        "notes": list(checked.derivation.notes),
+        "not_mathematics": [
+            {
+                "line": p.line,
+                "column": p.column,
+                "why": p.why,
+                "source": checked.derivation.source(p.span),
+            }
+            for p in checked.derivation.not_mathematics
+        ],
         "links": sorted(entries, key=lambda entry: entry["line"]),
         **({"remarks": [plain_words(each) for each in checked.remarks]} if checked.remarks else {}),
     }
@@ -47,7 +57,9 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
             for f in (fix.faults if fix else ())
         ],
     }
-    optional = {"bind": verdict.bind, "tag": verdict.tag, "notes": list(verdict.notes)}
+    cell, line = verdict.cell or (0, 0)
+    place = {"cell": cell, "cell_line": line}
+    optional = place | {"bind": verdict.bind, "tag": verdict.tag, "notes": list(verdict.notes)}
     return entry | {key: value for key, value in optional.items() if value}
 
 

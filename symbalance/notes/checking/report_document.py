@@ -27,6 +27,7 @@ from symbalance.notes.checking.verdicts import (
     FAILING,
     HOLDS,
     HOLDS_TO_ORDER,
+    NOT_MATHEMATICS,
     PREMISE,
     RANGE,
     REFUTED,
@@ -105,9 +106,11 @@ def summary(checked: Checked) -> str:
     counts = checked.counts()
     if not checked.relation_count:
         return "No relation was seen: nothing is checked."
-    kinds = ", ".join(f"{count} {_TITLES[name].lower()}" for name, count in counts.items())
+    titles = _TITLES | {NOT_MATHEMATICS: "not mathematics"}
+    kinds = ", ".join(f"{count} {titles[name].lower()}" for name, count in counts.items())
     count = checked.relation_count
-    return f"{count} {'relation' if count == 1 else 'relations'} seen: {kinds}."
+    notes = "".join(f" Note: {note}." for note in checked.derivation.notes)
+    return f"{count} {'relation' if count == 1 else 'relations'} seen: {kinds}.{notes}"
 
 
 def verdict_summary(verdict: Verdict) -> str:
@@ -128,8 +131,12 @@ def verdict_words(verdict: Verdict) -> str:
 
 
 def place(verdict: Verdict) -> str:
-    """Return a relation's line, with its number there unless it is the first."""
-    return f"{verdict.line}" if verdict.link == 1 else f"{verdict.line}.{verdict.link}"
+    """Return a relation's line, with its number there unless it is the first.
+
+    In a notebook the cell comes first: 3:2 is the second line of the third cell.
+    """
+    line = f"{verdict.cell[0]}:{verdict.cell[1]}" if verdict.cell else f"{verdict.line}"
+    return line if verdict.link == 1 else f"{line}.{verdict.link}"
 
 
 def one_line(source: str, limit: int) -> str:
@@ -166,7 +173,7 @@ def _notes(verdict: Verdict) -> Iterable[Words]:
         yield witness_words(verdict)
     if verdict.fix:
         yield f"found: {verdict.fix.kind}"
-        yield from map(fault_words, verdict.fix.faults)
+        yield from (fault_words(fault, verdict) for fault in verdict.fix.faults)
 
 
 def difference_words(difference: Difference) -> Words:
@@ -189,10 +196,13 @@ def witness_words(verdict: Verdict) -> Words:
     return ("witness: ", *parts)
 
 
-def fault_words(fault: Fault) -> Words:
-    """Return a wrong piece as `line 3, column 7: for cos put sin`."""
+def fault_words(fault: Fault, verdict: Verdict) -> Words:
+    """Return a wrong piece as `line 3, column 7: for cos put sin`, with the cell in a notebook."""
     should = fault.node or fault.should
     where = f"line {fault.line}, column {fault.column}: "
+    if verdict.cell:
+        number, line = verdict.cell
+        where = f"cell {number}, line {line + fault.line - verdict.line}, column {fault.column}: "
     if not fault.source:
         return (f"{where}add ", should)
     return (f"{where}for ", Code(one_line(fault.source, LONGEST_PIECE)), " put ", should)
@@ -218,9 +228,13 @@ def legend(verdicts: tuple[Verdict, ...]) -> Facts:
     entries: list[tuple[Words, Words]] = [
         (_TITLES[word], _MEANINGS[word]) for word in VERDICTS if word in kinds
     ]
+    first_cell = next((verdict for verdict in verdicts if verdict.cell), None)
+    if first_cell is not None and first_cell.cell:
+        number, line = first_cell.cell
+        entries.append((f"{number}:{line}", f"cell {number} of the notebook, line {line}"))
     second = next((place(verdict) for verdict in verdicts if verdict.link == 2), None)
     if second:
-        entries.append((second, f"the second relation of line {second.split('.')[0]}"))
+        entries.append((second, f"the second relation of line {second.rpartition('.')[0]}"))
     if any(verdict.differences for verdict in verdicts):
         entries.append(("claimed, exact", "a term's coefficient in the line, and the right one"))
     if any(verdict.fix for verdict in verdicts):

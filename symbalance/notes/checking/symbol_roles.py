@@ -50,6 +50,8 @@ KNOWN = (
     "cylinder pitch",
     "integer",
     "positive",
+    "constant",
+    "complex",
     "variable",
 )
 
@@ -58,6 +60,15 @@ POSITIVE = {
     *("crank radius", "stroke", "rod length", "rod ratio l/r", "rod ratio l/s", "crank ratio r/l"),
     *("angular speed", "engine speed rpm", "reciprocating mass", "cylinder pitch", "positive"),
 }
+CONSTANT = (
+    *("crank radius", "stroke", "rod length", "rod ratio l/r", "rod ratio l/s", "crank ratio r/l"),
+    *("angular speed", "engine speed rpm", "reciprocating mass", "cylinder pitch", "constant"),
+)
+"""What changes with no angle and no time: it stands outside an integral."""
+CONSTANT_WORD = re.compile(
+    r"\b(?:constant|coefficient|amplitude|length|radius|ratio|mass|factor|width|distance|number|konstante)\b"
+)
+"""Words of a meaning that say the same."""
 HARMONIC = re.compile(r"A_\d{1,3}$")
 RANGES = {
     "crank angle": (10, 620),
@@ -88,6 +99,17 @@ UNITS = (
     "bar",
     "Pa",
 )
+
+
+def conjugate_name(name: str) -> str:
+    """Return the letter with the bar that is the conjugate of a complex letter."""
+    return f"bar_{name}"
+
+
+def readable_letters(symbols: Mapping[str, str]) -> frozenset[str]:
+    """Return the letters that may be written: those declared, and the conjugates of complex ones."""
+    not_real = {conjugate_name(n) for n, text in symbols.items() if role_of(text) == "complex"}
+    return frozenset(symbols) | not_real
 
 
 def role_of(text: str) -> str:

@@ -19,10 +19,13 @@ from symbalance.document.formula import (
     Sum,
 )
 from symbalance.notes.algebra.evaluation import SymbolValue
+from symbalance.notes.algebra.matrix_letters import kinds_of
 from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.checking.engines import Engines, NoEngines
 from symbalance.notes.checking.geometry import Geometry, geometry, two
 from symbalance.notes.checking.symbol_roles import (
+    CONSTANT,
+    CONSTANT_WORD,
     FROM_MIDDLE,
     FROM_PIN,
     FROM_TOP,
@@ -31,6 +34,7 @@ from symbalance.notes.checking.symbol_roles import (
     POSITIVE,
     RANGES,
     UNITS,
+    conjugate_name,
     letters_by_role,
     role_of,
 )
@@ -83,6 +87,9 @@ def meaning_of(
             derivative = name + "'" * order
             if derivative not in symbols and isinstance(crank.theta, Name):
                 values[derivative] = Derivative(Name(name), crank.theta, order)
+    for name in letters.get("complex", ()):
+        if conjugate_name(name) not in symbols:
+            values[conjugate_name(name)] = Call("conj", Name(name))
     rates: dict[str, Mapping[str, Formula]] = {}
     if isinstance(crank.theta, Name):
         rates[crank.time] = {crank.theta.name: crank.omega}
@@ -92,7 +99,19 @@ def meaning_of(
     positive |= {n for n, text in symbols.items() if role_of(text) in UNITS}
     integer = frozenset(letters.get("integer", ()))
     ranges = {name: size for m, size in RANGES.items() for name in letters.get(m, ())}
-    return SymbolValue(values, rates, frozenset(positive), integer, ranges), crank
+    constant = {n for m in CONSTANT for n in letters.get(m, ())} | base
+    constant |= {n for n, text in symbols.items() if CONSTANT_WORD.search(text.lower())}
+    not_real = frozenset(letters.get("complex", ()))
+    return SymbolValue(
+        values,
+        rates,
+        frozenset(positive),
+        integer,
+        ranges,
+        frozenset(constant - {crank.time}),
+        not_real,
+        kinds_of(symbols),
+    ), crank
 
 
 def _harmonic(meaning: str, crank: Geometry, engines: Engines) -> Formula:

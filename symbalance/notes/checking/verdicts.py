@@ -27,6 +27,8 @@ CONDITION = "condition"
 RANGE = "range"
 CONTRADICTION = "contradiction"
 UNREADABLE = "unreadable"
+NOT_MATHEMATICS = "not_mathematics"
+"""No verdict, but counted: a relation sign between words, in a tag or in program code."""
 
 PROVED_WORDS = (HOLDS, HOLDS_TO_ORDER, CONDITIONAL)
 STATED = (DEFINITION, PREMISE, CONDITION, RANGE)
@@ -108,6 +110,8 @@ class Verdict(Result):
     node: Formula | None = None
     exact_node: Formula | None = None
     """`exact` as a formula."""
+    cell: tuple[int, int] | None = None
+    """In a notebook: the cell, from 1, and the line in it."""
     fault: str = ""
     """A fault of symbalance that kept the relation from being judged or corrected."""
     traceback: str = ""
@@ -208,8 +212,8 @@ class Checked(Result):
 
     @property
     def relation_count(self) -> int:
-        """The number of relations seen, whatever their verdict."""
-        return len(self.verdicts)
+        """The number of relation signs seen, those of no mathematics among them."""
+        return len(self.verdicts) + len(self.derivation.not_mathematics)
 
     @property
     def faults(self) -> tuple[Verdict, ...]:
@@ -219,6 +223,7 @@ class Checked(Result):
     def counts(self) -> dict[str, int]:
         """Return how many verdicts of each kind there are, zeros left out."""
         counts = {name: sum(v.verdict == name for v in self.verdicts) for name in VERDICTS}
+        counts[NOT_MATHEMATICS] = len(self.derivation.not_mathematics)
         return {name: count for name, count in counts.items() if count}
 
     def at(self, line: int) -> tuple[Verdict, ...]:

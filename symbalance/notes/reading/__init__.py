@@ -1,13 +1,17 @@
-"""The reader of hand derivations: LaTeX, Markdown or plain text to equations as formula trees.
+"""The reader of hand derivations: notes of any common kind to equations as formula trees.
 
 In: a text and the letters declared at each line. Out: a `Document` of chains a = b = c, each side with
 every reading it may have, and what could not be read, with its place and a remedy. No text is ever
 executed as code.
 
+    sources, rewriting              a file as people keep it, in one form; where each character stood
+    macros, siunitx, mathml         what authors and packages abbreviate, other people's formulas
+    notebooks, numerals             cells as text; decimal commas, units in words, a scanner's letters
     signs, units, letter_names      what signs and commands stand for; units; one name for each letter
     lexer, parser                   one formula's text to tokens, and these to trees
     prose, segmentation             where in a text mathematics stands
     document                        a whole text to its chains
+    accounting                      every relation sign is read, unreadable, or no mathematics
     equations, failures             what comes out, and why something may not be read
 """
 

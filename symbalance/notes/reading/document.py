@@ -11,14 +11,17 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import PurePath
 
-from symbalance.document.formula import Formula
+from symbalance.document.formula import Formula, children, with_children
 from symbalance.document.letters import TIME_DOTS, is_greek, plain_letter
-from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side, Unreadable
+from symbalance.notes.reading.accounting import Account
+from symbalance.notes.reading.equations import Chain, Passed, ReadNotes, Relation, Side, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
-from symbalance.notes.reading.lexer import CLOSER, LONGEST_EQUATION, Token, lex
+from symbalance.notes.reading.lexer import AT, CLOSER, LONGEST_EQUATION, Token, lex
 from symbalance.notes.reading.parser import read_tokens
-from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation, to_half_width
+from symbalance.notes.reading.rewriting import Piece, Rewritten, rewritten
+from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation
 from symbalance.notes.reading.signs import relation_at_start
+from symbalance.notes.reading.sources import Source, prepare, to_half_width
 
 LONGEST_DOCUMENT = 1_000_000  # characters
 MOST_LINES_OF_PROSE = 2  # that a chain may go past: "= …" further down is an equation of its own
@@ -42,11 +45,51 @@ def read_document(text: str, name: str, names_at: Callable[[int], Collection[str
             cache[line] = frozenset(names_at(line))
         return cache[line]
 
-    assembler = Assembler(ItemFinder(text, PurePath(name).suffix.lower(), names), names)
+    source = prepare(text, PurePath(name).suffix.lower(), lambda letter, line: letter in names(line))
+    assembler = Assembler(ItemFinder(source, names), names)
     assembler.run()
-    chains = sorted(assembler.chains, key=lambda chain: chain.sides[0].span)
-    unreadable = sorted(assembler.unreadable, key=lambda part: (part.line, part.column))
-    return ReadNotes(name, text, tuple(chains), tuple(unreadable))
+    chains, unreadable, passed = assembler.chains, assembler.unreadable, assembler.not_mathematics
+    if source.origin is not None:
+        chains = [_chain_in_place(chain, source.origin) for chain in chains]
+        passed = [_passed_in_place(part, source.origin, text) for part in passed]
+    if source.origin is not None or source.refusals:
+        unreadable = [_unreadable_in_place(part, source, text) for part in unreadable]
+    chains.sort(key=lambda chain: chain.sides[0].span)
+    unreadable.sort(key=lambda part: (part.line, part.column))
+    return ReadNotes(name, text, tuple(chains), tuple(unreadable), source.notes, tuple(passed))
+
+
+def _chain_in_place(chain: Chain, origin: Rewritten) -> Chain:
+    """Return a chain with every span that of the document."""
+    sides = tuple(
+        Side(tuple(_in_place(node, origin) for node in side.readings), origin.span(side.span))
+        for side in chain.sides
+    )
+    return replace(chain, sides=sides)
+
+
+def _in_place(node: Formula, origin: Rewritten) -> Formula:
+    parts = children(node)
+    moved = with_children(node, tuple(_in_place(part, origin) for part in parts)) if parts else node
+    return replace(moved, span=origin.span(node.span))
+
+
+def _passed_in_place(part: Passed, origin: Rewritten, text: str) -> Passed:
+    span = origin.span(part.span)
+    return Passed(part.line, max(span[0] - text.rfind("\n", 0, span[0]), 1), part.why, span)
+
+
+def _unreadable_in_place(part: Unreadable, source: Source, text: str) -> Unreadable:
+    """Return a refusal at its place in the document, with the reason of a macro that was not replaced."""
+    origin = source.origin or rewritten((Piece(text, 0, len(text), True),))
+    begin = 0
+    for _ in range(part.line - 1):
+        begin = source.text.find("\n", begin) + 1
+    offset = origin.offset(begin + part.column - 1)
+    what, remedy = dict(source.refusals).get(offset, (part.what, part.remedy))
+    line = text.count("\n", 0, offset) + 1
+    column = offset - (text.rfind("\n", 0, offset) + 1) + 1
+    return Unreadable(line, column, what, remedy, origin.span(part.span))
 
 
 def read_expression(text: str, names: Collection[str], offset: int = 0) -> tuple[Formula, ...]:
@@ -107,6 +150,8 @@ class Assembler:
         self.defined_letters: set[str] = set()
         self.chains: list[Chain] = []
         self.unreadable: list[Unreadable] = []
+        self.not_mathematics: list[Passed] = []
+        self.account = Account(self.text, finder.source.codes)
         self.draft: Draft | None = None
         self._refused_item: Item | None = None
 
@@ -117,6 +162,14 @@ class Assembler:
         self._finish_chain()
         for failure in self.finder.failures:
             self._report(failure, (failure.offset, failure.offset + 1))
+        names = frozenset(self.names_at(1)) | self.defined_letters
+        more, self.not_mathematics = self.account.settle(self.unreadable, names, self._place_of)
+        self.unreadable += more
+
+    def _place_of(self, offset: int) -> tuple[int, int]:
+        offset = min(max(offset, 0), len(self.text))
+        line = self.finder.line_of(offset)
+        return line, offset - self.finder.line_span(line)[0] + 1
 
     def _add_item(self, item: Item) -> None:
         """Add an item to the chain so far, or begin a chain with it."""
@@ -125,6 +178,8 @@ class Assembler:
             names |= self.draft.own_letter()
         try:
             tokens = without_aside(lex(self.text, item.start, item.end, names))
+            if item.head:
+                tokens = [*lex(self.text, *item.head, names), *tokens]
         except ReadingError as failure:
             self._give_up_item(item, failure)
             return
@@ -143,7 +198,12 @@ class Assembler:
     def _follows_refused(self, item: Item, tokens: list[Token]) -> bool:
         """Tell whether `= c` continues an equation that could not be read; c then starts a chain."""
         before, self._refused_item = self._refused_item, None
-        return tokens[0].kind == "rel" and before is not None and self._is_near(before, item)
+        follows = tokens[0].kind == "rel" and before is not None and self._is_near(before, item)
+        if follows:
+            sign = tokens[0]
+            failure = ReadingError(sign.start, "the side before it is not read", "mend that side first")
+            self.account.refused.append(((sign.start, sign.end), failure))
+        return follows
 
     def _give_up_item(self, item: Item, failure: ReadingError) -> None:
         source = self.text[item.start : item.end].lstrip(" \n\t&")
@@ -151,6 +211,7 @@ class Assembler:
             return
         lone = item.kind == "inline" and not any(sign in source for sign in "=<>≈≤≥")
         if not item.strict or lone:
+            self.account.refused.append(((item.start, item.end), failure))
             return
         before, self._refused_item = self._refused_item, item
         goes_on = source[:1] == "=" or self._is_term(source)
@@ -273,6 +334,8 @@ class Assembler:
         if draft.failures and not strict:
             if draft.signs:
                 self._report_undeclared(draft, names)
+                failure = next(iter(draft.failures.values()))
+                self.account.refused.append(((draft.item.start, draft.last.end), failure))
             return
         sides_read = _without_gaps(draft, sides)
         whole = len(sides_read) >= (2 if draft.signs else 1)
@@ -290,6 +353,11 @@ class Assembler:
         )
         if draft.signs or len(draft.sides[0]) > 1:
             self.chains.append(chain)
+            self.account.read.update(at for _, _, at in sides_read[1:])
+            spans = {side.span for side, _, _ in sides_read}
+            for tokens in draft.sides:  # the conditions of cases are read with their side
+                if tokens and (tokens[0].start, tokens[-1].end) in spans:
+                    self.account.read.update(t.start for t in tokens if t.kind == "rel")
 
     def _report_undeclared(self, draft: Draft, names: frozenset[str]) -> None:
         """Report prose with a relation only where one undeclared letter is all that is wrong."""
@@ -310,9 +378,7 @@ class Assembler:
 
     def _report(self, failure: ReadingError, span: tuple[int, int]) -> None:
         offset = min(max(failure.offset, 0), len(self.text))
-        line = self.finder.line_of(offset)
-        column = offset - self.finder.line_span(line)[0] + 1
-        self.unreadable.append(Unreadable(line, column, failure.what, failure.remedy, span))
+        self.unreadable.append(Unreadable(*self._place_of(offset), failure.what, failure.remedy, span))
 
 
 def _refuse_too_long(tokens: list[Token]) -> None:
@@ -372,11 +438,13 @@ class Draft:
                 self.sides.append([])
             elif self._fits(token, place == len(tokens) - 1):
                 self.sides[-1].append(token)
+        if item.doubt is not None:
+            self.fail(item.doubt)
         if self.signs:
             self._without_argument(0)
 
     def _without_argument(self, place: int) -> None:
-        """Read x(θ), all of the left side, as x, and refuse x(0); x is so called on later sides too."""
+        """Read x(θ), all of the left side, as x, and x(0) as x at 0; on later sides too."""
         side = self.sides[place]
         if place in self.failures or not (parts := head_and_argument(side)):
             return
@@ -388,7 +456,7 @@ class Draft:
             self.sides[place], note = letter_without_argument(head, inside, side[-1])
             self.notes += [note] if note not in self.notes else []
         elif is_value(inside):
-            self.failures[place] = value_refusal(head, inside)
+            self.sides[place] = letter_at_a_place(side)
         else:
             return
         self.function_letters.append(name)
@@ -546,10 +614,9 @@ def letter_without_argument(
     return [*head[:-1], replace(head[-1], end=last.end)], f"{name}({tokens_text(inside)}) read as {name}"
 
 
-def value_refusal(head: Sequence[Token], inside: Sequence[Token]) -> ReadingError:
-    """Return the refusal of x(π)."""
-    what = f"a value of a function: {tokens_text(head)}({tokens_text(inside)})"
-    return ReadingError(head[0].start, what, "write out what is meant")
+def letter_at_a_place(side: Sequence[Token]) -> list[Token]:
+    """Return the tokens of x(π) with a bracket that says that it holds no factor."""
+    return [replace(t, value=AT) if t.kind == "open" and t.value == "(" else t for t in side]
 
 
 def tokens_text(tokens: Sequence[Token]) -> str:

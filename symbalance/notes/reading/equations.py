@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from symbalance.document.formula import Formula, Span
+from symbalance.notes.reading.notebooks import SUFFIX, cell_place
 
 RELATIONS = ("=", "≈", "<", ">", "≤", "≥", "≡", "≠")
 
@@ -62,13 +63,30 @@ class Unreadable:
 
 
 @dataclass(frozen=True, slots=True)
+class Passed:
+    """A relation sign that says nothing in mathematics, and why: words around it, a tag, a program."""
+
+    line: int
+    column: int
+    why: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class ReadNotes:
-    """A text with the equations found in it, in the order of their lines."""
+    """A text with the equations found in it, in the order of their lines.
+
+    `notes` say what of the whole text was read generously (for instance its decimal commas).
+    `not_mathematics` lists the relation signs that stand in no formula: every sign of the text is one of
+    these, in a chain, or in something unreadable.
+    """
 
     name: str
     text: str
     chains: tuple[Chain, ...]
     unreadable: tuple[Unreadable, ...]
+    notes: tuple[str, ...] = ()
+    not_mathematics: tuple[Passed, ...] = ()
 
     def line_of(self, offset: int) -> int:
         """Return the line, from 1, of a character offset."""
@@ -77,6 +95,10 @@ class ReadNotes:
     def column_of(self, offset: int) -> int:
         """Return the column, from 1, of a character offset."""
         return offset - (self.text.rfind("\n", 0, offset) + 1) + 1
+
+    def cell_of(self, line: int) -> tuple[int, int] | None:
+        """Return the cell of a notebook, from 1, that a line stands in, and its line there."""
+        return cell_place(self.text, line) if self.name.lower().endswith(SUFFIX) else None
 
     def source(self, span: Span) -> str:
         """Return the text of a span."""

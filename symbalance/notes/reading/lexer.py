@@ -21,6 +21,7 @@ from symbalance.document.letters import (
     NAME_OF_SIGN,
     RAISED,
     TIME_DOTS,
+    WORDS,
 )
 from symbalance.notes.reading import signs
 from symbalance.notes.reading.failures import ReadingError
@@ -53,6 +54,8 @@ _LEFT_RIGHT = re.compile(r"\\(left|right|[bB]igg?[lr])\s*(\\[{}|]|\\[lr]?vert(?!
 _SIZED_BRACKET = re.compile(r"\\(?:left|right|[bB]igg?[lrm]?)\s*([()\[\]])")
 _ARGUMENT = re.compile(r"\s*\{[^{}]*\}")
 _ENVIRONMENT = re.compile(r"\s*\{([A-Za-z]+)\*?\}(?:\s*\{\s*[0-9]+\s*\}|\[[a-z]\])?")
+_CELLS = re.compile(r"\s*\{([A-Za-z]+)\*?\}(?:\s*\{[lcr|@{}\s]*\}|\[[a-z]\])?")
+_OWN_FUNCTION = re.compile(r"(Re|Im|conj|lg)(?=\s*(?:[({]|\\left))|lg(?=\s+[0-9A-Za-z\\])")
 _WORD_FONTS = ("text", "textrm", "mbox")
 _UNIT_COMMANDS = ("mathrm", "unit", "si", *_WORD_FONTS)
 
@@ -69,7 +72,8 @@ class Token:
     """A piece of a formula from `start` to `end` (offsets in the document).
 
     Kinds: number, name, function, op (+ - * /), rel, open, close, bar, sup, sub, under, cmd, sep,
-    dots, degree. `sub` carries a subscript that follows something other than a letter; `under` is a
+    dots, degree, arrow (of a limit), postfix (!), cell and row (of a matrix), differential (the d x of an
+    integral). `sub` carries a subscript that follows something other than a letter; `under` is a
     bare underscore after a sum sign or a function. `spaced` tells of a space typed as such before it.
     """
 
@@ -94,7 +98,11 @@ class Token:
         return self.kind == "cmd" and self.value in names
 
 
-CLOSER = {"(": ")", "[": "]", "{": "}", "\\{": "\\}", "<": ">", "|": "|"}
+CLOSER = {"(": ")", "[": "]", "{": "}", "\\{": "\\}", "<": ">", "|": "|", ".": "|"}
+AT = "(at"
+"""The bracket of x(π), where it is known to hold a place and no factor."""
+CLOSER[AT] = ")"
+CLOSER |= dict.fromkeys(signs.CELLS.values(), "[end]")
 """The bracket that closes each bracket."""
 
 
@@ -112,6 +120,7 @@ class Lexer:
         self.tokens: list[Token] = []
         self.skips: dict[int, int] = {}  # where words under a brace begin -> where they end
         self.latex = "\\" in text[start:end]
+        self.cells: list[str] = []  # the matrices that are open
 
     def run(self) -> list[Token]:
         """Return all tokens."""
@@ -136,6 +145,8 @@ class Lexer:
             return
         if self.place in self.skips:
             self.place = self.skips.pop(self.place)
+        elif sign == "&" and self.cells:
+            self._add("cell", "&", self.place + 1)
         elif sign.isspace() or sign == "&" or not sign.isprintable():
             self.place += 1
         elif match := _DEGREE.match(self.text, self.place, self.end):
@@ -152,6 +163,9 @@ class Lexer:
     def _sign(self, sign: str) -> None:
         """Add the token of a sign: relation, dots, operator, bracket."""
         arrow = _ARROW.match(self.text, self.place, self.end)
+        if (arrow or sign == "→") and self._is_in_limit():
+            self._add("arrow", "→", arrow.end() if arrow else self.place + 1)
+            return
         if arrow and arrow.group() != "<=":
             raise ReadingError(self.place, *signs.REFUSED["to"])
         if match := _RELATION.match(self.text, self.place, self.end):
@@ -169,6 +183,10 @@ class Lexer:
         else:
             self._rare_sign(sign)
 
+    def _is_in_limit(self) -> bool:
+        """Tell whether lim_{x stands right before the place."""
+        return any(token.is_cmd("lim") for token in self.tokens[-4:])
+
     def _operator(self, sign: str) -> None:
         if self.text.startswith("**", self.place):
             self._add("sup", "^", self.place + 2)
@@ -177,7 +195,9 @@ class Lexer:
 
     def _rare_sign(self, sign: str) -> None:
         """Add the token of a sign that is none of the usual ones."""
-        simple = {"^": "sup", "|": "bar", ",": "sep", ";": "sep"}
+        simple = {"^": "sup", "|": "bar", ",": "sep", ";": "sep", "!": "postfix"}
+        if sign == "!" and self.tokens and self.tokens[-1].kind == "postfix":
+            raise ReadingError(self.place, "a double factorial is not read", "write the product")
         if sign in simple:
             self._add(simple[sign], sign, self.place + 1)
         elif sign == "_":
@@ -186,7 +206,7 @@ class Lexer:
             self._superscript()
         elif sign in VULGAR:
             self._vulgar(sign)
-        elif sign in ("√", "∂", "∞", "Σ", "∑"):
+        elif sign in ("√", "∂", "∞", "Σ", "∑", "∫", "∮", "∏", "⊤"):
             self._named_sign(sign)
         elif sign in DOTTED:
             letter, order = DOTTED[sign]
@@ -201,7 +221,10 @@ class Lexer:
         if sign == "Σ" and "Sigma" in self.words.names:
             self._letter("Sigma", self.place + 1)
         else:
-            name = {"√": "surd", "∂": "partial", "∞": "infty", "Σ": "sum", "∑": "sum"}[sign]
+            name = {
+                "√": "surd", "∂": "partial", "∞": "infty", "Σ": "sum", "∑": "sum", "∫": "int",
+                "∮": "oint", "∏": "prod", "⊤": "top",
+            }[sign]  # fmt: skip
             self._add("cmd", name, self.place + 1)
 
     def _vulgar(self, sign: str) -> None:
@@ -211,6 +234,9 @@ class Lexer:
 
     def _underscore(self) -> None:
         last = self.tokens[-1] if self.tokens else None
+        if last and self._has_place_below(last):
+            self._add("under", "_", self.place + 1)
+            return
         if last and (last.is_cmd("sum") or last.kind in ("function", "number", "sup", "close", "name")):
             if last.kind == "close":
                 subscript = subscript_at(self.text, self.place, self.end)
@@ -220,6 +246,14 @@ class Lexer:
             self._add("under", "_", self.place + 1)
             return
         raise ReadingError(self.place, "a subscript without its letter", "write the letter before it")
+
+    def _has_place_below(self, last: Token) -> bool:
+        """Tell whether an underscore begins a bound or the place of a bar: \\int_0, |_{x=0}, ]_a^b."""
+        if last.is_cmd(*signs.WITH_BOUNDS.values()) or last.kind == "bar":
+            return True
+        if last.kind == "sup" or last.kind != "close" or last.value not in ("]", "|", ")"):
+            return False
+        return last.value != ")" or "=" in self.text[self.place : self.place + 12].partition("}")[0]
 
     def _superscript(self) -> None:
         first = self.place
@@ -244,9 +278,11 @@ class Lexer:
         self._add(kinds.get(plain, "name"), plain, self.place + 1)
 
     def _unknown(self, sign: str) -> None:
-        if sign in signs.REFUSED_SIGNS:
+        if sign == "%":
+            self._percent(self.place + 1)
+        elif sign in signs.REFUSED_SIGNS:
             raise ReadingError(self.place, *signs.REFUSED_SIGNS[sign])
-        if sign == "~":
+        elif sign == "~":
             self._tilde()
         elif sign in ".。":
             raise ReadingError(self.place, "a stray point", "remove it")
@@ -254,6 +290,12 @@ class Lexer:
             raise ReadingError(
                 self.place, f"sign {sign} is not read", "write it in letters and operators"
             )
+
+    def _percent(self, stop: int) -> None:
+        """5 % is 5/100."""
+        if not self.is_behind_number():
+            raise ReadingError(self.place, *signs.REFUSED_SIGNS["%"])
+        self.add_factor("%", (Fraction(1, 100), False), stop)
 
     def _tilde(self) -> None:
         around = self.text[max(self.place - 1, 0) : self.place + 2]
@@ -281,6 +323,8 @@ class Lexer:
         self.place = token.end
 
     def _word(self) -> None:
+        if self._own_function():
+            return
         entry = self.words.longest(self.text, self.place, self.end)
         if entry and entry[0] != "name":
             kind, word = entry
@@ -291,6 +335,21 @@ class Lexer:
         digits = self._touching_digits(self.place + len(word))
         word += "" if self._is_imaginary(word, word + digits) else digits
         self._letter(word, self.place + len(word))
+
+    def _own_function(self) -> bool:
+        """Read Re( ), Im( ), lg x, and lim, max, min in plain text, where the words are no letters."""
+        names = self.words.names
+        match = _OWN_FUNCTION.match(self.text, self.place, self.end)
+        if match and match.group() not in names and not all(sign in names for sign in match.group()):
+            self._add("function", signs.OWN_FUNCTIONS[match.group()], match.end())
+            return True
+        word = self.text[self.place : self.place + 3]
+        after = self.text[self.place + 3 : min(self.place + 4, self.end)]
+        is_construct = word in ("lim", "max", "min", "det") and after in ("_", "(", " ", "\\") and after
+        if is_construct and word not in names and not all(sign in names for sign in word):
+            self._add("cmd", word, self.place + 3)
+            return True
+        return False
 
     def _touching_digits(self, place: int) -> str:
         """Return digits that touch a letter: M2 is a letter of its own, x 2 a product."""
@@ -338,6 +397,9 @@ class Lexer:
 
     def _sized_bracket(self, match: re.Match[str]) -> None:
         side, delimiter = match.group(1), match.group(2)
+        if delimiter == "." and side == "left":
+            self._add("open", ".", match.end())
+            return
         if delimiter == ".":
             raise ReadingError(self.place, "a bracket with one side only", "write both sides")
         if "|" in delimiter or "vert" in delimiter:
@@ -346,12 +408,14 @@ class Lexer:
             self._add("open" if delimiter == "\\{" else "close", delimiter, match.end())
 
     def _escape(self, sign: str) -> None:
-        if sign in ("{", "}"):
+        if sign == "\\" and self.cells:
+            self._add("row", "\\\\", self.place + 2)
+        elif sign in ("{", "}"):
             self._add("open" if sign == "{" else "close", "\\" + sign, self.place + 2)
         elif sign == "|":
             self._add("bar", "|", self.place + 2)
         elif sign == "%":
-            raise ReadingError(self.place, *signs.REFUSED_SIGNS["%"])
+            self._percent(self.place + 2)
         elif not sign or sign in ",;:!> \t\r\n/\\":
             self.place += 2
         else:
@@ -365,6 +429,10 @@ class Lexer:
             return
         if name in GREEK_SIGN:
             self._greek(name, stop)
+        elif name in signs.OWN_FUNCTIONS:
+            self._add("function", signs.OWN_FUNCTIONS[name], stop)
+        elif name in signs.ARROWS and self._is_in_limit():
+            self._add("arrow", "→", stop)
         elif name in FUNCTION_WORDS and name != "sqrt":
             self._add("function", FUNCTION_WORDS[name], stop)
         elif name in signs.RELATION_COMMANDS:
@@ -382,10 +450,14 @@ class Lexer:
         """Add a command of structure, skip one of layout, refuse one that is not read."""
         if name in signs.STRUCTURE or name in ACCENTS or name in TIME_DOTS:
             self._add("cmd", "frac" if name.endswith("frac") else name, stop)
+        elif name in signs.CONSTRUCTS:
+            self._add("cmd", signs.CONSTRUCTS[name], stop)
         elif name in FONTS:
             self._font(name, stop)
         elif name in signs.SPACE_COMMANDS:
             self.place = stop
+        elif self.cells and name in WORDS and (words := _ARGUMENT.match(self.text, stop, self.end)):
+            self._condition_word(words)
         elif name in ("underbrace", "overbrace"):
             self._annotated_brace(stop)
         elif name in signs.SPACE_WITH_ARGUMENT:
@@ -398,6 +470,13 @@ class Lexer:
         else:
             raise ReadingError(self.place, f"unknown command \\{name}", "write what it stands for")
 
+    def _condition_word(self, match: re.Match[str]) -> None:
+        """Go past "if" and "otherwise" among cases; other words are no condition that is read."""
+        word = " ".join(match.group().strip(" {}~").lower().split())
+        if word not in signs.CONDITION_WORDS:
+            raise ReadingError(self.place, f"a condition in words: {word}", "write it as a relation")
+        self.place = match.end()
+
     def _annotated_brace(self, stop: int) -> None:
         """\\underbrace{X}_{words} is X: the words will be skipped."""
         sign = "_" if self.text.startswith("\\under", self.place) else "^"
@@ -408,11 +487,25 @@ class Lexer:
         self.place = stop
 
     def _environment(self, stop: int) -> None:
+        cells = _CELLS.match(self.text, stop, self.end)
+        if cells and cells.group(1) in signs.CELLS:
+            self._cells(signs.CELLS[cells.group(1)], cells.end())
+            return
         match = _ENVIRONMENT.match(self.text, stop, self.end)
         if not match or match.group(1) not in signs.ENVIRONMENTS:
-            what = "cases, arrays and matrices are not read"
+            what = "an environment that is not read"
             raise ReadingError(self.place, what, "write each row as an equation")
         self.place = match.end()
+
+    def _cells(self, bracket: str, stop: int) -> None:
+        """Open or close a matrix or cases; within, & and \\\\ part cells and rows."""
+        if self.text.startswith("\\begin", self.place):
+            self.cells.append(bracket)
+            self._add("open", bracket, stop)
+        else:
+            if self.cells:
+                self.cells.pop()
+            self._add("close", "[end]", stop)
 
     def _greek(self, name: str, stop: int) -> None:
         if name == "pi" and "pi" not in self.words.names:
@@ -424,7 +517,9 @@ class Lexer:
     def _font(self, name: str, stop: int) -> None:
         """\\mathrm{Lh} is the run Lh, \\operatorname{sin} the function; the rest stays as it is."""
         match = _FONT_WORD.match(self.text, stop, self.end)
-        if match and match.group(1) in FUNCTION_WORDS and match.group(1) not in self.words.names:
+        if match and match.group(1) in signs.OWN_FUNCTIONS and match.group(1) not in self.words.names:
+            self._add("function", signs.OWN_FUNCTIONS[match.group(1)], match.end())
+        elif match and match.group(1) in FUNCTION_WORDS and match.group(1) not in self.words.names:
             self._add("function", FUNCTION_WORDS[match.group(1)], match.end())
         elif match and match.group(1)[0].isalpha() and self._is_one_letter(match.group(1)):
             self._letter(match.group(1), match.end())

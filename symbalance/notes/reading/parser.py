@@ -17,6 +17,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.formula import (
+    Apply,
     Call,
     Constant,
     Derivative,
@@ -25,6 +26,7 @@ from symbalance.document.formula import (
     Name,
     Negative,
     Number,
+    PlusMinus,
     Power,
     Product,
     Quotient,
@@ -35,9 +37,11 @@ from symbalance.document.formula import (
     names,
     walk,
 )
-from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek
+from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek, plain_letter
+from symbalance.notes.reading import constructs
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
-from symbalance.notes.reading.lexer import CLOSER, VULGAR, Token
+from symbalance.notes.reading.lexer import AT, CLOSER, VULGAR, Token
+from symbalance.notes.reading.signs import CELLS
 
 # A formula with n doubtful places has 2^n readings: the number kept and the number tried are limited.
 MOST_READINGS = 8
@@ -49,6 +53,8 @@ MOST_SLASHES = 20
 HIGHEST_DERIVATIVE = 20
 _INDICES = ("i", "j", "k", "n", "N")
 _INVERSE = {"sin": "asin", "cos": "acos", "tan": "atan"}
+_WITH_BOUNDS = ("int", "oint", "prod", "lim", "max", "min", "det")
+_TWO_FORMS = ("phi", "theta", "epsilon", "rho", "sigma", "kappa")
 _STARTS = frozenset({"number", "name", "function", "vulgar"})
 
 
@@ -220,6 +226,9 @@ class Parser:
         """Return a letter's node: a declared or bound name, π, the imaginary i, j in an exponential."""
         if name in self.names or name in self.bound:
             return Name(name, span=span)
+        if (other := _other_form(name)) in self.names:
+            self.note(f"{plain_letter(name)} read as {plain_letter(other)}, which is declared")
+            return Name(other, span=span)
         if name == "pi":
             return Constant("pi", span=span)
         if name == "i" or (name == "j" and self.exponentials):
@@ -235,7 +244,7 @@ class Parser:
         while (token := self.current) is not None:
             if token.kind == "dots":
                 terms.append(self._dots())
-            elif token.is_op("+-"):
+            elif token.is_op("+-±∓"):
                 terms.append(self._signed_term())
             elif isinstance(terms[-1], Dots) and self.starts_factor():
                 terms.append(self.product())
@@ -246,7 +255,7 @@ class Parser:
     def _first_term(self) -> Formula:
         if self.at("dots"):
             return self._dots()
-        if self.current is not None and self.current.is_op("+-"):
+        if self.current is not None and self.current.is_op("+-±∓"):
             return self._signed_term()
         return self.product()
 
@@ -256,6 +265,9 @@ class Parser:
 
     def _signed_term(self) -> Formula:
         first = self.place
+        if self.current is not None and self.current.is_op("±∓"):
+            upper = 1 if self.take().value == "±" else -1
+            return PlusMinus(self.product(), upper, span=self.span_since(first))
         minus = self._sign_run()
         term = self._dots() if self.at("dots") else self._big_o() or self.product()
         if isinstance(term, Dots):
@@ -269,10 +281,14 @@ class Parser:
         following = self.peek(1)
         if not self.at("name", "O") or "O" in self.names or not following or following.value != "(":
             return None
-        depth, steps = 1, 2
+        depth, steps, has_letter = 1, 2, False
         while depth and (token := self.peek(steps)):
             depth += {"open": 1, "close": -1}.get(token.kind, 0)
+            has_letter = has_letter or (token.kind == "name" and token.value in self.names)
             steps += 1
+        if not has_letter:
+            remedy = "name the small letter, as in O(λ^2)"
+            raise ReadingError(self.offset, "an order O( ) without a small letter", remedy)
         after = self.peek(steps)
         if depth or not (after is None or after.kind == "close"):
             return None
@@ -294,7 +310,8 @@ class Parser:
         return sum(sign.value == "-" for sign in signs)
 
     def product(self) -> Formula:
-        """Read runs of factors joined by · or ×."""
+        """Read runs of factors joined by · or ×; a bar behind them is taken at a place, |_{x=0}."""
+        first = self.place
         factors: list[Formula] = []
         self._join(factors, self.run_of_factors())
         while (token := self.current) is not None and token.is_op("*"):
@@ -302,7 +319,18 @@ class Parser:
             if self.at("dots"):
                 raise ReadingError(self.offset, "dots within a product are not read", "write the factors")
             self._join(factors, self._signed_run(token))
-        return product_of(factors)
+        node = product_of(factors)
+        while self._is_bar_with_place():
+            self.take()
+            node = constructs.read_bar(self, node, first)
+        return node
+
+    def _is_bar_with_place(self) -> bool:
+        """Tell whether f|_ stands here and the bar closes no bracket."""
+        following = self.peek(1)
+        return (
+            self.at("bar") and not self.open_bars and following is not None and following.kind == "under"
+        )
 
     def _join(self, factors: list[Formula], run: Formula) -> None:
         is_bracketed = self.tokens[self.place - 1].kind == "close" and run.span[1] == self._last_end()
@@ -394,10 +422,10 @@ class Parser:
         if token is None:
             return False
         if token.kind == "cmd":
-            return token.value != "over"
+            return token.value not in ("over", "top")
         if token.kind == "bar":
-            return not self.open_bars
-        return token.kind in _STARTS or token.kind == "open"
+            return not self.open_bars and not self._is_bar_with_place()
+        return token.kind in _STARTS or (token.kind == "open" and token.value != AT)
 
     def factor(self) -> Formula:
         """Read an atom with what is attached to it: powers, degrees."""
@@ -408,6 +436,20 @@ class Parser:
             if self.at("degree"):
                 self.take()
                 node = _degrees(node, self.span_since(first))
+            elif (
+                self.at("sup") and (marked := constructs.read_raised_mark(self, node, first)) is not None
+            ):
+                node = marked
+            elif self.at("open", AT):
+                opener = self.take()
+                inside = self.expression()
+                self.expect_close(opener)
+                node = Apply("at", (node, inside), span=self.span_since(first))
+            elif self.at("postfix"):
+                self.take()
+                node = Apply("factorial", (node,), span=self.span_since(first))
+            elif self.at("under") and self.tokens[self.place - 1].value == "]":
+                node = constructs.read_bar(self, node, first)
             elif self.at("sup"):
                 powers += 1
                 if powers > 1:
@@ -468,7 +510,16 @@ class Parser:
         if token.value == "e" and "e" not in self.names and following and following.kind == "sup":
             return self._exponential()
         self.take()
-        return self.letter(token.value, (token.start, token.end))
+        indexed = None if token.value in self.names else constructs.read_indexed(self, token)
+        if indexed is not None:
+            return indexed
+        is_difference = token.value in ("Delta", "delta") and token.value not in self.names
+        if is_difference and self.at("cmd", *ACCENTS):
+            return self._accented_difference(token)
+        letter = self.letter(token.value, (token.start, token.end))
+        if isinstance(letter, Name):
+            return constructs.read_place(self, letter, self.place - 1) or letter
+        return letter
 
     def _exponential(self) -> Formula:
         first = self.place
@@ -487,6 +538,14 @@ class Parser:
             "infty": self._infinity,
             "boxed": self._box,
         }
+        bounded = {
+            "int": constructs.read_integral, "oint": constructs.read_integral,
+            "prod": constructs.read_product_sign, "lim": constructs.read_limit,
+            "max": constructs.read_extremum, "min": constructs.read_extremum,
+            "binom": constructs.read_binomial, "det": constructs.read_determinant,
+        }  # fmt: skip
+        if token.value in bounded:
+            return bounded[token.value](self)
         readers |= dict.fromkeys(TIME_DOTS, self._time_derivative) | dict.fromkeys(ACCENTS, self._accent)
         return readers.get(token.value, self._operator)()
 
@@ -548,6 +607,8 @@ class Parser:
         return Derivative(self.letter(name, span), Name("t", span=span), order, span=span)
 
     def _accent(self) -> Formula:
+        if self.at("cmd", "overline", "bar") and (over := constructs.read_conjugate(self)) is not None:
+            return over
         first = self.place
         accent = ACCENTS[self.take().value]
         bare = self._bare_name()
@@ -556,6 +617,12 @@ class Parser:
             name = bare
             self.note(f"vector {bare} read as {bare}")
         return self.letter(name, self.span_since(first))
+
+    def _accented_difference(self, token: Token) -> Formula:
+        """Read \\Delta \\tilde{K}, one letter as ΔK is."""
+        accent = ACCENTS[self.take().value]
+        name = f"{token.value}_{accent}_{self._bare_name()}"
+        return self.letter(name, (token.start, self.tokens[self.place - 1].end))
 
     def _bare_name(self) -> str:
         """Read the letter under an accent and the subscript that follows the accent."""
@@ -677,7 +744,7 @@ class Parser:
     def _ends_argument(self, token: Token) -> bool:
         """Tell whether a factor can never belong to an argument already begun."""
         power_of_e = token.kind == "name" and token.value == "e" and "e" not in self.names
-        return token.kind in ("function", "number") or token.is_cmd("sum") or power_of_e
+        return token.kind in ("function", "number") or token.is_cmd("sum", *_WITH_BOUNDS) or power_of_e
 
     # Derivatives: with a bar, in line, and as the operator d/dθ before a bracket
 
@@ -786,9 +853,13 @@ class Parser:
     def _variable_below(self) -> Name:
         """Read the letter under the bar; time needs no declaration."""
         token = self.current
-        if token is not None and token.kind == "name" and token.value == "t":
+        if token is not None and token.kind == "name":
             self.take()
-            return Name("t", span=(token.start, token.end))
+            span = (token.start, token.end)
+            letter = Name("t", span=span) if token.value == "t" else self.letter(token.value, span)
+            if isinstance(letter, Name):
+                return letter
+            self.place -= 1
         place = self.offset
         variable = self.atom()
         if not isinstance(variable, Name):
@@ -808,10 +879,10 @@ class Parser:
         """Read \\sum_{k=0}^{N-1} body."""
         first = self.place
         self.take()
-        index, lower = self._lower_bound() if self.at("under") else (None, None)
-        upper = self._upper_bound() if self.at("sup") else None
+        index, lower = self.lower_bound() if self.at("under") else (None, None)
+        upper = self.upper_bound() if self.at("sup") else None
         if index is None and self.at("under"):
-            index, lower = self._lower_bound()
+            index, lower = self.lower_bound()
         if upper is not None and lower is None:
             raise ReadingError(self.offset, "a sum with an end but no beginning", "write \\sum_{k=0}^{n}")
         self.bound.append(index.name if index else "")
@@ -820,7 +891,7 @@ class Parser:
         self.bound.pop()
         return Summation(body, index, lower, upper, span=self.span_since(first))
 
-    def _lower_bound(self) -> tuple[Name, Formula | None]:
+    def lower_bound(self) -> tuple[Name, Formula | None]:
         """Read _{k=0} or _k: the index, and where it begins."""
         self.take()
         is_braced = self.at("open", "{")
@@ -837,15 +908,18 @@ class Parser:
             self.expect_close(opener)
         return index, lower
 
-    def _upper_bound(self) -> Formula:
+    def upper_bound(self) -> Formula:
+        """Read ^n: where a sum ends."""
         self.take()
         return self.exponent()
 
     # Brackets, exponents and the arguments of LaTeX commands
 
     def group(self) -> Formula:
-        """Read ( … ), [ … ], { … } or | … |, the last as an absolute value."""
-        opener = self.take()
+        """Read ( … ), [ … ], { … }, | … | as an absolute value, a matrix, or \\left. … \\right|_{x=0}."""
+        if self.at("open", *CELLS.values()):
+            return constructs.read_cells(self)
+        place, opener = self.place, self.take()
         closer = CLOSER[opener.value]
         with self.nested():
             if self.at("close", closer):
@@ -853,7 +927,14 @@ class Parser:
             inside = self.contents()
         last = self.expect_close(opener)
         span = (opener.start, last.end)
-        return Call("abs", inside, span=span) if opener.value == "|" else replace(inside, span=span)
+        if opener.value == ".":
+            if not self.at("under"):
+                raise ReadingError(opener.start, "a bar without its place", "write \\right|_{\\theta=0}")
+            return constructs.read_bar(self, inside, place)
+        inside = constructs.bracketed(self, inside, opener, place)
+        if opener.value == "|" and not isinstance(inside, Apply):
+            return Call("abs", inside, span=span)
+        return replace(inside, span=span)
 
     def contents(self) -> Formula:
         """Read a sum, or `a \\over b`."""
@@ -948,6 +1029,16 @@ def _is_time(token: Token) -> bool:
 
 def _is_minus_one(power: Formula) -> bool:
     return power in (Negative(Number(Fraction(1))), Number(Fraction(-1)))
+
+
+def _other_form(name: str) -> str:
+    """Return the letter in its other form, phi for varphi and back; "" if it has one form only."""
+    base, mark, rest = name.partition("_")
+    bare = base.rstrip("'")
+    if bare.removeprefix("var") not in _TWO_FORMS:
+        return ""
+    other = bare[3:] if bare.startswith("var") else f"var{bare}"
+    return other + base[len(bare) :] + mark + rest
 
 
 def _is_d(token: Token | None) -> bool:

@@ -41,13 +41,13 @@ _PIECE_BUT_UNITS = re.compile(_PIECE.pattern.replace(_UNIT, ""), re.DOTALL)
 _MATHEMATICAL = frozenset(
     "0123456789 \t()[]{}|^_,;'′″°√∂∞Σ∑.&~"
     + "".join(signs.OPERATOR_SIGNS) + "".join(signs.RELATION_SIGNS) + "".join(RAISED) + "".join(LOWERED)
-    + "".join(VULGAR) + "".join(NAME_OF_SIGN) + "".join(DOTTED) + "…⋯±∓∫"
+    + "".join(VULGAR) + "".join(NAME_OF_SIGN) + "".join(DOTTED) + "…⋯±∓∫∮∏⊤"
 )  # fmt: skip
 _COMMANDS = (
     frozenset(GREEK_SIGN) | frozenset(FUNCTION_WORDS) | frozenset(signs.RELATION_COMMANDS)
     | frozenset(signs.OPERATOR_COMMANDS) | signs.DOTS_COMMANDS | signs.SPACE_COMMANDS | signs.STRUCTURE
     | FONTS | frozenset(ACCENTS) | frozenset(TIME_DOTS) | frozenset(signs.REFUSED)
-    | frozenset(signs.BRACKET_COMMANDS)
+    | frozenset(signs.BRACKET_COMMANDS) | frozenset(signs.CONSTRUCTS) | frozenset(signs.OWN_FUNCTIONS)
     | {"tag", "label", "circ", "prime", "degree", "underbrace", "overbrace"}
 )  # fmt: skip
 _PLAIN_WORDS = word_set(
@@ -55,8 +55,10 @@ _PLAIN_WORDS = word_set(
     " her his how its may new not now off old one our out per she the too two use was way who why you"
     " rpm mm cm km kg kw hz vs via etc cost tank sink sing since sine tang logs sins"
 )
+_OWN_FUNCTION = re.compile(r"(?:lim|max|min|det|Re|Im|conj|lg)(?=\s*[_(])|lg(?=\s[0-9])")
 _LONG_WORD = re.compile(r"(?<![\\A-Za-z_])[A-Za-z]{4,}")
 _ARTICLE_FIRST = re.compile(r"(a|I|A)\s+(?=[\w\\(])")
+_DASH_LAST = re.compile(r"\s+[-–—−]\s*$")
 _ARTICLE_LAST = re.compile(r"\s(a|I|A)$")
 
 
@@ -124,7 +126,8 @@ def _is_unit(piece: re.Match[str], text: str, end: int, line: LineRules) -> bool
 def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules) -> bool:
     kind, sign = piece.lastgroup, piece.group()
     if kind == "word":
-        return line.is_mathematical(sign)
+        own = _OWN_FUNCTION.match(text, piece.start(), end)
+        return line.is_mathematical(sign) or (own is not None and own.group() == sign)
     if kind == "command":
         return sign[1:] in _COMMANDS or line.lenient
     if kind == "other":
@@ -140,7 +143,9 @@ def _is_mathematical_sign(sign: str, text: str, place: int, end: int) -> bool:
     if sign == ":":
         return text[place + 1 : place + 2] == "="
     if sign in "!%":
-        return _is_operation(sign, text[place - 1 : place], text[place + 1 : min(place + 9, end)])
+        before = text[max(place - 2, 0) : place]
+        before = before.rstrip() if sign == "%" else before
+        return _is_operation(sign, before[-1:], text[place + 1 : min(place + 9, end)])
     if sign == ".":
         return place + 1 < end and text[place + 1].isdecimal()
     return sign in _MATHEMATICAL
@@ -196,6 +201,8 @@ def trim_segment(text: str, start: int, end: int, words: Vocabulary) -> tuple[in
     match = _ARTICLE_LAST.search(text[max(start, end - 4) : end])
     if match and match.group(1) not in words.names:
         end -= len(match.group())
+        if dash := _DASH_LAST.search(text[max(start, end - 4) : end]):
+            end -= len(dash.group())  # "… - a known identity": the dash is the prose's too
     return _within_brackets(text, start, end)
 
 

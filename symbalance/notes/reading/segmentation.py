@@ -1,7 +1,7 @@
 """Splitting of a document into the parts that may be equations, in order.
 
-What is no mathematics (comments, code, addresses) is blanked, so that every offset stays that of the
-document. Then delimited mathematics ($ $, \\( \\), \\[ \\], environments) is cut into rows and these at
+What is no mathematics is blank by now (`sources`). Delimited mathematics ($ $, \\( \\), \\[ \\],
+environments) is cut into rows and these at
 separators, and the lines outside are searched for equations in prose (`prose`).
 """
 
@@ -11,22 +11,27 @@ import re
 from bisect import bisect_right
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
-from itertools import islice
+from itertools import islice, pairwise
 
-from symbalance.document.letters import WORDS
-from symbalance.document.wordlists import word_set
+from symbalance.document.letters import NAME_OF_SIGN, WORDS
+from symbalance.document.wordlists import word_set, words
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.lexer import Vocabulary, vocabulary
 from symbalance.notes.reading.prose import line_rules, segments, trim_segment
-from symbalance.notes.reading.signs import ENVIRONMENTS, RELATION
+from symbalance.notes.reading.signs import CELLS, ENVIRONMENTS, RELATION, relation_at_start
+from symbalance.notes.reading.sources import CELL_END, Source
 from symbalance.notes.reading.units import follows_number, scale_of, unit_set_at
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _BULLET = re.compile(r"\s*(?:\(?[0-9]{1,3}[.)](?=\s))?\s*")
 _MARKDOWN_BULLET = re.compile(r"\s*(?:>\s*)*(?:[-*+]\s+|[0-9]{1,3}[.)]\s+)?\s*")
 _DASH = re.compile(r"[-*•]\s+(?=[^\s=])")
+_EXPLAINED = re.compile(
+    r"\s*(?:[-*•]\s+)?([^\W\d_](?:_?[A-Za-z0-9]{1,3})?)\s*[:：]\s*([^:=0-9+*/]{2,60})$"
+)
 _LONG_WORD = re.compile(r"(?<!\\)\b(?<!\\)[A-Za-z]{4,}")
 _CJK = re.compile("[\u2e80-\u9fff\uac00-\ud7af\uf900-\ufaff]")
+_ROW_OF_TABLE = re.compile(r"[ \t]*\|")
 _RULE = re.compile(r"\s*([-=_*~#+])\1{2,}\s*")
 # Limits for text that is no derivation, so that its cost stays in proportion to its length.
 LONGEST_LINE = 20_000
@@ -38,7 +43,9 @@ _MARGIN = 200  # characters searched for the ends of the line that a formula may
 class Item:
     """A stretch that may be an equation: display, inline (in $ $), bare (a line) or prose (in a line).
 
-    `block` numbers the display it belongs to; `strict` tells that a refusal is to be reported.
+    `block` numbers the display it belongs to; `strict` tells that a refusal is to be reported. `doubt` is
+    what goes on behind it, or before it, and was not taken: what is left is not to be judged alone.
+    `head` is the letter that `l: rod length = λ s` is about, where the item is `= λ s`.
     """
 
     start: int
@@ -49,21 +56,16 @@ class Item:
     last_line: int
     tag: str = ""
     block: int = -1
+    doubt: ReadingError | None = None
+    head: tuple[int, int] | None = None
 
 
 class ItemFinder:
     """Finds the items of one document."""
 
-    def __init__(self, text: str, suffix: str, names_at: Callable[[int], Collection[str]]) -> None:
-        self.suffix, self.names_at = suffix, names_at
-        self.fences: list[tuple[int, int]] = []
-        narrow = to_half_width(text)
-        if suffix == ".tex":
-            self.text = mask_tex(narrow)
-        elif suffix == ".md":
-            self.text, self.fences = mask_markdown(narrow)
-        else:
-            self.text = mask_plain(narrow)
+    def __init__(self, source: Source, names_at: Callable[[int], Collection[str]]) -> None:
+        self.source, self.names_at = source, names_at
+        self.kind, self.fences, self.text = source.kind, source.formulas, source.text
         self.breaks = [place for place, sign in enumerate(self.text) if sign == "\n"]
         self.failures: list[ReadingError] = []
 
@@ -78,7 +80,7 @@ class ItemFinder:
 
     def run(self) -> list[Item]:
         """Return the items, in order."""
-        finder = RegionFinder(self.text, self.suffix == ".tex")
+        finder = RegionFinder(self.text, self.kind == "tex")
         finder.run()
         self.failures += finder.failures
         regions = [region for region in finder.regions if not self._in_fence(region)]
@@ -94,8 +96,7 @@ class ItemFinder:
         for number, region in enumerate(regions):
             if region.start < region.end:
                 yield from self._items_of_region(region, number)
-        if self.suffix != ".tex":
-            yield from self._items_outside(regions)
+        yield from self._items_outside(regions)
 
     def _in_fence(self, region: Region) -> bool:
         return any(
@@ -107,9 +108,17 @@ class ItemFinder:
         if not alone and not has_any_relation(self.text, region.start, region.end):
             return
         kind = "display" if alone else "inline"
-        for piece in pieces_of(self.text, region.start, region.end, region.environment):
+        pieces = pieces_of(self.text, region.start, region.end, region.environment)
+        around = self._doubt_around_region(region) if pieces and not region.display else None
+        for piece in pieces:
             lines = self.line_of(piece.start), self.line_of(piece.end - 1)
-            yield Item(piece.start, piece.end, kind, True, *lines, piece.tag, block)
+            doubt = piece.doubt or (around if piece is pieces[-1] else None)
+            yield Item(piece.start, piece.end, kind, True, *lines, piece.tag, block, doubt)
+
+    def _doubt_around_region(self, region: Region) -> ReadingError | None:
+        """Return why $a = b$ in a line is not whole: the line goes on with it in words or signs."""
+        words = vocabulary(self.names_at(self.line_of(region.first)))
+        return doubt_around(self.text, region.first, region.last, words)
 
     def _is_alone(self, region: Region) -> bool:
         before = self.text[max(0, region.first - _MARGIN) : region.first].rpartition("\n")
@@ -134,15 +143,32 @@ class ItemFinder:
             first, last = self.line_span(line)
             end = min(last, stop)
             whole = start == first and end == last
-            if self.text[start:end].strip():
-                yield from self._items_of_line(start, end, line, whole)
+            for first, last_of_cell in self._cells(start, end):
+                if self.text[first:last_of_cell].strip():
+                    is_whole = whole and first == start and last_of_cell == end
+                    yield from self._items_of_line(first, last_of_cell, line, is_whole)
             start, line = last + 1, line + 1
+
+    def _cells(self, start: int, end: int) -> list[tuple[int, int]]:
+        """Return the cells of a line that is a row of a table, else the line."""
+        gaps = [CELL_END]
+        if self.kind == "tex":
+            gaps += ["&", "\\\\"]
+        elif self.kind == "markdown" and _ROW_OF_TABLE.match(
+            self.text, self.line_span(self.line_of(start))[0]
+        ):
+            gaps.append("|")
+        cells, first = [], start
+        for match in re.finditer("|".join(map(re.escape, gaps)), self.text[start:end]):
+            cells.append((first, start + match.start()))
+            first = start + match.end()
+        return [*cells, (first, end)]
 
     def _items_of_line(self, start: int, end: int, line: int, whole: bool) -> Iterator[Item]:
         """Yield the items of a line, or of a part of it, outside delimiters."""
         source = self.text[start:end]
-        if self.suffix == ".md" and source.lstrip().startswith(("#", "|")):
-            return
+        if self.kind == "markdown" and (heading := re.match(r"\s*#+", source)):
+            start += heading.end()
         if _RULE.fullmatch(source):
             return
         words = vocabulary(self.names_at(line))
@@ -154,7 +180,11 @@ class ItemFinder:
         is_display = self.text.startswith("\\displaystyle", start) and not _CJK.search(
             self.text, start, end
         )
-        if whole and (is_display or (len(spans) == 1 and self._covers(spans[0], start, end))):
+        if (
+            self.kind != "tex"
+            and whole
+            and (is_display or (len(spans) == 1 and self._covers(spans[0], start, end)))
+        ):
             yield from self._items_of_bare_line(start, end, line, command is not None)
             return
         for span in spans:
@@ -163,7 +193,7 @@ class ItemFinder:
 
     def _after_bullet(self, start: int, end: int) -> int:
         """Return where a line begins after its number or bullet; `- a` alone may be a term."""
-        bullet = _MARKDOWN_BULLET if self.suffix == ".md" else _BULLET
+        bullet = _MARKDOWN_BULLET if self.kind == "markdown" else _BULLET
         match = bullet.match(self.text, start, end)
         start = match.end() if match else start
         dash = _DASH.match(self.text, start, end)
@@ -187,9 +217,17 @@ class ItemFinder:
         if end - start > LONGEST_LINE:
             yield Item(start, end, "bare", command, line, line)
             return
+        start, end = self._without_brackets(start, end)
         for piece in pieces_of(self.text, start, end):
             strict = command or has_relation(self.text, piece.start, piece.end)
-            yield Item(piece.start, piece.end, "bare", strict, line, line, piece.tag)
+            yield Item(piece.start, piece.end, "bare", strict, line, line, piece.tag, doubt=piece.doubt)
+
+    def _without_brackets(self, start: int, end: int) -> tuple[int, int]:
+        """Return a line without the brackets around the whole of an equation: (a = b)."""
+        inner = re.fullmatch(r"\s*\(([^()]*(?:\([^()]*\)[^()]*)*)\)\s*[.,;]?\s*", self.text[start:end])
+        if inner is None or not has_relation(self.text, start + inner.start(1), start + inner.end(1)):
+            return start, end
+        return start + inner.start(1), start + inner.end(1)
 
     def _is_argument_of_word(self, place: int, start: int) -> bool:
         """Tell f(x) with a word for f from brackets after a word and a space."""
@@ -211,113 +249,24 @@ class ItemFinder:
         for piece in pieces_of(self.text, start, end):
             if has_relation(self.text, piece.start, piece.end):
                 inner = trim_segment(self.text, piece.start, piece.end, words)
-                yield Item(*inner, "prose", display >= 0, line, line, piece.tag)
+                doubt = piece.doubt or doubt_around(self.text, *inner, words)
+                head = self._letter_explained(inner[0], line)
+                yield Item(*inner, "prose", display >= 0, line, line, piece.tag, doubt=doubt, head=head)
 
-
-# What is not to be read as mathematics: blanked
-
-_WIDE = {0xFF01 + k: 0x21 + k for k in range(94)} | {0x3000: 0x20, 0x0D: 0x20, 0xA0: 0x20}
-_WIDE |= dict.fromkeys(
-    (*range(9), 0x0B, 0x0C, *range(0x0E, 0x20), 0x7F, 0xFEFF, 0x200B, 0x200C, 0x200D, 0x2060), 0x20
-)
-_COMMENT = re.compile(r"(?<!\\)(?:\\\\)*(%[^\n]*)")
-_VERBATIM = re.compile(r"\\begin\s*\{(verbatim\*?|lstlisting|minted|comment|Verbatim)\}")
-_VERB = re.compile(r"\\verb\*?([^A-Za-z\s*])[^\n]{0,400}?\1")
-_ADDRESS = re.compile(
-    r"[A-Za-z][A-Za-z0-9+.-]{1,20}://[^\s<>\"「」、。]+|[\w.+-]{1,64}@[\w-]{1,64}(?:\.[\w-]{1,64})+"
-)
-_FENCE = re.compile(r"[ ]{0,3}(`{3,}|~{3,})\s*([A-Za-z]*)")
-_BOLD = re.compile(r"(?<![\w)*])\*\*(?=[^\s*])([^*\n]{1,300})(?<=\S)\*\*(?![\w(*])")
-_CODE = re.compile(r"(`+)(?!`)[^`\n]{1,400}\1(?!`)")
-
-
-def blank(text: str) -> str:
-    """Return as many spaces, with the line ends where they were."""
-    return "".join("\n" if c == "\n" else " " for c in text) if "\n" in text else " " * len(text)
-
-
-def to_half_width(text: str) -> str:
-    """Return the text with full-width signs as plain ones, of the same length."""
-    return text.translate(_WIDE)
-
-
-def mask_tex(text: str) -> str:
-    """Blank comments, verbatim, the preamble and what follows the end."""
-    text = _COMMENT.sub(lambda m: m.group()[: m.start(1) - m.start()] + blank(m.group(1)), text)
-    text = _without_environments(text)
-    text = _VERB.sub(lambda m: blank(m.group()), text)
-    begin = text.find("\\begin{document}")
-    if begin >= 0:
-        begin += len("\\begin{document}")
-        text = blank(text[:begin]) + text[begin:]
-    end = text.find("\\end{document}")
-    return text if end < 0 else text[:end] + blank(text[end:])
-
-
-def _without_environments(text: str) -> str:
-    pieces: list[str] = []
-    place = 0
-    while match := _VERBATIM.search(text, place):
-        closer = f"\\end{{{match.group(1)}}}"
-        end = text.find(closer, match.end())
-        end = len(text) if end < 0 else end + len(closer)
-        pieces += [text[place : match.start()], blank(text[match.start() : end])]
-        place = end
-    return "".join([*pieces, text[place:]])
-
-
-def mask_plain(text: str) -> str:
-    """Blank addresses of the net and of mail."""
-    return _ADDRESS.sub(lambda m: blank(m.group()), text)
-
-
-def mask_markdown(text: str) -> tuple[str, list[tuple[int, int]]]:
-    """Blank code and comments; return the text and the spans of ```math blocks."""
-    text = _without_comments(text)
-    spans: list[tuple[int, int]] = []
-    lines: list[str] = []
-    fence, language, begin = "", "", 0
-    for offset, line in _lines(text):
-        match = _FENCE.match(line)
-        if fence:
-            is_closing = match is not None and match.group(1).startswith(fence)
-            if is_closing and language == "math":
-                spans.append((begin, offset))
-            lines.append(blank(line) if is_closing or language != "math" else line)
-            fence = "" if is_closing else fence
-        elif match:
-            fence, language, begin = match.group(1), match.group(2).lower(), offset + len(line)
-            lines.append(blank(line))
-        else:
-            without = _CODE.sub(lambda m: blank(m.group()), line)
-            lines.append(_BOLD.sub(lambda m: f"  {m.group(1)}  ", without))
-    return mask_plain("".join(lines)), spans
-
-
-def _lines(text: str) -> Iterator[tuple[int, str]]:
-    place = 0
-    while place < len(text):
-        end = text.find("\n", place)
-        end = len(text) if end < 0 else end + 1
-        yield place, text[place:end]
-        place = end
-
-
-def _without_comments(text: str) -> str:
-    pieces: list[str] = []
-    place = 0
-    while (start := text.find("<!--", place)) >= 0:
-        end = text.find("-->", start)
-        end = len(text) if end < 0 else end + 3
-        pieces += [text[place:start], blank(text[start:end])]
-        place = end
-    return "".join([*pieces, text[place:]])
+    def _letter_explained(self, place: int, line: int) -> tuple[int, int] | None:
+        """Return the letter of `l: rod length = λ s` before the relation at a place."""
+        if not relation_at_start(self.text[place : place + 20]):
+            return None
+        begin = self.line_span(line)[0]
+        match = _EXPLAINED.match(self.text, begin, place)
+        return match.span(1) if match else None
 
 
 # Delimited mathematics
 
 _NAMES = "|".join(sorted(ENVIRONMENTS | {"cases", "array", "dcases"}, key=len, reverse=True))
 _OPENER = re.compile(rf"\\\\|\\\$|\$\$|\$|\\\(|\\\[|\\begin\s*\{{((?:{_NAMES})\*?)\}}")
+_ENVIRONMENT_NAME = re.compile(r"\s*\{([A-Za-z]+)\*?\}")
 _COLUMNS = re.compile(r"\s*\{\s*[0-9]+\s*\}")
 _IN_BRACES = re.compile(r"\\[A-Za-z]+|\{[^{}]*\}")
 _WORD_OF_PROSE = re.compile(r"[A-Za-z]{4,}")
@@ -414,9 +363,13 @@ _ROW = re.compile(
     r"\\(begin|end)\s*\{([A-Za-z]*)\*?\}|\\\\(?:\*?[ \t]*\[[^\]\n]{0,20}\])?|\\.|[{}&]", re.DOTALL
 )
 _PIECE = re.compile(
-    rf"\\(?:{_WORDS})\s*(?=\{{)|\\q?quad(?![A-Za-z])|\\[A-Za-z]+|\\.|[{{}}()\[\],;、，∴⇒]", re.DOTALL
+    rf"\\(?:{_WORDS})\s*(?=\{{)|\\q?quad(?![A-Za-z])|\\[A-Za-z]+|\\.|[{{}}()\[\],;、，∴⇒⇔⟹⟺→⟶]", re.DOTALL
 )
-_ARROWS = ("\\therefore", "\\Rightarrow", "\\implies", "\\Longrightarrow", "∴", "⇒")
+_ARROW_COMMANDS = words(
+    "therefore Rightarrow implies Longrightarrow Leftrightarrow Longleftrightarrow iff leadsto rightarrow"
+    " longrightarrow to hence Leftarrow"
+)
+_ARROWS = (*(f"\\{name}" for name in _ARROW_COMMANDS), *"∴⇒⇔⟹⟺→⟶")
 _SCAN = re.compile(rf"{RELATION.pattern}|\\[A-Za-z]+|\\.|[{{}}()\[\]]", re.DOTALL)
 _TAG = re.compile(
     r"(?:\\tag\*?\s*\{([^{}]{1,20})\}|\\(?:l|r)?eqno\s*\(([^()]{1,12})\)"
@@ -424,9 +377,16 @@ _TAG = re.compile(
     r"\s*(?:\\q?quad\s*)*[-–—−]?\s*\((?P<tag>[0-9A-Za-z.\-']{1,8})\))\s*$"
 )
 _TRAILING = re.compile(
-    r"(?:\s|[.,;。、&]|\\end\s*\{[A-Za-z]*\*?\}|\\[,;:! ]|\\q?quad|\\nonumber|\\notag"
-    r"|\\label\s*\{[^{}]*\}|\\\\|\\hfill)$"
+    rf"(?:\s|[.,;。、&]|\\end\s*\{{(?!(?:{'|'.join(CELLS)})\*?\}})[A-Za-z]*\*?\}}"
+    r"|\\[,;:! ]|\\q?quad|\\nonumber|\\notag"
+    r"|\\label\s*\{[^{}]*\}|\\\\|\\hfill|[∴⇒⇔⟹⟺→⟶]|\\(?:" + "|".join(_ARROW_COMMANDS) + r"))$"
 )
+_LEADING = re.compile(
+    r"(?:\s|[、。,;&]|\\[,;:! ]|\\q?quad(?![A-Za-z])|[∴⇒⇔⟹⟺→⟶]|\\(?:"
+    + "|".join(_ARROW_COMMANDS)
+    + r")(?![A-Za-z]))+"
+)
+_END_OF_ROWS = re.compile(rf"\\end\s*\{{(?!(?:{'|'.join(CELLS)})\*?\}})[A-Za-z]+\*?\}}$")
 _BOXED = re.compile(r"\\(?:boxed|fbox|framebox)\s*\{")
 _ALIGNED = word_set("align aligned alignat alignedat flalign")
 _BRACKETS = {"{": 1, "(": 1, "[": 1, "}": -1, ")": -1, "]": -1}
@@ -440,6 +400,7 @@ class Passage:
     end: int
     tag: str = ""
     row: int = 0
+    doubt: ReadingError | None = None
 
 
 def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Passage]:
@@ -449,11 +410,115 @@ def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Pa
         last, tag = without_tag(text, first, end_of_row)
         spans = [_without_box(text, *trim(text, *span)) for span in _separate(text, first, last)]
         spans = [span for span in spans if span[0] < span[1]]
+        doubts: dict[tuple[int, int], ReadingError] = {}
         if len(spans) > 1:
+            doubts = _doubts(text, spans)
             spans = [span for span in spans if has_any_relation(text, *span)] or spans[:1]
-        for place, (begin, stop) in enumerate(spans):
-            pieces.append(Passage(begin, stop, tag if place == len(spans) - 1 else "", row))
+        for place, span in enumerate(spans):
+            last_tag = tag if place == len(spans) - 1 else ""
+            pieces.append(Passage(*span, last_tag, row, doubts.get(span)))
     return pieces
+
+
+_JOINING = re.compile(
+    r"(?:plus|minus|times|over|divided|multiplied|less|mal|durch|geteilt|weniger|fois|moins|squared|cubed"
+    r"|percent|prozent|and so|thousand|million|hundred|half|twice|tausend|hundert)\b",
+    re.IGNORECASE,
+)
+"""Words that go on with a formula."""
+_WRITE_WHOLE = "write it whole, between dollars"
+_PART_OF = re.compile(r"(?:of|von|de)\b", re.IGNORECASE)
+_JOINED_BEFORE = re.compile(
+    r"(?:(?<=[0-9%)½¼¾²³}$])\s*(?:of|von|de)|\b(?:half|third|quarter|twice) (?:of )?"
+    r"|(?:\b|\s)(?:plus|minus|times|mal|over"
+    r"|durch|divided by|multiplied by|geteilt durch))$",
+    re.IGNORECASE,
+)
+_OPERATION = re.compile(r"[+\-−–*×·⋅∙/÷^±∓!]|\\(?:cdot|times|div|pm|mp|over)(?![A-Za-z])|\*\*")
+
+
+def _doubts(text: str, spans: list[tuple[int, int]]) -> dict[tuple[int, int], ReadingError]:
+    """Return the equations of a display behind which words, and then more of the formula, stand."""
+    result: dict[tuple[int, int], ReadingError] = {}
+    for before, after in pairwise(spans):
+        if not has_any_relation(text, *before) or has_any_relation(text, *after):
+            continue
+        between = text[before[1] : after[0]]
+        prose = re.sub(r"\\[A-Za-z]+\s*\{|[{}]", " ", between)
+        if _OPERATION.match(text, *after) or _JOINING.search(prose):
+            result[before] = _cut(after[0], text[before[1] : after[1]])
+    return result
+
+
+def _cut(place: int, rest: str) -> ReadingError:
+    words_left = " ".join(rest.split())
+    shown = words_left if len(words_left) <= 30 else words_left[:29] + "…"
+    return ReadingError(
+        place, f"a formula that goes on in words: {shown}", "write it in signs, or end it"
+    )
+
+
+def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingError | None:
+    """Return why an equation in prose is not whole: what stands right before or behind it belongs to it.
+
+    >>> text = "cos 2t = 1 - 2 sin^2 t plus 3"
+    >>> print(doubt_around(text, 0, 22, vocabulary({"t"})))
+    at character 24: a formula that goes on in words: plus 3; write it in signs, or end it
+    """
+    if _is_cut_from(text, start - 1) and not text[start].isspace():
+        return ReadingError(start, "a formula that begins before what is read", _WRITE_WHOLE)
+    if _is_cut_from(text, end) and not text[end - 1].isspace():
+        return ReadingError(end, "a formula that goes on behind what is read", _WRITE_WHOLE)
+    line_end = text.find("\n", end)
+    stop = min(line_end if line_end >= 0 else len(text), end + _MARGIN)
+    after = text[end:stop].partition(CELL_END)[0]
+    behind = after.lstrip(" \t~)")
+    place = end + len(after) - len(behind)
+    if _goes_on(behind, after, words) or (text[end - 1 : end] == "%" and _PART_OF.match(behind)):
+        return _cut(place, behind)
+    line_begin = text.rfind("\n", 0, start) + 1
+    before = text[max(line_begin, start - _MARGIN) : start].rpartition(CELL_END)[2].rstrip()
+    operation = re.search(r"([\w)\]}²³])\s*([+*×·/^÷−])$", before)
+    if operation:
+        word = re.search(r"\w+$", before[: operation.start(2)].rstrip())
+        what = f"a formula that begins in words: {word.group() if word else ''} {operation[2]}"
+        return ReadingError(start, what, "declare the word, or write the relation in signs")
+    joined = _JOINED_BEFORE.search(before)
+    if joined:
+        what = f"a formula that begins in words: {joined.group()}"
+        return ReadingError(start, what, "write the relation in signs")
+    return None
+
+
+def _is_cut_from(text: str, place: int) -> bool:
+    """Tell whether a letter or digit, or a bracket that goes with one, stands at a place."""
+    sign = text[place : place + 1] if place >= 0 else ""
+    if sign in (")", "]"):
+        place, sign = place + 1, text[place + 1 : place + 2]
+        return sign in ("(", "[") or (sign.isascii() and sign.isalnum())
+    return sign.isascii() and sign.isalnum()
+
+
+def _goes_on(behind: str, after: str, words: Vocabulary) -> bool:
+    """Tell whether what stands behind an equation in prose goes on with it."""
+    if not behind:
+        return False
+    if after[:1] == "," and after[1:2].isdecimal():
+        return True
+    if _JOINING.match(behind):
+        return True
+    operation = re.match(
+        r"(?:[A-Za-z]{2,8}\s+){0,3}?([+*×·/÷^±∓]|[−—–-](?=\s*[0-9(\\]|\s[A-Za-z]\b))\s*", behind
+    )
+    if operation is None:
+        return False
+    operand = behind[operation.end() :]
+    word = re.match(r"[A-Za-z]+", operand)
+    if word is None:
+        return (
+            operand[:1].isdecimal() or operand[:1] in ("(", "\\", "√", "$") or operand[:1] in NAME_OF_SIGN
+        )
+    return (len(word.group()) == 1 and word.group() not in "aAI") or word.group() in words.names
 
 
 def _without_box(text: str, start: int, end: int) -> tuple[int, int]:
@@ -499,7 +564,7 @@ def _separate(text: str, start: int, end: int) -> list[tuple[int, int]]:
     depth, place = 0, start
     while match := _PIECE.search(text, place, end):
         sign, place = match.group(), match.end()
-        depth = max(depth + _BRACKETS.get(sign, 0), 0)
+        depth = max(depth + _BRACKETS.get(sign, 0) + _level_of_cells(text, sign, place), 0)
         if depth:
             continue
         if unit := _unit_at(text, start, match.start(), end):
@@ -512,6 +577,16 @@ def _separate(text: str, start: int, end: int) -> list[tuple[int, int]]:
             introduces = sign in _ARROWS and last[2] and not text[last[1] : match.start()].strip(" \t\n&")
             cuts.append((match.start(), match.end(), introduces))
     return _join_spans(text, start, end, cuts)
+
+
+def _level_of_cells(text: str, sign: str, place: int) -> int:
+    """Return 1 where a matrix or cases begin, -1 where they end: what parts cells cuts no equation."""
+    if sign not in ("\\begin", "\\end"):
+        return 0
+    match = _ENVIRONMENT_NAME.match(text, place)
+    if match is None or match.group(1) not in CELLS:
+        return 0
+    return 1 if sign == "\\begin" else -1
 
 
 def _unit_at(text: str, start: int, place: int, end: int) -> int:
@@ -581,8 +656,13 @@ def without_tag(text: str, start: int, end: int) -> tuple[int, str]:
     >>> without_tag(r"a = b \\quad - (1)", 0, 17)
     (6, '1')
     """
-    while start < end and text[end - 1] in " \t\n,.;" and text[max(start, end - 3) : end] != "...":
-        end -= 1
+    while start < end:
+        if text[end - 1] in " \t\n,.;" and text[max(start, end - 3) : end] != "...":
+            end -= 1
+        elif match := _END_OF_ROWS.search(text[max(start, end - 40) : end]):
+            end -= len(match.group())  # a number may stand before \\end{aligned}
+        else:
+            break
     offset = max(start, end - 120)
     match = _TAG.search(text[offset:end])
     if not match:
@@ -603,8 +683,8 @@ def without_tag(text: str, start: int, end: int) -> tuple[int, str]:
 
 def trim(text: str, start: int, end: int) -> tuple[int, int]:
     """Return a span without the space and punctuation at its edges."""
-    while start < end and (text[start].isspace() or text[start] in "、。,;"):
-        start += 1
+    if lead := _LEADING.match(text, start, end):
+        start = lead.end()
     while start < end:
         if text[max(start, end - 3) : end] == "..." or text[end - 1] == "…":
             break

@@ -16,16 +16,19 @@ RELATION_COMMANDS = {
     **dict.fromkeys(words("approx simeq fallingdotseq cong doteq doteqdot sim approxeq"), "≈"),
     **dict.fromkeys(words("leq le leqq leqslant"), "≤"),
     **dict.fromkeys(words("geq ge geqq geqslant"), "≥"),
-    **dict.fromkeys(words("triangleq coloneqq eq defeq"), "="),
+    **dict.fromkeys(words("triangleq coloneqq eq defeq shallbe"), "="),
     "lt": "<", "gt": ">", "equiv": "≡", "neq": "≠", "ne": "≠",
 }  # fmt: skip
 
 OPERATOR_SIGNS = {
     "+": "+", "-": "-", "−": "-", "–": "-", "‐": "-", "‑": "-", "*": "*", "×": "*", "·": "*", "⋅": "*",
-    "∙": "*", "•": "*", "∗": "*", "/": "/", "÷": "/", "∕": "/", "⁄": "/",
+    "∙": "*", "•": "*", "∗": "*", "/": "/", "÷": "/", "∕": "/", "⁄": "/", "±": "±", "∓": "∓",
 }  # fmt: skip
 
-OPERATOR_COMMANDS = {"cdot": "*", "times": "*", "ast": "*", "centerdot": "*", "div": "/", "slash": "/"}
+OPERATOR_COMMANDS = {
+    "cdot": "*", "times": "*", "ast": "*", "centerdot": "*", "div": "/", "slash": "/",
+    "pm": "±", "mp": "∓",
+}  # fmt: skip
 
 DOTS_COMMANDS = word_set("cdots ldots dots dotsb dotsc dotsm dotso hdots")
 DOTS_SIGNS = ("･･･", "・・・", "...", "⋯", "…")
@@ -42,16 +45,61 @@ SPACE_WITH_ARGUMENT = word_set("label tag hspace vspace phantom hphantom vphanto
 
 STRUCTURE = word_set("frac dfrac tfrac cfrac sqrt over sum partial dot ddot dddot boxed infty surd")
 
+WITH_BOUNDS = {
+    "int": "int", "intop": "int", "smallint": "int", "oint": "oint", "prod": "prod", "lim": "lim",
+    "max": "max", "min": "min",
+}  # fmt: skip
+"""Commands that take bounds or a place below them, to the construct they begin."""
+
+CONSTRUCTS = {
+    **WITH_BOUNDS, **dict.fromkeys(words("binom dbinom tbinom"), "binom"), "top": "top",
+    "intercal": "top", "det": "det",
+}  # fmt: skip
+"""Commands of constructs that `constructs` reads."""
+
+CELLS = {
+    **dict.fromkeys(words("matrix pmatrix bmatrix Bmatrix smallmatrix array"), "[matrix]"),
+    "vmatrix": "[vmatrix]", "cases": "[cases]", "dcases": "[cases]",
+}  # fmt: skip
+"""Environments of rows and cells, to the bracket that stands for them."""
+
+CONDITION_WORDS = frozenset(
+    {
+        "",
+        "if",
+        "for",
+        "when",
+        "where",
+        "falls",
+        "für",
+        "wenn",
+        "otherwise",
+        "else",
+        "sonst",
+        "andernfalls",
+    }
+)
+"""Words that stand among cases and say nothing that the relation does not."""
+
+ARROWS = word_set("to rightarrow longrightarrow searrow nearrow")
+"""Arrows that a limit may have."""
+
+OWN_FUNCTIONS = {"Re": "re", "Im": "im", "conj": "conj", "lg": "lg"}
+"""Functions by words that are letters too, where all of these are declared; they need brackets."""
+
 REFUSED: dict[str, tuple[str, str]] = {
     **dict.fromkeys(
-        words("int iint iiint oint intop smallint"),
-        ("integrals are not read", "write the integral's value"),
+        words("iint iiint iiiint idotsint"),
+        ("integrals over areas are not read", "write one integral in the other"),
     ),
-    **dict.fromkeys(words("binom dbinom tbinom choose"), ("binomials are not read", "write it out")),
-    **dict.fromkeys(words("pm mp"), ("± is two formulas in one", "write each on its own")),
-    **dict.fromkeys(words("prod coprod"), ("product signs are not read", "write the factors")),
-    **dict.fromkeys(words("lim limsup liminf"), ("limits are not read", "write the limit's value")),
-    **dict.fromkeys(words("max min sup inf"), ("max and min are not read", "write the case that holds")),
+    **dict.fromkeys(words("choose"), ("a binomial by \\choose is not read", "write \\binom{n}{k}")),
+    **dict.fromkeys(words("coprod"), ("coproducts are not read", "write the factors")),
+    **dict.fromkeys(
+        words("limsup liminf"), ("upper and lower limits are not read", "write the limit's value")
+    ),
+    **dict.fromkeys(
+        words("sup inf argmax argmin"), ("sup and inf are not read", "write max or min, or the value")
+    ),
     **dict.fromkeys(
         words("to rightarrow Rightarrow longrightarrow Longrightarrow implies iff leftarrow Leftarrow"
         " leftrightarrow Leftrightarrow mapsto therefore because"),
@@ -62,11 +110,8 @@ REFUSED: dict[str, tuple[str, str]] = {
 }  # fmt: skip
 
 REFUSED_SIGNS = {
-    "∫": REFUSED["int"], "∮": REFUSED["int"], "±": REFUSED["pm"], "∓": REFUSED["pm"],
-    "∏": REFUSED["prod"],
     "→": REFUSED["to"], "⇒": REFUSED["to"], "←": REFUSED["to"], "↔": REFUSED["to"], "⇔": REFUSED["to"],
     "∴": REFUSED["to"], "∵": REFUSED["to"], "∝": REFUSED["propto"],
-    "!": ("factorials are not read", "write the number"),
     "%": ("percentages are not read", "write the number divided by 100"),
 }  # fmt: skip
 
@@ -81,7 +126,7 @@ BRACKET_COMMANDS = {
 
 ENVIRONMENTS = word_set(
     "equation align aligned gather gathered eqnarray multline split displaymath flalign alignat alignedat"
-    " math dmath"
+    " math dmath multlined dgroup darray"
 )
 """LaTeX environments that hold equations, without the star."""
 

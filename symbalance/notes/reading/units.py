@@ -23,7 +23,7 @@ _OTHER: dict[str, Fraction] = {
 }  # fmt: skip
 _UNITS = {p + unit: scale for unit in _PREFIXED for p, scale in _PREFIXES.items()} | _OTHER
 _UNITS |= {p + "g": scale / 1000 for p, scale in _PREFIXES.items()}
-_TURNS = {**dict.fromkeys(words("rpm 1/min min^-1 r/min rev/min"), Fraction(1, 30))}
+_TURNS = {**dict.fromkeys(words("rpm 1/min min^-1 r/min rev/min U/min tr/min Umin^-1"), Fraction(1, 30))}
 _TURNS |= {"rps": Fraction(2), "rev/s": Fraction(2)}
 _PLAIN_SURE = word_set("mm cm km kg rpm kW kHz Hz")
 
@@ -38,7 +38,7 @@ _COMMAND = r"\\(?:mathrm|text|textrm|mbox|unit|si)\s*"
 _ARGUMENT = r"\{(?P<word>(?:[^{}]|\{[^{}]{0,20}\}){1,60})\}(?:\s*\^\s*(?:\{\s*[-−]?\s*[0-9]\s*\}|[0-9]))?"
 _SET = re.compile(rf"{_COMMAND}{_ARGUMENT}")
 _UNNAMED = _SET.pattern.replace("?P<word>", "?:")
-_FRACTION = re.compile(rf"\\[dt]?frac\s*\{{\s*({_UNNAMED})\s*\}}\s*\{{\s*({_UNNAMED})\s*\}}")
+_FRACTION = re.compile(rf"\\[dt]?frac\s*\{{\s*({_UNNAMED}|1)\s*\}}\s*\{{\s*({_UNNAMED})\s*\}}")
 _MORE = re.compile(rf"(?:\\[,;: ]|~|\\cdot(?![A-Za-z])|[·/\s]){{0,6}}{_COMMAND}{_ARGUMENT}")
 _BRACKETED = re.compile(rf"\[\s*(?:{_UNNAMED}|[A-Za-zµμ/^0-9·⁻¹² -]{{1,20}})\s*\]")
 _WORD = r"[A-Za-zµμ]+(?:(?:\^[-−]?[0-9]|[⁻]?[¹²³])?(?:/[A-Za-z]+(?:\^[0-9]|[²³])?)?)"

@@ -111,6 +111,12 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "independent/test_drawings",
         "bad_input/test_drawing_requests",
     ),
+    "search": (
+        "independent/test_crank_search",
+        "jobs/test_search_parts",
+        "documents/test_results_golden",
+        "public/test_json_schemas",
+    ),
     "design": (
         "laws/test_amplitudes_and_phases",
         "independent/test_balancing",

@@ -35,6 +35,8 @@ class Decision:
     witness: Mapping[str, str] = field(default_factory=dict)
     through: int | None = None
     """The order through which two sides were compared, None for an exact comparison."""
+    of_matrices: bool = False
+    """Whether the sides are matrices, whose products do not commute."""
     further: tuple[Form, ...] = ()
     """The exact side cut off one and two orders later: what a repaired side may come to."""
 
@@ -183,6 +185,8 @@ def _is_root(node: Formula) -> bool:
         parts = formula.children(node)
         roots = [part for part in parts if _is_root(part)]
         return bool(roots) and all(p in roots or isinstance(p, formula.Number) for p in parts)
+    if isinstance(node, formula.Power):
+        return _is_root(node.base)
     return isinstance(node, formula.Call) and node.function in ("sqrt", "abs")
 
 

@@ -74,6 +74,8 @@ class Knowledge:
     moving: frozenset[str] = frozenset()
     """Letters whose meaning is a motion or a force: left alone where a step holds without."""
     angles: frozenset[str] = frozenset()
+    meanings: Mapping[str, str] = field(default_factory=dict)
+    """What the letters are declared to be, in words."""
     universal: frozenset[str] = frozenset()
     """Letters that stay free although a line gives them a number: crank angle, rod angle, time."""
     corrects: bool = True
@@ -147,7 +149,8 @@ class Knowledge:
 
     def evaluator(self, level: Level) -> FormEvaluator:
         """Return an evaluator in a fresh domain for a level."""
-        meaning = replace(self.meaning, values=level.values)
+        known = {**{name: d.node for name, d in self.definitions.items()}, **self.meaning.values}
+        meaning = replace(self.meaning, values=level.values, known=known)
         return FormEvaluator(meaning.domain(), meaning)
 
     def knows(self, name: str) -> bool:

@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import product
 
-from symbalance.document.formula import Formula, Name
+from symbalance.document.formula import Dots, Formula, Name, walk
+from symbalance.notes.algebra.construct_rules import may_fail
+from symbalance.notes.checking.deciding.branches import decide_branches, has_branches
 from symbalance.notes.checking.deciding.equality import (
     REFUTED,
     UNDECIDED,
@@ -15,6 +17,7 @@ from symbalance.notes.checking.deciding.equality import (
 )
 from symbalance.notes.checking.deciding.induction import decide_by_induction
 from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.matrix_relations import decide_matrices, is_of_matrices
 from symbalance.notes.checking.deciding.order_agreement import decide_agreement, degree
 from symbalance.notes.reading.equations import Side
 
@@ -74,22 +77,56 @@ def _decide_as_defined(
 def decide_reading(
     left: Formula, right: Formula, sign: str, knowledge: Knowledge, through: int | None = None
 ) -> Decision:
-    """Decide left = right or left ≈ right."""
+    """Decide left = right or left ≈ right; what is refuted under an open premise is not decided."""
+    decision = _decide_reading(left, right, sign, knowledge, through)
+    if decision.status == REFUTED and decision.left is not None:
+        open_premises = [text for text in decision.left.domain.assumptions if may_fail(text)]
+        if open_premises:
+            return replace(decision, status=UNDECIDED, reason=f"differs if {open_premises[0]}; say so")
+    return decision
+
+
+def _decide_reading(
+    left: Formula, right: Formula, sign: str, knowledge: Knowledge, through: int | None
+) -> Decision:
+    if is_of_matrices(left, right, knowledge):
+        return decide_matrices(left, right, sign, knowledge)
+    if has_branches(left, right, knowledge):
+
+        def decide_branch(one: Formula, other: Formula, known: Knowledge) -> Decision:
+            return decide_reading(one, other, sign, known, through)
+
+        return decide_branches(left, right, knowledge, decide_branch)
     by_steps = decide_by_induction(left, right, knowledge)
     if by_steps is not None:
-        return by_steps
+        return by_steps if by_steps.is_proved else _by_closed_form(left, right, knowledge) or by_steps
     (bare_left, left_is_cut), (bare_right, right_is_cut) = without_dots(left), without_dots(right)
     if sign == "≈" or left_is_cut or right_is_cut or through is not None:
         return decide_agreement(
             left, right, knowledge, through=through, loose=left_is_cut or right_is_cut
         )
-    decision = decide_equality(bare_left, bare_right, knowledge)
-    if decision.status == REFUTED and _is_cut_off(left, decision, knowledge):
-        by_series = decide_agreement(left, right, knowledge)
-        if by_series.is_proved and by_series.through is not None:
-            return replace(by_series, reason=by_series.reason or MEANT_ROUGHLY)
-        return by_series if by_series.is_proved or by_series.through else decision
-    return decision
+    return _by_series_where_cut(left, right, decide_equality(bare_left, bare_right, knowledge), knowledge)
+
+
+def _by_series_where_cut(
+    left: Formula, right: Formula, decision: Decision, knowledge: Knowledge
+) -> Decision:
+    """Return the decision on an = that is refuted, by series where ≈ may be meant."""
+    if decision.status != REFUTED or not _is_cut_off(left, decision, knowledge):
+        return decision
+    by_series = decide_agreement(left, right, knowledge)
+    if by_series.is_proved and by_series.through is not None:
+        return replace(by_series, reason=by_series.reason or MEANT_ROUGHLY)
+    return by_series if by_series.is_proved or by_series.through else decision
+
+
+def _by_closed_form(left: Formula, right: Formula, knowledge: Knowledge) -> Decision | None:
+    """Decide by the closed form of sums whose bounds are whole numbers; None without one."""
+    parts = [part for node in (left, right) for part in walk(node)]
+    if any(isinstance(part, Dots) for part in parts):
+        return None
+    decision = decide_equality(left, right, knowledge)
+    return None if decision.left is None else decision
 
 
 def _is_cut_off(node: Formula, decision: Decision, knowledge: Knowledge) -> bool:

@@ -131,7 +131,7 @@ def _draw(name: str, meaning: SymbolValue, chance: random.Random, kind: int) -> 
         return Fraction(chance.randint(0, 9))
     if name in meaning.ranges and kind:
         low, high = meaning.ranges[name]
-        return Fraction(chance.randint(low, high), 100)
+        return Fraction(chance.randint(low * 9973, high * 9973), 997300)  # no number that a page may use
     if kind == 2 and name not in meaning.positive:
         return chance.randint(-12, 12) * _PI / 6
     size = chance.uniform(-7, 7) if kind == 0 else chance.uniform(-0.7, 0.7)

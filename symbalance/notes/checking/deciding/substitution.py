@@ -19,6 +19,9 @@ def substitute(node: Formula, name: str, value: Formula) -> Formula:
         return value
     if isinstance(node, Derivative) and node.variable.name == name:
         raise NoFormError(f"a derivative by {name}, which is given a value")
+    bound = _bound_letter(node)
+    if bound == name:
+        raise NoFormError(f"{name}, which is bound within, is given a value")
     if isinstance(node, Summation) and node.index is not None and node.index.name == name:
         bounds = {"lower": node.lower, "upper": node.upper}
         return replace(
@@ -31,6 +34,13 @@ def substitute(node: Formula, name: str, value: Formula) -> Formula:
         if all(a is b for a, b in zip(parts, new_parts, strict=True))
         else formula.with_children(node, new_parts)
     )
+
+
+def _bound_letter(node: Formula) -> str:
+    """Return the letter that an integral, a limit or the like binds, "" if it is none."""
+    if isinstance(node, formula.Integral | formula.Evaluation | formula.Limit | formula.Extremum):
+        return node.variable.name
+    return node.index.name if isinstance(node, formula.IndexedProduct) else ""
 
 
 def replace_part(node: Formula, old: Formula, new: Formula) -> Formula:

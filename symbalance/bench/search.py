@@ -1,0 +1,82 @@
+"""`symbalance bench search`: stars and nodes a second, what workers add, and how far more cylinders are.
+
+Stars are those of which an in-line twelve's four orders are known exactly; nodes those of a search with
+bounds. What 18 and 20 cylinders would take is on paper: the nodes of 12 to 16 cylinders under the same
+condition, continued by their growth, over the nodes a second measured here.
+"""
+
+from __future__ import annotations
+
+import platform
+from time import perf_counter
+from typing import Any
+
+from symbalance.bench.timing import Measurement, Report, progress
+from symbalance.search.cranks_search import search_cranks
+from symbalance.search.search_result import CrankSearch
+
+STARS, NODES = 3_000_000, 20_000_000
+"""Targets, a second of one core."""
+ORDERS = ("couple.1", "couple.2", "couple.4", "couple.6")
+BOUNDED = ("couple.1<=0.05", "couple.2<=0.05")
+
+
+def report(quick: bool = False) -> Report:
+    """Return all measurements; `quick` leaves out what takes a minute."""
+    search_cranks(5, compiled=True, minimize=["couple.1"])  # Numba compiles, or loads, once
+    twelve = 11 if quick else 12
+    timed = [_timed(twelve, minimize=ORDERS), _timed(14, limit=BOUNDED), _timed(15, limit=BOUNDED)]
+    (free, free_seconds), *bounded = timed
+    most, most_seconds = bounded[-1]
+    parts = [
+        (
+            "One core",
+            [
+                _rate(
+                    f"stars of an in-line {twelve}, four orders", free.searched.stars, free_seconds, STARS
+                ),
+                _rate("nodes of an in-line 15 with bounds", most.tally.nodes, most_seconds, NODES),
+            ],
+        ),
+        ("Workers, the in-line 15", [] if quick else _shared(most, most_seconds)),
+        (
+            "On paper, 1,000 cores, the same bounds",
+            _on_paper([b.tally.nodes for b, _ in bounded], most_seconds),
+        ),
+    ]
+    head = f"Python {platform.python_version()}, {platform.machine()}"
+    return Report(head, [(title, rows) for title, rows in parts if rows])
+
+
+def _timed(count: int, **asked: Any) -> tuple[CrankSearch, float]:
+    progress(f"{count} cylinders")
+    began = perf_counter()
+    result = search_cranks(count, strokes=2, compiled=True, **asked)
+    return result, perf_counter() - began
+
+
+def _rate(name: str, count: int, seconds: float, least: int) -> Measurement:
+    target = f"at least {least:,} a second (here {count / seconds:,.0f})"
+    return Measurement(f"{name}: {count:,}", seconds, target=target, is_met=count / seconds >= least)
+
+
+def _shared(alone: CrankSearch, seconds: float) -> list[Measurement]:
+    rows = [Measurement("1 worker", seconds)]
+    for workers in (2, 4):
+        shared, needed = _timed(15, limit=BOUNDED, workers=workers)
+        if shared.data() != alone.data():
+            raise AssertionError("the answer depends on the workers")
+        rows.append(Measurement(f"{workers} workers, their start included", needed, "1 worker", seconds))
+    return rows
+
+
+def _on_paper(nodes: list[int], seconds: float) -> list[Measurement]:
+    growth = nodes[-1] / nodes[-2]
+    rows = []
+    for count in (18, 20):
+        # Each cylinder more multiplies the nodes, by a factor that itself grows about as the count does.
+        factor = 1.0
+        for further in range(16, count + 1):
+            factor *= growth * further / 15
+        rows.append(Measurement(f"{count} cylinders, estimated", seconds * factor / 1000))
+    return rows

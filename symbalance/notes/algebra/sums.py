@@ -1,0 +1,75 @@
+"""Closed forms of sums whose upper bound is a letter: powers of the index, and waves in it.
+
+    Σ_{k=a}^{b} w^k = (w^(b+1) - w^a)/(w - 1),   w ≠ 1,     Σ k^p by Faulhaber's polynomials
+
+hold what a sum over the cylinders of an in-line engine comes to: w = e^(ix), a cosine of kx + θ.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from math import comb
+
+from symbalance.notes.algebra.domain import Domain, Monomial, NoFormError
+from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.substitution_in_forms import Dependence, substitute_letter
+
+HIGHEST_POWER = 20
+
+
+def closed_sum(form: Form, index: int, lower: Form, upper: Form) -> Form:
+    """Return the sum of a form over a letter, from one whole bound to another.
+
+    >>> domain = Domain(integer={"N"})
+    >>> k, one, last = Form.letter(domain, "k"), Form.number(domain, 1), Form.letter(domain, "N")
+    >>> total = closed_sum(k, domain.symbol("k"), one, last)
+    >>> total.equals(last.times(last.plus(one)).scaled(Fraction(1, 2)))
+    True
+    """
+    domain, dependence = form.domain, Dependence(form.domain, index)
+    if dependence.of_polynomial(form.denominator):
+        raise NoFormError("a sum of quotients with a letter as its bound")
+    total = Form.number(domain, 0)
+    for monomial, coefficient in form.numerator.items():
+        free = tuple((g, e) for g, e in monomial if not dependence.of(g))
+        moving = tuple((g, e) for g, e in monomial if dependence.of(g))
+        outside = Form.of(domain, {free: coefficient})
+        total = total.plus(outside.times(_sum_of_term(domain, moving, index, lower, upper)))
+    return total.over(Form.of(domain, form.denominator))
+
+
+def _sum_of_term(domain: Domain, moving: Monomial, index: int, lower: Form, upper: Form) -> Form:
+    power = dict(moving).get(index, 0)
+    wave = tuple((g, e) for g, e in moving if g != index)
+    one = Form.number(domain, 1)
+    if not wave:
+        if power.denominator != 1 or not 0 <= power <= HIGHEST_POWER:
+            raise NoFormError("a sum of such powers with a letter as its bound")
+        before = lower.minus(one)
+        return _sum_of_powers(int(power), upper).minus(_sum_of_powers(int(power), before))
+    if power:
+        raise NoFormError("a sum of powers times waves with a letter as its bound")
+    term = Form.of(domain, {wave: Fraction(1)})
+    letter = Form.of(domain, {((index, 1),): Fraction(1)})
+    following = substitute_letter(term, index, letter.plus(one))
+    ratio = following.over(term)
+    if Dependence(domain, index).of_polynomial(ratio.numerator):
+        raise NoFormError("a sum of waves whose angle is not linear in the index")
+    if ratio.equals(one):
+        return term.times(upper.minus(lower).plus(one))
+    domain.assumptions["no wave that is summed has all its terms equal"] = None
+    end = substitute_letter(term, index, upper.plus(one))
+    return end.minus(substitute_letter(term, index, lower)).over(ratio.minus(one))
+
+
+def _sum_of_powers(power: int, upper: Form) -> Form:
+    """Return 0^p + 1^p + … + n^p as a polynomial in n, from (n+1)^(p+1) = Σ of its differences."""
+    one = Form.number(upper.domain, 1)
+    following = upper.plus(one)
+    sums: list[Form] = []
+    for p in range(power + 1):
+        total = following.raised(p + 1)
+        for lower_power, earlier in enumerate(sums):
+            total = total.minus(earlier.scaled(comb(p + 1, lower_power)))
+        sums.append(total.scaled(Fraction(1, p + 1)))
+    return sums[power]

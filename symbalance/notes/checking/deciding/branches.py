@@ -1,0 +1,252 @@
+"""Relations that say several things at once: both signs of ±, Kronecker's delta, cases.
+
+A relation with ± is two relations, the upper signs together and the lower ones; with δ_mn it is one for
+m = n and one for m ≠ n; with cases one for each. It is proved if all of them are, refuted if one is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+
+from symbalance.document import formula
+from symbalance.document.formula import (
+    Apply,
+    Cases,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    PlusMinus,
+    Product,
+    Sum,
+)
+from symbalance.document.text_writer import formula_text
+from symbalance.notes.algebra.domain import NoFormError
+from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.substitution import replace_part, substitute
+
+MOST_BRANCHES = 16
+
+
+@dataclass(frozen=True, slots=True)
+class Branch:
+    """One of the relations: its two sides, what it is, and whether a witness is one of the branch."""
+
+    left: Formula
+    right: Formula
+    knowledge: Knowledge
+    title: str
+    is_exact: bool = True
+    condition: str = ""
+
+
+Decide = Callable[[Formula, Formula, Knowledge], Decision]
+
+
+def has_branches(left: Formula, right: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a relation says several things at once."""
+    return next(_parts(left, right), None) is not None or any(
+        next(_parts(knowledge.definitions[name].node), None) is not None
+        for name in formula.names(left) | formula.names(right)
+        if name in knowledge.definitions
+    )
+
+
+def _parts(*nodes: Formula) -> Iterator[Formula]:
+    for node in nodes:
+        for part in formula.walk(node):
+            is_delta = isinstance(part, Apply) and part.function == "kronecker"
+            if isinstance(part, PlusMinus | Cases) or (is_delta and formula.names(part)):
+                yield part
+
+
+def decide_branches(left: Formula, right: Formula, knowledge: Knowledge, decide: Decide) -> Decision:
+    """Decide a relation by its branches, each by `decide`."""
+    try:
+        branches = _split(left, right, knowledge)
+    except NoFormError as problem:
+        return Decision(UNDECIDED, str(problem))
+    decisions = [(branch, decide(branch.left, branch.right, branch.knowledge)) for branch in branches]
+    either = _one_of_two(left, right, decisions, decide)
+    if either is not None:
+        return either
+    assumptions: dict[str, None] = {}
+    for branch, decision in decisions:
+        if decision.status == REFUTED and branch.is_exact:
+            return replace(decision, reason=f"{branch.title}: {decision.reason}".rstrip(": "))
+    for branch, decision in decisions:
+        if not decision.is_proved:
+            reason = decision.reason or "not proved where the condition holds"
+            return Decision(UNDECIDED, f"{branch.title}: {reason}", level=decision.level)
+        own = [text for text in decision.assumptions if text != branch.condition]
+        assumptions |= dict.fromkeys(own)
+    orders = [decision.order for _, decision in decisions if decision.order]
+    last = decisions[-1][1]
+    return Decision(
+        PROVED, order=orders[0] if orders else "", assumptions=tuple(assumptions), level=last.level
+    )
+
+
+def _one_of_two(
+    left: Formula, right: Formula, decisions: list[tuple[Branch, Decision]], decide: Decide
+) -> Decision | None:
+    """Decide cos α = ±√(1 - sin²α), where one of the two signs holds: (l - r_1)(l - r_2) is 0.
+
+    Where ± stands on both sides, or one sign holds whatever the letters, it is no such relation.
+    """
+    sides = [any(isinstance(part, PlusMinus) for part in formula.walk(side)) for side in (left, right)]
+    if len(decisions) != 2 or all(sides) or not any(sides):
+        return None
+    if all(d.is_proved for _, d in decisions) or any(
+        d.is_proved and not d.assumptions for _, d in decisions
+    ):
+        return None
+    gaps = [Sum((branch.left, Negative(branch.right))) for branch, _ in decisions]
+    decision = decide(Product(tuple(gaps)), formula.number(0), decisions[0][0].knowledge)
+    return replace(decision, reason="with one of the two signs") if decision.is_proved else None
+
+
+def _split(left: Formula, right: Formula, knowledge: Knowledge) -> list[Branch]:
+    waiting, result = [Branch(left, right, knowledge, "")], []
+    while waiting:
+        branch = waiting.pop(0)
+        if len(waiting) + len(result) > MOST_BRANCHES:
+            raise NoFormError("more cases at once than are tried")
+        branch = _with_cases_of_letters(branch)
+        parts = list(_parts(branch.left, branch.right))
+        signed = [part for part in parts if isinstance(part, PlusMinus)]
+        if (signed or _signed_definitions(branch.knowledge)) and (signed or _uses_signs(branch)):
+            waiting += [_with_sign(branch, sign) for sign in (1, -1)]
+            continue
+        if not parts:
+            result.append(branch)
+        elif isinstance(parts[0], Cases):
+            waiting += _of_cases(branch, parts[0])
+        else:
+            waiting += _of_delta(branch, parts[0])
+    return result
+
+
+def _with_cases_of_letters(branch: Branch) -> Branch:
+    """Put cases in for the letters that are defined by them."""
+    left, right = branch.left, branch.right
+    for name in sorted(formula.names(left) | formula.names(right)):
+        definition = branch.knowledge.definitions.get(name)
+        if definition is not None and any(not isinstance(p, PlusMinus) for p in _parts(definition.node)):
+            left, right = (substitute(side, name, definition.node) for side in (left, right))
+    return replace(branch, left=left, right=right)
+
+
+def _signed_definitions(knowledge: Knowledge) -> list[str]:
+    return [
+        name
+        for name, definition in knowledge.definitions.items()
+        if any(isinstance(part, PlusMinus) for part in formula.walk(definition.node))
+    ]
+
+
+def _uses_signs(branch: Branch) -> bool:
+    names = formula.names(branch.left) | formula.names(branch.right)
+    return bool(names & set(_signed_definitions(branch.knowledge)))
+
+
+def with_sign(node: Formula, sign: int) -> Formula:
+    """Return a formula with its upper signs, or with the lower ones (`sign` -1).
+
+    >>> with_sign(PlusMinus(Name("x"), -1), 1) == Negative(Name("x"))
+    True
+    """
+    if isinstance(node, PlusMinus):
+        inside = with_sign(node.operand, sign)
+        return inside if node.upper == sign else Negative(inside, span=node.span)
+    parts = formula.children(node)
+    changed = tuple(with_sign(part, sign) for part in parts)
+    if all(a is b for a, b in zip(parts, changed, strict=True)):
+        return node
+    return formula.with_children(node, changed)
+
+
+def _with_sign(branch: Branch, sign: int) -> Branch:
+    definitions = {
+        name: replace(definition, node=with_sign(definition.node, sign))
+        for name, definition in branch.knowledge.definitions.items()
+    }
+    left, right = (with_sign(side, sign) for side in (branch.left, branch.right))
+    title = _joined(branch.title, "with the upper signs" if sign > 0 else "with the lower signs")
+    knowledge = replace(branch.knowledge, definitions=definitions)
+    return replace(branch, left=left, right=right, knowledge=knowledge, title=title)
+
+
+def _joined(title: str, more: str) -> str:
+    return f"{title}, {more}" if title else more
+
+
+def _of_delta(branch: Branch, delta: Formula) -> list[Branch]:
+    assert isinstance(delta, Apply)
+    first, second = delta.arguments
+    letter, value = (first, second) if isinstance(first, Name) else (second, first)
+    if not isinstance(letter, Name) or letter.name in formula.names(value):
+        raise NoFormError("Kronecker's delta of indices that are no letters")
+    one, nothing = Number(formula.number(1).value), Number(formula.number(0).value)
+    texts = [formula_text(part, plain=True) for part in (first, second)]
+    equal = [
+        substitute(_replaced(side, delta, one), letter.name, value)
+        for side in (branch.left, branch.right)
+    ]
+    unequal = [_replaced(side, delta, nothing) for side in (branch.left, branch.right)]
+    return [
+        replace(branch, left=equal[0], right=equal[1], title=_joined(branch.title, " = ".join(texts))),
+        replace(
+            branch, left=unequal[0], right=unequal[1], title=_joined(branch.title, " ≠ ".join(texts))
+        ),
+    ]
+
+
+def _replaced(node: Formula, old: Formula, new: Formula) -> Formula:
+    """Return a formula with every part that is equal to `old` replaced."""
+    if node == old:
+        return new
+    parts = formula.children(node)
+    changed = tuple(_replaced(part, old, new) for part in parts)
+    if all(a is b for a, b in zip(parts, changed, strict=True)):
+        return node
+    return formula.with_children(node, changed)
+
+
+def _of_cases(branch: Branch, cases: Cases) -> list[Branch]:
+    """Return a branch for each case: an equation puts its letter in, y < b puts in b - s with s > 0."""
+    result = []
+    only_equations = True
+    for value, condition in zip(cases.values, cases.conditions, strict=True):
+        left, right = (replace_part(side, cases, value) for side in (branch.left, branch.right))
+        if condition is None:
+            exact = branch.is_exact and only_equations
+            title = _joined(branch.title, "otherwise")
+            result.append(replace(branch, left=left, right=right, title=title, is_exact=exact))
+            continue
+        letter, sign, limit = condition
+        text = f"{formula_text(letter, plain=True)} {sign} {formula_text(limit, plain=True)}"
+        case = replace(branch, left=left, right=right, title=_joined(branch.title, f"for {text}"))
+        only_equations = only_equations and sign in ("=", "≠")
+        is_open = not isinstance(letter, Name) or letter.name in formula.names(limit)
+        if sign == "≠":
+            result.append(replace(case, condition=text))
+        elif is_open or not isinstance(letter, Name) or sign not in "=<>≤≥":
+            result.append(replace(case, is_exact=False))
+        else:
+            result.append(_under_condition(case, letter, sign, limit))
+    return result
+
+
+def _under_condition(case: Branch, letter: Name, sign: str, limit: Formula) -> Branch:
+    """Return a branch with what its condition makes of a letter put in."""
+    value, knowledge = limit, case.knowledge
+    if sign != "=":
+        beyond = Name(f"s_{letter.name}")
+        value = Sum((limit, beyond if sign in ">≥" else Negative(beyond)))
+        positive = knowledge.meaning.positive | {beyond.name}
+        knowledge = replace(knowledge, meaning=replace(knowledge.meaning, positive=positive))
+    left, right = (substitute(side, letter.name, value) for side in (case.left, case.right))
+    return replace(case, left=left, right=right, knowledge=knowledge)

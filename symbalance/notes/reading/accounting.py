@@ -1,0 +1,215 @@
+"""The account of a document's relation signs: each is read, unreadable, or no mathematics.
+
+What the reader did not take is looked at once more. A sign between words of prose, in a tag or in program
+code that is no formula says nothing in mathematics; any other is reported as unreadable, with the reason
+that the reader had, so that nothing vanishes.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass, field
+
+from symbalance.document.letters import FUNCTION_WORDS, NAME_OF_SIGN
+from symbalance.document.wordlists import word_set
+from symbalance.notes.reading.equations import Passed, Unreadable
+from symbalance.notes.reading.failures import ReadingError, UndeclaredError
+from symbalance.notes.reading.signs import RELATION
+from symbalance.notes.reading.sources import CELL_END
+
+_SETTINGS = word_set(
+    "magnification hsize vsize parindent parskip baselineskip tolerance hoffset voffset nopagenumbers"
+    " pretolerance topskip hbadness vbadness overfullrule jot abovedisplayskip belowdisplayskip count"
+)
+LineOf = Callable[[int], tuple[int, int]]
+"""Tells the line and column, from 1, of an offset."""
+
+MOST_SIGNS = 20_000
+"""Signs looked at; a text with more is no derivation, and is said to have more."""
+_AROUND = 120  # characters looked at on either side of a sign
+_BOUNDS = re.compile(r"[_^]\s*\{[^{}\n]{0,60}\}")
+_TAG = re.compile(
+    r"</?[\u2e80-\u9fff][^<>\n=]{0,60}>|</?[A-Za-z!][\w-]*\s[^<>\n]{0,200}>|<[A-Za-z][\w.]{0,20}>"
+)
+_SETTING = re.compile(r"\\([A-Za-z]+)\s*$")
+_SIGN = re.compile(rf"==|:=|<=(?!>)|>=|!=|{RELATION.pattern}")
+_BEFORE = re.compile(r"([^\W\d_][\w'’-]*|\S)\s*$")
+_AFTER = re.compile(r"\s*([^\W\d_][\w'’-]*|\S)")
+_END_OF_SENTENCE = re.compile(rf"[\n{CELL_END}]|[.;:!?。](?=\s)")
+_ASSIGNED = re.compile(r"^[\w.-]*[A-Za-z][\w.-]+=(?:[\"'\w./#%-]*[A-Za-z\"'][\"'\w./#%-]*)$")
+
+
+def relation_places(text: str) -> list[int]:
+    """Return where the relation signs of a prepared text stand, those in the bounds of sums left out."""
+    without = _BOUNDS.sub(lambda m: " " * len(m.group()), text)
+    return [match.start() for match in _SIGN.finditer(without)]
+
+
+@dataclass
+class Account:
+    """What the reader did with a text's relation signs."""
+
+    text: str
+    codes: Sequence[tuple[int, int]] = ()
+    read: set[int] = field(default_factory=set)
+    """Where the signs of the relations read stand."""
+    refused: list[tuple[tuple[int, int], ReadingError]] = field(default_factory=list)
+    """What could not be read and was not reported, as it may be prose."""
+
+    def settle(
+        self, unreadable: Sequence[Unreadable], names: Collection[str], line_of: LineOf
+    ) -> tuple[list[Unreadable], list[Passed]]:
+        """Return the signs not accounted for yet: unreadable ones, and what is no mathematics.
+
+        Each of `unreadable` accounts for the first sign in its span that was not read.
+        """
+        places = relation_places(self.text)
+        beyond = places[MOST_SIGNS:]
+        spans = sorted(unreadable, key=lambda part: part.span)
+        begins = [part.span[0] for part in spans]
+        lead = _running_ends(spans)
+        counted: set[int] = set()
+        more: list[Unreadable] = []
+        passed: list[Passed] = []
+        for place in places[:MOST_SIGNS]:
+            if place in self.read:
+                continue
+            number = bisect_right(begins, place) - 1
+            holder = lead[number] if number >= 0 and spans[lead[number]].span[1] > place else None
+            if holder is not None:
+                if holder in counted:
+                    more.append(self._further(place, spans[holder], line_of))
+                counted.add(holder)
+                continue
+            outcome = self._leftover(place, names, line_of)
+            if isinstance(outcome, Unreadable):
+                more.append(outcome)
+            else:
+                passed.append(outcome)
+        if beyond:
+            what = f"more than {MOST_SIGNS} relation signs: {len(beyond)} were not looked at"
+            line, column = line_of(beyond[0])
+            more.append(Unreadable(line, column, what, "split the document", (beyond[0], beyond[0] + 1)))
+        return more, passed
+
+    def _further(self, place: int, holder: Unreadable, line_of: LineOf) -> Unreadable:
+        """Return a further relation of an equation that is not read."""
+        line, column = line_of(place)
+        what = f"a part of the equation that is not read: {holder.what}"
+        return Unreadable(line, column, what, holder.remedy, self._sides(place))
+
+    def _sides(self, place: int) -> tuple[int, int]:
+        """Return the sign with what stands around it, up to the next signs."""
+        match = _SIGN.match(self.text, place)
+        end = match.end() if match else place + 1
+        following = RELATION.search(self.text, end, end + 4 * _AROUND)
+        line_end = self.text.find("\n", end)
+        stops = [stop for stop in (following.start() if following else -1, line_end) if stop > 0]
+        return place, max(min([*stops, len(self.text), end + 4 * _AROUND]), end)
+
+    def _leftover(self, place: int, names: Collection[str], line_of: LineOf) -> Unreadable | Passed:
+        line, column = line_of(place)
+        span = self._clause(place)
+        why = self._why_no_mathematics(place, span, names)
+        if why:
+            return Passed(line, column, why, span)
+        failure = next((f for (a, b), f in self.refused if a <= place < b), None)
+        if failure is not None:
+            line, column = line_of(failure.offset if span[0] <= failure.offset < span[1] else place)
+            return Unreadable(line, column, failure.what, failure.remedy, span)
+        before, after = self._neighbours(place)
+        word = next((w for w in (before, after) if _is_word(w, names)), "")
+        if word:
+            undeclared = UndeclaredError(place, word)
+            return Unreadable(line, column, undeclared.what, undeclared.remedy, span)
+        what = "a relation in prose whose sides are not clear"
+        return Unreadable(line, column, what, "write it between dollars", span)
+
+    def _clause(self, place: int) -> tuple[int, int]:
+        """Return the part of a line that a sign stands in."""
+        first = max(place - _AROUND, 0)
+        ends = [match.end() for match in _END_OF_SENTENCE.finditer(self.text, first, place)]
+        match = _END_OF_SENTENCE.search(self.text, place + 1, place + _AROUND)
+        start = ends[-1] if ends else first
+        end = match.start() if match else min(place + _AROUND, len(self.text))
+        start += len(self.text[start:place]) - len(self.text[start:place].lstrip())
+        return start, max(end, place + 1)
+
+    def _neighbours(self, place: int) -> tuple[str, str]:
+        """Return the words or signs next to a relation; for a bracket behind a word, f(x), that word."""
+        sign = _SIGN.match(self.text, place)
+        end = sign.end() if sign else place + 1
+        left = self.text[max(place - _AROUND, 0) : place]
+        before = re.search(r"([A-Za-z]\w+)\([^()]*\)\s*$", left) or _BEFORE.search(left)
+        after = _AFTER.match(self.text[end : end + _AROUND])
+        return before[1] if before else "", after[1] if after else ""
+
+    def _why_no_mathematics(self, place: int, clause: tuple[int, int], names: Collection[str]) -> str:
+        """Return why a sign says nothing in mathematics, "" if it may."""
+        before, after = self._neighbours(place)
+        is_code = any(a <= place < b for a, b in self.codes) and not self._is_formula(clause, names)
+        is_value = re.fullmatch(r"[-+−]?[0-9.,]+\W*(?:\w+\W*)?", self._right_side(place))
+        reasons = {
+            "in a tag": self._is_in_tag(place),
+            "in program code": is_code,
+            "alone on its line": not before and not after,
+            "a setting of TeX": self._is_setting(place),
+            "a blank to be filled in": self._is_blank(place),
+            "an option or attribute": self._is_option(place) and _is_word(before, names),
+            "words on both sides": _is_word(before, names) and _is_word(after, names),
+            "the value of a word that is no declared letter": is_value and _is_word(before, names),
+            "a sum of money": re.match(r"\s*\$[0-9]", self.text[place + 1 : place + 4]),
+            "a sign of the layout": before in ("", *"|&-•*") and (not after or _is_word(after, names)),
+        }
+        return next((reason for reason, holds in reasons.items() if holds), "")
+
+    def _is_in_tag(self, place: int) -> bool:
+        tags = _TAG.finditer(self.text, max(place - 200, 0), min(place + 200, len(self.text)))
+        return self.text[place] in "<>=" and any(tag.start() <= place < tag.end() for tag in tags)
+
+    def _is_setting(self, place: int) -> bool:
+        setting = _SETTING.search(self.text[max(place - _AROUND, 0) : place])
+        return setting is not None and setting[1] in _SETTINGS
+
+    def _is_blank(self, place: int) -> bool:
+        """Tell whether nothing stands right of a sign, nor on the line below: a form's field."""
+        rest, _, below = self.text[place + 1 : place + 1 + 4 * _AROUND].partition("\n")
+        return not rest.strip() and not below.partition("\n")[0].strip()
+
+    def _is_option(self, place: int) -> bool:
+        first = max(self.text.rfind(" ", 0, place), self.text.rfind("\n", 0, place)) + 1
+        chunk = re.match(r"\S*", self.text[first : first + 2 * _AROUND])
+        return chunk is not None and _ASSIGNED.match(chunk.group().rstrip(".,;)")) is not None
+
+    def _right_side(self, place: int) -> str:
+        """Return what stands between a sign and the next word of prose or the end of the clause."""
+        rest = self.text[place + 1 : self._clause(place)[1]]
+        match = RELATION.search(rest)
+        rest = rest[: match.start()] if match else rest
+        return re.split(r"\s(?:and|or|und|oder|et|ou)\s", rest, maxsplit=1)[0].strip()
+
+    def _is_formula(self, clause: tuple[int, int], names: Collection[str]) -> bool:
+        """Tell whether all the words of a clause are declared letters and functions."""
+        words_here = re.findall(r"[^\W\d_]\w*", self.text[slice(*clause)])
+        return bool(words_here) and not any(_is_word(word, names) for word in words_here)
+
+
+def _is_word(word: str, names: Collection[str]) -> bool:
+    """Tell whether a run of letters is a word of prose and no letter or function."""
+    if len(word) < 2 or not word[0].isalpha() or word in names or word in FUNCTION_WORDS:
+        return False
+    if word in ("pi",) or any(sign in NAME_OF_SIGN for sign in word):
+        return False
+    base = re.sub(r"[0-9'_]+$", "", word)
+    return len(base) > 1 and base not in names and base not in FUNCTION_WORDS
+
+
+def _running_ends(spans: Sequence[Unreadable]) -> list[int]:
+    """Return for each span which of those that begin so far ends last."""
+    result: list[int] = []
+    for number, part in enumerate(spans):
+        before = result[-1] if result else number
+        result.append(number if part.span[1] >= spans[before].span[1] else before)
+    return result

@@ -1,0 +1,81 @@
+"""Jupyter notebooks as text: the cells one below the other, each below a line that names it.
+
+Markdown cells stand as they are, code in fences, so that it is passed over as program code; what a
+program printed is left out: nobody wrote it. A line of the text is so a line of a cell.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from typing import Any
+
+from symbalance.errors import SymbalanceError
+
+SUFFIX = ".ipynb"
+MOST_CELLS = 10_000
+_HEAD = re.compile(r"<!-- cell ([0-9]{1,6}): [a-z]+ -->$")
+_FENCE = re.compile(r"`{3,}")
+
+
+def notebook_text(source: str, name: str) -> str:
+    """Return the cells of a notebook, the JSON that Jupyter writes, as one Markdown text.
+
+    >>> print(notebook_text('{"cells": [{"cell_type": "markdown", "source": ["$a = b$"]}]}', "n.ipynb"))
+    <!-- cell 1: markdown -->
+    $a = b$
+    """
+    try:
+        notebook = json.loads(source)
+    except (ValueError, RecursionError) as problem:
+        what = f"is no JSON: {problem}" if isinstance(problem, ValueError) else "is nested too deeply"
+        raise SymbalanceError(name, what, "save it again with Jupyter") from None
+    cells = _cells(notebook)
+    if cells is None or len(cells) > MOST_CELLS:
+        rule = (
+            "is no notebook: it has no list of cells" if cells is None else f"has over {MOST_CELLS} cells"
+        )
+        raise SymbalanceError(name, rule, "save it again with Jupyter, as format 4")
+    return "\n\n".join(_cell_text(cell, number, name) for number, cell in enumerate(cells, 1))
+
+
+def _cells(notebook: Any) -> list[Any] | None:
+    """Return the cells, of format 4 or, within a worksheet, 3."""
+    if not isinstance(notebook, dict):
+        return None
+    sheets = notebook.get("worksheets")
+    if "cells" not in notebook and isinstance(sheets, list) and all(isinstance(s, dict) for s in sheets):
+        inside = [sheet.get("cells") for sheet in sheets]
+        return [cell for cells in inside if isinstance(cells, list) for cell in cells]
+    cells = notebook.get("cells")
+    return cells if isinstance(cells, list) else None
+
+
+def _cell_text(cell: Any, number: int, name: str) -> str:
+    kind = cell.get("cell_type") if isinstance(cell, dict) else None
+    lines = cell.get("source", cell.get("input", "")) if isinstance(cell, dict) else None
+    parts = lines if isinstance(lines, list) else [lines]
+    if not isinstance(kind, str) or not all(isinstance(part, str) for part in parts):
+        raise SymbalanceError(
+            f"{name}: cell {number}", "is no cell of a notebook", "save it again with Jupyter"
+        )
+    source = "".join(str(part) for part in parts).replace("\r\n", "\n").rstrip("\n")
+    head = f"<!-- cell {number}: {re.sub('[^a-z]', '', kind.lower()) or 'other'} -->"
+    if kind == "markdown":
+        return f"{head}\n{source}"
+    fence = max(["```", *_FENCE.findall(source)], key=len)
+    fence += "`" if fence in source else ""
+    return f"{head}\n{fence}code\n{source}\n{fence}"
+
+
+def cell_place(text: str, line: int) -> tuple[int, int] | None:
+    """Return the cell, from 1, on which a line of such a text stands, and its line there.
+
+    >>> cell_place("<!-- cell 1: markdown -->\\n$a = b$", 2)
+    (1, 1)
+    """
+    lines = text.split("\n", line)[:line]
+    for back, words in enumerate(reversed(lines)):
+        if match := _HEAD.match(words):
+            return int(match[1]), back
+    return None

@@ -1,0 +1,219 @@
+"""Numbers as countries and scanners write them, put into one form: 0,045 becomes 0.045, 1O5 becomes 105.
+
+Whether a comma is a decimal sign is decided once for a document, from the numbers in which it can be
+nothing else; what is read so is said in a note.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from symbalance.document.letters import FUNCTION_WORDS
+from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.notes.reading.signs import RELATION
+
+_COMMA = re.compile(
+    r"(?<![\w.,\\])(?<!_\{)(?<!\^\{)(?<!\{,\})(?<![0-9]\s,)([0-9]{1,12})(,|\{,\})([0-9]{1,15})"
+    r"(?![0-9A-Za-z]|,[0-9]|\{,\}|\.[0-9])"
+)
+_GROUPED = re.compile(
+    r"(?<![\w.,\\])(?<!_\{)(?<!\{,\})([1-9][0-9]{0,2})((?:,[0-9]{3})+)(?![0-9A-Za-z]|,[0-9])"
+)
+_POINT = re.compile(r"(?<![\w.,\\])([0-9]{1,12})\.([0-9]{1,15})(?![0-9A-Za-z]|\.[0-9])")
+_POINTED = re.compile(r"(?<![\w.,\\])([1-9][0-9]{0,2})((?:\.[0-9]{3})+)(?![0-9A-Za-z]|\.[0-9])")
+_LANGUAGES = re.compile(
+    r"\b(?:und|der|die|das|ist|mit|für|wird|bei|les|des|est|avec|pour|donc|los|las|para|con|della|per|che"
+    r"|het|een|voor|och|med|jest|oraz|dla)\b"
+)
+_SCANNED = re.compile(
+    r"(?<![\w.,\\])(?=[0-9O.,]{0,20}O)(?=[0-9O.,]{0,20}[0-9])[0-9O]{1,12}(?:[.,][0-9O]{1,12})?(?![\w(\\])"
+)
+_DASH = re.compile("[—―‒]")
+_WORD = re.compile(r"(?<![\\A-Za-z])[A-Za-z]{2,}")
+_FUNCTION = re.compile(r"\b(?:" + "|".join(sorted(FUNCTION_WORDS, key=len, reverse=True)) + r")\b")
+_OPERAND_BEFORE = re.compile(r"[\w)\]}²³°′'&]$")
+_OPERAND_AFTER = re.compile(r"[\w(\[\\√½¼¾|{]")
+_SPELLED = (
+    ("mm", "millimet(?:er|re)s?"), ("cm", "centimet(?:er|re)s?|Zentimeter"), ("km", "kilomet(?:er|re)s?"),
+    ("m", "met(?:er|re)s?|Meter"), ("kg", "kilogram(?:me)?s?|Kilogramm"), ("g", "gram(?:me)?s?|Gramm"),
+    ("ms", "milliseconds?|Millisekunden?"), ("s", "seconds?|Sekunden?"), ("min", "minutes?|Minuten?"),
+    ("kN", "kilonewtons?"), ("N", "newtons?"), ("Nm", "newton[ -]?met(?:er|re)s?|Newtonmeter"),
+    ("Hz", "hertz"), ("W", "watts?"), ("kW", "kilowatts?"), ("J", "joules?"), ("rad", "radians?|Radiant"),
+    ("°", "degrees?|deg|Grad|degrés"), ("%", "percent|per cent|Prozent"),
+)  # fmt: skip
+_SPELLED_UNIT = re.compile(
+    r"(?<=[0-9])(\$?)[ ~]?(\$?)(?:"
+    + "|".join(f"(?P<u{n}>{names})" for n, (_, names) in enumerate(_SPELLED))
+    + r")(?![A-Za-z])",
+    re.IGNORECASE,
+)
+_UNIT_BEHIND = (
+    r"(?:[kmcM]?N ?m?|[kmcd]?m(?:/s(?:\^?[2²])?)?|k?g|m?s|rpm"
+    r"|rad(?:/s)?|1/s|1/min|min\^?-1|min⁻¹|s\^-1|s⁻¹"
+    r"|[kM]?Pa|bar|[kM]?W|[kM]?J"
+    r"|k?Hz|kg ?m[²2]?|N/mm[²2]?|°|U/min)"
+)
+_BEHIND_DOLLAR = re.compile(
+    rf"(?<=[0-9])\$[ ~]?(?P<unit>{_UNIT_BEHIND})(?=[.,;:)]?(?:\s*$|[\s|)])|[.,;:)]\s)(?! ?[=<>≈+*/])",
+    re.MULTILINE,
+)
+_OPENED = re.compile(r"\$[^$\n]*$")
+_AROUND = 400  # characters of a line looked at on either side
+FEWEST_WORDS = 3
+"""Of a language that writes decimal commas, before `1,5` counts as one; `i = 1,2` is a list elsewhere."""
+
+
+def with_plain_numerals(
+    text: str, is_letter: Callable[[str, int], bool] = lambda name, line: False
+) -> tuple[Rewritten | None, tuple[str, ...]]:
+    """Return a text with its numbers in one form, None if they are so already, and what to say of it.
+
+    `is_letter` tells whether a name is a letter on a line: where O is one, 2O is a product.
+
+    >>> rewritten, notes = with_plain_numerals("m = 0,045 und l = 0,15")
+    >>> rewritten.text, notes[0]
+    ('m = 0.045 und l = 0.15', 'decimal commas: 0,045 is read as 0.045 (2 numbers)')
+    """
+    changes: dict[int, tuple[int, str]] = {}
+    notes: list[str] = []
+    commas = _commas(text, notes)
+    changes |= commas
+    changes |= _scanned(text, is_letter, notes)
+    changes |= _dashes(text, notes)
+    changes |= _units_in_words(text)
+    if not changes:
+        return None, ()
+    rewriter = Rewriter(text)
+    for start, (end, written) in sorted(changes.items()):
+        if start >= rewriter.place:
+            rewriter.replace(start, end, written)
+    return rewriter.finish(), tuple(notes)
+
+
+def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
+    """Return the numbers with a comma as they are read, by their places."""
+    matches = [match for match in _COMMA.finditer(text) if not _is_pair(text, match)]
+    grouped = [match for match in _GROUPED.finditer(text) if not _is_pair(text, match)]
+    if not matches and not grouped:
+        return {}
+    is_usual = len(_LANGUAGES.findall(text)) >= FEWEST_WORDS
+    sure = [match for match in matches if _is_surely_decimal(match, is_usual)]
+    points = [match for match in _POINT.finditer(text) if len(match[2]) != 3 or match[1] == "0"]
+    changes: dict[int, tuple[int, str]] = {}
+    if sure and len(sure) >= len(points):
+        decimal = {match.start(): (match.end(), f"{match[1]}.{match[3]}") for match in matches}
+        thousands = [match for match in _POINTED.finditer(text) if _follows_formula(text, match)]
+        changes = decimal | {m.start(): (m.end(), m[1] + m[2].replace(".", "")) for m in thousands}
+        _note(notes, "decimal commas", decimal, text)
+        _note(notes, "points between thousands", {m.start(): changes[m.start()] for m in thousands}, text)
+        return changes
+    zeros = {
+        m.start(): (m.end(), f"{m[1]}.{m[3]}") for m in sure if m[1].strip("0") == "" and len(m[3]) > 1
+    }
+    _note(notes, "decimal commas", zeros, text)
+    if points and not zeros:
+        changes = {m.start(): (m.end(), m[1] + m[2].replace(",", "")) for m in grouped}
+        _note(notes, "commas between thousands", changes, text)
+    return changes | zeros
+
+
+def _is_pair(text: str, match: re.Match[str]) -> bool:
+    """Tell whether brackets hold these two numbers alone: (1,2) and [0,1] are pairs."""
+    before, after = text[max(match.start() - 1, 0) : match.start()], text[match.end() : match.end() + 1]
+    return (before, after) in (("(", ")"), ("[", "]"), ("(", "]"), ("[", ")"), ("|", "|"))
+
+
+def _is_surely_decimal(match: re.Match[str], is_usual: bool) -> bool:
+    """Tell whether a comma can be nothing but a decimal sign."""
+    whole, sign, part = match.groups()
+    if sign == "{,}":
+        return len(part) != 3 or whole.strip("0") == ""
+    if whole.strip("0") == "" and len(part) > 1:
+        return True
+    return len(part) != 3 and (is_usual or len(part) > 2)
+
+
+def _follows_formula(text: str, match: re.Match[str]) -> bool:
+    """Tell whether a number stands in a formula, not in a date or the number of a section."""
+    before = text[max(match.start() - 12, 0) : match.start()].rstrip()
+    if re.match(r"\s*(?:[-+−*/·×=≈<>≤≥]|\\(?:cdot|times|approx))", text[match.end() : match.end() + 12]):
+        return True
+    return bool(before) and (
+        before[-1] in "=≈<>≤≥+-−*/·×({^" or before.endswith(("cdot", "times", "approx"))
+    )
+
+
+def _note(notes: list[str], what: str, changes: dict[int, tuple[int, str]], text: str) -> None:
+    if changes:
+        start, (end, written) = next(iter(changes.items()))
+        count = f"{len(changes)} {'number' if len(changes) == 1 else 'numbers'}"
+        notes.append(f"{what}: {text[start:end]} is read as {written} ({count})")
+
+
+def _scanned(
+    text: str, is_letter: Callable[[str, int], bool], notes: list[str]
+) -> dict[int, tuple[int, str]]:
+    """Return the numbers in which a scanner wrote the letter O for a zero."""
+    changes: dict[int, tuple[int, str]] = {}
+    for match in _SCANNED.finditer(text):
+        if is_letter("O", text.count("\n", 0, match.start()) + 1):
+            continue
+        changes[match.start()] = (match.end(), match.group().replace("O", "0"))
+    _note(notes, "the letter O for a zero", changes, text)
+    return changes
+
+
+def _units_in_words(text: str) -> dict[int, tuple[int, str]]:
+    """Return the units written out, 40 millimetres, or behind the dollar, $r = 40$ mm, in their signs."""
+    changes: dict[int, tuple[int, str]] = {}
+    for match in _SPELLED_UNIT.finditer(text):
+        which = next(n for n in range(len(_SPELLED)) if match[f"u{n}"])
+        unit, dollars = _SPELLED[which][0], match[1] + match[2]
+        changes[match.start()] = (match.end(), _unit_sign(unit, bool(dollars)) + dollars)
+    for match in _BEHIND_DOLLAR.finditer(text):
+        if _closes(text, match.start()):
+            changes[match.start()] = (match.end(), _unit_sign(match["unit"], True) + "$")
+    return changes
+
+
+def _unit_sign(unit: str, in_latex: bool) -> str:
+    if unit in ("°", "%"):
+        return {"°": "°", "%": "\\%" if in_latex else "%"}[unit]
+    return f"\\,\\mathrm{{{unit}}}" if in_latex else f" {unit}"
+
+
+def _closes(text: str, place: int) -> bool:
+    """Tell whether the dollar at a place closes mathematics of its line, which holds a relation."""
+    line = text[max(place - _AROUND, 0) : place].rpartition("\n")[2]
+    opened = _OPENED.search(line)
+    return line.count("$") % 2 == 1 and opened is not None and RELATION.search(opened.group()) is not None
+
+
+def _dashes(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
+    """Return the long dashes that are minus signs: between operands, nothing but a formula after them."""
+    changes: dict[int, tuple[int, str]] = {}
+    for match in _DASH.finditer(text):
+        before = text[max(match.start() - _AROUND, 0) : match.start()].rpartition("\n")[2]
+        after = text[match.end() : match.end() + _AROUND].partition("\n")[0]
+        if _is_minus(before, after):
+            changes[match.start()] = (match.end(), "-")
+    if changes:
+        notes.append(f"a long dash is read as a minus sign ({len(changes)}×)")
+    return changes
+
+
+def _is_minus(before: str, after: str) -> bool:
+    goes_on = re.split(r"[;,.:。、](?:\s|$)|\$|\\\)|\\\]|[—―‒]", after, maxsplit=1)[0].strip()
+    if not goes_on or not _OPERAND_BEFORE.search(before.rstrip()) or not _OPERAND_AFTER.match(goes_on):
+        return False
+    if before[-1:].isdecimal() and after[:1].isdecimal():
+        return False  # 10—20 is a range
+    is_open = before.count("(") > before.count(")")
+    is_formula = is_open or RELATION.search(before) is not None or "\\" in before or "&" in before
+    is_formula = is_formula or before.count("$") % 2 == 1
+    if any(word not in FUNCTION_WORDS for word in _WORD.findall(goes_on)):
+        return False
+    if is_open or not RELATION.search(goes_on):
+        return is_formula
+    return not _WORD.search(_FUNCTION.sub(" ", before))

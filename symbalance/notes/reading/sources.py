@@ -1,0 +1,429 @@
+"""Files as people keep them (LaTeX, Markdown, wiki, web page, AsciiDoc, notebook), put into one form.
+
+What is no mathematics (comments, code, addresses, markup) becomes blank; other people's delimiters
+(<math>, $`…`$, stem:[…], MathML) become those of LaTeX; macros, units and decimal commas are replaced.
+Lines stay lines, and every character knows where it stands in the document.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from html import unescape
+
+from symbalance.document.wordlists import words
+from symbalance.notes.reading.macros import expand_macros
+from symbalance.notes.reading.mathml import is_mathml, mathml_text
+from symbalance.notes.reading.numerals import with_plain_numerals
+from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
+
+CELL_END = "\ue000"
+"""Stands between the cells of a table: no formula goes over it. (A sign that nobody types.)"""
+
+KINDS = {
+    ".tex": "tex", ".latex": "tex", ".md": "markdown", ".markdown": "markdown", ".ipynb": "markdown",
+    ".wiki": "wiki", ".mediawiki": "wiki", ".html": "html", ".htm": "html", ".xhtml": "html",
+    ".adoc": "asciidoc", ".asciidoc": "asciidoc", ".txt": "plain", ".text": "plain",
+}  # fmt: skip
+"""What a file's ending says about how it is written; anything else is plain."""
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A text ready to be read.
+
+    `formulas` are the spans of fenced blocks of formulas, `codes` those of program code that may be
+    formulas. `refusals` tell, by their place in the document, why a macro was not replaced.
+    """
+
+    text: str
+    kind: str
+    formulas: tuple[Span, ...] = ()
+    codes: tuple[Span, ...] = ()
+    origin: Rewritten | None = None
+    refusals: tuple[tuple[int, tuple[str, str]], ...] = ()
+    notes: tuple[str, ...] = ()
+
+
+def prepare(
+    text: str, suffix: str, is_letter: Callable[[str, int], bool] = lambda name, line: False
+) -> Source:
+    """Return a document's text as it is read; the suffix says how it is written.
+
+    `is_letter` tells whether a name is a declared letter on a line.
+    """
+    narrow = to_half_width(text)
+    kind = kind_of(narrow, suffix)
+    first: Rewritten | None = None
+    narrow = mask_code_of_tex(narrow) if kind == "tex" else narrow
+    for rules in _RULES.get(kind, ()):
+        done = _rewritten(first.text if first else narrow, rules)
+        first = done.after(first) if done else first
+    current = first.text if first else narrow
+    macros = expand_macros(current)
+    origin = macros.source.after(first) if macros.source else first
+    current = origin.text if origin else narrow
+    numerals, notes = with_plain_numerals(current, is_letter)
+    origin = numerals.after(origin) if numerals else origin
+    current = origin.text if origin else narrow
+    formulas: list[Span] = []
+    codes: list[Span] = []
+    if kind == "tex":
+        current = mask_tex(current)
+    elif kind == "markdown":
+        current, formulas, codes = mask_markdown(current)
+    else:
+        current = mask_plain(current)
+    refusals = tuple(sorted(macros.refusals.items()))
+    return Source(current, kind, tuple(formulas), tuple(codes), origin, refusals, notes)
+
+
+def kind_of(text: str, suffix: str) -> str:
+    """Return how a text is written; plain text with a wiki's tags is a wiki's."""
+    kind = KINDS.get(suffix, "plain")
+    if kind == "plain" and re.search(r"<math[\s>]", text):
+        return "html" if re.match(r"\s*<(?:!doctype|html|\?xml)", text, re.IGNORECASE) else "wiki"
+    return kind
+
+
+def _rewritten(text: str, rules: tuple[Rule, ...]) -> Rewritten | None:
+    """Return a text with a format's own marks in LaTeX, None where nothing changed."""
+    pattern = re.compile("|".join(f"(?:{rule.pattern.pattern})" for rule in rules), _FLAGS)
+    rewriter = Rewriter(text)
+    place, changed = 0, False
+    while match := pattern.search(text, place):
+        for rule in rules:
+            if inner := rule.pattern.match(text, match.start()):
+                break
+        else:  # a rule looks behind: leave the place as it is
+            place = match.start() + 1
+            continue
+        texts = rule.write(inner)
+        if texts is not None:
+            rewriter.replace(inner.start(), inner.end(), *texts)
+            changed = True
+        place = max(inner.end(), inner.start() + 1)
+    return rewriter.finish() if changed else None
+
+
+# The marks of each format
+
+_FLAGS = re.DOTALL | re.IGNORECASE | re.MULTILINE
+Texts = tuple[str | Span, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """A mark of a format and what stands in its place; None: it stays as it is."""
+
+    pattern: re.Pattern[str]
+    write: Callable[[re.Match[str]], Texts | None]
+
+
+def _rule(pattern: str, write: Callable[[re.Match[str]], Texts | None]) -> Rule:
+    return Rule(re.compile(pattern, _FLAGS), write)
+
+
+def _inside(number: int, left: str, right: str) -> Callable[[re.Match[str]], Texts]:
+    """Return what writes a group as it stands, between two texts."""
+    return lambda match: (left, match.span(number), right)
+
+
+def _blank(match: re.Match[str]) -> Texts:
+    return (" ",)
+
+
+def _gap(match: re.Match[str]) -> Texts:
+    return (CELL_END,)
+
+
+def _math_element(match: re.Match[str]) -> Texts:
+    """<math> of a wiki holds LaTeX, of a web page MathML."""
+    head, inside = match[0].partition(">")[0], match[0].partition(">")[2].rpartition("<")[0]
+    is_block = re.search(r"display\s*=\s*[\"']?block", head, re.IGNORECASE) is not None
+    left, right = ("\\[", "\\]") if is_block else ("\\(", "\\)")
+    if is_mathml(inside):
+        return (f"{left} {mathml_text(inside)} {right}",)
+    start = match.start() + len(head) + 1
+    return (left, (start, start + len(inside)), right)
+
+
+def _entity(match: re.Match[str]) -> Texts | None:
+    sign = unescape(match[0])
+    return None if sign == match[0] else (sign.replace("\n", " "),)
+
+
+_MATH = _rule(r"<math(?:\s[^<>]*)?>(?:(?!<math).){0,20000}?</math\s*>", _math_element)
+_COMMENT = _rule(r"<!--.*?(?:-->|\Z)", _blank)
+_RAISED = _rule(r"<sup(?:\s[^<>]*)?>([^<>]{1,40})</sup\s*>", _inside(1, "^{", "}"))
+_LOWERED = _rule(r"<sub(?:\s[^<>]*)?>([^<>]{1,40})</sub\s*>", _inside(1, "_{", "}"))
+_INLINE_TAGS = "|".join(
+    words("span i b em strong u var big small font a abbr tt cite ins mark q s wbr code samp kbd")
+)
+_BLOCK_TAGS = "|".join(
+    words(
+        "p div li ul ol dl dt dd h1 h2 h3 h4 h5 h6 table thead tbody tfoot tr td th caption br hr img"
+        " body html head meta link title section article header footer main nav figure figcaption"
+        " pre blockquote input button form label aside center sup sub details summary"
+        " colgroup col svg path gallery poem"
+    )
+)
+_INLINE_TAG = _rule(rf"</?(?:{_INLINE_TAGS})(?:\s[^<>]*)?/?>", lambda match: ("",))
+_BLOCK_TAG = _rule(rf"</?(?:{_BLOCK_TAGS})(?:\s[^<>]*)?/?>|<!doctype[^<>]*>|<\?xml[^<>]*>", _gap)
+_ENTITY = _rule(r"&(?:[a-z]{2,8}|#[0-9]{1,6}|#x[0-9a-f]{1,5});", _entity)
+_GITLAB = _rule(r"\$`([^`\n]{1,2000})`\$", _inside(1, "\\(", "\\)"))
+_DOUBLE_BACKSLASH = (
+    _rule(r"(?<!\\)\\\\\(([^$\n]{1,2000}?)\\\\\)", _inside(1, "\\(", "\\)")),
+    _rule(r"(?<!\\)\\\\\[([^$]{1,4000}?)\\\\\]", _inside(1, "\\[", "\\]")),
+)
+_DISPLAYED = (
+    _rule(r"\$\$.{0,20000}?\$\$", lambda match: None),
+    _rule(
+        r"\\begin\s*\{(?P<environment>[a-z]+\*?)\}(?:(?!\\begin\s*\{(?P=environment)\}).){0,20000}?"
+        r"\\end\s*\{(?P=environment)\}",
+        lambda match: None,
+    ),
+)
+"""Mathematics that is LaTeX already: no mark of the format stands in it."""
+_FENCED = _rule(
+    r"^[ ]{0,3}(?P<fence>`{3,}|~{3,}).*?(?:^[ ]{0,3}(?P=fence)[`~]*[ \t]*$|\Z)", lambda match: None
+)
+
+
+def _script(match: re.Match[str]) -> Texts:
+    """A script of MathJax holds a formula, any other a program."""
+    head, _, inside = match[0].partition(">")
+    if "math/tex" not in head:
+        return (" ",)
+    start = match.start() + len(head) + 1
+    span = (start, start + len(inside.rpartition("<")[0]))
+    return ("\\[", span, "\\]") if "display" in head else ("\\(", span, "\\)")
+
+
+def _template(match: re.Match[str]) -> Texts:
+    """{{math|x = 1}} shows its argument, other templates are markup."""
+    name, _, inside = match[1].partition("|")
+    if name.strip().lower() not in _SHOWN or not inside:
+        return (" ",)
+    start = match.start(1) + len(name) + 1
+    return (" ", (start, match.end(1)), " ")
+
+
+_SHOWN = frozenset(words("math mvar nowrap nobr bigmath nobold center"))
+_WIKI_ROW = re.compile(r"\|\||!!")
+
+
+def _wiki_row(match: re.Match[str]) -> Texts:
+    """A row of a wiki's table: its cells, without what says how they look."""
+    texts: list[str | Span] = [CELL_END]
+    start, end = match.span(2)
+    text, place = match.string, start
+    for gap in [*_WIKI_ROW.finditer(text, start, end), None]:
+        stop = gap.start() if gap else end
+        style = re.compile(r"\s*[a-z]+\s*=\s*(?:\"[^\"\n]*\"|[0-9]+)[^|\n]*\|(?!\|)").match(
+            text, place, stop
+        )
+        texts += [(style.end() if style else place, stop), CELL_END]
+        place = gap.end() if gap else end
+    return tuple(texts)
+
+
+def _heading(match: re.Match[str]) -> Texts:
+    return (" ", match.span("title"), " ")
+
+
+def _boxed_display(match: re.Match[str]) -> Texts:
+    """\\begin{empheq}[box=\\fbox]{align} is an align; so are the equations of IEEEtran."""
+    name = match["display"]
+    return (f"\\begin{{{name}}}", match.span("body"), f"\\end{{{name}}}")
+
+
+_TEX_DISPLAYS = (
+    _rule(
+        r"\\begin\s*\{empheq\}\s*(?:\[[^\[\]]{0,200}\])?\s*\{(?P<display>[a-z]+\*?)(?:=[0-9]+)?\}"
+        r"(?P<body>(?:(?!\\begin\s*\{empheq).){0,20000}?)\\end\s*\{empheq\}",
+        _boxed_display,
+    ),
+    _rule(
+        r"\\begin\s*\{IEEEeqnarray(\*?)\}\s*(?:\[[^\[\]]*\])?\s*\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}",
+        lambda match: (f"\\begin{{eqnarray{match[1]}}}",),
+    ),
+    _rule(r"\\end\s*\{IEEEeqnarray(\*?)\}", lambda match: (f"\\end{{eqnarray{match[1]}}}",)),
+    _rule(
+        r"\\begin\s*\{IEEEeqnarraybox\*?\}\s*(?:\[[^\[\]]*\])?\s*\{[^{}]*\}",
+        lambda match: ("\\begin{aligned}",),
+    ),
+    _rule(r"\\end\s*\{IEEEeqnarraybox\*?\}", lambda match: ("\\end{aligned}",)),
+)
+_RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
+    "tex": (_TEX_DISPLAYS,),
+    "markdown": (_TEX_DISPLAYS, (
+        _FENCED, _COMMENT, _GITLAB, *_DOUBLE_BACKSLASH, *_DISPLAYED, _MATH, _RAISED, _LOWERED,
+        _INLINE_TAG, _BLOCK_TAG, _ENTITY,
+        _rule(r"(?<=\])\([^()\s]{0,400}[.#/][^()\s]{0,400}[?&][^()\s]{0,400}=[^()\s]{0,400}\)", _blank),
+    ),),
+    "wiki": ((
+        _COMMENT,
+        _rule(r"<nowiki>(?:(?!<nowiki).){0,20000}?</nowiki>|<(?:source|syntaxhighlight|pre)[\s>](?:(?!<(?:source|syntax|pre)).)*?</(?:source|syntaxhighlight|pre)>",
+              _blank),
+        Rule(_MATH.pattern, lambda match: None), *_DISPLAYED,
+        _rule(r"^(?P<heading>={2,6})(?P<title>[^=\n](?:[^\n]*?[^=\n])?)(?P=heading)[ \t]*$", _heading),
+        _rule(r"^[ \t]*(?:\{\||\|\}|\|-|\|\+)[^\n]*$", _blank),
+        _rule(r"^[ \t]*([|!])(?![|}+-])([^\n]*)$", _wiki_row),
+    ), (
+        _MATH, *_DISPLAYED, _RAISED, _LOWERED,
+        _rule(r"<ref(?:\s[^<>]*)?/>|<ref(?:\s[^<>]*)?>|</ref>", _gap),
+        _INLINE_TAG, _BLOCK_TAG, _ENTITY,
+        _rule(r"\{\{\s*=\s*\}\}", lambda match: ("=",)),
+        _rule(r"\{\{([^{}]{1,2000})\}\}", _template),
+        _rule(r"\[\[(?:[^][|\n]*\|)*([^][|\n]*)\]\]", _inside(1, " ", " ")),
+        _rule(r"\[https?://[^\s\]]+", _blank),
+        _rule(r"^[:;]+|'{2,5}", _blank),
+    )),
+    "html": ((
+        _COMMENT,
+        _rule(r"<script(?:\s[^<>]*)?>(?:(?!<script).)*?</script\s*>", _script),
+        _rule(r"<(?P<hidden>style|noscript|head)(?:\s[^<>]*)?>(?:(?!<(?P=hidden)[\s>]).)*?"
+              r"</(?P=hidden)\s*>", _blank),
+        _rule(r"<span\s[^<>]*aria-hidden=\"true\"[^<>]*class=\"katex-html\".*?</span>", _blank),
+        _MATH, _RAISED, _LOWERED, _INLINE_TAG, _BLOCK_TAG, _ENTITY,
+    ),),
+    "asciidoc": ((
+        _rule(r"^////$.*?^////$|^//(?!/)[^\n]*", _blank),
+        _rule(r"^\[(?:stem|latexmath|asciimath)[^\]\n]*\]\n\+{4}\n(.{0,20000}?)\n\+{4}$",
+              lambda match: ("\\[", match.span(1), "\\]")),
+        _rule(r"^(?P<listing>-{4,}|\.{4,}|\+{4,})$.*?^(?P=listing)$", _blank),
+        _rule(r"\b(?:stem|latexmath|asciimath):[a-z,]*\[((?:[^][\n]|\\\]|\[[^][\n]*\]){1,4000})\]",
+              _inside(1, "\\(", "\\)")),
+        _rule(r"^\[[^\]\n]*\]$|^:[^:\n]+:[^\n]*$|^\.[A-Z][^\n]*$", _blank),
+        _rule(r"^=+[ ]|^\|={3,}$", _blank),
+        _rule(r"(?:^|(?<=\s))[0-9.+]{0,5}[a-z]?\|(?![|=])", _gap),
+    ),),
+}  # fmt: skip
+"""The marks of each format in passes, one after the other; within a pass in the order they are tried."""
+
+
+# What is not to be read as mathematics: blanked
+
+_WIDE = {0xFF01 + k: 0x21 + k for k in range(94)} | {0x3000: 0x20, 0x0D: 0x20, 0xA0: 0x20}
+_WIDE |= dict.fromkeys(
+    (*range(9), 0x0B, 0x0C, *range(0x0E, 0x20), 0x7F, 0xFEFF, 0x200B, 0x200C, 0x200D, 0x2060), 0x20
+)
+_TEX_COMMENT = re.compile(r"(?<!\\)(?:\\\\)*(%[^\n]*)")
+_VERBATIM = re.compile(r"\\begin\s*\{(verbatim\*?|lstlisting|minted|comment|Verbatim)\}")
+_VERB = re.compile(r"\\verb\*?([^A-Za-z\s*])[^\n]{0,400}?\1")
+_ADDRESS = re.compile(
+    r"[A-Za-z][A-Za-z0-9+.-]{1,20}://[^\s<>\"「」、。]+|[\w.+-]{1,64}@[\w-]{1,64}(?:\.[\w-]{1,64})+"
+)
+_RULE_OF_SIGNS = re.compile(r"^[ \t]*(?:={2,}|~{3,})[ \t]*$", re.MULTILINE)
+_QUOTED = re.compile(r"^[ ]{0,3}(?:>[ ]?)+", re.MULTILINE)
+_OPTIONS = re.compile(r"(?<=[A-Za-z}*])\[\s*[a-z-]{2,20}\s*=[^\[\]\n$]{0,200}\]")
+_FENCE = re.compile(r"[ ]{0,3}(`{3,}|~{3,})\s*([A-Za-z]*)")
+_BOLD = re.compile(r"(?<![\w)*])\*\*(?=[^\s*])([^*\n]{1,300})(?<=\S)\*\*(?![\w(*])")
+_CODE = re.compile(r"(`+)(?!`)[^`\n]{1,400}\1(?!`)")
+_CODE_LANGUAGES_OF_FORMULAS = ("math", "latex", "tex")
+_CODE_LANGUAGES_UNKNOWN = ("", "text", "txt", "plain")
+
+
+def blank(text: str) -> str:
+    """Return as many spaces, with the line ends where they were."""
+    return "".join("\n" if c == "\n" else " " for c in text) if "\n" in text else " " * len(text)
+
+
+def to_half_width(text: str) -> str:
+    """Return the text with full-width signs as plain ones, of the same length."""
+    return text.translate(_WIDE)
+
+
+def mask_code_of_tex(text: str) -> str:
+    """Blank comments and verbatim."""
+    text = _TEX_COMMENT.sub(lambda m: m.group()[: m.start(1) - m.start()] + blank(m.group(1)), text)
+    text = _without_environments(text)
+    return _VERB.sub(lambda m: blank(m.group()), text)
+
+
+def mask_tex(text: str) -> str:
+    """Blank comments, verbatim, the preamble and what follows the end."""
+    text = _OPTIONS.sub(lambda m: blank(m.group()), mask_code_of_tex(text))
+    begin = text.find("\\begin{document}")
+    if begin >= 0:
+        begin += len("\\begin{document}")
+        text = blank(text[:begin]) + text[begin:]
+    end = text.find("\\end{document}")
+    return text if end < 0 else text[:end] + blank(text[end:])
+
+
+def _without_environments(text: str) -> str:
+    pieces: list[str] = []
+    place = 0
+    while match := _VERBATIM.search(text, place):
+        closer = f"\\end{{{match.group(1)}}}"
+        end = text.find(closer, match.end())
+        end = len(text) if end < 0 else end + len(closer)
+        pieces += [text[place : match.start()], blank(text[match.start() : end])]
+        place = end
+    return "".join([*pieces, text[place:]])
+
+
+def mask_plain(text: str) -> str:
+    """Blank addresses of the net and of mail, and rules of equals signs under a heading."""
+    text = _RULE_OF_SIGNS.sub(lambda m: blank(m.group()), text)
+    return _ADDRESS.sub(lambda m: blank(m.group()), text)
+
+
+def mask_markdown(text: str) -> tuple[str, list[Span], list[Span]]:
+    """Blank code and comments; return the text, the blocks of formulas, and code that may be formulas."""
+    text = _without_comments(text)
+    formulas: list[Span] = []
+    codes: list[Span] = []
+    lines: list[str] = []
+    fence, language, begin = "", "", 0
+    for offset, line in _lines(text):
+        match = _FENCE.match(line)
+        if fence:
+            is_closing = match is not None and match.group(1).startswith(fence)
+            is_shown = language in (*_CODE_LANGUAGES_OF_FORMULAS, *_CODE_LANGUAGES_UNKNOWN)
+            if is_closing and language in _CODE_LANGUAGES_OF_FORMULAS and "$" not in text[begin:offset]:
+                formulas.append((begin, offset))
+            elif not is_closing and language in _CODE_LANGUAGES_UNKNOWN:
+                codes.append((offset, offset + len(line)))
+            lines.append(line if is_shown and not is_closing else blank(line))
+            fence = "" if is_closing else fence
+        elif match:
+            fence, language, begin = match.group(1), match.group(2).lower(), offset + len(line)
+            lines.append(blank(line))
+        else:
+            for code in _CODE.finditer(line):
+                ticks = len(code.group(1))
+                codes.append((offset + code.start() + ticks, offset + code.end() - ticks))
+            without_ticks = _CODE.sub(_without_ticks, line)
+            lines.append(_BOLD.sub(lambda m: f"  {m.group(1)}  ", without_ticks))
+    unquoted = _QUOTED.sub(lambda m: blank(m.group()), "".join(lines))
+    return mask_plain(unquoted), formulas, codes
+
+
+def _without_ticks(match: re.Match[str]) -> str:
+    """Return code without its ticks, which no formula goes over."""
+    ticks = CELL_END * len(match.group(1))
+    return f"{ticks}{match.group()[len(ticks) : -len(ticks)]}{ticks}"
+
+
+def _lines(text: str) -> Iterator[tuple[int, str]]:
+    place = 0
+    while place < len(text):
+        end = text.find("\n", place)
+        end = len(text) if end < 0 else end + 1
+        yield place, text[place:end]
+        place = end
+
+
+def _without_comments(text: str) -> str:
+    pieces: list[str] = []
+    place = 0
+    while (start := text.find("<!--", place)) >= 0:
+        end = text.find("-->", start)
+        end = len(text) if end < 0 else end + 3
+        pieces += [text[place:start], blank(text[start:end])]
+        place = end
+    return "".join([*pieces, text[place:]])

@@ -1,0 +1,13 @@
+from symbalance.search.certificate import search_certificate as search_certificate
+from symbalance.search.counting import Counts as Counts
+from symbalance.search.cranks_search import search_cranks as search_cranks
+from symbalance.search.magnitudes import Magnitude as Magnitude
+from symbalance.search.objectives import After as After
+from symbalance.search.objectives import Condition as Condition
+from symbalance.search.problem import SearchProblem as SearchProblem
+from symbalance.search.problem import Seat as Seat
+from symbalance.search.problem import search_problem as search_problem
+from symbalance.search.search_result import CrankSearch as CrankSearch
+from symbalance.search.search_result import SearchPoint as SearchPoint
+from symbalance.search.search_result import SearchStar as SearchStar
+from symbalance.search.subtrees import Tally as Tally

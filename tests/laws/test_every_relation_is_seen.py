@@ -1,0 +1,115 @@
+"""Every relation sign of a page is accounted for: read, unreadable, or no mathematics.
+
+The signs are counted by a plain scan that knows nothing of the reader: it strips what is a comment, an
+address or program code, and the bounds of sums, and counts.
+"""
+
+import re
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from symbalance.checking import check
+from tests import TESTS
+
+HAND = TESTS / "hand"
+CHECKED = TESTS.parent / "derivations" / "checked"
+PAGES = [
+    HAND / tomllib.loads(t.read_text(encoding="utf-8"))["page"] for t in sorted(HAND.glob("*.truth.toml"))
+]
+PAGES += sorted(CHECKED.glob("0*.txt"))
+COMMANDS = (
+    *("approx", "simeq", "fallingdotseq", "cong", "doteq", "doteqdot", "sim", "approxeq", "leq", "le"),
+    *("leqq", "leqslant", "geq", "ge", "geqq", "geqslant", "triangleq", "coloneqq", "eq", "defeq"),
+    *("lt", "gt", "equiv", "neq", "ne"),
+)
+SIGN = re.compile(
+    r"==|:=|<=(?!>)|>=|!=|=(?!>)|<(?!-)|(?<![-=])>|[≈≒≃≅≐∼≑≤≥≦≧⩽⩾≡≜≔≠]|(?<=\s)~(?=\s)|\\(?:"
+    + "|".join(sorted(COMMANDS, key=len, reverse=True))
+    + r")(?![A-Za-z])"
+)
+
+
+def counted(path: Path) -> int:
+    """Return how many relation signs a page has, by a plain scan."""
+    text = path.read_text(encoding="utf-8").translate({0xFF1D: "=", 0xFF1C: "<", 0xFF1E: ">"})
+    if path.suffix == ".tex":
+        text = re.sub(r"(?<!\\)%[^\n]*", "", text)
+        body = re.search(r"\\begin\{document\}(.*)\\end\{document\}", text, re.DOTALL)
+        text = body[1] if body else text
+        text = re.sub(r"\[[a-z-]+=[^\]\n]*\]", "", text)  # options: \SI[per-mode=symbol]
+        text = re.sub(r"\\begin\{verbatim\}.*?\\end\{verbatim\}", "", text, flags=re.DOTALL)
+    elif path.suffix == ".md":
+        text = re.sub(r"<!--.*?-->", "", text, flags=re.DOTALL)
+        text = re.sub(r"^```(?!math|\s*$).*?^```", "", text, flags=re.DOTALL | re.MULTILINE)
+        text = re.sub(r"^> ?|</?(?:math|br)>", "", text, flags=re.MULTILINE)
+    elif text.startswith("#"):
+        text = re.sub(r"\A(?:#[^\n]*\n)+", "", text)
+    text = re.sub(r"^[ \t]*={2,}[ \t]*$", "", text, flags=re.MULTILINE)
+    text = re.sub(r"https?://\S+", "", text)
+    cases = r"\\begin\{cases\}.*?\\end\{cases\}"  # a condition of a case is no relation of its own
+    text = re.sub(cases, "", text, flags=re.DOTALL)
+    return len(SIGN.findall(re.sub(r"[_^]\s*\{[^{}\n]{0,60}\}", "", text)))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "page", [p for p in PAGES if p.suffix in (".tex", ".md", ".txt")], ids=lambda p: p.name
+)
+def test_a_plain_scan_counts_what_the_report_accounts_for(page):
+    sidecar = tomllib.loads(page.with_suffix(".symbols.toml").read_text(encoding="utf-8"))
+    report = check(page, {key: sidecar[key] for key in ("symbols", "scope") if key in sidecar})
+    assert report.relation_count == counted(page)
+    data = report.data()
+    assert data["seen"] == sum(data["counts"].values())
+
+
+LETTERS = {"x": "a letter", "y": "a letter", "t": "angle"}
+
+
+@pytest.mark.parametrize(
+    ("text", "suffix"),
+    [
+        ("The value `x = 3` in code.\n", ".md"),
+        ("| a | b |\n|---|---|\n| x = 3 | y = 4 |\n", ".md"),
+        ("# Where x = 3\n", ".md"),
+        ("Some $`x = 3`$ and ```y```.\n", ".md"),
+        ("```\nx = 3\n```\n", ".md"),
+        ("Text with x = 3 in it, $y = 4$.\n", ".tex"),
+        ("\\begin{IEEEeqnarray}{rCl} x &=& 3 \\\\ y &=& 4 \\end{IEEEeqnarray}\n", ".tex"),
+        ("\\begin{empheq}[box=\\fbox]{align} x &= 3 \\\\ y &= 4 \\end{empheq}\n", ".tex"),
+        ("\\begin{dmath} x = 3 \\end{dmath} \\begin{multline} y = \\\\ 4 \\end{multline}\n", ".tex"),
+        ("* <math>x = 3</math>\n{| style=\"a\"\n| x || <math>y = 4</math>\n|}\n", ".wiki"),
+        ("<p>So <i>x</i> = 3</p><math><mi>y</mi><mo>=</mo><mn>4</mn></math>\n", ".html"),
+        ("It is stem:[x = 3].\n\n[stem]\n++++\ny = 4\n++++\n", ".adoc"),
+        ("We know unknown = x, x = words of prose, x ≈ \\foo and (x = q + 1).\n", ".txt"),
+        ("$x = \\foo{3} = 4$ and $\\bar = \\bar$\n", ".tex"),
+    ],
+)  # fmt: skip
+def test_nothing_vanishes_wherever_it_stands(text, suffix, tmp_path):
+    page = tmp_path / f"page{suffix}"
+    page.write_text(text, encoding="utf-8")
+    signs = {".wiki": 2, ".html": 2}.get(suffix)
+    if signs is None:
+        signs = len(SIGN.findall(re.sub(r"\[box=[^\]]*\]", "", text)))
+    report = check(page, LETTERS)
+    assert report.relation_count == signs
+    assert len(report.verdicts) == signs  # none of them is passed over as no mathematics
+    is_plain = not any(words in text for words in ("unknown", "\\foo"))
+    assert not (is_plain and any(v.verdict == "unreadable" for v in report.verdicts))
+
+
+def test_what_is_no_mathematics_is_counted_and_says_why(tmp_path):
+    text = (
+        "Kraft = Masse mal Weg. Use `--format=json` and <b>bold</b>; cost = 4.\n\n```python\nx = 3\n```\n"
+    )
+    page = tmp_path / "page.md"
+    page.write_text(text, encoding="utf-8")
+    data = check(page, LETTERS).data()
+    assert [entry["why"] for entry in data["not_mathematics"]] == [
+        "words on both sides",
+        "in program code",
+        "the value of a word that is no declared letter",
+    ]
+    assert data["counts"]["not_mathematics"] == data["seen"] == 3
