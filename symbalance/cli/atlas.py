@@ -23,7 +23,9 @@ def add(commands: argparse._SubParsersAction) -> None:
     )
     parser.add_argument("--order", metavar="N", default="12", help="highest order; default: 12")
     add_jobs(parser, "engines")
-    parser.add_argument("-o", "--output", metavar="FOLDER", required=True, help="created where it is not there")
+    parser.add_argument(
+        "-o", "--output", metavar="FOLDER", required=True, help="created where it is not there"
+    )
 
 
 def run(options: argparse.Namespace) -> int:
