@@ -87,7 +87,7 @@ def _resolved(powers, value):
     )
 
 
-def letter(*generator, exponent=1):
+def letter(*generator, exponent=Fraction(1)):
     """Return a generator as a quotient."""
     return {((generator, Fraction(exponent)),): Fraction(1)}, ONE
 
@@ -363,11 +363,11 @@ def verify(certificate):
             raise Rejected("the two sides are not identical")
     elif claim == "witness":
         witness = certificate["witness"]
-        sides = [evaluate(side, witness["point"], values) for side in (left, right)]
+        one, other = (evaluate(side, witness["point"], values) for side in (left, right))
         stated = [complex(witness[name]) for name in ("left", "right")]
-        if not all(_is_near(a, b, 1e-9) for a, b in zip(sides, stated, strict=True)):
+        if not all(_is_near(a, b, 1e-9) for a, b in zip((one, other), stated, strict=True)):
             raise Rejected("the sides do not have the values stated")
-        if _is_near(*sides, 1e-9):
+        if _is_near(one, other, 1e-9):
             raise Rejected("the sides do not differ")
     elif claim == "order":
         _verify_order(certificate, values)

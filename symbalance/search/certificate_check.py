@@ -155,9 +155,9 @@ class Check:
         if sorted(self.order) != list(range(self.pins)):
             raise WrongError("places some pin twice")
         capacities = [tuple(walk["capacity"]) for walk in data["walks"]]
-        for one in self.symmetries:
-            self.check_symmetry(*one)
-            self.check_moments(*one, capacities)
+        for source, sign, shift in self.symmetries:
+            self.check_symmetry(source, sign, shift)
+            self.check_moments(source, sign, shift, capacities)
         self.found = 0
         for walk in data["walks"]:
             self.letters, self.capacity = iter(walk["letters"]), list(walk["capacity"])

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import textwrap
 from dataclasses import replace
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -21,6 +22,7 @@ from symbalance.errors import JobFaultError, MissingPartError, SymbalanceError
 from symbalance.exact.phasor import Phasor
 from symbalance.exact.spectrum import Spectrum
 from symbalance.jobs.running import _NobodyLeftError
+from symbalance.notes.checking.dimensions import Mismatch, _MismatchError
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.torque import torque_report
 
@@ -31,6 +33,7 @@ ARGUMENTS = {
     ReadingError: (3, "unknown command", "write it out"),
     UndeclaredError: (4, "q_1"),
     OverBudgetError: ("10 s",),
+    _MismatchError: (Mismatch("the left side is in", (Fraction(1),), (Fraction(2),)),),
     _NobodyLeftError: ("the executor", "is lost"),
     JobFaultError: ("ZeroDivisionError in exact/phasor.py:12", "Traceback ..."),
 }

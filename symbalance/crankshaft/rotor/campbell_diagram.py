@@ -120,14 +120,17 @@ class Campbell(Result):
         """
         hertz = 1 / (2 * np.pi)
         # Of a mode that hardly moves sideways the share is a quotient of two roundings.
-        forward = np.where(self.lateral, self.forward, None)
+        forward = [
+            [share if sideways else None for share, sideways in zip(*row, strict=True)]
+            for row in zip(self.forward.tolist(), self.lateral.tolist(), strict=True)
+        ]
         return {
             "free": self.is_free,
             "speeds_rpm": (self.speeds * 30 / np.pi).tolist(),
             "rotating_hertz": (self.rotating * hertz).tolist(),
             "stationary_hertz": (self.stationary * hertz).tolist(),
             "growth": self.growth.tolist(),
-            "forward": forward.tolist(),
+            "forward": forward,
             "lateral": self.lateral.tolist(),
         }
 

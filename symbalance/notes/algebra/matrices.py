@@ -251,9 +251,11 @@ class MatrixEvaluator:
             else:
                 word.append(factor)
         joined = tuple(word)
-        vectors = self.kinds.vectors
-        ends = len(joined) > 1 and joined[0].name in vectors and joined[-1].name in vectors
-        is_number = ends and joined[0].is_transposed and not joined[-1].is_transposed
+        if len(joined) < 2:
+            return joined
+        vectors, (first, *_, last) = self.kinds.vectors, joined
+        ends = first.name in vectors and last.name in vectors
+        is_number = ends and first.is_transposed and not last.is_transposed
         return min(joined, self._mirrored(joined), key=repr) if is_number else joined
 
     # Transpose, inverse, powers, determinants

@@ -135,6 +135,8 @@ def _without_dots(node: Formula) -> Formula:
     """Return a side without the dots at its end: what it claims to an order are the terms before."""
     if isinstance(node, formula.Sum):
         terms = tuple(_without_dots(term) for term in node.terms if not isinstance(term, formula.Dots))
+        if not terms:  # dots alone claim nothing
+            return node
         return formula.Sum(terms) if len(terms) > 1 else terms[0]
     parts = formula.children(node)
     return formula.with_children(node, tuple(map(_without_dots, parts))) if parts else node

@@ -419,10 +419,10 @@ def refuted_at_angles(left: Side, right: Side, sign: str, solved: Solved) -> Dec
             )
             if not satisfies:
                 continue
-            sides = [replace(s, readings=tuple(map(at_angle, s.readings))) for s in (left, right)]
+            first, second = (replace(s, readings=tuple(map(at_angle, s.readings))) for s in (left, right))
         except NoFormError:  # a derivative by the angle: it has no value there
             return None
-        decision = decide(*sides, sign, solved.knowledge)
+        decision = decide(first, second, sign, solved.knowledge)
         if decision.status == REFUTED:
             reason = f"also at {plain(Name(letter))} = {15 * twelfths}°, by {lines_of(solved.leftover)}"
             witness = {letter: f"{twelfths * pi / 12:.12g}", **decision.witness}

@@ -146,7 +146,7 @@ def declared_dimension(meaning: str) -> Dimension | None:
 
 class _MismatchError(Exception):
     def __init__(self, mismatch: Mismatch) -> None:
-        super().__init__(mismatch.reason)
+        super().__init__(mismatch)  # all that a copy is made of
         self.mismatch = mismatch
 
 

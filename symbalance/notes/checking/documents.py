@@ -100,7 +100,7 @@ def check(
     def judge(notes: ReadNotes) -> Checked:
         """Judge a reading of the page in what is left of its budget."""
         seconds, memory = budget
-        left = None if seconds is None else max(seconds - (time.monotonic() - start), 0.01)
+        left = None if seconds is None else max(seconds - (time.monotonic() - start), 1e-9)
         return Judge(notes, declarations, sources, Budget(left, memory), fixes).check()
 
     checked = judge_in_one_reading(page, judge)

@@ -249,7 +249,8 @@ class _Page:
         if verdict.is_bad and verdict.exact_node is not None and is_readable(verdict.exact_node):
             entries.append(("Exact value", verdict.exact_node))
         if verdict.verdict == REFUTED and verdict.witness:
-            entries.append(("Witness", witness_words(verdict)[1:]))
+            words = witness_words(verdict)
+            entries.append(("Witness", words[1:] if isinstance(words, tuple) else words))
         if verdict.fix:
             entries.append(("Found", verdict.fix.kind))
             entries += [("Change", fault_words(fault, verdict)) for fault in verdict.fix.faults]

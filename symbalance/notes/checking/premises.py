@@ -200,8 +200,8 @@ def _solve_linearly(
     return domain.generators[number].content, Quotient(value, polynomial_node(domain, below))
 
 
-def _by_powers(polynomial: Polynomial, number: int) -> dict[object, Polynomial]:
-    parts: dict[object, Polynomial] = {}
+def _by_powers(polynomial: Polynomial, number: int) -> dict[Fraction | int, Polynomial]:
+    parts: dict[Fraction | int, Polynomial] = {}
     for monomial, coefficient in polynomial.items():
         power = dict(monomial).get(number, 0)
         rest: Monomial = tuple(entry for entry in monomial if entry[0] != number)

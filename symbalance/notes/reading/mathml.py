@@ -48,7 +48,7 @@ def is_mathml(source: str) -> bool:
 def _tree(source: str) -> Node:
     """Return the elements of a source below one of no name; a stray end is passed over."""
     root: Node = ("mrow", "", [], "")
-    open_nodes = [root]
+    open_nodes: list[Node] = [root]
     place = 0
     for count, match in enumerate(_TAG.finditer(source)):
         if count > MOST_ELEMENTS or len(open_nodes) > DEEPEST:

@@ -277,7 +277,8 @@ def sample_ranges(ranges: Iterable[StatedRange]) -> dict[str, tuple[int, int]]:
             continue
         pair = bounds.setdefault(own[0], [None, None])
         at, pick = (0, max) if own[1] in ">≥" else (1, min)
-        pair[at] = number if pair[at] is None else pick(number, pair[at])
+        before = pair[at]
+        pair[at] = number if before is None else pick(number, before)
     drawn: dict[str, tuple[int, int]] = {}
     for name, (low, high) in bounds.items():
         width = max(abs(low or high or 0), Fraction(1))

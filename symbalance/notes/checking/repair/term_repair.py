@@ -169,6 +169,8 @@ def _rebuild(
         terms = () if terms == (Number(Fraction(0)),) else terms
         extra_terms = extra_node.terms if isinstance(extra_node, Sum) else (extra_node,)
         all_terms = (*terms, *extra_terms)
+        if not all_terms:
+            return None
         result = Sum(all_terms, span=node.span) if len(all_terms) > 1 else all_terms[0]
         changes.append((Number(Fraction(0)), extra_node))
     return (result, tuple(changes)) if changes else None
