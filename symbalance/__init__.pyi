@@ -12,6 +12,7 @@ from symbalance import jobs as jobs
 from symbalance import kinematics as kinematics
 from symbalance import notes as notes
 from symbalance import pages as pages
+from symbalance import plot as plot
 from symbalance import search as search
 from symbalance import text as text
 from symbalance import torque as torque

@@ -18,7 +18,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     parser = command(commands, "bench", run, summary, ENDLESS)
     parser.add_argument(
         "topic",
-        choices=("derive", "check", "accuracy", "stability", "crankshaft", "search"),
+        choices=("derive", "check", "accuracy", "stability", "crankshaft", "search", "page"),
         help="what to measure",
     )
     parser.add_argument(

@@ -8,6 +8,7 @@ from typing import Any, NoReturn
 
 from symbalance.cli import (
     assign,
+    atlas,
     balance,
     bench,
     bounds,
@@ -25,6 +26,7 @@ from symbalance.cli import (
     page,
     search,
     sensitivities,
+    sheet,
     sweep,
     tolerances,
     torque,
@@ -44,6 +46,8 @@ COMMANDS = (
     formulas,
     draw,
     page,
+    sheet,
+    atlas,
     sensitivities,
     sweep,
     tolerances,

@@ -88,6 +88,10 @@ def document_html(document: nodes.Document, *, standalone: bool = False) -> str:
     """Return a document as HTML: an article to put into a page, or with `standalone` a whole page."""
     body = _Writer().document(document, top=1 if standalone else 2)
     style = _STYLE + _MARKS if '<details class="marked ' in body else _STYLE
+    if '<svg class="sbd"' in body:
+        from symbalance.document import svg_writer
+
+        style += svg_writer.style() + "\n"
     if not standalone:
         return f"<style>{style}</style>\n{body}"
     title = shorten(plain_words(document.title), LONGEST_TITLE, placeholder="…")
@@ -177,11 +181,15 @@ class _Writer(DocumentWriter):
         return f"{head}<dl>\n{chr(10).join(items)}\n</dl>"
 
     def figure(self, block: nodes.Figure) -> str:
-        if isinstance(block.picture, bytes):
+        if (drawing := block.drawing()) is not None:
+            from symbalance.document.svg_writer import drawing_svg
+
+            picture = drawing_svg(drawing, styled=False)
+        elif isinstance(block.picture, bytes):
             data = b64encode(block.picture).decode("ascii")
             picture = f'<img src="data:image/png;base64,{data}" alt="{escape(block.shows)}">'
         else:
-            picture = block.picture
+            picture = str(block.picture)
         caption = (
             f"<figcaption>{self.words(block.caption)}</figcaption>" if inlines(block.caption) else ""
         )

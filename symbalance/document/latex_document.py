@@ -1,9 +1,10 @@
 r"""Documents as LaTeX: a fragment for an article, or a document that compiles alone.
 
-A fragment needs amsmath and booktabs (graphicx where it has a picture), which its first line says. It is
-measured for a line of 345 pt at 10 pt, the default article's, so nothing runs off a page there, nor in
-the document of its own. pdflatex and lualatex both compile it; Chinese, Japanese and Korean need
-lualatex with luatexja: pdflatex writes their codes, and says on the page and in its log that it does.
+A fragment needs amsmath and booktabs (graphicx or tikz where it has a picture), which its first line
+says. It is measured for a line of 345 pt at 10 pt, the default article's, so nothing runs off a page
+there, nor in the document of its own. pdflatex and lualatex both compile it; Chinese, Japanese and Korean
+need lualatex with luatexja: pdflatex writes their codes, and says on the page and in its log that it
+does.
 """
 
 from __future__ import annotations
@@ -29,6 +30,8 @@ ROOM = 66.0
 """How many digits wide a line may be: 345 pt hold 69 at 10 pt, and an estimate may be short by some."""
 FULL_PAGE, FOOTNOTES, SMALL_PAGE = 45, 58, 80
 """Lines that a page of its own holds, from which it needs yet smaller letters, and the most it holds."""
+PICTURE_SCALE, PICTURE_WIDTH = 0.8, 335.0
+"""Of a drawing, at its largest, and the points of a line that it may take."""
 ROWS = 30
 """Of a table on one page."""
 _GAP = 2.4
@@ -112,20 +115,33 @@ def document_latex(
     body = writer.document(document)
     if label is not None and r"\label{" not in body:
         body = "% No table stands here, so nothing has a label.\n" + body
-    needs = ["amsmath", "booktabs", *(["graphicx"] if r"\includegraphics" in body else [])]
+    needs = ["amsmath", "booktabs", *_pictures(body)]
     signs = east_asian(body)
     if not standalone:
         also = "; compile with lualatex and luatexja" if signs else ""
         return f"% Needs \\usepackage{{{','.join(needs)}}}{also}\n{body}"
-    parts = [_CLASS, *(f"\\usepackage{{{package}}}\n" for package in needs[2:]), _EIGHT_BITS]
-    if signs:
-        code = r"  \DeclareUnicodeCharacter{%s}{\texttt{U+%s}\allowbreak}" + "\n"
-        codes = "".join(code % (f"{ord(sign):04X}", f"{ord(sign):04X}") for sign in signs)
-        parts.append(_EAST_ASIAN.replace("CODES", codes))
+    parts = [_CLASS, *(f"\\usepackage{{{package}}}\n" for package in needs[2:])]
+    parts.append(character_settings(body))
     lines = _lines(document.blocks)
     small = _SMALL if FULL_PAGE < lines <= SMALL_PAGE else ""
     small += ("\\small\n" if lines < FOOTNOTES else "\\footnotesize\n") if small else ""
     return "".join([*parts, _SETTINGS, small, body, "\\end{document}\n"])
+
+
+def character_settings(body: str) -> str:
+    """Return the lines of a preamble by which either TeX sets a body's characters."""
+    signs = east_asian(body)
+    if not signs:
+        return _EIGHT_BITS
+    code = r"  \DeclareUnicodeCharacter{%s}{\texttt{U+%s}\allowbreak}" + "\n"
+    codes = "".join(code % (f"{ord(sign):04X}", f"{ord(sign):04X}") for sign in signs)
+    return _EIGHT_BITS + _EAST_ASIAN.replace("CODES", codes)
+
+
+def _pictures(body: str) -> list[str]:
+    """Return the packages that a document's pictures need."""
+    signs = {"graphicx": r"\includegraphics", "tikz": r"\begin{tikzpicture}"}
+    return [package for package, sign in signs.items() if sign in body]
 
 
 def _lines(blocks: tuple[nodes.Block, ...]) -> int:
@@ -198,6 +214,13 @@ class _Writer(DocumentWriter):
         return "\n".join(lines)
 
     def figure(self, block: nodes.Figure) -> str:
+        if (drawing := block.drawing()) is not None:
+            from symbalance.document.tikz_writer import POINT, drawing_tikz
+
+            scale = min(PICTURE_SCALE, PICTURE_WIDTH / (POINT * drawing.width))
+            caption = rf"\par {self.words(block.caption)}" if inlines(block.caption) else ""
+            picture = drawing_tikz(drawing, scale=scale) + caption
+            return _kept_together("\n".join([r"\centering", picture + r"\par"]))
         if not isinstance(block.picture, bytes):
             return rf"{escaped(block.shows)} (\texttt{{{escaped(block.name)}}})\par"
         caption = rf"\\{self.words(block.caption)}" if inlines(block.caption) else ""

@@ -62,6 +62,9 @@ class _Writer(DocumentWriter):
         return "\n\n".join(f"$${formula_latex(each)}$$" for each in block.equations)
 
     def figure(self, block: nodes.Figure) -> str:
+        # A drawing in its words: code hosts show no picture that stands within the text.
+        if (drawing := block.drawing()) is not None:
+            return self.string(drawing.shows)
         return f"![{self.string(block.shows)}]({block.name})"
 
     def details(self, block: nodes.Details) -> str:

@@ -28,12 +28,16 @@ made at every start.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, fields, is_dataclass, replace
 from operator import is_
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from symbalance.document.formula import Equation, Formula
 from symbalance.errors import visible
+
+if TYPE_CHECKING:
+    from symbalance.document.shapes import Drawing
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,12 +150,20 @@ class Formulas:
 
 @dataclass(frozen=True, eq=False)
 class Figure:
-    """A picture: its file's name, its bytes (PNG) or text (SVG), and what it shows in words."""
+    """A picture: its file's name, its bytes (PNG) or text (SVG), and what it shows in words.
+
+    Or a function that draws it, which is called by a medium that shows it and by no other; the drawing
+    itself says what it shows.
+    """
 
     name: str
-    picture: bytes | str
+    picture: bytes | str | Callable[[], Drawing]
     caption: Words
-    shows: str
+    shows: str = ""
+
+    def drawing(self) -> Drawing | None:
+        """Return the drawing, drawn now; None where the picture is bytes or text."""
+        return self.picture() if callable(self.picture) else None
 
 
 @dataclass(frozen=True, eq=False)
@@ -187,11 +199,13 @@ class Details:
     """What a reader may skip; folded where a medium can fold.
 
     What is `optional` is left out where it cannot, unless all is asked for: see `Document.unfolded`.
+    What only shows again what stands elsewhere is not `named` as left out.
     """
 
     summary: str
     blocks: tuple[Block, ...]
     optional: bool = False
+    named: bool = True
 
 
 MARKS = ("right", "wrong", "unsure", "plain")
@@ -248,7 +262,7 @@ def _unfolded(blocks: tuple[Block, ...], full: bool, omitted: dict[str, None]) -
             shown.append(Details(block.summary, _unfolded(block.blocks, full, omitted)))
         elif full:
             shown += _unfolded(block.blocks, full, omitted)
-        else:
+        elif block.named:
             omitted[block.summary] = None
     return tuple(shown)
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from html import escape
-from itertools import count
+from zlib import crc32
 
 from symbalance.document.shapes import (
     LOOKS,
@@ -26,7 +26,8 @@ from symbalance.document.shapes import (
 
 PAPER = ("#ffffff", "#111827")
 """What opaque shapes are filled with, in light and in dark surroundings."""
-_numbers = count(1)
+MANY = 8
+"""Points of a line from which it counts as a curve."""
 
 
 def style() -> str:
@@ -36,11 +37,8 @@ def style() -> str:
     return (
         ".sbd{font:12px system-ui,sans-serif}.sbd .faded{opacity:.35}"
         f"{light}.sbd .opaque{{fill:{PAPER[0]}}}"
-        f"@media (prefers-color-scheme:dark){{{dark}.sbd .opaque{{fill:{PAPER[1]}}}}}"
         # Paper is light whatever the screen is.
-        "@media print{"
-        + "".join(_rules(n, look, look.light, colours=True) for n, look in LOOKS.items())
-        + f".sbd .opaque{{fill:{PAPER[0]}}}}}"
+        f"@media screen and (prefers-color-scheme:dark){{{dark}.sbd .opaque{{fill:{PAPER[1]}}}}}"
     )
 
 
@@ -53,7 +51,8 @@ def _rules(name: str, look: Look, colour: str, colours: bool = False) -> str:
     edge = (ink.light if colour == look.light else ink.dark) if name == "piston" else colour
     return (
         f".sbd .{name}{{stroke:{edge};fill:{fill}{line}}}"
-        f".sbd .head.{name}{{fill:{colour}}}.sbd text.{name}{{fill:{colour};stroke:none}}"
+        f".sbd .head.{name}{{fill:{colour}{'' if colours else ';stroke-dasharray:none;stroke-width:.5'}}}"
+        f".sbd text.{name}{{fill:{colour};stroke:none}}"
     )
 
 
@@ -62,8 +61,9 @@ def drawing_svg(drawing: Drawing, *, standalone: bool = False, styled: bool = Tr
 
     Where a page holds several, `styled` false leaves out the rules, which `style` returns once.
     """
-    number = next(_numbers)
-    ids = f"sbd{number}t", f"sbd{number}d"
+    # Of its words, so that the same document is the same file whatever was drawn before.
+    number = crc32(f"{drawing.title}\n{drawing.shows}".encode())
+    ids = f"sbd{number:x}t", f"sbd{number:x}d"
     if standalone:
         ids = "title", "description"  # the same drawing is the same file
     box = f"{_n(drawing.left)} {_n(-drawing.top)} {_n(drawing.width)} {_n(drawing.height)}"
@@ -84,13 +84,7 @@ def drawing_svg(drawing: Drawing, *, standalone: bool = False, styled: bool = Tr
 
 def _shape(shape: Shape) -> str:
     if isinstance(shape, Line):
-        if len(shape.points) == 2 and not shape.closed:
-            (x1, y1), (x2, y2) = shape.points
-            return (
-                f'<line class="{shape.look}" x1="{_n(x1)}" y1="{_n(-y1)}" x2="{_n(x2)}" y2="{_n(-y2)}"/>'
-            )
-        kind = "polygon" if shape.closed else "polyline"
-        return f'<{kind} class="{shape.look}" points="{_points(shape.points)}"/>'
+        return _line(shape)
     if isinstance(shape, Circle):
         look = f"{shape.look} opaque" if shape.opaque else shape.look
         x, y = shape.centre
@@ -101,7 +95,7 @@ def _shape(shape: Shape) -> str:
         line = f'x1="{_n(x1)}" y1="{_n(-y1)}" x2="{_n(base[0])}" y2="{_n(-base[1])}"'
         return (
             f'<line class="{shape.look}" {line}/>'
-            f'<polygon class="head {shape.look}" style="stroke-dasharray:none;stroke-width:.5" '
+            f'<polygon class="head {shape.look}" '
             f'points="{_points(head)}"/>'
         )
     if isinstance(shape, Label):
@@ -116,6 +110,25 @@ def _shape(shape: Shape) -> str:
     return _group(shape)
 
 
+def _line(shape: Line) -> str:
+    if len(shape.points) == 2 and not shape.closed:
+        (x1, y1), (x2, y2) = shape.points
+        return f'<line class="{shape.look}" x1="{_n(x1)}" y1="{_n(-y1)}" x2="{_n(x2)}" y2="{_n(-y2)}"/>'
+    if shape.closed and _is_upright_box(shape.points):
+        (x1, y1), (x2, y2) = shape.points[0], shape.points[2]
+        return f'<path class="{shape.look}" d="M{_n(x1)} {_n(-y1)}H{_n(x2)}V{_n(-y2)}H{_n(x1)}z"/>'
+    kind = "polygon" if shape.closed else "polyline"
+    return f'<{kind} class="{shape.look}" points="{_points(shape.points)}"/>'
+
+
+def _is_upright_box(points: Sequence[Point]) -> bool:
+    """Tell whether points are a box that stands upright: a path says it in half the room."""
+    if len(points) != 4:
+        return False
+    (ax, ay), (bx, by), (cx, cy), (dx, dy) = points
+    return ay == by and bx == cx and cy == dy and dx == ax
+
+
 def _group(group: Group) -> str:
     transform = ""
     if group.at != (0.0, 0.0) or group.turned or group.name:
@@ -127,11 +140,13 @@ def _group(group: Group) -> str:
 
 
 def _points(points: Sequence[Point]) -> str:
-    return " ".join(f"{_n(x)},{_n(-y)}" for x, y in points)
+    # Of a curve, or a rounded outline, a tenth of a pixel is enough.
+    places = 1 if len(points) > MANY else 2
+    return " ".join(f"{_n(x, places)},{_n(-y, places)}" for x, y in points)
 
 
-def _n(value: float, places: int = 3) -> str:
-    """Return a number of pixels, as short as may be."""
+def _n(value: float, places: int = 2) -> str:
+    """Return a number of pixels to a hundredth, which nobody sees; pages are small by it."""
     text = f"{value:.{places}f}".rstrip("0").rstrip(".")
     return "0" if text in ("-0", "") else text
 

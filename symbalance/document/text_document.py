@@ -96,6 +96,8 @@ class _Writer(DocumentWriter):
 
     def figure(self, block: nodes.Figure) -> str:
         caption = f"{self.plain(block.caption)}: " if inlines(block.caption) else ""
+        if (drawing := block.drawing()) is not None:
+            return "\n".join(self.wrapped(drawing.shows))
         return "\n".join(self.wrapped(f"{caption}[{block.name}] {block.shows}"))
 
     def source(self, block: nodes.Source) -> str:

@@ -71,11 +71,13 @@ def _shape(shape: Shape, scale: float) -> list[str]:
             f"\\fill[sbd{shape.look}] {' -- '.join(map(_p, head))} -- cycle;",
         ]
     if isinstance(shape, Label):
-        anchor = {"start": "west", "middle": "center", "end": "east"}[shape.align]
+        anchor = {"start": "base west", "middle": "base", "end": "base east"}[shape.align]
+        # On one line whatever is in it: half a capital's height below its middle, as in SVG.
+        low = shape.at[0], shape.at[1] - 0.35 * shape.size
         size = f"\\fontsize{{{shape.size * POINT * scale:.1f}}}{{{shape.size * scale:.1f}}}\\selectfont"
         strong = "\\bfseries" if shape.strong else ""
         node = f"\\node[anchor={anchor},inner sep=0,text=sbd{shape.look},font={size}{strong}]"
-        return [f"{node} at {_p(shape.at)} {{{escaped(shape.text)}}};"]
+        return [f"{node} at {_p(low)} {{{escaped(shape.text)}}};"]
     return _group(shape, scale)
 
 

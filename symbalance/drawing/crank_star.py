@@ -74,7 +74,7 @@ def draw_star(engine: Engine, order: object = 1) -> Drawing:
     if engine.has_symbols:
         raise SymbalanceError(engine.name, "has symbols for angles", "draw it with angles in numbers")
     banks = engine.grouped(lambda c: c.bank)
-    across = min(len(banks), ACROSS)
+    across = 2 if len(banks) == 4 else min(len(banks), ACROSS)
     shapes: list[Shape] = []
     words = []
     for place, (bank, cylinders) in enumerate(banks.items()):

@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import pi
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from symbalance.document.decimals import decimal, short_decimal
 from symbalance.document.formula import (
@@ -29,6 +29,7 @@ from symbalance.document.nodes import (
     Document,
     Exact,
     Facts,
+    Figure,
     Paragraph,
     Table,
     TooLong,
@@ -57,6 +58,9 @@ from symbalance.kinematics.slider_crank import Series
 from symbalance.text.numbers import short_text
 from symbalance.text.reals import Real, hypot
 
+if TYPE_CHECKING:
+    from symbalance.document.shapes import Drawing
+
 LONGEST_PHASE = 8
 """A phase that takes more characters, an atan2 or a fine fraction of pi, is written rounded."""
 LONGEST_NUMERATOR = 30
@@ -80,8 +84,40 @@ def balance_document(balance: Balance) -> Document:
             resultant_blocks(balance),
             drawing_blocks(balance.engine),
             conventions(balance),
+            _pictures(balance),
         ),
     )
+
+
+MOST_DRAWN, MOST_AXES = 64, 4
+"""Cylinders of an engine, and directions of their axes, that its pictures have room for."""
+PICTURES = "crank star and firing diagram"
+
+
+def _pictures(balance: Balance) -> Details | None:
+    """Return the crank star of the lowest order that is free, and the firing diagram."""
+    engine = balance.engine
+    if engine.has_symbols or len(engine.cylinders) > MOST_DRAWN:
+        return None
+    order = min([*balance.force.orders(), *balance.couple.orders()], default=1)
+
+    # A text or JSON draws nothing, and loads nothing that draws.
+    def star() -> Drawing:
+        from symbalance.drawing.crank_star import draw_star
+
+        return draw_star(engine, order)
+
+    def firing() -> Drawing:
+        from symbalance.drawing.firing_diagram import draw_firing
+
+        return draw_firing(engine)
+
+    figures: list[Block] = []
+    if len({c.bank for c in engine.cylinders}) <= MOST_AXES:
+        figures.append(Figure("star.svg", star, f"Crank star of order {order}"))
+    if all(c.fires is not None for c in engine.cylinders):
+        figures.append(Figure("firing.svg", firing, "Firing order and strokes"))
+    return Details(PICTURES, tuple(figures), optional=True, named=False) if figures else None
 
 
 def resultant_blocks(balance: Balance) -> tuple[Block, ...]:

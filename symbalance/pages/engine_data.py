@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from math import pi
+from fractions import Fraction
+from math import hypot, pi
 from typing import Any
 
+from symbalance.drawing.crank_star import star_resultant
 from symbalance.drawing.firing_diagram import WIDTH
 from symbalance.drawing.plan import plan_scale, throws_in_plan
 from symbalance.drawing.positions import Machine
 from symbalance.drawing.section import section_scale
 from symbalance.engine.engine import Engine
-from symbalance.forces.force_sums import turning_vectors
+from symbalance.forces.force_sums import rotor_spectrum, turning_vectors
 from symbalance.forces.free_forces import Balance
 from symbalance.kinematics.mechanisms import LinkRod, SliderCrank
 
@@ -26,7 +28,8 @@ def engine_data(balance: Balance) -> dict[str, Any]:
     radius = machine.radius(engine.first)
     plan, _ = plan_scale(machine)
     length = float(max(c.station for c in engine.cylinders) - min(c.station for c in engine.cylinders))
-    reach = machine.reach + 0.4 * machine.bore + machine.pitch * length / 2
+    # However it is turned, nothing is farther from its middle than this.
+    reach = hypot(machine.reach + 0.4 * machine.bore, machine.pitch * (length / 2 + 0.7))
     orders = sorted({1, 2, *(n for n in (*balance.force.orders(), *balance.couple.orders()) if n <= 8)})
     between = _between(engine)
     return {
@@ -34,6 +37,8 @@ def engine_data(balance: Balance) -> dict[str, Any]:
         "strokes": engine.strokes,
         "cylinders": _cylinders(engine),
         "turning": _turning(balance),
+        "hasWeights": bool(engine.balancers.counterweights or engine.balancers.shafts),
+        "stars": _stars(engine, orders),
         "comparesTorque": not (engine.has_link_pin_masses or any(c.excess for c in engine.cylinders)),
         "lambda": None if _ratio(engine) is None else float(engine.ratio or 0),
         "bankBetween": None if between is None else between[0],
@@ -88,14 +93,30 @@ def _cylinders(engine: Engine) -> list[dict[str, Any]]:
 def _turning(balance: Balance) -> list[dict[str, Any]]:
     """Return weights, shafts and link pins as c e^(i n theta), m r omega^2 (couples: times a)."""
     terms = []
-    vectors = turning_vectors(balance.engine, balance.highest, balance.reference)
-    for of, spectrum in zip(("force", "couple"), vectors, strict=True):
-        for order, number in spectrum.terms.items():
-            share = float(balance.share(abs(order)))
-            value = number.evaluated(20)
-            c = complex(value) * share
-            terms.append({"of": of, "order": order, "value": [c.real, c.imag]})
+    engine = balance.engine
+    plane = engine.mean_station if balance.reference is None else balance.reference
+    vectors = turning_vectors(engine, balance.highest, balance.reference)
+    for of, spectrum, about in zip(("force", "couple"), vectors, (None, plane), strict=True):
+        # What a designer may change; masses on link pins stay.
+        weights = rotor_spectrum(engine, balance.highest, about)
+        for name, part in (("weights", weights), ("rest", spectrum + weights.scaled(-1))):
+            for order, number in part.terms.items():
+                c = complex(number.evaluated(20)) * float(balance.share(abs(order)))
+                row = {"of": of, "order": order, "value": [c.real, c.imag]}
+                terms.append(row | ({"weight": 1} if name == "weights" else {}))
     return terms
+
+
+def _stars(engine: Engine, orders: list[int]) -> dict[str, Any]:
+    """Return what the crank stars are drawn from: banks, arrows, and which stars are proved to close."""
+    banks = list(engine.grouped(lambda c: c.bank).values())
+    return {
+        "banks": [2 * pi * float(group[0].bank.turns) for group in banks],
+        "arrows": [[[c.number, float(c.delay.turns)] for c in group] for group in banks],
+        "closed": {
+            str(n): [star_resultant(group, Fraction(n)).is_zero() for group in banks] for n in orders
+        },
+    }
 
 
 def _ratio(engine: Engine) -> object:

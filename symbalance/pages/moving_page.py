@@ -15,6 +15,7 @@ from symbalance.codegen.evaluators import plan_for
 from symbalance.codegen.targets import files as sources
 from symbalance.document import svg_writer
 from symbalance.document.html_document import document_html
+from symbalance.document.nodes import Details, Document, Figure
 from symbalance.document.shapes import Drawing
 from symbalance.drawing.crank_star import draw_star
 from symbalance.drawing.firing_diagram import draw_firing
@@ -92,7 +93,7 @@ def page(subject: Engine | Balance, *, rpm: object = None, lang: str = "en") -> 
         "noscript": escape(words["noscript"]),
         "inputs": _inputs(data, words),
         "figures": "\n".join(_figures(result, torque, data, words)),
-        "tables": document_html(result.document()),
+        "tables": document_html(_without_pictures(result.document())),
         "made": escape(made),
         # "<" cannot end the element, nor can a line separator end a string.
         "data": _json(data),
@@ -100,6 +101,14 @@ def page(subject: Engine | Balance, *, rpm: object = None, lang: str = "en") -> 
         "script": script,
     }
     return Page(engine.name, _filled(_file("page.html"), contents))
+
+
+def _without_pictures(document: Document) -> Document:
+    """Return a document without the folded drawings, which the page has in motion."""
+    blocks = (
+        b for b in document.blocks if not (isinstance(b, Details) and isinstance(b.blocks[0], Figure))
+    )
+    return replace(document, blocks=tuple(blocks))
 
 
 def _filled(template: str, contents: dict[str, str]) -> str:
@@ -159,6 +168,8 @@ def _inputs(data: dict[str, Any], words: dict[str, str]) -> str:
         options = "".join(f'<option value="{n}">{escape(words[f"reading-{n}"])}</option>' for n in names)
         rows.append(f'<label>{escape(words["reading"])}<select id="reading">{options}</select></label>')
     rows.append(_range("share", words, 0, 1, 0.01, ""))
+    if data["hasWeights"]:
+        rows.append(_range("weights", words, 0, 1.5, 0.01, ""))
     if data["sizes"] is not None:
         rows.append(_range("rpm", words, 0, max(9000, data["rpm"]), 50, " rpm"))
     options = "".join(f"<option>{n}</option>" for n in data["orders"])

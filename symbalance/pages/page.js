@@ -8,10 +8,10 @@ const W = E.words;
 const mul = (a, b) => [a[0]*b[0] - a[1]*b[1], a[0]*b[1] + a[1]*b[0]];
 const unit = (t) => [Math.cos(t), Math.sin(t)];
 const byNumber = Object.fromEntries(E.cylinders.map((c) => [c.number, c]));
-const OWN = {theta: 0, lambda: E.lambda, bank: E.bankBetween, reading: "crank", share: 0, rpm: E.rpm, order: E.order};
+const OWN = {theta: 0, lambda: E.lambda, bank: E.bankBetween, reading: "crank", share: 0, weights: 1, rpm: E.rpm, order: E.order};
 const S = {...OWN};
 let running = false, last = null;
-const isOwn = () => S.lambda === OWN.lambda && S.bank === OWN.bank && S.share === 0;
+const isOwn = () => S.lambda === OWN.lambda && S.bank === OWN.bank && S.share === 0 && S.weights === 1;
 
 // Kinematics -------------------------------------------------------------------------------------
 // A cylinder at theta: its pins as points, and its piston's height with two derivatives by theta.
@@ -66,7 +66,7 @@ function numeric(theta) {
     z[4] += -m.y1*m.y2*c.mass*c.radius;
   }
   for (const t of E.turning) {  // c e^(i n theta) of weights and shafts
-    const v = mul(t.value, unit(t.order*theta)), i = t.of === "force" ? 0 : 2;
+    const by = t.weight ? S.weights : 1, v = mul([by*t.value[0], by*t.value[1]], unit(t.order*theta)), i = t.of === "force" ? 0 : 2;
     z[i] += v[0]; z[i + 1] += v[1];
   }
   if (S.share) {  // counterweights opposite each pin, a share of the cylinder's own mass
@@ -122,7 +122,7 @@ function add(parent, name, values, text) {
 }
 // A drawing begun anew: empty, of this box.
 function cleared(svg, x, y, width, height) {
-  svg.querySelectorAll("g,line,polyline,polygon,circle,text,rect").forEach((node) => node.remove());
+  svg.querySelectorAll("g,line,polyline,polygon,path,circle,text,rect").forEach((node) => node.remove());
   set(svg, {viewBox: `${x} ${y} ${width} ${height}`, width, height});
   return add(svg, "g", {});
 }
@@ -258,27 +258,27 @@ function steps(low, high, most = 6) {
 function chart(id, outputs, names, looks) {
   const svg = document.querySelector(`#${id} svg`);
   if (!svg) return;
-  const width = 560, height = 260, [factor, unitName] = scaleOf(outputs[0]);
+  const width = 400, height = 230, [factor, unitName] = scaleOf(outputs[0]);
   const rows = outputs.map((i) => curves.map((v) => v[i]*factor));
   let low = Math.min(0, ...rows.flat()), high = Math.max(0, ...rows.flat());
   if (high - low < 1e-9*factor) { low = -factor; high = factor; }
   const margin = 0.06*(high - low);
   low -= margin; high += margin;
   const y = (v) => -(v - low)*height/(high - low), x = (k) => k*width/N;
-  const g = cleared(svg, -64, -height - 40, width + 80, height + 84);
+  const g = cleared(svg, -58, -height - 32, width + 76, height + 74);
   for (const v of steps(low, high)) {
     add(g, "line", {class: Math.abs(v) < 1e-9*(high - low) ? "ink" : "faint", x1: 0, x2: width, y1: y(v), y2: y(v)});
-    add(g, "text", {class: "ink", x: -8, y: y(v) + 4, "text-anchor": "end", "font-size": 11}, figure(v));
+    add(g, "text", {class: "ink", x: -8, y: y(v) + 4, "text-anchor": "end", "font-size": 12}, figure(v));
   }
-  for (const t of [0, 90, 180, 270, 360]) add(g, "text", {class: "ink", x: x(t), y: 18, "text-anchor": "middle", "font-size": 11}, `${t}°`);
-  add(g, "text", {class: "ink", x: width/2, y: 36, "text-anchor": "middle", "font-size": 11}, W.angle);
-  add(g, "text", {class: "ink", x: -8, y: -height - 10, "text-anchor": "end", "font-size": 11}, unitName);
+  for (const t of [0, 90, 180, 270, 360]) add(g, "text", {class: "ink", x: x(t), y: 18, "text-anchor": "middle", "font-size": 12}, `${t}°`);
+  add(g, "text", {class: "ink", x: width/2, y: 36, "text-anchor": "middle", "font-size": 12}, W.angle);
+  add(g, "text", {class: "ink", x: -8, y: -height - 10, "text-anchor": "end", "font-size": 12}, unitName);
   let at = 0;
   rows.forEach((row, j) => {
     add(g, "polyline", {class: looks[j], points: row.map((v, k) => `${x(k).toFixed(1)},${y(v).toFixed(2)}`).join(" ")});
     add(g, "line", {class: looks[j], x1: at, x2: at + 26, y1: -height - 14, y2: -height - 14});
-    add(g, "text", {class: "ink", x: at + 32, y: -height - 10, "font-size": 11}, names[j]);
-    at += 44 + 8*names[j].length;
+    add(g, "text", {class: "ink", x: at + 32, y: -height - 10, "font-size": 12}, names[j]);
+    at += 44 + (document.documentElement.lang === "ja" ? 13 : 7.2)*names[j].length;
   });
   const marks = rows.map((_, j) => add(g, "circle", {class: `${looks[j]} opaque`, r: 4}));
   const cursor = add(g, "line", {class: "axis", y1: 0, y2: -height});
@@ -296,15 +296,15 @@ function pathChart(id, i, look) {
   let size = Math.max(...points.map((p) => Math.hypot(...p)));
   if (size < 1e-9*factor) size = factor;
   const half = 170, k = half/size;
-  const g = cleared(svg, -240, -210, 450, 430);
+  const g = cleared(svg, -250, -212, 460, 442);
   for (const v of steps(-size, size, 5)) {
     add(g, "line", {class: "faint", x1: v*k, x2: v*k, y1: -184, y2: 184});
     add(g, "line", {class: "faint", x1: -184, x2: 184, y1: v*k, y2: v*k});
-    add(g, "text", {class: "ink", x: v*k, y: 200, "text-anchor": "middle", "font-size": 11}, figure(v));
-    add(g, "text", {class: "ink", x: -190, y: -v*k + 4, "text-anchor": "end", "font-size": 11}, figure(v));
+    add(g, "text", {class: "ink", x: v*k, y: 202, "text-anchor": "middle", "font-size": 14}, figure(v));
+    add(g, "text", {class: "ink", x: -190, y: -v*k + 5, "text-anchor": "end", "font-size": 14}, figure(v));
   }
-  add(g, "text", {class: "ink", x: 0, y: -192, "text-anchor": "middle", "font-size": 11}, `${W.vertical}, ${unitName}`);
-  add(g, "text", {class: "ink", x: 0, y: 216, "text-anchor": "middle", "font-size": 11}, `${W.lateral}, ${unitName}`);
+  add(g, "text", {class: "ink", x: 0, y: -194, "text-anchor": "middle", "font-size": 14}, `${W.vertical}, ${unitName}`);
+  add(g, "text", {class: "ink", x: 0, y: 222, "text-anchor": "middle", "font-size": 14}, `${W.lateral}, ${unitName}`);
   add(g, "polygon", {class: look, points: points.map((p) => xy(p, k)).join(" ")});
   const arrow = add(g, "line", {class: look, x1: 0, y1: 0}), tip = add(g, "circle", {class: `${look} opaque`, r: 4});
   CHARTS[id] = (theta) => {
@@ -312,6 +312,50 @@ function pathChart(id, i, look) {
     set(arrow, {x2: right, y2: -up});
     set(tip, {cx: right, cy: -up});
   };
+}
+
+// The crank star of the order, one for each direction of an axis: it follows the order and the bank angle.
+function star() {
+  const svg = document.querySelector("#star svg");
+  if (!svg) return;
+  const {banks, arrows, closed} = E.stars, n = S.order, R = 78, cell = 250;
+  const across = banks.length === 4 ? 2 : Math.min(banks.length, 3), deep = Math.ceil(banks.length/across);
+  const g = cleared(svg, -cell*across/2, -cell/2, cell*across, cell*deep);
+  const said = [];
+  arrows.forEach((list, j) => {
+    const x = cell*(j%across - (across - 1)/2), y = cell*Math.floor(j/across);
+    const shift = (S.bank - OWN.bank)/720*Math.sign(banks[j] - E.bankMiddle) || 0, axis = banks[j]*360/TURN + 360*shift;
+    const h = add(g, "g", {transform: `translate(${x} ${y})`}), ends = new Map();
+    let sum = [0, 0];
+    for (const [number, own] of list) {
+      // "firing" turns pin and axis alike, which an arrow does not see.
+      const turns = ((n*(own - (S.reading === "firing" ? 0 : shift)))%1 + 1)%1, v = unit(TURN*turns), key = (Math.round(turns*1e6)%1e6).toString();
+      sum = [sum[0] + v[0], sum[1] + v[1]];
+      ends.set(key, {v, numbers: [...(ends.get(key)?.numbers ?? []), number]});
+    }
+    add(h, "circle", {class: "faint", r: R});
+    const arrow = (v, look) => {
+      const tip = [v[1]*R, -v[0]*R], size = Math.hypot(...tip), u = [tip[0]/size, tip[1]/size], head = Math.min(9, size/2), base = [tip[0] - head*u[0], tip[1] - head*u[1]];
+      add(h, "line", {class: look, x1: 0, y1: 0, x2: base[0], y2: base[1]});
+      add(h, "polygon", {class: `head ${look}`, points: [tip, [base[0] - 0.38*head*u[1], base[1] + 0.38*head*u[0]], [base[0] + 0.38*head*u[1], base[1] - 0.38*head*u[0]]].map((p) => p.map((c) => c.toFixed(3)).join()).join(" ")});
+    };
+    for (const {v, numbers} of ends.values()) {
+      arrow(v, "ink");
+      const text = numbers.length > 5 ? `${numbers[0]} ${numbers[1]} … ${numbers[numbers.length - 1]}` : numbers.join(" "), away = R + 12 + 3*(text.length - 1)*Math.abs(v[1]);
+      add(h, "text", {class: "ink", x: away*v[1], y: -away*v[0] + 4, "text-anchor": "middle"}, text);
+    }
+    const size = Math.hypot(...sum), own = S.bank === OWN.bank, zero = own ? closed[n][j] : size < 1e-9*list.length;
+    if (!zero) arrow([sum[0]/list.length, sum[1]/list.length], "force");
+    const turned = figure(Number((((degrees(sum)%360) + 360)%360).toFixed(4))%360);
+    const words = zero ? (own ? W.starCloses : W.starRounding) : W.starLeaves.replace("#", figure(size)).replace("@", turned);
+    add(h, "text", {class: "ink", y: cell/2 - 12, "text-anchor": "middle", "font-weight": "bold", "data-verdict": j}, words);
+    const name = W.starAxis.replace("@", figure(Number(axis.toFixed(3))));
+    if (banks.length > 1) add(h, "text", {class: "ink", y: 14 - cell/2, "text-anchor": "middle"}, name);
+    said.push(banks.length > 1 ? `${name}: ${words}` : words);
+  });
+  const caption = document.querySelector("#star figcaption");
+  caption.textContent = `${W.star} ${n}`;
+  svg.querySelector("desc").textContent = `${W.star} ${n}: ${said.join("; ")}.`;
 }
 
 // c_n and c_-n of force (i = 0) or couple (i = 2), vertical + i lateral, by DFT over the turn.
@@ -333,8 +377,9 @@ function phasors(id, i, look) {
   const g = cleared(svg, -200, -190, 400, 385), gone = a + b < tiny;
   add(g, "line", {class: "axis", x1: -170, x2: 170, y1: 0, y2: 0});
   add(g, "line", {class: "axis", y1: -170, y2: 170, x1: 0, x2: 0});
+  svg.closest("figure").classList.toggle("gone", gone);
   const words = gone ? (isOwn() ? W.zeroProved : W.zeroRounding) : `${W.forward} ${figure(a*factor)}, ${W.backward} ${figure(b*factor)} ${unitName}`;
-  add(g, "text", {class: "ink", x: 0, y: 186, "text-anchor": "middle"}, words);
+  add(g, "text", {class: "ink", x: 0, y: 186, "text-anchor": "middle", "font-size": 14}, words);
   if (gone) { CHARTS[id] = () => {}; return; }
   const ends = Array.from({length: 120}, (_, j) => {
     const t = TURN*j/120, p = mul(forward, unit(t)), q = mul(backward, unit(-t));
@@ -391,6 +436,7 @@ function redraw() {
   if (E.comparesTorque || isOwn()) chart("torque", [4], [W.torque], ["third"]);
   pathChart("path", 0, "force");
   pathChart("couple-path", 2, "couple");
+  star();
   phasors("phasors", 0, "force");
   phasors("couple-phasors", 2, "couple");
   if (!isOwn() || S.rpm !== OWN.rpm) bars();
@@ -449,7 +495,7 @@ function recall() {
   }
 }
 
-const INPUTS = Object.fromEntries(["theta", "lambda", "bank", "reading", "share", "rpm", "order"].map((key) => [key, $(key)]).filter(([, node]) => node));
+const INPUTS = Object.fromEntries(["theta", "lambda", "bank", "reading", "share", "weights", "rpm", "order"].map((key) => [key, $(key)]).filter(([, node]) => node));
 for (const [key, input] of Object.entries(INPUTS)) {
   input.addEventListener("input", () => {
     S[key] = key === "reading" ? input.value : Number(input.value);

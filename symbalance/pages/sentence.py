@@ -22,7 +22,7 @@ def sentence(balance: Balance, language: str = "en") -> str:
     """
     parts = []
     for of in ("force", "couple"):
-        all_sizes = _sizes(balance, of)
+        all_sizes = sizes_of_orders(balance, of)
         sizes = {n: s for n, s in all_sizes.items() if s >= NEGLIGIBLE}
         # An order that is there, however small, is not free of.
         parts += _free(of, sizes, min(all_sizes, default=0), balance.highest, language)
@@ -32,7 +32,7 @@ def sentence(balance: Balance, language: str = "en") -> str:
     return " ".join(parts) if language == "en" else "".join(parts)
 
 
-def _sizes(balance: Balance, of: str) -> dict[int, float]:
+def sizes_of_orders(balance: Balance, of: str) -> dict[int, float]:
     """Return the size of each order, over one piston's first order (couples: times the pitch)."""
     spectrum = getattr(balance, of)
     sizes = {}

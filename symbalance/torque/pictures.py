@@ -14,8 +14,8 @@ if TYPE_CHECKING:
 POINTS = 180
 
 
-def draw_torque(torque: TorqueBalance) -> Drawing:
-    """Return the inertia torque over a turn, in m r^2 omega^2, or in N m at an operating point."""
+def torque_over_a_turn(torque: TorqueBalance) -> tuple[tuple[float, ...], str]:
+    """Return the inertia torque at even steps of a turn, and its unit."""
     if torque.operating_point is not None:
         terms = [(o.order, *map(float, torque.in_newton_metres(o.order))) for o in torque.orders]
         unit = "N m"
@@ -23,7 +23,12 @@ def draw_torque(torque: TorqueBalance) -> Drawing:
         terms = [(float(n), float(c), float(s)) for n, c, s in torque.terms()]
         unit = "m r² ω²"
     angles = [2 * pi * k / POINTS for k in range(POINTS + 1)]
-    values = tuple(sum(c * cos(n * t) + s * sin(n * t) for n, c, s in terms) for t in angles)
+    return tuple(sum(c * cos(n * t) + s * sin(n * t) for n, c, s in terms) for t in angles), unit
+
+
+def draw_torque(torque: TorqueBalance) -> Drawing:
+    """Return the inertia torque over a turn, in m r^2 omega^2, or in N m at an operating point."""
+    values, unit = torque_over_a_turn(torque)
     largest = figure(max(map(abs, values)))
     words = f"Within ±{largest} {unit} over a turn, to order {torque.highest}; + with the rotation."
     curve = Curve("inertia torque on the crank", values, "force")

@@ -6,6 +6,7 @@ Chromium is driven by Playwright; both are rare on a machine, and so is axe-core
 from __future__ import annotations
 
 import math
+import re
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
@@ -209,10 +210,68 @@ def test_a_frame_is_fast(browser: Any, tmp_path: Path) -> None:
     assert made < 120
 
 
-def test_a_page_prints_on_a4(browser: Any, tmp_path: Path) -> None:
-    opened = Opened(browser, tmp_path, sb.load("inline-3"))
+@pytest.mark.parametrize("name", ["inline-3", "vw-vr6", "bugatti-w16", "wartsila-10rta96c"])
+def test_a_page_prints_on_one_a4(name: str, browser: Any, tmp_path: Path) -> None:
+    opened = Opened(browser, tmp_path, sb.load(name))
     pdf = opened.page.pdf(format="A4", prefer_css_page_size=True)
-    assert pdf.count(b"/Type /Page\n") + pdf.count(b"/Type /Page ") + pdf.count(b"/Type /Page/") <= 2
+    assert len(re.findall(rb"/Type /Page[^s]", pdf)) == 1
+    # Columns of figures are not cut off where the columns of the page are narrow.
+    opened.page.emulate_media(media="print")
+    opened.page.set_viewport_size({"width": 718, "height": 1000})
+    wide = opened.page.evaluate(
+        """() => { const half = document.querySelector("article").clientWidth/2;
+        const tables = document.querySelectorAll("article table");
+        return Array.from(tables, (table) => table.rows[0].offsetWidth - half); }"""
+    )
+    assert max(wide) <= 0
+
+
+@pytest.mark.parametrize("name", ["v8-90", "vw-vr6", "inline-5", "kharkiv-v2"])
+def test_the_star_follows_the_order(name: str, browser: Any, tmp_path: Path) -> None:
+    engine = sb.load(name)
+    opened = Opened(browser, tmp_path, engine)
+    banks = list(engine.grouped(lambda c: c.bank).values())
+    for order in (1, 2):
+        opened.show(order=order)
+        verdicts = opened.page.eval_on_selector_all(
+            "#star [data-verdict]", "all => all.map((one) => one.textContent)"
+        )
+        for verdict, group in zip(verdicts, banks, strict=True):
+            left = abs(sum(np.exp(2j * np.pi * order * float(c.delay.turns)) for c in group))
+            if left < 1e-9:
+                assert verdict == "closes: 0, proved"
+            else:
+                assert float(verdict.split()[1]) == pytest.approx(left, rel=1e-3)
+
+
+def test_the_star_follows_the_bank_angle(browser: Any, tmp_path: Path) -> None:
+    opened = Opened(browser, tmp_path, sb.load("v8-90"))
+    points = """() => Array.from(document.querySelectorAll("#star polygon.ink"), (p) => {
+        const [x, y] = p.getAttribute("points").split(" ")[0].split(",").map(Number);
+        return Math.atan2(x, -y); })"""
+    before = np.exp(1j * np.array(opened.page.evaluate(points)))
+    opened.show(bank=75, reading="firing")
+    assert np.exp(1j * np.array(opened.page.evaluate(points))) == pytest.approx(before, abs=1e-4)
+    opened.show(bank=75, reading="crank")
+    after = np.exp(1j * np.array(opened.page.evaluate(points)))
+    turned = np.degrees(np.angle(after / before))
+    # Each axis goes 7.5 degrees towards the middle, so arrows turn as much against it.
+    assert sorted(turned.round(2)) == [-7.5] * 4 + [7.5] * 4
+
+
+def test_the_slider_of_the_weights_takes_them_away(browser: Any, tmp_path: Path) -> None:
+    from dataclasses import replace
+
+    from symbalance.engine.balance_masses import Balancers
+
+    engine = sb.load("two-stroke-37")
+    opened = Opened(browser, tmp_path, engine)
+    bare = sb.balance(replace(engine, balancers=Balancers()))
+    functions = [sb.to_function(bare, outputs=(of,), tolerance=0.0) for of in OUTPUTS]
+    for degrees in (0, 33, 251):
+        expected = [float(f(math.radians(degrees))) for f in functions]
+        assert opened.show(theta=degrees, weights=0) == pytest.approx(expected, abs=1e-9)
+        assert opened.show(theta=degrees, weights=1) != pytest.approx(expected, abs=1e-3)
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
@@ -239,3 +298,26 @@ def test_axe_finds_nothing(scheme: str, browser: Any, tmp_path: Path) -> None:
     found = page.evaluate("async () => (await axe.run()).violations.map(v => [v.id, v.nodes[0].html])")
     assert found == []
     context.close()
+
+
+def test_the_atlas_sorts_by_what_shakes_and_says_nothing(browser: Any, tmp_path: Path) -> None:
+    from symbalance.cli import run
+
+    names = ["v8-90", "inline-3", "boxer-4", "v12-60"]
+    assert run(["atlas", *names, "-o", str(tmp_path)]) == 0
+    page = browser.new_page(viewport={"width": 390, "height": 800})
+    messages: list[str] = []
+    page.on("console", lambda message: messages.append(message.text))
+    page.goto((tmp_path / "index.html").as_uri())
+    keys = "all => all.map((row) => Number(row.children[COLUMN].dataset.key))"
+    for column in (1, 2, 3, 4, 5, 6):
+        page.click(f"thead th:nth-child({column + 1}) button")
+        rising = page.eval_on_selector_all("tbody tr", keys.replace("COLUMN", str(column)))
+        assert rising == sorted(rising)
+        page.click(f"thead th:nth-child({column + 1}) button")
+        falling = page.eval_on_selector_all("tbody tr", keys.replace("COLUMN", str(column)))
+        assert falling == sorted(falling, reverse=True)
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+    assert messages == []
+    page.click("text=boxer-4")
+    assert page.title() == "boxer-4"

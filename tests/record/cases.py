@@ -33,6 +33,8 @@ COMMANDS = (
     "formulas",
     "draw",
     "page",
+    "sheet",
+    "atlas",
     "search",
     "sensitivities",
     "sweep",

@@ -1,0 +1,75 @@
+"""Sheets as files: SVG, LaTeX with TikZ, and PDF by the TeX that is installed."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from collections.abc import Sequence
+from pathlib import Path
+from shutil import which
+from tempfile import TemporaryDirectory
+
+from symbalance.document.latex_characters import east_asian
+from symbalance.document.latex_document import character_settings
+from symbalance.document.shapes import Drawing
+from symbalance.document.tikz_writer import drawing_tikz
+from symbalance.errors import MissingPartError, SymbalanceError, brief
+
+SLOWEST = 120.0
+"""Seconds that TeX may take: a page takes two, and a first run of lualatex a minute for its fonts."""
+
+_HEAD = r"""\documentclass[10pt]{article}
+\usepackage[a4paper,margin=0pt,nohead,nofoot]{geometry}
+\usepackage{tikz}
+"""
+_BEGIN = r"""\pagestyle{empty}
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{0pt}
+\setlength{\topskip}{0pt}
+\renewcommand{\familydefault}{\sfdefault}
+\begin{document}
+"""
+
+
+def sheets_latex(drawings: Sequence[Drawing]) -> str:
+    """Return sheets as a LaTeX document, a page each."""
+    # A hair less than the page: rounding must not call for a second one.
+    pages = "\\newpage\n".join(drawing_tikz(each, scale=0.9985) for each in drawings)
+    return _HEAD + character_settings(pages) + _BEGIN + pages + "\\end{document}\n"
+
+
+def sheets_pdf(drawings: Sequence[Drawing]) -> bytes:
+    """Return sheets as a PDF by pdflatex, or by lualatex, which East Asian signs need.
+
+    Refused where neither is installed, and where TeX stops, with its own words.
+    """
+    source = sheets_latex(drawings)
+    signs = east_asian(source)
+    programs = ("lualatex",) if signs else ("pdflatex", "lualatex")
+    program = next((path for name in programs if (path := which(name))), None)
+    if program is None:
+        rule = f"{' or '.join(programs)} is not installed" + (", for East Asian signs" if signs else "")
+        remedy = "write .tex or .svg, or apt-get install texlive-latex-extra texlive-pictures"
+        raise MissingPartError(".pdf", rule, remedy + (" texlive-lang-japanese" if signs else ""))
+    with TemporaryDirectory() as folder:
+        (Path(folder) / "sheet.tex").write_text(source, encoding="utf-8")
+        command = [program, "-interaction=nonstopmode", "-halt-on-error", "-no-shell-escape", "sheet.tex"]
+        try:
+            done = subprocess.run(
+                command,
+                cwd=folder,
+                capture_output=True,
+                timeout=SLOWEST,
+                check=False,
+                stdin=subprocess.DEVNULL,
+            )
+        except subprocess.TimeoutExpired:
+            rule = f"has not ended within {SLOWEST:g} s"
+            raise SymbalanceError(Path(program).name, rule, "write .tex and see what it says") from None
+        pdf = Path(folder) / "sheet.pdf"
+        if done.returncode or not pdf.is_file():
+            log = done.stdout.decode("utf-8", "replace")
+            said = re.search(r"^! (.*)", log, re.MULTILINE)
+            rule = f"stopped: {brief(said[1]) if said else 'without a message'}"
+            raise SymbalanceError(Path(program).name, rule, "write .tex or .svg instead")
+        return pdf.read_bytes()
