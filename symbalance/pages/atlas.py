@@ -124,8 +124,8 @@ def _row(result: Balance) -> dict[str, Any]:
 
     >>> from symbalance.engine.catalogue import load
     >>> row = _row(balance(load("v8-90")))
-    >>> row["lowestForce"], row["couple"], row["intervals"][0]
-    (['4', 4], ['3.162 (order 1)', 3.162277660168379], 'every 90°')
+    >>> row["lowestForce"], row["couple"][0], row["intervals"][0]
+    (['4', 4], '3.162 (order 1)', 'every 90°')
     """
     engine = result.engine
     row: dict[str, Any] = {

@@ -148,7 +148,7 @@ def test_every_option_that_takes_a_file_is_known():
     from symbalance.cli.parser import build_parser
 
     (commands,) = (a for a in build_parser()._actions if hasattr(a, "choices") and a.choices)
-    known = {*named_files.READ, *named_files.WRITTEN}
+    known = {*named_files.READ, *named_files.WRITTEN, "engines"}
     for parser in commands.choices.values():
         files = {
             a.dest for a in parser._actions if a.metavar in ("FILE", "NOTES", "ENGINE", "OUT", "NAME")
