@@ -151,7 +151,7 @@ def _intervals(engine: Engine) -> list[Any]:
     steps = [step for _, _, step in firing_intervals(engine)]
     uneven = float(max(steps) - min(steps))
     if uneven <= 2 * NEAR:
-        return [f"every {_degrees(sum(steps) / len(steps))}°", uneven]
+        return [f"every {_degrees(sum(steps, Fraction(0)) / len(steps))}°", uneven]
     named = "-".join(map(_degrees, steps[:MOST_NAMED])) + ("-…" if len(steps) > MOST_NAMED else "")
     return [f"uneven: {named}°", uneven]
 
