@@ -115,7 +115,8 @@ def _line(shape: Line) -> str:
         (x1, y1), (x2, y2) = shape.points
         return f'<line class="{shape.look}" x1="{_n(x1)}" y1="{_n(-y1)}" x2="{_n(x2)}" y2="{_n(-y2)}"/>'
     if shape.closed and _is_upright_box(shape.points):
-        (x1, y1), _, (x2, y2), *_ = shape.points
+        corners = list(shape.points)
+        (x1, y1), (x2, y2) = corners[0], corners[2]
         return f'<path class="{shape.look}" d="M{_n(x1)} {_n(-y1)}H{_n(x2)}V{_n(-y2)}H{_n(x1)}z"/>'
     kind = "polygon" if shape.closed else "polyline"
     return f'<{kind} class="{shape.look}" points="{_points(shape.points)}"/>'
