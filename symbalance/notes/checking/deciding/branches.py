@@ -64,6 +64,11 @@ def _parts(*nodes: Formula) -> Iterator[Formula]:
 
 def decide_branches(left: Formula, right: Formula, knowledge: Knowledge, decide: Decide) -> Decision:
     """Decide a relation by its branches, each by `decide`."""
+    # x = ±1 and y = ±2 do not say which signs belong together: neither xy = 2 nor xy = −2 follows.
+    used = (formula.names(left) | formula.names(right)) & set(_signed_definitions(knowledge))
+    if len(used) > 1:
+        reason = f"{' and '.join(sorted(used))} have signs of their own: say which belong together"
+        return Decision(UNDECIDED, reason)
     try:
         branches = _split(left, right, knowledge)
     except NoFormError as problem:
