@@ -11,7 +11,7 @@ field. Sizes that are not equal are evaluated to ever more digits until their in
 
 Formulas:
     (2 q - 2 p)^2 = 4 (p^2 + q^2) - 8 p q
-    with p = sqrt(a b); q = sqrt(c d)
+    with p = sqrt(a b); q = sqrt(c d); a, b, c, d positive
 """
 
 from __future__ import annotations
