@@ -17,6 +17,7 @@ from symbalance.document.text_writer import TextWriter, formula_text
 WIDTH = 80
 _INDENT = "  "
 _GAP = 2
+_CLOSE = 1
 _HARD = "\u00a0"
 _NARROWEST = 12
 """No column of words is wrapped to less."""
@@ -158,7 +159,10 @@ class _Writer(DocumentWriter):
             return "\n".join([*title, *self.wrapped(block.empty, _INDENT, _INDENT)])
         room = self.width - len(_INDENT)
         fit = self.fitted(block, room)
-        return "\n".join([*title, *self.grid(fit, room), *self.left_out(fit)])
+        lines = self.grid(fit, room)
+        if max(map(len, lines)) > self.width:  # numbers alone fill the line: they stand closer
+            lines = self.grid(fit, room, _CLOSE)
+        return "\n".join([*title, *lines, *self.left_out(fit)])
 
     def fitted(self, block: nodes.Table, room: int) -> Fitted:
         """Return a table whose columns fit with their points in line, which makes some of them wider."""
@@ -174,10 +178,10 @@ class _Writer(DocumentWriter):
         """Return the cells of each column of a table under its head."""
         return [self.column(fit, i) for i in range(len(fit.columns))]
 
-    def grid(self, fit: Fitted, room: int) -> list[str]:
+    def grid(self, fit: Fitted, room: int, gap: int = _GAP) -> list[str]:
         columns = self.columns(fit)
         widths = [max(map(len, column)) for column in columns]
-        spare = _spare(columns, room)
+        spare = _spare(columns, room, gap)
         if spare < 0:
             widths = self.narrowed(fit, columns, -spare)
         rows = []
@@ -187,7 +191,7 @@ class _Writer(DocumentWriter):
                 [column[i]] if len(column[i]) <= width else self.wrapped(words[k], "", "", width)
                 for k, (column, width) in enumerate(zip(columns, widths, strict=True))
             ]
-            rows.append(_side_by_side(cells, widths))
+            rows.append(_side_by_side(cells, widths, gap))
         rule = _INDENT + "─" * (max(len(line) for row in rows for line in row) - len(_INDENT))
         return [*rows[0], rule, *(line for row in rows[1:] for line in row)]
 
@@ -238,9 +242,9 @@ class _Writer(DocumentWriter):
         return [*([f"{_INDENT}exactly:", *lines] if lines else []), *remark]
 
 
-def _spare(columns: Sequence[Sequence[str]], room: int) -> int:
+def _spare(columns: Sequence[Sequence[str]], room: int, gap: int = _GAP) -> int:
     """Return how many characters of a line a table's columns leave; below 0 it is too wide."""
-    return room - sum(max(map(len, column)) for column in columns) - _GAP * (len(columns) - 1)
+    return room - sum(max(map(len, column)) for column in columns) - gap * (len(columns) - 1)
 
 
 _POWER = re.compile(" × 10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
@@ -286,7 +290,7 @@ def _whole(cell: str) -> str:
     return point[0] if point else cell
 
 
-def _side_by_side(cells: Sequence[Sequence[str]], widths: Sequence[int]) -> list[str]:
+def _side_by_side(cells: Sequence[Sequence[str]], widths: Sequence[int], gap: int) -> list[str]:
     """Return the lines of a row whose cells may have several lines."""
     lines = []
     for k in range(max(map(len, cells))):
@@ -294,5 +298,5 @@ def _side_by_side(cells: Sequence[Sequence[str]], widths: Sequence[int]) -> list
             (cell[k] if k < len(cell) else "").ljust(width)
             for cell, width in zip(cells, widths, strict=True)
         ]
-        lines.append((_INDENT + (" " * _GAP).join(parts)).rstrip())
+        lines.append((_INDENT + (" " * gap).join(parts)).rstrip())
     return lines

@@ -66,7 +66,7 @@ r = \sqrt{r^2} | \sqrt{r} | exponent
 r\omega\cos\theta = \frac{d}{dt}(r\sin\theta) | \frac{d^2}{dt^2}(r\sin\theta) | order of differentiation
 2\pi r = 2\pi r | 2r | π missing
 r^2\theta = r^2\theta | r^3\theta | exponent
-r^2\theta+l = r^2\theta+l | r^{-2}\theta+l | sign
+r^2\theta+l^2 = r^2\theta+l^2 | r^{-2}\theta+l^2 | sign
 (r+l)^3 = r^3+3r^2l+3rl^2+l^3 | r^3+3r^2l+3r^2l^2+l^3 | exponent
 (r+l)^3 = r^3+3r^2l+3rl^2+l^3 | r^3+3r^2l+2rl^2+l^3 | number misprinted (3 for 2)
 """.strip().splitlines()  # noqa: E501
