@@ -85,7 +85,8 @@ def size_facts(
         entries.append((equal(_LAM, _L / _R), f"connecting rod over crank radius{here}"))
         also = ", cylinder pitch" if pitch else ""
         joined = ", crank radius" if pitch else " and crank radius"
-        entries.append((letters, f"reciprocating mass of one cylinder{joined}{also}"))
+        which = "one cylinder" if len(engine.groups) == 1 else f"cylinder {engine.first.number}"
+        entries.append((letters, f"reciprocating mass of {which}{joined}{also}"))
         return entries
     entries.append((letters, f"reciprocating mass and crank radius of cylinder {engine.first.number}"))
     if pitch:

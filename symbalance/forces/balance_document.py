@@ -151,13 +151,21 @@ def conventions(balance: Balance, own: Sequence[tuple[Words, Words]] = ()) -> tu
         *own,
         *origin_facts(engine),
         *size_facts(engine, balance.ratio, alike=alike),
+        *_letter_facts(balance),
         *balancer_entries(engine),
         SIGNS,
         ORDER,
         *_value_facts(balance),
     )
     facts = Facts(entries, "How to read it")
-    return (facts,) if alike else (group_table(engine), facts)
+    return (facts,) if alike and len(engine.groups) == 1 else (group_table(engine), facts)
+
+
+def _letter_facts(balance: Balance) -> tuple[tuple[Words, Words], ...]:
+    """Return what holds of amplitudes with letters in them: they keep one phase, whatever their sign."""
+    if not balance.engine.has_symbols:
+        return ()
+    return (("amplitude", "with a letter: above 0 at small angles, elsewhere of either sign"),)
 
 
 def _value_facts(balance: Balance) -> tuple[tuple[Words, Words], ...]:
@@ -229,11 +237,35 @@ def component_table(
     """Return a table of components, exact where there is room, in decimals where there is not.
 
     Rows without a name leave the column of components out; `measured` adds columns of values in N or N m.
+    Where an angle is a letter nothing has a decimal, and formulas are long: `_lettered_table`.
     """
+    if any(row.has_symbols for row in surviving):
+        return _lettered_table(title, surviving, topic)
     if measured is None:
         return Table(title, _HEAD, tuple(map(_cells, surviving)), keys=2, empty=empty, topic=topic)
     cells = tuple((*_cells(row), *measured.cells(row)) for row in surviving)
     return Table(title, (*_HEAD, *measured.columns), cells, keys=2, empty=empty, topic=topic)
+
+
+def _lettered_table(title: Words, surviving: Sequence[Row], topic: str) -> Table:
+    """Return a table of components with letters in them, one formula a row.
+
+    Where every phase is a multiple of π/2, the amplitude says it all: it is the factor of cosine or sine.
+    Else each component is a row of cos nθ and one of sin nθ: a root of squares says less than they do.
+    """
+    orders = [(order_cell(row.order), row.name) for row in surviving]
+    if all(row.component.phase_in_turns is not None for row in surviving):
+        columns = (*_HEAD[:2], *_HEAD[4:])
+        cells = [(*of, *map(Exact, row.exact()[2:])) for of, row in zip(orders, surviving, strict=True)]
+        return Table(title, columns, tuple(cells), keys=2, topic=topic)
+    columns = (*_HEAD[:2], Column("wave"), Column("factor"))
+    cells = [
+        (*of, wave, Exact(form.as_formula()))
+        for of, row in zip(orders, surviving, strict=True)
+        for wave, name in ((cos(_ANGLE), "cos"), (sin(_ANGLE), "sin"))
+        if not (form := row.component.form(name)).is_zero()
+    ]
+    return Table(title, columns, tuple(cells), keys=3, topic=topic)
 
 
 @dataclass(frozen=True)
