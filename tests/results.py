@@ -314,6 +314,7 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "overbalance-at-speed": lambda: sb.design.tabulate_overbalance(sb.load("vq30de")).at(rpm=6000),
     "design": _design,
     "design-segments": lambda: sb.design_balance(sb.load("vq30de"), [1]).cut_from(60, 20, inner=20),
+    "design-segments-too-big": lambda: sb.design_balance(sb.load("vq30de")).cut_from(60, 12, inner=20),
     "design-at-speed": lambda: sb.design_balance(sb.load("vq30de"), [1, 2]).at(rpm=6000),
     "design-unlike": _design_unlike,
     "ellipse": _ellipse,

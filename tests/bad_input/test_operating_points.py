@@ -176,7 +176,7 @@ def test_sizes_in_other_units_are_said_and_counted_with(
 
 
 def test_no_preset_and_no_ship_or_model_engine_has_doubtful_sizes() -> None:
-    """Beside the presets: a model engine of 0.16 cm³, a ship's of 96 by 250 cm, a racing engine's 98 by 40."""
+    """Beside the presets: a model engine, a ship's of 2.5 m stroke, a racing engine's of 40 mm."""
     for preset in sb.presets():
         assert not doubtful_size(sb.load(preset.name)), preset.name
     for stroke, mass in ((6, "0.0004"), (2500, 12_000), ("39.7", "0.33")):

@@ -161,8 +161,8 @@ def sweep(
     such as force.2, couple.1.vertical or torque.2, as the head of this module says; with `rpm` they are
     in N and N m, for which the engine, or what varies, has stroke, mass and for couples pitch. Points are
     jobs: `workers` processes share them, or those behind an `executor`, with the same result; what a
-    `store` (a folder) has of them is not computed again. A point at which there is no such engine says why, and
-    stops no other.
+    `store` (a folder) has of them is not computed again. A point at which there is no such engine says
+    why, and stops no other.
 
     >>> from symbalance.engine.catalogue import load
     >>> opened = sweep(load("v2-90"), {"bank": [60, 90]}, ["force.1", "force.2"])
