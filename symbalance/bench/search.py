@@ -1,8 +1,9 @@
 """`symbalance bench search`: stars and nodes a second, what workers add, and how far more cylinders are.
 
 Stars are those of which an in-line twelve's four orders are known exactly; nodes those of a search with
-bounds. What 18 and 20 cylinders would take is on paper: the nodes of 12 to 16 cylinders under the same
-condition, continued by their growth, over the nodes a second measured here.
+bounds. What 18 and 20 cylinders would take is on paper: their nodes under the same
+bounds, estimated from subtrees that are walked (`symbalance.search.tree_size`), over the nodes a second
+measured here; the same estimate of 15 cylinders stands beside what was walked.
 """
 
 from __future__ import annotations
@@ -12,8 +13,9 @@ from time import perf_counter
 from typing import Any
 
 from symbalance.bench.timing import Measurement, Report, progress
-from symbalance.search.cranks_search import search_cranks
+from symbalance.search.cranks_search import search_cranks, search_spec
 from symbalance.search.search_result import CrankSearch
+from symbalance.search.tree_size import estimate_nodes
 
 STARS, NODES = 3_000_000, 20_000_000
 """Targets, a second of one core."""
@@ -41,7 +43,7 @@ def report(quick: bool = False) -> Report:
         ("Workers, the in-line 15", [] if quick else _shared(most, most_seconds)),
         (
             "On paper, 1,000 cores, the same bounds",
-            _on_paper([b.tally.nodes for b, _ in bounded], most_seconds),
+            _on_paper(most.tally.nodes, most_seconds, SAMPLES // 25 if quick else SAMPLES),
         ),
     ]
     head = f"Python {platform.python_version()}, {platform.machine()}"
@@ -70,13 +72,19 @@ def _shared(alone: CrankSearch, seconds: float) -> list[Measurement]:
     return rows
 
 
-def _on_paper(nodes: list[int], seconds: float) -> list[Measurement]:
-    growth = nodes[-1] / nodes[-2]
+SAMPLES = 500
+"""Subtrees of which the nodes of a search are estimated."""
+
+
+def _on_paper(nodes: int, seconds: float, samples: int) -> list[Measurement]:
+    """Return what further cylinders would take at the nodes a second that 15 took, with the spread."""
     rows = []
-    for count in (18, 20):
-        # Each cylinder more multiplies the nodes, by a factor that itself grows about as the count does.
-        factor = 1.0
-        for further in range(16, count + 1):
-            factor *= growth * further / 15
-        rows.append(Measurement(f"{count} cylinders, estimated", seconds * factor / 1000))
+    for count in (15, 18, 20):
+        progress(f"{count} cylinders, sampled")
+        spec = search_spec(count, strokes=2, limit=BOUNDED, compiled=True)
+        # Deeper beginnings cost less, and spread more: these take some ten seconds each, of one core.
+        size = estimate_nodes(spec, count // 2 - 3, samples)
+        name = f"{count} cylinders: {size.nodes:.3g} nodes ± {100 * size.error / size.nodes:.0f} %"
+        also = f", walked were {nodes:.3g}" if count == 15 else ""
+        rows.append(Measurement(f"{name}{also}", size.nodes / nodes * seconds / 1000))
     return rows
