@@ -8,6 +8,7 @@ measured here; the same estimate of 15 cylinders stands beside what was walked.
 
 from __future__ import annotations
 
+import os
 import platform
 from time import perf_counter
 from typing import Any
@@ -40,7 +41,7 @@ def report(quick: bool = False) -> Report:
                 _rate("nodes of an in-line 15 with bounds", most.tally.nodes, most_seconds, NODES),
             ],
         ),
-        ("Workers, the in-line 15", [] if quick else _shared(most, most_seconds)),
+        (f"Workers, the in-line {SHARED}", [] if quick else _shared()),
         (
             "On paper, 1,000 cores, the same bounds",
             _on_paper(most.tally.nodes, most_seconds, SAMPLES // 25 if quick else SAMPLES),
@@ -62,13 +63,26 @@ def _rate(name: str, count: int, seconds: float, least: int) -> Measurement:
     return Measurement(f"{name}: {count:,}", seconds, target=target, is_met=count / seconds >= least)
 
 
-def _shared(alone: CrankSearch, seconds: float) -> list[Measurement]:
-    rows = [Measurement("1 worker", seconds)]
-    for workers in (2, 4):
-        shared, needed = _timed(15, limit=BOUNDED, workers=workers)
+SHARED = 16
+"""Cylinders of the search that workers share: less would be over before they have started."""
+
+
+def _shared() -> list[Measurement]:
+    """Return what one, two, four, … workers take for one search, as many as there are cores."""
+    rows: list[Measurement] = []
+    alone: CrankSearch | None = None
+    seconds = 0.0
+    workers = 1
+    while workers <= (os.cpu_count() or 1):
+        shared, needed = _timed(SHARED, limit=BOUNDED, workers=workers)
+        alone, seconds = (shared, needed) if alone is None else (alone, seconds)
         if shared.data() != alone.data():
             raise AssertionError("the answer depends on the workers")
-        rows.append(Measurement(f"{workers} workers, their start included", needed, "1 worker", seconds))
+        name = f"{workers} worker{'s, their start included' if workers > 1 else ''}"
+        rate = f"{name}: {shared.tally.nodes / needed:,.0f} nodes a second"
+        compared = ("1 worker", seconds) if workers > 1 else ()
+        rows.append(Measurement(rate, needed, *compared))
+        workers *= 2
     return rows
 
 

@@ -54,6 +54,16 @@ def test_all_that_is_measured_is_there(monkeypatch) -> None:
 
 def test_an_answer_that_depends_on_the_workers_is_a_fault(monkeypatch) -> None:
     wrong = replace(SIX, firings=SIX.firings + 1)
-    monkeypatch.setattr(bench, "_timed", lambda *_, **__: (wrong, 0.5))
+    monkeypatch.setattr(bench.os, "cpu_count", lambda: 2)
+    monkeypatch.setattr(bench, "_timed", lambda *_, workers, **__: (SIX if workers < 2 else wrong, 0.5))
     with pytest.raises(AssertionError, match="depends on the workers"):
-        bench._shared(SIX, 0.5)
+        bench._shared()
+
+
+def test_throughput_is_said_for_as_many_workers_as_there_are_cores(monkeypatch) -> None:
+    monkeypatch.setattr(bench.os, "cpu_count", lambda: 5)
+    monkeypatch.setattr(bench, "_timed", lambda *_, workers, **__: (SIX, 8.0 / workers))
+    rows = bench._shared()
+    rates = [f"{SIX.tally.nodes / 8 * workers:,.0f} nodes a second" for workers in (1, 2, 4)]
+    assert [row.name.partition(": ")[2] for row in rows] == rates
+    assert [row.seconds for row in rows] == [8, 4, 2]
