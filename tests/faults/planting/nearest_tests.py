@@ -128,6 +128,8 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "bad_input/test_kills",
     ),
     "search": (
+        "laws/test_search_results",
+        "independent/test_search_counts",
         "independent/test_crank_search",
         "independent/test_search_quantities",
         "jobs/test_search_parts",
