@@ -118,6 +118,8 @@ def run(options: argparse.Namespace) -> int:
         from symbalance.search.certificate import search_certificate
 
         certificate = search_certificate(cylinders, **question)
+        if question["minimize"]:
+            say("symbalance: the certificate is of the conditions: that a front is one is not in it")
     folders = {  # before the search too
         option: output_folder(folder, f"--{option}")
         for option, folder in (("engines", options.engines), ("pages", options.pages))
