@@ -15,7 +15,12 @@ from symbalance.search.search_document import HEIGHT, WIDTH, front_drawing
 QUESTIONS: dict[str, dict[str, Any]] = {
     "five": {"cylinders": 5, "minimize": ["couple.1", "couple.2"]},
     "vee": {"cylinders": 8, "banks": [-45, 45], "minimize": ["couple.1", "bending"]},
-    "uneven": {"cylinders": 4, "intervals": "any", "grid": 90, "minimize": ["evenness", "couple.1", "adjacent"]},
+    "uneven": {
+        "cylinders": 4,
+        "intervals": "any",
+        "grid": 90,
+        "minimize": ["evenness", "couple.1", "adjacent"],
+    },
 }
 
 
