@@ -221,8 +221,8 @@ class Presets(SequenceResult[Preset]):
         weighed = sum(preset.weights == "looked up" for preset in self)
         lead = (
             f"{len(self)} engine{'s' if len(self) > 1 else ''}; sizes looked up of {looked_up}, "
-            f"masses of {weighed}. Bore, stroke, rod and pitch in mm, reciprocating mass of a cylinder in "
-            f"kg, rounded; {UNKNOWN}: not given. Sizes are estimated where one of the four is. "
+            f"masses of {weighed}. Bore, stroke, rod and pitch in mm, reciprocating mass of a cylinder "
+            f"in kg, rounded; {UNKNOWN}: not given. Sizes are estimated where one of the four is. "
         )
         if not self.in_full:
             more = (
