@@ -352,9 +352,23 @@ class Judge:
             reason = f"may rest on line {self.not_judged[unknown[0]]}, which was not judged"
         elif condition is not None:
             reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
+        elif letter := self._one_sided_letter(left, right, line, knowledge):
+            sign = formula_text(Name(letter), plain=True)
+            reason = f"{sign} is not declared and stands on one side only: declare what it means"
         elif chain.relations[k].sign == "=":
             reason = self._missing_meaning(left, right, line, knowledge)
         return replace(decision, status=UNDECIDED, reason=reason) if reason else decision
+
+    def _one_sided_letter(
+        self, left: Formula, right: Formula, line: int, knowledge: Knowledge
+    ) -> str | None:
+        """Return a letter that nobody declared, on one side of a relation only, None if there is none.
+
+        x = r (1 - cos u) is wrong of any u but of the crank angle, which u may be.
+        """
+        free = set(self.document.free_letters) - set(self.declarations.symbols_at(line))
+        one_sided = sorted(free & (names(left) ^ names(right)))
+        return next((name for name in one_sided if not knowledge.knows(name)), None)
 
     def _missing_meaning(self, left: Formula, right: Formula, line: int, knowledge: Knowledge) -> str:
         """Return for which size of the geometry a letter without a meaning makes a relation true.
