@@ -35,7 +35,7 @@ from symbalance.notes.checking.descriptions import (
 )
 from symbalance.notes.checking.dimensions import Dimensions, unit_text
 from symbalance.notes.checking.engines import Sources
-from symbalance.notes.checking.own_units import speeds_in_own_unit
+from symbalance.notes.checking.own_units import with_speeds
 from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
 from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.sidecar import Binding, Declarations
@@ -86,6 +86,7 @@ class Judge:
     corrects: bool = True
 
     def __post_init__(self) -> None:
+        self.document = with_speeds(self.document, self.declarations.symbols_at)
         self.definitions = Definitions(self.declarations, Sections(self.document))
         self.start = time.monotonic()
         self.not_judged: dict[str, int] = {}
@@ -189,7 +190,6 @@ class Judge:
     def chain(self, chain: Chain, bindings: list[Binding]) -> list[Verdict]:
         """Return the verdicts on a chain's relations in order; none is lost by a fault of the checker."""
         verdicts: list[Verdict] = []
-        chain = speeds_in_own_unit(chain, self.declarations.symbols_at(chain.lines[0]))
         try:
             self._judge(chain, bindings, verdicts)
         except SymbalanceError:
