@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from symbalance.cli.options import check_speed_for_sizes, resized, sizes_of
 from symbalance.cli.output import MEDIA, show
 from symbalance.errors import SymbalanceError
+
+if TYPE_CHECKING:
+    from symbalance.engine.engine import Engine
 
 OWN = ("percent", "phases")
 """The options of a comparison alone."""
@@ -63,11 +67,21 @@ def show_comparison(options: argparse.Namespace, order: int) -> None:
     if options.rpm is not None and ":" in options.rpm:
         rule = "is of one engine, and a table of several is at one speed"
         raise SymbalanceError(f"--rpm {options.rpm}", rule, "give one speed, or add -o FOLDER/")
+    engines = engines_of(options)
+    from symbalance.design.comparison import compare
+
+    own = {name: getattr(options, name) for name in OWN}
+    table = compare(engines, order, **own)
+    show(table if options.rpm is None else table.at(rpm=options.rpm), options)
+
+
+def engines_of(options: argparse.Namespace) -> list[Engine]:
+    """Return the engines that a command names, each with the sizes of its options that it lacks."""
     check_speed_for_sizes(options)
-    if "-" in options.engines:
+    if "-" in options.engines and len(options.engines) > 1:
         raise SymbalanceError("ENGINE '-'", "is standard input, among several", "name a file")
 
-    from symbalance.design.comparison import compare, lacking_sizes
+    from symbalance.design.comparison import lacking_sizes
     from symbalance.engine.catalogue import load
 
     sizes = sizes_of(options)
@@ -87,6 +101,4 @@ def show_comparison(options: argparse.Namespace, order: int) -> None:
         raise SymbalanceError(
             f"--{unused[0]} {sizes[unused[0]]}", rule, "leave it out, or change the files"
         )
-    own = {name: getattr(options, name) for name in OWN}
-    table = compare(engines, order, **own)
-    show(table if options.rpm is None else table.at(rpm=options.rpm), options)
+    return engines

@@ -27,9 +27,28 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import cos, hypot, radians, sin
+from unicodedata import east_asian_width
+
+from symbalance.errors import visible
 
 LETTER = 0.56
 """The width of a letter over the size of its type, on average: what a label is taken to need."""
+
+RAISED = frozenset("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺ⁿ₀₁₂₃₄₅₆₇₈₉ₙ")
+"""Raised and lowered signs, which are narrower."""
+
+
+def text_width(text: str) -> float:
+    """Return about how wide words are over the size of their type; East Asian signs are square.
+
+    >>> round(text_width("ab"), 3), text_width("横置")
+    (1.12, 2.0)
+    """
+    return sum(
+        LETTER if c.isascii() else 0.4 if c in RAISED else 1.0 if east_asian_width(c) in "WF" else LETTER
+        for c in text
+    )
+
 
 Point = tuple[float, float]
 
@@ -103,10 +122,13 @@ class Label:
     look: str = "ink"
     strong: bool = False
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "text", visible(self.text))
+
     @property
     def box(self) -> tuple[float, float, float, float]:
         """Left, bottom, right and top of about the room that the words take."""
-        width = LETTER * self.size * len(self.text)
+        width = self.size * text_width(self.text)
         left = self.at[0] - {"start": 0.0, "middle": width / 2, "end": width}[self.align]
         return left, self.at[1] - 0.5 * self.size, left + width, self.at[1] + 0.5 * self.size
 
@@ -139,6 +161,11 @@ class Drawing:
     top: float
     title: str
     shows: str
+
+    def __post_init__(self) -> None:
+        # A name may hold marks that turn the direction of what follows it, wherever it is shown.
+        object.__setattr__(self, "title", visible(self.title))
+        object.__setattr__(self, "shows", visible(self.shows))
 
     @property
     def width(self) -> float:

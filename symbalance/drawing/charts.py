@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import ceil, floor, hypot, log10
+from textwrap import wrap
 
-from symbalance.document.shapes import Drawing, Group, Label, Line, Point, Shape
+from symbalance.document.shapes import LETTER, Drawing, Group, Label, Line, Point, Shape
 
 WIDTH, HEIGHT = 560.0, 260.0
 LEFT, RIGHT, BOTTOM, TOP = 64.0, 16.0, 44.0, 40.0
 """Pixels around a chart's field, for its figures and words."""
+BARS, FIGURE = 380.0, 40.0
+"""Pixels of a scale of bars, and of a figure below it."""
 
 
 @dataclass(frozen=True)
@@ -165,9 +168,21 @@ def stacked(drawings: Sequence[Drawing], title: str) -> Drawing:
     return Drawing(tuple(shapes), left, top, right, 0.0, title, " ".join(d.shows for d in drawings))
 
 
-def draw_bars(bars: Sequence[Bar], unit: str, least: float, title: str, shows: str) -> Drawing:
-    """Return bars on a logarithmic scale down to `least`; what is exactly zero has words instead."""
-    row, room = 20.0, 380.0
+def draw_bars(
+    bars: Sequence[Bar],
+    unit: str,
+    least: float,
+    title: str,
+    shows: str,
+    room: float = BARS,
+    notes: Sequence[str] = (),
+) -> Drawing:
+    """Return bars on a logarithmic scale down to `least`; what is exactly zero has words instead.
+
+    The scale is `room` pixels long; a short one has a figure at every second or third power of ten.
+    `notes` stand below it.
+    """
+    row = 20.0
     high = max([b.value for b in bars if b.value is not None] + [least * 10])
     top, bottom = ceil(log10(high) - 1e-9), floor(log10(least) + 1e-9)
     scale = room / (top - bottom)
@@ -176,7 +191,9 @@ def draw_bars(bars: Sequence[Bar], unit: str, least: float, title: str, shows: s
     for power in range(bottom, top + 1):
         x = (power - bottom) * scale
         name = {0: "1", 1: "10"}.get(power, f"1e{power}".replace("-", "−"))
-        shapes += [Line(((x, 4), (x, deep)), "faint"), Label((x, deep - 12), name, size=11)]
+        shapes.append(Line(((x, 4), (x, deep)), "faint"))
+        if (power - top) % ceil(FIGURE / scale) == 0:
+            shapes.append(Label((x, deep - 12), name, size=11))
     for place, bar in enumerate(bars):
         y = -row * (place + 0.5)
         shapes.append(Label((-10, y), bar.name, "end"))
@@ -193,4 +210,8 @@ def draw_bars(bars: Sequence[Bar], unit: str, least: float, title: str, shows: s
         )
         shapes.append(Label((end + 6, y), figure(bar.value), "start", 11))
     shapes.append(Label((room / 2, deep - 30), unit, size=11))
-    return Drawing(tuple(shapes), -120, deep - 44, room + 70, 12, title, shows)
+    low = deep - 44
+    for line in (line for note in notes for line in wrap(note, int((room + 180) / (11 * LETTER)))):
+        shapes.append(Label((-110, low - 6), line, "start", 11))
+        low -= 16
+    return Drawing(tuple(shapes), -120, low, room + 70, 12, title, shows)

@@ -37,10 +37,10 @@ def firing_intervals(engine: Engine) -> list[tuple[int, Fraction, Fraction]]:
     return [(n, a, b - a) for n, a, b in zip(order, angles, following, strict=True)]
 
 
-def draw_firing(engine: Engine) -> Drawing:
-    """Return the firing and stroke diagram over a cycle."""
+def draw_firing(engine: Engine, width: float = WIDTH) -> Drawing:
+    """Return the firing and stroke diagram over a cycle, which is `width` pixels long."""
     rows, cycle = firing_intervals(engine), 180 * engine.strokes
-    scale = WIDTH / cycle
+    scale = width / cycle
     # The usual interval is the one that most are near.
     usual = max((s for _, _, s in rows), key=lambda s: sum(abs(s - t) <= NEAR for _, _, t in rows))
     uneven = any(abs(step - usual) > NEAR for _, _, step in rows)
@@ -53,19 +53,20 @@ def draw_firing(engine: Engine) -> Drawing:
             shapes += _bar(float(at) + 180 * stroke, 180.0, float(cycle), scale, y, name)
         x = LEFT + float(at) * scale
         shapes.append(Line(((x, high + 2), (x, y + 0.4 * ROW)), "path"))
-    shapes += _intervals(rows, usual, scale)
+    shapes += _intervals(rows, usual, scale, width)
     low = -ROW * (len(rows) + 0.6)
     for tick in range(0, cycle + 1, 90 if engine.strokes == 2 else 180):
         x = LEFT + tick * scale
         shapes += [Line(((x, low), (x, low - 5)), "ink"), Label((x, low - 13), f"{tick}°", size=11)]
-    shapes.append(Line(((LEFT, low), (LEFT + WIDTH, low)), "ink"))
-    x = LEFT
-    for name in STROKES[engine.strokes]:
-        shapes.append(_box(x, x + 22, low - 36, LOOK[name]))
-        shapes.append(Label((x + 28, low - 36), name, "start", 11))
+    shapes.append(Line(((LEFT, low), (LEFT + width, low)), "ink"))
+    x, y = LEFT, low - 36
+    for name in (*STROKES[engine.strokes], *(["* unlike the others"] if uneven else [])):
+        if x + 104 > LEFT + width + 24:
+            x, y = LEFT, y - 18
+        if name in LOOK:
+            shapes.append(_box(x, x + 22, y, LOOK[name]))
+        shapes.append(Label((x + (28 if name in LOOK else 0), y), name, "start", 11))
         x += 104
-    if uneven:
-        shapes.append(Label((x, low - 36), "* unlike the others", "start", 11))
     cursor = Line(((LEFT, high + 2), (LEFT, low)), "ink")
     shapes.append(Group((cursor,), name="cursor"))
     order = "-".join(str(number) for number, _, _ in rows)
@@ -74,15 +75,17 @@ def draw_firing(engine: Engine) -> Drawing:
     return Drawing(
         tuple(shapes),
         0.0,
-        low - 52,
-        LEFT + WIDTH + 24,
+        y - 16,
+        LEFT + width + 24,
         30,
         f"Firing order and strokes of {engine.name}",
         f"Fires {order}, {even}.",
     )
 
 
-def _intervals(rows: list[tuple[int, Fraction, Fraction]], usual: Fraction, scale: float) -> list[Shape]:
+def _intervals(
+    rows: list[tuple[int, Fraction, Fraction]], usual: Fraction, scale: float, width: float
+) -> list[Shape]:
     """Return the intervals above the rows, in two lines where one has no room for them."""
     labels = []
     for place, (_, at, step) in enumerate(rows):
@@ -95,7 +98,7 @@ def _intervals(rows: list[tuple[int, Fraction, Fraction]], usual: Fraction, scal
         if not any(_overlap(a, b) for i, a in enumerate(row) for b in row[i + 1 :]):
             return [*row]
     # Too many for either: what they are stands in the description.
-    return [Label((LEFT + WIDTH / 2, 9.0), f"{len(rows)} intervals, usually {_figure(usual)}°", size=11)]
+    return [Label((LEFT + width / 2, 9.0), f"{len(rows)} intervals, usually {_figure(usual)}°", size=11)]
 
 
 def _overlap(one: Label, other: Label) -> bool:
