@@ -14,6 +14,8 @@ from symbalance.engine.dead_centres import firing_dead_centres
 from symbalance.engine.engine import Engine
 
 WIDTH, ROW, LEFT = 560.0, 24.0, 44.0
+MANY, LEAST_ROW = 16, 13.0
+"""Cylinders from which rows stand closer, and how close at the most."""
 STROKES = {4: ("power", "exhaust", "intake", "compression"), 2: ("power", "compression")}
 LOOK = {"power": "solid", "compression": "shade", "exhaust": "open", "intake": "faint"}
 NEAR = Fraction(1, 20)
@@ -45,16 +47,16 @@ def draw_firing(engine: Engine, width: float = WIDTH) -> Drawing:
     usual = max((s for _, _, s in rows), key=lambda s: sum(abs(s - t) <= NEAR for _, _, t in rows))
     uneven = any(abs(step - usual) > NEAR for _, _, step in rows)
     shapes: list[Shape] = []
-    high = 0.0
+    high, row = 0.0, min(ROW, max(LEAST_ROW, MANY * ROW / len(rows)))
     for place, (number, at, _) in enumerate(rows):
-        y = -ROW * (place + 1)
-        shapes.append(Label((LEFT - 12, y), str(number), "end", strong=True))
+        y = -row * (place + 1)
+        shapes.append(Label((LEFT - 12, y), str(number), "end", min(12.0, 0.85 * row), strong=True))
         for stroke, name in enumerate(STROKES[engine.strokes]):
-            shapes += _bar(float(at) + 180 * stroke, 180.0, float(cycle), scale, y, name)
+            shapes += _bar(float(at) + 180 * stroke, 180.0, float(cycle), scale, y, name, row)
         x = LEFT + float(at) * scale
-        shapes.append(Line(((x, high + 2), (x, y + 0.4 * ROW)), "path"))
+        shapes.append(Line(((x, high + 2), (x, y + 0.4 * row)), "path"))
     shapes += _intervals(rows, usual, scale, width)
-    low = -ROW * (len(rows) + 0.6)
+    low = -row * (len(rows) + 0.6)
     for tick in range(0, cycle + 1, 90 if engine.strokes == 2 else 180):
         x = LEFT + tick * scale
         shapes += [Line(((x, low), (x, low - 5)), "ink"), Label((x, low - 13), f"{tick}°", size=11)]
@@ -106,17 +108,19 @@ def _overlap(one: Label, other: Label) -> bool:
     return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
 
 
-def _bar(start: float, length: float, cycle: float, scale: float, y: float, name: str) -> list[Shape]:
+def _bar(
+    start: float, length: float, cycle: float, scale: float, y: float, name: str, row: float
+) -> list[Shape]:
     """Return a stroke's bar, in two parts where it goes over the end of the cycle."""
     begin = start % cycle
     ends = [(begin, min(begin + length, cycle))]
     if begin + length > cycle + 1e-9:
         ends.append((0.0, begin + length - cycle))
-    return [_box(LEFT + a * scale, LEFT + b * scale, y, LOOK[name]) for a, b in ends]
+    return [_box(LEFT + a * scale, LEFT + b * scale, y, LOOK[name], row) for a, b in ends]
 
 
-def _box(left: float, right: float, y: float, look: str) -> Shape:
-    half = 0.32 * ROW
+def _box(left: float, right: float, y: float, look: str, row: float = ROW) -> Shape:
+    half = 0.32 * row
     return Line(
         ((left, y - half), (right, y - half), (right, y + half), (left, y + half)), look, closed=True
     )

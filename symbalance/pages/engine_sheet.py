@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from symbalance.document.fitting import plain_words
+from symbalance.document.nodes import Paragraph
 from symbalance.document.shapes import Drawing
 from symbalance.drawing.crank_star import draw_star
 from symbalance.drawing.firing_diagram import draw_firing
@@ -26,11 +27,16 @@ def engine_pages(result: Balance) -> tuple[Drawing, ...]:
     if len(engine.cylinders) > MOST_CYLINDERS:
         rule = f"has {len(engine.cylinders)} cylinders; a sheet shows {MOST_CYLINDERS} at most"
         raise SymbalanceError(engine.name, rule, "take symbalance balance")
-    document = result.document()
+    document = result.document().unfolded(full=False)
+    blocks = list(document.blocks)
+    if isinstance(blocks[-1], Paragraph):  # what the short document leaves out, and an option for it
+        blocks[-1] = Paragraph(
+            "rounded, and in short: symbalance balance --full has exact forms, and more"
+        )
     title = plain_words(document.title)
     name = f"Sheet of {engine.name}"
     rows = _rows_of_pictures(result)
-    return sheet_pages(title, sentence(result), rows, text_blocks(document.blocks), name)
+    return sheet_pages(title, sentence(result), rows, text_blocks(blocks), name)
 
 
 def _rows_of_pictures(result: Balance) -> list[list[Picture]]:

@@ -37,7 +37,8 @@ PICTURES = (200.0, 330.0)
 """Pixels of a row of pictures: the least, where words need the room, and the most."""
 LARGEST, LEAST, USUAL = 9.5, 8.0, 9.0
 """Letters' sizes: 7 pt; 6 pt, below which few read them on paper; those of a sheet of several pages."""
-LEADING = 1.3
+LEADING, PARTED = 1.3, 0.85
+"""Of their size the distance of lines; of the longer column what is gained by parting a block."""
 TITLE, TITLE_LINES = 16.0, 3
 CHARACTERS = 70
 """Of a line of half the page."""
@@ -231,7 +232,8 @@ def _table(table: nodes.Table, characters: int) -> TextBlock:
         lines.append(TextLine(tuple(cells), rule=row is grid[0]))
     for form in fit.left_out:
         lines += _wrapped(f"{form.place} {form.name} = {plain_words(form.value)}", characters)
-    lines += _wrapped(plain_words(fit.remark), characters)
+    if not table.in_short:  # of a short table it names an option of another command
+        lines += _wrapped(plain_words(fit.remark), characters)
     return TextBlock((*head, *lines), len(head) + 1)
 
 
@@ -252,35 +254,49 @@ class Setting:
 
 
 def set_text(blocks: Sequence[TextBlock], room: float, columns: int = 2) -> Setting:
-    """Return blocks set into columns `room` pixels high, and on more pages where they need them."""
+    """Return blocks set into columns `room` pixels high, and on more pages where they need them.
+
+    Letters are no smaller than can be read.
+    """
     wide = (INNER - GAP * (columns - 1)) / columns
     widest = max((line.width for block in blocks for line in block.lines), default=1.0)
     largest = min(LARGEST, wide / widest)
-    sides = _balanced(blocks, columns)
+    sides = _columns(blocks, columns)
     longest = max(map(len, sides))
     size = min(largest, room / (LEADING * longest)) if longest else largest
-    if size >= LEAST or not longest:
+    if size >= min(LEAST, largest) or not longest:
         return Setting(size, (sides,))
     size = min(USUAL, largest)
-    return Setting(size, tuple(_pages(blocks, room, size, columns)))
+    return Setting(size, tuple(_pages(blocks, int(room / (LEADING * size)), size, columns)))
 
 
-def _balanced(blocks: Sequence[TextBlock], columns: int) -> tuple[tuple[TextLine, ...], ...]:
-    """Return blocks in one or two columns of about one length; a column ends where a block does."""
+def _columns(blocks: Sequence[TextBlock], columns: int) -> tuple[tuple[TextLine, ...], ...]:
+    """Return blocks in one or two columns of about one length.
+
+    A column ends where a block does, unless a block parted makes the page much shorter.
+    """
     spaced = [(*block.lines, _EMPTY) for block in blocks]
     if columns == 1 or not spaced:
         return (tuple(chain(*spaced)),)
     splits = [(tuple(chain(*spaced[:k])), tuple(chain(*spaced[k:]))) for k in range(1, len(spaced) + 1)]
-    return min(splits, key=lambda split: max(map(len, split)))
+    whole = min(splits, key=lambda split: max(map(len, split)))
+    longest = max(map(len, whole))
+    for most in range(sum(map(len, spaced)) // 2, int(PARTED * longest)):
+        first, *others = _pages(blocks, most, LEAST, columns)
+        if not others:
+            return first
+    return whole
 
 
 def _pages(
-    blocks: Sequence[TextBlock], room: float, size: float, columns: int
+    blocks: Sequence[TextBlock], most: int, size: float, columns: int
 ) -> Iterator[tuple[tuple[TextLine, ...], ...]]:
-    """Yield pages of columns filled one after the other; blocks that are too long for one are parted."""
+    """Yield pages of columns filled one after the other; blocks that are too long for one are parted.
+
+    The first page's columns hold `most` lines, the others' what a page holds.
+    """
     rest = [*blocks]
     while rest:
-        most = int(room / (LEADING * size))
         page = []
         for _ in range(columns):
             column: list[TextLine] = []
@@ -292,7 +308,7 @@ def _pages(
                 column += first.lines
             page.append(tuple(column))
         yield tuple(page)
-        room = HIGH - 2 * MARGIN - 2 * TITLE
+        most = int((HIGH - 2 * MARGIN - 2 * TITLE) / (LEADING * size))
 
 
 def column_shapes(columns: Sequence[Sequence[TextLine]], size: float, top: float) -> list[Shape]:
