@@ -124,10 +124,11 @@ def draw_path(
     for place, name in _apart(marks, points, 14 / scale):
         x, y = points[place][0] * scale, points[place][1] * scale
         out = hypot(x, y) or 1.0
+        away = -16 if out > 0.7 * half else 16  # far out, inside: the axes' figures stand outside
         shapes.append(Line(((x - 3, y), (x, y + 3), (x + 3, y), (x, y - 3)), "ink", closed=True))
         shapes.append(
             Label(
-                (x + 16 * (x / out if out > 1 else 1), y + 16 * (y / out if out > 1 else 1)),
+                (x + away * (x / out if out > 1 else 1), y + away * (y / out if out > 1 else 1)),
                 name,
                 size=11,
             )

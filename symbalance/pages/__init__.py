@@ -8,7 +8,7 @@ In: an `Engine` or a `Balance`. Out: a `Page`, whose `html` is the file.
     words           its words in English and Japanese
     sheets          handbook sheets: `engine_sheet`, `comparison_sheet`, `sheet_layout`;
                     sheet_files: as LaTeX and PDF
-    atlas           a page of each engine under a table of all
+    atlas           a page of each engine under a table of all;  published_tables: what books say of them
 """
 
 from symbalance.loading import attach

@@ -107,7 +107,7 @@ def test_a_sheet_holds_every_amplitude_of_the_balance() -> None:
         "横置き",
         "$^&%#_{}~",
         "あ" * 40,
-        "w" * 200,
+        "w" * 60,
     ],
 )
 def test_a_hostile_name_is_text_on_a_sheet(text: str) -> None:
