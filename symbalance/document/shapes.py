@@ -25,7 +25,7 @@ Looks differ in line as well as in colour, for those who do not see the colours 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos, hypot, radians, sin
 from unicodedata import east_asian_width
 
@@ -185,6 +185,10 @@ class Drawing:
 
         return drawing_svg(self)
 
+    def _repr_html_(self) -> str:
+        # As HTML too: of an SVG alone a converted notebook makes an image without its words.
+        return self._repr_svg_()
+
 
 def labels_of(drawing: Drawing) -> list[Label]:
     """Return all labels of a drawing where they stand on the sheet, those of turned groups too."""
@@ -210,6 +214,23 @@ def placed(point: Point, at: Point, turned: float) -> Point:
     """
     c, s = cos(radians(turned)), sin(radians(turned))
     return at[0] + c * point[0] + s * point[1], at[1] + c * point[1] - s * point[0]
+
+
+def scaled(shape: Shape, by: float) -> Shape:
+    """Return a shape larger or smaller about the origin; lines keep their width."""
+
+    def at(point: Point) -> Point:
+        return by * point[0], by * point[1]
+
+    if isinstance(shape, Line):
+        return replace(shape, points=tuple(map(at, shape.points)))
+    if isinstance(shape, Circle):
+        return replace(shape, centre=at(shape.centre), radius=by * shape.radius)
+    if isinstance(shape, Arrow):
+        return replace(shape, start=at(shape.start), end=at(shape.end))
+    if isinstance(shape, Label):
+        return replace(shape, at=at(shape.at), size=by * shape.size)
+    return replace(shape, at=at(shape.at), shapes=tuple(scaled(s, by) for s in shape.shapes))
 
 
 def arrow_head(start: Point, end: Point, size: float = 9.0) -> tuple[Point, Point, Point]:

@@ -7,13 +7,15 @@ from dataclasses import dataclass
 from math import ceil, floor, hypot, log10
 from textwrap import wrap
 
-from symbalance.document.shapes import LETTER, Drawing, Group, Label, Line, Point, Shape
+from symbalance.document.shapes import LETTER, Drawing, Group, Label, Line, Point, Shape, scaled
 
 WIDTH, HEIGHT = 560.0, 260.0
 LEFT, RIGHT, BOTTOM, TOP = 64.0, 16.0, 44.0, 40.0
 """Pixels around a chart's field, for its figures and words."""
 BARS, FIGURE = 380.0, 40.0
 """Pixels of a scale of bars, and of a figure below it."""
+BETWEEN = 20.0
+"""Pixels between drawings side by side."""
 
 
 @dataclass(frozen=True)
@@ -167,6 +169,19 @@ def stacked(drawings: Sequence[Drawing], title: str) -> Drawing:
         shapes.append(Group(drawing.shapes, (0.0, top - drawing.top)))
         top -= drawing.height
     return Drawing(tuple(shapes), left, top, right, 0.0, title, " ".join(d.shows for d in drawings))
+
+
+def beside(drawings: Sequence[Drawing], high: float, title: str) -> Drawing:
+    """Return drawings side by side as one, each `high` pixels high or as high as it is."""
+    shapes: list[Shape] = []
+    x = 0.0
+    for drawing in drawings:
+        by = min(1.0, high / drawing.height)
+        y = -(high - by * drawing.height) / 2 - by * drawing.top
+        shapes.append(Group(tuple(scaled(s, by) for s in drawing.shapes), (x - by * drawing.left, y)))
+        x += by * drawing.width + BETWEEN
+    words = " ".join(drawing.shows for drawing in drawings)
+    return Drawing(tuple(shapes), 0.0, -high, x - BETWEEN, 0.0, title, words)
 
 
 def draw_bars(

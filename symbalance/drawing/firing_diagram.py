@@ -14,6 +14,8 @@ from symbalance.engine.dead_centres import firing_dead_centres
 from symbalance.engine.engine import Engine
 
 WIDTH, ROW, LEFT = 560.0, 24.0, 44.0
+APART = 4.0
+"""Pixels between intervals side by side."""
 MANY, LEAST_ROW = 16, 13.0
 """Cylinders from which rows stand closer, and how close at the most."""
 STROKES = {4: ("power", "exhaust", "intake", "compression"), 2: ("power", "compression")}
@@ -105,7 +107,7 @@ def _intervals(
 
 def _overlap(one: Label, other: Label) -> bool:
     a, b = one.box, other.box
-    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+    return a[0] < b[2] + APART and b[0] < a[2] + APART and a[1] < b[3] and b[1] < a[3]
 
 
 def _bar(

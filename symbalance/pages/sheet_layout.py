@@ -10,21 +10,19 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import chain
 from textwrap import wrap
 
 from symbalance.document import nodes
 from symbalance.document.fitting import fit_table, plain_words
 from symbalance.document.shapes import (
-    Arrow,
-    Circle,
     Drawing,
     Group,
     Label,
     Line,
-    Point,
     Shape,
+    scaled,
     text_width,
 )
 from symbalance.errors import SymbalanceError
@@ -146,26 +144,9 @@ def picture_rows(rows: Sequence[Sequence[Picture]], top: float, room: float) -> 
             scale = min(wide / drawing.width, high / drawing.height, 1.0)
             x = left + (wide - scale * drawing.width) / 2 - scale * drawing.left
             y = top - 2 * CAPTION - (high - scale * drawing.height) / 2 - scale * drawing.top
-            shapes.append(Group(tuple(_scaled(s, scale) for s in drawing.shapes), (x, y)))
+            shapes.append(Group(tuple(scaled(s, scale) for s in drawing.shapes), (x, y)))
         top -= high + GAP + 2 * CAPTION
     return shapes, top
-
-
-def _scaled(shape: Shape, by: float) -> Shape:
-    """Return a shape larger or smaller about the origin; lines keep their width."""
-
-    def at(point: Point) -> Point:
-        return by * point[0], by * point[1]
-
-    if isinstance(shape, Line):
-        return replace(shape, points=tuple(map(at, shape.points)))
-    if isinstance(shape, Circle):
-        return replace(shape, centre=at(shape.centre), radius=by * shape.radius)
-    if isinstance(shape, Arrow):
-        return replace(shape, start=at(shape.start), end=at(shape.end))
-    if isinstance(shape, Label):
-        return replace(shape, at=at(shape.at), size=by * shape.size)
-    return replace(shape, at=at(shape.at), shapes=tuple(_scaled(s, by) for s in shape.shapes))
 
 
 # Tables and facts as lines ----------------------------------------------------------------------
