@@ -63,6 +63,7 @@ def test_table_drawing_and_moving_page_stand_without_a_network(exported: Path) -
 def _turns(page: Any) -> bool:
     """Tell whether the page within turns its crank when it is asked to show another angle."""
     (frame,) = [f for f in page.frames if f.url == "about:srcdoc"]
+    frame.wait_for_function("() => globalThis.symbalance !== undefined", timeout=20000)
     read = "document.querySelector('#section [data-part=crank]').getAttribute('transform')"
     before = frame.evaluate(read)
     frame.evaluate("symbalance.show({ theta: 77 })")
