@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import ceil, floor, hypot, log10
+from itertools import product
+from math import atan2, ceil, cos, floor, hypot, log10, pi, sin
 from textwrap import wrap
 
 from symbalance.document.shapes import LETTER, Drawing, Group, Label, Line, Point, Shape, scaled
@@ -123,24 +124,52 @@ def draw_path(
     ]
     path = tuple((round(x * scale, 1), round(y * scale, 1)) for x, y in points)
     shapes.append(Line(path, look, closed=True))
+    outline = [(x * scale, y * scale) for x, y in points]
+    following = [*outline[1:], *outline[:1]]
+    way = [  # as close as a name is high
+        (u + (x - u) * k / 4, v + (y - v) * k / 4)
+        for (u, v), (x, y) in zip(outline, following, strict=True)
+        for k in range(4)
+    ]
+    labels: list[Label] = []
     for place, name in _apart(marks, points, 14 / scale):
-        x, y = points[place][0] * scale, points[place][1] * scale
-        out = hypot(x, y) or 1.0
-        away = -16 if out > 0.7 * half else 16  # far out, inside: the axes' figures stand outside
+        x, y = outline[place]
         shapes.append(Line(((x - 3, y), (x, y + 3), (x + 3, y), (x, y - 3)), "ink", closed=True))
-        shapes.append(
-            Label(
-                (x + away * (x / out if out > 1 else 1), y + away * (y / out if out > 1 else 1)),
-                name,
-                size=11,
-            )
-        )
+        labels.append(_clear_label((x, y), name, way, labels, half + 14))
+    shapes += labels
     shapes += [
         Label((0, half + 26), f"vertical, {unit}", size=11),
         Label((0, -half - 42), f"lateral, {unit}", size=11),
     ]
     edge = half + 56
     return Drawing(tuple(shapes), -edge - 24, -edge, edge, edge - 14, title, shows)
+
+
+def _clear_label(
+    at: Point, name: str, path: Sequence[Point], others: Sequence[Label], room: float
+) -> Label:
+    """Return a mark's name beside it, where the fewest points of the path and no other name stand."""
+    x, y = at
+    out = atan2(y, x)
+    best: tuple[float, Label] | None = None
+    for step, turned in product(range(3), (0.0, 1.0, 0.5, -0.5, 0.25, -0.25, 0.75, -0.75)):
+        way = out + pi * turned
+        far = 12.0 + 8 * step + 3.2 * (len(name) - 1) * abs(cos(way))
+        label = Label((x + far * cos(way), y + far * sin(way)), name, size=11)
+        left, bottom, right, top = label.box
+        hidden = sum(left <= u <= right and bottom <= v <= top for u, v in path)
+        hidden += 1000 * any(_boxes_meet(label.box, other.box) for other in others)
+        hidden += 1000 * (max(-left, right, -bottom, top) > room)
+        # The axes' lines are crossed where nothing better is near.
+        hidden += 0.5 * (left < 0 < right) + 0.5 * (bottom < 0 < top) + 0.25 * step
+        if best is None or hidden < best[0]:
+            best = hidden, label
+    assert best is not None
+    return best[1]
+
+
+def _boxes_meet(one: tuple[float, float, float, float], other: tuple[float, float, float, float]) -> bool:
+    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
 
 
 def _apart(

@@ -145,7 +145,8 @@ def draw_one_of_forces(balance: Balance, of: str) -> Drawing:
             curves.append(Curve(f"{part} {of}", tuple(values), look))
             words.append(f"{part} {of} within ±{figure(largest)} {unit}")
     title = f"Free {of} of {balance.engine.name} over a turn"
-    return draw_curves(curves, 360, unit, title, "; ".join(words) + ".")
+    said = "; ".join(words)
+    return draw_curves(curves, 360, unit, title, f"{said[:1].upper()}{said[1:]}.")
 
 
 def draw_force_path(balance: Balance, of: str = "force") -> Drawing:
