@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 import shutil
 import subprocess
+from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from xml.etree import ElementTree
@@ -12,12 +14,14 @@ import pytest
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.document.shapes import Drawing, labels_of
+from symbalance.document import nodes
+from symbalance.document.fitting import plain_words
+from symbalance.document.shapes import Drawing, Group, Label, Line, Shape, labels_of
 from symbalance.engine.catalogue import preset_names
 from symbalance.errors import MissingPartError, SymbalanceError
 from symbalance.pages import sheet, sheet_files
-from symbalance.pages.sheet_layout import HIGH, LEAST, WIDE, TextBlock, TextLine, set_text
-from tests.laws.test_drawings import overlaps
+from symbalance.pages.sheet_layout import HIGH, LEAST, MARGIN, WIDE, TextBlock, TextLine, set_text
+from tests.laws.test_drawings import corners, overlaps
 
 KINDS = ["inline-3", "vw-vr6", "v8-90", "boxer-4", "bugatti-w16", "r-1820", "wartsila-10rta96c"]
 
@@ -198,3 +202,76 @@ def test_what_a_sheet_cannot_show_is_refused(capsys: pytest.CaptureFixture[str])
     assert "--compare: compares several engines" in lines[2]
     with pytest.raises(SymbalanceError, match="a sheet shows 64 at most"):
         sheet(sb.inline("-".join(map(str, range(1, 71))), ratio=4))
+
+
+def bounds(shapes: Sequence[Shape]) -> tuple[float, float, float, float]:
+    """Return left, bottom, right and top of shapes and their labels."""
+    drawing = Drawing(tuple(shapes), 0, 0, 1, 1, "", "")
+    xs, ys = zip(*corners(drawing), strict=True)
+    boxes = [label.box for label in labels_of(drawing)]
+    return (
+        min([*xs, *(b[0] for b in boxes)]),
+        min([*ys, *(b[1] for b in boxes)]),
+        max([*xs, *(b[2] for b in boxes)]),
+        max([*ys, *(b[3] for b in boxes)]),
+    )
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", [*KINDS, "comparison"])
+def test_pictures_and_columns_of_a_sheet_stand_apart(name: str) -> None:
+    if name == "comparison":
+        page = sheet(*map(sb.load, KINDS[:5]), compare=True, order=6).pages[0]
+    else:
+        page = sheet(sb.load(name)).pages[0]
+    pictures = [bounds([s]) for s in page.shapes if isinstance(s, Group)]
+    assert len(pictures) > 2
+    for place, one in enumerate(pictures):
+        for other in pictures[place + 1 :]:
+            across = min(one[2], other[2]) - max(one[0], other[0])
+            along = min(one[3], other[3]) - max(one[1], other[1])
+            assert min(across, along) < 3, (one, other)
+    low = min(picture[1] for picture in pictures)
+    rules = [s for s in page.shapes if isinstance(s, Line)]
+    assert rules
+    assert all(rule.points[0][1] < low + 3 for rule in rules)
+    ends = sorted({(rule.points[0][0], rule.points[1][0]) for rule in rules})
+    assert ends[0][0] == MARGIN
+    assert ends[-1][1] == pytest.approx(WIDE - MARGIN)
+    assert all(a[1] + 5 < b[0] for a, b in itertools.pairwise(ends))
+    # What stands in the left column ends before the right one begins.
+    for label in (s for s in page.shapes if isinstance(s, Label) and s.at[1] < low - 5):
+        column = next(end for end in ends if end[0] - 1 <= label.at[0] <= end[1])
+        assert label.box[2] <= column[1] + 1, label.text
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["inline-3", "vw-vr6", "r-985", "v8-90", "honda-rc211v"])
+def test_a_sheet_says_all_that_the_short_document_says(name: str) -> None:
+    result = sb.balance(sb.load(name))
+    labels = [s for s in sheet(result).pages[0].shapes if isinstance(s, Label)]
+    texts = [label.text for label in labels]
+    strong = " ".join(label.text for label in labels if label.strong)
+    joined = " ".join(text.strip() for text in texts)
+    document = result.document().unfolded(full=False)
+    assert plain_words(document.title) in strong
+    paragraphs = [b for b in document.blocks if isinstance(b, nodes.Paragraph)]
+    for block in document.blocks:
+        if isinstance(block, nodes.Table):
+            title = plain_words(block.title)
+            assert title in (strong if block.rows else joined)
+            for row in block.rows:
+                assert plain_words(row[0]) in texts  # type: ignore[arg-type]
+        elif isinstance(block, nodes.Facts):
+            assert plain_words(block.title) in strong
+            for entry, said in block.entries:
+                beginning = f"{plain_words(entry)}: {plain_words(said)}"[:24].strip()
+                assert any(text.startswith(beginning) for text in texts), beginning
+        elif isinstance(block, nodes.Paragraph) and block is not paragraphs[-1]:
+            assert plain_words(block.words) in joined
+    last = plain_words(paragraphs[-1].words) if paragraphs else ""
+    if "--full" in last:
+        assert "in full also" not in joined
+        assert "symbalance balance --full" in joined
+    elif last:
+        assert last in joined
