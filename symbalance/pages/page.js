@@ -479,7 +479,8 @@ function run(on) {
 function remember() {
   const changed = Object.keys(S).filter((key) => S[key] !== OWN[key]);
   const hash = changed.map((key) => `${key}=${S[key]}`).join("&");
-  history.replaceState(null, "", hash ? `#${hash}` : location.pathname + location.search);
+  // In a notebook the page is a frame without an address of its own.
+  if (location.protocol !== "about:") history.replaceState(null, "", hash ? `#${hash}` : location.pathname + location.search);
 }
 function recall() {
   for (const [key, text] of new URLSearchParams(location.hash.slice(1))) {

@@ -298,26 +298,3 @@ def test_axe_finds_nothing(scheme: str, browser: Any, tmp_path: Path) -> None:
     found = page.evaluate("async () => (await axe.run()).violations.map(v => [v.id, v.nodes[0].html])")
     assert found == []
     context.close()
-
-
-def test_the_atlas_sorts_by_what_shakes_and_says_nothing(browser: Any, tmp_path: Path) -> None:
-    from symbalance.cli import run
-
-    names = ["v8-90", "inline-3", "boxer-4", "v12-60"]
-    assert run(["atlas", *names, "-o", str(tmp_path)]) == 0
-    page = browser.new_page(viewport={"width": 390, "height": 800})
-    messages: list[str] = []
-    page.on("console", lambda message: messages.append(message.text))
-    page.goto((tmp_path / "index.html").as_uri())
-    keys = "all => all.map((row) => Number(row.children[COLUMN].dataset.key))"
-    for column in (1, 2, 3, 4, 5, 6):
-        page.click(f"thead th:nth-child({column + 1}) button")
-        rising = page.eval_on_selector_all("tbody tr", keys.replace("COLUMN", str(column)))
-        assert rising == sorted(rising)
-        page.click(f"thead th:nth-child({column + 1}) button")
-        falling = page.eval_on_selector_all("tbody tr", keys.replace("COLUMN", str(column)))
-        assert falling == sorted(falling, reverse=True)
-    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
-    assert messages == []
-    page.click("text=boxer-4")
-    assert page.title() == "boxer-4"
