@@ -24,16 +24,10 @@ def run(options: argparse.Namespace) -> int:
     if output not in (None, "-") and not output.lower().endswith((".html", ".htm")):
         raise SymbalanceError(f"-o {output}", "must end in .html", "as -o engine.html")
     from symbalance.forces.free_forces import balance
-    from symbalance.pages.moving_page import page
+    from symbalance.pages.moving_page import file_name, page
 
     engine = engine_of(options)
     result = balance(engine, whole_number(options.order, "order"))
     made = page(result, rpm=options.rpm, lang=options.lang)
-    write(made.html, output or f"{_file_name(engine.name)}.html", "source")
+    write(made.html, output or f"{file_name(engine.name)}.html", "source")
     return 0
-
-
-def _file_name(name: str) -> str:
-    """Return an engine's name as that of a file: letters, digits, - and _; others become -."""
-    plain = "".join(c if c.isalnum() or c in "-_" else "-" for c in name).strip("-")
-    return plain[:60] or "engine"
