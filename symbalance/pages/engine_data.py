@@ -68,7 +68,8 @@ def engine_data(balance: Balance, running: RunningTorque | None = None) -> dict[
         "rpm": 0 if balance.operating_point is None else float(balance.operating_point.rpm),
         "delta": DELTA if running is None else running.delta,
         "gas": None if running is None else gas_data(running),
-        "editable": not any(c.link for c in engine.cylinders) and not engine.has_link_pin_masses,
+        # What turns with a pin would turn with an edited one, and a link rod is hung on another's.
+        "editable": not any(c.link for c in engine.cylinders) and not engine.rotating_masses,
         "file": _file(engine),
     }
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 import re
 import shutil
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -16,52 +15,12 @@ import numpy as np
 import pytest
 
 import symbalance as sb
+from tests.browser.opened import OUTPUTS, Opened
 from tests.placed import direction, heights
 
 pytestmark = pytest.mark.rare
 PRESETS = ["inline-3", "inline-5", "v8-90", "v12-60", "boxer-4", "vw-vr6", "kharkiv-v2", "honda-nt650"]
 PRESETS += ["r-985", "r-1820", "bugatti-w16", "vq30de"]
-OUTPUTS = ("force.vertical", "force.lateral", "couple.vertical", "couple.lateral", "torque.inertia")
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    playwright = pytest.importorskip("playwright.sync_api")
-    chromium = shutil.which("chromium") or shutil.which("chromium-browser")
-    if chromium is None:
-        pytest.skip("no chromium on this machine")
-    with playwright.sync_playwright() as driver:
-        started = driver.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
-        yield started
-        started.close()
-
-
-class Opened:
-    """A page opened from disk, with what it said and what it asked for."""
-
-    def __init__(self, browser: Any, folder: Path, engine: sb.Engine, **options: Any) -> None:
-        file = folder / "page.html"
-        file.write_text(sb.page(engine, **options.pop("of", {})).html, encoding="utf-8")
-        hash_ = options.pop("hash", "#theta=0")
-        options = {"viewport": {"width": 1280, "height": 900}, "reduced_motion": "reduce"} | options
-        self.page = browser.new_page(**options)
-        self.messages: list[str] = []
-        self.requests: list[str] = []
-        self.page.on("console", lambda message: self.messages.append(message.text))
-        self.page.on("pageerror", lambda error: self.messages.append(str(error)))
-        self.page.on("request", lambda request: self.requests.append(request.url))
-        self.page.goto(file.as_uri() + hash_)
-
-    def show(self, **state: Any) -> list[float]:
-        return self.page.evaluate(
-            "s => { symbalance.show(s); return Array.from(symbalance.now.values); }", state
-        )
-
-    def transform(self, view: str, part: str) -> tuple[complex, float]:
-        text = self.page.get_attribute(f'#{view} [data-part="{part}"]', "transform")
-        place, turn = text.removeprefix("translate(").split(") rotate(")
-        x, y = map(float, place.split())
-        return complex(-y, x), float(turn.split(")")[0])
 
 
 @pytest.mark.parametrize("name", PRESETS)
