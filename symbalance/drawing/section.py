@@ -168,13 +168,13 @@ def _offset(machine: Machine, cylinder: Cylinder, scale: float, words: bool) -> 
     axis = machine.axis(cylinder)
     low = -1.3 * machine.radius(cylinder)
     ends = [point(complex(low, x) * axis, scale) for x in (0.0, offset)]
-    away = 10 if offset > 0 else -10
-    at = point(complex(low, offset) * axis, scale)
     line = Line((ends[0], ends[1]), "force")
     if not words:
         return [line]
     text = f"e = {float(abs(cylinder.offset)):g} mm"
-    return [line, Label((at[0] + away, at[1] - 12), text, "start" if away > 0 else "end", 11)]
+    # Below all that turns, whatever the axis' angle.
+    low = -scale * (1.3 * machine.radius(cylinder) + 0.17 * machine.bore) - 12
+    return [line, Label((10 if offset > 0 else -10, low), text, "start" if offset > 0 else "end", 11)]
 
 
 def _numbers(machine: Machine, scale: float, room: float) -> list[Shape]:
@@ -190,8 +190,9 @@ def _numbers(machine: Machine, scale: float, room: float) -> list[Shape]:
         high = machine.travel(cylinder)[1] + (HEAD + GAP) * machine.bore
         x, y = point(complex(high, machine.offset(cylinder)) * axis, scale)
         text = numbers_text(numbers)
-        away = 12 + 3.4 * (len(text) - 1) * abs(axis.imag)
-        at = x + away * axis.imag, y + 12 * axis.real
+        # As far out as its nearest corner needs to clear the head.
+        away = 6 + 3.4 * len(text) * abs(axis.imag) + 6 * abs(axis.real)
+        at = x + away * axis.imag, y + away * axis.real
         labels.append(Group((Label((0.0, 0.0), text),), at, name=f"numbers-{cylinder.number}"))
     return labels
 
@@ -209,7 +210,8 @@ def numbers_text(numbers: list[int]) -> str:
 def _box(machine: Machine, scale: float) -> tuple[float, float, float, float]:
     """Return left, bottom, right and top of all that is drawn."""
     reach = [(0.0, 0.0)]
-    crank = scale * (machine.radius(machine.engine.first) + 0.2 * machine.bore)
+    links = [float(c.link.radius) for c in machine.engine.cylinders if c.link and c.link.radius]
+    crank = scale * (machine.radius(machine.engine.first) + max([0.0, *links]) + 0.2 * machine.bore)
     reach += [(-crank, -crank), (crank, crank)]
     for cylinder in machine.engine.cylinders:
         axis, half = machine.axis(cylinder), 0.62 * machine.bore

@@ -41,6 +41,7 @@ function forceChart(id, i, names) {
 
 // The way of one piston, and what it would be on a rod without end: the difference is why engines shake.
 function pistonChart() {
+  const round = (t) => turned(Number((t*360/TURN).toFixed(3)), 360);
   const c = BY[S.cylinder], r = c.radius*(E.radius ? 1000*E.radius : 1), unitName = E.radius ? "mm" : "r";
   const simple = (t) => r*((c.highest + c.lowest)/2 + (c.highest - c.lowest)/2*Math.cos(t - c.top));
   const grid = Array.from({length: 181}, (_, k) => TURN*k/180);
@@ -51,7 +52,7 @@ function pistonChart() {
   chart("piston", rows, unitName, (t) => [r*motion(c, t).y], 360, r*c.lowest);
   const stroke = (c.highest - c.lowest)*r, at90 = (c.highest - motion(c, c.top + TURN/4).y)/(c.highest - c.lowest);
   const first = 2*Math.hypot(...ofCylinder(c, 1)) || 1, sizes = [2, 3, 4, 6].map((n) => [n, 100*2*Math.hypot(...ofCylinder(c, n))/first]).filter((row) => row[1] > 1e-7);
-  const words = W.pistonNote.split("@"), told = [figure(stroke, 6), unitName, figure(turned(c.top*360/TURN, 360)), figure(turned(c.bottom*360/TURN, 360)), figure(100*at90)];
+  const words = W.pistonNote.split("@"), told = [figure(stroke, 6), unitName, figure(round(c.top)), figure(round(c.bottom)), figure(100*at90)];
   note("piston", words.map((w, i) => w + (told[i] ?? "")).join("") + sizes.map(([n, v]) => `${n}: ${figure(v)}`).join(", ") + ".");
 }
 
@@ -120,7 +121,7 @@ function pathChart(id, i, look) {
 function phasors(id, i, look) {
   const svg = picture(id);
   if (!svg) return;
-  const n = S.order, whole = n === Math.round(n), g = cleared(svg, -210, -190, 420, 390);
+  const n = S.order, whole = n === Math.round(n), g = cleared(svg, -210, -190, 420, 396);
   FRAMES[id] = () => {};
   const [forward, backward] = whole ? harmonic(i, n) : [[0, 0], [0, 0]], [factor, unitName] = scaleOf(i);
   const ghosts = whole && bare ? harmonic(i, n, bare) : null;
@@ -150,7 +151,11 @@ function phasors(id, i, look) {
   add(g, "circle", {class: "faint", r: a*k});
   if (b*k > 1) add(g, "circle", {class: "faint", r: b*k});
   ellipse(forward, backward, look);
-  const h = add(g, "g", {}), tag = (text) => write(g, 0, 0, text, "middle", 13), tags = [a > tiny && b > tiny ? tag("+") : null, a > tiny && b > tiny ? tag("−") : null];
+  const h = add(g, "g", {});
+  [["ink", W.forward], ["open", W.backward]].forEach(([name, text], j) => {
+    line(g, name, -195 + 200*j, 188, -165 + 200*j, 188);
+    write(g, -158 + 200*j, 192, text, "start", 13);
+  });
   FRAMES[id] = (theta) => {
     const p = mul(forward, unit(n*theta)).map((v) => v*k), q = mul(backward, unit(-n*theta)).map((v) => v*k);
     h.replaceChildren();
@@ -159,7 +164,6 @@ function phasors(id, i, look) {
     line(h, "path", p[1], -p[0], p[1] + q[1], -p[0] - q[0]);
     line(h, "path", q[1], -q[0], p[1] + q[1], -p[0] - q[0]);
     arrow(h, [0, 0], [p[1] + q[1], -p[0] - q[0]], look);
-    [p, q].forEach((v, j) => { const l = Math.hypot(...v) || 1; if (tags[j]) set(tags[j], {x: v[1] + 12*v[1]/l, y: -v[0] - 12*v[0]/l + 4}); });
   };
 }
 

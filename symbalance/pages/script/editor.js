@@ -119,7 +119,7 @@ function fileText() {
     return `rod = ${inFile(rod ?? exact(valueOf(row)))}`;
   };
   const changed = !isOwn();
-  const head = lines(E.file.head).map((row) => keyOf(row) === "name" && changed ? `name = ${JSON.stringify(E.name + " (edited)")}` : resized(row));
+  const head = lines(E.file.head).map((row) => keyOf(row) === "name" && changed ? `name = ${JSON.stringify([...E.name].slice(0, 51).join("") + " (edited)")}` : resized(row));
   const out = [];
   for (const row of head) out.push(...(row.startsWith("[") ? ["", row] : [row]));
   for (const row of TABLE) {

@@ -32,9 +32,9 @@ function starsOf(n) {
 function star() {
   const svg = picture("star");
   if (!svg) return;
-  const n = S.order, R = 78, cell = 250, stars = starsOf(n);
+  const n = S.order, R = 78, stars = starsOf(n), cell = stars.some((each) => each.unit) ? 320 : 250;
   const across = stars.length === 4 ? 2 : Math.min(stars.length, 3), deep = Math.ceil(stars.length/across);
-  const g = cleared(svg, -cell*across/2, -cell/2, cell*across, cell*deep), said = [];
+  const g = cleared(svg, -cell*across/2 - 16, -cell/2, cell*across + 32, cell*deep), said = [];
   stars.forEach(({name, arrows, closed, unit: scale}, j) => {
     const h = add(g, "g", {transform: `translate(${cell*(j%across - (across - 1)/2)} ${cell*Math.floor(j/across)})`}), ends = new Map();
     let sum = [0, 0];
@@ -118,15 +118,15 @@ function strokes() {
   const r = E.radius ? 1000*E.radius : 1, unitName = E.radius ? "mm" : "r";
   const rows = [...CYLINDERS].sort((a, b) => a.number - b.number).map((c) => [c.number, (c.highest - c.lowest)*c.radius*r, turned((c.top + c.throw - c.bank)*360/TURN + 180, 360) - 180]);
   const low = Math.min(...rows.map((row) => row[1])), high = Math.max(...rows.map((row) => row[1])), wide = high - low || 1;
-  const g = cleared(svg, -60, -34, 420, 20*rows.length + 52);
+  const g = cleared(svg, -60, -34, 470, 20*rows.length + 52);
   write(g, 110, -16, `${W.strokes}, ${unitName}`, "middle", 11);
   write(g, 310, -16, W.topAt, "middle", 11);
   rows.forEach(([number, stroke, top], j) => {
     const y = 20*j + 6, x = 8 + 130*(stroke - low)/wide;
     write(g, -12, y + 4, number, "end");
     line(g, "faint", 0, y, 220, y);
-    line(g, "couple", 0, y, x, y);
-    add(g, "circle", {class: "couple opaque", cx: x, cy: y, r: 4});
+    line(g, "crank", 0, y, x, y);
+    add(g, "circle", {class: "ink", cx: x, cy: y, r: 3});
     write(g, x + 10, y + 4, figure(stroke, 6), "start", 11);
     write(g, 310, y + 4, `${figure(Number(top.toFixed(3)), 5)}°`, "middle", 11);
   });

@@ -125,17 +125,20 @@ const view = {turn: -0.75, tilt: 0.38};
 function showOblique(theta) {
   const svg = picture("oblique");
   if (!svg) return;
-  const ct = Math.cos(view.turn), st = Math.sin(view.turn), cl = Math.cos(view.tilt), sl = Math.sin(view.tilt);
-  // x right, y up, z towards the front: turned about the vertical, then tilted.
-  const eye = (up, right, front) => {
-    const x = right*ct + front*st, z = front*ct - right*st;
-    return [x, up*cl - z*sl, z*cl + up*sl];
-  };
   const pitch = E.pitch, things = [];
   const rows = [...new Set(CYLINDERS.map((c) => c.arm))].sort((a, b) => a - b), half = 0.22;
   // However it is turned, nothing is farther from its middle than this.
-  const reach = Math.hypot(Math.max(...CYLINDERS.map((c) => c.highest*c.radius)) + 0.5*E.bore, pitch*((rows[rows.length - 1] - rows[0])/2 + 0.7));
+  const heads = CYLINDERS.map((c) => mul([c.highest*c.radius, 0], unit(c.bank)));
+  const middleOf = (i) => (Math.min(0, ...heads.map((p) => p[i])) + Math.max(0, ...heads.map((p) => p[i])))/2, [upwards, aside] = [middleOf(0), middleOf(1)];
+  const reach = Math.hypot(Math.max(...[[0, 0], ...heads].map((p) => Math.hypot(p[0] - upwards, p[1] - aside))) + 0.5*E.bore, pitch*((rows[rows.length - 1] - rows[0])/2 + 0.5));
   const middleRow = (rows[0] + rows[rows.length - 1])/2, k = 205/reach;
+  const ct = Math.cos(view.turn), st = Math.sin(view.turn), cl = Math.cos(view.tilt), sl = Math.sin(view.tilt);
+  // x right, y up, z towards the front: turned about the vertical, then tilted.
+  const eye = (up_, right_, front) => {
+    const up = up_ - upwards, right = right_ - aside;
+    const x = right*ct + front*st, z = front*ct - right*st;
+    return [x, up*cl - z*sl, z*cl + up*sl];
+  };
   const points = (list) => list.map((p) => `${(k*p[0]).toFixed(1)},${(-k*p[1]).toFixed(1)}`).join(" ");
   let before = rows[0] - 0.7;
   const along = (row) => pitch*(row - middleRow);
@@ -152,8 +155,8 @@ function showOblique(theta) {
         const t = TURN*i/20, a = Math.cos(t), at = [m.piston[0] + h*E.bore*m.axis[0] + a*side[0], m.piston[1] + h*E.bore*m.axis[1] + a*side[1]];
         return eye(...at, f + 0.475*E.bore*Math.sin(t));
       }));
-      const middle = eye(...m.piston, f), up = eye(...m.axis, 0);
-      const crown = rings[up[2] >= 0 ? 1 : 0], at = [0, 1].map((i) => crown.reduce((sum, p) => sum + p[i], 0)/20);
+      const middle = eye(...m.piston, f), tip = eye(m.piston[0] + m.axis[0], m.piston[1] + m.axis[1], f);
+      const crown = rings[tip[2] >= middle[2] ? 1 : 0], at = [0, 1].map((i) => crown.reduce((sum, p) => sum + p[i], 0)/20);
       things.push({depth: middle[2], points: points(hull([...rings[0], ...rings[1]])), look: "piston", label: c.number, at, crown: points(crown)});
     }
     for (const pin of pins.values()) {
