@@ -136,6 +136,6 @@ if (check()) {  // at the engine's own values, before the address may change the
   recall();
   redraw();
   // For programs that read the page: what it shows now.
-  window.symbalance = {state: S, now: NOW, motion: (n, theta) => motion(BY[n], theta), gas: (theta) => gas(theta), show: (values) => { Object.assign(S, values); redraw(); }};
+  window.symbalance = {state: S, now: NOW, view, motion: (n, theta) => motion(BY[n], theta), gas: (theta) => gas(theta), show: (values) => { Object.assign(S, values); redraw(); }};
   if (!matchMedia("(prefers-reduced-motion: reduce)").matches && !location.hash) run(true);
 }
