@@ -213,7 +213,8 @@ def test_without_scripts_no_empty_figure_stands(browser: Any, tmp_path: Path) ->
         page.goto(file.as_uri())
         shown = page.eval_on_selector_all(
             "figure",
-            "all => all.filter((f) => f.offsetHeight).map((f) => [f.id, f.querySelectorAll('svg *').length])",
+            """all => all.filter((f) => f.offsetHeight)
+            .map((f) => [f.id, f.querySelectorAll("svg *").length])""",
         )
         assert {"section", "forces", "orders", "firing"} <= {figure for figure, _ in shown}
         assert all(count > 10 for _, count in shown)
