@@ -110,6 +110,8 @@ def test_the_hand_of_the_path_is_the_force(name: str, browser: Any, tmp_path: Pa
         up, right = values_of(engine, math.radians(degrees))[:2]
         shown, expected = complex(-y, x), complex(up, right)
         assert abs(shown / abs(shown) - expected / abs(expected)) < 1e-6
+        (way,) = attributes_of_points(opened, "#path polygon.force")
+        assert min(abs(complex(-v, u) - shown) for u, v in way) < 3
         # 170 pixels are the largest of the turn.
         assert abs(shown) / 170 <= 1.0001
         assert abs(expected) / abs(shown) * 170 >= max(abs(turn)) * 0.999
@@ -132,7 +134,7 @@ def test_charts_have_the_library_s_extremes(name: str, browser: Any, tmp_path: P
             assert high == pytest.approx(values[:, column].max(), abs=0.01 * size)
 
 
-@pytest.mark.parametrize("name", ["v8-90", "honda-nt650", "vw-vr6", "boxer-4"])
+@pytest.mark.parametrize("name", ["v8-90", "honda-nt650", "vw-vr6", "boxer-4", "r-985"])
 def test_strokes_begin_at_the_dead_centres(name: str, browser: Any, tmp_path: Path) -> None:
     engine = sb.load(name)
     opened = Opened(browser, tmp_path, engine)

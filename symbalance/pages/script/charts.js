@@ -127,11 +127,12 @@ function phasors(id, i, look) {
   const ghosts = whole && bare ? harmonic(i, n, bare) : null;
   const a = Math.hypot(...forward), b = Math.hypot(...backward), was = ghosts ? ghosts.map((v) => Math.hypot(...v)) : [0, 0];
   const size = Math.max(a + b, was[0] + was[1], 1e-12), k = 150/size;
-  const tiny = 1e-9*Math.max(1, ...curves.map((v) => Math.abs(v[i]))), gone = a + b < tiny;
-  const of = i ? "couple" : "force";
+  const tiny = 1e-9*Math.max(1, ...curves.map((v) => Math.abs(v[i]))), of = i ? "couple" : "force";
+  // What is proved to be there is there, however small.
+  const gone = isOwn() && whole ? !E.present[of].includes(n) : a + b < tiny;
   picture(id).closest("figure").querySelector("figcaption").textContent = W[id].replace("@", orderName(n));
   svg.closest("figure").classList.toggle("gone", gone && was[0] + was[1] < tiny);
-  const zero = !whole ? W.noHalves : isOwn() && !E.present[of].includes(n) ? W.zeroProved : W.zeroRounding;
+  const zero = !whole ? W.noHalves : isOwn() ? W.zeroProved : W.zeroRounding;
   let words = gone ? zero : `${W.forward} ${figure(a*factor)}, ${W.backward} ${figure(b*factor)} ${unitName}`;
   if (ghosts && was[0] + was[1] > tiny) words += ` (${W.without} ${figure(was[0]*factor)}, ${figure(was[1]*factor)})`;
   note(id, words);
@@ -176,7 +177,7 @@ function bars() {
     for (const n of E.barOrders) {
       const [f, b] = harmonic(i, n), up = Math.hypot(f[0] + b[0], f[1] - b[1]), right = Math.hypot(f[1] + b[1], f[0] - b[0]);
       const most = Math.max(up, right), proved = isOwn() && !E.present[of].includes(n);
-      rows.push({name: `${W[of]} ${n}`, value: proved ? 0 : most*scaleOf(i)[0], zero: proved ? W.zeroProved : most < tiny ? W.zeroRounding : "", look: i ? "shade" : "solid"});
+      rows.push({name: `${W[of]} ${n}`, value: proved ? 0 : most*scaleOf(i)[0], zero: proved ? W.zeroProved : !isOwn() && most < tiny ? W.zeroRounding : "", look: i ? "shade" : "solid"});
     }
   }
   const high = Math.ceil(Math.log10(Math.max(1e-30, ...rows.map((r) => r.value))) - 1e-9), low = high - 7, k = 380/7;

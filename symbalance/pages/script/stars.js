@@ -62,7 +62,7 @@ function star() {
     if (!zero) arrow(h, [0, 0], [R*sum[1]/arrows.length, -R*sum[0]/arrows.length], "force");
     const angle = figure(Number(turned(degrees(sum), 360).toFixed(4))%360);
     const shown = scale ? `${figure(size*scale/2)}` : figure(size);
-    const words = zero ? (closed ? W.starCloses : W.starRounding) : (scale ? W.starSum : W.starLeaves).replace("#", shown).replace("@", angle);
+    const words = zero ? (closed ? W.starCloses : W.starRounding) : (scale ? W.starSum : Math.abs(size - 1) < 1e-9 ? W.starLeavesOne : W.starLeaves).replace("#", shown).replace("@", angle);
     add(h, "text", {class: "ink", y: cell/2 - 12, "text-anchor": "middle", "font-weight": "bold", "data-verdict": j}, words);
     if (name) add(h, "text", {class: "ink", y: 14 - cell/2, "text-anchor": "middle"}, name);
     said.push(name ? `${name}: ${words}` : words);
