@@ -107,6 +107,7 @@ def page(
         "inputs": _inputs(data, words),
         "figures": "\n".join(_figures(result, data, words)),
         "edit": escape(words["edit"]),
+        "own": escape(words["own"]),
         "tables": document_html(_without_pictures(result.document())),
         "made": escape(made),
         # "<" cannot end the element, nor can a line separator end a string.

@@ -180,3 +180,16 @@ def test_every_drawing_says_what_it_shows(name: str, browser: Any, tmp_path: Pat
     assert len(words) >= 10
     for figure, said in words:
         assert figure == "oblique" or re.search(r"\d|cancels", said), figure
+
+
+def test_what_is_no_longer_the_engine_s_own_is_grey_and_says_so(browser: Any, tmp_path: Path) -> None:
+    opened = Opened(browser, tmp_path, sb.load("v8-90"))
+    colour = "getComputedStyle(document.querySelector('article')).color"
+    before = opened.page.evaluate(colour)
+    assert opened.page.is_hidden(".own")
+    opened.show(**{"lambda": 3.3})
+    assert opened.page.evaluate(colour) != before
+    assert opened.page.is_visible(".own")
+    opened.page.click("#reset")
+    assert opened.page.evaluate(colour) == before
+    assert opened.page.is_hidden(".own")

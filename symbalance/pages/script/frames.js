@@ -2,7 +2,8 @@
 const NOW = {};
 function redraw() {
   compute();
-  document.body.classList.toggle("numeric", !isOwn());
+  // Newtons of another speed are not those that stand in the tables.
+  document.body.classList.toggle("numeric", !isOwn() || (OWN.rpm > 0 && S.rpm !== OWN.rpm));
   NOW.values = value(S.theta*TURN/360);
   arrangeSection();
   plan();
