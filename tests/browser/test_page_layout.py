@@ -193,3 +193,38 @@ def test_what_is_no_longer_the_engine_s_own_is_grey_and_says_so(browser: Any, tm
     opened.page.click("#reset")
     assert opened.page.evaluate(colour) == before
     assert opened.page.is_hidden(".own")
+
+
+@pytest.mark.parametrize(
+    ("name", "state", "edit"),
+    [
+        ("v8-90", {"bank": 175}, None),
+        ("v8-90", {"lambda": 7.5}, None),
+        ("inline-5", {}, ("cylinder 2, axis at", "100")),
+        ("boxer-4", {}, ("cylinder 3, axis at", "0")),
+        ("inline-3", {}, ("cylinder 3, station", "-4")),
+    ],
+)
+def test_what_was_moved_is_in_sight(
+    name: str, state: dict[str, Any], edit: tuple[str, str] | None, browser: Any, tmp_path: Path
+) -> None:
+    opened = Opened(browser, tmp_path, sb.load(name))
+    if edit is not None:
+        opened.fill(*edit)
+    for theta in (0, 120, 250):
+        opened.show(theta=theta, **state)
+        out = opened.page.evaluate(
+            """() => ["section", "plan"].flatMap((id) => {
+            const svg = document.querySelector(`#${id} svg`);
+            if (!svg) return [];
+            const all = svg.getBBox(), box = svg.viewBox.baseVal;
+            return [box.x - all.x, box.y - all.y, all.x + all.width - box.x - box.width,
+                all.y + all.height - box.y - box.height]; })"""
+        )
+        assert max(out) <= 0
+        assert opened.page.evaluate(OVERLAPS) == []
+    opened.page.click("#reset")
+    again = Opened(browser, tmp_path, sb.load(name))
+    # The library's own box, its numbers to a tenth.
+    boxes = [each.page.get_attribute("#section svg", "viewBox") for each in (opened, again)]
+    assert boxes[0] == boxes[1]

@@ -21,6 +21,7 @@ function redraw() {
   bars();
   firing();
   frame();
+  fitSection();
   fillEditor();
   remember();
 }

@@ -73,6 +73,19 @@ function showSection(theta) {
   part("section", "crank")?.setAttribute("transform", `translate(0 0) rotate(${theta*360/TURN})`);
 }
 
+// What was moved to another place is in sight: the box that the library drew, or one about all that stands.
+function fitSection() {
+  const svg = picture("section");
+  svg.dataset.box ??= svg.getAttribute("viewBox");
+  let [x, y, width, height] = svg.dataset.box.split(" ").map(Number);
+  if (!isOwn()) {
+    const crank = E.scales.section*(1 + 0.2*E.bore), all = svg.getBBox();
+    x = Math.min(-crank, all.x) - 14; y = Math.min(-crank, all.y) - 14;
+    width = Math.max(crank, all.x + all.width) + 14 - x; height = Math.max(crank, all.y + all.height) + 14 - y;
+  }
+  svg.setAttribute("viewBox", [x, y, width, height].map((v) => v.toFixed(1)).join(" "));
+}
+
 // The plan: what moves is put where it stands; stations and lever arms are written once.
 function plan() {
   const svg = picture("plan");
