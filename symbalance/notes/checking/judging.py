@@ -15,7 +15,7 @@ from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import assertions, constraints
 from symbalance.notes.checking.constraints import Constraint
 from symbalance.notes.checking.deciding.cases import decide_case, decide_with_ratio, states_a_case
-from symbalance.notes.checking.deciding.equality import Decision, decide_equality
+from symbalance.notes.checking.deciding.equality import PROVED, Decision, decide_equality
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality, sample_ranges
 from symbalance.notes.checking.deciding.knowledge import Assumption, Definition, Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import (
@@ -25,7 +25,12 @@ from symbalance.notes.checking.deciding.matrix_relations import (
 )
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute
-from symbalance.notes.checking.definitions import Definitions, lines_of, refuted_at_angles
+from symbalance.notes.checking.definitions import (
+    Definitions,
+    holds_at_angles,
+    lines_of,
+    refuted_at_angles,
+)
 from symbalance.notes.checking.descriptions import (
     describe,
     undecided,
@@ -36,16 +41,25 @@ from symbalance.notes.checking.descriptions import (
 from symbalance.notes.checking.dimensions import Dimensions, unit_text
 from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.own_units import speeds_in_own_unit
+from symbalance.notes.checking.premises import Premise, implied
 from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
 from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.sidecar import Binding, Declarations
-from symbalance.notes.checking.symbol_roles import KNOWN, MOVING, letters_by_role, role_of
+from symbalance.notes.checking.symbol_roles import (
+    KNOWN,
+    MOVING,
+    SMALL_WORD,
+    letters_by_role,
+    role_of,
+    small_letters,
+)
 from symbalance.notes.checking.symbols import meaning_of
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONTRADICTION,
     DEFINITION,
     PREMISE,
+    PROVED_WORDS,
     REFUTED,
     STATED,
     UNDECIDED,
@@ -66,6 +80,8 @@ UNIVERSAL = (
     "crank ratio r/l",
     "integer",
 )
+NEAR = 4
+"""Lines below an equation in which its solution is looked for."""
 CLAUSES = 15
 """Lines below an equation in matrices that may still say what its letters are."""
 PAGE = Budget(600, 4000)
@@ -88,6 +104,7 @@ class Judge:
     def __post_init__(self) -> None:
         self.definitions = Definitions(self.declarations, Sections(self.document))
         self.start = time.monotonic()
+        self.small_letters = small_letters(self.document.text)
         self.not_judged: dict[str, int] = {}
         """Letters that a relation may define which was not judged, with its line."""
 
@@ -176,6 +193,8 @@ class Judge:
             universal,
             corrects=self.corrects,
             ranges=tuple(ranges),
+            small=frozenset(n for n, text in symbols.items() if SMALL_WORD.search(text))
+            | self.small_letters,
         )
         return self.definitions.on_stated_branches(knowledge)
 
@@ -216,6 +235,8 @@ class Judge:
             verdicts.append(verdict)
             if verdict.is_unjudged:
                 self.not_judged |= dict.fromkeys(_lone_letters(chain, k), relation.line)
+            if k and verdict.verdict in PROVED_WORDS and isinstance(chain.sides[0].node, Name):
+                self.definitions.round(chain.sides[0].node.name, chain, chain.sides[k + 1].node)
             bad = verdict.verdict == REFUTED or (bad and verdict.reason == FOLLOWS)
             if not bad:
                 sound = k + 1
@@ -299,17 +320,38 @@ class Judge:
             return definition
         decision, against = self._decide_step(chain, k, sound, bad, knowledge)
         if decision.status in (REFUTED, UNDECIDED):
-            stated = (self._fixed_matrix if of_matrices else self._fixed)(chain, k, knowledge)
-            if stated is not None:
-                return stated
-            decision = self._with_premises(against, right, relation.sign, decision, knowledge)
-        if decision.status == REFUTED and not of_matrices:  # cases and conditions are of numbers
+            decision = self._unless_given(chain, k, against, decision, knowledge)
+        if decision.status in STATED or decision.status == CONTRADICTION:
+            return decision
+        # cases and conditions are of numbers
+        may_state = not of_matrices and not self.definitions.must_follow(chain, k)
+        if decision.status == REFUTED and may_state:
             decision = self._unless_stated(chain, k, against, decision, knowledge)
         if decision.status == REFUTED:
             decision = self._unless_open(chain, k, decision, knowledge)
         return self.add_fix(
             describe(self.document, chain, k, decision), chain, k, against, decision, knowledge
         )
+
+    def _unless_given(
+        self, chain: Chain, k: int, against: Side, decision: Decision, knowledge: Knowledge
+    ) -> Decision:
+        """Return the decision on what is no proved step: it may be given, or follow from what is."""
+        left, right = chain.sides[k], chain.sides[k + 1]
+        of_matrices = is_of_matrices(left.node, right.node, knowledge)
+        must_follow = [] if of_matrices else self.definitions.must_follow(chain, k)
+        if must_follow:
+            return self._following(chain, k, must_follow, decision, knowledge)
+        stated = (self._fixed_matrix if of_matrices else self._fixed)(chain, k, knowledge)
+        if stated is not None:
+            return stated
+        sign = chain.relations[k].sign
+        decision, is_open = self._with_premises(against, right, sign, decision, knowledge)
+        if is_open and not of_matrices:
+            refuted = replace(decision, status=REFUTED)
+            case = self._unless_stated(chain, k, against, refuted, knowledge)
+            return case if case.status in (*STATED, CONTRADICTION) else decision
+        return decision
 
     def _decide_step(
         self, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
@@ -329,17 +371,67 @@ class Judge:
             decision, against = decide(chain.sides[0], right, "≈", knowledge), chain.sides[0]
         return decision, against
 
+    def _following(
+        self, chain: Chain, k: int, premises: list[Premise], decision: Decision, knowledge: Knowledge
+    ) -> Decision:
+        """Return the decision on what is said to follow, and does not: x + y = 2, therefore x = y.
+
+        It is refuted if one line alone speaks of its letters; several, or a number for one of them, may
+        rest on what stands in words.
+        """
+        left, right = chain.sides[k], chain.sides[k + 1]
+        by_all, _ = self._with_premises(left, right, "=", decision, knowledge)
+        statement = self.definitions.premise_of(chain, k)
+        by_premises = self.definitions.decide_by_premises(statement, knowledge)
+        if by_premises is not None and by_premises.status != PREMISE:
+            return by_premises
+        if by_all.status != REFUTED:
+            return by_all
+        reason = f"does not follow from {lines_of(premises)}"
+        is_whole = bool(names(right.node)) and any(statement.names <= p.names for p in premises)
+        return replace(by_all, status=REFUTED if is_whole else UNDECIDED, reason=by_all.reason or reason)
+
     def _unless_stated(
         self, chain: Chain, k: int, against: Side, decision: Decision, knowledge: Knowledge
     ) -> Decision:
         """Return the decision on a refuted relation that may be a premise, a condition or a case."""
-        case = decide_case(chain, k, decision, knowledge)
+        is_solved = self._is_solved(chain, k)
+        case = decide_case(chain, k, decision, knowledge, is_solved=is_solved)
         if case is not None and case.status in STATED and chain.relations[k].sign == "=":
             case = self._state(chain, k, case, knowledge)
         if case is not None and case.status != REFUTED:
             return case
         with_ratio = decide_with_ratio(against.node, chain.sides[k + 1].node, knowledge)
         return with_ratio or case or decision
+
+    def _is_solved(self, chain: Chain, k: int) -> bool:
+        """Tell whether an equation is to be solved: by the words before it, or by a value right below.
+
+        cos θ + λ cos 2θ = 0 may be a claim; behind "where", or with θ = 76° next, it is none.
+        """
+        if len(chain.relations) != 1:
+            return False
+        own = names(chain.sides[k].node) | names(chain.sides[k + 1].node)
+        if names(chain.sides[k].node) & names(chain.sides[k + 1].node) & self._angles(chain):
+            return False  # sin 2θ = 2 sin θ claims that they are the same
+        if self.definitions.sections.is_condition(chain):
+            return True
+        if len(own) != 1:
+            return False
+        after = [c for c in self.document.chains if c.sides[0].span[0] > chain.sides[-1].span[0]]
+        following = min(after, key=lambda c: c.sides[0].span[0], default=None)
+        return (
+            following is not None
+            and bool(following.relations)
+            and isinstance(following.sides[0].node, Name)
+            and following.sides[0].node.name in own
+            and not names(following.sides[1].node)
+            and following.lines[0] <= chain.lines[-1] + NEAR
+        )
+
+    def _angles(self, chain: Chain) -> set[str]:
+        letters = letters_by_role(self.declarations.symbols_at(chain.lines[0]))
+        return {name for meaning in ANGLES for name in letters.get(meaning, ())}
 
     def _unless_open(self, chain: Chain, k: int, decision: Decision, knowledge: Knowledge) -> Decision:
         """Return the decision on a refuted relation: undecided if it may rest on what is not known."""
@@ -354,7 +446,24 @@ class Judge:
             reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
         elif chain.relations[k].sign == "=":
             reason = self._missing_meaning(left, right, line, knowledge)
+        reason = reason or self._ended_premise(chain, k, knowledge)
         return replace(decision, status=UNDECIDED, reason=reason) if reason else decision
+
+    def _ended_premise(self, chain: Chain, k: int, knowledge: Knowledge) -> str:
+        """Return which premise of a section above would make a relation true, "" for none."""
+        left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
+        solved = self.definitions.without_scope([left.node, right.node], chain.lines[0], knowledge)
+        if solved is None:
+            return ""
+        by_all = decide(left, right, sign, solved.knowledge)
+        is_true = by_all.is_proved or (
+            bool(solved.leftover) and holds_at_angles(left, right, sign, solved)
+        )
+        if not is_true:
+            return ""
+        texts = " and ".join(p.text for p in solved.premises)
+        where = lines_of(solved.premises)
+        return f"true if {texts}, by {where}, which holds to the end of its section; say so again"
 
     def _missing_meaning(self, left: Formula, right: Formula, line: int, knowledge: Knowledge) -> str:
         """Return for which size of the geometry a letter without a meaning makes a relation true.
@@ -420,20 +529,31 @@ class Judge:
 
     def _with_premises(
         self, left: Side, right: Side, sign: str, decision: Decision, knowledge: Knowledge
-    ) -> Decision:
-        """Return the decision with the premises solved together: a witness must satisfy them all."""
+    ) -> tuple[Decision, bool]:
+        """Return the decision with the premises solved together: a witness must satisfy them all.
+
+        Also whether it is undecided for what could not be solved, and may be one more equation.
+        """
         nodes = [left.node, right.node]
         solved = self.definitions.solved(nodes, self.document.line_of(right.span[0]), knowledge)
         if solved is None:
-            return decision
+            return decision, False
         by_all = decide(left, right, sign, solved.knowledge)
         if by_all.status == REFUTED and solved.leftover:
             at_solution = refuted_at_angles(left, right, sign, solved)
             if at_solution is not None:
-                return at_solution
+                return at_solution, False
+            given = lines_of(solved.premises)
+            answer = implied(solved.premises, left.node, right.node, knowledge) if sign == "=" else None
+            if answer:
+                texts = solved.knowledge.solved_from
+                return Decision(PROVED, f"by {given}", assumptions=texts, level=by_all.level), False
+            if answer is False:
+                reason = f"no values satisfy it together with {given}"
+                return replace(by_all, reason=reason, witness={}), False
             reason = f"may rest on {lines_of(solved.leftover)}, which could not be solved for a letter"
-            return replace(by_all, status=UNDECIDED, reason=reason)
-        return by_all
+            return replace(by_all, status=UNDECIDED, reason=reason), True
+        return by_all, False
 
     def _with_clauses_below(self, chain: Chain, k: int, knowledge: Knowledge) -> Knowledge:
         """Return what is known with the new letters that the lines right below a relation explain.

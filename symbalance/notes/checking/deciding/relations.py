@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import product
 
-from symbalance.document.formula import Dots, Formula, Name, walk
+from symbalance.document.formula import Dots, Formula, Name, names, walk
 from symbalance.notes.algebra.construct_rules import may_fail
+from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.branches import decide_branches, has_branches
 from symbalance.notes.checking.deciding.equality import (
     REFUTED,
@@ -24,6 +25,8 @@ from symbalance.notes.reading.equations import Side
 MOST_READINGS = 16
 """Pairs of readings that are tried: a decision may cost a second."""
 MEANT_ROUGHLY = "= stands where ≈ is meant"
+MOST_ROUNDED = 3
+"""Results that are tried as printed one by one, the others with all their digits."""
 MOST_BRANCHED = 3
 """Letters of one relation whose branches are gone through."""
 
@@ -37,6 +40,8 @@ def decide(
     of them under the condition that β lies there.
     """
     decision = _decide_as_defined(left, right, sign, knowledge, through)
+    if decision.status == REFUTED and not (names(left.node) and names(right.node)):
+        decision = _as_printed(left, right, sign, knowledge, through) or decision
     branches = knowledge.branches_behind(left.node, right.node)
     if not branches or (decision.level and branches.keys().isdisjoint(decision.level.values)):
         return decision
@@ -53,6 +58,30 @@ def decide(
         elif not all(other.is_proved for other, _ in others):
             conditions.append(definition.branch)
     return replace(decision, assumptions=(*decision.assumptions, *conditions)) if conditions else decision
+
+
+def _as_printed(
+    left: Side, right: Side, sign: str, knowledge: Knowledge, through: int | None
+) -> Decision | None:
+    """Return the proof of a relation of numbers from results as their lines print them, v = … = 628.3.
+
+    None if it needs none, or is not proved so: each may have gone on with all its digits.
+    """
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    behind = {n for side in (left, right) for n in names_behind(side.node, values)}
+    rounded = [n for n in sorted(behind) if n in values and knowledge.definitions[n].rounded is not None]
+    for chosen in [rounded, *([name] for name in rounded[:MOST_ROUNDED])] if rounded else []:
+        known = knowledge
+        for name in chosen:
+            printed = knowledge.definitions[name].rounded
+            assert printed is not None
+            known = known.with_definition(
+                name, replace(known.definitions[name], node=printed, numeric=True)
+            )
+        decision = _decide_as_defined(left, right, sign, known, through)
+        if decision.is_proved:
+            return decision
+    return None
 
 
 def _on_branch(knowledge: Knowledge, name: str, value: Formula) -> Knowledge:

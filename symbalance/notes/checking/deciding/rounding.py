@@ -19,9 +19,12 @@ from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import Components, components
+from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import Valuation, context, letters
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 
+DEEPEST = 12
+"""Values that rest on values, one in the other."""
 LONG = 3
 """A decimal of this many digits on the way to a result may itself be rounded."""
 
@@ -70,15 +73,26 @@ def agrees_as_printed(
 
 
 def with_decimals(node: Formula, values: Mapping[str, Formula]) -> Formula:
-    """Return a formula with the letters put in whose values are numbers printed in decimals."""
-    for name in sorted(names(node)):
-        value = values.get(name)
-        if value is not None and not names(value) and decimals(value):
-            try:
-                node = substitute(node, name, value)
-            except NoFormError:
-                continue  # a derivative by the letter: it stays one
+    """Return a formula with the letters put in whose values come down to numbers printed in decimals."""
+    for _ in range(DEEPEST):
+        before = node
+        for name in sorted(names(node)):
+            value = values.get(name)
+            if value is not None and _holds_decimals(value, values):
+                try:
+                    node = substitute(node, name, value)
+                except NoFormError:
+                    continue  # a derivative by the letter: it stays one
+        if node is before:
+            break
     return node
+
+
+def _holds_decimals(value: Formula, values: Mapping[str, Formula]) -> bool:
+    """Tell whether a value holds decimals, also by the letters in it."""
+    if decimals(value):
+        return True
+    return any(decimals(values[name]) for name in names_behind(value, values) if name in values)
 
 
 def _is_bare(node: Formula) -> bool:
