@@ -82,7 +82,9 @@ def constraint_of(
     """
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     if k == 0 and isinstance(left, Name) and knowledge.knows(left.name):
-        return None
+        definition = knowledge.definitions.get(left.name)
+        if definition is None or not definition.numeric:
+            return None  # a value that is not the same; with F = 100, F = m a says what a is
     if chain.relations[k].sign != "=" or any(isinstance(p, formula.Dots) for p in _parts(left, right)):
         return None
     first, second = letter_counts(left), letter_counts(right)

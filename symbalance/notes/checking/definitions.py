@@ -13,9 +13,11 @@ from symbalance.document.formula import (
     Name,
     Negative,
     Number,
+    PlusMinus,
     Product,
     Sum,
     names,
+    walk,
 )
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
@@ -25,6 +27,7 @@ from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.algebra.tree_values import letters_behind, names_behind, sample_trees
 from symbalance.notes.algebra.values import context, letters, sample
 from symbalance.notes.checking.constraints import Constraint, letter_counts, solve_for
+from symbalance.notes.checking.deciding.branches import with_sign
 from symbalance.notes.checking.deciding.equality import (
     PROVED,
     REFUTED,
@@ -41,6 +44,7 @@ from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.premises import (
     EVERYWHERE,
+    Elimination,
     Premise,
     eliminate,
     has_decimals,
@@ -350,6 +354,8 @@ class Definitions:
         nothing: they are solved as numbers are, whose products commute.
         """
         nodes = [statement.left, statement.right]
+        if any(isinstance(part, PlusMinus) for node in nodes for part in walk(node)):
+            return self._decide_both_signs(statement, knowledge)
         given = related(self.premises_at(statement.line), nodes, knowledge, rounded=True)
         if not given or is_of_matrices(statement.left, statement.right, knowledge):
             return None
@@ -357,19 +363,21 @@ class Definitions:
         if not before.is_consistent:
             return None  # said where the last of them stands
         after = eliminate([*given, statement], knowledge, rounded=True)
-        if not after.is_consistent:
-            others = [p for p in after.contradiction if p is not statement]
-            reason = f"contradicts {lines_of(others)}" if others else "contradicts what is known"
-            return Decision(CONTRADICTION, reason)
-        is_implied = statement in after.following or (
-            bool(before.leftover) and implied(given, *nodes, knowledge) is True
-        )
-        if is_implied:
-            texts = tuple(dict.fromkeys(p.text for p in given))
-            return Decision(PROVED, f"by {lines_of(given)}", assumptions=texts)
-        if any(p in after.following for p in given if p not in before.following):
-            return Decision(PREMISE, f"satisfies {lines_of(given)}")
-        return None
+        refusal = _refusal_by(given, before, after, statement)
+        return refusal or _support_by(given, before, after, statement, knowledge)
+
+    def _decide_both_signs(self, statement: Premise, knowledge: Knowledge) -> Decision | None:
+        """Return what earlier premises say of x = 2 ± 1: each of the two values has to satisfy them."""
+        decisions: list[Decision | None] = []
+        for sign in (1, -1):
+            left, right = (with_sign(node, sign) for node in (statement.left, statement.right))
+            one = replace(statement, left=left, right=right)
+            decision = self.decide_by_premises(one, knowledge)
+            if decision is not None and decision.status == CONTRADICTION:
+                reason = f"with the {'upper' if sign > 0 else 'lower'} signs it {decision.reason}"
+                return replace(decision, reason=reason)
+            decisions.append(decision)
+        return decisions[0] if None not in decisions else None
 
     def solved(self, nodes: Sequence[Formula], line: int, knowledge: Knowledge) -> Solved | None:
         """Return what is known with the premises that formulas are connected with solved together.
@@ -377,7 +385,7 @@ class Definitions:
         None where there are none beside those that fix a letter each, or they contradict each other.
         """
         given = related(self.premises_at(line), nodes, knowledge)
-        if all(p.fixes for p in given):
+        if all(p.fixes and self._is_in_effect(p, knowledge) for p in given):
             return None
         result = eliminate(given, knowledge)
         if not result.is_consistent:
@@ -385,6 +393,12 @@ class Definitions:
         texts = tuple(dict.fromkeys(p.text for p in given))
         known = replace(knowledge, solved=result.values, solved_from=texts)
         return Solved(known, result.leftover, tuple(given))
+
+    @staticmethod
+    def _is_in_effect(premise: Premise, knowledge: Knowledge) -> bool:
+        """Tell whether the letter that a premise fixes still has its value from there."""
+        definition = knowledge.definitions.get(premise.fixes)
+        return definition is not None and definition.line == premise.line
 
     def without_scope(self, nodes: Sequence[Formula], line: int, knowledge: Knowledge) -> Solved | None:
         """Return what would be known if what holds to the end of its section held further.
@@ -456,7 +470,11 @@ class Definitions:
         if not is_case and earlier.numeric and not names(value):
             other = f"{plain(Name(name))} = {plain(earlier.node)}"
             return Decision(CONTRADICTION, f"contradicts {other} of line {earlier.line}")
-        self.define(name, without_dots(value)[0], chain)
+        bare = without_dots(value)[0]
+        if not names(bare) and names(earlier.node) and name not in knowledge.angles:
+            end = self.sections.section_end(line)  # u = 2v, then u = 6: 2v is 6 here
+            self.premises.append(Premise(earlier.node, bare, line, end))
+        self.define(name, bare, chain)
         return Decision(PREMISE, f"a new case: line {earlier.line} had another value")
 
     def _define_size(
@@ -547,8 +565,11 @@ class Definitions:
     def _letter_defined(self, chain: Chain, k: int) -> tuple[str, Formula] | None:
         """Return the letter a relation may define, and its value."""
         left, right = chain.sides[k].node, chain.sides[k + 1].node
+        is_new = isinstance(right, Name) and right.name not in names(left) | self.letters_in_use
         if k == 0 and isinstance(left, Name) and left.name not in names(right):
-            return left.name, right
+            has_number = any(e.definition.numeric for e in self.values.get(left.name, [])[-1:])
+            if not (has_number and is_new):  # u = 3, then u = v: that is what v is
+                return left.name, right
         if isinstance(right, Name) and right.name not in names(left) | self.letters_in_use:
             return right.name, left
         return None
@@ -568,6 +589,40 @@ def _each_has_own_letters(earlier: Formula, value: Formula, knowledge: Knowledge
     """Tell whether a second value fixes another letter: F_1 = -F_2, then F_1 = cos θ; or is a number."""
     first, second = (set(_letters_behind([node], knowledge)) for node in (earlier, value))
     return not second or bool(first - second and second - first)
+
+
+def _refusal_by(
+    given: list[Premise], before: Elimination, after: Elimination, statement: Premise
+) -> Decision | None:
+    """Return why a statement cannot stand beside premises: it contradicts them, or makes a letter 0."""
+    if not after.is_consistent:
+        others = [p for p in after.contradiction if p is not statement]
+        reason = f"contradicts {lines_of(others)}" if others else "contradicts what is known"
+        return Decision(CONTRADICTION, reason)
+    zero = [name for name in after.vanishing if name not in before.vanishing]
+    if zero and isinstance(statement.left, Name) and names(statement.right):
+        reason = f"with {lines_of(given)} it is true only for {plain(Name(zero[0]))} = 0"
+        return Decision(UNDECIDED, reason)
+    return None
+
+
+def _support_by(
+    given: list[Premise],
+    before: Elimination,
+    after: Elimination,
+    statement: Premise,
+    knowledge: Knowledge,
+) -> Decision | None:
+    """Return that a statement follows from premises, or is one of their solutions; None for neither."""
+    is_implied = statement in after.following or (
+        bool(before.leftover) and implied(given, statement.left, statement.right, knowledge) is True
+    )
+    if is_implied:
+        texts = tuple(dict.fromkeys(p.text for p in given))
+        return Decision(PROVED, f"by {lines_of(given)}", assumptions=texts)
+    if any(p in after.following for p in given if p not in before.following):
+        return Decision(PREMISE, f"satisfies {lines_of(given)}")
+    return None
 
 
 def _side(node: Formula) -> Side:
@@ -628,9 +683,13 @@ def refuted_at_angles(left: Side, right: Side, sign: str, solved: Solved) -> Dec
 
 
 def holds_at_angles(left: Side, right: Side, sign: str, solved: Solved) -> bool:
-    """Tell whether a relation holds at each multiple of 15 degrees that satisfies what is left over."""
+    """Tell whether a relation holds at each multiple of 15 degrees that satisfies what is left over.
+
+    0 = 0 does not count: there sin³θ is whatever has a factor sin θ.
+    """
     decisions = [decision for _, _, decision in _at_angles(left, right, sign, solved)]
-    return bool(decisions) and all(decision.is_proved for decision in decisions)
+    is_trivial = names(right.node) and any(d.left is not None and d.left.is_zero() for d in decisions)
+    return bool(decisions) and not is_trivial and all(decision.is_proved for decision in decisions)
 
 
 def _at_angles(left: Side, right: Side, sign: str, solved: Solved) -> Iterator[tuple[int, str, Decision]]:

@@ -112,7 +112,7 @@ class Judge:
         """Return the document with its verdicts."""
         bindings = assertions.by_line(self.declarations.bindings)
         verdicts: list[Verdict] = [unreadable_verdict(self.document, u) for u in self.document.unreadable]
-        for chain in sorted(self.document.chains, key=lambda c: (c.lines[0], not states_a_case(c))):
+        for chain in sorted(self.document.chains, key=self._turn):
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
             verdicts += self.chain(chain, chain_binds)
         for binding in (b for rest in bindings.values() for b in rest):
@@ -126,6 +126,11 @@ class Judge:
         return Checked(
             self.document, tuple(replace(v, cell=self.document.cell_of(v.line)) for v in numbered)
         )
+
+    def _turn(self, chain: Chain) -> tuple[int, bool]:
+        """Return when a chain is judged: by lines, on one line first what states a case and no result."""
+        is_case = states_a_case(chain) and not self.definitions.sections.is_consequence(chain)
+        return chain.lines[0], not is_case
 
     def guard(self, verdict: Callable[[], Verdict], span: Span, line: int = 0) -> Verdict:
         """Return a verdict; one that takes too much, or a fault of the checker, is "undecided"."""

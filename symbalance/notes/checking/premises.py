@@ -28,6 +28,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import replace_part
 
+_ZERO = Number(Fraction(0))
 MOST = 24
 """Premises of one system: those nearest before a relation, if there are more."""
 EVERYWHERE = 10**9
@@ -67,6 +68,8 @@ class Elimination:
     contradiction: tuple[Premise, ...]
     following: tuple[Premise, ...]
     """The premises that follow from those before them."""
+    vanishing: tuple[str, ...] = ()
+    """Letters that can only be 0: a² = 2a²."""
     residue: Form | None = None
     """What the last premise in contradiction comes down to, which should be zero."""
 
@@ -186,7 +189,7 @@ def _is_of_rounding(core: Sequence[Premise], knowledge: Knowledge, base: Mapping
         if there is None:
             return True
         total += abs(there - residue)
-    return bool(abs(residue) <= total * (1 + 1e-9))
+    return bool(abs(residue) < total * (1 - 1e-9))  # 0.4 + 0.5 for 1 is off by all of it
 
 
 def _residue(premises: Sequence[Premise], knowledge: Knowledge, base: Mapping[str, Formula]) -> Any:
@@ -254,6 +257,7 @@ def _eliminate(
     solved = dict[str, Formula]()
     waiting, following = list(premises), list[Premise]()
     used: list[Premise] = []
+    vanishing: list[str] = []
     while waiting:
         before = len(waiting)
         for premise in list(waiting):
@@ -264,16 +268,19 @@ def _eliminate(
             if form.is_zero():
                 following.append(premise)
             elif _is_for_all_angles(premise, form, knowledge) or not letters(form):
-                return Elimination(solved, (), (*used, premise), tuple(following), form)
+                core = (*used, premise)
+                return Elimination(solved, (), core, tuple(following), tuple(vanishing), form)
             elif solution is None:
                 continue
             else:
                 solved[solution[0]] = solution[1]
+                if solution[1] == _ZERO:
+                    vanishing.append(solution[0])
                 used.append(premise)
             waiting.remove(premise)
         if len(waiting) == before:
             break
-    return Elimination(solved, tuple(waiting), (), tuple(following))
+    return Elimination(solved, tuple(waiting), (), tuple(following), tuple(vanishing))
 
 
 def _is_for_all_angles(premise: Premise, form: Form, knowledge: Knowledge) -> bool:
@@ -324,7 +331,7 @@ def _solve_linearly(
         parts = _by_powers(polynomial, number)
         powers = sorted(parts)
         if len(powers) == 1 and not any(m for m in parts[powers[0]]):
-            return generator.content, Number(Fraction(0))  # 3 w = 0
+            return generator.content, _ZERO  # 3 w = 0
         if len(powers) != 2 or any(b - a != 1 for a, b in pairwise(powers)):
             continue
         below, above = parts[powers[1]], parts[powers[0]]

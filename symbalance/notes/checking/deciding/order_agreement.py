@@ -39,6 +39,7 @@ HIGHEST_ORDER = 40
 HIGHEST_NAMED = 26
 """An order beyond it says only that all powers written agree."""
 NO_LETTER = "no letter in which one side is a cut-off series"
+IS_SMALL, IS_LARGE = " is small", " is large"
 ROUGH = Fraction(1, 20)
 """Relative error that ≈ between two numbers without decimals may have."""
 
@@ -125,7 +126,7 @@ def _with_its_assumption(decision: Decision, small: SmallLetter, knowledge: Know
     usual = knowledge.crank.small[0] if knowledge.crank and knowledge.crank.small else None
     if small.letter == usual or small.letter in knowledge.small:
         return decision
-    text = f"{formula_text(Name(small.letter), plain=True)} is {'small' if small.sign > 0 else 'large'}"
+    text = formula_text(Name(small.letter), plain=True) + (IS_SMALL if small.sign > 0 else IS_LARGE)
     return replace(decision, assumptions=(*decision.assumptions, text))
 
 

@@ -19,7 +19,12 @@ from symbalance.notes.checking.deciding.equality import (
 from symbalance.notes.checking.deciding.induction import decide_by_induction
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import decide_matrices, is_of_matrices
-from symbalance.notes.checking.deciding.order_agreement import decide_agreement, degree
+from symbalance.notes.checking.deciding.order_agreement import (
+    IS_LARGE,
+    IS_SMALL,
+    decide_agreement,
+    degree,
+)
 from symbalance.notes.reading.equations import Side
 
 MOST_READINGS = 16
@@ -144,9 +149,20 @@ def _by_series_where_cut(
     if decision.status != REFUTED or not _is_cut_off(left, decision, knowledge):
         return decision
     by_series = decide_agreement(left, right, knowledge)
+    if (
+        by_series.is_proved
+        and by_series.assumptions != decision.assumptions
+        and _rests_on_size(by_series)
+    ):
+        return decision
     if by_series.is_proved and by_series.through is not None:
         return replace(by_series, reason=by_series.reason or MEANT_ROUGHLY)
     return by_series if by_series.is_proved or by_series.through else decision
+
+
+def _rests_on_size(decision: Decision) -> bool:
+    """Tell whether an agreement assumes that a letter is small, which = does not say."""
+    return any(text.endswith((IS_SMALL, IS_LARGE)) for text in decision.assumptions)
 
 
 def _by_closed_form(left: Formula, right: Formula, knowledge: Knowledge) -> Decision | None:
