@@ -112,7 +112,7 @@ class Judge:
         """Return the document with its verdicts."""
         bindings = assertions.by_line(self.declarations.bindings)
         verdicts: list[Verdict] = [unreadable_verdict(self.document, u) for u in self.document.unreadable]
-        for chain in sorted(self.document.chains, key=self._turn):
+        for chain in self._in_turn():
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
             verdicts += self.chain(chain, chain_binds)
         for binding in (b for rest in bindings.values() for b in rest):
@@ -127,10 +127,23 @@ class Judge:
             self.document, tuple(replace(v, cell=self.document.cell_of(v.line)) for v in numbered)
         )
 
-    def _turn(self, chain: Chain) -> tuple[int, bool]:
-        """Return when a chain is judged: by lines, on one line first what states a case and no result."""
-        is_case = states_a_case(chain) and not self.definitions.sections.is_consequence(chain)
-        return chain.lines[0], not is_case
+    def _in_turn(self) -> list[Chain]:
+        """Return the chains by lines, on one line first what states a case: x² = 4 for x = 2.
+
+        A result (so x = 2) is no case, nor is the second value of a letter on one line.
+        """
+        by_line: dict[int, list[Chain]] = {}
+        for chain in self.document.chains:
+            by_line.setdefault(chain.lines[0], []).append(chain)
+        ordered: list[Chain] = []
+        for line in sorted(by_line):
+            first: dict[frozenset[str], Chain] = {}
+            for chain in by_line[line]:
+                if states_a_case(chain) and not self.definitions.sections.is_consequence(chain):
+                    first.setdefault(names(chain.sides[0].node), chain)
+            cases = list(first.values())
+            ordered += [*cases, *(c for c in by_line[line] if all(c is not case for case in cases))]
+        return ordered
 
     def guard(self, verdict: Callable[[], Verdict], span: Span, line: int = 0) -> Verdict:
         """Return a verdict; one that takes too much, or a fault of the checker, is "undecided"."""
