@@ -72,7 +72,10 @@ class FormEvaluator:
         try:
             if self._depth > DEEPEST_TREE:
                 raise TooLargeError("parts within parts without end")
-            return _RULES[type(node)](self, node)
+            rule = _RULES.get(type(node))
+            if rule is None:
+                raise NoFormError(f"a {type(node).__name__.lower()} among numbers")
+            return rule(self, node)
         finally:
             self._depth -= 1
 

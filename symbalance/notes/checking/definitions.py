@@ -395,6 +395,22 @@ class Definitions:
         return Solved(known, result.leftover, tuple(given))
 
     @staticmethod
+    def concerns(solved: Solved, decision: Decision) -> bool:
+        """Tell whether what could not be solved has letters of the two sides that were compared."""
+        if decision.left is None or decision.right is None:
+            return True
+        own = {*letters(decision.left), *letters(decision.right)}
+        values = {n: d.node for n, d in solved.knowledge.definitions.items()}
+        values = {**values, **solved.knowledge.meaning.values, **solved.knowledge.solved}
+        reached = {
+            name
+            for p in solved.leftover
+            for node in (p.left, p.right)
+            for name in letters_behind(node, values)
+        }
+        return bool(own & reached)
+
+    @staticmethod
     def _is_in_effect(premise: Premise, knowledge: Knowledge) -> bool:
         """Tell whether the letter that a premise fixes still has its value from there."""
         definition = knowledge.definitions.get(premise.fixes)
@@ -461,6 +477,7 @@ class Definitions:
             self.conditions[line] = frozenset(_letters_behind([earlier.node, value], knowledge))
             return Decision(CONDITION, "sets two quantities equal")
         is_case = name in knowledge.angles or not self.sections.same_section(earlier.line, line)
+        is_case = is_case or bool(earlier.assumption)
         if chain.inline and not is_case:
             is_given = self.sections.premise_end(chain, is_number=not names(value)) is not None
             is_near = self.sections.paragraph_start(line) <= earlier.line

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import partial
 from itertools import product
 
@@ -15,7 +16,12 @@ from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import assertions, constraints
 from symbalance.notes.checking.constraints import Constraint
 from symbalance.notes.checking.deciding.cases import decide_case, decide_with_ratio, states_a_case
-from symbalance.notes.checking.deciding.equality import PROVED, Decision, decide_equality
+from symbalance.notes.checking.deciding.equality import (
+    PROVED,
+    Decision,
+    decide_equality,
+    without_dots,
+)
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality, sample_ranges
 from symbalance.notes.checking.deciding.knowledge import Assumption, Definition, Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import (
@@ -23,7 +29,7 @@ from symbalance.notes.checking.deciding.matrix_relations import (
     matrix_constraint,
     meaningless,
 )
-from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.relations import decide, decide_at_value
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.definitions import (
     Definitions,
@@ -40,7 +46,7 @@ from symbalance.notes.checking.descriptions import (
 )
 from symbalance.notes.checking.dimensions import Dimensions, unit_text
 from symbalance.notes.checking.engines import Sources
-from symbalance.notes.checking.own_units import speeds_in_own_unit
+from symbalance.notes.checking.own_units import with_speeds
 from symbalance.notes.checking.premises import Premise, implied
 from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
 from symbalance.notes.checking.sections import Sections
@@ -102,6 +108,7 @@ class Judge:
     corrects: bool = True
 
     def __post_init__(self) -> None:
+        self.document = with_speeds(self.document, self.declarations.symbols_at)
         self.definitions = Definitions(self.declarations, Sections(self.document))
         self.start = time.monotonic()
         self.small_letters = small_letters(self.document.text)
@@ -130,7 +137,7 @@ class Judge:
     def _in_turn(self) -> list[Chain]:
         """Return the chains by lines, on one line first what states a case: x² = 4 for x = 2.
 
-        A result (so x = 2) is no case, nor is the second value of a letter on one line.
+        A result is no case (so x = 2; v = 2 s n, v = 9), nor is the second value of a letter on one line.
         """
         by_line: dict[int, list[Chain]] = {}
         for chain in self.document.chains:
@@ -138,9 +145,16 @@ class Judge:
         ordered: list[Chain] = []
         for line in sorted(by_line):
             first: dict[frozenset[str], Chain] = {}
+            met: set[frozenset[str]] = set()
             for chain in by_line[line]:
-                if states_a_case(chain) and not self.definitions.sections.is_consequence(chain):
-                    first.setdefault(names(chain.sides[0].node), chain)
+                own = names(chain.sides[0].node)
+                is_result = self.definitions.sections.is_consequence(chain) or own in met
+                if states_a_case(chain) and not is_result:
+                    first[own] = chain
+                if isinstance(chain.sides[0].node, Name) or not any(
+                    names(s.node) for s in chain.sides[1:]
+                ):
+                    met.add(own)
             cases = list(first.values())
             ordered += [*cases, *(c for c in by_line[line] if all(c is not case for case in cases))]
         return ordered
@@ -226,7 +240,6 @@ class Judge:
     def chain(self, chain: Chain, bindings: list[Binding]) -> list[Verdict]:
         """Return the verdicts on a chain's relations in order; none is lost by a fault of the checker."""
         verdicts: list[Verdict] = []
-        chain = speeds_in_own_unit(chain, self.declarations.symbols_at(chain.lines[0]))
         try:
             self._judge(chain, bindings, verdicts)
         except SymbalanceError:
@@ -346,10 +359,43 @@ class Judge:
         if decision.status == REFUTED and may_state:
             decision = self._unless_stated(chain, k, against, decision, knowledge)
         if decision.status == REFUTED:
+            decision = self._at_stated_angle(chain, k, decision, knowledge)
+        if decision.status == REFUTED:
+            decision = self._with_letters_below(chain, k, decision, knowledge)
+        if decision.status == REFUTED:
             decision = self._unless_open(chain, k, decision, knowledge)
         return self.add_fix(
             describe(self.document, chain, k, decision), chain, k, against, decision, knowledge
         )
+
+    def _at_stated_angle(
+        self, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
+    ) -> Decision:
+        """Return the proof of a relation at an angle its sentence names: at top dead centre, where θ = 0.
+
+        An angle stays free where a line gives it a number; a relation without it may be meant there.
+        """
+        left, right, line = chain.sides[k], chain.sides[k + 1], chain.lines[0]
+        stated: list[tuple[str, Formula]] = []
+        for name in sorted(knowledge.angles):
+            definition = knowledge.definitions.get(name)
+            near = self.definitions.sections.paragraph_start(line) <= (
+                definition.line if definition else 0
+            )
+            if definition is not None and definition.numeric and near:
+                stated.append((name, definition.node))
+        centre = self.definitions.sections.dead_centre(chain)
+        if knowledge.crank is not None and isinstance(knowledge.crank.theta, Name) and centre is not None:
+            angle = Constant("pi") if centre else Number(Fraction(0))
+            stated.append((knowledge.crank.theta.name, angle))
+        for name, value in stated:
+            if name in names(right.node):
+                continue
+            assumption = f"{formula_text(Name(name), plain=True)} = {formula_text(value, plain=True)}"
+            there = decide_at_value(left, right, chain.relations[k].sign, knowledge, name, value)
+            if there.is_proved:
+                return replace(there, assumptions=(*there.assumptions, assumption))
+        return decision
 
     def _unless_given(
         self, chain: Chain, k: int, against: Side, decision: Decision, knowledge: Knowledge
@@ -430,22 +476,40 @@ class Judge:
         if len(chain.relations) != 1:
             return False
         own = names(chain.sides[k].node) | names(chain.sides[k + 1].node)
+        if self._is_solved_next(chain, own):
+            return True
         if names(chain.sides[k].node) & names(chain.sides[k + 1].node) & self._angles(chain):
             return False  # sin 2θ = 2 sin θ claims that they are the same
         if self.definitions.sections.is_condition(chain):
             return True
         if len(own) != 1:
             return False
-        after = [c for c in self.document.chains if c.sides[0].span[0] > chain.sides[-1].span[0]]
-        following = min(after, key=lambda c: c.sides[0].span[0], default=None)
+        following = self._next(chain)
         return (
             following is not None
-            and bool(following.relations)
             and isinstance(following.sides[0].node, Name)
             and following.sides[0].node.name in own
             and not names(following.sides[1].node)
-            and following.lines[0] <= chain.lines[-1] + NEAR
         )
+
+    def _next(self, chain: Chain) -> Chain | None:
+        """Return the chain that follows in the text, if it stands near."""
+        after = [c for c in self.document.chains if c.sides[0].span[0] > chain.sides[-1].span[0]]
+        following = min(after, key=lambda c: c.sides[0].span[0], default=None)
+        is_near = following is not None and following.lines[0] <= chain.lines[-1] + NEAR
+        return following if following is not None and is_near and following.relations else None
+
+    def _is_solved_next(self, chain: Chain, own: frozenset[str]) -> bool:
+        """Tell whether an equation is solved for a letter by what follows: 8U = 4m λ ⇒ U = m λ/2."""
+        following = self._next(chain)
+        if following is None or not self.definitions.sections.is_consequence(following):
+            return False
+        head = following.sides[0].node
+        both = names(chain.sides[0].node) & names(chain.sides[1].node)
+        if not isinstance(head, Name) or head.name not in own - both:
+            return False
+        is_open = not self.knowledge(chain.lines[0]).has_meaning(head.name)
+        return is_open and names(following.sides[1].node) <= own - {head.name}
 
     def _angles(self, chain: Chain) -> set[str]:
         letters = letters_by_role(self.declarations.symbols_at(chain.lines[0]))
@@ -462,6 +526,9 @@ class Judge:
             reason = f"may rest on line {self.not_judged[unknown[0]]}, which was not judged"
         elif condition is not None:
             reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
+        elif letter := self._one_sided_letter(left, right, line, knowledge):
+            sign = formula_text(Name(letter), plain=True)
+            reason = f"{sign} is not declared and stands on one side only: declare what it means"
         elif chain.relations[k].sign == "=":
             reason = self._missing_meaning(left, right, line, knowledge)
         reason = reason or self._ended_premise(chain, k, knowledge)
@@ -482,6 +549,17 @@ class Judge:
         texts = " and ".join(p.text for p in solved.premises)
         where = lines_of(solved.premises)
         return f"true if {texts}, by {where}, which holds to the end of its section; say so again"
+
+    def _one_sided_letter(
+        self, left: Formula, right: Formula, line: int, knowledge: Knowledge
+    ) -> str | None:
+        """Return a letter that nobody declared, on one side of a relation only, None if there is none.
+
+        x = r (1 - cos u) is wrong of any u but of the crank angle, which u may be.
+        """
+        free = set(self.document.free_letters) - set(self.declarations.symbols_at(line))
+        one_sided = sorted(free & (names(left) ^ names(right)))
+        return next((name for name in one_sided if not knowledge.knows(name)), None)
 
     def _missing_meaning(self, left: Formula, right: Formula, line: int, knowledge: Knowledge) -> str:
         """Return for which size of the geometry a letter without a meaning makes a relation true.
@@ -557,21 +635,65 @@ class Judge:
         if solved is None:
             return decision, False
         by_all = decide(left, right, sign, solved.knowledge)
-        if by_all.status == REFUTED and solved.leftover:
-            at_solution = refuted_at_angles(left, right, sign, solved)
-            if at_solution is not None:
-                return at_solution, False
-            given = lines_of(solved.premises)
-            answer = implied(solved.premises, left.node, right.node, knowledge) if sign == "=" else None
-            if answer:
-                texts = solved.knowledge.solved_from
-                return Decision(PROVED, f"by {given}", assumptions=texts, level=by_all.level), False
-            if answer is False:
-                reason = f"no values satisfy it together with {given}"
-                return replace(by_all, reason=reason, witness={}), False
+        if by_all.status != REFUTED or not solved.leftover:
+            return by_all, False
+        at_solution = refuted_at_angles(left, right, sign, solved)
+        if at_solution is not None or not self.definitions.concerns(solved, by_all):
+            return at_solution or by_all, False
+        given = lines_of(solved.premises)
+        answer = implied(solved.premises, left.node, right.node, knowledge) if sign == "=" else None
+        if answer:
+            texts = solved.knowledge.solved_from
+            decided = Decision(PROVED, f"by {given}", assumptions=texts, level=by_all.level)
+        elif answer is False:
+            reason = f"no values satisfy it together with {given}"
+            decided = replace(by_all, reason=reason, witness={})
+        else:
             reason = f"may rest on {lines_of(solved.leftover)}, which could not be solved for a letter"
-            return replace(by_all, status=UNDECIDED, reason=reason), True
-        return by_all, False
+            decided = replace(by_all, status=UNDECIDED, reason=reason)
+        return decided, answer is None
+
+    def _with_letters_below(
+        self, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
+    ) -> Decision:
+        """Return the decision with the new letters that the lines right below a relation explain.
+
+        a = r ω²(cos θ + B_2 cos 2θ), where B_2 = λ + …: before that B_2 is a letter. Where it does not
+        come out, one of those lines may be wrong as well: nothing is said.
+        """
+        left, right = chain.sides[k], chain.sides[k + 1]
+        below = self._letters_below(chain, names(left.node) | names(right.node), knowledge)
+        if not below:
+            return decision
+        known = replace(knowledge, definitions={**knowledge.definitions, **below})
+        sign = chain.relations[k].sign
+        with_all = decide(left, right, sign, known)
+        if not with_all.is_proved:
+            with_all = decide(left, right, "≈", known)
+        if with_all.is_proved:
+            return with_all
+        texts = ", ".join(formula_text(Name(name), plain=True) for name in sorted(below))
+        reason = f"not true with {texts} as the lines below have it"
+        return replace(decision, status=UNDECIDED, reason=reason)
+
+    def _letters_below(
+        self, chain: Chain, own: frozenset[str], knowledge: Knowledge
+    ) -> dict[str, Definition]:
+        """Return the new letters of a relation that the lines right below it define."""
+        last, found = chain.lines[-1], dict[str, Definition]()
+        before = self.definitions.letters_in_use
+        for other in self.document.chains:
+            head = other.sides[0].node
+            is_after = (
+                other.sides[0].span[0] > chain.sides[-1].span[0] and other.lines[0] <= last + CLAUSES
+            )
+            is_below = is_after and bool(other.relations)
+            if not is_below or not isinstance(head, Name) or other.relations[0].sign not in "=≈":
+                continue
+            is_new = head.name in own - before and not knowledge.has_meaning(head.name)
+            if is_new and head.name not in found and head.name not in names(other.sides[1].node):
+                found[head.name] = Definition(without_dots(other.sides[1].node)[0], other.lines[0])
+        return found
 
     def _with_clauses_below(self, chain: Chain, k: int, knowledge: Knowledge) -> Knowledge:
         """Return what is known with the new letters that the lines right below a relation explain.

@@ -45,8 +45,19 @@ _CONDITION = re.compile(
 """Before an equation that is to be solved, not claimed for all angles."""
 _DISPLAY = re.compile(r"\\(?:begin|end|label|tag)\{[^{}]*\}|^[^\\\s]*\}")
 _DISPLAY_LAST = re.compile(r"\s*(?:\\(?:begin|label|tag)\{[^{}]*\}\s*)+$")
+_CASE_BEHIND = re.compile(r"[\s$)\]]{0,4}(?:なら|のとき|の時|の場合|とすると|とすれば|では(?=[\s$]))")
+"""Behind a relation that is a case, in Japanese."""
+_TOP = r"(?:top|inner|upper|oberen?r?|inneren?)\s+(?:dead\s+cent(?:re|er)s?|Totpunkte?s?)|上死点"
+_BOTTOM = r"(?:bottom|outer|lower|unteren?r?|äußeren?)\s+(?:dead\s+cent(?:re|er)s?|Totpunkte?s?)|下死点"
+_SHORT_TOP, _SHORT_BOTTOM = r"(?<![A-Za-z])(?:TDC|OT)(?![A-Za-z])", r"(?<![A-Za-z])(?:BDC|UT)(?![A-Za-z])"
+_DEAD_CENTRE = re.compile(
+    rf"(?i:(?P<top>{_TOP})|(?P<bottom>{_BOTTOM}|(?:im|at\s+the|am)\s+(?:unteren|outer|lower|bottom)))"
+    rf"|(?P<short_top>{_SHORT_TOP})|(?P<short_bottom>{_SHORT_BOTTOM})"
+)
 _OPENING = " \t\n$\\([{&"
 """What stands between a word and the formula that it introduces."""
+LONGEST_SENTENCE = 160
+"""Characters before a relation in which a dead centre may be named."""
 LONGEST_INTRODUCTION = 60
 """Characters before a relation in which such a word is looked for."""
 
@@ -97,6 +108,9 @@ class Sections:
         before = re.split(r"\n\s*\n", before)[-1].rstrip(" \t\n$\\([")
         if not chain.inline:
             return None
+        end = max(side.span[1] for side in chain.sides)
+        if _CASE_BEHIND.match(self.document.text, end):
+            return self.section_end(line)
         is_premise = _INTRODUCTION.search(before + " ") or (is_number and _NAMING.search(before + " "))
         return self.section_end(line) if is_premise else None
 
@@ -107,6 +121,15 @@ class Sections:
     def is_condition(self, chain: Chain) -> bool:
         """Tell whether a relation is introduced as an equation to be solved: where, condition, set."""
         return _CONDITION.search(self._text_before(chain)) is not None
+
+    def dead_centre(self, chain: Chain) -> bool | None:
+        """Return whether a relation's sentence names bottom dead centre, False for top, else None."""
+        start = min(side.span[0] for side in chain.sides)
+        before = re.split(
+            r"[.;!?。]\s|\n\s*\n", self.document.text[max(0, start - LONGEST_SENTENCE) : start]
+        )[-1]
+        matches = list(_DEAD_CENTRE.finditer(before))
+        return None if not matches else bool((matches[-1].lastgroup or "").endswith("bottom"))
 
     def _text_before(self, chain: Chain) -> str:
         """Return the words before a relation, without the marks that begin and end displays."""

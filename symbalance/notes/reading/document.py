@@ -17,7 +17,7 @@ from symbalance.notes.reading.accounting import Account
 from symbalance.notes.reading.equations import Chain, Passed, ReadNotes, Relation, Side, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.lexer import AT, CLOSER, LONGEST_EQUATION, Token, lex
-from symbalance.notes.reading.parser import read_tokens
+from symbalance.notes.reading.parser import other_form, read_tokens
 from symbalance.notes.reading.rewriting import Piece, Rewritten, rewritten
 from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation
 from symbalance.notes.reading.signs import relation_at_start
@@ -56,7 +56,12 @@ def read_document(text: str, name: str, names_at: Callable[[int], Collection[str
         unreadable = [_unreadable_in_place(part, source, text) for part in unreadable]
     chains.sort(key=lambda chain: chain.sides[0].span)
     unreadable.sort(key=lambda part: (part.line, part.column))
-    return ReadNotes(name, text, tuple(chains), tuple(unreadable), source.notes, tuple(passed))
+    free = tuple(sorted(set(assembler.free_letters) - assembler.defined_letters))
+    notes = source.notes
+    if free:
+        letters = ", ".join(map(plain_letter, free))
+        notes = (*notes, f"declared nowhere and read as letters of their own: {letters}")
+    return ReadNotes(name, text, tuple(chains), tuple(unreadable), notes, tuple(passed), free)
 
 
 def _chain_in_place(chain: Chain, origin: Rewritten) -> Chain:
@@ -154,6 +159,7 @@ class Assembler:
         self.account = Account(self.text, finder.source.codes)
         self.draft: Draft | None = None
         self._refused_item: Item | None = None
+        self.free_letters: dict[str, int] = {}  # not declared, and the line where each is first
 
     def run(self) -> None:
         """Fill `chains` and `unreadable`."""
@@ -314,18 +320,21 @@ class Assembler:
         """Return the sides of a chain, None for one that cannot be read."""
         sides: list[Side | None] = []
         latex = any("\\" in self.text[item.start : item.end] for item in draft.items)
+        free: set[str] | None = set() if any(item.strict for item in draft.items) else None
         for place, tokens in enumerate(draft.sides):
             sides.append(None)
             if place in draft.failures:
                 continue
             try:
                 _refuse_too_long(tokens)
-                readings, notes = read_tokens(tokens, names, tokens[-1].end, latex)
+                readings, notes = read_tokens(tokens, names, tokens[-1].end, latex, free)
             except ReadingError as failure:
                 draft.failures[place] = failure
                 continue
             draft.notes.extend(note for note in notes if note not in draft.notes)
             sides[-1] = Side(readings, (tokens[0].start, tokens[-1].end))
+        for letter in free or ():
+            self.free_letters.setdefault(letter, draft.item.first_line)
         return sides
 
     def _store_chain(self, draft: Draft, sides: list[Side | None], names: frozenset[str]) -> None:
@@ -466,7 +475,8 @@ class Draft:
         if not self.signs or self.signs[0].value not in EQUALITIES or len(self.sides[0]) != 1:
             return frozenset()
         token = self.sides[0][0]
-        unknown = token.kind == "name" and token.value not in self.names and token.value != "pi"
+        is_declared = token.value in self.names or other_form(token.value) in self.names
+        unknown = token.kind == "name" and not is_declared and token.value != "pi"
         return frozenset({token.value} if unknown else ())
 
     def finish_alone(self) -> None:

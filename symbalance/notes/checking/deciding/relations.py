@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 from itertools import product
 
-from symbalance.document.formula import Dots, Formula, Name, names, walk
+from symbalance.document.formula import Derivative, Dots, Formula, Name, Number, Quotient, names, walk
 from symbalance.notes.algebra.construct_rules import may_fail
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.harmonics import polynomial_node
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.branches import decide_branches, has_branches
 from symbalance.notes.checking.deciding.equality import (
@@ -17,7 +20,7 @@ from symbalance.notes.checking.deciding.equality import (
     without_dots,
 )
 from symbalance.notes.checking.deciding.induction import decide_by_induction
-from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import decide_matrices, is_of_matrices
 from symbalance.notes.checking.deciding.order_agreement import (
     IS_LARGE,
@@ -25,13 +28,18 @@ from symbalance.notes.checking.deciding.order_agreement import (
     decide_agreement,
     degree,
 )
+from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.reading.equations import Side
 
 MOST_READINGS = 16
 """Pairs of readings that are tried: a decision may cost a second."""
 MEANT_ROUGHLY = "= stands where ≈ is meant"
+SMALLEST_ROUNDED = 100
+"""A whole number of three digits may be a result, ω = 628; a shorter one is data."""
 MOST_ROUNDED = 3
 """Results that are tried as printed one by one, the others with all their digits."""
+DEEPEST = 12
+"""Letters that stand for others, one in the other."""
 MOST_BRANCHED = 3
 """Letters of one relation whose branches are gone through."""
 
@@ -65,6 +73,47 @@ def decide(
     return replace(decision, assumptions=(*decision.assumptions, *conditions)) if conditions else decision
 
 
+def decide_at_value(
+    left: Side, right: Side, sign: str, knowledge: Knowledge, name: str, value: Formula
+) -> Decision:
+    """Decide a relation where one letter, an angle that stays free otherwise, has a value.
+
+    A letter that stands for a motion is written out first: a(θ) = r ω²(cos θ + λ cos 2θ) at θ = 0.
+    """
+    try:
+        first, second = (
+            replace(
+                side, readings=tuple(_at_value(node, knowledge, name, value) for node in side.readings)
+            )
+            for side in (left, right)
+        )
+    except (NoFormError, TooLargeError) as problem:
+        return Decision(UNDECIDED, str(problem))
+    return decide(first, second, sign, knowledge)
+
+
+def _at_value(node: Formula, knowledge: Knowledge, name: str, value: Formula) -> Formula:
+    """Return a formula with the letters that depend on another one written out, and that one's value.
+
+    What is differentiated is so first: at θ = 0 the speed is no derivative of a constant.
+    """
+    values = {**{n: d.node for n, d in knowledge.definitions.items()}, **knowledge.meaning.values}
+    for _ in range(DEEPEST):
+        if any(isinstance(part, Derivative) for part in walk(node)):
+            level = list(knowledge.levels(node))[-1]
+            form = knowledge.evaluator(level).form(node)
+            above = polynomial_node(form.domain, form.numerator)
+            node = Quotient(above, polynomial_node(form.domain, form.denominator))
+        depends = [
+            n for n in sorted(names(node)) if n in values and name in names_behind(values[n], values)
+        ]
+        if not depends:
+            break
+        for letter in depends:
+            node = substitute(node, letter, values[letter])
+    return substitute(node, name, value)
+
+
 def _as_printed(
     left: Side, right: Side, sign: str, knowledge: Knowledge, through: int | None
 ) -> Decision | None:
@@ -74,19 +123,29 @@ def _as_printed(
     """
     values = {name: d.node for name, d in knowledge.definitions.items()}
     behind = {n for side in (left, right) for n in names_behind(side.node, values)}
-    rounded = [n for n in sorted(behind) if n in values and knowledge.definitions[n].rounded is not None]
-    for chosen in [rounded, *([name] for name in rounded[:MOST_ROUNDED])] if rounded else []:
+    rounded = {n: _printed(knowledge.definitions[n]) for n in sorted(behind) if n in values}
+    printed = {name: node for name, node in rounded.items() if node is not None}
+    for chosen in [list(printed), *([name] for name in list(printed)[:MOST_ROUNDED])] if printed else []:
         known = knowledge
         for name in chosen:
-            printed = knowledge.definitions[name].rounded
-            assert printed is not None
-            known = known.with_definition(
-                name, replace(known.definitions[name], node=printed, numeric=True)
-            )
+            definition = replace(knowledge.definitions[name], node=printed[name], numeric=True)
+            known = known.with_definition(name, definition)
         decision = _decide_as_defined(left, right, sign, known, through)
         if decision.is_proved:
             return decision
     return None
+
+
+def _printed(definition: Definition) -> Formula | None:
+    """Return a letter's value as it is printed, if that is rounded: 628.3, or a whole number as 628.
+
+    One that ends in 0 is taken as exact.
+    """
+    node = definition.node
+    if definition.rounded is not None or not isinstance(node, Number):
+        return definition.rounded
+    is_whole = node.last_place is None and node.value.denominator == 1 and node.value >= SMALLEST_ROUNDED
+    return Number(node.value, Fraction(1)) if is_whole and node.value % 10 else None
 
 
 def _on_branch(knowledge: Knowledge, name: str, value: Formula) -> Knowledge:
