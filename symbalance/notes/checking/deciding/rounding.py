@@ -25,6 +25,8 @@ from symbalance.notes.checking.deciding.substitution import replace_part, substi
 
 DEEPEST = 12
 """Values that rest on values, one in the other."""
+SHORTEST = 2
+"""Digits of decimals beside roots, at least, that may be rounded."""
 LONGEST = 9
 """Digits of a whole number that a result is rounded to; a longer one is meant as it stands."""
 LONG = 3
@@ -188,6 +190,8 @@ def _coefficients_agree(
     moved = [[form_of(node) for node in _moved(side)] for side in (left, right)]
     if domain.radicals or domain.opaque:
         # a decimal within a root changes the root: no coefficient can be compared for itself
+        if any(significant(number) < SHORTEST for number in (*decimals(left), *decimals(right))):
+            return False  # 0.3 would be all between a quarter and 0.35
         return _values_agree(first, second, *moved)
     left_parts, right_parts = _parts(first), _parts(second)
     margins: dict[Any, Any] = {}
