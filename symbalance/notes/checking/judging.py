@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
@@ -10,7 +11,7 @@ from functools import partial
 from itertools import product
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
-from symbalance.document.formula import Constant, Formula, Name, Number, Span, names
+from symbalance.document.formula import Constant, Formula, Name, Number, Product, Span, names
 from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import assertions, constraints
@@ -88,6 +89,8 @@ UNIVERSAL = (
 )
 NEAR = 4
 """Lines below an equation in which its solution is looked for."""
+_LETTER = re.compile(r"[A-Za-z]")
+_SMALL_LENGTH = re.compile(r"(?<![A-Za-z])[cm]m(?![A-Za-z])")
 CLAUSES = 15
 """Lines below an equation in matrices that may still say what its letters are."""
 PAGE = Budget(600, 4000)
@@ -359,6 +362,8 @@ class Judge:
         if decision.status == REFUTED and may_state:
             decision = self._unless_stated(chain, k, against, decision, knowledge)
         if decision.status == REFUTED:
+            decision = self._in_unit_of_result(chain, k, decision, knowledge)
+        if decision.status == REFUTED:
             decision = self._at_stated_angle(chain, k, decision, knowledge)
         if decision.status == REFUTED:
             decision = self._with_letters_below(chain, k, decision, knowledge)
@@ -367,6 +372,28 @@ class Judge:
         return self.add_fix(
             describe(self.document, chain, k, decision), chain, k, against, decision, knowledge
         )
+
+    def _in_unit_of_result(
+        self, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
+    ) -> Decision:
+        """Return the proof of 80/2 = 40 mm: numbers without units, computed in that of the result.
+
+        Of lengths in mm or cm only: 1800 kN for 1800 N is a slip that is made.
+        """
+        left, right = chain.sides[k], chain.sides[k + 1]
+        if names(left.node) or names(right.node) or not isinstance(right.node, Product):
+            return decision
+        text = self.document.text
+        *rest, unit = right.node.factors
+        written = text[unit.span[0] : unit.span[1]]
+        has_units = _LETTER.search(text[left.span[0] : left.span[1]].replace("\\cdot", ""))
+        if has_units or not _SMALL_LENGTH.search(written) or not rest:
+            return decision
+        bare = rest[0] if len(rest) == 1 else Product(tuple(rest))
+        there = decide(left, Side((bare,), right.span), chain.relations[k].sign, knowledge)
+        if not there.is_proved:
+            return decision
+        return replace(there, assumptions=(*there.assumptions, "numbers in the unit of the result"))
 
     def _at_stated_angle(
         self, chain: Chain, k: int, decision: Decision, knowledge: Knowledge

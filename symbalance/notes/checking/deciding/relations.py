@@ -6,10 +6,22 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import product
 
-from symbalance.document.formula import Derivative, Dots, Formula, Name, Number, Quotient, names, walk
+from symbalance.document.formula import (
+    Derivative,
+    Dots,
+    Formula,
+    Name,
+    Number,
+    Quotient,
+    Summation,
+    names,
+    walk,
+)
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.construct_rules import may_fail
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.harmonics import polynomial_node
+from symbalance.notes.algebra.sums import indexed_letters
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.branches import decide_branches, has_branches
 from symbalance.notes.checking.deciding.equality import (
@@ -172,11 +184,27 @@ def decide_reading(
 ) -> Decision:
     """Decide left = right or left ≈ right; what is refuted under an open premise is not decided."""
     decision = _decide_reading(left, right, sign, knowledge, through)
+    if decision.status == REFUTED and (unknown := _terms_without_values(left, right, knowledge)):
+        reason = f"{formula_text(Name(unknown), plain=True)} has no values here: say what each is"
+        return replace(decision, status=UNDECIDED, reason=reason)
     if decision.status == REFUTED and decision.left is not None:
         open_premises = [text for text in decision.left.domain.assumptions if may_fail(text)]
         if open_premises:
             return replace(decision, status=UNDECIDED, reason=f"differs if {open_premises[0]}; say so")
     return decision
+
+
+def _terms_without_values(left: Formula, right: Formula, knowledge: Knowledge) -> str:
+    """Return a letter that carries the index of a sum, δ_i, and has values only in words; "" for none."""
+    own = names(left) | names(right)
+    for part in (*walk(left), *walk(right)):
+        if isinstance(part, Summation) and part.index is not None:
+            for name in indexed_letters(part.body, part.index.name):
+                stem = name[: -len(part.index.name)]
+                others = {*own, *knowledge.definitions} - {name}
+                if not any(n.startswith(stem) and n[len(stem) :].isdecimal() for n in others):
+                    return name
+    return ""
 
 
 def _decide_reading(
