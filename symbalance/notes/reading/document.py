@@ -17,7 +17,7 @@ from symbalance.notes.reading.accounting import Account
 from symbalance.notes.reading.equations import Chain, Passed, ReadNotes, Relation, Side, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.lexer import AT, CLOSER, LONGEST_EQUATION, Token, lex
-from symbalance.notes.reading.parser import read_tokens
+from symbalance.notes.reading.parser import other_form, read_tokens
 from symbalance.notes.reading.rewriting import Piece, Rewritten, rewritten
 from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation
 from symbalance.notes.reading.signs import relation_at_start
@@ -475,7 +475,8 @@ class Draft:
         if not self.signs or self.signs[0].value not in EQUALITIES or len(self.sides[0]) != 1:
             return frozenset()
         token = self.sides[0][0]
-        unknown = token.kind == "name" and token.value not in self.names and token.value != "pi"
+        is_declared = token.value in self.names or other_form(token.value) in self.names
+        unknown = token.kind == "name" and not is_declared and token.value != "pi"
         return frozenset({token.value} if unknown else ())
 
     def finish_alone(self) -> None:

@@ -246,7 +246,7 @@ class Parser:
         """Return a letter's node: a declared or bound name, π, the imaginary i, j in an exponential."""
         if name in self.names or name in self.bound:
             return Name(name, span=span)
-        if (other := _other_form(name)) in self.names:
+        if (other := other_form(name)) in self.names:
             self.note(f"{plain_letter(name)} read as {plain_letter(other)}, which is declared")
             return Name(other, span=span)
         if name == "pi":
@@ -1054,7 +1054,7 @@ def _is_minus_one(power: Formula) -> bool:
     return power in (Negative(Number(Fraction(1))), Number(Fraction(-1)))
 
 
-def _other_form(name: str) -> str:
+def other_form(name: str) -> str:
     """Return the letter in its other form, phi for varphi and back; "" if it has one form only."""
     base, mark, rest = name.partition("_")
     bare = base.rstrip("'")
