@@ -7,12 +7,14 @@ place and a remedy.
 
 from __future__ import annotations
 
+import re
+import unicodedata
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import PurePath
 
 from symbalance.document.formula import Formula, children, with_children
-from symbalance.document.letters import TIME_DOTS, is_greek, plain_letter
+from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek, plain_letter
 from symbalance.notes.reading.accounting import Account
 from symbalance.notes.reading.equations import Chain, Passed, ReadNotes, Relation, Side, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
@@ -154,6 +156,7 @@ class Assembler:
         self.account = Account(self.text, finder.source.codes)
         self.draft: Draft | None = None
         self._refused_item: Item | None = None
+        self.phrases: dict[str, int] = {}
 
     def run(self) -> None:
         """Fill `chains` and `unreadable`."""
@@ -172,14 +175,19 @@ class Assembler:
         return line, offset - self.finder.line_span(line)[0] + 1
 
     def _add_item(self, item: Item) -> None:
-        """Add an item to the chain so far, or begin a chain with it."""
-        names = frozenset(self.names_at(item.first_line)) | self.defined_letters
-        if self.draft:
-            names |= self.draft.own_letter()
+        """Add an item to the chain so far, or begin a chain with it; one that explains is a chain of its own."""
+        if item.aside and self.draft is not None:
+            outer, self.draft = self.draft, None
+            self._add_item(item)
+            self._finish_chain()
+            self.draft = outer
+            return
+        known = frozenset(self.names_at(item.first_line)) | self.defined_letters
+        names = known | (self.draft.own_letter() if self.draft else frozenset())
         try:
             tokens = without_aside(lex(self.text, item.start, item.end, names))
             if item.head:
-                tokens = [*lex(self.text, *item.head, names), *tokens]
+                tokens = [*self._head_tokens(item.head, names), *tokens]
         except ReadingError as failure:
             self._give_up_item(item, failure)
             return
@@ -190,10 +198,27 @@ class Assembler:
                 return
             self._finish_chain()
             tokens = tokens[1:] if self._follows_refused(item, tokens) else tokens
-            self.draft = Draft(item, set(names)) if tokens else None
+            known = frozenset(self.names_at(item.first_line)) | self.defined_letters
+            self.draft = Draft(item, set(known)) if tokens else None
         if self.draft:
-            self.draft.names |= names
+            self.draft.names |= known
             self.draft.add(item, tokens)
+
+    def _head_tokens(self, head: tuple[int, int], names: frozenset[str]) -> list[Token]:
+        """Return the letter that stands left of an item: a letter, or words that stand for one.
+
+        The same words once more are another letter: "force = 3" on two lines is no contradiction.
+        """
+        written = self.text[slice(*head)]
+        if len(written.split()) == 1 and (
+            len(written) < 2 or not written[1:].isalpha() or written in names
+        ):
+            return lex(self.text, *head, names)
+        name = name_of_words(written)
+        self.phrases[name] = self.phrases.get(name, 0) + 1
+        if len(written.split()) > 1 and self.phrases[name] > 1:
+            name = f"{name}_{self.phrases[name]}"
+        return [Token("name", name, *head)]
 
     def _follows_refused(self, item: Item, tokens: list[Token]) -> bool:
         """Tell whether `= c` continues an equation that could not be read; c then starts a chain."""
@@ -463,11 +488,21 @@ class Draft:
 
     def own_letter(self) -> frozenset[str]:
         """Return the undeclared letter that stands alone on the left: it declares itself."""
-        if not self.signs or self.signs[0].value not in EQUALITIES or len(self.sides[0]) != 1:
+        if not self.signs:
             return frozenset()
-        token = self.sides[0][0]
-        unknown = token.kind == "name" and token.value not in self.names and token.value != "pi"
-        return frozenset({token.value} if unknown else ())
+        if self.signs[0].value not in EQUALITIES:
+            return self._running_letter()
+        name = lone_letter(self.sides[0])
+        return frozenset({name} if name and name not in self.names and name != "pi" else ())
+
+    def _running_letter(self) -> frozenset[str]:
+        """Return the undeclared letter of 1 ≤ n ≤ 4 or k ≥ 0, whose other sides hold no letter."""
+        letters = [lone_letter(side) for side in self.sides]
+        others = [side for side, name in zip(self.sides, letters, strict=True) if not name]
+        alone = [name for name in letters if name]
+        plain = all(token.kind != "name" or token.value == "pi" for side in others for token in side)
+        is_new = len(alone) == 1 and plain and all(others) and alone[0] not in self.names
+        return frozenset(alone if is_new and alone[0] != "pi" else ())
 
     def finish_alone(self) -> None:
         """Finish a chain of its own and raise the first failure."""
@@ -553,6 +588,30 @@ def without_aside(tokens: list[Token]) -> list[Token]:
             aside = tokens[place + 1 : -1]
             return [*tokens[:place], *aside] if is_equation(aside) else tokens
     return tokens
+
+
+def name_of_words(written: str) -> str:
+    """Return the letter that some words stand for.
+
+    >>> name_of_words("mittlere Geschwindigkeit für 2 Hübe")
+    'mittlere_Geschwindigkeit_fur_2_Hube'
+    """
+    bare = unicodedata.normalize("NFKD", written.strip()).encode("ascii", "ignore").decode()
+    return "_".join(re.findall("[A-Za-z0-9]+", bare)) or "quantity"
+
+
+def lone_letter(side: Sequence[Token]) -> str:
+    """Return the letter that is all of a side, accent and all; "" if something else stands there."""
+    tokens = [token for token in side if token.kind not in ("open", "close")]
+    if len(tokens) == 1 and len(side) == 1 and tokens[0].kind == "name":
+        return tokens[0].value
+    is_accented = len(tokens) in (2, 3) and tokens[0].is_cmd(*ACCENTS) and tokens[1].kind == "name"
+    if not is_accented or (len(side) > len(tokens) and side[1].value != "{"):
+        return ""
+    script = tokens[2].value if len(tokens) == 3 else ""
+    if script and tokens[2].kind != "sub":
+        return ""
+    return f"{ACCENTS[tokens[0].value]}_{tokens[1].value}" + (f"_{script}" if script else "")
 
 
 # A letter written as a function, x(θ), on the left of a relation

@@ -5,7 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Collection
 
-from symbalance.document.letters import ACCENTS, FONTS, GREEK_SIGN, LOWERED, NAME_OF_SIGN, WORDS
+from symbalance.document.letters import (
+    ACCENTS,
+    FONTS,
+    FUNCTION_WORDS,
+    GREEK_SIGN,
+    LOWERED,
+    NAME_OF_SIGN,
+    WORDS,
+)
 from symbalance.notes.reading.failures import ReadingError
 
 _COMMAND = re.compile(r"\\([A-Za-z]+)\s*")
@@ -137,9 +145,18 @@ def _bare_subscript(
         run = match.group()[:LONGEST_SUBSCRIPT]
         lengths = range(len(run), 0, -1) if names is not None else ()
         whole = (n for n in lengths if not (run[n - 1 : n].isdecimal() and run[n : n + 1].isdecimal()))
-        length = next((n for n in whole if f"{base}_{run[:n]}" in (names or ())), len(run))
+        length = next(
+            (n for n in whole if f"{base}_{run[:n]}" in (names or ()) and _is_rest(run[n:], names or ())),
+            len(run),
+        )
         return run[:length], start + length
     return subscript_name(text[start], start), start + 1
+
+
+def _is_rest(rest: str, names: Collection[str]) -> bool:
+    """Tell whether what follows a declared letter, the r of m_pr, may be letters: the second I of F_II is none."""
+    begins_function = any(rest.startswith(word) for word in FUNCTION_WORDS)
+    return not rest or begins_function or rest[0] in names or rest[0] in "deij" or rest[0].isdecimal()
 
 
 def subscript_name(text: str, offset: int) -> str:

@@ -141,7 +141,7 @@ class Lexer:
     def _next_token(self) -> None:
         """Add the token that begins at the place, or go past what is none."""
         sign = self.text[self.place]
-        if sign in " [" and self.plain_unit(sign):
+        if self._may_begin_unit(sign) and self.plain_unit(sign):
             return
         if self.place in self.skips:
             self.place = self.skips.pop(self.place)
@@ -159,6 +159,21 @@ class Lexer:
             self._number()
         else:
             self._sign(sign)
+
+    def _may_begin_unit(self, sign: str) -> bool:
+        """Tell whether a unit may begin at the place: behind a number, or in square brackets."""
+        if sign == "[":
+            return True
+        if not self.tokens or not (sign in " \u2009\u202f" or sign.isalpha()):
+            return False
+        return self.tokens[-1].end == self.place and (
+            self.tokens[-1].kind in ("number", "close") or self.tokens[-1].value == "pi"
+        )
+
+    def _is_behind_power(self) -> bool:
+        """Tell whether 5² or 5^2 stands before the place."""
+        kinds = "".join(token.kind[0] for token in self.tokens[-5:])
+        return kinds.endswith(("nsn", "nsonc", "csn", "csonc"))
 
     def _sign(self, sign: str) -> None:
         """Add the token of a sign: relation, dots, operator, bracket."""
@@ -593,7 +608,7 @@ class Lexer:
 
     def add_factor(self, unit: str, scale: tuple[Fraction, bool], stop: int) -> None:
         """Multiply by a unit's factor; behind a letter only a unit of factor 1 is clear."""
-        if not self.is_behind_number() and scale != (1, False):
+        if not (self.is_behind_number() or self._is_behind_power()) and scale != (1, False):
             what = f"unit {unit} behind a letter"
             raise ReadingError(self.place, what, "leave it out of the formula")
         self.tokens += factor_tokens(scale, self.place, stop)
@@ -602,11 +617,9 @@ class Lexer:
     def plain_unit(self, sign: str) -> bool:
         """Read ` mm` or `[mm]` behind a number; tell whether it was a unit."""
         number = bool(self.tokens) and self.tokens[-1].kind == "number"
-        if sign == " ":
-            plain = number and not self.latex
-            unit_span = (
-                plain_unit_at(self.text, self.place, self.end, self.words.names) if plain else None
-            )
+        if sign != "[":
+            unit_span = plain_unit_at(self.text, self.place, self.end, self.words.names)
+            number = self.is_behind_number() or self._is_behind_power()
         else:
             unit_span = bracketed_unit_at(self.text, self.place, self.end)
         scale = scale_of(unit_span[0]) if unit_span else None

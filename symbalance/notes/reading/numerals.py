@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from symbalance.document.letters import FUNCTION_WORDS
+from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import RELATION
 
@@ -40,7 +40,7 @@ _SPELLED = (
     ("ms", "milliseconds?|Millisekunden?"), ("s", "seconds?|Sekunden?"), ("min", "minutes?|Minuten?"),
     ("kN", "kilonewtons?"), ("N", "newtons?"), ("Nm", "newton[ -]?met(?:er|re)s?|Newtonmeter"),
     ("Hz", "hertz"), ("W", "watts?"), ("kW", "kilowatts?"), ("J", "joules?"), ("rad", "radians?|Radiant"),
-    ("°", "degrees?|deg|Grad|degrés"), ("%", "percent|per cent|Prozent"),
+    ("°", "degrees?|deg|Grad|degrés|° ?(?:KW|CA|crank)|deg ?CA"), ("%", "percent|per cent|Prozent"),
 )  # fmt: skip
 _SPELLED_UNIT = re.compile(
     r"(?<=[0-9])(\$?)[ ~]?(\$?)(?:"
@@ -58,6 +58,7 @@ _BEHIND_DOLLAR = re.compile(
     rf"(?<=[0-9])\$[ ~]?(?P<unit>{_UNIT_BEHIND})(?=[.,;:)]?(?:\s*$|[\s|)])|[.,;:)]\s)(?! ?[=<>≈+*/])",
     re.MULTILINE,
 )
+_NEARLY = re.compile(r"(?<=[\s\w)\]])(?:~=|=~|≈=|=≈)(?=[\s\w(√-])")
 _OPENED = re.compile(r"\$[^$\n]*$")
 _AROUND = 400  # characters of a line looked at on either side
 FEWEST_WORDS = 3
@@ -81,7 +82,11 @@ def with_plain_numerals(
     changes |= commas
     changes |= _scanned(text, is_letter, notes)
     changes |= _dashes(text, notes)
+    changes |= {m.start(): (m.end(), "≈") for m in _NEARLY.finditer(text)}
     changes |= _units_in_words(text)
+    changes |= _turns_a_minute(text, notes)
+    changes |= _points(text, notes)
+    changes |= _arrows(text)
     if not changes:
         return None, ()
     rewriter = Rewriter(text)
@@ -116,6 +121,68 @@ def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
         changes = {m.start(): (m.end(), m[1] + m[2].replace(",", "")) for m in grouped}
         _note(notes, "commas between thousands", changes, text)
     return changes | zeros
+
+
+_SPEED = re.compile(
+    r"(?<![\w\\])(?P<letter>[A-Za-z](?:_\w{1,4}|_\{\w{1,6}\})?)\$?\s*(?:=|≈|\\approx)\s*\$?\s*[0-9][0-9., ]*"
+    r"(?P<unit>(?:\\[,;: ]|~| |\$)*(?:\\(?:mathrm|text|textrm)\s*\{\s*(?:rpm|min\^\{-1\}|1/min|U/min|min\$\^\{-1\}\$)\s*\}"
+    r"(?:\^\{-1\})?|rpm|U/min|1/min|r/min|rev/min|min⁻¹|min\^-1|min\^\{-1\}))(?P<dollar>\$?)"
+)
+_OVER_A_MINUTE = r"(?:{0}\s*(?:\\cdot|[·*×⋅])?\s*(?:2\s*)?(?:\\pi|π|pi)?\s*(?:/|\}}\s*\{{|÷|／)\s*[36]0(?![0-9.,])|(?:\\pi|π|pi)\s*/\s*30\s*(?:\\cdot|[·*×⋅])?\s*{0}(?!\w)|\\frac\s*\{{(?:2\s*)?\\pi\}}\s*\{{[36]0\}}\s*{0}(?!\w))"
+
+
+def _turns_a_minute(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
+    """Return the units of speeds such as n = 6000 rpm, where n/60 or π n/30 says that n is the number."""
+    changes: dict[int, tuple[int, str]] = {}
+    letters: set[str] = set()
+    for match in _SPEED.finditer(text):
+        letter = match["letter"]
+        if not re.search(_OVER_A_MINUTE.format(re.escape(letter)), text):
+            continue
+        changes[match.start("unit")] = (match.end("unit"), " " if "$" not in match["unit"] else "$ ")
+        letters.add(letter)
+    for letter in sorted(letters):
+        notes.append(f"{letter} is a number of turns a minute, as {letter}/60 or π {letter}/30 says")
+    return changes
+
+
+_POINT_BETWEEN = re.compile(
+    r"(?:(?<![A-Za-z\\])[A-Za-z](?:_\w{1,4}|_\{\w{1,6}\}|[₀-₉0-9])?[²³]?|(?:sin|cos|tan)[²³]? ?[0-9]?[A-Za-z]"
+    r"|[)\]²³}\u03b1-\u03c9]|(?<![0-9.])[0-9]{1,3}|(?<=\^)[0-9])"
+    r"(?P<point>\.)"
+    r"(?=[A-Za-z](?![A-Za-z])|[A-Za-z]?(?:sin|cos|tan|sqrt|exp)(?![a-z])|[A-Za-z]?(?:sin|cos|tan)[a-z](?![a-z])|[\u03b1-\u03c9(√]"
+    rf"|\\(?:{'|'.join((*GREEK_SIGN, 'sin', 'cos', 'tan', 'frac', 'sqrt', 'dot', 'ddot', 'left'))})(?![A-Za-z]))"
+)
+_ABBREVIATED = re.compile(
+    r"\b(?:z\.B|d\.h|i\.e|e\.g|u\.a|s\.o|s\.u|p\.m|a\.m|i\.d|u\.U|o\.g|i\.A|i\.e|w\.r|r\.h|l\.h)\b"
+)
+
+
+def _points(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
+    """Return the points that multiply, m.ω².r: between letters, without a space, in a line with a relation."""
+    changes: dict[int, tuple[int, str]] = {}
+    for match in _POINT_BETWEEN.finditer(text):
+        place = match.start("point")
+        begin, stop = text.rfind("\n", 0, place) + 1, text.find("\n", place)
+        begin, stop = max(begin, place - _AROUND), min(stop if stop >= 0 else len(text), place + _AROUND)
+        line = text[begin:stop]
+        if RELATION.search(line) is None or any(
+            m.start() <= place - begin < m.end() for m in _ABBREVIATED.finditer(line)
+        ):
+            continue
+        changes[place] = (place + 1, "·")
+    if changes:
+        notes.append(f"a point between letters is read as a multiplication sign ({len(changes)}×)")
+    return changes
+
+
+_ARROW = re.compile(r"(?<=\s)(?:<=+>|<-+>|=+>|-+>)(?=\s)")
+
+
+def _arrows(text: str) -> dict[int, tuple[int, str]]:
+    """Return the arrows typed in signs, => and ->, between spaces as arrows."""
+    shown = {"<=": "⇔", "<-": "⇔", "==": "⇒", "=>": "⇒", "--": "→", "->": "→"}
+    return {m.start(): (m.end(), shown[m.group()[:2]]) for m in _ARROW.finditer(text)}
 
 
 def _is_pair(text: str, match: re.Match[str]) -> bool:
@@ -157,7 +224,7 @@ def _scanned(
     """Return the numbers in which a scanner wrote the letter O for a zero."""
     changes: dict[int, tuple[int, str]] = {}
     for match in _SCANNED.finditer(text):
-        if is_letter("O", text.count("\n", 0, match.start()) + 1):
+        if "O" not in match.group() or is_letter("O", text.count("\n", 0, match.start()) + 1):
             continue
         changes[match.start()] = (match.end(), match.group().replace("O", "0"))
     _note(notes, "the letter O for a zero", changes, text)

@@ -20,7 +20,7 @@ from symbalance.notes.reading.lexer import Vocabulary, vocabulary
 from symbalance.notes.reading.prose import line_rules, segments, trim_segment
 from symbalance.notes.reading.signs import CELLS, ENVIRONMENTS, RELATION, relation_at_start
 from symbalance.notes.reading.sources import CELL_END, Source
-from symbalance.notes.reading.units import follows_number, scale_of, unit_set_at
+from symbalance.notes.reading.units import follows_number, is_unit_of_letter, scale_of, unit_set_at
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _BULLET = re.compile(r"\s*(?:\(?[0-9]{1,3}[.)](?=\s))?\s*")
@@ -28,6 +28,23 @@ _MARKDOWN_BULLET = re.compile(r"\s*(?:>\s*)*(?:[-*+]\s+|[0-9]{1,3}[.)]\s+)?\s*")
 _DASH = re.compile(r"[-*•]\s+(?=[^\s=])")
 _EXPLAINED = re.compile(
     r"\s*(?:[-*•]\s+)?([^\W\d_](?:_?[A-Za-z0-9]{1,3})?)\s*[:：]\s*([^:=0-9+*/]{2,60})$"
+)
+_DEFINED = re.compile(r"(?<![A-Za-z\\_^{\"'.])([A-Za-z])(?:_\w{1,4})?[ \t]*=(?![=>])")
+_PHRASE = re.compile(
+    r"(?:^|[.;:,(。、：|\ue000]|(?<=[.;:,])\s|[-*•]\s)\s*(?:(?:The|the|Die|Der|Das|die|der|das|A|An|Our)\s+)?"
+    r"(?P<words>[^\W\d_][\w'’-]+(?:[ ][^\W\d_][\w'’-]*){0,4})\s*$",
+    re.MULTILINE,
+)
+_VERBS = word_set(
+    "is are was be gives give yields yield ist sind ergibt gilt with mit where wo so thus also hence then and or"
+    " for für that we get have has folgt dann und oder times by of plus minus half to from at if when wenn"
+    " bei using let take set sei since because da weil say means obtain find finds equals therefore"
+    " somit daher damit wird becomes not less more than as on in hat oben unten it which this i"
+)
+_WORD_OF_OPERATION = re.compile(r"\b(?:plus|minus|times|mal|over|durch|divided|squared)\b")
+_WORDS_ALONE = re.compile(
+    r"(?:\\\\|\$|\\\[|\\\(|\}|^|&|\n)\s*\\(?:text|mathrm|textrm|textit|mbox|textbf|textnormal)\s*\{\s*"
+    r"(?P<words>[^\W\d_][\w'’ -]+?)\s*\}\s*&?\s*$"
 )
 _LONG_WORD = re.compile(r"(?<!\\)\b(?<!\\)[A-Za-z]{4,}")
 _CJK = re.compile("[\u2e80-\u9fff\uac00-\ud7af\uf900-\ufaff]")
@@ -45,7 +62,9 @@ class Item:
 
     `block` numbers the display it belongs to; `strict` tells that a refusal is to be reported. `doubt` is
     what goes on behind it, or before it, and was not taken: what is left is not to be judged alone.
-    `head` is the letter that `l: rod length = λ s` is about, where the item is `= λ s`.
+    `head` is the letter that `l: rod length = λ s` is about, where the item is `= λ s`, or the words that
+    stand for one, `mean speed = 2 s n`. `aside` tells that it explains the row it stands in, behind
+    "since" or within \\intertext: the next row goes on with the row's own equation.
     """
 
     start: int
@@ -58,6 +77,7 @@ class Item:
     block: int = -1
     doubt: ReadingError | None = None
     head: tuple[int, int] | None = None
+    aside: bool = False
 
 
 class ItemFinder:
@@ -67,6 +87,8 @@ class ItemFinder:
         self.source, self.names_at = source, names_at
         self.kind, self.fences, self.text = source.kind, source.formulas, source.text
         self.breaks = [place for place, sign in enumerate(self.text) if sign == "\n"]
+        self.own_letters = frozenset(_DEFINED.findall(self.text))
+        self._vocabularies: dict[int, Vocabulary] = {}
         self.failures: list[ReadingError] = []
 
     def line_of(self, offset: int) -> int:
@@ -98,6 +120,12 @@ class ItemFinder:
                 yield from self._items_of_region(region, number)
         yield from self._items_outside(regions)
 
+    def _words_at(self, line: int) -> Vocabulary:
+        """Return the letters declared at a line, and those that the document gives a value itself."""
+        if line not in self._vocabularies:
+            self._vocabularies[line] = vocabulary(frozenset(self.names_at(line)) | self.own_letters)
+        return self._vocabularies[line]
+
     def _in_fence(self, region: Region) -> bool:
         return any(
             a < region.first < b or (a == region.first and region.start > a) for a, b in self.fences
@@ -111,9 +139,24 @@ class ItemFinder:
         pieces = pieces_of(self.text, region.start, region.end, region.environment)
         around = self._doubt_around_region(region) if pieces and not region.display else None
         for piece in pieces:
+            if is_unit_of_letter(self.text, piece.start, piece.end):
+                continue
             lines = self.line_of(piece.start), self.line_of(piece.end - 1)
             doubt = piece.doubt or (around if piece is pieces[-1] else None)
-            yield Item(piece.start, piece.end, kind, True, *lines, piece.tag, block, doubt)
+            head = self._words_before(piece.start, region.start)
+            yield Item(
+                piece.start, piece.end, kind, True, *lines, piece.tag, block, doubt, head, piece.aside
+            )
+        for inner in formulas_in_words(self.text, region.start, region.end):
+            lines = self.line_of(inner.start), self.line_of(inner.end - 1)
+            yield Item(inner.start, inner.end, "inline", True, *lines, block=block, aside=True)
+
+    def _words_before(self, place: int, start: int) -> tuple[int, int] | None:
+        """Return the words of \\text{mean speed} = 2 s n, where the relation at a place has nothing else left of it."""
+        if not relation_at_start(self.text[place : place + 20]):
+            return None
+        match = _WORDS_ALONE.search(self.text, max(start - 1, place - _MARGIN), place)
+        return match.span("words") if match else None
 
     def _doubt_around_region(self, region: Region) -> ReadingError | None:
         """Return why $a = b$ in a line is not whole: the line goes on with it in words or signs."""
@@ -171,7 +214,7 @@ class ItemFinder:
             start += heading.end()
         if _RULE.fullmatch(source):
             return
-        words = vocabulary(self.names_at(line))
+        words = self._words_at(line)
         if whole:
             start = self._after_bullet(start, end)
         command = _COMMAND.search(self.text, start, end)
@@ -250,7 +293,9 @@ class ItemFinder:
             if has_relation(self.text, piece.start, piece.end):
                 inner = trim_segment(self.text, piece.start, piece.end, words)
                 doubt = piece.doubt or doubt_around(self.text, *inner, words)
-                head = self._letter_explained(inner[0], line)
+                head = self._letter_explained(inner[0], line) or self._named_in_words(
+                    inner[0], line, words
+                )
                 yield Item(*inner, "prose", display >= 0, line, line, piece.tag, doubt=doubt, head=head)
 
     def _letter_explained(self, place: int, line: int) -> tuple[int, int] | None:
@@ -260,6 +305,18 @@ class ItemFinder:
         begin = self.line_span(line)[0]
         match = _EXPLAINED.match(self.text, begin, place)
         return match.span(1) if match else None
+
+    def _named_in_words(self, place: int, line: int, words: Vocabulary) -> tuple[int, int] | None:
+        """Return the words that stand for a letter in `amax = 3` and `mean piston speed = 2 s n`."""
+        if self.text[place : place + 1] not in ("=", "≈"):
+            return None
+        begin = max(self.line_span(line)[0], place - _MARGIN)
+        match = _PHRASE.search(self.text, begin, place)
+        if match is None or any(word.lower() in _VERBS for word in match["words"].split()):
+            return None
+        if _WORD_OF_OPERATION.search(match["words"]) or match["words"] in words.names:
+            return None
+        return match.span("words")
 
 
 # Delimited mathematics
@@ -401,6 +458,7 @@ class Passage:
     tag: str = ""
     row: int = 0
     doubt: ReadingError | None = None
+    aside: bool = False
 
 
 def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Passage]:
@@ -416,10 +474,37 @@ def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Pa
             spans = [span for span in spans if has_any_relation(text, *span)] or spans[:1]
         for place, span in enumerate(spans):
             last_tag = tag if place == len(spans) - 1 else ""
-            pieces.append(Passage(*span, last_tag, row, doubts.get(span)))
+            aside = place > 0 and _explains(text[spans[0][1] : span[0]])
+            pieces.append(Passage(*span, last_tag, row, doubts.get(span), aside))
     return pieces
 
 
+def formulas_in_words(text: str, start: int, end: int) -> list[Passage]:
+    """Return the formulas between dollars in the words of a display, \\intertext{as $a = b$}."""
+    inner: list[Passage] = []
+    for words_ in _WORDS_WITH_DOLLARS.finditer(text, start, end):
+        for match in _DOLLARS.finditer(text, words_.start(1), words_.end(1)):
+            if has_any_relation(text, *match.span(1)):
+                inner += pieces_of(text, *match.span(1))
+    return inner
+
+
+def _explains(between: str) -> bool:
+    """Tell whether words between two equations of a row say that the second explains the first."""
+    prose = " ".join(re.sub(r"\\[A-Za-z]+\s*|[{}&~,;]", " ", between).split()).lower()
+    return prose.startswith("(") or any(
+        prose.startswith(f"{word} ") or prose == word for word in _EXPLAINING
+    )
+
+
+_EXPLAINING = words(
+    "since because as by using with where if note recall cf see from via for here da weil wegen mit wobei"
+    " für denn nach aus wo siehe hier ただし なぜなら here, car avec où"
+)
+_WORDS_WITH_DOLLARS = re.compile(
+    r"\\(?:short)?(?:intertext|text|mbox|textrm|textnormal|textit)\s*\{((?:[^{}$]|\$[^$]{1,400}\$|\{[^{}]{0,80}\}){1,1000})\}"
+)
+_DOLLARS = re.compile(r"\$([^$]{1,400})\$")
 _JOINING = re.compile(
     r"(?:plus|minus|times|over|divided|multiplied|less|mal|durch|geteilt|weniger|fois|moins|squared|cubed"
     r"|percent|prozent|and so|thousand|million|hundred|half|twice|tausend|hundert)\b",
@@ -645,7 +730,7 @@ def has_relation(text: str, start: int, end: int) -> bool:
         sign = match.group()
         if sign in _BRACKETS:
             depth += _BRACKETS[sign]
-        elif depth <= 0 and RELATION.fullmatch(sign):
+        elif depth <= 0 and RELATION.match(text, match.start()):
             return True
     return False
 

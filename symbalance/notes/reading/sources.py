@@ -16,6 +16,7 @@ from symbalance.document.wordlists import words
 from symbalance.notes.reading.macros import expand_macros
 from symbalance.notes.reading.mathml import is_mathml, mathml_text
 from symbalance.notes.reading.numerals import with_plain_numerals
+from symbalance.notes.reading.ranges import with_ranges
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 
 CELL_END = "\ue000"
@@ -67,6 +68,10 @@ def prepare(
     numerals, notes = with_plain_numerals(current, is_letter)
     origin = numerals.after(origin) if numerals else origin
     current = origin.text if origin else narrow
+    ranges, more_notes = with_ranges(current)
+    origin = ranges.after(origin) if ranges else origin
+    current = origin.text if origin else narrow
+    notes += more_notes
     formulas: list[Span] = []
     codes: list[Span] = []
     if kind == "tex":
@@ -321,6 +326,9 @@ _QUOTED = re.compile(r"^[ ]{0,3}(?:>[ ]?)+", re.MULTILINE)
 _OPTIONS = re.compile(r"(?<=[A-Za-z}*])\[\s*[a-z-]{2,20}\s*=[^\[\]\n$]{0,200}\]")
 _FENCE = re.compile(r"[ ]{0,3}(`{3,}|~{3,})\s*([A-Za-z]*)")
 _BOLD = re.compile(r"(?<![\w)*])\*\*(?=[^\s*])([^*\n]{1,300})(?<=\S)\*\*(?![\w(*])")
+_ITALIC = re.compile(
+    r"(?<![\w*)\]}°²³])\*(?=[^\s*])([^*\n=]{1,60})(?<=[^\s*])\*(?![\w*(])|(?<![\w}\])])_([^\W_](?:[^_\n=]{0,40}[^\W_])?)_(?!\w)"
+)
 _CODE = re.compile(r"(`+)(?!`)[^`\n]{1,400}\1(?!`)")
 _CODE_LANGUAGES_OF_FORMULAS = ("math", "latex", "tex")
 _CODE_LANGUAGES_UNKNOWN = ("", "text", "txt", "plain")
@@ -398,7 +406,8 @@ def mask_markdown(text: str) -> tuple[str, list[Span], list[Span]]:
                 ticks = len(code.group(1))
                 codes.append((offset + code.start() + ticks, offset + code.end() - ticks))
             without_ticks = _CODE.sub(_without_ticks, line)
-            lines.append(_BOLD.sub(lambda m: f"  {m.group(1)}  ", without_ticks))
+            plain = _BOLD.sub(lambda m: f"  {m.group(1)}  ", without_ticks)
+            lines.append(_ITALIC.sub(lambda m: f" {m.group(1) or m.group(2)} ", plain))
     unquoted = _QUOTED.sub(lambda m: blank(m.group()), "".join(lines))
     return mask_plain(unquoted), formulas, codes
 

@@ -41,8 +41,21 @@ _UNNAMED = _SET.pattern.replace("?P<word>", "?:")
 _FRACTION = re.compile(rf"\\[dt]?frac\s*\{{\s*({_UNNAMED}|1)\s*\}}\s*\{{\s*({_UNNAMED})\s*\}}")
 _MORE = re.compile(rf"(?:\\[,;: ]|~|\\cdot(?![A-Za-z])|[·/\s]){{0,6}}{_COMMAND}{_ARGUMENT}")
 _BRACKETED = re.compile(rf"\[\s*(?:{_UNNAMED}|[A-Za-zµμ/^0-9·⁻¹² -]{{1,20}})\s*\]")
-_WORD = r"[A-Za-zµμ]+(?:(?:\^[-−]?[0-9]|[⁻]?[¹²³])?(?:/[A-Za-z]+(?:\^[0-9]|[²³])?)?)"
-PLAIN = re.compile(rf"(?<=[0-9]) (?P<plain>{_WORD})(?![A-Za-z0-9_(^'])")
+_RAISED_UNIT = r"(?:\^\{?[-−]?[0-9]\}?|\^\([-−]?[0-9]\)|[⁻]?[¹²³⁴])"
+_PART_OF_UNIT = rf"[A-Za-zµμ]+{_RAISED_UNIT}?"
+_PLAIN_UNIT = re.compile(
+    rf"(?P<space>[ \u2009\u202f]?)(?P<plain>(?:1/)?{_PART_OF_UNIT}(?:(?:/|[·⋅*]| (?=m|s|g|kg|rad)){_PART_OF_UNIT}){{0,3}})"
+    r"(?![A-Za-z0-9_('^′⁻¹²³⁴])"
+)
+_NUMBER_BEFORE = re.compile(r"(?<![A-Za-z_^\w])(?P<digits>[0-9][0-9.,]*)$")
+_POWER_BEFORE = re.compile(r"[0-9)\]](?:\^\{?[0-9]\}?|[²³⁴])$|[)\]]$|(?<![A-Za-z])[0-9.,]*π$")
+_HEAD = re.compile(r"(?:^|[^\w\\])([^\W\d_])[\w'′]*\s*(?:=|≈)\s*[-−]?[0-9.,]+$")
+_UNIT_AROUND = re.compile(
+    r"(?<=[0-9)])\s?(?:mm|cm|km|kg|rpm|k?W|k?Hz|k?N|k?Nm|k?J|rad|[kM]Pa|bar|m/s|U/min|1/s|1/min|(?:s|min)⁻¹|ms|min)"
+    r"(?![A-Za-z0-9_(])"
+)
+_STOPS = "=≈≒≃<>≤≥≡+-−–·×*/÷)]},;.:!?|&、。，；：…"
+"""Signs that may stand behind a unit; a letter there goes on with a product."""
 
 
 def scale_of(unit: str) -> Scale | None:
@@ -115,16 +128,98 @@ def bracketed_unit_at(text: str, place: int, end: int) -> tuple[str, int] | None
 
 
 def plain_unit_at(text: str, place: int, end: int, names: Collection[str]) -> tuple[str, int] | None:
-    """Return the unit in `40 mm` whose space is at a place; letters declared one by one are letters."""
-    match = PLAIN.match(text, place, end)
-    if not match or not scale_of(match.group("plain")):
+    """Return the unit in `40 mm` or `40mm` behind the number, and where it ends; None for letters.
+
+    Declared letters are letters, but not where they can be none: in 565 s⁻¹ nothing but the unit is meant.
+
+    >>> plain_unit_at("0.04 m · 3 kg", 4, 13, {"r"}), plain_unit_at("2 m r", 1, 5, {"m", "r"})
+    (('m', 6), None)
+    """
+    match = _PLAIN_UNIT.match(text, place, end)
+    if not match or not scale_of(match["plain"]):
         return None
-    word = match.group("plain")
-    words = re.findall("[A-Za-z]+", word)
-    if any(word_part in names for word_part in words) or len(word) == 1 or words[0] == "us":
+    before = text[max(place - 30, 0) : place]
+    number = _NUMBER_BEFORE.search(before)
+    if number is None and not (match["space"] and _POWER_BEFORE.search(before)):
         return None
-    sure = words[0] in _PLAIN_SURE or not all(letter in names for letter in words[0])
-    return (word, match.end()) if sure else None
+    sort = _PlainUnit(text, place, match.end(), match["plain"], bool(match["space"]), number, end)
+    return (match["plain"], match.end()) if sort.is_unit(names) else None
+
+
+class _PlainUnit:
+    """What may be a unit behind a number, with what speaks for it."""
+
+    def __init__(
+        self, text: str, place: int, stop: int, word: str, spaced: bool,
+        number: re.Match[str] | None, end: int,
+    ) -> None:  # fmt: skip
+        self.text, self.place, self.stop, self.word, self.spaced = text, place, stop, word, spaced
+        self.digits, self.end = number["digits"] if number else "", end
+        self.parts = re.findall("[A-Za-zµμ]+", word)
+
+    def is_unit(self, names: Collection[str]) -> bool:
+        """Tell whether the word is a unit where these letters are declared."""
+        if self.parts[0] == "us":
+            return False
+        if self.word.startswith("1/") or re.search(r"\^\{?\(?[-−]|⁻", self.word):
+            return self.spaced or not self._is_declared(names)
+        if any(part in names for part in self.parts if len(part) > 1):
+            return False
+        if any(part in _PLAIN_SURE for part in self.parts):
+            return self.digits != "" or self.spaced
+        if self._is_declared(names):
+            return self._is_clear_among_letters()
+        if len(self.word) > 1:
+            return self.digits != "" or self.spaced
+        is_big = self.word in "NJWK" and self.spaced
+        return (is_big or self._is_measured()) and not self._goes_on()
+
+    def _is_declared(self, names: Collection[str]) -> bool:
+        """Tell whether the word may be read in declared letters alone."""
+        return all(part in names or all(letter in names for letter in part) for part in self.parts)
+
+    def _is_measured(self) -> bool:
+        """Tell whether the number looks measured, or other units stand in the line."""
+        return "." in self.digits or len(self.digits) > 2 or self._has_units_around()
+
+    def _has_units_around(self) -> bool:
+        begin = max(self.text.rfind("\n", 0, self.place) + 1, self.place - 200)
+        stop = self.text.find("\n", self.stop)
+        stop = min(stop if stop >= 0 else len(self.text), self.stop + 200)
+        return any(
+            not self.place <= match.start() < self.stop and not self.place < match.end() <= self.stop
+            for match in _UNIT_AROUND.finditer(self.text, begin, stop)
+        )
+
+    def _is_clear_among_letters(self) -> bool:
+        """Tell whether a word in declared letters is a unit: other units around, or r = 0.04 m."""
+        if not self.digits or self._goes_on() or not self.spaced:
+            return False
+        if len(self.parts) > 1:
+            return len(self.digits) > 1 or self._has_units_around()
+        if self._has_units_around() or (self.word == "N" and len(self.digits) > 2):
+            return True
+        head = _HEAD.search(self.text[max(self.place - 60, 0) : self.place])
+        is_length = self.word == "m" and head is not None and head[1] not in "mMFJIW"
+        is_time = self.word == "s" and head is not None and head[1] in "tT"
+        return (is_length or is_time) and ("." in self.digits or len(self.digits) > 2)
+
+    def _goes_on(self) -> bool:
+        """Tell whether a factor follows: 2 m r, 3 N sin x."""
+        after = self.text[self.stop : min(self.stop + 12, self.end)]
+        bare = after.lstrip(" ~")
+        if not bare or bare[0] in _STOPS or bare[0] == "\n" or ord(bare[0]) >= 0x2E80:
+            return False
+        if bare.startswith(
+            ("\\cdot", "\\times", "\\approx", "\\le", "\\ge", "\\quad", "\\qquad", "\\\\", "\\,")
+        ):
+            return False
+        word = re.match(r"[^\W\d_]+", bare)
+        return (
+            word is None
+            or len(word.group()) < 2
+            or word.group()[:3] in ("sin", "cos", "tan", "exp", "sqr")
+        )
 
 
 def follows_number(text: str, start: int, place: int) -> bool:
@@ -137,3 +232,15 @@ def follows_number(text: str, start: int, place: int) -> bool:
 def is_set_apart(text: str, place: int) -> bool:
     """Tell whether a space typed as such, \\, or ~, stands before a place."""
     return re.search(r"(?:~|\\[,;: ])\s*$", text[max(0, place - 20) : place]) is not None
+
+
+_MEASURED = re.compile(r"\[\s*\\?[^\W\d]\w{0,12}(?:_\{\w+\})?\s*\]\s*=\s*(?P<unit>[^=]{1,60})")
+
+
+def is_unit_of_letter(text: str, start: int, end: int) -> bool:
+    """Tell whether [F] = N stands there, which says in what a letter is measured."""
+    match = _MEASURED.fullmatch(text, start, end)
+    if match is None:
+        return False
+    bare = re.sub(r"\\(?:mathrm|text|textrm|[,;: ])|[{}$.,;)]", " ", match["unit"])
+    return scale_of(" ".join(bare.split())) is not None
