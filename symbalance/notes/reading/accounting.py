@@ -38,6 +38,9 @@ _SETTING = re.compile(r"\\([A-Za-z]+)\s*$")
 _SIGN = re.compile(rf"==|:=|<=(?!>)|>=|!=|∝|\\propto(?![A-Za-z])|{RELATION.pattern}")
 _BEFORE = re.compile(r"([^\W\d_][\w'’-]*|\S)\s*$")
 _AFTER = re.compile(r"\s*([^\W\d_][\w'’-]*|\S)")
+_CONSTANT = re.compile(
+    r"(?:=|≈|\\approx)\s*(?:\\(?:text|mathrm|mbox|textrm|textit|operatorname)\s*\{\s*)?[ckCK]onst(?:ant|\.)?(?![A-Za-z])"
+)
 _END_OF_SENTENCE = re.compile(rf"[\n{CELL_END}]|[.;:!?。](?=\s)")
 _ASSIGNED = re.compile(r"^[\w.-]*[A-Za-z][\w.-]+=(?:[\"'\w./#%-]*[A-Za-z\"'][\"'\w./#%-]*)$")
 
@@ -163,6 +166,7 @@ class Account:
             "an option or attribute": self._is_option(place) and _is_word(before, names),
             "words on both sides": _is_word(before, names) and _is_word(after, names),
             "the value of a word that is no declared letter": is_value and _is_word(before, names),
+            "said to be constant": _CONSTANT.match(self.text, place),
             "a letter explained in words": _is_explanation(before, self._right_side(place), names),
             "the unit of a letter": self._is_unit_of_letter(place),
             "a sum of money": re.match(r"\s*\$[0-9]", self.text[place + 1 : place + 4]),

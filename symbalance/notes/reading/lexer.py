@@ -43,6 +43,7 @@ _DEGREE = re.compile(r"\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![A-Za-z]))|[°˚º]|度
 _SPACE = re.compile(
     r"(?:\\[,;:> \t\n]|\\(?:q?quad|enspace|enskip|thinspace|medspace|thickspace|hspace)(?![A-Za-z])|~)"
 )
+_TYPED_SPACE = re.compile(r"(?:\\[,;: ]|~)+")
 _ARROW = re.compile(r"-+>|=+>|<-+|<=+>")
 _RELATION = re.compile(r"==|:=|<=|>=|!=")
 _TWO_SIGNS = {"==": "=", ":=": "=", "<=": "≤", ">=": "≥", "!=": "≠"}
@@ -166,7 +167,8 @@ class Lexer:
             return True
         if not self.tokens or not (sign in " \u2009\u202f" or sign.isalpha()):
             return False
-        return self.tokens[-1].end == self.place and (
+        between = self.text[self.tokens[-1].end : self.place]
+        return (not between or _TYPED_SPACE.fullmatch(between) is not None) and (
             self.tokens[-1].kind in ("number", "close") or self.tokens[-1].value == "pi"
         )
 
@@ -552,8 +554,8 @@ class Lexer:
 
     def set_unit(self, command: str) -> bool:
         """Read \\mathrm{mm} behind a number; tell whether it was a unit."""
-        if command.endswith("frac") and self.is_behind_number():
-            unit_span = unit_fraction_at(self.text, self.place, self.end)
+        if command.endswith("frac") and (self.is_behind_number() or self._is_behind_power()):
+            unit_span = unit_fraction_at(self.text, self.place, self.end, self.words.names)
         else:
             unit_span = (
                 unit_set_at(self.text, self.place, self.end) if command in _UNIT_COMMANDS else None
@@ -611,7 +613,17 @@ class Lexer:
         if not (self.is_behind_number() or self._is_behind_power()) and scale != (1, False):
             what = f"unit {unit} behind a letter"
             raise ReadingError(self.place, what, "leave it out of the formula")
-        self.tokens += factor_tokens(scale, self.place, stop)
+        last = self.tokens[-1] if self.tokens else None
+        before = self.tokens[-2] if len(self.tokens) > 1 else None
+        is_apart = before is not None and (
+            before.is_op("/") or before.kind == "sup" or before.value == "{"
+        )
+        if last is not None and last.kind == "number" and not scale[1] and not is_apart:
+            place = last.place * scale[0] if last.place is not None else None
+            number = replace(last, number=last.number * scale[0], place=place, end=stop)
+            self.tokens[-1] = number
+        else:
+            self.tokens += factor_tokens(scale, self.place, stop)
         self.place = stop
 
     def plain_unit(self, sign: str) -> bool:
@@ -681,6 +693,11 @@ _THOUSANDS = re.compile(r"[0-9]{1,3}(?:(?:\\,|\{,\}|\u2009|\u202f)[0-9]{3})+(?![
 _DECIMAL_COMMA = re.compile(r"[0-9]+\{,\}[0-9]+")
 _PLAIN_NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]+)?|\.[0-9]+)")
 _EXPONENT = re.compile(r"[eE]([+-]?[0-9]+)(?![A-Za-z0-9])")
+_TEN_TO = re.compile(
+    r"\s*(?:\\cdot|\\times|[·×⋅])\s*10(?:\s*\^\s*\{\s*(?P<braced>[-−+]?[0-9]{1,3})\s*\}"
+    r"|\^(?P<bare>[-−]?[0-9])(?![0-9])|(?P<raised>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3}))(?![⁰¹²³⁴⁵⁶⁷⁸⁹^])"
+)
+"""1.8·10⁴ is one number, rounded to its last digit, as 1.8e4 is."""
 _GROUPING = re.compile(r"\\,|\{,\}|\u2009|\u202f")
 
 
@@ -699,6 +716,8 @@ def read_number(text: str, start: int, end: int, scientific: bool = True) -> Tok
     elif match := _PLAIN_NUMBER.match(text, start, end):
         digits = match.group()
         exponent = _EXPONENT.match(text, match.end(), end) if scientific else None
+        if exponent is None and "." in digits:
+            exponent = _TEN_TO.match(text, match.end(), end)
     else:
         return None
     return _number_token(digits, exponent, start, match.end())
@@ -718,7 +737,8 @@ def _number_token(digits: str, exponent: re.Match[str] | None, start: int, stop:
 
 
 def _power_of_ten(exponent: re.Match[str], start: int) -> Fraction:
-    digits = exponent.group(1)
+    written = next(part for part in exponent.groups() if part)
+    digits = "".join(RAISED.get(sign, sign) for sign in written).replace("−", "-")
     if len(digits) > 4 or abs(int(digits)) > MOST_DIGITS:
         raise ReadingError(start, "a power of ten out of all proportion", "check the exponent")
     return Fraction(10) ** int(digits)

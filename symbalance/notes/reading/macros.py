@@ -436,6 +436,45 @@ def _above(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Spa
     return ([" \\shallbe "] if sign == "=" and above == "!" else [" ", parts[0][1], " "]), parts[1]
 
 
+def _framed(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Span], int] | None:
+    """Return what is underlined as what is boxed: a relation, or a part of one."""
+    parts = _arguments(text, place, pairs, 1)
+    return (["\\boxed{", parts[0][0], "}"], parts[1]) if parts else None
+
+
+def _solidus(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Span], int] | None:
+    """Return \\nicefrac{r}{l} as \\frac{r}{l}."""
+    parts = _arguments(text, place, pairs, 2, optional=True)
+    return (["\\frac{", parts[0][0], "}{", parts[0][1], "}"], parts[1]) if parts else None
+
+
+def _unit_or_quantity(
+    text: str, place: int, pairs: dict[int, int]
+) -> tuple[list[str | Span], int] | str | None:
+    """\\unit[40]{mm} of the package units is a quantity, \\unit{mm} of siunitx a unit."""
+    number = _NUMBER_FIRST.match(text, place)
+    if number is None:
+        return _siunitx(siunitx.unit_text, 1)(text, place, pairs)
+    write = lambda unit: siunitx.quantity_text(number[1].replace("{,}", "."), unit)  # noqa: E731
+    return _siunitx(write, 1)(text, number.end(), pairs)
+
+
+def _unit_fraction(
+    text: str, place: int, pairs: dict[int, int]
+) -> tuple[list[str | Span], int] | str | None:
+    """\\unitfrac[9.81]{m}{s^2} is a quantity."""
+    number = _NUMBER_FIRST.match(text, place)
+    size = number[1].replace("{,}", ".") if number else ""
+    write = lambda above, below: (
+        siunitx.quantity_text if size else lambda _, unit: siunitx.unit_text(unit)
+    )(  # noqa: E731
+        size, f"{above}/{below}"
+    )
+    return _siunitx(write, 2)(text, number.end() if number else place, pairs)
+
+
+_NUMBER_FIRST = re.compile(r"\s*\[\s*([-+−]?[0-9][0-9 .,{}]*(?:[eE][-+]?[0-9]+)?)\s*\]")
+
 PACKAGES: dict[str, Handler] = {
     **dict.fromkeys(
         words("cancel bcancel xcancel mathclap mathllap mathrlap smash ensuremath"), _only(0, 1)
@@ -444,7 +483,7 @@ PACKAGES: dict[str, Handler] = {
     **dict.fromkeys(words("fcolorbox resizebox"), _only(2, 3)),
     **dict.fromkeys(words("color pagecolor eqref ref cite autoref cref Cref"), _dropped(1)),
     **dict.fromkeys(
-        words("xspace IEEEyesnumber IEEEyessubnumber IEEEnonumber IEEEeqnarraynumspace"), _dropped(0)
+        words("checkmark blacksquare square Box qed qedhere lozenge bigstar xspace IEEEyesnumber IEEEyessubnumber IEEEnonumber IEEEeqnarraynumspace"), _dropped(0)
     ),
     **dict.fromkeys(words("overset underset stackrel stackbin"), _above),
     "IEEEeqnarraymulticol": _only(2, 3),
@@ -457,7 +496,11 @@ PACKAGES: dict[str, Handler] = {
     "anglist": _siunitx(lambda source: siunitx.list_text(source, "\\degree"), 1),
     "angrange": _siunitx(lambda first, last: siunitx.range_text(first, last, "\\degree"), 2),
     "ang": _siunitx(siunitx.angle_text, 1),
-    **dict.fromkeys(words("si unit"), _siunitx(siunitx.unit_text, 1)),
+    "si": _siunitx(siunitx.unit_text, 1),
+    "unit": _unit_or_quantity,
+    **dict.fromkeys(words("unitfrac"), _unit_fraction),
+    **dict.fromkeys(words("nicefrac sfrac flatfrac xfrac"), _solidus),
+    **dict.fromkeys(words("underline uline uuline dunderline"), _framed),
     "qty": _quantity,
     "dv": _derivative("d"),
     "pdv": _derivative("\\partial"),

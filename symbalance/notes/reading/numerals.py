@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN
+from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, LOWERED, RAISED
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import RELATION
 
@@ -29,6 +29,7 @@ _LANGUAGES = re.compile(
 _SCANNED = re.compile(
     r"(?<![\w.,\\])(?=[0-9O.,]{0,20}O)(?=[0-9O.,]{0,20}[0-9])[0-9O]{1,12}(?:[.,][0-9O]{1,12})?(?![\w(\\])"
 )
+_SCANNED_ONE = re.compile(r"(?<![\w.,\\])l(?=\.[0-9O])")
 _DASH = re.compile("[—―‒]")
 _WORD = re.compile(r"(?<![\\A-Za-z])[A-Za-z]{2,}")
 _FUNCTION = re.compile(r"\b(?:" + "|".join(sorted(FUNCTION_WORDS, key=len, reverse=True)) + r")\b")
@@ -40,6 +41,9 @@ _SPELLED = (
     ("ms", "milliseconds?|Millisekunden?"), ("s", "seconds?|Sekunden?"), ("min", "minutes?|Minuten?"),
     ("kN", "kilonewtons?"), ("N", "newtons?"), ("Nm", "newton[ -]?met(?:er|re)s?|Newtonmeter"),
     ("Hz", "hertz"), ("W", "watts?"), ("kW", "kilowatts?"), ("J", "joules?"), ("rad", "radians?|Radiant"),
+    ("rad/s", r"rad(?:ians?)?\.? ?(?:per|/) ?s(?:ec(?:onds?)?)?\b"), ("m/s", r"(?:met(?:er|re)s?|m) ?(?:per|/) ?sec(?:onds?)?\b"),
+    ("rpm", r"r\. ?p\. ?m\b|rev(?:olution)?s?\.? per min(?:ute)?\b|Umdrehungen pro Minute"),
+    ("ft", "feet|foot|ft(?=\\.)"), ("inch", "inch(?:es)?|Zoll|in(?=\\. )"), ("lb", "pounds?|lbs?(?=\\.)"),
     ("°", "degrees?|deg|Grad|degrés|° ?(?:KW|CA|crank)|deg ?CA"), ("%", "percent|per cent|Prozent"),
 )  # fmt: skip
 _SPELLED_UNIT = re.compile(
@@ -84,6 +88,10 @@ def with_plain_numerals(
     changes |= _dashes(text, notes)
     changes |= {m.start(): (m.end(), "≈") for m in _NEARLY.finditer(text)}
     changes |= _units_in_words(text)
+    changes |= _crosses(text)
+    changes |= {
+        m.start(): (m.end(), f"({_small(m[1])}/{_small(m[2])})") for m in _SMALL_FRACTION.finditer(text)
+    }
     changes |= _turns_a_minute(text, notes)
     changes |= _points(text, notes)
     changes |= _arrows(text)
@@ -179,6 +187,19 @@ def _points(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
 _ARROW = re.compile(r"(?<=\s)(?:<=+>|<-+>|=+>|-+>)(?=\s)")
 
 
+_CROSS = re.compile(r"(?<=[0-9)])[ ]?[xX][ ](?=[0-9(.])|(?<=[0-9)])[ ][xX](?=[0-9(.])")
+_SMALL_FRACTION = re.compile("([⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3})[/⁄∕]([₀₁₂₃₄₅₆₇₈₉]{1,3})")
+
+
+def _crosses(text: str) -> dict[int, tuple[int, str]]:
+    """Return the letters x that stand for a multiplication sign between numbers, 2 x 0.5."""
+    return {match.start(): (match.end(), " × ") for match in _CROSS.finditer(text)}
+
+
+def _small(digits: str) -> str:
+    return "".join({**RAISED, **LOWERED}[digit] for digit in digits)
+
+
 def _arrows(text: str) -> dict[int, tuple[int, str]]:
     """Return the arrows typed in signs, => and ->, between spaces as arrows."""
     shown = {"<=": "⇔", "<-": "⇔", "==": "⇒", "=>": "⇒", "--": "→", "->": "→"}
@@ -223,11 +244,17 @@ def _scanned(
 ) -> dict[int, tuple[int, str]]:
     """Return the numbers in which a scanner wrote the letter O for a zero."""
     changes: dict[int, tuple[int, str]] = {}
+    for match in _SCANNED_ONE.finditer(text):
+        if not is_letter("l", text.count("\n", 0, match.start()) + 1):
+            changes[match.start()] = (match.start() + 1, "1")
+    if changes:
+        notes.append(f"the letter l for a one ({len(changes)}×)")
+    ones = len(changes)
     for match in _SCANNED.finditer(text):
         if "O" not in match.group() or is_letter("O", text.count("\n", 0, match.start()) + 1):
             continue
         changes[match.start()] = (match.end(), match.group().replace("O", "0"))
-    _note(notes, "the letter O for a zero", changes, text)
+    _note(notes, "the letter O for a zero", dict(list(changes.items())[ones:]), text)
     return changes
 
 
@@ -279,8 +306,13 @@ def _is_minus(before: str, after: str) -> bool:
     is_open = before.count("(") > before.count(")")
     is_formula = is_open or RELATION.search(before) is not None or "\\" in before or "&" in before
     is_formula = is_formula or before.count("$") % 2 == 1
-    if any(word not in FUNCTION_WORDS for word in _WORD.findall(goes_on)):
+    relation = RELATION.search(goes_on)
+    if any(
+        word not in FUNCTION_WORDS
+        for word in _WORD.findall(goes_on[: relation.start() if relation else None])
+    ):
         return False
-    if is_open or not RELATION.search(goes_on):
+    if is_open or relation is None:
         return is_formula
-    return not _WORD.search(_FUNCTION.sub(" ", before))
+    begun = re.split(r"(?<![\\A-Za-z])[A-Za-z]{2,}(?!\s*\()", _FUNCTION.sub(" ", before))[-1]
+    return RELATION.search(begun) is None or not _WORD.search(_FUNCTION.sub(" ", before))

@@ -218,6 +218,20 @@ def trim_segment(text: str, start: int, end: int, words: Vocabulary) -> tuple[in
     return _within_brackets(text, start, end)
 
 
+def parts_at_lone_brackets(text: str, start: int, end: int) -> list[tuple[int, int]]:
+    """Return the parts of `λ = 0.3), r = 40` on both sides of the bracket that the prose opened.
+
+    Only where two of them hold a relation: elsewhere a bracket without partner is the formula's own.
+    """
+    edges = sorted(_lone_brackets(text, start, end))
+    if not edges:
+        return [(start, end)]
+    places = [start - 1, *edges, end]
+    parts = [(a + 1, b) for a, b in pairwise(places) if text[a + 1 : b].strip()]
+    with_relation = sum(signs.RELATION.search(text, *part) is not None for part in parts)
+    return parts if with_relation > 1 else [(start, end)]
+
+
 def _within_brackets(text: str, start: int, end: int) -> tuple[int, int]:
     """Drop brackets without partner at the edges, then a pair around all."""
     for _ in range(3):

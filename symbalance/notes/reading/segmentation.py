@@ -17,10 +17,16 @@ from symbalance.document.letters import NAME_OF_SIGN, WORDS
 from symbalance.document.wordlists import word_set, words
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.lexer import Vocabulary, vocabulary
-from symbalance.notes.reading.prose import line_rules, segments, trim_segment
+from symbalance.notes.reading.prose import line_rules, parts_at_lone_brackets, segments, trim_segment
 from symbalance.notes.reading.signs import CELLS, ENVIRONMENTS, RELATION, relation_at_start
 from symbalance.notes.reading.sources import CELL_END, Source
-from symbalance.notes.reading.units import follows_number, is_unit_of_letter, scale_of, unit_set_at
+from symbalance.notes.reading.units import (
+    follows_number,
+    is_quantity,
+    is_unit_of_letter,
+    scale_of,
+    unit_set_at,
+)
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _BULLET = re.compile(r"\s*(?:\(?[0-9]{1,3}[.)](?=\s))?\s*")
@@ -286,6 +292,11 @@ class ItemFinder:
         display = self.text.find("\\displaystyle", *span)
         if display >= 0:
             span = (display, span[1])
+        parts = parts_at_lone_brackets(self.text, *span)
+        if len(parts) > 1:
+            for part in parts:
+                yield from self._items_of_segment(part, line, lenient, words)
+            return
         start, end = trim_segment(self.text, *span, words)
         if not has_relation(self.text, start, end):
             return
@@ -466,6 +477,7 @@ def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Pa
     pieces: list[Passage] = []
     for row, (first, end_of_row) in enumerate(_rows(text, start, end, environment)):
         last, tag = without_tag(text, first, end_of_row)
+        last = _without_constant(text, first, last)
         spans = [_without_box(text, *trim(text, *span)) for span in _separate(text, first, last)]
         spans = [span for span in spans if span[0] < span[1]]
         doubts: dict[tuple[int, int], ReadingError] = {}
@@ -487,6 +499,17 @@ def formulas_in_words(text: str, start: int, end: int) -> list[Passage]:
             if has_any_relation(text, *match.span(1)):
                 inner += pieces_of(text, *match.span(1))
     return inner
+
+
+def _without_constant(text: str, start: int, end: int) -> int:
+    """Return where a row ends before `= const.`, which says that it does not change."""
+    match = _CONSTANT.search(text, start, end)
+    return match.start() if match else end
+
+
+_CONSTANT = re.compile(
+    r"\s*(?:=|\\approx)\s*(?:\\(?:text|mathrm|mbox|textrm|textit|operatorname)\s*\{\s*)?[ckCK]onst(?:ant|\.)?(?:\s*\.?\s*\})?[\s.,;]*$"
+)
 
 
 def _explains(between: str) -> bool:
@@ -512,6 +535,9 @@ _JOINING = re.compile(
 )
 """Words that go on with a formula."""
 _WRITE_WHOLE = "write it whole, between dollars"
+_UNKNOWN_UNIT = re.compile(
+    r"(?<=[0-9])\s?(?:°C|°F|dB|oz|slugs?|cps|HP|CV|ch|kcal|cal|dyn|erg|t|[kM]?V|mA|kWh|l|L|cl|ml)(?![\w(^])(?=[\s.,;)]|$)"
+)
 _PART_OF = re.compile(r"(?:of|von|de)\b", re.IGNORECASE)
 _JOINED_BEFORE = re.compile(
     r"(?:(?<=[0-9%)½¼¾²³}$])\s*(?:of|von|de)|\b(?:half|third|quarter|twice) (?:of )?"
@@ -559,11 +585,15 @@ def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingE
     after = text[end:stop].partition(CELL_END)[0]
     behind = after.lstrip(" \t~)")
     place = end + len(after) - len(behind)
+    if unit := _UNKNOWN_UNIT.match(text, end, stop):
+        what = f"a unit that is not known: {unit.group().strip()}"
+        return ReadingError(end, what, "give the value in SI units")
     if _goes_on(behind, after, words) or (text[end - 1 : end] == "%" and _PART_OF.match(behind)):
         return _cut(place, behind)
     line_begin = text.rfind("\n", 0, start) + 1
     before = text[max(line_begin, start - _MARGIN) : start].rpartition(CELL_END)[2].rstrip()
     operation = re.search(r"([\w)\]}²³])\s*([+*×·/^÷−])$", before)
+    operation = operation or re.search(r"((?<!\w)\w|[0-9)²³])\s+([—–])$", before)
     if operation:
         word = re.search(r"\w+$", before[: operation.start(2)].rstrip())
         what = f"a formula that begins in words: {word.group() if word else ''} {operation[2]}"
@@ -611,7 +641,7 @@ def _without_box(text: str, start: int, end: int) -> tuple[int, int]:
     match = _BOXED.match(text, start, end)
     if not match or text[end - 1] != "}" or _after_words(text, match.end() - 1, end) != end:
         return start, end
-    return trim(text, match.end(), end - 1)
+    return _without_box(text, *trim(text, match.end(), end - 1))
 
 
 def _rows(text: str, start: int, end: int, environment: str) -> list[tuple[int, int]]:
@@ -652,7 +682,9 @@ def _separate(text: str, start: int, end: int) -> list[tuple[int, int]]:
         depth = max(depth + _BRACKETS.get(sign, 0) + _level_of_cells(text, sign, place), 0)
         if depth:
             continue
-        if unit := _unit_at(text, start, match.start(), end):
+        if sign[0] == "\\" and text[start : match.start()].rstrip()[-1:] in ("_", "^"):
+            place = max(place, match.end())  # the words of a script, m_\text{rec}
+        elif unit := _unit_at(text, start, match.start(), end):
             place = unit
         elif sign.rstrip().lstrip("\\") in WORDS | {"intertext", "shortintertext"}:
             place = _after_words(text, place, end)
@@ -702,7 +734,7 @@ def _join_spans(
             if has_relation(text, first, cut):
                 spans.append((first, cut))
                 first = before
-            elif text[cut] == "\\":
+            elif text[cut] == "\\" or is_quantity(text[first:cut]):
                 first = before
         if prose:
             spans.append((first, at))
@@ -760,7 +792,10 @@ def without_tag(text: str, start: int, end: int) -> tuple[int, str]:
         if before[-1:] in "+-−·*/=" or not before:
             stop += len(lead)
     elif (
-        lead and not lead.strip() and not tag.rstrip("abc'").replace(".", "").replace("-", "").isdecimal()
+        lead
+        and len(lead) < 4
+        and not lead.strip()
+        and not tag.rstrip("abc'").replace(".", "").replace("-", "").isdecimal()
     ):
         return end, ""
     return stop, tag

@@ -60,7 +60,7 @@ def unit_text(source: str) -> str | None:
     """
     parts: list[tuple[str, int]] = []
     place, prefix, sign, power, is_literal = 0, "", 1, 1, False
-    source = source.strip()
+    source = re.sub(r"^\^?\s*\{?\s*\\circ\s*\}?$", "°", source.strip())
     for _ in range(_MOST_WORDS):
         if place >= len(source):
             break

@@ -161,8 +161,24 @@ def _entity(match: re.Match[str]) -> Texts | None:
 
 _MATH = _rule(r"<math(?:\s[^<>]*)?>(?:(?!<math).){0,20000}?</math\s*>", _math_element)
 _COMMENT = _rule(r"<!--.*?(?:-->|\Z)", _blank)
-_RAISED = _rule(r"<sup(?:\s[^<>]*)?>([^<>]{1,40})</sup\s*>", _inside(1, "^{", "}"))
-_LOWERED = _rule(r"<sub(?:\s[^<>]*)?>([^<>]{1,40})</sub\s*>", _inside(1, "_{", "}"))
+
+
+def _raised(left: str, right: str) -> Callable[[re.Match[str]], Texts]:
+    """Return what writes a script between two texts, its entities as signs."""
+
+    def write(match: re.Match[str]) -> Texts:
+        inside = match[1]
+        return (left, unescape(inside) if "&" in inside else match.span(1), right)
+
+    return write
+
+
+_STACKED = _rule(
+    r"<sup(?:\s[^<>]*)?>([0-9]{1,4})</sup\s*>\s*(?:/|&frasl;|⁄)\s*<sub(?:\s[^<>]*)?>([0-9]{1,4})</sub\s*>",
+    lambda match: ("(", match.span(1), "/", match.span(2), ")"),
+)
+_RAISED = _rule(r"<sup(?:\s[^<>]*)?>([^<>]{1,40})</sup\s*>", _raised("^{", "}"))
+_LOWERED = _rule(r"<sub(?:\s[^<>]*)?>([^<>]{1,40})</sub\s*>", _raised("_{", "}"))
 _INLINE_TAGS = "|".join(
     words("span i b em strong u var big small font a abbr tt cite ins mark q s wbr code samp kbd")
 )
@@ -176,7 +192,7 @@ _BLOCK_TAGS = "|".join(
 )
 _INLINE_TAG = _rule(rf"</?(?:{_INLINE_TAGS})(?:\s[^<>]*)?/?>", lambda match: ("",))
 _BLOCK_TAG = _rule(rf"</?(?:{_BLOCK_TAGS})(?:\s[^<>]*)?/?>|<!doctype[^<>]*>|<\?xml[^<>]*>", _gap)
-_ENTITY = _rule(r"&(?:[a-z]{2,8}|#[0-9]{1,6}|#x[0-9a-f]{1,5});", _entity)
+_ENTITY = _rule(r"&(?:[a-z]{2,8}[0-9]{0,2}|#[0-9]{1,6}|#x[0-9a-f]{1,5});", _entity)
 _GITLAB = _rule(r"\$`([^`\n]{1,2000})`\$", _inside(1, "\\(", "\\)"))
 _DOUBLE_BACKSLASH = (
     _rule(r"(?<!\\)\\\\\(([^$\n]{1,2000}?)\\\\\)", _inside(1, "\\(", "\\)")),
@@ -264,7 +280,7 @@ _TEX_DISPLAYS = (
 _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
     "tex": (_TEX_DISPLAYS,),
     "markdown": (_TEX_DISPLAYS, (
-        _FENCED, _COMMENT, _GITLAB, *_DOUBLE_BACKSLASH, *_DISPLAYED, _MATH, _RAISED, _LOWERED,
+        _FENCED, _COMMENT, _GITLAB, *_DOUBLE_BACKSLASH, *_DISPLAYED, _MATH, _STACKED, _RAISED, _LOWERED,
         _INLINE_TAG, _BLOCK_TAG, _ENTITY,
         _rule(r"(?<=\])\([^()\s]{0,400}[.#/][^()\s]{0,400}[?&][^()\s]{0,400}=[^()\s]{0,400}\)", _blank),
     ),),
@@ -273,14 +289,14 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
         _rule(r"<nowiki>(?:(?!<nowiki).){0,20000}?</nowiki>|<(?:source|syntaxhighlight|pre)[\s>](?:(?!<(?:source|syntax|pre)).)*?</(?:source|syntaxhighlight|pre)>",
               _blank),
         Rule(_MATH.pattern, lambda match: None), *_DISPLAYED,
+        _rule(r"\{\{\s*=\s*\}\}", lambda match: ("=",)),
         _rule(r"^(?P<heading>={2,6})(?P<title>[^=\n](?:[^\n]*?[^=\n])?)(?P=heading)[ \t]*$", _heading),
         _rule(r"^[ \t]*(?:\{\||\|\}|\|-|\|\+)[^\n]*$", _blank),
         _rule(r"^[ \t]*([|!])(?![|}+-])([^\n]*)$", _wiki_row),
     ), (
-        _MATH, *_DISPLAYED, _RAISED, _LOWERED,
+        _MATH, *_DISPLAYED, _STACKED, _RAISED, _LOWERED,
         _rule(r"<ref(?:\s[^<>]*)?/>|<ref(?:\s[^<>]*)?>|</ref>", _gap),
         _INLINE_TAG, _BLOCK_TAG, _ENTITY,
-        _rule(r"\{\{\s*=\s*\}\}", lambda match: ("=",)),
         _rule(r"\{\{([^{}]{1,2000})\}\}", _template),
         _rule(r"\[\[(?:[^][|\n]*\|)*([^][|\n]*)\]\]", _inside(1, " ", " ")),
         _rule(r"\[https?://[^\s\]]+", _blank),
@@ -292,7 +308,7 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
         _rule(r"<(?P<hidden>style|noscript|head)(?:\s[^<>]*)?>(?:(?!<(?P=hidden)[\s>]).)*?"
               r"</(?P=hidden)\s*>", _blank),
         _rule(r"<span\s[^<>]*aria-hidden=\"true\"[^<>]*class=\"katex-html\".*?</span>", _blank),
-        _MATH, _RAISED, _LOWERED, _INLINE_TAG, _BLOCK_TAG, _ENTITY,
+        _MATH, _STACKED, _RAISED, _LOWERED, _INLINE_TAG, _BLOCK_TAG, _ENTITY,
     ),),
     "asciidoc": ((
         _rule(r"^////$.*?^////$|^//(?!/)[^\n]*", _blank),

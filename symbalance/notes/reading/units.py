@@ -20,12 +20,18 @@ _PREFIXED = {"m", "s", "N", "J", "W", "Pa", "rad", "Hz", "Nm", "Ns"}
 _OTHER: dict[str, Fraction] = {
     "min": Fraction(60), "h": Fraction(3600), "bar": Fraction(10**5), "K": Fraction(1),
     "cc": Fraction(1, 10**6), "Nmm": Fraction(1, 1000), "kNmm": Fraction(1),
+    "sec": Fraction(1), "ft": Fraction(3048, 10**4), "lb": Fraction(45359237, 10**8),
+    "lbs": Fraction(45359237, 10**8), "lbf": Fraction(44482216152605, 10**13), "inch": Fraction(254, 10**4),
+    "kp": Fraction(980665, 10**5), "kgf": Fraction(980665, 10**5), "PS": Fraction(73549875, 10**5),
+    "psi": Fraction(44482216152605 * 10**4, 254**2 * 10**5), "bhp": Fraction(7456998715822702, 10**13),
+    "hp": Fraction(7456998715822702, 10**13), "mph": Fraction(44704, 10**5),
 }  # fmt: skip
 _UNITS = {p + unit: scale for unit in _PREFIXED for p, scale in _PREFIXES.items()} | _OTHER
 _UNITS |= {p + "g": scale / 1000 for p, scale in _PREFIXES.items()}
 _TURNS = {**dict.fromkeys(words("rpm 1/min min^-1 r/min rev/min U/min tr/min Umin^-1"), Fraction(1, 30))}
+_TURNS |= dict.fromkeys(words("Umdr/min Umd/min U/Min r.p.m. rpm."), Fraction(1, 30))
 _TURNS |= {"rps": Fraction(2), "rev/s": Fraction(2)}
-_PLAIN_SURE = word_set("mm cm km kg rpm kW kHz Hz")
+_PLAIN_SURE = word_set("mm cm km kg rpm kW kHz Hz kN Nm rad lbs lb ft psi kgf mph")
 
 _MOST_PARTS, _LONGEST = 6, 100
 
@@ -39,6 +45,10 @@ _ARGUMENT = r"\{(?P<word>(?:[^{}]|\{[^{}]{0,20}\}){1,60})\}(?:\s*\^\s*(?:\{\s*[-
 _SET = re.compile(rf"{_COMMAND}{_ARGUMENT}")
 _UNNAMED = _SET.pattern.replace("?P<word>", "?:")
 _FRACTION = re.compile(rf"\\[dt]?frac\s*\{{\s*({_UNNAMED}|1)\s*\}}\s*\{{\s*({_UNNAMED})\s*\}}")
+_PLAIN_FRACTION = re.compile(
+    r"\\[dt]?frac\s*\{\s*((?:k?N|k?N\s*m|rad|[kmc]?m|k?g|kg\s*m|k?J|k?W|1|U|Umdr?\.?)(?:\s*\^\s*\{?[23]\}?)?)\s*\}"
+    r"\s*\{\s*((?:m?s|min|m|[cm]m|kg|rad|h)(?:\s*\^\s*\{?[234]\}?)?)\s*\}"
+)
 _MORE = re.compile(rf"(?:\\[,;: ]|~|\\cdot(?![A-Za-z])|[·/\s]){{0,6}}{_COMMAND}{_ARGUMENT}")
 _BRACKETED = re.compile(rf"\[\s*(?:{_UNNAMED}|[A-Za-zµμ/^0-9·⁻¹² -]{{1,20}})\s*\]")
 _RAISED_UNIT = r"(?:\^\{?[-−]?[0-9]\}?|\^\([-−]?[0-9]\)|[⁻]?[¹²³⁴])"
@@ -49,9 +59,10 @@ _PLAIN_UNIT = re.compile(
 )
 _NUMBER_BEFORE = re.compile(r"(?<![A-Za-z_^\w])(?P<digits>[0-9][0-9.,]*)$")
 _POWER_BEFORE = re.compile(r"[0-9)\]](?:\^\{?[0-9]\}?|[²³⁴])$|[)\]]$|(?<![A-Za-z])[0-9.,]*π$")
+_SPACE_BEFORE = re.compile(r"(?:\\[,;: ]|~)+$")
 _HEAD = re.compile(r"(?:^|[^\w\\])([^\W\d_])[\w'′]*\s*(?:=|≈)\s*[-−]?[0-9.,]+$")
 _UNIT_AROUND = re.compile(
-    r"(?<=[0-9)])\s?(?:mm|cm|km|kg|rpm|k?W|k?Hz|k?N|k?Nm|k?J|rad|[kM]Pa|bar|m/s|U/min|1/s|1/min|(?:s|min)⁻¹|ms|min)"
+    r"(?<=[0-9)])(?:\s|\\[,;: ]|~|\\mathrm\{|\\frac\{){0,2}(?:mm|cm|km|kg|rpm|k?W|k?Hz|k?N|k?Nm|k?J|rad|m\}\{s|[kM]Pa|bar|m/s|U/min|1/s|1/min|(?:s|min)⁻¹|ms|min)"
     r"(?![A-Za-z0-9_(])"
 )
 _STOPS = "=≈≒≃<>≤≥≡+-−–·×*/÷)]},;.:!?|&、。，；：…"
@@ -107,9 +118,21 @@ def unit_set_at(text: str, place: int, end: int) -> tuple[str, int] | None:
     return _bare(text[place:stop]), stop
 
 
-def unit_fraction_at(text: str, place: int, end: int) -> tuple[str, int] | None:
-    """Return the unit \\frac{\\mathrm{m}}{\\mathrm{s}^2} at a place as m/s^2, and where it ends."""
+def unit_fraction_at(
+    text: str, place: int, end: int, names: Collection[str] = ()
+) -> tuple[str, int] | None:
+    """Return the unit \\frac{\\mathrm{m}}{\\mathrm{s}^2} at a place as m/s^2, and where it ends.
+
+    In plain letters, \\frac{m}{s^2}, it is one where these are no letters of the document.
+    """
     match = _FRACTION.match(text, place, end)
+    if match is None and (plain := _PLAIN_FRACTION.match(text, place, end)):
+        unit = f"{_plain(plain[1])}/{_plain(plain[2])}"
+        number = _NUMBER_BEFORE.search(
+            re.sub(r"(?:\s|~|\\[,;: ])+$", "", text[max(place - 40, 0) : place])
+        )
+        sort = _PlainUnit(text, place, plain.end(), unit, True, number, end)
+        return (unit, plain.end()) if scale_of(unit) and sort.is_unit(names) else None
     unit = f"{_bare(match.group(1))}/{_bare(match.group(2))}" if match else ""
     return (unit, match.end()) if match and scale_of(unit) else None
 
@@ -139,10 +162,12 @@ def plain_unit_at(text: str, place: int, end: int, names: Collection[str]) -> tu
     if not match or not scale_of(match["plain"]):
         return None
     before = text[max(place - 30, 0) : place]
-    number = _NUMBER_BEFORE.search(before)
-    if number is None and not (match["space"] and _POWER_BEFORE.search(before)):
+    bare = _SPACE_BEFORE.sub("", before)
+    spaced = bool(match["space"]) or bare != before
+    number = _NUMBER_BEFORE.search(bare)
+    if number is None and not (spaced and _POWER_BEFORE.search(bare)):
         return None
-    sort = _PlainUnit(text, place, match.end(), match["plain"], bool(match["space"]), number, end)
+    sort = _PlainUnit(text, place, match.end(), match["plain"], spaced, number, end)
     return (match["plain"], match.end()) if sort.is_unit(names) else None
 
 
@@ -193,7 +218,9 @@ class _PlainUnit:
 
     def _is_clear_among_letters(self) -> bool:
         """Tell whether a word in declared letters is a unit: other units around, or r = 0.04 m."""
-        if not self.digits or self._goes_on() or not self.spaced:
+        if not self.digits or self._goes_on():
+            return False
+        if not self.spaced and not ("." in self.digits and self._has_units_around()):
             return False
         if len(self.parts) > 1:
             return len(self.digits) > 1 or self._has_units_around()
@@ -244,3 +271,12 @@ def is_unit_of_letter(text: str, start: int, end: int) -> bool:
         return False
     bare = re.sub(r"\\(?:mathrm|text|textrm|[,;: ])|[{}$.,;)]", " ", match["unit"])
     return scale_of(" ".join(bare.split())) is not None
+
+
+def is_quantity(text: str) -> bool:
+    """Tell whether a text is one number with a unit, as in "at 3000 rpm, ω = 2π · 3000/60"."""
+    match = re.fullmatch(r"\s*[0-9][0-9.,]*\s*(?P<unit>\S.*?)\s*", text)
+    return (
+        match is not None
+        and scale_of(re.sub(r"\\(?:mathrm|text|[,;: ])|[{}~]", " ", match["unit"])) is not None
+    )
