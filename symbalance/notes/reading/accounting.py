@@ -39,7 +39,8 @@ _SIGN = re.compile(rf"==|:=|<=(?!>)|>=|!=|∝|\\propto(?![A-Za-z])|{RELATION.pat
 _BEFORE = re.compile(r"([^\W\d_][\w'’-]*|\S)\s*$")
 _AFTER = re.compile(r"\s*([^\W\d_][\w'’-]*|\S)")
 _CONSTANT = re.compile(
-    r"(?:=|≈|\\approx)\s*(?:\\(?:text|mathrm|mbox|textrm|textit|operatorname)\s*\{\s*)?[ckCK]onst(?:ant|\.)?(?![A-Za-z])"
+    r"(?:=|≈|\\approx)\s*(?:\\(?:text|mathrm|mbox|textrm|textit|operatorname)\s*\{\s*)?[ckCK]onst"
+    r"(?:ant|\.)?(?![A-Za-z])"
 )
 _END_OF_SENTENCE = re.compile(rf"[\n{CELL_END}]|[.;:!?。](?=\s)")
 _ASSIGNED = re.compile(r"^[\w.-]*[A-Za-z][\w.-]+=(?:[\"'\w./#%-]*[A-Za-z\"'][\"'\w./#%-]*)$")

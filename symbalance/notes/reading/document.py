@@ -175,7 +175,7 @@ class Assembler:
         return line, offset - self.finder.line_span(line)[0] + 1
 
     def _add_item(self, item: Item) -> None:
-        """Add an item to the chain so far, or begin a chain with it; one that explains is a chain of its own."""
+        """Add an item to the chain so far, or begin a chain with it; what explains stands alone."""
         if item.aside and self.draft is not None:
             outer, self.draft = self.draft, None
             self._add_item(item)

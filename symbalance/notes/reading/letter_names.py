@@ -154,7 +154,7 @@ def _bare_subscript(
 
 
 def _is_rest(rest: str, names: Collection[str]) -> bool:
-    """Tell whether what follows a declared letter, the r of m_pr, may be letters: the second I of F_II is none."""
+    """Tell whether what follows a declared letter, the r of m_pr, may be letters; I in F_II is none."""
     begins_function = any(rest.startswith(word) for word in FUNCTION_WORDS)
     return not rest or begins_function or rest[0] in names or rest[0] in "deij" or rest[0].isdecimal()
 

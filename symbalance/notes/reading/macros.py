@@ -455,8 +455,8 @@ def _unit_or_quantity(
     number = _NUMBER_FIRST.match(text, place)
     if number is None:
         return _siunitx(siunitx.unit_text, 1)(text, place, pairs)
-    write = lambda unit: siunitx.quantity_text(number[1].replace("{,}", "."), unit)  # noqa: E731
-    return _siunitx(write, 1)(text, number.end(), pairs)
+    size = number[1].replace("{,}", ".")
+    return _siunitx(lambda unit: siunitx.quantity_text(size, unit), 1)(text, number.end(), pairs)
 
 
 def _unit_fraction(
@@ -465,11 +465,11 @@ def _unit_fraction(
     """\\unitfrac[9.81]{m}{s^2} is a quantity."""
     number = _NUMBER_FIRST.match(text, place)
     size = number[1].replace("{,}", ".") if number else ""
-    write = lambda above, below: (
-        siunitx.quantity_text if size else lambda _, unit: siunitx.unit_text(unit)
-    )(  # noqa: E731
-        size, f"{above}/{below}"
-    )
+
+    def write(above: str, below: str) -> str | None:
+        unit = f"{above}/{below}"
+        return siunitx.quantity_text(size, unit) if size else siunitx.unit_text(unit)
+
     return _siunitx(write, 2)(text, number.end() if number else place, pairs)
 
 
@@ -483,7 +483,11 @@ PACKAGES: dict[str, Handler] = {
     **dict.fromkeys(words("fcolorbox resizebox"), _only(2, 3)),
     **dict.fromkeys(words("color pagecolor eqref ref cite autoref cref Cref"), _dropped(1)),
     **dict.fromkeys(
-        words("checkmark blacksquare square Box qed qedhere lozenge bigstar xspace IEEEyesnumber IEEEyessubnumber IEEEnonumber IEEEeqnarraynumspace"), _dropped(0)
+        words(
+            "checkmark blacksquare square Box qed qedhere lozenge bigstar xspace IEEEyesnumber"
+            " IEEEyessubnumber IEEEnonumber IEEEeqnarraynumspace"
+        ),
+        _dropped(0),
     ),
     **dict.fromkeys(words("overset underset stackrel stackbin"), _above),
     "IEEEeqnarraymulticol": _only(2, 3),

@@ -41,7 +41,8 @@ _SPELLED = (
     ("ms", "milliseconds?|Millisekunden?"), ("s", "seconds?|Sekunden?"), ("min", "minutes?|Minuten?"),
     ("kN", "kilonewtons?"), ("N", "newtons?"), ("Nm", "newton[ -]?met(?:er|re)s?|Newtonmeter"),
     ("Hz", "hertz"), ("W", "watts?"), ("kW", "kilowatts?"), ("J", "joules?"), ("rad", "radians?|Radiant"),
-    ("rad/s", r"rad(?:ians?)?\.? ?(?:per|/) ?s(?:ec(?:onds?)?)?\b"), ("m/s", r"(?:met(?:er|re)s?|m) ?(?:per|/) ?sec(?:onds?)?\b"),
+    ("rad/s", r"rad(?:ians?)?\.? ?(?:per|/) ?s(?:ec(?:onds?)?)?\b"),
+    ("m/s", r"(?:met(?:er|re)s?|m) ?(?:per|/) ?sec(?:onds?)?\b"),
     ("rpm", r"r\. ?p\. ?m\b|rev(?:olution)?s?\.? per min(?:ute)?\b|Umdrehungen pro Minute"),
     ("ft", "feet|foot|ft(?=\\.)"), ("inch", "inch(?:es)?|Zoll|in(?=\\. )"), ("lb", "pounds?|lbs?(?=\\.)"),
     ("°", "degrees?|deg|Grad|degrés|° ?(?:KW|CA|crank)|deg ?CA"), ("%", "percent|per cent|Prozent"),
@@ -132,15 +133,21 @@ def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
 
 
 _SPEED = re.compile(
-    r"(?<![\w\\])(?P<letter>[A-Za-z](?:_\w{1,4}|_\{\w{1,6}\})?)\$?\s*(?:=|≈|\\approx)\s*\$?\s*[0-9][0-9., ]*"
-    r"(?P<unit>(?:\\[,;: ]|~| |\$)*(?:\\(?:mathrm|text|textrm)\s*\{\s*(?:rpm|min\^\{-1\}|1/min|U/min|min\$\^\{-1\}\$)\s*\}"
+    r"(?<![\w\\])(?P<letter>[A-Za-z](?:_\w{1,4}|_\{\w{1,6}\})?)"
+    r"\$?\s*(?:=|≈|\\approx)\s*\$?\s*[0-9][0-9., ]*"
+    r"(?P<unit>(?:\\[,;: ]|~| |\$)*(?:\\(?:mathrm|text|textrm)\s*\{\s*"
+    r"(?:rpm|min\^\{-1\}|1/min|U/min|min\$\^\{-1\}\$)\s*\}"
     r"(?:\^\{-1\})?|rpm|U/min|1/min|r/min|rev/min|min⁻¹|min\^-1|min\^\{-1\}))(?P<dollar>\$?)"
 )
-_OVER_A_MINUTE = r"(?:{0}\s*(?:\\cdot|[·*×⋅])?\s*(?:2\s*)?(?:\\pi|π|pi)?\s*(?:/|\}}\s*\{{|÷|／)\s*[36]0(?![0-9.,])|(?:\\pi|π|pi)\s*/\s*30\s*(?:\\cdot|[·*×⋅])?\s*{0}(?!\w)|\\frac\s*\{{(?:2\s*)?\\pi\}}\s*\{{[36]0\}}\s*{0}(?!\w))"
+_OVER_A_MINUTE = (
+    r"(?:{0}\s*(?:\\cdot|[·*×⋅])?\s*(?:2\s*)?(?:\\pi|π|pi)?\s*(?:/|\}}\s*\{{|÷|／)\s*[36]0(?![0-9.,])"
+    r"|(?:\\pi|π|pi)\s*/\s*30\s*(?:\\cdot|[·*×⋅])?\s*{0}(?!\w)"
+    r"|\\frac\s*\{{(?:2\s*)?\\pi\}}\s*\{{[36]0\}}\s*{0}(?!\w))"
+)
 
 
 def _turns_a_minute(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
-    """Return the units of speeds such as n = 6000 rpm, where n/60 or π n/30 says that n is the number."""
+    """Return the units of speeds such as n = 6000 rpm, where n/60 or π n/30 takes n as the number."""
     changes: dict[int, tuple[int, str]] = {}
     letters: set[str] = set()
     for match in _SPEED.finditer(text):
@@ -155,11 +162,13 @@ def _turns_a_minute(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
 
 
 _POINT_BETWEEN = re.compile(
-    r"(?:(?<![A-Za-z\\])[A-Za-z](?:_\w{1,4}|_\{\w{1,6}\}|[₀-₉0-9])?[²³]?|(?:sin|cos|tan)[²³]? ?[0-9]?[A-Za-z]"
+    r"(?:(?<![A-Za-z\\])[A-Za-z](?:_\w{1,4}|_\{\w{1,6}\}|[₀-₉0-9])?[²³]?"
+    r"|(?:sin|cos|tan)[²³]? ?[0-9]?[A-Za-z]"
     r"|[)\]²³}\u03b1-\u03c9]|(?<![0-9.])[0-9]{1,3}|(?<=\^)[0-9])"
     r"(?P<point>\.)"
-    r"(?=[A-Za-z](?![A-Za-z])|[A-Za-z]?(?:sin|cos|tan|sqrt|exp)(?![a-z])|[A-Za-z]?(?:sin|cos|tan)[a-z](?![a-z])|[\u03b1-\u03c9(√]"
-    rf"|\\(?:{'|'.join((*GREEK_SIGN, 'sin', 'cos', 'tan', 'frac', 'sqrt', 'dot', 'ddot', 'left'))})(?![A-Za-z]))"
+    r"(?=[A-Za-z](?![A-Za-z])|[A-Za-z]?(?:sin|cos|tan|sqrt|exp)(?![a-z])"
+    r"|[A-Za-z]?(?:sin|cos|tan)[a-z](?![a-z])|[\u03b1-\u03c9(√]"
+    rf"|\\(?:{'|'.join((*GREEK_SIGN, *FUNCTION_WORDS, 'frac', 'dot', 'ddot', 'left'))})(?![A-Za-z]))"
 )
 _ABBREVIATED = re.compile(
     r"\b(?:z\.B|d\.h|i\.e|e\.g|u\.a|s\.o|s\.u|p\.m|a\.m|i\.d|u\.U|o\.g|i\.A|i\.e|w\.r|r\.h|l\.h)\b"
@@ -167,7 +176,7 @@ _ABBREVIATED = re.compile(
 
 
 def _points(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
-    """Return the points that multiply, m.ω².r: between letters, without a space, in a line with a relation."""
+    """Return the points that multiply, m.ω².r: between letters, without a space, beside a relation."""
     changes: dict[int, tuple[int, str]] = {}
     for match in _POINT_BETWEEN.finditer(text):
         place = match.start("point")

@@ -16,15 +16,22 @@ _NUMBER = (
 _UNIT = r"(?P<unit>(?:\\[,;: ]|~| )*\\mathrm\{[^{}]{1,12}\}|\s?(?:mm|cm|rpm|N|m|kg)(?![A-Za-z0-9]))"
 _DOTS = r"(?:\\(?:l|c)?dots[a-z]?(?![A-Za-z])|…|⋯|\.{2,3}|・・・)"
 _HEAD = r"(?<![\w\\}\])'′⁄])(?P<letter>(?:\\[A-Za-z]+|[^\W\d_])(?:_\{\w{1,6}\}|_\w{1,4}|[₀-₉])?)\s*&?=\s*"
-_NOT_BEFORE_FORMULA = r"(?![0-9.])(?!\s*(?:[-+−*/·×=^_<>(≈≤≥≠√°]|\\(?!\)|\]|q?quad|text|end|\\|,|;)|[^\W\d_](?![^\W\d_])|(?:sin|cos|tan)\b))"
+_NOT_BEFORE_FORMULA = (
+    r"(?![0-9.])(?!\s*(?:[-+−*/·×=^_<>(≈≤≥≠√°]|\\(?!\)|\]|q?quad|text|end|\\|,|;)"
+    r"|[^\W\d_](?![^\W\d_])|(?:sin|cos|tan)\b))"
+)
 _RANGE = re.compile(
     rf"{_HEAD}(?P<first>{_NUMBER})(?:{_UNIT.replace('unit', 'one')})?\s*"
     rf"(?:{_DOTS}|(?:\\text\s*\{{\s*)?\b(?:to|bis)\b(?:\s*\}})?)\s*"
     rf"(?P<last>{_NUMBER})(?:{_UNIT})?{_NOT_BEFORE_FORMULA}"
 )
-_COMMA = r"\s*(?:[,;、]|\\text\s*\{\s*(?:and|or|und|oder)\s*\}|(?<=\s)(?:and|or|und|oder)(?=\s))(?:\s|\\[,; ])*"
+_COMMA = (
+    r"\s*(?:[,;、]|\\text\s*\{\s*(?:and|or|und|oder)\s*\}|(?<=\s)(?:and|or|und|oder)(?=\s))"
+    r"(?:\s|\\[,; ])*"
+)
+_ONE_UNIT = _UNIT.replace("P<unit>", ":")
 _LIST = re.compile(
-    rf"{_HEAD}(?P<first>{_NUMBER})(?P<one>{_UNIT.replace('P<unit>', ':')})?(?P<rest>(?:{_COMMA}{_NUMBER}(?:{_UNIT.replace('P<unit>', ':')})?)*+)"
+    rf"{_HEAD}(?P<first>{_NUMBER})(?P<one>{_ONE_UNIT})?(?P<rest>(?:{_COMMA}{_NUMBER}(?:{_ONE_UNIT})?)*+)"
     rf"(?:(?:{_COMMA})?\s*(?P<dots>{_DOTS})(?:{_COMMA}(?P<last>{_NUMBER}|[A-Za-z](?:\s*[-−+]\s*[0-9])?))?+)?+"
     rf"{_NOT_BEFORE_FORMULA}"
 )

@@ -42,9 +42,9 @@ _PHRASE = re.compile(
     re.MULTILINE,
 )
 _VERBS = word_set(
-    "is are was be gives give yields yield ist sind ergibt gilt with mit where wo so thus also hence then and or"
-    " for für that we get have has folgt dann und oder times by of plus minus half to from at if when wenn"
-    " bei using let take set sei since because da weil say means obtain find finds equals therefore"
+    "is are was be gives give yields yield ist sind ergibt gilt with mit where wo so thus also hence then and"
+    " or for für that we get have has folgt dann und oder times by of plus minus half to from at if when"
+    " wenn bei using let take set sei since because da weil say means obtain find finds equals therefore"
     " somit daher damit wird becomes not less more than as on in hat oben unten it which this i"
 )
 _WORD_OF_OPERATION = re.compile(r"\b(?:plus|minus|times|mal|over|durch|divided|squared)\b")
@@ -158,7 +158,7 @@ class ItemFinder:
             yield Item(inner.start, inner.end, "inline", True, *lines, block=block, aside=True)
 
     def _words_before(self, place: int, start: int) -> tuple[int, int] | None:
-        """Return the words of \\text{mean speed} = 2 s n, where the relation at a place has nothing else left of it."""
+        """Return the words of \\text{mean speed} = 2 s n that stand alone left of a relation."""
         if not relation_at_start(self.text[place : place + 20]):
             return None
         match = _WORDS_ALONE.search(self.text, max(start - 1, place - _MARGIN), place)
@@ -508,7 +508,8 @@ def _without_constant(text: str, start: int, end: int) -> int:
 
 
 _CONSTANT = re.compile(
-    r"\s*(?:=|\\approx)\s*(?:\\(?:text|mathrm|mbox|textrm|textit|operatorname)\s*\{\s*)?[ckCK]onst(?:ant|\.)?(?:\s*\.?\s*\})?[\s.,;]*$"
+    r"\s*(?:=|\\approx)\s*(?:\\(?:text|mathrm|mbox|textrm|textit|operatorname)\s*\{\s*)?[ckCK]onst"
+    r"(?:ant|\.)?(?:\s*\.?\s*\})?[\s.,;]*$"
 )
 
 
@@ -525,7 +526,8 @@ _EXPLAINING = words(
     " für denn nach aus wo siehe hier ただし なぜなら here, car avec où"
 )
 _WORDS_WITH_DOLLARS = re.compile(
-    r"\\(?:short)?(?:intertext|text|mbox|textrm|textnormal|textit)\s*\{((?:[^{}$]|\$[^$]{1,400}\$|\{[^{}]{0,80}\}){1,1000})\}"
+    r"\\(?:short)?(?:intertext|text|mbox|textrm|textnormal|textit)\s*"
+    r"\{((?:[^{}$]|\$[^$]{1,400}\$|\{[^{}]{0,80}\}){1,1000})\}"
 )
 _DOLLARS = re.compile(r"\$([^$]{1,400})\$")
 _JOINING = re.compile(
@@ -536,7 +538,8 @@ _JOINING = re.compile(
 """Words that go on with a formula."""
 _WRITE_WHOLE = "write it whole, between dollars"
 _UNKNOWN_UNIT = re.compile(
-    r"(?<=[0-9])\s?(?:°C|°F|dB|oz|slugs?|cps|HP|CV|ch|kcal|cal|dyn|erg|t|[kM]?V|mA|kWh|l|L|cl|ml)(?![\w(^])(?=[\s.,;)]|$)"
+    r"(?<=[0-9])\s?(?:°C|°F|dB|oz|slugs?|cps|HP|CV|ch|kcal|cal|dyn|erg|t|[kM]?V|mA|kWh|l|L|cl|ml)"
+    r"(?![\w(^])(?=[\s.,;)]|$)"
 )
 _PART_OF = re.compile(r"(?:of|von|de)\b", re.IGNORECASE)
 _JOINED_BEFORE = re.compile(
@@ -592,6 +595,11 @@ def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingE
         return _cut(place, behind)
     line_begin = text.rfind("\n", 0, start) + 1
     before = text[max(line_begin, start - _MARGIN) : start].rpartition(CELL_END)[2].rstrip()
+    return _doubt_before(start, before)
+
+
+def _doubt_before(start: int, before: str) -> ReadingError | None:
+    """Return why an equation in prose begins with what stands before it."""
     operation = re.search(r"([\w)\]}²³])\s*([+*×·/^÷−])$", before)
     operation = operation or re.search(r"((?<!\w)\w|[0-9)²³])\s+([—–])$", before)
     if operation:

@@ -1,7 +1,8 @@
 """Numbers, units and angles of LaTeX's package siunitx, put into plain LaTeX.
 
 \\SI{40}{\\milli\\metre} and \\qty{40}{mm} become 40\\,\\mathrm{mm}, \\num{1.5e3} 1.5\\cdot 10^{3},
-\\ang{12;30} becomes (12+30/60)^\\circ. Lists and ranges are written out; an uncertainty is no number: None.
+\\ang{12;30} becomes (12+30/60)^\\circ. Lists and ranges are written out; an uncertainty is
+no number: None.
 """
 
 from __future__ import annotations

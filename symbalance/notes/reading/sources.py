@@ -156,7 +156,7 @@ def _math_element(match: re.Match[str]) -> Texts:
 
 def _entity(match: re.Match[str]) -> Texts | None:
     sign = unescape(match[0])
-    return None if sign == match[0] else (sign.replace("\n", " "),)
+    return None if sign == match[0] else (sign.replace("\n", " ").translate(_WIDE),)
 
 
 _MATH = _rule(r"<math(?:\s[^<>]*)?>(?:(?!<math).){0,20000}?</math\s*>", _math_element)

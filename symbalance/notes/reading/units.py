@@ -21,7 +21,8 @@ _OTHER: dict[str, Fraction] = {
     "min": Fraction(60), "h": Fraction(3600), "bar": Fraction(10**5), "K": Fraction(1),
     "cc": Fraction(1, 10**6), "Nmm": Fraction(1, 1000), "kNmm": Fraction(1),
     "sec": Fraction(1), "ft": Fraction(3048, 10**4), "lb": Fraction(45359237, 10**8),
-    "lbs": Fraction(45359237, 10**8), "lbf": Fraction(44482216152605, 10**13), "inch": Fraction(254, 10**4),
+    "lbs": Fraction(45359237, 10**8), "lbf": Fraction(44482216152605, 10**13),
+    "inch": Fraction(254, 10**4),
     "kp": Fraction(980665, 10**5), "kgf": Fraction(980665, 10**5), "PS": Fraction(73549875, 10**5),
     "psi": Fraction(44482216152605 * 10**4, 254**2 * 10**5), "bhp": Fraction(7456998715822702, 10**13),
     "hp": Fraction(7456998715822702, 10**13), "mph": Fraction(44704, 10**5),
@@ -46,7 +47,8 @@ _SET = re.compile(rf"{_COMMAND}{_ARGUMENT}")
 _UNNAMED = _SET.pattern.replace("?P<word>", "?:")
 _FRACTION = re.compile(rf"\\[dt]?frac\s*\{{\s*({_UNNAMED}|1)\s*\}}\s*\{{\s*({_UNNAMED})\s*\}}")
 _PLAIN_FRACTION = re.compile(
-    r"\\[dt]?frac\s*\{\s*((?:k?N|k?N\s*m|rad|[kmc]?m|k?g|kg\s*m|k?J|k?W|1|U|Umdr?\.?)(?:\s*\^\s*\{?[23]\}?)?)\s*\}"
+    r"\\[dt]?frac\s*\{\s*((?:k?N|k?N\s*m|rad|[kmc]?m|k?g|kg\s*m|k?J|k?W|1|U|Umdr?\.?)"
+    r"(?:\s*\^\s*\{?[23]\}?)?)\s*\}"
     r"\s*\{\s*((?:m?s|min|m|[cm]m|kg|rad|h)(?:\s*\^\s*\{?[234]\}?)?)\s*\}"
 )
 _MORE = re.compile(rf"(?:\\[,;: ]|~|\\cdot(?![A-Za-z])|[·/\s]){{0,6}}{_COMMAND}{_ARGUMENT}")
@@ -54,7 +56,8 @@ _BRACKETED = re.compile(rf"\[\s*(?:{_UNNAMED}|[A-Za-zµμ/^0-9·⁻¹² -]{{1,20
 _RAISED_UNIT = r"(?:\^\{?[-−]?[0-9]\}?|\^\([-−]?[0-9]\)|[⁻]?[¹²³⁴])"
 _PART_OF_UNIT = rf"[A-Za-zµμ]+{_RAISED_UNIT}?"
 _PLAIN_UNIT = re.compile(
-    rf"(?P<space>[ \u2009\u202f]?)(?P<plain>(?:1/)?{_PART_OF_UNIT}(?:(?:/|[·⋅*]| (?=m|s|g|kg|rad)){_PART_OF_UNIT}){{0,3}})"
+    rf"(?P<space>[ \u2009\u202f]?)(?P<plain>(?:1/)?{_PART_OF_UNIT}"
+    rf"(?:(?:/|[·⋅*]| (?=m|s|g|kg|rad)){_PART_OF_UNIT}){{0,3}})"
     r"(?![A-Za-z0-9_('^′⁻¹²³⁴])"
 )
 _NUMBER_BEFORE = re.compile(r"(?<![A-Za-z_^\w])(?P<digits>[0-9][0-9.,]*)$")
@@ -62,7 +65,8 @@ _POWER_BEFORE = re.compile(r"[0-9)\]](?:\^\{?[0-9]\}?|[²³⁴])$|[)\]]$|(?<![A-
 _SPACE_BEFORE = re.compile(r"(?:\\[,;: ]|~)+$")
 _HEAD = re.compile(r"(?:^|[^\w\\])([^\W\d_])[\w'′]*\s*(?:=|≈)\s*[-−]?[0-9.,]+$")
 _UNIT_AROUND = re.compile(
-    r"(?<=[0-9)])(?:\s|\\[,;: ]|~|\\mathrm\{|\\frac\{){0,2}(?:mm|cm|km|kg|rpm|k?W|k?Hz|k?N|k?Nm|k?J|rad|m\}\{s|[kM]Pa|bar|m/s|U/min|1/s|1/min|(?:s|min)⁻¹|ms|min)"
+    r"(?<=[0-9)])(?:\s|\\[,;: ]|~|\\mathrm\{|\\frac\{){0,2}(?:mm|cm|km|kg|rpm|k?W|k?Hz|k?N|k?Nm|k?J|rad|m\}\{s"
+    r"|[kM]Pa|bar|m/s|U/min|1/s|1/min|(?:s|min)⁻¹|ms|min)"
     r"(?![A-Za-z0-9_(])"
 )
 _STOPS = "=≈≒≃<>≤≥≡+-−–·×*/÷)]},;.:!?|&、。，；：…"
@@ -153,7 +157,7 @@ def bracketed_unit_at(text: str, place: int, end: int) -> tuple[str, int] | None
 def plain_unit_at(text: str, place: int, end: int, names: Collection[str]) -> tuple[str, int] | None:
     """Return the unit in `40 mm` or `40mm` behind the number, and where it ends; None for letters.
 
-    Declared letters are letters, but not where they can be none: in 565 s⁻¹ nothing but the unit is meant.
+    Declared letters are letters, but not where they can be none: 565 s⁻¹ is nothing but a quantity.
 
     >>> plain_unit_at("0.04 m · 3 kg", 4, 13, {"r"}), plain_unit_at("2 m r", 1, 5, {"m", "r"})
     (('m', 6), None)
@@ -184,15 +188,13 @@ class _PlainUnit:
 
     def is_unit(self, names: Collection[str]) -> bool:
         """Tell whether the word is a unit where these letters are declared."""
-        if self.parts[0] == "us":
+        long_parts = [part for part in self.parts if len(part) > 1]
+        if self.parts[0] == "us" or any(part in names for part in long_parts):
             return False
+        is_letters = self._is_declared(names)
         if self.word.startswith("1/") or re.search(r"\^\{?\(?[-−]|⁻", self.word):
-            return self.spaced or not self._is_declared(names)
-        if any(part in names for part in self.parts if len(part) > 1):
-            return False
-        if any(part in _PLAIN_SURE for part in self.parts):
-            return self.digits != "" or self.spaced
-        if self._is_declared(names):
+            return self.spaced or not is_letters
+        if is_letters and not any(part in _PLAIN_SURE for part in long_parts):
             return self._is_clear_among_letters()
         if len(self.word) > 1:
             return self.digits != "" or self.spaced
