@@ -20,6 +20,7 @@ from symbalance.notes.reading.equations import Chain, Passed, ReadNotes, Relatio
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.lexer import AT, CLOSER, LONGEST_EQUATION, Token, lex
 from symbalance.notes.reading.parser import read_tokens
+from symbalance.notes.reading.result_units import in_unit_of_result
 from symbalance.notes.reading.rewriting import Piece, Rewritten, rewritten
 from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation
 from symbalance.notes.reading.signs import relation_at_start
@@ -351,6 +352,8 @@ class Assembler:
                 continue
             draft.notes.extend(note for note in notes if note not in draft.notes)
             sides[-1] = Side(readings, (tokens[0].start, tokens[-1].end))
+        sides, notes = in_unit_of_result(sides, draft.sides)
+        draft.notes.extend(note for note in notes if note not in draft.notes)
         return sides
 
     def _store_chain(self, draft: Draft, sides: list[Side | None], names: frozenset[str]) -> None:

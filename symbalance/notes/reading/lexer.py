@@ -44,6 +44,7 @@ _SPACE = re.compile(
     r"(?:\\[,;:> \t\n]|\\(?:q?quad|enspace|enskip|thinspace|medspace|thickspace|hspace)(?![A-Za-z])|~)"
 )
 _TYPED_SPACE = re.compile(r"(?:\\[,;: ]|~)+")
+_DIFFERENCE = re.compile(r"\s*(\\[a-z]+(?![A-Za-z])|[A-Za-zα-ωϕϵϑ])")
 _ARROW = re.compile(r"-+>|=+>|<-+|<=+>")
 _RELATION = re.compile(r"==|:=|<=|>=|!=")
 _TWO_SIGNS = {"==": "=", ":=": "=", "<=": "≤", ">=": "≥", "!=": "≠"}
@@ -76,6 +77,7 @@ class Token:
     dots, degree, arrow (of a limit), postfix (!), cell and row (of a matrix), differential (the d x of an
     integral). `sub` carries a subscript that follows something other than a letter; `under` is a
     bare underscore after a sum sign or a function. `spaced` tells of a space typed as such before it.
+    `scale` is what the unit behind it multiplied it by, 0 where the unit is a factor of its own.
     """
 
     kind: str
@@ -85,6 +87,7 @@ class Token:
     number: Fraction = Fraction(0)
     place: Fraction | None = None
     spaced: bool = False
+    scale: Fraction | None = None
 
     def moved(self, offset: int) -> Token:
         """Return the token so many characters further on."""
@@ -221,6 +224,10 @@ class Lexer:
             self._underscore()
         elif sign in RAISED:
             self._superscript()
+        elif (
+            sign in LOWERED and self.tokens and self.tokens[-1].is_cmd(*signs.WITH_BOUNDS.values(), "sum")
+        ):
+            self._lowered_bound()
         elif sign in VULGAR:
             self._vulgar(sign)
         elif sign in ("√", "∂", "∞", "Σ", "∑", "∫", "∮", "∏", "⊤"):
@@ -271,6 +278,23 @@ class Lexer:
         if last.kind == "sup" or last.kind != "close" or last.value not in ("]", "|", ")"):
             return False
         return last.value != ")" or "=" in self.text[self.place : self.place + 12].partition("}")[0]
+
+    def _lowered_bound(self) -> None:
+        """∫₀ is \\int_{0}."""
+        stop = self.place
+        while stop < self.end and self.text[stop] in LOWERED:
+            stop += 1
+        plain = "".join(LOWERED[sign] for sign in self.text[self.place : stop])
+        number = read_number(plain, 0, len(plain))
+        first = self.place
+        self._add("under", "_", first)
+        self._add("open", "{", first)
+        if number is not None and number.end == len(plain):
+            self.tokens.append(replace(number, start=first, end=stop))
+        else:
+            self.tokens.append(Token("name", plain, first, stop))
+        self.place = first
+        self._add("close", "}", stop)
 
     def _superscript(self) -> None:
         first = self.place
@@ -394,9 +418,15 @@ class Lexer:
         self._add("name", name, stop)
 
     def _difference(self, name: str, stop: int) -> tuple[str, int] | None:
-        match = re.compile(r"\s*([A-Za-z])").match(self.text, stop, self.end)
-        if match and f"{name}_{match.group(1)}" in self.words.names and name not in self.words.names:
-            return f"{name}_{match.group(1)}", match.end()
+        match = _DIFFERENCE.match(self.text, stop, self.end)
+        if match is None or name in self.words.names:
+            return None
+        letter = match.group(1).lstrip("\\")
+        letter = NAME_OF_SIGN.get(letter, letter)
+        is_letter = len(letter) == 1 or letter in GREEK_SIGN
+        whole = f"{name}_{letter}"
+        if whole in self.words.names or (name == "Delta" and is_letter and letter != "pi"):
+            return whole, match.end()
         return None
 
     # What begins with a backslash
@@ -620,9 +650,11 @@ class Lexer:
         )
         if last is not None and last.kind == "number" and not scale[1] and not is_apart:
             place = last.place * scale[0] if last.place is not None else None
-            number = replace(last, number=last.number * scale[0], place=place, end=stop)
+            number = replace(last, number=last.number * scale[0], place=place, end=stop, scale=scale[0])
             self.tokens[-1] = number
         else:
+            if last is not None:
+                self.tokens[-1] = replace(last, scale=Fraction(0))
             self.tokens += factor_tokens(scale, self.place, stop)
         self.place = stop
 
@@ -647,9 +679,15 @@ class Lexer:
 
 
 def _without_braces(tokens: list[Token]) -> list[Token]:
-    """{\\cos}^2 is \\cos^2."""
+    """{\\cos}^2 is \\cos^2, and {} a way to set a sign apart."""
     result: list[Token] = []
     for token in tokens:
+        last = result[-1] if result else None
+        argument = result[-2] if len(result) > 1 else None
+        is_empty = token.kind == "close" and token.value == "}" and last is not None and last.value == "{"
+        if is_empty and (argument is None or argument.kind in ("op", "rel", "number", "name", "close")):
+            result.pop()
+            continue
         result.append(token)
         kinds = [last.kind for last in result[-3:]]
         if kinds == ["open", "function", "close"] and token.value == "}":

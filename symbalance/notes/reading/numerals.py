@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, LOWERED, RAISED
+from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, LOWERED, NAME_OF_SIGN, RAISED
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import RELATION
 
@@ -30,6 +30,7 @@ _SCANNED = re.compile(
     r"(?<![\w.,\\])(?=[0-9O.,]{0,20}O)(?=[0-9O.,]{0,20}[0-9])[0-9O]{1,12}(?:[.,][0-9O]{1,12})?(?![\w(\\])"
 )
 _SCANNED_ONE = re.compile(r"(?<![\w.,\\])l(?=\.[0-9O])")
+_LONE_ZERO = re.compile(r"(?<=[=≈] )O(?=\s*(?:[,.;]|$|\n))", re.MULTILINE)
 _DASH = re.compile("[—―‒]")
 _WORD = re.compile(r"(?<![\\A-Za-z])[A-Za-z]{2,}")
 _FUNCTION = re.compile(r"\b(?:" + "|".join(sorted(FUNCTION_WORDS, key=len, reverse=True)) + r")\b")
@@ -44,7 +45,7 @@ _SPELLED = (
     ("rad/s", r"rad(?:ians?)?\.? ?(?:per|/) ?s(?:ec(?:onds?)?)?\b"),
     ("m/s", r"(?:met(?:er|re)s?|m) ?(?:per|/) ?sec(?:onds?)?\b"),
     ("rpm", r"r\. ?p\. ?m\b|rev(?:olution)?s?\.? per min(?:ute)?\b|Umdrehungen pro Minute"),
-    ("ft", "feet|foot|ft(?=\\.)"), ("inch", "inch(?:es)?|Zoll|in(?=\\. )"), ("lb", "pounds?|lbs?(?=\\.)"),
+    ("ft", "feet|foot|ft(?=\\.)"), ("inch", r"inch(?:es)?|Zoll|in(?=\s*(?:$|[,;.)=≈\n]|so\b|and\b|or\b|und\b|long\b|\$))"), ("lb", "pounds?|lbs?(?=\\.)"),
     ("°", "degrees?|deg|Grad|degrés|° ?(?:KW|CA|crank)|deg ?CA"), ("%", "percent|per cent|Prozent"),
 )  # fmt: skip
 _SPELLED_UNIT = re.compile(
@@ -56,8 +57,8 @@ _SPELLED_UNIT = re.compile(
 _UNIT_BEHIND = (
     r"(?:[kmcM]?N ?m?|[kmcd]?m(?:/s(?:\^?[2²])?)?|k?g|m?s|rpm"
     r"|rad(?:/s)?|1/s|1/min|min\^?-1|min⁻¹|s\^-1|s⁻¹"
-    r"|[kM]?Pa|bar|[kM]?W|[kM]?J"
-    r"|k?Hz|kg ?m[²2]?|N/mm[²2]?|°|U/min)"
+    r"|[kM]?Pa|bar|lbf?|inch|ft|[kM]?W|[kM]?J"
+    r"|k?Hz|kg ?m[²2]?|N/mm[²2]?|N/m|°|U/min|in(?=\.))"
 )
 _BEHIND_DOLLAR = re.compile(
     rf"(?<=[0-9])\$[ ~]?(?P<unit>{_UNIT_BEHIND})(?=[.,;:)]?(?:\s*$|[\s|)])|[.,;:)]\s)(?! ?[=<>≈+*/])",
@@ -95,6 +96,9 @@ def with_plain_numerals(
     }
     changes |= _turns_a_minute(text, notes)
     changes |= _points(text, notes)
+    changes |= _accents(text)
+    changes |= _subscript_words(text, is_letter)
+    changes |= _raised_points(text, notes)
     changes |= _arrows(text)
     if not changes:
         return None, ()
@@ -209,6 +213,50 @@ def _small(digits: str) -> str:
     return "".join({**RAISED, **LOWERED}[digit] for digit in digits)
 
 
+_ACCENTED = re.compile(
+    "([A-Za-zα-ω])([\u0302\u0304\u0303\u0307\u0308\u20d7])([₀₁₂₃₄₅₆₇₈₉]*|_[A-Za-z0-9]+)"
+)
+_ACCENTS = {
+    "\u0302": "hat",
+    "\u0304": "bar",
+    "\u0303": "tilde",
+    "\u0307": "dot",
+    "\u0308": "ddot",
+    "\u20d7": "vec",
+}
+_ENDING = re.compile(
+    r"(?<![A-Za-z\\_{])([A-Za-z][0-9]?)(max|min|res|ges|tot|osz|rot|rms|eff|avg|mean)(?![A-Za-z0-9_])"
+)
+_RAISED_POINT = re.compile(r"(?<![\w.,·])[0-9O]{1,6}·[0-9O]{1,6}(?![A-Za-z0-9_·])")
+_SPACED_POINT = re.compile(r"[\w)] ?· |(?<=[^\W\d])·|·(?=[^\W\d])")
+
+
+def _accents(text: str) -> dict[int, tuple[int, str]]:
+    """Return the letters with a combining accent, F̂₂, as those of LaTeX."""
+    return {
+        m.start(): (m.end(), f"\\{_ACCENTS[m[2]]}{{{m[1]}{m[3]}}} ") for m in _ACCENTED.finditer(text)
+    }
+
+
+def _subscript_words(text: str, is_letter: Callable[[str, int], bool]) -> dict[int, tuple[int, str]]:
+    """Return letters with their subscript's word run on, F1max and a_max typed amax."""
+    return {
+        match.start(2): (match.end(2), f"_{match[2]}")
+        for match in _ENDING.finditer(text)
+        if not is_letter(match.group(), text.count("\n", 0, match.start()) + 1)
+    }
+
+
+def _raised_points(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
+    """Return the points of old prints, 125·7 for 125.7, where products are written with a cross."""
+    found = list(_RAISED_POINT.finditer(text))
+    if not found or "×" not in text or _SPACED_POINT.search(text):
+        return {}
+    changes = {m.start(): (m.end(), m.group().replace("·", ".").replace("O", "0")) for m in found}
+    _note(notes, "decimal points", changes, text)
+    return changes
+
+
 def _arrows(text: str) -> dict[int, tuple[int, str]]:
     """Return the arrows typed in signs, => and ->, between spaces as arrows."""
     shown = {"<=": "⇔", "<-": "⇔", "==": "⇒", "=>": "⇒", "--": "→", "->": "→"}
@@ -259,6 +307,10 @@ def _scanned(
     if changes:
         notes.append(f"the letter l for a one ({len(changes)}×)")
     ones = len(changes)
+    if _SCANNED.search(text) and any("O" in m.group() for m in _SCANNED.finditer(text)):
+        for match in _LONE_ZERO.finditer(text):
+            if not is_letter("O", text.count("\n", 0, match.start()) + 1):
+                changes[match.start()] = (match.end(), "0")
     for match in _SCANNED.finditer(text):
         if "O" not in match.group() or is_letter("O", text.count("\n", 0, match.start()) + 1):
             continue
@@ -281,6 +333,7 @@ def _units_in_words(text: str) -> dict[int, tuple[int, str]]:
 
 
 def _unit_sign(unit: str, in_latex: bool) -> str:
+    unit = "inch" if unit == "in" else unit
     if unit in ("°", "%"):
         return {"°": "°", "%": "\\%" if in_latex else "%"}[unit]
     return f"\\,\\mathrm{{{unit}}}" if in_latex else f" {unit}"
@@ -306,13 +359,28 @@ def _dashes(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
     return changes
 
 
+def _end_of_bracket(text: str) -> int:
+    """Return where the bracket closes that was open before a text, else its end."""
+    depth = 0
+    for place, sign in enumerate(text):
+        depth += {"(": 1, ")": -1}.get(sign, 0)
+        if depth < 0:
+            return place
+    return len(text)
+
+
 def _is_minus(before: str, after: str) -> bool:
     goes_on = re.split(r"[;,.:。、](?:\s|$)|\$|\\\)|\\\]|[—―‒]", after, maxsplit=1)[0].strip()
-    if not goes_on or not _OPERAND_BEFORE.search(before.rstrip()) or not _OPERAND_AFTER.match(goes_on):
+    if not goes_on or not (_OPERAND_AFTER.match(goes_on) or goes_on[0] in NAME_OF_SIGN):
+        return False
+    if re.search(r"(?:[=≈<>(\[·×/]|\\cdot|\\approx)$", before.rstrip()):
+        return not _WORD.match(goes_on) or _FUNCTION.match(goes_on) is not None  # cos 120° = — ½
+    if not _OPERAND_BEFORE.search(before.rstrip()):
         return False
     if before[-1:].isdecimal() and after[:1].isdecimal():
         return False  # 10—20 is a range
     is_open = before.count("(") > before.count(")")
+    goes_on = goes_on[: _end_of_bracket(goes_on)] if is_open else goes_on
     is_formula = is_open or RELATION.search(before) is not None or "\\" in before or "&" in before
     is_formula = is_formula or before.count("$") % 2 == 1
     relation = RELATION.search(goes_on)

@@ -28,12 +28,14 @@ _UNIT = r"(?P<unit>\[\s*[A-Za-zµμ]+[A-Za-z0-9^/²³⁻¹-]*\s*\])|"
 _PLAIN_UNIT = re.compile(r"(?P<unit>.+)", re.DOTALL)
 _BEHIND_NUMBER = frozenset("0123456789)]²³⁴π}")
 _ARGUED = "unit|si|mathrm|mathit|mathbf|operatorname|tag|label|mathsf|bm|boldsymbol"
+_UMLAUTS = "ÄÖÜäöüßàáâãçèéêëíîñóôõøåæœú"
 _PIECE = re.compile(
     rf"(?P<prose>\\(?:{'|'.join(sorted(WORDS, key=len, reverse=True))})\s*\{{[^{{}}]*\}})"
     rf"|(?P<argued>\\(?:{_ARGUED})\*?\s*\{{(?:[^{{}}]|\{{[^{{}}]{{0,20}}\}})*\}})"
     r"|(?P<command>\\[A-Za-z]+)|(?P<escape>\\.)"
     r"|(?P<script>_\{(?:[^{}]|\{[^{}]{0,40}\}){0,80}\}|_[A-Za-z0-9]+)|(?P<degrees>(?<=[0-9])\s?度)|"
-    rf"{_UNIT}(?P<word>[A-Za-z]+(?:['’][a-z]+)?[0-9]*)|(?P<dots>・・・|･･･|\.\.\.)|(?P<other>.)",
+    rf"{_UNIT}(?P<word>(?=[A-Za-z]*[{_UMLAUTS}][A-Za-z]|[A-Za-z]+[{_UMLAUTS}])[A-Za-z{_UMLAUTS}]+"
+    r"|[A-Za-z]+(?:['’][a-z]+)?[0-9]*)|(?P<dots>・・・|･･･|\.\.\.)|(?P<other>.)",
     re.DOTALL,
 )
 _PIECE_BUT_UNITS = re.compile(_PIECE.pattern.replace(_UNIT, ""), re.DOTALL)
@@ -77,7 +79,9 @@ class LineRules:
     longest: int = 3
 
     def is_mathematical(self, word: str) -> bool:
-        """Tell whether a run of letters is mathematics here."""
+        """Tell whether a run of letters is mathematics here; with an umlaut it is a word."""
+        if len(word) > 1 and not word.isascii():
+            return False
         if self.lenient:
             return len(word) <= 3 or is_letters(word, self.words, len(word))
         return is_letters(word, self.words, self.longest)

@@ -42,10 +42,13 @@ _PHRASE = re.compile(
     re.MULTILINE,
 )
 _VERBS = word_set(
-    "is are was be gives give yields yield ist sind ergibt gilt with mit where wo so thus also hence then and"
-    " or for für that we get have has folgt dann und oder times by of plus minus half to from at if when"
-    " wenn bei using let take set sei since because da weil say means obtain find finds equals therefore"
-    " somit daher damit wird becomes not less more than as on in hat oben unten it which this i"
+    "is are was be gives give yields yield ist sind ergibt gilt where wo so thus also hence then and or"
+    " that we get have has folgt dann und oder times plus minus half if when wenn using let take set sei"
+    " since because da weil say means obtain find finds equals therefore somit daher damit wird becomes"
+    " not less more than hat it which this i"
+)
+_PARTICLES = word_set(
+    "with mit for für by of to from at bei as on in oben unten the a an der die das ein eine per and im"
 )
 _WORD_OF_OPERATION = re.compile(r"\b(?:plus|minus|times|mal|over|durch|divided|squared)\b")
 _WORDS_ALONE = re.compile(
@@ -323,7 +326,8 @@ class ItemFinder:
             return None
         begin = max(self.line_span(line)[0], place - _MARGIN)
         match = _PHRASE.search(self.text, begin, place)
-        if match is None or any(word.lower() in _VERBS for word in match["words"].split()):
+        named = match["words"].lower().split() if match else []
+        if match is None or _VERBS & set(named) or named[0] in _PARTICLES or named[-1] in _PARTICLES:
             return None
         if _WORD_OF_OPERATION.search(match["words"]) or match["words"] in words.names:
             return None
@@ -478,7 +482,8 @@ def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Pa
     for row, (first, end_of_row) in enumerate(_rows(text, start, end, environment)):
         last, tag = without_tag(text, first, end_of_row)
         last = _without_constant(text, first, last)
-        spans = [_without_box(text, *trim(text, *span)) for span in _separate(text, first, last)]
+        parts = [part for span in _separate(text, first, last) for part in _with_condition(text, *span)]
+        spans = [_without_box(text, *trim(text, *span)) for span in parts]
         spans = [span for span in spans if span[0] < span[1]]
         doubts: dict[tuple[int, int], ReadingError] = {}
         if len(spans) > 1:
@@ -499,6 +504,21 @@ def formulas_in_words(text: str, start: int, end: int) -> list[Passage]:
             if has_any_relation(text, *match.span(1)):
                 inner += pieces_of(text, *match.span(1))
     return inner
+
+
+_CONDITION = re.compile(
+    r"(?:\\q?quad|\\[,;: ]|~|\s)+[\[(](?P<inside>[^()\[\]]{1,80})[)\]][\s.,;]*(?:\\q?quad|\\[,;: ]|[\s.,;~])*$"
+)
+
+
+def _with_condition(text: str, start: int, end: int) -> list[tuple[int, int]]:
+    """Return an equation and the condition in brackets behind it, = 0 (N ≥ 2), as two."""
+    match = _CONDITION.search(text, start, end)
+    if match is None or not has_relation(text, *match.span("inside")):
+        return [(start, end)]
+    if relation_at_start(match["inside"].lstrip()) or not has_relation(text, start, match.start()):
+        return [(start, end)]
+    return [(start, match.start()), match.span("inside")]
 
 
 def _without_constant(text: str, start: int, end: int) -> int:

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from html import unescape
 
 from symbalance.document.wordlists import words
+from symbalance.notes.reading.joined_dollars import with_joined_dollars
 from symbalance.notes.reading.macros import expand_macros
 from symbalance.notes.reading.mathml import is_mathml, mathml_text
 from symbalance.notes.reading.numerals import with_plain_numerals
@@ -64,6 +65,9 @@ def prepare(
     current = first.text if first else narrow
     macros = expand_macros(current)
     origin = macros.source.after(first) if macros.source else first
+    current = origin.text if origin else narrow
+    joined = with_joined_dollars(current) if kind in ("tex", "markdown") else None
+    origin = joined.after(origin) if joined else origin
     current = origin.text if origin else narrow
     numerals, notes = with_plain_numerals(current, is_letter)
     origin = numerals.after(origin) if numerals else origin

@@ -57,12 +57,13 @@ _RAISED_UNIT = r"(?:\^\{?[-−]?[0-9]\}?|\^\([-−]?[0-9]\)|[⁻]?[¹²³⁴])"
 _PART_OF_UNIT = rf"[A-Za-zµμ]+{_RAISED_UNIT}?"
 _PLAIN_UNIT = re.compile(
     rf"(?P<space>[ \u2009\u202f]?)(?P<plain>(?:1/)?{_PART_OF_UNIT}"
-    rf"(?:(?:/|[·⋅*]| (?=m|s|g|kg|rad)){_PART_OF_UNIT}){{0,3}})"
+    rf"(?:(?:/|[·⋅*]| (?=[cm]?m|s|g|kg|rad)){_PART_OF_UNIT}){{0,3}})"
     r"(?![A-Za-z0-9_('^′⁻¹²³⁴])"
 )
 _NUMBER_BEFORE = re.compile(r"(?<![A-Za-z_^\w])(?P<digits>[0-9][0-9.,]*)$")
 _POWER_BEFORE = re.compile(r"[0-9)\]](?:\^\{?[0-9]\}?|[²³⁴])$|[)\]]$|(?<![A-Za-z])[0-9.,]*π$")
 _SPACE_BEFORE = re.compile(r"(?:\\[,;: ]|~)+$")
+_POWER_OF_TEN = re.compile(r"(?<![\w.])(?P<digits>10(?:\^\{?[-−]?[0-9]{1,2}\}?|⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]))$")
 _HEAD = re.compile(r"(?:^|[^\w\\])([^\W\d_])[\w'′]*\s*(?:=|≈)\s*[-−]?[0-9.,]+$")
 _UNIT_AROUND = re.compile(
     r"(?<=[0-9)])(?:\s|\\[,;: ]|~|\\mathrm\{|\\frac\{){0,2}(?:mm|cm|km|kg|rpm|k?W|k?Hz|k?N|k?Nm|k?J|rad|m\}\{s"
@@ -168,7 +169,7 @@ def plain_unit_at(text: str, place: int, end: int, names: Collection[str]) -> tu
     before = text[max(place - 30, 0) : place]
     bare = _SPACE_BEFORE.sub("", before)
     spaced = bool(match["space"]) or bare != before
-    number = _NUMBER_BEFORE.search(bare)
+    number = _NUMBER_BEFORE.search(bare) or _POWER_OF_TEN.search(bare)
     if number is None and not (spaced and _POWER_BEFORE.search(bare)):
         return None
     sort = _PlainUnit(text, place, match.end(), match["plain"], spaced, number, end)
@@ -198,6 +199,9 @@ class _PlainUnit:
             return self._is_clear_among_letters()
         if len(self.word) > 1:
             return self.digits != "" or self.spaced
+        if self.word == "g":
+            head = _HEAD.search(self.text[max(self.place - 60, 0) : self.place])
+            return head is not None and head[1] in "mM"
         is_big = self.word in "NJWK" and self.spaced
         return (is_big or self._is_measured()) and not self._goes_on()
 
@@ -226,6 +230,8 @@ class _PlainUnit:
             return False
         if len(self.parts) > 1:
             return len(self.digits) > 1 or self._has_units_around()
+        if self.word == "g":
+            return False
         if self._has_units_around() or (self.word == "N" and len(self.digits) > 2):
             return True
         head = _HEAD.search(self.text[max(self.place - 60, 0) : self.place])
