@@ -546,6 +546,7 @@ class Draft:
         """Note what is missing at the end."""
         if self.open_brackets:
             self._leave_open()
+        self.sides = with_functions_at_places(self.sides)
         for place, side in enumerate(self.sides):
             if not side and place not in self.failures:
                 self.failures[place] = self._missing(place)
@@ -679,6 +680,50 @@ def letter_without_argument(
 def letter_at_a_place(side: Sequence[Token]) -> list[Token]:
     """Return the tokens of x(π) with a bracket that says that it holds no factor."""
     return [replace(t, value=AT) if t.kind == "open" and t.value == "(" else t for t in side]
+
+
+def with_functions_at_places(sides: list[list[Token]]) -> list[list[Token]]:
+    """Return the sides with F(2ω) = 4 F(ω) as one function at two places, and no product.
+
+    One letter before two brackets, each with one running letter alone or with numbers, is a function.
+    """
+    uses: dict[str, set[str]] = {}
+    for side in sides:
+        for start, stop in _calls(side):
+            name = side[start - 1].value
+            uses.setdefault(name, set()).add(tokens_text(side[start + 1 : stop]))
+    functions = {name for name, insides in uses.items() if len(insides) > 1}
+    return [_with_places(side, functions) for side in sides] if functions else sides
+
+
+def _calls(side: Sequence[Token]) -> list[tuple[int, int]]:
+    """Return where brackets stand tightly behind a letter with one running letter in them."""
+    result: list[tuple[int, int]] = []
+    for start, token in enumerate(side):
+        before = side[start - 1] if start else None
+        if token.value not in ("(", AT) or before is None or before.kind != "name":
+            continue
+        stop = next((n for n in range(start + 1, len(side)) if side[n].kind in ("open", "close")), None)
+        if stop is None or side[stop].value != ")" or before.end != token.start:
+            continue
+        inside = side[start + 1 : stop]
+        letters = {t.value for t in inside if t.kind == "name"} - {"pi"}
+        plain = all(t.kind in ("number", "vulgar", "degree", "name", "op") for t in inside)
+        if plain and len(letters) == 1 and all(map(_is_running, letters)) and before.value != "pi":
+            result.append((start, stop))
+    return result
+
+
+def _with_places(side: list[Token], functions: set[str]) -> list[Token]:
+    done = list(side)
+    for start, stop in reversed(_calls(side)):
+        if side[start - 1].value not in functions:
+            continue
+        if is_variable(side[start + 1 : stop]):
+            done[start - 1 : stop + 1] = [replace(side[start - 1], end=side[stop].end)]
+        else:
+            done[start] = replace(side[start], value=AT)
+    return done
 
 
 def tokens_text(tokens: Sequence[Token]) -> str:

@@ -146,14 +146,14 @@ def _bare_subscript(
         lengths = range(len(run), 0, -1) if names is not None else ()
         whole = (n for n in lengths if not (run[n - 1 : n].isdecimal() and run[n : n + 1].isdecimal()))
         length = next(
-            (n for n in whole if f"{base}_{run[:n]}" in (names or ()) and _is_rest(run[n:], names or ())),
+            (n for n in whole if f"{base}_{run[:n]}" in (names or ()) and may_be_letters(run[n:], names or ())),
             len(run),
         )
         return run[:length], start + length
     return subscript_name(text[start], start), start + 1
 
 
-def _is_rest(rest: str, names: Collection[str]) -> bool:
+def may_be_letters(rest: str, names: Collection[str]) -> bool:
     """Tell whether what follows a declared letter, the r of m_pr, may be letters; I in F_II is none."""
     begins_function = any(rest.startswith(word) for word in FUNCTION_WORDS)
     return not rest or begins_function or rest[0] in names or rest[0] in "deij" or rest[0].isdecimal()

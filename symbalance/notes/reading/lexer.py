@@ -25,7 +25,12 @@ from symbalance.document.letters import (
 )
 from symbalance.notes.reading import signs
 from symbalance.notes.reading.failures import ReadingError
-from symbalance.notes.reading.letter_names import matching_brace, subscript_at, with_scripts
+from symbalance.notes.reading.letter_names import (
+    matching_brace,
+    may_be_letters,
+    subscript_at,
+    with_scripts,
+)
 from symbalance.notes.reading.units import (
     Scale,
     bracketed_unit_at,
@@ -48,6 +53,7 @@ _DIFFERENCE = re.compile(r"\s*(\\[a-z]+(?![A-Za-z])|[A-Za-zα-ωϕϵϑ])")
 _ARROW = re.compile(r"-+>|=+>|<-+|<=+>")
 _RELATION = re.compile(r"==|:=|<=|>=|!=")
 _TWO_SIGNS = {"==": "=", ":=": "=", "<=": "≤", ">=": "≥", "!=": "≠"}
+_RUN = re.compile(r"[A-Za-z]+")
 _DIGITS = re.compile(r"[0-9]+")
 _LONGEST_ANNOTATED = 2000  # characters under one \underbrace
 _COMMAND = re.compile(r"\\([A-Za-z]+)\*?")
@@ -818,6 +824,10 @@ class Vocabulary:
             return True
         if word[-1].isdigit() and after.isdigit():
             return False
+        if "_" in word and after.isascii() and after.isalpha():
+            rest = _RUN.match(text, stop, end)
+            if rest is not None and not may_be_letters(rest.group(), self.names):
+                return False
         return word in self.names or (len(word) > 1 and (after in "_'′" or after in LOWERED))
 
 
