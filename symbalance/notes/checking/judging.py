@@ -294,6 +294,8 @@ class Judge:
         if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):
             reason = f"true of the number {name}; here {name} is declared as a letter"
             return Decision(UNDECIDED, reason)
+        if relation.is_demanded:
+            return Decision(CONDITION, "demanded, to be solved")
         definition = self.definitions.define_by(chain, k, knowledge)
         if definition is not None:
             return definition

@@ -371,7 +371,10 @@ class Assembler:
             self._report(failure, (draft.item.start, draft.last.end))
         if not whole:
             return
-        relations = tuple(Relation(sign, self.finder.line_of(at)) for _, sign, at in sides_read[1:])
+        demands = {token.start for token in draft.signs if token.is_demanded}
+        relations = tuple(
+            Relation(sign, self.finder.line_of(at), at in demands) for _, sign, at in sides_read[1:]
+        )
         lines = sorted({n for i in draft.items for n in range(i.first_line, i.last_line + 1)})
         tag = next((item.tag for item in reversed(draft.items) if item.tag), "")
         inline = draft.item.kind in ("inline", "prose")

@@ -94,6 +94,7 @@ class Token:
     place: Fraction | None = None
     spaced: bool = False
     scale: Fraction | None = None
+    is_demanded: bool = False
 
     def moved(self, offset: int) -> Token:
         """Return the token so many characters further on."""
@@ -490,6 +491,7 @@ class Lexer:
             self._add("function", FUNCTION_WORDS[name], stop)
         elif name in signs.RELATION_COMMANDS:
             self._add("rel", signs.RELATION_COMMANDS[name], stop)
+            self.tokens[-1] = replace(self.tokens[-1], is_demanded=name == "shallbe")
         elif name in signs.OPERATOR_COMMANDS:
             self._add("op", signs.OPERATOR_COMMANDS[name], stop)
         elif name in signs.DOTS_COMMANDS:
