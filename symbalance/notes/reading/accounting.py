@@ -34,6 +34,7 @@ _BOUNDS = re.compile(r"[_^]\s*\{[^{}\n]{0,60}\}")
 _TAG = re.compile(
     r"</?[\u2e80-\u9fff][^<>\n=]{0,60}>|</?[A-Za-z!][\w-]*\s[^<>\n]{0,200}>|<[A-Za-z][\w.]{0,20}>"
 )
+_MEASURED_WORD = re.compile(r"[0-9]\s?[^\W\d_]+\s*$")
 _SETTING = re.compile(r"\\([A-Za-z]+)\s*$")
 _SIGN = re.compile(rf"==|:=|<=(?!>)|>=|!=|∝|\\propto(?![A-Za-z])|{RELATION.pattern}")
 _BEFORE = re.compile(r"([^\W\d_][\w'’-]*|\S)\s*$")
@@ -166,7 +167,9 @@ class Account:
             "a blank to be filled in": self._is_blank(place),
             "an option or attribute": self._is_option(place) and _is_word(before, names),
             "words on both sides": _is_word(before, names) and _is_word(after, names),
-            "the value of a word that is no declared letter": is_value and _is_word(before, names),
+            "the value of a word that is no declared letter": is_value
+            and _is_word(before, names)
+            and not _MEASURED_WORD.search(self.text[max(place - _AROUND, 0) : place]),
             "said to be constant": _CONSTANT.match(self.text, place),
             "a letter explained in words": _is_explanation(before, self._right_side(place), names),
             "the unit of a letter": self._is_unit_of_letter(place),

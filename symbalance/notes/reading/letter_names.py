@@ -15,6 +15,7 @@ from symbalance.document.letters import (
     WORDS,
 )
 from symbalance.notes.reading.failures import ReadingError
+from symbalance.notes.reading.signs import COMBINED, accented
 
 _COMMAND = re.compile(r"\\([A-Za-z]+)\s*")
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9]*")
@@ -30,7 +31,7 @@ def canonical_name(text: str) -> str:
     >>> canonical_name(r"m_{\mathrm{rec}}"), canonical_name("m₁"), canonical_name(r"\bar{x}'")
     ('m_rec', 'm_1', "bar_x'")
     """
-    bare = text.strip().strip("$").strip()
+    bare = COMBINED.sub(accented, text.strip().strip("$").strip())
     if _CANONICAL.fullmatch(bare):
         return bare
     base, stop = _base(bare)
@@ -146,7 +147,11 @@ def _bare_subscript(
         lengths = range(len(run), 0, -1) if names is not None else ()
         whole = (n for n in lengths if not (run[n - 1 : n].isdecimal() and run[n : n + 1].isdecimal()))
         length = next(
-            (n for n in whole if f"{base}_{run[:n]}" in (names or ()) and may_be_letters(run[n:], names or ())),
+            (
+                n
+                for n in whole
+                if f"{base}_{run[:n]}" in (names or ()) and may_be_letters(run[n:], names or ())
+            ),
             len(run),
         )
         return run[:length], start + length

@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, LOWERED, NAME_OF_SIGN, RAISED
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
-from symbalance.notes.reading.signs import RELATION
+from symbalance.notes.reading.signs import COMBINED, RELATION, accented
 
 _COMMA = re.compile(
     r"(?<![\w.,\\])(?<!_\{)(?<!\^\{)(?<!\{,\})(?<![0-9]\s,)([0-9]{1,12})(,|\{,\})([0-9]{1,15})"
@@ -45,7 +45,9 @@ _SPELLED = (
     ("rad/s", r"rad(?:ians?)?\.? ?(?:per|/) ?s(?:ec(?:onds?)?)?\b"),
     ("m/s", r"(?:met(?:er|re)s?|m) ?(?:per|/) ?sec(?:onds?)?\b"),
     ("rpm", r"r\. ?p\. ?m\b|rev(?:olution)?s?\.? per min(?:ute)?\b|Umdrehungen pro Minute"),
-    ("ft", "feet|foot|ft(?=\\.)"), ("inch", r"inch(?:es)?|Zoll|in(?=\s*(?:$|[,;.)=≈\n]|so\b|and\b|or\b|und\b|long\b|\$))"), ("lb", "pounds?|lbs?(?=\\.)"),
+    ("ft", "feet|foot|ft(?=\\.)"),
+    ("inch", r"inch(?:es)?|Zoll|in(?=\s*(?:$|[,;.)=≈\n]|so\b|and\b|or\b|und\b|long\b|\$))"),
+    ("lb", "pounds?|lbs?(?=\\.)"),
     ("°", "degrees?|deg|Grad|degrés|° ?(?:KW|CA|crank)|deg ?CA"), ("%", "percent|per cent|Prozent"),
 )  # fmt: skip
 _SPELLED_UNIT = re.compile(
@@ -213,29 +215,16 @@ def _small(digits: str) -> str:
     return "".join({**RAISED, **LOWERED}[digit] for digit in digits)
 
 
-_ACCENTED = re.compile(
-    "([A-Za-zα-ω])([\u0302\u0304\u0303\u0307\u0308\u20d7])([₀₁₂₃₄₅₆₇₈₉]*|_[A-Za-z0-9]+)"
-)
-_ACCENTS = {
-    "\u0302": "hat",
-    "\u0304": "bar",
-    "\u0303": "tilde",
-    "\u0307": "dot",
-    "\u0308": "ddot",
-    "\u20d7": "vec",
-}
 _ENDING = re.compile(
     r"(?<![A-Za-z\\_{])([A-Za-z][0-9]?)(max|min|res|ges|tot|osz|rot|rms|eff|avg|mean)(?![A-Za-z0-9_])"
 )
 _RAISED_POINT = re.compile(r"(?<![\w.,·])[0-9O]{1,6}·[0-9O]{1,6}(?![A-Za-z0-9_·])")
-_SPACED_POINT = re.compile(r"[\w)] ?· |(?<=[^\W\d])·|·(?=[^\W\d])")
+_SPACED_POINT = re.compile(r"[\w)] ?· |(?<=[^\W\dO])·|·(?=[^\W\dO])")
 
 
 def _accents(text: str) -> dict[int, tuple[int, str]]:
     """Return the letters with a combining accent, F̂₂, as those of LaTeX."""
-    return {
-        m.start(): (m.end(), f"\\{_ACCENTS[m[2]]}{{{m[1]}{m[3]}}} ") for m in _ACCENTED.finditer(text)
-    }
+    return {m.start(): (m.end(), f"{accented(m)} ") for m in COMBINED.finditer(text)}
 
 
 def _subscript_words(text: str, is_letter: Callable[[str, int], bool]) -> dict[int, tuple[int, str]]:
@@ -375,19 +364,21 @@ def _is_minus(before: str, after: str) -> bool:
         return False
     if re.search(r"(?:[=≈<>(\[·×/]|\\cdot|\\approx)$", before.rstrip()):
         return not _WORD.match(goes_on) or _FUNCTION.match(goes_on) is not None  # cos 120° = — ½
-    if not _OPERAND_BEFORE.search(before.rstrip()):
-        return False
-    if before[-1:].isdecimal() and after[:1].isdecimal():
-        return False  # 10—20 is a range
+    is_range = before[-1:].isdecimal() and after[:1].isdecimal()  # 10—20
+    return (
+        _OPERAND_BEFORE.search(before.rstrip()) is not None and not is_range and _parts(before, goes_on)
+    )
+
+
+def _parts(before: str, goes_on: str) -> bool:
+    """Tell whether a dash between two operands parts terms, not clauses."""
     is_open = before.count("(") > before.count(")")
     goes_on = goes_on[: _end_of_bracket(goes_on)] if is_open else goes_on
     is_formula = is_open or RELATION.search(before) is not None or "\\" in before or "&" in before
     is_formula = is_formula or before.count("$") % 2 == 1
     relation = RELATION.search(goes_on)
-    if any(
-        word not in FUNCTION_WORDS
-        for word in _WORD.findall(goes_on[: relation.start() if relation else None])
-    ):
+    words_behind = _WORD.findall(goes_on[: relation.start() if relation else None])
+    if any(word not in FUNCTION_WORDS for word in words_behind):
         return False
     if is_open or relation is None:
         return is_formula

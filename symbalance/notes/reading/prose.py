@@ -26,7 +26,7 @@ from symbalance.notes.reading.units import follows_number, plain_unit_at, scale_
 
 _UNIT = r"(?P<unit>\[\s*[A-Za-zµμ]+[A-Za-z0-9^/²³⁻¹-]*\s*\])|"
 _PLAIN_UNIT = re.compile(r"(?P<unit>.+)", re.DOTALL)
-_BEHIND_NUMBER = frozenset("0123456789)]²³⁴π}")
+_BEHIND_NUMBER = frozenset("0123456789)]⁰¹²³⁴⁵⁶⁷⁸⁹π}")
 _ARGUED = "unit|si|mathrm|mathit|mathbf|operatorname|tag|label|mathsf|bm|boldsymbol"
 _UMLAUTS = "ÄÖÜäöüßàáâãçèéêëíîñóôõøåæœú"
 _PIECE = re.compile(

@@ -95,17 +95,13 @@ def _value(node: Formula) -> float | None:
 def _plain_value(node: Formula) -> float:
     if isinstance(node, Number):
         return float(node.value)
-    if isinstance(node, Constant) and node.name == "pi":
-        return math.pi
     if isinstance(node, Sum):
         return math.fsum(_plain_value(term) for term in node.terms)
     if isinstance(node, Product):
         return math.prod(_plain_value(factor) for factor in node.factors)
     if isinstance(node, Quotient):
         return _plain_value(node.numerator) / _plain_value(node.denominator)
-    if isinstance(node, Negative):
-        return -_plain_value(node.operand)
-    return _value_of_power(node)
+    return -_plain_value(node.operand) if isinstance(node, Negative) else _value_of_power(node)
 
 
 def _value_of_power(node: Formula) -> float:
@@ -119,4 +115,6 @@ def _value_of_power(node: Formula) -> float:
         return result
     if isinstance(node, Call) and node.function in _FUNCTIONS:
         return _FUNCTIONS[node.function](_plain_value(node.argument))
+    if node == Constant("pi"):
+        return math.pi
     raise ValueError(node)

@@ -507,7 +507,8 @@ def formulas_in_words(text: str, start: int, end: int) -> list[Passage]:
 
 
 _CONDITION = re.compile(
-    r"(?:\\q?quad|\\[,;: ]|~|\s)+[\[(](?P<inside>[^()\[\]]{1,80})[)\]][\s.,;]*(?:\\q?quad|\\[,;: ]|[\s.,;~])*$"
+    r"(?:\\q?quad|\\[,;: ]|~|\s)+[\[(](?P<inside>[^()\[\]]{1,80})[)\]]"
+    r"[\s.,;]*(?:\\q?quad|\\[,;: ]|[\s.,;~])*$"
 )
 
 

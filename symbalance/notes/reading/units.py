@@ -66,8 +66,8 @@ _SPACE_BEFORE = re.compile(r"(?:\\[,;: ]|~)+$")
 _POWER_OF_TEN = re.compile(r"(?<![\w.])(?P<digits>10(?:\^\{?[-−]?[0-9]{1,2}\}?|⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]))$")
 _HEAD = re.compile(r"(?:^|[^\w\\])([^\W\d_])[\w'′]*\s*(?:=|≈)\s*[-−]?[0-9.,]+$")
 _UNIT_AROUND = re.compile(
-    r"(?<=[0-9)])(?:\s|\\[,;: ]|~|\\mathrm\{|\\frac\{){0,2}(?:mm|cm|km|kg|rpm|k?W|k?Hz|k?N|k?Nm|k?J|rad|m\}\{s"
-    r"|[kM]Pa|bar|m/s|U/min|1/s|1/min|(?:s|min)⁻¹|ms|min)"
+    r"(?<=[0-9)])(?:\s|\\[,;: ]|~|\\mathrm\{|\\frac\{){0,2}(?:mm|cm|km|kg|rpm|k?W|k?Hz|k?N|k?Nm|k?J|rad"
+    r"|m\}\{s|[kM]Pa|bar|m/s|U/min|1/s|1/min|(?:s|min)⁻¹|ms|min)"
     r"(?![A-Za-z0-9_(])"
 )
 _STOPS = "=≈≒≃<>≤≥≡+-−–·×*/÷)]},;.:!?|&、。，；：…"
