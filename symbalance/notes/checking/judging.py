@@ -35,7 +35,7 @@ from symbalance.notes.checking.descriptions import (
 )
 from symbalance.notes.checking.dimensions import Dimensions, unit_text
 from symbalance.notes.checking.engines import Sources
-from symbalance.notes.checking.own_units import speeds_in_own_unit
+from symbalance.notes.checking.own_units import with_speeds
 from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
 from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.sidecar import Binding, Declarations
@@ -86,6 +86,7 @@ class Judge:
     corrects: bool = True
 
     def __post_init__(self) -> None:
+        self.document = with_speeds(self.document, self.declarations.symbols_at)
         self.definitions = Definitions(self.declarations, Sections(self.document))
         self.start = time.monotonic()
         self.not_judged: dict[str, int] = {}
@@ -189,7 +190,6 @@ class Judge:
     def chain(self, chain: Chain, bindings: list[Binding]) -> list[Verdict]:
         """Return the verdicts on a chain's relations in order; none is lost by a fault of the checker."""
         verdicts: list[Verdict] = []
-        chain = speeds_in_own_unit(chain, self.declarations.symbols_at(chain.lines[0]))
         try:
             self._judge(chain, bindings, verdicts)
         except SymbalanceError:
@@ -352,9 +352,23 @@ class Judge:
             reason = f"may rest on line {self.not_judged[unknown[0]]}, which was not judged"
         elif condition is not None:
             reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
+        elif letter := self._one_sided_letter(left, right, line, knowledge):
+            sign = formula_text(Name(letter), plain=True)
+            reason = f"{sign} is not declared and stands on one side only: declare what it means"
         elif chain.relations[k].sign == "=":
             reason = self._missing_meaning(left, right, line, knowledge)
         return replace(decision, status=UNDECIDED, reason=reason) if reason else decision
+
+    def _one_sided_letter(
+        self, left: Formula, right: Formula, line: int, knowledge: Knowledge
+    ) -> str | None:
+        """Return a letter that nobody declared, on one side of a relation only, None if there is none.
+
+        x = r (1 - cos u) is wrong of any u but of the crank angle, which u may be.
+        """
+        free = set(self.document.free_letters) - set(self.declarations.symbols_at(line))
+        one_sided = sorted(free & (names(left) ^ names(right)))
+        return next((name for name in one_sided if not knowledge.knows(name)), None)
 
     def _missing_meaning(self, left: Formula, right: Formula, line: int, knowledge: Knowledge) -> str:
         """Return for which size of the geometry a letter without a meaning makes a relation true.

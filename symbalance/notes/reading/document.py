@@ -59,7 +59,12 @@ def read_document(text: str, name: str, names_at: Callable[[int], Collection[str
         unreadable = [_unreadable_in_place(part, source, text) for part in unreadable]
     chains.sort(key=lambda chain: chain.sides[0].span)
     unreadable.sort(key=lambda part: (part.line, part.column))
-    return ReadNotes(name, text, tuple(chains), tuple(unreadable), source.notes, tuple(passed))
+    free = tuple(sorted(set(assembler.free_letters) - assembler.defined_letters))
+    notes = source.notes
+    if free:
+        letters = ", ".join(map(plain_letter, free))
+        notes = (*notes, f"declared nowhere and read as letters of their own: {letters}")
+    return ReadNotes(name, text, tuple(chains), tuple(unreadable), notes, tuple(passed), free)
 
 
 def _chain_in_place(chain: Chain, origin: Rewritten) -> Chain:
@@ -158,6 +163,7 @@ class Assembler:
         self.draft: Draft | None = None
         self._refused_item: Item | None = None
         self.phrases: dict[str, int] = {}
+        self.free_letters: dict[str, int] = {}  # not declared, and the line where each is first
 
     def run(self) -> None:
         """Fill `chains` and `unreadable`."""
@@ -340,13 +346,16 @@ class Assembler:
         """Return the sides of a chain, None for one that cannot be read."""
         sides: list[Side | None] = []
         latex = any("\\" in self.text[item.start : item.end] for item in draft.items)
+        has_letter = any(t.kind == "name" and t.value in names for side in draft.sides for t in side)
+        is_formula = any(item.strict for item in draft.items) or (has_letter and bool(draft.signs))
+        free: set[str] | None = set() if is_formula else None
         for place, tokens in enumerate(draft.sides):
             sides.append(None)
             if place in draft.failures:
                 continue
             try:
                 _refuse_too_long(tokens)
-                readings, notes = read_tokens(tokens, names, tokens[-1].end, latex)
+                readings, notes = read_tokens(tokens, names, tokens[-1].end, latex, free)
             except ReadingError as failure:
                 draft.failures[place] = failure
                 continue
@@ -354,6 +363,8 @@ class Assembler:
             sides[-1] = Side(readings, (tokens[0].start, tokens[-1].end))
         sides, notes = in_unit_of_result(sides, draft.sides)
         draft.notes.extend(note for note in notes if note not in draft.notes)
+        for letter in free or ():
+            self.free_letters.setdefault(letter, draft.item.first_line)
         return sides
 
     def _store_chain(self, draft: Draft, sides: list[Side | None], names: frozenset[str]) -> None:

@@ -88,6 +88,8 @@ class ReadNotes:
     unreadable: tuple[Unreadable, ...]
     notes: tuple[str, ...] = ()
     not_mathematics: tuple[Passed, ...] = ()
+    free_letters: tuple[str, ...] = ()
+    """Letters that nobody declared and no line defines, read as letters of their own."""
 
     def line_of(self, offset: int) -> int:
         """Return the line, from 1, of a character offset."""

@@ -96,7 +96,6 @@ def with_plain_numerals(
     changes |= {
         m.start(): (m.end(), f"({_small(m[1])}/{_small(m[2])})") for m in _SMALL_FRACTION.finditer(text)
     }
-    changes |= _turns_a_minute(text, notes)
     changes |= _points(text, notes)
     changes |= _accents(text)
     changes |= _subscript_words(text, is_letter)
@@ -136,35 +135,6 @@ def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
         changes = {m.start(): (m.end(), m[1] + m[2].replace(",", "")) for m in grouped}
         _note(notes, "commas between thousands", changes, text)
     return changes | zeros
-
-
-_SPEED = re.compile(
-    r"(?<![\w\\])(?P<letter>[A-Za-z](?:_\w{1,4}|_\{\w{1,6}\})?)"
-    r"\$?\s*(?:=|≈|\\approx)\s*\$?\s*[0-9][0-9., ]*"
-    r"(?P<unit>(?:\\[,;: ]|~| |\$)*(?:\\(?:mathrm|text|textrm)\s*\{\s*"
-    r"(?:rpm|min\^\{-1\}|1/min|U/min|min\$\^\{-1\}\$)\s*\}"
-    r"(?:\^\{-1\})?|rpm|U/min|1/min|r/min|rev/min|min⁻¹|min\^-1|min\^\{-1\}))(?P<dollar>\$?)"
-)
-_OVER_A_MINUTE = (
-    r"(?:{0}\s*(?:\\cdot|[·*×⋅])?\s*(?:2\s*)?(?:\\pi|π|pi)?\s*(?:/|\}}\s*\{{|÷|／)\s*[36]0(?![0-9.,])"
-    r"|(?:\\pi|π|pi)\s*/\s*30\s*(?:\\cdot|[·*×⋅])?\s*{0}(?!\w)"
-    r"|\\frac\s*\{{(?:2\s*)?\\pi\}}\s*\{{[36]0\}}\s*{0}(?!\w))"
-)
-
-
-def _turns_a_minute(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
-    """Return the units of speeds such as n = 6000 rpm, where n/60 or π n/30 takes n as the number."""
-    changes: dict[int, tuple[int, str]] = {}
-    letters: set[str] = set()
-    for match in _SPEED.finditer(text):
-        letter = match["letter"]
-        if not re.search(_OVER_A_MINUTE.format(re.escape(letter)), text):
-            continue
-        changes[match.start("unit")] = (match.end("unit"), " " if "$" not in match["unit"] else "$ ")
-        letters.add(letter)
-    for letter in sorted(letters):
-        notes.append(f"{letter} is a number of turns a minute, as {letter}/60 or π {letter}/30 says")
-    return changes
 
 
 _POINT_BETWEEN = re.compile(

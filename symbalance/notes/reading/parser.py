@@ -41,6 +41,7 @@ from symbalance.document.formula import (
 from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek, plain_letter
 from symbalance.notes.reading import constructs
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
+from symbalance.notes.reading.free_letters import may_be_free, unclear
 from symbalance.notes.reading.lexer import AT, CLOSER, VULGAR, Token
 from symbalance.notes.reading.signs import CELLS
 
@@ -60,15 +61,22 @@ _STARTS = frozenset({"number", "name", "function", "vulgar"})
 
 
 def read_tokens(
-    tokens: Sequence[Token], names: Collection[str], end: int, latex: bool = False
+    tokens: Sequence[Token],
+    names: Collection[str],
+    end: int,
+    latex: bool = False,
+    free: set[str] | None = None,
 ) -> tuple[tuple[Formula, ...], tuple[str, ...]]:
-    """Return the readings of one expression and the remarks on the usual one."""
-    first, readings, refusal = _parse(tokens, names, (), latex, end)
+    """Return the readings of one expression and the remarks on the usual one.
+
+    `free` gathers letters that are not declared and are read as letters of their own; None refuses them.
+    """
+    first, readings, refusal = _parse(tokens, names, (), latex, end, free)
     waiting, trials, notes = deque(_other_decisions(first, ())), 0, first.notes
     while waiting and len(readings) < MOST_READINGS and trials < _MOST_TRIALS:
         decisions = waiting.popleft()
         trials += 1
-        parser, trees, _ = _parse(tokens, names, decisions, latex, end)
+        parser, trees, _ = _parse(tokens, names, decisions, latex, end, free)
         notes = notes if readings else parser.notes
         readings.extend(node for node in trees if node not in readings)
         if len(waiting) < _MOST_TRIALS:
@@ -79,18 +87,28 @@ def read_tokens(
 
 
 def _parse(
-    tokens: Sequence[Token], names: Collection[str], decisions: Sequence[int], latex: bool, end: int
+    tokens: Sequence[Token],
+    names: Collection[str],
+    decisions: Sequence[int],
+    latex: bool,
+    end: int,
+    free: set[str] | None,
 ) -> tuple[Parser, list[Formula], ReadingError | None]:
     """Return the tree that a list of decisions leads to, in a list that is empty on a refusal."""
     parser = Parser(tokens, names, decisions, latex, end)
+    parser.takes_free_letters = free is not None
     try:
         node = parser.contents()
         if parser.current is not None:
             raise parser.unexpected_token()
         if _is_too_deep(node):
             raise ReadingError(node.span[0], "a formula nested too deeply", "write it in parts")
+        if (letter := unclear(node, parser.free_letters)) is not None:
+            raise UndeclaredError(parser.free_letters[letter], letter)
     except ReadingError as refusal:
         return parser, [], refusal
+    if free is not None:
+        free.update(parser.free_letters)
     return parser, [node], None
 
 
@@ -130,6 +148,8 @@ class Parser:
         self.choices: list[tuple[int, int]] = []
         self.notes: list[str] = []
         self.bound: list[str] = []
+        self.takes_free_letters = False
+        self.free_letters: dict[str, int] = {}  # and where each is first
         self.exponentials = 0
         self.open_bars = 0
         self._depth = 0
@@ -237,6 +257,9 @@ class Parser:
             return Constant("pi", span=span)
         if name == "i" or (name == "j" and self.exponentials):
             return Constant("i", span=span)
+        if self.takes_free_letters and may_be_free(name, self.tokens, span[0], self.place):
+            self.free_letters.setdefault(name, span[0])
+            return Name(name, span=span)
         raise UndeclaredError(span[0], name)
 
     # Sums, products and slashes
