@@ -20,7 +20,7 @@ from symbalance.notes.reading.equations import Chain, Passed, ReadNotes, Relatio
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.lexer import AT, CLOSER, LONGEST_EQUATION, Token, lex
 from symbalance.notes.reading.parser import read_tokens
-from symbalance.notes.reading.result_units import in_unit_of_result
+from symbalance.notes.reading.result_units import as_printed, in_unit_of_result
 from symbalance.notes.reading.rewriting import Piece, Rewritten, rewritten
 from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation
 from symbalance.notes.reading.signs import relation_at_start
@@ -360,7 +360,7 @@ class Assembler:
                 draft.failures[place] = failure
                 continue
             draft.notes.extend(note for note in notes if note not in draft.notes)
-            sides[-1] = Side(readings, (tokens[0].start, tokens[-1].end))
+            sides[-1] = as_printed(Side(readings, (tokens[0].start, tokens[-1].end)), tokens)
         sides, notes = in_unit_of_result(sides, draft.sides)
         draft.notes.extend(note for note in notes if note not in draft.notes)
         for letter in free or ():
@@ -710,6 +710,10 @@ def with_functions_at_places(sides: list[list[Token]]) -> list[list[Token]]:
     return [_with_places(side, functions) for side in sides] if functions else sides
 
 
+_MULTIPLIERS = frozenset({"pi", "i", "j", "e", "k", "n", "m", "N"})
+"""Letters before a bracket that are factors of an angle, and no functions: e^{i(θ + π)}, n(θ + h)."""
+
+
 def _calls(side: Sequence[Token]) -> list[tuple[int, int]]:
     """Return where brackets stand tightly behind a letter with one running letter in them."""
     result: list[tuple[int, int]] = []
@@ -723,7 +727,10 @@ def _calls(side: Sequence[Token]) -> list[tuple[int, int]]:
         inside = side[start + 1 : stop]
         letters = {t.value for t in inside if t.kind == "name"} - {"pi"}
         plain = all(t.kind in ("number", "vulgar", "degree", "name", "op") for t in inside)
-        if plain and len(letters) == 1 and all(map(_is_running, letters)) and before.value != "pi":
+        ahead = side[start - 2] if start > 1 else None
+        is_term = ahead is None or ahead.kind in ("op", "open", "number")
+        is_call = is_term and before.value not in _MULTIPLIERS
+        if plain and is_call and len(letters) == 1 and all(map(_is_running, letters)):
             result.append((start, stop))
     return result
 

@@ -83,7 +83,7 @@ class Token:
     dots, degree, arrow (of a limit), postfix (!), cell and row (of a matrix), differential (the d x of an
     integral). `sub` carries a subscript that follows something other than a letter; `under` is a
     bare underscore after a sum sign or a function. `spaced` tells of a space typed as such before it.
-    `scale` is what the unit behind it multiplied it by, 0 where the unit is a factor of its own.
+    `scale` is what the unit behind it multiplies it by, 0 where that is not sure.
     """
 
     kind: str
@@ -656,14 +656,11 @@ class Lexer:
         is_apart = before is not None and (
             before.is_op("/") or before.kind == "sup" or before.value == "{"
         )
-        if last is not None and last.kind == "number" and not scale[1] and not is_apart:
-            place = last.place * scale[0] if last.place is not None else None
-            number = replace(last, number=last.number * scale[0], place=place, end=stop, scale=scale[0])
-            self.tokens[-1] = number
-        else:
-            if last is not None:
-                self.tokens[-1] = replace(last, scale=Fraction(0))
-            self.tokens += factor_tokens(scale, self.place, stop)
+        if last is not None:
+            is_quantity = last.kind == "number" and not scale[1] and not is_apart
+            end = stop if scale == (1, False) else last.end
+            self.tokens[-1] = replace(last, scale=scale[0] if is_quantity else Fraction(0), end=end)
+        self.tokens += factor_tokens(scale, self.place, stop)
         self.place = stop
 
     def plain_unit(self, sign: str) -> bool:
@@ -739,11 +736,6 @@ _THOUSANDS = re.compile(r"[0-9]{1,3}(?:(?:\\,|\{,\}|\u2009|\u202f)[0-9]{3})+(?![
 _DECIMAL_COMMA = re.compile(r"[0-9]+\{,\}[0-9]+")
 _PLAIN_NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]+)?|\.[0-9]+)")
 _EXPONENT = re.compile(r"[eE]([+-]?[0-9]+)(?![A-Za-z0-9])")
-_TEN_TO = re.compile(
-    r"\s*(?:\\cdot|\\times|[·×⋅])\s*10(?:\s*\^\s*\{\s*(?P<braced>[-−+]?[0-9]{1,3})\s*\}"
-    r"|\^(?P<bare>[-−]?[0-9])(?![0-9])|(?P<raised>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3}))(?![⁰¹²³⁴⁵⁶⁷⁸⁹^])"
-)
-"""1.8·10⁴ is one number, rounded to its last digit, as 1.8e4 is."""
 _GROUPING = re.compile(r"\\,|\{,\}|\u2009|\u202f")
 
 
@@ -762,8 +754,6 @@ def read_number(text: str, start: int, end: int, scientific: bool = True) -> Tok
     elif match := _PLAIN_NUMBER.match(text, start, end):
         digits = match.group()
         exponent = _EXPONENT.match(text, match.end(), end) if scientific else None
-        if exponent is None and "." in digits:
-            exponent = _TEN_TO.match(text, match.end(), end)
     else:
         return None
     return _number_token(digits, exponent, start, match.end())
@@ -783,8 +773,7 @@ def _number_token(digits: str, exponent: re.Match[str] | None, start: int, stop:
 
 
 def _power_of_ten(exponent: re.Match[str], start: int) -> Fraction:
-    written = next(part for part in exponent.groups() if part)
-    digits = "".join(RAISED.get(sign, sign) for sign in written).replace("−", "-")
+    digits = exponent.group(1)
     if len(digits) > 4 or abs(int(digits)) > MOST_DIGITS:
         raise ReadingError(start, "a power of ten out of all proportion", "check the exponent")
     return Fraction(10) ** int(digits)

@@ -1,13 +1,14 @@
-"""Units that stand at a result only: √(7² − 2²) = 6.71 in, 12.9 · 0.310 = 4.0 kg mm.
+"""Results as they are printed: units at a result only, and powers of ten as a part of its number.
 
-The numbers on the way to such a result are in its unit. Whether they are, or in metres and newtons, their
-value tells: it is the number printed before the unit, or the quantity itself.
+In √(7² − 2²) = 6.71 in the numbers on the way to the result are in its unit. Whether they are, or in
+metres and newtons, their value tells: it is the number printed before the unit, or the quantity itself.
+1.8·10⁴ and 9.9 kN are rounded to the last digit printed, as 9900 ± 50 is.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -52,15 +53,49 @@ def in_unit_of_result(
     return done, notes
 
 
+def as_printed(side: Side, tokens: Sequence[Token]) -> Side:
+    """Return a side that is one decimal times a power of ten or a unit as the number that these make."""
+    units = {token.scale for token in tokens if token.scale}
+    return replace(side, readings=tuple(_one_number(node, units) for node in side.readings))
+
+
+def _one_number(node: Formula, units: Collection[Fraction]) -> Formula:
+    if isinstance(node, Negative):
+        return replace(node, operand=_one_number(node.operand, units))
+    if not isinstance(node, Product):
+        return node
+    decimal = [part for part in node.factors if isinstance(part, Number) and part.last_place is not None]
+    scales = [_scale(part, units) for part in node.factors if part not in decimal]
+    if len(decimal) != 1 or None in scales:
+        return node
+    scale = math.prod((part for part in scales if part is not None), start=Fraction(1))
+    place = decimal[0].last_place
+    return Number(decimal[0].value * scale, place * scale if place else None, span=node.span)
+
+
+def _scale(node: Formula, units: Collection[Fraction]) -> Fraction | None:
+    """Return what a unit or a power of ten multiplies a number by, None for anything else."""
+    if isinstance(node, Number):
+        return node.value if node.value in units else None
+    if not isinstance(node, Power) or node.base != Number(Fraction(10)):
+        return None
+    exponent, sign = node.exponent, 1
+    if isinstance(exponent, Negative):
+        exponent, sign = exponent.operand, -1
+    if isinstance(exponent, Number) and exponent.value.denominator == 1 and abs(exponent.value) < 40:
+        return Fraction(10) ** (sign * int(exponent.value))
+    return None
+
+
 def _unit_of(tokens: Sequence[Token]) -> tuple[float, Formula] | None:
     """Return the number of 6.71 in or 120° as printed, and what its unit multiplies it by."""
     rest = [token for token in tokens if not token.is_op("-")]
     if not rest or rest[0].kind != "number" or len(tokens) - len(rest) > 1:
         return None
     sign = -1 if len(rest) < len(tokens) else 1
-    if len(rest) == 1 and rest[0].scale not in (None, 0, 1):
-        scale = Fraction(rest[0].scale or 1)
-        return sign * float(rest[0].number / scale), Number(scale)
+    scale = rest[0].scale
+    if scale not in (None, 0, 1) and [token.kind for token in rest[1:]] == ["open", "number", "close"]:
+        return sign * float(rest[0].number), Number(Fraction(scale or 1))
     if len(rest) == 2 and rest[1].kind == "degree":
         return sign * float(rest[0].number), Quotient(Constant("pi"), Number(Fraction(180)))
     return None

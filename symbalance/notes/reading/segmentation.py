@@ -50,6 +50,9 @@ _VERBS = word_set(
 _PARTICLES = word_set(
     "with mit for für by of to from at bei as on in oben unten the a an der die das ein eine per and im"
 )
+_ONE_NUMBER = re.compile(
+    r"[=≈]\s*[-−]?[0-9]+(?:[.,][0-9]+)?\s*(?:$|[.;,)](?:\s|$)|[^\W\d_]{2,}\b)", re.MULTILINE
+)
 _WORD_OF_OPERATION = re.compile(r"\b(?:plus|minus|times|mal|over|durch|divided|squared)\b")
 _WORDS_ALONE = re.compile(
     r"(?:\\\\|\$|\\\[|\\\(|\}|^|&|\n)\s*\\(?:text|mathrm|textrm|textit|mbox|textbf|textnormal)\s*\{\s*"
@@ -331,6 +334,8 @@ class ItemFinder:
             return None
         if _WORD_OF_OPERATION.search(match["words"]) or match["words"] in words.names:
             return None
+        if _ONE_NUMBER.match(self.text, place):
+            return None  # cost = 4
         return match.span("words")
 
 
