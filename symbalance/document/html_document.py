@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from html import escape
 from itertools import count
 from textwrap import shorten
+from urllib.parse import quote
 
 from symbalance.document import nodes
 from symbalance.document.document_writer import DocumentWriter
@@ -154,7 +155,8 @@ class _Writer(DocumentWriter):
         return f'<span class="spoken">{spoken}</span><span aria-hidden="true">{words}</span>'
 
     def jump(self, jump: nodes.Jump) -> str:
-        return f'<a href="#{escape(jump.anchor)}">{escape(jump.text, quote=False)}</a>'
+        place = quote(jump.file) + (f"#{jump.anchor}" if jump.anchor else "")
+        return f'<a href="{escape(place)}">{escape(jump.text, quote=False)}</a>'
 
     def marked(self, block: nodes.Marked) -> str:
         """Return a line that opens, by a click or the keyboard, to what is said of it."""

@@ -26,6 +26,7 @@ from symbalance.document.nodes import (
     Words,
     blocks,
 )
+from symbalance.notes.checking.document_table import line_anchor
 from symbalance.notes.checking.report_document import (
     difference_words,
     fault_words,
@@ -89,7 +90,7 @@ def _entry(verdict: Verdict) -> tuple[Words, Words]:
 
 
 def _anchor(verdict: Verdict) -> str:
-    return "line-" + re.sub("[.:]", "-", place(verdict))
+    return line_anchor(place(verdict))
 
 
 def _mark(verdict: Verdict) -> str:
