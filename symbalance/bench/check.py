@@ -53,7 +53,8 @@ from symbalance.notes.checking.verdicts import PROVED_WORDS, REFUTED, STATED, Ch
 CPU_WITHOUT, CPU_WITH = 1.5, 3.0
 FASTER = {SIMPLIFY: 4, EQUALS: 2}
 """Targets: seconds of processor time for 90 relations, start included, without and with the search for
-fixes (the page has more, so that it is held to more); how many times as long SymPy takes, at least, by its way."""
+fixes (the page has 116 and is held to the same); how many times as long SymPy takes, at least, by its
+way."""
 POSITIVE = (*PROVED_WORDS, *STATED)
 EACH, EACH_QUICKLY, EVERY_QUICKLY = 30, 6, 4
 """Faults of each kind; quickly fewer, and only every fourth relation for SymPy."""

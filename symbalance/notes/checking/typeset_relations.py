@@ -8,12 +8,10 @@ from itertools import islice
 from operator import is_
 
 from symbalance.document.formula import (
-    Constant,
     Equation,
     Formula,
     Number,
     Product,
-    Quotient,
     Span,
     Upright,
     children,
@@ -22,6 +20,7 @@ from symbalance.document.formula import (
 )
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.verdicts import Verdict
+from symbalance.notes.checking.written_degrees import degrees_of
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.notes.reading.units import scale_of
 
@@ -75,10 +74,8 @@ def as_written(node: Formula, text: str = "") -> Formula:
     >>> formula_text(as_written(read_equation("cos(x + 90°)", {"x"}).sides[0].node))
     'cos(x + 90°)'
     """
-    if isinstance(node, Product) and _is_degree(node.factors[-1]):
-        (*rest, _) = node.factors
-        if len(rest) == 1 and isinstance(rest[0], Number):
-            return Upright(f"{formula_text(rest[0])}°")
+    if (degrees := degrees_of(node)) is not None:
+        return degrees
     if text and (quantity := _quantity(node, text)) is not None:
         return quantity
     parts = children(node)
@@ -105,15 +102,3 @@ def _quantity(node: Formula, text: str) -> Formula | None:
     if len(numbers) == 1 and isinstance(numbers[0], Number):
         return Upright(f"{formula_text(numbers[0])} {unit}")
     return None
-
-
-def _is_degree(node: Formula) -> bool:
-    """Tell whether a factor π/180 is one sign of the source, not a quotient that the author wrote."""
-    return (
-        isinstance(node, Quotient)
-        and isinstance(node.numerator, Constant)
-        and node.numerator.name == "pi"
-        and isinstance(node.denominator, Number)
-        and node.denominator.value == 180
-        and node.numerator.span == node.denominator.span
-    )
