@@ -116,7 +116,11 @@ def _with_fix(
     repair = diagnose(case)
     if repair is None or repair.cost > OF_A_SHORT_VALUE:
         left = None if other is None else other[0].node
-        repair = _short_value(case, verdict.exact_node, left) or repair
+        short = _short_value(case, verdict.exact_node, left)
+        if short is not None and repair is not None and repair.kind == "factor":
+            repair = replace(repair, cost=short.cost)  # says more of the slip
+        else:
+            repair = short or repair
     where, title = side, ""
     is_result = not formula.names(side.node)  # what was calculated: never what it was calculated from
     if other is not None and not is_result and (repair is None or repair.cost > 1.0 + OTHER_SIDE):
@@ -160,7 +164,7 @@ def _short_value(case: Case, exact: Formula | None, left: Formula | None) -> Rep
         node = exact
         if not case.proves(node):
             return None
-    return Repair("value", node, ((case.node, node),), OF_A_SHORT_VALUE)
+    return _rounded(Repair("value", node, ((case.node, node),), OF_A_SHORT_VALUE), case)
 
 
 def _is_short(node: Formula) -> bool:

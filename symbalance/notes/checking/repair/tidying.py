@@ -38,9 +38,18 @@ def tidied(node: Formula, own: Collection[int] = ()) -> Formula:
         return _of(terms, Sum, 0) if len(terms) < len(changed.terms) else changed
     if isinstance(changed, Quotient) and (_is(changed.numerator, 0) or _is(changed.denominator, 1)):
         return changed.numerator
-    if isinstance(changed, Negative) and isinstance(changed.operand, Negative):
-        return changed.operand.operand
-    return changed
+    return _negative(changed.operand) if isinstance(changed, Negative) else changed
+
+
+def _negative(node: Formula) -> Formula:
+    """Return a formula with its sign turned, of a sum a positive term in front: −(4a − 3b) is 3b − 4a."""
+    if isinstance(node, Negative):
+        return node.operand
+    if not isinstance(node, Sum):
+        return Negative(node)
+    terms = [term.operand if isinstance(term, Negative) else Negative(term) for term in node.terms]
+    first = next((k for k, term in enumerate(terms) if not isinstance(term, Negative)), 0)
+    return Sum((terms[first], *terms[:first], *terms[first + 1 :]))
 
 
 def _product(node: Product) -> Formula:
