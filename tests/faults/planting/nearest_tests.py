@@ -110,6 +110,14 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "laws/test_drawings",
         "independent/test_drawings",
         "bad_input/test_drawing_requests",
+        "laws/test_drawn_geometry",
+    ),
+    "pages": (
+        "laws/test_sheets",
+        "independent/test_published_tables",
+        "laws/test_atlas",
+        "laws/test_pages",
+        "independent/test_drawings",
     ),
     "budgets": (
         "bad_input/test_budgets",
