@@ -65,14 +65,25 @@ def show_comparison(options: argparse.Namespace, order: int) -> None:
         rule = "shares engines with files of their own, and this is one table"
         raise SymbalanceError(name, rule, "leave it out, or add -o FOLDER/")
     if options.rpm is not None and ":" in options.rpm:
-        rule = "is of one engine, and a table of several is at one speed"
-        raise SymbalanceError(f"--rpm {options.rpm}", rule, "give one speed, or add -o FOLDER/")
+        for name in OWN:
+            if getattr(options, name):
+                rule = "is for a table at one speed, and over several it is in newtons alone"
+                raise SymbalanceError(f"--{name}", rule, "leave it out, or give one speed")
     engines = engines_of(options)
     from symbalance.design.comparison import compare
 
     own = {name: getattr(options, name) for name in OWN}
     table = compare(engines, order, **own)
-    show(table if options.rpm is None else table.at(rpm=options.rpm), options)
+    if options.rpm is None:
+        show(table, options)
+        return
+
+    from symbalance.design.comparison_over_speeds import compare_over_speeds
+    from symbalance.forces.operating_point import checked_speeds
+
+    speeds = checked_speeds(options.rpm)
+    several = len(speeds) > 1
+    show(compare_over_speeds(table, speeds) if several else table.at(rpm=speeds[0]), options)
 
 
 def engines_of(options: argparse.Namespace) -> list[Engine]:
