@@ -77,14 +77,14 @@ def test_a_pin_goes_right_after_the_top() -> None:
     assert places["crank"][1] == 10
 
 
-@pytest.mark.parametrize("name", ENGINES)
+@pytest.mark.parametrize("name", ["kharkiv-v2", pytest.param("r-985", marks=pytest.mark.slow)])
 def test_a_link_pin_stays_on_its_master_rod(name: str) -> None:
     engine = sb.load(name)
     linked = [c for c in engine.cylinders if c.link is not None and c.link.radius]
     for cylinder in linked:
         arms = []
         assert cylinder.link is not None
-        for degrees in range(0, 360, 30):
+        for degrees in (0, 50, 170, 290):
             places = parts(engine, degrees)
             crank = places[f"rod-{cylinder.link.master}"]
             arm = (places[f"rod-{cylinder.number}"][0] - crank[0]) / np.exp(1j * math.radians(crank[1]))
