@@ -43,7 +43,8 @@ def add(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--declare",
         action="store_true",
-        help="draft a symbols file: every letter, with what the text proposes, for you to confirm; "
+        help="draft a symbols file: every letter, with what the text proposes, for you to confirm; of "
+        "several documents, one for all of them; "
         "--format html and others show the proposals typeset",
     )
     parser.add_argument(

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
+import unicodedata
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -14,12 +17,12 @@ from symbalance.cli.budget import read_budget
 from symbalance.cli.long_work import STORE, long_work, output_folder, report_paths
 from symbalance.cli.named_files import declared_files
 from symbalance.cli.outcomes import DONE, FAILED, FAULT, REFUSED, say, say_fault
-from symbalance.cli.output import for_terminal, medium_of_several, printed, show, write_all
+from symbalance.cli.output import for_terminal, medium_of_several, printed, show, write, write_all
 from symbalance.errors import SymbalanceError
 from symbalance.jobs.running import Job, JobOutcome, run_jobs
 from symbalance.jobs.store import JSON, Codec, Store, key_of
 from symbalance.notes.checking.document_table import DocumentRow, DocumentTable
-from symbalance.notes.checking.documents import IN_FOLDERS
+from symbalance.notes.checking.documents import COURSE, IN_FOLDERS
 from symbalance.text.files import STANDARD_INPUT
 
 MOST_DOCUMENTS = 10_000
@@ -28,7 +31,7 @@ MOST_DOCUMENTS = 10_000
 def check_several(options: argparse.Namespace) -> int:
     """Check every document and show the table; the exit code is the worst of all of them."""
     if options.declare:
-        raise SymbalanceError("--declare", "is for one document", "name a single one")
+        return _declare_several(options)
     if options.certificates is not None:
         raise SymbalanceError("--certificates", "is for one document", "name a single one")
     if options.label or options.format == "xlsx":
@@ -53,7 +56,10 @@ def check_several(options: argparse.Namespace) -> int:
             if reports and outcome.is_done:
                 reports[place].parent.mkdir(parents=True, exist_ok=True)
                 write_all({str(reports[place]): outcome.value["printed"]})
-            rows.append(_row(job, outcome, options.lenient))
+            row = _row(job, outcome, options.lenient)
+            if reports and outcome.is_done and folder is not None:
+                row = replace(row, file=reports[place].relative_to(folder).as_posix())
+            rows.append(row)
             faults += _faults(job, outcome)
     table = DocumentTable(tuple(rows))
     if folder is not None:
@@ -62,8 +68,8 @@ def check_several(options: argparse.Namespace) -> int:
     show(table, for_terminal(options))
     for row in rows:
         if row.exit_code == REFUSED:
-            within = "" if row.problem.startswith(f"{row.name}:") else f"{row.name}: "
-            say(f"symbalance: {within}{row.problem}")
+            refusal = re.sub(": line ([0-9]+): ", r":\1: ", f"{row.name}: {row.problem}", count=1)
+            say(f"symbalance: {refusal}")
     for fault in faults:
         say_fault(*fault)
     return max(row.exit_code for row in rows)
@@ -105,7 +111,41 @@ def _inside(folder: Path, output: Path | None) -> list[Path]:
             for name in names
             if name.endswith(IN_FOLDERS) and not name.startswith(".") and Path(place, name).is_file()
         ]
-    return sorted(documents)
+    return sorted(documents, key=_reading_order)
+
+
+def _reading_order(path: Path) -> tuple[list[str], str]:
+    """Return where a name stands in a list that a person reads: Óscar with the O, capitals with small."""
+    plain = unicodedata.normalize("NFKD", str(path))
+    letters = "".join(c for c in plain if not unicodedata.combining(c)).casefold()
+    return letters.split("/"), str(path)
+
+
+def _declare_several(options: argparse.Namespace) -> int:
+    """Write one draft of a symbols file for all of them; 2 if some could not be read."""
+    from symbalance.checking import sidecar_draft
+    from symbalance.notes.checking.declaration_draft import course_toml
+
+    unused = ("standalone", "label", "lenient", "accept_proposals", "no_fixes", "certificates", "format")
+    for name in unused:
+        if getattr(options, name):
+            option = name.replace("_", "-")
+            raise SymbalanceError(f"--{option}", "plays no part in --declare of several", "leave it out")
+    if options.output and not options.output.endswith(".toml") and options.output != "-":
+        rule = "is no .toml file, and one file declares letters for all of a folder"
+        raise SymbalanceError(f"--output {options.output}", rule, f"name FOLDER/{COURSE}")
+    limit = read_budget(options.budget)
+    drafts, problems = [], []
+    for path in _documents(options.documents, None):
+        try:
+            drafts.append(sidecar_draft(path, options.symbols, budget=limit))
+        except SymbalanceError as problem:
+            problems.append(str(problem))
+    if drafts:
+        write(course_toml(drafts), options.output, "source")
+    for problem in problems:
+        say(f"symbalance: {problem}")
+    return REFUSED if problems else DONE
 
 
 def _names(documents: list[Path]) -> list[str]:
@@ -191,12 +231,23 @@ def _check(
 
 def _row(job: Job, outcome: JobOutcome, lenient: bool) -> DocumentRow:
     if outcome.problem is not None:
-        return DocumentRow(job.name, None, REFUSED, str(outcome.problem).removeprefix(f"{job.name}: "))
+        return DocumentRow(job.name, None, REFUSED, _unnamed(str(outcome.problem), job.name))
     if outcome.fault:
         return DocumentRow(job.name, None, FAULT, f"a fault of symbalance: {outcome.fault}")
     value = outcome.value
     code = FAILED if value["fails"][lenient] else DONE
     return DocumentRow(job.name, value["report"], FAULT if value["faults"] else code)
+
+
+def _unnamed(problem: str, name: str) -> str:
+    """Return what is said of a document without its name, which the job and the reader both put first.
+
+    >>> _unnamed("a.md: a.md:3: is not UTF-8 text", "a.md")
+    'line 3: is not UTF-8 text'
+    """
+    while problem.startswith(f"{name}: "):
+        problem = problem.removeprefix(f"{name}: ")
+    return f"line {problem[len(name) + 1 :]}" if problem.startswith(f"{name}:") else problem
 
 
 def _faults(job: Job, outcome: JobOutcome) -> list[tuple[str, str]]:

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from html import escape
 from itertools import count
 from textwrap import shorten
+from urllib.parse import quote
 
 from symbalance.document import nodes
 from symbalance.document.document_writer import DocumentWriter
@@ -47,6 +48,7 @@ _STYLE = """
 .symbalance img,.symbalance svg{max-width:100%;height:auto}
 """
 _MARKS = """
+.symbalance h1{overflow-wrap:anywhere}
 .symbalance .marked{border-left:.35rem solid;margin:.25rem 0;padding:.1rem .6rem}
 .symbalance .marked summary{cursor:pointer;display:grid;grid-template-columns:3.2rem 1fr auto;gap:.6rem}
 .symbalance .marked .line{overflow-x:auto;overflow-y:hidden;padding:.15rem 0}
@@ -64,10 +66,22 @@ _MARKS = """
 .symbalance .marked .line{grid-column:1/-1;grid-row:2}
 .symbalance .marked .inside{padding-left:.2rem}
 }
+.symbalance .marked{color:#1b1b1b}
+.symbalance figure svg{background:#fff;color:#1b1b1b}
+"""
+_DARK_PAGE = """
+:root{color-scheme:light dark}
 @media(prefers-color-scheme:dark){
-.symbalance{color-scheme:light}
+.symbalance .marked{color:inherit}
+.symbalance .marked .place{color:#aaa}
+.symbalance .marked.right{background:#10261a;border-color:#3fb950}
+.symbalance .marked.wrong{background:#33171a;border-color:#f85149}
+.symbalance .marked.wrong .word{color:#ff9d94}
+.symbalance .marked.unsure{background:#2e2610;border-color:#d29922}
+.symbalance .marked.plain{background:#1d232c;border-color:#8b9bb4}
 }
 """
+"""Of a page of its own: within somebody else's, light stays light, whatever is around it."""
 _PAGE = """<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -94,6 +108,7 @@ def document_html(document: nodes.Document, *, standalone: bool = False) -> str:
         style += svg_writer.style() + "\n"
     if not standalone:
         return f"<style>{style}</style>\n{body}"
+    style += _DARK_PAGE if _MARKS in style else ""
     title = shorten(plain_words(document.title), LONGEST_TITLE, placeholder="…")
     return _PAGE.format(title=escape(title), style=style, body=body)
 
@@ -154,7 +169,8 @@ class _Writer(DocumentWriter):
         return f'<span class="spoken">{spoken}</span><span aria-hidden="true">{words}</span>'
 
     def jump(self, jump: nodes.Jump) -> str:
-        return f'<a href="#{escape(jump.anchor)}">{escape(jump.text, quote=False)}</a>'
+        place = quote(jump.file) + (f"#{jump.anchor}" if jump.anchor else "")
+        return f'<a href="{escape(place)}">{escape(jump.text, quote=False)}</a>'
 
     def marked(self, block: nodes.Marked) -> str:
         """Return a line that opens, by a click or the keyboard, to what is said of it."""

@@ -56,10 +56,14 @@ class Strong:
 
 @dataclass(frozen=True, eq=False)
 class Jump:
-    """Words that lead to a `Marked` line of the same document, where a medium can follow them."""
+    """Words that lead to a `Marked` line of the same document, where a medium can follow them.
+
+    With `file` to one of another document, or to its head: a path from where this document lies.
+    """
 
     text: str
-    anchor: str
+    anchor: str = ""
+    file: str = ""
 
 
 Inline = str | Formula | Equation | Code | Strong | Jump

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
 import time
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -55,6 +57,60 @@ def test_every_document_of_a_folder_is_a_line_and_the_worst_decides(notes, capsy
     assert "is not UTF-8 text" in reports["broken.md"]["problem"]
     refusals = [line for line in err.splitlines() if line.startswith("symbalance: ")]
     assert refusals == [f"symbalance: {notes}/broken.md:1: is not UTF-8 text; save it as UTF-8"]
+
+
+def test_one_draft_declares_the_letters_of_a_whole_course(tmp_path, capsys):
+    """What documents agree on is proposed; λ, which two of them mean differently, is left to them."""
+    course = tmp_path / "course"
+    course.mkdir()
+    texts = {
+        "anna.md": "crank radius r, rod ratio λ = l/r, crank angle θ\n\n$$y = r cos θ + λ$$\n",
+        "Ben.txt": "r: Kurbelradius, Kurbelwinkel θ, Schubstangenverhältnis λ = r/l\n\ny = r cos θ + λ\n",
+    }
+    for name, text in texts.items():
+        (course / name).write_text(text, encoding="utf-8")
+    (course / "broken.md").write_bytes(b"\xff")
+    assert run(["check", str(course), "--declare"]) == 2
+    out, err = capsys.readouterr()
+    assert err.count("\n") == 1
+    assert "broken.md:1: is not UTF-8 text" in err
+    symbols = tomllib.loads(out)["symbols"]
+    assert (symbols["r"], symbols["θ"], symbols["λ"]) == ("? crank radius", "? crank angle", "")
+    assert "they differ: crank ratio r/l (1), rod ratio l/r (1)" in out.replace(
+        "rod ratio l/r (1), crank ratio r/l (1)", "crank ratio r/l (1), rod ratio l/r (1)"
+    )
+
+
+def test_of_two_letters_a_course_calls_crank_angle_a_page_has_the_one_it_writes(tmp_path, capsys):
+    """β is asin(ρ sin φ) where φ alone stands: with θ for it, right lines would be refuted."""
+    course = tmp_path / "course"
+    course.mkdir()
+    (course / "symbols.toml").write_text(
+        '[symbols]\n"θ" = "crank angle"\n"φ" = "crank angle"\n"β" = "rod angle"\n'
+        'r = "crank radius"\nl = "rod length"\n',
+        encoding="utf-8",
+    )
+    (course / "one.txt").write_text("l sin β = r sin φ\n", encoding="utf-8")
+    (course / "other.txt").write_text("l sin β = r sin θ\n", encoding="utf-8")
+    (course / "wrong.txt").write_text("l sin β = r cos φ\n", encoding="utf-8")
+    assert run(["check", str(course), "--format", "json"]) == 1
+    reports = reports_of(capsys.readouterr().out)
+    assert {name: one["exit"] for name, one in reports.items()} == {
+        "one.txt": 0,
+        "other.txt": 0,
+        "wrong.txt": 1,
+    }
+
+
+def test_the_index_of_reports_leads_to_the_line_of_each_error(notes, tmp_path, capsys):
+    reports = tmp_path / "reports"
+    assert run(["check", str(notes), "-o", str(reports), "--format", "html"]) == 2
+    capsys.readouterr()
+    index = (reports / "index.html").read_text(encoding="utf-8")
+    targets = re.findall(r'href="([^"#]*)#([^"]+)"', index)
+    assert targets == [("wrong.txt.html", "line-1")]
+    assert 'id="line-1"' in (reports / "wrong.txt.html").read_text(encoding="utf-8")
+    assert 'href="below/deep.tex.html"' in index
 
 
 def test_a_document_among_several_is_said_what_is_said_of_it_alone(notes, capsys):
@@ -136,7 +192,11 @@ def test_the_same_document_by_two_ways_is_one(notes, capsys):
     [
         (["right.md", "-"], "is one document among several"),
         (["right.md", ""], "is an empty name"),
-        (["right.md", "wrong.txt", "--declare"], "--declare: is for one document"),
+        (
+            ["right.md", "wrong.txt", "--declare", "--format", "html"],
+            "--format: plays no part",
+        ),
+        (["right.md", "wrong.txt", "--declare", "-o", "out"], "--output out: is no .toml file"),
         ([".", "-o", "."], "is a folder of documents, and reports in it would be documents too"),
         ([".hidden/none"], "cannot be read"),
         (["empty"], "holds no .tex, .md, .txt, .text, "),

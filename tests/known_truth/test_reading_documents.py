@@ -222,8 +222,9 @@ REFUSED = [
         [],
     ),
     (r"x \propto y", [(1, 3, "proportionality is not read")], []),
-    ("質量は x = m Q である", [(1, 11, "letter Q is not declared")], []),
-    ("質量は Z = K Q である", [(1, 9, "letter K is not declared")], []),
+    ("質量は x = m Q である", [], ["x = m Q"]),
+    ("質量は Z = K Q である", [], ["Z = K Q"]),
+    ("値は x = f(2) Q である", [(1, 8, "letter f is not declared")], []),
     ("ここで $Z = K Q$ である", [], ["Z = K Q"]),
 ]
 

@@ -110,3 +110,29 @@ def test_the_correction_undoes_the_slip(row: str) -> None:
             assert formulas.close(formulas.at_point(fix.node, POINT, 30), expected, 20)
     corrected = typed_in(slipped, verdict)
     assert {v.verdict for v in check(f"$${corrected}$$", LETTERS).verdicts} <= HOLDS, corrected
+
+
+RESULTS = r"""
+1+1 = 0 | 2
+1-1 = 2 | 0
+\int_0^\pi \sin\theta\,d\theta = 0 | 2
+\sin 120^\circ = \frac12 | sqrt(3)/2
+2\cos^2 30^\circ = \sqrt3 | 3/2
+\cos 2(\theta+45^\circ) = \cos 2\theta | -sin 2θ
+100\pi = 341 | 314.2
+\frac{60\cdot 179.5}{4} = 2962 | 2692.5
+\sin\theta\cos\theta + \sin\theta\cos\theta = \sin\theta | sin 2θ
+\cos\theta+\sin\theta = \sqrt2\cos(\theta+45^\circ) | sqrt(2) cos(θ - 45°)
+3\sin\theta-4\sin^3\theta+1-1 = 4\sin^3\theta-3\sin\theta | 3 sin θ - 4 sin^3 θ
+\cos\theta+\frac{r}{l}\cos2\theta = \cos\theta+\frac{r}{2l}\cos2\theta | cos θ + r/l cos 2θ
+""".strip().split("\n")
+
+
+@pytest.mark.spread(4)
+@pytest.mark.parametrize("row", RESULTS)
+def test_a_result_is_corrected_as_a_teacher_would_write_it(row: str) -> None:
+    """The right side, not what it was worked out from; short, with no factor 1 and no inner product."""
+    line, correction = row.split(" | ")
+    fix = refuted(line).fix
+    assert fix is not None
+    assert (fix.of_left, fix.text.replace("1 - 1 + ", "")) == (False, correction)

@@ -12,6 +12,7 @@ In: a document, a sidecar that says what its letters mean, and somebody who know
     declaration_draft               the symbols file drafted from it
     documents, sympy_expressions    `check` of a document, `check_equal` of two SymPy expressions
     report_document, report_data    the report for readers and for programs
+    page_prose                      what stands between relations, in whatever markup, as blocks
     marked_page, sides_plot         the author's page for a browser, both sides of what is wrong drawn
     document_table                  several documents, a line for each
 """

@@ -6,7 +6,8 @@ A proposed scope or binding says `proposed = true`, and plays no part before tha
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -57,9 +58,7 @@ class DeclarationDraft(Result):
             lines += ["", *_scope(scope)]
         for binding in proposed.bindings:
             lines += ["", *_binding(binding)]
-        meanings = "\n".join(f"#   {meaning}" for meaning in KNOWN)
-        rest = f"# meanings the checker knows; any other text is just a letter:\n{meanings}"
-        return "\n".join(lines) + f"\n\n{rest}\n"
+        return "\n".join(lines) + f"\n\n{_known_meanings()}\n"
 
     def _symbol(self, letter: str, line: int) -> str:
         proposal = self.proposals.meanings.get(letter)
@@ -198,3 +197,53 @@ def _claim(keys: Mapping[str, str | int]) -> str:
         *([f"bank {keys['bank']}"] if "bank" in keys else []),
     ]
     return ", ".join(parts) + (f" of {engine}" if engine else "")
+
+
+# One draft for several documents
+
+
+def course_toml(drafts: Sequence[DeclarationDraft]) -> str:
+    """Return one symbols file for several documents: each letter, how many have it, what they propose.
+
+    Where documents say different things of a letter, none is proposed and all are named: whichever stood
+    there would accuse right lines of the others. What is of single lines stays with each document.
+    """
+    users: dict[str, list[tuple[str, int]]] = {}
+    meanings: dict[str, Counter[str]] = {}
+    usual: dict[str, str] = {}
+    reasons: dict[tuple[str, str], str] = {}
+    for draft in drafts:
+        for letter, line in draft.proposals.letters.items():
+            users.setdefault(letter, []).append((draft.name, line))
+            proposal = draft.proposals.meanings.get(letter)
+            if proposal is None:
+                continue
+            if proposal.words:
+                meanings.setdefault(letter, Counter())[proposal.meaning] += 1
+            else:
+                usual[letter] = proposal.meaning
+            words = f"{draft.name}, line {proposal.line}: {proposal.words}" if proposal.words else _USUAL
+            reasons.setdefault((letter, proposal.meaning), words)
+    count = len(drafts)
+    lines = [
+        f"# Letters of {count} {'document' if count == 1 else 'documents'}; symbols.toml in their folder "
+        "declares them for all.",
+        "# Behind a question mark: proposed, not believed. Delete the mark of what is right.",
+        "",
+        "[symbols]",
+    ]
+    for letter in sorted(users, key=lambda each: (-len(users[each]), each)):
+        ranked = meanings.get(letter, Counter()).most_common()
+        best = ranked[0][0] if len(ranked) == 1 else "" if ranked else usual.get(letter, "")
+        name, line = users[letter][0]
+        why = reasons[letter, best] if best else f"{name}, line {line}"
+        if len(ranked) > 1:
+            why = "they differ: " + ", ".join(f"{meaning} ({n})" for meaning, n in ranked)
+        entry = f"{_text(plain_letter(letter))} = {_text(f'{PROPOSED} {best}' if best else '')}"
+        lines.append(f"{entry:<40}  # {len(users[letter])} of {count}; {visible(why)}")
+    return "\n".join(lines) + f"\n\n{_known_meanings()}\n"
+
+
+def _known_meanings() -> str:
+    meanings = "\n".join(f"#   {meaning}" for meaning in KNOWN)
+    return f"# meanings the checker knows; any other text is just a letter:\n{meanings}"

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from symbalance.document.formula import number
+from symbalance.document.letters import plain_letter
 from symbalance.document.nodes import (
     UNKNOWN,
     Code,
@@ -14,7 +15,10 @@ from symbalance.document.nodes import (
     Document,
     Facts,
     Heading,
+    Inline,
+    Jump,
     Paragraph,
+    Strong,
     Table,
     Words,
     blocks,
@@ -23,10 +27,13 @@ from symbalance.document.result import Result
 from symbalance.errors import printable
 from symbalance.notes.checking.verdicts import (
     CONTRADICTION,
+    FAILING,
+    MOST_LETTERS,
     PROVED_WORDS,
     REFUTED,
     STATED,
     UNDECIDED,
+    UNDECLARED,
     UNREADABLE,
 )
 
@@ -35,7 +42,9 @@ RIGHT = (*PROVED_WORDS, *STATED)
 LONGEST = 28
 """Characters of a name in the table, which has no room for more."""
 MOST_ERRORS, MOST_PLACES = 60, 8
-"""Errors in the table, and places named of each; the JSON has all."""
+"""Errors in the table, and documents named of each; the JSON has all."""
+LONGEST_PIECE = 44
+"""Characters of a formula in the table of errors."""
 WRONG = (REFUTED, UNDECIDED, UNREADABLE)
 
 
@@ -43,13 +52,15 @@ WRONG = (REFUTED, UNDECIDED, UNREADABLE)
 class DocumentRow:
     """One document: its name, its report as data (None where it could not be checked), its exit code.
 
-    `problem` says why it could not be checked, in one line.
+    `problem` says why it could not be checked, in one line; `file` is its own report, if it has one, from
+    where the table lies.
     """
 
     name: str
     report: Mapping[str, Any] | None
     exit_code: int
     problem: str = ""
+    file: str = ""
 
     @staticmethod
     def _wrong(counts: Mapping[str, int]) -> list[int]:
@@ -79,13 +90,13 @@ class DocumentTable(Result):
         return f"Checked documents: {right} of {len(self.rows)} without a fault"
 
     def document(self) -> Document:
-        """Return a table with a line for each document, then what kept some from being checked."""
+        """Return a line for each document, what is wrong in them, and why some were not checked."""
         heads = ("document", "seen", "hold", *WRONG, "exit")
         rows = tuple(
-            (name, *_cells(row), number(row.exit_code))
+            (Jump(name, file=row.file) if row.file else name, *_cells(row), number(row.exit_code))
             for name, row in zip(_short_names(self.rows), self.rows, strict=True)
         )
-        problems = [(Code(row.name), f": {row.problem}") for row in self.rows if row.problem]
+        problems = [(Code(row.name), f": {_problem(row)}") for row in self.rows if _problem(row)]
         legend = (
             (
                 "hold",
@@ -95,9 +106,11 @@ class DocumentTable(Result):
             ("exit", "0 nothing wrong, 1 not to be relied on, 2 not checked, 3 a fault of symbalance"),
         )
         table = Table("", tuple(Column(head) for head in heads), rows)
+        undeclared = self._undeclared()
         return Document(
             self.summary(),
             blocks(
+                Paragraph(undeclared) if undeclared else None,
                 table,
                 self._errors(),
                 Heading("Not checked") if problems else None,
@@ -106,23 +119,57 @@ class DocumentTable(Result):
             ),
         )
 
+    def _undeclared(self) -> Words:
+        """Return which letters nobody has declared, in how many documents, and how they are."""
+        letters: set[str] = set()
+        count = 0
+        for row in self.rows:
+            here = {m[1] for entry in _entries(row) if (m := UNDECLARED.search(entry["reason"] or ""))}
+            letters |= here
+            count += bool(here)
+        if not letters:
+            return ""
+        shown = ", ".join(sorted(map(plain_letter, letters))[:MOST_LETTERS])
+        more = ", …" if len(letters) > MOST_LETTERS else ""
+        documents = "1 document has" if count == 1 else f"{count} documents have"
+        return (
+            Strong(f"{documents} letters that nobody has declared: "),
+            f"{shown}{more}. For all documents of a folder: ",
+            Code("symbalance check FOLDER/ --declare -o FOLDER/symbols.toml"),
+            ", and confirm what it proposes.",
+        )
+
     def _errors(self) -> Table | None:
         """Return what is wrong in them, the commonest first, and who has it on which line."""
-        places: dict[tuple[Any, ...], list[str]] = {}
+        people: dict[tuple[Any, ...], dict[int, list[str]]] = {}
         shown: dict[tuple[Any, ...], Words] = {}
-        for row, name in zip(self.rows, _short_names(self.rows), strict=True):
-            for entry in (row.report or {"links": ()})["links"]:
-                if "continues" in entry or entry["verdict"] not in WRONG:
-                    continue
-                key, words = _error(entry)
-                places.setdefault(key, []).append(f"{name}:{entry['line']}")
-                shown.setdefault(key, words)
-        ordered = sorted(places, key=lambda key: (-len(places[key]), key))[:MOST_ERRORS]
-        rows = tuple((shown[key], number(len(places[key])), _who(places[key])) for key in ordered)
-        more = len(places) - len(ordered)
+        for k, row in enumerate(self.rows):
+            for entry in _entries(row):
+                if entry["verdict"] in FAILING:
+                    key, words = _error(entry)
+                    people.setdefault(key, {}).setdefault(k, []).append(_place(entry))
+                    shown.setdefault(key, words)
+        ordered = sorted(people, key=lambda key: -len(people[key]))[:MOST_ERRORS]
+        names = _short_names(self.rows)
+        rows = tuple(
+            (shown[key], number(len(people[key])), self._who(people[key], names)) for key in ordered
+        )
+        more = len(people) - len(ordered)
         title = f"What is wrong, the commonest first{f'; {more} more are in the JSON' if more else ''}"
-        columns = (Column("error"), Column("times"), Column("document and line"))
+        columns = (Column("error"), Column("documents"), Column("document: lines"))
         return Table(title, columns, rows) if rows else None
+
+    def _who(self, places: Mapping[int, list[str]], names: list[str]) -> Words:
+        """Return documents with their lines, the first few of many; each line leads to its report's."""
+        words: list[Inline] = []
+        for k in [*places][:MOST_PLACES]:
+            words.append(f"{'; ' if words else ''}{names[k]}: ")
+            file = self.rows[k].file
+            for n, place in enumerate(places[k]):
+                words += [", "] if n else []
+                words.append(Jump(place, line_anchor(place), file) if file else place)
+        more = len(places) - MOST_PLACES
+        return (*words, f" and {more} more") if more > 0 else tuple(words)
 
     def data(self) -> dict[str, Any]:
         """Return every document's report, with its exit code."""
@@ -142,32 +189,64 @@ class DocumentTable(Result):
         ]
 
 
+def line_anchor(place: str) -> str:
+    """Return the anchor of the line at a place such as 22.2 or, in a notebook, 3:2."""
+    return "line-" + place.replace(".", "-").replace(":", "-")
+
+
+def _entries(row: DocumentRow) -> list[Mapping[str, Any]]:
+    """Return the relations of a document; none if it could not be checked."""
+    return [e for e in (row.report or {"links": ()})["links"] if "continues" not in e]
+
+
+def _place(entry: Mapping[str, Any]) -> str:
+    """Return a relation's place as its own report writes it."""
+    line = f"{entry['cell']}:{entry['cell_line']}" if "cell" in entry else f"{entry['line']}"
+    return line if entry["link"] == 1 else f"{line}.{entry['link']}"
+
+
+def _problem(row: DocumentRow) -> str:
+    """Return why a document was not checked, or that there was nothing in it to check."""
+    if row.problem:
+        return row.problem
+    return "no relation was seen in it" if row.report is not None and not row.report["seen"] else ""
+
+
 def _error(entry: Mapping[str, Any]) -> tuple[tuple[Any, ...], Words]:
-    """Return what makes two errors the same, and the error in words: its verdict, kind and change."""
-    if entry["verdict"] == UNREADABLE:
+    """Return what makes two errors the same, and the error in words: what stands, what should.
+
+    A number alone is a different error in another line; a piece of a formula is the same in each.
+    """
+    verdict = entry["verdict"]
+    if verdict == UNREADABLE:
         reason = str(entry["reason"] or "").partition(": ")[2] or str(entry["reason"])
-        return (UNREADABLE, reason), f"{UNREADABLE}: {reason.partition(';')[0]}"
+        undeclared = UNDECLARED.search(reason)
+        if undeclared:
+            reason = f"letter {plain_letter(undeclared[1])} is not declared"
+        return (verdict, reason), f"{verdict}: {reason.partition(';')[0]}"
+    relation = " ".join(f"{entry.get('left', '')} {entry.get('sign', '')} {entry['source']}".split())
     wrong = entry["wrong"]
-    if wrong:
-        change = tuple((each["source"], each["should"]) for each in wrong)
-        first = wrong[0]
-        piece = Code(_one_line(first["source"])) if first["source"] else "nothing"
-        more = f" (and {len(wrong) - 1} more)" if len(wrong) > 1 else ""
-        words: Words = (f"{entry['fix_kind']}: for ", piece, " put ", _one_line(first["should"]), more)
-        return (entry["verdict"], entry["fix_kind"], change), words
-    source = " ".join(str(entry["source"]).split())
-    return (entry["verdict"], "", source), (f"{entry['verdict']}: ", Code(_one_line(source)))
+    if not wrong:
+        return (verdict, relation), (f"{verdict}: ", Code(_one_line(relation)))
+    change = tuple((each["source"], each["should"]) for each in wrong)
+    is_whole = wrong[0]["source"].strip() == entry["source"].strip()
+    first = wrong[0]
+    piece = Code(_one_line(first["source"])) if first["source"] else "nothing"
+    more = f" (and {len(wrong) - 1} more)" if len(wrong) > 1 else ""
+    words: Words = (
+        Code(_one_line(relation)),
+        f": {entry['fix_kind']}, for ",
+        piece,
+        " put ",
+        Code(_one_line(first["should"])),
+        more,
+    )
+    return (verdict, entry["fix_kind"], change, relation if is_whole else ""), words
 
 
 def _one_line(text: str) -> str:
     line = " ".join(text.split())
-    return line if len(line) <= LONGEST else f"{line[: LONGEST - 1]}…"
-
-
-def _who(places: list[str]) -> str:
-    """Return documents with their lines, the first few of many."""
-    more = f" and {len(places) - MOST_PLACES} more" if len(places) > MOST_PLACES else ""
-    return ", ".join(places[:MOST_PLACES]) + more
+    return line if len(line) <= LONGEST_PIECE else f"{line[: LONGEST_PIECE - 1]}…"
 
 
 def _short_names(rows: tuple[DocumentRow, ...]) -> list[str]:

@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import re
 import time
 from collections.abc import Mapping
 from dataclasses import replace
@@ -15,6 +14,7 @@ from shlex import quote
 from typing import TYPE_CHECKING, Any
 
 from symbalance.budgets import Budget, run_within
+from symbalance.document.formula import names
 from symbalance.document.letters import plain_letter
 from symbalance.document.nodes import Code, Strong, Words
 from symbalance.errors import SymbalanceError, brief
@@ -29,7 +29,7 @@ from symbalance.notes.checking.sidecar import (
     without_header,
 )
 from symbalance.notes.checking.symbol_roles import readable_letters
-from symbalance.notes.checking.verdicts import Checked
+from symbalance.notes.checking.verdicts import MOST_LETTERS, UNDECLARED, Checked
 from symbalance.notes.reading import read_document
 from symbalance.notes.reading.equations import ReadNotes
 from symbalance.notes.reading.notebooks import SUFFIX as NOTEBOOK
@@ -44,9 +44,6 @@ IN_FOLDERS = (".tex", ".md", ".txt", ".text", ".ipynb", ".markdown", ".latex", "
 SUFFIXES = (*IN_FOLDERS, ".mediawiki", ".asciidoc", ".html", ".htm", ".xhtml")
 COURSE = "symbols.toml"
 """The file that declares letters for every document of its folder."""
-_UNDECLARED = re.compile(r"letter (\S+) is not declared")
-MOST_LETTERS = 12
-"""Letters that a report names; the draft has them all."""
 
 
 def check(
@@ -93,6 +90,7 @@ def check(
     elif count := declarations.proposal_count:
         remarks.append(_waiting(count))
     page = run_within(budget, partial(read_document, text, name, _letters_by_line(declarations)))
+    declarations = declarations.without_idle(page_letters(page))
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
     sources = Sources(provider, beside)
     start = time.monotonic()
@@ -107,6 +105,11 @@ def check(
     if not is_declared and not accept_proposals and (offer := _offer(checked, name)):
         remarks.append(offer)
     return replace(checked, remarks=tuple(remarks))
+
+
+def page_letters(page: ReadNotes) -> frozenset[str]:
+    """Return the letters that stand in a page's formulas."""
+    return frozenset(name for chain in page.chains for side in chain.sides for name in names(side.node))
 
 
 def _acceptance(declarations: Declarations) -> list[Words]:
@@ -130,7 +133,7 @@ def _waiting(count: int) -> Words:
 
 def _offer(checked: Checked, name: str) -> Words:
     """Return what a document needs that declares nothing, and the command that drafts it."""
-    missing = {m[1] for v in checked.verdicts if (m := _UNDECLARED.search(v.reason))}
+    missing = {m[1] for v in checked.verdicts if (m := UNDECLARED.search(v.reason))}
     missing |= set(checked.derivation.free_letters)
     if not missing:
         return ""

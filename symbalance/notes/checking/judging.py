@@ -74,7 +74,7 @@ from symbalance.notes.checking.verdicts import (
     Verdict,
 )
 from symbalance.notes.reading import ReadingError, read_equation
-from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side
 
 FOLLOWS = "follows from the side before, which is refuted"
 ANGLES = ("crank angle", "rod angle", "time", "integer")
@@ -349,7 +349,7 @@ class Judge:
         if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):
             reason = f"true of the number {name}; here {name} is declared as a letter"
             return Decision(UNDECIDED, reason)
-        definition = self.definitions.define_by(chain, k, knowledge)
+        definition = _demanded(relation) or self.definitions.define_by(chain, k, knowledge)
         if definition is not None:
             return definition
         decision, against = self._decide_step(chain, k, sound, bad, knowledge)
@@ -818,3 +818,8 @@ def read_assumption(text: str, letters: frozenset[str], place: str) -> Assumptio
     raise SymbalanceError(
         f"given = {text}", "must be an equality that fixes a letter", 'write "α = π/6"', place
     )
+
+
+def _demanded(relation: Relation) -> Decision | None:
+    """Return that a relation with an exclamation mark above only demands something."""
+    return Decision(CONDITION, "demanded, to be solved") if relation.is_demanded else None

@@ -1,6 +1,6 @@
 """The author's own page for a browser: typeset, each relation coloured, what is wrong first.
 
-What stands between relations is shown as text, formulas in dollar signs typeset; each relation stands on
+What stands between relations is shown as text (`page_prose`), formulas typeset; each relation stands on
 a line that opens to its claim, its exact value, a witness, both sides drawn where they part, and the
 change that makes it true, in the author's letters.
 """
@@ -10,11 +10,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import PurePath
 
-from symbalance.document.formula import Equation, Formula, names
+from symbalance.document.formula import names
 from symbalance.document.nodes import (
     Block,
     Code,
+    Column,
+    Details,
     Document,
     Facts,
     Figure,
@@ -23,9 +26,13 @@ from symbalance.document.nodes import (
     Jump,
     Marked,
     Paragraph,
+    Strong,
+    Table,
     Words,
     blocks,
 )
+from symbalance.notes.checking.document_table import line_anchor
+from symbalance.notes.checking.page_prose import DISPLAY, END, INLINE, OWN_SIGNS, Prose, Stretch
 from symbalance.notes.checking.report_document import (
     difference_words,
     fault_words,
@@ -42,10 +49,14 @@ from symbalance.notes.checking.typeset_relations import is_readable, sides_by_sp
 from symbalance.notes.checking.verdicts import FAILING, REFUTED, UNDECIDED, UNREADABLE, Checked, Verdict
 from symbalance.notes.reading import ReadingError, read_equation
 
+TOP = "top"
+"""The head of a web page, by its name in HTML."""
 MOST_PLOTS = 60
 """Of one page: each takes some hundredths of a second."""
 MOST_FORMULAS = 2000
 """In the prose of one page that are read to be typeset; the rest stand as they are typed."""
+MOST_CODE = 200
+"""Lines of program code that are shown."""
 LONGEST_PROSE = 600
 """Characters of a source that stands in the page as it is typed."""
 _RIGHT = ("holds", "holds_to_order", "conditional")
@@ -65,7 +76,7 @@ def marked_page(checked: Checked) -> Document:
         blocks(
             remarks,
             Heading("To be mended") if wrong else None,
-            Facts(tuple(_entry(verdict) for verdict in wrong)) if wrong else None,
+            Facts(tuple(_entry(verdict, page) for verdict in wrong)) if wrong else None,
             Heading("The page"),
             body,
             legend(checked.verdicts),
@@ -74,7 +85,7 @@ def marked_page(checked: Checked) -> Document:
     )
 
 
-def _entry(verdict: Verdict) -> tuple[Words, Words]:
+def _entry(verdict: Verdict, page: _Page) -> tuple[Words, Words]:
     """Return a wrong line's place, which leads to it, and what is wrong with it in a few words."""
     where = Jump(f"line {place(verdict)}", _anchor(verdict))
     if verdict.fix is not None and is_readable(verdict.fix.node):
@@ -83,13 +94,13 @@ def _entry(verdict: Verdict) -> tuple[Words, Words]:
             f"{verdict_words(verdict)} ({verdict.fix.kind}{side}): should be ",
             verdict.fix.node,
         )
-    if verdict.node is not None and is_readable(verdict.node):
-        return where, (f"{verdict_words(verdict)}: ", verdict.node)
+    if (relation := typeset(verdict, page.sides, page.text)) is not None:
+        return where, (f"{verdict_words(verdict)}: ", relation)
     return where, (f"{verdict_words(verdict)}: ", Code(one_line(verdict.source, 80)))
 
 
 def _anchor(verdict: Verdict) -> str:
-    return "line-" + re.sub("[.:]", "-", place(verdict))
+    return line_anchor(place(verdict))
 
 
 def _mark(verdict: Verdict) -> str:
@@ -107,48 +118,80 @@ class _Piece:
     start: int
     end: int
     verdicts: tuple[Verdict, ...]
-    inline: tuple[Formula | Equation, ...] = ()
+    inline: tuple[Inline, ...] = ()
+    is_inline: bool = False
 
 
 class _Page:
     """Goes through a page's text: prose as paragraphs, relations as marked lines."""
 
     def __init__(self, checked: Checked) -> None:
-        self.checked, self.text = checked, checked.derivation.text
+        self.checked = checked
         self.sides = sides_by_span(checked.derivation)
         self.letters = {n for c in checked.derivation.chains for s in c.sides for n in names(s.node)}
         self.plots = self.formulas = 0
-        is_plain = checked.derivation.name.endswith((".txt", ".text"))
-        self.is_tex = checked.derivation.name.endswith(".tex")
-        self.parting = _LINES if is_plain else _PARAGRAPHS
+        self.text = OWN_SIGNS.sub("\ufffd", checked.derivation.text)
+        self.pieces, self.loose = self._pieces()
+        suffix = PurePath(checked.derivation.name).suffix.lower()
+        self.prose = Prose(_with_marks(self.text, self.pieces), suffix)
 
     def blocks(self) -> Iterator[Block]:
         """Yield the page from top to bottom; verdicts that stand at no place come last."""
-        placed, loose = self._pieces()
-        at = _body_start(self.text)
-        after_inline = False
-        waiting: list[Verdict] = []
-        words: list[Inline] = []
-        for piece in placed:
-            between = self.text[at : piece.start] if at < piece.start else ""
-            if after_inline:
-                between = _CLOSING.sub("", between)
-            after_inline = bool(piece.inline)
-            if piece.inline:
-                between = _OPENING.sub("", between)
-                yield from self._prose(between, words, waiting, goes_on=True)
-                words += piece.inline
-                waiting += piece.verdicts
-            else:
-                yield from self._prose(between, words, waiting)
-                yield from map(self._line, piece.verdicts)
-            at = max(at, piece.end)
-        end = self.text.find("\\end{document}", at)
-        rest = self.text[at : end if end >= 0 else len(self.text)]
-        yield from self._prose(_CLOSING.sub("", rest) if after_inline else rest, words, waiting)
-        if loose:
+        placed: set[int] = set()
+        for stretch in self.prose.stretches():
+            yield from self._stretch(stretch, placed)
+        rest = [piece for k, piece in enumerate(self.pieces) if k not in placed and piece.verdicts]
+        for piece in rest:  # in markup that is left out, such as a macro's definition
+            yield from map(self._line, piece.verdicts)
+        if self.loose:
             yield Heading("Claims of the symbols file", 3)
-            yield from map(self._line, loose)
+            yield from map(self._line, self.loose)
+
+    def _stretch(self, stretch: Stretch, placed: set[int]) -> Iterator[Block]:
+        """Yield a block of the page, then the lines of the relations that stand within it."""
+        waiting: list[Verdict] = []
+
+        def words(text: str) -> tuple[Inline, ...]:
+            return tuple(self._words(text, waiting, placed))
+
+        if stretch.kind == "relation":
+            placed.add(int(stretch.text))
+            piece = self.pieces[int(stretch.text)]
+            if not piece.verdicts:
+                yield Paragraph(piece.inline)
+            yield from map(self._line, piece.verdicts)
+        elif stretch.kind == "code":
+            lines = stretch.text.split("\n")
+            shown = tuple(Paragraph(Code(line)) for line in lines[:MOST_CODE] if line.strip())
+            title = f"Program code, {len(lines)} {'line' if len(lines) == 1 else 'lines'}"
+            yield Details(title, shown)
+        elif stretch.kind == "table":
+            cells = tuple(tuple(map(words, row)) for row in stretch.rows)
+            head = cells[0] if stretch.has_head else ("",) * len(cells[0])
+            yield Table("", tuple(map(Column, head)), cells[1:] if stretch.has_head else cells)
+        elif stretch.kind == "heading":
+            yield Heading(words(stretch.text), 3)
+        else:
+            inside = words(stretch.text)
+            if any(not isinstance(word, str) or word.strip(_ONLY_SIGNS) for word in inside):
+                yield Paragraph(inside)
+        yield from map(self._line, waiting)
+
+    def _words(self, text: str, waiting: list[Verdict], placed: set[int]) -> Iterator[Inline]:
+        """Yield a text with its formulas typeset; verdicts on relations within it are to follow it."""
+        for kind, content in self.prose.inline(text):
+            if kind == "relation":
+                piece = self.pieces[int(content)]
+                placed.add(int(content))
+                yield from piece.inline
+                waiting += piece.verdicts
+            elif kind == "formula":
+                self.formulas += 1
+                yield from self._formulas(content) if self.formulas <= MOST_FORMULAS else [Code(content)]
+            elif kind == "text":
+                yield content
+            else:
+                yield Code(content) if kind == "code" else Strong(content)
 
     def _pieces(self) -> tuple[list[_Piece], list[Verdict]]:
         """Return the stretches that verdicts stand at, in order, and the verdicts that stand at none."""
@@ -167,48 +210,17 @@ class _Page:
         for chain in self.checked.derivation.chains:  # a formula alone, of which nothing is claimed
             span = (chain.sides[0].span[0], chain.sides[-1].span[1])
             if span not in stretches:
-                placed.append(_Piece(*span, (), (whole_chain(chain),)))
+                placed.append(_Piece(*span, (), (whole_chain(chain, self.text),), chain.inline))
         for (start, end), verdicts in stretches.items():
             chain = self.sides.get(verdicts[0].span, (None, 0))[0]
-            inline = (whole_chain(chain),) if chain is not None and chain.inline else ()
-            placed.append(_Piece(start, end, tuple(verdicts), inline))
+            if chain is None:  # not read: it stands in its sentence as it was typed
+                words: tuple[Inline, ...] = (Code(one_line(verdicts[0].source, LONGEST_PROSE)),)
+                placed.append(_Piece(start, end, tuple(verdicts), words, verdicts[0].inline))
+            else:
+                placed.append(
+                    _Piece(start, end, tuple(verdicts), (whole_chain(chain, self.text),), chain.inline)
+                )
         return sorted(placed, key=lambda piece: (piece.start, piece.end)), loose
-
-    def _prose(
-        self, text: str, words: list[Inline], waiting: list[Verdict], goes_on: bool = False
-    ) -> Iterator[Block]:
-        """Yield the paragraphs and headings of a stretch of prose; with `goes_on` the last stays open."""
-        paragraphs = self.parting.split(text)
-        for k, paragraph in enumerate(paragraphs):
-            heading = re.match(r"\s*(?:(#{1,6})\s+(.*)|\\(?:sub)*section\*?\s*\{([^{}]*)\})", paragraph)
-            rest = paragraph
-            if heading:
-                yield from self._closed(words, waiting)
-                yield Heading(tuple(self._typeset(self._plain(heading[2] or heading[3] or ""))), 3)
-                rest = paragraph[heading.end() :]
-            words += self._typeset(self._plain(rest))
-            if not (goes_on and k == len(paragraphs) - 1):
-                yield from self._closed(words, waiting)
-
-    def _closed(self, words: list[Inline], waiting: list[Verdict]) -> Iterator[Block]:
-        """Yield the paragraph gathered so far and the lines of the relations within it."""
-        if any(not isinstance(word, str) or word.strip(" .,;:、。$") for word in words):
-            yield Paragraph(tuple(words))
-        words.clear()
-        yield from map(self._line, waiting)
-        waiting.clear()
-
-    def _typeset(self, text: str) -> Iterator[Inline]:
-        """Yield prose with what stands between dollar signs as formulas."""
-        for k, part in enumerate(re.split(r"\$([^$\n]{1,200})\$|\\\((.{1,200}?)\\\)", text)):
-            if part is None:
-                continue
-            if k % 3 == 0:
-                if part:
-                    yield part.replace("$", "")
-                continue
-            self.formulas += 1
-            yield self._formula(part) if self.formulas <= MOST_FORMULAS else Code(part)
 
     def _formula(self, source: str) -> Inline:
         letters = self.letters | set(re.findall(r"(?<![A-Za-z\\])[A-Za-z](?![A-Za-z])", source))
@@ -217,16 +229,22 @@ class _Page:
         except ReadingError:
             return Code(source)
 
-    def _plain(self, text: str) -> str:
-        """Return prose without the signs that set it, one space for each run of them."""
-        text = _COMMENT.sub("", text) if self.is_tex else text
-        text = _DROPPED.sub(" ", text)
-        text = _UNWRAPPED.sub(lambda match: match[1] or match[2] or "", text)
-        return re.sub(r"[ \t\r\f\v]*\n[ \t]*|[ \t]+", " ", text)
+    def _formulas(self, source: str) -> Iterator[Inline]:
+        r"""Yield a formula, or several that commas part: `0, \pi, 2\pi`."""
+        whole = self._formula(source)
+        pieces = re.split(r"(\s*(?:,(?![0-9])|;|\\ldots|\\dots)\s*)", source)
+        if not isinstance(whole, Code) or len(pieces) == 1:
+            yield whole
+            return
+        for k, piece in enumerate(pieces):
+            if k % 2:
+                yield "…" if "dots" in piece else f"{piece.strip()} "
+            elif piece:
+                yield self._formula(piece)
 
     def _line(self, verdict: Verdict) -> Marked:
         """Return a relation as a line that opens."""
-        shown = typeset(verdict, self.sides)
+        shown = typeset(verdict, self.sides, self.text)
         words: Words = Code(one_line(verdict.source, LONGEST_PROSE)) if shown is None else shown
         return Marked(
             place(verdict),
@@ -257,6 +275,8 @@ class _Page:
             if is_readable(verdict.fix.node):
                 side = "Left side should be" if verdict.fix.of_left else "Should be"
                 entries.append((f"{side}, proved", verdict.fix.node))
+        if verdict.verdict in FAILING:
+            entries.append(("Back", Jump("to the list of what is to be mended", TOP)))
         yield Facts(tuple(entries))
         if picture := self._picture(verdict):
             yield picture
@@ -268,22 +288,15 @@ class _Page:
         return plot_sides(verdict.decision, verdict.witness)
 
 
-def _body_start(text: str) -> int:
-    """Return where a TeX file's own text begins; 0 where there is no preamble."""
-    begin = text.find("\\begin{document}")
-    return begin + len("\\begin{document}") if begin >= 0 else 0
+def _with_marks(text: str, pieces: list[_Piece]) -> str:
+    """Return a page with a mark for each stretch that has verdicts; those that overlap stand in a row."""
+    parts: list[str] = []
+    at = 0
+    for k, piece in enumerate(pieces):
+        parts.append(text[at : max(piece.start, at)])
+        parts.append(f"{INLINE if piece.inline and piece.is_inline else DISPLAY}{k}{END}")
+        at = max(at, piece.end)
+    return "".join([*parts, text[at:]])
 
 
-_LINES = re.compile(r"\n\s*")
-_PARAGRAPHS = re.compile(r"\n[ \t]*(?:\n[ \t]*)+|(?=\n[ \t]*(?:#|\\(?:sub)*section|[-*] |\\item))")
-"""What parts two paragraphs: in plain text every end of a line, elsewhere an empty line or a mark."""
-_COMMENT = re.compile(r"(?<!\\)%[^\n]*")
-_OPENING = re.compile(r"(?:\$|\\\()\s*$")
-_CLOSING = re.compile(r"^\s*(?:\$|\\\))")
-"""The signs around a formula within a sentence that stands typeset."""
-_DROPPED = re.compile(
-    r"\\(?:begin|end)\s*\{[A-Za-z]+\*?\}|\\(?:displaystyle|\[|\]|\\|item|maketitle|noindent|quad|qquad)"
-    r"|\\(?:label|tag)\s*\{[^{}]*\}|\$\$|<!--.*?-->|(?m:^[ \t]*&)|(?<=\s)&(?=\s)",
-    re.DOTALL,
-)
-_UNWRAPPED = re.compile(r"\\(?:text|emph|textbf|textit|textrm|mathrm)\s*\{([^{}]*)\}|\*\*([^*\n]+)\*\*")
+_ONLY_SIGNS = " \u00a0.,;:、。$&\\"

@@ -6,12 +6,18 @@ from collections.abc import Iterable
 from typing import Any
 
 from symbalance.document.fitting import plain_words
+from symbalance.notes.checking.typeset_relations import Sides, sides_by_span
 from symbalance.notes.checking.verdicts import HOLDS, NOT_MATHEMATICS, REFUTED, VERDICTS, Checked, Verdict
 
 
 def report_data(checked: Checked) -> dict[str, Any]:
     """Return the report as plain data."""
-    entries = [entry for v in checked.verdicts for entry in (verdict_data(v), *continuations(v))]
+    sides = sides_by_span(checked.derivation)
+    entries = [
+        entry
+        for v in checked.verdicts
+        for entry in ({**verdict_data(v), **_left(v, checked, sides)}, *continuations(v))
+    ]
     return {
         "document": checked.derivation.name,
         "seen": checked.relation_count,
@@ -29,6 +35,15 @@ def report_data(checked: Checked) -> dict[str, Any]:
         "links": sorted(entries, key=lambda entry: entry["line"]),
         **({"remarks": [plain_words(each) for each in checked.remarks]} if checked.remarks else {}),
     }
+
+
+def _left(verdict: Verdict, checked: Checked, sides: Sides) -> dict[str, str]:
+    """Return what stands before the relation's sign, as it is typed, where that was read."""
+    chain, k = sides.get(verdict.span, (None, 0))
+    if chain is None or not k:
+        return {}
+    source = checked.derivation.source(chain.sides[k - 1].span)
+    return {"left": source, "sign": chain.relations[k - 1].sign}
 
 
 def verdict_data(verdict: Verdict) -> dict[str, Any]:

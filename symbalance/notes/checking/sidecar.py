@@ -24,13 +24,13 @@ have any of the three.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from symbalance.notes.checking.role_phrases import USUAL
-from symbalance.notes.checking.symbol_roles import misspelt_role
+from symbalance.notes.checking.symbol_roles import KNOWN, letters_by_role, misspelt_role
 from symbalance.notes.reading import ReadingError, canonical_name
 from symbalance.text.files import file_name, read_text
 from symbalance.text.key_tables import Key, TableKeys
@@ -176,6 +176,24 @@ class Declarations:
         ]
         of_letters = sum(text.startswith(PROPOSED) for text in texts)
         return of_letters + len(self.proposed_scopes) + len(self.proposed_bindings)
+
+    def without_idle(self, used: Set[str]) -> Declarations:
+        """Return the declarations without letters that stand aside for another of the same meaning.
+
+        A course whose notes write θ or φ declares both a crank angle. A page that writes φ alone has one
+        crank angle, and what is known of a rod angle or a displacement must be said in that.
+        """
+        if self.scopes or self.bindings:  # their texts may hold letters that the page does not
+            return self
+        by_role = letters_by_role(self.symbols)
+        idle = {
+            name
+            for role, letters in by_role.items()
+            if role in KNOWN and not used.isdisjoint(letters)
+            for name in letters
+            if name not in used
+        }
+        return replace(self, symbols={n: text for n, text in self.symbols.items() if n not in idle})
 
     def accepted(self) -> Declarations:
         """Return the declarations with every proposal taken as confirmed."""

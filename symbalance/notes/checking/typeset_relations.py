@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from itertools import islice
 from operator import is_
 
 from symbalance.document.formula import (
-    Constant,
     Equation,
     Formula,
     Number,
     Product,
-    Quotient,
     Span,
     Upright,
     children,
@@ -21,7 +20,9 @@ from symbalance.document.formula import (
 )
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.verdicts import Verdict
+from symbalance.notes.checking.written_degrees import degrees_of
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.notes.reading.units import scale_of
 
 LARGEST_FORMULA = 300
 """Parts of a formula that is written out."""
@@ -33,16 +34,19 @@ def sides_by_span(derivation: ReadNotes) -> Sides:
     return {side.span: (chain, k) for chain in derivation.chains for k, side in enumerate(chain.sides)}
 
 
-def typeset(verdict: Verdict, sides: Sides) -> Formula | Equation | None:
-    """Return a verdict's relation; None where it was not read, or is too large to be written out."""
+def typeset(verdict: Verdict, sides: Sides, text: str = "") -> Formula | Equation | None:
+    """Return a verdict's relation; None where it was not read, or is too large to be written out.
+
+    Of a page's `text` its units are as they were typed.
+    """
     if verdict.node is None or not is_readable(verdict.node):
         return None
     chain, k = sides.get(verdict.span, (None, 0))
-    right = in_degrees(verdict.node)
+    right = as_written(verdict.node, text)
     if chain is None or not k:
         return right
     left = chain.sides[k - 1].node
-    first = in_degrees(left) if k == 1 and is_readable(left) else Upright("")
+    first = as_written(left, text) if k == 1 and is_readable(left) else Upright("")
     return Equation(first, ((chain.relations[k - 1].sign, right),))
 
 
@@ -51,39 +55,50 @@ def is_readable(node: Formula) -> bool:
     return next(islice(walk(node), LARGEST_FORMULA, None), None) is None
 
 
-def whole_chain(chain: Chain) -> Formula | Equation:
-    """Return a chain as one equation."""
+def whole_chain(chain: Chain, text: str = "") -> Formula | Equation:
+    """Return a chain as one equation; of a page's `text` its units are as they were typed."""
     rest = tuple(
-        (relation.sign, in_degrees(side.node))
+        (relation.sign, as_written(side.node, text))
         for relation, side in zip(chain.relations, chain.sides[1:], strict=True)
     )
-    first = in_degrees(chain.sides[0].node)
+    first = as_written(chain.sides[0].node, text)
     return Equation(first, rest) if rest else first
 
 
-def in_degrees(node: Formula) -> Formula:
-    """Return a formula with angles in degrees as they were written: the reader makes 90° 90 π/180.
+def as_written(node: Formula, text: str = "") -> Formula:
+    """Return a formula with degrees and, of a page's `text`, units as they were written.
+
+    The reader makes 90° 90 π/180 and 40 mm 40/1000.
 
     >>> from symbalance.notes.reading import read_equation
-    >>> formula_text(in_degrees(read_equation("cos(x + 90°)", {"x"}).sides[0].node))
+    >>> formula_text(as_written(read_equation("cos(x + 90°)", {"x"}).sides[0].node))
     'cos(x + 90°)'
     """
-    if isinstance(node, Product) and _is_degree(node.factors[-1]):
-        (*rest, _) = node.factors
-        if len(rest) == 1 and isinstance(rest[0], Number):
-            return Upright(f"{formula_text(rest[0])}°")
+    if (degrees := degrees_of(node)) is not None:
+        return degrees
+    if text and (quantity := _quantity(node, text)) is not None:
+        return quantity
     parts = children(node)
-    changed = tuple(map(in_degrees, parts))
+    changed = tuple(as_written(part, text) for part in parts)
     return node if all(map(is_, parts, changed)) else with_children(node, changed)
 
 
-def _is_degree(node: Formula) -> bool:
-    """Tell whether a factor π/180 is one sign of the source, not a quotient that the author wrote."""
-    return (
-        isinstance(node, Quotient)
-        and isinstance(node.numerator, Constant)
-        and node.numerator.name == "pi"
-        and isinstance(node.denominator, Number)
-        and node.denominator.value == 180
-        and node.numerator.span == node.denominator.span
-    )
+_SIUNITX = re.compile(r"\\(?:SI|qty)\s*(?:\[[^\]]*\])?\s*\{([^{}]*)\}\s*(?:\[[^\]]*\])?\{([^{}]*)\}")
+_AROUND_UNIT = re.compile(r"\\(?:mathrm|text|textrm|mbox|unit|si|rm)(?![A-Za-z])|\\[,;: ]|[${}~\s]")
+
+
+def _quantity(node: Formula, text: str) -> Formula | None:
+    """Return a number with its unit as they were typed, None where a formula is anything else."""
+    match = _SIUNITX.fullmatch(text[slice(*node.span)])
+    if match:
+        number, unit = match[1].strip(), _AROUND_UNIT.sub("", match[2])
+        return Upright(f"{number} {unit}") if scale_of(unit) is not None else None
+    if not isinstance(node, Product):
+        return None
+    *numbers, factor = node.factors
+    unit = _AROUND_UNIT.sub("", text[slice(*factor.span)])
+    if not re.match("[A-Za-zµμ°%]|1/", unit) or scale_of(unit) is None:
+        return None
+    if len(numbers) == 1 and isinstance(numbers[0], Number):
+        return Upright(f"{formula_text(numbers[0])} {unit}")
+    return None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from functools import partial
@@ -38,6 +39,10 @@ BAD = (REFUTED, CONTRADICTION, UNDECIDED)
 VERDICTS = (*PROVED_WORDS, REFUTED, CONTRADICTION, UNDECIDED, *STATED, UNREADABLE)
 FAILING = (*BAD, UNREADABLE)
 """What a document that is right throughout has none of; the unreadable may be forgiven."""
+UNDECLARED = re.compile(r"letter (\S+) is not declared")
+"""In the reason of what is unreadable: the letter that nobody has given a meaning."""
+MOST_LETTERS = 12
+"""Letters that a report names of them; a draft of the symbols file has all."""
 
 
 @dataclass(frozen=True, slots=True)

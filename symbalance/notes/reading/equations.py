@@ -28,10 +28,11 @@ class Side:
 
 @dataclass(frozen=True, slots=True)
 class Relation:
-    """A relation sign of RELATIONS and the line (from 1) where it stands."""
+    """A relation sign of RELATIONS and the line (from 1) where it stands; ≝ with a ! only demands."""
 
     sign: str
     line: int
+    is_demanded: bool = False
 
 
 @dataclass(frozen=True, slots=True)

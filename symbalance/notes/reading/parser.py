@@ -10,6 +10,7 @@ Where usage differs (`1/2λ`, `cos θ/2`) the parser asks `choose`, which follow
 
 from __future__ import annotations
 
+import re
 from collections import deque
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
@@ -249,6 +250,9 @@ class Parser:
         if (other := other_form(name)) in self.names:
             self.note(f"{plain_letter(name)} read as {plain_letter(other)}, which is declared")
             return Name(other, span=span)
+        if (run_on := _with_subscript(name)) in self.names:
+            self.note(f"{plain_letter(name)} read as {plain_letter(run_on)}")
+            return Name(run_on, span=span)
         if name == "pi":
             return Constant("pi", span=span)
         if name == "i" or (name == "j" and self.exponentials):
@@ -1062,6 +1066,12 @@ def other_form(name: str) -> str:
         return ""
     other = bare[3:] if bare.startswith("var") else f"var{bare}"
     return other + base[len(bare) :] + mark + rest
+
+
+def _with_subscript(name: str) -> str:
+    """Return F_1 for F1, the same letter typed without its subscript, and F1 for F_1; "" for others."""
+    match = re.fullmatch(r"([A-Za-z]+)(_?)([0-9]+)", name)
+    return "" if match is None else f"{match[1]}{'' if match[2] else '_'}{match[3]}"
 
 
 def _is_d(token: Token | None) -> bool:

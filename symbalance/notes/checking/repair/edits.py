@@ -131,7 +131,9 @@ def _signs(part: Formula, role: str) -> Iterator[Edit]:
     if isinstance(part, Negative):
         yield Edit("sign", 1, part, part.operand)
     elif role in ("side", "term", "angle term", "phase", "exponent") and not isinstance(part, Sum):
-        yield Edit("sign", 1, part, Negative(part))
+        # cos(−θ − π/6) is cos(θ + π/6), which is what a person would write
+        cost = {"angle term": 1.05, "phase": 0.98}.get(role, 1)
+        yield Edit("sign", cost, part, Negative(part))
     elif role == "side":
         yield Edit("sign", 1.1, part, Negative(part))
 

@@ -13,6 +13,7 @@ from cmath import isfinite
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import islice
 from traceback import format_exception
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
@@ -39,7 +40,9 @@ from symbalance.notes.checking.repair.numeric_filter import (
     letters_of,
 )
 from symbalance.notes.checking.repair.term_repair import correct_terms, slip_kind, slip_kinds
+from symbalance.notes.checking.repair.tidying import tidied
 from symbalance.notes.checking.verdicts import REFUTED, Fault, Fix, Verdict
+from symbalance.notes.checking.written_degrees import in_degrees
 from symbalance.notes.reading.equations import ReadNotes, Side
 
 OTHER_SIDE = 0.2
@@ -52,6 +55,12 @@ LONGEST_DENOMINATOR = 10_000
 """Of an exact value that is put for a side of numbers alone."""
 OF_A_NUMBER = 1.3
 """What that costs: more than another whole number, less than a fraction in a number's place."""
+OF_A_SHORT_VALUE = 1.2
+SHORT_VALUE = 14
+"""What the exact value costs, put for a whole side, and how many parts it may have: less than a change of
+two things, and a result is what a teacher corrects, not what it was worked out from."""
+NOT_REDUCED = 0.15
+"""What 2/(2λ) costs more than 1/λ, where either is right."""
 LARGEST = 10**7
 """Of a whole number put for a printed one."""
 SEARCH = Budget(5)
@@ -103,20 +112,87 @@ def _with_fix(
     other: tuple[Side, Callable[[Formula], bool]] | None,
 ) -> Verdict:
     """Return the verdict with the cheapest fix of the right side, or a clearly cheaper left one."""
-    repair = diagnose(Case(side.node, decision, knowledge, proves))
+    case = Case(side.node, decision, knowledge, proves)
+    repair = diagnose(case)
+    if repair is None or repair.cost > OF_A_SHORT_VALUE:
+        left = None if other is None else other[0].node
+        short = _short_value(case, verdict.exact_node, left)
+        if short is not None and repair is not None and repair.kind == "factor":
+            repair = replace(repair, cost=short.cost)  # says more of the slip
+        else:
+            repair = short or repair
     where, title = side, ""
-    if other is not None and (repair is None or repair.cost > 1.0 + OTHER_SIDE):
+    is_result = not formula.names(side.node)  # what was calculated: never what it was calculated from
+    if other is not None and not is_result and (repair is None or repair.cost > 1.0 + OTHER_SIDE):
         exchange = replace(decision, left=decision.right, right=decision.left)
         rival = diagnose(Case(other[0].node, exchange, knowledge, other[1]))
         if (
             rival is not None
             and rival.cost < MOST_OTHER
+            and rival.changes[0][0] is not other[0].node
             and (repair is None or rival.cost + OTHER_SIDE < repair.cost)
         ):
             repair, where, title = rival, other[0], "left side: "
     if repair is None:
         return verdict
-    return replace(verdict, fix=fix_of(repair, document, where, title))
+    return replace(verdict, fix=fix_of(_tidy(repair, where.node), document, where, title))
+
+
+def _tidy(repair: Repair, before: Formula) -> Repair:
+    """Return a repair as a person would write it, with degrees for their factor π/180."""
+    own = {id(part) for part in formula.walk(before)}
+
+    def written(node: Formula) -> Formula:
+        return in_degrees(tidied(node, own))
+
+    changes = tuple((old, written(new)) for old, new in repair.changes)
+    return replace(repair, node=written(repair.node), changes=changes)
+
+
+def _short_value(case: Case, exact: Formula | None, left: Formula | None) -> Repair | None:
+    """Return the exact value for the whole side, where that is one short term and is proved.
+
+    Not where the left side is as short: sin 2θ = sin 2θ would be no correction of sin 2θ = sin θ cos θ.
+    """
+    if exact is None or isinstance(exact, formula.Sum) or not _is_short(exact):
+        return None
+    is_restated = left is None or (formula.names(left) and _size(left) <= _size(exact) + 1)
+    if formula.names(case.node) and is_restated:
+        return None
+    node = _as_decimal(case) or exact
+    if not case.proves(node):
+        node = exact
+        if not case.proves(node):
+            return None
+    return _rounded(Repair("value", node, ((case.node, node),), OF_A_SHORT_VALUE), case)
+
+
+def _is_short(node: Formula) -> bool:
+    return next(islice(formula.walk(node), SHORT_VALUE, None), None) is None
+
+
+def _size(node: Formula) -> int:
+    return sum(1 for _ in formula.walk(node))
+
+
+def _as_decimal(case: Case) -> Formula | None:
+    """Return the exact value of a side that is a whole number as a decimal, where it is none.
+
+    A digit more than the author wrote, but for one: 100π = 341 is mended by 314.2.
+    """
+    printed = case.node.operand if isinstance(case.node, Negative) else case.node
+    if not isinstance(printed, Number) or case.decision.left is None:
+        return None
+    points = values.sample([case.decision.left])
+    if not points or points[0][0] or not values.context().isfinite(points[0][1][0]):
+        return None
+    value = points[0][1][0]
+    exact = Fraction(str(value.real))
+    if value.imag or not exact or exact.denominator == 1:
+        return None
+    digits_written = len(str(abs(int(printed.value)))) + 1
+    place = Fraction(10) ** (_exponent(exact) + 1 - max(digits_written, 3))
+    return _decimal(exact, min(place, Fraction(1, 10)))
 
 
 def is_proved_as_far(decision: Decision, refutation: Decision) -> bool:
@@ -339,11 +415,24 @@ def _integers(
                     kind = f"number misprinted ({swap})" if abs(value) != abs(part.value) else "sign"
                     penalty = 0.6 if value.denominator > 12 or abs(value) > 20 * abs(part.value) else 0
                     cost = (1.1 if simple else 1.4) + (0.05 if inverse else 0) + penalty
+                    cost += NOT_REDUCED if _could_be_reduced(part, value, parents) else 0
                     if part.last_place:
                         new, kind = _decimal(Fraction(value), part.last_place), "value"
                     elif inverse and not simple:
                         continue  # a fraction below a bar is no slip of the pen
                     yield Edit(kind, cost, part, new)
+
+
+def _could_be_reduced(part: Formula, value: Fraction, parents: dict[int, Formula]) -> bool:
+    """Tell whether a whole number put above a bar has a divisor that stands below it, as in 2/(2λ)."""
+    inner, outer = part, parents.get(id(part))
+    while isinstance(outer, Product):
+        inner, outer = outer, parents.get(id(outer))
+    if not isinstance(outer, Quotient) or inner is not outer.numerator or value.denominator != 1:
+        return False
+    below = outer.denominator.factors if isinstance(outer.denominator, Product) else (outer.denominator,)
+    numbers = [n.value for n in below if isinstance(n, Number) and n.value.denominator == 1]
+    return any(math.gcd(int(value), int(number)) > 1 for number in numbers)
 
 
 def _solutions(
@@ -396,7 +485,7 @@ def _conventions(case: Case, numeric: NumericFilter, targets: list[Values]) -> I
             continue
         if fits(node, numeric, targets):
             once = letter_counts(case.node)[small[0]] == 1 and "inverted" not in title
-            yield Edit(title, 1.15 if once else 0.95, case.node, node)
+            yield Edit(title, 1.3 if once else 0.95, case.node, node)
 
 
 def _by_factor(case: Case) -> Repair | None:

@@ -119,9 +119,19 @@ def fits(node: Formula, numeric: NumericFilter, targets: list[Values]) -> bool:
     """Tell whether a changed side has one of the rows of values it may have."""
     try:
         row = numeric.values(node)
-        return any(is_close(row, target) for target in targets)
+        return any(is_close(row, target) for target in targets) or (
+            not any(map(any, targets)) and _cancels(node, row, numeric)
+        )
     except NoValueError:
         return False
+
+
+def _cancels(node: Formula, row: Values, numeric: NumericFilter) -> bool:
+    """Tell whether a sum is 0 but for the rounding of its terms."""
+    if not isinstance(node, formula.Sum):
+        return False
+    sizes = [max(map(abs, terms)) for terms in zip(*map(numeric.values, node.terms), strict=True)]
+    return all(abs(value) <= CLOSE * size for value, size in zip(row, sizes, strict=True))
 
 
 # Formulas in complex floats
