@@ -1,8 +1,8 @@
 """`symbalance bench check`: speed and correctness of the derivation checker, and faults it catches.
 
 Measured on a page of hand mathematics (`page.md`: 116 relations, a dozen of them wrong), beside SymPy's
-`simplify` and `equals` on the same relations (`sympy_decisions` says how that is fair), on single lines of
-other people's pages beside other programs (`other_checkers`), and on faults planted by program in the
+`simplify` and `equals` on the same relations (`sympy_decisions` says how that is fair), on single lines
+of other people's pages beside other programs (`other_checkers`), and on faults planted by program in the
 corrected page.
 """
 

@@ -10,7 +10,7 @@ from symbalance.bench import other_checkers
 from symbalance.bench.check import POSITIVE, fault_table, misjudgements, report, truth
 from symbalance.bench.check_page import bench_page, place_of
 from symbalance.bench.fault_kinds import KINDS
-from symbalance.bench.other_checkers import EQUALS, MATH_VERIFY, OURS, Answer, Comparison, SingleLine
+from symbalance.bench.other_checkers import MATH_VERIFY, OURS, Answer, Comparison, SingleLine
 from symbalance.bench.planted_faults import DEFINITION, LOWERED, NO_FAULT, STEP, Planter, tally
 from symbalance.bench.sympy_decisions import (
     DIFFERENT,
@@ -175,11 +175,11 @@ def test_the_bench_has_its_report():
 @pytest.mark.slow
 def test_single_lines_are_read_and_judged_rightly_and_a_missing_program_is_a_line(monkeypatch):
     monkeypatch.setattr(other_checkers, "find_spec", lambda name: None)
-    table = other_checkers.compare_checkers(every=9, ways=(OURS, EQUALS, MATH_VERIFY))
+    table = other_checkers.compare_checkers(every=9, ways=(OURS, other_checkers.EQUALS, MATH_VERIFY))
     count = len(table.lines)
     assert count >= 14
     assert table.counts(OURS) == (count, count, 0, 0)
-    read, right, wrong, nothing = table.counts(EQUALS)
+    read, right, wrong, nothing = table.counts(other_checkers.EQUALS)
     assert (read, wrong, right + nothing) == (count, 0, count)
     (missing,) = table.missing
     assert missing == f"{MATH_VERIFY}: not installed; pip install math-verify"
