@@ -18,6 +18,7 @@ extensions = [
     "extensions.formulas",
     "extensions.docstrings",
     "extensions.generated_pages",
+    "extensions.atlas_pages",
 ]
 exclude_patterns = ["_build", "extensions", "command-line.md"]
 

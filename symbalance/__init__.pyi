@@ -46,5 +46,6 @@ from symbalance.forces.free_forces import balance as balance
 from symbalance.kinematics.derivation import derive as derive
 from symbalance.notes.checking import check_equal as check_equal
 from symbalance.pages import page as page
+from symbalance.pages import sheet as sheet
 from symbalance.torque import inertia_torque as inertia_torque
 from symbalance.torque import running_torque as running_torque

@@ -16,7 +16,7 @@ from symbalance.document.picture_files import drawing_picture as to_picture
 from symbalance.document.shapes import Drawing
 from symbalance.document.svg_writer import drawing_svg as to_svg
 from symbalance.document.tikz_writer import drawing_tikz as to_tikz
-from symbalance.drawing.crank_star import draw_star as star
+from symbalance.drawing.crank_star import draw_star_alone as star
 from symbalance.drawing.firing_diagram import draw_firing as firing
 from symbalance.drawing.oblique import draw_oblique as oblique
 from symbalance.drawing.plan import draw_plan as plan
@@ -27,11 +27,16 @@ if TYPE_CHECKING:
     from symbalance.forces.free_forces import Balance
     from symbalance.torque.inertia_balance import TorqueBalance
 
+OVERVIEW_HIGH, OVERVIEW_FIELD = 250.0, 240.0
+"""Pixels of an overview's height, and of a diagram's field in it."""
+MOST_AXES, MOST_BARS = 4, 8
+
 __all__ = [
     "firing",
     "forces",
     "oblique",
     "orders",
+    "overview",
     "path",
     "plan",
     "section",
@@ -62,6 +67,25 @@ def orders(result: Balance | Engine) -> Drawing:
     from symbalance.forces.pictures import draw_orders
 
     return draw_orders(_balance(result))
+
+
+def overview(result: Balance | Engine) -> Drawing:
+    """Return the section, the star of the first free order, the firing diagram and the orders in a row.
+
+    What an engine has not is left out: a star of more than four axes, a diagram without a firing order.
+    """
+    from symbalance.drawing.charts import beside
+    from symbalance.forces.pictures import draw_orders
+
+    shown = _balance(result)
+    engine = shown.engine
+    drawings = [section(engine)]
+    if len(engine.grouped(lambda c: c.bank)) <= MOST_AXES:
+        drawings.append(star(engine, min([*shown.force.orders(), *shown.couple.orders()], default=1)))
+    if all(c.fires is not None for c in engine.cylinders):
+        drawings.append(firing(engine, OVERVIEW_FIELD))
+    drawings.append(draw_orders(shown, OVERVIEW_FIELD - 80, MOST_BARS))
+    return beside(drawings, OVERVIEW_HIGH, f"{engine.name} at a glance")
 
 
 def torque(result: TorqueBalance | Engine) -> Drawing:

@@ -57,6 +57,11 @@ def _sweep() -> Result:
     return sb.sweep(engine, vary, ["force.1", "force.2.lateral", "torque.2"])
 
 
+def _sweep_at_speed() -> Result:
+    vary = {"stroke": [80, 90], "reciprocating_mass": ["0.5"]}
+    return sb.sweep(sb.load("vq30de"), vary, ["force.6", "couple.2.vertical", "torque.3"], rpm=6000)
+
+
 def _assignment() -> Result:
     return sb.design.assign_parts(sb.load("v6-60"), ["0.453", "0.447", "0.451", "0.45", "0.455", "0.448"])
 
@@ -122,6 +127,11 @@ def _comparison_unlike() -> Result:
     twin = sb.vee(Symbol("alpha"), pins=[0], name="twin_of_any_angle", ratio=4)
     engines = [sb.load("vw-vr6"), sb.load("inline-4"), nameless, twin]
     return sb.design.compare(engines, 4, phases=True)
+
+
+def _comparison_over_speeds() -> Result:
+    engines = [sb.load("vq30de"), sb.load("inline-4").with_sizes(stroke=80, reciprocating_mass="0.5")]
+    return sb.design.compare_over_speeds(sb.design.compare(engines, 4), [Fraction(2000), Fraction(5000)])
 
 
 def _comparison_at_speed() -> Result:
@@ -279,6 +289,7 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "sensitivities": _sensitivities,
     "sensitivities-at-speed": lambda: sb.sensitivities(sb.load("vq30de"), 1, rpm=6000),
     "sweep": _sweep,
+    "sweep-at-speed": _sweep_at_speed,
     "assignment": _assignment,
     "assignment-of-many": _assignment_of_many,
     "symbolic-order": _symbolic_order,
@@ -295,6 +306,7 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "comparison": _comparison,
     "comparison-unlike": _comparison_unlike,
     "comparison-at-speed": _comparison_at_speed,
+    "comparison-over-speeds": _comparison_over_speeds,
     "row-formulas": lambda: sb.forces.tabulate_row(6),
     "bank-angles": lambda: sb.engine.bank_angles([0, 120, 240], [60, 90]),
     "bank-angles-of-any-crank": lambda: sb.engine.bank_angles(6, [60]),
@@ -302,6 +314,7 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "overbalance-at-speed": lambda: sb.design.tabulate_overbalance(sb.load("vq30de")).at(rpm=6000),
     "design": _design,
     "design-segments": lambda: sb.design_balance(sb.load("vq30de"), [1]).cut_from(60, 20, inner=20),
+    "design-segments-too-big": lambda: sb.design_balance(sb.load("vq30de")).cut_from(60, 12, inner=20),
     "design-at-speed": lambda: sb.design_balance(sb.load("vq30de"), [1, 2]).at(rpm=6000),
     "design-unlike": _design_unlike,
     "ellipse": _ellipse,

@@ -1,19 +1,22 @@
 """`symbalance bench search`: stars and nodes a second, what workers add, and how far more cylinders are.
 
 Stars are those of which an in-line twelve's four orders are known exactly; nodes those of a search with
-bounds. What 18 and 20 cylinders would take is on paper: the nodes of 12 to 16 cylinders under the same
-condition, continued by their growth, over the nodes a second measured here.
+bounds. What 18 and 20 cylinders would take is on paper: their nodes under the same
+bounds, estimated from subtrees that are walked (`symbalance.search.tree_size`), over the nodes a second
+measured here; the same estimate of 15 cylinders stands beside what was walked.
 """
 
 from __future__ import annotations
 
+import os
 import platform
 from time import perf_counter
 from typing import Any
 
 from symbalance.bench.timing import Measurement, Report, progress
-from symbalance.search.cranks_search import search_cranks
+from symbalance.search.cranks_search import search_cranks, search_spec
 from symbalance.search.search_result import CrankSearch
+from symbalance.search.tree_size import estimate_nodes
 
 STARS, NODES = 3_000_000, 20_000_000
 """Targets, a second of one core."""
@@ -38,10 +41,10 @@ def report(quick: bool = False) -> Report:
                 _rate("nodes of an in-line 15 with bounds", most.tally.nodes, most_seconds, NODES),
             ],
         ),
-        ("Workers, the in-line 15", [] if quick else _shared(most, most_seconds)),
+        (f"Workers, the in-line {SHARED}", [] if quick else _shared()),
         (
             "On paper, 1,000 cores, the same bounds",
-            _on_paper([b.tally.nodes for b, _ in bounded], most_seconds),
+            _on_paper(most.tally.nodes, most_seconds, SAMPLES // 25 if quick else SAMPLES),
         ),
     ]
     head = f"Python {platform.python_version()}, {platform.machine()}"
@@ -60,23 +63,42 @@ def _rate(name: str, count: int, seconds: float, least: int) -> Measurement:
     return Measurement(f"{name}: {count:,}", seconds, target=target, is_met=count / seconds >= least)
 
 
-def _shared(alone: CrankSearch, seconds: float) -> list[Measurement]:
-    rows = [Measurement("1 worker", seconds)]
-    for workers in (2, 4):
-        shared, needed = _timed(15, limit=BOUNDED, workers=workers)
+SHARED = 16
+"""Cylinders of the search that workers share: less would be over before they have started."""
+
+
+def _shared() -> list[Measurement]:
+    """Return what one, two, four, … workers take for one search, as many as there are cores."""
+    rows: list[Measurement] = []
+    alone: CrankSearch | None = None
+    seconds = 0.0
+    workers = 1
+    while workers <= (os.cpu_count() or 1):
+        shared, needed = _timed(SHARED, limit=BOUNDED, workers=workers)
+        alone, seconds = (shared, needed) if alone is None else (alone, seconds)
         if shared.data() != alone.data():
             raise AssertionError("the answer depends on the workers")
-        rows.append(Measurement(f"{workers} workers, their start included", needed, "1 worker", seconds))
+        name = f"{workers} worker{'s, their start included' if workers > 1 else ''}"
+        rate = f"{name}: {shared.tally.nodes / needed:,.0f} nodes a second"
+        compared = ("1 worker", seconds) if workers > 1 else ()
+        rows.append(Measurement(rate, needed, *compared))
+        workers *= 2
     return rows
 
 
-def _on_paper(nodes: list[int], seconds: float) -> list[Measurement]:
-    growth = nodes[-1] / nodes[-2]
+SAMPLES = 500
+"""Subtrees of which the nodes of a search are estimated."""
+
+
+def _on_paper(nodes: int, seconds: float, samples: int) -> list[Measurement]:
+    """Return what further cylinders would take at the nodes a second that 15 took, with the spread."""
     rows = []
-    for count in (18, 20):
-        # Each cylinder more multiplies the nodes, by a factor that itself grows about as the count does.
-        factor = 1.0
-        for further in range(16, count + 1):
-            factor *= growth * further / 15
-        rows.append(Measurement(f"{count} cylinders, estimated", seconds * factor / 1000))
+    for count in (15, 18, 20):
+        progress(f"{count} cylinders, sampled")
+        spec = search_spec(count, strokes=2, limit=BOUNDED, compiled=True)
+        # Deeper beginnings cost less, and spread more: these take some ten seconds each, of one core.
+        size = estimate_nodes(spec, count // 2 - 3, samples)
+        name = f"{count} cylinders: {size.nodes:.3g} nodes ± {100 * size.error / size.nodes:.0f} %"
+        also = f", walked were {nodes:.3g}" if count == 15 else ""
+        rows.append(Measurement(f"{name}{also}", size.nodes / nodes * seconds / 1000))
     return rows

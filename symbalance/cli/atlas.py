@@ -36,6 +36,7 @@ def run(options: argparse.Namespace) -> int:
     from symbalance.jobs.running import Job, run_jobs
     from symbalance.jobs.store import JSON, Store, key_of
     from symbalance.pages.atlas import atlas_index
+    from symbalance.pages.published_tables import published_cells
 
     engines = list(dict.fromkeys(options.engines)) or list(preset_names())
     names = _file_names(engines)
@@ -63,7 +64,12 @@ def run(options: argparse.Namespace) -> int:
                 code = FAULT
                 refused.append(f"{job.name}: {outcome.fault}")
                 say_fault(f"{job.name}: {outcome.fault}", outcome.traceback)
-    write_all({str(folder / f"{INDEX}.html"): atlas_index(entries, refused, order)})
+    cells = [
+        cell
+        for cell in published_cells()
+        if not options.engines or cell.engine in {row["engine"][0] for _, row in entries}
+    ]
+    write_all({str(folder / f"{INDEX}.html"): atlas_index(entries, refused, order, cells)})
     return code
 
 

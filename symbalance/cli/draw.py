@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from symbalance.document.shapes import Drawing
 
 MOVING = ("section", "plan", "oblique")
-WHAT = (*MOVING, "star", "firing", "forces", "path", "couple-path", "orders", "torque")
+WHAT = (*MOVING, "star", "firing", "forces", "path", "couple-path", "orders", "torque", "overview")
 ENDINGS = (".svg", ".tex", ".png", ".pdf")
 
 
@@ -69,9 +69,9 @@ def _drawing(options: argparse.Namespace) -> Drawing:
             engine, _angle(options.angle)
         )
     if what == "star":
-        from symbalance.drawing.crank_star import draw_star
+        from symbalance.drawing.crank_star import draw_star_alone
 
-        return draw_star(engine, options.order or 1)
+        return draw_star_alone(engine, options.order or 1)
     if what == "firing":
         from symbalance.drawing.firing_diagram import draw_firing
 
@@ -89,8 +89,10 @@ def _drawing(options: argparse.Namespace) -> Drawing:
 
     result = balance(engine, order)
     result = result.at(**at_speed) if at_speed else result
-    if what == "couple-path":
-        return draw_force_path(result, "couple")
+    if what in ("couple-path", "overview"):
+        from symbalance.draw import overview
+
+        return overview(result) if what == "overview" else draw_force_path(result, "couple")
     return {"forces": draw_forces, "path": draw_force_path, "orders": draw_orders}[what](result)
 
 

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from symbalance.cli.options import check_speed_for_sizes, resized, sizes_of
 from symbalance.cli.output import MEDIA, show
 from symbalance.errors import SymbalanceError
+
+if TYPE_CHECKING:
+    from symbalance.engine.engine import Engine
 
 OWN = ("percent", "phases")
 """The options of a comparison alone."""
@@ -61,13 +65,34 @@ def show_comparison(options: argparse.Namespace, order: int) -> None:
         rule = "shares engines with files of their own, and this is one table"
         raise SymbalanceError(name, rule, "leave it out, or add -o FOLDER/")
     if options.rpm is not None and ":" in options.rpm:
-        rule = "is of one engine, and a table of several is at one speed"
-        raise SymbalanceError(f"--rpm {options.rpm}", rule, "give one speed, or add -o FOLDER/")
+        for name in OWN:
+            if getattr(options, name):
+                rule = "is for a table at one speed, and over several it is in newtons alone"
+                raise SymbalanceError(f"--{name}", rule, "leave it out, or give one speed")
+    engines = engines_of(options)
+    from symbalance.design.comparison import compare
+
+    own = {name: getattr(options, name) for name in OWN}
+    table = compare(engines, order, **own)
+    if options.rpm is None:
+        show(table, options)
+        return
+
+    from symbalance.design.comparison_over_speeds import compare_over_speeds
+    from symbalance.forces.operating_point import checked_speeds
+
+    speeds = checked_speeds(options.rpm)
+    several = len(speeds) > 1
+    show(compare_over_speeds(table, speeds) if several else table.at(rpm=speeds[0]), options)
+
+
+def engines_of(options: argparse.Namespace) -> list[Engine]:
+    """Return the engines that a command names, each with the sizes of its options that it lacks."""
     check_speed_for_sizes(options)
-    if "-" in options.engines:
+    if "-" in options.engines and len(options.engines) > 1:
         raise SymbalanceError("ENGINE '-'", "is standard input, among several", "name a file")
 
-    from symbalance.design.comparison import compare, lacking_sizes
+    from symbalance.design.comparison import lacking_sizes
     from symbalance.engine.catalogue import load
 
     sizes = sizes_of(options)
@@ -87,6 +112,4 @@ def show_comparison(options: argparse.Namespace, order: int) -> None:
         raise SymbalanceError(
             f"--{unused[0]} {sizes[unused[0]]}", rule, "leave it out, or change the files"
         )
-    own = {name: getattr(options, name) for name in OWN}
-    table = compare(engines, order, **own)
-    show(table if options.rpm is None else table.at(rpm=options.rpm), options)
+    return engines

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from symbalance.budgets import Budget
 from symbalance.cli.budget import USUAL, add_budget, read_budget, run_with_budget
 from symbalance.cli.named_files import check_named_files
+from symbalance.cli.outcomes import say
 from symbalance.cli.output import MEDIA
 from symbalance.errors import SymbalanceError
 
@@ -154,7 +155,11 @@ def engine_of(options: argparse.Namespace, sizes: Mapping[str, str] | None = Non
 def resized(
     engine: Engine, options: argparse.Namespace, sizes: Mapping[str, str] | None = None
 ) -> Engine:
-    """Return an engine with the rod ratio and the sizes that a command line gives."""
+    """Return an engine with the rod ratio and the sizes that a command line gives.
+
+    Sizes that no engine has, as metres for mm, are said in a line on stderr, and counted with.
+    """
+    from symbalance.engine.doubtful_sizes import doubtful_size
     from symbalance.forces.operating_point import sized
 
     if sizes is None:
@@ -163,7 +168,10 @@ def resized(
     if ratio is not None and "rod" in sizes:
         rule = "gives the rod ratio, and so does --ratio"
         raise SymbalanceError(f"--rod {sizes['rod']}", rule, "leave one out")
-    return sized(engine if ratio is None else engine.with_ratio(ratio), sizes)
+    whole = sized(engine if ratio is None else engine.with_ratio(ratio), sizes)
+    if doubt := doubtful_size(whole):
+        say(f"symbalance: {whole.name}: {doubt}")
+    return whole
 
 
 def sizes_of(options: argparse.Namespace) -> dict[str, str]:

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import argparse
+import os
+from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from symbalance.cli.budget import ENDLESS
 from symbalance.cli.long_work import long_work
@@ -11,6 +14,9 @@ from symbalance.cli.options import add_jobs, add_output, command
 from symbalance.cli.outcomes import DONE
 from symbalance.cli.output import medium, show, whole_number, write, write_folder
 from symbalance.errors import SymbalanceError
+
+if TYPE_CHECKING:
+    from symbalance.search.search_result import CrankSearch
 
 
 def add(commands: argparse._SubParsersAction) -> None:
@@ -112,6 +118,8 @@ def run(options: argparse.Namespace) -> int:
         from symbalance.search.certificate import search_certificate
 
         certificate = search_certificate(cylinders, **question)
+        if question["minimize"]:
+            say("symbalance: the certificate is of the conditions: that a front is one is not in it")
     folders = {  # before the search too
         option: output_folder(folder, f"--{option}")
         for option, folder in (("engines", options.engines), ("pages", options.pages))
@@ -142,8 +150,19 @@ def run(options: argparse.Namespace) -> int:
             for star in result
         }
         write_folder(folders["pages"], files, say)
+    linked = {"pages": ".html", "engines": ".toml"}
+    option = next((name for name in linked if name in folders), None)
+    if option is not None:
+        result = replace(result, links=_links(result, folders[option], linked[option], options.output))
     show(result, options)
     return DONE
+
+
+def _links(result: CrankSearch, folder: Path, ending: str, output: str | None) -> dict[str, str]:
+    """Return where each star's file is, as seen from the file that is written, or from here."""
+    start = "." if output in (None, "-") else os.path.dirname(output) or "."
+    place = Path(os.path.relpath(folder, start)).as_posix()
+    return {star.engine.name: f"{place}/{star.engine.name}{ending}" for star in result}
 
 
 def _named(option: str, text: str | None) -> list[str]:

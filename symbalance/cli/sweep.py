@@ -8,7 +8,16 @@ from pathlib import Path
 
 from symbalance.cli.budget import ENDLESS
 from symbalance.cli.long_work import long_work
-from symbalance.cli.options import ENGINE, add_jobs, add_output, command
+from symbalance.cli.options import (
+    ENGINE,
+    add_jobs,
+    add_operating_point,
+    add_output,
+    check_speed_for_sizes,
+    command,
+    engine_of,
+    sizes_of,
+)
 from symbalance.cli.outcomes import DONE, FAILED
 from symbalance.cli.output import medium, show
 from symbalance.errors import SymbalanceError, brief
@@ -39,6 +48,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--keep", metavar="FOLDER", help="points are kept there, and not computed again after a break"
     )
+    add_operating_point(parser, "N")
     add_jobs(parser, "points")
     add_output(parser)
 
@@ -54,14 +64,22 @@ def run(options: argparse.Namespace) -> int:
         vary[name] = values
 
     from symbalance.design.variations.size_sweep import sweep
-    from symbalance.engine.catalogue import load
+    from symbalance.forces.operating_point import SIZES
     from symbalance.jobs.store import Store
 
     store = None if options.keep is None else Store(Path(options.keep), "--keep")
     quantities = [name.strip() for name in options.quantities.split(",")]
-    engine = load(options.engine)
+    check_speed_for_sizes(options)
+    if options.rpm is not None and ":" in options.rpm:
+        rule = "is several speeds, and a sweep is at one: all grows with its square"
+        raise SymbalanceError(f"--rpm {options.rpm}", rule, "give one speed")
+    for name, value in sizes_of(options).items():
+        if SIZES[name] in vary:
+            rule = f"is varied: --vary {SIZES[name]} gives it at every point"
+            raise SymbalanceError(f"--{name} {value}", rule, "leave it out")
+    engine = engine_of(options)
     with long_work(options, store and store.folder) as means:
-        result = sweep(engine, vary, quantities, store=store, **means)
+        result = sweep(engine, vary, quantities, rpm=options.rpm, store=store, **means)
     show(result, options)
     return FAILED if result.refused else DONE
 

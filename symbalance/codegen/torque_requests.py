@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
+from math import ceil
 
 from symbalance.codegen.harmonic_sum import (
     RODS,
@@ -30,6 +31,8 @@ from symbalance.torque.inertia_balance import MILLI, first_excess
 
 MANY_ORDERS = 96
 """Orders taken where all are requested and no bound is proved; what does not show is dropped."""
+NEPERS = 50
+"""e^-50 = 2e-22: far below a double's last digit."""
 
 INERTIA, ROD, FRAME = "torque.inertia", "torque.rod", "torque.frame"
 GAS, TOTAL = "torque.gas", "torque.total"
@@ -67,7 +70,15 @@ def torque_sum(
     if tolerance:
         rule = f"has no proven bound for {name} here"
         raise SymbalanceError(f"tolerance = {tolerance:g}", rule, "give the highest order instead")
-    return _to_order(result, name, ratio, MANY_ORDERS, order)
+    return _to_order(result, name, ratio, _most_orders(result), order)
+
+
+def _most_orders(result: Result) -> int:
+    """Return from which order on nothing shows: orders n fall as e^(-a n), a the mechanisms' strip."""
+    known = [c.mechanism for c in result.engine.cylinders if c.mechanism is not None]
+    if has_common_torque(result.engine) or not known:
+        return MANY_ORDERS
+    return min(MANY_ORDERS, 4 + ceil(NEPERS / max(min(m.strip for m in known), NEPERS / MANY_ORDERS)))
 
 
 def _to_order(result: Result, name: str, ratio: Fraction, order: int, requested: int) -> HarmonicSum:

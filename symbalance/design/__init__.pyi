@@ -20,6 +20,8 @@ from symbalance.design.balancing.web_segments import SegmentRing as SegmentRing
 from symbalance.design.comparison import ComparedEngine as ComparedEngine
 from symbalance.design.comparison import EngineComparison as EngineComparison
 from symbalance.design.comparison import compare as compare
+from symbalance.design.comparison_over_speeds import ComparisonOverSpeeds as ComparisonOverSpeeds
+from symbalance.design.comparison_over_speeds import compare_over_speeds as compare_over_speeds
 from symbalance.design.variations import Assignment as Assignment
 from symbalance.design.variations import Sensitivities as Sensitivities
 from symbalance.design.variations import Sweep as Sweep

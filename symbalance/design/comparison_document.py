@@ -19,8 +19,10 @@ from symbalance.document.expressions import formula_of
 from symbalance.document.formula import Decimal, Formula, Name, Negative, Subscript, cos, equal, number
 from symbalance.document.nodes import (
     UNKNOWN,
+    Block,
     Cell,
     Column,
+    Details,
     Document,
     Exact,
     Facts,
@@ -62,14 +64,17 @@ def comparison_document(comparison: EngineComparison) -> Document:
     waves = blocks(*(_waves(comparison, k, d) for k in KINDS for d in DIRECTIONS if comparison.phases))
     cosines = (Heading("Every order as a cosine"), *waves) if waves else ()
     title = f"{len(comparison)} engines compared, to order {comparison.order}"
+    in_newtons = _newton_tables(comparison) if comparison.rpm is not None else ()
+    in_units: tuple[Block, ...] = _tables(comparison)
+    # A page has room for two tables of many orders, and at a speed these are the ones in newtons.
+    apart = len(in_newtons) > 1
+    if apart:
+        reading = Facts(_reading_units(comparison))
+        what = "in per cent" if comparison.percent else "in each order's own unit"
+        in_units = (Details(f"forces and couples {what}", (*in_units, reading), optional=True),)
     return Document(
         title if len(comparison) > 1 else comparison.summary(),
-        blocks(
-            _newton_tables(comparison) if comparison.rpm is not None else (),
-            _tables(comparison),
-            cosines,
-            Facts(_reading(comparison), "How to read it"),
-        ),
+        blocks(in_newtons, in_units, cosines, Facts(_reading(comparison, apart), "How to read it")),
     )
 
 
@@ -356,12 +361,31 @@ def _cosine(amplitude: Formula, order: Any, phase: Formula, later: bool = True) 
 # How to read it -------------------------------------------------------------------------------------
 
 
-def _reading(comparison: EngineComparison) -> tuple[tuple[Words, Words], ...]:
+def _marks(comparison: EngineComparison) -> list[str]:
+    """Return what the letters beside values mean."""
     motions = {line.motion(place) for line in comparison for place in _shown(comparison)}
     marks = [f"{mark} {words}" for name, (mark, words) in _MARKED.items() if name in motions]
     upright = ["upright without a letter"] if marks and "vertical" in motions else []
+    return [*upright, *marks]
+
+
+def _reading_units(comparison: EngineComparison) -> tuple[tuple[Words, Words], ...]:
+    """Return what tables in per cent, or in each order's own unit, mean where they stand apart."""
+    marks = _marks(comparison)
+    return ((("letters", "; ".join(marks)),) if marks else ()) + (_unit_fact(comparison),)
+
+
+def _unit_fact(comparison: EngineComparison) -> tuple[Words, Words]:
+    if comparison.percent:
+        unknown = f"; {UNKNOWN} where no rod ratio is known or an angle is a symbol"
+        return ("per cent", f"each engine of its own piston, of cylinder 1{unknown}")
+    return (_A_N, "coefficient of one cylinder, a function of its rod ratio, with a sign of its own")
+
+
+def _reading(comparison: EngineComparison, apart: bool) -> tuple[tuple[Words, Words], ...]:
+    marks = [] if apart else _marks(comparison)
     largest = "largest over a turn; orders that cancel in every engine are left out"
-    entries: list[tuple[Words, Words]] = [("cells", "; ".join([largest, *upright, *marks]))]
+    entries: list[tuple[Words, Words]] = [("cells", "; ".join([largest, *marks]))]
     if comparison.rpm is not None:
         words = "all orders together, not their sum: they are not largest at once"
         entries.append(("all", f"the largest over a turn of {words}"))
@@ -371,12 +395,8 @@ def _reading(comparison: EngineComparison) -> tuple[tuple[Words, Words], ...]:
         words = "; ".join(f"{kind} {', '.join(orders)}" for kind, orders in numbers.items() if orders)
         entries.append(("left out", f"{words}: below a millionth of one piston's first order"))
     letters = "reciprocating mass, crank radius, cylinder pitch"
-    if comparison.percent:
-        unknown = f"; {UNKNOWN} where no rod ratio is known or an angle is a symbol"
-        entries.append(("per cent", f"each engine of its own piston, of cylinder 1{unknown}"))
-    else:
-        coefficient = "coefficient of one cylinder, a function of its rod ratio, with a sign of its own"
-        entries.append((_A_N, coefficient))
+    if not apart:
+        entries.append(_unit_fact(comparison))
     if comparison.rpm is not None:
         letters = f"{letters}: {'; '.join(map(_sizes, comparison))}"
     entries += [

@@ -25,11 +25,30 @@ Looks differ in line as well as in colour, for those who do not see the colours 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos, hypot, radians, sin
+from unicodedata import east_asian_width
+
+from symbalance.errors import visible
 
 LETTER = 0.56
 """The width of a letter over the size of its type, on average: what a label is taken to need."""
+
+RAISED = frozenset("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺ⁿ₀₁₂₃₄₅₆₇₈₉ₙ")
+"""Raised and lowered signs, which are narrower."""
+
+
+def text_width(text: str) -> float:
+    """Return about how wide words are over the size of their type; East Asian signs are square.
+
+    >>> round(text_width("ab"), 3), text_width("横置")
+    (1.12, 2.0)
+    """
+    return sum(
+        LETTER if c.isascii() else 0.4 if c in RAISED else 1.0 if east_asian_width(c) in "WF" else LETTER
+        for c in text
+    )
+
 
 Point = tuple[float, float]
 
@@ -103,10 +122,13 @@ class Label:
     look: str = "ink"
     strong: bool = False
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "text", visible(self.text))
+
     @property
     def box(self) -> tuple[float, float, float, float]:
         """Left, bottom, right and top of about the room that the words take."""
-        width = LETTER * self.size * len(self.text)
+        width = self.size * text_width(self.text)
         left = self.at[0] - {"start": 0.0, "middle": width / 2, "end": width}[self.align]
         return left, self.at[1] - 0.5 * self.size, left + width, self.at[1] + 0.5 * self.size
 
@@ -140,6 +162,11 @@ class Drawing:
     title: str
     shows: str
 
+    def __post_init__(self) -> None:
+        # A name may hold marks that turn the direction of what follows it, wherever it is shown.
+        object.__setattr__(self, "title", visible(self.title))
+        object.__setattr__(self, "shows", visible(self.shows))
+
     @property
     def width(self) -> float:
         """Pixels from left to right."""
@@ -157,6 +184,10 @@ class Drawing:
         from symbalance.document.svg_writer import drawing_svg
 
         return drawing_svg(self)
+
+    def _repr_html_(self) -> str:
+        # As HTML too: of an SVG alone a converted notebook makes an image without its words.
+        return self._repr_svg_()
 
 
 def labels_of(drawing: Drawing) -> list[Label]:
@@ -183,6 +214,23 @@ def placed(point: Point, at: Point, turned: float) -> Point:
     """
     c, s = cos(radians(turned)), sin(radians(turned))
     return at[0] + c * point[0] + s * point[1], at[1] + c * point[1] - s * point[0]
+
+
+def scaled(shape: Shape, by: float) -> Shape:
+    """Return a shape larger or smaller about the origin; lines keep their width."""
+
+    def at(point: Point) -> Point:
+        return by * point[0], by * point[1]
+
+    if isinstance(shape, Line):
+        return replace(shape, points=tuple(map(at, shape.points)))
+    if isinstance(shape, Circle):
+        return replace(shape, centre=at(shape.centre), radius=by * shape.radius)
+    if isinstance(shape, Arrow):
+        return replace(shape, start=at(shape.start), end=at(shape.end))
+    if isinstance(shape, Label):
+        return replace(shape, at=at(shape.at), size=by * shape.size)
+    return replace(shape, at=at(shape.at), shapes=tuple(scaled(s, by) for s in shape.shapes))
 
 
 def arrow_head(start: Point, end: Point, size: float = 9.0) -> tuple[Point, Point, Point]:

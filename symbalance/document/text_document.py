@@ -17,7 +17,6 @@ from symbalance.document.text_writer import TextWriter, formula_text
 WIDTH = 80
 _INDENT = "  "
 _GAP = 2
-_CLOSE = 1
 _HARD = "\u00a0"
 _NARROWEST = 12
 """No column of words is wrapped to less."""
@@ -160,8 +159,8 @@ class _Writer(DocumentWriter):
         room = self.width - len(_INDENT)
         fit = self.fitted(block, room)
         lines = self.grid(fit, room)
-        if max(map(len, lines)) > self.width:  # numbers alone fill the line: they stand closer
-            lines = self.grid(fit, room, _CLOSE)
+        if max(map(len, lines)) > self.width:  # numbers alone fill the line: they take the margin too
+            lines = [line.removeprefix(_INDENT) for line in lines]
         return "\n".join([*title, *lines, *self.left_out(fit)])
 
     def fitted(self, block: nodes.Table, room: int) -> Fitted:
@@ -178,10 +177,10 @@ class _Writer(DocumentWriter):
         """Return the cells of each column of a table under its head."""
         return [self.column(fit, i) for i in range(len(fit.columns))]
 
-    def grid(self, fit: Fitted, room: int, gap: int = _GAP) -> list[str]:
+    def grid(self, fit: Fitted, room: int) -> list[str]:
         columns = self.columns(fit)
         widths = [max(map(len, column)) for column in columns]
-        spare = _spare(columns, room, gap)
+        spare = _spare(columns, room)
         if spare < 0:
             widths = self.narrowed(fit, columns, -spare)
         rows = []
@@ -191,7 +190,7 @@ class _Writer(DocumentWriter):
                 [column[i]] if len(column[i]) <= width else self.wrapped(words[k], "", "", width)
                 for k, (column, width) in enumerate(zip(columns, widths, strict=True))
             ]
-            rows.append(_side_by_side(cells, widths, gap))
+            rows.append(_side_by_side(cells, widths))
         rule = _INDENT + "─" * (max(len(line) for row in rows for line in row) - len(_INDENT))
         return [*rows[0], rule, *(line for row in rows[1:] for line in row)]
 
@@ -242,9 +241,9 @@ class _Writer(DocumentWriter):
         return [*([f"{_INDENT}exactly:", *lines] if lines else []), *remark]
 
 
-def _spare(columns: Sequence[Sequence[str]], room: int, gap: int = _GAP) -> int:
+def _spare(columns: Sequence[Sequence[str]], room: int) -> int:
     """Return how many characters of a line a table's columns leave; below 0 it is too wide."""
-    return room - sum(max(map(len, column)) for column in columns) - gap * (len(columns) - 1)
+    return room - sum(max(map(len, column)) for column in columns) - _GAP * (len(columns) - 1)
 
 
 _POWER = re.compile(" × 10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
@@ -290,7 +289,7 @@ def _whole(cell: str) -> str:
     return point[0] if point else cell
 
 
-def _side_by_side(cells: Sequence[Sequence[str]], widths: Sequence[int], gap: int) -> list[str]:
+def _side_by_side(cells: Sequence[Sequence[str]], widths: Sequence[int]) -> list[str]:
     """Return the lines of a row whose cells may have several lines."""
     lines = []
     for k in range(max(map(len, cells))):
@@ -298,5 +297,5 @@ def _side_by_side(cells: Sequence[Sequence[str]], widths: Sequence[int], gap: in
             (cell[k] if k < len(cell) else "").ljust(width)
             for cell, width in zip(cells, widths, strict=True)
         ]
-        lines.append((_INDENT + (" " * gap).join(parts)).rstrip())
+        lines.append((_INDENT + (" " * _GAP).join(parts)).rstrip())
     return lines

@@ -76,8 +76,9 @@ def _shape(shape: Shape, scale: float) -> list[str]:
         low = shape.at[0], shape.at[1] - 0.35 * shape.size
         size = f"\\fontsize{{{shape.size * POINT * scale:.1f}}}{{{shape.size * scale:.1f}}}\\selectfont"
         strong = "\\bfseries" if shape.strong else ""
+        words = "-{}-".join(map(escaped, shape.text.split("--")))  # two hyphens are no dash
         node = f"\\node[anchor={anchor},inner sep=0,text=sbd{shape.look},font={size}{strong}]"
-        return [f"{node} at {_p(low)} {{{escaped(shape.text)}}};"]
+        return [f"{node} at {_p(low)} {{{words}}};"]
     return _group(shape, scale)
 
 

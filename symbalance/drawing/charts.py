@@ -4,13 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import ceil, floor, hypot, log10
+from itertools import product
+from math import atan2, ceil, cos, floor, hypot, log10, pi, sin
+from textwrap import wrap
 
-from symbalance.document.shapes import Drawing, Group, Label, Line, Point, Shape
+from symbalance.document.shapes import LETTER, Drawing, Group, Label, Line, Point, Shape, scaled
 
 WIDTH, HEIGHT = 560.0, 260.0
 LEFT, RIGHT, BOTTOM, TOP = 64.0, 16.0, 44.0, 40.0
 """Pixels around a chart's field, for its figures and words."""
+BARS, FIGURE = 380.0, 40.0
+"""Pixels of a scale of bars, and of a figure below it."""
+BETWEEN = 20.0
+"""Pixels between drawings side by side."""
 
 
 @dataclass(frozen=True)
@@ -118,23 +124,52 @@ def draw_path(
     ]
     path = tuple((round(x * scale, 1), round(y * scale, 1)) for x, y in points)
     shapes.append(Line(path, look, closed=True))
+    outline = [(x * scale, y * scale) for x, y in points]
+    following = [*outline[1:], *outline[:1]]
+    way = [  # as close as a name is high
+        (u + (x - u) * k / 4, v + (y - v) * k / 4)
+        for (u, v), (x, y) in zip(outline, following, strict=True)
+        for k in range(4)
+    ]
+    labels: list[Label] = []
     for place, name in _apart(marks, points, 14 / scale):
-        x, y = points[place][0] * scale, points[place][1] * scale
-        out = hypot(x, y) or 1.0
+        x, y = outline[place]
         shapes.append(Line(((x - 3, y), (x, y + 3), (x + 3, y), (x, y - 3)), "ink", closed=True))
-        shapes.append(
-            Label(
-                (x + 16 * (x / out if out > 1 else 1), y + 16 * (y / out if out > 1 else 1)),
-                name,
-                size=11,
-            )
-        )
+        labels.append(_clear_label((x, y), name, way, labels, half + 14))
+    shapes += labels
     shapes += [
         Label((0, half + 26), f"vertical, {unit}", size=11),
         Label((0, -half - 42), f"lateral, {unit}", size=11),
     ]
     edge = half + 56
     return Drawing(tuple(shapes), -edge - 24, -edge, edge, edge - 14, title, shows)
+
+
+def _clear_label(
+    at: Point, name: str, path: Sequence[Point], others: Sequence[Label], room: float
+) -> Label:
+    """Return a mark's name beside it, where the fewest points of the path and no other name stand."""
+    x, y = at
+    out = atan2(y, x)
+    best: tuple[float, Label] | None = None
+    for step, turned in product(range(3), (0.0, 1.0, 0.5, -0.5, 0.25, -0.25, 0.75, -0.75)):
+        way = out + pi * turned
+        far = 12.0 + 8 * step + 3.2 * (len(name) - 1) * abs(cos(way))
+        label = Label((x + far * cos(way), y + far * sin(way)), name, size=11)
+        left, bottom, right, top = label.box
+        hidden = sum(left <= u <= right and bottom <= v <= top for u, v in path)
+        hidden += 1000 * any(_boxes_meet(label.box, other.box) for other in others)
+        hidden += 1000 * (max(-left, right, -bottom, top) > room)
+        # The axes' lines are crossed where nothing better is near.
+        hidden += 0.5 * (left < 0 < right) + 0.5 * (bottom < 0 < top) + 0.25 * step
+        if best is None or hidden < best[0]:
+            best = hidden, label
+    assert best is not None
+    return best[1]
+
+
+def _boxes_meet(one: tuple[float, float, float, float], other: tuple[float, float, float, float]) -> bool:
+    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
 
 
 def _apart(
@@ -165,9 +200,34 @@ def stacked(drawings: Sequence[Drawing], title: str) -> Drawing:
     return Drawing(tuple(shapes), left, top, right, 0.0, title, " ".join(d.shows for d in drawings))
 
 
-def draw_bars(bars: Sequence[Bar], unit: str, least: float, title: str, shows: str) -> Drawing:
-    """Return bars on a logarithmic scale down to `least`; what is exactly zero has words instead."""
-    row, room = 20.0, 380.0
+def beside(drawings: Sequence[Drawing], high: float, title: str) -> Drawing:
+    """Return drawings side by side as one, each `high` pixels high or as high as it is."""
+    shapes: list[Shape] = []
+    x = 0.0
+    for drawing in drawings:
+        by = min(1.0, high / drawing.height)
+        y = -(high - by * drawing.height) / 2 - by * drawing.top
+        shapes.append(Group(tuple(scaled(s, by) for s in drawing.shapes), (x - by * drawing.left, y)))
+        x += by * drawing.width + BETWEEN
+    words = " ".join(drawing.shows for drawing in drawings)
+    return Drawing(tuple(shapes), 0.0, -high, x - BETWEEN, 0.0, title, words)
+
+
+def draw_bars(
+    bars: Sequence[Bar],
+    unit: str,
+    least: float,
+    title: str,
+    shows: str,
+    room: float = BARS,
+    notes: Sequence[str] = (),
+) -> Drawing:
+    """Return bars on a logarithmic scale down to `least`; what is exactly zero has words instead.
+
+    The scale is `room` pixels long; a short one has a figure at every second or third power of ten.
+    `notes` stand below it.
+    """
+    row = 20.0
     high = max([b.value for b in bars if b.value is not None] + [least * 10])
     top, bottom = ceil(log10(high) - 1e-9), floor(log10(least) + 1e-9)
     scale = room / (top - bottom)
@@ -176,7 +236,9 @@ def draw_bars(bars: Sequence[Bar], unit: str, least: float, title: str, shows: s
     for power in range(bottom, top + 1):
         x = (power - bottom) * scale
         name = {0: "1", 1: "10"}.get(power, f"1e{power}".replace("-", "−"))
-        shapes += [Line(((x, 4), (x, deep)), "faint"), Label((x, deep - 12), name, size=11)]
+        shapes.append(Line(((x, 4), (x, deep)), "faint"))
+        if (power - top) % ceil(FIGURE / scale) == 0:
+            shapes.append(Label((x, deep - 12), name, size=11))
     for place, bar in enumerate(bars):
         y = -row * (place + 0.5)
         shapes.append(Label((-10, y), bar.name, "end"))
@@ -193,4 +255,8 @@ def draw_bars(bars: Sequence[Bar], unit: str, least: float, title: str, shows: s
         )
         shapes.append(Label((end + 6, y), figure(bar.value), "start", 11))
     shapes.append(Label((room / 2, deep - 30), unit, size=11))
-    return Drawing(tuple(shapes), -120, deep - 44, room + 70, 12, title, shows)
+    low = deep - 44
+    for line in (line for note in notes for line in wrap(note, int((room + 180) / (11 * LETTER)))):
+        shapes.append(Label((-110, low - 6), line, "start", 11))
+        low -= 16
+    return Drawing(tuple(shapes), -120, low, room + 70, 12, title, shows)

@@ -12,6 +12,7 @@ Formulas:
 from __future__ import annotations
 
 from cmath import exp
+from dataclasses import replace
 from fractions import Fraction
 from math import ceil, pi
 
@@ -97,6 +98,19 @@ def draw_star(engine: Engine, order: object = 1) -> Drawing:
         f"Crank star of order {n} of {engine.name}",
         f"Order {n}: {'; '.join(words)}.",
     )
+
+
+def draw_star_alone(engine: Engine, order: object = 1) -> Drawing:
+    """Return the crank star of an order with the order written on it.
+
+    >>> from symbalance.engine.builders import inline
+    >>> draw_star_alone(inline("1-3-4-2"), 2).shapes[-1].text
+    'order 2'
+    """
+    star = draw_star(engine, order)
+    name = star.title.removeprefix("Crank star of ").removesuffix(f" of {engine.name}")
+    label = Label((star.left + 8, star.top - 12), name, "start", strong=True)
+    return replace(star, shapes=(*star.shapes, label))
 
 
 def _star(

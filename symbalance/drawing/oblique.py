@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from cmath import phase
 from collections.abc import Callable
+from itertools import product
 from math import cos, degrees, pi, sin
 
 from symbalance.document.shapes import Circle, Drawing, Label, Line, Point, Shape
@@ -33,13 +34,10 @@ def draw_oblique(engine: Engine, theta: float = 0.0) -> Drawing:
     machine, turn = Machine(engine), theta * pi / 180
     front = float(max(c.station for c in engine.cylinders))
     shapes: list[Shape] = []
-    reach: list[Point] = []
 
     def at(place: complex, station: float) -> Point:
         back = machine.pitch * (front - station)
-        point = place.imag + ALONG * back, place.real + UP * back
-        reach.append(point)
-        return point
+        return place.imag + ALONG * back, place.real + UP * back
 
     half = min(0.22 * machine.pitch, 0.3 * machine.bore) / machine.pitch
     rear = min(float(c.station) for c in engine.cylinders)
@@ -76,11 +74,7 @@ def draw_oblique(engine: Engine, theta: float = 0.0) -> Drawing:
         middle = at(posture.piston_pin, station)
         shapes += [Label(middle, str(cylinder.number))]
     shapes.append(Line((at(0j, previous), at(0j, front + 0.7)), "crank"))
-    for cylinder in engine.cylinders:  # the box is that of a whole turn, so that it stands still
-        top = (machine.travel(cylinder)[1] + HEAD * machine.bore) * machine.axis(cylinder)
-        for side in (-0.5j, 0.5j, -0.5, 0.5):
-            at(top + side * machine.bore * machine.axis(cylinder), float(cylinder.station))
-    xs, ys = zip(*reach, strict=True)
+    xs, ys = zip(*_reach(machine, at, rear - 0.7, front + 0.7), strict=True)
     scale = min(WIDTH / (max(xs) - min(xs)), HEIGHT / (max(ys) - min(ys)))
     shapes = [_scaled(shape, scale) for shape in shapes]
     pins_text = ", ".join(
@@ -96,6 +90,28 @@ def draw_oblique(engine: Engine, theta: float = 0.0) -> Drawing:
         f"{engine.name} seen obliquely from the front at θ = {theta:g}°",
         f"Pins seen from the front, clockwise from straight up: {pins_text}.",
     )
+
+
+def _reach(
+    machine: Machine, at: Callable[[complex, float], Point], rear: float, front: float
+) -> list[Point]:
+    """Return what bounds the view over a whole turn, so that its frame stands still."""
+    reach = [at(0j, rear), at(0j, front)]
+    across = 0.475 * machine.bore
+    half = min(0.22 * machine.pitch, 0.3 * machine.bore) / machine.pitch
+    for cylinder in machine.engine.cylinders:
+        axis, station = machine.axis(cylinder), float(cylinder.station)
+        low, high = machine.travel(cylinder)
+        for height in (low - SKIRT * machine.bore, high + HEAD * machine.bore):
+            middle = complex(height, machine.offset(cylinder)) * axis
+            for side, along in product((-across, across), (-1, 1)):
+                reach.append(at(middle + 1j * side * axis, station + along * across / machine.pitch))
+        # The pin a link rod turns on goes round further out than the crank pin.
+        link = float(cylinder.link.radius) if cylinder.link and cylinder.link.radius else 0.0
+        radius = machine.radius(cylinder) + link
+        for place, along in product((radius, -radius, 1j * radius, -1j * radius), (-half, half)):
+            reach.append(at(place, station + along))
+    return reach
 
 
 def _pin_degrees(machine: Machine, cylinder: Cylinder, turn: float) -> float:

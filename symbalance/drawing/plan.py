@@ -59,7 +59,8 @@ def draw_plan(engine: Engine, theta: float = 0.0) -> Drawing:
     left = -0.6 * machine.bore * scale - EDGE
     right = across(float(min(stations))) + 0.6 * machine.bore * scale + EDGE
     words = ", ".join(
-        f"{c.number} at {float(c.station - engine.mean_station):g}" for c in machine.front_to_rear
+        f"{c.number} at {float(c.station - engine.mean_station):g}".replace("-", "−")
+        for c in machine.front_to_rear
     )
     return Drawing(
         tuple(shapes),
@@ -78,7 +79,10 @@ def plan_scale(machine: Machine) -> tuple[float, float]:
     stations = [c.station for c in engine.cylinders]
     length = machine.pitch * float(max(stations) - min(stations)) + 1.2 * machine.bore
     sides = [
-        abs(machine.axis(c).imag) * (machine.travel(c)[1] + HEAD * machine.bore) for c in engine.cylinders
+        abs(machine.axis(c).imag) * (machine.travel(c)[1] + HEAD * machine.bore)
+        + abs(machine.axis(c).real) * 0.475 * machine.bore
+        + abs(machine.offset(c))
+        for c in engine.cylinders
     ]
     width = 2 * max(machine.bore, 1.2 * machine.radius(engine.first), *sides)
     return min(LENGTH / length, HEIGHT / width), width

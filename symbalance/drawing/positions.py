@@ -127,6 +127,16 @@ class Machine:
 
     def travel(self, cylinder: Cylinder) -> tuple[float, float]:
         """Return the least and the greatest height of a piston pin along its axis, over a turn."""
+        return self._travels[cylinder.number]
+
+    @cached_property
+    def _travels(self) -> dict[int, tuple[float, float]]:
+        return {c.number: self._travel(c) for c in self.engine.cylinders}
+
+    def _travel(self, cylinder: Cylinder) -> tuple[float, float]:
+        if cylinder.link is None:  # crank and rod in one line
+            radius, length, offset = self.radius(cylinder), self.length(cylinder), self.offset(cylinder)
+            return sqrt((length - radius) ** 2 - offset**2), sqrt((length + radius) ** 2 - offset**2)
         axis = self.axis(cylinder)
         heights = [
             (self.posture(cylinder, 2 * pi * k / STEPS).piston_pin / axis).real for k in range(STEPS)

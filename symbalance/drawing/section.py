@@ -32,12 +32,11 @@ def draw_section(engine: Engine, theta: float = 0.0) -> Drawing:
     """
     machine = Machine(engine)
     turn = theta * pi / 180
-    room = machine.reach + (HEAD + GAP + 0.25) * machine.bore
     scale = section_scale(machine)
     front = _front(machine)
     shapes: list[Shape] = []
     ordered = sorted(machine.front_to_rear, key=lambda c: (c in front, c.station))
-    shapes += [_axis(machine, cylinder, scale, room) for cylinder in front]
+    shapes += [_axis(machine, cylinder, scale) for cylinder in front]
     shapes.append(Circle((0, 0), scale * machine.radius(engine.first), "path"))
     for cylinder in ordered:
         shapes += _master(machine, cylinder, turn, scale, cylinder not in front)
@@ -47,7 +46,7 @@ def draw_section(engine: Engine, theta: float = 0.0) -> Drawing:
     for sign in (1, -1):  # what the axes of one side have in common is written once
         beside = [c for c in front if machine.offset(c) * sign > 0]
         shapes += [shape for c in beside for shape in _offset(machine, c, scale, words=c is beside[0])]
-    shapes += _numbers(machine, scale, room)
+    shapes += _numbers(machine, scale)
     left, bottom, right, top = _box(machine, scale)
     title = f"Cross-section of {engine.name} at θ = {_degrees(theta)}"
     drawing = Drawing(tuple(shapes), left, bottom, right, top, title, _words(machine, front, theta))
@@ -76,14 +75,14 @@ def _front(machine: Machine) -> list[Cylinder]:
     return list(front.values())
 
 
-def _axis(machine: Machine, cylinder: Cylinder, scale: float, room: float) -> Shape:
+def _axis(machine: Machine, cylinder: Cylinder, scale: float) -> Shape:
     """Return an axis and the bore about it, from the lowest skirt to the head, in the axis' own frame."""
     x, half = scale * machine.offset(cylinder), scale * machine.bore / 2
     low, high = machine.travel(cylinder)
     foot = scale * (low - 0.6 * SKIRT * machine.bore)
     head = scale * (high + (HEAD + GAP) * machine.bore)
-    end = scale * (room - 0.1 * machine.bore)
-    line = Line(((x, -0.35 * scale * machine.radius(cylinder)), (x, end)), "axis")
+    # It ends below the cylinders' numbers.
+    line = Line(((x, -0.35 * scale * machine.radius(cylinder)), (x, head + 3)), "axis")
     bore = Line(((x - half, foot), (x - half, head), (x + half, head), (x + half, foot)), "part")
     turned = degrees(2 * pi * float(cylinder.bank.turns))
     return Group((line, bore), turned=turned, name=f"axis-{cylinder.number}")
@@ -168,16 +167,16 @@ def _offset(machine: Machine, cylinder: Cylinder, scale: float, words: bool) -> 
     axis = machine.axis(cylinder)
     low = -1.3 * machine.radius(cylinder)
     ends = [point(complex(low, x) * axis, scale) for x in (0.0, offset)]
-    away = 10 if offset > 0 else -10
-    at = point(complex(low, offset) * axis, scale)
     line = Line((ends[0], ends[1]), "force")
     if not words:
         return [line]
     text = f"e = {float(abs(cylinder.offset)):g} mm"
-    return [line, Label((at[0] + away, at[1] - 12), text, "start" if away > 0 else "end", 11)]
+    # Below all that turns, whatever the axis' angle.
+    low = -scale * (1.3 * machine.radius(cylinder) + 0.17 * machine.bore) - 12
+    return [line, Label((10 if offset > 0 else -10, low), text, "start" if offset > 0 else "end", 11)]
 
 
-def _numbers(machine: Machine, scale: float, room: float) -> list[Shape]:
+def _numbers(machine: Machine, scale: float) -> list[Shape]:
     """Return the cylinders' numbers outside the head of each axis, from front to rear."""
     labels: list[Shape] = []
     groups: dict[tuple[object, float], list[int]] = {}
@@ -190,8 +189,9 @@ def _numbers(machine: Machine, scale: float, room: float) -> list[Shape]:
         high = machine.travel(cylinder)[1] + (HEAD + GAP) * machine.bore
         x, y = point(complex(high, machine.offset(cylinder)) * axis, scale)
         text = numbers_text(numbers)
-        away = 12 + 3.4 * (len(text) - 1) * abs(axis.imag)
-        at = x + away * axis.imag, y + 12 * axis.real
+        # As far out as its nearest corner needs to clear the head.
+        away = 6 + 3.4 * len(text) * abs(axis.imag) + 6 * abs(axis.real)
+        at = x + away * axis.imag, y + away * axis.real
         labels.append(Group((Label((0.0, 0.0), text),), at, name=f"numbers-{cylinder.number}"))
     return labels
 
@@ -209,7 +209,8 @@ def numbers_text(numbers: list[int]) -> str:
 def _box(machine: Machine, scale: float) -> tuple[float, float, float, float]:
     """Return left, bottom, right and top of all that is drawn."""
     reach = [(0.0, 0.0)]
-    crank = scale * (machine.radius(machine.engine.first) + 0.2 * machine.bore)
+    links = [float(c.link.radius) for c in machine.engine.cylinders if c.link and c.link.radius]
+    crank = scale * (machine.radius(machine.engine.first) + max([0.0, *links]) + 0.2 * machine.bore)
     reach += [(-crank, -crank), (crank, crank)]
     for cylinder in machine.engine.cylinders:
         axis, half = machine.axis(cylinder), 0.62 * machine.bore

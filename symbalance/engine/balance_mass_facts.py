@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 from symbalance.document.formula import Decimal
@@ -60,7 +61,7 @@ def _counterweights(alike: Sequence[Counterweight]) -> Words:
     where += [_places("web", [c.web for c in alike])] if first.web else []
     opposite = ", from opposite its pin" if where else ""
     if first.station is not None or not where:
-        where.append(_places("station", [with_minus(c.station or 0) for c in alike]))
+        where.append(_places("station", [c.station for c in alike]))
     several = len(alike) > 1
     head = f"counterweight{'s' * several} on {', '.join(where)}: {'each ' * several}"
     if first.weight is None:
@@ -71,9 +72,20 @@ def _counterweights(alike: Sequence[Counterweight]) -> Words:
     return (head, *_size(first.weight.vector, first.weight.in_kg_mm), opposite)
 
 
-def _places(name: str, places: Sequence[object]) -> str:
-    """Return places with what they are, as "throws 1, 3 and 5"."""
-    *before, last = map(str, places)
+MOST_PLACES = 4
+"""Places that are listed one by one where they are evenly apart."""
+
+
+def _places(name: str, places: Sequence[int | Fraction | None]) -> str:
+    """Return places with what they are; of many that are evenly apart the first two and the last.
+
+    >>> _places("throw", [1, 3, 5]), _places("station", [Fraction(n, 2) for n in (5, 3, 1, -1, -3)])
+    ('throws 1, 3 and 5', 'stations 5/2, 3/2, …, −3/2')
+    """
+    *before, last = (with_minus(Fraction(place or 0)) for place in places)
+    steps = {Fraction(b or 0) - Fraction(a or 0) for a, b in pairwise(places)}
+    if len(places) > MOST_PLACES and len(steps) == 1:
+        return f"{name}s {', '.join(before[:2])}, …, {last}"
     return f"{name}s {', '.join(before)} and {last}" if before else f"{name} {last}"
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import lru_cache
 
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
@@ -23,6 +24,8 @@ FINEST = Fraction(1, 1_000_000)
 COARSEST, FINEST_STEP = 10, 10**12
 
 
+# A document, a drawing and a page ask for the same link rods' roots, some milliseconds each.
+@lru_cache(maxsize=256)
 def dead_centre_shift(mechanism: Mechanism) -> Fraction:
     """Return p at the piston's top dead centre, degrees in (-180, 180], to a millionth of a degree.
 

@@ -171,9 +171,12 @@ class Engine:
         """Whether every cylinder pushes with one A_n cos n p: one group, of a centred slider-crank.
 
         Then geometry and kinematics stand apart: an order is its A_n times a sum over angles, which is
-        exact whatever lambda is.
+        exact whatever lambda is. Where an angle is a letter, masses may differ: each cylinder's m r over
+        that of the first is then a weight of the sum, since no number could hold the letter.
         """
-        return len(self.groups) == 1 and _is_centred(self.groups[0].mechanism)
+        mechanisms = {group.mechanism for group in self.groups}
+        is_one = len(self.groups) == 1 or (self.has_symbols and len(mechanisms) == 1)
+        return is_one and _is_centred(self.groups[0].mechanism)
 
     @cached_property
     def counts_in_orders(self) -> bool:

@@ -57,9 +57,12 @@ def engine_title(engine: Engine) -> str:
     return f"{engine.name}: {engine_words(engine)}"
 
 
-def origin_facts(engine: Engine) -> list[tuple[Words, Words]]:
-    """Return the firing order, where it is known, and where the crank angle is counted from."""
-    fires = firing(engine)
+def origin_facts(engine: Engine, *, intervals: bool = True) -> list[tuple[Words, Words]]:
+    """Return the firing order, where it is known, and where the crank angle is counted from.
+
+    Without `intervals` uneven ones are left to the table of what a drawing says.
+    """
+    fires = firing(engine) if intervals else _firing_numbers(engine)
     entries: list[tuple[Words, Words]] = [("fires", fires)] if fires else []
     entries.append(((_THETA, " = 0"), f"{origin(engine)}; θ runs clockwise seen from the front"))
     return entries
@@ -72,11 +75,12 @@ def _with_decimal(ratio: Fraction) -> str:
 
 
 def size_facts(
-    engine: Engine, ratio: Fraction | None, *, alike: bool, pitch: bool = True
+    engine: Engine, ratio: Fraction | None, *, alike: bool, pitch: bool = True, kinds: bool = True
 ) -> list[tuple[Words, Words]]:
     """Return what λ, m, r, with `pitch` a, and the letters of unlike cylinders' rods mean.
 
-    `alike` says whether results are in the sizes that all cylinders share, else in cylinder 1's.
+    `alike` says whether results are in the sizes that all cylinders share, else in cylinder 1's. Without
+    `kinds` the letters of the table of unlike cylinders are left out.
     """
     entries: list[tuple[Words, Words]] = []
     letters: Words = (_M, ", ", _R, ", ", _A) if alike and pitch else (_M, ", ", _R)
@@ -85,12 +89,13 @@ def size_facts(
         entries.append((equal(_LAM, _L / _R), f"connecting rod over crank radius{here}"))
         also = ", cylinder pitch" if pitch else ""
         joined = ", crank radius" if pitch else " and crank radius"
-        entries.append((letters, f"reciprocating mass of one cylinder{joined}{also}"))
+        which = "one cylinder" if len(engine.groups) == 1 else f"cylinder {engine.first.number}"
+        entries.append((letters, f"reciprocating mass of {which}{joined}{also}"))
         return entries
     entries.append((letters, f"reciprocating mass and crank radius of cylinder {engine.first.number}"))
     if pitch:
         entries.append((_A, "cylinder pitch"))
-    return entries + group_facts(engine)
+    return entries + (group_facts(engine) if kinds else [])
 
 
 def balancer_entries(engine: Engine) -> list[tuple[Words, Words]]:
@@ -127,10 +132,9 @@ def firing(engine: Engine) -> str:
     >>> firing(load("v2-45")), firing(load("v6-90"))
     ('1-2 at intervals of 405°, 315°', '1-6-5-4-3-2 at intervals of 150°, 90°, and so on')
     """
-    order = engine.firing_order()
-    if order is None or len(order) < 2:
+    numbers = _firing_numbers(engine)
+    if not numbers:
         return ""
-    numbers = "-".join(_shortened([str(number) for number in order]))
     steps = firing_intervals(engine)
     apart = ", dead centres apart by" if has_shifted_dead_centres(engine) else " at intervals of"
     if len(set(steps)) == 1:
@@ -139,6 +143,14 @@ def firing(engine: Engine) -> str:
     intervals = _shortened([f"{degrees_text(step)}°" for step in steps[:period]])
     intervals += ["and so on"] if period < len(steps) else []
     return f"{numbers}{apart} {', '.join(intervals)}"
+
+
+def _firing_numbers(engine: Engine) -> str:
+    """Return the cylinders' numbers as they fire; empty if that is not known."""
+    order = engine.firing_order()
+    if order is None or len(order) < 2:
+        return ""
+    return "-".join(_shortened([str(number) for number in order]))
 
 
 def _shortened(names: list[str]) -> list[str]:

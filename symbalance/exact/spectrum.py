@@ -35,7 +35,7 @@ from symbalance.exact.exact_forms import Direction, ExactForm, FromSymPy, RootOf
 from symbalance.exact.phasor import ZERO, Phasor
 from symbalance.exact.radicals import ZERO_FORM, exact_form, multiple_of_pi, square_root_form
 from symbalance.exact.symbolic_phasor import SymbolicPhasor
-from symbalance.text.reals import Real, atan2, pi
+from symbalance.text.reals import Complex, Real, atan2, expj, pi
 
 if TYPE_CHECKING:
     import sympy
@@ -115,7 +115,7 @@ class Component:
 
     @property
     def amplitude(self) -> sympy.Expr:
-        """The amplitude, zero or positive; with symbols in it and a fixed phase, of either sign."""
+        """The amplitude, zero or positive; with symbols in it and a fixed phase, so at small angles."""
         return self.form("amplitude").expression()
 
     @property
@@ -130,9 +130,13 @@ class Component:
         if isinstance(number, DecimalPhasor):
             return _axis(number)
         if isinstance(number, SymbolicPhasor):
-            if self.is_zero() or self.form("sin").is_zero():
+            if self.is_zero():
                 return Fraction(0)
-            return QUARTER if self.form("cos").is_zero() else None
+            if self.form("sin").is_zero():
+                return Fraction(1, 2) if _is_below_zero(number) else Fraction(0)
+            if self.form("cos").is_zero():
+                return -QUARTER if _is_below_zero(number.rotated(-QUARTER)) else QUARTER
+            return None
         return None if self._aligned is None else self._aligned[0]
 
     @cached_property
@@ -239,13 +243,34 @@ def _axis(number: DecimalPhasor) -> Fraction | None:
 
 
 def _symbolic_amplitude(component: Component) -> ExactForm:
-    """Return C where S is 0 and S where C is 0, else the root of C^2 + S^2."""
+    """Return ±C where S is 0, ±S where C is 0, above zero at small angles; else the root of C^2 + S^2."""
     import sympy
 
-    cos, sin = component.form("cos"), component.form("sin")
-    if cos.is_zero() or sin.is_zero():
-        return cos if sin.is_zero() else sin
+    if component.is_zero():
+        return ZERO_FORM
+    turns = component.phase_in_turns
+    if turns is not None:
+        return _real_form(component.number.rotated(-turns))
     return FromSymPy(sympy.sqrt(_real_form(component.number.norm()).expression()))
+
+
+SMALL = Fraction(1, 10_000)
+"""Radians of every angle that is a letter, where the sign of an amplitude is chosen."""
+
+
+def _is_below_zero(number: SymbolicPhasor) -> bool:
+    """Tell whether the real part is below zero where all angles that are letters are small.
+
+    There a bank angle is: sin α is an amplitude, and −sin α one with the phase turned by half a turn.
+    """
+    value = sum(
+        (
+            phasor.evaluated() * expj(Real(sum(factor for _, factor in symbols) * SMALL))
+            for symbols, phasor in number.parts.items()
+        ),
+        Complex(0),
+    )
+    return value.real < 0
 
 
 def turns_and_size(number: Phasor) -> tuple[Fraction, Phasor] | None:

@@ -36,6 +36,7 @@ from symbalance.document.nodes import (
     Words,
     blocks,
 )
+from symbalance.document.text_document import document_text
 from symbalance.document.text_writer import formula_text
 from symbalance.engine.engine import Engine
 from symbalance.engine.engine_document import (
@@ -45,11 +46,12 @@ from symbalance.engine.engine_document import (
     balancer_entries,
     drawing_blocks,
     engine_title,
+    group_facts,
     group_table,
     origin_facts,
     size_facts,
 )
-from symbalance.forces.free_forces import NEGLIGIBLE, Balance, slight_orders
+from symbalance.forces.free_forces import NEGLIGIBLE, Balance, listed_orders, slight_orders
 from symbalance.forces.operating_point import UNITS, OperatingPoint
 from symbalance.forces.rows import IN_ONE_PLANE, Row, plane, roll_rows, rotating, rows
 from symbalance.kinematics.coefficients import Kinematics
@@ -75,15 +77,54 @@ _F_1 = Subscript(Name("F"), number(1))
 _MR = _M * _R * _OMEGA**2
 
 
+PAGE = 60
+"""Lines of a page, of 80 columns; a balance that has more leaves out what matters least."""
+FEW_ROWS = 20
+"""Rows of tables that a page has room for, whatever else is said."""
+LITTLE = 1e-4
+"""Of one piston's first order, a hundredth of a per cent: a page that is too long names such orders."""
+
+
+@dataclass(frozen=True)
+class _Brevity:
+    """What a page leaves to the whole document; each step takes in the one before."""
+
+    kinds: bool = False
+    """The table of cylinders by kind, and its letters; and intervals that another column has."""
+    least: float = NEGLIGIBLE
+    """Orders below that part of one piston's first order."""
+
+
 def balance_document(balance: Balance) -> Document:
-    """Return a balance as a document: the components that are free, the coefficients, the conventions."""
+    """Return a balance as a document: the components that are free, the coefficients, the conventions.
+
+    What matters first has one page: cylinders by kind, then orders of little size, are left to the whole
+    document where it would be longer. At a speed every order above a millionth stays, in newtons.
+    """
+    steps = [_Brevity(), _Brevity(kinds=True)]
+    steps += [] if balance.operating_point else [_Brevity(kinds=True, least=LITTLE)]
+    document = _document(balance, steps[0])
+    for step in steps[1:]:
+        if _is_short(document):
+            break
+        document = _document(balance, step)
+    return document
+
+
+def _is_short(document: Document) -> bool:
+    """Tell whether a document's text is one page: few rows are, without being set."""
+    rows = sum(len(block.rows) for block in document.blocks if isinstance(block, Table))
+    return rows < FEW_ROWS or document_text(document.unfolded(full=False)).count("\n") <= PAGE
+
+
+def _document(balance: Balance, brevity: _Brevity) -> Document:
     return Document(
         engine_title(balance.engine),
         blocks(
             turn_blocks(balance),  # how much it is, before what it is made of
-            resultant_blocks(balance),
+            resultant_blocks(balance, brevity.least),
             drawing_blocks(balance.engine),
-            conventions(balance),
+            conventions(balance, kinds_in_short=not brevity.kinds),
             _pictures(balance),
         ),
     )
@@ -120,17 +161,21 @@ def _pictures(balance: Balance) -> Details | None:
     return Details(PICTURES, tuple(figures), optional=True, named=False) if figures else None
 
 
-def resultant_blocks(balance: Balance) -> tuple[Block, ...]:
-    """Return the free force, the free couple, the shafts' roll moment and the coefficients."""
+def resultant_blocks(balance: Balance, least: float = NEGLIGIBLE) -> tuple[Block, ...]:
+    """Return the free force, the free couple, the shafts' roll moment and the coefficients.
+
+    Orders below `least` of one piston's first order are named in a line.
+    """
     return blocks(
-        _resultant(balance, "force", ("Free force, unit ", unit(balance, "force"))),
+        _resultant(balance, "force", ("Free force, unit ", unit(balance, "force")), least),
         _resultant(
             balance,
             "couple",
             (f"Free couple about {plane(balance.reference)}, unit ", unit(balance, "couple")),
+            least,
         ),
         _roll(balance),
-        _coefficients(balance),
+        _coefficients(balance, least),
     )
 
 
@@ -141,23 +186,40 @@ def unit(balance: Balance, name: str) -> Formula | Equation:
     return equal(_F_N, _A_N * _MR) if name == "force" else _F_N * _A
 
 
-def conventions(balance: Balance, own: Sequence[tuple[Words, Words]] = ()) -> tuple[Block, ...]:
+def conventions(
+    balance: Balance, own: Sequence[tuple[Words, Words]] = (), *, kinds_in_short: bool = True
+) -> tuple[Block, ...]:
     """Return what an engine's letters, signs and angles mean, and what it is balanced by.
 
-    `own` are what a result's own tables mean; they stand before the rest.
+    `own` are what a result's own tables mean; they stand before the rest. Without `kinds_in_short` the
+    table of cylinders by kind is left to the whole document, and firing intervals to the table above.
     """
     engine, alike = balance.engine, balance.kinematics is not None
+    has_kinds = not alike or len(engine.groups) > 1
     entries = (
         *own,
-        *origin_facts(engine),
-        *size_facts(engine, balance.ratio, alike=alike),
+        *origin_facts(engine, intervals=kinds_in_short),
+        *size_facts(engine, balance.ratio, alike=alike, kinds=kinds_in_short),
+        *_letter_facts(balance),
         *balancer_entries(engine),
         SIGNS,
         ORDER,
         *_value_facts(balance),
     )
     facts = Facts(entries, "How to read it")
-    return (facts,) if alike else (group_table(engine), facts)
+    if not has_kinds:
+        return (facts,)
+    if kinds_in_short:
+        return (group_table(engine), facts)
+    kinds: tuple[Block, ...] = (group_table(engine), Facts(tuple(group_facts(engine))))
+    return (facts, Details("cylinders by kind", kinds, optional=True))
+
+
+def _letter_facts(balance: Balance) -> tuple[tuple[Words, Words], ...]:
+    """Return what holds of amplitudes with letters in them: they keep one phase, whatever their sign."""
+    if not balance.engine.has_symbols:
+        return ()
+    return (("amplitude", "with a letter: above 0 at small angles, elsewhere of either sign"),)
 
 
 def _value_facts(balance: Balance) -> tuple[tuple[Words, Words], ...]:
@@ -174,32 +236,56 @@ def value_fact(name: str, *unit: str | Formula) -> tuple[tuple[Words, Words], ..
     return ((name, ("amplitude × ", *unit, ", sign included: the factor of ", WAVE_OF_PHASE)),)
 
 
-def _resultant(balance: Balance, name: str, title: Words) -> tuple[Block, ...]:
-    surviving, slight = _by_weight(balance, rows(balance, name))
-    table = component_table(
-        title, surviving, f"none, to order {balance.highest}", in_newtons(balance, name), name
-    )
+def _resultant(balance: Balance, name: str, title: Words, least: float) -> tuple[Block, ...]:
+    surviving, slight = _by_weight(balance, rows(balance, name), least)
+    measured = in_newtons(balance, name)
+    table = component_table(title, surviving, f"none, to order {balance.highest}", measured, name)
     parts = _rotating(balance, name, {row.order for row in surviving}) if surviving else ()
-    return (table, *parts, *slight)
+    tabled = _by_weight(balance, rows(balance, name), NEGLIGIBLE)[0]
+    little = [row for row in tabled if row.order in slight]
+    details: tuple[Block, ...] = ()
+    if little:
+        numbers = listed_orders(sorted({row.order for row in little}))
+        what = f"{name} of order{'s' if ',' in numbers else ''} {numbers}"
+        small = (f"{what}, unit ", unit(balance, name))
+        below = component_table(small, little, measured=measured, topic=f"{name}-small")
+        details = (Details(what, (below,), optional=True),)
+    return (table, *parts, *_slight(balance, name, slight, least), *details)
 
 
-def _by_weight(balance: Balance, surviving: list[Row]) -> tuple[list[Row], tuple[Block, ...]]:
-    """Return the rows that matter, and a line that names the orders that do not.
+def _slight(
+    balance: Balance, name: str, slight: list[int | Fraction], least: float
+) -> tuple[Paragraph, ...]:
+    """Return a line of the orders that are not tabled; of a page cut short one for force and couple."""
+    if least == NEGLIGIBLE:
+        return (Paragraph(slight_orders(slight)),) if slight else ()
+    if name == "force":
+        return ()
+    of_force = _by_weight(balance, rows(balance, "force"), least)[1]
+    lines = [(of, n) for of, n in (("force", of_force), ("couple", slight)) if n]
+    if not lines:
+        return ()
+    which = "; ".join(f"{of} {listed_orders(orders)}" for of, orders in lines)
+    return (Paragraph(f"{which}: {slight_orders([], least).partition(': ')[2]}"),)
+
+
+def _by_weight(
+    balance: Balance, surviving: list[Row], least: float
+) -> tuple[list[Row], list[int | Fraction]]:
+    """Return the rows that matter, and the orders that do not: those below `least` of one piston's first.
 
     Without a rod ratio nobody knows how much an order is; with symbolic angles neither.
     """
     if balance.kinematics is not None and balance.ratio is None:
-        return surviving, ()
+        return surviving, []
     largest: dict[int | Fraction, float] = {}
     for row in surviving:
         if row.has_symbols:
-            return surviving, ()
+            return surviving, []
         size = abs(float(balance.share(int(row.order)))) * float(hypot(*row.component.decimal()))
         largest[row.order] = max(largest.get(row.order, 0.0), size)
-    slight = [n for n, size in largest.items() if size < NEGLIGIBLE]
-    if not slight:
-        return surviving, ()
-    return [row for row in surviving if row.order not in slight], (Paragraph(slight_orders(slight)),)
+    slight = [n for n, size in largest.items() if size < least]
+    return [row for row in surviving if row.order not in slight], slight
 
 
 def _roll(balance: Balance) -> tuple[Block, ...]:
@@ -229,11 +315,35 @@ def component_table(
     """Return a table of components, exact where there is room, in decimals where there is not.
 
     Rows without a name leave the column of components out; `measured` adds columns of values in N or N m.
+    Where an angle is a letter nothing has a decimal, and formulas are long: `_lettered_table`.
     """
+    if any(row.has_symbols for row in surviving):
+        return _lettered_table(title, surviving, topic)
     if measured is None:
         return Table(title, _HEAD, tuple(map(_cells, surviving)), keys=2, empty=empty, topic=topic)
     cells = tuple((*_cells(row), *measured.cells(row)) for row in surviving)
     return Table(title, (*_HEAD, *measured.columns), cells, keys=2, empty=empty, topic=topic)
+
+
+def _lettered_table(title: Words, surviving: Sequence[Row], topic: str) -> Table:
+    """Return a table of components with letters in them, one formula a row.
+
+    Where every phase is a multiple of π/2, the amplitude says it all: it is the factor of cosine or sine.
+    Else each component is a row of cos nθ and one of sin nθ: a root of squares says less than they do.
+    """
+    orders = [(order_cell(row.order), row.name) for row in surviving]
+    if all(row.component.phase_in_turns is not None for row in surviving):
+        columns = (*_HEAD[:2], *_HEAD[4:])
+        cells = [(*of, *map(Exact, row.exact()[2:])) for of, row in zip(orders, surviving, strict=True)]
+        return Table(title, columns, tuple(cells), keys=2, topic=topic)
+    columns = (*_HEAD[:2], Column("wave"), Column("factor"))
+    cells = [
+        (*of, wave, Exact(form.as_formula()))
+        for of, row in zip(orders, surviving, strict=True)
+        for wave, name in ((cos(_ANGLE), "cos"), (sin(_ANGLE), "sin"))
+        if not (form := row.component.form(name)).is_zero()
+    ]
+    return Table(title, columns, tuple(cells), keys=3, topic=topic)
 
 
 @dataclass(frozen=True)
@@ -423,11 +533,13 @@ def _series(series: Series) -> Words:
     return ("≈ ", Decimal(short_decimal(Real(lead))) * _LAM ** number(-power) + Dots())
 
 
-def _coefficients(balance: Balance) -> tuple[Block, ...]:
+def _coefficients(balance: Balance, least: float) -> tuple[Block, ...]:
     if not balance.orders or balance.kinematics is None:
         return ()
     tabled = {
-        row.order for of in ("force", "couple") for row in _by_weight(balance, rows(balance, of))[0]
+        row.order
+        for of in ("force", "couple")
+        for row in _by_weight(balance, rows(balance, of), least)[0]
     }
     orders = [order for order in balance.orders if order.order in tabled]
     return (

@@ -8,7 +8,8 @@ mass over that and w a weight (1 for the force, the lever arm for the couple),
     c_n = sum over groups of h_n sum over the group's cylinders of w s e^(i (bank + n (throw - bank))).
 
 The inner sum is geometry, a number of a cyclotomic field: where it vanishes the order is gone, exactly.
-Where there is one group of centred cylinders, h_n = A_n/2 for both signs stands apart: components are the
+Where there is one group of centred cylinders (or several that differ in m r alone, and an angle is a
+letter), h_n = A_n/2 for both signs stands apart: components are the
 geometry itself, whatever lambda is, and angles may hold symbols. Else c_n is a number of 40 digits.
 
 A cylinder's force along its axis is half a vector that turns with the crank and half one that turns
@@ -75,7 +76,7 @@ def moving_masses(engine: Engine, measures: Sequence[str] = MASSES) -> list[Movi
 
 def _check_numbers(engine: Engine) -> None:
     if engine.has_symbols:
-        rule = "has angles with symbols, and cylinders that are not alike"
+        rule = "has angles with letters, and cylinders whose rods or offsets differ"
         remedy = "give the angles in numbers, or take symbolic_order (formulas), an order at a time"
         raise SymbalanceError(f"engine {engine.name!r}", rule, remedy)
 
@@ -91,7 +92,11 @@ def planar_vectors(
     weights = _weights(engine, plane)
     if engine.counts_in_orders:
         orders = [n for n in range(1, order + 1) if surviving(n)]
-        pushed = [geometry(engine, orders, of_each) for of_each in weights]
+        shares = engine.sizes  # all 1, but where an angle is a letter
+        pushed = [
+            geometry(engine, orders, [w * s for w, s in zip(of_each, shares, strict=True)])
+            for of_each in weights
+        ]
     else:
         pushed = _spectra_of(moving_masses(engine), engine, order, weights)
     return _with_rotating_masses(engine, order, plane, pushed)

@@ -23,6 +23,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
+from math import log10
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeVar, Unpack
 
 from symbalance.document.result import Result
@@ -319,10 +320,11 @@ def listed_orders(orders: Sequence[int | Fraction]) -> str:
     return ", ".join([*printed[:6], "…", printed[-1]] if len(printed) > 8 else printed)
 
 
-def slight_orders(orders: Sequence[int | Fraction]) -> str:
-    """Return in a line which orders are negligible."""
+def slight_orders(orders: Sequence[int | Fraction], least: float = NEGLIGIBLE) -> str:
+    """Return in a line which orders are below `least`, a power of ten, of one piston's first order."""
     word = "order" if len(orders) == 1 else "orders"
-    return f"{word} {listed_orders(orders)}: below 10⁻⁶ of one piston's first order"
+    power = f"10⁻{'⁰¹²³⁴⁵⁶⁷⁸⁹'[-round(log10(least))]}"
+    return f"{word} {listed_orders(orders)}: below {power} of one piston's first order"
 
 
 def _balance(engine: Engine, order: int, power: int | None, reference: object) -> Balance:

@@ -7,7 +7,16 @@ from math import cos, hypot, pi, sin
 from typing import TYPE_CHECKING
 
 from symbalance.document.shapes import Drawing
-from symbalance.drawing.charts import Bar, Curve, draw_bars, draw_curves, draw_path, figure, stacked
+from symbalance.drawing.charts import (
+    BARS,
+    Bar,
+    Curve,
+    draw_bars,
+    draw_curves,
+    draw_path,
+    figure,
+    stacked,
+)
 from symbalance.errors import SymbalanceError
 
 if TYPE_CHECKING:
@@ -58,10 +67,11 @@ def _check(balance: Balance) -> None:
         raise SymbalanceError(engine.name, rule, "give --ratio λ, or stroke and rod in [crank_train]")
 
 
-def draw_orders(balance: Balance) -> Drawing:
+def draw_orders(balance: Balance, room: float = BARS, most: int = 1000) -> Drawing:
     """Return every order of force and couple as a bar, on a logarithmic scale; zeros say "0, proved".
 
-    A bar is the larger of the amplitudes of the vertical and the lateral part.
+    A bar is the larger of the amplitudes of the vertical and the lateral part; the scale is `room`
+    pixels long. Of more bars than `most` those without a length, or below the scale, share a line.
     """
     _check(balance)
     bars, words = [], []
@@ -81,10 +91,37 @@ def draw_orders(balance: Balance) -> Drawing:
                 + ("0, proved" if value is None else f"{figure(value)} {unit_words(balance, of)}")
             )
     least = LEAST * (_unit(balance, "force") if balance.operating_point else 1.0)
+    notes = []
+    if len(bars) > most:
+        zeros = [bar.name for bar in bars if bar.value is None]
+        small = [bar.name for bar in bars if bar.value is not None and bar.value < least]
+        notes = [f"0, proved: {_joined(zeros)}"] if zeros else []
+        notes += [f"below {figure(least)}: {_joined(small)}"] if small else []
+        bars = [bar for bar in bars if bar.value is not None and bar.value >= least]
     unit = " and ".join(dict.fromkeys(unit_words(balance, of) for of in NAMES))
     return draw_bars(
-        bars, f"amplitude, {unit}", least, f"Orders of {balance.engine.name}", "; ".join(words) + "."
+        bars,
+        f"amplitude, {unit}",
+        least,
+        f"Orders of {balance.engine.name}",
+        "; ".join(words) + ".",
+        room,
+        notes,
     )
+
+
+def _joined(names: list[str]) -> str:
+    """Return names of orders, each kind said once.
+
+    >>> _joined(["force 1", "force 2", "couple 1"])
+    'force 1, 2, couple 1'
+    """
+    said, last = [], ""
+    for name in names:
+        kind, _, order = name.partition(" ")
+        said.append(order if kind == last else name)
+        last = kind
+    return ", ".join(said)
 
 
 def draw_forces(balance: Balance) -> Drawing:
@@ -108,7 +145,8 @@ def draw_one_of_forces(balance: Balance, of: str) -> Drawing:
             curves.append(Curve(f"{part} {of}", tuple(values), look))
             words.append(f"{part} {of} within ±{figure(largest)} {unit}")
     title = f"Free {of} of {balance.engine.name} over a turn"
-    return draw_curves(curves, 360, unit, title, "; ".join(words) + ".")
+    said = "; ".join(words)
+    return draw_curves(curves, 360, unit, title, f"{said[:1].upper()}{said[1:]}.")
 
 
 def draw_force_path(balance: Balance, of: str = "force") -> Drawing:

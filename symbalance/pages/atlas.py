@@ -1,4 +1,4 @@
-"""The atlas of engines: a page of each, and a table of all that sorts by what shakes.
+"""The atlas of engines: a page of each, a table of all that sorts by what shakes, and published tables.
 
 A folder of HTML files that open from disk: nothing in them asks for a network.
 """
@@ -6,7 +6,7 @@ A folder of HTML files that open from disk: nothing in them asks for a network.
 from __future__ import annotations
 
 from base64 import b64encode
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from hashlib import sha256
@@ -18,6 +18,7 @@ from symbalance.drawing.firing_diagram import NEAR, firing_intervals
 from symbalance.engine.engine import Engine
 from symbalance.forces.free_forces import NEGLIGIBLE, Balance, balance
 from symbalance.pages.moving_page import page
+from symbalance.pages.published_tables import PublishedCell, cells_by_engine
 from symbalance.pages.sentence import sizes_of_orders
 
 MOST_NAMED = 6
@@ -32,6 +33,9 @@ COLUMNS = (
     ("largest couple", "couple"),
     ("firing intervals", "intervals"),
 )
+PUBLISHED = "published"
+"""Where on the page the published tables stand."""
+PUBLISHED_HEADS = ("engine", "quantity", "as printed", "right", "off by", "why", "where")
 _STYLE = """
 :root{color-scheme:light dark;--ink:#1f2937;--paper:#fff;--quiet:#4b5563;--line:#d1d5db;--link:#1d4ed8}
 @media screen and (prefers-color-scheme:dark){
@@ -49,11 +53,13 @@ th button{cursor:pointer;text-align:left}
 th[aria-sort=ascending] button::after{content:" ▲"}
 th[aria-sort=descending] button::after{content:" ▼"}
 td{font-variant-numeric:tabular-nums}
+details{margin:.6rem 0}
 .quiet{color:var(--quiet);font-size:.85rem}
 @media print{@page{size:A4 landscape;margin:10mm}body{font-size:8pt}}
 """
 _SCRIPT = """
-const body = document.querySelector("tbody"), heads = [...document.querySelectorAll("thead th")];
+for (const table of document.querySelectorAll("table")) {
+const body = table.tBodies[0], heads = [...table.tHead.rows[0].cells];
 heads.forEach((head, column) => {
   const button = document.createElement("button");
   button.type = "button";
@@ -72,6 +78,7 @@ heads.forEach((head, column) => {
     body.append(...rows);
   });
 });
+}
 """
 _PAGE = """<!DOCTYPE html>
 <html lang="en">
@@ -97,7 +104,7 @@ cancels exactly or is below 10⁻⁶.</p>
 </tbody>
 </table>
 </section>
-{refused}<p class="quiet">Made by symbalance {version}. Nothing here is fetched.</p>
+{published}{refused}<p class="quiet">Made by symbalance {version}. Nothing here is fetched.</p>
 </main>
 <script type="module">{script}</script>
 </body>
@@ -160,21 +167,30 @@ def _degrees(value: Fraction) -> str:
     return f"{float(round(value, 2)):g}"
 
 
-def atlas_index(entries: Sequence[tuple[str, dict[str, Any]]], refused: Sequence[str], order: int) -> str:
+def atlas_index(
+    entries: Sequence[tuple[str, dict[str, Any]]],
+    refused: Sequence[str],
+    order: int,
+    cells: Sequence[PublishedCell] = (),
+) -> str:
     """Return the table of an atlas as a page, of rows each with its page's file name.
 
-    What was `refused` is said below the table, so that nobody takes it for forgotten.
+    Below it stand `cells` of published tables, those that are wrong beside what is right. What was
+    `refused` is said at the end, so that nobody takes it for forgotten.
     """
     from symbalance import __version__
 
     rows = []
+    wrong = cells_by_engine(cells)
     for file, row in entries:
-        cells = [f'<th scope="row"><a href="{escape(file)}">{escape(row["engine"][0])}</a></th>']
-        cells += [
+        name = row["engine"][0]
+        here = f' <a href="#{PUBLISHED}" class="quiet">misprints</a>' if name in wrong else ""
+        parts = [f'<th scope="row"><a href="{escape(file)}">{escape(name)}</a>{here}</th>']
+        parts += [
             f'<td data-key="{escape(str(row[key][1]))}">{escape(str(row[key][0]))}</td>'
             for _, key in COLUMNS[1:]
         ]
-        rows.append(f"<tr>{''.join(cells)}</tr>")
+        rows.append(f"<tr>{''.join(parts)}</tr>")
     missing = "".join(f"<li>{escape(line)}</li>" for line in refused)
     return _PAGE.format(
         digest=b64encode(sha256(_SCRIPT.encode()).digest()).decode("ascii"),
@@ -183,7 +199,57 @@ def atlas_index(entries: Sequence[tuple[str, dict[str, Any]]], refused: Sequence
         order=order,
         heads="".join(f'<th scope="col">{escape(head)}</th>' for head, _ in COLUMNS),
         rows="\n".join(rows),
+        published=_published(cells, {row["engine"][0]: file for file, row in entries}),
         refused=f"<h2>Not shown</h2>\n<ul>{missing}</ul>\n" if missing else "",
         version=__version__,
         script=_SCRIPT,
     )
+
+
+def _published(cells: Sequence[PublishedCell], files: Mapping[str, str]) -> str:
+    """Return the cells of published tables that are wrong as a table, and how many hold."""
+    if not cells:
+        return ""
+    rows = [_published_row(cell, files) for cell in cells if not cell.holds]
+    held = sum(cell.holds for cell in cells)
+    sources = "".join(
+        f"<li>{escape(title)}: {escape(source)}</li>"
+        for title, source in dict.fromkeys((cell.table, cell.source) for cell in cells)
+    )
+    heads = "".join(f'<th scope="col">{escape(head)}</th>' for head in PUBLISHED_HEADS)
+    return f"""<h2 id="{PUBLISHED}">Published tables, and what is right</h2>
+<p>Of {len(cells)} cells that were compared {held} are right to their last digit; {len(rows)} are not.
+Sizes are in F<sub>n</sub> = A<sub>n</sub> m r ω², couples times the pitch.</p>
+<section class="wide" tabindex="0" aria-label="Cells of published tables that are wrong">
+<table>
+<thead><tr>{heads}</tr></thead>
+<tbody>
+{chr(10).join(rows)}
+</tbody>
+</table>
+</section>
+<details><summary>Where the tables stand</summary><ul>{sources}</ul></details>
+"""
+
+
+def _published_row(cell: PublishedCell, files: Mapping[str, str]) -> str:
+    name, file = escape(cell.engine), files.get(cell.engine)
+    engine = f'<a href="{escape(file)}">{name}</a>' if file else name
+    off = cell.off
+    said = "should be 0" if off is None else f"{100 * off:.3g} %"
+    where = cell.table + (f", line {cell.line}" if cell.line else "")
+    cells = (
+        (cell.quantity, None),
+        (cell.printed, None),
+        (cell.right_text, cell.right),
+        (said, 1e9 if off is None else off),
+        (cell.why, None),
+        (where, None),
+    )
+    texts = "".join(f"<td{_key(key)}>{escape(text)}</td>" for text, key in cells)
+    return f'<tr><th scope="row">{engine}</th>{texts}</tr>'
+
+
+def _key(value: float | None) -> str:
+    """Return the attribute that a cell is sorted by, where that is not its text."""
+    return "" if value is None else f' data-key="{value!r}"'

@@ -19,28 +19,30 @@ from symbalance.document.nodes import Details, Document, Figure
 from symbalance.document.shapes import Drawing
 from symbalance.drawing.crank_star import draw_star
 from symbalance.drawing.firing_diagram import draw_firing
-from symbalance.drawing.oblique import draw_oblique
-from symbalance.drawing.plan import draw_plan
 from symbalance.drawing.positions import Machine
 from symbalance.drawing.section import draw_section
 from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError
 from symbalance.forces.free_forces import Balance, balance
-from symbalance.forces.pictures import draw_force_path, draw_one_of_forces, draw_orders
+from symbalance.forces.pictures import draw_one_of_forces, draw_orders
 from symbalance.pages.engine_data import engine_data
+from symbalance.pages.packing import packed, with_shared_parts, with_short_names
 from symbalance.pages.sentence import sentence
 from symbalance.pages.words import translated, words_of
-from symbalance.torque.inertia_balance import inertia_torque
-from symbalance.torque.pictures import draw_torque
 
 if TYPE_CHECKING:
-    from symbalance.torque.inertia_balance import TorqueBalance
+    from symbalance.torque.running import RunningTorque
 
 OUTPUTS = ("force.vertical", "force.lateral", "couple.vertical", "couple.lateral", "torque.inertia")
 ORDER = 12
 MOST_CYLINDERS = 64
 """Beyond, a page is neither small nor readable."""
-FASTEST = 30_000
+MOST_RESOLVED = 9
+"""Directions of axes whose forces are shown one by one."""
+MOST_STILL = 20
+"""Cylinders beyond which a page has no room for more than section, star and orders standing still."""
+SCRIPT = ("kinematics", "shapes", "views", "charts", "stars", "editor", "frames")
+"""The parts of the page's script, in order."""
 
 
 @dataclass(frozen=True)
@@ -58,10 +60,17 @@ class Page:
         return f'<iframe title="{escape(self.title)}" {frame} srcdoc="{escape(self.html)}"></iframe>'
 
 
-def page(subject: Engine | Balance, *, rpm: object = None, lang: str = "en") -> Page:
+def page(
+    subject: Engine | Balance,
+    *,
+    rpm: object = None,
+    lang: str = "en",
+    running: RunningTorque | None = None,
+) -> Page:
     """Return a page of an engine, or of a balance, that moves, and asks for nothing from outside.
 
     `rpm` puts its numbers in N and N m, if the engine has mass, stroke and pitch; `lang` is en or ja.
+    With a `running` engine, `sb.running_torque(...)`, its gas and its whole torque are shown, in N m.
     Refused where no rod ratio is known, or angles are symbols.
 
     >>> from symbalance.engine.catalogue import load
@@ -74,11 +83,13 @@ def page(subject: Engine | Balance, *, rpm: object = None, lang: str = "en") -> 
     if len(engine.cylinders) > MOST_CYLINDERS:
         rule = f"has {len(engine.cylinders)} cylinders; a page shows {MOST_CYLINDERS} at most"
         raise SymbalanceError(engine.name, rule, "take symbalance balance, or draw")
+    if running is not None:
+        _check_running(running, engine)
+        rpm = running.rpm if rpm is None else rpm
     if rpm is not None:
         result = result.at(rpm=rpm)
-    data = engine_data(result) | {"words": words}
-    torque = inertia_torque(engine, result.highest)
-    script = f"{_emitted(result)}\n{_compact(_file('page.js'))}"
+    data = engine_data(result, running) | {"words": words, "fileName": f"{file_name(engine.name)}.toml"}
+    script = f"{_emitted(result)}\n{packed(''.join(_file(f'script/{part}.js') for part in SCRIPT))}"
     assumed = Machine(engine).assumed
     made = words["made"].replace("@", _version())
     if assumed:
@@ -87,12 +98,16 @@ def page(subject: Engine | Balance, *, rpm: object = None, lang: str = "en") -> 
         "lang": lang,
         "title": escape(engine.name),
         "sentence": escape(sentence(result, lang)),
-        "style": _file("page.css") + svg_writer.style(),
+        # What is used again in a drawing is styled as it stands alone, without the drawing around it.
+        "style": _file("page.css")
+        + svg_writer.style().replace(".sbd .", ".").replace(".sbd text", "text"),
         "controls": escape(words["controls"]),
         "unchecked": escape(words["unchecked"]),
         "noscript": escape(words["noscript"]),
         "inputs": _inputs(data, words),
-        "figures": "\n".join(_figures(result, torque, data, words)),
+        "figures": "\n".join(_figures(result, data, words)),
+        "edit": escape(words["edit"]),
+        "own": escape(words["own"]),
         "tables": document_html(_without_pictures(result.document())),
         "made": escape(made),
         # "<" cannot end the element, nor can a line separator end a string.
@@ -101,6 +116,25 @@ def page(subject: Engine | Balance, *, rpm: object = None, lang: str = "en") -> 
         "script": script,
     }
     return Page(engine.name, _filled(_file("page.html"), contents))
+
+
+def _check_running(running: RunningTorque, engine: Engine) -> None:
+    if running.engine.cylinders != engine.cylinders:
+        rule = f"is of {running.engine.name}, whose cylinders are not those of {engine.name}"
+        raise SymbalanceError("running", rule, "give running_torque of the page's own engine")
+    if engine.first.reciprocating_mass is None or engine.first.radius is None:
+        rule = "needs stroke and reciprocating mass in the engine's file"
+        raise SymbalanceError("running", rule, "a page shows its torque in N m")
+
+
+def file_name(name: str) -> str:
+    """Return an engine's name as that of a file: letters, digits, - and _; others become -.
+
+    >>> file_name("V8 <90>"), file_name("")
+    ('V8--90', 'engine')
+    """
+    plain = "".join(c if c.isalnum() or c in "-_" else "-" for c in name).strip("-")
+    return plain[:60] or "engine"
 
 
 def _without_pictures(document: Document) -> Document:
@@ -127,12 +161,6 @@ def _file(name: str) -> str:
     return (files("symbalance.pages") / name).read_text(encoding="utf-8")
 
 
-def _compact(script: str) -> str:
-    """Return a script without indentation and lines of comment, which a page need not carry."""
-    lines = (line.strip() for line in script.splitlines())
-    return "\n".join(line for line in lines if line and not line.startswith("//"))
-
-
 def _version() -> str:
     from symbalance import __version__
 
@@ -147,36 +175,64 @@ def _emitted(result: Balance) -> str:
     start, test = source.index("*/") + 2, source.find("const CHECKS")
     body = source[start:test] if test > 0 else source[start:]
     body = body[: body.rindex("}") + 1].replace("export ", "").replace("</", "<\\/")
-    head = "// Made by symbalance: first the engine's functions as it emits them, then what draws."
-    return f"{head}\n{_compact(body)}"
+    head = (
+        "// Made by symbalance: first the engine's functions as it emits them, packed; then what draws."
+    )
+    return f"{head}\n{packed(with_short_names(body, ('evaluate', 'OUTPUTS')))}"
 
 
 def _inputs(data: dict[str, Any], words: dict[str, str]) -> str:
+    """Return the controls: what moves, which stays in sight; what is looked at; the engine's sliders."""
     cycle = 180 * data["strokes"]
     speed = '<input id="speed" type="range" min="5" max="720" step="5" value="60">'
-    rows = [
+    angle = (
+        f'<input id="angle" type="number" step="any" value="0" aria-label="{escape(words["angleBox"])}">'
+    )
+    motion = [
         f'<button type="button" id="run" aria-pressed="false">{escape(words["run"])}</button>',
         _range("theta", words, 0, cycle, 0.5, "°"),
+        f"<span>{angle}°</span>",
         f"<label>{escape(words['speed'])}{speed}</label>",
+        f'<button type="button" id="reset">{escape(words["reset"])}</button>',
     ]
+    engine: list[str] = []
     if data["lambda"] is not None:
         least = 1.0 + max(abs(c["offset"]) for c in data["cylinders"])
-        rows.append(_range("lambda", words, round(least + 0.5, 1), max(8, data["lambda"] + 1), 0.05, ""))
+        engine.append(
+            _range("lambda", words, round(least + 0.5, 1), max(8, data["lambda"] + 1), 0.05, "")
+        )
     if data["bankBetween"] is not None:
-        rows.append(_range("bank", words, 0, 180, 0.5, "°"))
-        names = ("crank", "firing")
-        options = "".join(f'<option value="{n}">{escape(words[f"reading-{n}"])}</option>' for n in names)
-        rows.append(f'<label>{escape(words["reading"])}<select id="reading">{options}</select></label>')
-    rows.append(_range("share", words, 0, 1, 0.01, ""))
+        engine.append(_range("bank", words, 0, 180, 0.5, "°"))
+        engine.append(
+            _choice("reading", words, [(n, words[f"reading-{n}"]) for n in ("crank", "firing")])
+        )
+    engine += [_range(name, words, 0, 1, 0.01, "") for name in ("share", "ahead", "back")]
     if data["hasWeights"]:
-        rows.append(_range("weights", words, 0, 1.5, 0.01, ""))
+        engine.append(_range("weights", words, 0, 1.5, 0.01, ""))
+    orders = [(f"{n}", f"{n}") for n in data["orders"]]
+    orders += [(f"{n:g}", f"{round(2 * n)}/2 ({words['torqueOrder']})") for n in data["halfOrders"]]
+    looked = [_choice("order", words, orders)]
+    numbers = sorted(c["number"] for c in data["cylinders"])
+    if len(numbers) > 1:
+        looked.append(_choice("cylinder", words, [(f"{n}", f"{n}") for n in numbers]))
     if data["sizes"] is not None:
-        rows.append(_range("rpm", words, 0, max(9000, data["rpm"]), 50, " rpm"))
-    options = "".join(f"<option>{n}</option>" for n in data["orders"])
-    rows.append(f'<label>{escape(words["order"])}<select id="order">{options}</select></label>')
-    rows.append(f'<button type="button" id="reset">{escape(words["reset"])}</button>')
-    rows.append('<p id="now" class="now"></p>')
-    return "\n".join(rows)
+        looked.append(_range("rpm", words, 0, max(9000, data["rpm"]), 50, " rpm"))
+    looked.append(_range("delta", words, 0.002, 0.1, 0.001, ""))
+    rows = [
+        '<div class="motion">',
+        *motion,
+        "</div>",
+        '<div class="sliders">',
+        *looked,
+        *engine,
+        "</div>",
+    ]
+    return "\n".join([*rows, '<p id="now" class="now"></p>'])
+
+
+def _choice(name: str, words: dict[str, str], values: list[tuple[str, str]]) -> str:
+    options = "".join(f'<option value="{escape(v)}">{escape(text)}</option>' for v, text in values)
+    return f'<label>{escape(words[name])}<select id="{name}">{options}</select></label>'
 
 
 def _range(name: str, words: dict[str, str], low: float, high: float, step: float, unit: str) -> str:
@@ -185,45 +241,57 @@ def _range(name: str, words: dict[str, str], low: float, high: float, step: floa
     return f'<label>{head}<input id="{name}" type="range" {limits}></label>'
 
 
-def _figures(
-    result: Balance, torque: TorqueBalance, data: dict[str, Any], words: dict[str, str]
-) -> list[str]:
-    """Return the figures, those that there is something to see in."""
+NOTED = ("piston", "path", "couple-path", "phasors", "couple-phasors", "torque", "banks")
+"""Figures with a line of numbers below them."""
+
+
+def _figures(result: Balance, data: dict[str, Any], words: dict[str, str]) -> list[str]:
+    """Return the figures, those that there is something to see in.
+
+    Without scripts section, star, forces, orders and firing stand, as far as there is room; scripts draw
+    the others.
+    """
     engine = result.engine
     alone = len({c.station for c in engine.cylinders}) == 1
-    figures: list[tuple[str, Callable[[], Drawing], str]] = [
-        ("section", lambda: draw_section(engine), "")
+    directions = len({c.bank for c in engine.cylinders})
+    large = len(engine.cylinders) > MOST_STILL
+    figures: list[tuple[str, Callable[[], Drawing] | None]] = [
+        ("section", lambda: draw_section(engine)),
+        ("piston", None),
+        *([("oblique", None)] if len(engine.cylinders) <= 32 else []),
+        *([("strokes", None)] if any(c.link for c in engine.cylinders) else []),
+        *([] if alone else [("plan", None)]),
+        ("star", None if data["stars"]["turning"] else lambda: draw_star(engine, data["order"])),
+        *([("banks", None)] if 2 <= directions <= MOST_RESOLVED else []),
     ]
-    if data["drawsOblique"]:
-        figures.append(("oblique", lambda: draw_oblique(engine), ""))
-    if not alone:
-        figures.append(("plan", lambda: draw_plan(engine), ""))
-    if len({c.bank for c in engine.cylinders}) <= 4:
-        figures.append(("star", lambda: draw_star(engine, data["order"]), ""))
     for of, name in (("force", "forces"), ("couple", "couples")):
         if getattr(result, of).orders():
             path = "path" if of == "force" else "couple-path"
-            figures.append((name, lambda of=of: draw_one_of_forces(result, of), ""))
-            figures.append((path, lambda of=of: draw_force_path(result, of), ""))
             phasors = "phasors" if of == "force" else "couple-phasors"
-            figures.append((phasors, lambda name=phasors: _empty(words[name]), " live"))
-    figures.append(("orders", lambda: draw_orders(result), ""))
-    figures.append(("torque", lambda: draw_torque(torque), ""))
+            still = None if large else lambda of=of: draw_one_of_forces(result, of)
+            figures += [(name, still), (path, None), (phasors, None)]
+    figures += [("orders", lambda: draw_orders(result)), ("torque", None)]
     if all(c.fires is not None for c in engine.cylinders):
-        figures.append(("firing", lambda: draw_firing(engine), ""))
-    parts = []
-    for name, draw, kind in figures:
-        drawing = translated(draw(), words)
-        caption = words["torque-figure" if name == "torque" else name]
-        if name == "star":
-            caption += f" {data['order']}"
-        svg = svg_writer.drawing_svg(drawing, styled=False)
-        hidden = ' data-live=""' if kind else ""
-        parts.append(
-            f'<figure id="{name}"{hidden}>\n{svg}\n<figcaption>{escape(caption)}</figcaption></figure>'
-        )
-    return parts
+        figures.append(("firing", None if large else lambda: draw_firing(engine)))
+    return [_figure(name, draw, data, words) for name, draw in figures]
 
 
-def _empty(title: str) -> Drawing:
-    return Drawing((), -200, -190, 200, 190, title, "Drawn by the page's script, turning.")
+def _figure(
+    name: str, draw: Callable[[], Drawing] | None, data: dict[str, Any], words: dict[str, str]
+) -> str:
+    caption = words[f"{name}-figure"] if name in ("torque", "piston") else words[name]
+    if name == "star":
+        caption += f" {data['order']}"
+    drawing = _empty(caption, words) if draw is None else translated(draw(), words)
+    svg = svg_writer.drawing_svg(drawing, styled=False)
+    if name == "section":
+        svg = with_shared_parts(svg)
+    live = " hidden" if draw is None else ""
+    noted = '<p class="note"></p>' if name in NOTED else ""
+    return (
+        f'<figure id="{name}"{live}>\n{svg}\n<figcaption>{escape(caption)}</figcaption>{noted}</figure>'
+    )
+
+
+def _empty(title: str, words: dict[str, str]) -> Drawing:
+    return Drawing((), -200, -190, 200, 190, title.replace("@", ""), words["drawnLive"])

@@ -25,11 +25,20 @@ def sentence(balance: Balance, language: str = "en") -> str:
         all_sizes = sizes_of_orders(balance, of)
         sizes = {n: s for n, s in all_sizes.items() if s >= NEGLIGIBLE}
         # An order that is there, however small, is not free of.
-        parts += _free(of, sizes, min(all_sizes, default=0), balance.highest, language)
+        parts += _free(of, sizes, min(all_sizes, default=0), balance, language)
         first = Resultant(getattr(balance, of), 1)
         if 1 in sizes:
-            parts.append(_cure(of, sizes[1], first, language))
+            parts.append(_cure(of, _amount(balance, of, sizes[1]), first, language))
     return " ".join(parts) if language == "en" else "".join(parts)
+
+
+def _amount(balance: Balance, of: str, size: float) -> str:
+    """Return a size in figures: over one piston's first order, and in N or N m at an operating point."""
+    point = balance.operating_point
+    unit = None if point is None else point.force if of == "force" else point.couple
+    if unit is None:
+        return figure(size)
+    return f"{figure(size)} ({figure(size * float(unit))} {'N' if of == 'force' else 'N m'})"
 
 
 def sizes_of_orders(balance: Balance, of: str) -> dict[int, float]:
@@ -60,33 +69,33 @@ _SAID = {
 }
 
 
-def _free(of: str, sizes: dict[int, float], least: int, highest: int, language: str) -> list[str]:
+def _free(of: str, sizes: dict[int, float], least: int, balance: Balance, language: str) -> list[str]:
     """Return up to which order there is nothing, and the largest of what there is."""
     said, name = _SAID[language], NAMES[language][of]
     if not least:
-        return [said["none"].format(of=name, highest=highest)]
+        return [said["none"].format(of=name, highest=balance.highest)]
     if not sizes:
         return [said["small"].format(of=name)]
     free = [said["free"].format(of=name, below=least - 1)] if least > 1 else []
     largest = max(sizes, key=lambda n: sizes[n])
     if of == "couple" and largest == 1:  # its cure says how large it is
         return free
-    return [*free, said[of].format(of=name, order=largest, size=figure(sizes[largest]))]
+    return [*free, said[of].format(of=name, order=largest, size=_amount(balance, of, sizes[largest]))]
 
 
-def _cure(of: str, size: float, first: Resultant, language: str) -> str:
+def _cure(of: str, size: str, first: Resultant, language: str) -> str:
     """Return what balances the first order: counterweights what turns with the crank, a shaft the rest."""
     forward, backward = first.forward.is_zero(), first.backward.is_zero()
     if language == "ja":
         name = NAMES["ja"][of]
         if backward:
-            return (
-                f"1次{name}{figure(size)}はすべてクランクと同じ向きに回り、カウンターウェイトで釣り合う。"
-            )
+            return f"1次{name}{size}はすべてクランクと同じ向きに回り、カウンターウェイトで釣り合う。"
         if forward:
-            return f"1次{name}{figure(size)}はすべて逆向きに回り、逆転バランスシャフト1本で釣り合う。"
-        return f"1次{name}{figure(size)}:同じ向きの成分はカウンターウェイト、逆向きの成分は逆転シャフトで釣り合う。"
-    head = f"First-order {of} {figure(size)}"
+            return f"1次{name}{size}はすべて逆向きに回り、逆転バランスシャフト1本で釣り合う。"
+        return (
+            f"1次{name}{size}:同じ向きの成分はカウンターウェイト、逆向きの成分は逆転シャフトで釣り合う。"
+        )
+    head = f"First-order {of} {size}"
     if backward:
         return f"{head}, all of it with the crank: counterweights balance it."
     if forward:

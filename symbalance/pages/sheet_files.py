@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 from collections.abc import Sequence
@@ -22,6 +23,16 @@ _HEAD = r"""\documentclass[10pt]{article}
 \usepackage[a4paper,margin=0pt,nohead,nofoot]{geometry}
 \usepackage{tikz}
 """
+EAST_ASIAN = r"""\usepackage{iftex}
+\iftutex
+  \IfFileExists{luatexja.sty}{\usepackage{luatexja}}{%
+    \PackageError{symbalance}{East Asian characters need luatexja (texlive-lang-japanese)}{}\stop}
+\else
+  \PackageError{symbalance}{East Asian characters need lualatex with luatexja}{}
+  \expandafter\stop
+\fi
+"""
+"""A sheet is a picture of its words: codes in their place, as a table may have them, are of no use."""
 _BEGIN = r"""\pagestyle{empty}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{0pt}
@@ -35,7 +46,8 @@ def sheets_latex(drawings: Sequence[Drawing]) -> str:
     """Return sheets as a LaTeX document, a page each."""
     # A hair less than the page: rounding must not call for a second one.
     pages = "\\newpage\n".join(drawing_tikz(each, scale=0.9985) for each in drawings)
-    return _HEAD + character_settings(pages) + _BEGIN + pages + "\\end{document}\n"
+    settings = EAST_ASIAN if east_asian(pages) else character_settings(pages)
+    return _HEAD + settings + _BEGIN + pages + "\\end{document}\n"
 
 
 def sheets_pdf(drawings: Sequence[Drawing]) -> bytes:
@@ -62,6 +74,7 @@ def sheets_pdf(drawings: Sequence[Drawing]) -> bytes:
                 timeout=SLOWEST,
                 check=False,
                 stdin=subprocess.DEVNULL,
+                env={**os.environ, "max_print_line": "1000"},  # a message is a line
             )
         except subprocess.TimeoutExpired:
             rule = f"has not ended within {SLOWEST:g} s"
@@ -70,6 +83,10 @@ def sheets_pdf(drawings: Sequence[Drawing]) -> bytes:
         if done.returncode or not pdf.is_file():
             log = done.stdout.decode("utf-8", "replace")
             said = re.search(r"^! (.*)", log, re.MULTILINE)
-            rule = f"stopped: {brief(said[1]) if said else 'without a message'}"
+            words = said[1].removeprefix("Package symbalance Error: ") if said else ""
+            rule = f"stopped: {brief(words) if words else 'without a message'}"
+            if "luatexja" in words:
+                remedy = "apt-get install texlive-lang-japanese, or write .svg"
+                raise MissingPartError(Path(program).name, rule, remedy)
             raise SymbalanceError(Path(program).name, rule, "write .tex or .svg instead")
         return pdf.read_bytes()

@@ -10,6 +10,7 @@ hold. Out: three counts, the whole Pareto front, each point proved by the exact 
     magnitudes        exact sizes and their comparison; front: who is worse than whom, decided so
     counting          cranks, stars and classes without a walk
     subtrees          a search in parts, which are jobs; search_result: what comes of it
+    tree_size         how long a search would take, from some of its subtrees
 """
 
 from symbalance.loading import attach

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from html import escape
+from urllib.parse import quote
+
 from symbalance.document.decimals import decimal
 from symbalance.document.formula import Decimal, number
 from symbalance.document.nodes import (
@@ -44,8 +47,8 @@ def search_document(result: CrankSearch) -> Document:
         drawing = front_drawing(result)
         if drawing is not None:
             caption = f"The front: {result.minimized[1]} against {result.minimized[0]}"
-            # A file of its own, whose names are the same each time, within a page.
-            picture = drawing_svg(drawing, standalone=True).partition("?>\n")[2]
+            # Each medium draws it its own way; links are of HTML, which takes the picture as it is.
+            picture = _picture(result, drawing) if result.links else (lambda: drawing)
             blocks.append(Figure("front.svg", picture, caption, drawing.shows))
     else:
         opening = "None" if result.searched.stars else "No crank fires so at all: none"
@@ -155,6 +158,30 @@ def _legend(result: CrankSearch) -> list[tuple[Words, Words]]:
         ("classes", f"stars, of which one looked at from the rear {rear}"),
     ]
     return rows
+
+
+def _picture(result: CrankSearch, drawing: Drawing) -> str:
+    """Return the front's picture; a point whose engine has a file of its own leads there."""
+    # A file of its own, whose names are the same each time, within a page.
+    picture = drawing_svg(drawing, standalone=True).partition("?>\n")[2]
+    head, *points = picture.split(_POINT)
+    links = [
+        next((result.links[s.engine.name] for s in point.stars if s.engine.name in result.links), "")
+        for point in result.points
+    ]
+    if not any(links):
+        return picture
+    assert len(points) == len(links)
+    parts = [head.replace('role="img"', 'role="group"', 1)]  # of an image nobody would hear the links
+    for place, (point, link) in enumerate(zip(points, links, strict=True), 1):
+        mark, number, rest = point.partition("</text>")
+        opened = f'<a href="{escape(quote(link))}" aria-label="point {place}">'
+        parts.append(f"{opened}{_POINT}{mark}{number}</a>{rest}" if link else f"{_POINT}{point}")
+    return "".join(parts)
+
+
+_POINT = '<circle class="force"'
+"""How a point of the front begins in its picture; its number follows."""
 
 
 def front_drawing(result: CrankSearch) -> Drawing | None:

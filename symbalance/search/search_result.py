@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -83,6 +83,8 @@ class CrankSearch(SequenceResult[SearchStar]):
     parts: int
     front_matters: bool
     """Whether a view from the rear counts as another crank, as given mode shapes have it."""
+    links: Mapping[str, str] = field(default_factory=dict)
+    """Where the files of some stars' engines are, by the engine's name: what points of a picture open."""
     kind: ClassVar[str] = "search"
     record_keys: ClassVar[tuple[str, ...]] = ("firing_order", "throws_degrees")
 

@@ -117,7 +117,7 @@ def parts_of(spec: SearchSpec, cranks: int) -> list[SearchPart]:
         prefixes = [(0,)]
         if cranks > SMALL:
             while len(prefixes) * len(spec.problem.patterns) < MOST_PARTS // 4:
-                longer = [after for one in prefixes for after in _longer(spec, pattern.capacity, one)]
+                longer = [after for one in prefixes for after in beginnings(spec, pattern.capacity, one)]
                 if (
                     not longer
                     or len(longer[0]) > spec.problem.pin_count - 4
@@ -129,7 +129,7 @@ def parts_of(spec: SearchSpec, cranks: int) -> list[SearchPart]:
     return parts
 
 
-def _longer(
+def beginnings(
     spec: SearchSpec, capacity: tuple[int, ...], prefix: tuple[int, ...]
 ) -> Iterator[tuple[int, ...]]:
     """Yield the beginnings that go on from one; of mirror images, on pins that they leave, the first."""

@@ -8,6 +8,7 @@ import pytest
 
 import symbalance as sb
 from symbalance.cli import run
+from symbalance.engine.doubtful_sizes import doubtful_size
 
 REFUSED = [
     (
@@ -146,3 +147,38 @@ def test_all_that_is_missing_is_named_at_once() -> None:
     assert f"needs the engine's {keys} for newtons" in str(refusal.value)
     assert "--stroke 86 --mass 0.5 --pitch 100 --rod 145" in str(refusal.value)
     sb.balance(engine, 4).at(rpm=6000, stroke=86, mass="0.5", pitch=100, rod=145)
+
+
+DOUBTFUL = {
+    "stroke = 0.09\nrod = 0.148": "stroke = 0.09 mm: is below 1 mm",
+    "stroke = 90\nrod = 148\nreciprocating_mass = 520": "520 g are 0.52 kg",
+    "stroke = 90\nrod = 148\nreciprocating_mass = 0.0005": "far less than pistons",
+    "stroke = 90\nrod = 14800": "is more than 25 strokes",
+    "stroke = 90000\nrod = 148000": "is above 5000 mm",
+    "stroke = 90\nrod = 148\nbore = 0.08": "bore = 0.08 mm: is below 1 mm",
+    "stroke = 90\nrod = 148\npitch = 0.1": "pitch = 0.1 mm: is below 1 mm",
+}
+
+
+@pytest.mark.parametrize("sizes", DOUBTFUL)
+def test_sizes_in_other_units_are_said_and_counted_with(
+    sizes: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "mine.toml"
+    file.write_text(f"[crank_train]\n{sizes}\n[layout]\nfiring_order = [1, 3, 4, 2]\n", encoding="utf-8")
+    for command in (["balance", str(file)], ["design", str(file)], ["balance", str(file), "v8-90"]):
+        assert run(command) == 0
+        printed = capsys.readouterr()
+        (line,) = printed.err.splitlines()
+        assert line.startswith("symbalance: mine: ")
+        assert DOUBTFUL[sizes] in line
+        assert "doubt" not in printed.out
+
+
+def test_no_preset_and_no_ship_or_model_engine_has_doubtful_sizes() -> None:
+    """Beside the presets: a model engine, a ship's of 2.5 m stroke, a racing engine's of 40 mm."""
+    for preset in sb.presets():
+        assert not doubtful_size(sb.load(preset.name)), preset.name
+    for stroke, mass in ((6, "0.0004"), (2500, 12_000), ("39.7", "0.33")):
+        four = sb.inline("1-3-4-2").with_sizes(stroke=stroke, reciprocating_mass=mass)
+        assert not doubtful_size(four)

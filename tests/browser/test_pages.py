@@ -6,9 +6,6 @@ Chromium is driven by Playwright; both are rare on a machine, and so is axe-core
 from __future__ import annotations
 
 import math
-import re
-import shutil
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -16,52 +13,12 @@ import numpy as np
 import pytest
 
 import symbalance as sb
+from tests.browser.opened import OUTPUTS, Opened
 from tests.placed import direction, heights
 
 pytestmark = pytest.mark.rare
 PRESETS = ["inline-3", "inline-5", "v8-90", "v12-60", "boxer-4", "vw-vr6", "kharkiv-v2", "honda-nt650"]
 PRESETS += ["r-985", "r-1820", "bugatti-w16", "vq30de"]
-OUTPUTS = ("force.vertical", "force.lateral", "couple.vertical", "couple.lateral", "torque.inertia")
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    playwright = pytest.importorskip("playwright.sync_api")
-    chromium = shutil.which("chromium") or shutil.which("chromium-browser")
-    if chromium is None:
-        pytest.skip("no chromium on this machine")
-    with playwright.sync_playwright() as driver:
-        started = driver.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
-        yield started
-        started.close()
-
-
-class Opened:
-    """A page opened from disk, with what it said and what it asked for."""
-
-    def __init__(self, browser: Any, folder: Path, engine: sb.Engine, **options: Any) -> None:
-        file = folder / "page.html"
-        file.write_text(sb.page(engine, **options.pop("of", {})).html, encoding="utf-8")
-        hash_ = options.pop("hash", "#theta=0")
-        options = {"viewport": {"width": 1280, "height": 900}, "reduced_motion": "reduce"} | options
-        self.page = browser.new_page(**options)
-        self.messages: list[str] = []
-        self.requests: list[str] = []
-        self.page.on("console", lambda message: self.messages.append(message.text))
-        self.page.on("pageerror", lambda error: self.messages.append(str(error)))
-        self.page.on("request", lambda request: self.requests.append(request.url))
-        self.page.goto(file.as_uri() + hash_)
-
-    def show(self, **state: Any) -> list[float]:
-        return self.page.evaluate(
-            "s => { symbalance.show(s); return Array.from(symbalance.now.values); }", state
-        )
-
-    def transform(self, view: str, part: str) -> tuple[complex, float]:
-        text = self.page.get_attribute(f'#{view} [data-part="{part}"]', "transform")
-        place, turn = text.removeprefix("translate(").split(") rotate(")
-        x, y = map(float, place.split())
-        return complex(-y, x), float(turn.split(")")[0])
 
 
 @pytest.mark.parametrize("name", PRESETS)
@@ -173,13 +130,6 @@ def test_without_scripts_drawings_tables_and_formulas_stand(browser: Any, tmp_pa
     context.close()
 
 
-@pytest.mark.parametrize("width", [390, 768, 1280])
-@pytest.mark.parametrize("name", ["v8-90", "bugatti-w16", "r-985"])
-def test_no_sideways_scroll(name: str, width: int, browser: Any, tmp_path: Path) -> None:
-    opened = Opened(browser, tmp_path, sb.load(name), viewport={"width": width, "height": 800})
-    assert opened.page.evaluate("document.documentElement.scrollWidth") <= width
-
-
 def test_a_link_reproduces_the_state(browser: Any, tmp_path: Path) -> None:
     opened = Opened(
         browser, tmp_path, sb.load("v8-90"), hash="#theta=33&lambda=3.3&bank=75&nonsense=1&order=999"
@@ -208,22 +158,6 @@ def test_a_frame_is_fast(browser: Any, tmp_path: Path) -> None:
     )
     # The oblique view alone is drawn anew.
     assert made < 120
-
-
-@pytest.mark.parametrize("name", ["inline-3", "vw-vr6", "bugatti-w16", "wartsila-10rta96c"])
-def test_a_page_prints_on_one_a4(name: str, browser: Any, tmp_path: Path) -> None:
-    opened = Opened(browser, tmp_path, sb.load(name))
-    pdf = opened.page.pdf(format="A4", prefer_css_page_size=True)
-    assert len(re.findall(rb"/Type /Page[^s]", pdf)) == 1
-    # Columns of figures are not cut off where the columns of the page are narrow.
-    opened.page.emulate_media(media="print")
-    opened.page.set_viewport_size({"width": 718, "height": 1000})
-    wide = opened.page.evaluate(
-        """() => { const half = document.querySelector("article").clientWidth/2;
-        const tables = document.querySelectorAll("article table");
-        return Array.from(tables, (table) => table.rows[0].offsetWidth - half); }"""
-    )
-    assert max(wide) <= 0
 
 
 @pytest.mark.parametrize("name", ["v8-90", "vw-vr6", "inline-5", "kharkiv-v2"])
@@ -272,52 +206,3 @@ def test_the_slider_of_the_weights_takes_them_away(browser: Any, tmp_path: Path)
         expected = [float(f(math.radians(degrees))) for f in functions]
         assert opened.show(theta=degrees, weights=0) == pytest.approx(expected, abs=1e-9)
         assert opened.show(theta=degrees, weights=1) != pytest.approx(expected, abs=1e-3)
-
-
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_axe_finds_nothing(scheme: str, browser: Any, tmp_path: Path) -> None:
-    import subprocess
-
-    npm = shutil.which("npm")
-    if npm is None:
-        pytest.skip("no npm on this machine")
-    fetched = subprocess.run(
-        [npm, "install", "--silent", "--prefix", str(tmp_path), "axe-core@4"],
-        capture_output=True,
-        check=False,
-    )
-    if fetched.returncode:
-        pytest.skip("axe-core cannot be fetched here")
-    axe = (tmp_path / "node_modules/axe-core/axe.min.js").read_text(encoding="utf-8")
-    file = tmp_path / "page.html"
-    file.write_text(sb.page(sb.load("v8-90")).html, encoding="utf-8")
-    context = browser.new_context(color_scheme=scheme, bypass_csp=True, reduced_motion="reduce")
-    page = context.new_page()
-    page.goto(file.as_uri())
-    page.add_script_tag(content=axe)
-    found = page.evaluate("async () => (await axe.run()).violations.map(v => [v.id, v.nodes[0].html])")
-    assert found == []
-    context.close()
-
-
-def test_the_atlas_sorts_by_what_shakes_and_says_nothing(browser: Any, tmp_path: Path) -> None:
-    from symbalance.cli import run
-
-    names = ["v8-90", "inline-3", "boxer-4", "v12-60"]
-    assert run(["atlas", *names, "-o", str(tmp_path)]) == 0
-    page = browser.new_page(viewport={"width": 390, "height": 800})
-    messages: list[str] = []
-    page.on("console", lambda message: messages.append(message.text))
-    page.goto((tmp_path / "index.html").as_uri())
-    keys = "all => all.map((row) => Number(row.children[COLUMN].dataset.key))"
-    for column in (1, 2, 3, 4, 5, 6):
-        page.click(f"thead th:nth-child({column + 1}) button")
-        rising = page.eval_on_selector_all("tbody tr", keys.replace("COLUMN", str(column)))
-        assert rising == sorted(rising)
-        page.click(f"thead th:nth-child({column + 1}) button")
-        falling = page.eval_on_selector_all("tbody tr", keys.replace("COLUMN", str(column)))
-        assert falling == sorted(falling, reverse=True)
-    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
-    assert messages == []
-    page.click("text=boxer-4")
-    assert page.title() == "boxer-4"

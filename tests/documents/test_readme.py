@@ -29,6 +29,26 @@ def test_the_table_is_what_the_command_prints(capsys):
     assert capsys.readouterr().out == block("text")
 
 
+def test_the_picture_is_what_its_command_writes(tmp_path, request):
+    command = re.search(r"`symbalance (draw \S+ --what overview -o (\S+))`", README)
+    assert command
+    assert f"]({command[2]})" in README
+    assert f" {block('sh').split()[-1]} " in command[1]  # it is of the engine whose table stands below
+    words = command[1].split()
+    assert run([*words[:-1], str(tmp_path / "made.svg")]) == 0
+    made, kept = (tmp_path / "made.svg").read_bytes(), ROOT / command[2]
+    if request.config.getoption("--update"):
+        kept.write_bytes(made)
+    assert kept.read_bytes() == made
+
+
+def test_the_table_and_the_picture_stand_on_one_screen():
+    start = README.index("symbalance balance v12-60")
+    picture, table = README.index("![", start), README.index("```text", start)
+    assert picture < table
+    assert README[picture:table].count("\n") < 4
+
+
 def test_every_room_is_in_the_tour_and_every_room_of_the_tour_exists():
     tour = next(b for b in re.findall(r"```text\n(.*?)```", README, re.DOTALL) if "rooms from" in b)
     named = set()

@@ -1,5 +1,6 @@
 """What a printed table says besides its numbers: its conventions, its firing, what is rounded."""
 
+import math
 import re
 
 import pytest
@@ -93,3 +94,41 @@ def test_several_orders_are_orders():
     text = " ".join(sb.to_text(sb.balance(sb.inline("1-3-5-7-6-4-2"), 24), full=True).split())
     assert re.search(r"orders \d+, \d+", text)
     assert not re.search(r"order \d+, \d+", text)
+
+
+def lines(text: str) -> int:
+    return text.rstrip("\n").count("\n") + 1
+
+
+@pytest.mark.slow
+def test_every_preset_is_one_page_and_what_it_leaves_out_is_in_the_whole():
+    """Of 60 lines. Orders that are named in a line, and left to --full, are below a ten-thousandth."""
+    shortened = 0
+    for preset in sb.presets():
+        result = sb.balance(sb.load(preset.name))
+        text, full = sb.to_text(result), sb.to_text(result, full=True)
+        assert lines(text) <= 60, preset.name
+        unit = result.kinematics is None
+        for order in result.orders:
+            for of in ("force", "couple"):
+                parts = [getattr(order, of).component(name) for name in ("vertical", "lateral")]
+                factor = 1.0 if unit else abs(float(result.values[order.order]))
+                size = max(math.hypot(*map(float, part.decimal())) for part in parts) * factor
+                title = "Free force" if of == "force" else "Free couple"
+                table = re.split(r"\n\n", text[text.index(title) :])[0]
+                is_tabled = bool(re.search(rf"^ +{order.order}  ", table, re.MULTILINE))
+                assert is_tabled or size < 1e-4, (preset.name, of, order.order)
+                if 1e-6 < size < 1e-4 and not is_tabled:
+                    shortened += 1
+                    assert re.search(
+                        rf"^{of} of orders? [^\n]*\b{order.order}\b[^\n]*unit", full, re.MULTILINE
+                    )
+                    assert "below 10⁻⁴ of one piston's first order" in " ".join(text.split())
+    assert shortened > 10
+
+
+def test_at_a_speed_no_order_above_a_millionth_is_left_out():
+    result = sb.balance(sb.load("vw-w8")).at(rpm=3000, mass="0.5")
+    text = sb.to_text(result)
+    assert "10⁻⁴" not in text
+    assert all(re.search(rf"^ +{n} +vertical", text, re.MULTILINE) for n in (5, 7, 8))

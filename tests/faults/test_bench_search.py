@@ -9,8 +9,10 @@ import pytest
 
 from symbalance.bench import search as bench
 from symbalance.search import search_cranks
+from symbalance.search.tree_size import TreeSize
 
 SIX = search_cranks(6, strokes=2, compiled=False)
+SEVEN = search_cranks(7, strokes=2, compiled=False).tally.nodes
 
 
 def test_all_that_is_measured_is_there(monkeypatch) -> None:
@@ -23,6 +25,14 @@ def test_all_that_is_measured_is_there(monkeypatch) -> None:
 
     monkeypatch.setattr(bench, "_timed", timed)
     monkeypatch.setattr(bench, "search_cranks", lambda *_, **__: None)
+    sizes = {
+        15: TreeSize(9e7, 1e6, 20, 1),
+        18: TreeSize(9e10, 1e9, 20, 1),
+        20: TreeSize(9e12, 3e12, 20, 1),
+    }
+    monkeypatch.setattr(
+        bench, "estimate_nodes", lambda spec, depth, samples: sizes[spec.problem.cylinders]
+    )
     for quick, most in ((True, 11), (False, 12)):
         asked.clear()
         report = bench.report(quick)
@@ -35,12 +45,25 @@ def test_all_that_is_measured_is_there(monkeypatch) -> None:
         assert f"{SIX.searched.stars:,}" in stars.name
         assert not stars.is_met
         assert not nodes.is_met
-        eighteen, twenty = papers
-        assert eighteen.seconds < twenty.seconds
+        # At the 0.5 s that these nodes took, of a thousand cores.
+        seconds = [size.nodes / SEVEN * 0.5 / 1000 for size in sizes.values()]
+        assert [paper.seconds for paper in papers] == pytest.approx(seconds)
+        assert "± 33 %" in papers[-1].name
+        assert f"walked were {SEVEN:.3g}" in papers[0].name
 
 
 def test_an_answer_that_depends_on_the_workers_is_a_fault(monkeypatch) -> None:
     wrong = replace(SIX, firings=SIX.firings + 1)
-    monkeypatch.setattr(bench, "_timed", lambda *_, **__: (wrong, 0.5))
+    monkeypatch.setattr(bench.os, "cpu_count", lambda: 2)
+    monkeypatch.setattr(bench, "_timed", lambda *_, workers, **__: (SIX if workers < 2 else wrong, 0.5))
     with pytest.raises(AssertionError, match="depends on the workers"):
-        bench._shared(SIX, 0.5)
+        bench._shared()
+
+
+def test_throughput_is_said_for_as_many_workers_as_there_are_cores(monkeypatch) -> None:
+    monkeypatch.setattr(bench.os, "cpu_count", lambda: 5)
+    monkeypatch.setattr(bench, "_timed", lambda *_, workers, **__: (SIX, 8.0 / workers))
+    rows = bench._shared()
+    rates = [f"{SIX.tally.nodes / 8 * workers:,.0f} nodes a second" for workers in (1, 2, 4)]
+    assert [row.name.partition(": ")[2] for row in rows] == rates
+    assert [row.seconds for row in rows] == [8, 4, 2]

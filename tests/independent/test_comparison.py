@@ -126,6 +126,24 @@ def test_each_engine_has_its_own_sizes_and_what_is_said_fills_the_gaps():
         table.at(rpm=6000, weight=1)
 
 
+def test_over_speeds_each_engine_shakes_as_it_does_alone(capsys):
+    """Against the pistons of each engine at each speed, through a turn."""
+    sizes = [word for name, value in SIZES.items() for word in (f"--{name}", str(value))]
+    arguments = ("vq30de", "inline-4", "--rpm", "1500:6000:4500", *sizes)
+    rows = list(csv.DictReader(io.StringIO(printed(capsys, "balance", *arguments, "--format", "csv"))))
+    whole = [row for row in rows if row["order"] == "0"]
+    assert {(row["engine"], row["of"], row["rpm"]) for row in whole} == {
+        (*which, rpm)
+        for which in (("vq30de", "force"), ("vq30de", "couple"), ("inline-4", "force"))
+        for rpm in ("1500.0", "6000.0")
+    }
+    for row in whole:
+        at_6000 = max(map(abs, shaking(sb.load(row["engine"]), row["of"])))
+        largest = at_6000 * (float(row["rpm"]) / 6000) ** 2
+        assert math.isclose(float(row["value"]), largest, rel_tol=1e-4)
+    assert "rpm  vq30de   inline-4" in printed(capsys, "balance", *arguments)
+
+
 def test_a_table_at_a_speed_in_every_medium(capsys, tmp_path):
     options = ["balance", "vq30de", "inline-4", "--order", "2", "--rpm", "6000"]
     options += ["--stroke", "86", "--mass", "0.5"]
@@ -212,7 +230,8 @@ def test_a_table_never_replaces_an_engine_that_is_read(capsys, tmp_path: Path):
         (("v8-90", "inline-4", "--jobs", "2"), "-o FOLDER/"),
         (("v8-90", "inline-4", "--rpm", "3000"), "v8-90: rpm = 3000: needs the engine's stroke, recip"),
         (("vq30de", "inline-4", "--rpm", "3000"), "inline-4: rpm = 3000: needs the engine's stroke"),
-        (("vq30de", "inline-4", "--rpm", "1000:2000:500"), "is at one speed"),
+        (("vq30de", "inline-4", "--rpm", "1000:2000:500"), "inline-4: rpm = 1000: needs the engine's"),
+        (("vq30de", "vq30de", "--rpm", "9:99:9", "--percent"), "--percent: is for a table at one speed"),
         (("v8-90", "vq30de", "--rod", "140", "--rpm", "9"), "v8-90: rod = 140: makes a rod ratio with"),
         (("v8-90", "inline-4", "--mass", "0.5"), "--mass"),
         (("v8-90", "-"), "standard input"),

@@ -83,3 +83,30 @@ def test_bad_input_is_refused(axes: Any) -> None:
         sb.plot.path(sb.load("inline-3"), axes, of="thrust")
     with pytest.raises(SymbalanceError, match="1 to 12"):
         sb.plot.ellipse(sb.load("inline-3"), 13, axes)
+
+
+def test_at_a_speed_plots_are_in_newtons(axes: Any) -> None:
+    result = sb.balance(sb.load("vq30de")).at(rpm=6000)
+    sb.plot.forces(result, axes, of="couple")
+    theta = np.radians(axes.lines[0].get_xdata())
+    values = sb.to_function(result, outputs=("couple.vertical",))(theta)
+    assert axes.lines[0].get_ydata() == pytest.approx(values, abs=1e-6)
+    assert np.abs(values).max() > 1000  # newton metres, not a share
+    assert axes.get_ylabel() == "couple, N m"
+    axes.clear()
+    sb.plot.path(result, axes)
+    assert axes.get_xlabel() == "lateral, N"
+    axes.clear()
+    sb.plot.orders(result, axes)
+    sizes = {round(bar.get_x() + bar.get_width() / 2, 1): bar.get_height() for bar in axes.patches}
+    newtons = [abs(float(x)) for x in result.in_newtons(6, "force.vertical")]
+    assert sizes[5.8] == pytest.approx(max(newtons), rel=1e-9)
+    axes.clear()
+    torque = sb.inertia_torque(sb.load("vq30de")).at(rpm=6000)
+    sb.plot.torque(torque, axes)
+    assert axes.get_ylabel() == "inertia torque, N m"
+
+
+@pytest.mark.parametrize("plot", ["forces", "path", "ellipse", "orders", "torque"])
+def test_every_plot_takes_axes_and_returns_them(plot: str, axes: Any) -> None:
+    assert getattr(sb.plot, plot)(sb.load("inline-3"), ax=axes) is axes

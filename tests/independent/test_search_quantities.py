@@ -283,6 +283,26 @@ def test_cranks_stars_and_classes_are_counted(name: str) -> None:
     assert three(result.searched) == three(result.found) == case.counts(cranks)
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("name", CASES)
+def test_the_compiled_walk_is_the_same_walk(name: str) -> None:
+    """Counts, front, stars and every branch cut, of each question that brute force judges here."""
+    case = CASES[name]
+    cranks = case.cranks()
+    asked: list[dict[str, Any]] = [
+        {"minimize": ["couple.1", "bending"]},
+        {"minimize": ["force.2", "couple.2"], "limit": ["bearing<=3/4"]},
+        {"require": ["couple.1=0"]},
+    ]
+    for more in asked:
+        compiled, plain = (
+            search_cranks(**case.question, **more, compiled=one).data() for one in (True, False)
+        )
+        assert compiled == plain
+    free = search_cranks(**case.question, compiled=True)
+    assert three(free.searched) == three(free.found) == case.counts(cranks)
+
+
 @pytest.mark.parametrize("name", NAMED)
 def test_every_quantity_is_that_of_the_throws(name: str) -> None:
     """Of each class that a search lists: forces, couples, bending and bearing load, from its throws."""

@@ -182,6 +182,24 @@ def test_firing_angles_follow_the_banks() -> None:
     assert unchanged == sb.load("v8-90")
 
 
+def test_newtons_are_the_values_times_the_sizes_of_each_point() -> None:
+    """By hand: m r ω², with the pitch for couples and the crank radius once more for torque, SI."""
+    names = ["force.6", "couple.1", "couple.2.lateral", "torque.3"]
+    vary = {"stroke": [80, "85.5"], "reciprocating_mass": ["0.5", "0.9"], "pitch": [100]}
+    engine = sb.load("vq30de")
+    plain = sb.sweep(engine, vary, names).records()
+    at_speed = sb.sweep(engine, vary, names, rpm=4500)
+    assert [at_speed.unit(name) for name in names] == ["N", "N m", "N m", "N m"]
+    omega = 4500 * math.pi / 30
+    for before, row in zip(plain, at_speed.records(), strict=True):
+        assert row["rpm"] == 4500
+        radius = before["stroke"] / 2000
+        unit = before["reciprocating_mass"] * radius * omega**2
+        for name, factor in zip(names, (1, 0.1, 0.1, radius), strict=True):
+            assert math.isclose(row[name], before[name] * unit * factor, rel_tol=1e-14)
+            assert row[name] > 0
+
+
 def test_an_inverted_vee_opens_on_its_own_side() -> None:
     engine = sb.Engine([sb.Cylinder(1, bank=170), sb.Cylinder(2, bank=-170)])
     opened = varied_engine(engine, {"bank": 40})
@@ -288,6 +306,10 @@ def test_the_grid_is_a_table_for_spreadsheets(tmp_path) -> None:
         (["--vary", "ratio=3:4:0"], "must rise by a positive step"),
         (["--vary", "ratio=3:4:1e-9"], "asks for more than 10000 values"),
         (["--vary", "ratio=3", "--vary", "ratio=4"], "names ratio again"),
+        (["--vary", "ratio=3", "--rpm", "900:990:9"], "a sweep is at one"),
+        (["--vary", "ratio=3", "--rpm", "900"], "needs the engine's stroke and reciprocating_mass"),
+        (["--vary", "stroke=80", "--rpm", "9", "--stroke", "80"], "--vary stroke gives it"),
+        (["--vary", "ratio=3", "--mass", "1"], "plays a part at a speed only"),
         (["--vary", "ratio=3", "--jobs", "0"], "--jobs = 0: must be a whole number from 1"),
         (["--vary", "ratio=3", "--jobs", "2", "--dask", "tcp://x:1"], "not allowed with argument --jobs"),
     ],

@@ -121,7 +121,7 @@ def test_a_proposed_claim_waits_for_its_confirmation(tmp_path):
 
 def test_a_page_without_a_file_says_what_it_needs(tmp_path, capsys):
     page = tmp_path / "notes.md"
-    page.write_text("$$u + w = k$$\n", encoding="utf-8")
+    page.write_text("$$u + w = f(k)$$\n", encoding="utf-8")
     assert run(["check", str(page)]) == 1
     said = capsys.readouterr().out
     beside = page.with_suffix(".symbols.toml")

@@ -194,8 +194,9 @@ def test_tags(source: str, tag: str, formula: str) -> None:
 
 
 REFUSED = [
-    ("x = a = q\n", [(1, 9, "letter q is not declared")], ["x = a"]),
-    ("x = q a = b", [(1, 5, "letter q is not declared")], ["x = b"]),
+    ("$x = a = q(b)$\n", [(1, 10, "letter q is not declared")], ["x = a"]),
+    ("$x = \\dot q a = b$", [(1, 6, "letter q is not declared")], ["x = b"]),
+    ("$\\sum_{k=1}^3 F_k = b$", [(1, 15, "letter F_k is not declared")], []),
     ("x = (a + b\ny = c\n", [(1, 5, "bracket ( is never closed")], ["y = c"]),
     ("x = a) + b\n", [(1, 6, "bracket ) was never opened")], []),
     ("= 3\n", [(1, 1, "nothing stands left of =")], []),
@@ -221,9 +222,10 @@ REFUSED = [
         [],
     ),
     (r"x \propto y", [(1, 3, "proportionality is not read")], []),
-    ("質量は x = m Q である", [(1, 11, "letter Q is not declared")], []),
-    ("質量は Z = K Q である", [(1, 9, "letter K is not declared")], []),
-    ("ここで $Z = K Q$ である", [(1, 10, "letter K is not declared")], []),
+    ("質量は x = m Q である", [], ["x = m Q"]),
+    ("質量は Z = K Q である", [], ["Z = K Q"]),
+    ("値は x = f(2) Q である", [(1, 8, "letter f is not declared")], []),
+    ("ここで $Z = K Q$ である", [], ["Z = K Q"]),
 ]
 
 
@@ -238,7 +240,7 @@ def test_refusals_and_what_is_read_beside_them(
 
 
 def test_a_letter_alone_on_the_left_declares_itself() -> None:
-    text = "w = Z_1\nZ_1 = h + 2\n w = Z_1\n V2 = 3\n g' = 1\n u = g' V2"
+    text = "w = f(h)\nZ_1 = h + 2\n w = Z_1\n V2 = 3\n g' = 1\n u = g' V2"
     document = read(text)
     assert [said(chain) for chain in document.chains] == [
         "Z_1 = h + 2", "w = Z_1", "V2 = 3", "g' = 1", "u = g' V2",
@@ -246,8 +248,15 @@ def test_a_letter_alone_on_the_left_declares_itself() -> None:
     assert [(one.line, one.column) for one in document.unreadable] == [(1, 5)]
 
 
+def test_letters_that_nobody_declares_are_letters_of_their_own_and_said_to_be() -> None:
+    document = read("$$F\\cos\\alpha = Q_1$$\n$$x = d^4$$\n$$x = F(a + b)$$")
+    assert [said(chain) for chain in document.chains] == ["F cos α = Q_1", "x = d^4", "x = F (a + b)"]
+    assert document.free_letters == ("Q_1", "d")
+    assert document.notes == ("declared nowhere and read as letters of their own: Q_1, d",)
+
+
 def test_declarations_differ_by_line() -> None:
-    document = read_document("x = q\nx = q", "", lambda line: ["x", "q"] if line == 2 else ["x"])
+    document = read_document("x = Lh\nx = Lh", "", lambda line: ["x", "Lh"] if line == 2 else ["x"])
     assert [chain.lines for chain in document.chains] == [(2,)]
     assert [one.line for one in document.unreadable] == [1]
 

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
+from collections.abc import Sequence
 
 import pytest
 
 import symbalance as sb
 from symbalance import draw
-from symbalance.document.shapes import Drawing, labels_of
+from symbalance.document.shapes import Arrow, Circle, Drawing, Group, Line, Shape, labels_of, placed
 
 ENGINES = ["inline-3", "vw-vr6", "v8-90", "v12-60", "boxer-4", "bugatti-w16", "r-985", "kharkiv-v2"]
+ENGINES += ["wartsila-10rta96c", "honda-nt650"]
 KINDS = {
     "section": lambda e: draw.section(e, 35),
     "plan": lambda e: draw.plan(e, 35),
@@ -19,6 +21,8 @@ KINDS = {
     "firing": draw.firing,
     "orders": draw.orders,
     "forces": draw.forces,
+    "path": lambda e: draw.path(e, "force" if sb.balance(e).force.orders() else "couple"),
+    "overview": draw.overview,
     "torque": draw.torque,
 }
 
@@ -61,7 +65,7 @@ def overlaps(drawing: Drawing) -> list[tuple[str, str]]:
 
 
 @pytest.mark.parametrize("name", ENGINES)
-@pytest.mark.parametrize("kind", ["section", "star", "firing", "orders", "forces", "torque"])
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind not in ("plan", "oblique")])
 def test_no_two_labels_overlap(name: str, kind: str) -> None:
     assert overlaps(KINDS[kind](known(name))) == []
 
@@ -76,6 +80,49 @@ def test_hostile_names_are_text(text: str) -> None:
     assert title is not None
     assert text in (title.text or "")
     assert not list(root.iter("{http://www.w3.org/2000/svg}script"))
+
+
+def corners(drawing: Drawing) -> list[tuple[float, float]]:
+    """Return the points of all lines and the edges of all circles where they stand on the sheet."""
+    reach: list[tuple[float, float]] = []
+
+    def walk(shapes: Sequence[Shape], at: tuple[float, float], turned: float) -> None:
+        for shape in shapes:
+            if isinstance(shape, Group):
+                walk(shape.shapes, placed(shape.at, at, turned), turned + shape.turned)
+            elif isinstance(shape, Line):
+                reach.extend(placed(point, at, turned) for point in shape.points)
+            elif isinstance(shape, Arrow):
+                reach.extend(placed(point, at, turned) for point in (shape.start, shape.end))
+            elif isinstance(shape, Circle):
+                x, y = placed(shape.centre, at, turned)
+                r = shape.radius
+                reach.extend([(x - r, y), (x + r, y), (x, y - r), (x, y + r)])
+
+    walk(drawing.shapes, (0.0, 0.0), 0.0)
+    return reach
+
+
+@pytest.mark.parametrize("name", ENGINES)
+@pytest.mark.parametrize("kind", KINDS)
+def test_nothing_is_cut(name: str, kind: str) -> None:
+    drawing = KINDS[kind](known(name))
+    for x, y in corners(drawing):
+        assert drawing.left - 0.5 <= x <= drawing.right + 0.5
+        assert drawing.bottom - 0.5 <= y <= drawing.top + 0.5
+
+
+@pytest.mark.parametrize("degrees", [0, 77, 180, 253])
+@pytest.mark.parametrize("name", ENGINES)
+def test_the_frame_of_a_moving_view_stands_still_and_cuts_nothing(name: str, degrees: int) -> None:
+    engine = known(name)
+    for view in (draw.section, draw.plan, draw.oblique):
+        first, turned = view(engine, 35), view(engine, degrees)
+        assert (first.width, first.height) == pytest.approx((turned.width, turned.height))
+        for x, y in corners(turned):
+            assert turned.left - 0.5 <= x <= turned.right + 0.5
+            assert turned.bottom - 0.5 <= y <= turned.top + 0.5
+        assert f"θ = {degrees}°" in turned.title
 
 
 def test_a_proved_zero_is_said_in_words_and_has_no_bar() -> None:

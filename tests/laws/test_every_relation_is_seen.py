@@ -83,7 +83,7 @@ LETTERS = {"x": "a letter", "y": "a letter", "t": "angle"}
         ("* <math>x = 3</math>\n{| style=\"a\"\n| x || <math>y = 4</math>\n|}\n", ".wiki"),
         ("<p>So <i>x</i> = 3</p><math><mi>y</mi><mo>=</mo><mn>4</mn></math>\n", ".html"),
         ("It is stem:[x = 3].\n\n[stem]\n++++\ny = 4\n++++\n", ".adoc"),
-        ("We know unknown = x, x = words of prose, x ≈ \\foo and (x = q + 1).\n", ".txt"),
+        ("We know unknown = x, x = half the words, x ≈ \\foo and (x = q + 1).\n", ".txt"),
         ("$x = \\foo{3} = 4$ and $\\bar = \\bar$\n", ".tex"),
     ],
 )  # fmt: skip

@@ -481,6 +481,62 @@ def test_a_symbolic_bank_angle_holds_all_the_concrete_ones(name: str) -> None:
                     assert abs(size * mp.sin(phase) - expected[1]) < mp.mpf(10) ** -14
 
 
+@pytest.mark.slow
+def test_a_letter_for_a_bank_angle_holds_for_unlike_masses_too() -> None:
+    """Components with a letter, at numbers, are those of the engine with numbers, kinematics and all."""
+    masses = {1: "0.5", 2: "0.7", 3: "0.65", 4: "0.5"}
+
+    def pistons(bank_angle: object) -> Engine:
+        half = angle(bank_angle, "bank_angle").scaled(Fraction(1, 2))
+        cylinders = [
+            Cylinder(
+                n,
+                throw=90 * (n // 3),
+                bank=half if n % 2 else half.scaled(-1),
+                station=Fraction(n, 3),
+                stroke=80,
+                rod=160,
+                reciprocating_mass=mass,
+            )
+            for n, mass in masses.items()
+        ]
+        return Engine(cylinders)
+
+    symbolic = balance(pistons(ALPHA), 4)
+    assert all(symbolic[n].coefficient is not None for n in (1, 2, 4))
+    for bank_angle in (Fraction(60), Fraction("100.5")):
+        concrete = balance(pistons(bank_angle), 4)
+        assert concrete.kinematics is None
+        for kind in ("force", "couple"):
+            for order in (1, 2, 4):
+                for part in COMPONENTS:
+                    found = getattr(symbolic, kind).component(order, part)
+                    expected = getattr(concrete, kind).component(order, part).decimal()
+                    size = mp.mpf(str(symbolic.share(order)))
+                    assert abs(size * at(found.cos, bank_angle) - expected[0]) < mp.mpf(10) ** -14
+                    assert abs(size * at(found.sin, bank_angle) - expected[1]) < mp.mpf(10) ** -14
+
+
+def test_an_amplitude_with_a_letter_is_above_zero_at_small_angles() -> None:
+    """sin α with its phase turned by half a turn, not −sin α."""
+    engines = [vee(ALPHA, pins=[0, 180]), vee(ALPHA, pins=[0, 90, 270, 180]), vee(ALPHA, pins=[0])]
+    fixed = 0
+    for engine in engines:
+        result = balance(engine, 6)
+        for order in result.orders:
+            for resultant in (order.force, order.couple):
+                for part in map(resultant.component, COMPONENTS):
+                    turns = part.phase_in_turns
+                    if part.is_zero() or turns is None:
+                        continue
+                    fixed += 1
+                    assert at(part.amplitude, Fraction(1, 10)) > 0
+                    assert part.phase == 2 * sympy.pi * sympy.Rational(turns.numerator, turns.denominator)
+                    wave = part.amplitude * sympy.cos(part.phase), part.amplitude * sympy.sin(part.phase)
+                    assert (sympy.expand(wave[0] - part.cos), sympy.expand(wave[1] - part.sin)) == (0, 0)
+    assert fixed > 20
+
+
 def test_a_symbolic_zero_is_zero_for_all_angles() -> None:
     result = balance(vee(ALPHA, pins=[0, 180]), 4)
     assert 1 not in result.force.orders()

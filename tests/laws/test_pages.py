@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 import xml.etree.ElementTree as ET
 from base64 import b64encode
@@ -11,6 +12,8 @@ from hashlib import sha256
 import pytest
 
 import symbalance as sb
+from symbalance.drawing.charts import figure
+from symbalance.pages.sentence import sentence
 from symbalance.pages.words import ENGLISH, JAPANESE, LANGUAGES
 
 QUICK = ["inline-3", "vw-vr6"]
@@ -88,6 +91,18 @@ def test_newtons_stand_on_a_page_at_a_speed() -> None:
     assert data["rpm"] == 6000
     assert data["sizes"] == {"mass": 0.673, "radius": 0.03665, "pitch": 0.108}
     assert " N" in html
+
+
+@pytest.mark.parametrize("lang", ["en", "ja"])
+def test_the_sentence_says_newtons_where_they_are_known(lang: str) -> None:
+    engine = sb.load("vq30de")
+    result = sb.balance(engine).at(rpm=6000)
+    said = sentence(result, lang)
+    order = result.couple.orders()[0]
+    part = result.couple.component(order, "lateral").decimal(20)
+    amount = float(result.unit_value("couple")) * math.hypot(*map(float, part))
+    assert f"({figure(amount)} N m)" in said
+    assert "N" not in sentence(sb.balance(engine), "ja")
 
 
 @pytest.mark.parametrize(

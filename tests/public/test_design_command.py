@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import cmath
+import csv
+import io
 import json
 import math
 from fractions import Fraction
@@ -107,13 +109,33 @@ def test_segments_have_the_unbalance_they_are_cut_for():
         (["--segment", "20:60"], "write it like 20:60:18"),
         (["--segment", "60:20:18"], "leave no ring"),
         (["--segment", "0:0:18"], "outer = 0: must be positive"),
-        (["--segment", "20:60:1"], "more than half a ring"),
         (["--segment", "a:b:c"], "must be a number"),
         (["--density", "7000"], "add --segment"),
     ],
 )
 def test_segments_that_cannot_be_cut_are_refused(capsys, options, said):
     assert said in refused(capsys, "design", "vq30de", *options)
+
+
+def test_a_weight_that_is_too_big_for_the_ring_is_named_and_the_rest_is_cut(capsys):
+    """By hand: half a ring has 2/3 d t (R^3 - r^3); what is above needs so much more of thickness."""
+    largest = 2 / 3 * 7850e-9 * 12 * (60**3 - 20**3)
+    line = ("design", "vq30de", "--segment", "20:60:12", "--format")
+    rows = list(csv.DictReader(io.StringIO(output(capsys, *line, "csv"))))
+    too_big = [float(row["unbalance_kg_mm"]) > largest for row in rows]
+    assert {True, False} == set(too_big)
+    assert [row["segment_deg"] == "" for row in rows] == too_big
+    weights = [w for d in json.loads(output(capsys, *line, "json"))["devices"] for w in d["weights"]]
+    for weight, is_big in zip(weights, too_big, strict=True):
+        assert ("thickness_needed" in weight["segment"]) == is_big
+        if is_big:
+            needed = float(weight["unbalance"]) / largest * 12
+            assert math.isclose(float(weight["segment"]["thickness_needed"]), needed, rel_tol=1e-12)
+    text = " ".join(output(capsys, *line, "text").split())
+    numbers = ", ".join(str(n) for n, is_big in enumerate(too_big, 1) if is_big)
+    assert f"of rows {numbers} are more than half of the ring has, 13.06 kg mm, and not cut" in text
+    most = max(float(weight["unbalance"]) for weight in weights)
+    assert f"take {most / largest * 12:.4g} mm of thickness" in text
 
 
 def test_segments_need_sizes(capsys):

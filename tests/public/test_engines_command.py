@@ -180,6 +180,19 @@ def test_the_list_is_a_line_an_engine(capsys: pytest.CaptureFixture[str]) -> Non
     assert max(map(len, capsys.readouterr().out.splitlines())) < 80
 
 
+def test_the_list_counts_what_was_looked_up(capsys: pytest.CaptureFixture[str]) -> None:
+    """From the rows of the whole list: at least 80 engines, of 40 all sizes, of 10 published masses."""
+    rows = listed(capsys)
+    sizes = sum(row["sizes"] == "looked up" for row in rows)
+    masses = sum(row["masses"] == "looked up" for row in rows)
+    assert len(rows) >= 80
+    assert sizes >= 40
+    assert masses >= 10
+    assert run(["engines"]) == 0
+    text = " ".join(capsys.readouterr().out.split())
+    assert f"{len(rows)} engines; sizes looked up of {sizes}, masses of {masses}. Bore" in text
+
+
 @pytest.mark.parametrize(
     ("name", "words"),
     [

@@ -226,6 +226,7 @@ def test_every_class_that_users_construct_is_among_them():
         "Overbalance",
         "Overlay",
         "Page",
+        "Sheet",
         "Part",
         "PartSet",
         "PeriodicSystem",

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import re
+from html import unescape
 from pathlib import Path
+from urllib.parse import unquote
 
 import pytest
 
@@ -25,6 +28,24 @@ def test_points_of_the_front_open_as_engines_and_as_pages(tmp_path, capsys) -> N
     assert text.startswith("<!DOCTYPE html>")
     assert "<script" in text
     assert "1-2-4-5-3" in text
+
+
+def test_points_of_the_picture_lead_to_their_files(tmp_path, monkeypatch, capsys) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "report").mkdir()
+    line = ["search", "--cylinders", "5", "--minimize", "couple.1,couple.2", "-o", "report/front.html"]
+    assert run([*line, "--engines", "stars & more/"]) == 0
+    html = (tmp_path / "report" / "front.html").read_text(encoding="utf-8")
+    links = re.findall(r'<a href="([^"]*)" aria-label="point (\d+)"><circle class="force"', html)
+    assert [int(place) for _, place in links] == list(range(1, 9))
+    for link, _ in links:
+        assert (tmp_path / "report" / unquote(unescape(link))).is_file()
+    assert len({link for link, _ in links}) == 8
+    assert run([*line[:-1], "report/plain.html"]) == 0
+    assert "<a href" not in (tmp_path / "report" / "plain.html").read_text(encoding="utf-8")
+    assert run([*line[:-1], "pages.html", "--pages", "pages/", "--engines", "stars/"]) == 0
+    html = (tmp_path / "pages.html").read_text(encoding="utf-8")
+    assert '<a href="pages/search-1-2-4-5-3.html" aria-label="point 1">' in html
 
 
 @pytest.mark.parametrize("option", ["--engines", "--pages"])

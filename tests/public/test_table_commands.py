@@ -207,7 +207,7 @@ def test_a_letter_is_every_bank_angle(capsys):
         (("v2-90", "--bank", "lam"), "results use themselves"),
         (("v2-90", "--bank", "__import__('os')"), "must be a number"),
         (("v2-90", "v8-90", "--bank", "alpha"), "is for one engine"),
-        (("vw-vr6", "--bank", "alpha"), "not alike"),
+        (("vw-vr6", "--bank", "alpha"), "rods or offsets differ"),
     ],
 )
 def test_bank_angles_that_are_none_are_refused(capsys, arguments, words):

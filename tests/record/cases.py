@@ -104,6 +104,7 @@ def all_cases(engines: Sequence[Engine], inputs: dict[str, bytes]) -> list[Case]
         *_derivations(),
         *_designs(engines, chosen),
         *_tables(),
+        *_long_work(),
         *_variations(engines, chosen),
         *_assignments(engines, chosen),
         *_checks(inputs),
@@ -329,6 +330,31 @@ def _tables() -> Iterator[Case]:
     yield from _formats("formulas/twin", SUFFIX, "formulas", "v2-90", "--bank", "alpha", "--masses", "m")
     for name in ("inline-1", "v2-45", "boxer-6"):
         yield from _formats(f"overbalance/{name}", SUFFIX, "overbalance", name)
+
+
+def _long_work() -> Iterator[Case]:
+    """Searches, sweeps and reports of several: work in parts, some of it kept (in `finished/`)."""
+    lines = {
+        "twelve": "search --cylinders 12 --strokes 2 --require couple.1=0,couple.2=0 --limit couple.4<=3",
+        "proof": "search --cylinders 8 --strokes 2 --require couple.1=0 --certificate proof.json",
+        "none": "search --cylinders 5 --require couple.1=0,couple.2=0 --certificate none.json",
+        "any": "search --cylinders 4 --intervals any --grid 90 --minimize evenness,couple.1,adjacent",
+        "pins": "search --cylinders 6 --banks=-45,45 --pins split --minimize couple.1,bearing",
+        "shafts": "search --cylinders 6 --minimize couple.2,bending --after balance-shafts 1",
+        "engines": "search --cylinders 5 --minimize couple.1,couple.2 --engines stars/",
+    }
+    for name, line in lines.items():
+        yield from _formats(f"search/{name}", ("text", "json"), *line.split())
+    kept = {
+        "sweep": "sweep v2-90 --vary ratio=3:5:0.5 --vary bank=60,75,90 --quantities force.1,torque.2",
+        "search": "search --cylinders 7 --minimize couple.1,couple.2,adjacent",
+    }
+    for name, line in kept.items():
+        yield from _formats(f"kept/{name}", ("text", "json"), *line.split(), "--keep", "finished/")
+    two = ("inputs/pages/hand/vtwin.txt", "inputs/pages/hand/lanchester.md")
+    yield from _formats("kept/check", ("text", "json"), "check", *two, "-o", "reports/", "--lenient")
+    yield Case("kept/balance.txt", ("balance", "inline-4", "v8-90", "vw-vr6", "-o", "balances/"))
+    yield Case("kept/budget.txt", ("check", two[0], "--budget", "1h,8GB"))
 
 
 def _sources(engines: Sequence[Engine], emitted: Sequence[Engine]) -> Iterator[Case]:

@@ -102,6 +102,9 @@ def _segment(design: Design, device: Device, share: Amplitude) -> dict[str, Any]
     if design.ring is None or size is None:
         return {}
     cut = design.ring.segment(size)
+    if cut is None:
+        needed = decimal_text(design.ring.thickness_for(size), VALUE_DIGITS)
+        return {"segment": {"angle": None, "mass": None, "thickness_needed": needed}}
     parts = {"angle": cut.angle, "mass": cut.mass}
     return {"segment": {name: decimal_text(part, VALUE_DIGITS) for name, part in parts.items()}}
 
@@ -126,8 +129,9 @@ def design_records(design: Design) -> list[dict[str, Any]]:
     Keys: speed (times the crank's), on (crank or shaft), station (pitches), share and direction_deg
     (floats, None with symbols in them; the share is below 0 where its A_n is, and the weight points in
     the direction), exact_up and exact_right (the share's parts), unbalance_kg_mm (None where sizes do not
-    say); with a ring to cut from, segment_deg and segment_kg. A counterweight on a throw has throw and
-    overbalance instead: it balances the throw's rotating mass and that part of its reciprocating mass.
+    say); with a ring to cut from, segment_deg and segment_kg (None where half of it is too small). A
+    counterweight on a throw has throw and overbalance instead: it balances the throw's rotating mass and
+    that part of its reciprocating mass.
     """
     cut = ("segment_deg", "segment_kg") if design.ring else ()
     none = dict.fromkeys((*design.record_keys, *cut))
@@ -137,7 +141,7 @@ def design_records(design: Design) -> list[dict[str, Any]]:
         share, degrees = polar(weight.pointing)
         signed = -share if share is not None and weight.is_opposite else share
         segment = weight.segment
-        sizes = () if segment is None else (float(segment.angle), float(segment.mass))
+        angle, mass = (None, None) if segment is None else (float(segment.angle), float(segment.mass))
         exact = {"exact_up": part.form("cos").spelling, "exact_right": part.form("sin").spelling}
         size = None if weight.unbalance is None else float(weight.unbalance)
         place = {
@@ -147,7 +151,7 @@ def design_records(design: Design) -> list[dict[str, Any]]:
         }
         rows.append(
             {**none, **place, "share": signed, "direction_deg": degrees, **exact, "unbalance_kg_mm": size}
-            | dict(zip(cut, sizes, strict=True))
+            | ({"segment_deg": angle, "segment_kg": mass} if design.ring else {})
         )
     for counterweight in throw_counterweights(design):
         overbalance = float(counterweight.overbalance or 0)

@@ -17,8 +17,10 @@ from symbalance.design.balancing.design_facts import (
 from symbalance.design.balancing.designs import Design
 from symbalance.design.balancing.ellipse_document import READING, ellipse_table
 from symbalance.design.balancing.weight_cells import size_cell, station_cell
+from symbalance.document.decimals import short_decimal
 from symbalance.document.formula import Decimal, Formula, Name, Subscript, equal, number
 from symbalance.document.nodes import (
+    UNKNOWN,
     Block,
     Cell,
     Column,
@@ -36,6 +38,7 @@ from symbalance.engine.engine_document import engine_words
 from symbalance.forces.balance_document import conventions, resultant_blocks, turn_blocks
 from symbalance.forces.free_forces import Balance, balance
 from symbalance.text.numbers import short_text
+from symbalance.text.reals import Real
 
 VERDICTS = {
     "absent": "none before",
@@ -112,7 +115,8 @@ def _size(design: Design) -> Formula:
 
 
 def _proposal(design: Design) -> tuple[Block, ...]:
-    rows = tuple(_row(weight, design.engine.pitch) for weight in design_weights(design))
+    pitch, is_cut = design.engine.pitch, design.ring is not None
+    rows = tuple(_row(weight, pitch, cut=is_cut) for weight in design_weights(design))
     title: Words = (
         "Proposed weights: mass times radius ",
         equal(_U, _size(design)),
@@ -120,17 +124,37 @@ def _proposal(design: Design) -> tuple[Block, ...]:
     cut = (Column("cut, °", "segment"), Column("kg")) if design.ring else ()
     station = Column("station" if design.engine.pitch is None else "station, mm", "station")
     table = Table(title, (*_PLACES, station, *_PROPOSED, *cut), rows, keys=3) if rows else None
-    counterweights = throw_counterweights(design)
+    counterweights, too_big = throw_counterweights(design), _too_big(design)
     if not counterweights:
-        return blocks(table)
+        return blocks(table, too_big)
     share = max(c.overbalance or 0 for c in counterweights)
     also = f" and {share} of its reciprocating mass" if share else ""
     begin = "And on every throw" if rows else "On every throw"
-    return blocks(table, Paragraph(f"{begin} a counterweight for its rotating mass{also}."))
+    return blocks(table, too_big, Paragraph(f"{begin} a counterweight for its rotating mass{also}."))
 
 
-def _row(weight: PlacedWeight, pitch: Fraction | None) -> tuple[Cell, ...]:
-    cut, station = weight.segment, weight.station
+def _too_big(design: Design) -> Paragraph | None:
+    """Return which weights half of the ring is too small for, and what ring would do."""
+    ring = design.ring
+    weights = [(n, w) for n, w in enumerate(design_weights(design), 1) if w.segment is None]
+    if ring is None or not weights:
+        return None
+    known = [w.unbalance for _, w in weights if w.unbalance is not None]
+    needed = short_decimal(max(map(ring.thickness_for, known)), 4)
+    rows = ", ".join(str(n) for n, _ in weights)
+    which = f"The weight of row {rows} is" if len(weights) == 1 else f"Those of rows {rows} are"
+    half = short_decimal(Real(ring.largest), 4)
+    return Paragraph(
+        f"{which} more than half of the ring has, {half} kg mm, and not cut: "
+        f"take {needed} mm of thickness, or a larger radius."
+    )
+
+
+def _row(weight: PlacedWeight, pitch: Fraction | None, *, cut: bool) -> tuple[Cell, ...]:
+    segment, station = weight.segment, weight.station
+    sizes: tuple[Cell, ...] = (UNKNOWN, UNKNOWN)
+    if segment is not None:
+        sizes = (Decimal(five_digits(segment.angle)), Decimal(five_digits(segment.mass)))
     return (
         Decimal(f"{weight.device.speed:+d}"),
         device_name(weight.device),
@@ -138,7 +162,7 @@ def _row(weight: PlacedWeight, pitch: Fraction | None) -> tuple[Cell, ...]:
         size_cell(weight.vector, below_zero=weight.is_opposite),
         direction(weight.pointing),
         "" if weight.unbalance is None else Decimal(five_digits(weight.unbalance)),
-        *(() if cut is None else (Decimal(five_digits(x)) for x in (cut.angle, cut.mass))),
+        *(sizes if cut else ()),
     )
 
 

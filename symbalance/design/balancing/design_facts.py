@@ -18,7 +18,8 @@ from symbalance.text.reals import Real
 class PlacedWeight:
     """One weight of a design: station, exact vector (a share), mass times radius in kg mm if known.
 
-    `pointing` is a vector of its size that points where the weight does, and `segment` what it is cut as.
+    `pointing` is a vector of its size that points where the weight does, and `segment` what it is cut as,
+    None where no ring is given or half of it is too small.
     """
 
     device: Device
@@ -37,7 +38,7 @@ class PlacedWeight:
 def design_weights(design: Design) -> list[PlacedWeight]:
     """Return every weight that stands at a station, device by device."""
     placed = [(device, *weight) for device in design.devices for weight in device.weights]
-    segments = design.segments or [None] * len(placed)
+    segments: list[Segment | None] = design.segments or [None] * len(placed)
     return [
         PlacedWeight(
             device,

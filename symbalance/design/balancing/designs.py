@@ -150,7 +150,8 @@ class Design(Result):
     ) -> Design:
         """Return the design with its weights as segments of a ring: radii and thickness in mm, kg/m^3.
 
-        Refused where a weight's kg mm are not known, or are more than half the ring has.
+        Refused where a weight's kg mm are not known. One of more than half the ring has no segment, and
+        the document says which it is, and what thickness would do.
 
         >>> from symbalance.engine.catalogue import load
         >>> design = design_balance(load("vq30de"), [1]).cut_from(60, 20, inner=20)
@@ -158,15 +159,18 @@ class Design(Result):
         [91.6, 91.6]
         """
         cut = replace(self, ring=checked_ring(outer, thickness, inner, density))
-        _ = cut.segments  # refuses what cannot be cut
+        _ = cut.segments  # refuses what has no kg mm
         return cut
 
     @property
-    def segments(self) -> list[Segment]:
-        """The segments of its weights, device by device; empty where no ring is given."""
+    def segments(self) -> list[Segment | None]:
+        """The segments of its weights, device by device; empty where no ring is given.
+
+        None stands for a weight that is more than half of the ring.
+        """
         if self.ring is None:
             return []
-        segments = []
+        segments: list[Segment | None] = []
         for device in self.devices:
             for _, vector in device.weights:
                 size = self.unbalance(device, vector)

@@ -5,8 +5,8 @@ mass times radius
 
     m = d t h (R^2 - r^2),     U = d t int_-h^h int_r^R cos(phi) s^2 ds dphi = 2/3 d t (R^3 - r^3) sin h.
 
-So the least sector for an unbalance U has sin h = 3 U/(2 d t (R^3 - r^3)), at most half a ring; a weight
-that takes more is refused with the thickness that would do.
+So the least sector for an unbalance U has sin h = 3 U/(2 d t (R^3 - r^3)), at most half a ring. A weight
+that takes more has none: `thickness_for` is the thickness that would do.
 """
 
 from __future__ import annotations
@@ -14,7 +14,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from symbalance.document.decimals import short_decimal
 from symbalance.errors import SymbalanceError
 from symbalance.text.numbers import exact
 from symbalance.text.reals import Real, asin, pi
@@ -48,21 +47,24 @@ class SegmentRing:
         per_area = self.density * CUBIC_MM * self.thickness
         return Fraction(2, 3) * per_area * (self.outer**3 - self.inner**3)
 
-    def segment(self, unbalance: Real) -> Segment:
-        """Return the least sector with a mass times radius in kg mm; refused if half a ring has less.
+    def thickness_for(self, unbalance: Real) -> Real:
+        """Return the thickness in mm of which half a ring has so many kg mm."""
+        return abs(unbalance) / self.largest * self.thickness
+
+    def segment(self, unbalance: Real) -> Segment | None:
+        """Return the least sector with a mass times radius in kg mm; None if half a ring has less.
 
         >>> half = SegmentRing(Fraction(60), Fraction(20))
         >>> segment = half.segment(Real(half.largest) / 2)
-        >>> short_decimal(segment.angle), short_decimal(segment.mass)
-        ('60', '0.295938')
+        >>> round(float(segment.angle), 9), round(float(segment.mass), 6)
+        (60.0, 0.295938)
+        >>> double = Real(half.largest) * 2
+        >>> half.segment(double), float(half.thickness_for(double))
+        (None, 40.0)
         """
         share = abs(unbalance) / self.largest
         if share > 1:
-            what = f"weight of {short_decimal(unbalance, 4)} kg mm"
-            half_ring = short_decimal(Real(self.largest), 4)
-            needed = short_decimal(share * self.thickness, 4)
-            rule = f"is more than half a ring of these sizes has, {half_ring} kg mm"
-            raise SymbalanceError(what, rule, f"take {needed} mm of thickness, or a larger radius")
+            return None
         half_angle = asin(share)
         area = self.outer**2 - self.inner**2
         mass = half_angle * (self.density * CUBIC_MM * self.thickness * area)

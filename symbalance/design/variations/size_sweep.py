@@ -4,6 +4,7 @@ A quantity is named order by order: `force.2` is the largest value over a turn o
 in m r omega^2, `couple.1` that of the free couple in m r omega^2 a about the stations' mean, `torque.2`
 the amplitude of the inertia torque in m r^2 omega^2. With `.vertical` or `.lateral` behind it, a force's
 or a couple's amplitude along that axis. m and r are those of cylinder 1 at the point, a is its pitch.
+At a speed every value is in N or N m instead, with the sizes of the point.
 
 A planar vector c_n e^(i n theta) + c_-n e^(-i n theta) runs over an ellipse: its largest value is
 |c_n| + |c_-n|, where both parts point the same way: with z of size Z and direction a, w of W and b,
@@ -28,6 +29,8 @@ from symbalance.engine.variants import VARIABLES, varied_engine
 from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.spectrum import Spectrum
 from symbalance.forces.free_forces import Balance, balance
+from symbalance.forces.operating_point import UNITS as NEWTON_UNITS
+from symbalance.forces.operating_point import checked_rpm, operating_point
 from symbalance.jobs.digests import digest
 from symbalance.jobs.progress import Progress
 from symbalance.jobs.running import Job, run_jobs
@@ -44,6 +47,7 @@ DIGITS = 20
 """Of a value."""
 MOST_POINTS = 100_000
 UNITS = {"force": "m r ω²", "couple": "m r ω² a", "torque": "m r² ω²"}
+AT_SPEED = {**NEWTON_UNITS, "torque": NEWTON_UNITS["couple"]}
 _QUANTITY = re.compile(r"(force|couple)\.(\d{1,4})(?:\.(vertical|lateral))?|(torque)\.(\d{1,4})")
 
 
@@ -80,13 +84,20 @@ class Sweep(SequenceResult[SweepPoint]):
     variables: tuple[str, ...]
     quantities: tuple[str, ...]
     items: tuple[SweepPoint, ...]
+    rpm: Fraction | None = None
+    """The speed that values in N and N m are for; None where they are in m r ω²."""
     kind: ClassVar[str] = "sweep"
 
     def summary(self) -> str:
         """Return what was varied, in one line."""
         points = f"{len(self.items)} points" if len(self.items) > 1 else "1 point"
+        points += "" if self.rpm is None else f" at {short_text(self.rpm)} rpm"
         refused = f", {len(self.refused)} of them refused" if self.refused else ""
         return f"Sweep of {self.engine.name} over {', '.join(self.variables)}: {points}{refused}"
+
+    def unit(self, quantity: str) -> str:
+        """Return the unit of a quantity's values."""
+        return (UNITS if self.rpm is None else AT_SPEED)[quantity.split(".", maxsplit=1)[0]]
 
     @property
     def refused(self) -> tuple[SweepPoint, ...]:
@@ -103,8 +114,9 @@ class Sweep(SequenceResult[SweepPoint]):
         """Return every point: settings as exact fractions, values to 20 digits."""
         return {
             "engine": self.engine.name,
+            **({} if self.rpm is None else {"rpm": str(self.rpm)}),
             "variables": [{"name": name, "unit": VARIABLES[name]} for name in self.variables],
-            "quantities": [{"name": q, "unit": UNITS[q.split(".")[0]]} for q in self.quantities],
+            "quantities": [{"name": q, "unit": self.unit(q)} for q in self.quantities],
             "points": [
                 {
                     "settings": list(map(str, point.settings)),
@@ -116,7 +128,7 @@ class Sweep(SequenceResult[SweepPoint]):
         }
 
     def records(self) -> list[dict[str, Any]]:
-        """Return a row for each point: its settings and its quantities by name, as numbers."""
+        """Return a row for each point: its settings, its quantities by name, at a speed its rpm."""
         return [
             {
                 **dict(zip(self.variables, map(float, point.settings), strict=True)),
@@ -124,6 +136,7 @@ class Sweep(SequenceResult[SweepPoint]):
                     name: None if value is None else float(value)
                     for name, value in zip(self.quantities, point.values, strict=True)
                 },
+                **({} if self.rpm is None else {"rpm": float(self.rpm)}),
                 "problem": point.problem,
             }
             for point in self.items
@@ -135,6 +148,7 @@ def sweep(
     vary: Mapping[str, Iterable[object]],
     quantities: Iterable[str],
     *,
+    rpm: object = None,
     workers: int = 1,
     executor: Executor | None = None,
     store: Store | str | Path | None = None,
@@ -144,10 +158,11 @@ def sweep(
 
     `vary` maps some of ratio, bank (the angle between a vee's banks), offset, stroke, rod, pitch,
     reciprocating_mass and rotating_mass to their values; the last varies fastest. `quantities` are names
-    such as force.2, couple.1.vertical or torque.2, as the head of this module says. Points are jobs:
-    `workers` processes share them, or those behind an `executor`, with the same result; what a `store`
-    (a folder) has of them is not computed again. A point at which there is no such engine says why, and
-    stops no other.
+    such as force.2, couple.1.vertical or torque.2, as the head of this module says; with `rpm` they are
+    in N and N m, for which the engine, or what varies, has stroke, mass and for couples pitch. Points are
+    jobs: `workers` processes share them, or those behind an `executor`, with the same result; what a
+    `store` (a folder) has of them is not computed again. A point at which there is no such engine says
+    why, and stops no other.
 
     >>> from symbalance.engine.catalogue import load
     >>> opened = sweep(load("v2-90"), {"bank": [60, 90]}, ["force.1", "force.2"])
@@ -161,8 +176,9 @@ def sweep(
     grid = _grid(vary)
     if isinstance(store, str | Path):
         store = Store(Path(store))
+    speed = None if rpm is None else checked_rpm(rpm)
     of = "" if store is None else digest(engine)  # once: it costs more than a point
-    jobs = [_job(engine, [*grid], settings, named, of) for settings in product(*grid.values())]
+    jobs = [_job(engine, [*grid], settings, named, of, speed) for settings in product(*grid.values())]
     means = {"executor": executor, "workers": workers, "store": store, "progress": progress}
     points, failed = [], []
     for job, outcome in run_jobs(_point, jobs, **means):
@@ -173,7 +189,7 @@ def sweep(
         points.append(_sweep_point(job, outcome.value, outcome.problem, len(named)))
     if len(failed) == len(points):  # of nothing there is no table
         raise failed[0]
-    return Sweep(engine, tuple(grid), tuple(q.name for q in named), tuple(points))
+    return Sweep(engine, tuple(grid), tuple(q.name for q in named), tuple(points), speed)
 
 
 def read_quantity(name: str) -> Quantity:
@@ -217,26 +233,36 @@ def _grid(vary: Mapping[str, Iterable[object]]) -> dict[str, list[Fraction]]:
 
 
 def _job(
-    engine: Engine, names: Sequence[str], settings: tuple[Fraction, ...], named: list[Quantity], of: str
+    engine: Engine,
+    names: Sequence[str],
+    settings: tuple[Fraction, ...],
+    named: list[Quantity],
+    of: str,
+    speed: Fraction | None,
 ) -> Job:
     """Return the job of a point; `of` is a digest of the engine, "" where nothing is kept."""
     name = ", ".join(f"{k} = {short_text(v)}" for k, v in zip(names, settings, strict=True))
-    key = key_of("sweep", of, [*names], settings, [q.name for q in named]) if of else ""
-    return Job(name, (engine, dict(zip(names, settings, strict=True)), named), key)
+    at = () if speed is None else (speed,)  # without one a point's key is what it always was
+    key = key_of("sweep", of, [*names], settings, [q.name for q in named], *at) if of else ""
+    return Job(name, (engine, dict(zip(names, settings, strict=True)), named, speed), key)
 
 
-def _point(value: tuple[Engine, Mapping[str, Fraction], list[Quantity]]) -> list[str]:
+def _point(value: tuple[Engine, Mapping[str, Fraction], list[Quantity], Fraction | None]) -> list[str]:
     """Return the quantities at a point, as decimals: what a store can hold."""
-    engine, settings, quantities = value
+    engine, settings, quantities, speed = value
     varied = varied_engine(engine, settings)
     pushing = [q.order for q in quantities if q.what != "torque"]
     turning = [q.order for q in quantities if q.what == "torque"]
     free = balance(varied, max(pushing)) if pushing else None
     torque = inertia_torque(varied, max(turning)) if turning else None
-    return [
-        decimal_text(_of_torque(torque, q) if q.what == "torque" else _of_balance(free, q), DIGITS)
-        for q in quantities
-    ]
+    values = [_of_torque(torque, q) if q.what == "torque" else _of_balance(free, q) for q in quantities]
+    if speed is not None:
+        needs_pitch = any(q.what == "couple" and v for q, v in zip(quantities, values, strict=True))
+        point = operating_point(varied, speed, needs_pitch=needs_pitch)
+        units = {"force": point.force, "couple": point.couple, "torque": point.torque}
+        # Without a pitch every couple is 0: so it is in N m.
+        values = [v * (units[q.what] or 0) for q, v in zip(quantities, values, strict=True)]
+    return [decimal_text(value, DIGITS) for value in values]
 
 
 def _of_balance(free: Balance | None, quantity: Quantity) -> Real:

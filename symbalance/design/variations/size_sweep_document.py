@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbalance.design.variations.size_sweep import UNITS, Sweep, SweepPoint
+from symbalance.design.variations.size_sweep import Sweep, SweepPoint
 from symbalance.document.decimals import decimal
 from symbalance.document.formula import number
 from symbalance.document.nodes import UNKNOWN, Cell, Column, Document, Facts, Paragraph, Table, blocks
@@ -14,13 +14,15 @@ MOST_SAID = 5
 
 def sweep_document(result: Sweep) -> Document:
     """Return the grid as a table, and what its columns mean."""
-    columns = tuple(map(Column, (*result.variables, *result.quantities)))
+    at_speed = result.rpm is not None
+    heads = (f"{name}, {result.unit(name)}" if at_speed else name for name in result.quantities)
+    columns = tuple(map(Column, (*result.variables, *heads)))
     rows = tuple(_row(point) for point in result)
     kinds = dict.fromkeys(name.split(".")[0] for name in result.quantities)
     legend = (
         *((name, _SIZES.get(name, VARIABLES[name])) for name in result.variables),
-        *((f"{kind}.n", f"{_MEANINGS[kind]}, in {UNITS[kind]}") for kind in kinds),
-        ("m, r, a", "reciprocating mass and crank radius of cylinder 1 at the point, and the pitch"),
+        *((f"{kind}.n", f"{_MEANINGS[kind]}, in {result.unit(kind)}") for kind in kinds),
+        *(() if at_speed else (_LETTERS,)),
     )
     problems = [Paragraph(point.problem) for point in result.refused[:MOST_SAID]]
     if len(result.refused) > MOST_SAID:
@@ -30,6 +32,7 @@ def sweep_document(result: Sweep) -> Document:
 
 
 _SIZES = {"bank": "degrees between the two banks; the crank stays as it is"}
+_LETTERS = ("m, r, a", "reciprocating mass and crank radius of cylinder 1 at the point, and the pitch")
 _MEANINGS = {
     "force": "the free force of order n, largest over a turn; .vertical, .lateral: the amplitude there",
     "couple": "the free couple's, about the mean of all stations",

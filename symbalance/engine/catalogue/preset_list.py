@@ -217,9 +217,12 @@ class Presets(SequenceResult[Preset]):
             return Document("Preset engines", (), "None is of this selection.")
         columns = tuple(map(Column, ("name", "engine", *LENGTHS, "mass", "sizes")))
         rows = tuple((Code(p.name), p.arrangement, *_numbers(p), p.sizes) for p in self)
+        looked_up = sum(preset.sizes == "looked up" for preset in self)
+        weighed = sum(preset.weights == "looked up" for preset in self)
         lead = (
-            "Bore, stroke, rod and pitch in mm, reciprocating mass of a cylinder in kg, rounded; "
-            f"{UNKNOWN}: not given. Sizes are estimated where one of the four is. "
+            f"{len(self)} engine{'s' if len(self) > 1 else ''}; sizes looked up of {looked_up}, "
+            f"masses of {weighed}. Bore, stroke, rod and pitch in mm, reciprocating mass of a cylinder "
+            f"in kg, rounded; {UNKNOWN}: not given. Sizes are estimated where one of the four is. "
         )
         if not self.in_full:
             more = (

@@ -22,7 +22,7 @@ from symbalance.notes.algebra.polynomials import MOST_WORK
 from symbalance.notes.algebra.roots import root
 from symbalance.notes.algebra.series import Expansion
 from symbalance.notes.algebra.substitution_in_forms import Dependence, depends, substitute_letter
-from symbalance.notes.algebra.sums import closed_sum
+from symbalance.notes.algebra.sums import closed_sum, indexed_letters
 from symbalance.notes.algebra.values import Valuation, letters
 
 if TYPE_CHECKING:
@@ -342,6 +342,8 @@ def summed_in_letters(evaluator: FormEvaluator, node: formula.Summation) -> Form
     if not all(_is_whole(evaluator, form) for form in (lower, upper)):
         raise NoFormError("a sum whose bounds are not known to be whole numbers")
     index = node.index.name
+    if any(name not in evaluator.meaning.values for name in indexed_letters(node.body, index)):
+        raise NoFormError(f"a sum of letters that carry its index {plain_letter(index)}")
     form = evaluator.counting(index).freeing(index).form(node.body)
     if any(name != index and _changes_with(evaluator, name, index) for name in letters(form)):
         raise NoFormError(f"a sum of letters that change with {plain_letter(index)}")

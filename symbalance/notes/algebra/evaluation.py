@@ -15,6 +15,7 @@ from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.matrix_letters import Kinds
 from symbalance.notes.algebra.polynomials import MOST_WORK
 from symbalance.notes.algebra.roots import root, unit
+from symbalance.notes.algebra.sums import at_index, indexed_letters
 
 DEEPEST = 40
 """Definitions that use definitions, one in the other."""
@@ -72,7 +73,10 @@ class FormEvaluator:
         try:
             if self._depth > DEEPEST_TREE:
                 raise TooLargeError("parts within parts without end")
-            return _RULES[type(node)](self, node)
+            rule = _RULES.get(type(node))
+            if rule is None:
+                raise NoFormError(f"a {type(node).__name__.lower()} among numbers")
+            return rule(self, node)
         finally:
             self._depth -= 1
 
@@ -273,9 +277,11 @@ def _summation(evaluator: FormEvaluator, node: formula.Summation) -> Form:
     if evaluator.domain.work > MOST_WORK:
         raise TooLargeError("sums of very many terms")
     total = Form.number(evaluator.domain, 0)
+    index = node.index.name
+    is_indexed = any(n not in evaluator.meaning.values for n in indexed_letters(node.body, index))
     for value in range(int(lower), int(upper) + 1):
-        inner = evaluator.replacing(node.index.name, formula.Number(Fraction(value)))
-        total = total.plus(inner.form(node.body))
+        inner = evaluator.replacing(index, formula.Number(Fraction(value)))
+        total = total.plus(inner.form(at_index(node.body, index, value) if is_indexed else node.body))
     return total
 
 

@@ -7,9 +7,11 @@ hold what a sum over the cylinders of an in-line engine comes to: w = e^(ix), a 
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from math import comb
 
+from symbalance.document import formula
 from symbalance.notes.algebra.domain import Domain, Monomial, NoFormError
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.substitution_in_forms import Dependence, substitute_letter
@@ -73,3 +75,21 @@ def _sum_of_powers(power: int, upper: Form) -> Form:
             total = total.minus(earlier.scaled(comb(p + 1, lower_power)))
         sums.append(total.scaled(Fraction(1, p + 1)))
     return sums[power]
+
+
+def indexed_letters(body: formula.Formula, index: str) -> list[str]:
+    """Return the letters that carry a sum's index: m_i in the sum of m_i over i is another one each time.
+
+    >>> indexed_letters(formula.Product((formula.Name("a"), formula.Name("m_i"))), "i")
+    ['m_i']
+    """
+    return sorted(name for name in formula.names(body) if name.endswith(f"_{index}"))
+
+
+def at_index(node: formula.Formula, index: str, value: int) -> formula.Formula:
+    """Return a sum's body with the letters that carry its index as those of one value: m_i as m_2."""
+    if isinstance(node, formula.Name):
+        is_indexed = node.name.endswith(f"_{index}")
+        return replace(node, name=f"{node.name[: -len(index)]}{value}") if is_indexed else node
+    parts = formula.children(node)
+    return formula.with_children(node, tuple(at_index(p, index, value) for p in parts)) if parts else node

@@ -10,6 +10,7 @@ from symbalance.document import formula
 from symbalance.document.formula import Formula
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue, complex_parts
+from symbalance.notes.algebra.sums import indexed_letters
 from symbalance.notes.algebra.tree_constructs import CONSTRUCTS
 from symbalance.notes.algebra.values import DIGITS, Point, Valuation, context, random_point
 
@@ -163,6 +164,8 @@ def _summation(at: TreeValues, node: formula.Summation) -> Any:
     if node.index is None or node.lower is None or node.upper is None:
         raise NoFormError("a sum without bounds")
     lower, upper = (int(at.value(bound).real) for bound in (node.lower, node.upper))
+    if indexed_letters(node.body, node.index.name):
+        raise NoFormError("a sum of letters that carry its index")
     at.terms += max(upper - lower, 0)
     if at.terms > MOST_TERMS:
         raise NoFormError("a long sum")

@@ -31,6 +31,7 @@ from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue, derivative_name
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import polynomial_node
+from symbalance.notes.algebra.sums import indexed_letters
 from symbalance.notes.algebra.tree_values import names_behind, sample_trees
 from symbalance.notes.algebra.values import context, letters
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -82,8 +83,10 @@ def constraint_of(
     """
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     if k == 0 and isinstance(left, Name) and knowledge.knows(left.name):
-        return None
-    if chain.relations[k].sign != "=" or any(isinstance(p, formula.Dots) for p in _parts(left, right)):
+        definition = knowledge.definitions.get(left.name)
+        if definition is None or not definition.numeric:
+            return None  # a value that is not the same; with F = 100, F = m a says what a is
+    if chain.relations[k].sign != "=" or any(map(_hides_letters, _parts(left, right))):
         return None
     first, second = letter_counts(left), letter_counts(right)
     earlier = {*letters_in_use} | {n for side in chain.sides[:k] for n in formula.names(side.node)}
@@ -105,6 +108,13 @@ def constraint_of(
                 return constraint
     derivative = _lone_derivative(left, right, knowledge)
     return Constraint(derivative, right) if derivative else None
+
+
+def _hides_letters(part: Formula) -> bool:
+    """Tell whether a part stands for more letters than it shows: dots, and a sum of m_i over i."""
+    if isinstance(part, formula.Summation) and part.index is not None:
+        return bool(indexed_letters(part.body, part.index.name))
+    return isinstance(part, formula.Dots)
 
 
 def _constraint(node: Formula, other: Formula, name: str, knowledge: Knowledge) -> Constraint | None:

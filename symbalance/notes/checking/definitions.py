@@ -2,19 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import pi
 
-from symbalance.document.formula import Constant, Formula, Name, Product, Sum, names
+from symbalance.document.formula import (
+    Constant,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    PlusMinus,
+    Product,
+    Sum,
+    names,
+    walk,
+)
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
+from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.algebra.tree_values import letters_behind, names_behind, sample_trees
 from symbalance.notes.algebra.values import context, letters, sample
 from symbalance.notes.checking.constraints import Constraint, letter_counts, solve_for
+from symbalance.notes.checking.deciding.branches import with_sign
 from symbalance.notes.checking.deciding.equality import (
     PROVED,
     REFUTED,
@@ -27,8 +40,17 @@ from symbalance.notes.checking.deciding.inequalities import compare, possible_br
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, StatedRange
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import substitute
-from symbalance.notes.checking.premises import EVERYWHERE, Premise, eliminate, related
+from symbalance.notes.checking.premises import (
+    EVERYWHERE,
+    Elimination,
+    Premise,
+    eliminate,
+    has_decimals,
+    implied,
+    related,
+)
 from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.sidecar import Declarations
 from symbalance.notes.checking.verdicts import (
@@ -60,6 +82,7 @@ class Solved:
 
     knowledge: Knowledge
     leftover: tuple[Premise, ...]
+    premises: tuple[Premise, ...] = ()
 
 
 @dataclass
@@ -75,7 +98,11 @@ class Definitions:
     """Lines that set two known quantities equal, with the letters these come down to."""
     ranges: list[StatedRange] = field(default_factory=list)
     premises: list[Premise] = field(default_factory=list)
+    open_conditions: dict[str, Premise] = field(default_factory=dict)
+    """Conditions on one angle that were stated last: a value given to it next is their solution."""
     _branches: dict[tuple[str, int, int], Definition] = field(default_factory=dict)
+    _solved_from: dict[str, tuple[int, tuple[str, ...]]] = field(default_factory=dict)
+    """Letters whose number was solved for, with the line and the letters it rests on."""
 
     def at(self, line: int) -> dict[str, Definition]:
         """Return the definitions that reach a line, of the letters as declared there."""
@@ -118,6 +145,19 @@ class Definitions:
         last_line = self.sections.premise_end(chain, is_number=not names(node))
         self._add(constraint.name, Entry(definition, scopes, last_line))
 
+    def round(self, name: str, chain: Chain, node: Formula) -> None:
+        """Note how a letter's value is printed in the line that defines it: v = 2π·100 = 628.3."""
+        entries = self.values.get(name, [])
+        if names(node) or not entries or entries[-1].definition.line != chain.lines[0]:
+            return
+        number = node.operand if isinstance(node, Negative) else node
+        if isinstance(number, Number) and number.last_place is None:
+            number = Number(number.value, Fraction(1), span=number.span)
+            node = Negative(number) if isinstance(node, Negative) else number
+        if decimals(node):
+            definition = replace(entries[-1].definition, rounded=node)
+            entries[-1] = replace(entries[-1], definition=definition)
+
     def _add(self, name: str, entry: Entry) -> None:
         self.values.setdefault(name, []).append(entry)
 
@@ -148,6 +188,8 @@ class Definitions:
             end = self.sections.section_end(premise.line)
             premise = replace(premise, last_line=min(premise.last_line, end))
         self.premises.append(premise)
+        for name in premise.names & angles:
+            self.open_conditions[name] = premise
 
     def premise_of(self, chain: Chain, k: int) -> Premise:
         """Return a relation of a chain as a premise, with its reach."""
@@ -174,10 +216,16 @@ class Definitions:
         )
 
     def use(self, chain: Chain) -> None:
-        """Note the letters of a chain."""
-        for side in chain.sides:
-            for name in names(side.node):
-                self.first_lines.setdefault(name, chain.lines[0])
+        """Note the letters of a chain; one on other letters ends the solving of a condition."""
+        own = {name for side in chain.sides for name in names(side.node)}
+        for name in own:
+            self.first_lines.setdefault(name, chain.lines[0])
+        line = chain.lines[0]
+        self.open_conditions = {
+            name: premise
+            for name, premise in self.open_conditions.items()
+            if (premise.line == line or own == {name}) and line <= premise.last_line
+        }
 
     @property
     def letters_in_use(self) -> set[str]:
@@ -211,13 +259,68 @@ class Definitions:
             return None
         if name in knowledge.meaning.values:
             return self._define_size(name, value, chain, knowledge)
+        if self._may_be_wrong(name, value, chain, k, knowledge):
+            return None
+        return self._define(name, value, chain, k, knowledge)
+
+    def _may_be_wrong(
+        self, name: str, value: Formula, chain: Chain, k: int, knowledge: Knowledge
+    ) -> bool:
+        """Tell whether a relation between a letter and a value is a claim, not its definition."""
         # λ = 2l/r says something of the geometry, and x = y, y = x + 1 nothing new: both may be wrong.
         says_of_geometry = knowledge.measures(name) and name in _letters_of(value, knowledge)
         if says_of_geometry or self._is_circular(name, value, chain.lines[0], knowledge):
-            return None
+            return True
+        if not self.must_follow(chain, k):
+            return False
+        by_premises = self.decide_by_premises(self.premise_of(chain, k), knowledge)
+        return by_premises is None or by_premises.status != PREMISE
+
+    def _define(
+        self, name: str, value: Formula, chain: Chain, k: int, knowledge: Knowledge
+    ) -> Decision | None:
+        """Return the decision on a letter's value: of a condition, another one, or its first."""
+        violated = self._no_solution(name, value, chain, k, knowledge) if knowledge.angles else None
+        if violated is not None:
+            return violated
         if name in knowledge.definitions:
             return self._redefine(name, value, chain, k, knowledge)
         return refuse_value(name, value, knowledge) or self._define_first(name, value, chain, knowledge)
+
+    def must_follow(self, chain: Chain, k: int) -> list[Premise]:
+        """Return the premises that a relation is said to follow from: therefore x = y.
+
+        It is one if it stands behind such a word, and all its letters stand in what is taken as given.
+        """
+        own = names(chain.sides[k].node) | names(chain.sides[k + 1].node)
+        if k or not own or chain.relations[k].sign != "=" or not self.sections.is_consequence(chain):
+            return []
+        given = [p for p in self.premises_at(chain.lines[0]) if own & p.names and not has_decimals(p)]
+        return given if own <= {name for p in given for name in p.names} else []
+
+    def _no_solution(
+        self, name: str, value: Formula, chain: Chain, k: int, knowledge: Knowledge
+    ) -> Decision | None:
+        """Return the contradiction between the value of an angle and the condition solved by it."""
+        condition = self.open_conditions.get(name)
+        line = chain.lines[0]
+        if condition is None or names(value) - names(condition.left) - names(condition.right):
+            return None
+        if condition.line > line or self.sections.premise_end(chain, is_number=True) is not None:
+            return None
+        try:
+            at_value = [substitute(node, name, value) for node in (condition.left, condition.right)]
+        except NoFormError:
+            return None
+        decision = decide(_side(at_value[0]), _side(at_value[1]), "=", knowledge)
+        if decision.status != REFUTED:
+            return None
+        is_rounded = chain.relations[k].sign == "≈" or bool(decimals(value)) or not _is_round_angle(value)
+        if is_rounded and _changes_sign_nearby(condition, name, value, knowledge):
+            return None
+        text = f"{plain(condition.left)} = {plain(condition.right)}"
+        reason = f"does not satisfy {text} of line {condition.line}"
+        return replace(decision, status=REFUTED, reason=reason)
 
     def _define_first(self, name: str, value: Formula, chain: Chain, knowledge: Knowledge) -> Decision:
         """Return the decision on a letter's first value, which premises and ranges may contradict."""
@@ -250,23 +353,31 @@ class Definitions:
         It follows from them, it contradicts them, or it is one of several solutions. Of matrices they say
         nothing: they are solved as numbers are, whose products commute.
         """
-        given = related(self.premises_at(statement.line), [statement.left, statement.right], knowledge)
+        nodes = [statement.left, statement.right]
+        if any(isinstance(part, PlusMinus) for node in nodes for part in walk(node)):
+            return self._decide_both_signs(statement, knowledge)
+        given = related(self.premises_at(statement.line), nodes, knowledge, rounded=True)
         if not given or is_of_matrices(statement.left, statement.right, knowledge):
             return None
-        before = eliminate(given, knowledge)
+        before = eliminate(given, knowledge, rounded=True)
         if not before.is_consistent:
             return None  # said where the last of them stands
-        after = eliminate([*given, statement], knowledge)
-        if not after.is_consistent:
-            others = [p for p in after.contradiction if p is not statement]
-            reason = f"contradicts {lines_of(others)}"
-            return Decision(CONTRADICTION, reason)
-        if statement in after.following:
-            texts = tuple(dict.fromkeys(p.text for p in given))
-            return Decision(PROVED, f"by {lines_of(given)}", assumptions=texts)
-        if any(p in after.following for p in given if p not in before.following):
-            return Decision(PREMISE, f"satisfies {lines_of(given)}")
-        return None
+        after = eliminate([*given, statement], knowledge, rounded=True)
+        refusal = _refusal_by(given, before, after, statement)
+        return refusal or _support_by(given, before, after, statement, knowledge)
+
+    def _decide_both_signs(self, statement: Premise, knowledge: Knowledge) -> Decision | None:
+        """Return what earlier premises say of x = 2 ± 1: each of the two values has to satisfy them."""
+        decisions: list[Decision | None] = []
+        for sign in (1, -1):
+            left, right = (with_sign(node, sign) for node in (statement.left, statement.right))
+            one = replace(statement, left=left, right=right)
+            decision = self.decide_by_premises(one, knowledge)
+            if decision is not None and decision.status == CONTRADICTION:
+                reason = f"with the {'upper' if sign > 0 else 'lower'} signs it {decision.reason}"
+                return replace(decision, reason=reason)
+            decisions.append(decision)
+        return decisions[0] if None not in decisions else None
 
     def solved(self, nodes: Sequence[Formula], line: int, knowledge: Knowledge) -> Solved | None:
         """Return what is known with the premises that formulas are connected with solved together.
@@ -274,13 +385,63 @@ class Definitions:
         None where there are none beside those that fix a letter each, or they contradict each other.
         """
         given = related(self.premises_at(line), nodes, knowledge)
-        if all(p.fixes for p in given):
+        if all(p.fixes and self._is_in_effect(p, knowledge) for p in given):
             return None
         result = eliminate(given, knowledge)
         if not result.is_consistent:
             return None
         texts = tuple(dict.fromkeys(p.text for p in given))
-        return Solved(replace(knowledge, solved=result.values, solved_from=texts), result.leftover)
+        known = replace(knowledge, solved=result.values, solved_from=texts)
+        return Solved(known, result.leftover, tuple(given))
+
+    @staticmethod
+    def concerns(solved: Solved, decision: Decision) -> bool:
+        """Tell whether what could not be solved has letters of the two sides that were compared."""
+        if decision.left is None or decision.right is None:
+            return True
+        own = {*letters(decision.left), *letters(decision.right)}
+        values = {n: d.node for n, d in solved.knowledge.definitions.items()}
+        values = {**values, **solved.knowledge.meaning.values, **solved.knowledge.solved}
+        reached = {
+            name
+            for p in solved.leftover
+            for node in (p.left, p.right)
+            for name in letters_behind(node, values)
+        }
+        return bool(own & reached)
+
+    @staticmethod
+    def _is_in_effect(premise: Premise, knowledge: Knowledge) -> bool:
+        """Tell whether the letter that a premise fixes still has its value from there."""
+        definition = knowledge.definitions.get(premise.fixes)
+        return definition is not None and definition.line == premise.line
+
+    def without_scope(self, nodes: Sequence[Formula], line: int, knowledge: Knowledge) -> Solved | None:
+        """Return what would be known if what holds to the end of its section held further.
+
+        A line below the next heading may still rest on it: it is not refuted then.
+        """
+        ended = [
+            p
+            for p in self.premises
+            if p.last_line < line and self._reaches(p.line, line, p.names) and not has_decimals(p)
+        ]
+        for name, entries in self.values.items():
+            last = entries[-1]
+            is_ended = last.last_line is not None and last.last_line < line
+            if is_ended and not decimals(last.definition.node) and name not in knowledge.definitions:
+                own = last.definition
+                ended.append(Premise(Name(name), own.node, own.line, last.last_line or EVERYWHERE))
+        connected = related(ended, nodes, knowledge)
+        if not connected:
+            return None
+        given = related([*self.premises_at(line), *connected], nodes, knowledge)
+        result = eliminate(given, knowledge)
+        if not result.is_consistent:
+            return None
+        texts = tuple(dict.fromkeys(p.text for p in given))
+        known = replace(knowledge, solved=result.values, solved_from=texts)
+        return Solved(known, result.leftover, tuple(p for p in given if p in connected))
 
     def _outside_range(
         self, name: str, value: Formula, line: int, knowledge: Knowledge
@@ -315,11 +476,22 @@ class Definitions:
         if isinstance(value, Name) and value.name in knowledge.definitions:
             self.conditions[line] = frozenset(_letters_behind([earlier.node, value], knowledge))
             return Decision(CONDITION, "sets two quantities equal")
-        is_case = chain.inline or name in knowledge.angles
+        is_case = name in knowledge.angles or not self.sections.same_section(earlier.line, line)
+        is_case = is_case or bool(earlier.assumption)
+        if chain.inline and not is_case:
+            is_given = self.sections.premise_end(chain, is_number=not names(value)) is not None
+            is_near = self.sections.paragraph_start(line) <= earlier.line
+            is_case = is_given or not (self.sections.is_consequence(chain) and is_near)
+        if not is_case and self._is_stale(name, knowledge):
+            is_case = True
         if not is_case and earlier.numeric and not names(value):
             other = f"{plain(Name(name))} = {plain(earlier.node)}"
             return Decision(CONTRADICTION, f"contradicts {other} of line {earlier.line}")
-        self.define(name, without_dots(value)[0], chain)
+        bare = without_dots(value)[0]
+        if not names(bare) and names(earlier.node) and name not in knowledge.angles:
+            end = self.sections.section_end(line)  # u = 2v, then u = 6: 2v is 6 here
+            self.premises.append(Premise(earlier.node, bare, line, end))
+        self.define(name, bare, chain)
         return Decision(PREMISE, f"a new case: line {earlier.line} had another value")
 
     def _define_size(
@@ -328,9 +500,9 @@ class Definitions:
         """Return the decision on a size that is fixed by itself, such as l = 4r: a case, λ = 4."""
         if knowledge.crank is None or knowledge.crank.small is None or name in knowledge.moving:
             return None
-        base = _solve_for_one_letter(knowledge.meaning.values[name], value)
-        if base is not None:
-            return Decision(PREMISE if self.define(*base, chain) else DEFINITION)
+        by_numbers = self._define_by_number(name, value, chain, knowledge)
+        if by_numbers is not None:
+            return by_numbers
         small, evaluator = knowledge.crank.small[0], FormEvaluator(Domain(), knowledge.meaning)
         try:
             ratio = evaluator.letter(name).over(evaluator.form(value))
@@ -343,6 +515,58 @@ class Definitions:
             return None
         number = 1 / coefficient if monomial[0][1] > 0 else coefficient
         return self._define_case(small, rational_node(number), chain, knowledge)
+
+    def _define_by_number(
+        self, name: str, value: Formula, chain: Chain, knowledge: Knowledge
+    ) -> Decision | None:
+        """Return the decision on a size with a number: s = 2r = 87 gives r, l = 160 after r = 40 gives λ.
+
+        A letter that has a number, and what was solved from it, keeps it within the section.
+        """
+        node, line, reasons = knowledge.meaning.values[name], chain.lines[0], list[str]()
+        if names(value):
+            return None
+        for letter in sorted(names(node)):
+            known = knowledge.definitions.get(letter)
+            is_other = len(names(node)) > 1
+            if known is None or not known.numeric or not is_other or letter in knowledge.angles:
+                continue
+            if not self._is_stale(letter, knowledge):
+                node = substitute(node, letter, known.node)
+                reasons.append(f"{plain(Name(letter))} = {plain(known.node)}")
+        base = _solve_for_one_letter(node, value)
+        if base is None:
+            return None
+        letter, solution = base
+        earlier = knowledge.definitions.get(letter)
+        if earlier is not None and earlier.numeric and not self._is_stale(letter, knowledge):
+            again = decide(_side(solution), _side(earlier.node), "=", knowledge)
+            if again.is_proved:
+                return None  # said before: it is decided by numbers
+            if not chain.inline and self.sections.same_section(earlier.line, line):
+                other = f"{plain(Name(letter))} = {plain(earlier.node)}"
+                return Decision(CONTRADICTION, f"contradicts {other} of line {earlier.line}")
+        word = PREMISE if self.define(letter, solution, chain) else DEFINITION
+        if reasons:
+            self._solved_from[letter] = (line, tuple(sorted(names(knowledge.meaning.values[name]))))
+            text = f"{plain(Name(letter))} = {plain(solution)}"
+            return Decision(word, f"with {' and '.join(reasons)} a case: {text}")
+        return Decision(word)
+
+    def _is_stale(self, letter: str, knowledge: Knowledge) -> bool:
+        """Tell whether a letter's number was solved from another one that has changed since."""
+        if letter not in self._solved_from:
+            return False
+        line, others = self._solved_from[letter]
+        own = knowledge.definitions.get(letter)
+        return (
+            own is not None
+            and own.line == line
+            and any(
+                n != letter and n in knowledge.definitions and knowledge.definitions[n].line > line
+                for n in others
+            )
+        )
 
     def _define_case(self, small: str, number: Formula, chain: Chain, knowledge: Knowledge) -> Decision:
         """Return the decision on a size that gives the ratio a number: a case, or a contradiction."""
@@ -358,8 +582,11 @@ class Definitions:
     def _letter_defined(self, chain: Chain, k: int) -> tuple[str, Formula] | None:
         """Return the letter a relation may define, and its value."""
         left, right = chain.sides[k].node, chain.sides[k + 1].node
+        is_new = isinstance(right, Name) and right.name not in names(left) | self.letters_in_use
         if k == 0 and isinstance(left, Name) and left.name not in names(right):
-            return left.name, right
+            has_number = any(e.definition.numeric for e in self.values.get(left.name, [])[-1:])
+            if not (has_number and is_new):  # u = 3, then u = v: that is what v is
+                return left.name, right
         if isinstance(right, Name) and right.name not in names(left) | self.letters_in_use:
             return right.name, left
         return None
@@ -381,8 +608,70 @@ def _each_has_own_letters(earlier: Formula, value: Formula, knowledge: Knowledge
     return not second or bool(first - second and second - first)
 
 
+def _refusal_by(
+    given: list[Premise], before: Elimination, after: Elimination, statement: Premise
+) -> Decision | None:
+    """Return why a statement cannot stand beside premises: it contradicts them, or makes a letter 0."""
+    if not after.is_consistent:
+        others = [p for p in after.contradiction if p is not statement]
+        reason = f"contradicts {lines_of(others)}" if others else "contradicts what is known"
+        return Decision(CONTRADICTION, reason)
+    zero = [name for name in after.vanishing if name not in before.vanishing]
+    if zero and isinstance(statement.left, Name) and names(statement.right):
+        reason = f"with {lines_of(given)} it is true only for {plain(Name(zero[0]))} = 0"
+        return Decision(UNDECIDED, reason)
+    return None
+
+
+def _support_by(
+    given: list[Premise],
+    before: Elimination,
+    after: Elimination,
+    statement: Premise,
+    knowledge: Knowledge,
+) -> Decision | None:
+    """Return that a statement follows from premises, or is one of their solutions; None for neither."""
+    is_implied = statement in after.following or (
+        bool(before.leftover) and implied(given, statement.left, statement.right, knowledge) is True
+    )
+    if is_implied:
+        texts = tuple(dict.fromkeys(p.text for p in given))
+        return Decision(PROVED, f"by {lines_of(given)}", assumptions=texts)
+    if any(p in after.following for p in given if p not in before.following):
+        return Decision(PREMISE, f"satisfies {lines_of(given)}")
+    return None
+
+
 def _side(node: Formula) -> Side:
     return Side((node,), (0, 0))
+
+
+def _is_round_angle(value: Formula) -> bool:
+    """Tell whether an angle is a multiple of 15 degrees, and so meant exactly."""
+    evaluator = FormEvaluator(Domain(), SymbolValue())
+    try:
+        over_pi = evaluator.form(value).over(Form.constant(evaluator.domain, "pi")).rational()
+    except (NoFormError, TooLargeError):
+        return False
+    return over_pi is not None and (12 * over_pi).denominator == 1
+
+
+def _changes_sign_nearby(condition: Premise, name: str, value: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a condition has a solution within a degree of an angle: 76° for tan θ = 4.
+
+    Also where its letters have no numbers: then nothing is said.
+    """
+    level = list(knowledge.levels(condition.left, rational_node(Fraction(0))))[-1]
+    values = {n: node for n, node in level.values.items() if n != name}
+    meaning = replace(knowledge.meaning, values=values)
+    gap, signs = Sum((condition.left, Negative(condition.right))), set[bool]()
+    for step in (Fraction(-1, 60), Fraction(1, 60)):
+        moved = substitute(gap, name, Sum((value, rational_node(step))))
+        points = sample_trees([moved], meaning, 1)
+        if not points or points[0][0]:
+            return True
+        signs.add(bool(points[0][1][0].real > 0))
+    return len(signs) == 2
 
 
 def plain(node: Formula) -> str:
@@ -402,9 +691,29 @@ def refuted_at_angles(left: Side, right: Side, sign: str, solved: Solved) -> Dec
 
     None where that is more than equations for one angle, or no multiple of 15 degrees is such a witness.
     """
+    for twelfths, letter, decision in _at_angles(left, right, sign, solved):
+        if decision.status == REFUTED:
+            reason = f"also at {plain(Name(letter))} = {15 * twelfths}°, by {lines_of(solved.leftover)}"
+            witness = {letter: f"{twelfths * pi / 12:.12g}", **decision.witness}
+            return replace(decision, reason=decision.reason or reason, witness=witness)
+    return None
+
+
+def holds_at_angles(left: Side, right: Side, sign: str, solved: Solved) -> bool:
+    """Tell whether a relation holds at each multiple of 15 degrees that satisfies what is left over.
+
+    0 = 0 does not count: there sin³θ is whatever has a factor sin θ.
+    """
+    decisions = [decision for _, _, decision in _at_angles(left, right, sign, solved)]
+    is_trivial = names(right.node) and any(d.left is not None and d.left.is_zero() for d in decisions)
+    return bool(decisions) and not is_trivial and all(decision.is_proved for decision in decisions)
+
+
+def _at_angles(left: Side, right: Side, sign: str, solved: Solved) -> Iterator[tuple[int, str, Decision]]:
+    """Yield the decisions at the multiples of 15 degrees that satisfy premises on one angle."""
     concerned = {name for premise in solved.leftover for name in premise.names}
     if len(concerned) != 1 or not concerned <= solved.knowledge.angles:
-        return None
+        return
     (letter,) = concerned
     for twelfths in range(24):
         angle = Product((rational_node(Fraction(twelfths, 12)), Constant("pi")))
@@ -421,13 +730,8 @@ def refuted_at_angles(left: Side, right: Side, sign: str, solved: Solved) -> Dec
                 continue
             first, second = (replace(s, readings=tuple(map(at_angle, s.readings))) for s in (left, right))
         except NoFormError:  # a derivative by the angle: it has no value there
-            return None
-        decision = decide(first, second, sign, solved.knowledge)
-        if decision.status == REFUTED:
-            reason = f"also at {plain(Name(letter))} = {15 * twelfths}°, by {lines_of(solved.leftover)}"
-            witness = {letter: f"{twelfths * pi / 12:.12g}", **decision.witness}
-            return replace(decision, reason=decision.reason or reason, witness=witness)
-    return None
+            return
+        yield twelfths, letter, decide(first, second, sign, solved.knowledge)
 
 
 def refuse_value(name: str, value: Formula, knowledge: Knowledge) -> Decision | None:

@@ -134,6 +134,7 @@ def _waiting(count: int) -> Words:
 def _offer(checked: Checked, name: str) -> Words:
     """Return what a document needs that declares nothing, and the command that drafts it."""
     missing = {m[1] for v in checked.verdicts if (m := UNDECLARED.search(v.reason))}
+    missing |= set(checked.derivation.free_letters)
     if not missing:
         return ""
     letters = ", ".join(plain_letter(letter) for letter in sorted(missing)[:MOST_LETTERS])

@@ -2,20 +2,27 @@
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import partial
 from itertools import product
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
-from symbalance.document.formula import Constant, Formula, Name, Number, Span, names
+from symbalance.document.formula import Constant, Formula, Name, Number, Product, Span, names
 from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import assertions, constraints
 from symbalance.notes.checking.constraints import Constraint
 from symbalance.notes.checking.deciding.cases import decide_case, decide_with_ratio, states_a_case
-from symbalance.notes.checking.deciding.equality import Decision, decide_equality
+from symbalance.notes.checking.deciding.equality import (
+    PROVED,
+    Decision,
+    decide_equality,
+    without_dots,
+)
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality, sample_ranges
 from symbalance.notes.checking.deciding.knowledge import Assumption, Definition, Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import (
@@ -23,9 +30,14 @@ from symbalance.notes.checking.deciding.matrix_relations import (
     matrix_constraint,
     meaningless,
 )
-from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.relations import decide, decide_at_value
 from symbalance.notes.checking.deciding.substitution import substitute
-from symbalance.notes.checking.definitions import Definitions, lines_of, refuted_at_angles
+from symbalance.notes.checking.definitions import (
+    Definitions,
+    holds_at_angles,
+    lines_of,
+    refuted_at_angles,
+)
 from symbalance.notes.checking.descriptions import (
     describe,
     undecided,
@@ -35,17 +47,26 @@ from symbalance.notes.checking.descriptions import (
 )
 from symbalance.notes.checking.dimensions import Dimensions, unit_text
 from symbalance.notes.checking.engines import Sources
-from symbalance.notes.checking.own_units import speeds_in_own_unit
+from symbalance.notes.checking.own_units import with_speeds
+from symbalance.notes.checking.premises import Premise, implied
 from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
 from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.sidecar import Binding, Declarations
-from symbalance.notes.checking.symbol_roles import KNOWN, MOVING, letters_by_role, role_of
+from symbalance.notes.checking.symbol_roles import (
+    KNOWN,
+    MOVING,
+    SMALL_WORD,
+    letters_by_role,
+    role_of,
+    small_letters,
+)
 from symbalance.notes.checking.symbols import meaning_of
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONTRADICTION,
     DEFINITION,
     PREMISE,
+    PROVED_WORDS,
     REFUTED,
     STATED,
     UNDECIDED,
@@ -53,7 +74,7 @@ from symbalance.notes.checking.verdicts import (
     Verdict,
 )
 from symbalance.notes.reading import ReadingError, read_equation
-from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side
 
 FOLLOWS = "follows from the side before, which is refuted"
 ANGLES = ("crank angle", "rod angle", "time", "integer")
@@ -66,6 +87,10 @@ UNIVERSAL = (
     "crank ratio r/l",
     "integer",
 )
+NEAR = 4
+"""Lines below an equation in which its solution is looked for."""
+_LETTER = re.compile(r"[A-Za-z]")
+_SMALL_LENGTH = re.compile(r"(?<![A-Za-z])[cm]m(?![A-Za-z])")
 CLAUSES = 15
 """Lines below an equation in matrices that may still say what its letters are."""
 PAGE = Budget(600, 4000)
@@ -86,8 +111,10 @@ class Judge:
     corrects: bool = True
 
     def __post_init__(self) -> None:
+        self.document = with_speeds(self.document, self.declarations.symbols_at)
         self.definitions = Definitions(self.declarations, Sections(self.document))
         self.start = time.monotonic()
+        self.small_letters = small_letters(self.document.text)
         self.not_judged: dict[str, int] = {}
         """Letters that a relation may define which was not judged, with its line."""
 
@@ -95,7 +122,7 @@ class Judge:
         """Return the document with its verdicts."""
         bindings = assertions.by_line(self.declarations.bindings)
         verdicts: list[Verdict] = [unreadable_verdict(self.document, u) for u in self.document.unreadable]
-        for chain in sorted(self.document.chains, key=lambda c: (c.lines[0], not states_a_case(c))):
+        for chain in self._in_turn():
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
             verdicts += self.chain(chain, chain_binds)
         for binding in (b for rest in bindings.values() for b in rest):
@@ -109,6 +136,31 @@ class Judge:
         return Checked(
             self.document, tuple(replace(v, cell=self.document.cell_of(v.line)) for v in numbered)
         )
+
+    def _in_turn(self) -> list[Chain]:
+        """Return the chains by lines, on one line first what states a case: x² = 4 for x = 2.
+
+        A result is no case (so x = 2; v = 2 s n, v = 9), nor is the second value of a letter on one line.
+        """
+        by_line: dict[int, list[Chain]] = {}
+        for chain in self.document.chains:
+            by_line.setdefault(chain.lines[0], []).append(chain)
+        ordered: list[Chain] = []
+        for line in sorted(by_line):
+            first: dict[frozenset[str], Chain] = {}
+            met: set[frozenset[str]] = set()
+            for chain in by_line[line]:
+                own = names(chain.sides[0].node)
+                is_result = self.definitions.sections.is_consequence(chain) or own in met
+                if states_a_case(chain) and not is_result:
+                    first[own] = chain
+                if isinstance(chain.sides[0].node, Name) or not any(
+                    names(s.node) for s in chain.sides[1:]
+                ):
+                    met.add(own)
+            cases = list(first.values())
+            ordered += [*cases, *(c for c in by_line[line] if all(c is not case for case in cases))]
+        return ordered
 
     def guard(self, verdict: Callable[[], Verdict], span: Span, line: int = 0) -> Verdict:
         """Return a verdict; one that takes too much, or a fault of the checker, is "undecided"."""
@@ -176,6 +228,8 @@ class Judge:
             universal,
             corrects=self.corrects,
             ranges=tuple(ranges),
+            small=frozenset(n for n, text in symbols.items() if SMALL_WORD.search(text))
+            | self.small_letters,
         )
         return self.definitions.on_stated_branches(knowledge)
 
@@ -189,7 +243,6 @@ class Judge:
     def chain(self, chain: Chain, bindings: list[Binding]) -> list[Verdict]:
         """Return the verdicts on a chain's relations in order; none is lost by a fault of the checker."""
         verdicts: list[Verdict] = []
-        chain = speeds_in_own_unit(chain, self.declarations.symbols_at(chain.lines[0]))
         try:
             self._judge(chain, bindings, verdicts)
         except SymbalanceError:
@@ -216,6 +269,8 @@ class Judge:
             verdicts.append(verdict)
             if verdict.is_unjudged:
                 self.not_judged |= dict.fromkeys(_lone_letters(chain, k), relation.line)
+            if k and verdict.verdict in PROVED_WORDS and isinstance(chain.sides[0].node, Name):
+                self.definitions.round(chain.sides[0].node.name, chain, chain.sides[k + 1].node)
             bad = verdict.verdict == REFUTED or (bad and verdict.reason == FOLLOWS)
             if not bad:
                 sound = k + 1
@@ -294,22 +349,100 @@ class Judge:
         if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):
             reason = f"true of the number {name}; here {name} is declared as a letter"
             return Decision(UNDECIDED, reason)
-        definition = self.definitions.define_by(chain, k, knowledge)
+        definition = _demanded(relation) or self.definitions.define_by(chain, k, knowledge)
         if definition is not None:
             return definition
         decision, against = self._decide_step(chain, k, sound, bad, knowledge)
         if decision.status in (REFUTED, UNDECIDED):
-            stated = (self._fixed_matrix if of_matrices else self._fixed)(chain, k, knowledge)
-            if stated is not None:
-                return stated
-            decision = self._with_premises(against, right, relation.sign, decision, knowledge)
-        if decision.status == REFUTED and not of_matrices:  # cases and conditions are of numbers
+            decision = self._unless_given(chain, k, against, decision, knowledge)
+        if decision.status in STATED or decision.status == CONTRADICTION:
+            return decision
+        # cases and conditions are of numbers
+        may_state = not of_matrices and not self.definitions.must_follow(chain, k)
+        if decision.status == REFUTED and may_state:
             decision = self._unless_stated(chain, k, against, decision, knowledge)
+        if decision.status == REFUTED:
+            decision = self._in_unit_of_result(chain, k, decision, knowledge)
+        if decision.status == REFUTED:
+            decision = self._at_stated_angle(chain, k, decision, knowledge)
+        if decision.status == REFUTED:
+            decision = self._with_letters_below(chain, k, decision, knowledge)
         if decision.status == REFUTED:
             decision = self._unless_open(chain, k, decision, knowledge)
         return self.add_fix(
             describe(self.document, chain, k, decision), chain, k, against, decision, knowledge
         )
+
+    def _in_unit_of_result(
+        self, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
+    ) -> Decision:
+        """Return the proof of 80/2 = 40 mm: numbers without units, computed in that of the result.
+
+        Of lengths in mm or cm only: 1800 kN for 1800 N is a slip that is made.
+        """
+        left, right = chain.sides[k], chain.sides[k + 1]
+        if names(left.node) or names(right.node) or not isinstance(right.node, Product):
+            return decision
+        text = self.document.text
+        *rest, unit = right.node.factors
+        written = text[unit.span[0] : unit.span[1]]
+        has_units = _LETTER.search(text[left.span[0] : left.span[1]].replace("\\cdot", ""))
+        if has_units or not _SMALL_LENGTH.search(written) or not rest:
+            return decision
+        bare = rest[0] if len(rest) == 1 else Product(tuple(rest))
+        there = decide(left, Side((bare,), right.span), chain.relations[k].sign, knowledge)
+        if not there.is_proved:
+            return decision
+        return replace(there, assumptions=(*there.assumptions, "numbers in the unit of the result"))
+
+    def _at_stated_angle(
+        self, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
+    ) -> Decision:
+        """Return the proof of a relation at an angle its sentence names: at top dead centre, where θ = 0.
+
+        An angle stays free where a line gives it a number; a relation without it may be meant there.
+        """
+        left, right, line = chain.sides[k], chain.sides[k + 1], chain.lines[0]
+        stated: list[tuple[str, Formula]] = []
+        for name in sorted(knowledge.angles):
+            definition = knowledge.definitions.get(name)
+            near = self.definitions.sections.paragraph_start(line) <= (
+                definition.line if definition else 0
+            )
+            if definition is not None and definition.numeric and near:
+                stated.append((name, definition.node))
+        centre = self.definitions.sections.dead_centre(chain)
+        if knowledge.crank is not None and isinstance(knowledge.crank.theta, Name) and centre is not None:
+            angle = Constant("pi") if centre else Number(Fraction(0))
+            stated.append((knowledge.crank.theta.name, angle))
+        for name, value in stated:
+            if name in names(right.node):
+                continue
+            assumption = f"{formula_text(Name(name), plain=True)} = {formula_text(value, plain=True)}"
+            there = decide_at_value(left, right, chain.relations[k].sign, knowledge, name, value)
+            if there.is_proved:
+                return replace(there, assumptions=(*there.assumptions, assumption))
+        return decision
+
+    def _unless_given(
+        self, chain: Chain, k: int, against: Side, decision: Decision, knowledge: Knowledge
+    ) -> Decision:
+        """Return the decision on what is no proved step: it may be given, or follow from what is."""
+        left, right = chain.sides[k], chain.sides[k + 1]
+        of_matrices = is_of_matrices(left.node, right.node, knowledge)
+        must_follow = [] if of_matrices else self.definitions.must_follow(chain, k)
+        if must_follow:
+            return self._following(chain, k, must_follow, decision, knowledge)
+        stated = (self._fixed_matrix if of_matrices else self._fixed)(chain, k, knowledge)
+        if stated is not None:
+            return stated
+        sign = chain.relations[k].sign
+        decision, is_open = self._with_premises(against, right, sign, decision, knowledge)
+        if is_open and not of_matrices:
+            refuted = replace(decision, status=REFUTED)
+            case = self._unless_stated(chain, k, against, refuted, knowledge)
+            return case if case.status in (*STATED, CONTRADICTION) else decision
+        return decision
 
     def _decide_step(
         self, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
@@ -329,17 +462,85 @@ class Judge:
             decision, against = decide(chain.sides[0], right, "≈", knowledge), chain.sides[0]
         return decision, against
 
+    def _following(
+        self, chain: Chain, k: int, premises: list[Premise], decision: Decision, knowledge: Knowledge
+    ) -> Decision:
+        """Return the decision on what is said to follow, and does not: x + y = 2, therefore x = y.
+
+        It is refuted if one line alone speaks of its letters; several, or a number for one of them, may
+        rest on what stands in words.
+        """
+        left, right = chain.sides[k], chain.sides[k + 1]
+        by_all, _ = self._with_premises(left, right, "=", decision, knowledge)
+        statement = self.definitions.premise_of(chain, k)
+        by_premises = self.definitions.decide_by_premises(statement, knowledge)
+        if by_premises is not None and by_premises.status != PREMISE:
+            return by_premises
+        if by_all.status != REFUTED:
+            return by_all
+        reason = f"does not follow from {lines_of(premises)}"
+        is_whole = bool(names(right.node)) and any(statement.names <= p.names for p in premises)
+        return replace(by_all, status=REFUTED if is_whole else UNDECIDED, reason=by_all.reason or reason)
+
     def _unless_stated(
         self, chain: Chain, k: int, against: Side, decision: Decision, knowledge: Knowledge
     ) -> Decision:
         """Return the decision on a refuted relation that may be a premise, a condition or a case."""
-        case = decide_case(chain, k, decision, knowledge)
+        is_solved = self._is_solved(chain, k)
+        case = decide_case(chain, k, decision, knowledge, is_solved=is_solved)
         if case is not None and case.status in STATED and chain.relations[k].sign == "=":
             case = self._state(chain, k, case, knowledge)
         if case is not None and case.status != REFUTED:
             return case
         with_ratio = decide_with_ratio(against.node, chain.sides[k + 1].node, knowledge)
         return with_ratio or case or decision
+
+    def _is_solved(self, chain: Chain, k: int) -> bool:
+        """Tell whether an equation is to be solved: by the words before it, or by a value right below.
+
+        cos θ + λ cos 2θ = 0 may be a claim; behind "where", or with θ = 76° next, it is none.
+        """
+        if len(chain.relations) != 1:
+            return False
+        own = names(chain.sides[k].node) | names(chain.sides[k + 1].node)
+        if self._is_solved_next(chain, own):
+            return True
+        if names(chain.sides[k].node) & names(chain.sides[k + 1].node) & self._angles(chain):
+            return False  # sin 2θ = 2 sin θ claims that they are the same
+        if self.definitions.sections.is_condition(chain):
+            return True
+        if len(own) != 1:
+            return False
+        following = self._next(chain)
+        return (
+            following is not None
+            and isinstance(following.sides[0].node, Name)
+            and following.sides[0].node.name in own
+            and not names(following.sides[1].node)
+        )
+
+    def _next(self, chain: Chain) -> Chain | None:
+        """Return the chain that follows in the text, if it stands near."""
+        after = [c for c in self.document.chains if c.sides[0].span[0] > chain.sides[-1].span[0]]
+        following = min(after, key=lambda c: c.sides[0].span[0], default=None)
+        is_near = following is not None and following.lines[0] <= chain.lines[-1] + NEAR
+        return following if following is not None and is_near and following.relations else None
+
+    def _is_solved_next(self, chain: Chain, own: frozenset[str]) -> bool:
+        """Tell whether an equation is solved for a letter by what follows: 8U = 4m λ ⇒ U = m λ/2."""
+        following = self._next(chain)
+        if following is None or not self.definitions.sections.is_consequence(following):
+            return False
+        head = following.sides[0].node
+        both = names(chain.sides[0].node) & names(chain.sides[1].node)
+        if not isinstance(head, Name) or head.name not in own - both:
+            return False
+        is_open = not self.knowledge(chain.lines[0]).has_meaning(head.name)
+        return is_open and names(following.sides[1].node) <= own - {head.name}
+
+    def _angles(self, chain: Chain) -> set[str]:
+        letters = letters_by_role(self.declarations.symbols_at(chain.lines[0]))
+        return {name for meaning in ANGLES for name in letters.get(meaning, ())}
 
     def _unless_open(self, chain: Chain, k: int, decision: Decision, knowledge: Knowledge) -> Decision:
         """Return the decision on a refuted relation: undecided if it may rest on what is not known."""
@@ -352,9 +553,40 @@ class Judge:
             reason = f"may rest on line {self.not_judged[unknown[0]]}, which was not judged"
         elif condition is not None:
             reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
+        elif letter := self._one_sided_letter(left, right, line, knowledge):
+            sign = formula_text(Name(letter), plain=True)
+            reason = f"{sign} is not declared and stands on one side only: declare what it means"
         elif chain.relations[k].sign == "=":
             reason = self._missing_meaning(left, right, line, knowledge)
+        reason = reason or self._ended_premise(chain, k, knowledge)
         return replace(decision, status=UNDECIDED, reason=reason) if reason else decision
+
+    def _ended_premise(self, chain: Chain, k: int, knowledge: Knowledge) -> str:
+        """Return which premise of a section above would make a relation true, "" for none."""
+        left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
+        solved = self.definitions.without_scope([left.node, right.node], chain.lines[0], knowledge)
+        if solved is None:
+            return ""
+        by_all = decide(left, right, sign, solved.knowledge)
+        is_true = by_all.is_proved or (
+            bool(solved.leftover) and holds_at_angles(left, right, sign, solved)
+        )
+        if not is_true:
+            return ""
+        texts = " and ".join(p.text for p in solved.premises)
+        where = lines_of(solved.premises)
+        return f"true if {texts}, by {where}, which holds to the end of its section; say so again"
+
+    def _one_sided_letter(
+        self, left: Formula, right: Formula, line: int, knowledge: Knowledge
+    ) -> str | None:
+        """Return a letter that nobody declared, on one side of a relation only, None if there is none.
+
+        x = r (1 - cos u) is wrong of any u but of the crank angle, which u may be.
+        """
+        free = set(self.document.free_letters) - set(self.declarations.symbols_at(line))
+        one_sided = sorted(free & (names(left) ^ names(right)))
+        return next((name for name in one_sided if not knowledge.knows(name)), None)
 
     def _missing_meaning(self, left: Formula, right: Formula, line: int, knowledge: Knowledge) -> str:
         """Return for which size of the geometry a letter without a meaning makes a relation true.
@@ -420,20 +652,75 @@ class Judge:
 
     def _with_premises(
         self, left: Side, right: Side, sign: str, decision: Decision, knowledge: Knowledge
-    ) -> Decision:
-        """Return the decision with the premises solved together: a witness must satisfy them all."""
+    ) -> tuple[Decision, bool]:
+        """Return the decision with the premises solved together: a witness must satisfy them all.
+
+        Also whether it is undecided for what could not be solved, and may be one more equation.
+        """
         nodes = [left.node, right.node]
         solved = self.definitions.solved(nodes, self.document.line_of(right.span[0]), knowledge)
         if solved is None:
-            return decision
+            return decision, False
         by_all = decide(left, right, sign, solved.knowledge)
-        if by_all.status == REFUTED and solved.leftover:
-            at_solution = refuted_at_angles(left, right, sign, solved)
-            if at_solution is not None:
-                return at_solution
+        if by_all.status != REFUTED or not solved.leftover:
+            return by_all, False
+        at_solution = refuted_at_angles(left, right, sign, solved)
+        if at_solution is not None or not self.definitions.concerns(solved, by_all):
+            return at_solution or by_all, False
+        given = lines_of(solved.premises)
+        answer = implied(solved.premises, left.node, right.node, knowledge) if sign == "=" else None
+        if answer:
+            texts = solved.knowledge.solved_from
+            decided = Decision(PROVED, f"by {given}", assumptions=texts, level=by_all.level)
+        elif answer is False:
+            reason = f"no values satisfy it together with {given}"
+            decided = replace(by_all, reason=reason, witness={})
+        else:
             reason = f"may rest on {lines_of(solved.leftover)}, which could not be solved for a letter"
-            return replace(by_all, status=UNDECIDED, reason=reason)
-        return by_all
+            decided = replace(by_all, status=UNDECIDED, reason=reason)
+        return decided, answer is None
+
+    def _with_letters_below(
+        self, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
+    ) -> Decision:
+        """Return the decision with the new letters that the lines right below a relation explain.
+
+        a = r ω²(cos θ + B_2 cos 2θ), where B_2 = λ + …: before that B_2 is a letter. Where it does not
+        come out, one of those lines may be wrong as well: nothing is said.
+        """
+        left, right = chain.sides[k], chain.sides[k + 1]
+        below = self._letters_below(chain, names(left.node) | names(right.node), knowledge)
+        if not below:
+            return decision
+        known = replace(knowledge, definitions={**knowledge.definitions, **below})
+        sign = chain.relations[k].sign
+        with_all = decide(left, right, sign, known)
+        if not with_all.is_proved:
+            with_all = decide(left, right, "≈", known)
+        if with_all.is_proved:
+            return with_all
+        texts = ", ".join(formula_text(Name(name), plain=True) for name in sorted(below))
+        reason = f"not true with {texts} as the lines below have it"
+        return replace(decision, status=UNDECIDED, reason=reason)
+
+    def _letters_below(
+        self, chain: Chain, own: frozenset[str], knowledge: Knowledge
+    ) -> dict[str, Definition]:
+        """Return the new letters of a relation that the lines right below it define."""
+        last, found = chain.lines[-1], dict[str, Definition]()
+        before = self.definitions.letters_in_use
+        for other in self.document.chains:
+            head = other.sides[0].node
+            is_after = (
+                other.sides[0].span[0] > chain.sides[-1].span[0] and other.lines[0] <= last + CLAUSES
+            )
+            is_below = is_after and bool(other.relations)
+            if not is_below or not isinstance(head, Name) or other.relations[0].sign not in "=≈":
+                continue
+            is_new = head.name in own - before and not knowledge.has_meaning(head.name)
+            if is_new and head.name not in found and head.name not in names(other.sides[1].node):
+                found[head.name] = Definition(without_dots(other.sides[1].node)[0], other.lines[0])
+        return found
 
     def _with_clauses_below(self, chain: Chain, k: int, knowledge: Knowledge) -> Knowledge:
         """Return what is known with the new letters that the lines right below a relation explain.
@@ -531,3 +818,8 @@ def read_assumption(text: str, letters: frozenset[str], place: str) -> Assumptio
     raise SymbalanceError(
         f"given = {text}", "must be an equality that fixes a letter", 'write "α = π/6"', place
     )
+
+
+def _demanded(relation: Relation) -> Decision | None:
+    """Return that a relation with an exclamation mark above only demands something."""
+    return Decision(CONDITION, "demanded, to be solved") if relation.is_demanded else None

@@ -1,38 +1,123 @@
-"""Speeds in revolutions per minute: a letter that counts them takes the number as it stands.
+"""Revolutions per minute: what 6000 rpm is worth depends on the letter that takes it.
 
-The reader turns 3000 rpm into radians per second, which an angular speed wants. `n = 3000 min⁻¹`
-says of a letter declared as "engine speed rpm" that it is 3000.
+The reader turns 6000 rpm into radians per second, which an angular speed wants. In `ω = 2πn` n counts
+revolutions per second, and n = 6000 min⁻¹ is 100; in `ω = 2πn/60` it is the number 6000. Both are usual,
+so a letter that is no angular speed is taken as the formulas of its own page use it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Constant, Formula, Name, Number, Product, Quotient
-from symbalance.notes.reading.equations import Chain
+from symbalance.document.formula import (
+    Constant,
+    Formula,
+    Name,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    children,
+    names,
+    walk,
+    with_children,
+)
+from symbalance.notes.checking.symbol_roles import role_of
+from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
 ROLE = "engine speed rpm"
+ANGULAR = "angular speed"
+_ANGULAR_LETTERS = ("omega", "Omega")
 _PER_MINUTE = Quotient(Constant("pi"), Number(Fraction(30)))
+_A_SIXTIETH = Number(Fraction(1, 60))
+_BY_NUMBER = {Number(Fraction(60)), Number(Fraction(30))}
+"""What a formula divides by whose speed is a number of revolutions per minute: 2πn/60, πn/30."""
+Symbols = Callable[[int], Mapping[str, str]]
 
 
-def speeds_in_own_unit(chain: Chain, symbols: Mapping[str, str]) -> Chain:
-    """Return a chain that begins with a letter for revolutions per minute, its values in that unit."""
-    head = chain.sides[0].node
-    if not isinstance(head, Name) or symbols.get(head.name, "").partition(",")[0].strip() != ROLE:
+def with_speeds(document: ReadNotes, symbols_at: Symbols) -> ReadNotes:
+    """Return a page whose speeds in revolutions per minute are what their letters count."""
+    if not any(_has_unit(side) for chain in document.chains for side in chain.sides):
+        return document
+    numbers = {
+        name
+        for chain in document.chains
+        for side in chain.sides
+        if not _BY_NUMBER.isdisjoint(_typed_numbers(side.node))
+        for name in names(side.node)
+    }
+    chains = (_chain(chain, symbols_at(chain.lines[0]), numbers, document) for chain in document.chains)
+    return replace(document, chains=tuple(chains))
+
+
+def _chain(chain: Chain, symbols: Mapping[str, str], numbers: set[str], document: ReadNotes) -> Chain:
+    if not any(map(_has_unit, chain.sides)):
         return chain
-    sides = [replace(side, readings=tuple(map(_without_unit, side.readings))) for side in chain.sides[1:]]
-    return replace(chain, sides=(chain.sides[0], *sides))
+    head = chain.sides[0].node
+    name = head.name if isinstance(head, Name) else None
+    role = role_of(symbols.get(name, "")) if name else ""
+    is_angular = role == ANGULAR or name in _ANGULAR_LETTERS
+    as_number = role == ROLE or (name in numbers and not is_angular)
+    is_speed = name is not None and not is_angular
+
+    def at_home(node: Formula) -> Formula:
+        if _is_quantity(node) and (is_angular or name is None):
+            return node
+        if _is_quantity(node) and is_speed:
+            return _without_unit(node, as_number)
+        return _in_product(node, document)
+
+    sides = (replace(side, readings=tuple(map(at_home, side.readings))) for side in chain.sides)
+    return replace(chain, sides=tuple(sides))
 
 
-def _without_unit(node: Formula) -> Formula:
-    """Return a product without the factor that its unit, rpm, stands for."""
-    if not isinstance(node, Product) or len(node.factors) < 2 or node.factors[-1] != _PER_MINUTE:
+def _is_quantity(node: Formula) -> bool:
+    """Tell whether a side is a number with its unit and nothing else."""
+    return isinstance(node, Product) and len(node.factors) == 2 and _is_unit(node.factors[1])
+
+
+def _without_unit(node: Formula, as_number: bool) -> Formula:
+    assert isinstance(node, Product)
+    number, unit = node.factors
+    return (
+        number if as_number else Product((number, replace(_A_SIXTIETH, span=unit.span)), span=node.span)
+    )
+
+
+def _in_product(node: Formula, document: ReadNotes, with_pi: bool = False) -> Formula:
+    """Return a formula whose speeds are in revolutions per second where its factors say so.
+
+    2·π·6000 rpm has its own 2π, and 2·86 mm·5000 min⁻¹ counts strokes; (6000 rpm)² is an angular speed's.
+    """
+    if _is_unit(node):
+        is_frequency = with_pi or "rpm" not in document.source(node.span)
+        return replace(_A_SIXTIETH, span=node.span) if is_frequency else node
+    if isinstance(node, Power) or not (parts := children(node)):
         return node
-    unit = node.factors[-1]
-    is_typed = isinstance(unit, Quotient) and unit.numerator.span != unit.denominator.span
-    if is_typed:
-        return node  # π/30 as the author wrote it
-    rest = node.factors[:-1]
-    return rest[0] if len(rest) == 1 else Product(rest, span=node.span)
+    if isinstance(node, Product):
+        with_pi = with_pi or any(isinstance(part, Constant) and part.name == "pi" for part in parts)
+    return with_children(node, tuple(_in_product(part, document, with_pi) for part in parts))
+
+
+def _has_unit(side: Side) -> bool:
+    return any(_is_unit(part) for node in side.readings for part in walk(node))
+
+
+def _is_unit(node: Formula) -> bool:
+    """Tell the factor of a unit from π/30 as an author writes it."""
+    return (
+        isinstance(node, Quotient)
+        and node == _PER_MINUTE
+        and node.numerator.span == node.denominator.span
+    )
+
+
+def _typed_numbers(node: Formula) -> set[Formula]:
+    """Return the whole numbers of a formula but those of units."""
+    if _is_unit(node):
+        return set()
+    if isinstance(node, Number):
+        return {node}
+    return {number for part in children(node) for number in _typed_numbers(part)}

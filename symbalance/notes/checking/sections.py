@@ -28,6 +28,36 @@ _NAMING = re.compile(
     rf"(?<![A-Za-z])(?:let|with|put|set|setting|sei|seien|mit|setze|setzt man){_END}", re.IGNORECASE
 )
 """Before a number a premise (let r = 1), before a formula the name of it (let P = m r ω²)."""
+_CONSEQUENCE = re.compile(
+    r"(?:(?<![A-Za-z\\])(?:therefore|hence|thus|so(?!\s+(?:that|dass|daß|as)\b)|consequently|accordingly"
+    r"|it\s+follows(?:\s+that)?|(?:this|which)\s+implies|daher|folglich|somit|demnach|mithin"
+    r"|daraus\s+folgt|es\s+folgt|hieraus\s+folgt)(?![A-Za-z])"
+    r"|\\(?:Rightarrow|implies|Longrightarrow|therefore|Leftrightarrow|iff)(?![A-Za-z])|[⇒⟹⇔∴]"
+    r"|よって|したがって|従って|ゆえに|故に)[^.;:!?$=]{0,30}$",
+    re.IGNORECASE,
+)
+_CONDITION = re.compile(
+    r"(?:(?<![A-Za-z\\{])(?:where|when|whenever|if|setting|set|solve|solving|condition|equation|root|roots|extremum"
+    r"|extrema|maximum|minimum|wo|wenn|falls|setze|setzt|löse|Bedingung|Gleichung|Nullstellen?|Maximum)"
+    r"(?![A-Za-z])|条件|方程式|のとき)[^.;!?$=]{0,40}$",
+    re.IGNORECASE,
+)
+"""Before an equation that is to be solved, not claimed for all angles."""
+_DISPLAY = re.compile(r"\\(?:begin|end|label|tag)\{[^{}]*\}|^[^\\\s]*\}")
+_DISPLAY_LAST = re.compile(r"\s*(?:\\(?:begin|label|tag)\{[^{}]*\}\s*)+$")
+_CASE_BEHIND = re.compile(r"[\s$)\]]{0,4}(?:なら|のとき|の時|の場合|とすると|とすれば|では(?=[\s$]))")
+"""Behind a relation that is a case, in Japanese."""
+_TOP = r"(?:top|inner|upper|oberen?r?|inneren?)\s+(?:dead\s+cent(?:re|er)s?|Totpunkte?s?)|上死点"
+_BOTTOM = r"(?:bottom|outer|lower|unteren?r?|äußeren?)\s+(?:dead\s+cent(?:re|er)s?|Totpunkte?s?)|下死点"
+_SHORT_TOP, _SHORT_BOTTOM = r"(?<![A-Za-z])(?:TDC|OT)(?![A-Za-z])", r"(?<![A-Za-z])(?:BDC|UT)(?![A-Za-z])"
+_DEAD_CENTRE = re.compile(
+    rf"(?i:(?P<top>{_TOP})|(?P<bottom>{_BOTTOM}|(?:im|at\s+the|am)\s+(?:unteren|outer|lower|bottom)))"
+    rf"|(?P<short_top>{_SHORT_TOP})|(?P<short_bottom>{_SHORT_BOTTOM})"
+)
+_OPENING = " \t\n$\\([{&"
+"""What stands between a word and the formula that it introduces."""
+LONGEST_SENTENCE = 160
+"""Characters before a relation in which a dead centre may be named."""
 LONGEST_INTRODUCTION = 60
 """Characters before a relation in which such a word is looked for."""
 
@@ -78,8 +108,38 @@ class Sections:
         before = re.split(r"\n\s*\n", before)[-1].rstrip(" \t\n$\\([")
         if not chain.inline:
             return None
+        end = max(side.span[1] for side in chain.sides)
+        if _CASE_BEHIND.match(self.document.text, end):
+            return self.section_end(line)
         is_premise = _INTRODUCTION.search(before + " ") or (is_number and _NAMING.search(before + " "))
         return self.section_end(line) if is_premise else None
+
+    def is_consequence(self, chain: Chain) -> bool:
+        """Tell whether a relation is introduced as what follows: therefore, hence, ⇒."""
+        return _CONSEQUENCE.search(self._text_before(chain)) is not None
+
+    def is_condition(self, chain: Chain) -> bool:
+        """Tell whether a relation is introduced as an equation to be solved: where, condition, set."""
+        return _CONDITION.search(self._text_before(chain)) is not None
+
+    def dead_centre(self, chain: Chain) -> bool | None:
+        """Return whether a relation's sentence names bottom dead centre, False for top, else None."""
+        start = min(side.span[0] for side in chain.sides)
+        before = re.split(
+            r"[.;!?。]\s|\n\s*\n", self.document.text[max(0, start - LONGEST_SENTENCE) : start]
+        )[-1]
+        matches = list(_DEAD_CENTRE.finditer(before))
+        return None if not matches else bool((matches[-1].lastgroup or "").endswith("bottom"))
+
+    def _text_before(self, chain: Chain) -> str:
+        """Return the words before a relation, without the marks that begin and end displays."""
+        start = min(side.span[0] for side in chain.sides)
+        before = self.document.text[max(0, start - LONGEST_INTRODUCTION) : start]
+        return _DISPLAY.sub(".", _DISPLAY_LAST.sub("", before.rstrip(_OPENING))).rstrip(_OPENING)
+
+    def same_section(self, first: int, second: int) -> bool:
+        """Tell whether no heading stands between two lines."""
+        return self.section_end(min(first, second)) >= max(first, second)
 
     def paragraph_start(self, line: int) -> int:
         """Return the first line of the paragraph that a line stands in."""

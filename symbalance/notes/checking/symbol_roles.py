@@ -69,6 +69,31 @@ CONSTANT_WORD = re.compile(
     r"\b(?:constant|coefficient|amplitude|length|radius|ratio|mass|factor|width|distance|number|konstante)\b"
 )
 """Words of a meaning that say the same."""
+SMALL_WORD = re.compile(
+    r"\b(?:small|little|tiny|perturbation|klein\w*|gering\w*)\b|微小|小さ", re.IGNORECASE
+)
+"""Words of a meaning that say that a letter is small beside 1."""
+_CALLED_SMALL = re.compile(
+    r"(?:(?<![A-Za-z])(?:small|klein(?:e[nsrm]?)?)\s+(?:angles?\s+|values\s+of\s+|Winkel\s+)?\$?\\?"
+    r"([A-Za-z]+(?:_\{?\w+\}?)?)\$?"
+    r"|\\?([A-Za-z]+(?:_\{?\w+\}?)?)\s*(?:\\ll(?![a-z])|≪|<<)\s*1(?![\d.])"
+    r"|([A-Za-z]+)\$?\s+(?:is|ist)\s+(?:small|klein))"
+)
+
+
+def small_letters(text: str) -> frozenset[str]:
+    """Return the letters that a text calls small: "for small x", "ε ≪ 1".
+
+    >>> sorted(small_letters(r"for small $\\varphi$ and $x \\ll 1$"))
+    ['varphi', 'x']
+    """
+    text = re.sub(r"[ερλφβδ]", lambda sign: GREEK_NAMES[sign.group()], text)
+    return frozenset(
+        n.replace("{", "").replace("}", "") for m in _CALLED_SMALL.finditer(text) for n in m.groups() if n
+    )
+
+
+GREEK_NAMES = {"ε": "epsilon", "ρ": "rho", "λ": "lambda", "φ": "phi", "β": "beta", "δ": "delta"}
 HARMONIC = re.compile(r"A_\d{1,3}$")
 RANGES = {
     "crank angle": (10, 620),

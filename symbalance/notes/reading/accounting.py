@@ -16,8 +16,9 @@ from symbalance.document.letters import FUNCTION_WORDS, NAME_OF_SIGN
 from symbalance.document.wordlists import word_set
 from symbalance.notes.reading.equations import Passed, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
-from symbalance.notes.reading.signs import RELATION
+from symbalance.notes.reading.signs import REFUSED, RELATION
 from symbalance.notes.reading.sources import CELL_END
+from symbalance.notes.reading.units import is_unit_of_letter
 
 _SETTINGS = word_set(
     "magnification hsize vsize parindent parskip baselineskip tolerance hoffset voffset nopagenumbers"
@@ -33,10 +34,15 @@ _BOUNDS = re.compile(r"[_^]\s*\{[^{}\n]{0,60}\}")
 _TAG = re.compile(
     r"</?[\u2e80-\u9fff][^<>\n=]{0,60}>|</?[A-Za-z!][\w-]*\s[^<>\n]{0,200}>|<[A-Za-z][\w.]{0,20}>"
 )
+_MEASURED_WORD = re.compile(r"[0-9]\s?[^\W\d_]+\s*$")
 _SETTING = re.compile(r"\\([A-Za-z]+)\s*$")
-_SIGN = re.compile(rf"==|:=|<=(?!>)|>=|!=|{RELATION.pattern}")
+_SIGN = re.compile(rf"==|:=|<=(?!>)|>=|!=|∝|\\propto(?![A-Za-z])|{RELATION.pattern}")
 _BEFORE = re.compile(r"([^\W\d_][\w'’-]*|\S)\s*$")
 _AFTER = re.compile(r"\s*([^\W\d_][\w'’-]*|\S)")
+_CONSTANT = re.compile(
+    r"(?:=|≈|\\approx)\s*(?:\\(?:text|mathrm|mbox|textrm|textit|operatorname)\s*\{\s*)?[ckCK]onst"
+    r"(?:ant|\.)?(?![A-Za-z])"
+)
 _END_OF_SENTENCE = re.compile(rf"[\n{CELL_END}]|[.;:!?。](?=\s)")
 _ASSIGNED = re.compile(r"^[\w.-]*[A-Za-z][\w.-]+=(?:[\"'\w./#%-]*[A-Za-z\"'][\"'\w./#%-]*)$")
 
@@ -115,6 +121,8 @@ class Account:
         why = self._why_no_mathematics(place, span, names)
         if why:
             return Passed(line, column, why, span)
+        if self.text.startswith(("∝", "\\propto"), place):
+            return Unreadable(line, column, *REFUSED["propto"], span)
         failure = next((f for (a, b), f in self.refused if a <= place < b), None)
         if failure is not None:
             line, column = line_of(failure.offset if span[0] <= failure.offset < span[1] else place)
@@ -159,11 +167,28 @@ class Account:
             "a blank to be filled in": self._is_blank(place),
             "an option or attribute": self._is_option(place) and _is_word(before, names),
             "words on both sides": _is_word(before, names) and _is_word(after, names),
-            "the value of a word that is no declared letter": is_value and _is_word(before, names),
+            "the value of a word that is no declared letter": is_value
+            and _is_word(before, names)
+            and not _MEASURED_WORD.search(self.text[max(place - _AROUND, 0) : place]),
+            "said to be constant": _CONSTANT.match(self.text, place),
+            "a letter explained in words": _is_explanation(before, self._right_side(place), names),
+            "the unit of a letter": self._is_unit_of_letter(place),
             "a sum of money": re.match(r"\s*\$[0-9]", self.text[place + 1 : place + 4]),
             "a sign of the layout": before in ("", *"|&-•*") and (not after or _is_word(after, names)),
         }
         return next((reason for reason, holds in reasons.items() if holds), "")
+
+    def _is_unit_of_letter(self, place: int) -> bool:
+        """Tell whether [F] = N says in what a letter is measured."""
+        start = self.text.rfind("[", max(place - _AROUND, 0), place)
+        right = re.split(
+            r"[$,;)]|\.(?=\s|$)|\s(?:und|and|with|mit)\s", self._right_side(place), maxsplit=1
+        )[0]
+        if start < 0:
+            return False
+        return is_unit_of_letter(
+            f"{self.text[start : place + 1]}{right}", 0, place + 1 - start + len(right)
+        )
 
     def _is_in_tag(self, place: int) -> bool:
         tags = _TAG.finditer(self.text, max(place - 200, 0), min(place + 200, len(self.text)))
@@ -204,6 +229,29 @@ def _is_word(word: str, names: Collection[str]) -> bool:
         return False
     base = re.sub(r"[0-9'_]+$", "", word)
     return len(base) > 1 and base not in names and base not in FUNCTION_WORDS
+
+
+def _is_explanation(before: str, right: str, names: Collection[str]) -> bool:
+    """Tell whether R = crank radius explains a letter: nothing but words stands right of the relation."""
+    phrase = re.split(r"[.,;:()、。]|\s[-–—]\s", right, maxsplit=1)[0].replace("$", " ").strip()
+    found = re.findall(r"[^\W\d_][\w'’-]*", phrase)
+    if (
+        len(phrase) < 3
+        or not found
+        or not _is_word(found[0], names)
+        or not re.fullmatch(r"[\w'’ /-]+", phrase)
+    ):
+        return False
+    if any(word.lower() in _OPERATIONS for word in found) or re.search(r"\d", phrase):
+        return False
+    is_letter = len(before) == 1 or not _is_word(before, names)
+    return is_letter and any(len(word) > 2 for word in found)
+
+
+_OPERATIONS = word_set(
+    "plus minus times half twice double squared cubed over divided product sum mal durch halbe doppelte"
+    " quarter third thirds tenth"
+)
 
 
 def _running_ends(spans: Sequence[Unreadable]) -> list[int]:

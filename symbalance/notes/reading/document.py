@@ -7,17 +7,20 @@ place and a remedy.
 
 from __future__ import annotations
 
+import re
+import unicodedata
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import PurePath
 
 from symbalance.document.formula import Formula, children, with_children
-from symbalance.document.letters import TIME_DOTS, is_greek, plain_letter
+from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek, plain_letter
 from symbalance.notes.reading.accounting import Account
 from symbalance.notes.reading.equations import Chain, Passed, ReadNotes, Relation, Side, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.lexer import AT, CLOSER, LONGEST_EQUATION, Token, lex
-from symbalance.notes.reading.parser import read_tokens
+from symbalance.notes.reading.parser import other_form, read_tokens
+from symbalance.notes.reading.result_units import as_printed, in_unit_of_result
 from symbalance.notes.reading.rewriting import Piece, Rewritten, rewritten
 from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation
 from symbalance.notes.reading.signs import relation_at_start
@@ -56,7 +59,12 @@ def read_document(text: str, name: str, names_at: Callable[[int], Collection[str
         unreadable = [_unreadable_in_place(part, source, text) for part in unreadable]
     chains.sort(key=lambda chain: chain.sides[0].span)
     unreadable.sort(key=lambda part: (part.line, part.column))
-    return ReadNotes(name, text, tuple(chains), tuple(unreadable), source.notes, tuple(passed))
+    free = tuple(sorted(set(assembler.free_letters) - assembler.defined_letters))
+    notes = source.notes
+    if free:
+        letters = ", ".join(map(plain_letter, free))
+        notes = (*notes, f"declared nowhere and read as letters of their own: {letters}")
+    return ReadNotes(name, text, tuple(chains), tuple(unreadable), notes, tuple(passed), free)
 
 
 def _chain_in_place(chain: Chain, origin: Rewritten) -> Chain:
@@ -154,6 +162,8 @@ class Assembler:
         self.account = Account(self.text, finder.source.codes)
         self.draft: Draft | None = None
         self._refused_item: Item | None = None
+        self.phrases: dict[str, int] = {}
+        self.free_letters: dict[str, int] = {}  # not declared, and the line where each is first
 
     def run(self) -> None:
         """Fill `chains` and `unreadable`."""
@@ -172,14 +182,19 @@ class Assembler:
         return line, offset - self.finder.line_span(line)[0] + 1
 
     def _add_item(self, item: Item) -> None:
-        """Add an item to the chain so far, or begin a chain with it."""
-        names = frozenset(self.names_at(item.first_line)) | self.defined_letters
-        if self.draft:
-            names |= self.draft.own_letter()
+        """Add an item to the chain so far, or begin a chain with it; what explains stands alone."""
+        if item.aside and self.draft is not None:
+            outer, self.draft = self.draft, None
+            self._add_item(item)
+            self._finish_chain()
+            self.draft = outer
+            return
+        known = frozenset(self.names_at(item.first_line)) | self.defined_letters
+        names = known | (self.draft.own_letter() if self.draft else frozenset())
         try:
             tokens = without_aside(lex(self.text, item.start, item.end, names))
             if item.head:
-                tokens = [*lex(self.text, *item.head, names), *tokens]
+                tokens = [*self._head_tokens(item.head, names), *tokens]
         except ReadingError as failure:
             self._give_up_item(item, failure)
             return
@@ -190,10 +205,27 @@ class Assembler:
                 return
             self._finish_chain()
             tokens = tokens[1:] if self._follows_refused(item, tokens) else tokens
-            self.draft = Draft(item, set(names)) if tokens else None
+            known = frozenset(self.names_at(item.first_line)) | self.defined_letters
+            self.draft = Draft(item, set(known)) if tokens else None
         if self.draft:
-            self.draft.names |= names
+            self.draft.names |= known
             self.draft.add(item, tokens)
+
+    def _head_tokens(self, head: tuple[int, int], names: frozenset[str]) -> list[Token]:
+        """Return the letter that stands left of an item: a letter, or words that stand for one.
+
+        The same words once more are another letter: "force = 3" on two lines is no contradiction.
+        """
+        written = self.text[slice(*head)]
+        if len(written.split()) == 1 and (
+            len(written) < 2 or not written[1:].isalpha() or written in names
+        ):
+            return lex(self.text, *head, names)
+        name = name_of_words(written)
+        self.phrases[name] = self.phrases.get(name, 0) + 1
+        if len(written.split()) > 1 and self.phrases[name] > 1:
+            name = f"{name}_{self.phrases[name]}"
+        return [Token("name", name, *head)]
 
     def _follows_refused(self, item: Item, tokens: list[Token]) -> bool:
         """Tell whether `= c` continues an equation that could not be read; c then starts a chain."""
@@ -314,18 +346,25 @@ class Assembler:
         """Return the sides of a chain, None for one that cannot be read."""
         sides: list[Side | None] = []
         latex = any("\\" in self.text[item.start : item.end] for item in draft.items)
+        has_letter = any(t.kind == "name" and t.value in names for side in draft.sides for t in side)
+        is_formula = any(item.strict for item in draft.items) or (has_letter and bool(draft.signs))
+        free: set[str] | None = set() if is_formula else None
         for place, tokens in enumerate(draft.sides):
             sides.append(None)
             if place in draft.failures:
                 continue
             try:
                 _refuse_too_long(tokens)
-                readings, notes = read_tokens(tokens, names, tokens[-1].end, latex)
+                readings, notes = read_tokens(tokens, names, tokens[-1].end, latex, free)
             except ReadingError as failure:
                 draft.failures[place] = failure
                 continue
             draft.notes.extend(note for note in notes if note not in draft.notes)
-            sides[-1] = Side(readings, (tokens[0].start, tokens[-1].end))
+            sides[-1] = as_printed(Side(readings, (tokens[0].start, tokens[-1].end)), tokens)
+        sides, notes = in_unit_of_result(sides, draft.sides)
+        draft.notes.extend(note for note in notes if note not in draft.notes)
+        for letter in free or ():
+            self.free_letters.setdefault(letter, draft.item.first_line)
         return sides
 
     def _store_chain(self, draft: Draft, sides: list[Side | None], names: frozenset[str]) -> None:
@@ -343,7 +382,10 @@ class Assembler:
             self._report(failure, (draft.item.start, draft.last.end))
         if not whole:
             return
-        relations = tuple(Relation(sign, self.finder.line_of(at)) for _, sign, at in sides_read[1:])
+        demands = {token.start for token in draft.signs if token.is_demanded}
+        relations = tuple(
+            Relation(sign, self.finder.line_of(at), at in demands) for _, sign, at in sides_read[1:]
+        )
         lines = sorted({n for i in draft.items for n in range(i.first_line, i.last_line + 1)})
         tag = next((item.tag for item in reversed(draft.items) if item.tag), "")
         inline = draft.item.kind in ("inline", "prose")
@@ -463,11 +505,22 @@ class Draft:
 
     def own_letter(self) -> frozenset[str]:
         """Return the undeclared letter that stands alone on the left: it declares itself."""
-        if not self.signs or self.signs[0].value not in EQUALITIES or len(self.sides[0]) != 1:
+        if not self.signs:
             return frozenset()
-        token = self.sides[0][0]
-        unknown = token.kind == "name" and token.value not in self.names and token.value != "pi"
-        return frozenset({token.value} if unknown else ())
+        if self.signs[0].value not in EQUALITIES:
+            return self._running_letter()
+        name = lone_letter(self.sides[0])
+        is_declared = name is not None and (name in self.names or other_form(name) in self.names)
+        return frozenset({name} if name and not is_declared and name != "pi" else ())
+
+    def _running_letter(self) -> frozenset[str]:
+        """Return the undeclared letter of 1 ≤ n ≤ 4 or k ≥ 0, whose other sides hold no letter."""
+        letters = [lone_letter(side) for side in self.sides]
+        others = [side for side, name in zip(self.sides, letters, strict=True) if not name]
+        alone = [name for name in letters if name]
+        plain = all(token.kind != "name" or token.value == "pi" for side in others for token in side)
+        is_new = len(alone) == 1 and plain and all(others) and alone[0] not in self.names
+        return frozenset(alone if is_new and alone[0] != "pi" else ())
 
     def finish_alone(self) -> None:
         """Finish a chain of its own and raise the first failure."""
@@ -508,6 +561,7 @@ class Draft:
         """Note what is missing at the end."""
         if self.open_brackets:
             self._leave_open()
+        self.sides = with_functions_at_places(self.sides)
         for place, side in enumerate(self.sides):
             if not side and place not in self.failures:
                 self.failures[place] = self._missing(place)
@@ -553,6 +607,30 @@ def without_aside(tokens: list[Token]) -> list[Token]:
             aside = tokens[place + 1 : -1]
             return [*tokens[:place], *aside] if is_equation(aside) else tokens
     return tokens
+
+
+def name_of_words(written: str) -> str:
+    """Return the letter that some words stand for.
+
+    >>> name_of_words("mittlere Geschwindigkeit für 2 Hübe")
+    'mittlere_Geschwindigkeit_fur_2_Hube'
+    """
+    bare = unicodedata.normalize("NFKD", written.strip()).encode("ascii", "ignore").decode()
+    return "_".join(re.findall("[A-Za-z0-9]+", bare)) or "quantity"
+
+
+def lone_letter(side: Sequence[Token]) -> str:
+    """Return the letter that is all of a side, accent and all; "" if something else stands there."""
+    tokens = [token for token in side if token.kind not in ("open", "close")]
+    if len(tokens) == 1 and len(side) == 1 and tokens[0].kind == "name":
+        return tokens[0].value
+    is_accented = len(tokens) in (2, 3) and tokens[0].is_cmd(*ACCENTS) and tokens[1].kind == "name"
+    if not is_accented or (len(side) > len(tokens) and side[1].value != "{"):
+        return ""
+    script = tokens[2].value if len(tokens) == 3 else ""
+    if script and tokens[2].kind != "sub":
+        return ""
+    return f"{ACCENTS[tokens[0].value]}_{tokens[1].value}" + (f"_{script}" if script else "")
 
 
 # A letter written as a function, x(θ), on the left of a relation
@@ -617,6 +695,57 @@ def letter_without_argument(
 def letter_at_a_place(side: Sequence[Token]) -> list[Token]:
     """Return the tokens of x(π) with a bracket that says that it holds no factor."""
     return [replace(t, value=AT) if t.kind == "open" and t.value == "(" else t for t in side]
+
+
+def with_functions_at_places(sides: list[list[Token]]) -> list[list[Token]]:
+    """Return the sides with F(2ω) = 4 F(ω) as one function at two places, and no product.
+
+    One letter before two brackets, each with one running letter alone or with numbers, is a function.
+    """
+    uses: dict[str, set[str]] = {}
+    for side in sides:
+        for start, stop in _calls(side):
+            name = side[start - 1].value
+            uses.setdefault(name, set()).add(tokens_text(side[start + 1 : stop]))
+    functions = {name for name, insides in uses.items() if len(insides) > 1}
+    return [_with_places(side, functions) for side in sides] if functions else sides
+
+
+_MULTIPLIERS = frozenset({"pi", "i", "j", "e", "k", "n", "m", "N"})
+"""Letters before a bracket that are factors of an angle, and no functions: e^{i(θ + π)}, n(θ + h)."""
+
+
+def _calls(side: Sequence[Token]) -> list[tuple[int, int]]:
+    """Return where brackets stand tightly behind a letter with one running letter in them."""
+    result: list[tuple[int, int]] = []
+    for start, token in enumerate(side):
+        before = side[start - 1] if start else None
+        if token.value not in ("(", AT) or before is None or before.kind != "name":
+            continue
+        stop = next((n for n in range(start + 1, len(side)) if side[n].kind in ("open", "close")), None)
+        if stop is None or side[stop].value != ")" or before.end != token.start:
+            continue
+        inside = side[start + 1 : stop]
+        letters = {t.value for t in inside if t.kind == "name"} - {"pi"}
+        plain = all(t.kind in ("number", "vulgar", "degree", "name", "op") for t in inside)
+        ahead = side[start - 2] if start > 1 else None
+        is_term = ahead is None or ahead.kind in ("op", "open", "number")
+        is_call = is_term and before.value not in _MULTIPLIERS
+        if plain and is_call and len(letters) == 1 and all(map(_is_running, letters)):
+            result.append((start, stop))
+    return result
+
+
+def _with_places(side: list[Token], functions: set[str]) -> list[Token]:
+    done = list(side)
+    for start, stop in reversed(_calls(side)):
+        if side[start - 1].value not in functions:
+            continue
+        if is_variable(side[start + 1 : stop]):
+            done[start - 1 : stop + 1] = [replace(side[start - 1], end=side[stop].end)]
+        else:
+            done[start] = replace(side[start], value=AT)
+    return done
 
 
 def tokens_text(tokens: Sequence[Token]) -> str:

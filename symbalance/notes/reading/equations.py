@@ -28,10 +28,11 @@ class Side:
 
 @dataclass(frozen=True, slots=True)
 class Relation:
-    """A relation sign of RELATIONS and the line (from 1) where it stands."""
+    """A relation sign of RELATIONS and the line (from 1) where it stands; ≝ with a ! only demands."""
 
     sign: str
     line: int
+    is_demanded: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +88,8 @@ class ReadNotes:
     unreadable: tuple[Unreadable, ...]
     notes: tuple[str, ...] = ()
     not_mathematics: tuple[Passed, ...] = ()
+    free_letters: tuple[str, ...] = ()
+    """Letters that nobody declared and no line defines, read as letters of their own."""
 
     def line_of(self, offset: int) -> int:
         """Return the line, from 1, of a character offset."""

@@ -5,8 +5,17 @@ from __future__ import annotations
 import re
 from collections.abc import Collection
 
-from symbalance.document.letters import ACCENTS, FONTS, GREEK_SIGN, LOWERED, NAME_OF_SIGN, WORDS
+from symbalance.document.letters import (
+    ACCENTS,
+    FONTS,
+    FUNCTION_WORDS,
+    GREEK_SIGN,
+    LOWERED,
+    NAME_OF_SIGN,
+    WORDS,
+)
 from symbalance.notes.reading.failures import ReadingError
+from symbalance.notes.reading.signs import COMBINED, accented
 
 _COMMAND = re.compile(r"\\([A-Za-z]+)\s*")
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9]*")
@@ -22,7 +31,7 @@ def canonical_name(text: str) -> str:
     >>> canonical_name(r"m_{\mathrm{rec}}"), canonical_name("m₁"), canonical_name(r"\bar{x}'")
     ('m_rec', 'm_1', "bar_x'")
     """
-    bare = text.strip().strip("$").strip()
+    bare = COMBINED.sub(accented, text.strip().strip("$").strip())
     if _CANONICAL.fullmatch(bare):
         return bare
     base, stop = _base(bare)
@@ -137,9 +146,22 @@ def _bare_subscript(
         run = match.group()[:LONGEST_SUBSCRIPT]
         lengths = range(len(run), 0, -1) if names is not None else ()
         whole = (n for n in lengths if not (run[n - 1 : n].isdecimal() and run[n : n + 1].isdecimal()))
-        length = next((n for n in whole if f"{base}_{run[:n]}" in (names or ())), len(run))
+        length = next(
+            (
+                n
+                for n in whole
+                if f"{base}_{run[:n]}" in (names or ()) and may_be_letters(run[n:], names or ())
+            ),
+            len(run),
+        )
         return run[:length], start + length
     return subscript_name(text[start], start), start + 1
+
+
+def may_be_letters(rest: str, names: Collection[str]) -> bool:
+    """Tell whether what follows a declared letter, the r of m_pr, may be letters; I in F_II is none."""
+    begins_function = any(rest.startswith(word) for word in FUNCTION_WORDS)
+    return not rest or begins_function or rest[0] in names or rest[0] in "deij" or rest[0].isdecimal()
 
 
 def subscript_name(text: str, offset: int) -> str:

@@ -25,7 +25,12 @@ from symbalance.document.letters import (
 )
 from symbalance.notes.reading import signs
 from symbalance.notes.reading.failures import ReadingError
-from symbalance.notes.reading.letter_names import matching_brace, subscript_at, with_scripts
+from symbalance.notes.reading.letter_names import (
+    matching_brace,
+    may_be_letters,
+    subscript_at,
+    with_scripts,
+)
 from symbalance.notes.reading.units import (
     Scale,
     bracketed_unit_at,
@@ -43,9 +48,12 @@ _DEGREE = re.compile(r"\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![A-Za-z]))|[°˚º]|度
 _SPACE = re.compile(
     r"(?:\\[,;:> \t\n]|\\(?:q?quad|enspace|enskip|thinspace|medspace|thickspace|hspace)(?![A-Za-z])|~)"
 )
+_TYPED_SPACE = re.compile(r"(?:\\[,;: ]|~)+")
+_DIFFERENCE = re.compile(r"\s*(\\[a-z]+(?![A-Za-z])|[A-Za-zα-ωϕϵϑ])")
 _ARROW = re.compile(r"-+>|=+>|<-+|<=+>")
 _RELATION = re.compile(r"==|:=|<=|>=|!=")
 _TWO_SIGNS = {"==": "=", ":=": "=", "<=": "≤", ">=": "≥", "!=": "≠"}
+_RUN = re.compile(r"[A-Za-z]+")
 _DIGITS = re.compile(r"[0-9]+")
 _LONGEST_ANNOTATED = 2000  # characters under one \underbrace
 _COMMAND = re.compile(r"\\([A-Za-z]+)\*?")
@@ -75,6 +83,7 @@ class Token:
     dots, degree, arrow (of a limit), postfix (!), cell and row (of a matrix), differential (the d x of an
     integral). `sub` carries a subscript that follows something other than a letter; `under` is a
     bare underscore after a sum sign or a function. `spaced` tells of a space typed as such before it.
+    `scale` is what the unit behind it multiplies it by, 0 where that is not sure.
     """
 
     kind: str
@@ -84,6 +93,8 @@ class Token:
     number: Fraction = Fraction(0)
     place: Fraction | None = None
     spaced: bool = False
+    scale: Fraction | None = None
+    is_demanded: bool = False
 
     def moved(self, offset: int) -> Token:
         """Return the token so many characters further on."""
@@ -141,7 +152,7 @@ class Lexer:
     def _next_token(self) -> None:
         """Add the token that begins at the place, or go past what is none."""
         sign = self.text[self.place]
-        if sign in " [" and self.plain_unit(sign):
+        if self._may_begin_unit(sign) and self.plain_unit(sign):
             return
         if self.place in self.skips:
             self.place = self.skips.pop(self.place)
@@ -159,6 +170,22 @@ class Lexer:
             self._number()
         else:
             self._sign(sign)
+
+    def _may_begin_unit(self, sign: str) -> bool:
+        """Tell whether a unit may begin at the place: behind a number, or in square brackets."""
+        if sign == "[":
+            return True
+        if not self.tokens or not (sign in " \u2009\u202f" or sign.isalpha()):
+            return False
+        between = self.text[self.tokens[-1].end : self.place]
+        return (not between or _TYPED_SPACE.fullmatch(between) is not None) and (
+            self.tokens[-1].kind in ("number", "close") or self.tokens[-1].value == "pi"
+        )
+
+    def _is_behind_power(self) -> bool:
+        """Tell whether 5² or 5^2 stands before the place."""
+        kinds = "".join(token.kind[0] for token in self.tokens[-5:])
+        return kinds.endswith(("nsn", "nsonc", "csn", "csonc"))
 
     def _sign(self, sign: str) -> None:
         """Add the token of a sign: relation, dots, operator, bracket."""
@@ -204,6 +231,10 @@ class Lexer:
             self._underscore()
         elif sign in RAISED:
             self._superscript()
+        elif (
+            sign in LOWERED and self.tokens and self.tokens[-1].is_cmd(*signs.WITH_BOUNDS.values(), "sum")
+        ):
+            self._lowered_bound()
         elif sign in VULGAR:
             self._vulgar(sign)
         elif sign in ("√", "∂", "∞", "Σ", "∑", "∫", "∮", "∏", "⊤"):
@@ -254,6 +285,23 @@ class Lexer:
         if last.kind == "sup" or last.kind != "close" or last.value not in ("]", "|", ")"):
             return False
         return last.value != ")" or "=" in self.text[self.place : self.place + 12].partition("}")[0]
+
+    def _lowered_bound(self) -> None:
+        """∫₀ is \\int_{0}."""
+        stop = self.place
+        while stop < self.end and self.text[stop] in LOWERED:
+            stop += 1
+        plain = "".join(LOWERED[sign] for sign in self.text[self.place : stop])
+        number = read_number(plain, 0, len(plain))
+        first = self.place
+        self._add("under", "_", first)
+        self._add("open", "{", first)
+        if number is not None and number.end == len(plain):
+            self.tokens.append(replace(number, start=first, end=stop))
+        else:
+            self.tokens.append(Token("name", plain, first, stop))
+        self.place = first
+        self._add("close", "}", stop)
 
     def _superscript(self) -> None:
         first = self.place
@@ -377,9 +425,15 @@ class Lexer:
         self._add("name", name, stop)
 
     def _difference(self, name: str, stop: int) -> tuple[str, int] | None:
-        match = re.compile(r"\s*([A-Za-z])").match(self.text, stop, self.end)
-        if match and f"{name}_{match.group(1)}" in self.words.names and name not in self.words.names:
-            return f"{name}_{match.group(1)}", match.end()
+        match = _DIFFERENCE.match(self.text, stop, self.end)
+        if match is None or name in self.words.names:
+            return None
+        letter = match.group(1).lstrip("\\")
+        letter = NAME_OF_SIGN.get(letter, letter)
+        is_letter = len(letter) == 1 or letter in GREEK_SIGN
+        whole = f"{name}_{letter}"
+        if whole in self.words.names or (name == "Delta" and is_letter and letter != "pi"):
+            return whole, match.end()
         return None
 
     # What begins with a backslash
@@ -437,6 +491,7 @@ class Lexer:
             self._add("function", FUNCTION_WORDS[name], stop)
         elif name in signs.RELATION_COMMANDS:
             self._add("rel", signs.RELATION_COMMANDS[name], stop)
+            self.tokens[-1] = replace(self.tokens[-1], is_demanded=name == "shallbe")
         elif name in signs.OPERATOR_COMMANDS:
             self._add("op", signs.OPERATOR_COMMANDS[name], stop)
         elif name in signs.DOTS_COMMANDS:
@@ -537,8 +592,8 @@ class Lexer:
 
     def set_unit(self, command: str) -> bool:
         """Read \\mathrm{mm} behind a number; tell whether it was a unit."""
-        if command.endswith("frac") and self.is_behind_number():
-            unit_span = unit_fraction_at(self.text, self.place, self.end)
+        if command.endswith("frac") and (self.is_behind_number() or self._is_behind_power()):
+            unit_span = unit_fraction_at(self.text, self.place, self.end, self.words.names)
         else:
             unit_span = (
                 unit_set_at(self.text, self.place, self.end) if command in _UNIT_COMMANDS else None
@@ -593,20 +648,27 @@ class Lexer:
 
     def add_factor(self, unit: str, scale: tuple[Fraction, bool], stop: int) -> None:
         """Multiply by a unit's factor; behind a letter only a unit of factor 1 is clear."""
-        if not self.is_behind_number() and scale != (1, False):
+        if not (self.is_behind_number() or self._is_behind_power()) and scale != (1, False):
             what = f"unit {unit} behind a letter"
             raise ReadingError(self.place, what, "leave it out of the formula")
+        last = self.tokens[-1] if self.tokens else None
+        before = self.tokens[-2] if len(self.tokens) > 1 else None
+        is_apart = before is not None and (
+            before.is_op("/") or before.kind == "sup" or before.value == "{"
+        )
+        if last is not None:
+            is_quantity = last.kind == "number" and not scale[1] and not is_apart
+            end = stop if scale == (1, False) else last.end
+            self.tokens[-1] = replace(last, scale=scale[0] if is_quantity else Fraction(0), end=end)
         self.tokens += factor_tokens(scale, self.place, stop)
         self.place = stop
 
     def plain_unit(self, sign: str) -> bool:
         """Read ` mm` or `[mm]` behind a number; tell whether it was a unit."""
         number = bool(self.tokens) and self.tokens[-1].kind == "number"
-        if sign == " ":
-            plain = number and not self.latex
-            unit_span = (
-                plain_unit_at(self.text, self.place, self.end, self.words.names) if plain else None
-            )
+        if sign != "[":
+            unit_span = plain_unit_at(self.text, self.place, self.end, self.words.names)
+            number = self.is_behind_number() or self._is_behind_power()
         else:
             unit_span = bracketed_unit_at(self.text, self.place, self.end)
         scale = scale_of(unit_span[0]) if unit_span else None
@@ -622,9 +684,15 @@ class Lexer:
 
 
 def _without_braces(tokens: list[Token]) -> list[Token]:
-    """{\\cos}^2 is \\cos^2."""
+    """{\\cos}^2 is \\cos^2, and {} a way to set a sign apart."""
     result: list[Token] = []
     for token in tokens:
+        last = result[-1] if result else None
+        argument = result[-2] if len(result) > 1 else None
+        is_empty = token.kind == "close" and token.value == "}" and last is not None and last.value == "{"
+        if is_empty and (argument is None or argument.kind in ("op", "rel", "number", "name", "close")):
+            result.pop()
+            continue
         result.append(token)
         kinds = [last.kind for last in result[-3:]]
         if kinds == ["open", "function", "close"] and token.value == "}":
@@ -747,6 +815,10 @@ class Vocabulary:
             return True
         if word[-1].isdigit() and after.isdigit():
             return False
+        if "_" in word and after.isascii() and after.isalpha():
+            rest = _RUN.match(text, stop, end)
+            if rest is not None and not may_be_letters(rest.group(), self.names):
+                return False
         return word in self.names or (len(word) > 1 and (after in "_'′" or after in LOWERED))
 
 

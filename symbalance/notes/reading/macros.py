@@ -436,6 +436,45 @@ def _above(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Spa
     return ([" \\shallbe "] if sign == "=" and above == "!" else [" ", parts[0][1], " "]), parts[1]
 
 
+def _framed(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Span], int] | None:
+    """Return what is underlined as what is boxed: a relation, or a part of one."""
+    parts = _arguments(text, place, pairs, 1)
+    return (["\\boxed{", parts[0][0], "}"], parts[1]) if parts else None
+
+
+def _solidus(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Span], int] | None:
+    """Return \\nicefrac{r}{l} as \\frac{r}{l}."""
+    parts = _arguments(text, place, pairs, 2, optional=True)
+    return (["\\frac{", parts[0][0], "}{", parts[0][1], "}"], parts[1]) if parts else None
+
+
+def _unit_or_quantity(
+    text: str, place: int, pairs: dict[int, int]
+) -> tuple[list[str | Span], int] | str | None:
+    """\\unit[40]{mm} of the package units is a quantity, \\unit{mm} of siunitx a unit."""
+    number = _NUMBER_FIRST.match(text, place)
+    if number is None:
+        return _siunitx(siunitx.unit_text, 1)(text, place, pairs)
+    size = number[1].replace("{,}", ".")
+    return _siunitx(lambda unit: siunitx.quantity_text(size, unit), 1)(text, number.end(), pairs)
+
+
+def _unit_fraction(
+    text: str, place: int, pairs: dict[int, int]
+) -> tuple[list[str | Span], int] | str | None:
+    """\\unitfrac[9.81]{m}{s^2} is a quantity."""
+    number = _NUMBER_FIRST.match(text, place)
+    size = number[1].replace("{,}", ".") if number else ""
+
+    def write(above: str, below: str) -> str | None:
+        unit = f"{above}/{below}"
+        return siunitx.quantity_text(size, unit) if size else siunitx.unit_text(unit)
+
+    return _siunitx(write, 2)(text, number.end() if number else place, pairs)
+
+
+_NUMBER_FIRST = re.compile(r"\s*\[\s*([-+−]?[0-9][0-9 .,{}]*(?:[eE][-+]?[0-9]+)?)\s*\]")
+
 PACKAGES: dict[str, Handler] = {
     **dict.fromkeys(
         words("cancel bcancel xcancel mathclap mathllap mathrlap smash ensuremath"), _only(0, 1)
@@ -444,14 +483,28 @@ PACKAGES: dict[str, Handler] = {
     **dict.fromkeys(words("fcolorbox resizebox"), _only(2, 3)),
     **dict.fromkeys(words("color pagecolor eqref ref cite autoref cref Cref"), _dropped(1)),
     **dict.fromkeys(
-        words("xspace IEEEyesnumber IEEEyessubnumber IEEEnonumber IEEEeqnarraynumspace"), _dropped(0)
+        words(
+            "checkmark blacksquare square Box qed qedhere lozenge bigstar xspace IEEEyesnumber"
+            " IEEEyessubnumber IEEEnonumber IEEEeqnarraynumspace"
+        ),
+        _dropped(0),
     ),
     **dict.fromkeys(words("overset underset stackrel stackbin"), _above),
     "IEEEeqnarraymulticol": _only(2, 3),
     "SI": _siunitx(siunitx.quantity_text, 2),
     "num": _siunitx(siunitx.number_text, 1),
+    **dict.fromkeys(words("SIrange qtyrange"), _siunitx(siunitx.range_text, 3)),
+    "numrange": _siunitx(siunitx.range_text, 2),
+    **dict.fromkeys(words("SIlist qtylist"), _siunitx(siunitx.list_text, 2)),
+    "numlist": _siunitx(siunitx.list_text, 1),
+    "anglist": _siunitx(lambda source: siunitx.list_text(source, "\\degree"), 1),
+    "angrange": _siunitx(lambda first, last: siunitx.range_text(first, last, "\\degree"), 2),
     "ang": _siunitx(siunitx.angle_text, 1),
-    **dict.fromkeys(words("si unit"), _siunitx(siunitx.unit_text, 1)),
+    "si": _siunitx(siunitx.unit_text, 1),
+    "unit": _unit_or_quantity,
+    **dict.fromkeys(words("unitfrac"), _unit_fraction),
+    **dict.fromkeys(words("nicefrac sfrac flatfrac xfrac"), _solidus),
+    **dict.fromkeys(words("underline uline uuline dunderline"), _framed),
     "qty": _quantity,
     "dv": _derivative("d"),
     "pdv": _derivative("\\partial"),

@@ -9,9 +9,9 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from symbalance.document.letters import FUNCTION_WORDS
+from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, LOWERED, NAME_OF_SIGN, RAISED
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
-from symbalance.notes.reading.signs import RELATION
+from symbalance.notes.reading.signs import COMBINED, RELATION, accented
 
 _COMMA = re.compile(
     r"(?<![\w.,\\])(?<!_\{)(?<!\^\{)(?<!\{,\})(?<![0-9]\s,)([0-9]{1,12})(,|\{,\})([0-9]{1,15})"
@@ -29,6 +29,8 @@ _LANGUAGES = re.compile(
 _SCANNED = re.compile(
     r"(?<![\w.,\\])(?=[0-9O.,]{0,20}O)(?=[0-9O.,]{0,20}[0-9])[0-9O]{1,12}(?:[.,][0-9O]{1,12})?(?![\w(\\])"
 )
+_SCANNED_ONE = re.compile(r"(?<![\w.,\\])l(?=\.[0-9O])")
+_LONE_ZERO = re.compile(r"(?<=[=≈] )O(?=\s*(?:[,.;]|$|\n))", re.MULTILINE)
 _DASH = re.compile("[—―‒]")
 _WORD = re.compile(r"(?<![\\A-Za-z])[A-Za-z]{2,}")
 _FUNCTION = re.compile(r"\b(?:" + "|".join(sorted(FUNCTION_WORDS, key=len, reverse=True)) + r")\b")
@@ -40,7 +42,13 @@ _SPELLED = (
     ("ms", "milliseconds?|Millisekunden?"), ("s", "seconds?|Sekunden?"), ("min", "minutes?|Minuten?"),
     ("kN", "kilonewtons?"), ("N", "newtons?"), ("Nm", "newton[ -]?met(?:er|re)s?|Newtonmeter"),
     ("Hz", "hertz"), ("W", "watts?"), ("kW", "kilowatts?"), ("J", "joules?"), ("rad", "radians?|Radiant"),
-    ("°", "degrees?|deg|Grad|degrés"), ("%", "percent|per cent|Prozent"),
+    ("rad/s", r"rad(?:ians?)?\.? ?(?:per|/) ?s(?:ec(?:onds?)?)?\b"),
+    ("m/s", r"(?:met(?:er|re)s?|m) ?(?:per|/) ?sec(?:onds?)?\b"),
+    ("rpm", r"r\. ?p\. ?m\b|rev(?:olution)?s?\.? per min(?:ute)?\b|Umdrehungen pro Minute"),
+    ("ft", "feet|foot|ft(?=\\.)"),
+    ("inch", r"inch(?:es)?|Zoll|in(?=\s*(?:$|[,;.)=≈\n]|so\b|and\b|or\b|und\b|long\b|\$))"),
+    ("lb", "pounds?|lbs?(?=\\.)"),
+    ("°", "degrees?|deg|Grad|degrés|° ?(?:KW|CA|crank)|deg ?CA"), ("%", "percent|per cent|Prozent"),
 )  # fmt: skip
 _SPELLED_UNIT = re.compile(
     r"(?<=[0-9])(\$?)[ ~]?(\$?)(?:"
@@ -51,13 +59,14 @@ _SPELLED_UNIT = re.compile(
 _UNIT_BEHIND = (
     r"(?:[kmcM]?N ?m?|[kmcd]?m(?:/s(?:\^?[2²])?)?|k?g|m?s|rpm"
     r"|rad(?:/s)?|1/s|1/min|min\^?-1|min⁻¹|s\^-1|s⁻¹"
-    r"|[kM]?Pa|bar|[kM]?W|[kM]?J"
-    r"|k?Hz|kg ?m[²2]?|N/mm[²2]?|°|U/min)"
+    r"|[kM]?Pa|bar|lbf?|inch|ft|[kM]?W|[kM]?J"
+    r"|k?Hz|kg ?m[²2]?|N/mm[²2]?|N/m|°|U/min|in(?=\.))"
 )
 _BEHIND_DOLLAR = re.compile(
     rf"(?<=[0-9])\$[ ~]?(?P<unit>{_UNIT_BEHIND})(?=[.,;:)]?(?:\s*$|[\s|)])|[.,;:)]\s)(?! ?[=<>≈+*/])",
     re.MULTILINE,
 )
+_NEARLY = re.compile(r"(?<=[\s\w)\]])(?:~=|=~|≈=|=≈)(?=[\s\w(√-])")
 _OPENED = re.compile(r"\$[^$\n]*$")
 _AROUND = 400  # characters of a line looked at on either side
 FEWEST_WORDS = 3
@@ -81,7 +90,17 @@ def with_plain_numerals(
     changes |= commas
     changes |= _scanned(text, is_letter, notes)
     changes |= _dashes(text, notes)
+    changes |= {m.start(): (m.end(), "≈") for m in _NEARLY.finditer(text)}
     changes |= _units_in_words(text)
+    changes |= _crosses(text)
+    changes |= {
+        m.start(): (m.end(), f"({_small(m[1])}/{_small(m[2])})") for m in _SMALL_FRACTION.finditer(text)
+    }
+    changes |= _points(text, notes)
+    changes |= _accents(text)
+    changes |= _subscript_words(text, is_letter)
+    changes |= _raised_points(text, notes)
+    changes |= _arrows(text)
     if not changes:
         return None, ()
     rewriter = Rewriter(text)
@@ -116,6 +135,91 @@ def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
         changes = {m.start(): (m.end(), m[1] + m[2].replace(",", "")) for m in grouped}
         _note(notes, "commas between thousands", changes, text)
     return changes | zeros
+
+
+_POINT_BETWEEN = re.compile(
+    r"(?:(?<![A-Za-z\\])[A-Za-z](?:_\w{1,4}|_\{\w{1,6}\}|[₀-₉0-9])?[²³]?"
+    r"|(?:sin|cos|tan)[²³]? ?[0-9]?[A-Za-z]"
+    r"|[)\]²³}\u03b1-\u03c9]|(?<![0-9.])[0-9]{1,3}|(?<=\^)[0-9])"
+    r"(?P<point>\.)"
+    r"(?=[A-Za-z](?![A-Za-z])|[A-Za-z]?(?:sin|cos|tan|sqrt|exp)(?![a-z])"
+    r"|[A-Za-z]?(?:sin|cos|tan)[a-z](?![a-z])|[\u03b1-\u03c9(√]"
+    rf"|\\(?:{'|'.join((*GREEK_SIGN, *FUNCTION_WORDS, 'frac', 'dot', 'ddot', 'left'))})(?![A-Za-z]))"
+)
+_ABBREVIATED = re.compile(
+    r"\b(?:z\.B|d\.h|i\.e|e\.g|u\.a|s\.o|s\.u|p\.m|a\.m|i\.d|u\.U|o\.g|i\.A|i\.e|w\.r|r\.h|l\.h)\b"
+)
+
+
+def _points(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
+    """Return the points that multiply, m.ω².r: between letters, without a space, beside a relation."""
+    changes: dict[int, tuple[int, str]] = {}
+    for match in _POINT_BETWEEN.finditer(text):
+        place = match.start("point")
+        begin, stop = text.rfind("\n", 0, place) + 1, text.find("\n", place)
+        begin, stop = max(begin, place - _AROUND), min(stop if stop >= 0 else len(text), place + _AROUND)
+        line = text[begin:stop]
+        if RELATION.search(line) is None or any(
+            m.start() <= place - begin < m.end() for m in _ABBREVIATED.finditer(line)
+        ):
+            continue
+        changes[place] = (place + 1, "·")
+    if changes:
+        notes.append(f"a point between letters is read as a multiplication sign ({len(changes)}×)")
+    return changes
+
+
+_ARROW = re.compile(r"(?<=\s)(?:<=+>|<-+>|=+>|-+>)(?=\s)")
+
+
+_CROSS = re.compile(r"(?<=[0-9)])[ ]?[xX][ ](?=[0-9(.])|(?<=[0-9)])[ ][xX](?=[0-9(.])")
+_SMALL_FRACTION = re.compile("([⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3})[/⁄∕]([₀₁₂₃₄₅₆₇₈₉]{1,3})")
+
+
+def _crosses(text: str) -> dict[int, tuple[int, str]]:
+    """Return the letters x that stand for a multiplication sign between numbers, 2 x 0.5."""
+    return {match.start(): (match.end(), " × ") for match in _CROSS.finditer(text)}
+
+
+def _small(digits: str) -> str:
+    return "".join({**RAISED, **LOWERED}[digit] for digit in digits)
+
+
+_ENDING = re.compile(
+    r"(?<![A-Za-z\\_{])([A-Za-z][0-9]?)(max|min|res|ges|tot|osz|rot|rms|eff|avg|mean)(?![A-Za-z0-9_])"
+)
+_RAISED_POINT = re.compile(r"(?<![\w.,·])[0-9O]{1,6}·[0-9O]{1,6}(?![A-Za-z0-9_·])")
+_SPACED_POINT = re.compile(r"[\w)] ?· |(?<=[^\W\dO])·|·(?=[^\W\dO])")
+
+
+def _accents(text: str) -> dict[int, tuple[int, str]]:
+    """Return the letters with a combining accent, F̂₂, as those of LaTeX."""
+    return {m.start(): (m.end(), f"{accented(m)} ") for m in COMBINED.finditer(text)}
+
+
+def _subscript_words(text: str, is_letter: Callable[[str, int], bool]) -> dict[int, tuple[int, str]]:
+    """Return letters with their subscript's word run on, F1max and a_max typed amax."""
+    return {
+        match.start(2): (match.end(2), f"_{match[2]}")
+        for match in _ENDING.finditer(text)
+        if not is_letter(match.group(), text.count("\n", 0, match.start()) + 1)
+    }
+
+
+def _raised_points(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
+    """Return the points of old prints, 125·7 for 125.7, where products are written with a cross."""
+    found = list(_RAISED_POINT.finditer(text))
+    if not found or "×" not in text or _SPACED_POINT.search(text):
+        return {}
+    changes = {m.start(): (m.end(), m.group().replace("·", ".").replace("O", "0")) for m in found}
+    _note(notes, "decimal points", changes, text)
+    return changes
+
+
+def _arrows(text: str) -> dict[int, tuple[int, str]]:
+    """Return the arrows typed in signs, => and ->, between spaces as arrows."""
+    shown = {"<=": "⇔", "<-": "⇔", "==": "⇒", "=>": "⇒", "--": "→", "->": "→"}
+    return {m.start(): (m.end(), shown[m.group()[:2]]) for m in _ARROW.finditer(text)}
 
 
 def _is_pair(text: str, match: re.Match[str]) -> bool:
@@ -156,11 +260,21 @@ def _scanned(
 ) -> dict[int, tuple[int, str]]:
     """Return the numbers in which a scanner wrote the letter O for a zero."""
     changes: dict[int, tuple[int, str]] = {}
+    for match in _SCANNED_ONE.finditer(text):
+        if not is_letter("l", text.count("\n", 0, match.start()) + 1):
+            changes[match.start()] = (match.start() + 1, "1")
+    if changes:
+        notes.append(f"the letter l for a one ({len(changes)}×)")
+    ones = len(changes)
+    if _SCANNED.search(text) and any("O" in m.group() for m in _SCANNED.finditer(text)):
+        for match in _LONE_ZERO.finditer(text):
+            if not is_letter("O", text.count("\n", 0, match.start()) + 1):
+                changes[match.start()] = (match.end(), "0")
     for match in _SCANNED.finditer(text):
-        if is_letter("O", text.count("\n", 0, match.start()) + 1):
+        if "O" not in match.group() or is_letter("O", text.count("\n", 0, match.start()) + 1):
             continue
         changes[match.start()] = (match.end(), match.group().replace("O", "0"))
-    _note(notes, "the letter O for a zero", changes, text)
+    _note(notes, "the letter O for a zero", dict(list(changes.items())[ones:]), text)
     return changes
 
 
@@ -178,6 +292,7 @@ def _units_in_words(text: str) -> dict[int, tuple[int, str]]:
 
 
 def _unit_sign(unit: str, in_latex: bool) -> str:
+    unit = "inch" if unit == "in" else unit
     if unit in ("°", "%"):
         return {"°": "°", "%": "\\%" if in_latex else "%"}[unit]
     return f"\\,\\mathrm{{{unit}}}" if in_latex else f" {unit}"
@@ -203,17 +318,39 @@ def _dashes(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
     return changes
 
 
+def _end_of_bracket(text: str) -> int:
+    """Return where the bracket closes that was open before a text, else its end."""
+    depth = 0
+    for place, sign in enumerate(text):
+        depth += {"(": 1, ")": -1}.get(sign, 0)
+        if depth < 0:
+            return place
+    return len(text)
+
+
 def _is_minus(before: str, after: str) -> bool:
     goes_on = re.split(r"[;,.:。、](?:\s|$)|\$|\\\)|\\\]|[—―‒]", after, maxsplit=1)[0].strip()
-    if not goes_on or not _OPERAND_BEFORE.search(before.rstrip()) or not _OPERAND_AFTER.match(goes_on):
+    if not goes_on or not (_OPERAND_AFTER.match(goes_on) or goes_on[0] in NAME_OF_SIGN):
         return False
-    if before[-1:].isdecimal() and after[:1].isdecimal():
-        return False  # 10—20 is a range
+    if re.search(r"(?:[=≈<>(\[·×/]|\\cdot|\\approx)$", before.rstrip()):
+        return not _WORD.match(goes_on) or _FUNCTION.match(goes_on) is not None  # cos 120° = — ½
+    is_range = before[-1:].isdecimal() and after[:1].isdecimal()  # 10—20
+    return (
+        _OPERAND_BEFORE.search(before.rstrip()) is not None and not is_range and _parts(before, goes_on)
+    )
+
+
+def _parts(before: str, goes_on: str) -> bool:
+    """Tell whether a dash between two operands parts terms, not clauses."""
     is_open = before.count("(") > before.count(")")
+    goes_on = goes_on[: _end_of_bracket(goes_on)] if is_open else goes_on
     is_formula = is_open or RELATION.search(before) is not None or "\\" in before or "&" in before
     is_formula = is_formula or before.count("$") % 2 == 1
-    if any(word not in FUNCTION_WORDS for word in _WORD.findall(goes_on)):
+    relation = RELATION.search(goes_on)
+    words_behind = _WORD.findall(goes_on[: relation.start() if relation else None])
+    if any(word not in FUNCTION_WORDS for word in words_behind):
         return False
-    if is_open or not RELATION.search(goes_on):
+    if is_open or relation is None:
         return is_formula
-    return not _WORD.search(_FUNCTION.sub(" ", before))
+    begun = re.split(r"(?<![\\A-Za-z])[A-Za-z]{2,}(?!\s*\()", _FUNCTION.sub(" ", before))[-1]
+    return RELATION.search(begun) is None or not _WORD.search(_FUNCTION.sub(" ", before))

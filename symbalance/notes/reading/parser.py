@@ -10,6 +10,7 @@ Where usage differs (`1/2λ`, `cos θ/2`) the parser asks `choose`, which follow
 
 from __future__ import annotations
 
+import re
 from collections import deque
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
@@ -40,6 +41,7 @@ from symbalance.document.formula import (
 from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek, plain_letter
 from symbalance.notes.reading import constructs
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
+from symbalance.notes.reading.free_letters import may_be_free, unclear
 from symbalance.notes.reading.lexer import AT, CLOSER, VULGAR, Token
 from symbalance.notes.reading.signs import CELLS
 
@@ -59,15 +61,22 @@ _STARTS = frozenset({"number", "name", "function", "vulgar"})
 
 
 def read_tokens(
-    tokens: Sequence[Token], names: Collection[str], end: int, latex: bool = False
+    tokens: Sequence[Token],
+    names: Collection[str],
+    end: int,
+    latex: bool = False,
+    free: set[str] | None = None,
 ) -> tuple[tuple[Formula, ...], tuple[str, ...]]:
-    """Return the readings of one expression and the remarks on the usual one."""
-    first, readings, refusal = _parse(tokens, names, (), latex, end)
+    """Return the readings of one expression and the remarks on the usual one.
+
+    `free` gathers letters that are not declared and are read as letters of their own; None refuses them.
+    """
+    first, readings, refusal = _parse(tokens, names, (), latex, end, free)
     waiting, trials, notes = deque(_other_decisions(first, ())), 0, first.notes
     while waiting and len(readings) < MOST_READINGS and trials < _MOST_TRIALS:
         decisions = waiting.popleft()
         trials += 1
-        parser, trees, _ = _parse(tokens, names, decisions, latex, end)
+        parser, trees, _ = _parse(tokens, names, decisions, latex, end, free)
         notes = notes if readings else parser.notes
         readings.extend(node for node in trees if node not in readings)
         if len(waiting) < _MOST_TRIALS:
@@ -78,18 +87,28 @@ def read_tokens(
 
 
 def _parse(
-    tokens: Sequence[Token], names: Collection[str], decisions: Sequence[int], latex: bool, end: int
+    tokens: Sequence[Token],
+    names: Collection[str],
+    decisions: Sequence[int],
+    latex: bool,
+    end: int,
+    free: set[str] | None,
 ) -> tuple[Parser, list[Formula], ReadingError | None]:
     """Return the tree that a list of decisions leads to, in a list that is empty on a refusal."""
     parser = Parser(tokens, names, decisions, latex, end)
+    parser.takes_free_letters = free is not None
     try:
         node = parser.contents()
         if parser.current is not None:
             raise parser.unexpected_token()
         if _is_too_deep(node):
             raise ReadingError(node.span[0], "a formula nested too deeply", "write it in parts")
+        if (letter := unclear(node, parser.free_letters)) is not None:
+            raise UndeclaredError(parser.free_letters[letter], letter)
     except ReadingError as refusal:
         return parser, [], refusal
+    if free is not None:
+        free.update(parser.free_letters)
     return parser, [node], None
 
 
@@ -129,6 +148,8 @@ class Parser:
         self.choices: list[tuple[int, int]] = []
         self.notes: list[str] = []
         self.bound: list[str] = []
+        self.takes_free_letters = False
+        self.free_letters: dict[str, int] = {}  # and where each is first
         self.exponentials = 0
         self.open_bars = 0
         self._depth = 0
@@ -226,13 +247,19 @@ class Parser:
         """Return a letter's node: a declared or bound name, π, the imaginary i, j in an exponential."""
         if name in self.names or name in self.bound:
             return Name(name, span=span)
-        if (other := _other_form(name)) in self.names:
+        if (other := other_form(name)) in self.names:
             self.note(f"{plain_letter(name)} read as {plain_letter(other)}, which is declared")
             return Name(other, span=span)
+        if (run_on := _with_subscript(name)) in self.names:
+            self.note(f"{plain_letter(name)} read as {plain_letter(run_on)}")
+            return Name(run_on, span=span)
         if name == "pi":
             return Constant("pi", span=span)
         if name == "i" or (name == "j" and self.exponentials):
             return Constant("i", span=span)
+        if self.takes_free_letters and may_be_free(name, self.tokens, span[0], self.place):
+            self.free_letters.setdefault(name, span[0])
+            return Name(name, span=span)
         raise UndeclaredError(span[0], name)
 
     # Sums, products and slashes
@@ -1031,7 +1058,7 @@ def _is_minus_one(power: Formula) -> bool:
     return power in (Negative(Number(Fraction(1))), Number(Fraction(-1)))
 
 
-def _other_form(name: str) -> str:
+def other_form(name: str) -> str:
     """Return the letter in its other form, phi for varphi and back; "" if it has one form only."""
     base, mark, rest = name.partition("_")
     bare = base.rstrip("'")
@@ -1039,6 +1066,12 @@ def _other_form(name: str) -> str:
         return ""
     other = bare[3:] if bare.startswith("var") else f"var{bare}"
     return other + base[len(bare) :] + mark + rest
+
+
+def _with_subscript(name: str) -> str:
+    """Return F_1 for F1, the same letter typed without its subscript, and F1 for F_1; "" for others."""
+    match = re.fullmatch(r"([A-Za-z]+)(_?)([0-9]+)", name)
+    return "" if match is None else f"{match[1]}{'' if match[2] else '_'}{match[3]}"
 
 
 def _is_d(token: Token | None) -> bool:

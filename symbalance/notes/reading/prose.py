@@ -24,17 +24,18 @@ from symbalance.notes.reading import signs
 from symbalance.notes.reading.lexer import VULGAR, Vocabulary
 from symbalance.notes.reading.units import follows_number, plain_unit_at, scale_of, unit_set_at
 
-_UNIT = (
-    r"(?P<unit>(?<=[0-9])\s[A-Za-zµμ]+[A-Za-z0-9^/²³⁻¹-]*"
-    r"|\[\s*[A-Za-zµμ]+[A-Za-z0-9^/²³⁻¹-]*\s*\])|"
-)
+_UNIT = r"(?P<unit>\[\s*[A-Za-zµμ]+[A-Za-z0-9^/²³⁻¹-]*\s*\])|"
+_PLAIN_UNIT = re.compile(r"(?P<unit>.+)", re.DOTALL)
+_BEHIND_NUMBER = frozenset("0123456789)]⁰¹²³⁴⁵⁶⁷⁸⁹π}")
 _ARGUED = "unit|si|mathrm|mathit|mathbf|operatorname|tag|label|mathsf|bm|boldsymbol"
+_UMLAUTS = "ÄÖÜäöüßàáâãçèéêëíîñóôõøåæœú"
 _PIECE = re.compile(
     rf"(?P<prose>\\(?:{'|'.join(sorted(WORDS, key=len, reverse=True))})\s*\{{[^{{}}]*\}})"
     rf"|(?P<argued>\\(?:{_ARGUED})\*?\s*\{{(?:[^{{}}]|\{{[^{{}}]{{0,20}}\}})*\}})"
     r"|(?P<command>\\[A-Za-z]+)|(?P<escape>\\.)"
     r"|(?P<script>_\{(?:[^{}]|\{[^{}]{0,40}\}){0,80}\}|_[A-Za-z0-9]+)|(?P<degrees>(?<=[0-9])\s?度)|"
-    rf"{_UNIT}(?P<word>[A-Za-z]+(?:['’][a-z]+)?[0-9]*)|(?P<dots>・・・|･･･|\.\.\.)|(?P<other>.)",
+    rf"{_UNIT}(?P<word>(?=[A-Za-z]*[{_UMLAUTS}][A-Za-z]|[A-Za-z]+[{_UMLAUTS}])[A-Za-z{_UMLAUTS}]+"
+    r"|[A-Za-z]+(?:['’][a-z]+)?[0-9]*)|(?P<dots>・・・|･･･|\.\.\.)|(?P<other>.)",
     re.DOTALL,
 )
 _PIECE_BUT_UNITS = re.compile(_PIECE.pattern.replace(_UNIT, ""), re.DOTALL)
@@ -56,6 +57,9 @@ _PLAIN_WORDS = word_set(
     " rpm mm cm km kg kw hz vs via etc cost tank sink sing since sine tang logs sins"
 )
 _OWN_FUNCTION = re.compile(r"(?:lim|max|min|det|Re|Im|conj|lg)(?=\s*[_(])|lg(?=\s[0-9])")
+_DERIVATIVE = re.compile(
+    r"d[A-Za-z]?(?=/d[A-Za-z](?![A-Za-z]))|(?:(?<=d/)|(?<=d[A-Za-z]/))d[A-Za-z](?![A-Za-z])"
+)
 _LONG_WORD = re.compile(r"(?<![\\A-Za-z_])[A-Za-z]{4,}")
 _ARTICLE_FIRST = re.compile(r"(a|I|A)\s+(?=[\w\\(])")
 _DASH_LAST = re.compile(r"\s+[-–—−]\s*$")
@@ -75,7 +79,9 @@ class LineRules:
     longest: int = 3
 
     def is_mathematical(self, word: str) -> bool:
-        """Tell whether a run of letters is mathematics here."""
+        """Tell whether a run of letters is mathematics here; with an umlaut it is a word."""
+        if len(word) > 1 and not word.isascii():
+            return False
         if self.lenient:
             return len(word) <= 3 or is_letters(word, self.words, len(word))
         return is_letters(word, self.words, self.longest)
@@ -105,27 +111,37 @@ def segments(text: str, start: int, end: int, line: LineRules) -> list[tuple[int
 
 def _pieces(text: str, start: int, end: int, line: LineRules) -> Iterator[re.Match[str]]:
     """Yield the pieces of a line; what only looks like a unit is taken apart."""
-    while piece := _PIECE.match(text, start, end):
-        if piece.lastgroup == "unit" and not _is_unit(piece, text, end, line):
+    while piece := _plain_unit(text, start, end, line) or _PIECE.match(text, start, end):
+        if piece.lastgroup == "unit" and not _is_unit(piece, text):
             piece = _PIECE_BUT_UNITS.match(text, start, end)
             assert piece
         yield piece
         start = piece.end()
 
 
-def _is_unit(piece: re.Match[str], text: str, end: int, line: LineRules) -> bool:
-    if piece.group()[0] == "[":
-        before = text[max(piece.start() - 2, 0) : piece.start()].rstrip()[-1:]
-        if not before or not (before in ")]}" or (before.isascii() and before.isalnum())):
-            return False
-        return scale_of(piece.group()[1:-1]) is not None
-    unit = plain_unit_at(text, piece.start(), end, line.words.names)
-    return unit is not None and unit[1] == piece.end()
+def _plain_unit(text: str, start: int, end: int, line: LineRules) -> re.Match[str] | None:
+    """Return the unit behind a number that begins at a place."""
+    if not start or start >= end or text[start - 1] not in _BEHIND_NUMBER:
+        return None
+    unit = plain_unit_at(text, start, end, line.words.names)
+    return _PLAIN_UNIT.match(text, start, unit[1]) if unit else None
+
+
+def _is_unit(piece: re.Match[str], text: str) -> bool:
+    """Tell whether what stands in square brackets is a unit."""
+    if piece.group()[0] != "[":
+        return True
+    before = text[max(piece.start() - 2, 0) : piece.start()].rstrip()[-1:]
+    if not before or not (before in ")]}" or (before.isascii() and before.isalnum())):
+        return False
+    return scale_of(piece.group()[1:-1]) is not None
 
 
 def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules) -> bool:
     kind, sign = piece.lastgroup, piece.group()
     if kind == "word":
+        if _DERIVATIVE.match(text, piece.start(), end):
+            return True
         own = _OWN_FUNCTION.match(text, piece.start(), end)
         return line.is_mathematical(sign) or (own is not None and own.group() == sign)
     if kind == "command":
@@ -204,6 +220,20 @@ def trim_segment(text: str, start: int, end: int, words: Vocabulary) -> tuple[in
         if dash := _DASH_LAST.search(text[max(start, end - 4) : end]):
             end -= len(dash.group())  # "… - a known identity": the dash is the prose's too
     return _within_brackets(text, start, end)
+
+
+def parts_at_lone_brackets(text: str, start: int, end: int) -> list[tuple[int, int]]:
+    """Return the parts of `λ = 0.3), r = 40` on both sides of the bracket that the prose opened.
+
+    Only where two of them hold a relation: elsewhere a bracket without partner is the formula's own.
+    """
+    edges = sorted(_lone_brackets(text, start, end))
+    if not edges:
+        return [(start, end)]
+    places = [start - 1, *edges, end]
+    parts = [(a + 1, b) for a, b in pairwise(places) if text[a + 1 : b].strip()]
+    with_relation = sum(signs.RELATION.search(text, *part) is not None for part in parts)
+    return parts if with_relation > 1 else [(start, end)]
 
 
 def _within_brackets(text: str, start: int, end: int) -> tuple[int, int]:

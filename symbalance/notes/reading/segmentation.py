@@ -17,10 +17,16 @@ from symbalance.document.letters import NAME_OF_SIGN, WORDS
 from symbalance.document.wordlists import word_set, words
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.lexer import Vocabulary, vocabulary
-from symbalance.notes.reading.prose import line_rules, segments, trim_segment
+from symbalance.notes.reading.prose import line_rules, parts_at_lone_brackets, segments, trim_segment
 from symbalance.notes.reading.signs import CELLS, ENVIRONMENTS, RELATION, relation_at_start
 from symbalance.notes.reading.sources import CELL_END, Source
-from symbalance.notes.reading.units import follows_number, scale_of, unit_set_at
+from symbalance.notes.reading.units import (
+    follows_number,
+    is_quantity,
+    is_unit_of_letter,
+    scale_of,
+    unit_set_at,
+)
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _BULLET = re.compile(r"\s*(?:\(?[0-9]{1,3}[.)](?=\s))?\s*")
@@ -28,6 +34,29 @@ _MARKDOWN_BULLET = re.compile(r"\s*(?:>\s*)*(?:[-*+]\s+|[0-9]{1,3}[.)]\s+)?\s*")
 _DASH = re.compile(r"[-*•]\s+(?=[^\s=])")
 _EXPLAINED = re.compile(
     r"\s*(?:[-*•]\s+)?([^\W\d_](?:_?[A-Za-z0-9]{1,3})?)\s*[:：]\s*([^:=0-9+*/]{2,60})$"
+)
+_DEFINED = re.compile(r"(?<![A-Za-z\\_^{\"'.])([A-Za-z])(?:_\w{1,4})?[ \t]*=(?![=>])")
+_PHRASE = re.compile(
+    r"(?:^|[.;:,(。、：|\ue000]|(?<=[.;:,])\s|[-*•]\s)\s*(?:(?:The|the|Die|Der|Das|die|der|das|A|An|Our)\s+)?"
+    r"(?P<words>[^\W\d_][\w'’-]+(?:[ ][^\W\d_][\w'’-]*){0,4})\s*$",
+    re.MULTILINE,
+)
+_VERBS = word_set(
+    "is are was be gives give yields yield ist sind ergibt gilt where wo so thus also hence then and or"
+    " that we get have has folgt dann und oder times plus minus half if when wenn using let take set sei"
+    " since because da weil say means obtain find finds equals therefore somit daher damit wird becomes"
+    " not less more than hat it which this i"
+)
+_PARTICLES = word_set(
+    "with mit for für by of to from at bei as on in oben unten the a an der die das ein eine per and im"
+)
+_ONE_NUMBER = re.compile(
+    r"[=≈]\s*[-−]?[0-9]+(?:[.,][0-9]+)?\s*(?:$|[.;,)](?:\s|$)|[^\W\d_]{2,}\b)", re.MULTILINE
+)
+_WORD_OF_OPERATION = re.compile(r"\b(?:plus|minus|times|mal|over|durch|divided|squared)\b")
+_WORDS_ALONE = re.compile(
+    r"(?:\\\\|\$|\\\[|\\\(|\}|^|&|\n)\s*\\(?:text|mathrm|textrm|textit|mbox|textbf|textnormal)\s*\{\s*"
+    r"(?P<words>[^\W\d_][\w'’ -]+?)\s*\}\s*&?\s*$"
 )
 _LONG_WORD = re.compile(r"(?<!\\)\b(?<!\\)[A-Za-z]{4,}")
 _CJK = re.compile("[\u2e80-\u9fff\uac00-\ud7af\uf900-\ufaff]")
@@ -45,7 +74,9 @@ class Item:
 
     `block` numbers the display it belongs to; `strict` tells that a refusal is to be reported. `doubt` is
     what goes on behind it, or before it, and was not taken: what is left is not to be judged alone.
-    `head` is the letter that `l: rod length = λ s` is about, where the item is `= λ s`.
+    `head` is the letter that `l: rod length = λ s` is about, where the item is `= λ s`, or the words that
+    stand for one, `mean speed = 2 s n`. `aside` tells that it explains the row it stands in, behind
+    "since" or within \\intertext: the next row goes on with the row's own equation.
     """
 
     start: int
@@ -58,6 +89,7 @@ class Item:
     block: int = -1
     doubt: ReadingError | None = None
     head: tuple[int, int] | None = None
+    aside: bool = False
 
 
 class ItemFinder:
@@ -67,6 +99,8 @@ class ItemFinder:
         self.source, self.names_at = source, names_at
         self.kind, self.fences, self.text = source.kind, source.formulas, source.text
         self.breaks = [place for place, sign in enumerate(self.text) if sign == "\n"]
+        self.own_letters = frozenset(_DEFINED.findall(self.text))
+        self._vocabularies: dict[int, Vocabulary] = {}
         self.failures: list[ReadingError] = []
 
     def line_of(self, offset: int) -> int:
@@ -98,6 +132,12 @@ class ItemFinder:
                 yield from self._items_of_region(region, number)
         yield from self._items_outside(regions)
 
+    def _words_at(self, line: int) -> Vocabulary:
+        """Return the letters declared at a line, and those that the document gives a value itself."""
+        if line not in self._vocabularies:
+            self._vocabularies[line] = vocabulary(frozenset(self.names_at(line)) | self.own_letters)
+        return self._vocabularies[line]
+
     def _in_fence(self, region: Region) -> bool:
         return any(
             a < region.first < b or (a == region.first and region.start > a) for a, b in self.fences
@@ -111,9 +151,24 @@ class ItemFinder:
         pieces = pieces_of(self.text, region.start, region.end, region.environment)
         around = self._doubt_around_region(region) if pieces and not region.display else None
         for piece in pieces:
+            if is_unit_of_letter(self.text, piece.start, piece.end):
+                continue
             lines = self.line_of(piece.start), self.line_of(piece.end - 1)
             doubt = piece.doubt or (around if piece is pieces[-1] else None)
-            yield Item(piece.start, piece.end, kind, True, *lines, piece.tag, block, doubt)
+            head = self._words_before(piece.start, region.start)
+            yield Item(
+                piece.start, piece.end, kind, True, *lines, piece.tag, block, doubt, head, piece.aside
+            )
+        for inner in formulas_in_words(self.text, region.start, region.end):
+            lines = self.line_of(inner.start), self.line_of(inner.end - 1)
+            yield Item(inner.start, inner.end, "inline", True, *lines, block=block, aside=True)
+
+    def _words_before(self, place: int, start: int) -> tuple[int, int] | None:
+        """Return the words of \\text{mean speed} = 2 s n that stand alone left of a relation."""
+        if not relation_at_start(self.text[place : place + 20]):
+            return None
+        match = _WORDS_ALONE.search(self.text, max(start - 1, place - _MARGIN), place)
+        return match.span("words") if match else None
 
     def _doubt_around_region(self, region: Region) -> ReadingError | None:
         """Return why $a = b$ in a line is not whole: the line goes on with it in words or signs."""
@@ -171,7 +226,7 @@ class ItemFinder:
             start += heading.end()
         if _RULE.fullmatch(source):
             return
-        words = vocabulary(self.names_at(line))
+        words = self._words_at(line)
         if whole:
             start = self._after_bullet(start, end)
         command = _COMMAND.search(self.text, start, end)
@@ -243,6 +298,11 @@ class ItemFinder:
         display = self.text.find("\\displaystyle", *span)
         if display >= 0:
             span = (display, span[1])
+        parts = parts_at_lone_brackets(self.text, *span)
+        if len(parts) > 1:
+            for part in parts:
+                yield from self._items_of_segment(part, line, lenient, words)
+            return
         start, end = trim_segment(self.text, *span, words)
         if not has_relation(self.text, start, end):
             return
@@ -250,7 +310,9 @@ class ItemFinder:
             if has_relation(self.text, piece.start, piece.end):
                 inner = trim_segment(self.text, piece.start, piece.end, words)
                 doubt = piece.doubt or doubt_around(self.text, *inner, words)
-                head = self._letter_explained(inner[0], line)
+                head = self._letter_explained(inner[0], line) or self._named_in_words(
+                    inner[0], line, words
+                )
                 yield Item(*inner, "prose", display >= 0, line, line, piece.tag, doubt=doubt, head=head)
 
     def _letter_explained(self, place: int, line: int) -> tuple[int, int] | None:
@@ -260,6 +322,21 @@ class ItemFinder:
         begin = self.line_span(line)[0]
         match = _EXPLAINED.match(self.text, begin, place)
         return match.span(1) if match else None
+
+    def _named_in_words(self, place: int, line: int, words: Vocabulary) -> tuple[int, int] | None:
+        """Return the words that stand for a letter in `amax = 3` and `mean piston speed = 2 s n`."""
+        if self.text[place : place + 1] not in ("=", "≈"):
+            return None
+        begin = max(self.line_span(line)[0], place - _MARGIN)
+        match = _PHRASE.search(self.text, begin, place)
+        named = match["words"].lower().split() if match else []
+        if match is None or _VERBS & set(named) or named[0] in _PARTICLES or named[-1] in _PARTICLES:
+            return None
+        if _WORD_OF_OPERATION.search(match["words"]) or match["words"] in words.names:
+            return None
+        if _ONE_NUMBER.match(self.text, place):
+            return None  # cost = 4
+        return match.span("words")
 
 
 # Delimited mathematics
@@ -401,6 +478,7 @@ class Passage:
     tag: str = ""
     row: int = 0
     doubt: ReadingError | None = None
+    aside: bool = False
 
 
 def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Passage]:
@@ -408,7 +486,9 @@ def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Pa
     pieces: list[Passage] = []
     for row, (first, end_of_row) in enumerate(_rows(text, start, end, environment)):
         last, tag = without_tag(text, first, end_of_row)
-        spans = [_without_box(text, *trim(text, *span)) for span in _separate(text, first, last)]
+        last = _without_constant(text, first, last)
+        parts = [part for span in _separate(text, first, last) for part in _with_condition(text, *span)]
+        spans = [_without_box(text, *trim(text, *span)) for span in parts]
         spans = [span for span in spans if span[0] < span[1]]
         doubts: dict[tuple[int, int], ReadingError] = {}
         if len(spans) > 1:
@@ -416,10 +496,66 @@ def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Pa
             spans = [span for span in spans if has_any_relation(text, *span)] or spans[:1]
         for place, span in enumerate(spans):
             last_tag = tag if place == len(spans) - 1 else ""
-            pieces.append(Passage(*span, last_tag, row, doubts.get(span)))
+            aside = place > 0 and _explains(text[spans[0][1] : span[0]])
+            pieces.append(Passage(*span, last_tag, row, doubts.get(span), aside))
     return pieces
 
 
+def formulas_in_words(text: str, start: int, end: int) -> list[Passage]:
+    """Return the formulas between dollars in the words of a display, \\intertext{as $a = b$}."""
+    inner: list[Passage] = []
+    for words_ in _WORDS_WITH_DOLLARS.finditer(text, start, end):
+        for match in _DOLLARS.finditer(text, words_.start(1), words_.end(1)):
+            if has_any_relation(text, *match.span(1)):
+                inner += pieces_of(text, *match.span(1))
+    return inner
+
+
+_CONDITION = re.compile(
+    r"(?:\\q?quad|\\[,;: ]|~|\s)+[\[(](?P<inside>[^()\[\]]{1,80})[)\]]"
+    r"[\s.,;]*(?:\\q?quad|\\[,;: ]|[\s.,;~])*$"
+)
+
+
+def _with_condition(text: str, start: int, end: int) -> list[tuple[int, int]]:
+    """Return an equation and the condition in brackets behind it, = 0 (N ≥ 2), as two."""
+    match = _CONDITION.search(text, start, end)
+    if match is None or not has_relation(text, *match.span("inside")):
+        return [(start, end)]
+    if relation_at_start(match["inside"].lstrip()) or not has_relation(text, start, match.start()):
+        return [(start, end)]
+    return [(start, match.start()), match.span("inside")]
+
+
+def _without_constant(text: str, start: int, end: int) -> int:
+    """Return where a row ends before `= const.`, which says that it does not change."""
+    match = _CONSTANT.search(text, start, end)
+    return match.start() if match else end
+
+
+_CONSTANT = re.compile(
+    r"\s*(?:=|\\approx)\s*(?:\\(?:text|mathrm|mbox|textrm|textit|operatorname)\s*\{\s*)?[ckCK]onst"
+    r"(?:ant|\.)?(?:\s*\.?\s*\})?[\s.,;]*$"
+)
+
+
+def _explains(between: str) -> bool:
+    """Tell whether words between two equations of a row say that the second explains the first."""
+    prose = " ".join(re.sub(r"\\[A-Za-z]+\s*|[{}&~,;]", " ", between).split()).lower()
+    return prose.startswith("(") or any(
+        prose.startswith(f"{word} ") or prose == word for word in _EXPLAINING
+    )
+
+
+_EXPLAINING = words(
+    "since because as by using with where if note recall cf see from via for here da weil wegen mit wobei"
+    " für denn nach aus wo siehe hier ただし なぜなら here, car avec où"
+)
+_WORDS_WITH_DOLLARS = re.compile(
+    r"\\(?:short)?(?:intertext|text|mbox|textrm|textnormal|textit)\s*"
+    r"\{((?:[^{}$]|\$[^$]{1,400}\$|\{[^{}]{0,80}\}){1,1000})\}"
+)
+_DOLLARS = re.compile(r"\$([^$]{1,400})\$")
 _JOINING = re.compile(
     r"(?:plus|minus|times|over|divided|multiplied|less|mal|durch|geteilt|weniger|fois|moins|squared|cubed"
     r"|percent|prozent|and so|thousand|million|hundred|half|twice|tausend|hundert)\b",
@@ -427,6 +563,10 @@ _JOINING = re.compile(
 )
 """Words that go on with a formula."""
 _WRITE_WHOLE = "write it whole, between dollars"
+_UNKNOWN_UNIT = re.compile(
+    r"(?<=[0-9])\s?(?:°C|°F|dB|oz|slugs?|cps|HP|CV|ch|kcal|cal|dyn|erg|t|[kM]?V|mA|kWh|l|L|cl|ml)"
+    r"(?![\w(^])(?=[\s.,;)]|$)"
+)
 _PART_OF = re.compile(r"(?:of|von|de)\b", re.IGNORECASE)
 _JOINED_BEFORE = re.compile(
     r"(?:(?<=[0-9%)½¼¾²³}$])\s*(?:of|von|de)|\b(?:half|third|quarter|twice) (?:of )?"
@@ -474,11 +614,20 @@ def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingE
     after = text[end:stop].partition(CELL_END)[0]
     behind = after.lstrip(" \t~)")
     place = end + len(after) - len(behind)
+    if unit := _UNKNOWN_UNIT.match(text, end, stop):
+        what = f"a unit that is not known: {unit.group().strip()}"
+        return ReadingError(end, what, "give the value in SI units")
     if _goes_on(behind, after, words) or (text[end - 1 : end] == "%" and _PART_OF.match(behind)):
         return _cut(place, behind)
     line_begin = text.rfind("\n", 0, start) + 1
     before = text[max(line_begin, start - _MARGIN) : start].rpartition(CELL_END)[2].rstrip()
+    return _doubt_before(start, before)
+
+
+def _doubt_before(start: int, before: str) -> ReadingError | None:
+    """Return why an equation in prose begins with what stands before it."""
     operation = re.search(r"([\w)\]}²³])\s*([+*×·/^÷−])$", before)
+    operation = operation or re.search(r"((?<!\w)\w|[0-9)²³])\s+([—–])$", before)
     if operation:
         word = re.search(r"\w+$", before[: operation.start(2)].rstrip())
         what = f"a formula that begins in words: {word.group() if word else ''} {operation[2]}"
@@ -526,7 +675,7 @@ def _without_box(text: str, start: int, end: int) -> tuple[int, int]:
     match = _BOXED.match(text, start, end)
     if not match or text[end - 1] != "}" or _after_words(text, match.end() - 1, end) != end:
         return start, end
-    return trim(text, match.end(), end - 1)
+    return _without_box(text, *trim(text, match.end(), end - 1))
 
 
 def _rows(text: str, start: int, end: int, environment: str) -> list[tuple[int, int]]:
@@ -567,7 +716,9 @@ def _separate(text: str, start: int, end: int) -> list[tuple[int, int]]:
         depth = max(depth + _BRACKETS.get(sign, 0) + _level_of_cells(text, sign, place), 0)
         if depth:
             continue
-        if unit := _unit_at(text, start, match.start(), end):
+        if sign[0] == "\\" and text[start : match.start()].rstrip()[-1:] in ("_", "^"):
+            place = max(place, match.end())  # the words of a script, m_\text{rec}
+        elif unit := _unit_at(text, start, match.start(), end):
             place = unit
         elif sign.rstrip().lstrip("\\") in WORDS | {"intertext", "shortintertext"}:
             place = _after_words(text, place, end)
@@ -617,7 +768,7 @@ def _join_spans(
             if has_relation(text, first, cut):
                 spans.append((first, cut))
                 first = before
-            elif text[cut] == "\\":
+            elif text[cut] == "\\" or is_quantity(text[first:cut]):
                 first = before
         if prose:
             spans.append((first, at))
@@ -645,7 +796,7 @@ def has_relation(text: str, start: int, end: int) -> bool:
         sign = match.group()
         if sign in _BRACKETS:
             depth += _BRACKETS[sign]
-        elif depth <= 0 and RELATION.fullmatch(sign):
+        elif depth <= 0 and RELATION.match(text, match.start()):
             return True
     return False
 
@@ -675,7 +826,10 @@ def without_tag(text: str, start: int, end: int) -> tuple[int, str]:
         if before[-1:] in "+-−·*/=" or not before:
             stop += len(lead)
     elif (
-        lead and not lead.strip() and not tag.rstrip("abc'").replace(".", "").replace("-", "").isdecimal()
+        lead
+        and len(lead) < 4
+        and not lead.strip()
+        and not tag.rstrip("abc'").replace(".", "").replace("-", "").isdecimal()
     ):
         return end, ""
     return stop, tag

@@ -144,3 +144,20 @@ def relation_at_start(text: str) -> str:
         return ""
     sign = match.group()
     return RELATION_COMMANDS[sign[1:]] if sign[0] == "\\" else RELATION_SIGNS.get(sign, "≈")
+
+
+_COMBINING = {
+    "\u0302": "hat", "\u0304": "bar", "\u0303": "tilde", "\u0307": "dot", "\u0308": "ddot",
+    "\u20d7": "vec",
+}  # fmt: skip
+COMBINED = re.compile(rf"([A-Za-zα-ω])([{''.join(_COMBINING)}])([₀₁₂₃₄₅₆₇₈₉]*|_[A-Za-z0-9]+)")
+"""A letter with an accent that Unicode sets above it, and its subscript."""
+
+
+def accented(match: re.Match[str]) -> str:
+    r"""Return such a letter as LaTeX has it.
+
+    >>> accented(COMBINED.match("F\u0302₂"))
+    '\\hat{F₂}'
+    """
+    return f"\\{_COMBINING[match[2]]}{{{match[1]}{match[3]}}}"

@@ -1,7 +1,8 @@
 """Numbers, units and angles of LaTeX's package siunitx, put into plain LaTeX.
 
 \\SI{40}{\\milli\\metre} and \\qty{40}{mm} become 40\\,\\mathrm{mm}, \\num{1.5e3} 1.5\\cdot 10^{3},
-\\ang{12;30} becomes (12+30/60)^\\circ. A list, a range and an uncertainty are no single number: None.
+\\ang{12;30} becomes (12+30/60)^\\circ. Lists and ranges are written out; an uncertainty is
+no number: None.
 """
 
 from __future__ import annotations
@@ -60,7 +61,7 @@ def unit_text(source: str) -> str | None:
     """
     parts: list[tuple[str, int]] = []
     place, prefix, sign, power, is_literal = 0, "", 1, 1, False
-    source = source.strip()
+    source = re.sub(r"^\^?\s*\{?\s*\\circ\s*\}?$", "°", source.strip())
     for _ in range(_MOST_WORDS):
         if place >= len(source):
             break
@@ -139,3 +140,23 @@ def angle_text(source: str) -> str | None:
     sign = "-" if (numbers[0] or "").startswith("-") else "+"
     terms = [str(n) + "/60" * place for place, n in enumerate(numbers) if n not in ("0", None)]
     return f"({sign.join(terms) or '0'})^{{\\circ}}"
+
+
+def list_text(source: str, unit: str = "") -> str | None:
+    r"""Return \SIlist{30;40;50}{mm} as numbers with commas between them, each with the unit.
+
+    >>> list_text("30;40", "mm"), list_text("1;2")
+    ('30\\,\\mathrm{mm}, 40\\,\\mathrm{mm}', '1, 2')
+    """
+    quantities = [quantity_text(part.strip(), unit) for part in source.split(";")]
+    return None if None in quantities else ", ".join(q for q in quantities if q)
+
+
+def range_text(first: str, last: str, unit: str = "") -> str | None:
+    r"""Return \SIrange{10}{20}{mm} as two quantities with dots between them.
+
+    >>> range_text("1", "4"), range_text("0", "90", "\\degree")
+    ('1 \\ldots 4', '0^{\\circ} \\ldots 90^{\\circ}')
+    """
+    ends = quantity_text(first, unit), quantity_text(last, unit)
+    return None if None in ends else f"{ends[0]} \\ldots {ends[1]}"

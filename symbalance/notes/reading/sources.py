@@ -13,9 +13,11 @@ from dataclasses import dataclass
 from html import unescape
 
 from symbalance.document.wordlists import words
+from symbalance.notes.reading.joined_dollars import with_joined_dollars
 from symbalance.notes.reading.macros import expand_macros
 from symbalance.notes.reading.mathml import is_mathml, mathml_text
 from symbalance.notes.reading.numerals import with_plain_numerals
+from symbalance.notes.reading.ranges import with_ranges
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 
 CELL_END = "\ue000"
@@ -64,9 +66,16 @@ def prepare(
     macros = expand_macros(current)
     origin = macros.source.after(first) if macros.source else first
     current = origin.text if origin else narrow
+    joined = with_joined_dollars(current) if kind in ("tex", "markdown") else None
+    origin = joined.after(origin) if joined else origin
+    current = origin.text if origin else narrow
     numerals, notes = with_plain_numerals(current, is_letter)
     origin = numerals.after(origin) if numerals else origin
     current = origin.text if origin else narrow
+    ranges, more_notes = with_ranges(current)
+    origin = ranges.after(origin) if ranges else origin
+    current = origin.text if origin else narrow
+    notes += more_notes
     formulas: list[Span] = []
     codes: list[Span] = []
     if kind == "tex":
@@ -151,13 +160,29 @@ def _math_element(match: re.Match[str]) -> Texts:
 
 def _entity(match: re.Match[str]) -> Texts | None:
     sign = unescape(match[0])
-    return None if sign == match[0] else (sign.replace("\n", " "),)
+    return None if sign == match[0] else (sign.replace("\n", " ").translate(_WIDE),)
 
 
 _MATH = _rule(r"<math(?:\s[^<>]*)?>(?:(?!<math).){0,20000}?</math\s*>", _math_element)
 _COMMENT = _rule(r"<!--.*?(?:-->|\Z)", _blank)
-_RAISED = _rule(r"<sup(?:\s[^<>]*)?>([^<>]{1,40})</sup\s*>", _inside(1, "^{", "}"))
-_LOWERED = _rule(r"<sub(?:\s[^<>]*)?>([^<>]{1,40})</sub\s*>", _inside(1, "_{", "}"))
+
+
+def _raised(left: str, right: str) -> Callable[[re.Match[str]], Texts]:
+    """Return what writes a script between two texts, its entities as signs."""
+
+    def write(match: re.Match[str]) -> Texts:
+        inside = match[1]
+        return (left, unescape(inside) if "&" in inside else match.span(1), right)
+
+    return write
+
+
+_STACKED = _rule(
+    r"<sup(?:\s[^<>]*)?>([0-9]{1,4})</sup\s*>\s*(?:/|&frasl;|⁄)\s*<sub(?:\s[^<>]*)?>([0-9]{1,4})</sub\s*>",
+    lambda match: ("(", match.span(1), "/", match.span(2), ")"),
+)
+_RAISED = _rule(r"<sup(?:\s[^<>]*)?>([^<>]{1,40})</sup\s*>", _raised("^{", "}"))
+_LOWERED = _rule(r"<sub(?:\s[^<>]*)?>([^<>]{1,40})</sub\s*>", _raised("_{", "}"))
 _INLINE_TAGS = "|".join(
     words("span i b em strong u var big small font a abbr tt cite ins mark q s wbr code samp kbd")
 )
@@ -171,7 +196,7 @@ _BLOCK_TAGS = "|".join(
 )
 _INLINE_TAG = _rule(rf"</?(?:{_INLINE_TAGS})(?:\s[^<>]*)?/?>", lambda match: ("",))
 _BLOCK_TAG = _rule(rf"</?(?:{_BLOCK_TAGS})(?:\s[^<>]*)?/?>|<!doctype[^<>]*>|<\?xml[^<>]*>", _gap)
-_ENTITY = _rule(r"&(?:[a-z]{2,8}|#[0-9]{1,6}|#x[0-9a-f]{1,5});", _entity)
+_ENTITY = _rule(r"&(?:[a-z]{2,8}[0-9]{0,2}|#[0-9]{1,6}|#x[0-9a-f]{1,5});", _entity)
 _GITLAB = _rule(r"\$`([^`\n]{1,2000})`\$", _inside(1, "\\(", "\\)"))
 _DOUBLE_BACKSLASH = (
     _rule(r"(?<!\\)\\\\\(([^$\n]{1,2000}?)\\\\\)", _inside(1, "\\(", "\\)")),
@@ -259,7 +284,7 @@ _TEX_DISPLAYS = (
 _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
     "tex": (_TEX_DISPLAYS,),
     "markdown": (_TEX_DISPLAYS, (
-        _FENCED, _COMMENT, _GITLAB, *_DOUBLE_BACKSLASH, *_DISPLAYED, _MATH, _RAISED, _LOWERED,
+        _FENCED, _COMMENT, _GITLAB, *_DOUBLE_BACKSLASH, *_DISPLAYED, _MATH, _STACKED, _RAISED, _LOWERED,
         _INLINE_TAG, _BLOCK_TAG, _ENTITY,
         _rule(r"(?<=\])\([^()\s]{0,400}[.#/][^()\s]{0,400}[?&][^()\s]{0,400}=[^()\s]{0,400}\)", _blank),
     ),),
@@ -268,14 +293,14 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
         _rule(r"<nowiki>(?:(?!<nowiki).){0,20000}?</nowiki>|<(?:source|syntaxhighlight|pre)[\s>](?:(?!<(?:source|syntax|pre)).)*?</(?:source|syntaxhighlight|pre)>",
               _blank),
         Rule(_MATH.pattern, lambda match: None), *_DISPLAYED,
+        _rule(r"\{\{\s*=\s*\}\}", lambda match: ("=",)),
         _rule(r"^(?P<heading>={2,6})(?P<title>[^=\n](?:[^\n]*?[^=\n])?)(?P=heading)[ \t]*$", _heading),
         _rule(r"^[ \t]*(?:\{\||\|\}|\|-|\|\+)[^\n]*$", _blank),
         _rule(r"^[ \t]*([|!])(?![|}+-])([^\n]*)$", _wiki_row),
     ), (
-        _MATH, *_DISPLAYED, _RAISED, _LOWERED,
+        _MATH, *_DISPLAYED, _STACKED, _RAISED, _LOWERED,
         _rule(r"<ref(?:\s[^<>]*)?/>|<ref(?:\s[^<>]*)?>|</ref>", _gap),
         _INLINE_TAG, _BLOCK_TAG, _ENTITY,
-        _rule(r"\{\{\s*=\s*\}\}", lambda match: ("=",)),
         _rule(r"\{\{([^{}]{1,2000})\}\}", _template),
         _rule(r"\[\[(?:[^][|\n]*\|)*([^][|\n]*)\]\]", _inside(1, " ", " ")),
         _rule(r"\[https?://[^\s\]]+", _blank),
@@ -287,7 +312,7 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
         _rule(r"<(?P<hidden>style|noscript|head)(?:\s[^<>]*)?>(?:(?!<(?P=hidden)[\s>]).)*?"
               r"</(?P=hidden)\s*>", _blank),
         _rule(r"<span\s[^<>]*aria-hidden=\"true\"[^<>]*class=\"katex-html\".*?</span>", _blank),
-        _MATH, _RAISED, _LOWERED, _INLINE_TAG, _BLOCK_TAG, _ENTITY,
+        _MATH, _STACKED, _RAISED, _LOWERED, _INLINE_TAG, _BLOCK_TAG, _ENTITY,
     ),),
     "asciidoc": ((
         _rule(r"^////$.*?^////$|^//(?!/)[^\n]*", _blank),
@@ -321,6 +346,9 @@ _QUOTED = re.compile(r"^[ ]{0,3}(?:>[ ]?)+", re.MULTILINE)
 _OPTIONS = re.compile(r"(?<=[A-Za-z}*])\[\s*[a-z-]{2,20}\s*=[^\[\]\n$]{0,200}\]")
 _FENCE = re.compile(r"[ ]{0,3}(`{3,}|~{3,})\s*([A-Za-z]*)")
 _BOLD = re.compile(r"(?<![\w)*])\*\*(?=[^\s*])([^*\n]{1,300})(?<=\S)\*\*(?![\w(*])")
+_ITALIC = re.compile(
+    r"(?<![\w*)\]}°²³])\*(?=[^\s*])([^*\n=]{1,60})(?<=[^\s*])\*(?![\w*(])|(?<![\w}\])])_([^\W_](?:[^_\n=]{0,40}[^\W_])?)_(?!\w)"
+)
 _CODE = re.compile(r"(`+)(?!`)[^`\n]{1,400}\1(?!`)")
 _CODE_LANGUAGES_OF_FORMULAS = ("math", "latex", "tex")
 _CODE_LANGUAGES_UNKNOWN = ("", "text", "txt", "plain")
@@ -398,7 +426,8 @@ def mask_markdown(text: str) -> tuple[str, list[Span], list[Span]]:
                 ticks = len(code.group(1))
                 codes.append((offset + code.start() + ticks, offset + code.end() - ticks))
             without_ticks = _CODE.sub(_without_ticks, line)
-            lines.append(_BOLD.sub(lambda m: f"  {m.group(1)}  ", without_ticks))
+            plain = _BOLD.sub(lambda m: f"  {m.group(1)}  ", without_ticks)
+            lines.append(_ITALIC.sub(lambda m: f" {m.group(1) or m.group(2)} ", plain))
     unquoted = _QUOTED.sub(lambda m: blank(m.group()), "".join(lines))
     return mask_plain(unquoted), formulas, codes
 

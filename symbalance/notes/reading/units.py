@@ -20,12 +20,19 @@ _PREFIXED = {"m", "s", "N", "J", "W", "Pa", "rad", "Hz", "Nm", "Ns"}
 _OTHER: dict[str, Fraction] = {
     "min": Fraction(60), "h": Fraction(3600), "bar": Fraction(10**5), "K": Fraction(1),
     "cc": Fraction(1, 10**6), "Nmm": Fraction(1, 1000), "kNmm": Fraction(1),
+    "sec": Fraction(1), "ft": Fraction(3048, 10**4), "lb": Fraction(45359237, 10**8),
+    "lbs": Fraction(45359237, 10**8), "lbf": Fraction(44482216152605, 10**13),
+    "inch": Fraction(254, 10**4),
+    "kp": Fraction(980665, 10**5), "kgf": Fraction(980665, 10**5), "PS": Fraction(73549875, 10**5),
+    "psi": Fraction(44482216152605 * 10**4, 254**2 * 10**5), "bhp": Fraction(7456998715822702, 10**13),
+    "hp": Fraction(7456998715822702, 10**13), "mph": Fraction(44704, 10**5),
 }  # fmt: skip
 _UNITS = {p + unit: scale for unit in _PREFIXED for p, scale in _PREFIXES.items()} | _OTHER
 _UNITS |= {p + "g": scale / 1000 for p, scale in _PREFIXES.items()}
 _TURNS = {**dict.fromkeys(words("rpm 1/min min^-1 r/min rev/min U/min tr/min Umin^-1"), Fraction(1, 30))}
+_TURNS |= dict.fromkeys(words("Umdr/min Umd/min U/Min r.p.m. rpm."), Fraction(1, 30))
 _TURNS |= {"rps": Fraction(2), "rev/s": Fraction(2)}
-_PLAIN_SURE = word_set("mm cm km kg rpm kW kHz Hz")
+_PLAIN_SURE = word_set("mm cm km kg rpm kW kHz Hz kN Nm rad lbs lb ft psi kgf mph")
 
 _MOST_PARTS, _LONGEST = 6, 100
 
@@ -39,10 +46,32 @@ _ARGUMENT = r"\{(?P<word>(?:[^{}]|\{[^{}]{0,20}\}){1,60})\}(?:\s*\^\s*(?:\{\s*[-
 _SET = re.compile(rf"{_COMMAND}{_ARGUMENT}")
 _UNNAMED = _SET.pattern.replace("?P<word>", "?:")
 _FRACTION = re.compile(rf"\\[dt]?frac\s*\{{\s*({_UNNAMED}|1)\s*\}}\s*\{{\s*({_UNNAMED})\s*\}}")
+_PLAIN_FRACTION = re.compile(
+    r"\\[dt]?frac\s*\{\s*((?:k?N|k?N\s*m|rad|[kmc]?m|k?g|kg\s*m|k?J|k?W|1|U|Umdr?\.?)"
+    r"(?:\s*\^\s*\{?[23]\}?)?)\s*\}"
+    r"\s*\{\s*((?:m?s|min|m|[cm]m|kg|rad|h)(?:\s*\^\s*\{?[234]\}?)?)\s*\}"
+)
 _MORE = re.compile(rf"(?:\\[,;: ]|~|\\cdot(?![A-Za-z])|[·/\s]){{0,6}}{_COMMAND}{_ARGUMENT}")
 _BRACKETED = re.compile(rf"\[\s*(?:{_UNNAMED}|[A-Za-zµμ/^0-9·⁻¹² -]{{1,20}})\s*\]")
-_WORD = r"[A-Za-zµμ]+(?:(?:\^[-−]?[0-9]|[⁻]?[¹²³])?(?:/[A-Za-z]+(?:\^[0-9]|[²³])?)?)"
-PLAIN = re.compile(rf"(?<=[0-9]) (?P<plain>{_WORD})(?![A-Za-z0-9_(^'])")
+_RAISED_UNIT = r"(?:\^\{?[-−]?[0-9]\}?|\^\([-−]?[0-9]\)|[⁻]?[¹²³⁴])"
+_PART_OF_UNIT = rf"[A-Za-zµμ]+{_RAISED_UNIT}?"
+_PLAIN_UNIT = re.compile(
+    rf"(?P<space>[ \u2009\u202f]?)(?P<plain>(?:1/)?{_PART_OF_UNIT}"
+    rf"(?:(?:/|[·⋅*]| (?=[cm]?m|s|g|kg|rad)){_PART_OF_UNIT}){{0,3}})"
+    r"(?![A-Za-z0-9_('^′⁻¹²³⁴])"
+)
+_NUMBER_BEFORE = re.compile(r"(?<![A-Za-z_^\w])(?P<digits>[0-9][0-9.,]*)$")
+_POWER_BEFORE = re.compile(r"[0-9)\]](?:\^\{?[0-9]\}?|[²³⁴])$|[)\]]$|(?<![A-Za-z])[0-9.,]*π$")
+_SPACE_BEFORE = re.compile(r"(?:\\[,;: ]|~)+$")
+_POWER_OF_TEN = re.compile(r"(?<![\w.])(?P<digits>10(?:\^\{?[-−]?[0-9]{1,2}\}?|⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]))$")
+_HEAD = re.compile(r"(?:^|[^\w\\])([^\W\d_])[\w'′]*\s*(?:=|≈)\s*[-−]?[0-9.,]+$")
+_UNIT_AROUND = re.compile(
+    r"(?<=[0-9)])(?:\s|\\[,;: ]|~|\\mathrm\{|\\frac\{){0,2}(?:mm|cm|km|kg|rpm|k?W|k?Hz|k?N|k?Nm|k?J|rad"
+    r"|m\}\{s|[kM]Pa|bar|m/s|U/min|1/s|1/min|(?:s|min)⁻¹|ms|min)"
+    r"(?![A-Za-z0-9_(])"
+)
+_STOPS = "=≈≒≃<>≤≥≡+-−–·×*/÷)]},;.:!?|&、。，；：…"
+"""Signs that may stand behind a unit; a letter there goes on with a product."""
 
 
 def scale_of(unit: str) -> Scale | None:
@@ -94,9 +123,21 @@ def unit_set_at(text: str, place: int, end: int) -> tuple[str, int] | None:
     return _bare(text[place:stop]), stop
 
 
-def unit_fraction_at(text: str, place: int, end: int) -> tuple[str, int] | None:
-    """Return the unit \\frac{\\mathrm{m}}{\\mathrm{s}^2} at a place as m/s^2, and where it ends."""
+def unit_fraction_at(
+    text: str, place: int, end: int, names: Collection[str] = ()
+) -> tuple[str, int] | None:
+    """Return the unit \\frac{\\mathrm{m}}{\\mathrm{s}^2} at a place as m/s^2, and where it ends.
+
+    In plain letters, \\frac{m}{s^2}, it is one where these are no letters of the document.
+    """
     match = _FRACTION.match(text, place, end)
+    if match is None and (plain := _PLAIN_FRACTION.match(text, place, end)):
+        unit = f"{_plain(plain[1])}/{_plain(plain[2])}"
+        number = _NUMBER_BEFORE.search(
+            re.sub(r"(?:\s|~|\\[,;: ])+$", "", text[max(place - 40, 0) : place])
+        )
+        sort = _PlainUnit(text, place, plain.end(), unit, True, number, end)
+        return (unit, plain.end()) if scale_of(unit) and sort.is_unit(names) else None
     unit = f"{_bare(match.group(1))}/{_bare(match.group(2))}" if match else ""
     return (unit, match.end()) if match and scale_of(unit) else None
 
@@ -115,16 +156,105 @@ def bracketed_unit_at(text: str, place: int, end: int) -> tuple[str, int] | None
 
 
 def plain_unit_at(text: str, place: int, end: int, names: Collection[str]) -> tuple[str, int] | None:
-    """Return the unit in `40 mm` whose space is at a place; letters declared one by one are letters."""
-    match = PLAIN.match(text, place, end)
-    if not match or not scale_of(match.group("plain")):
+    """Return the unit in `40 mm` or `40mm` behind the number, and where it ends; None for letters.
+
+    Declared letters are letters, but not where they can be none: 565 s⁻¹ is nothing but a quantity.
+
+    >>> plain_unit_at("0.04 m · 3 kg", 4, 13, {"r"}), plain_unit_at("2 m r", 1, 5, {"m", "r"})
+    (('m', 6), None)
+    """
+    match = _PLAIN_UNIT.match(text, place, end)
+    if not match or not scale_of(match["plain"]):
         return None
-    word = match.group("plain")
-    words = re.findall("[A-Za-z]+", word)
-    if any(word_part in names for word_part in words) or len(word) == 1 or words[0] == "us":
+    before = text[max(place - 30, 0) : place]
+    bare = _SPACE_BEFORE.sub("", before)
+    spaced = bool(match["space"]) or bare != before
+    number = _NUMBER_BEFORE.search(bare) or _POWER_OF_TEN.search(bare)
+    if number is None and not (spaced and _POWER_BEFORE.search(bare)):
         return None
-    sure = words[0] in _PLAIN_SURE or not all(letter in names for letter in words[0])
-    return (word, match.end()) if sure else None
+    sort = _PlainUnit(text, place, match.end(), match["plain"], spaced, number, end)
+    return (match["plain"], match.end()) if sort.is_unit(names) else None
+
+
+class _PlainUnit:
+    """What may be a unit behind a number, with what speaks for it."""
+
+    def __init__(
+        self, text: str, place: int, stop: int, word: str, spaced: bool,
+        number: re.Match[str] | None, end: int,
+    ) -> None:  # fmt: skip
+        self.text, self.place, self.stop, self.word, self.spaced = text, place, stop, word, spaced
+        self.digits, self.end = number["digits"] if number else "", end
+        self.parts = re.findall("[A-Za-zµμ]+", word)
+
+    def is_unit(self, names: Collection[str]) -> bool:
+        """Tell whether the word is a unit where these letters are declared."""
+        long_parts = [part for part in self.parts if len(part) > 1]
+        if self.parts[0] == "us" or any(part in names for part in long_parts):
+            return False
+        is_letters = self._is_declared(names)
+        if self.word.startswith("1/") or re.search(r"\^\{?\(?[-−]|⁻", self.word):
+            return self.spaced or not is_letters
+        if is_letters and not any(part in _PLAIN_SURE for part in long_parts):
+            return self._is_clear_among_letters()
+        if len(self.word) > 1:
+            return self.digits != "" or self.spaced
+        if self.word == "g":
+            head = _HEAD.search(self.text[max(self.place - 60, 0) : self.place])
+            return head is not None and head[1] in "mM"
+        is_big = self.word in "NJWK" and self.spaced
+        return (is_big or self._is_measured()) and not self._goes_on()
+
+    def _is_declared(self, names: Collection[str]) -> bool:
+        """Tell whether the word may be read in declared letters alone."""
+        return all(part in names or all(letter in names for letter in part) for part in self.parts)
+
+    def _is_measured(self) -> bool:
+        """Tell whether the number looks measured, or other units stand in the line."""
+        return "." in self.digits or len(self.digits) > 2 or self._has_units_around()
+
+    def _has_units_around(self) -> bool:
+        begin = max(self.text.rfind("\n", 0, self.place) + 1, self.place - 200)
+        stop = self.text.find("\n", self.stop)
+        stop = min(stop if stop >= 0 else len(self.text), self.stop + 200)
+        return any(
+            not self.place <= match.start() < self.stop and not self.place < match.end() <= self.stop
+            for match in _UNIT_AROUND.finditer(self.text, begin, stop)
+        )
+
+    def _is_clear_among_letters(self) -> bool:
+        """Tell whether a word in declared letters is a unit: other units around, or r = 0.04 m."""
+        if not self.digits or self._goes_on():
+            return False
+        if not self.spaced and not ("." in self.digits and self._has_units_around()):
+            return False
+        if len(self.parts) > 1:
+            return len(self.digits) > 1 or self._has_units_around()
+        if self.word == "g":
+            return False
+        if self._has_units_around() or (self.word == "N" and len(self.digits) > 2):
+            return True
+        head = _HEAD.search(self.text[max(self.place - 60, 0) : self.place])
+        is_length = self.word == "m" and head is not None and head[1] not in "mMFJIW"
+        is_time = self.word == "s" and head is not None and head[1] in "tT"
+        return (is_length or is_time) and ("." in self.digits or len(self.digits) > 2)
+
+    def _goes_on(self) -> bool:
+        """Tell whether a factor follows: 2 m r, 3 N sin x."""
+        after = self.text[self.stop : min(self.stop + 12, self.end)]
+        bare = after.lstrip(" ~")
+        if not bare or bare[0] in _STOPS or bare[0] == "\n" or ord(bare[0]) >= 0x2E80:
+            return False
+        if bare.startswith(
+            ("\\cdot", "\\times", "\\approx", "\\le", "\\ge", "\\quad", "\\qquad", "\\\\", "\\,")
+        ):
+            return False
+        word = re.match(r"[^\W\d_]+", bare)
+        return (
+            word is None
+            or len(word.group()) < 2
+            or word.group()[:3] in ("sin", "cos", "tan", "exp", "sqr")
+        )
 
 
 def follows_number(text: str, start: int, place: int) -> bool:
@@ -137,3 +267,24 @@ def follows_number(text: str, start: int, place: int) -> bool:
 def is_set_apart(text: str, place: int) -> bool:
     """Tell whether a space typed as such, \\, or ~, stands before a place."""
     return re.search(r"(?:~|\\[,;: ])\s*$", text[max(0, place - 20) : place]) is not None
+
+
+_MEASURED = re.compile(r"\[\s*\\?[^\W\d]\w{0,12}(?:_\{\w+\})?\s*\]\s*=\s*(?P<unit>[^=]{1,60})")
+
+
+def is_unit_of_letter(text: str, start: int, end: int) -> bool:
+    """Tell whether [F] = N stands there, which says in what a letter is measured."""
+    match = _MEASURED.fullmatch(text, start, end)
+    if match is None:
+        return False
+    bare = re.sub(r"\\(?:mathrm|text|textrm|[,;: ])|[{}$.,;)]", " ", match["unit"])
+    return scale_of(" ".join(bare.split())) is not None
+
+
+def is_quantity(text: str) -> bool:
+    """Tell whether a text is one number with a unit, as in "at 3000 rpm, ω = 2π · 3000/60"."""
+    match = re.fullmatch(r"\s*[0-9][0-9.,]*\s*(?P<unit>\S.*?)\s*", text)
+    return (
+        match is not None
+        and scale_of(re.sub(r"\\(?:mathrm|text|[,;: ])|[{}~]", " ", match["unit"])) is not None
+    )

@@ -110,10 +110,39 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "laws/test_drawings",
         "independent/test_drawings",
         "bad_input/test_drawing_requests",
+        "laws/test_drawn_geometry",
+    ),
+    "pages": (
+        "laws/test_sheets",
+        "independent/test_published_tables",
+        "laws/test_atlas",
+        "laws/test_pages",
+        "independent/test_drawings",
+    ),
+    "budgets": (
+        "bad_input/test_budgets",
+        "jobs/test_commands",
+        "laws/test_large_engines",
+    ),
+    "jobs": (
+        "jobs/test_running",
+        "jobs/test_store",
+        "jobs/test_progress",
+        "jobs/test_commands",
+        "jobs/test_search_parts",
+        "independent/test_sweep",
+        "bad_input/test_damaged_stores",
+        "bad_input/test_result_folders",
+        "bad_input/test_kills",
     ),
     "search": (
+        "laws/test_search_results",
+        "independent/test_search_counts",
         "independent/test_crank_search",
+        "independent/test_search_quantities",
         "jobs/test_search_parts",
+        "public/test_search_command",
+        "faults/test_bench_search",
         "documents/test_results_golden",
         "public/test_json_schemas",
     ),
@@ -234,12 +263,16 @@ NEAREST: dict[str, tuple[str, ...]] = {
 """By room, files of `tests`; a room's doctests are always among what is near."""
 
 
+ALONE = ("errors", "loading", "budgets", "checking")
+"""Rooms that are one module."""
+
+
 def nearest_files(room: str) -> list[str]:
     """Return the files of tests nearest to a room, as pytest is given them.
 
     >>> nearest_files("loading")
     ['symbalance/loading.py', 'tests/public/test_public_api.py', 'tests/public/test_public_face.py']
     """
-    alone = room in ("errors", "loading", "checking")
+    alone = room in ALONE
     own = f"symbalance/{room}.py" if alone else f"symbalance/{room}"
     return [own, *(f"tests/{name}.py" for name in NEAREST[room])]

@@ -12,7 +12,7 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Call, Formula, Name, Negative, Number, Product, Sum, names
+from symbalance.document.formula import Call, Formula, Name, Negative, Number, Product, Sum, names, walk
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.harmonics import polynomial_node
@@ -34,13 +34,18 @@ NO_VALUES = "no values satisfy it, as far as tried"
 ON_A_BRANCH = "equal at some points and not at others: say for which values it is meant"
 
 
-def decide_case(chain: Chain, k: int, refutation: Decision, knowledge: Knowledge) -> Decision | None:
+def decide_case(
+    chain: Chain, k: int, refutation: Decision, knowledge: Knowledge, *, is_solved: bool = False
+) -> Decision | None:
     """Return the decision on a refuted relation that only states something; None where it is a claim.
 
     It puts numbers in for letters, is an equation for one unknown letter, or a balance of letters without
-    values (F_1 + F_2 = 0). One that no values satisfy stays refuted.
+    values (F_1 + F_2 = 0). One that no values satisfy stays refuted. `is_solved` tells that the text
+    around takes it for an equation to be solved.
     """
     word, reason = _kind_of_statement(chain, k, refutation, knowledge)
+    if not word and is_solved and refutation.left is not None and letters(refutation.left):
+        word = CONDITION
     if not word:
         return None
     left, right = chain.sides[k].node, chain.sides[k + 1].node
@@ -63,7 +68,11 @@ def _kind_of_statement(
     if names(right) or not names(left) or not free:
         return "", ""
     if free & knowledge.angles:
-        is_condition = is_alone and (is_simple(left) or _is_product(left, right, knowledge))
+        is_condition = is_alone and (
+            is_simple(left)
+            or _is_product(left, right, knowledge)
+            or (is_zero and _is_of_several_orders(left, knowledge))
+        )
         return (CONDITION, "") if is_condition else ("", "")
     is_equation = names(left) == free and not knowledge.has_meaning(min(free))
     if is_alone and len(free) == 1 and (is_equation or not is_zero):
@@ -156,6 +165,21 @@ def _is_product(left: Formula, right: Formula, knowledge: Knowledge) -> bool:
     if right != Number(Fraction(0)) or not isinstance(left, Product):
         return False
     return sum(bool(names(factor) & knowledge.angles) for factor in left.factors) > 1
+
+
+def _is_of_several_orders(left: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether cos θ + λ cos 2θ = 0 is stated: waves of unlike orders, which never cancel."""
+    terms = [part.operand if isinstance(part, Negative) else part for part in _terms(left)]
+    arguments = []
+    for term in terms:
+        calls = [
+            part for part in walk(term) if isinstance(part, Call) and part.function in ("sin", "cos")
+        ]
+        is_wave = len(calls) == 1 and names(term) - names(calls[0]) == names(term) - knowledge.angles
+        if not is_wave or not is_simple(calls[0].argument):
+            return False
+        arguments.append(calls[0].argument)
+    return len(terms) > 1 and all(a != b for n, a in enumerate(arguments) for b in arguments[:n])
 
 
 def is_simple(node: Formula) -> bool:

@@ -18,6 +18,7 @@ from symbalance.document import formula
 from symbalance.document.formula import Dots, Formula, Name, Negative, Sum, Summation, names
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.number_formulas import rational_node
+from symbalance.notes.algebra.sums import indexed_letters
 from symbalance.notes.checking.deciding.equality import PROVED, UNDECIDED, Decision, decide_equality
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
@@ -46,6 +47,8 @@ def progressions(node: Formula) -> Iterator[Progression]:
 
 def _of_summation(part: Summation) -> Iterator[Progression]:
     assert part.index
+    if indexed_letters(part.body, part.index.name):
+        return  # its terms are letters of their own each
     assert part.lower
     assert part.upper
     for letter in sorted(names(part.upper)):

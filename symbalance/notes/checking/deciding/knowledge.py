@@ -27,6 +27,8 @@ class Definition:
     """Whether an equation was solved for the letter, which is a premise beside it."""
     branch: str = ""
     """The condition under which `node` is the value, where there are alternatives."""
+    rounded: Formula | None = None
+    """The value as its line prints it, v = 2π·100 = 628.3: what follows may be computed from either."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,6 +86,8 @@ class Knowledge:
     """What letters equal by premises solved together, and the premises' texts."""
     solved_from: tuple[str, ...] = ()
     ranges: tuple[StatedRange, ...] = ()
+    small: frozenset[str] = frozenset()
+    """Letters that are said to be small; where ≈ rests on another, that is an assumption."""
 
     def levels(self, *nodes: Formula) -> Iterator[Level]:
         """Yield what may be used, least first: nothing, meanings and definitions, then assumptions."""

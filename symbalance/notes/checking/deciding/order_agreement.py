@@ -7,7 +7,7 @@ a polynomial. The order a line keeps is the highest power of it there; both side
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from symbalance.document.formula import Formula, Name
@@ -39,6 +39,7 @@ HIGHEST_ORDER = 40
 HIGHEST_NAMED = 26
 """An order beyond it says only that all powers written agree."""
 NO_LETTER = "no letter in which one side is a cut-off series"
+IS_SMALL, IS_LARGE = " is small", " is large"
 ROUGH = Fraction(1, 20)
 """Relative error that ≈ between two numbers without decimals may have."""
 
@@ -114,9 +115,19 @@ def _at_level(
         except (NoFormError, TooLargeError) as problem:
             decision = Decision(UNDECIDED, f"no power series in {small.letter}: {problem}", level=level)
         if decision.is_proved:
-            return decision
+            is_series = loose or through is not None  # with dots, or an order that is named
+            return decision if is_series else _with_its_assumption(decision, small, knowledge)
         best = decision if best.status != REFUTED else best
     return best
+
+
+def _with_its_assumption(decision: Decision, small: SmallLetter, knowledge: Knowledge) -> Decision:
+    """Return an agreement with what it rests on: that a letter is small, where nobody has said so."""
+    usual = knowledge.crank.small[0] if knowledge.crank and knowledge.crank.small else None
+    if small.letter == usual or small.letter in knowledge.small:
+        return decision
+    text = formula_text(Name(small.letter), plain=True) + (IS_SMALL if small.sign > 0 else IS_LARGE)
+    return replace(decision, assumptions=(*decision.assumptions, text))
 
 
 def _as_numbers(

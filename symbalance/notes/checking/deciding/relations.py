@@ -3,10 +3,26 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 from itertools import product
 
-from symbalance.document.formula import Dots, Formula, Name, walk
+from symbalance.document.formula import (
+    Derivative,
+    Dots,
+    Formula,
+    Name,
+    Number,
+    Quotient,
+    Summation,
+    names,
+    walk,
+)
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.construct_rules import may_fail
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.harmonics import polynomial_node
+from symbalance.notes.algebra.sums import indexed_letters
+from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.branches import decide_branches, has_branches
 from symbalance.notes.checking.deciding.equality import (
     REFUTED,
@@ -16,14 +32,26 @@ from symbalance.notes.checking.deciding.equality import (
     without_dots,
 )
 from symbalance.notes.checking.deciding.induction import decide_by_induction
-from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import decide_matrices, is_of_matrices
-from symbalance.notes.checking.deciding.order_agreement import decide_agreement, degree
+from symbalance.notes.checking.deciding.order_agreement import (
+    IS_LARGE,
+    IS_SMALL,
+    decide_agreement,
+    degree,
+)
+from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.reading.equations import Side
 
 MOST_READINGS = 16
 """Pairs of readings that are tried: a decision may cost a second."""
 MEANT_ROUGHLY = "= stands where ≈ is meant"
+SMALLEST_ROUNDED = 100
+"""A whole number of three digits may be a result, ω = 628; a shorter one is data."""
+MOST_ROUNDED = 3
+"""Results that are tried as printed one by one, the others with all their digits."""
+DEEPEST = 12
+"""Letters that stand for others, one in the other."""
 MOST_BRANCHED = 3
 """Letters of one relation whose branches are gone through."""
 
@@ -37,6 +65,8 @@ def decide(
     of them under the condition that β lies there.
     """
     decision = _decide_as_defined(left, right, sign, knowledge, through)
+    if decision.status == REFUTED and not (names(left.node) and names(right.node)):
+        decision = _as_printed(left, right, sign, knowledge, through) or decision
     branches = knowledge.branches_behind(left.node, right.node)
     if not branches or (decision.level and branches.keys().isdisjoint(decision.level.values)):
         return decision
@@ -53,6 +83,81 @@ def decide(
         elif not all(other.is_proved for other, _ in others):
             conditions.append(definition.branch)
     return replace(decision, assumptions=(*decision.assumptions, *conditions)) if conditions else decision
+
+
+def decide_at_value(
+    left: Side, right: Side, sign: str, knowledge: Knowledge, name: str, value: Formula
+) -> Decision:
+    """Decide a relation where one letter, an angle that stays free otherwise, has a value.
+
+    A letter that stands for a motion is written out first: a(θ) = r ω²(cos θ + λ cos 2θ) at θ = 0.
+    """
+    try:
+        first, second = (
+            replace(
+                side, readings=tuple(_at_value(node, knowledge, name, value) for node in side.readings)
+            )
+            for side in (left, right)
+        )
+    except (NoFormError, TooLargeError) as problem:
+        return Decision(UNDECIDED, str(problem))
+    return decide(first, second, sign, knowledge)
+
+
+def _at_value(node: Formula, knowledge: Knowledge, name: str, value: Formula) -> Formula:
+    """Return a formula with the letters that depend on another one written out, and that one's value.
+
+    What is differentiated is so first: at θ = 0 the speed is no derivative of a constant.
+    """
+    values = {**{n: d.node for n, d in knowledge.definitions.items()}, **knowledge.meaning.values}
+    for _ in range(DEEPEST):
+        if any(isinstance(part, Derivative) for part in walk(node)):
+            level = list(knowledge.levels(node))[-1]
+            form = knowledge.evaluator(level).form(node)
+            above = polynomial_node(form.domain, form.numerator)
+            node = Quotient(above, polynomial_node(form.domain, form.denominator))
+        depends = [
+            n for n in sorted(names(node)) if n in values and name in names_behind(values[n], values)
+        ]
+        if not depends:
+            break
+        for letter in depends:
+            node = substitute(node, letter, values[letter])
+    return substitute(node, name, value)
+
+
+def _as_printed(
+    left: Side, right: Side, sign: str, knowledge: Knowledge, through: int | None
+) -> Decision | None:
+    """Return the proof of a relation of numbers from results as their lines print them, v = … = 628.3.
+
+    None if it needs none, or is not proved so: each may have gone on with all its digits.
+    """
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    behind = {n for side in (left, right) for n in names_behind(side.node, values)}
+    rounded = {n: _printed(knowledge.definitions[n]) for n in sorted(behind) if n in values}
+    printed = {name: node for name, node in rounded.items() if node is not None}
+    for chosen in [list(printed), *([name] for name in list(printed)[:MOST_ROUNDED])] if printed else []:
+        known = knowledge
+        for name in chosen:
+            definition = replace(knowledge.definitions[name], node=printed[name], numeric=True)
+            known = known.with_definition(name, definition)
+        decision = _decide_as_defined(left, right, sign, known, through)
+        if decision.is_proved:
+            return decision
+    return None
+
+
+def _printed(definition: Definition) -> Formula | None:
+    """Return a letter's value as it is printed, if that is rounded: 628.3, or a whole number as 628.
+
+    One that ends in 0 is taken as exact.
+    """
+    node = definition.node
+    if definition.rounded is not None or not isinstance(node, Number):
+        return definition.rounded
+    is_whole = node.last_place is None and node.value.denominator == 1 and node.value >= SMALLEST_ROUNDED
+    return Number(node.value, Fraction(1)) if is_whole and node.value % 10 else None
 
 
 def _on_branch(knowledge: Knowledge, name: str, value: Formula) -> Knowledge:
@@ -79,11 +184,27 @@ def decide_reading(
 ) -> Decision:
     """Decide left = right or left ≈ right; what is refuted under an open premise is not decided."""
     decision = _decide_reading(left, right, sign, knowledge, through)
+    if decision.status == REFUTED and (unknown := _terms_without_values(left, right, knowledge)):
+        reason = f"{formula_text(Name(unknown), plain=True)} has no values here: say what each is"
+        return replace(decision, status=UNDECIDED, reason=reason)
     if decision.status == REFUTED and decision.left is not None:
         open_premises = [text for text in decision.left.domain.assumptions if may_fail(text)]
         if open_premises:
             return replace(decision, status=UNDECIDED, reason=f"differs if {open_premises[0]}; say so")
     return decision
+
+
+def _terms_without_values(left: Formula, right: Formula, knowledge: Knowledge) -> str:
+    """Return a letter that carries the index of a sum, δ_i, and has values only in words; "" for none."""
+    own = names(left) | names(right)
+    for part in (*walk(left), *walk(right)):
+        if isinstance(part, Summation) and part.index is not None:
+            for name in indexed_letters(part.body, part.index.name):
+                stem = name[: -len(part.index.name)]
+                others = {*own, *knowledge.definitions} - {name}
+                if not any(n.startswith(stem) and n[len(stem) :].isdecimal() for n in others):
+                    return name
+    return ""
 
 
 def _decide_reading(
@@ -115,9 +236,20 @@ def _by_series_where_cut(
     if decision.status != REFUTED or not _is_cut_off(left, decision, knowledge):
         return decision
     by_series = decide_agreement(left, right, knowledge)
+    if (
+        by_series.is_proved
+        and by_series.assumptions != decision.assumptions
+        and _rests_on_size(by_series)
+    ):
+        return decision
     if by_series.is_proved and by_series.through is not None:
         return replace(by_series, reason=by_series.reason or MEANT_ROUGHLY)
     return by_series if by_series.is_proved or by_series.through else decision
+
+
+def _rests_on_size(decision: Decision) -> bool:
+    """Tell whether an agreement assumes that a letter is small, which = does not say."""
+    return any(text.endswith((IS_SMALL, IS_LARGE)) for text in decision.assumptions)
 
 
 def _by_closed_form(left: Formula, right: Formula, knowledge: Knowledge) -> Decision | None:

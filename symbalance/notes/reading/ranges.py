@@ -1,0 +1,93 @@
+"""Letters that run through values: θ = 0…720° and n = 1, 2, 3 become 0 ≤ θ ≤ 720° and 1 ≤ n ≤ 3.
+
+Such a letter has no single value; what is known of it is where its values lie, and a note says so.
+"""
+
+from __future__ import annotations
+
+import re
+
+from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+
+_NUMBER = (
+    r"[-−]?(?:[0-9]+(?:\.[0-9]+|\{,\}[0-9]+)?(?:\s*(?:\\pi(?![A-Za-z])|π))?|\\pi(?![A-Za-z])|π)"
+    r"(?:\s?°|\^\\circ(?![A-Za-z])|\^\{\\circ\})?"
+)
+_UNIT = r"(?P<unit>(?:\\[,;: ]|~| )*\\mathrm\{[^{}]{1,12}\}|\s?(?:mm|cm|rpm|N|m|kg)(?![A-Za-z0-9]))"
+_DOTS = r"(?:\\(?:l|c)?dots[a-z]?(?![A-Za-z])|…|⋯|\.{2,3}|・・・)"
+_HEAD = r"(?<![\w\\}\])'′⁄])(?P<letter>(?:\\[A-Za-z]+|[^\W\d_])(?:_\{\w{1,6}\}|_\w{1,4}|[₀-₉])?)\s*&?=\s*"
+_NOT_BEFORE_FORMULA = (
+    r"(?![0-9.])(?!\s*(?:[-+−*/·×=^_<>(≈≤≥≠√°]|\\(?!\)|\]|q?quad|text|end|\\|,|;)"
+    r"|[^\W\d_](?![^\W\d_])|(?:sin|cos|tan)\b))"
+)
+_RANGE = re.compile(
+    rf"{_HEAD}(?P<first>{_NUMBER})(?:{_UNIT.replace('unit', 'one')})?\s*"
+    rf"(?:{_DOTS}|(?:\\text\s*\{{\s*)?\b(?:to|bis)\b(?:\s*\}})?)\s*"
+    rf"(?P<last>{_NUMBER})(?:{_UNIT})?{_NOT_BEFORE_FORMULA}"
+)
+_COMMA = (
+    r"\s*(?:[,;、]|\\text\s*\{\s*(?:and|or|und|oder)\s*\}|(?<=\s)(?:and|or|und|oder)(?=\s))"
+    r"(?:\s|\\[,; ])*"
+)
+_ONE_UNIT = _UNIT.replace("P<unit>", ":")
+_LIST = re.compile(
+    rf"{_HEAD}(?P<first>{_NUMBER})(?P<one>{_ONE_UNIT})?(?P<rest>(?:{_COMMA}{_NUMBER}(?:{_ONE_UNIT})?)*+)"
+    rf"(?:(?:{_COMMA})?\s*(?P<dots>{_DOTS})(?:{_COMMA}(?P<last>{_NUMBER}|[A-Za-z](?:\s*[-−+]\s*[0-9])?))?+)?+"
+    rf"{_NOT_BEFORE_FORMULA}"
+)
+_OPERATOR_BEFORE = re.compile(r"(?:[-+−*/·×^=<>≤≥≈]|\\(?:cdot|times|pm|sum|prod|int|lim)|[_^]\s*\{)\s*$")
+_LONGEST_BEFORE = 12
+
+
+def with_ranges(text: str) -> tuple[Rewritten | None, tuple[str, ...]]:
+    """Return a text with runs of values as ranges, None where there are none, and what to say of it.
+
+    >>> with_ranges("n = 1, 2, …")[0].text, with_ranges("n = 1, m = 2")[0]
+    ('n ≥ 1', None)
+    """
+    changes: dict[int, tuple[int, str]] = {}
+    for match in _RANGE.finditer(text):
+        if _stands_first(text, match):
+            unit = match["unit"] or match["one"] or ""
+            has_degrees = re.search(r"°$|circ\}?$", match["last"]) and not re.search(
+                r"°$|circ\}?$", match["first"]
+            )
+            first = f"{match['first']}{match['one'] or unit}{'°' if has_degrees else ''}"
+            changes[match.start()] = match.end(), f"{first} ≤ {match['letter']} ≤ {match['last']}{unit}"
+    for match in _LIST.finditer(text):
+        is_new = not any(start <= match.start() < change[0] for start, change in changes.items())
+        if is_new and (match["rest"] or match["dots"]) and _stands_first(text, match):
+            written = _listed(match)
+            changes |= {match.start(): (match.end(), written)} if written else {}
+    if not changes:
+        return None, ()
+    rewriter = Rewriter(text)
+    for start, (end, written) in sorted(changes.items()):
+        rewriter.replace(start, end, written)
+    start, (end, written) = min(changes.items())
+    shown = " ".join(text[start:end].split())
+    return rewriter.finish(), (f"a run of values: {shown} is read as {written} ({len(changes)}×)",)
+
+
+def _stands_first(text: str, match: re.Match[str]) -> bool:
+    """Tell whether the letter is all of its side, and no bound of a sum."""
+    before = text[max(match.start() - _LONGEST_BEFORE, 0) : match.start()]
+    return _OPERATOR_BEFORE.search(before) is None
+
+
+def _listed(match: re.Match[str]) -> str | None:
+    """Return a list of values as the range that holds them, None where it is none."""
+    rest = match["rest"]
+    values = [match["first"], *re.findall(_NUMBER, rest)]
+    plain = [value.replace("−", "-").replace("{,}", ".") for value in values]
+    if not all(re.fullmatch(r"-?[0-9.]+", value) for value in plain):
+        return None
+    sizes = [float(value) for value in plain]
+    if sizes != sorted(sizes) or len(set(sizes)) < len(sizes):
+        return None
+    units = list(re.finditer(_UNIT, (match["one"] or "") + rest))
+    unit = units[-1].group() if units else ""
+    letter, lowest, last = match["letter"], f"{values[0]}{unit}", match["last"]
+    if match["dots"] and not last:
+        return f"{letter} ≥ {lowest}"
+    return f"{lowest} ≤ {letter} ≤ {last or values[-1]}{unit}"

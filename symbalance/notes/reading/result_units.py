@@ -1,0 +1,155 @@
+"""Results as they are printed: units at a result only, and powers of ten as a part of its number.
+
+In √(7² − 2²) = 6.71 in the numbers on the way to the result are in its unit. Whether they are, or in
+metres and newtons, their value tells: it is the number printed before the unit, or the quantity itself.
+1.8·10⁴ and 9.9 kN are rounded to the last digit printed, as 9900 ± 50 is.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+from symbalance.document.formula import (
+    Call,
+    Constant,
+    Formula,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+)
+from symbalance.notes.reading.equations import Side
+from symbalance.notes.reading.lexer import Token
+
+_CLOSE = 0.005  # of the number printed: a rounded result is nearer than that, another unit is not
+_FUNCTIONS = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "tan": math.tan}
+
+
+def in_unit_of_result(
+    sides: Sequence[Side | None], tokens: Sequence[Sequence[Token]]
+) -> tuple[list[Side | None], list[str]]:
+    """Return the sides of a chain, bare numbers before a result in the result's unit, and what to say."""
+    done, notes = list(sides), []
+    for place, side in enumerate(sides):
+        unit = _unit_of(tokens[place]) if side is not None else None
+        if side is None or unit is None:
+            continue
+        printed, factor = unit
+        for before in range(place - 1, -1, -1):
+            other = done[before]
+            if other is None or not _is_bare(tokens[before]):
+                break
+            value = _value(other.node)
+            if value is None or not _agree(value, printed) or _agree(value, printed * _size(factor)):
+                break
+            readings = tuple(Product((reading, factor), span=reading.span) for reading in other.readings)
+            done[before] = replace(other, readings=readings)
+            notes = ["numbers before a result are in its unit"]
+    return done, notes
+
+
+def as_printed(side: Side, tokens: Sequence[Token]) -> Side:
+    """Return a side that is one decimal times a power of ten or a unit as the number that these make."""
+    units = {token.scale for token in tokens if token.scale}
+    return replace(side, readings=tuple(_one_number(node, units) for node in side.readings))
+
+
+def _one_number(node: Formula, units: Collection[Fraction]) -> Formula:
+    if isinstance(node, Negative):
+        return replace(node, operand=_one_number(node.operand, units))
+    if not isinstance(node, Product):
+        return node
+    decimal = [part for part in node.factors if isinstance(part, Number) and part.last_place is not None]
+    scales = [_scale(part, units) for part in node.factors if part not in decimal]
+    if len(decimal) != 1 or None in scales:
+        return node
+    scale = math.prod((part for part in scales if part is not None), start=Fraction(1))
+    place = decimal[0].last_place
+    return Number(decimal[0].value * scale, place * scale if place else None, span=node.span)
+
+
+def _scale(node: Formula, units: Collection[Fraction]) -> Fraction | None:
+    """Return what a unit or a power of ten multiplies a number by, None for anything else."""
+    if isinstance(node, Number):
+        return node.value if node.value in units else None
+    if not isinstance(node, Power) or node.base != Number(Fraction(10)):
+        return None
+    exponent, sign = node.exponent, 1
+    if isinstance(exponent, Negative):
+        exponent, sign = exponent.operand, -1
+    if isinstance(exponent, Number) and exponent.value.denominator == 1 and abs(exponent.value) < 40:
+        return Fraction(10) ** (sign * int(exponent.value))
+    return None
+
+
+def _unit_of(tokens: Sequence[Token]) -> tuple[float, Formula] | None:
+    """Return the number of 6.71 in or 120° as printed, and what its unit multiplies it by."""
+    rest = [token for token in tokens if not token.is_op("-")]
+    if not rest or rest[0].kind != "number" or len(tokens) - len(rest) > 1:
+        return None
+    sign = -1 if len(rest) < len(tokens) else 1
+    scale = rest[0].scale
+    if scale not in (None, 0, 1) and [token.kind for token in rest[1:]] == ["open", "number", "close"]:
+        return sign * float(rest[0].number), Number(Fraction(scale or 1))
+    if len(rest) == 2 and rest[1].kind == "degree":
+        return sign * float(rest[0].number), Quotient(Constant("pi"), Number(Fraction(180)))
+    return None
+
+
+def _is_bare(tokens: Sequence[Token]) -> bool:
+    """Tell whether a side holds numbers without any unit or letter."""
+    return not any(
+        token.scale is not None
+        or token.kind == "degree"
+        or (token.kind == "name" and token.value != "pi")
+        for token in tokens
+    )
+
+
+def _agree(value: float, printed: float) -> bool:
+    return abs(value - printed) <= _CLOSE * abs(printed)
+
+
+def _size(factor: Formula) -> float:
+    return float(factor.value) if isinstance(factor, Number) else math.pi / 180
+
+
+def _value(node: Formula) -> float | None:
+    """Return about what a formula without letters is, None for anything unusual."""
+    try:
+        return _plain_value(node)
+    except (ArithmeticError, ValueError):
+        return None
+
+
+def _plain_value(node: Formula) -> float:
+    if isinstance(node, Number):
+        return float(node.value)
+    if isinstance(node, Sum):
+        return math.fsum(_plain_value(term) for term in node.terms)
+    if isinstance(node, Product):
+        return math.prod(_plain_value(factor) for factor in node.factors)
+    if isinstance(node, Quotient):
+        return _plain_value(node.numerator) / _plain_value(node.denominator)
+    return -_plain_value(node.operand) if isinstance(node, Negative) else _value_of_power(node)
+
+
+def _value_of_power(node: Formula) -> float:
+    if isinstance(node, Power):
+        exponent = _plain_value(node.exponent)
+        if abs(exponent) > 100:
+            raise ValueError(exponent)
+        result = _plain_value(node.base) ** exponent
+        if isinstance(result, complex):
+            raise ValueError(result)
+        return result
+    if isinstance(node, Call) and node.function in _FUNCTIONS:
+        return _FUNCTIONS[node.function](_plain_value(node.argument))
+    if node == Constant("pi"):
+        return math.pi
+    raise ValueError(node)
