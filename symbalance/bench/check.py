@@ -1,8 +1,9 @@
 """`symbalance bench check`: speed and correctness of the derivation checker, and faults it catches.
 
 Measured on a page of hand mathematics (`page.md`: 116 relations, a dozen of them wrong), beside SymPy's
-`simplify` and `equals` on the same relations (`sympy_decisions` says how that is fair), and on faults
-planted by program in the corrected page.
+`simplify` and `equals` on the same relations (`sympy_decisions` says how that is fair), on single lines
+of other people's pages beside other programs (`other_checkers`), and on faults planted by program in the
+corrected page.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ from symbalance.bench.check_page import (
     place_of,
     with_blocks_alone,
 )
+from symbalance.bench.other_checkers import Comparison, compare_checkers
 from symbalance.bench.planted_faults import (
     DEFINITION,
     LOWERED,
@@ -66,12 +68,14 @@ class CheckReport:
     """Times and rightness, as for every topic, and the table of planted faults below them."""
 
     times: Report
+    comparison: Comparison
     faults: Sequence[Fault]
     notes: Sequence[str]
 
     def text(self) -> str:
         """Return the report as it is printed."""
-        return f"{self.times.text()}\n{fault_table(self.faults, self.notes)}\n"
+        parts = (self.times.text(), self.comparison.text(), "", fault_table(self.faults, self.notes))
+        return "\n".join(parts) + "\n"
 
     def missed_targets(self) -> list[Measurement]:
         """Return the measurements that miss their target."""
@@ -85,11 +89,13 @@ def report(quick: bool = False) -> CheckReport:
         ("A page of hand mathematics", [*whole_process(3 if quick else 5), *in_process(page)]),
         ("The same relations by SymPy", beside_sympy(page, EVERY_QUICKLY if quick else 1)),
     ]
+    progress("single lines, by several programs")
+    comparison = compare_checkers(EVERY_QUICKLY if quick else 1)
     progress("planted faults")
     planter = Planter(page)
     faults = list(planter.plant(EACH_QUICKLY if quick else EACH))
     head = f"Python {platform.python_version()}, SymPy {sympy.__version__}, {platform.machine()}"
-    return CheckReport(Report(head, parts), faults, notes_on(planter))
+    return CheckReport(Report(head, parts), comparison, faults, notes_on(planter))
 
 
 def notes_on(planter: Planter) -> list[str]:

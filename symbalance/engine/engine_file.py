@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -105,6 +106,7 @@ def _by_lists(arrangement: Section, train: Section, about: dict[str, Any]) -> En
 
 def _by_cylinder(file: Section, rows: list[Section], train: Section, about: dict[str, Any]) -> Engine:
     cylinders, strokes = [_cylinder(row) for row in rows], file.value("strokes")
+    about = {**about, "crank_train": _with_bore(about["crank_train"], rows)}
 
     def engine_of(places: Sequence[int]) -> Engine:
         engine = from_cylinders([cylinders[i] for i in places], strokes=strokes, **about)
@@ -124,8 +126,27 @@ def _by_cylinder(file: Section, rows: list[Section], train: Section, about: dict
         return rows[places[last]].guarded(lambda: engine_of(places[: last + 1]), elsewhere=(train,))
 
 
+def _with_bore(train: CrankTrain, rows: Sequence[Section]) -> CrankTrain:
+    """Return the sizes all cylinders share with the bore that their tables give, which has to be one.
+
+    Gas torque counts one piston's area: two would be answered wrongly, in silence.
+    """
+    bores = [row.value("bore") if "bore" in row else train.bore for row in rows]
+    first = next((bore for bore in bores if bore is not None), None)
+    for row, bore in zip(rows, bores, strict=True):
+        if bore != first:
+            other = f"{float(first or 0):.8g} mm of another cylinder"
+            remedy = "gas torque counts one bore: give all the same, or none"
+            if bore is None:
+                raise row.refused(f"has no bore beside {other}", remedy)
+            at = row if "bore" in row else next(r for r in rows if "bore" in r)
+            raise at.refusal("bore", f"differs from {other}", remedy)
+    return train if first == train.bore else replace(train, bore=first)
+
+
 def _cylinder(row: Section) -> Cylinder:
     values = row.values()
+    values.pop("bore", None)  # the engine's: `_with_bore`
     link = {key: values.pop(key) for key in LINK if key in values}
     attached = row.guarded(lambda: _link(**link)) if link else None
     return row.guarded(lambda: Cylinder(**values, link=attached))

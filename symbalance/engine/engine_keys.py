@@ -341,6 +341,7 @@ CYLINDER = TableKeys(
             DEGREES,
             remedy="degrees after cylinder 1's firing",
         ),
+        Key("bore", POSITIVE, "As of `[crank_train]`: the same for every cylinder", MM, remedy=SIZES),
         STROKE,
         ROD_LENGTH,
         *MASSES,

@@ -6,9 +6,11 @@ import mpmath
 import pytest
 import sympy
 
+from symbalance.bench import other_checkers
 from symbalance.bench.check import POSITIVE, fault_table, misjudgements, report, truth
 from symbalance.bench.check_page import bench_page, place_of
 from symbalance.bench.fault_kinds import KINDS
+from symbalance.bench.other_checkers import MATH_VERIFY, OURS, Answer, Comparison, SingleLine
 from symbalance.bench.planted_faults import DEFINITION, LOWERED, NO_FAULT, STEP, Planter, tally
 from symbalance.bench.sympy_decisions import (
     DIFFERENT,
@@ -168,3 +170,23 @@ def test_simplify_is_ended_at_its_limit():
 
 def test_the_bench_has_its_report():
     assert callable(report)
+
+
+@pytest.mark.slow
+def test_single_lines_are_read_and_judged_rightly_and_a_missing_program_is_a_line(monkeypatch):
+    monkeypatch.setattr(other_checkers, "find_spec", lambda name: None)
+    table = other_checkers.compare_checkers(every=9, ways=(OURS, other_checkers.EQUALS, MATH_VERIFY))
+    count = len(table.lines)
+    assert count >= 14
+    assert table.counts(OURS) == (count, count, 0, 0)
+    read, right, wrong, nothing = table.counts(other_checkers.EQUALS)
+    assert (read, wrong, right + nothing) == (count, 0, count)
+    (missing,) = table.missing
+    assert missing == f"{MATH_VERIFY}: not installed; pip install math-verify"
+    assert table.text().endswith(missing)
+
+
+def test_a_false_line_called_equal_is_silently_wrong():
+    lines = [SingleLine("1", "2", False, {}, (1.0, 2.0)), SingleLine("1", "1", True, {}, (1.0, 1.0))]
+    given = [Answer(True, "proved", 0.1), Answer(False, "no answer", 0.1)]
+    assert Comparison(lines, {OURS: given}, ()).counts(OURS) == (1, 0, 1, 1)

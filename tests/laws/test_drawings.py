@@ -13,6 +13,10 @@ from symbalance.document.shapes import Arrow, Circle, Drawing, Group, Line, Shap
 
 ENGINES = ["inline-3", "vw-vr6", "v8-90", "v12-60", "boxer-4", "bugatti-w16", "r-985", "kharkiv-v2"]
 ENGINES += ["wartsila-10rta96c", "honda-nt650"]
+SLOW = pytest.mark.slow
+OTHERS = [name for name in ENGINES if name not in ("vw-vr6", "v8-90")]
+QUICK = ("inline-3", "vw-vr6", "v8-90", "boxer-4", "kharkiv-v2")
+TRIED = [name if name in QUICK else pytest.param(name, marks=SLOW) for name in ENGINES]
 KINDS = {
     "section": lambda e: draw.section(e, 35),
     "plan": lambda e: draw.plan(e, 35),
@@ -36,7 +40,7 @@ def hostile(name: str) -> sb.Engine:
     return sb.Engine(known("inline-3").cylinders, name=name)
 
 
-@pytest.mark.parametrize("name", ENGINES)
+@pytest.mark.parametrize("name", TRIED)
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_drawing_is_well_formed_and_says_what_it_shows(name: str, kind: str) -> None:
     drawing = KINDS[kind](known(name))
@@ -64,7 +68,7 @@ def overlaps(drawing: Drawing) -> list[tuple[str, str]]:
     return pairs
 
 
-@pytest.mark.parametrize("name", ENGINES)
+@pytest.mark.parametrize("name", TRIED)
 @pytest.mark.parametrize("kind", [kind for kind in KINDS if kind not in ("plan", "oblique")])
 def test_no_two_labels_overlap(name: str, kind: str) -> None:
     assert overlaps(KINDS[kind](known(name))) == []
@@ -103,7 +107,7 @@ def corners(drawing: Drawing) -> list[tuple[float, float]]:
     return reach
 
 
-@pytest.mark.parametrize("name", ENGINES)
+@pytest.mark.parametrize("name", TRIED)
 @pytest.mark.parametrize("kind", KINDS)
 def test_nothing_is_cut(name: str, kind: str) -> None:
     drawing = KINDS[kind](known(name))
@@ -112,8 +116,8 @@ def test_nothing_is_cut(name: str, kind: str) -> None:
         assert drawing.bottom - 0.5 <= y <= drawing.top + 0.5
 
 
-@pytest.mark.parametrize("degrees", [0, 77, 180, 253])
-@pytest.mark.parametrize("name", ENGINES)
+@pytest.mark.parametrize("degrees", [0, pytest.param(77, marks=SLOW), pytest.param(180, marks=SLOW), 253])
+@pytest.mark.parametrize("name", ["vw-vr6", "v8-90", *(pytest.param(n, marks=SLOW) for n in OTHERS)])
 def test_the_frame_of_a_moving_view_stands_still_and_cuts_nothing(name: str, degrees: int) -> None:
     engine = known(name)
     for view in (draw.section, draw.plan, draw.oblique):

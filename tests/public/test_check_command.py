@@ -624,3 +624,24 @@ def test_two_claims_for_one_side_are_refused_and_neither_is_dropped():
     assert sb.check(page, {"symbols": letters, "bind": binds[:1]}).verdicts[-1].verdict == "refuted"
     with pytest.raises(sb.SymbalanceError, match="bound twice, as velocity and as displacement"):
         sb.check(page, {"symbols": letters, "bind": binds})
+
+
+def test_a_notebook_declares_its_letters_in_a_raw_cell(tmp_path, capsys):
+    cells = [
+        {"cell_type": "markdown", "source": ["$l \\sin\\beta = r\\sin\\theta$"]},
+        {
+            "cell_type": "raw",
+            "source": ["[symbols]\n", 'theta = "crank angle"\n', 'beta = "rod angle"\n'],
+        },
+        {"cell_type": "markdown", "source": ["$l \\sin\\beta = r\\cos\\theta$"]},
+    ]
+    cells[1]["source"] += ['r = "crank radius"\n', 'l = "rod length"']
+    path = tmp_path / "work.ipynb"
+    path.write_text(json.dumps({"nbformat": 4, "metadata": {}, "cells": cells}), encoding="utf-8")
+    assert run(["check", str(path), "--format", "json"]) == 1
+    words = [(e["cell"], e["verdict"]) for e in json.loads(capsys.readouterr().out)["links"]]
+    assert words == [(1, "holds"), (3, "refuted")]
+    cells[1]["source"][1] = 'theta = "cranck angle"\n'
+    path.write_text(json.dumps({"nbformat": 4, "metadata": {}, "cells": cells}), encoding="utf-8")
+    assert run(["check", str(path)]) == 2
+    assert "much like crank angle" in capsys.readouterr().err

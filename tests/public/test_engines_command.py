@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 import re
 import tomllib
+from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -282,3 +284,47 @@ def test_the_bore_survives_writing_and_balancing() -> None:
     engine = sb.load("ford-coyote")
     again = parse_engine(sb.engine.engine_text(engine), "x.toml")
     assert again.bore == engine.bore == engine.with_ratio(4).bore == engine.balanced_by().bore
+
+
+def cylinders(*bores: str, train: str = "") -> str:
+    rows = [f"[[cylinder]]\nnumber = {n}\nthrow = {180 * n}\n{bore}\n" for n, bore in enumerate(bores, 1)]
+    return f"[crank_train]\nstroke = 80\nrod = 140\n{train}\n" + "\n".join(rows)
+
+
+def test_cylinders_may_give_the_bore_which_is_one(tmp_path: Path) -> None:
+    file = tmp_path / "twin.toml"
+    both = ("bore = 81.5", "bore = 81.5")
+    for text in (
+        cylinders(*both),
+        cylinders(*both, train="bore = 81.5"),
+        cylinders("bore = 81.5", "", train="bore = 81.5"),
+    ):
+        file.write_text(text, encoding="utf-8")
+        assert sb.load(file).bore == Fraction("81.5")
+    file.write_text(cylinders("", ""), encoding="utf-8")
+    assert sb.load(file).bore is None
+
+
+@pytest.mark.parametrize(
+    ("bores", "train", "said"),
+    [
+        (("bore = 81.5", "bore = 82"), "", "bore = 82: differs from 81.5 mm of another cylinder"),
+        (("bore = 81.5", "bore = 81.5"), "bore = 90", ""),
+        (("bore = 81.5", ""), "", "has no bore beside 81.5 mm of another cylinder"),
+        (("", "bore = 82"), "", "has no bore beside"),
+        (("bore = 81.5", ""), "bore = 80", "bore = 81.5: differs from"),
+        (("bore = 0", "bore = 0"), "", "bore = 0: must"),
+    ],
+)
+def test_bores_that_differ_are_refused_where_they_stand(
+    bores: tuple[str, str], train: str, said: str, tmp_path: Path
+) -> None:
+    file = tmp_path / "twin.toml"
+    file.write_text(cylinders(*bores, train=train), encoding="utf-8")
+    if not said:  # a cylinder's own sizes override those that all share
+        assert sb.load(file).bore == Fraction("81.5")
+        return
+    with pytest.raises(sb.SymbalanceError) as caught:
+        sb.load(file)
+    assert said in str(caught.value)
+    assert "twin.toml" in str(caught.value)

@@ -477,7 +477,7 @@ class Definitions:
             self.conditions[line] = frozenset(_letters_behind([earlier.node, value], knowledge))
             return Decision(CONDITION, "sets two quantities equal")
         is_case = name in knowledge.angles or not self.sections.same_section(earlier.line, line)
-        is_case = is_case or bool(earlier.assumption)
+        is_case = is_case or (earlier.assumption and self.sections.paragraph_start(line) > earlier.line)
         if chain.inline and not is_case:
             is_given = self.sections.premise_end(chain, is_number=not names(value)) is not None
             is_near = self.sections.paragraph_start(line) <= earlier.line

@@ -287,6 +287,10 @@ def _summation(dimensions: Dimensions, node: formula.Summation, depth: int) -> D
     return dimensions.of(node.body, depth)
 
 
+def _integral(dimensions: Dimensions, node: formula.Integral, depth: int) -> Dimension | None:
+    return _combine(dimensions, [(node.body, 1), (node.variable, 1)], depth)
+
+
 _RULES: dict[type, Callable[[Dimensions, Any, int], Dimension | None]] = {
     formula.Number: _number,
     formula.Name: lambda dimensions, node, depth: dimensions.letter(node.name, depth),
@@ -299,4 +303,9 @@ _RULES: dict[type, Callable[[Dimensions, Any, int], Dimension | None]] = {
     formula.Call: _call,
     formula.Derivative: _derivative,
     formula.Summation: _summation,
+    formula.Integral: _integral,
+    formula.PlusMinus: lambda dimensions, node, depth: dimensions.of(node.operand, depth),
+    formula.Evaluation: lambda dimensions, node, depth: dimensions.of(node.expression, depth),
+    formula.Limit: lambda dimensions, node, depth: dimensions.of(node.body, depth),
+    formula.Extremum: lambda dimensions, node, depth: dimensions.of(node.body, depth),
 }

@@ -29,7 +29,7 @@ _NAMING = re.compile(
 )
 """Before a number a premise (let r = 1), before a formula the name of it (let P = m r ω²)."""
 _CONSEQUENCE = re.compile(
-    r"(?:(?<![A-Za-z\\])(?:therefore|hence|thus|so(?!\s+(?:that|dass|daß|as)\b)|consequently|accordingly"
+    r"(?:(?<![A-Za-z\\])(?:therefore|hence|thus|then|dann|so(?!\s+(?:that|dass|daß|as)\b)|consequently|accordingly"
     r"|it\s+follows(?:\s+that)?|(?:this|which)\s+implies|daher|folglich|somit|demnach|mithin"
     r"|daraus\s+folgt|es\s+folgt|hieraus\s+folgt)(?![A-Za-z])"
     r"|\\(?:Rightarrow|implies|Longrightarrow|therefore|Leftrightarrow|iff)(?![A-Za-z])|[⇒⟹⇔∴]"

@@ -17,6 +17,8 @@ The declarations may stand at the head of the document itself instead, as a comm
     -->                              (.tex)                         (.txt and others)
     (.md)
 
+In a notebook they are a raw cell of their own, without marks, wherever it stands.
+
 What is read as equations is the rest, at its own lines. A text without a file, typed in or piped, may
 have any of the three.
 """
@@ -94,6 +96,10 @@ SIDECAR = TableKeys(
 )
 _MARKDOWN = re.compile(r"\s*<!--\s*(\[(?:symbols|\[scope\]|\[bind\])\].*?)-->", re.DOTALL)
 _LINES = {mark: re.compile(rf"\s*(?:{mark}[^\n]*(?:\n|$))+") for mark in ("%", "#")}
+_RAW_CELL = re.compile(
+    r"<!-- cell [0-9]{1,6}: raw -->\n(`{3,})code\n(\s*\[(?:symbols|\[scope\]|\[bind\])\].*?)\n\1(?:\n|$)",
+    re.DOTALL,
+)
 _BY_SUFFIX = {
     ".md": (_MARKDOWN,),
     ".tex": (_LINES["%"],),
@@ -306,6 +312,9 @@ def without_header(text: str, suffix: str) -> tuple[str, str]:
     >>> without_header('% [symbols]\\n% r = "crank radius"\\n$r=1$', ".tex")[1]
     '[symbols]\\nr = "crank radius"\\n'
     """
+    if suffix.lower() == ".ipynb":  # a raw cell stands fenced, and is passed over as it is
+        cell = _RAW_CELL.search(text)
+        return text, "\n" * text[: cell.start(2)].count("\n") + cell[2] + "\n" if cell else ""
     for pattern in _BY_SUFFIX.get(suffix, (_LINES["#"],)):
         match = pattern.match(text)
         if match is None:

@@ -63,6 +63,8 @@ def check_equal(
         ) from None
     symbols = {str(s): s for s in (left.free_symbols | right.free_symbols)}
     knowledge = _knowledge(symbols, assuming)
+    if approximately:  # whoever asks so knows which letter is small
+        knowledge = replace(knowledge, small=knowledge.letters)
     first, second = Side((node_of(left),), (0, 0)), Side((node_of(right),), (0, 0))
     sign = "≈" if approximately else "="
     decision = decide(first, second, sign, knowledge, through)
