@@ -345,13 +345,9 @@ class _Roles:
                 above, below = match[1] or match[3], match[2] or match[4]
                 return f"{self._length(above)}/{self._length(below)}", number
         for chain in self.page.chains:  # behind macros, in HTML, in full-width letters
-            nodes_here = [side.node for side in chain.sides[:2]]
-            if (
-                len(nodes_here) == 2
-                and nodes_here[0] == Name(letter)
-                and isinstance(nodes_here[1], Quotient)
-            ):
-                above, below = nodes_here[1].numerator, nodes_here[1].denominator
+            value = chain.sides[1].node if len(chain.sides) > 1 else None
+            if chain.sides[0].node == Name(letter) and isinstance(value, Quotient):
+                above, below = value.numerator, value.denominator
                 if isinstance(above, Name) and isinstance(below, Name):
                     return f"{self._length(above.name)}/{self._length(below.name)}", chain.lines[0]
         return None
@@ -834,7 +830,6 @@ def _is_of_second_order(node: Formula) -> bool:
 
 
 def _is_double(node: Formula) -> bool:
-    is_two = (
-        isinstance(node, Product) and len(node.factors) == 2 and node.factors[0] == Number(Fraction(2))
-    )
-    return is_two and isinstance(node, Product) and isinstance(node.factors[1], Name)
+    if not isinstance(node, Product) or len(node.factors) != 2:
+        return False
+    return node.factors[0] == Number(Fraction(2)) and isinstance(node.factors[1], Name)
