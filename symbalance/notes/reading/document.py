@@ -136,7 +136,7 @@ def read_equation(text: str, names: Collection[str], offset: int = 0) -> Chain:
     draft = Draft(item, set(names))
     source = to_half_width(text)
     try:
-        draft.add(item, without_aside(lex(source, 0, len(text), names)))
+        draft.add(item, without_aside(lex(source, 0, len(text), names, "tex" if "\\" in source else "")))
         draft.finish_alone()
         return _chain(draft, source, names, offset)
     except ReadingError as failure:
@@ -215,7 +215,7 @@ class Assembler:
         known = frozenset(self.names_at(item.first_line)) | self.defined_letters
         names = known | (self.draft.own_letter() if self.draft else frozenset())
         try:
-            tokens = without_aside(lex(self.text, item.start, item.end, names))
+            tokens = without_aside(lex(self.text, item.start, item.end, names, self._setting(item)))
             if item.head:
                 tokens = [*self._head_tokens(item.head, names), *tokens]
         except ReadingError as failure:
@@ -233,6 +233,12 @@ class Assembler:
         if self.draft:
             self.draft.names |= known
             self.draft.add(item, tokens)
+
+    def _setting(self, item: Item) -> str:
+        """Return "code" for an item in program code, "tex" for one in a display or between dollars."""
+        if any(a <= item.start < b for a, b in self.finder.source.codes):
+            return "code"
+        return "tex" if item.kind in ("display", "inline") else ""
 
     def _head_tokens(self, head: tuple[int, int], names: frozenset[str]) -> list[Token]:
         """Return the letter that stands left of an item: a letter, or words that stand for one.
