@@ -345,8 +345,9 @@ class _Roles:
                 above, below = match[1] or match[3], match[2] or match[4]
                 return f"{self._length(above)}/{self._length(below)}", number
         for chain in self.page.chains:  # behind macros, in HTML, in full-width letters
-            value = chain.sides[1].node if len(chain.sides) > 1 else None
-            if chain.sides[0].node == Name(letter) and isinstance(value, Quotient):
+            head, *others = chain.sides
+            value = others[0].node if others else None
+            if head.node == Name(letter) and isinstance(value, Quotient):
                 above, below = value.numerator, value.denominator
                 if isinstance(above, Name) and isinstance(below, Name):
                     return f"{self._length(above.name)}/{self._length(below.name)}", chain.lines[0]
