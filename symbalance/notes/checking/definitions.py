@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import pi
@@ -190,6 +191,33 @@ class Definitions:
         self.premises.append(premise)
         for name in premise.names & angles:
             self.open_conditions[name] = premise
+
+    def past_cases(self, line: int, angles: frozenset[str]) -> frozenset[int]:
+        """Return the lines that put an angle in, θ = 90°, whose paragraph ends before a line."""
+        entries = (e.definition for name in angles for e in self.values.get(name, ()))
+        lines = {d.line for d in entries if d.assumption}
+        lines |= {p.line for p in self.premises if p.names <= angles}
+        return frozenset(case for case in lines if self.sections.case_end(case) < line)
+
+    @contextmanager
+    def without_cases(self, lines: frozenset[int], angles: frozenset[str]) -> Iterator[None]:
+        """Leave out for a while what lines say of angles: a reader may have left the case."""
+        apart = [p for p in self.premises if p.line in lines and p.names <= angles]
+        self.premises = [p for p in self.premises if p not in apart]
+        hidden: dict[str, list[Entry]] = {}
+        for name in angles & self.values.keys():
+            entries = self.values.pop(name)
+            hidden[name] = [e for e in entries if e.definition.line in lines]
+            if rest := [e for e in entries if e.definition.line not in lines]:
+                self.values[name] = rest
+        try:
+            yield
+        finally:
+            self.premises = sorted([*apart, *self.premises], key=lambda premise: premise.line)
+            for name, entries in hidden.items():
+                whole = [*entries, *self.values.get(name, [])]
+                if whole:
+                    self.values[name] = sorted(whole, key=lambda entry: entry.definition.line)
 
     def premise_of(self, chain: Chain, k: int) -> Premise:
         """Return a relation of a chain as a premise, with its reach."""

@@ -321,6 +321,13 @@ class Judge:
         knowledge = self._with_clauses_below(chain, k, self.knowledge(chain.lines[0]))
         mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
         outcome = self._link(chain, k, sound, bad, knowledge)
+        angles, line = knowledge.angles, chain.lines[0]
+        if _is_refuted(outcome) and (past := self.definitions.past_cases(line, angles)):
+            with self.definitions.without_cases(past, angles):
+                freer = self._with_clauses_below(chain, k, self.knowledge(line))
+                general = self._link(chain, k, sound, bad, freer)
+            if not _is_undecided(general):
+                outcome, knowledge = general, freer
         verdict = describe(self.document, chain, k, outcome) if isinstance(outcome, Decision) else outcome
         if mismatch is None:
             return verdict
@@ -565,6 +572,11 @@ class Judge:
             reason = f"may rest on line {self.not_judged[unknown[0]]}, which was not judged"
         elif condition is not None:
             reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
+        elif right == Number(Fraction(0)) and _SOLVED_NEXT.match(
+            self.document.text, chain.sides[k + 1].span[1]
+        ):
+            reason = "an equation that is solved next, whose letters have values already"
+            self.not_judged |= dict.fromkeys(names(left), line)
         elif letter := self._one_sided_letter(decision, line, knowledge):
             reason = f"{letter} stands on one side only: declare what it means"
         elif chain.relations[k].sign == "=":
@@ -805,6 +817,16 @@ def _meant_as_number(left: Formula, right: Formula, knowledge: Knowledge) -> str
     return ""
 
 
+def _is_refuted(outcome: Verdict | Decision) -> bool:
+    status = outcome.status if isinstance(outcome, Decision) else outcome.verdict
+    return status in (REFUTED, CONTRADICTION)
+
+
+def _is_undecided(outcome: Verdict | Decision) -> bool:
+    status = outcome.status if isinstance(outcome, Decision) else outcome.verdict
+    return status == UNDECIDED
+
+
 def _counts(document: ReadNotes) -> dict[str, str]:
     """Return the letters that sums run to: integers, where nobody declared them anything else."""
     sums = (
@@ -852,3 +874,10 @@ def read_assumption(text: str, letters: frozenset[str], place: str) -> Assumptio
 def _demanded(relation: Relation) -> Decision | None:
     """Return that a relation with an exclamation mark above only demands something."""
     return Decision(CONDITION, "demanded, to be solved") if relation.is_demanded else None
+
+
+_SOLVED_NEXT = re.compile(
+    r"(?:[\s,;]|\\[,;: ]|\\q?quad(?![A-Za-z]))*"
+    r"(?:\\(?:Rightarrow|Longrightarrow|implies)(?![A-Za-z])|[⇒⟹])"
+)
+"""What stands behind an equation whose solution follows."""

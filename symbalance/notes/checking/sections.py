@@ -95,6 +95,17 @@ class Sections:
                 return k
         return len(self._lines)
 
+    def case_end(self, line: int) -> int:
+        """Return the last line of a case: its paragraph, and the displays that stand right below."""
+        end = self.paragraph_end(line)
+        while (following := self._next_text(end)) and _SET_OFF.match(self._lines[following - 1]):
+            end = self.paragraph_end(following)
+        return end
+
+    def _next_text(self, line: int) -> int | None:
+        """Return the next line that is not blank."""
+        return next((k + 1 for k in range(line, len(self._lines)) if self._lines[k].strip()), None)
+
     def premise_end(self, chain: Chain, *, is_number: bool) -> int | None:
         """Return the last line that a relation reaches if its sentence makes it a premise, else None.
 
@@ -147,3 +158,7 @@ class Sections:
         while first > 1 and self._lines[first - 2].strip():
             first -= 1
         return first
+
+
+_SET_OFF = re.compile(r"\s*(?:\$\$|\\\[|\\begin\s*\{|```math|<math|\+\+\+\+|\[stem\])|\s{4}")
+"""How a display begins."""
