@@ -552,8 +552,8 @@ class Draft:
             return
         head, inside = parts
         name = "".join(token.value for token in head)
-        if place and name not in self.function_letters:
-            return
+        if (place and name not in self.function_letters) or (name == "O" and name not in self.names):
+            return  # O(λ) is an order, no letter
         if is_variable(inside):
             self.sides[place], note = letter_without_argument(head, inside, side[-1])
             self.notes += [note] if note not in self.notes else []
