@@ -261,7 +261,12 @@ class Cases(Formula):
 
 @dataclass(frozen=True, slots=True)
 class Dots(Formula):
-    """Three dots as a term of a sum: at its end the sum is cut off, within it a progression goes on."""
+    """Three dots as a term of a sum: at its end the sum is cut off, within it a progression goes on.
+
+    `order` is what O(λ³) says that is left out is no larger than, times a number.
+    """
+
+    order: Formula | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -153,9 +153,9 @@ class LatexWriter(FormulaWriter):
         upright = node.text.isascii() and node.text.isalpha()
         return rf"\mathrm{{{node.text}}}" if upright else rf"\text{{{escaped(node.text)}}}"
 
-    def dots(self, _node: Dots, _: bool) -> str:
-        """Write dots."""
-        return self.dots_sign
+    def dots(self, node: Dots, _: bool) -> str:
+        """Write dots, or the order O(λ³) of what is left out."""
+        return self.dots_sign if node.order is None else f"O{self.bracketed(self.write(node.order))}"
 
     def product(self, node: Product, closed: bool) -> str:
         """Write a b c."""

@@ -149,9 +149,9 @@ class MathmlWriter(FormulaWriter):
         """Write words."""
         return f"<mtext>{escape(node.text)}</mtext>"
 
-    def dots(self, _node: Dots, _: bool) -> str:
-        """Write dots."""
-        return _mo("⋯")
+    def dots(self, node: Dots, _: bool) -> str:
+        """Write dots, or the order O(λ³) of what is left out."""
+        return _mo("⋯") if node.order is None else _row(_mi("O"), self.bracketed(self.write(node.order)))
 
     def negative(self, node: Negative, closed: bool) -> str:
         """Write -a."""

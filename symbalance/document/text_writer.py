@@ -146,9 +146,9 @@ class TextWriter(FormulaWriter):
         """Write words."""
         return node.text
 
-    def dots(self, _node: Dots, _: bool) -> str:
-        """Write dots."""
-        return self.dots_sign
+    def dots(self, node: Dots, _: bool) -> str:
+        """Write dots, or the order O(λ³) of what is left out."""
+        return self.dots_sign if node.order is None else f"O({self.write(node.order)})"
 
     def product(self, node: Product, closed: bool) -> str:
         """Write a b c."""

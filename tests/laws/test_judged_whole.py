@@ -137,7 +137,9 @@ MACROS = [
     (r"\newcommand{\a}{\b}\newcommand{\b}{x}", r"\a = x"),
     (r"\newcommand{\sq}[1]{#1^2}", r"\sq{x} = x x"),
     (r"\newcommand{\w}{\omega}", r"x\w x = x^2\w{}"),
-    ("", r"\cancel{x} + \textcolor{red}{y} = {\color{blue} x} + y"),
+    ("", r"x + \textcolor{red}{y} = {\color{blue} x} + y"),
+    ("", r"\frac{\cancel{x} y}{\cancel{x}} = y"),
+    ("", r"x - \cancel{y} + \bcancel{y} = x"),
     ("", r"\dv{t}(x^2 y) = 0"),
 ]
 

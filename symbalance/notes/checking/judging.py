@@ -42,6 +42,7 @@ from symbalance.notes.checking.deciding.matrix_relations import (
     meaningless,
 )
 from symbalance.notes.checking.deciding.relations import decide, decide_at_value
+from symbalance.notes.checking.deciding.remainders import is_remainder
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.definitions import (
     Definitions,
@@ -320,7 +321,11 @@ class Judge:
         """Return the verdict on the k-th relation of a chain."""
         knowledge = self._with_clauses_below(chain, k, self.knowledge(chain.lines[0]))
         mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
-        outcome = self._link(chain, k, sound, bad, knowledge)
+        left, right = chain.sides[k], chain.sides[k + 1]
+        if is_remainder(left.node) or is_remainder(right.node):
+            outcome: Verdict | Decision = decide(left, right, chain.relations[k].sign, knowledge)
+        else:
+            outcome = self._link(chain, k, sound, bad, knowledge)
         angles, line = knowledge.angles, chain.lines[0]
         if _is_refuted(outcome) and (past := self.definitions.past_cases(line, angles)):
             with self.definitions.without_cases(past, angles):

@@ -36,13 +36,18 @@ _TAG = re.compile(
 )
 _MEASURED_WORD = re.compile(r"[0-9]\s?[^\W\d_]+\s*$")
 _SETTING = re.compile(r"\\([A-Za-z]+)\s*$")
-_SIGN = re.compile(rf"==|:=|<=(?!>)|>=|!=|∝|\\propto(?![A-Za-z])|{RELATION.pattern}")
+_BETWEEN_NUMBERS = r"(?<=[0-9)])(?:\s*(?:=>|⇒|<<|>>)\s*(?=[-−(]?[0-9]))"
+"""An arrow from number to number: between relations it says what follows from what, here it claims."""
+_SIGN = re.compile(
+    rf"==|:=|<=(?!>)|>=|!=|∝|\\propto(?![A-Za-z])|[≪≫]|{_BETWEEN_NUMBERS}|{RELATION.pattern}"
+)
 _BEFORE = re.compile(r"([^\W\d_][\w'’-]*|\S)\s*$")
 _AFTER = re.compile(r"\s*([^\W\d_][\w'’-]*|\S)")
 _CONSTANT = re.compile(
     r"(?:=|≈|\\approx)\s*(?:\\(?:text|mathrm|mbox|textrm|textit|operatorname)\s*\{\s*)?[ckCK]onst"
     r"(?:ant|\.)?(?![A-Za-z])"
 )
+_SIZE = re.compile(rf"[≪≫]|{_BETWEEN_NUMBERS}")
 _END_OF_SENTENCE = re.compile(rf"[\n{CELL_END}]|[.;:!?。](?=\s)")
 _ASSIGNED = re.compile(r"^[\w.-]*[A-Za-z][\w.-]+=(?:[\"'\w./#%-]*[A-Za-z\"'][\"'\w./#%-]*)$")
 
@@ -123,6 +128,8 @@ class Account:
             return Passed(line, column, why, span)
         if self.text.startswith(("∝", "\\propto"), place):
             return Unreadable(line, column, *REFUSED["propto"], span)
+        if (size := _SIZE.match(self.text, place)) is not None:
+            return Unreadable(line, column, f"{size[0].strip()} between numbers", "write =, < or >", span)
         failure = next((f for (a, b), f in self.refused if a <= place < b), None)
         if failure is not None:
             line, column = line_of(failure.offset if span[0] <= failure.offset < span[1] else place)
@@ -166,6 +173,8 @@ class Account:
             "a setting of TeX": self._is_setting(place),
             "a blank to be filled in": self._is_blank(place),
             "an option or attribute": self._is_option(place) and _is_word(before, names),
+            "said to be small beside another": self.text[place] in "≪≫"
+            and not (before[:1].isdecimal() and after[:1].isdecimal()),
             "words on both sides": _is_word(before, names) and _is_word(after, names),
             "the value of a word that is no declared letter": is_value
             and _is_word(before, names)

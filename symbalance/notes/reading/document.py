@@ -19,7 +19,8 @@ from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek, plain_lett
 from symbalance.notes.reading.accounting import Account
 from symbalance.notes.reading.equations import Chain, Passed, ReadNotes, Relation, Side, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
-from symbalance.notes.reading.lexer import AT, CLOSER, LONGEST_EQUATION, Token, lex
+from symbalance.notes.reading.letter_names import matching_brace
+from symbalance.notes.reading.lexer import AT, CLOSER, LONGEST_ANNOTATED, LONGEST_EQUATION, Token, lex
 from symbalance.notes.reading.parser import other_form, read_tokens
 from symbalance.notes.reading.result_units import as_printed, in_unit_of_result
 from symbalance.notes.reading.rewriting import Piece, Rewritten, rewritten
@@ -233,6 +234,35 @@ class Assembler:
         if self.draft:
             self.draft.names |= known
             self.draft.add(item, tokens)
+            for part, equation in self._annotations(item, names):
+                outer, self.draft = self.draft, Draft(part, set(names), self.motions_at(item.first_line))
+                self.draft.add(part, equation)
+                self._finish_chain()
+                self.draft = outer
+
+    def _annotations(self, item: Item, names: frozenset[str]) -> list[tuple[Item, list[Token]]]:
+        """Return the relations below braces: `\\underbrace{1 + 1}_{= 2}` claims that 1 + 1 = 2."""
+        result: list[tuple[Item, list[Token]]] = []
+        for match in _BRACE.finditer(self.text, item.start, item.end):
+            try:
+                after = matching_brace(self.text, match.end() - 1, item.end, LONGEST_ANNOTATED)
+                mark = _NOTE[match[1]].match(self.text, after, item.end)
+                if mark is None:
+                    continue
+                end = matching_brace(self.text, mark.end() - 1, item.end, LONGEST_ANNOTATED) - 1
+                part = replace(
+                    item, start=match.end(), end=end, aside=True, doubt=None, head=None, tag=""
+                )
+                note = lex(self.text, mark.end(), end, names, self._setting(item))
+                if not note or note[0].kind != "rel" or len(note) < 2:
+                    continue
+                body = lex(self.text, match.end(), after - 1, names, self._setting(item))
+            except ReadingError as failure:
+                if relation_at_start(self.text[failure.offset : failure.offset + 20].lstrip("_^{ ")):
+                    self._report(failure, (match.start(), item.end))
+                continue
+            result.append((part, [*body, *note]))
+        return result
 
     def _setting(self, item: Item) -> str:
         """Return "code" for an item in program code, "tex" for one in a display or between dollars."""
@@ -522,8 +552,8 @@ class Draft:
             return
         head, inside = parts
         name = "".join(token.value for token in head)
-        if place and name not in self.function_letters:
-            return
+        if (place and name not in self.function_letters) or (name == "O" and name not in self.names):
+            return  # O(λ) is an order, no letter
         if is_variable(inside):
             self.sides[place], note = letter_without_argument(head, inside, side[-1])
             self.notes += [note] if note not in self.notes else []
@@ -604,6 +634,10 @@ class Draft:
         sign = self.signs[place - 1] if place else self.signs[0]
         what = f"nothing stands {'right' if place else 'left'} of {sign.value}"
         return ReadingError(sign.start, what, "complete the equation")
+
+
+_BRACE = re.compile(r"\\(under|over)brace\s*\{")
+_NOTE = {"under": re.compile(r"\s*_\s*\{"), "over": re.compile(r"\s*\^\s*\{")}
 
 
 def has_own_relation(tokens: list[Token]) -> bool:

@@ -55,7 +55,7 @@ _RELATION = re.compile(r"==|:=|<=|>=|!=")
 _TWO_SIGNS = {"==": "=", ":=": "=", "<=": "≤", ">=": "≥", "!=": "≠"}
 _RUN = re.compile(r"[A-Za-z]+")
 _DIGITS = re.compile(r"[0-9]+")
-_LONGEST_ANNOTATED = 2000  # characters under one \underbrace
+LONGEST_ANNOTATED = 2000  # characters under one \underbrace
 _COMMAND = re.compile(r"\\([A-Za-z]+)\*?")
 _FONT_WORD = re.compile(r"\s*\{\s*([A-Za-z0-9]+)\s*\}")
 _LEFT_RIGHT = re.compile(r"\\(left|right|[bB]igg?[lr])\s*(\\[{}|]|\\[lr]?vert(?![A-Za-z])|[|.])")
@@ -552,10 +552,10 @@ class Lexer:
     def _annotated_brace(self, stop: int) -> None:
         """\\underbrace{X}_{words} is X: the words will be skipped."""
         sign = "_" if self.text.startswith("\\under", self.place) else "^"
-        after = matching_brace(self.text, stop, self.end, _LONGEST_ANNOTATED)
+        after = matching_brace(self.text, stop, self.end, LONGEST_ANNOTATED)
         match = re.compile(rf"\s*\{sign}\s*(?=\{{)").match(self.text, after, self.end)
         if match:
-            self.skips[after] = matching_brace(self.text, match.end(), self.end, _LONGEST_ANNOTATED)
+            self.skips[after] = matching_brace(self.text, match.end(), self.end, LONGEST_ANNOTATED)
         self.place = stop
 
     def _environment(self, stop: int) -> None:

@@ -366,6 +366,26 @@ def _only(which: int, count: int) -> Handler:
     return handle
 
 
+def _struck_out(
+    text: str, place: int, pairs: dict[int, int]
+) -> tuple[list[str | Span], int] | str | None:
+    """\\cancel{r} is r where it is struck out twice, above and below; alone it is there or not."""
+    parts = _arguments(text, place, pairs, 1, optional=True)
+    if parts is None:
+        return None
+    first = max((end.end() for end in _END_OF_FORMULA.finditer(text, 0, place)), default=0)
+    last = _END_OF_FORMULA.search(text, parts[1])
+    around = "".join(text[first : last.start() if last else len(text)].split())
+    inside = "".join(text[slice(*parts[0][0])].split())
+    count = sum(around.count(f"\\{name}{{{inside}}}") for name in ("cancel", "bcancel", "xcancel"))
+    if count % 2:
+        return f"{inside!r} struck out once, which may stand or not"
+    return ["{", parts[0][0], "}"], parts[1]
+
+
+_END_OF_FORMULA = re.compile(r"\$|\n\s*\n|\\[\[\]()]|\\\\(?![A-Za-z])|\\(?:begin|end)\b")
+
+
 def _dropped(count: int) -> Handler:
     """Return the handler of a command that says nothing, with so many arguments."""
 
@@ -476,9 +496,8 @@ def _unit_fraction(
 _NUMBER_FIRST = re.compile(r"\s*\[\s*([-+−]?[0-9][0-9 .,{}]*(?:[eE][-+]?[0-9]+)?)\s*\]")
 
 PACKAGES: dict[str, Handler] = {
-    **dict.fromkeys(
-        words("cancel bcancel xcancel mathclap mathllap mathrlap smash ensuremath"), _only(0, 1)
-    ),
+    **dict.fromkeys(words("cancel bcancel xcancel"), _struck_out),
+    **dict.fromkeys(words("mathclap mathllap mathrlap smash ensuremath"), _only(0, 1)),
     **dict.fromkeys(words("textcolor mathcolor colorbox raisebox scalebox href"), _only(1, 2)),
     **dict.fromkeys(words("fcolorbox resizebox"), _only(2, 3)),
     **dict.fromkeys(words("color pagecolor eqref ref cite autoref cref Cref"), _dropped(1)),

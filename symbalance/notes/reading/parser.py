@@ -284,7 +284,7 @@ class Parser:
             return self._dots()
         if self.current is not None and self.current.is_op("+-±∓"):
             return self._signed_term()
-        return self.product()
+        return self._big_o() or self.product()
 
     def _dots(self) -> Formula:
         token = self.take()
@@ -320,8 +320,11 @@ class Parser:
         if depth or not (after is None or after.kind == "close"):
             return None
         first = self.place
-        self.place += steps
-        return Dots(span=self.span_since(first))
+        self.place += 1
+        opener = self.take()
+        order = self.expression()
+        self.expect_close(opener)
+        return Dots(order, span=self.span_since(first))
 
     def _sign_run(self) -> int:
         """Take signs and return how many are minus."""

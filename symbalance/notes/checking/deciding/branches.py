@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from fractions import Fraction
 
 from symbalance.document import formula
 from symbalance.document.formula import (
@@ -22,8 +23,16 @@ from symbalance.document.formula import (
     Sum,
 )
 from symbalance.document.text_writer import formula_text
-from symbalance.notes.algebra.domain import NoFormError
-from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.tree_values import TreeValues, sample_trees
+from symbalance.notes.checking.deciding.equality import (
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Decision,
+    digits,
+    printed_decimal,
+)
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 
@@ -40,6 +49,8 @@ class Branch:
     title: str
     is_exact: bool = True
     condition: str = ""
+    regions: tuple[tuple[str, Formula, str], ...] = ()
+    """Letters bound by < or >, what each is put as, and the letter, positive, that this is put in."""
 
 
 Decide = Callable[[Formula, Formula, Knowledge], Decision]
@@ -74,13 +85,14 @@ def decide_branches(left: Formula, right: Formula, knowledge: Knowledge, decide:
     except NoFormError as problem:
         return Decision(UNDECIDED, str(problem))
     decisions = [(branch, decide(branch.left, branch.right, branch.knowledge)) for branch in branches]
+    decisions = [(branch, _in_its_region(branch, decision)) for branch, decision in decisions]
     either = _one_of_two(left, right, decisions, decide)
     if either is not None:
         return either
     assumptions: dict[str, None] = {}
     for branch, decision in decisions:
         if decision.status == REFUTED and branch.is_exact:
-            return replace(decision, reason=f"{branch.title}: {decision.reason}".rstrip(": "))
+            return _in_own_letters(branch, decision)
     for branch, decision in decisions:
         if not decision.is_proved:
             reason = decision.reason or "not proved where the condition holds"
@@ -92,6 +104,73 @@ def decide_branches(left: Formula, right: Formula, knowledge: Knowledge, decide:
     return Decision(
         PROVED, order=orders[0] if orders else "", assumptions=tuple(assumptions), level=last.level
     )
+
+
+def _in_its_region(branch: Branch, decision: Decision) -> Decision:
+    """Return a proof that needs more than its case's condition as what it is within the condition.
+
+    |x| = x for x > -1 rests on -1 + s ≥ 0 with s > 0: false where that is, true if it always is.
+    """
+    inner = {letter for _, _, letter in branch.regions}
+    open_texts = [text for text in decision.assumptions if any(letter in text for letter in inner)]
+    if not decision.is_proved or not open_texts:
+        return decision
+    meaning = branch.knowledge.meaning
+    wide = {letter: BEYOND for letter in inner if letter not in meaning.integer}
+    meaning = replace(meaning, ranges={**meaning.ranges, **wide})
+    sides = [branch.left, branch.right]
+    places = [value for _, value, _ in branch.regions]
+    for point, row in sample_trees([*sides, *places], meaning, count=POINTS, tries=2 * POINTS):
+        left, right, *reached = row
+        allowed = all(
+            name not in meaning.positive or number.real > 0
+            for (name, _, _), number in zip(branch.regions, reached, strict=True)
+        )
+        if allowed and abs(left - right) > 1e-12 * max(1, abs(left), abs(right)):
+            witness = {n: printed_decimal(v) for n, v in point.items()}
+            witness |= {"left": digits(left), "right": digits(right)}
+            return Decision(REFUTED, level=decision.level, witness=witness)
+    implied = {
+        f"{formula_text(side, plain=True)} ≥ 0" for side in sides if _is_never_negative(side, branch)
+    }
+    if all(text in implied for text in open_texts):
+        kept = tuple(text for text in decision.assumptions if text not in open_texts)
+        return replace(decision, assumptions=kept)
+    return replace(decision, status=UNDECIDED, reason="not proved wherever the condition holds")
+
+
+def _is_never_negative(node: Formula, branch: Branch) -> bool:
+    """Tell whether a formula is a sum of products of positive letters with positive numbers."""
+    try:
+        form = branch.knowledge.evaluator(next(branch.knowledge.levels(node))).form(node)
+    except (NoFormError, TooLargeError):
+        return False
+    generators = form.domain.generators
+    return form.is_polynomial and all(
+        coefficient > 0 and all(generators[g].positive for g, _ in monomial)
+        for monomial, coefficient in form.numerator.items()
+    )
+
+
+def _in_own_letters(branch: Branch, decision: Decision) -> Decision:
+    """Return a refutation with its case named and its witness in the page's letters."""
+    witness = dict(decision.witness)
+    for name, value, letter in reversed(branch.regions):
+        if letter in witness:
+            known = {n: Fraction(v) for n, v in witness.items() if n not in ("left", "right")}
+            try:
+                number = TreeValues(branch.knowledge.meaning, known).value(value).real
+            except (NoFormError, KeyError, ValueError, ZeroDivisionError):
+                continue
+            del witness[letter]
+            witness = {name: digits(number, 6)} | witness
+    reason = f"{branch.title}: {decision.reason}".rstrip(": ")
+    return replace(decision, reason=reason, witness=witness)
+
+
+BEYOND = (1, 700)
+"""How far beyond a case's limit points are tried, in hundredths: near it, and past a turn."""
+POINTS = 40
 
 
 def _one_of_two(
@@ -251,7 +330,10 @@ def _under_condition(case: Branch, letter: Name, sign: str, limit: Formula) -> B
     if sign != "=":
         beyond = Name(f"s_{letter.name}")
         value = Sum((limit, beyond if sign in ">≥" else Negative(beyond)))
-        positive = knowledge.meaning.positive | {beyond.name}
-        knowledge = replace(knowledge, meaning=replace(knowledge.meaning, positive=positive))
+        meaning = knowledge.meaning
+        whole = meaning.integer | ({beyond.name} if letter.name in meaning.integer else set())
+        meaning = replace(meaning, positive=meaning.positive | {beyond.name}, integer=whole)
+        knowledge = replace(knowledge, meaning=meaning)
     left, right = (substitute(side, letter.name, value) for side in (case.left, case.right))
-    return replace(case, left=left, right=right, knowledge=knowledge)
+    regions = (*case.regions, (letter.name, value, f"s_{letter.name}")) if sign != "=" else case.regions
+    return replace(case, left=left, right=right, knowledge=knowledge, regions=regions)

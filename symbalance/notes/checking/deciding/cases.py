@@ -21,6 +21,7 @@ from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import PROVED, UNDECIDED, Decision, decide_equality
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.order_agreement import SmallLetter, truncated_sum
+from symbalance.notes.checking.deciding.remainders import has_remainder
 from symbalance.notes.checking.deciding.satisfiability import survey
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.verdicts import CONDITION, PREMISE
@@ -43,6 +44,8 @@ def decide_case(
     values (F_1 + F_2 = 0). One that no values satisfy stays refuted. `is_solved` tells that the text
     around takes it for an equation to be solved.
     """
+    if any(has_remainder(side.node) for side in chain.sides[k : k + 2]):
+        return None  # an order is a claim
     word, reason = _kind_of_statement(chain, k, refutation, knowledge)
     if not word and is_solved and refutation.left is not None and letters(refutation.left):
         word = CONDITION

@@ -238,12 +238,7 @@ def _through(first: Form, second: Form, small: SmallLetter, level: Level, loose:
             through=small.order,
         )
     order = f"{small.text}"
-    points = values.sample([left_form, right_form])
-    witness: dict[str, str] = {}
-    if points:
-        point, pair = points[0]
-        witness = {n: printed_decimal(v) for n, v in point.items()}
-        witness |= {"left": digits(pair[0]), "right": digits(pair[1])}
+    witness = witness_of(left_form, right_form)
     further = tuple(truncated_sum(expansion.of(first).cut(small.order + n), small) for n in (1, 2))
     return Decision(
         REFUTED,
@@ -255,6 +250,16 @@ def _through(first: Form, second: Form, small: SmallLetter, level: Level, loose:
         through=small.order,
         further=further,
     )
+
+
+def witness_of(left: Form, right: Form) -> dict[str, str]:
+    """Return a point's letters and the values of two forms there; nothing where none is real."""
+    points = values.sample([left, right])
+    if not points:
+        return {}
+    point, pair = points[0]
+    witness = {n: printed_decimal(v) for n, v in point.items()}
+    return witness | {"left": digits(pair[0]), "right": digits(pair[1])}
 
 
 def truncated_sum(series: FormSeries, small: SmallLetter) -> Form:

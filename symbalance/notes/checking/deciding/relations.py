@@ -40,6 +40,7 @@ from symbalance.notes.checking.deciding.order_agreement import (
     decide_agreement,
     degree,
 )
+from symbalance.notes.checking.deciding.remainders import decide_remainder, has_remainder
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.reading.equations import Side
 
@@ -212,6 +213,8 @@ def _decide_reading(
 ) -> Decision:
     if is_of_matrices(left, right, knowledge):
         return decide_matrices(left, right, sign, knowledge)
+    if has_remainder(left) or has_remainder(right):
+        return decide_remainder(left, right, sign, knowledge)
     if has_branches(left, right, knowledge):
 
         def decide_branch(one: Formula, other: Formula, known: Knowledge) -> Decision:
