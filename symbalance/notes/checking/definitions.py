@@ -8,6 +8,7 @@ from fractions import Fraction
 from math import pi
 
 from symbalance.document.formula import (
+    Cases,
     Constant,
     Formula,
     Name,
@@ -478,13 +479,26 @@ class Definitions:
             return Decision(CONDITION, "sets two quantities equal")
         is_case = name in knowledge.angles or not self.sections.same_section(earlier.line, line)
         is_case = is_case or (earlier.assumption and self.sections.paragraph_start(line) > earlier.line)
+        is_given = self.sections.premise_end(chain, is_number=not names(value)) is not None
+        is_given = is_given or self._is_another_solution(name, value, line, knowledge)
+        if chain.inline and not is_given and self.sections.is_denied(chain):
+            return Decision(CONDITION, f"said not to be so; line {earlier.line} has another value")
         if chain.inline and not is_case:
-            is_given = self.sections.premise_end(chain, is_number=not names(value)) is not None
             is_near = self.sections.paragraph_start(line) <= earlier.line
-            is_case = is_given or not (self.sections.is_consequence(chain) and is_near)
+            says_so = self.sections.starts_new_case(chain, earlier.line, name) if is_near else True
+            if not is_near and self.sections.is_consequence(chain):
+                says_so = not self.sections.stands_next(chain, earlier.line)
+            if says_so is None and not is_given and _excludes(earlier.node, value, knowledge):
+                other = f"{plain(Name(name))} = {plain(earlier.node)} of line {earlier.line}"
+                reason = f"not {other}, and no words say that this is another case"
+                return Decision(UNDECIDED, reason)
+            is_case = is_given or bool(says_so)
+        elif is_case and name not in knowledge.angles and not is_given:
+            follows_at_once = self.sections.stands_next(chain, earlier.line)
+            is_case = not (self.sections.is_consequence(chain) and follows_at_once)
         if not is_case and self._is_stale(name, knowledge):
             is_case = True
-        if not is_case and earlier.numeric and not names(value):
+        if not is_case and _excludes(earlier.node, value, knowledge):
             other = f"{plain(Name(name))} = {plain(earlier.node)}"
             return Decision(CONTRADICTION, f"contradicts {other} of line {earlier.line}")
         bare = without_dots(value)[0]
@@ -493,6 +507,15 @@ class Definitions:
             self.premises.append(Premise(earlier.node, bare, line, end))
         self.define(name, bare, chain)
         return Decision(PREMISE, f"a new case: line {earlier.line} had another value")
+
+    def _is_another_solution(self, name: str, value: Formula, line: int, knowledge: Knowledge) -> bool:
+        """Tell whether a second value solves an equation too that a letter's first one solves."""
+        others = {n: d for n, d in knowledge.definitions.items() if n != name}
+        without = replace(knowledge, definitions=others)
+        if not any(name in p.names and not p.fixes for p in self.premises_at(line)):
+            return False
+        decision = self.decide_by_premises(Premise(Name(name), value, line), without)
+        return decision is not None and decision.status == PREMISE
 
     def _define_size(
         self, name: str, value: Formula, chain: Chain, knowledge: Knowledge
@@ -788,6 +811,25 @@ def _letters_of(value: Formula, knowledge: Knowledge) -> list[str]:
         return letters(FormEvaluator(Domain(), knowledge.meaning).form(value))
     except (NoFormError, TooLargeError):
         return []
+
+
+def _excludes(earlier: Formula, value: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether no values of their letters make two values of one letter the same.
+
+    Two numbers, values that differ by a number, or a number that no case of the earlier one gives.
+    """
+    if isinstance(earlier, Cases) and not names(value):
+        return not any(names(v) for v in earlier.values) and all(
+            decide(_side(v), _side(value), "=", knowledge).status == REFUTED for v in earlier.values
+        )
+    if not names(earlier) and not names(value):
+        return True
+    level = list(knowledge.levels(earlier, value))[-1]
+    try:
+        gap = knowledge.evaluator(level).form(Sum((earlier, Negative(value))))
+    except (NoFormError, TooLargeError):
+        return False
+    return not letters(gap) and not gap.is_zero()
 
 
 def _new_case(earlier: Definition, value: Formula, sign: str, knowledge: Knowledge) -> bool:
