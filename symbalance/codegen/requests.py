@@ -8,7 +8,7 @@ answered to a given order, or with the fewest orders whose proved bound is withi
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, Protocol
 
@@ -124,7 +124,8 @@ def sums_within(
     The unit of `tolerance` is the output's with every keyword 1: m r omega^2, times a for couples. 0 asks
     for everything that can show in a double: the bound then is 2^-57 of the largest harmonic.
     """
-    return tuple(_Request(result, name, ratio).within(tolerance) for name in names)
+    longer: dict[int, Balance] = {}  # outputs that ask for the same orders share their balance
+    return tuple(_Request(result, name, ratio, longer).within(tolerance) for name in names)
 
 
 @dataclass(frozen=True)
@@ -134,6 +135,7 @@ class _Request:
     result: Balance
     name: str
     ratio: Fraction
+    longer: dict[int, Balance] = field(default_factory=dict, compare=False)
 
     @property
     def kind(self) -> str:
@@ -210,7 +212,9 @@ class _Request:
     def _spectrum(self, order: int) -> Spectrum:
         result = self.result
         if order > result.highest:
-            result = balance(result.engine, order, reference=result.reference)
+            if order not in self.longer:
+                self.longer[order] = balance(result.engine, order, reference=result.reference)
+            result = self.longer[order]
         return result.force if self.kind == "force" else result.couple
 
     def fastest_shaft(self) -> int:

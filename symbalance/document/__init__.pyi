@@ -6,4 +6,5 @@ from symbalance.document.result import to_latex as to_latex
 from symbalance.document.result import to_markdown as to_markdown
 from symbalance.document.result import to_text as to_text
 from symbalance.document.result import to_xlsx as to_xlsx
+from symbalance.document.shapes import Drawing as Drawing
 from symbalance.document.symbols import symbol as symbol

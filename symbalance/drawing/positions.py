@@ -138,10 +138,15 @@ class Machine:
             radius, length, offset = self.radius(cylinder), self.length(cylinder), self.offset(cylinder)
             return sqrt((length - radius) ** 2 - offset**2), sqrt((length + radius) ** 2 - offset**2)
         axis = self.axis(cylinder)
-        heights = [
-            (self.posture(cylinder, 2 * pi * k / STEPS).piston_pin / axis).real for k in range(STEPS)
-        ]
-        return min(heights), max(heights)
+
+        def height(turn: float) -> float:
+            return (self.posture(cylinder, 2 * pi * turn).piston_pin / axis).real
+
+        heights = [height(k / STEPS) for k in range(STEPS)]
+        low, high = heights.index(min(heights)), heights.index(max(heights))
+        ends = (_vertex([height((k + d) / STEPS) for d in (-1, 0, 1)]) for k in (low, high))
+        least, greatest = ends
+        return least, greatest
 
     @cached_property
     def reach(self) -> float:
@@ -154,8 +159,15 @@ class Machine:
         return tuple(sorted(self.engine.cylinders, key=lambda c: (-c.station, c.number)))
 
 
-STEPS = 360
-"""Crank angles at which a path is taken."""
+STEPS = 72
+"""Crank angles at which a path is taken; between them it is a parabola, to 1e-5 of the stroke."""
+
+
+def _vertex(row: list[float]) -> float:
+    """Return the extreme value of the parabola through three values at even steps."""
+    before, middle, after = row
+    slope, bend = (after - before) / 2, after - 2 * middle + before
+    return middle - slope**2 / (2 * bend) if bend else middle
 
 
 def _direction(turns: float) -> complex:

@@ -47,9 +47,7 @@ def search_document(result: CrankSearch) -> Document:
         drawing = front_drawing(result)
         if drawing is not None:
             caption = f"The front: {result.minimized[1]} against {result.minimized[0]}"
-            # Each medium draws it its own way; links are of HTML, which takes the picture as it is.
-            picture = _picture(result, drawing) if result.links else (lambda: drawing)
-            blocks.append(Figure("front.svg", picture, caption, drawing.shows))
+            blocks.append(Figure("front.svg", _picture(result, drawing), caption, drawing.shows))
     else:
         opening = "None" if result.searched.stars else "No crank fires so at all: none"
         blocks.append(Paragraph(f"{opening} of {result.searched.stars:,} stars meets this: proved."))

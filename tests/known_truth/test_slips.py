@@ -40,6 +40,7 @@ ROWS = r"""
 \cos2\theta = \cos^2\theta-\sin^2\theta | \cos^2\theta-\sin^2\theta+\sin\theta | term too many
 \cos2\theta = 2\cos^2\theta-1 | r\cos^2\theta-1 | 2 for r
 \sin3\theta = 3\sin\theta-4\sin^3\theta | 3\sin\theta-4\sin^2\theta | exponent
+\cos\theta+\sin\theta = \sqrt2\cos(\theta-\frac{\pi}{4}) | 2\cos(\theta-\frac{\pi}{4}) | root missing
 \sin3\theta = 3\sin\theta-4\sin^3\theta | 3\cos\theta-4\cos^3\theta | sine and cosine exchanged
 \sin3\theta = 3\sin\theta-4\sin^3\theta | 3\sin2\theta-4\sin^3\theta | order
 r\sin3\theta = 3r\sin\theta-4r\sin^3\theta | 3\sin\theta-4r\sin^3\theta | r missing

@@ -38,10 +38,10 @@ def written(folder: Path, text: str, sidecar: str = SIDECAR) -> str:
 def test_exit_codes(tmp_path, capsys):
     assert run(["check", written(tmp_path, GOOD)]) == 0
     assert run(["check", written(tmp_path, BAD)]) == 1
-    assert run(["check", written(tmp_path, r"$$x = q$$")]) == 1
-    assert run(["check", "--lenient", written(tmp_path, r"$$x = q$$" + "\n\n" + GOOD)]) == 0
-    assert run(["check", "--lenient", written(tmp_path, r"$$x = q$$" + "\n\n" + BAD)]) == 1
-    assert run(["check", "--lenient", written(tmp_path, r"$$x = q$$")]) == 1  # nothing is judged
+    assert run(["check", written(tmp_path, r"$$x = \foo$$")]) == 1
+    assert run(["check", "--lenient", written(tmp_path, r"$$x = \foo$$" + "\n\n" + GOOD)]) == 0
+    assert run(["check", "--lenient", written(tmp_path, r"$$x = \foo$$" + "\n\n" + BAD)]) == 1
+    assert run(["check", "--lenient", written(tmp_path, r"$$x = \foo$$")]) == 1  # nothing is judged
     assert run(["check", str(tmp_path / "missing.md")]) == 2
     assert capsys.readouterr().err.count("\n") == 1
 

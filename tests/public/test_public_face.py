@@ -225,6 +225,7 @@ def test_every_class_that_users_construct_is_among_them():
         "Order",
         "Overbalance",
         "Overlay",
+        "Drawing",
         "Page",
         "Sheet",
         "Part",

@@ -46,6 +46,8 @@ MOST_ERRORS, MOST_PLACES = 60, 8
 LONGEST_PIECE = 44
 """Characters of a formula in the table of errors."""
 WRONG = (REFUTED, UNDECIDED, UNREADABLE)
+OF_THEIR_OWN = "declared nowhere and read as letters of their own: "
+"""Before the letters of a report's note that nobody has declared."""
 
 
 @dataclass(frozen=True)
@@ -125,6 +127,9 @@ class DocumentTable(Result):
         count = 0
         for row in self.rows:
             here = {m[1] for entry in _entries(row) if (m := UNDECLARED.search(entry["reason"] or ""))}
+            for note in row.report["notes"] if row.report is not None else ():
+                if note.startswith(OF_THEIR_OWN):
+                    here |= {*note.removeprefix(OF_THEIR_OWN).split(", ")}
             letters |= here
             count += bool(here)
         if not letters:

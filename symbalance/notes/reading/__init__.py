@@ -7,10 +7,11 @@ executed as code.
     sources, rewriting              a file as people keep it, in one form; where each character stood
     macros, siunitx, mathml         what authors and packages abbreviate, other people's formulas
     notebooks, numerals             cells as text; decimal commas, units in words, a scanner's letters
+    ranges, joined_dollars          letters that run through values; formulas that dollars cut
     signs, units, letter_names      what signs and commands stand for; units; one name for each letter
     lexer, parser                   one formula's text to tokens, and these to trees
     prose, segmentation             where in a text mathematics stands
-    document                        a whole text to its chains
+    document, result_units          a whole text to its chains; units that stand at a result only
     accounting                      every relation sign is read, unreadable, or no mathematics
     equations, failures             what comes out, and why something may not be read
 """

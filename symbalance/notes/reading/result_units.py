@@ -27,6 +27,7 @@ from symbalance.notes.reading.equations import Side
 from symbalance.notes.reading.lexer import Token
 
 _CLOSE = 0.005  # of the number printed: a rounded result is nearer than that, another unit is not
+_PREFIX = 1000
 _FUNCTIONS = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "tan": math.tan}
 
 
@@ -47,6 +48,8 @@ def in_unit_of_result(
             value = _value(other.node)
             if value is None or not _agree(value, printed) or _agree(value, printed * _size(factor)):
                 break
+            if _size(factor) >= _PREFIX and abs(printed) >= _PREFIX:
+                break  # 1800 kN for 1800 N is a slip that is made: who computes in kN has 1.8
             readings = tuple(Product((reading, factor), span=reading.span) for reading in other.readings)
             done[before] = replace(other, readings=readings)
             notes = ["numbers before a result are in its unit"]

@@ -194,7 +194,7 @@ class _PlainUnit:
             return False
         is_letters = self._is_declared(names)
         if self.word.startswith("1/") or re.search(r"\^\{?\(?[-−]|⁻", self.word):
-            return self.spaced or not is_letters
+            return (self.spaced and self.digits != "") or not is_letters
         if is_letters and not any(part in _PLAIN_SURE for part in long_parts):
             return self._is_clear_among_letters()
         if len(self.word) > 1:

@@ -284,7 +284,11 @@ def _times(factor: Fraction, term: Formula) -> Formula:
 
 
 def radicands(part: Formula, role: str) -> Iterator[Edit]:
-    """Another whole number under a root, or for the root of one."""
+    """Another whole number under a root, or for the root of one, or the root of one without it."""
+    if role in ("factor", "side") and isinstance(part, Number) and part.last_place is None:
+        value = part.value
+        if value.denominator == 1 and 1 < value <= MOST_RADICAND and isqrt(int(value)) ** 2 != value:
+            yield Edit("root missing", 1.25, part, Call("sqrt", part))
     if role == "radicand" and isinstance(part, Number) and part.value.denominator == 1:
         for value in range(2, MOST_RADICAND + 1):
             if value != part.value and isqrt(value) ** 2 != value:
