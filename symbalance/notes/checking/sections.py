@@ -45,18 +45,25 @@ _CONDITION = re.compile(
 )
 """Before an equation that is to be solved, not claimed for all angles."""
 _LINK = re.compile(
-    r"(?:[\s,;:.()、。，；：–—-]|\\(?:[,;: !]|quad|qquad|ldots|dots)|(?<![A-Za-zÀ-ÿ])(?:also|and|so|hence|thus|therefore|whence"
-    r"|ergo|which|this|that|it|we|one|you|i\.?\s?e\.?|is|are|to|say|be|by|in|other|words|means?|meaning|gives?|giving|yields?"
-    r"|yielding|get|obtain|have|had|find|finally|then|follows?|implies|imply|implying|equivalently|because|since|as|but|yet"
-    r"|namely|consequently|accordingly|results?|resulting|equals?|means|still|hereby|from|therefrom|damit|dann|d\.?\s?h\.?"
-    r"|das|dies|heißt|heisst|daher|folglich|somit|mithin|demnach|ist|da|weil|denn|aber|wir|man|also|ergibt|liefert|folgt"
-    r"|erhalten|erhält|bekommen|bedeutet|schließlich|nämlich|sich|wodurch|woraus|womit|donc|d'où|ce|qui|c'est|est|dire|à"
-    r"|donne|ainsi|alors|car|puisque|mais|on|obtient|luego|entonces|pues|porque|pero|quindi|dunque|perché|cioè|not"
+    r"(?:[\s,;:.()、。，；：–—-]|\\(?:[,;: !]|quad|qquad|ldots|dots)|(?<![A-Za-zÀ-ÿ])(?:also|and|so"
+    r"|hence|thus|therefore"
+    r"|whence|ergo|which|this|that|it|we|one|you|i\.?\s?e\.?|is|are|to|say|be|by|in|other|words"
+    r"|means?|meaning|gives?|giving"
+    r"|yields?|yielding|get|obtain|have|had|find|finally|then|follows?|implies|imply|implying"
+    r"|equivalently|because|since|as|but|yet"
+    r"|namely|consequently|accordingly|results?|resulting|equals?|means|still|hereby|from|therefrom"
+    r"|damit|dann|d\.?\s?h\.?"
+    r"|das|dies|heißt|heisst|daher|folglich|somit|mithin|demnach|ist|da|weil|denn|aber|wir|man|also"
+    r"|ergibt|liefert|folgt"
+    r"|erhalten|erhält|bekommen|bedeutet|schließlich|nämlich|sich|wodurch|woraus|womit|donc|d'où|ce"
+    r"|qui|c'est|est|dire|à"
+    r"|donne|ainsi|alors|car|puisque|mais|on|obtient|luego|entonces|pues|porque|pero|quindi|dunque"
+    r"|perché|cioè|not"
     r"|[mck]?m|kg|g|k?N|k?Nm|rpm|m/s|rad/s|1/s|s)"
     r"(?![A-Za-zÀ-ÿ])|すなわち|つまり|だから|なので|より|から|ので|よって|したがって|従って|ゆえに|故に|である|となる|を得る|が|は)*$",
     re.IGNORECASE,
 )
-"""Nothing but words that lead from one statement to what is the same or follows: they start no new case."""
+"""Nothing but words that lead from one statement to what is the same or follows."""
 _NEW_CASE = re.compile(
     r"(?<![A-Za-zÀ-ÿ\\])(?:for|at|case|cases|now|if|when|whenever|or|with|take|let|put|set|setting|suppose|supposing"
     r"|assume|assuming|choose|another|second|third|fourth|next|instead|otherwise|else|elsewhere|while|whereas"
