@@ -320,7 +320,7 @@ class Judge:
         """Refute a relation whose sides, or terms, are in different units."""
         line = chain.lines[0]
         values = {name: d.node for name, d in knowledge.definitions.items()}
-        dimensions = Dimensions(self.declarations.symbols_at(line), values)
+        dimensions = Dimensions(self.declarations.symbols_at(line), values, self.document.text)
         left, right = chain.sides[against], chain.sides[k + 1]
         sources = (self.document.source(left.span), self.document.source(right.span))
         mismatches = [
