@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -12,11 +13,13 @@ from symbalance.document.formula import (
     Apply,
     Cases,
     Constant,
+    Derivative,
     Evaluation,
     Extremum,
     Formula,
     Integral,
     Limit,
+    Matrix,
     Name,
     Negative,
     Number,
@@ -60,7 +63,7 @@ from symbalance.notes.checking.premises import (
 )
 from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.sidecar import Declarations
-from symbalance.notes.checking.symbol_roles import MOVING, role_of
+from symbalance.notes.checking.symbol_roles import CONSTANT, MOVING, role_of
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONTRADICTION,
@@ -203,7 +206,8 @@ class Definitions:
             premise = replace(premise, last_line=min(premise.last_line, end))
         self.premises.append(premise)
         symbols = self.declarations.symbols_at(premise.line)
-        is_motion = all(role_of(symbols.get(n, "")) in _OF_CRANK_ANGLE for n in premise.names)
+        roles = {role_of(symbols.get(n, "")) for n in premise.names}
+        is_motion = bool(roles & {*_OF_CRANK_ANGLE}) and roles <= {*_OF_CRANK_ANGLE, *CONSTANT}
         turned = [n for n, text in symbols.items() if is_motion and role_of(text) == "crank angle"]
         for name in {*(premise.names & angles), *turned}:
             self.open_conditions[name] = premise
@@ -342,7 +346,11 @@ class Definitions:
         if decision.status != REFUTED:
             return None
         is_rounded = chain.relations[k].sign == "≈" or bool(decimals(value)) or not _is_round_angle(value)
-        if is_rounded and _changes_sign_nearby(written, name, value, knowledge):
+        # x = r at θ = π/2, but for what the rod's length adds
+        is_nearly = name not in condition.names and bool(names(condition.right))
+        if (is_rounded and _changes_sign_nearby(written, name, value, knowledge)) or (
+            is_nearly and decide(_side(at_value[0]), _side(at_value[1]), "≈", knowledge).is_proved
+        ):
             return None
         text = f"{plain(condition.left)} = {plain(condition.right)}"
         reason = f"does not satisfy {text} of line {condition.line}"
@@ -796,8 +804,47 @@ def _at_angles(left: Side, right: Side, sign: str, solved: Solved) -> Iterator[t
         yield twelfths, letter, decide(first, second, sign, solved.knowledge)
 
 
+_TWO_INDICES = re.compile(r"delta_\{?([A-Za-z0-9])([A-Za-z0-9])\}?$")
+
+
+def _refuse_by_name(name: str, value: Formula, knowledge: Knowledge) -> Decision | None:
+    """Return why a value does not suit how its letter is written: δ_nn = 0, S = Sᵀ, y' after y = x²."""
+    text = plain(Name(name))
+    indices = _TWO_INDICES.match(name)
+    if indices and name not in knowledge.letters and isinstance(value, Number):
+        if indices[1] == indices[2] and value.value == 0:
+            return Decision(UNDECIDED, f"{text} is 1 if it is Kronecker's; if not, declare it")
+        if indices[1] != indices[2] and value.value == 1:
+            return Decision(
+                UNDECIDED, f"{text} is 1 for equal indices only; if it is a letter, declare it"
+            )
+    if name in knowledge.meaning.kinds.symmetric and isinstance(value, Matrix):
+        for i, row in enumerate(value.rows):
+            for j, entry in enumerate(row[:i]):
+                mirrored = value.rows[j][i] if i < len(value.rows[j]) else entry
+                if decide(_side(entry), _side(mirrored), "=", knowledge).status == REFUTED:
+                    reason = (
+                        f"{text} is declared symmetric, entries ({i + 1}, {j + 1}) and mirrored differ"
+                    )
+                    return Decision(CONTRADICTION, reason)
+    bare = name.rstrip("'")
+    base = knowledge.definitions.get(bare)
+    if bare != name and name not in knowledge.letters and base is not None and len(names(base.node)) == 1:
+        (variable,) = names(base.node)
+        slope = Derivative(base.node, Name(variable), len(name) - len(bare))
+        if decide(_side(slope), _side(value), "=", knowledge).status == REFUTED:
+            reason = (
+                f"not the derivative of {bare} by {plain(Name(variable))}; if {text} is another letter"
+            )
+            return Decision(UNDECIDED, f"{reason}, declare it")
+    return None
+
+
 def refuse_value(name: str, value: Formula, knowledge: Knowledge) -> Decision | None:
     """Return why a first value is none: it has no value, or looks like a slip of the pen."""
+    by_name = _refuse_by_name(name, value, knowledge)
+    if by_name is not None:
+        return by_name
     if isinstance(value, Sum):
         terms = [t for t in value.terms if names(t)]
         double = next((t for n, t in enumerate(terms) if isinstance(t, Name) and t in terms[:n]), None)

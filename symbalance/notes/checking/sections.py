@@ -16,9 +16,12 @@ _HEADING = re.compile(
 )
 _UNDERLINE = re.compile(r"(?:={3,}|-{3,})\s*$")
 _CAPTION = re.compile(
-    r"\s*(?:[*_]{0,2}(?:figure|fig\.|table|tab\.|abbildung|abb\.|bild|tabelle)\s*[\d.:a-z(]|図|表|!\[|\\caption\b)",
+    r"\s*(?:[*_]{0,2}(?:figure|fig\.|table|tab\.|abbildung|abb\.|bild|tabelle)\s*[\d.:a-z(]"
+    r"|[*_]{0,2}(?:caption|legende?|bildunterschrift)\s*:|図|表|!\[|\\caption\b)",
     re.IGNORECASE,
 )
+_IN_BRACKETS = re.compile(r"\s*\([^()\n$]{1,40}\)\s*$")
+"""A line of its own in brackets is a remark on what it stands beside: (θ = 90°)."""
 _END = r"\s[^.;:!?\n$=]{0,30}$"
 _INTRODUCTION = re.compile(
     r"(?<![A-Za-z])(?:take|for|if|assume|assuming|suppose|supposing|when|whenever|choose|at"
@@ -139,7 +142,8 @@ class Sections:
         `is_number` tells whether it gives its letter a number.
         """
         line = chain.lines[0]
-        if chain.inline and _CAPTION.match(self._lines[self.paragraph_start(line) - 1]):
+        first = self._lines[self.paragraph_start(line) - 1]
+        if (chain.inline and _CAPTION.match(first)) or _IN_BRACKETS.match(first):
             return self.paragraph_end(line)
         start = min(side.span[0] for side in chain.sides)
         before = self.document.text[max(0, start - LONGEST_INTRODUCTION) : start]
