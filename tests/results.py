@@ -185,6 +185,8 @@ $$u^2 = 4$$
 where $u > 1$, and for $w = 3$ the same
 
 $$u = 5$$
+
+$$f(k) = 3$$
 """
 """Every verdict, Japanese prose, and characters that each medium writes in its own way."""
 LETTERS = {

@@ -80,8 +80,10 @@ def _shared() -> list[Measurement]:
             raise AssertionError("the answer depends on the workers")
         name = f"{workers} worker{'s, their start included' if workers > 1 else ''}"
         rate = f"{name}: {shared.tally.nodes / needed:,.0f} nodes a second"
-        compared = ("1 worker", seconds) if workers > 1 else ()
-        rows.append(Measurement(rate, needed, *compared))
+        if workers == 1:
+            rows.append(Measurement(rate, needed))
+        else:
+            rows.append(Measurement(rate, needed, "1 worker", seconds))
         workers *= 2
     return rows
 

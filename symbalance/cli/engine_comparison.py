@@ -82,8 +82,8 @@ def show_comparison(options: argparse.Namespace, order: int) -> None:
     from symbalance.forces.operating_point import checked_speeds
 
     speeds = checked_speeds(options.rpm)
-    several = len(speeds) > 1
-    show(compare_over_speeds(table, speeds) if several else table.at(rpm=speeds[0]), options)
+    first, *further = speeds
+    show(compare_over_speeds(table, speeds) if further else table.at(rpm=first), options)
 
 
 def engines_of(options: argparse.Namespace) -> list[Engine]:

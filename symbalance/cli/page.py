@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from typing import Any
 
 from symbalance.cli.options import add_engine, add_running, command, engine_of
 from symbalance.cli.output import whole_number, write
@@ -31,7 +32,8 @@ def run(options: argparse.Namespace) -> int:
 
     engine = engine_of(options)
     result = balance(engine, whole_number(options.order, "order"))
-    printed = {} if options.delta is None else {"delta": checked_delta(options.delta, "--delta")}
+    delta = None if options.delta is None else checked_delta(options.delta, "--delta")
+    printed: dict[str, Any] = {} if delta is None else {"delta": delta}
     running = running_engine(options, engine, **printed)
     if options.delta is not None and running is None:
         raise SymbalanceError("--delta", *FOR_RUNNING)

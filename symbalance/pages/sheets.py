@@ -24,8 +24,9 @@ class Sheet:
     pages: tuple[Drawing, ...]
 
     def __repr__(self) -> str:
-        more = f" and {len(self.pages) - 1} pages more" if len(self.pages) > 1 else ""
-        return f"Sheet: {self.pages[0].title.removeprefix('Sheet of ')}{more}"
+        first, *further = self.pages
+        more = f" and {len(further)} pages more" if further else ""
+        return f"Sheet: {first.title.removeprefix('Sheet of ')}{more}"
 
     def latex(self) -> str:
         """Return a LaTeX document of the pages, which needs TikZ."""
@@ -70,7 +71,12 @@ def sheet(
     if not subjects:
         raise SymbalanceError("sheet()", "needs an engine or a balance", "as sheet(load('v8-90'))")
     if compare:
-        engines = [each.engine if isinstance(each, Balance) else each for each in subjects]
+        engines: list[Engine] = []
+        for each in subjects:
+            if isinstance(each, EngineComparison):
+                rule = "is a comparison already"
+                raise SymbalanceError("sheet(compare=True)", rule, "leave compare out, or give engines")
+            engines.append(each.engine if isinstance(each, Balance) else each)
         return Sheet(_comparison(compare_engines(engines, order)))
     return Sheet(tuple(page for each in subjects for page in _pages(each, order)))
 

@@ -18,7 +18,7 @@ from tests import TESTS
 HAND = TESTS / "hand"
 WRONG = {
     ("oldtex", "λ"), ("single_cylinder", "M"), ("single_cylinder", "F"), ("slider_crank_notes", "v"),
-    ("torque", "F"),
+    ("torque", "F"), ("guest_scan", "ω"), ("guest_web", "λ"),
 }  # fmt: skip
 """What is proposed wrongly: letters that change their meaning, a ratio no word explains."""
 PAGES = {

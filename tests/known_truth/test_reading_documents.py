@@ -337,3 +337,20 @@ def test_prose_around_a_formula_changes_nothing(prose: str) -> None:
         begin, stop = chain.sides[0].span[0], chain.sides[-1].span[1]
         assert begin >= start or prose == "+ {}"  # a sign is no bullet for sure: its place is noted
         assert begin < stop <= end
+
+
+def test_the_number_of_an_equation_may_stand_behind_the_end_of_its_rows() -> None:
+    document = read("$$\n\\begin{aligned}\nx &= a,\\\\\ny &= b\n\\end{aligned}\n\\tag{5.4}\n$$\n")
+    assert [(said(chain), chain.tag) for chain in document.chains] == [("x = a", ""), ("y = b", "5.4")]
+    assert document.unreadable == ()
+
+
+def test_macros_side_by_side_are_two_letters() -> None:
+    macros = "\\newcommand{\\rr}{\\lambda}\n\\newcommand{\\mo}{m}\n"
+    document = read_document(f"{macros}$x = \\rr\\mo a$", "n.tex", lambda line: ["x", "a", "lambda", "m"])
+    assert [said(chain) for chain in document.chains] == ["x = λ m a"]
+
+
+def test_a_unit_of_siunitx_may_be_a_whole_kilogram_or_of_its_own_name() -> None:
+    units = "\\DeclareSIUnit{\\rpm}{rpm}\n$x = \\SI{0.62}{\\kilogram}$, $y = \\SI{30}{\\rpm}$"
+    assert [said(chain) for chain in read(units).chains] == ["x = 0.62", "y = 30 (π/30)"]

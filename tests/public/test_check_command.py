@@ -61,7 +61,7 @@ def test_a_page_without_relations_has_not_passed(page, tmp_path, capsys):
 
 @pytest.mark.slow
 def test_every_relation_seen_is_counted(tmp_path, capsys):
-    path = written(tmp_path, f"{GOOD}\n{BAD}\n$$x = q$$\n\n$$k = 2r$$\n")
+    path = written(tmp_path, f"{GOOD}\n{BAD}\n$$x = f(q)$$\n\n$$k = 2r$$\n")
     assert run(["check", path, "--format", "json"]) == 1
     report = json.loads(capsys.readouterr().out)
     assert report["seen"] == 4 == sum(report["counts"].values())
@@ -183,7 +183,7 @@ def test_a_bound_line_that_cannot_be_read_is_counted_once(line, tmp_path):
     assert [(v.verdict, v.bind) for v in found.verdicts] == [("unreadable", "displacement")]
     assert found.relation_count == 1
     nowhere = BOUND_LINE.replace("line = 1", "line = 2")
-    found = sb.check(Path(written(tmp_path, f"$$x = q$$\nprose\n\n{GOOD}", nowhere)))
+    found = sb.check(Path(written(tmp_path, f"$$x = f(q)$$\nprose\n\n{GOOD}", nowhere)))
     assert [(v.line, v.bind) for v in found.verdicts] == [(1, ""), (2, "displacement"), (4, "")]
 
 

@@ -180,15 +180,43 @@ def _evaluation(evaluator: FormEvaluator, node: formula.Evaluation) -> Form:
 
 
 def _at(evaluator: FormEvaluator, letter: formula.Formula, place: formula.Formula) -> Form:
-    """Return x(π): what a letter, known as a function of an angle, is there."""
-    form = evaluator.form(letter)
-    bare = isinstance(letter, formula.Name) and form.equals(Form.letter(form.domain, letter.name))
-    if bare and isinstance(letter, formula.Name):
-        raise NoFormError(f"{plain_letter(letter.name)}( ), a function of which nothing is known here")
-    angles = {name for rates in evaluator.meaning.rates.values() for name in rates}
+    """Return x(π), ẍ(0): what a letter, known as a function of an angle, or its derivative is there."""
+    form, meaning = evaluator.form(letter), evaluator.meaning
+    name = letter.name if isinstance(letter, formula.Name) else ""
+    if name and form.equals(Form.letter(form.domain, name)):
+        raise NoFormError(f"{plain_letter(name)}( ), a function of which nothing is known here")
+    angles = {angle for rates in meaning.rates.values() for angle in rates}
     moving = [name for name in letters(form) if name in angles]
+    unused = [n for n in letters(form) if n not in angles and (n in meaning.known or "/d" in n)]
+    if unused:  # with ẍ a letter of its own, as any level may leave it, its value there is not 0
+        raise NoFormError(f"{plain_letter(unused[0])} at a place, its value not put in")
+    if not moving and letters(form) and all(n in meaning.constant for n in letters(form)):
+        return form
     name = moving[0] if len(moving) == 1 else turning_letter(evaluator, form, "a value at a place")
-    return value_at(evaluator, letter, name, place)
+    return value_at(evaluator, letter, name, _as_angle(evaluator, name, place))
+
+
+def _as_angle(evaluator: FormEvaluator, name: str, place: formula.Formula) -> formula.Formula:
+    """Return a place in time as the angle reached: x(ωt) is x at θ, and so is x(t)."""
+    for time, rates in evaluator.meaning.rates.items():
+        if name not in rates or time not in formula.names(place):
+            continue
+        rate = rates[name]
+        angle = _with_letter(place, time, formula.Quotient(formula.Name(name), rate))
+        for candidate in (angle, formula.Product((rate, angle))):
+            if not set(letters(evaluator.form(candidate))) & formula.names(rate):
+                return candidate
+        raise NoFormError("a place that is neither an angle nor a time")
+    return place
+
+
+def _with_letter(node: formula.Formula, name: str, by: formula.Formula) -> formula.Formula:
+    """Return a formula with a letter replaced by a formula."""
+    if isinstance(node, formula.Name):
+        return by if node.name == name else node
+    return formula.with_children(
+        node, tuple(_with_letter(part, name, by) for part in formula.children(node))
+    )
 
 
 # Limits -------------------------------------------------------------------------------------------

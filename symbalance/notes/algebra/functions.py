@@ -127,15 +127,24 @@ def _both_exponentials(argument: Form) -> tuple[Form, Form]:
 
 
 def opaque(function: str, argument: Form) -> Form:
-    """Return a function that has no rule here, as a generator; equal arguments share one."""
+    """Return a function that has no rule here, as a generator; equal arguments share one.
+
+    So do opposite ones of what is odd or even: arcsin(-x) = -arcsin x, J_0(-x) = J_0(x).
+    """
     domain = argument.domain
+    parity = _PARITY.get(function)
+    opposite = argument.scaled(-1) if parity else argument
     for number in domain.opaque:
         name, content = domain.generators[number].content
         if name == function and content.equals(argument):
             return Form.of(domain, {((number, 1),): Fraction(1)})
+        if parity and name == function and content.equals(opposite):
+            return Form.of(domain, {((number, 1),): Fraction(parity)})
     number = domain.opaque_function((function, argument))
     return Form.of(domain, {((number, 1),): Fraction(1)})
 
+
+_PARITY = {"asin": -1, "atan": -1, "besselj0": 1, "besselj1": -1}
 
 # By the names that formulas give them
 

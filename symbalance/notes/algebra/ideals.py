@@ -52,7 +52,7 @@ def follows(
         system = _System(domain, [*equations, claim], set(nonzero))
         *rows, claimed = system.rows_of_equations
         size = len(system.variables) + 1
-        away = {(*powers, 1): coefficient for powers, coefficient in claimed.items()}
+        away: dict[tuple[int, ...], Fraction] = {(*p, 1): factor for p, factor in claimed.items()}
         away[(0,) * size] = away.get((0,) * size, Fraction(0)) - 1
         wider = [{(*p, 0): c for p, c in row.items()} for row in (*rows, *system.relations)]
         return _has_constant([*wider, away])

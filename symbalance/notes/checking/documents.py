@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path, PurePath
@@ -29,8 +29,9 @@ from symbalance.notes.checking.sidecar import (
     without_header,
 )
 from symbalance.notes.checking.symbol_roles import readable_letters
+from symbalance.notes.checking.symbols import motions_of
 from symbalance.notes.checking.verdicts import MOST_LETTERS, UNDECLARED, Checked
-from symbalance.notes.reading import read_document
+from symbalance.notes.reading import Motions, read_document
 from symbalance.notes.reading.equations import ReadNotes
 from symbalance.notes.reading.notebooks import SUFFIX as NOTEBOOK
 from symbalance.notes.reading.notebooks import notebook_text
@@ -89,7 +90,8 @@ def check(
         declarations = declarations.accepted()
     elif count := declarations.proposal_count:
         remarks.append(_waiting(count))
-    page = run_within(budget, partial(read_document, text, name, _letters_by_line(declarations)))
+    letters, motions = _letters_by_line(declarations), _motions_by_line(declarations)
+    page = run_within(budget, partial(read_document, text, name, letters, motions))
     declarations = declarations.without_idle(page_letters(page))
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
     sources = Sources(provider, beside)
@@ -188,6 +190,19 @@ def _letters_by_line(declarations: Declarations) -> Any:
         return cache[key]
 
     return names_at
+
+
+def _motions_by_line(declarations: Declarations) -> Callable[[int], Motions]:
+    """Return the letters declared for a line to move with the crank angle, and what they move with."""
+    cache: dict[tuple[int, ...], Motions] = {}
+
+    def motions_at(line: int) -> Motions:
+        key = declarations.scope_at(line)
+        if key not in cache:
+            cache[key] = motions_of(declarations.symbols_at(line))
+        return cache[key]
+
+    return motions_at
 
 
 def text_of(document: str | Path) -> tuple[str, str, Path]:

@@ -21,10 +21,13 @@ from symbalance.document.formula import (
     Product,
     Span,
     Sum,
+    Summation,
     names,
+    walk,
 )
 from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError
+from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking import assertions, constraints
 from symbalance.notes.checking.constraints import Constraint
 from symbalance.notes.checking.deciding.cases import decide_case, decide_with_ratio, states_a_case
@@ -126,6 +129,7 @@ class Judge:
         self.definitions = Definitions(self.declarations, Sections(self.document))
         self.start = time.monotonic()
         self.small_letters = small_letters(self.document.text)
+        self.counts = _counts(self.document)
         self.not_judged: dict[str, int] = {}
         """Letters that a relation may define which was not judged, with its line."""
 
@@ -217,7 +221,7 @@ class Judge:
 
     def knowledge(self, line: int, convention: str = "") -> Knowledge:
         """Return what is known at a line."""
-        symbols = self.declarations.symbols_at(line)
+        symbols = {**self.counts, **self.declarations.symbols_at(line)}
         meaning, crank = meaning_of(symbols, convention, self.sources.engines)
         definitions = self.definitions.at(line)
         letters = letters_by_role(symbols)
@@ -577,9 +581,8 @@ class Judge:
             reason = f"may rest on line {self.not_judged[unknown[0]]}, which was not judged"
         elif condition is not None:
             reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
-        elif letter := self._one_sided_letter(left, right, line, knowledge):
-            sign = formula_text(Name(letter), plain=True)
-            reason = f"{sign} is not declared and stands on one side only: declare what it means"
+        elif letter := self._one_sided_letter(decision, line, knowledge):
+            reason = f"{letter} stands on one side only: declare what it means"
         elif chain.relations[k].sign == "=":
             reason = self._missing_meaning(left, right, line, knowledge)
         reason = reason or self._ended_premise(chain, k, knowledge)
@@ -601,16 +604,21 @@ class Judge:
         where = lines_of(solved.premises)
         return f"true if {texts}, by {where}, which holds to the end of its section; say so again"
 
-    def _one_sided_letter(
-        self, left: Formula, right: Formula, line: int, knowledge: Knowledge
-    ) -> str | None:
-        """Return a letter that nobody declared, on one side of a relation only, None if there is none.
+    def _one_sided_letter(self, decision: Decision, line: int, knowledge: Knowledge) -> str:
+        """Return a letter whose meaning may make a refuted relation true, as it stands on one side only.
 
-        x = r (1 - cos u) is wrong of any u but of the crank angle, which u may be.
+        x = r (1 - cos u) is wrong of any u but of the crank angle, which u may be; dx/dt = v is of any x
+        but the one whose speed v is.
         """
+        if decision.left is None or decision.right is None:
+            return ""
         free = set(self.document.free_letters) - set(self.declarations.symbols_at(line))
-        one_sided = sorted(free & (names(left) ^ names(right)))
-        return next((name for name in one_sided if not knowledge.knows(name)), None)
+        for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
+            if name in free and not knowledge.knows(name):
+                return f"{formula_text(Name(name), plain=True)} is not declared and"
+            if "/d" in name:  # the derivative of what no line defines
+                return name
+        return ""
 
     def _missing_meaning(self, left: Formula, right: Formula, line: int, knowledge: Knowledge) -> str:
         """Return for which size of the geometry a letter without a meaning makes a relation true.
@@ -841,6 +849,19 @@ def _meant_as_number(left: Formula, right: Formula, knowledge: Knowledge) -> str
             is_letter = decide_equality(left, right, knowledge).is_proved
             return "" if is_letter else ", ".join(formula_text(Constant(n), plain=True) for n in chosen)
     return ""
+
+
+def _counts(document: ReadNotes) -> dict[str, str]:
+    """Return the letters that sums run to: integers, where nobody declared them anything else."""
+    sums = (
+        part
+        for chain in document.chains
+        for side in chain.sides
+        for part in walk(side.node)
+        if isinstance(part, Summation) and part.upper is not None
+    )
+    ends = {name for total in sums if total.upper is not None for name in names(total.upper)}
+    return dict.fromkeys(sorted(ends), "integer")
 
 
 def _lone_letters(chain: Chain, k: int) -> Iterator[str]:

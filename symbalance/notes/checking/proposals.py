@@ -16,7 +16,17 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
-from symbalance.document.formula import Call, Formula, Name, Number, Product, names, walk
+from symbalance.document.formula import (
+    Call,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Product,
+    Quotient,
+    names,
+    walk,
+)
 from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, LOWERED, plain_letter
 from symbalance.document.wordlists import word_set
 from symbalance.notes.checking.engines import Engines
@@ -334,7 +344,25 @@ class _Roles:
             if match := written.search(line):
                 above, below = match[1] or match[3], match[2] or match[4]
                 return f"{self._length(above)}/{self._length(below)}", number
+        for chain in self.page.chains:  # behind macros, in HTML, in full-width letters
+            head, *others = chain.sides
+            value = others[0].node if others else None
+            if head.node == Name(letter) and isinstance(value, Quotient):
+                above, below = value.numerator, value.denominator
+                if isinstance(above, Name) and isinstance(below, Name):
+                    return f"{self._length(above.name)}/{self._length(below.name)}", chain.lines[0]
         return None
+
+    def _multiplies_second_order(self, letter: str) -> bool:
+        """Tell whether a ratio stands above the cosine of twice an angle: r/l does, l/r below it."""
+        powers = [
+            _power_of(part, letter)
+            for chain in self.page.chains
+            for side in chain.sides
+            for part in walk(side.node)
+            if isinstance(part, Product | Quotient) and _is_of_second_order(part)
+        ]
+        return sum(power > 0 for power in powers) > sum(power < 0 for power in powers)
 
     def _length(self, letter: str) -> str:
         """Return r, l or s for a letter that is said to be the radius, the rod or the stroke."""
@@ -355,6 +383,8 @@ class _Roles:
         sizes = {role.role for line in self.lines for role in roles_named(line[:_LONGEST_LINE])}
         has_stroke = "stroke" in sizes and not {"crank radius"} & sizes and "r" not in self.letters
         ratio = "rod ratio l/s" if has_stroke else "rod ratio l/r"
+        if ratio == "rod ratio l/r" and self._multiplies_second_order("lambda"):
+            ratio = "crank ratio r/l"
         usual = {"theta": "crank angle", "lambda": ratio, "rho": "crank ratio r/l"}
         usual |= {name: USUAL["crank"][plain_letter(name)] for name in ("omega", "t", "beta")}
         if "theta" not in self.letters:
@@ -767,3 +797,40 @@ def _is_heading(lines: Sequence[str], number: int) -> bool:
 def _section_start(lines: Sequence[str], number: int) -> int:
     """Return the line of the heading above a line; itself where there is none."""
     return next((n for n in range(number, 0, -1) if _is_heading(lines, n)), number)
+
+
+def _power_of(node: Formula, letter: str) -> int:
+    """Return the power of a letter in a product.
+
+    >>> from symbalance.document.formula import number
+    >>> _power_of(Quotient(Name("r"), Product((number(2), Name("k")))), "k")
+    -1
+    """
+    match node:
+        case Name():
+            return int(node.name == letter)
+        case Product():
+            return sum(_power_of(factor, letter) for factor in node.factors)
+        case Quotient():
+            return _power_of(node.numerator, letter) - _power_of(node.denominator, letter)
+        case Negative():
+            return _power_of(node.operand, letter)
+        case _:
+            return 0
+
+
+def _is_of_second_order(node: Formula) -> bool:
+    """Tell whether one factor of a product is the cosine of twice a letter."""
+    factors = node.factors if isinstance(node, Product) else (node,)
+    for factor in factors:
+        top = factor.numerator if isinstance(factor, Quotient) else factor
+        for part in top.factors if isinstance(top, Product) else (top,):
+            if isinstance(part, Call) and part.function == "cos" and _is_double(part.argument):
+                return True
+    return False
+
+
+def _is_double(node: Formula) -> bool:
+    if not isinstance(node, Product) or len(node.factors) != 2:
+        return False
+    return node.factors[0] == Number(Fraction(2)) and isinstance(node.factors[1], Name)

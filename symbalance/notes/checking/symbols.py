@@ -38,6 +38,7 @@ from symbalance.notes.checking.symbol_roles import (
     letters_by_role,
     role_of,
 )
+from symbalance.notes.reading import Motions
 
 SAME_POWER = 31
 """The power of r/l through which every declared A_n is taken: one for all, so that sums compare."""
@@ -112,6 +113,22 @@ def meaning_of(
         not_real,
         kinds_of(symbols),
     ), crank
+
+
+def motions_of(symbols: Mapping[str, str]) -> Motions:
+    """Return the letters that move with the crank, with their derivatives, and the angles and times.
+
+    >>> sorted(motions_of({"x": "piston position", "theta": "crank angle"}).letters)
+    ['x', "x'", "x''"]
+    """
+    letters = letters_by_role(symbols)
+    moving = [n for m in (*MOVING, "rod angle") for n in letters.get(m, ())]
+    if not moving:
+        return Motions()
+    crank = geometry(symbols, "")
+    arguments = {n for m in ("crank angle", "time") for n in letters.get(m, ())} | {crank.time}
+    arguments |= formula.names(crank.theta) if isinstance(crank.theta, Name) else set()
+    return Motions(frozenset(n + "'" * k for n in moving for k in range(3)), frozenset(arguments))
 
 
 def _harmonic(meaning: str, crank: Geometry, engines: Engines) -> Formula:

@@ -16,11 +16,12 @@ executed as code.
     equations, failures             what comes out, and why something may not be read
 """
 
-from symbalance.notes.reading.document import read_document, read_equation, read_expression
+from symbalance.notes.reading.document import Motions, read_document, read_equation, read_expression
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.letter_names import canonical_name
 
 __all__ = [
+    "Motions",
     "ReadingError",
     "UndeclaredError",
     "canonical_name",

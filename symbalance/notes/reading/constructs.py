@@ -8,6 +8,7 @@ read as any formula is: `\int_0^{2\pi} \cos\theta \, d\theta`, `\int \frac{dx}{1
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -15,6 +16,7 @@ from symbalance.document.formula import (
     Apply,
     Call,
     Cases,
+    Derivative,
     Dots,
     Evaluation,
     Extremum,
@@ -39,7 +41,7 @@ UNNAMED = Name("")
 """The letter of `\\max f` or `[f]_a^b`, which names none: the algebra takes the only one there is."""
 MOST_CELLS = 2500
 TRANSPOSED = ("T", "t", "top", "intercal")
-_INDEX = re.compile(r"([0-9]*)([A-Za-z]?)(?:([+-])([0-9]+))?")
+_INDEX = re.compile(r"([+−-]?)(?=[0-9A-Za-z])([0-9]*)([A-Za-z]?)(?:([+−-])([0-9]+))?")
 _TWO_INDICES = re.compile(r"([A-Za-z]|[0-9]+),?([A-Za-z]|[0-9]+)")
 
 
@@ -330,6 +332,44 @@ def read_place(parser: Parser, letter: Name, first: int) -> Formula | None:
     return Apply("at", (letter, place), span=parser.span_since(first))
 
 
+def read_place_of_derivative(parser: Parser, node: Derivative, first: int) -> Formula:
+    """Read \\frac{dx}{dt}(0), \\ddot x(\\pi), \\dot x(t): a derivative at a place, never times a number.
+
+    Nor times an angle or time alone, shifted or stretched: dx/dt(-θ). A bracket with other letters in it
+    is left, as a factor or as the place that the letter's declaration makes it.
+    """
+    if not (parser.at("open", "(") and parser.is_tight()) or not isinstance(node.expression, Name):
+        return node
+    start = parser.place + 1
+    stop = start
+    while stop < len(parser.tokens) and parser.tokens[stop].kind not in ("open", "close"):
+        stop += 1
+    inside = parser.tokens[start:stop]
+    if stop >= len(parser.tokens) or parser.tokens[stop].value != ")" or not inside:
+        return node
+    if len(inside) == 1 and inside[0].value in (node.variable.name, *_ANGLES):
+        parser.place = stop + 1
+        return replace(node, span=parser.span_since(first))
+    if not (_is_a_number(parser, inside) or _is_an_angle(inside, node)):
+        return node
+    opener = parser.take()
+    place = parser.expression()
+    parser.expect_close(opener)
+    return Apply("at", (node, place), span=parser.span_since(first))
+
+
+def _is_an_angle(inside: list[Token], node: Derivative) -> bool:
+    """Tell whether tokens hold an angle or time with numbers and ω, and not the letter differentiated."""
+    letters = {token.value for token in inside if token.kind == "name"}
+    running = {node.variable.name, *_ANGLES}
+    plain = all(token.kind in ("number", "vulgar", "degree", "name", "op") for token in inside)
+    own = isinstance(node.expression, Name) and node.expression.name in {*letters, *_ANGLES}
+    return plain and not own and bool(letters & running) and letters <= {*running, "omega", "pi"}
+
+
+_ANGLES = ("t", "theta", "phi", "varphi", "vartheta")
+
+
 def _is_a_number(parser: Parser, tokens: list[Token]) -> bool:
     """Tell whether tokens are a number, a multiple of π, or degrees, and no sum."""
     has_pi = any(t.kind == "name" and t.value == "pi" and "pi" not in parser.names for t in tokens)
@@ -365,17 +405,19 @@ def _index(parser: Parser, script: str, span: tuple[int, int]) -> Formula | None
     match = _INDEX.fullmatch(script)
     if match is None or not script:
         return None
-    digits, letter, sign, shift = match.groups()
+    own_sign, digits, letter, sign, shift = match.groups()
     parts: list[Formula] = [Number(Fraction(int(digits)), span=span)] if digits else []
     if letter:
         if letter not in parser.names and letter not in parser.bound:
             return None
         parts.append(Name(letter, span=span))
     node = parts[0] if len(parts) == 1 else Product(tuple(parts), span=span)
+    if own_sign in ("-", "−"):  # J_{-1}: the sign is the order's own, no difference from nothing
+        node = Negative(node, span=span)
     if not shift:
-        return node if parts else None
+        return node
     by: Formula = Number(Fraction(int(shift)), span=span)
-    by = Negative(by, span=span) if sign == "-" else by
+    by = Negative(by, span=span) if sign in ("-", "−") else by
     return Sum((node, by), span=span)
 
 

@@ -12,6 +12,7 @@ import unicodedata
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import PurePath
+from typing import NamedTuple
 
 from symbalance.document.formula import Formula, children, with_children
 from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek, plain_letter
@@ -31,8 +32,25 @@ MOST_LINES_OF_PROSE = 2  # that a chain may go past: "= …" further down is an 
 EQUALITIES = ("=", "≈", "≡")
 
 
-def read_document(text: str, name: str, names_at: Callable[[int], Collection[str]]) -> ReadNotes:
+class Motions(NamedTuple):
+    """Letters that move, and what they move with: x(-θ) is x at another angle, and no product."""
+
+    letters: frozenset[str] = frozenset()
+    arguments: frozenset[str] = frozenset()
+
+
+NO_MOTIONS = Motions()
+
+
+def read_document(
+    text: str,
+    name: str,
+    names_at: Callable[[int], Collection[str]],
+    motions_at: Callable[[int], Motions] = lambda _: NO_MOTIONS,
+) -> ReadNotes:
     """Return the equations of a text; `names_at` tells the letters declared at each line.
+
+    `motions_at` tells which of them are functions of an angle or of time.
 
     >>> document = read_document("where F = m a holds", "", lambda line: {"m", "a"})
     >>> document.source(document.chains[0].sides[1].span)
@@ -49,7 +67,7 @@ def read_document(text: str, name: str, names_at: Callable[[int], Collection[str
         return cache[line]
 
     source = prepare(text, PurePath(name).suffix.lower(), lambda letter, line: letter in names(line))
-    assembler = Assembler(ItemFinder(source, names), names)
+    assembler = Assembler(ItemFinder(source, names), names, motions_at)
     assembler.run()
     chains, unreadable, passed = assembler.chains, assembler.unreadable, assembler.not_mathematics
     if source.origin is not None:
@@ -118,7 +136,7 @@ def read_equation(text: str, names: Collection[str], offset: int = 0) -> Chain:
     draft = Draft(item, set(names))
     source = to_half_width(text)
     try:
-        draft.add(item, without_aside(lex(source, 0, len(text), names)))
+        draft.add(item, without_aside(lex(source, 0, len(text), names, "tex" if "\\" in source else "")))
         draft.finish_alone()
         return _chain(draft, source, names, offset)
     except ReadingError as failure:
@@ -152,8 +170,13 @@ def _read_side(
 class Assembler:
     """Reads the items of a document in order; letters defined on the way are letters from there on."""
 
-    def __init__(self, finder: ItemFinder, names_at: Callable[[int], Collection[str]]) -> None:
-        self.finder, self.names_at = finder, names_at
+    def __init__(
+        self,
+        finder: ItemFinder,
+        names_at: Callable[[int], Collection[str]],
+        motions_at: Callable[[int], Motions],
+    ) -> None:
+        self.finder, self.names_at, self.motions_at = finder, names_at, motions_at
         self.text = finder.text
         self.defined_letters: set[str] = set()
         self.chains: list[Chain] = []
@@ -192,7 +215,7 @@ class Assembler:
         known = frozenset(self.names_at(item.first_line)) | self.defined_letters
         names = known | (self.draft.own_letter() if self.draft else frozenset())
         try:
-            tokens = without_aside(lex(self.text, item.start, item.end, names))
+            tokens = without_aside(lex(self.text, item.start, item.end, names, self._setting(item)))
             if item.head:
                 tokens = [*self._head_tokens(item.head, names), *tokens]
         except ReadingError as failure:
@@ -206,10 +229,16 @@ class Assembler:
             self._finish_chain()
             tokens = tokens[1:] if self._follows_refused(item, tokens) else tokens
             known = frozenset(self.names_at(item.first_line)) | self.defined_letters
-            self.draft = Draft(item, set(known)) if tokens else None
+            self.draft = Draft(item, set(known), self.motions_at(item.first_line)) if tokens else None
         if self.draft:
             self.draft.names |= known
             self.draft.add(item, tokens)
+
+    def _setting(self, item: Item) -> str:
+        """Return "code" for an item in program code, "tex" for one in a display or between dollars."""
+        if any(a <= item.start < b for a, b in self.finder.source.codes):
+            return "code"
+        return "tex" if item.kind in ("display", "inline") else ""
 
     def _head_tokens(self, head: tuple[int, int], names: frozenset[str]) -> list[Token]:
         """Return the letter that stands left of an item: a letter, or words that stand for one.
@@ -450,6 +479,7 @@ class Draft:
 
     item: Item
     names: set[str]
+    motions: Motions = NO_MOTIONS
     sides: list[list[Token]] = field(default_factory=lambda: [[]])
     signs: list[Token] = field(default_factory=list)
     items: list[Item] = field(default_factory=list)
@@ -561,7 +591,7 @@ class Draft:
         """Note what is missing at the end."""
         if self.open_brackets:
             self._leave_open()
-        self.sides = with_functions_at_places(self.sides)
+        self.sides = with_functions_at_places(self.sides, self.motions)
         for place, side in enumerate(self.sides):
             if not side and place not in self.failures:
                 self.failures[place] = self._missing(place)
@@ -697,10 +727,11 @@ def letter_at_a_place(side: Sequence[Token]) -> list[Token]:
     return [replace(t, value=AT) if t.kind == "open" and t.value == "(" else t for t in side]
 
 
-def with_functions_at_places(sides: list[list[Token]]) -> list[list[Token]]:
+def with_functions_at_places(sides: list[list[Token]], motions: Motions) -> list[list[Token]]:
     """Return the sides with F(2ω) = 4 F(ω) as one function at two places, and no product.
 
-    One letter before two brackets, each with one running letter alone or with numbers, is a function.
+    One letter before two brackets, each with one running letter alone or with numbers, is a function;
+    a letter that moves is one before every bracket that shifts or stretches what it moves with.
     """
     uses: dict[str, set[str]] = {}
     for side in sides:
@@ -708,7 +739,50 @@ def with_functions_at_places(sides: list[list[Token]]) -> list[list[Token]]:
             name = side[start - 1].value
             uses.setdefault(name, set()).add(tokens_text(side[start + 1 : stop]))
     functions = {name for name, insides in uses.items() if len(insides) > 1}
-    return [_with_places(side, functions) for side in sides] if functions else sides
+    if functions:
+        sides = [_with_places(side, functions) for side in sides]
+    return [_with_moved_places(side, motions) for side in sides] if motions.letters else sides
+
+
+def _with_moved_places(side: list[Token], motions: Motions) -> list[Token]:
+    """Return a side whose x(-θ), \\dot{x}(ωt) and v(θ + π/2) are values at a place; x(θ) is x."""
+    done = list(side)
+    for start in range(len(side) - 1, 0, -1):
+        token = side[start]
+        if token.value != "(" or token.kind != "open" or side[start - 1].end != token.start:
+            continue
+        is_braced = side[start - 1].value == "}" and start > 3 and side[start - 4].is_cmd(*TIME_DOTS)
+        name = side[start - 2 if is_braced else start - 1]
+        stop = _closing(side, start)
+        if name.kind != "name" or name.value not in motions.letters or stop is None:
+            continue
+        inside = side[start + 1 : stop]
+        if not _is_moved(inside, motions.arguments):
+            continue
+        if is_variable(inside):
+            done[start - 1 : stop + 1] = [replace(side[start - 1], end=side[stop].end)]
+        else:
+            done[start] = replace(token, value=AT)
+    return done
+
+
+def _closing(side: Sequence[Token], start: int) -> int | None:
+    depth = 0
+    for place in range(start, len(side)):
+        depth += {"open": 1, "close": -1}.get(side[place].kind, 0)
+        if depth == 0:
+            return place if side[place].value == ")" else None
+    return None
+
+
+def _is_moved(inside: Sequence[Token], arguments: frozenset[str]) -> bool:
+    """Tell whether brackets hold an angle or time, shifted or stretched, and no function of it."""
+    plain = all(
+        token.kind in ("number", "vulgar", "degree", "name", "op", "open", "close")
+        or token.is_cmd("frac")
+        for token in inside
+    )
+    return plain and any(token.kind == "name" and token.value in arguments for token in inside)
 
 
 _MULTIPLIERS = frozenset({"pi", "i", "j", "e", "k", "n", "m", "N"})

@@ -117,9 +117,11 @@ CLOSER |= dict.fromkeys(signs.CELLS.values(), "[end]")
 """The bracket that closes each bracket."""
 
 
-def lex(text: str, start: int, end: int, names: Collection[str]) -> list[Token]:
-    """Return the tokens of text[start:end]."""
-    return Lexer(text, start, end, names).run()
+def lex(text: str, start: int, end: int, names: Collection[str], setting: str = "") -> list[Token]:
+    """Return the tokens of text[start:end]; 3!= 6 is 3! = 6 in the setting "tex", 3 ≠ 6 in "code"."""
+    lexer = Lexer(text, start, end, names)
+    lexer.setting = setting
+    return lexer.run()
 
 
 class Lexer:
@@ -132,6 +134,7 @@ class Lexer:
         self.skips: dict[int, int] = {}  # where words under a brace begin -> where they end
         self.latex = "\\" in text[start:end]
         self.cells: list[str] = []  # the matrices that are open
+        self.setting = ""
 
     def run(self) -> list[Token]:
         """Return all tokens."""
@@ -195,7 +198,10 @@ class Lexer:
             return
         if arrow and arrow.group() != "<=":
             raise ReadingError(self.place, *signs.REFUSED["to"])
-        if match := _RELATION.match(self.text, self.place, self.end):
+        match = _RELATION.match(self.text, self.place, self.end)
+        if match and match.group() == "!=" and self.setting != "code" and self._is_behind_operand():
+            self._factorial_before_equals()
+        elif match:
             self._add("rel", _TWO_SIGNS[match.group()], match.end())
         elif dots := next((d for d in signs.DOTS_SIGNS if self.text.startswith(d, self.place)), None):
             self._add("dots", "…", self.place + len(dots))
@@ -209,6 +215,17 @@ class Lexer:
             self._add("close", signs.CLOSING[sign], self.place + 1)
         else:
             self._rare_sign(sign)
+
+    def _is_behind_operand(self) -> bool:
+        last = self.tokens[-1] if self.tokens else None
+        return last is not None and last.end == self.place and last.kind in ("number", "name", "close")
+
+    def _factorial_before_equals(self) -> None:
+        """Take the ! of 3!=6, which TeX sets as 3! = 6; in plain text it may as well be 3 ≠ 6."""
+        if self.setting != "tex":
+            what = "!= right behind a letter or number, ≠ or a factorial and ="
+            raise ReadingError(self.place, what, "write x ≠ 3, or n! = 6 with a space")
+        self._add("postfix", "!", self.place + 1)
 
     def _is_in_limit(self) -> bool:
         """Tell whether lim_{x stands right before the place."""

@@ -288,12 +288,12 @@ class Round:
         return end
 
     def _parting(self, texts: list[str | Span], end: int) -> list[str]:
-        """Return a blank where a command at the end would run into a letter."""
+        """Return a blank where a command at the end would run into a letter, typed or of a macro."""
         last = next(
             (t if isinstance(t, str) else self.text[t[0] : t[1]] for t in reversed(texts) if t), ""
         )
-        runs_on = re.search(r"\\[A-Za-z]+$", last) and self.text[end : end + 1].isalpha()
-        return [" "] if runs_on else []
+        runs_on = re.match(r"[^\W\d_]|\\[A-Za-z]", self.text[end : end + 2])
+        return [" "] if runs_on and re.search(r"\\[A-Za-z]+$", last) else []
 
     def _replacement(self, macro: Macro, place: int) -> tuple[list[str | Span], int] | str | None:
         """Return a macro's body with its arguments in it, and where the last argument ends."""

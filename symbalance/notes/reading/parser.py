@@ -631,7 +631,8 @@ class Parser:
         order = TIME_DOTS[self.take().value]
         name = self._bare_name()
         span = self.span_since(first)
-        return Derivative(self.letter(name, span), Name("t", span=span), order, span=span)
+        node = Derivative(self.letter(name, span), Name("t", span=span), order, span=span)
+        return constructs.read_place_of_derivative(self, node, first)
 
     def _accent(self) -> Formula:
         if self.at("cmd", "overline", "bar") and (over := constructs.read_conjugate(self)) is not None:
@@ -898,7 +899,9 @@ class Parser:
             with self.nested():
                 bracket = self.at("open", "(", "[", "{", "\\{")
                 body = self.group() if bracket else self.run_of_factors()
-        return Derivative(body, variable, order, span=self.span_since(first))
+            return Derivative(body, variable, order, span=self.span_since(first))
+        node = Derivative(body, variable, order, span=self.span_since(first))
+        return constructs.read_place_of_derivative(self, node, first)
 
     # Sum signs, with and without bounds
 

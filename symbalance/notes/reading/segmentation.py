@@ -456,14 +456,14 @@ _TAG = re.compile(
 _TRAILING = re.compile(
     rf"(?:\s|[.,;。、&]|\\end\s*\{{(?!(?:{'|'.join(CELLS)})\*?\}})[A-Za-z]*\*?\}}"
     r"|\\[,;:! ]|\\q?quad|\\nonumber|\\notag"
-    r"|\\label\s*\{[^{}]*\}|\\\\|\\hfill|[∴⇒⇔⟹⟺→⟶]|\\(?:" + "|".join(_ARROW_COMMANDS) + r"))$"
+    r"|\\label\s*\{[^{}]*\}|\\\\|\\hfill|[∴⇒⇔⟹⟺→⟶]|\\(?:" + "|".join(_ARROW_COMMANDS) + r"))\Z"
 )
 _LEADING = re.compile(
     r"(?:\s|[、。,;&]|\\[,;:! ]|\\q?quad(?![A-Za-z])|[∴⇒⇔⟹⟺→⟶]|\\(?:"
     + "|".join(_ARROW_COMMANDS)
     + r")(?![A-Za-z]))+"
 )
-_END_OF_ROWS = re.compile(rf"\\end\s*\{{(?!(?:{'|'.join(CELLS)})\*?\}})[A-Za-z]+\*?\}}$")
+_END_OF_ROWS = re.compile(rf"\\end\s*\{{(?!(?:{'|'.join(CELLS)})\*?\}})[A-Za-z]+\*?\}}\Z")
 _BOXED = re.compile(r"\\(?:boxed|fbox|framebox)\s*\{")
 _ALIGNED = word_set("align aligned alignat alignedat flalign")
 _BRACKETS = {"{": 1, "(": 1, "[": 1, "}": -1, ")": -1, "]": -1}

@@ -19,9 +19,9 @@ _UNITS = dict(
     zip(
         words(
             "metre meter gram second newton joule watt pascal radian hertz minute hour bar kelvin percent"
-            " degree kg"
+            " degree kg kilogram kilogramme rpm"
         ),
-        words("m m g s N J W Pa rad Hz min h bar K % ° kg"),
+        words("m m g s N J W Pa rad Hz min h bar K % ° kg kg kg rpm"),
         strict=True,
     )
 )
