@@ -368,6 +368,7 @@ class Judge:
         if definition is not None:
             return definition
         decision, against = self._decide_step(chain, k, sound, bad, knowledge)
+        decision = _outside_its_condition(decision, knowledge)
         if decision.status in (REFUTED, UNDECIDED):
             decision = self._unless_given(chain, k, against, decision, knowledge)
         if decision.status in STATED or decision.status == CONTRADICTION:
@@ -802,6 +803,20 @@ class Judge:
         lone = isinstance(left.node, Name)
         other = None if lone else (left, proves_left)
         return add_fix(verdict, self.document, right, decision, knowledge, proves_right, other)
+
+
+def _outside_its_condition(decision: Decision, knowledge: Knowledge) -> Decision:
+    """Return the refutation of what holds if x ≥ 0 where a line before says x < 0."""
+    for stated in knowledge.ranges if decision.is_proved else ():
+        bound = stated.right.operand if isinstance(stated.right, Negative) else stated.right
+        if not isinstance(stated.left, Name) or not isinstance(bound, Number):
+            continue
+        is_below_zero = bound is not stated.right or bound.value <= 0
+        text = f"{formula_text(stated.left, plain=True)} ≥ 0"
+        if stated.sign == "<" and is_below_zero and text in decision.assumptions:
+            reason = f"not for {stated.text} of line {stated.line}: it holds if {text}"
+            return replace(decision, status=REFUTED, assumptions=(), reason=reason)
+    return decision
 
 
 def _new_entries(left: Formula, right: Formula, knowledge: Knowledge) -> list[tuple[str, Formula]]:
