@@ -184,8 +184,18 @@ def _power(evaluator: FormEvaluator, node: formula.Power) -> Form:
     phase = functions.exponent_of(base)
     if phase is not None:
         functions.assume_whole(exponent, base)
+        _assume_positive(evaluator, node)
         return functions.exponential(exponent.times(phase))
     return functions.exponential(exponent.times(functions.logarithm(base)))
+
+
+def _assume_positive(evaluator: FormEvaluator, node: formula.Power) -> None:
+    """Note that letters are positive for (x^a)^b = x^(ab), false for x = -1, a = 2, b = 1/2."""
+    meaning, outer = evaluator.meaning, formula.names(node.exponent)
+    if not isinstance(node.base, formula.Power) or (outer and outer <= meaning.integer):
+        return
+    for name in sorted(formula.names(node.base.base) - meaning.positive):
+        evaluator.domain.assumptions[f"{name} > 0"] = None
 
 
 def rational_power(base: Form, exponent: Fraction) -> Form:

@@ -181,6 +181,7 @@ def _lone_derivative(left: Formula, right: Formula, knowledge: Knowledge) -> str
         return ""
     name = left.expression.name
     is_known = knowledge.has_meaning(name) or name in formula.names(right)
+    is_known = is_known or name == left.variable.name  # dx/dx is 1
     return "" if is_known else derivative_name(left)
 
 

@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import pi
+from typing import Any
 
 from symbalance.document.formula import (
+    Apply,
+    Cases,
     Constant,
+    Derivative,
+    Evaluation,
+    Extremum,
     Formula,
+    Integral,
+    Limit,
+    Matrix,
     Name,
     Negative,
     Number,
@@ -40,7 +50,7 @@ from symbalance.notes.checking.deciding.equality import (
 from symbalance.notes.checking.deciding.inequalities import compare, possible_branches
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, StatedRange
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
-from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.relations import decide, written_out
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.premises import (
@@ -54,6 +64,7 @@ from symbalance.notes.checking.premises import (
 )
 from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.sidecar import Declarations
+from symbalance.notes.checking.symbol_roles import CONSTANT, MOVING, role_of
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONTRADICTION,
@@ -66,6 +77,12 @@ from symbalance.notes.reading.equations import Chain, Side
 
 NEARLY = 0.1
 """Relative difference: a second value closer to the first is a slip, not a new case."""
+_OF_A_POINT = (Apply, Evaluation, Extremum, Integral, Limit)
+"""Parts of a side that computes something of what is known, and is no value of a size."""
+_OF_CRANK_ANGLE = (*MOVING, "rod angle")
+"""What a condition such as v = 0 is solved for the crank angle with."""
+WHOLE = 1e-15
+"""Difference from an integer, or from 0, that is one of computing: numbers have more digits than that."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,7 +206,11 @@ class Definitions:
             end = self.sections.section_end(premise.line)
             premise = replace(premise, last_line=min(premise.last_line, end))
         self.premises.append(premise)
-        for name in premise.names & angles:
+        symbols = self.declarations.symbols_at(premise.line)
+        roles = {role_of(symbols.get(n, "")) for n in premise.names}
+        is_motion = bool(roles & {*_OF_CRANK_ANGLE}) and roles <= {*_OF_CRANK_ANGLE, *CONSTANT}
+        turned = [n for n, text in symbols.items() if is_motion and role_of(text) == "crank angle"]
+        for name in {*(premise.names & angles), *turned}:
             self.open_conditions[name] = premise
 
     def past_cases(self, line: int, angles: frozenset[str]) -> frozenset[int]:
@@ -285,11 +306,16 @@ class Definitions:
         name, value = pair
         if name in knowledge.meaning.kinds.identities:
             return None
+        is_result = chain.sides[k].node is value
+        if is_result and knowledge.measures(name) and _is_at_a_point(value):
+            return None  # min x = r claims something
+        outside = outside_meaning(name, value, knowledge, is_result=is_result)
+        if outside is not None and chain.relations[k].sign == "=":
+            return outside
         if name in knowledge.meaning.values:
             return self._define_size(name, value, chain, knowledge)
-        if self._may_be_wrong(name, value, chain, k, knowledge):
-            return None
-        return self._define(name, value, chain, k, knowledge)
+        is_claim = self._may_be_wrong(name, value, chain, k, knowledge)
+        return None if is_claim else self._define(name, value, chain, k, knowledge)
 
     def _may_be_wrong(
         self, name: str, value: Formula, chain: Chain, k: int, knowledge: Knowledge
@@ -336,15 +362,23 @@ class Definitions:
             return None
         if condition.line > line or self.sections.premise_end(chain, is_number=True) is not None:
             return None
+        sides = condition.left, condition.right
         try:
-            at_value = [substitute(node, name, value) for node in (condition.left, condition.right)]
-        except NoFormError:
+            if name not in condition.names:
+                sides = tuple(written_out(node, knowledge, name) for node in sides)
+            at_value = [substitute(node, name, value) for node in sides]
+        except (NoFormError, TooLargeError):
             return None
+        written = replace(condition, left=sides[0], right=sides[1])
         decision = decide(_side(at_value[0]), _side(at_value[1]), "=", knowledge)
         if decision.status != REFUTED:
             return None
         is_rounded = chain.relations[k].sign == "≈" or bool(decimals(value)) or not _is_round_angle(value)
-        if is_rounded and _changes_sign_nearby(condition, name, value, knowledge):
+        # x = r at θ = π/2, but for what the rod's length adds
+        is_nearly = name not in condition.names and bool(names(condition.right))
+        if (is_rounded and _changes_sign_nearby(written, name, value, knowledge)) or (
+            is_nearly and decide(_side(at_value[0]), _side(at_value[1]), "≈", knowledge).is_proved
+        ):
             return None
         text = f"{plain(condition.left)} = {plain(condition.right)}"
         reason = f"does not satisfy {text} of line {condition.line}"
@@ -504,23 +538,58 @@ class Definitions:
         if isinstance(value, Name) and value.name in knowledge.definitions:
             self.conditions[line] = frozenset(_letters_behind([earlier.node, value], knowledge))
             return Decision(CONDITION, "sets two quantities equal")
-        is_case = name in knowledge.angles or not self.sections.same_section(earlier.line, line)
-        is_case = is_case or (earlier.assumption and self.sections.paragraph_start(line) > earlier.line)
-        if chain.inline and not is_case:
-            is_given = self.sections.premise_end(chain, is_number=not names(value)) is not None
-            is_near = self.sections.paragraph_start(line) <= earlier.line
-            is_case = is_given or not (self.sections.is_consequence(chain) and is_near)
-        if not is_case and self._is_stale(name, knowledge):
-            is_case = True
-        if not is_case and earlier.numeric and not names(value):
-            other = f"{plain(Name(name))} = {plain(earlier.node)}"
-            return Decision(CONTRADICTION, f"contradicts {other} of line {earlier.line}")
+        refusal = self._refuse_case(name, value, earlier, chain, knowledge)
+        if refusal is not None:
+            return refusal
         bare = without_dots(value)[0]
         if not names(bare) and names(earlier.node) and name not in knowledge.angles:
             end = self.sections.section_end(line)  # u = 2v, then u = 6: 2v is 6 here
             self.premises.append(Premise(earlier.node, bare, line, end))
         self.define(name, bare, chain)
         return Decision(PREMISE, f"a new case: line {earlier.line} had another value")
+
+    def _refuse_case(
+        self, name: str, value: Formula, earlier: Definition, chain: Chain, knowledge: Knowledge
+    ) -> Decision | None:
+        """Return why another value of a letter is no new case: it contradicts the earlier one, or may.
+
+        In prose a new case is said to be one, or stands in a section of its own.
+        """
+        line, text = chain.lines[0], f"{plain(Name(name))} = {plain(earlier.node)}"
+        if name in knowledge.angles or self._is_stale(name, knowledge):
+            return None
+        if self.sections.premise_end(chain, is_number=not names(value)) is not None:
+            return None
+        if chain.inline and self.sections.is_denied(chain):
+            return Decision(CONDITION, f"said not to be so: {text} in line {earlier.line}")
+        is_case = self._says_new_case(name, earlier, chain)
+        is_excluded = is_case is not True and _excludes(earlier.node, value, knowledge)
+        if not is_excluded or self._is_another_solution(name, value, line, knowledge):
+            return None
+        if is_case is None:
+            reason = f"not {text} of line {earlier.line}, and no words say that it is another case"
+            return Decision(UNDECIDED, reason)
+        return Decision(CONTRADICTION, f"contradicts {text} of line {earlier.line}")
+
+    def _says_new_case(self, name: str, earlier: Definition, chain: Chain) -> bool | None:
+        """Tell whether what stands around another value makes it a new case; None where it may."""
+        line, near = chain.lines[0], self.sections.paragraph_start(chain.lines[0])
+        same_section = self.sections.same_section(earlier.line, line)
+        if not same_section or (chain.inline and near > earlier.line):
+            follows_at_once = self.sections.stands_next(chain, earlier.line)
+            return not (self.sections.is_consequence(chain) and follows_at_once)
+        if not chain.inline:
+            return bool(earlier.assumption) and near > earlier.line
+        return self.sections.starts_new_case(chain, earlier.line, name)
+
+    def _is_another_solution(self, name: str, value: Formula, line: int, knowledge: Knowledge) -> bool:
+        """Tell whether a second value solves an equation too that a letter's first one solves."""
+        others = {n: d for n, d in knowledge.definitions.items() if n != name}
+        without = replace(knowledge, definitions=others)
+        if not any(name in p.names and not p.fixes for p in self.premises_at(line)):
+            return False
+        decision = self.decide_by_premises(Premise(Name(name), value, line), without)
+        return decision is not None and decision.status == PREMISE
 
     def _define_size(
         self, name: str, value: Formula, chain: Chain, knowledge: Knowledge
@@ -571,9 +640,9 @@ class Definitions:
             again = decide(_side(solution), _side(earlier.node), "=", knowledge)
             if again.is_proved:
                 return None  # said before: it is decided by numbers
-            if not chain.inline and self.sections.same_section(earlier.line, line):
-                other = f"{plain(Name(letter))} = {plain(earlier.node)}"
-                return Decision(CONTRADICTION, f"contradicts {other} of line {earlier.line}")
+            refusal = self._refuse_case(letter, solution, earlier, chain, knowledge)
+            if refusal is not None:
+                return refusal
         word = PREMISE if self.define(letter, solution, chain) else DEFINITION
         if reasons:
             self._solved_from[letter] = (line, tuple(sorted(names(knowledge.meaning.values[name]))))
@@ -599,11 +668,12 @@ class Definitions:
     def _define_case(self, small: str, number: Formula, chain: Chain, knowledge: Knowledge) -> Decision:
         """Return the decision on a size that gives the ratio a number: a case, or a contradiction."""
         earlier = knowledge.definitions.get(small)
-        if earlier is not None and earlier.numeric and not chain.inline:
+        if earlier is not None and earlier.numeric:
             again = decide(_side(number), _side(earlier.node), "=", knowledge)
             if not again.is_proved:
-                other = f"{plain(Name(small))} = {plain(earlier.node)}"
-                return Decision(CONTRADICTION, f"contradicts {other} of line {earlier.line}")
+                refusal = self._refuse_case(small, number, earlier, chain, knowledge)
+                if refusal is not None:
+                    return refusal
         word = PREMISE if self.define(small, number, chain) else DEFINITION
         return Decision(word, f"a case: {plain(Name(small))} = {plain(number)}")
 
@@ -762,8 +832,47 @@ def _at_angles(left: Side, right: Side, sign: str, solved: Solved) -> Iterator[t
         yield twelfths, letter, decide(first, second, sign, solved.knowledge)
 
 
+_TWO_INDICES = re.compile(r"delta_\{?([A-Za-z0-9])([A-Za-z0-9])\}?$")
+
+
+def _refuse_by_name(name: str, value: Formula, knowledge: Knowledge) -> Decision | None:
+    """Return why a value does not suit how its letter is written: δ_nn = 0, S = Sᵀ, y' after y = x²."""
+    text = plain(Name(name))
+    indices = _TWO_INDICES.match(name)
+    if indices and name not in knowledge.letters and isinstance(value, Number):
+        if indices[1] == indices[2] and value.value == 0:
+            return Decision(UNDECIDED, f"{text} is 1 if it is Kronecker's; if not, declare it")
+        if indices[1] != indices[2] and value.value == 1:
+            return Decision(
+                UNDECIDED, f"{text} is 1 for equal indices only; if it is a letter, declare it"
+            )
+    if name in knowledge.meaning.kinds.symmetric and isinstance(value, Matrix):
+        for i, row in enumerate(value.rows):
+            for j, entry in enumerate(row[:i]):
+                mirrored = value.rows[j][i] if i < len(value.rows[j]) else entry
+                if decide(_side(entry), _side(mirrored), "=", knowledge).status == REFUTED:
+                    reason = (
+                        f"{text} is declared symmetric, entries ({i + 1}, {j + 1}) and mirrored differ"
+                    )
+                    return Decision(CONTRADICTION, reason)
+    bare = name.rstrip("'")
+    base = knowledge.definitions.get(bare)
+    if bare != name and name not in knowledge.letters and base is not None and len(names(base.node)) == 1:
+        (variable,) = names(base.node)
+        slope = Derivative(base.node, Name(variable), len(name) - len(bare))
+        if decide(_side(slope), _side(value), "=", knowledge).status == REFUTED:
+            reason = (
+                f"not the derivative of {bare} by {plain(Name(variable))}; if {text} is another letter"
+            )
+            return Decision(UNDECIDED, f"{reason}, declare it")
+    return None
+
+
 def refuse_value(name: str, value: Formula, knowledge: Knowledge) -> Decision | None:
     """Return why a first value is none: it has no value, or looks like a slip of the pen."""
+    by_name = _refuse_by_name(name, value, knowledge)
+    if by_name is not None:
+        return by_name
     if isinstance(value, Sum):
         terms = [t for t in value.terms if names(t)]
         double = next((t for n, t in enumerate(terms) if isinstance(t, Name) and t in terms[:n]), None)
@@ -796,6 +905,47 @@ def has_no_value(node: Formula, knowledge: Knowledge) -> bool:
     return not points or not context().isfinite(points[0][1][0])
 
 
+def _is_at_a_point(value: Formula) -> bool:
+    return any(isinstance(part, _OF_A_POINT) for part in walk(value))
+
+
+def outside_meaning(
+    name: str, value: Formula, knowledge: Knowledge, *, is_result: bool
+) -> Decision | None:
+    """Return the contradiction between a letter's value and its meaning: an integer that is 1/2.
+
+    What is positive by its meaning may be taken as 0, a rod ratio of an endless rod; but 0 is no way to
+    write a crank radius (`is_result`: the letter stands behind what gives it its value).
+    """
+    is_positive, is_whole = name in knowledge.meaning.positive, name in knowledge.meaning.integer
+    number = _number_of(value, knowledge) if is_positive or is_whole else None
+    if number is None:
+        return None
+    shown = "0" if abs(number) < WHOLE else context().nstr(number, 6)
+    if is_whole and abs(number - context().nint(number)) > WHOLE:
+        return Decision(CONTRADICTION, f"{plain(Name(name))} is declared an integer, not {shown}")
+    may_be_zero = not is_result and role_of(knowledge.meanings.get(name, "")) != "positive"
+    if is_positive and (number < -WHOLE or (shown == "0" and not may_be_zero)):
+        return Decision(CONTRADICTION, f"{plain(Name(name))} is positive by its meaning, not {shown}")
+    return None
+
+
+def _number_of(value: Formula, knowledge: Knowledge) -> Any:
+    """Return the real number that a formula comes down to by all that is known, None for none."""
+    level = list(knowledge.levels(value))[-1]
+    try:
+        form = knowledge.evaluator(level).form(value)
+    except (NoFormError, TooLargeError):
+        return None
+    if letters(form):
+        return None
+    points = sample([form], 1)
+    if not points or not context().isfinite(points[0][1][0]):
+        return None
+    number = points[0][1][0]
+    return number.real if abs(number.imag) < WHOLE else None
+
+
 def _letters_behind(nodes: list[Formula], knowledge: Knowledge) -> list[str]:
     values = {name: d.node for name, d in knowledge.definitions.items()}
     return [name for node in nodes for name in letters_behind(node, values)]
@@ -816,6 +966,25 @@ def _letters_of(value: Formula, knowledge: Knowledge) -> list[str]:
         return letters(FormEvaluator(Domain(), knowledge.meaning).form(value))
     except (NoFormError, TooLargeError):
         return []
+
+
+def _excludes(earlier: Formula, value: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether no values of their letters make two values of one letter the same.
+
+    Two numbers, values that differ by a number, or a number that no case of the earlier one gives.
+    """
+    if isinstance(earlier, Cases) and not names(value):
+        return not any(names(v) for v in earlier.values) and all(
+            decide(_side(v), _side(value), "=", knowledge).status == REFUTED for v in earlier.values
+        )
+    if not names(earlier) and not names(value):
+        return True
+    level = list(knowledge.levels(earlier, value))[-1]
+    try:
+        gap = knowledge.evaluator(level).form(Sum((earlier, Negative(value))))
+    except (NoFormError, TooLargeError):
+        return False
+    return not letters(gap) and not gap.is_zero()
 
 
 def _new_case(earlier: Definition, value: Formula, sign: str, knowledge: Knowledge) -> bool:

@@ -3,6 +3,7 @@
 A letter has a dimension by the unit in its declaration ("force, N", "kg mm") or by its meaning (a crank
 radius is a length). What has none declared is open, and so is everything it stands in: nothing is accused
 on a guess. Numbers that are put in may carry units in silence: a decimal, or a large number, is open too.
+A unit written at a number counts: 1 N is no joule, and 2 m + 3 s is nothing.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from symbalance.document.formula import Formula, Number, names
 from symbalance.document.letters import raised
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.symbol_roles import FROM_MIDDLE, FROM_PIN, FROM_TOP, role_of
+from symbalance.notes.reading import siunitx
 
 Dimension = tuple[Fraction, ...]
 """Exponents of kg, m, s, K and A."""
@@ -75,6 +77,12 @@ _WRITTEN_UNIT = re.compile(
     r"\\(?:mathrm|text|textrm|mbox|unit|si|SI|qty|rm)(?![a-z])|\[[^\]]*[A-Za-z][^\]]*\]"
     r"|[0-9](?:\s|~|\\[,;: ])*(?:mm|cm|km|kg|kN|MPa|GPa|rpm|kW|Hz|bar|rad|Nm)(?![A-Za-z_(^])"
 )
+
+
+_TYPED = re.compile(r"\\(?:SI|qty)\s*\{(?P<number>[^{}]*)\}\s*\{(?P<unit>[^{}]*)\}")
+_EXPONENT = re.compile(r"\^\s*\{\s*([-−]?[0-9])\s*\}")
+_SETTING = re.compile(r"\\(?:mathrm|text|textrm|mbox|unit|si|rm|cdot)(?![A-Za-z])|\\[,;:! ]|[~${}()\[\]]")
+_QUANTITY = re.compile(r"\s*(?P<number>[-+−]?[0-9][0-9.,]*)?\s*(?P<unit>\S.*?)?[\s.,;]*$", re.DOTALL)
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,6 +152,21 @@ def declared_dimension(meaning: str) -> Dimension | None:
     return None
 
 
+def written_unit(source: str) -> tuple[bool, str]:
+    r"""Return whether a number stands in a source, and the unit written behind it, "" for none.
+
+    >>> written_unit(r"5\,\mathrm{kg\,m/s^{2}}"), written_unit("$ mm")
+    ((True, 'kg m/s^2'), (False, 'mm'))
+    """
+    typed = _TYPED.search(source)
+    if typed is not None:
+        source = f"{typed['number']} {siunitx.unit_text(typed['unit']) or '?'}"
+    match = _QUANTITY.match(_SETTING.sub(" ", _EXPONENT.sub(r"^\1", source)))
+    if match is None:
+        return False, ""
+    return match["number"] is not None, " ".join((match["unit"] or "").split())
+
+
 class _MismatchError(Exception):
     def __init__(self, mismatch: Mismatch) -> None:
         super().__init__(mismatch)  # all that a copy is made of
@@ -156,6 +179,8 @@ class Dimensions:
 
     symbols: Mapping[str, str]
     values: Mapping[str, Formula]
+    text: str = ""
+    """The page, in which units stand at the places of their numbers."""
 
     def mismatch(self, left: Formula, right: Formula, sources: tuple[str, str]) -> Mismatch | None:
         """Return in which dimensions two sides differ, or a sum's terms; `sources` are their texts.
@@ -164,21 +189,48 @@ class Dimensions:
         """
         try:
             first, second = (
-                None if is_open(node, source) else self.of(node)
+                None if is_open(node, source) and not self.is_of_units(node) else self.of(node)
                 for node, source in zip((left, right), sources, strict=True)
             )
         except _MismatchError as problem:
             return problem.mismatch
-        if first is None or second is None or first == second:
+        if first is None or second is None:
             return None
+        if first == second:
+            return self._turns(left, right)
         return Mismatch("the left side is in", first, second)
+
+    def _turns(self, left: Formula, right: Formula) -> Mismatch | None:
+        """Return that turns are set equal to radians: 50 Hz are no 50 rad/s."""
+        units = [self.unit_at(left), self.unit_at(right)]
+        if sorted(units) != ["Hz", "rad/s"]:
+            return None
+        return Mismatch("1 Hz is 2π rad/s: the left side is in", self.of(left) or NONE, NONE)
 
     def of(self, node: Formula, depth: int = 0) -> Dimension | None:
         """Return a formula's dimension, None where it is open; a sum of unlike terms is refused."""
         if depth > 60:
             return None
+        unit = self.unit_at(node)
+        if unit:
+            return unit_of(unit)
         rule = _RULES.get(type(node))
         return None if rule is None else rule(self, node, depth + 1)
+
+    def unit_at(self, node: Formula, *, alone: bool = False) -> str:
+        """Return the unit that stands at a number, or is what a factor was read from; "" for none."""
+        is_factor = isinstance(node, Number | formula.Quotient | formula.Product) and not names(node)
+        if not self.text or not is_factor:
+            return ""
+        has_number, unit = written_unit(self.text[node.span[0] : node.span[1]])
+        if has_number and (alone or not isinstance(node, Number)):
+            return ""
+        is_unit = unit_of(unit) is not None if not isinstance(node, Number) else unit[:1].isalpha()
+        return unit if is_unit or (has_number and unit) else ""
+
+    def is_of_units(self, node: Formula) -> bool:
+        """Tell whether a side is of numbers with units written at them, and nothing else."""
+        return bool(self.text) and not names(node) and any(map(self.unit_at, formula.walk(node)))
 
     def letter(self, name: str, depth: int) -> Dimension | None:
         """Return a letter's dimension: declared, or that of its value."""
@@ -209,7 +261,7 @@ def _sum(dimensions: Dimensions, node: formula.Sum, depth: int) -> Dimension | N
     first: tuple[Formula, Dimension] | None = None
     for term in node.terms:
         own = dimensions.of(term, depth)
-        if own is None or not names(term):
+        if own is None or not (names(term) or dimensions.is_of_units(term)):
             continue
         if first is not None and own != first[1]:
             texts = [formula_text(part, plain=True) for part in (first[0], term)]
@@ -222,7 +274,14 @@ def _sum(dimensions: Dimensions, node: formula.Sum, depth: int) -> Dimension | N
 
 
 def _product(dimensions: Dimensions, node: formula.Product, depth: int) -> Dimension | None:
-    return _combine(dimensions, [(factor, 1) for factor in node.factors], depth)
+    factors = list(node.factors)
+    parts: list[tuple[Formula, int]] = []
+    for factor, after in zip(factors, [*factors[1:], None], strict=True):
+        is_second = bool(parts) and bool(dimensions.text) and factor.span == parts[-1][0].span != (0, 0)
+        is_counted = after is not None and bool(dimensions.unit_at(after, alone=True))
+        if not (is_second or (is_counted and isinstance(factor, Number))):
+            parts.append((factor, 1))  # of 40 and mm the unit alone has a dimension
+    return _combine(dimensions, parts, depth)
 
 
 def _quotient(dimensions: Dimensions, node: formula.Quotient, depth: int) -> Dimension | None:
@@ -242,6 +301,9 @@ def _combine(dimensions: Dimensions, parts: list[tuple[Formula, int]], depth: in
 
 def _power(dimensions: Dimensions, node: formula.Power, depth: int) -> Dimension | None:
     base = dimensions.of(node.base, depth)
+    behind = [unit for part in formula.walk(node.exponent) if (unit := dimensions.unit_at(part))]
+    if behind:  # 10^5 Pa: the unit is read with the exponent
+        return unit_of(behind[0]) if isinstance(node.base, Number) else None
     exponent = dimensions.of(node.exponent, depth)
     if exponent is not None and exponent != NONE:
         text = formula_text(node.exponent, plain=True)

@@ -14,10 +14,13 @@ from symbalance.budgets import Budget, OverBudgetError, run_within
 from symbalance.document.formula import (
     Constant,
     Formula,
+    Matrix,
     Name,
+    Negative,
     Number,
     Product,
     Span,
+    Sum,
     Summation,
     names,
     walk,
@@ -344,7 +347,7 @@ class Judge:
         """Refute a relation whose sides, or terms, are in different units."""
         line = chain.lines[0]
         values = {name: d.node for name, d in knowledge.definitions.items()}
-        dimensions = Dimensions(self.declarations.symbols_at(line), values)
+        dimensions = Dimensions(self.declarations.symbols_at(line), values, self.document.text)
         left, right = chain.sides[against], chain.sides[k + 1]
         sources = (self.document.source(left.span), self.document.source(right.span))
         mismatches = [
@@ -377,6 +380,7 @@ class Judge:
         if definition is not None:
             return definition
         decision, against = self._decide_step(chain, k, sound, bad, knowledge)
+        decision = _outside_its_condition(decision, knowledge)
         if decision.status in (REFUTED, UNDECIDED):
             decision = self._unless_given(chain, k, against, decision, knowledge)
         if decision.status in STATED or decision.status == CONTRADICTION:
@@ -533,14 +537,27 @@ class Judge:
             return False  # sin 2θ = 2 sin θ claims that they are the same
         if self.definitions.sections.is_condition(chain):
             return True
-        if len(own) != 1:
-            return False
         following = self._next(chain)
+        if following is None or self._turns_to_angle(chain, following):
+            return following is not None
         return (
-            following is not None
+            len(own) == 1
             and isinstance(following.sides[0].node, Name)
             and following.sides[0].node.name in own
             and not names(following.sides[1].node)
+        )
+
+    def _turns_to_angle(self, chain: Chain, following: Chain) -> bool:
+        """Tell whether a motion that has some value gives the crank angle next: x = r, so θ = π/2."""
+        head, angle = chain.sides[0].node, following.sides[0].node
+        moving = self.knowledge(chain.lines[0]).moving
+        return (
+            isinstance(head, Name)
+            and head.name in moving
+            and isinstance(angle, Name)
+            and angle.name in self._angles(chain)
+            and not names(following.sides[1].node)
+            and self.definitions.sections.is_consequence(following)
         )
 
     def _next(self, chain: Chain) -> Chain | None:
@@ -653,9 +670,17 @@ class Judge:
         left, right = chain.sides[k].node, chain.sides[k + 1].node
         stated = matrix_constraint(left, right, self.definitions.letters_in_use, knowledge)
         if stated is None:
-            return None
+            entries = _new_entries(left, right, knowledge)
+            for letter, value in entries:
+                self.definitions.define(letter, value, chain)
+            return Decision(CONDITION, "entry by entry") if entries else None
+        name, _ = stated
+        if name in knowledge.meaning.kinds.identities:
+            if _is_commutator(left) or _is_commutator(right):
+                return Decision(REFUTED, "the trace of AB - BA is 0, that of the identity is not")
+            return Decision(CONDITION, f"{name} is the identity: a condition on the others")
         self.definitions.define(*stated, chain)
-        return Decision(DEFINITION, f"read as what fixes {stated[0]}")
+        return Decision(DEFINITION, f"read as what fixes {name}")
 
     def _fix(self, constraint: Constraint, chain: Chain, k: int, knowledge: Knowledge) -> Decision:
         """Return the decision on a relation that fixes a letter, after defining it."""
@@ -795,6 +820,42 @@ class Judge:
         lone = isinstance(left.node, Name)
         other = None if lone else (left, proves_left)
         return add_fix(verdict, self.document, right, decision, knowledge, proves_right, other)
+
+
+def _outside_its_condition(decision: Decision, knowledge: Knowledge) -> Decision:
+    """Return the refutation of what holds if x ≥ 0 where a line before says x < 0."""
+    for stated in knowledge.ranges if decision.is_proved else ():
+        bound = stated.right.operand if isinstance(stated.right, Negative) else stated.right
+        if not isinstance(stated.left, Name) or not isinstance(bound, Number):
+            continue
+        is_below_zero = bound is not stated.right or bound.value <= 0
+        text = f"{formula_text(stated.left, plain=True)} ≥ 0"
+        if stated.sign == "<" and is_below_zero and text in decision.assumptions:
+            reason = f"not for {stated.text} of line {stated.line}: it holds if {text}"
+            return replace(decision, status=REFUTED, assumptions=(), reason=reason)
+    return decision
+
+
+def _new_entries(left: Formula, right: Formula, knowledge: Knowledge) -> list[tuple[str, Formula]]:
+    """Return the letters without values that a vector of them gives numbers: (x, y) = (1, 2)."""
+    if not isinstance(left, Matrix) or not isinstance(right, Matrix) or names(right):
+        return []
+    if [len(row) for row in left.rows] != [len(row) for row in right.rows]:
+        return []
+    first, second = (sum(m.rows, ()) for m in (left, right))
+    own = [node.name for node in first if isinstance(node, Name) and not knowledge.has_meaning(node.name)]
+    if not len(own) == len(first) == len(set(own)):
+        return []
+    return list(zip(own, second, strict=True))
+
+
+def _is_commutator(node: Formula) -> bool:
+    """Tell whether a formula is A B - B A."""
+    if not isinstance(node, Sum) or len(node.terms) != 2 or not isinstance(node.terms[1], Negative):
+        return False
+    first, second = node.terms[0], node.terms[1].operand
+    both = isinstance(first, Product) and isinstance(second, Product)
+    return both and len(first.factors) == 2 and first.factors == second.factors[::-1]
 
 
 def _no_relation_of_matrices(sign: str, left: Side, right: Side, knowledge: Knowledge) -> str:

@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 from functools import cached_property
 
+from symbalance.document.formula import Name
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _HEADING = re.compile(
@@ -15,9 +16,12 @@ _HEADING = re.compile(
 )
 _UNDERLINE = re.compile(r"(?:={3,}|-{3,})\s*$")
 _CAPTION = re.compile(
-    r"\s*(?:[*_]{0,2}(?:figure|fig\.|table|tab\.|abbildung|abb\.|bild|tabelle)\s*[\d.:a-z(]|図|表|!\[|\\caption\b)",
+    r"\s*(?:[*_]{0,2}(?:figure|fig\.|table|tab\.|abbildung|abb\.|bild|tabelle)\s*[\d.:a-z(]"
+    r"|[*_]{0,2}(?:caption|legende?|bildunterschrift)\s*:|図|表|!\[|\\caption\b)",
     re.IGNORECASE,
 )
+_IN_BRACKETS = re.compile(r"\s*\([^()\n$]{1,40}\)\s*$")
+"""A line of its own in brackets is a remark on what it stands beside: (θ = 90°)."""
 _END = r"\s[^.;:!?\n$=]{0,30}$"
 _INTRODUCTION = re.compile(
     r"(?<![A-Za-z])(?:take|for|if|assume|assuming|suppose|supposing|when|whenever|choose|at"
@@ -43,6 +47,43 @@ _CONDITION = re.compile(
     re.IGNORECASE,
 )
 """Before an equation that is to be solved, not claimed for all angles."""
+_LINK = re.compile(
+    r"(?:[\s,;:.()、。，；：–—-]|\\(?:[,;: !]|quad|qquad|ldots|dots)|(?<![A-Za-zÀ-ÿ])(?:also|and|so"
+    r"|hence|thus|therefore"
+    r"|whence|ergo|which|this|that|it|we|one|you|i\.?\s?e\.?|is|are|to|say|be|by|in|other|words"
+    r"|means?|meaning|gives?|giving"
+    r"|yields?|yielding|get|obtain|have|had|find|finally|then|follows?|implies|imply|implying"
+    r"|equivalently|because|since|as|but|yet"
+    r"|namely|consequently|accordingly|results?|resulting|equals?|means|still|hereby|from|therefrom"
+    r"|damit|dann|d\.?\s?h\.?"
+    r"|das|dies|heißt|heisst|daher|folglich|somit|mithin|demnach|ist|da|weil|denn|aber|wir|man|also"
+    r"|ergibt|liefert|folgt"
+    r"|erhalten|erhält|bekommen|bedeutet|schließlich|nämlich|sich|wodurch|woraus|womit|donc|d'où|ce"
+    r"|qui|c'est|est|dire|à"
+    r"|donne|ainsi|alors|car|puisque|mais|on|obtient|luego|entonces|pues|porque|pero|quindi|dunque"
+    r"|perché|cioè|not"
+    r"|[mck]?m|kg|g|k?N|k?Nm|rpm|m/s|rad/s|1/s|s)"
+    r"(?![A-Za-zÀ-ÿ])|すなわち|つまり|だから|なので|より|から|ので|よって|したがって|従って|ゆえに|故に|である|となる|を得る|が|は)*$",
+    re.IGNORECASE,
+)
+"""Nothing but words that lead from one statement to what is the same or follows."""
+_NEW_CASE = re.compile(
+    r"(?<![A-Za-zÀ-ÿ\\])(?:for|at|case|cases|now|if|when|whenever|or|with|take|let|put|set|setting|suppose|supposing"
+    r"|assume|assuming|choose|another|second|third|fourth|next|instead|otherwise|else|elsewhere|while|whereas"
+    r"|respectively|resp|alternatively|again|later|once|new|use|changed?|becomes?|until|through|up|down|to|after|than|until|say"
+    r"|example|exercise|problem|variant|version|engine|one|either|both|values?|solutions?|roots?|between|vs"
+    r"|für|bei|im|am|fall|falls|fälle|wenn|nun|jetzt|oder|bzw|sei|seien|mit|setze|setzt|nimm|zweite[nrs]?|dritte[nrs]?"
+    r"|andere[nrs]?|sonst|dagegen|während|statt|anstelle|beispiel|aufgabe|variante|bis|zu|nach|danach|alternativ|neu|wird"
+    r"|lösung(?:en)?|nullstellen?|werte?|hingegen|erst|pour|si|ou|avec|maintenant|cas|sinon|puis|para|sea|con|ahora|caso"
+    r"|se|oppure)(?![A-Za-zÀ-ÿ])"
+    r"|の場合|のとき|の時|では|とする|とすると|または|あるいは|および|次に|今|いま|例|ならば|なら|まで|一方|他方|別|に対して|解"
+    r"|(?:^|[\s(])(?:[0-9]{1,2}|[a-z]|[ivx]{1,4})\)|\\(?:lor|vee|land|wedge|text|mathrm|to|rightarrow)(?![A-Za-z])",
+    re.IGNORECASE,
+)
+"""Between two values of a letter, what says that they belong to two cases."""
+_DENIED = re.compile(r"(?<![A-Za-z])(?:not|nicht|never|nie|kein)[\s$\\(]{0,4}$", re.IGNORECASE)
+_ROW_OR_ITEM = re.compile(r"\s*(?:\||[-*+•]\s|[0-9]{1,3}[.)]\s|\\item|<t[dr])")
+_SPLIT_CLAUSE = re.compile(r"(?<!bzw)(?<!resp)(?<!i\.e)(?<!d\.h)(?<!\bvs)[.!?]\s|;|[。；]|\n\s*\n")
 _DISPLAY = re.compile(r"\\(?:begin|end|label|tag)\{[^{}]*\}|^[^\\\s]*\}")
 _DISPLAY_LAST = re.compile(r"\s*(?:\\(?:begin|label|tag)\{[^{}]*\}\s*)+$")
 _CASE_BEHIND = re.compile(r"[\s$)\]]{0,4}(?:なら|のとき|の時|の場合|とすると|とすれば|では(?=[\s$]))")
@@ -112,7 +153,8 @@ class Sections:
         `is_number` tells whether it gives its letter a number.
         """
         line = chain.lines[0]
-        if chain.inline and _CAPTION.match(self._lines[self.paragraph_start(line) - 1]):
+        first = self._lines[self.paragraph_start(line) - 1]
+        if (chain.inline and _CAPTION.match(first)) or _IN_BRACKETS.match(first):
             return self.paragraph_end(line)
         start = min(side.span[0] for side in chain.sides)
         before = self.document.text[max(0, start - LONGEST_INTRODUCTION) : start]
@@ -128,6 +170,55 @@ class Sections:
     def is_consequence(self, chain: Chain) -> bool:
         """Tell whether a relation is introduced as what follows: therefore, hence, ⇒."""
         return _CONSEQUENCE.search(self._text_before(chain)) is not None
+
+    def starts_new_case(self, chain: Chain, earlier_line: int, name: str) -> bool | None:
+        """Tell whether words before a letter's other value say that it belongs to another case.
+
+        False where they say that it follows or is the same, or there are none; None where they may mean
+        either.
+        """
+        start = min(side.span[0] for side in chain.sides)
+        row = self._lines[chain.lines[0] - 1]
+        if _ROW_OR_ITEM.match(row):
+            return True
+        text = self.document.text
+        before = [
+            other
+            for other in self.document.chains
+            if other.lines[0] == earlier_line and other is not chain and _end(other) <= start
+        ]
+        givers = [other for other in before if _gives(other, name)]
+        end = max(map(_end, givers or before), default=None)
+        if end is None:
+            return True  # taken before what stands left of it: x² = 4 for x = 2
+        between = list(text[end:start])
+        for other in self.document.chains:
+            first, last = other.sides[0].span[0], other.sides[-1].span[1]
+            if end <= first and last <= start:
+                between[first - end : last - end] = " " * (last - first)
+        words = "".join(between).replace("$", " ").strip(_OPENING)
+        if self.is_consequence(chain):
+            return False
+        if words.lower() in ("and", "und", "et", "y", "e", "と"):
+            return True  # the roots are x = 1 and x = 2
+        if _LINK.fullmatch(words):
+            return None if ";" in words and any(c.isdigit() for c in text[end:start]) else False
+        clause = _SPLIT_CLAUSE.split(words)[-1]
+        return True if _NEW_CASE.search(clause) else None
+
+    def is_denied(self, chain: Chain) -> bool:
+        """Tell whether a relation stands behind a "not"."""
+        start = min(side.span[0] for side in chain.sides)
+        return (
+            _DENIED.search(self.document.text[max(0, start - LONGEST_INTRODUCTION) : start]) is not None
+        )
+
+    def stands_next(self, chain: Chain, line: int) -> bool:
+        """Tell whether no other relation stands between a line and a relation below it."""
+        start = min(side.span[0] for side in chain.sides)
+        return not any(
+            line < other.lines[0] and other.sides[0].span[0] < start for other in self.document.chains
+        )
 
     def is_condition(self, chain: Chain) -> bool:
         """Tell whether a relation is introduced as an equation to be solved: where, condition, set."""
@@ -158,6 +249,15 @@ class Sections:
         while first > 1 and self._lines[first - 2].strip():
             first -= 1
         return first
+
+
+def _end(chain: Chain) -> int:
+    return max(side.span[1] for side in chain.sides)
+
+
+def _gives(chain: Chain, name: str) -> bool:
+    """Tell whether a letter is a side of a chain, alone."""
+    return any(isinstance(side.node, Name) and side.node.name == name for side in chain.sides)
 
 
 _SET_OFF = re.compile(r"\s*(?:\$\$|\\\[|\\begin\s*\{|```math|<math|\+\+\+\+|\[stem\])|\s{4}")

@@ -51,7 +51,7 @@ _SPELLED = (
     ("°", "degrees?|deg|Grad|degrés|° ?(?:KW|CA|crank)|deg ?CA"), ("%", "percent|per cent|Prozent"),
 )  # fmt: skip
 _SPELLED_UNIT = re.compile(
-    r"(?<=[0-9])(\$?)[ ~]?(\$?)(?:"
+    r"(?:(?<=[0-9])|(?<=[0-9]O))(\$?)[ ~]?(\$?)(?:"
     + "|".join(f"(?P<u{n}>{names})" for n, (_, names) in enumerate(_SPELLED))
     + r")(?![A-Za-z])",
     re.IGNORECASE,

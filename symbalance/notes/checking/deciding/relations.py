@@ -106,7 +106,12 @@ def decide_at_value(
 
 
 def _at_value(node: Formula, knowledge: Knowledge, name: str, value: Formula) -> Formula:
-    """Return a formula with the letters that depend on another one written out, and that one's value.
+    """Return a formula with the letters that depend on another one written out, and that one's value."""
+    return substitute(written_out(node, knowledge, name), name, value)
+
+
+def written_out(node: Formula, knowledge: Knowledge, name: str) -> Formula:
+    """Return a formula with the letters that depend on another one written out in it.
 
     What is differentiated is so first: at θ = 0 the speed is no derivative of a constant.
     """
@@ -124,7 +129,7 @@ def _at_value(node: Formula, knowledge: Knowledge, name: str, value: Formula) ->
             break
         for letter in depends:
             node = substitute(node, letter, values[letter])
-    return substitute(node, name, value)
+    return node
 
 
 def _as_printed(
