@@ -293,9 +293,9 @@ def test_a_side_begins_where_its_first_command_does(source: str, side: str) -> N
 
 
 OTHERS = [
-    (r"\theta + O(\rho^7)", "θ + …"),
-    (r"\theta - \mathcal{O}(\lambda^{-5})", "θ + …"),
-    (r"(1 + \theta + O\left(\rho^7\right)) a", "(1 + θ + …) a"),
+    (r"\theta + O(\rho^7)", "θ + O(ρ^7)"),
+    (r"\theta - \mathcal{O}(\lambda^{-5})", "θ + O(λ^(-5))"),
+    (r"(1 + \theta + O\left(\rho^7\right)) a", "(1 + θ + O(ρ^7)) a"),
     (r"\vec F", "F"),
     (r"\underbrace{a+b}_{\text{first order}} + \overbrace{c}^{2}", "(a + b) + c"),
     (r"\displaystyle\frac{\displaystyle a}{b}", "a/b"),
