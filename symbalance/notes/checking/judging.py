@@ -854,8 +854,9 @@ def _is_commutator(node: Formula) -> bool:
     if not isinstance(node, Sum) or len(node.terms) != 2 or not isinstance(node.terms[1], Negative):
         return False
     first, second = node.terms[0], node.terms[1].operand
-    both = isinstance(first, Product) and isinstance(second, Product)
-    return both and len(first.factors) == 2 and first.factors == second.factors[::-1]
+    if not isinstance(first, Product) or not isinstance(second, Product):
+        return False
+    return len(first.factors) == 2 and first.factors == second.factors[::-1]
 
 
 def _no_relation_of_matrices(sign: str, left: Side, right: Side, knowledge: Knowledge) -> str:

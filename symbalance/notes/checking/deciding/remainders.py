@@ -115,7 +115,9 @@ def _small_letter(orders: list[Form], knowledge: Knowledge) -> tuple[str, int, i
         if not form.is_polynomial or len(form.numerator) != 1:
             raise NoFormError("an order that is no single power")
         (monomial,) = form.numerator
-        powers.append({form.domain.generators[g].content: e for g, e in monomial if _is_symbol(form, g)})
+        powers.append(
+            {form.domain.generators[g].content: Fraction(e) for g, e in monomial if _is_symbol(form, g)}
+        )
     usual = knowledge.crank.small[0] if knowledge.crank and knowledge.crank.small else ""
     candidates = set.intersection(*map(set, powers))
     groups = ({usual} & candidates, candidates & knowledge.small, candidates)
