@@ -149,7 +149,9 @@ class LatexWriter(FormulaWriter):
         return _CONSTANTS.get(node.name, node.name)
 
     def upright(self, node: Upright, _: bool) -> str:
-        """Write words."""
+        """Write words; degrees without dollars of their own, which Markdown would end the formula at."""
+        if node.text.endswith("°") and node.text[:-1].lstrip("−-").replace(".", "").isdecimal():
+            return f"{node.text[:-1].replace('−', '-')}^{{\\circ}}"
         upright = node.text.isascii() and node.text.isalpha()
         return rf"\mathrm{{{node.text}}}" if upright else rf"\text{{{escaped(node.text)}}}"
 

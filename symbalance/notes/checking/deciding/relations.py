@@ -190,7 +190,8 @@ def decide_reading(
 ) -> Decision:
     """Decide left = right or left ≈ right; what is refuted under an open premise is not decided."""
     decision = _decide_reading(left, right, sign, knowledge, through)
-    if decision.status == REFUTED and (unknown := _terms_without_values(left, right, knowledge)):
+    of_numbers = decision.status == REFUTED and not decision.of_matrices
+    if of_numbers and (unknown := _terms_without_values(left, right, knowledge)):
         reason = f"{formula_text(Name(unknown), plain=True)} has no values here: say what each is"
         return replace(decision, status=UNDECIDED, reason=reason)
     if decision.status == REFUTED and decision.left is not None:
