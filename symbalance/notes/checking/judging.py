@@ -587,6 +587,7 @@ class Judge:
         """Return the decision on a refuted relation: undecided if it may rest on what is not known."""
         left, right, line = chain.sides[k].node, chain.sides[k + 1].node, chain.lines[0]
         letters_here = names(left) | names(right)
+        free = set(self.document.free_letters) - set(self.declarations.symbols_at(line))
         reason = ""
         unknown = [name for name in self.not_judged if name in letters_here]
         condition = self.definitions.condition_behind(decision, line)
@@ -594,6 +595,8 @@ class Judge:
             reason = f"may rest on line {self.not_judged[unknown[0]]}, which was not judged"
         elif condition is not None:
             reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
+        elif chain.relations[k].sign == "≈" and free & letters_here and len(letters_here) > 1:
+            reason = "nobody has said which letter is small: declare what they mean"
         elif right == Number(Fraction(0)) and _SOLVED_NEXT.match(
             self.document.text, chain.sides[k + 1].span[1]
         ):

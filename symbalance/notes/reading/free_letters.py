@@ -42,8 +42,9 @@ def may_be_free(name: str, tokens: Sequence[Token], start: int, place: int) -> b
     if not is_plain(name):
         return False
     before = next((t for t in reversed(tokens[:place]) if t.end <= start), None)
-    if before is not None and before.kind in ("number", "vulgar") and scale_of(name):
-        return False  # 3 N
+    is_last = place >= len(tokens) or tokens[place].kind in ("sep", "close")
+    if is_last and before is not None and before.kind in ("number", "vulgar") and scale_of(name):
+        return False  # 3 N, but 2 m r
     if place + 2 < len(tokens) and tokens[place].kind == "open" and tokens[place + 2].kind == "close":
         inside = tokens[place + 1]
         is_call = tokens[place].value == "(" and tokens[place].start == tokens[place - 1].end
