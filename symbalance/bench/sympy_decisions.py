@@ -91,6 +91,12 @@ class SympyConverter:
     def _sum(self, node: formula.Sum) -> Any:
         return sympy.Add(*map(self.of, node.terms))
 
+    def _upright(self, node: formula.Upright) -> Any:
+        """Return degrees as a correction prints them."""
+        if not node.text.endswith("°"):
+            raise ValueError(f"no value: {node.text}")
+        return sympy.Rational(node.text[:-1].replace("−", "-")) * sympy.pi / 180
+
     def _product(self, node: formula.Product) -> Any:
         return sympy.Mul(*map(self.of, node.factors))
 

@@ -252,7 +252,7 @@ def test_letters_that_nobody_declares_are_letters_of_their_own_and_said_to_be() 
     document = read("$$F\\cos\\alpha = Q_1$$\n$$x = d^4$$\n$$x = F(a + b)$$")
     assert [said(chain) for chain in document.chains] == ["F cos α = Q_1", "x = d^4", "x = F (a + b)"]
     assert document.free_letters == ("Q_1", "d")
-    assert document.notes == ("declared nowhere and read as letters of their own: Q_1, d",)
+    assert document.notes == ("not declared: Q_1, d",)
 
 
 def test_declarations_differ_by_line() -> None:
@@ -354,3 +354,10 @@ def test_macros_side_by_side_are_two_letters() -> None:
 def test_a_unit_of_siunitx_may_be_a_whole_kilogram_or_of_its_own_name() -> None:
     units = "\\DeclareSIUnit{\\rpm}{rpm}\n$x = \\SI{0.62}{\\kilogram}$, $y = \\SI{30}{\\rpm}$"
     assert [said(chain) for chain in read(units).chains] == ["x = 0.62", "y = 30 (π/30)"]
+
+
+def test_a_decimal_comma_may_stand_behind_an_operator_and_a_unit_without_braces() -> None:
+    formula = "$x = 0,45\\cdot0,033\\cdot942^2\\,\\mathrm N = 13180\\,\\mathrm N$"
+    document = read(f"Mit der Masse und dem Radius ist {formula}")
+    assert [said(chain) for chain in document.chains] == ["x = 0.45*0.033*942^2 = 13180"]
+    assert document.unreadable == ()

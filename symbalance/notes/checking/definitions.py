@@ -181,7 +181,12 @@ class Definitions:
 
     def ranges_at(self, line: int) -> list[StatedRange]:
         """Return the ranges that reach a line."""
-        return [r for r in self.ranges if self._reaches(r.line, line, names(r.left) | names(r.right))]
+        return [
+            r
+            for r in self.ranges
+            if self._reaches(r.line, line, names(r.left) | names(r.right))
+            and (r.last_line is None or line <= r.last_line)
+        ]
 
     def premises_at(self, line: int) -> list[Premise]:
         """Return the equations taken as given that reach a line."""
@@ -193,7 +198,9 @@ class Definitions:
         if decision.status == REFUTED:
             self.ranges = [r for r in self.ranges if r.right is not left]
         if decision.status == RANGE:
-            self.ranges.append(StatedRange(left, chain.relations[k].sign, right, chain.lines[0]))
+            line, is_aside = chain.lines[0], self.sections.is_in_brackets(chain)
+            last = max(chain.lines) if is_aside else None
+            self.ranges.append(StatedRange(left, chain.relations[k].sign, right, line, last))
 
     def state(self, chain: Chain, k: int, fixes: str = "", angles: frozenset[str] = frozenset()) -> None:
         """Note an equation that is taken as given, and the letter it fixes.

@@ -136,6 +136,12 @@ class Sections:
                 return k
         return len(self._lines)
 
+    def is_in_brackets(self, chain: Chain) -> bool:
+        """Tell whether a relation stands in brackets, as the condition of a formula: = 0 (N ≥ 2)."""
+        start, end = chain.sides[0].span[0], max(side.span[1] for side in chain.sides)
+        before, after = self.document.text[:start].rstrip(" $"), self.document.text[end:].lstrip(" $")
+        return before[-1:] == "(" and after[:1] == ")"
+
     def case_end(self, line: int) -> int:
         """Return the last line of a case: its paragraph, and the displays that stand right below."""
         end = self.paragraph_end(line)

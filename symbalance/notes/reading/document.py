@@ -82,7 +82,7 @@ def read_document(
     notes = source.notes
     if free:
         letters = ", ".join(map(plain_letter, free))
-        notes = (*notes, f"declared nowhere and read as letters of their own: {letters}")
+        notes = (*notes, f"not declared: {letters}")
     return ReadNotes(name, text, tuple(chains), tuple(unreadable), notes, tuple(passed), free)
 
 

@@ -17,8 +17,8 @@ _OPERATION = re.compile(
     r"(?:\\[,;: ]|\{\}|[ ~])*(?:[-+−·×=≈<>]|\\(?:cdot|times|approx|le|ge|leq|geq)(?![A-Za-z]))"
 )
 _UNIT = (
-    r"(?:k?N ?m?|[kmc]?m(?:/s(?:\^?[2²])?)?|k?g|m?s|rpm|rad(?:/s)?|1/s|1/min|U/min|[kM]?Pa|bar|k?W|k?J|Hz"
-    r"|N/mm[²2]?|N/m|kg ?m[²2]?|°|%|\\%)"
+    r"(?:k?N ?m?|[kmc]?m(?:/s(?:\^?[2²])?)?|k?g|m?s|rpm|rad(?:/s)?|1/s|1/min|U/min|[kMG]?Pa|bar|k?W|k?J"
+    r"|Hz|N/mm[²2]?|N/m|kg ?m[²2]?|°|%|\\%)"
 )
 _OUTSIDE = re.compile(
     rf"({_FORMULA})(?P<sign>[ ~]*(?:[=≈<>≤≥])[ ~]*)(?P<number>[-−]?[0-9][0-9.,]*[0-9]|[-−]?[0-9])"

@@ -13,15 +13,20 @@ from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, LOWERED, NAM
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import COMBINED, RELATION, accented
 
+_APART = (
+    r"(?:(?<![\w.,\\])|(?<=\\cdot)|(?<=\\times)|(?<=\\approx)|(?<=\\simeq)|(?<=\\le)|(?<=\\ge)|(?<=\\leq)"
+    r"|(?<=\\geq)|(?<=\\pm)|(?<=\\mp))"
+)
+"""Where a number begins: behind no letter, digit or point but those of an operator, \\cdot0,5."""
 _COMMA = re.compile(
-    r"(?<![\w.,\\])(?<!_\{)(?<!\^\{)(?<!\{,\})(?<![0-9]\s,)([0-9]{1,12})(,|\{,\})([0-9]{1,15})"
+    _APART + r"(?<!_\{)(?<!\^\{)(?<!\{,\})(?<![0-9]\s,)([0-9]{1,12})(,|\{,\})([0-9]{1,15})"
     r"(?![0-9A-Za-z]|,[0-9]|\{,\}|\.[0-9])"
 )
 _GROUPED = re.compile(
-    r"(?<![\w.,\\])(?<!_\{)(?<!\{,\})([1-9][0-9]{0,2})((?:,[0-9]{3})+)(?![0-9A-Za-z]|,[0-9])"
+    _APART + r"(?<!_\{)(?<!\{,\})([1-9][0-9]{0,2})((?:,[0-9]{3})+)(?![0-9A-Za-z]|,[0-9])"
 )
-_POINT = re.compile(r"(?<![\w.,\\])([0-9]{1,12})\.([0-9]{1,15})(?![0-9A-Za-z]|\.[0-9])")
-_POINTED = re.compile(r"(?<![\w.,\\])([1-9][0-9]{0,2})((?:\.[0-9]{3})+)(?![0-9A-Za-z]|\.[0-9])")
+_POINT = re.compile(_APART + r"([0-9]{1,12})\.([0-9]{1,15})(?![0-9A-Za-z]|\.[0-9])")
+_POINTED = re.compile(_APART + r"([1-9][0-9]{0,2})((?:\.[0-9]{3})+)(?![0-9A-Za-z]|\.[0-9])")
 _LANGUAGES = re.compile(
     r"\b(?:und|der|die|das|ist|mit|für|wird|bei|les|des|est|avec|pour|donc|los|las|para|con|della|per|che"
     r"|het|een|voor|och|med|jest|oraz|dla)\b"

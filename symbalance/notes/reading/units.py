@@ -42,7 +42,10 @@ _RAISED_RUN = re.compile("[⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]")
 _INNER_FONT = re.compile(r"\\(?:mathrm|text|textrm|rm)(?![A-Za-z])")
 _SEPARATOR = re.compile(r"\\[,;: ]|~|\\cdot(?![A-Za-z])|[·⋅*.\s]")
 _COMMAND = r"\\(?:mathrm|text|textrm|mbox|unit|si)\s*"
-_ARGUMENT = r"\{(?P<word>(?:[^{}]|\{[^{}]{0,20}\}){1,60})\}(?:\s*\^\s*(?:\{\s*[-−]?\s*[0-9]\s*\}|[0-9]))?"
+_ARGUMENT = (
+    r"(?:\{(?P<word>(?:[^{}]|\{[^{}]{0,20}\}){1,60})\}|(?<=\s)[A-Za-z](?![A-Za-z]))"
+    r"(?:\s*\^\s*(?:\{\s*[-−]?\s*[0-9]\s*\}|[0-9]))?"
+)
 _SET = re.compile(rf"{_COMMAND}{_ARGUMENT}")
 _UNNAMED = _SET.pattern.replace("?P<word>", "?:")
 _FRACTION = re.compile(rf"\\[dt]?frac\s*\{{\s*({_UNNAMED}|1)\s*\}}\s*\{{\s*({_UNNAMED})\s*\}}")
@@ -117,7 +120,7 @@ def unit_set_at(text: str, place: int, end: int) -> tuple[str, int] | None:
     stop = match.end()
     for _ in range(_MOST_PARTS):
         more = _MORE.match(text, stop, end)
-        if not more or not scale_of(more.group("word")):
+        if not more or not scale_of(more.group("word") or "?"):
             break
         stop = more.end()
     return _bare(text[place:stop]), stop

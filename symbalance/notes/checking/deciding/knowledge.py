@@ -39,6 +39,8 @@ class StatedRange:
     sign: str
     right: Formula
     line: int
+    last_line: int | None = None
+    """Where it ends, None where it reaches on: one in brackets is of the formula before it alone."""
 
     @property
     def text(self) -> str:
