@@ -361,3 +361,8 @@ def test_a_decimal_comma_may_stand_behind_an_operator_and_a_unit_without_braces(
     document = read(f"Mit der Masse und dem Radius ist {formula}")
     assert [said(chain) for chain in document.chains] == ["x = 0.45*0.033*942^2 = 13180"]
     assert document.unreadable == ()
+
+
+def test_less_than_a_negative_number_is_no_arrow() -> None:
+    document = read("Let $x<-2$ and $y<-a$.")
+    assert [said(chain) for chain in document.chains] == ["x < -2", "y < -a"]

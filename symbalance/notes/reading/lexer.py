@@ -50,7 +50,7 @@ _SPACE = re.compile(
 )
 _TYPED_SPACE = re.compile(r"(?:\\[,;: ]|~)+")
 _DIFFERENCE = re.compile(r"\s*(\\[a-z]+(?![A-Za-z])|[A-Za-zα-ωϕϵϑ])")
-_ARROW = re.compile(r"-+>|=+>|<-+|<=+>")
+_ARROW = re.compile(r"-+>|=+>|<-+(?![\w.\\(])|<=+>")  # x <-2 is no arrow
 _RELATION = re.compile(r"==|:=|<=|>=|!=")
 _TWO_SIGNS = {"==": "=", ":=": "=", "<=": "≤", ">=": "≥", "!=": "≠"}
 _RUN = re.compile(r"[A-Za-z]+")

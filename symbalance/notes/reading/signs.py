@@ -132,9 +132,10 @@ ENVIRONMENTS = word_set(
 
 RELATION = re.compile(
     r"\\(?:" + "|".join(sorted(RELATION_COMMANDS, key=len, reverse=True)) + r")(?![A-Za-z])|["
-    + re.escape("".join(set(RELATION_SIGNS) - set("=<>"))) + r"]|=(?!>)|<(?!-)|(?<![-=])>|(?<=\s)~(?=\s)"
+    + re.escape("".join(set(RELATION_SIGNS) - set("=<>"))) + r"]|=(?!>)|<(?!-+(?![\w.\\(]))|(?<![-=])>"
+    r"|(?<=\s)~(?=\s)"
 )  # fmt: skip
-"""A relation wherever it may stand; arrows such as => and -> are none, and ~ is one between spaces."""
+"""A relation wherever it may stand; arrows such as => and -> are none, x<-2 is one, ~ between spaces."""
 
 
 def relation_at_start(text: str) -> str:
