@@ -38,6 +38,7 @@ SLOW_DOCUMENTS = frozenset(
         "balance-tables",
         "balancing",
         "crankshaft-equations",
+        "crankshaft-model",
         "crankshaft-running",
         "crankshaft-solution",
         "handbook-tables",

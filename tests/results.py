@@ -186,7 +186,7 @@ where $u > 1$, and for $w = 3$ the same
 
 $$u = 5$$
 
-$$f(k) = 3$$
+$$k \wr 3 = 3$$
 """
 """Every verdict, Japanese prose, and characters that each medium writes in its own way."""
 LETTERS = {

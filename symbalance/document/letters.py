@@ -179,6 +179,7 @@ def latex_letter(name: str) -> str:
 
 
 _ACCENT_SIGNS = {"bar": "\u0304", "hat": "\u0302", "vec": "\u20d7", "tilde": "\u0303"}
+_ACCENT_SIGNS |= {"dot": "\u0307", "ddot": "\u0308", "dddot": "\u20db"}
 
 
 def _latex_base(base: str) -> str:

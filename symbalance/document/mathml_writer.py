@@ -59,6 +59,9 @@ TIMES = "\u2062"
 """The sign, never shown, between two factors."""
 _SPACE = '<mspace width="0.2em"></mspace>'
 """Beside upright words, which would run together with what stands next to them."""
+_THIN = '<mspace width="0.17em"></mspace>'
+_TYPED = re.compile(r"([0-9][0-9.,]*)(?: (\S.*))?")
+"""Upright words that are a number as somebody typed it, with a decimal comma or a unit."""
 
 
 def formula_mathml(formula: Formula | Equation, display: bool = False) -> str:
@@ -146,7 +149,10 @@ class MathmlWriter(FormulaWriter):
         return _mn("∞") if node.name == "infinity" else _mi("π" if node.name == "pi" else node.name)
 
     def upright(self, node: Upright, _: bool) -> str:
-        """Write words."""
+        """Write words; a number as it was typed, 0,4 or 38,48 cm², as a number before them."""
+        if number := _TYPED.fullmatch(node.text):
+            unit = f"{_THIN}<mtext>{escape(number[2])}</mtext>" if number[2] else ""
+            return _row(_mn(number[1]), unit) if unit else _mn(number[1])
         return f"<mtext>{escape(node.text)}</mtext>"
 
     def dots(self, node: Dots, _: bool) -> str:
@@ -195,7 +201,9 @@ class MathmlWriter(FormulaWriter):
 
     def _between(self, before: Formula, piece: str) -> str:
         digits = piece.startswith(("<mn>", "<msup><mn>", "<mfrac><mn>"))
-        if digits and isinstance(before, Number | Power | Name | Constant | Decimal):
+        digits = digits or (piece.startswith("<mrow><mn>") and _THIN in piece)
+        is_typed = isinstance(before, Upright) and _TYPED.fullmatch(before.text) is not None
+        if digits and (is_typed or isinstance(before, Number | Power | Name | Constant | Decimal)):
             return _mo("·")
         apart = (
             isinstance(before, Upright | Call) or piece.startswith("<mtext>") or _FUNCTION.match(piece)
@@ -360,7 +368,7 @@ class MathmlWriter(FormulaWriter):
 
 
 _WORDS = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "re": "Re", "im": "Im"}
-_ACCENTS = {"bar": "¯", "hat": "^", "vec": "→", "tilde": "~"}
+_ACCENTS = {"bar": "¯", "hat": "^", "vec": "→", "tilde": "~", "dot": "˙", "ddot": "¨", "dddot": "⃛"}
 
 
 def _is_bare_argument(node: Formula) -> bool:

@@ -108,6 +108,7 @@ def test_what_has_no_place_is_refused(line, says, capsys, tmp_path):
     assert not out.exists()
 
 
+@pytest.mark.slow
 def test_several_engines_have_a_workbook_or_labels_each(tmp_path):
     """In a folder, from the store too: what is kept is what was written."""
     import openpyxl

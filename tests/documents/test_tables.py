@@ -127,6 +127,7 @@ def test_every_preset_is_one_page_and_what_it_leaves_out_is_in_the_whole():
     assert shortened > 10
 
 
+@pytest.mark.slow
 def test_at_a_speed_no_order_above_a_millionth_is_left_out():
     result = sb.balance(sb.load("vw-w8")).at(rpm=3000, mass="0.5")
     text = sb.to_text(result)

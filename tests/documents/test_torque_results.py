@@ -15,6 +15,7 @@ CYCLE = sb.torque.ideal_cycle(10, heat=20)
 SIZES = {"bore": 80, "stroke": 80, "reciprocating_mass": "0.5", "rpm": 3000}
 
 
+@pytest.mark.slow
 def test_a_running_engine_prints_the_orders_and_the_flywheel_it_was_made_for() -> None:
     four = sb.running_torque(sb.load("inline-4"), CYCLE, order=4, delta="0.01", **SIZES)
     assert [n for n, *_ in four.terms()] == [2, 4]

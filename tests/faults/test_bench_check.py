@@ -96,6 +96,7 @@ def _place(planter: Planter, line: int, side: int):
     return next(p for p in planter.places() if p.chain.lines[0] == line and p.side == side)
 
 
+@pytest.mark.slow
 def test_what_is_no_fault_is_told_apart(planter):
     place = _place(planter, 42, 1)  # sin² θ = (1 − cos 2θ)/2
     assert planter.judge("", place, r"\frac{2 - 2 \cos 2\theta}{4}").where == NO_FAULT

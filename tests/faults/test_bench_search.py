@@ -15,6 +15,7 @@ SIX = search_cranks(6, strokes=2, compiled=False)
 SEVEN = search_cranks(7, strokes=2, compiled=False).tally.nodes
 
 
+@pytest.mark.slow
 def test_all_that_is_measured_is_there(monkeypatch) -> None:
     """Small engines stand for those of 11 to 15 cylinders, in half a second each."""
     asked: list[tuple[int, dict[str, Any]]] = []

@@ -98,6 +98,7 @@ def test_two_records_of_one_tree_are_the_same_bytes_whatever_the_order_of_sets(w
     assert "\n0 differences in 0 cases" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not (ROOT / ".git").exists(), reason="a commit's record needs git")
 def test_the_tree_of_a_commit_is_that_commit_s_and_is_taken_away():
     with program_tree("HEAD") as tree:
@@ -510,6 +511,7 @@ def test_what_is_no_record_is_not_compared(written, tmp_path, capsys):
     assert "no record" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_a_report_shows_no_control_characters(written, planted):
     replace_in(planted / "balance/v8-90.txt", "cylinder 1", "cyl\x1b[31minder 1")
     shown = report(compare(written, planted), everything=True)

@@ -83,6 +83,7 @@ def test_a_derivative_has_the_slope_of_its_formula(node: Formula, name: str, ord
     assert_value(slope, form, POINT)
 
 
+@pytest.mark.slow
 @settings(suppress_health_check=SLOW)
 @given(trees)
 def test_values_straight_from_trees(node: Formula) -> None:

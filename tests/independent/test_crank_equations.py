@@ -494,6 +494,7 @@ def test_the_products_of_vectors_are_those_of_geometry():
     ]
 
 
+@pytest.mark.slow
 def test_the_printed_energy_is_the_one_whose_lagrange_equations_these_are():
     """d/dt dE/dp - dE/dq = M p' + w (B - B^T) p + w^2 dK q - w^2 F_M, term by term of what is printed."""
     text = sb.to_text(node_equations("vector"))

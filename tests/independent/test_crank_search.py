@@ -82,6 +82,7 @@ def three(result) -> tuple[int, int, int]:
     return result.cranks, result.stars, result.classes
 
 
+@pytest.mark.spread(12)
 @pytest.mark.parametrize("compiled", COMPILED)
 @pytest.mark.parametrize(("count", "strokes"), [(n, s) for n in range(1, 8) for s in (2, 4)])
 def test_counts_are_those_of_brute_force(count: int, strokes: int, compiled: bool) -> None:

@@ -325,6 +325,7 @@ def test_a_vector_that_turns_without_changing_its_size() -> None:
     assert turn_maximum({}, 0.25) == (0.0, 0.25, 0.0)
 
 
+@pytest.mark.slow
 def test_a_bound_that_leaves_out_what_is_there_would_show() -> None:
     """A wave of 40 harmonics between whose 160 first angles the largest lies."""
     harmonics = {n: 0.5 * np.exp(1j * n * 0.0123) / n**2 for n in range(1, 41)}

@@ -38,6 +38,7 @@ def is_nearest(number: Real, exact: Fraction) -> bool:
     return abs(value_of(number) - exact) <= place  # of log2's own rounding, a whole place
 
 
+@pytest.mark.slow
 @given(fractions, digits)
 def test_a_fraction_is_rounded_once(x, n):
     number = Real(x, n)

@@ -85,6 +85,7 @@ def test_a_pool_and_threads_give_the_same(in_parts) -> None:
         assert search_cranks(**QUESTION, executor=threads).data() == expected
 
 
+@pytest.mark.slow
 def test_after_a_break_only_the_rest_is_searched(tmp_path, monkeypatch, in_parts) -> None:
     expected = search_cranks(**QUESTION).data()
     finished: list[subtrees.SearchPart] = []

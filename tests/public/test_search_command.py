@@ -30,6 +30,7 @@ def test_points_of_the_front_open_as_engines_and_as_pages(tmp_path, capsys) -> N
     assert "1-2-4-5-3" in text
 
 
+@pytest.mark.slow
 def test_points_of_the_picture_lead_to_their_files(tmp_path, monkeypatch, capsys) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "report").mkdir()

@@ -8,7 +8,7 @@ change is an assumption of the result.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +18,8 @@ from symbalance.notes.algebra import combinatorics, integrals
 from symbalance.notes.algebra.bessel import bessel_of
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.functions import MEAN, TURNING
+from symbalance.notes.algebra.means import mean
 from symbalance.notes.algebra.polynomials import MOST_WORK
 from symbalance.notes.algebra.roots import root
 from symbalance.notes.algebra.series import Expansion
@@ -33,9 +35,15 @@ _CONSTANT = "does not depend on"
 _ONE_TURN = "∮ goes over one turn"
 
 
-def may_fail(assumption: str) -> bool:
-    """Tell whether an assumption is on what the document leaves open: nothing is refuted by it."""
-    return _CONSTANT in assumption or assumption == _ONE_TURN
+def may_fail(assumption: str, moving: Collection[str]) -> bool:
+    """Tell whether an assumption is on what the document leaves open: nothing is refuted by it.
+
+    Other letters may change with time or an angle, `moving`; they do not with a ratio that tends to 0.
+    """
+    if assumption.startswith("hat_"):
+        return False  # a hat marks an amplitude, which no angle changes
+    changes = {f"{_CONSTANT} {plain_letter(name)}" for name in moving}
+    return assumption == _ONE_TURN or any(assumption.endswith(f" {text}") for text in changes)
 
 
 # Bound letters ------------------------------------------------------------------------------------
@@ -187,7 +195,8 @@ def _at(evaluator: FormEvaluator, letter: formula.Formula, place: formula.Formul
         raise NoFormError(f"{plain_letter(name)}( ), a function of which nothing is known here")
     angles = {angle for rates in meaning.rates.values() for angle in rates}
     moving = [name for name in letters(form) if name in angles]
-    unused = [n for n in letters(form) if n not in angles and (n in meaning.known or "/d" in n)]
+    still = angles | meaning.constant
+    unused = [n for n in letters(form) if n not in still and (n in meaning.known or "/d" in n)]
     if unused:  # with ẍ a letter of its own, as any level may leave it, its value there is not 0
         raise NoFormError(f"{plain_letter(unused[0])} at a place, its value not put in")
     if not moving and letters(form) and all(n in meaning.constant for n in letters(form)):
@@ -417,6 +426,7 @@ _APPLIED: dict[str, Callable[..., Form]] = {
     "binomial": combinatorics.binomial_of,
     "kronecker": combinatorics.kronecker_of,
     "besselj": bessel_of,
+    MEAN: lambda form: mean(form, form.domain.symbol(TURNING)),
 }
 
 RULES: dict[type, Callable[[Any, Any], Form]] = {

@@ -11,7 +11,8 @@ from fractions import Fraction
 
 from symbalance.notes.algebra.domain import HALF, Domain, NoFormError, Polynomial
 from symbalance.notes.algebra.forms import Form
-from symbalance.notes.algebra.functions import opaque
+from symbalance.notes.algebra.functions import MEAN, TURNING, opaque
+from symbalance.notes.algebra.means import mean
 from symbalance.notes.algebra.roots import root, unit
 
 Rates = Mapping[int, Polynomial]
@@ -74,6 +75,8 @@ class _Differentiation:
         inner = self.of(argument)
         if inner.is_zero():
             return Form.number(self.domain, 0)
+        if function == MEAN:
+            return mean(inner, self.domain.symbol(TURNING))
         if function not in _SLOPES:
             raise NoFormError("the derivative of a function that has no rule here")
         return inner.times(_SLOPES[function](argument))

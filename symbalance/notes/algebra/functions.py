@@ -15,6 +15,10 @@ from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.roots import root, unit
 
 INVERSES = ("asin", "acos", "atan")
+MEAN = "mean"
+"""The mean of a form over one turn of `TURNING` (see `means`), a generator like a function."""
+TURNING = "turning angle"
+"""The letter that a mean binds: no written letter has a blank in its name."""
 
 
 def exponential(argument: Form) -> Form:

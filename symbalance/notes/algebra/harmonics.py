@@ -128,8 +128,8 @@ def _function_node(function: str, inside: formula.Formula) -> formula.Formula:
         return formula.Summation(inside)
     if function == "over":
         return formula.Quotient(rational_node(Fraction(1)), inside)
-    if function == "factorial":
-        return formula.Apply("factorial", (inside,))
+    if function in ("factorial", "mean"):
+        return formula.Apply(function, (inside,))
     if function.startswith("besselj"):
         return formula.Apply("besselj", (rational_node(Fraction(function[-1])), inside))
     return formula.Call(function, inside)

@@ -12,20 +12,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from itertools import combinations
 
 from symbalance.notes.algebra.domain import TURN, Domain, Monomial, Polynomial, TooLargeError
+from symbalance.notes.algebra.unit_ideals import Dense, Powers, has_constant
 
-Powers = tuple[int, ...]
-Dense = dict[Powers, Fraction]
-"""A polynomial by the exponents of all variables."""
 MOST_VARIABLES = 14
 MOST_TERMS = 60
 """Of an equation that is taken in."""
-MOST_STEPS = 4000
-"""Reductions of one polynomial by another: some tenths of a second."""
-LARGEST_BITS = 2000
-"""Of a coefficient on the way."""
 
 
 def cannot_hold(domain: Domain, equations: Sequence[Polynomial], nonzero: Iterable[int] = ()) -> bool:
@@ -39,7 +32,7 @@ def cannot_hold(domain: Domain, equations: Sequence[Polynomial], nonzero: Iterab
     """
     try:
         system = _System(domain, [*equations], set(nonzero))
-        return _has_constant(system.rows)
+        return has_constant(system.rows)
     except (TooLargeError, _OtherKindError):
         return False
 
@@ -55,7 +48,7 @@ def follows(
         away: dict[tuple[int, ...], Fraction] = {(*p, 1): factor for p, factor in claimed.items()}
         away[(0,) * size] = away.get((0,) * size, Fraction(0)) - 1
         wider = [{(*p, 0): c for p, c in row.items()} for row in (*rows, *system.relations)]
-        return _has_constant([*wider, away])
+        return has_constant([*wider, away])
     except (TooLargeError, _OtherKindError):
         return False
 
@@ -172,90 +165,3 @@ class _System:
             key = tuple(exponents)
             total[key] = total.get(key, Fraction(0)) + coefficient
         return {key: c for key, c in total.items() if c}
-
-
-def _has_constant(rows: list[Dense]) -> bool:
-    """Tell whether 1 is a combination of polynomials, by Buchberger's algorithm."""
-    work = [0]
-    basis: list[Dense] = []
-    for row in sorted(rows, key=len):
-        rest = _reduced(row, basis, work)
-        if rest:
-            if _is_constant(rest):
-                return True
-            basis.append(_monic(rest))
-    pairs = {(i, k): _lcm_degree(basis, i, k) for i, k in combinations(range(len(basis)), 2)}
-    while pairs:
-        i, k = min(pairs, key=pairs.__getitem__)
-        del pairs[i, k]
-        first, second = max(basis[i], key=_rank), max(basis[k], key=_rank)
-        if not any(a and b for a, b in zip(first, second, strict=True)):
-            continue  # no variable in common: it reduces to zero
-        rest = _reduced(_difference(basis[i], basis[k], first, second), basis, work)
-        if not rest:
-            continue
-        if _is_constant(rest):
-            return True
-        basis.append(_monic(rest))
-        last = len(basis) - 1
-        pairs |= {(n, last): _lcm_degree(basis, n, last) for n in range(last)}
-    return False
-
-
-def _rank(powers: Powers) -> tuple[int, Powers]:
-    """Return the place of a monomial in the graded reverse lexicographic order."""
-    return sum(powers), tuple(-p for p in reversed(powers))
-
-
-def _is_constant(polynomial: Dense) -> bool:
-    return len(polynomial) == 1 and not any(next(iter(polynomial)))
-
-
-def _monic(polynomial: Dense) -> Dense:
-    lead = polynomial[max(polynomial, key=_rank)]
-    return {p: c / lead for p, c in polynomial.items()}
-
-
-def _lcm_degree(basis: list[Dense], i: int, k: int) -> int:
-    first, second = max(basis[i], key=_rank), max(basis[k], key=_rank)
-    return sum(max(a, b) for a, b in zip(first, second, strict=True))
-
-
-def _difference(first: Dense, second: Dense, lead: Powers, other_lead: Powers) -> Dense:
-    common = tuple(max(a, b) for a, b in zip(lead, other_lead, strict=True))
-    total: Dense = {}
-    for polynomial, own, sign in ((first, lead, 1), (second, other_lead, -1)):
-        shift = tuple(a - b for a, b in zip(common, own, strict=True))
-        _add(total, polynomial, shift, Fraction(sign))
-    return total
-
-
-def _add(total: Dense, polynomial: Dense, shift: Powers, factor: Fraction) -> None:
-    for powers, coefficient in polynomial.items():
-        key = tuple(a + b for a, b in zip(powers, shift, strict=True))
-        value = total.get(key, Fraction(0)) + factor * coefficient
-        if value:
-            total[key] = value
-        else:
-            total.pop(key, None)
-
-
-def _reduced(polynomial: Dense, basis: list[Dense], work: list[int]) -> Dense:
-    """Return what is left of a polynomial once every leading term of the basis is taken out."""
-    rest, result = dict(polynomial), dict[Powers, Fraction]()
-    leads = [max(own, key=_rank) for own in basis]
-    while rest:
-        lead = max(rest, key=_rank)
-        by = next(
-            (n for n, own in enumerate(leads) if all(a <= b for a, b in zip(own, lead, strict=True))),
-            None,
-        )
-        if by is None:
-            result[lead] = rest.pop(lead)
-            continue
-        work[0] += 1
-        if work[0] > MOST_STEPS or rest[lead].numerator.bit_length() > LARGEST_BITS:
-            raise TooLargeError("an elimination of too many steps")
-        shift = tuple(b - a for a, b in zip(leads[by], lead, strict=True))
-        _add(rest, basis[by], shift, -rest[lead])
-    return result

@@ -14,6 +14,7 @@ from typing import Any
 
 from symbalance.document import formula
 from symbalance.document.formula import Formula, Matrix, Name
+from symbalance.document.letters import is_greek, plain_letter
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator
@@ -116,7 +117,18 @@ class MatrixEvaluator:
             return self.transposed(self.value(node.arguments[0]))
         if node.function == "det":
             return self.determinant(self.value(node.arguments[0]))
+        letter = node.arguments[0]
+        if node.function == "at" and isinstance(letter, Name) and letter.name in self.kinds.letters:
+            return self.value(self._at_angle(letter.name, node.arguments[1]))
         return self._scalar(node)
+
+    def _at_angle(self, name: str, place: Formula) -> Formula:
+        """Return R(β) for R(α) = …: the entries with β for the one angle in them."""
+        entries = self.evaluator.meaning.values.get(name)
+        angles = [letter for letter in formula.names(entries) if is_greek(letter)] if entries else []
+        if entries is None or len(angles) != 1:
+            raise NoFormError(f"{plain_letter(name)}( ), a matrix that is not given as one of an angle")
+        return _with_angle(entries, angles[0], place)
 
     def number(self, value: int | Fraction) -> Form:
         """Return a rational as a form."""
@@ -396,6 +408,18 @@ class MatrixEvaluator:
                 moved = (*word[:place], replace(factor, dots=factor.dots + 1), *word[place + 1 :])
                 terms[moved] = terms[moved].plus(scalar) if moved in terms else scalar
         return self._words(terms)
+
+
+def _with_angle(node: Formula, angle: str, place: Formula) -> Formula:
+    """Return a formula with one angle put in for another."""
+    if isinstance(node, Name):
+        return place if node.name == angle else node
+    if isinstance(node, formula.Derivative | formula.Integral | formula.Summation):
+        raise NoFormError("a matrix at a place, with a derivative or sum in it")
+    parts = formula.children(node)
+    return (
+        formula.with_children(node, tuple(_with_angle(p, angle, place) for p in parts)) if parts else node
+    )
 
 
 def _shape(literal: Literal) -> str:

@@ -21,6 +21,7 @@ from symbalance.notes.algebra.domain import (
 )
 from symbalance.notes.algebra.forms import Form
 
+SMALL_PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47)
 LARGEST_FACTORED = 10**12
 """A root of a larger number raises TooLargeError: its primes are not searched for."""
 
@@ -127,9 +128,13 @@ def root_of_rational(domain: Domain, value: Fraction) -> Form:
     exact = isqrt(whole)
     if exact * exact == whole:
         return Form.number(domain, Fraction(exact, value.denominator))
+    outside = 1
+    for prime in SMALL_PRIMES if whole > LARGEST_FACTORED else ():
+        # the squares of a power of ten, of megapascals or of a product of decimals, leave first
+        while whole % (prime * prime) == 0:
+            whole, outside = whole // (prime * prime), outside * prime
     if whole > LARGEST_FACTORED:
         raise TooLargeError("the root of a large number")
-    outside = 1
     primes: list[tuple[int, Fraction]] = []
     for prime in prime_factors(whole):
         count = 0

@@ -15,6 +15,8 @@ from symbalance.notes.algebra import functions
 from symbalance.notes.algebra.bessel import series_of
 from symbalance.notes.algebra.domain import HALF, Domain, Monomial, NoFormError, Polynomial
 from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.functions import MEAN, TURNING
+from symbalance.notes.algebra.means import mean
 from symbalance.notes.algebra.roots import root, unit
 
 SLACK = 6
@@ -186,6 +188,10 @@ class Expansion:
         size = self.limit + 2
         if function == "over":
             return self.reciprocal(inner)
+        if function == MEAN:
+            turning = self.domain.symbol(TURNING)
+            terms = {k: mean(form, turning) for k, form in inner.terms.items()}
+            return FormSeries(self.domain, terms, inner.through).without_zeros()
         if function in ("besselj0", "besselj1"):
             return self._compose(series_of(int(function[-1]), size), inner)
         if function == "asin":

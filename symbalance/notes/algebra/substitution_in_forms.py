@@ -60,6 +60,7 @@ class _Substitution:
     def __init__(self, domain: Domain, letter: int, value: Form) -> None:
         self.domain, self.letter, self.value = domain, letter, value
         self.dependence = Dependence(domain, letter)
+        self._powers: dict[tuple[int, Exponent], Form] = {}
 
     def of(self, form: Form) -> Form:
         above, below = self.polynomial(form.numerator), self.polynomial(form.denominator)
@@ -79,6 +80,13 @@ class _Substitution:
         return total
 
     def power(self, number: int, exponent: Exponent) -> Form:
+        """Return what a power becomes, worked out once: it stands in many terms."""
+        key = (number, exponent)
+        if key not in self._powers:
+            self._powers[key] = self._find_power(number, exponent)
+        return self._powers[key]
+
+    def _find_power(self, number: int, exponent: Exponent) -> Form:
         generator = self.domain.generators[number]
         if generator.kind in ("exponential", "growth"):
             inner = self.polynomial({generator.content: Fraction(1)}).scaled(Fraction(exponent))
@@ -104,4 +112,6 @@ class _Substitution:
             return Form.number(self.domain, 1).over(inside)
         if function == "sum":
             raise NoFormError("a sum without bounds")
+        if function == functions.MEAN:
+            return functions.opaque(function, inside)
         return functions.apply(function, inside)

@@ -7,6 +7,7 @@ hold what a sum over the cylinders of an in-line engine comes to: w = e^(ix), a 
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from fractions import Fraction
 from math import comb
@@ -17,6 +18,8 @@ from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.substitution_in_forms import Dependence, substitute_letter
 
 HIGHEST_POWER = 20
+NO_EQUAL_TERMS = "no wave that is summed has all its terms equal"
+"""What the closed form of a sum of waves rests on: three cylinders are special at the third order."""
 
 
 def closed_sum(form: Form, index: int, lower: Form, upper: Form) -> Form:
@@ -59,7 +62,7 @@ def _sum_of_term(domain: Domain, moving: Monomial, index: int, lower: Form, uppe
         raise NoFormError("a sum of waves whose angle is not linear in the index")
     if ratio.equals(one):
         return term.times(upper.minus(lower).plus(one))
-    domain.assumptions["no wave that is summed has all its terms equal"] = None
+    domain.assumptions[NO_EQUAL_TERMS] = None
     end = substitute_letter(term, index, upper.plus(one))
     return end.minus(substitute_letter(term, index, lower)).over(ratio.minus(one))
 
@@ -83,13 +86,33 @@ def indexed_letters(body: formula.Formula, index: str) -> list[str]:
     >>> indexed_letters(formula.Product((formula.Name("a"), formula.Name("m_i"))), "i")
     ['m_i']
     """
-    return sorted(name for name in formula.names(body) if name.endswith(f"_{index}"))
+    return sorted(name for name in formula.names(body) if multiple_of_index(name, index))
+
+
+def multiple_of_index(name: str, index: str) -> int:
+    """Return what times an index a letter's last subscript is: 1 of F_k, T_{i,k} and F^{(k)}, 2 of c_2k.
+
+    0 where it is another one.
+
+    >>> [multiple_of_index(name, "k") for name in ("F_k", "T_i,k", "T_ki", "F_(k)", "c_2k", "F_1")]
+    [1, 1, 1, 1, 2, 0]
+    """
+    match = _subscript(name, index)
+    return int(match[1] or 1) if match else 0
+
+
+def _subscript(name: str, index: str) -> re.Match[str] | None:
+    pattern = rf"(?:(?<=[_,(])|(?<=[_,(][i-nN]))(\d*){re.escape(index)}(?=[i-nN]?(?:,\w+)?\)?$)"
+    return re.search(pattern, name)
 
 
 def at_index(node: formula.Formula, index: str, value: int) -> formula.Formula:
     """Return a sum's body with the letters that carry its index as those of one value: m_i as m_2."""
     if isinstance(node, formula.Name):
-        is_indexed = node.name.endswith(f"_{index}")
-        return replace(node, name=f"{node.name[: -len(index)]}{value}") if is_indexed else node
+        match = _subscript(node.name, index)
+        if match is None:
+            return node
+        number = int(match[1] or 1) * value
+        return replace(node, name=f"{node.name[: match.start()]}{number}{node.name[match.end() :]}")
     parts = formula.children(node)
     return formula.with_children(node, tuple(at_index(p, index, value) for p in parts)) if parts else node

@@ -10,6 +10,7 @@ from symbalance.document import formula
 from symbalance.document.formula import Formula
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue, complex_parts
+from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.sums import indexed_letters
 from symbalance.notes.algebra.tree_constructs import CONSTRUCTS
 from symbalance.notes.algebra.values import DIGITS, Point, Valuation, context, random_point
@@ -44,9 +45,10 @@ def sample_trees(
     names = sorted({name for node in nodes for name in letters_behind(node, meaning.values)})
     names = sorted({part for n in names for part in (complex_parts(n) if n in meaning.complex else (n,))})
     samples: list[tuple[Point, list[Any]]] = []
+    derivatives: DerivativeForms = {}
     for seed in range(tries):
         point = random_point(names, meaning.domain(), seed)
-        at = TreeValues(meaning, point)
+        at = TreeValues(meaning, point, derivatives)
         try:
             row = [at.value(node) for node in nodes]
         except (
@@ -66,12 +68,24 @@ def sample_trees(
     return samples
 
 
+DerivativeForms = dict[Formula, Form | NoFormError | TooLargeError]
+"""The forms of derivatives, or why there is none: the same at every point."""
+
+
 class TreeValues:
     """The values of formulas at one point."""
 
-    def __init__(self, meaning: SymbolValue, point: Point) -> None:
+    def __init__(
+        self, meaning: SymbolValue, point: Point, derivatives: DerivativeForms | None = None
+    ) -> None:
         self.meaning, self.point, self.mp = meaning, point, context()
+        self.derivatives: DerivativeForms = {} if derivatives is None else derivatives
+        self._derivative_values: dict[Formula, Any] = {}
         self._values: dict[str, Any] = {}
+        self._outer: TreeValues | None = None
+        self._rebound: frozenset[str] = frozenset()
+        self._stays: dict[str, bool] = {}
+        self._stays_without: dict[frozenset[str], dict[str, bool]] = {}
         self._depth = 0
         self.terms = 0
         self.bound: frozenset[str] = frozenset()
@@ -79,13 +93,16 @@ class TreeValues:
 
     def with_letter(self, name: str, number: Any) -> TreeValues:
         """Return the values with a letter bound to a number."""
-        inner = TreeValues(self.meaning, self.point)
+        inner = TreeValues(self.meaning, self.point, self.derivatives)
+        inner._derivative_values = self._derivative_values  # by way of the point, which is the same
         inner.bound = self.bound | {name}
         inner._values = {n: v for n, v in self._values.items() if n in self.bound} | {name: number}
         inner.terms, inner._depth = self.terms, self._depth
         for moving, rate in self.meaning.rates.get(name, {}).items():
             inner.bound |= {moving}
             inner._values[moving] = self.value(rate) * number
+        inner._outer, inner._rebound = self, frozenset({name, *self.meaning.rates.get(name, {})})
+        inner._stays = self._stays_without.setdefault(inner._rebound, {})
         return inner
 
     def value(self, node: Formula) -> Any:
@@ -99,20 +116,51 @@ class TreeValues:
                 real, imaginary = map(self.letter, complex_parts(name))
                 self._values[name] = real + 1j * imaginary
             elif name in self.meaning.values and name not in self.bound:
-                self._depth += 1
-                if self._depth > DEEPEST:
-                    raise NoFormError("definitions nested too deep")
-                self._values[name] = self.value(self.meaning.values[name])
-                self._depth -= 1
+                self._values[name] = self._defined(name)
             else:
                 exact = self.point[name]
                 self._values[name] = self.mp.mpf(exact.numerator) / exact.denominator
         return self._values[name]
 
+    def _defined(self, name: str) -> Any:
+        """Return the value of a letter that stands for a formula."""
+        if self._outer is not None and self._stays_outside(name):
+            terms = self._outer.terms
+            value = self._outer.letter(name)
+            self._outer.terms = terms
+            return value
+        self._depth += 1
+        if self._depth > DEEPEST:
+            raise NoFormError("definitions nested too deep")
+        value = self.value(self.meaning.values[name])
+        self._depth -= 1
+        return value
+
+    def _stays_outside(self, name: str) -> bool:
+        """Tell whether a letter does not rest on those bound here: at all points its value is one."""
+        if name not in self._stays:
+            behind = names_behind(formula.Name(name), self.meaning.values)
+            self._stays[name] = self._rebound.isdisjoint(behind)
+        return self._stays[name]
+
     def derivative(self, node: Formula) -> Any:
         """Return the value of a derivative, by way of its form."""
-        evaluator = FormEvaluator(self.meaning.domain(), self.meaning)
-        return Valuation(evaluator.domain, self.point).of(evaluator.form(node))
+        if node not in self._derivative_values:
+            form = self._derivative_form(node)
+            self._derivative_values[node] = Valuation(form.domain, self.point).of(form)
+        return self._derivative_values[node]
+
+    def _derivative_form(self, node: Formula) -> Form:
+        if node not in self.derivatives:
+            evaluator = FormEvaluator(self.meaning.domain(), self.meaning)
+            try:
+                self.derivatives[node] = evaluator.form(node)
+            except (NoFormError, TooLargeError) as problem:
+                self.derivatives[node] = problem
+        form = self.derivatives[node]
+        if isinstance(form, Exception):
+            raise form
+        return form
 
 
 def _number(at: TreeValues, node: formula.Number) -> Any:
@@ -171,7 +219,7 @@ def _summation(at: TreeValues, node: formula.Summation) -> Any:
         raise NoFormError("a long sum")
     total = at.mp.mpc(0)
     for k in range(lower, upper + 1):
-        inner = TreeValues(at.meaning, {**at.point, node.index.name: Fraction(k)})
+        inner = TreeValues(at.meaning, {**at.point, node.index.name: Fraction(k)}, at.derivatives)
         inner.terms = at.terms
         total += inner.value(node.body)
         at.terms = inner.terms

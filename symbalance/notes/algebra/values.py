@@ -9,10 +9,13 @@ from typing import Any
 
 from symbalance.notes.algebra.domain import Domain, Monomial, NoFormError, Polynomial
 from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.functions import MEAN, TURNING
 from symbalance.text.reals import own_context
 
 DIGITS = 40
 """Of every value. Half of them decide: what differs beyond 20 digits differs, less is rounding."""
+MEAN_POINTS = (17, 34, 68, 136, 272, 544)
+"""Over one turn: an odd number first, at which no symmetry hides a harmonic."""
 Point = dict[str, Fraction]
 
 _RANGES = {"lambda": (300, 500), "rho": (15, 40), "theta": (10, 620), "phi": (10, 150), "beta": (5, 40)}
@@ -50,7 +53,8 @@ class _Letters:
             self._entered.add((id(domain), number))
             generator = domain.generators[number]
             if generator.kind == "symbol":
-                self.names[generator.content] = None
+                if generator.content != TURNING:  # bound by its mean
+                    self.names[generator.content] = None
             elif generator.kind in ("exponential", "growth"):
                 self.collect(domain, {generator.content: Fraction(1)})
             elif generator.kind == "radical":
@@ -161,7 +165,26 @@ class Valuation:
                 raise NoFormError("the root of a negative number at this point")
             return mp.sqrt(square.real)
         function, argument = generator.content
+        if function == MEAN:
+            return self._mean(argument)
         return self._function(function, self.of(argument))
+
+    def _mean(self, argument: Form) -> Any:
+        """Return the mean of a form over a turn: of a smooth one, that of equally spaced points.
+
+        Its error falls as a geometric series does: where twice as many points bring nothing new, there
+        is none.
+        """
+        turn, total, before = _Turn(self), self.mp.mpf(0), None
+        for count in MEAN_POINTS:
+            step = 2 * self.mp.pi / count
+            for place in range(count) if before is None else range(1, count, 2):
+                total += _AtAngle(turn, step * place).of(argument)
+            now = total / count
+            if before is not None and abs(now - before) <= self.mp.mpf(10) ** -30 * (1 + abs(now)):
+                return now
+            before = now
+        raise NoFormError("a mean over a turn that is not reached at this point")
 
     def _function(self, function: str, argument: Any) -> Any:
         if function == "sum":
@@ -174,6 +197,76 @@ class Valuation:
         if abs(result.imag) > self.mp.mpf(10) ** (-DIGITS // 2):
             raise NoFormError("a function outside its range at this point")
         return result
+
+
+class _Turn:
+    """What stays while the angle turns, evaluated once for all its places."""
+
+    def __init__(self, still: Valuation) -> None:
+        self.still, self.domain = still, still.domain
+        self.turning = self.domain.symbol(TURNING)
+        self._moves: dict[int, bool] = {}
+        self._grouped: dict[int, tuple[Polynomial, list[tuple[Monomial, Any]]]] = {}
+        self.assumed: list[Polynomial] = []
+        for polynomial in self.domain.positive_polynomials:
+            walk = _Letters()
+            walk.collect(self.domain, polynomial)
+            if walk.names.keys() <= still.point.keys():
+                self.assumed.append(polynomial)
+
+    def grouped(self, polynomial: Polynomial) -> list[tuple[Monomial, Any]]:
+        """Return a polynomial's moving monomials with the values of what each is multiplied by."""
+        if id(polynomial) not in self._grouped:
+            groups: dict[Monomial, Any] = {}
+            for monomial, coefficient in polynomial.items():
+                moving = tuple((g, e) for g, e in monomial if self.moves(g))
+                steady = tuple((g, e) for g, e in monomial if not self.moves(g))
+                value = self.still.polynomial({steady: coefficient})
+                groups[moving] = groups[moving] + value if moving in groups else value
+            self._grouped[id(polynomial)] = polynomial, list(groups.items())
+        return self._grouped[id(polynomial)][1]
+
+    def moves(self, number: int) -> bool:
+        """Tell whether a generator's value changes with the angle; a mean's own angle is bound."""
+        if number not in self._moves:
+            generator = self.domain.generators[number]
+            inside: list[Monomial] = []
+            if generator.kind in ("exponential", "growth"):
+                inside = [generator.content]
+            elif generator.kind == "radical":
+                inside = [*generator.content]
+            elif generator.kind == "opaque" and generator.content[0] != MEAN:
+                inside = [*generator.content[1].numerator, *generator.content[1].denominator]
+            self._moves[number] = number == self.turning or any(
+                self.moves(g) for monomial in inside for g, _ in monomial
+            )
+        return self._moves[number]
+
+
+class _AtAngle(Valuation):
+    """The values of forms at one place of the turn."""
+
+    def __init__(self, turn: _Turn, angle: Any) -> None:
+        super().__init__(turn.domain, turn.still.point)
+        self._turn = turn
+        self._values[turn.turning] = angle
+
+    def _check_assumptions(self) -> None:
+        for polynomial in self._turn.assumed:
+            if self.polynomial(polynomial).real < 0:
+                raise NoFormError("a denominator under a root is negative at this point")
+
+    def polynomial(self, polynomial: Polynomial) -> Any:
+        """Return the value of a polynomial."""
+        total = self.mp.mpc(0)
+        for moving, steady in self._turn.grouped(polynomial):
+            total += steady * self.monomial(moving)
+        return total
+
+    def _power(self, number: int, exponent: int | Fraction) -> Any:
+        if not self._turn.moves(number):
+            return self._turn.still._power(number, exponent)
+        return super()._power(number, exponent)
 
 
 def sample(forms: list[Form], count: int = 3, tries: int = 24) -> list[tuple[Point, list[Any]]]:

@@ -139,7 +139,7 @@ def _add_fix(
             decide_assertion(Side((node,), side.span), binding, knowledge, sources), decision
         )
 
-    return add_fix(base, document, side, decision, knowledge, proves)
+    return add_fix(base, document, side, decision, knowledge, proves, side, None)
 
 
 def with_decision(base: Verdict, decision: Decision, binding: Binding, reason: str = "") -> Verdict:

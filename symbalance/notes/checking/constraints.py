@@ -48,6 +48,10 @@ _INVERSE = {
 }
 
 
+_OWN = frozenset({"e"})
+"""Letters that a page has to give as lengths, or they are numbers: an equation fixes another first."""
+
+
 @dataclass(frozen=True, slots=True)
 class Constraint:
     """A letter and the formula that a relation gives it, on each branch with its condition."""
@@ -100,7 +104,10 @@ def constraint_of(
     else:
         return None
     candidates = [(name, node, other) for own, node, other in pairs for name in sorted(own)]
-    for name, node, other_side in sorted(candidates, key=lambda c: c[0] in letters_used_at_all):
+    by_use = sorted(
+        candidates, key=lambda c: (c[0] in letters_used_at_all, c[0] in _OWN & knowledge.letters)
+    )
+    for name, node, other_side in by_use:
         is_new = not (name in earlier or knowledge.has_meaning(name))
         if is_new and (first + second)[name] == 1 and not _inside_derivative(node, name):
             constraint = _constraint(node, other_side, name, knowledge)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -27,16 +27,17 @@ from symbalance.document.formula import (
     PlusMinus,
     Product,
     Sum,
+    children,
     names,
     walk,
 )
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
-from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.algebra.tree_values import letters_behind, names_behind, sample_trees
 from symbalance.notes.algebra.values import context, letters, sample
+from symbalance.notes.checking.angles_at import changes_sign_nearby, is_round_angle, solves_as_printed
 from symbalance.notes.checking.constraints import Constraint, letter_counts, solve_for
 from symbalance.notes.checking.deciding.branches import with_sign
 from symbalance.notes.checking.deciding.equality import (
@@ -103,6 +104,15 @@ class Solved:
     premises: tuple[Premise, ...] = ()
 
 
+@dataclass(frozen=True, slots=True)
+class OpenCase:
+    """A case that a relation opens (for θ = 0): its letters, its line, and its place in the text."""
+
+    letters: frozenset[str]
+    line: int
+    start: int
+
+
 @dataclass
 class Definitions:
     """The letters a document has given values, those it has used at all, and what it takes as given."""
@@ -116,11 +126,12 @@ class Definitions:
     """Lines that set two known quantities equal, with the letters these come down to."""
     ranges: list[StatedRange] = field(default_factory=list)
     premises: list[Premise] = field(default_factory=list)
+    cases: list[OpenCase] = field(default_factory=list)
     open_conditions: dict[str, Premise] = field(default_factory=dict)
     """Conditions on one angle that were stated last: a value given to it next is their solution."""
     _branches: dict[tuple[str, int, int], Definition] = field(default_factory=dict)
-    _solved_from: dict[str, tuple[int, tuple[str, ...]]] = field(default_factory=dict)
-    """Letters whose number was solved for, with the line and the letters it rests on."""
+    _solved_from: dict[str, tuple[int, dict[str, Formula | None]]] = field(default_factory=dict)
+    """Letters whose number was solved for, with the line and the values of the letters it rests on."""
 
     def at(self, line: int) -> dict[str, Definition]:
         """Return the definitions that reach a line, of the letters as declared there."""
@@ -137,15 +148,24 @@ class Definitions:
                     break
         return reaching
 
-    def define(self, name: str, node: Formula, chain: Chain) -> bool:
+    def define(self, name: str, node: Formula, chain: Chain, last: int | None = None) -> bool:
         """Define a letter's value from here on; tell whether its sentence makes it a premise.
 
-        "Take r = 1" reaches its section, and what rests on it is conditional.
+        "Take r = 1" reaches its section, and what rests on it is conditional. No value reaches
+        further than the line `last`.
         """
         line, last_line = chain.lines[0], self.sections.premise_end(chain, is_number=not names(node))
-        text = "" if last_line is None else f"{plain(Name(name))} = {plain(node)}"
-        definition = Definition(node, line, not names(node), text)
-        self._add(name, Entry(definition, self.declarations.scope_at(line), last_line))
+        is_zero = isinstance(node, Number) and not node.value
+        # where a letter is 0 nearly all is true: what rests on that says so
+        text = f"{plain(Name(name))} = {plain(node)}" if last_line is not None or is_zero else ""
+        is_rough = chain.relations[0].sign == "≈" or any(without_dots(s.node)[1] for s in chain.sides)
+        definition = Definition(node, line, not names(node), text, is_rough=is_rough)
+        end = self._end_of_place(Name(name), line) if last_line is None and not names(node) else last_line
+        if is_zero and name in self.letters_before(line):
+            last = min(last or self.sections.section_end(line), self.sections.section_end(line))
+        end = min((n for n in (end, last) if n is not None), default=None)
+        self._add(name, Entry(definition, self.declarations.scope_at(line), end))
+        self._note_case(chain, frozenset({name}))
         return last_line is not None
 
     def fix(self, constraint: Constraint, chain: Chain) -> None:
@@ -162,6 +182,19 @@ class Definitions:
         scopes = self.declarations.scope_at(line)
         last_line = self.sections.premise_end(chain, is_number=not names(node))
         self._add(constraint.name, Entry(definition, scopes, last_line))
+
+    def forget(self, name: str, line: int) -> None:
+        """Forget the value that a line gave a letter, which cannot be: what follows is of another one."""
+        entries = [e for e in self.values.pop(name, []) if e.definition.line != line]
+        if entries:
+            self.values[name] = entries
+
+    def fix_coefficients(self, values: Mapping[str, Formula], chain: Chain) -> None:
+        """Define the letters that a series has as its coefficients."""
+        line = chain.lines[0]
+        for name, node in values.items():
+            definition = Definition(node, line, is_coefficient=True)
+            self._add(name, Entry(definition, self.declarations.scope_at(line)))
 
     def round(self, name: str, chain: Chain, node: Formula) -> None:
         """Note how a letter's value is printed in the line that defines it: v = 2π·100 = 628.3."""
@@ -201,46 +234,122 @@ class Definitions:
             line, is_aside = chain.lines[0], self.sections.is_in_brackets(chain)
             last = max(chain.lines) if is_aside else None
             self.ranges.append(StatedRange(left, chain.relations[k].sign, right, line, last))
+            self._note_case(chain, names(left) | names(right))
+
+    def forget_range(self, chain: Chain) -> None:
+        """Forget the range that a relation stated, which is refuted."""
+        left, right = chain.sides[0].node, chain.sides[-1].node
+        self.ranges = [r for r in self.ranges if r.left is not left or r.right is not right]
 
     def state(self, chain: Chain, k: int, fixes: str = "", angles: frozenset[str] = frozenset()) -> None:
         """Note an equation that is taken as given, and the letter it fixes.
 
         On angles alone it says at which of them something is looked at (largest where cos 2θ = 1), and
-        reaches to the end of its section.
+        reaches to the end of its section; on one of them, cos θ + λ cos 2θ = 0, to that of its item.
         """
         premise = replace(self.premise_of(chain, k), fixes=fixes)
-        if premise.names <= angles:
-            end = self.sections.section_end(premise.line)
-            premise = replace(premise, last_line=min(premise.last_line, end))
-        self.premises.append(premise)
         symbols = self.declarations.symbols_at(premise.line)
         roles = {role_of(symbols.get(n, "")) for n in premise.names}
         is_motion = bool(roles & {*_OF_CRANK_ANGLE}) and roles <= {*_OF_CRANK_ANGLE, *CONSTANT}
+        is_moment = (
+            len(premise.names & angles) == 1
+            and not names(premise.right)
+            and roles <= {*_OF_CRANK_ANGLE, *CONSTANT, "crank angle"}
+        )
+        if is_moment or premise.names <= angles:
+            end = (self.sections.moment_end if is_moment else self.sections.section_end)(premise.line)
+            premise = replace(premise, last_line=min(premise.last_line, end))
+        self.premises.append(premise)
         turned = [n for n, text in symbols.items() if is_motion and role_of(text) == "crank angle"]
         for name in {*(premise.names & angles), *turned}:
             self.open_conditions[name] = premise
 
+    def forget_moment(self, value: Formula) -> None:
+        """Forget a refuted number that a relation gave what moves: no angle follows from it."""
+        self.premises = [p for p in self.premises if p.right is not value]
+        self.open_conditions = {n: p for n, p in self.open_conditions.items() if p.right is not value}
+
     def past_cases(self, line: int, angles: frozenset[str]) -> frozenset[int]:
         """Return the lines that put an angle in, θ = 90°, whose paragraph ends before a line."""
         entries = (e.definition for name in angles for e in self.values.get(name, ()))
-        lines = {d.line for d in entries if d.assumption}
+        lines = {d.line for d in entries if d.assumption or d.numeric}
         lines |= {p.line for p in self.premises if p.names <= angles}
         return frozenset(case for case in lines if self.sections.case_end(case) < line)
+
+    def _note_case(self, chain: Chain, letters_of_it: frozenset[str]) -> None:
+        if self.sections.opens_case(chain):
+            start = min(side.span[0] for side in chain.sides)
+            self.cases.append(OpenCase(letters_of_it, chain.lines[0], start))
+
+    def cases_left_by(self, chain: Chain, angles: frozenset[str]) -> list[OpenCase]:
+        """Return the cases that a relation is claimed beyond, which is said to be true of all values."""
+        if not self.cases:
+            return []
+        letters_of_cases = {name: name in angles for case in self.cases for name in case.letters}
+        spoken = self.sections.spoken_of_generally(chain, letters_of_cases)
+        return [
+            case
+            for case in self.cases
+            if case.letters & spoken and not self.sections.stands_in_clause(case.start, chain)
+        ]
+
+    def lines_of_numbers(self, letters_of_all: frozenset[str]) -> frozenset[int]:
+        """Return the lines that give letters numbers; what is said of all their values rests on none."""
+        entries = (entry.definition for name in letters_of_all for entry in self.values.get(name, ()))
+        return frozenset(definition.line for definition in entries if definition.numeric)
+
+    def cases_replaced_by(self, chain: Chain) -> list[OpenCase]:
+        """Return the earlier cases of the letters of a relation that opens a case of its own."""
+        own = {name for side in chain.sides for name in names(side.node)}
+        start = min(side.span[0] for side in chain.sides)
+        if not self.sections.opens_case(chain):
+            return []
+        return [case for case in self.cases if case.start < start and case.letters & own]
+
+    def end_cases(self, ended: list[OpenCase], start: int) -> None:
+        """Forget for good the cases among these that were opened before a place in the text."""
+        for case in ended:
+            if case.start >= start:
+                continue
+            self.cases.remove(case)
+            self.premises = [
+                p for p in self.premises if not (p.line == case.line and p.names <= case.letters)
+            ]
+            self.ranges = [
+                r
+                for r in self.ranges
+                if not (r.line == case.line and names(r.left) | names(r.right) <= case.letters)
+            ]
+            for name in case.letters & self.values.keys():
+                self.values[name] = [
+                    e
+                    for e in self.values[name]
+                    if e.definition.line != case.line or not e.definition.assumption
+                ]
+                if not self.values[name]:
+                    del self.values[name]
 
     @contextmanager
     def without_cases(self, lines: frozenset[int], angles: frozenset[str]) -> Iterator[None]:
         """Leave out for a while what lines say of angles: a reader may have left the case."""
         apart = [p for p in self.premises if p.line in lines and p.names <= angles]
         self.premises = [p for p in self.premises if p not in apart]
+        ranges = self.ranges
+        self.ranges = [
+            r for r in ranges if r.line not in lines or not names(r.left) | names(r.right) <= angles
+        ]
         hidden: dict[str, list[Entry]] = {}
         for name in angles & self.values.keys():
             entries = self.values.pop(name)
             hidden[name] = [e for e in entries if e.definition.line in lines]
             if rest := [e for e in entries if e.definition.line not in lines]:
                 self.values[name] = rest
+        fewer = list(self.ranges)
         try:
             yield
         finally:
+            new = [r for r in self.ranges if all(r is not other for other in fewer)]
+            self.ranges = [r for r in ranges if r in self.ranges or r not in fewer] + new
             self.premises = sorted([*apart, *self.premises], key=lambda premise: premise.line)
             for name, entries in hidden.items():
                 whole = [*entries, *self.values.get(name, [])]
@@ -251,7 +360,19 @@ class Definitions:
         """Return a relation of a chain as a premise, with its reach."""
         left, right = chain.sides[k].node, chain.sides[k + 1].node
         last_line = self.sections.premise_end(chain, is_number=not names(right))
+        if last_line is None and not names(right):
+            last_line = self._end_of_place(left, chain.lines[0])
         return Premise(left, right, chain.lines[0], EVERYWHERE if last_line is None else last_line)
+
+    def _end_of_place(self, node: Formula, line: int) -> int | None:
+        """Return where the angle ends at which a formula has a value: x = 6.71 at θ = 90° of item b)."""
+        values = {name: entries[-1].definition.node for name, entries in self.values.items()}
+        for name in {*names(node), *names_behind(node, values)} & set(self.values):
+            for entry in self.values[name]:
+                first, last = entry.definition.line, entry.last_line
+                if last is not None and first <= line <= last < self.sections.section_end(first):
+                    return last
+        return None
 
     def on_stated_branches(self, knowledge: Knowledge) -> Knowledge:
         """Return what is known where ranges have said on which branch a letter lies; each is kept."""
@@ -311,18 +432,52 @@ class Definitions:
         if pair is None or knowledge.assumes(pair[0]):
             return None
         name, value = pair
-        if name in knowledge.meaning.kinds.identities:
-            return None
+        if k == 0 and chain.inline and not names(value) and self.sections.is_denied(chain):
+            return Decision(CONDITION, "named as what is left out")
         is_result = chain.sides[k].node is value
-        if is_result and knowledge.measures(name) and _is_at_a_point(value):
+        is_of_point = is_result and knowledge.measures(name) and _is_at_a_point(value)
+        if is_of_point or name in knowledge.meaning.kinds.identities:
             return None  # min x = r claims something
         outside = outside_meaning(name, value, knowledge, is_result=is_result)
         if outside is not None and chain.relations[k].sign == "=":
             return outside
         if name in knowledge.meaning.values:
-            return self._define_size(name, value, chain, knowledge)
-        is_claim = self._may_be_wrong(name, value, chain, k, knowledge)
-        return None if is_claim else self._define(name, value, chain, k, knowledge)
+            contradiction = self._against_law(name, value, chain, knowledge)
+            return contradiction or self._define_size(name, value, chain, knowledge)
+        solution = self._solves_condition(name, value, chain, k, knowledge)
+        is_settled = solution is not None or self._may_be_wrong(name, value, chain, k, knowledge)
+        return solution if is_settled else self._define(name, value, chain, k, knowledge)
+
+    def _solves_condition(
+        self, name: str, value: Formula, chain: Chain, k: int, knowledge: Knowledge
+    ) -> Decision | None:
+        """Return the decision on an angle that is said to follow from the condition right before it.
+
+        cos θ = 0.25, so θ = 75.5°: it is one of the solutions to the digits printed, or it is none.
+        """
+        condition = self.open_conditions.get(name)
+        if condition is None or k or names(value) or not self.sections.is_consequence(chain):
+            return None
+        violated = self._no_solution(name, value, chain, k, knowledge)
+        is_solution = solves_as_printed(condition, name, value, knowledge)
+        text = f"{plain(condition.left)} = {plain(condition.right)} of line {condition.line}"
+        if violated is not None or is_solution is None:
+            return violated
+        if is_solution:
+            return Decision(CONDITION, f"solves {text}")
+        if decimals(value) and chain.relations[0].sign == "=":
+            return Decision(UNDECIDED, f"near a solution of {text}, but none to the digits printed")
+        return None  # 76° is said of 75.96°
+
+    def _against_law(
+        self, name: str, value: Formula, chain: Chain, knowledge: Knowledge
+    ) -> Decision | None:
+        """Return the contradiction between a number and what premises give by a letter's law: λ = r/l."""
+        if names(value) or self.sections.opens_case(chain):
+            return None
+        statement = Premise(knowledge.meaning.values[name], value, chain.lines[0])
+        decision = self.decide_by_premises(statement, knowledge)
+        return decision if decision is not None and decision.status == CONTRADICTION else None
 
     def _may_be_wrong(
         self, name: str, value: Formula, chain: Chain, k: int, knowledge: Knowledge
@@ -380,10 +535,10 @@ class Definitions:
         decision = decide(_side(at_value[0]), _side(at_value[1]), "=", knowledge)
         if decision.status != REFUTED:
             return None
-        is_rounded = chain.relations[k].sign == "≈" or bool(decimals(value)) or not _is_round_angle(value)
+        is_rounded = chain.relations[k].sign == "≈" or bool(decimals(value)) or not is_round_angle(value)
         # x = r at θ = π/2, but for what the rod's length adds
         is_nearly = name not in condition.names and bool(names(condition.right))
-        if (is_rounded and _changes_sign_nearby(written, name, value, knowledge)) or (
+        if (is_rounded and changes_sign_nearby(written, name, value, knowledge)) or (
             is_nearly and decide(_side(at_value[0]), _side(at_value[1]), "≈", knowledge).is_proved
         ):
             return None
@@ -432,7 +587,7 @@ class Definitions:
         if not before.is_consistent:
             return None  # said where the last of them stands
         after = eliminate([*given, statement], knowledge, rounded=True)
-        refusal = _refusal_by(given, before, after, statement)
+        refusal = _refusal_by(given, before, after, statement, knowledge)
         return refusal or _support_by(given, before, after, statement, knowledge)
 
     def _decide_both_signs(self, statement: Premise, knowledge: Knowledge) -> Decision | None:
@@ -459,25 +614,32 @@ class Definitions:
         result = eliminate(given, knowledge)
         if not result.is_consistent:
             return None
-        texts = tuple(dict.fromkeys(p.text for p in given))
+        texts = (*dict.fromkeys(p.text for p in given), *_nonzero_texts(result))
         known = replace(knowledge, solved=result.values, solved_from=texts)
         return Solved(known, result.leftover, tuple(given))
 
     @staticmethod
     def concerns(solved: Solved, decision: Decision) -> bool:
-        """Tell whether what could not be solved has letters of the two sides that were compared."""
+        """Tell whether what could not be solved has letters of the two sides that were compared.
+
+        An angle is free in what has other letters too, and what a letter of its own satisfies, T_i in
+        T_i ω = -m a v, says nothing of the others.
+        """
         if decision.left is None or decision.right is None:
             return True
         own = {*letters(decision.left), *letters(decision.right)}
         values = {n: d.node for n, d in solved.knowledge.definitions.items()}
         values = {**values, **solved.knowledge.meaning.values, **solved.knowledge.solved}
-        reached = {
-            name
-            for p in solved.leftover
-            for node in (p.left, p.right)
-            for name in letters_behind(node, values)
-        }
-        return bool(own & reached)
+        free = solved.knowledge.universal
+        for p in solved.leftover:
+            reached = {name for node in (p.left, p.right) for name in letters_behind(node, values)}
+            if not reached <= free:
+                reached -= free
+            others = {n for other in solved.premises if other is not p for n in other.names}
+            private = p.names - others - own - free - solved.knowledge.meaning.values.keys()
+            if own & reached and not any(_is_factor_once(p, name) for name in private):
+                return True
+        return False
 
     @staticmethod
     def _is_in_effect(premise: Premise, knowledge: Knowledge) -> bool:
@@ -498,6 +660,8 @@ class Definitions:
         for name, entries in self.values.items():
             last = entries[-1]
             is_ended = last.last_line is not None and last.last_line < line
+            if is_ended and self.sections.section_end(last.definition.line) >= line:
+                continue  # the item ended that looked at one angle
             if is_ended and not decimals(last.definition.node) and name not in knowledge.definitions:
                 own = last.definition
                 ended.append(Premise(Name(name), own.node, own.line, last.last_line or EVERYWHERE))
@@ -532,28 +696,86 @@ class Definitions:
         earlier, line = knowledge.definitions[name], chain.lines[0]
         by_premises = self.decide_by_premises(Premise(Name(name), value, line), knowledge)
         if by_premises is not None:
-            if by_premises.status == PREMISE:
+            outside = self._outside_range(name, value, line, knowledge)
+            if by_premises.status == PREMISE and outside is None:
                 self.define(name, value, chain)
-            return by_premises
+            return outside or by_premises
         if earlier.solved and _each_has_own_letters(earlier.node, value, knowledge):
             contradiction = self._outside_range(name, value, line, knowledge)
             if contradiction is None:
                 self.define(name, without_dots(value)[0], chain)
             return contradiction or Decision(PREMISE, f"beside line {earlier.line}")
-        if not _new_case(earlier, value, chain.relations[k].sign, knowledge):
+        is_numbered = name.endswith(")") and not self.sections.same_section(earlier.line, line)
+        reason = ""
+        if is_numbered or (names(earlier.node) and names(value) and self._is_anew(earlier, chain)):
+            reason = f"anew: in line {earlier.line} it was another one's"
+        elif self._is_exact_form(name, value, earlier, chain, k, knowledge):
+            reason = f"exactly what line {earlier.line} has approximately"
+        if reason:
+            self.define(name, without_dots(value)[0], chain)
+            return Decision(DEFINITION, reason)
+        if chain.relations[k].sign == "≈" and not k and names(earlier.node) and not names(value):
+            condition = Premise(earlier.node, value, line, self.sections.case_end(line))
+            turning = self._turning_behind(name, earlier.node, knowledge)
+            self.open_conditions |= dict.fromkeys(turning, condition)  # c ≈ 0.25, so θ ≈ 75.5°
+        is_put_in = not names(value) and self._has_number_put_in(earlier, line, knowledge)
+        if is_put_in or not _new_case(earlier, value, chain.relations[k].sign, knowledge):
             return None
+        return self._define_case_anew(name, value, earlier, chain, knowledge)
+
+    @staticmethod
+    def _is_exact_form(
+        name: str, value: Formula, earlier: Definition, chain: Chain, k: int, knowledge: Knowledge
+    ) -> bool:
+        """Tell whether a formula is what an earlier line gave a letter with ≈, cut off at some order."""
+        if k or not earlier.is_rough or chain.relations[0].sign != "=" or not names(value):
+            return False
+        lettered = {n: d for n, d in knowledge.definitions.items() if n != name and not d.numeric}
+        known = replace(knowledge, definitions=lettered)
+        return bool(names(earlier.node)) and (
+            decide(_side(value), _side(earlier.node), "≈", known).is_proved
+            and not decide(_side(earlier.node), _side(value), "=", known).is_proved
+        )
+
+    def _define_case_anew(
+        self, name: str, value: Formula, earlier: Definition, chain: Chain, knowledge: Knowledge
+    ) -> Decision:
+        """Return the decision on a value that may start a new case, after defining it."""
+        line = chain.lines[0]
         if isinstance(value, Name) and value.name in knowledge.definitions:
             self.conditions[line] = frozenset(_letters_behind([earlier.node, value], knowledge))
             return Decision(CONDITION, "sets two quantities equal")
         refusal = self._refuse_case(name, value, earlier, chain, knowledge)
+        if refusal is None and self._is_no_other_root(name, value, chain, knowledge):
+            refusal = Decision(CONTRADICTION, "no solution of the equation that the other value solves")
         if refusal is not None:
             return refusal
         bare = without_dots(value)[0]
+        end: int | None = None
         if not names(bare) and names(earlier.node) and name not in knowledge.angles:
             end = self.sections.section_end(line)  # u = 2v, then u = 6: 2v is 6 here
-            self.premises.append(Premise(earlier.node, bare, line, end))
-        self.define(name, bare, chain)
+            end = min(end, self._end_of_place(earlier.node, line) or end)
+            if turning := self._turning_behind(name, earlier.node, knowledge):
+                end = min(end, self.sections.case_end(line))  # v = 0 at one moment, and not below
+            premise = Premise(earlier.node, bare, line, end)
+            self.premises.append(premise)
+            self.open_conditions |= dict.fromkeys(turning, premise)
+            end = end if turning else None
+        self.define(name, bare, chain, end)
         return Decision(PREMISE, f"a new case: line {earlier.line} had another value")
+
+    @staticmethod
+    def _turning_behind(name: str, node: Formula, knowledge: Knowledge) -> frozenset[str]:
+        """Return the angles that a letter's value turns with: it has a number at a moment only."""
+        values = {n: d.node for n, d in knowledge.definitions.items() if n != name}
+        behind = {*names(node), *names_behind(node, {**values, **knowledge.meaning.values})}
+        roles = knowledge.meanings
+        return frozenset(n for n in behind if role_of(roles.get(n, "")) in ("crank angle", "rod angle"))
+
+    def _is_anew(self, earlier: Definition, chain: Chain) -> bool:
+        """Tell whether a second formula of a letter is of another engine, or in another exercise."""
+        is_tied = self.sections.is_consequence(chain)
+        return not is_tied and self.sections.is_of_another_engine(chain, earlier.line)
 
     def _refuse_case(
         self, name: str, value: Formula, earlier: Definition, chain: Chain, knowledge: Knowledge
@@ -597,6 +819,23 @@ class Definitions:
             return False
         decision = self.decide_by_premises(Premise(Name(name), value, line), without)
         return decision is not None and decision.status == PREMISE
+
+    def _has_number_put_in(self, earlier: Definition, line: int, knowledge: Knowledge) -> bool:
+        """Tell whether a line gives a formula its value, by its letters' numbers: λ = 3.5, F = 648."""
+        behind = (knowledge.definitions.get(n) for n in names(earlier.node) - knowledge.angles)
+        is_here = any(d is not None and d.numeric and d.line == line for d in behind)
+        return is_here and _comes_to_a_number(earlier.node, knowledge, Number(Fraction(0)))
+
+    def _is_no_other_root(self, name: str, value: Formula, chain: Chain, knowledge: Knowledge) -> bool:
+        """Tell whether a second value is said to solve what the first does, and does not: or x = 4."""
+        if not self.sections.is_one_of_several(chain):
+            return False
+        for premise in self.premises_at(chain.lines[0]):
+            if premise.names == {name}:
+                left, right = (_side(substitute(n, name, value)) for n in (premise.left, premise.right))
+                if decide(left, right, "=", knowledge).status == REFUTED:
+                    return True
+        return False
 
     def _define_size(
         self, name: str, value: Formula, chain: Chain, knowledge: Knowledge
@@ -647,15 +886,33 @@ class Definitions:
             again = decide(_side(solution), _side(earlier.node), "=", knowledge)
             if again.is_proved:
                 return None  # said before: it is decided by numbers
+            if self._agrees_in_another_letter(name, value, knowledge):
+                return Decision(PROVED, order="the digits printed")
             refusal = self._refuse_case(letter, solution, earlier, chain, knowledge)
             if refusal is not None:
                 return refusal
         word = PREMISE if self.define(letter, solution, chain) else DEFINITION
+        text = f"{plain(Name(letter))} = {plain(solution)}"
         if reasons:
-            self._solved_from[letter] = (line, tuple(sorted(names(knowledge.meaning.values[name]))))
-            text = f"{plain(Name(letter))} = {plain(solution)}"
-            return Decision(word, f"with {' and '.join(reasons)} a case: {text}")
-        return Decision(word)
+            behind = [(n, knowledge.definitions.get(n)) for n in names(knowledge.meaning.values[name])]
+            self._solved_from[letter] = (line, {n: d and d.node for n, d in behind if n != letter})
+        return Decision(word, f"with {' and '.join(reasons)} a case: {text}" if reasons else "")
+
+    def _agrees_in_another_letter(self, name: str, value: Formula, knowledge: Knowledge) -> bool:
+        """Tell whether a size agrees with the digits printed of a letter it rests on.
+
+        After r = 43, λ = 0.3 the rod's length 145 gives r = 43.5, but λ = 0.297, which is 0.3.
+        """
+        node = knowledge.meaning.values[name]
+        known = {n: d.node for n in names(node) if (d := knowledge.definitions.get(n)) and d.numeric}
+        for letter, earlier in known.items():
+            rest = node
+            for other, number in known.items():
+                rest = substitute(rest, other, number) if other != letter else rest
+            base = _solve_for_one_letter(rest, value)
+            if base and decide(_side(base[1]), _side(earlier), "=", knowledge).is_proved:
+                return True
+        return False
 
     def _is_stale(self, letter: str, knowledge: Knowledge) -> bool:
         """Tell whether a letter's number was solved from another one that has changed since."""
@@ -667,8 +924,9 @@ class Definitions:
             own is not None
             and own.line == line
             and any(
-                n != letter and n in knowledge.definitions and knowledge.definitions[n].line > line
-                for n in others
+                n in knowledge.definitions
+                and (knowledge.definitions[n].line > line or knowledge.definitions[n].node != node)
+                for n, node in others.items()
             )
         )
 
@@ -714,11 +972,19 @@ def _each_has_own_letters(earlier: Formula, value: Formula, knowledge: Knowledge
 
 
 def _refusal_by(
-    given: list[Premise], before: Elimination, after: Elimination, statement: Premise
+    given: list[Premise],
+    before: Elimination,
+    after: Elimination,
+    statement: Premise,
+    knowledge: Knowledge,
 ) -> Decision | None:
     """Return why a statement cannot stand beside premises: it contradicts them, or makes a letter 0."""
     if not after.is_consistent:
+        if after.nonzero:
+            return None  # w x = w y does not contradict x ≠ y where w = 0
         others = [p for p in after.contradiction if p is not statement]
+        if not others and after.residue is not None and letters(after.residue):
+            return None  # of a motion, at some angle
         reason = f"contradicts {lines_of(others)}" if others else "contradicts what is known"
         return Decision(CONTRADICTION, reason)
     zero = [name for name in after.vanishing if name not in before.vanishing]
@@ -740,43 +1006,29 @@ def _support_by(
         bool(before.leftover) and implied(given, statement.left, statement.right, knowledge) is True
     )
     if is_implied:
-        texts = tuple(dict.fromkeys(p.text for p in given))
+        texts = (*dict.fromkeys(p.text for p in given), *_nonzero_texts(after))
         return Decision(PROVED, f"by {lines_of(given)}", assumptions=texts)
     if any(p in after.following for p in given if p not in before.following):
         return Decision(PREMISE, f"satisfies {lines_of(given)}")
     return None
 
 
+def _is_factor_once(premise: Premise, name: str) -> bool:
+    """Tell whether a letter stands once in an equation, in a product or sum: it can always satisfy it."""
+    node = premise.left if name in names(premise.left) else premise.right
+    if letter_counts(premise.left)[name] + letter_counts(premise.right)[name] != 1:
+        return False
+    while isinstance(node, Product | Sum | Negative):
+        node = next(part for part in children(node) if name in names(part))
+    return isinstance(node, Name)
+
+
+def _nonzero_texts(result: Elimination) -> tuple[str, ...]:
+    return tuple(f"{plain(Name(name))} ≠ 0" for name in result.nonzero)
+
+
 def _side(node: Formula) -> Side:
     return Side((node,), (0, 0))
-
-
-def _is_round_angle(value: Formula) -> bool:
-    """Tell whether an angle is a multiple of 15 degrees, and so meant exactly."""
-    evaluator = FormEvaluator(Domain(), SymbolValue())
-    try:
-        over_pi = evaluator.form(value).over(Form.constant(evaluator.domain, "pi")).rational()
-    except (NoFormError, TooLargeError):
-        return False
-    return over_pi is not None and (12 * over_pi).denominator == 1
-
-
-def _changes_sign_nearby(condition: Premise, name: str, value: Formula, knowledge: Knowledge) -> bool:
-    """Tell whether a condition has a solution within a degree of an angle: 76° for tan θ = 4.
-
-    Also where its letters have no numbers: then nothing is said.
-    """
-    level = list(knowledge.levels(condition.left, rational_node(Fraction(0))))[-1]
-    values = {n: node for n, node in level.values.items() if n != name}
-    meaning = replace(knowledge.meaning, values=values)
-    gap, signs = Sum((condition.left, Negative(condition.right))), set[bool]()
-    for step in (Fraction(-1, 60), Fraction(1, 60)):
-        moved = substitute(gap, name, Sum((value, rational_node(step))))
-        points = sample_trees([moved], meaning, 1)
-        if not points or points[0][0]:
-            return True
-        signs.add(bool(points[0][1][0].real > 0))
-    return len(signs) == 2
 
 
 def plain(node: Formula) -> str:
@@ -925,7 +1177,7 @@ def outside_meaning(
     write a crank radius (`is_result`: the letter stands behind what gives it its value).
     """
     is_positive, is_whole = name in knowledge.meaning.positive, name in knowledge.meaning.integer
-    number = _number_of(value, knowledge) if is_positive or is_whole else None
+    number = number_of(value, knowledge) if is_positive or is_whole else None
     if number is None:
         return None
     shown = "0" if abs(number) < WHOLE else context().nstr(number, 6)
@@ -937,7 +1189,7 @@ def outside_meaning(
     return None
 
 
-def _number_of(value: Formula, knowledge: Knowledge) -> Any:
+def number_of(value: Formula, knowledge: Knowledge) -> Any:
     """Return the real number that a formula comes down to by all that is known, None for none."""
     level = list(knowledge.levels(value))[-1]
     try:
@@ -958,9 +1210,9 @@ def _letters_behind(nodes: list[Formula], knowledge: Knowledge) -> list[str]:
     return [name for node in nodes for name in letters_behind(node, values)]
 
 
-def _comes_to_a_number(node: Formula, knowledge: Knowledge) -> bool:
+def _comes_to_a_number(node: Formula, knowledge: Knowledge, *beside: Formula) -> bool:
     """Tell whether a formula has a number by all that is known: another one then contradicts it."""
-    level = list(knowledge.levels(node))[-1]
+    level = list(knowledge.levels(node, *beside))[-1]
     try:
         return not letters(knowledge.evaluator(level).form(node))
     except (NoFormError, TooLargeError):

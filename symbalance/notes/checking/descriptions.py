@@ -7,14 +7,30 @@ claimed, what is exact.
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
+from operator import is_
 from traceback import format_exception
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
-from symbalance.document.formula import Decimal, Formula, Number, Quotient, Span, Upright, walk
+from symbalance.document.formula import (
+    Decimal,
+    Formula,
+    Negative,
+    Number,
+    Quotient,
+    Span,
+    Upright,
+    children,
+    walk,
+    with_children,
+)
 from symbalance.document.text_writer import formula_text
 from symbalance.errors import fault_of
 from symbalance.notes.algebra import polynomials as poly
+from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
+from symbalance.notes.algebra.evaluation import FormEvaluator
+from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import components, key_node, polynomial_node, sort_keys
 from symbalance.notes.algebra.number_formulas import number_node
 from symbalance.notes.algebra.values import Valuation
@@ -32,6 +48,14 @@ from symbalance.notes.checking.verdicts import (
     Difference,
     Verdict,
 )
+from symbalance.notes.checking.written_numbers import (
+    MOST_DIGITS,
+    WrittenNumber,
+    corrected,
+    has_letters,
+    nearer,
+    written_number,
+)
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side, Unreadable
 
 MOST_DIFFERENCES = 12
@@ -39,6 +63,12 @@ DETAILS = Budget(2)
 """For the exact value and the differences: a line that is decided stays so without them."""
 SHARE = 0.5
 """At most, of what is left of the relation's budget: the verdict and its correction need the rest."""
+LARGEST_VALUE = Fraction(10) ** 60
+"""Of a number that is put right in its digits."""
+REAL = 1e-25
+"""Relative: an imaginary part that is only rounded."""
+SHORT_VALUE = 8
+"""Characters of an exact value that stands beside a whole number as it is: √3/2, 7/12."""
 LONGEST_VALUE = 600
 """Characters of an exact value; a longer one is left out of the report."""
 
@@ -52,7 +82,9 @@ def describe(document: ReadNotes, chain: Chain, k: int, decision: Decision) -> V
     (exact, exact_node), terms, notes = ("", None), (), chain.notes
     if bad:
         try:
-            (exact, exact_node), terms = run_within(DETAILS, lambda: _details(decision, word), SHARE)
+            (exact, exact_node), terms = run_within(
+                DETAILS, lambda: _details(decision, word, document, side, chain.sides[k]), SHARE
+            )
         except OverBudgetError as problem:
             notes = (*notes, f"where the sides differ was not worked out within {problem.spent}")
     return Verdict(
@@ -79,9 +111,61 @@ def describe(document: ReadNotes, chain: Chain, k: int, decision: Decision) -> V
     )
 
 
-def _details(decision: Decision, word: str) -> tuple[tuple[str, Formula | None], tuple[Difference, ...]]:
+def _details(
+    decision: Decision, word: str, document: ReadNotes, side: Side, before: Side
+) -> tuple[tuple[str, Formula | None], tuple[Difference, ...]]:
     """Return a decision's exact value and, if it is refuted, where the sides differ."""
-    return exact_value(decision), differences(decision) if word == REFUTED else ()
+    exact = exact_value(decision)
+    printed = printed_value(decision, document, side, before)
+    if printed is None:
+        return exact, differences(decision) if word == REFUTED else ()
+    claim, value, _ = printed
+    if claim.place is None and not claim.unit and len(exact[0]) <= SHORT_VALUE:
+        return exact, ()
+    number = next((number for _, number in corrected(claim, value)), None)
+    return exact if number is None else (number.text, number.written), ()
+
+
+def printed_value(
+    decision: Decision, document: ReadNotes, side: Side, before: Side | None
+) -> tuple[WrittenNumber, Fraction, bool] | None:
+    """Return the number that a right side is printed as and what it should be; None with letters.
+
+    Also whether that is what the numbers before it make without any unit: 8600/9 = 965 lb is computed in
+    pounds, where that comes nearer than in kg.
+    """
+    left, right, source = decision.left, decision.right, document.source(side.span)
+    if left is None or right is None or not any(map(str.isdigit, source)):
+        return None
+    exact, claimed = _number(left), _number(right)
+    claim = written_number(source, float(claimed)) if claimed else None
+    if exact is None or claimed is None or claim is None:
+        return None
+    if before is not None and claim.factor != 1 and not has_letters(document.source(before.span)):
+        try:
+            bare = _number(FormEvaluator(Domain()).form(before.node))
+        except (NoFormError, TooLargeError):
+            bare = None
+        plain = claim.without_scale()
+        if bare and nearer(bare / plain.size, exact / claimed):
+            return plain, bare, True
+    return claim, exact, False
+
+
+def _number(form: Form) -> Fraction | None:
+    """Return the value of a form without letters; None for 0, what is not real or beyond floats."""
+    if values.letters(form):
+        return None
+    exact = form.rational()
+    if exact is None:
+        try:
+            value = values.value(form, {})
+        except (NoFormError, ZeroDivisionError):
+            return None
+        if not values.context().isfinite(value) or abs(value.imag) > abs(value) * REAL:
+            return None
+        exact = Fraction(str(value.real))
+    return exact if exact and 1 / LARGEST_VALUE < abs(exact) < LARGEST_VALUE else None
 
 
 def word_for(decision: Decision) -> str:
@@ -178,7 +262,34 @@ def exact_value(decision: Decision) -> tuple[str, Formula | None]:
             text, node = f"({text})/({formula_text(below, plain=True)})", Quotient(above, below)
     except (NoFormError, TooLargeError):
         return "", None
+    short = with_short_numbers(node)
+    if short is not node:
+        text, node = formula_text(short, plain=True), short
     return (text, node) if len(text) <= LONGEST_VALUE else ("", None)
+
+
+def with_short_numbers(node: Formula) -> Formula:
+    """Return a formula with decimals of six digits for fractions and numbers longer than that."""
+    value = rational_of(node)
+    if value is not None:
+        is_long = max(abs(value.numerator), value.denominator) >= 10**MOST_DIGITS
+        return Decimal(f"{float(value):.{MOST_DIGITS}g}") if is_long and value.denominator != 1 else node
+    parts = children(node)
+    changed = tuple(map(with_short_numbers, parts))
+    return node if all(map(is_, parts, changed)) else with_children(node, changed)
+
+
+def rational_of(node: Formula) -> Fraction | None:
+    """Return the value of a number or of a quotient of two, None of anything else."""
+    if isinstance(node, Number):
+        return node.value
+    if isinstance(node, Quotient):
+        above, below = rational_of(node.numerator), rational_of(node.denominator)
+        return above / below if above is not None and below else None
+    if isinstance(node, Negative):
+        inner = rational_of(node.operand)
+        return None if inner is None else -inner
+    return None
 
 
 def differences(decision: Decision) -> tuple[Difference, ...]:

@@ -1,9 +1,10 @@
 """Dimensions of formulas by the units their letters are declared with: F = m r in newtons cannot be.
 
-A letter has a dimension by the unit in its declaration ("force, N", "kg mm") or by its meaning (a crank
-radius is a length). What has none declared is open, and so is everything it stands in: nothing is accused
-on a guess. Numbers that are put in may carry units in silence: a decimal, or a large number, is open too.
-A unit written at a number counts: 1 N is no joule, and 2 m + 3 s is nothing.
+A letter has a dimension by the unit in its declaration ("force, N", "kg mm"), by its meaning (a crank
+radius is a length) or by the unit of the number it is. What has none is open, and so is everything it
+stands in: nothing is accused on a guess. Numbers that are put in may carry units in silence: a decimal,
+or a large number, is open too. A unit written at a number counts: 1 N is no joule, and 2 m + 3 s is
+nothing.
 """
 
 from __future__ import annotations
@@ -200,6 +201,13 @@ class Dimensions:
             return self._turns(left, right)
         return Mismatch("the left side is in", first, second)
 
+    def side(self, node: Formula, source: str) -> Dimension | None:
+        """Return the dimension of a side by its letters; None where it is open, or its terms differ."""
+        try:
+            return None if is_open(node, source) else self.of(node)
+        except _MismatchError:
+            return None
+
     def _turns(self, left: Formula, right: Formula) -> Mismatch | None:
         """Return that turns are set equal to radians: 50 Hz are no 50 rad/s."""
         units = [self.unit_at(left), self.unit_at(right)]
@@ -233,13 +241,14 @@ class Dimensions:
         return bool(self.text) and not names(node) and any(map(self.unit_at, formula.walk(node)))
 
     def letter(self, name: str, depth: int) -> Dimension | None:
-        """Return a letter's dimension: declared, or that of its value."""
+        """Return a letter's dimension: declared, or that of its value, a number's by the unit at it."""
         bare = name.rstrip("'")
         meaning = self.symbols.get(name) or self.symbols.get(bare)
-        if meaning is not None:
-            return declared_dimension(meaning)
+        declared = None if meaning is None else declared_dimension(meaning)
         value = self.values.get(name)
-        if value is None or not names(value):
+        if declared is not None or value is None:
+            return declared
+        if not (self.is_of_units(value) or (meaning is None and names(value))):
             return None
         try:
             return self.of(value, depth)

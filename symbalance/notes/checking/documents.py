@@ -20,6 +20,7 @@ from symbalance.document.nodes import Code, Strong, Words
 from symbalance.errors import SymbalanceError, brief
 from symbalance.notes.checking.engines import Engines, NoEngines, Sources
 from symbalance.notes.checking.judging import PAGE, Judge
+from symbalance.notes.checking.letters_anew import with_letters_anew
 from symbalance.notes.checking.one_reading import judge_in_one_reading
 from symbalance.notes.checking.sidecar import (
     Declarations,
@@ -30,6 +31,7 @@ from symbalance.notes.checking.sidecar import (
 )
 from symbalance.notes.checking.symbol_roles import readable_letters
 from symbalance.notes.checking.symbols import motions_of
+from symbalance.notes.checking.time_letters import with_time
 from symbalance.notes.checking.verdicts import MOST_LETTERS, UNDECLARED, Checked
 from symbalance.notes.reading import Motions, read_document
 from symbalance.notes.reading.equations import ReadNotes
@@ -92,7 +94,8 @@ def check(
         remarks.append(_waiting(count))
     letters, motions = _letters_by_line(declarations), _motions_by_line(declarations)
     page = run_within(budget, partial(read_document, text, name, letters, motions))
-    declarations = declarations.without_idle(page_letters(page))
+    page, declarations = with_letters_anew(page, declarations.without_idle(page_letters(page)))
+    declarations = with_time(page, declarations)
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
     sources = Sources(provider, beside)
     start = time.monotonic()

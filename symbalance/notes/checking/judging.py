@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
@@ -12,6 +11,7 @@ from itertools import product
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
 from symbalance.document.formula import (
+    Call,
     Constant,
     Formula,
     Matrix,
@@ -27,10 +27,18 @@ from symbalance.document.formula import (
 )
 from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking import assertions, constraints
+from symbalance.notes.checking.carried_values import CarriedValues
+from symbalance.notes.checking.case_words import is_case_behind
+from symbalance.notes.checking.consequences import decide_consequence
 from symbalance.notes.checking.constraints import Constraint
-from symbalance.notes.checking.deciding.cases import decide_case, decide_with_ratio, states_a_case
+from symbalance.notes.checking.deciding.cases import (
+    decide_case,
+    decide_with_ratio,
+    states_a_case,
+)
 from symbalance.notes.checking.deciding.equality import (
     PROVED,
     Decision,
@@ -44,13 +52,16 @@ from symbalance.notes.checking.deciding.matrix_relations import (
     matrix_constraint,
     meaningless,
 )
+from symbalance.notes.checking.deciding.numbers_put_in import printed_results
 from symbalance.notes.checking.deciding.relations import decide, decide_at_value
 from symbalance.notes.checking.deciding.remainders import is_remainder
+from symbalance.notes.checking.deciding.sign_of_letters import decide_with_signs
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.definitions import (
     Definitions,
     holds_at_angles,
     lines_of,
+    number_of,
     refuted_at_angles,
 )
 from symbalance.notes.checking.descriptions import (
@@ -61,12 +72,27 @@ from symbalance.notes.checking.descriptions import (
     with_fault,
 )
 from symbalance.notes.checking.dimensions import Dimensions, unit_text
+from symbalance.notes.checking.engine_speeds import decide_speed, speeds_of
 from symbalance.notes.checking.engines import Sources
+from symbalance.notes.checking.extremes import decide_extreme, decide_place
+from symbalance.notes.checking.given_numbers import GivenNumbers, number_given
+from symbalance.notes.checking.letters_of_sections import numbers_of_this_section
+from symbalance.notes.checking.meant_quantities import MeantQuantities
+from symbalance.notes.checking.meant_words import MeantWords
+from symbalance.notes.checking.numbers_in_units import decide_after_units_left_out, decide_in_units
 from symbalance.notes.checking.own_units import with_speeds
+from symbalance.notes.checking.page_data import data_of
+from symbalance.notes.checking.premise_branches import decide_on_branches
 from symbalance.notes.checking.premises import Premise, implied
 from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
 from symbalance.notes.checking.sections import Sections
+from symbalance.notes.checking.series_coefficients import (
+    coefficient_values,
+    decide_coefficient,
+    exact_value,
+)
 from symbalance.notes.checking.sidecar import Binding, Declarations
+from symbalance.notes.checking.solutions import NEAR, chains_below, solution_behind_arrow, solution_below
 from symbalance.notes.checking.symbol_roles import (
     KNOWN,
     MOVING,
@@ -76,6 +102,7 @@ from symbalance.notes.checking.symbol_roles import (
     small_letters,
 )
 from symbalance.notes.checking.symbols import meaning_of
+from symbalance.notes.checking.unit_or_letter import with_both_readings
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONTRADICTION,
@@ -102,10 +129,6 @@ UNIVERSAL = (
     "crank ratio r/l",
     "integer",
 )
-NEAR = 4
-"""Lines below an equation in which its solution is looked for."""
-_LETTER = re.compile(r"[A-Za-z]")
-_SMALL_LENGTH = re.compile(r"(?<![A-Za-z])[cm]m(?![A-Za-z])")
 CLAUSES = 15
 """Lines below an equation in matrices that may still say what its letters are."""
 PAGE = Budget(600, 4000)
@@ -126,19 +149,40 @@ class Judge:
     corrects: bool = True
 
     def __post_init__(self) -> None:
-        self.document = with_speeds(self.document, self.declarations.symbols_at)
-        self.definitions = Definitions(self.declarations, Sections(self.document))
+        symbols_at = self.declarations.symbols_at
+        self.document = with_both_readings(self.document, symbols_at)
+        data = data_of(self.document, symbols_at)
+        chains = (*self.document.chains, *data)
+        every = with_speeds(replace(self.document, chains=chains), symbols_at).chains
+        self.document = replace(self.document, chains=every[: len(self.document.chains)])
+        self.data = list(every[len(self.document.chains) :])
+        """The page's data that stand in tables, lists and code, and have not been reached yet."""
+        sections = Sections(self.document)
+        self.definitions = Definitions(self.declarations, sections)
+        self.meant = MeantQuantities(MeantWords(self.document, self.declarations, sections), self.sources)
         self.start = time.monotonic()
         self.small_letters = small_letters(self.document.text)
         self.counts = _counts(self.document)
+        self.letters = {
+            n for chain in self.document.chains for side in chain.sides for n in names(side.node)
+        }
+        self.printed = printed_results(self.document)
+        self.carried = CarriedValues()
+        self.given_numbers = GivenNumbers()
+        self.speeds = speeds_of(self.document.text)
         self.not_judged: dict[str, int] = {}
         """Letters that a relation may define which was not judged, with its line."""
+        self.solutions: dict[int, tuple[Premise, Decision]] = {}
+        """Where an equation's solution stands: the equation, and whether the solution satisfies it."""
+        self.general: frozenset[str] = frozenset()
+        """Letters of all of whose values the relation in hand is claimed, whatever case stands before."""
 
     def check(self) -> Checked:
         """Return the document with its verdicts."""
         bindings = assertions.by_line(self.declarations.bindings)
         verdicts: list[Verdict] = [unreadable_verdict(self.document, u) for u in self.document.unreadable]
         for chain in self._in_turn():
+            self._take_data(chain.lines[0])
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
             verdicts += self.chain(chain, chain_binds)
         for binding in (b for rest in bindings.values() for b in rest):
@@ -153,10 +197,23 @@ class Judge:
             self.document, tuple(replace(v, cell=self.document.cell_of(v.line)) for v in numbered)
         )
 
+    def _take_data(self, line: int) -> None:
+        """Define the letters of the tables, lists and code above a line; a formula's letter is left."""
+        while self.data and self.data[0].lines[0] < line:
+            datum = self.data.pop(0)
+            name = next(iter(names(datum.sides[0].node)))
+            earlier = self.knowledge(datum.lines[0]).definitions.get(name)
+            if earlier is not None and not earlier.numeric:
+                continue
+            verdicts = self.chain(datum, [])
+            if any(v.verdict in (REFUTED, CONTRADICTION, UNDECIDED) for v in verdicts):
+                self.definitions.define(name, datum.sides[1].node, datum)  # another engine's table
+
     def _in_turn(self) -> list[Chain]:
         """Return the chains by lines, on one line first what states a case: x² = 4 for x = 2.
 
-        A result is no case (so x = 2; v = 2 s n, v = 9), nor is the second value of a letter on one line.
+        A result is no case (so x = 2; v = 2 s n, v = 9), nor is the second value of a letter on one line,
+        nor what stands behind that: r = 40, l = 160; r = 45, l = 150, λ = 0.3.
         """
         by_line: dict[int, list[Chain]] = {}
         for chain in self.document.chains:
@@ -165,9 +222,12 @@ class Judge:
         for line in sorted(by_line):
             first: dict[frozenset[str], Chain] = {}
             met: set[frozenset[str]] = set()
+            is_second = False
             for chain in by_line[line]:
                 own = names(chain.sides[0].node)
-                is_result = self.definitions.sections.is_consequence(chain) or own in met
+                is_second = is_second or (own in first and states_a_case(chain))
+                is_result = self.definitions.sections.is_consequence(chain) or own in met or is_second
+                is_result = is_result or any(relation.sign == "≈" for relation in chain.relations)
                 if states_a_case(chain) and not is_result:
                     first[own] = chain
                 if isinstance(chain.sides[0].node, Name) or not any(
@@ -175,7 +235,22 @@ class Judge:
                 ):
                     met.add(own)
             cases = list(first.values())
-            ordered += [*cases, *(c for c in by_line[line] if all(c is not case for case in cases))]
+            others = [c for c in by_line[line] if all(c is not case for case in cases)]
+            ordered += [*cases, *self._cases_before_claims(others)]
+        return ordered
+
+    def _cases_before_claims(self, chains: list[Chain]) -> list[Chain]:
+        """Return the chains of a line, another case before the claim it stands behind: for θ = π."""
+        ordered: list[Chain] = []
+        for chain in chains:
+            last = ordered[-1] if ordered else None
+            first, end = chain.sides[0].span[0], chain.sides[-1].span[1]
+            is_behind = last is not None and is_case_behind(
+                self.document.text, last.sides[-1].span[1], first, end
+            )
+            ordered.insert(
+                len(ordered) - 1 if is_behind and states_a_case(chain) else len(ordered), chain
+            )
         return ordered
 
     def guard(self, verdict: Callable[[], Verdict], span: Span, line: int = 0) -> Verdict:
@@ -237,13 +312,14 @@ class Judge:
             crank,
             definitions,
             self.assumptions(line, letters_declared),
-            letters_declared,
+            letters_declared | self.document.own_letters,
             moving,
             angles,
             symbols,
             universal,
             corrects=self.corrects,
             ranges=tuple(ranges),
+            printed=self.printed,
             small=frozenset(n for n, text in symbols.items() if SMALL_WORD.search(text))
             | self.small_letters,
         )
@@ -283,6 +359,10 @@ class Judge:
                 is_excused = bad or isinstance(chain.sides[k].node, Name)
                 verdict = self.assertion(chain, k + 1, bound[k + 1], verdict, is_excused)
             verdicts.append(verdict)
+            if verdict.verdict == REFUTED:
+                self.carried.note(chain, k)
+                self.definitions.forget_moment(chain.sides[k + 1].node)
+            self.given_numbers.note(chain, k, verdict)
             if verdict.is_unjudged:
                 self.not_judged |= dict.fromkeys(_lone_letters(chain, k), relation.line)
             if k and verdict.verdict in PROVED_WORDS and isinstance(chain.sides[0].node, Name):
@@ -321,27 +401,86 @@ class Judge:
         return self.guard(verdict, chain.sides[index].span, line)
 
     def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
-        """Return the verdict on the k-th relation of a chain."""
+        """Return the verdict on the k-th relation of a chain.
+
+        What is said of all values does not rest on a case before, and one case takes another's place.
+        """
+        angles = self.knowledge(chain.lines[0]).angles if self.definitions.cases else frozenset[str]()
+        left = self.definitions.cases_left_by(chain, angles)
+        start = min(side.span[0] for side in chain.sides)
+        own = {name for side in chain.sides for name in names(side.node)}
+        spoken = dict.fromkeys(own, False)
+        self.general = self.definitions.sections.spoken_of_generally(chain, spoken, named=True)
+        examples = self.definitions.lines_of_numbers(self.general)
+        if left or examples:
+            free = frozenset(name for case in left for name in case.letters)
+            self.general |= free
+            lines = examples | {case.line for case in left}
+            with self.definitions.without_cases(lines, self.general):
+                verdict = self._link_in_scope(chain, k, sound, bad)
+            self.definitions.end_cases(left, start)
+            return verdict
+        verdict = self._link_in_scope(chain, k, sound, bad)
+        if verdict.verdict == CONTRADICTION and (others := self.definitions.cases_replaced_by(chain)):
+            self.definitions.end_cases(others, start)
+            return self._link_in_scope(chain, k, sound, bad)
+        return verdict
+
+    def _link_in_scope(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         knowledge = self._with_clauses_below(chain, k, self.knowledge(chain.lines[0]))
         mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
+        if mismatch is not None and (
+            anew := numbers_of_this_section(self.definitions.sections, chain, knowledge)
+        ):
+            others = {n: d for n, d in knowledge.definitions.items() if n not in anew}
+            freer = replace(knowledge, definitions=others)
+            if self._mismatch(chain, k, sound if bad else k, freer) is None:
+                mismatch, knowledge = None, freer
         left, right = chain.sides[k], chain.sides[k + 1]
         if is_remainder(left.node) or is_remainder(right.node):
             outcome: Verdict | Decision = decide(left, right, chain.relations[k].sign, knowledge)
         else:
-            outcome = self._link(chain, k, sound, bad, knowledge)
+            outcome = self._of_series(chain, k, knowledge) or self._link(chain, k, sound, bad, knowledge)
         angles, line = knowledge.angles, chain.lines[0]
-        if _is_refuted(outcome) and (past := self.definitions.past_cases(line, angles)):
+        turning = angles | (_turned(left.node) & _turned(right.node))
+        rests_on_case = bool(turning & names(left.node) & names(right.node)) and _is_proved(outcome)
+        past = frozenset[int]()
+        angles = turning if rests_on_case else angles
+        if _is_refuted(outcome) or rests_on_case:
+            past = self.definitions.past_cases(line, angles)
+        if past:
             with self.definitions.without_cases(past, angles):
                 freer = self._with_clauses_below(chain, k, self.knowledge(line))
                 general = self._link(chain, k, sound, bad, freer)
-            if not _is_undecided(general):
+            # a case that is past makes no relation true in which its angle stands
+            if _is_refuted(general) or not (rests_on_case or _is_undecided(general)):
                 outcome, knowledge = general, freer
+        if k or chain.sides[0].span[0] not in self.solutions:
+            outcome = self._as_consequence(chain, k, outcome, knowledge)
         verdict = describe(self.document, chain, k, outcome) if isinstance(outcome, Decision) else outcome
         if mismatch is None:
             return verdict
         if verdict.verdict == REFUTED:  # its witness and its correction say more
             return replace(verdict, reason=verdict.reason or mismatch.reason)
         return describe(self.document, chain, k, mismatch)
+
+    def _as_consequence(
+        self, chain: Chain, k: int, outcome: Verdict | Decision, knowledge: Knowledge
+    ) -> Verdict | Decision:
+        """Return the outcome of a relation that is said to follow from the one before, judged as that."""
+        decision = outcome if isinstance(outcome, Decision) else outcome.decision
+        if isinstance(outcome, Verdict) and outcome.verdict in PROVED_WORDS:
+            decision = decision or Decision(PROVED)
+        if k or decision is None or decision.status in (REFUTED, CONTRADICTION):
+            return outcome
+        known = replace(knowledge, ranges=tuple(self.definitions.ranges_at(chain.lines[0])))
+        sections = self.definitions.sections
+        judged = decide_consequence(self.document, sections, chain, decision, known)
+        if judged is decision:
+            return outcome
+        if judged.status == REFUTED:
+            self.definitions.forget_range(chain)
+        return judged
 
     def _mismatch(self, chain: Chain, k: int, against: int, knowledge: Knowledge) -> Decision | None:
         """Refute a relation whose sides, or terms, are in different units."""
@@ -376,52 +515,184 @@ class Judge:
         if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):
             reason = f"true of the number {name}; here {name} is declared as a letter"
             return Decision(UNDECIDED, reason)
-        definition = _demanded(relation) or self.definitions.define_by(chain, k, knowledge)
+        definition = _demanded(relation) or self._as_proved_solution(chain, k)
+        definition = definition or self._define(chain, k, knowledge)
         if definition is not None:
-            return definition
+            return self._as_meant(chain, k, definition, knowledge)
         decision, against = self._decide_step(chain, k, sound, bad, knowledge)
-        decision = _outside_its_condition(decision, knowledge)
+        decision = self._with_signs(left, right, relation.sign, decision, knowledge)
         if decision.status in (REFUTED, UNDECIDED):
-            decision = self._unless_given(chain, k, against, decision, knowledge)
+            below = None if k else solution_below(self.definitions.sections, chain, knowledge)
+            solved = self._as_solved(chain, below, knowledge)
+            decision = solved or self._unless_given(chain, k, against, decision, knowledge)
         if decision.status in STATED or decision.status == CONTRADICTION:
             return decision
-        # cases and conditions are of numbers
-        may_state = not of_matrices and not self.definitions.must_follow(chain, k)
-        if decision.status == REFUTED and may_state:
-            decision = self._unless_stated(chain, k, against, decision, knowledge)
-        if decision.status == REFUTED:
-            decision = self._in_unit_of_result(chain, k, decision, knowledge)
-        if decision.status == REFUTED:
-            decision = self._at_stated_angle(chain, k, decision, knowledge)
-        if decision.status == REFUTED:
-            decision = self._with_letters_below(chain, k, decision, knowledge)
-        if decision.status == REFUTED:
-            decision = self._unless_open(chain, k, decision, knowledge)
+        decision = self._mended(chain, k, against, decision, knowledge)
         return self.add_fix(
             describe(self.document, chain, k, decision), chain, k, against, decision, knowledge
         )
 
-    def _in_unit_of_result(
-        self, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
+    def _mended(
+        self, chain: Chain, k: int, against: Side, decision: Decision, knowledge: Knowledge
     ) -> Decision:
-        """Return the proof of 80/2 = 40 mm: numbers without units, computed in that of the result.
+        """Return the decision on a refuted relation by all that may be meant with it, in turn."""
+        of_matrices = is_of_matrices(chain.sides[k].node, chain.sides[k + 1].node, knowledge)
+        # cases and conditions are of numbers
+        may_state = not of_matrices and not self.definitions.must_follow(chain, k) and not self.general
+        if decision.status == REFUTED and may_state:
+            decision = self._unless_stated(chain, k, against, decision, knowledge)
+        if decision.status == REFUTED:
+            decision = decide_in_units(chain, k, decision, self.document, knowledge)
+        if decision.status == REFUTED:
+            decision = self._with_wrong_results(chain, k, against, decision, knowledge)
+        for mend in (self._at_stated_angle, self._with_letters_below, self._unless_open):
+            if decision.status == REFUTED:
+                decision = mend(chain, k, decision, knowledge)
+        return decision
 
-        Of lengths in mm or cm only: 1800 kN for 1800 N is a slip that is made.
+    def _define(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+        """Return the decision on a relation that gives a letter its value; None for other relations.
+
+        A number that equations above give is judged by them; nothing rests on one that is wrong.
         """
-        left, right = chain.sides[k], chain.sides[k + 1]
-        if names(left.node) or names(right.node) or not isinstance(right.node, Product):
+        values = {name: list(entries) for name, entries in self.definitions.values.items()}
+        premises = list(self.definitions.premises)
+        definition = self.definitions.define_by(chain, k, knowledge)
+        pair, line, sections = number_given(chain, k), chain.lines[0], self.definitions.sections
+        head = chain.sides[0].node
+        if not k and definition is not None and definition.status in STATED and isinstance(head, Name):
+            by_speed = decide_speed(head.name, chain.sides[1].node, self.speeds, knowledge)
+            if by_speed is not None and chain.relations[0].sign == "=":
+                return by_speed
+        is_given = definition is not None and definition.status in (PREMISE, DEFINITION)
+        if (
+            pair is None
+            or not is_given
+            or pair[0] in knowledge.meaning.values
+            or sections.opens_case(chain)
+        ):
+            return definition
+        first = sections.paragraph_start(line)
+        by_given = self.given_numbers.decide(*pair, line, first, knowledge)
+        if by_given is not None and by_given.status == REFUTED:
+            self.definitions.values, self.definitions.premises = values, premises
+        return by_given or definition
+
+    def _as_meant(
+        self, chain: Chain, k: int, definition: Decision, knowledge: Knowledge
+    ) -> Verdict | Decision:
+        """Return the verdict on a definition, by the quantity that its letter is known to mean.
+
+        One that is wrong by a slip is mended for the lines that follow.
+        """
+        if definition.status != DEFINITION:
+            return self.meant.again(chain, k, knowledge) or definition
+        outcome = self.meant.judge(chain, k, knowledge)
+        name = chain.sides[k].node
+        if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
+            self.definitions.define(name.name, outcome.fix.node, chain)
+            outcome = outcome if self.corrects else replace(outcome, fix=None)
+        elif isinstance(outcome, Decision) and outcome.status == REFUTED and isinstance(name, Name):
+            self.definitions.forget(name.name, chain.lines[0])
+        return outcome or definition
+
+    def _of_series(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | None:
+        """Return the verdict on a series with letters as its coefficients, or on what is said of one."""
+        decision = self._by_coefficients(chain, k, knowledge)
+        if decision is None and not k and chain.relations[0].sign in "=≈":
+            extreme = decide_extreme(chain.sides[0], chain.sides[1], chain.relations[0].sign, knowledge)
+            name, value = chain.sides[0].node, without_dots(chain.sides[1].node)[0]
+            if extreme is not None and isinstance(name, Name):
+                extreme = decide_place(extreme, chain, self.document, knowledge)
+                self.definitions.define(name.name, value, chain)
+                return describe(self.document, chain, k, extreme)
+        if decision is None:
+            return None
+        described = describe(self.document, chain, k, decision)
+        others = {n: d for n, d in knowledge.definitions.items() if not d.is_coefficient}
+        left = Side((exact_value(decision),), chain.sides[k].span)
+        return self.add_fix(described, chain, k, left, decision, replace(knowledge, definitions=others))
+
+    def _by_coefficients(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+        """Return the decision on a series with letters as its coefficients, or on what is said of one.
+
+        None for other relations.
+        """
+        left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
+        of_matrices = is_of_matrices(left.node, right.node, knowledge)
+        if chain.relations[k].is_demanded or sign not in "=≈" or of_matrices:
+            return None
+        if k == 0 and isinstance(left.node, Name):
+            definition = knowledge.definitions.get(left.node.name)
+            if definition is not None and definition.is_coefficient:
+                return decide_coefficient(left, right, sign, knowledge)
+        in_use = self.definitions.letters_before(chain.lines[0])
+        is_rough, on_page = sign == "≈", self.letters
+        fixed = coefficient_values(
+            left.node, right.node, knowledge, in_use, on_page=on_page, is_rough=is_rough
+        )
+        if fixed is None:
+            return self._another_series(chain, k, knowledge)
+        texts = ", ".join(formula_text(Name(name), plain=True) for name in sorted(fixed))
+        case = Decision(PREMISE, f"read as what fixes {texts}: the coefficients of the other side")
+        refuted = Decision(REFUTED)
+        by_lines_below = self._with_letters_below(chain, k, refuted, knowledge)
+        self.definitions.fix_coefficients(fixed, chain)
+        return by_lines_below if by_lines_below.is_proved else case
+
+    def _another_series(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+        """Return the decision on a second series with the letters of an earlier one.
+
+        In another section they are new ones.
+        """
+        left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
+        own = names(left.node) | names(right.node)
+        earlier = {n: d for n, d in knowledge.definitions.items() if d.is_coefficient and n in own}
+        if not earlier or decide(left, right, sign, knowledge).is_proved:
+            return None
+        others = {n: d for n, d in knowledge.definitions.items() if n not in earlier}
+        without = replace(knowledge, definitions=others)
+        fixed = coefficient_values(
+            left.node, right.node, without, on_page=self.letters, is_rough=sign == "≈"
+        )
+        if fixed is None:
+            return None
+        line = max(d.line for d in earlier.values())
+        texts = ", ".join(formula_text(Name(name), plain=True) for name in sorted(earlier))
+        if self.definitions.sections.same_section(line, chain.lines[0]):
+            return Decision(
+                UNDECIDED, f"{texts} are the coefficients of line {line}, or new ones: say so"
+            )
+        self.definitions.fix_coefficients(fixed, chain)
+        return Decision(PREMISE, f"read as what fixes {texts} anew: the coefficients of the other side")
+
+    def _with_signs(
+        self, left: Side, right: Side, sign: str, decision: Decision, knowledge: Knowledge
+    ) -> Decision:
+        """Return the decision with the signs that are stated; |x| = x is not so for every x."""
+        if not is_of_matrices(left.node, right.node, knowledge):
+            decision = decide_with_signs(left, right, sign, decision, knowledge)
+        texts = {f"{formula_text(Name(name), plain=True)} ≥ 0" for name in self.general}
+        least = [text for text in decision.assumptions if text in texts]
+        if not least or not decision.is_proved:
             return decision
-        text = self.document.text
-        *rest, unit = right.node.factors
-        written = text[unit.span[0] : unit.span[1]]
-        has_units = _LETTER.search(text[left.span[0] : left.span[1]].replace("\\cdot", ""))
-        if has_units or not _SMALL_LENGTH.search(written) or not rest:
-            return decision
-        bare = rest[0] if len(rest) == 1 else Product(tuple(rest))
-        there = decide(left, Side((bare,), right.span), chain.relations[k].sign, knowledge)
-        if not there.is_proved:
-            return decision
-        return replace(there, assumptions=(*there.assumptions, "numbers in the unit of the result"))
+        reason = f"said of all values, but it holds if {least[0]}"
+        return replace(decision, status=REFUTED, assumptions=(), reason=reason)
+
+    def _with_wrong_results(
+        self, chain: Chain, k: int, against: Side, decision: Decision, knowledge: Knowledge
+    ) -> Decision:
+        """Return the proof of a relation from a number that is refuted where it was printed first."""
+
+        def by(left: Side, right: Side, known: Knowledge) -> Decision:
+            return decide(left, right, chain.relations[k].sign, known)
+
+        def value_of(node: Formula) -> float | None:
+            number = number_of(node, knowledge)
+            return None if number is None else float(number)
+
+        carried = self.carried.decide((against, chain.sides[k + 1]), knowledge, by, value_of)
+        return carried or decision
 
     def _at_stated_angle(
         self, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
@@ -461,9 +732,10 @@ class Judge:
         must_follow = [] if of_matrices else self.definitions.must_follow(chain, k)
         if must_follow:
             return self._following(chain, k, must_follow, decision, knowledge)
-        stated = (self._fixed_matrix if of_matrices else self._fixed)(chain, k, knowledge)
-        if stated is not None:
-            return stated
+        if not self.general:
+            stated = (self._fixed_matrix if of_matrices else self._fixed)(chain, k, knowledge)
+            if stated is not None:
+                return stated
         sign = chain.relations[k].sign
         decision, is_open = self._with_premises(against, right, sign, decision, knowledge)
         if is_open and not of_matrices:
@@ -478,6 +750,11 @@ class Judge:
         """Return the decision on a relation as a step, and the side its right one is compared with."""
         sign, left, right = chain.relations[k].sign, chain.sides[k], chain.sides[k + 1]
         decision, against = decide(left, right, sign, knowledge), left
+        result = None
+        if not names(left.node):
+            result = decide_after_units_left_out(chain, k, self.document, knowledge)
+        if result is not None:
+            return result, chain.sides[k - 1]
         if bad and not decision.is_proved:
             from_sound = decide(chain.sides[sound], right, sign, knowledge)
             if from_sound.is_proved or decision.status == REFUTED:
@@ -485,10 +762,19 @@ class Judge:
         elif bad:
             decision = replace(decision, reason=FOLLOWS)
         head = chain.sides[0].node
-        has_value = k and isinstance(head, Name) and head.name in knowledge.meaning.values
+        has_value = k and isinstance(head, Name) and self._is_fixed(head.name, knowledge)
         if has_value and (sign == "≈" or not decision.is_proved):
             decision, against = decide(chain.sides[0], right, "≈", knowledge), chain.sides[0]
+        if decision.status == REFUTED:
+            decision = self.meant.again(chain, k, knowledge) or decision
         return decision, against
+
+    @staticmethod
+    def _is_fixed(name: str, knowledge: Knowledge) -> bool:
+        """Tell whether a letter has its value by its meaning, or as a coefficient of a series."""
+        definition = knowledge.definitions.get(name)
+        is_coefficient = definition is not None and definition.is_coefficient
+        return name in knowledge.meaning.values or is_coefficient
 
     def _following(
         self, chain: Chain, k: int, premises: list[Premise], decision: Decision, knowledge: Knowledge
@@ -562,10 +848,7 @@ class Judge:
 
     def _next(self, chain: Chain) -> Chain | None:
         """Return the chain that follows in the text, if it stands near."""
-        after = [c for c in self.document.chains if c.sides[0].span[0] > chain.sides[-1].span[0]]
-        following = min(after, key=lambda c: c.sides[0].span[0], default=None)
-        is_near = following is not None and following.lines[0] <= chain.lines[-1] + NEAR
-        return following if following is not None and is_near and following.relations else None
+        return next(chains_below(self.document.chains, chain), None)
 
     def _is_solved_next(self, chain: Chain, own: frozenset[str]) -> bool:
         """Tell whether an equation is solved for a letter by what follows: 8U = 4m λ ⇒ U = m λ/2."""
@@ -586,6 +869,12 @@ class Judge:
     def _unless_open(self, chain: Chain, k: int, decision: Decision, knowledge: Knowledge) -> Decision:
         """Return the decision on a refuted relation: undecided if it may rest on what is not known."""
         left, right, line = chain.sides[k].node, chain.sides[k + 1].node, chain.lines[0]
+        behind = None if k else solution_behind_arrow(self.definitions.sections, chain, knowledge)
+        solved = self._as_solved(chain, behind, knowledge) or self._as_solution(chain, k)
+        if solved is not None:
+            return solved
+        if (as_rod_angle := self.meant.rod_angle(chain, k, knowledge)) is not None:
+            return as_rod_angle
         letters_here = names(left) | names(right)
         free = set(self.document.free_letters) - set(self.declarations.symbols_at(line))
         reason = ""
@@ -597,17 +886,44 @@ class Judge:
             reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
         elif chain.relations[k].sign == "≈" and free & letters_here and len(letters_here) > 1:
             reason = "nobody has said which letter is small: declare what they mean"
-        elif right == Number(Fraction(0)) and _SOLVED_NEXT.match(
-            self.document.text, chain.sides[k + 1].span[1]
-        ):
-            reason = "an equation that is solved next, whose letters have values already"
-            self.not_judged |= dict.fromkeys(names(left), line)
         elif letter := self._one_sided_letter(decision, line, knowledge):
             reason = f"{letter} stands on one side only: declare what it means"
         elif chain.relations[k].sign == "=":
             reason = self._missing_meaning(left, right, line, knowledge)
+        is_value = k == 0 and isinstance(left, Name) and not names(right)
+        if not reason and is_value and self.definitions.sections.is_supposed(chain):
+            reason = "said of what would be in a case that stands in words"
         reason = reason or self._ended_premise(chain, k, knowledge)
+        reason = reason or self._count_without_meaning(chain, k, decision, knowledge)
         return replace(decision, status=UNDECIDED, reason=reason) if reason else decision
+
+    def _as_solved(self, chain: Chain, following: Chain | None, knowledge: Knowledge) -> Decision | None:
+        """Return that an equation is solved below, for a letter that has a value already: c = (…)/4.
+
+        The value is put into it: what it comes to is the verdict on the line that gives it.
+        """
+        if following is None:
+            return None
+        head, value = following.sides[0].node, following.sides[1].node
+        assert isinstance(head, Name)
+        at_value = decide_with(chain.sides[0], chain.sides[1], head.name, value, knowledge)
+        self.solutions[following.sides[0].span[0]] = self.definitions.premise_of(chain, 0), at_value
+        return Decision(CONDITION, f"solved for {formula_text(head, plain=True)} below")
+
+    def _as_proved_solution(self, chain: Chain, k: int) -> Decision | None:
+        decision = self._as_solution(chain, k)
+        return decision if decision is not None and decision.is_proved else None
+
+    def _as_solution(self, chain: Chain, k: int) -> Decision | None:
+        """Return the decision on the solution of an equation above, None for other relations."""
+        solution = None if k else self.solutions.get(chain.sides[0].span[0])
+        if solution is None:
+            return None
+        equation, at_value = solution
+        if at_value.is_proved:
+            return replace(at_value, assumptions=(*at_value.assumptions, equation.text))
+        reason = f"does not satisfy {equation.text} of line {equation.line}"
+        return replace(at_value, reason=reason if at_value.status == REFUTED else at_value.reason)
 
     def _ended_premise(self, chain: Chain, k: int, knowledge: Knowledge) -> str:
         """Return which premise of a section above would make a relation true, "" for none."""
@@ -641,6 +957,27 @@ class Judge:
                 return name
         return ""
 
+    def _count_without_meaning(
+        self, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
+    ) -> str:
+        """Return a letter that a page explains in words and gives a number below: N turns per minute."""
+        if decision.left is None or decision.right is None:
+            return ""
+        below = {
+            c.sides[0].node.name
+            for c in self.document.chains
+            if isinstance(c.sides[0].node, Name)
+            and c.lines[0] > chain.lines[0]
+            and len(c.sides) > 1
+            and not names(c.sides[1].node)
+        }
+        declared = self.declarations.symbols_at(chain.lines[0])
+        for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
+            if name in below and name not in declared and not knowledge.knows(name):
+                text = formula_text(Name(name), plain=True)
+                return f"{text} stands on one side only: declare what it means"
+        return ""
+
     def _missing_meaning(self, left: Formula, right: Formula, line: int, knowledge: Knowledge) -> str:
         """Return for which size of the geometry a letter without a meaning makes a relation true.
 
@@ -662,8 +999,27 @@ class Judge:
     def _fixed(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
         """Return the decision on a relation that is no step but fixes a letter; None for others."""
         in_use, used = self.definitions.letters_before(chain.lines[0]), self.definitions.first_lines
+        in_use = in_use - self._explained_letter(chain, k)
         constraint = constraints.constraint_of(chain, k, in_use, used, knowledge)
         return None if constraint is None else self._fix(constraint, chain, k, knowledge)
+
+    def _explained_letter(self, chain: Chain, k: int) -> frozenset[str]:
+        """Return the letter that a relation says what it is right behind its first use.
+
+        x = r (1 - cos θ) + l (1 - cos β), in which sin β = λ sin θ: β alone stands left, and nowhere else
+        but in the formula before.
+        """
+        own = names(chain.sides[k].node)
+        before = [c for c in self.document.chains if c.sides[0].span[0] < chain.sides[0].span[0]]
+        if k or len(own) != 1 or not before:
+            return frozenset()
+        *earlier, last = sorted(before, key=lambda c: c.sides[0].span[0])
+        is_first_use = not any(own <= _letters_of(c) for c in earlier)
+        is_near = own <= _letters_of(last) and chain.lines[0] <= last.lines[-1] + NEAR
+        return own if is_first_use and is_near and not self._is_declared(own, chain) else frozenset()
+
+    def _is_declared(self, letters_here: frozenset[str], chain: Chain) -> bool:
+        return bool(letters_here & self.declarations.symbols_at(chain.lines[0]).keys())
 
     def _fixed_matrix(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
         """Return the decision on a relation of matrices that fixes a letter, after defining it.
@@ -693,13 +1049,22 @@ class Judge:
         if by_premises is not None and by_premises.status == CONTRADICTION:
             return by_premises
         if constraint.is_circular:
+            as_step = decide(chain.sides[k], chain.sides[k + 1], "=", knowledge)
+            sides = [form for form in (as_step.left, as_step.right) if form is not None]
+            if (
+                as_step.status == REFUTED
+                and sides
+                and all(constraint.name not in letters(f) for f in sides)
+            ):
+                return as_step  # the letter cancels: nothing is fixed
             self.definitions.state(chain, k)
             return Decision(DEFINITION, f"read as what fixes {constraint.name}, with an equation before")
         self.definitions.fix(constraint, chain)
         self.definitions.state(chain, k, constraint.name)
         if not names(chain.sides[k + 1].node) and len(names(chain.sides[k].node)) == 1:
             return Decision(CONDITION)
-        return Decision(DEFINITION, f"read as what fixes {constraint.name}")
+        as_rod_angle = self.meant.rod_angle(chain, k, knowledge)
+        return as_rod_angle or Decision(DEFINITION, f"read as what fixes {constraint.name}")
 
     def _state(self, chain: Chain, k: int, case: Decision, knowledge: Knowledge) -> Decision:
         """Return the decision on a relation that is taken as given, after noting it."""
@@ -736,6 +1101,8 @@ class Judge:
         elif answer is False:
             reason = f"no values satisfy it together with {given}"
             decided = replace(by_all, reason=reason, witness={})
+        elif branched := decide_on_branches(left, right, sign, solved.leftover, knowledge):
+            return branched, False
         else:
             reason = f"may rest on {lines_of(solved.leftover)}, which could not be solved for a letter"
             decided = replace(by_all, status=UNDECIDED, reason=reason)
@@ -760,9 +1127,39 @@ class Judge:
             with_all = decide(left, right, "≈", known)
         if with_all.is_proved:
             return with_all
+        if self._is_false_for_any(left.node, right.node, frozenset(below), decision, knowledge):
+            return decision
         texts = ", ".join(formula_text(Name(name), plain=True) for name in sorted(below))
         reason = f"not true with {texts} as the lines below have it"
         return replace(decision, status=UNDECIDED, reason=reason)
+
+    @staticmethod
+    def _is_false_for_any(
+        left: Formula,
+        right: Formula,
+        unknown: frozenset[str],
+        decision: Decision,
+        knowledge: Knowledge,
+    ) -> bool:
+        """Tell whether two sides differ whatever letters are: they are a factor of all that is left."""
+        try:
+            gap = knowledge.evaluator(decision.level or list(knowledge.levels(left, right))[-1]).form(
+                Sum((left, Negative(right)))
+            )
+        except (NoFormError, TooLargeError):
+            return False
+        generators = gap.domain.generators
+        powers = {
+            tuple(
+                (g, e)
+                for g, e in monomial
+                if generators[g].kind == "symbol" and generators[g].content in unknown
+            )
+            for monomial in gap.numerator
+        }
+        inner = {n for n in letters(gap) if n in unknown}
+        shown = {generators[g].content for power in powers for g, _ in power}
+        return len(powers) == 1 and inner <= shown
 
     def _letters_below(
         self, chain: Chain, own: frozenset[str], knowledge: Knowledge
@@ -779,6 +1176,7 @@ class Judge:
             if not is_below or not isinstance(head, Name) or other.relations[0].sign not in "=≈":
                 continue
             is_new = head.name in own - before and not knowledge.has_meaning(head.name)
+            is_new = is_new and bool(names(other.sides[1].node))  # a number is an example's
             if is_new and head.name not in found and head.name not in names(other.sides[1].node):
                 found[head.name] = Definition(without_dots(other.sides[1].node)[0], other.lines[0])
         return found
@@ -820,23 +1218,16 @@ class Judge:
                 decide(Side((node,), left.span), right, as_written, knowledge), decision
             )
 
-        lone = isinstance(left.node, Name)
-        other = None if lone else (left, proves_left)
-        return add_fix(verdict, self.document, right, decision, knowledge, proves_right, other)
+        # What stood right of the relation before was said there: the slip is in what is new.
+        is_old = k > 0 or isinstance(left.node, Name)
+        of_left = None if is_old else proves_left
+        return add_fix(
+            verdict, self.document, right, decision, knowledge, proves_right, chain.sides[k], of_left
+        )
 
 
-def _outside_its_condition(decision: Decision, knowledge: Knowledge) -> Decision:
-    """Return the refutation of what holds if x ≥ 0 where a line before says x < 0."""
-    for stated in knowledge.ranges if decision.is_proved else ():
-        bound = stated.right.operand if isinstance(stated.right, Negative) else stated.right
-        if not isinstance(stated.left, Name) or not isinstance(bound, Number):
-            continue
-        is_below_zero = bound is not stated.right or bound.value <= 0
-        text = f"{formula_text(stated.left, plain=True)} ≥ 0"
-        if stated.sign == "<" and is_below_zero and text in decision.assumptions:
-            reason = f"not for {stated.text} of line {stated.line}: it holds if {text}"
-            return replace(decision, status=REFUTED, assumptions=(), reason=reason)
-    return decision
+def _letters_of(chain: Chain) -> frozenset[str]:
+    return frozenset(name for side in chain.sides for name in names(side.node))
 
 
 def _new_entries(left: Formula, right: Formula, knowledge: Knowledge) -> list[tuple[str, Formula]]:
@@ -892,6 +1283,16 @@ def _is_refuted(outcome: Verdict | Decision) -> bool:
     return status in (REFUTED, CONTRADICTION)
 
 
+def _is_proved(outcome: Verdict | Decision) -> bool:
+    return outcome.is_proved if isinstance(outcome, Decision) else outcome.verdict in PROVED_WORDS
+
+
+def _turned(node: Formula) -> frozenset[str]:
+    """Return the letters within sines and cosines, angles though nobody has declared them."""
+    calls = (part for part in walk(node) if isinstance(part, Call) and part.function in ("sin", "cos"))
+    return frozenset(name for call in calls for name in names(call.argument))
+
+
 def _is_undecided(outcome: Verdict | Decision) -> bool:
     status = outcome.status if isinstance(outcome, Decision) else outcome.verdict
     return status == UNDECIDED
@@ -941,13 +1342,18 @@ def read_assumption(text: str, letters: frozenset[str], place: str) -> Assumptio
     )
 
 
+def decide_with(left: Side, right: Side, name: str, value: Formula, knowledge: Knowledge) -> Decision:
+    """Decide whether two sides are equal with a value put in for a letter."""
+    try:
+        sides = [
+            replace(side, readings=tuple(substitute(node, name, value) for node in side.readings))
+            for side in (left, right)
+        ]
+    except NoFormError as problem:
+        return Decision(UNDECIDED, str(problem))
+    return decide(sides[0], sides[1], "=", knowledge)
+
+
 def _demanded(relation: Relation) -> Decision | None:
     """Return that a relation with an exclamation mark above only demands something."""
     return Decision(CONDITION, "demanded, to be solved") if relation.is_demanded else None
-
-
-_SOLVED_NEXT = re.compile(
-    r"(?:[\s,;]|\\[,;: ]|\\q?quad(?![A-Za-z]))*"
-    r"(?:\\(?:Rightarrow|Longrightarrow|implies)(?![A-Za-z])|[⇒⟹])"
-)
-"""What stands behind an equation whose solution follows."""

@@ -37,6 +37,7 @@ from symbalance.notes.checking.report_document import (
     difference_words,
     fault_words,
     legend,
+    needs_witness,
     one_line,
     page_title,
     place,
@@ -91,7 +92,7 @@ def _entry(verdict: Verdict, page: _Page) -> tuple[Words, Words]:
     if verdict.fix is not None and is_readable(verdict.fix.node):
         side = ", on the left side" if verdict.fix.of_left else ""
         return where, (
-            f"{verdict_words(verdict)} ({verdict.fix.kind}{side}): should be ",
+            f"{verdict_words(verdict)} ({verdict.fix.words or verdict.fix.kind}{side}): should be ",
             verdict.fix.node,
         )
     if (relation := typeset(verdict, page.sides, page.text)) is not None:
@@ -260,21 +261,22 @@ class _Page:
         entries: list[tuple[Words, Words]] = [("As typed", Code(one_line(verdict.source, LONGEST_PROSE)))]
         if verdict.bind:
             entries.append(("Claims to be", verdict.bind))
-        if verdict.reason:
-            entries.append(("Why", verdict.reason))
-        entries += [("Note", note) for note in verdict.notes]
-        entries += [("Differs in", difference_words(each)) for each in verdict.differences]
-        if verdict.is_bad and verdict.exact_node is not None and is_readable(verdict.exact_node):
-            entries.append(("Exact value", verdict.exact_node))
-        if verdict.verdict == REFUTED and verdict.witness:
-            words = witness_words(verdict)
-            entries.append(("Witness", words[1:] if isinstance(words, tuple) else words))
         if verdict.fix:
-            entries.append(("Found", verdict.fix.kind))
+            entries.append(("Found", verdict.fix.words or verdict.fix.kind))
             entries += [("Change", fault_words(fault, verdict)) for fault in verdict.fix.faults]
             if is_readable(verdict.fix.node):
                 side = "Left side should be" if verdict.fix.of_left else "Should be"
                 entries.append((f"{side}, proved", verdict.fix.node))
+        if verdict.reason:
+            entries.append(("Why", verdict.reason))
+        entries += [("Note", note) for note in verdict.notes]
+        entries += [("Differs in", difference_words(each)) for each in verdict.differences]
+        is_said = verdict.fix is not None and verdict.fix.text == verdict.exact
+        if verdict.is_bad and verdict.exact_node is not None and is_readable(verdict.exact_node):
+            entries += [] if is_said else [("Exact value", verdict.exact_node)]
+        if needs_witness(verdict):
+            words = witness_words(verdict)
+            entries.append(("Witness", words[1:] if isinstance(words, tuple) else words))
         if verdict.verdict in FAILING:
             entries.append(("Back", Jump("to the list of what is to be mended", TOP)))
         yield Facts(tuple(entries))

@@ -47,6 +47,11 @@ def with_speeds(document: ReadNotes, symbols_at: Symbols) -> ReadNotes:
         for side in chain.sides
         if not _BY_NUMBER.isdisjoint(_typed_numbers(side.node))
         for name in names(side.node)
+    } | {
+        chain.sides[0].node.name
+        for chain in document.chains
+        for side in chain.sides[1:]
+        if isinstance(chain.sides[0].node, Name) and not _BY_NUMBER.isdisjoint(_factors_above(side.node))
     }
     chains = (_chain(chain, symbols_at(chain.lines[0]), numbers, document) for chain in document.chains)
     return replace(document, chains=tuple(chains))
@@ -71,6 +76,11 @@ def _chain(chain: Chain, symbols: Mapping[str, str], numbers: set[str], document
 
     sides = (replace(side, readings=tuple(map(at_home, side.readings))) for side in chain.sides)
     return replace(chain, sides=tuple(sides))
+
+
+def is_angular_speed(name: str, symbols: Mapping[str, str]) -> bool:
+    """Tell whether a letter is an angular speed, by its meaning or by its usual letter."""
+    return role_of(symbols.get(name, "")) == ANGULAR or (name in _ANGULAR_LETTERS and name not in symbols)
 
 
 def _is_quantity(node: Formula) -> bool:
@@ -112,6 +122,15 @@ def _is_unit(node: Formula) -> bool:
         and node == _PER_MINUTE
         and node.numerator.span == node.denominator.span
     )
+
+
+def _factors_above(node: Formula) -> set[Formula]:
+    """Return the factors of a product but those it is divided by: n = 60 f/q counts revolutions."""
+    if isinstance(node, Quotient) and not _is_unit(node):
+        return _factors_above(node.numerator)
+    if isinstance(node, Product):
+        return {factor for part in node.factors for factor in _factors_above(part)}
+    return {node}
 
 
 def _typed_numbers(node: Formula) -> set[Formula]:

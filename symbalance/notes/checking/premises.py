@@ -70,6 +70,8 @@ class Elimination:
     """The premises that follow from those before them."""
     vanishing: tuple[str, ...] = ()
     """Letters that can only be 0: a² = 2a²."""
+    nonzero: tuple[str, ...] = ()
+    """Letters that an equation was divided by: w x = w y gives x = y where w ≠ 0."""
     residue: Form | None = None
     """What the last premise in contradiction comes down to, which should be zero."""
 
@@ -258,6 +260,7 @@ def _eliminate(
     waiting, following = list(premises), list[Premise]()
     used: list[Premise] = []
     vanishing: list[str] = []
+    nonzero: dict[str, None] = {}
     while waiting:
         before = len(waiting)
         for premise in list(waiting):
@@ -265,22 +268,32 @@ def _eliminate(
             if outcome is None:
                 continue
             form, solution = outcome
-            if form.is_zero():
+            if form.is_zero() or _vanishes(form):
                 following.append(premise)
             elif _is_for_all_angles(premise, form, knowledge) or not letters(form):
                 core = (*used, premise)
-                return Elimination(solved, (), core, tuple(following), tuple(vanishing), form)
+                ends = tuple(vanishing), tuple(nonzero)
+                return Elimination(solved, (), core, tuple(following), *ends, form)
             elif solution is None:
                 continue
             else:
                 solved[solution[0]] = solution[1]
+                nonzero |= dict.fromkeys(_common_letters(form.domain, form.numerator, solution[0]))
                 if solution[1] == _ZERO:
                     vanishing.append(solution[0])
                 used.append(premise)
             waiting.remove(premise)
         if len(waiting) == before:
             break
-    return Elimination(solved, tuple(waiting), (), tuple(following), tuple(vanishing))
+    return Elimination(solved, tuple(waiting), (), tuple(following), tuple(vanishing), tuple(nonzero))
+
+
+def _vanishes(form: Form) -> bool:
+    """Tell whether a number is 0 to twenty digits, e^(-ln 2) - 1/2: it contradicts nothing."""
+    if letters(form):
+        return False
+    value = Valuation(form.domain, {}).polynomial(form.numerator)
+    return bool(abs(value) < 1e-20)
 
 
 def _is_for_all_angles(premise: Premise, form: Form, knowledge: Knowledge) -> bool:
@@ -334,6 +347,8 @@ def _solve_linearly(
             return generator.content, _ZERO  # 3 w = 0
         if len(powers) != 2 or any(b - a != 1 for a, b in pairwise(powers)):
             continue
+        if powers[0] and not generator.positive:
+            continue  # x² = x is not x = 1
         below, above = parts[powers[1]], parts[powers[0]]
         if len(above) > LARGEST_VALUE:
             continue
@@ -345,6 +360,16 @@ def _solve_linearly(
     _, number, above, below = best
     value = Negative(polynomial_node(domain, above))
     return domain.generators[number].content, Quotient(value, polynomial_node(domain, below))
+
+
+def _common_letters(domain: Domain, polynomial: Polynomial, solved: str) -> list[str]:
+    """Return the letters that all terms have as a factor, and that may be 0, but the one solved for."""
+    factors = [{g for g, power in monomial if power > 0} for monomial in polynomial]
+    common = set.intersection(*factors) if factors else set[int]()
+    generators = (domain.generators[number] for number in sorted(common))
+    return [
+        g.content for g in generators if g.kind == "symbol" and not g.positive and g.content != solved
+    ]
 
 
 def _by_powers(polynomial: Polynomial, number: int) -> dict[Fraction | int, Polynomial]:

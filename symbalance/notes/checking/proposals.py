@@ -115,6 +115,29 @@ def propose(
     return Proposals(letters, meanings, tuple(sorted(scopes, key=lambda s: s.first)), bindings)
 
 
+def meanings_from_words(
+    page: ReadNotes, declared_at: Callable[[int], Collection[str]]
+) -> dict[str, Proposal]:
+    """Return the first meaning that a page's words propose for each letter of its formulas.
+
+    Of a page as it was read; lines of prose that were broken are read on to the next one.
+    """
+    letters: dict[str, int] = {}
+    for chain in page.chains:
+        for letter in sorted({n for side in chain.sides for n in names(side.node)}):
+            if letter not in declared_at(chain.lines[0]) and not letter.endswith("'"):
+                letters.setdefault(letter, chain.lines[0])
+    lines = list(_read_on(page.text.split("\n")))
+    return _Roles(lines, page, letters, declared_at).gather()[0]
+
+
+def _read_on(lines: Sequence[str]) -> Iterator[str]:
+    """Yield lines, of prose that goes on with the first words of the next one."""
+    for line, following in zip(lines, [*lines[1:], ""], strict=True):
+        is_prose = re.search(r"[a-z,]\s*$", line) and re.match(r"[a-z]{2,}\s+[a-z]", following)
+        yield f"{line.rstrip()} {' '.join(following.split()[:4])}" if is_prose else line
+
+
 # The letters
 
 
@@ -183,6 +206,7 @@ _BEFORE = re.compile(
     r"|は[^、。は]{0,14}|が[^、。は]{0,20}|を|…|\.{2,3}|[-–—])[\s$]*"
     r"(?:(?:the|a|an|der|die|das|den|its|one|half)\s+)?"
 )
+_OF_LIST = re.compile(r"[\s$)]{1,3}(?:the|der|die|das|den)\s+")
 _COUNTED = re.compile(
     r"(?<![A-Za-z\\])\$?([NnkKzij])\$?"
     r"(?:気筒|次の?(?:慣性|成分|$)|[- ]cylinders?\b|[- ]?th\b| Zylinder|-te\b)"
@@ -199,7 +223,13 @@ def _gap_is_naming(line: str, start: int, end: int, first: int, last: int) -> bo
         return False
     if end <= first:
         return _AFTER.fullmatch(line, end, first) is not None
-    return last <= start and _BEFORE.fullmatch(line, last, start) is not None
+    if last > start:
+        return False
+    # "R is the crank radius, L the length of the rod": of a list each but the first goes without "is"
+    is_in_list = line[:first].rstrip(" $\\(").endswith((",", ";", "and", "und"))
+    return _BEFORE.fullmatch(line, last, start) is not None or (
+        is_in_list and _OF_LIST.fullmatch(line, last, start) is not None
+    )
 
 
 class _Roles:

@@ -67,6 +67,7 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         ],
         "fix": fix.text if fix else None,
         "fix_kind": fix.kind if fix else None,
+        "slip": fix.words if fix else None,
         "wrong": [
             {"line": f.line, "column": f.column, "source": f.source, "should": f.should}
             for f in (fix.faults if fix else ())

@@ -18,7 +18,13 @@ from symbalance.document.nodes import (
 )
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.descriptions import rounded_number
-from symbalance.notes.checking.typeset_relations import Sides, is_readable, sides_by_span, typeset
+from symbalance.notes.checking.typeset_relations import (
+    Sides,
+    as_written,
+    is_readable,
+    sides_by_span,
+    typeset,
+)
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONDITIONAL,
@@ -58,6 +64,8 @@ _TITLES = {
     RANGE: "range",
     UNREADABLE: "UNREADABLE",
 }
+_DIGITS_AND_TERMS = ("the digits printed", "leading term", "the leading term of each harmonic")
+"""Orders that are no power of a letter."""
 _MEANINGS = {
     HOLDS: "proved, for all values of the letters",
     HOLDS_TO_ORDER: "proved through the order named, in the powers that the line keeps",
@@ -119,13 +127,15 @@ def verdict_summary(verdict: Verdict) -> str:
     words = verdict.reason or verdict.source
     if fix:
         side = "left side should be" if fix.of_left else "should be"
-        words = f"{side} {formula_text(fix.node, plain=True)} ({fix.kind})"
+        words = f"{side} {formula_text(fix.node, plain=True)} ({fix.words or fix.kind})"
     return one_line(f"Verdict on line {place(verdict)}: {verdict_words(verdict)}: {words}", 180)
 
 
 def verdict_words(verdict: Verdict) -> str:
     """Return the verdict as it is read: with its order or its assumption."""
     title = _TITLES[verdict.verdict]
+    if verdict.verdict == HOLDS_TO_ORDER and verdict.order in _DIGITS_AND_TERMS:
+        return f"holds to the {verdict.order.removeprefix('the ')}"
     supplements = {HOLDS_TO_ORDER: verdict.order, CONDITIONAL: verdict.assumption}
     return f"{title} {supplements[verdict.verdict]}" if verdict.verdict in supplements else title
 
@@ -165,15 +175,24 @@ def _notes(verdict: Verdict) -> Iterable[Words]:
     """Yield what is said below a verdict's line."""
     if verdict.bind:
         yield f"claims to be: {verdict.bind}"
+    if verdict.fix:
+        side = " (left side)" if verdict.fix.of_left else ""
+        yield f"found: {verdict.fix.words or verdict.fix.kind}{side}"
+        yield from (fault_words(fault, verdict) for fault in verdict.fix.faults)
     if verdict.reason:
         yield verdict.reason
     yield from (f"note: {note}" for note in verdict.notes)
     yield from map(difference_words, verdict.differences)
-    if verdict.is_bad and verdict.witness:
+    if needs_witness(verdict):
         yield witness_words(verdict)
-    if verdict.fix:
-        yield f"found: {verdict.fix.kind}"
-        yield from (fault_words(fault, verdict) for fault in verdict.fix.faults)
+
+
+def needs_witness(verdict: Verdict) -> bool:
+    """Tell whether a witness says more: not of two numbers, of which the right one is shown."""
+    if not verdict.is_bad or not verdict.witness:
+        return False
+    is_point = any(name not in ("left", "right") for name in verdict.witness)
+    return is_point or (verdict.fix is None and not verdict.exact)
 
 
 def difference_words(difference: Difference) -> Words:
@@ -205,18 +224,25 @@ def fault_words(fault: Fault, verdict: Verdict) -> Words:
         where = f"cell {number}, line {line + fault.line - verdict.line}, column {fault.column}: "
     if not fault.source:
         return (f"{where}add ", should)
-    return (f"{where}for ", Code(one_line(fault.source, LONGEST_PIECE)), " put ", should)
+    is_later_term = fault.kind == "sign" and fault.source[:1] in tuple("-−–") and not fault.is_first
+    put = " put + " if is_later_term else " put "
+    return (f"{where}for ", Code(one_line(fault.source, LONGEST_PIECE)), put, should)
 
 
 def _formulas(verdict: Verdict) -> tuple[tuple[str, Formula], ...]:
     """Return a side that is not right as it was read, and as it should be; its exact value, if not."""
     if not verdict.is_bad:
         return ()
-    stands, fix = ("stands", verdict.node), verdict.fix
+    claim = None if verdict.node is None else as_written(verdict.node)
+    stands, fix = ("stands", claim), verdict.fix
     if fix is None:
-        sides = (stands, ("exactly", verdict.exact_node))
+        is_number = bool(verdict.exact) and "right" in verdict.witness and not needs_witness(verdict)
+        exact = ("exactly", verdict.exact_node)
+        sides = (exact,) if is_number else (stands, exact)
     elif fix.of_left:
         sides = (("left side should be", fix.node),)
+    elif len(fix.faults) == 1 and fix.faults[0].node == fix.node:
+        sides = ()  # the change says it
     else:
         sides = (stands, ("should be", fix.node))
     return tuple((name, node) for name, node in sides if node is not None and is_readable(node))

@@ -6,7 +6,11 @@ import re
 from dataclasses import dataclass
 from functools import cached_property
 
-from symbalance.document.formula import Name
+from symbalance.document.formula import Constant, Name, Number, walk
+from symbalance.document.letters import is_greek
+from symbalance.document.text_writer import formula_text
+from symbalance.notes.checking import case_words
+from symbalance.notes.checking.items import item_end
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _HEADING = re.compile(
@@ -14,6 +18,9 @@ _HEADING = re.compile(
     r"|\\(?:part|chapter|(?:sub){0,2}section|paragraph|subparagraph)\*?\s*[\[{]",
     re.IGNORECASE,
 )
+_BLOCK = "p|h[1-6]|li|[ou]l|d[dtl]|blockquote|div|section|article|table|t[rdh]|pre|figure|hr"
+_BLOCK_BEGINS = re.compile(rf"\s*<(?:{_BLOCK})\b[^>]*>", re.IGNORECASE)
+_BLOCK_ENDS = re.compile(rf"</(?:{_BLOCK})>\s*$", re.IGNORECASE)
 _UNDERLINE = re.compile(r"(?:={3,}|-{3,})\s*$")
 _CAPTION = re.compile(
     r"\s*(?:[*_]{0,2}(?:figure|fig\.|table|tab\.|abbildung|abb\.|bild|tabelle)\s*[\d.:a-z(]"
@@ -47,6 +54,7 @@ _CONDITION = re.compile(
     re.IGNORECASE,
 )
 """Before an equation that is to be solved, not claimed for all angles."""
+_ASIDE = re.compile(r"\([^()$=]*\)")
 _LINK = re.compile(
     r"(?:[\s,;:.()、。，；：–—-]|\\(?:[,;: !]|quad|qquad|ldots|dots)|(?<![A-Za-zÀ-ÿ])(?:also|and|so"
     r"|hence|thus|therefore"
@@ -81,13 +89,38 @@ _NEW_CASE = re.compile(
     re.IGNORECASE,
 )
 """Between two values of a letter, what says that they belong to two cases."""
-_DENIED = re.compile(r"(?<![A-Za-z])(?:not|nicht|never|nie|kein)[\s$\\(]{0,4}$", re.IGNORECASE)
+_ARROW = re.compile(
+    r"\\(?:Rightarrow|implies|Longrightarrow|therefore|Leftrightarrow|iff)(?![A-Za-z])|[⇒⟹⇔∴]"
+)
+_OR = r"(?:or|oder|bzw\.?|ou|または|あるいは|\\(?:lor|vee)|\\(?:text|mathrm)\{\s*(?:or|oder)\s*\})"
+_OR_BEHIND = re.compile(r"(?:[\s$,})]|\\(?:[,;: ]|q?quad))*" + _OR + r"(?![A-Za-z])", re.IGNORECASE)
+_OR_BEFORE = re.compile(rf"(?<![A-Za-z]){_OR}(?:[\s$,]|\\(?:[,;: ]|q?quad))*$", re.IGNORECASE)
+_EQUIVALENT = re.compile(
+    r"(?:[\s,$]|\\(?:[,;: ]|q?quad))*(?:\\(?:Leftrightarrow|Longleftrightarrow|iff)(?![A-Za-z])|[⇔⟺]"
+    r"|<=>|if\s+and\s+only\s+if|iff|genau\s+dann,?\s+wenn|dann\s+und\s+nur\s+dann,?\s+wenn)"
+    r"(?:[\s,$]|\\(?:[,;: ]|q?quad))*",
+    re.IGNORECASE,
+)
+_CONVERSE = re.compile(
+    r"(?:[\s,$]|\\(?:[,;: ]|q?quad))*(?:\\(?:Leftarrow|Longleftarrow|impliedby)(?![A-Za-z])|[⇐⟸])[\s$,]*"
+)
+_DENIED = re.compile(
+    r"(?<![A-Za-z])(?:not|nicht|never|nie|kein|besides|apart\s+from|aside\s+from|except(?:\s+for|\s+at|\s+when)?"
+    r"|other\s+than|unless|außer|ausser|neben|abgesehen\s+von|ausgenommen)[\s$\\(]{0,4}(?:<[a-z]+>\s*)?$",
+    re.IGNORECASE,
+)
+_EXCEPT_BEHIND = re.compile(r"[\s$)\]}]{0,4}(?:以外|を除)")
+_SUPPOSED = re.compile(
+    r"(?<![A-Za-zÀ-ÿ])(?:would|wäre|wären|würde|würden|hätte)(?![A-Za-zÀ-ÿ])", re.IGNORECASE
+)
 _ROW_OR_ITEM = re.compile(r"\s*(?:\||[-*+•]\s|[0-9]{1,3}[.)]\s|\\item|<t[dr])")
 _SPLIT_CLAUSE = re.compile(r"(?<!bzw)(?<!resp)(?<!i\.e)(?<!d\.h)(?<!\bvs)[.!?]\s|;|[。；]|\n\s*\n")
 _DISPLAY = re.compile(r"\\(?:begin|end|label|tag)\{[^{}]*\}|^[^\\\s]*\}")
 _DISPLAY_LAST = re.compile(r"\s*(?:\\(?:begin|label|tag)\{[^{}]*\}\s*)+$")
 _CASE_BEHIND = re.compile(r"[\s$)\]]{0,4}(?:なら|のとき|の時|の場合|とすると|とすれば|では(?=[\s$]))")
 """Behind a relation that is a case, in Japanese."""
+_WHEN_BEHIND = re.compile(r"[\s$)\]]{0,4}(?:なら|のとき|の時|の場合)")
+"""Behind one that is not claimed of all angles."""
 _TOP = r"(?:top|inner|upper|oberen?r?|inneren?)\s+(?:dead\s+cent(?:re|er)s?|Totpunkte?s?)|上死点"
 _BOTTOM = r"(?:bottom|outer|lower|unteren?r?|äußeren?)\s+(?:dead\s+cent(?:re|er)s?|Totpunkte?s?)|下死点"
 _SHORT_TOP, _SHORT_BOTTOM = r"(?<![A-Za-z])(?:TDC|OT)(?![A-Za-z])", r"(?<![A-Za-z])(?:BDC|UT)(?![A-Za-z])"
@@ -132,9 +165,14 @@ class Sections:
     def paragraph_end(self, line: int) -> int:
         """Return the last line of the paragraph that a line stands in."""
         for k in range(line, len(self._lines)):
-            if not self._lines[k].strip():
+            if self._is_break(k):
                 return k
         return len(self._lines)
+
+    def _is_break(self, line: int) -> bool:
+        """Tell whether a paragraph ends with a line: before a blank one, at an edge of an HTML block."""
+        above, below = self._lines[line - 1], self._lines[line]
+        return not below.strip() or bool(_BLOCK_BEGINS.match(below) or _BLOCK_ENDS.search(above))
 
     def is_in_brackets(self, chain: Chain) -> bool:
         """Tell whether a relation stands in brackets, as the condition of a formula: = 0 (N ≥ 2)."""
@@ -148,6 +186,10 @@ class Sections:
         while (following := self._next_text(end)) and _SET_OFF.match(self._lines[following - 1]):
             end = self.paragraph_end(following)
         return end
+
+    def moment_end(self, line: int) -> int:
+        """Return the last line of the item, or else the section, that looks at one crank angle."""
+        return min(self.section_end(line), item_end(self._lines, line))
 
     def _next_text(self, line: int) -> int | None:
         """Return the next line that is not blank."""
@@ -168,9 +210,12 @@ class Sections:
         if not chain.inline:
             return None
         end = max(side.span[1] for side in chain.sides)
-        if _CASE_BEHIND.match(self.document.text, end):
-            return self.section_end(line)
-        is_premise = _INTRODUCTION.search(before + " ") or (is_number and _NAMING.search(before + " "))
+        is_case = _CASE_BEHIND.match(self.document.text, end) or _INTRODUCTION.search(before + " ")
+        if is_case and is_number and _is_place(chain):
+            if self.document.text[end : end + 4].lstrip(" $)").startswith(":"):
+                return self.paragraph_end(line)  # in UT, α = 180°: what its lines say
+            return self.moment_end(line)
+        is_premise = is_case or (is_number and _NAMING.search(before + " "))
         return self.section_end(line) if is_premise else None
 
     def is_consequence(self, chain: Chain) -> bool:
@@ -212,12 +257,96 @@ class Sections:
         clause = _SPLIT_CLAUSE.split(words)[-1]
         return True if _NEW_CASE.search(clause) else None
 
-    def is_denied(self, chain: Chain) -> bool:
-        """Tell whether a relation stands behind a "not"."""
+    def opens_case(self, chain: Chain) -> bool:
+        """Tell whether a relation is introduced as a case, which the next one ends: for x > 0."""
         start = min(side.span[0] for side in chain.sides)
-        return (
-            _DENIED.search(self.document.text[max(0, start - LONGEST_INTRODUCTION) : start]) is not None
-        )
+        return chain.inline and case_words.opens_case(self.document.text, start, _end(chain))
+
+    def spoken_of_generally(
+        self, chain: Chain, letters: dict[str, bool], *, named: bool = False
+    ) -> frozenset[str]:
+        """Return the letters, given with whether each is an angle, of all of whose values it is claimed.
+
+        With `named`, those only that the words name: for every x, and not "in general".
+        """
+        start = min(side.span[0] for side in chain.sides)
+        first = max([case_words.clause_start(self.document.text, start), *self._ends_before(start)])
+        before = self.document.text[first:start]
+        written = {formula_text(Name(name), plain=True): is_angle for name, is_angle in letters.items()}
+        written |= letters | {f"\\{name}": is_angle for name, is_angle in letters.items()}
+        spoken = case_words.speaks_of_all(before, written, named=named)
+        own = {name: {name, f"\\{name}", formula_text(Name(name), plain=True)} for name in letters}
+        return frozenset(name for name, ways in own.items() if ways & spoken)
+
+    def _ends_before(self, start: int) -> list[int]:
+        return [end for other in self.document.chains if (end := _end(other)) <= start]
+
+    def stands_in_clause(self, position: int, chain: Chain) -> bool:
+        """Tell whether a place in the text is in the clause that a relation stands in."""
+        start = min(side.span[0] for side in chain.sides)
+        return position >= case_words.clause_start(self.document.text, start)
+
+    def is_of_another_engine(self, chain: Chain, earlier_line: int) -> bool:
+        """Tell whether another engine, or another exercise, was named since a line."""
+        start = min(side.span[0] for side in chain.sides)
+        earlier = self._start_of_line(earlier_line)
+        givers = [o.sides[0].span[0] for o in self.document.chains if o.lines[0] == earlier_line]
+        earlier = max([earlier, *(first for first in givers if first < start)])
+        text = self.document.text
+        before, now = case_words.engine_named(text, earlier), case_words.engine_named(text, start)
+        if before is not None and now is not None:
+            is_other = before[0] != now[0] or bool(before[1] and now[1] and before[1] != now[1])
+            if is_other:
+                return True
+        own_engine = case_words.engine_named(text[case_words.clause_start(text, start) : start], start)
+        if before is None and own_engine is not None and own_engine[0] > 1:
+            return True  # of one cylinder above, and here its own clause says: for an inline four
+        problems = case_words.problem_named(text, earlier), case_words.problem_named(text, start)
+        return not self.same_section(earlier_line, chain.lines[0]) and problems[0] != problems[1] != ""
+
+    def _start_of_line(self, line: int) -> int:
+        return sum(len(text) + 1 for text in self._lines[: line - 1])
+
+    def follows_at_once(self, chain: Chain) -> bool:
+        """Tell whether nothing but words such as "hence" stands behind the relation before."""
+        start = min(side.span[0] for side in chain.sides)
+        ends = self._ends_before(start)
+        return bool(ends) and _LINK.fullmatch(self._words_between(max(ends), start)) is not None
+
+    def is_one_of_several(self, chain: Chain) -> bool:
+        """Tell whether a relation stands beside an "or": x = 0 or x = 1."""
+        text, start = self.document.text, min(side.span[0] for side in chain.sides)
+        before = text[max(0, start - 20) : start].rstrip(_OPENING)
+        return bool(_OR_BEHIND.match(text, _end(chain)) or _OR_BEFORE.search(before))
+
+    def is_equivalence(self, chain: Chain) -> bool:
+        """Tell whether a relation is said to be equivalent to the one before it: ⇔, if and only if."""
+        return _EQUIVALENT.fullmatch(self._between(chain)) is not None
+
+    def is_converse(self, chain: Chain) -> bool:
+        """Tell whether the relation before is said to follow from a relation: x² = 1 ⇐ x = 1."""
+        return _CONVERSE.fullmatch(self._between(chain)) is not None
+
+    def _between(self, chain: Chain) -> str:
+        start = min(side.span[0] for side in chain.sides)
+        ends = self._ends_before(start)
+        return self.document.text[max(ends) : start].strip(" \t\n$}") if ends else ""
+
+    def _words_between(self, end: int, start: int) -> str:
+        text = self.document.text[end:start].replace("$", " ")
+        return _ARROW.sub(" ", text).strip(_OPENING)
+
+    def is_denied(self, chain: Chain) -> bool:
+        """Tell whether a relation stands behind a "not", or as what is left out: besides ω = 0."""
+        start, end = min(side.span[0] for side in chain.sides), _end(chain)
+        before = self.document.text[max(0, start - LONGEST_INTRODUCTION) : start]
+        return bool(_DENIED.search(before) or _EXCEPT_BEHIND.match(self.document.text, end))
+
+    def is_supposed(self, chain: Chain) -> bool:
+        """Tell whether a relation is in the mood of what is not so: it would be, es wäre."""
+        start = min(side.span[0] for side in chain.sides)
+        text = self.document.text
+        return _SUPPOSED.search(text[case_words.clause_start(text, start) : start]) is not None
 
     def stands_next(self, chain: Chain, line: int) -> bool:
         """Tell whether no other relation stands between a line and a relation below it."""
@@ -228,7 +357,9 @@ class Sections:
 
     def is_condition(self, chain: Chain) -> bool:
         """Tell whether a relation is introduced as an equation to be solved: where, condition, set."""
-        return _CONDITION.search(self._text_before(chain)) is not None
+        if _WHEN_BEHIND.match(self.document.text, _end(chain)):
+            return True
+        return _CONDITION.search(_ASIDE.sub(" ", self._text_before(chain))) is not None
 
     def dead_centre(self, chain: Chain) -> bool | None:
         """Return whether a relation's sentence names bottom dead centre, False for top, else None."""
@@ -236,8 +367,7 @@ class Sections:
         before = re.split(
             r"[.;!?。]\s|\n\s*\n", self.document.text[max(0, start - LONGEST_SENTENCE) : start]
         )[-1]
-        matches = list(_DEAD_CENTRE.finditer(before))
-        return None if not matches else bool((matches[-1].lastgroup or "").endswith("bottom"))
+        return dead_centre_named(before)
 
     def _text_before(self, chain: Chain) -> str:
         """Return the words before a relation, without the marks that begin and end displays."""
@@ -252,13 +382,32 @@ class Sections:
     def paragraph_start(self, line: int) -> int:
         """Return the first line of the paragraph that a line stands in."""
         first = line
-        while first > 1 and self._lines[first - 2].strip():
+        while first > 1 and self._lines[first - 2].strip() and not self._is_break(first - 1):
             first -= 1
         return first
 
 
+def dead_centre_named(words: str) -> bool | None:
+    """Return whether words name bottom dead centre, False for top, None where they name neither.
+
+    >>> dead_centre_named("Massenkraft im OT:"), dead_centre_named("at the crank pin")
+    (False, None)
+    """
+    matches = list(_DEAD_CENTRE.finditer(words))
+    return None if not matches else bool((matches[-1].lastgroup or "").endswith("bottom"))
+
+
 def _end(chain: Chain) -> int:
     return max(side.span[1] for side in chain.sides)
+
+
+def _is_place(chain: Chain) -> bool:
+    """Tell whether a relation puts an angle, by its Greek letter, at 0 or at so many degrees or π."""
+    letters = [side.node for side in chain.sides if isinstance(side.node, Name)]
+    values = [part for side in chain.sides for part in walk(side.node)]
+    is_angle = any(isinstance(part, Constant) and part.name == "pi" for part in values)
+    is_zero = any(isinstance(side.node, Number) and not side.node.value for side in chain.sides)
+    return any(is_greek(letter.name) for letter in letters) and (is_angle or is_zero)
 
 
 def _gives(chain: Chain, name: str) -> bool:

@@ -75,7 +75,7 @@ SMALL_WORD = re.compile(
 """Words of a meaning that say that a letter is small beside 1."""
 _CALLED_SMALL = re.compile(
     r"(?:(?<![A-Za-z])(?:small|klein(?:e[nsrm]?)?)\s+(?:angles?\s+|values\s+of\s+|Winkel\s+)?\$?\\?"
-    r"([A-Za-z]+(?:_\{?\w+\}?)?)\$?"
+    r"([A-Za-z]+(?:_\{?\w+\}?)?)\$?(?:\s+(?:and|und|et)\s+\$\\?([A-Za-z]+(?:_\{?\w+\}?)?)\$)?"
     r"|\\?([A-Za-z]+(?:_\{?\w+\}?)?)\s*(?:\\ll(?![a-z])|≪|<<)\s*1(?![\d.])"
     r"|([A-Za-z]+)\$?\s+(?:is|ist)\s+(?:small|klein))"
 )

@@ -2,28 +2,33 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping
 from itertools import islice
 from operator import is_
 
 from symbalance.document.formula import (
+    Constant,
     Equation,
     Formula,
     Number,
     Product,
+    Quotient,
     Span,
     Upright,
     children,
+    names,
     walk,
     with_children,
 )
-from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.written_degrees import degrees_of
+from symbalance.notes.checking.written_numbers import written_number
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.notes.reading.units import scale_of
 
+LARGEST_NUMBER = 10**60
 LARGEST_FORMULA = 300
 """Parts of a formula that is written out."""
 Sides = Mapping[Span, tuple[Chain, int]]
@@ -70,6 +75,7 @@ def as_written(node: Formula, text: str = "") -> Formula:
 
     The reader makes 90° 90 π/180 and 40 mm 40/1000.
 
+    >>> from symbalance.document.text_writer import formula_text
     >>> from symbalance.notes.reading import read_equation
     >>> formula_text(as_written(read_equation("cos(x + 90°)", {"x"}).sides[0].node))
     'cos(x + 90°)'
@@ -83,22 +89,50 @@ def as_written(node: Formula, text: str = "") -> Formula:
     return node if all(map(is_, parts, changed)) else with_children(node, changed)
 
 
-_SIUNITX = re.compile(r"\\(?:SI|qty)\s*(?:\[[^\]]*\])?\s*\{([^{}]*)\}\s*(?:\[[^\]]*\])?\{([^{}]*)\}")
+def _quantity(node: Formula, text: str) -> Formula | None:
+    """Return a number, with its unit if it has one, as it was typed; None of any other formula."""
+    if not isinstance(node, Number | Product) or node.span == (0, 0):
+        return None
+    value = _value(node)
+    number = None if value is None else written_number(text[slice(*node.span)], value)
+    if number is not None:
+        return None if number.written == node else number.written
+    if not isinstance(node, Product):
+        return None
+    factors = _with_units(node.factors, text)
+    if len(factors) == len(node.factors):
+        return None
+    rest = tuple(each if isinstance(each, Upright) else as_written(each, text) for each in factors)
+    return rest[0] if len(rest) == 1 else Product(rest)
+
+
+def _with_units(factors: tuple[Formula, ...], text: str) -> list[Formula]:
+    """Return factors with each number and the unit behind it as one, as they were typed."""
+    result: list[Formula] = []
+    for factor in factors:
+        unit = _AROUND_UNIT.sub("", text[slice(*factor.span)])
+        is_unit = re.match("[A-Za-zµμ°%]|1/", unit) is not None and scale_of(unit) is not None
+        if is_unit and not names(factor) and result and isinstance(result[-1], Number):
+            size = text[slice(*result.pop().span)].replace("{,}", ",").strip("$ ")
+            result.append(Upright(f"{size} {unit}"))
+        else:
+            result.append(factor)
+    return result
+
+
 _AROUND_UNIT = re.compile(r"\\(?:mathrm|text|textrm|mbox|unit|si|rm)(?![A-Za-z])|\\[,;: ]|[${}~\s]")
 
 
-def _quantity(node: Formula, text: str) -> Formula | None:
-    """Return a number with its unit as they were typed, None where a formula is anything else."""
-    match = _SIUNITX.fullmatch(text[slice(*node.span)])
-    if match:
-        number, unit = match[1].strip(), _AROUND_UNIT.sub("", match[2])
-        return Upright(f"{number} {unit}") if scale_of(unit) is not None else None
-    if not isinstance(node, Product):
+def _value(node: Formula) -> float | None:
+    """Return the value of numbers, π and their quotients and products; None of anything else."""
+    if isinstance(node, Number):
+        return float(node.value) if abs(node.value) < LARGEST_NUMBER else None
+    if isinstance(node, Constant):
+        return math.pi if node.name == "pi" else None
+    values = [_value(part) for part in children(node)] if isinstance(node, Product | Quotient) else [None]
+    sizes = [value for value in values if value is not None]
+    if len(sizes) < len(values):
         return None
-    *numbers, factor = node.factors
-    unit = _AROUND_UNIT.sub("", text[slice(*factor.span)])
-    if not re.match("[A-Za-zµμ°%]|1/", unit) or scale_of(unit) is None:
-        return None
-    if len(numbers) == 1 and isinstance(numbers[0], Number):
-        return Upright(f"{formula_text(numbers[0])} {unit}")
-    return None
+    if isinstance(node, Quotient):
+        return sizes[0] / sizes[1] if sizes[1] else None
+    return math.prod(sizes)

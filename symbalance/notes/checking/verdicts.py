@@ -70,13 +70,16 @@ class Fault:
     should: str
     kind: str = ""
     node: Formula | None = field(default=None, repr=False)
+    is_first: bool = True
+    """Whether nothing stands before it that a sign would join it to."""
 
 
 @dataclass(frozen=True, slots=True)
 class Fix:
     """The smallest change that makes a line true; `node` is the whole corrected side, proved.
 
-    `of_left` tells that it is the left side of the relation that is corrected.
+    `of_left` tells that it is the left side of the relation that is corrected. `words` say what is wrong
+    as a teacher would.
     """
 
     kind: str
@@ -84,6 +87,7 @@ class Fix:
     node: Formula
     faults: tuple[Fault, ...] = ()
     of_left: bool = False
+    words: str = ""
 
 
 @dataclass(frozen=True, slots=True, repr=False)

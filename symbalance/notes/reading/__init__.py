@@ -9,6 +9,9 @@ executed as code.
     notebooks, numerals             cells as text; decimal commas, units in words, a scanner's letters
     ranges, joined_dollars          letters that run through values; formulas that dollars cut
     signs, units, letter_names      what signs and commands stand for; units; one name for each letter
+    page_marks, function_names      what formats mark around formulas; other languages' names
+    and_so_on                       + etc. for dots
+    letter_e                        the offset e, told from the number
     lexer, parser                   one formula's text to tokens, and these to trees
     prose, segmentation             where in a text mathematics stands
     document, result_units          a whole text to its chains; units that stand at a result only

@@ -16,6 +16,7 @@ from symbalance.document.letters import FUNCTION_WORDS, NAME_OF_SIGN
 from symbalance.document.wordlists import word_set
 from symbalance.notes.reading.equations import Passed, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
+from symbalance.notes.reading.prose import is_function_of_letter
 from symbalance.notes.reading.signs import REFUSED, RELATION
 from symbalance.notes.reading.sources import CELL_END
 from symbalance.notes.reading.units import is_unit_of_letter
@@ -41,8 +42,9 @@ _BETWEEN_NUMBERS = r"(?<=[0-9)])(?:\s*(?:=>|⇒|<<|>>)\s*(?=[-−(]?[0-9]))"
 _SIGN = re.compile(
     rf"==|:=|<=(?!>)|>=|!=|∝|\\propto(?![A-Za-z])|[≪≫]|{_BETWEEN_NUMBERS}|{RELATION.pattern}"
 )
-_BEFORE = re.compile(r"([^\W\d_][\w'’-]*|\S)\s*$")
-_AFTER = re.compile(r"\s*([^\W\d_][\w'’-]*|\S)")
+_WORD = r"[^\W\d_][\w'’]*(?:-[^\W\d_]{2}[\w'’]*)*"
+_BEFORE = re.compile(rf"({_WORD}|\S)\s*$")
+_AFTER = re.compile(rf"\s*({_WORD}|\S)")
 _CONSTANT = re.compile(
     r"(?:=|≈|\\approx)\s*(?:\\(?:text|mathrm|mbox|textrm|textit|operatorname)\s*\{\s*)?[ckCK]onst"
     r"(?:ant|\.)?(?![A-Za-z])"
@@ -234,7 +236,7 @@ def _is_word(word: str, names: Collection[str]) -> bool:
     """Tell whether a run of letters is a word of prose and no letter or function."""
     if len(word) < 2 or not word[0].isalpha() or word in names or word in FUNCTION_WORDS:
         return False
-    if word in ("pi",) or any(sign in NAME_OF_SIGN for sign in word):
+    if word in ("pi",) or is_function_of_letter(word) or any(sign in NAME_OF_SIGN for sign in word):
         return False
     base = re.sub(r"[0-9'_]+$", "", word)
     return len(base) > 1 and base not in names and base not in FUNCTION_WORDS

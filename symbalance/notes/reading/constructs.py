@@ -548,7 +548,7 @@ def _read_cases(parser: Parser, opener: Token, first: int) -> Formula:
         while not parser.at("close"):
             if parser.current is None:
                 raise ReadingError(opener.start, "cases without their end", "close them")
-            if parser.at("row"):
+            if parser.at("row") or (values and parser.at("sep")):
                 parser.take()
                 continue
             values.append(parser.contents())
@@ -568,8 +568,43 @@ def _read_condition(parser: Parser) -> tuple[Formula, str, Formula] | None:
         parser.take()
     if parser.at("row") or parser.at("close"):
         return None
+    bars = [place for place in range(parser.place, _end_of_cell(parser)) if _is_bar(parser, place)]
+    if len(bars) == 1:  # N | n: N divides n
+        parser.tokens[bars[0]] = replace(parser.tokens[bars[0]], kind="rel", value=_DIVIDES)
     left = parser.contents()
     if not parser.at("rel"):
         raise ReadingError(parser.offset, "a condition that is not read", "write n = 0 or x > 0")
-    sign = parser.take().value
-    return left, sign, parser.contents()
+    sign, right = parser.take().value, parser.contents()
+    if sign == _DIVIDES:
+        zero = Number(Fraction(0), span=right.span)
+        return Apply("mod", (right, left), span=(left.span[0], right.span[1])), "=", zero
+    if parser.at("rel"):
+        _skip_lower_bound(parser, sign)
+    return left, sign, right
+
+
+_DIVIDES = "∣"
+
+
+def _end_of_cell(parser: Parser) -> int:
+    """Return the place of the token that ends the condition begun: a new row or the end of the cases."""
+    depth = 0
+    for place in range(parser.place, len(parser.tokens)):
+        token = parser.tokens[place]
+        depth += {"open": 1, "close": -1}.get(token.kind, 0)
+        if depth < 0 or (depth == 0 and token.kind == "row"):
+            return place
+    return len(parser.tokens)
+
+
+def _is_bar(parser: Parser, place: int) -> bool:
+    return parser.tokens[place].kind == "bar"
+
+
+def _skip_lower_bound(parser: Parser, sign: str) -> None:
+    """Go past the ≥ 1 of m = n ≥ 1: it says of whole numbers which case the others leave out."""
+    first, bound = parser.take(), parser.contents()
+    is_bound = first.value in (">", "≥", "≠") and bound in (Number(Fraction(0)), Number(Fraction(1)))
+    if sign != "=" or not is_bound:
+        what = "two conditions at once"
+        raise ReadingError(first.start, what, "write one condition in each row")

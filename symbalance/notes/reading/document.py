@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import PurePath
 from typing import NamedTuple
@@ -17,15 +17,17 @@ from typing import NamedTuple
 from symbalance.document.formula import Formula, children, with_children
 from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek, plain_letter
 from symbalance.notes.reading.accounting import Account
+from symbalance.notes.reading.differentials import with_differentials
 from symbalance.notes.reading.equations import Chain, Passed, ReadNotes, Relation, Side, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.letter_names import matching_brace
 from symbalance.notes.reading.lexer import AT, CLOSER, LONGEST_ANNOTATED, LONGEST_EQUATION, Token, lex
-from symbalance.notes.reading.parser import other_form, read_tokens
-from symbalance.notes.reading.result_units import as_printed, in_unit_of_result
+from symbalance.notes.reading.parser import is_extreme, other_form, read_tokens
+from symbalance.notes.reading.result_units import as_printed, in_unit_of_result, with_rounded_results
 from symbalance.notes.reading.rewriting import Piece, Rewritten, rewritten
+from symbalance.notes.reading.second_values import with_second_values
 from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation
-from symbalance.notes.reading.signs import relation_at_start
+from symbalance.notes.reading.signs import CELLS, relation_at_start
 from symbalance.notes.reading.sources import Source, prepare, to_half_width
 
 LONGEST_DOCUMENT = 1_000_000  # characters
@@ -69,6 +71,7 @@ def read_document(
 
     source = prepare(text, PurePath(name).suffix.lower(), lambda letter, line: letter in names(line))
     assembler = Assembler(ItemFinder(source, names), names, motions_at)
+    assembler.free_letters |= {name: 1 for name in source.own_letters if name not in names(1)}
     assembler.run()
     chains, unreadable, passed = assembler.chains, assembler.unreadable, assembler.not_mathematics
     if source.origin is not None:
@@ -83,7 +86,9 @@ def read_document(
     if free:
         letters = ", ".join(map(plain_letter, free))
         notes = (*notes, f"not declared: {letters}")
-    return ReadNotes(name, text, tuple(chains), tuple(unreadable), notes, tuple(passed), free)
+    return ReadNotes(
+        name, text, tuple(chains), tuple(unreadable), notes, tuple(passed), free, source.own_letters
+    )
 
 
 def _chain_in_place(chain: Chain, origin: Rewritten) -> Chain:
@@ -187,6 +192,7 @@ class Assembler:
         self.draft: Draft | None = None
         self._refused_item: Item | None = None
         self.phrases: dict[str, int] = {}
+        self.functions: dict[str, str] = {}  # defined as R(α) = …, and of what
         self.free_letters: dict[str, int] = {}  # not declared, and the line where each is first
 
     def run(self) -> None:
@@ -230,15 +236,20 @@ class Assembler:
             self._finish_chain()
             tokens = tokens[1:] if self._follows_refused(item, tokens) else tokens
             known = frozenset(self.names_at(item.first_line)) | self.defined_letters
-            self.draft = Draft(item, set(known), self.motions_at(item.first_line)) if tokens else None
+            self.draft = self._new_draft(item, known) if tokens else None
         if self.draft:
             self.draft.names |= known
             self.draft.add(item, tokens)
             for part, equation in self._annotations(item, names):
-                outer, self.draft = self.draft, Draft(part, set(names), self.motions_at(item.first_line))
+                outer, self.draft = self.draft, self._new_draft(part, names)
                 self.draft.add(part, equation)
                 self._finish_chain()
                 self.draft = outer
+
+    def _new_draft(self, item: Item, names: Collection[str]) -> Draft:
+        draft = Draft(item, set(names), self.motions_at(item.first_line))
+        draft.functions = self.functions
+        return draft
 
     def _annotations(self, item: Item, names: frozenset[str]) -> list[tuple[Item, list[Token]]]:
         """Return the relations below braces: `\\underbrace{1 + 1}_{= 2}` claims that 1 + 1 = 2."""
@@ -349,12 +360,18 @@ class Assembler:
             return self._is_near(draft.last, item)
         if draft.last.kind in ("inline", "prose") or not self._is_next(item):
             return False
-        if first.is_op("+-"):
-            is_other_block = -1 not in (item.block, draft.last.block) and item.block != draft.last.block
-            return not is_other_block and not has_own_relation(tokens)
+        if first.is_op("+-") or (first.is_op("*/") and item.block == draft.last.block >= 0):
+            return self._goes_on_with_operator(draft, item, tokens)
         if not draft.is_unfinished or item.block != draft.last.block:
             return False
         return not (draft.open_brackets and is_equation(tokens))
+
+    def _goes_on_with_operator(self, draft: Draft, item: Item, tokens: list[Token]) -> bool:
+        """Tell whether a row that begins with an operator goes on with the row above."""
+        if item.block == draft.last.block >= 0 and (tokens[0].is_op("*/") or not draft.is_whole):
+            return True
+        is_other_block = -1 not in (item.block, draft.last.block) and item.block != draft.last.block
+        return not is_other_block and not has_own_relation(tokens)
 
     def _is_next(self, item: Item) -> bool:
         """Tell whether an item stands on the line or row right below the chain so far."""
@@ -395,19 +412,26 @@ class Assembler:
             return
         draft.finish()
         own_letter = draft.own_letter()
-        names = frozenset(draft.names) | own_letter
+        names = frozenset(draft.names) | own_letter | draft.own_index()
         sides = self._read_sides(draft, names)
         self._store_chain(draft, sides, names)
         if sum(side is not None for side in sides) > 1 and sides[0] is not None:
             self.defined_letters |= own_letter
+            if draft.own_argument:
+                is_matrix = any(token.value in CELLS.values() for token in draft.sides[1])
+                functions = own_letter or ({lone_letter(draft.sides[0])} if is_matrix else ())
+                self.functions |= dict.fromkeys(functions, draft.own_argument)
 
     def _read_sides(self, draft: Draft, names: frozenset[str]) -> list[Side | None]:
         """Return the sides of a chain, None for one that cannot be read."""
         sides: list[Side | None] = []
         latex = any("\\" in self.text[item.start : item.end] for item in draft.items)
         has_letter = any(t.kind == "name" and t.value in names for side in draft.sides for t in side)
-        is_formula = any(item.strict for item in draft.items) or (has_letter and bool(draft.signs))
-        free: set[str] | None = set() if is_formula else None
+        has_function = any(t.kind in ("function", "cmd", "sup") for side in draft.sides for t in side)
+        is_formula = any(item.strict for item in draft.items) or (
+            (has_letter or has_function) and bool(draft.signs)
+        )
+        free: set[str] | None = set(self.free_letters) if is_formula else None
         for place, tokens in enumerate(draft.sides):
             sides.append(None)
             if place in draft.failures:
@@ -421,6 +445,7 @@ class Assembler:
             draft.notes.extend(note for note in notes if note not in draft.notes)
             sides[-1] = as_printed(Side(readings, (tokens[0].start, tokens[-1].end)), tokens)
         sides, notes = in_unit_of_result(sides, draft.sides)
+        sides = with_rounded_results(sides, draft.sides, [sign.value for sign in draft.signs])
         draft.notes.extend(note for note in notes if note not in draft.notes)
         for letter in free or ():
             self.free_letters.setdefault(letter, draft.item.first_line)
@@ -517,6 +542,9 @@ class Draft:
     failures: dict[int, ReadingError] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
     function_letters: list[str] = field(default_factory=list)
+    functions: Mapping[str, str] = field(default_factory=dict)
+    """The letters that lines above define as functions, and of what: R(α) = …"""
+    own_argument: str = ""
 
     @property
     def last(self) -> Item:
@@ -529,8 +557,22 @@ class Draft:
         side = self.sides[-1]
         return bool(self.open_brackets) or not side or side[-1].kind == "op"
 
+    @property
+    def is_whole(self) -> bool:
+        """Tell whether a relation stands here and wants no more: x = a, not a + b nor x = a +."""
+        return bool(self.signs) and not self.is_unfinished
+
     def add(self, item: Item, tokens: list[Token]) -> None:
-        """Take the tokens of one more item."""
+        """Take the tokens of one more item; a sign at a line's end is set again on the next: a +, + b."""
+        last = self.sides[-1][-1] if self.sides[-1] else None
+        if (
+            self.items
+            and tokens
+            and last is not None
+            and last.is_op("+-*")
+            and tokens[0].is_op(last.value)
+        ):
+            tokens = tokens[1:]
         self.items.append(item)
         if tokens and tokens[0].kind == "rel" and self.open_brackets:
             self._leave_open()
@@ -554,7 +596,13 @@ class Draft:
         name = "".join(token.value for token in head)
         if (place and name not in self.function_letters) or (name == "O" and name not in self.names):
             return  # O(λ) is an order, no letter
+        if name in self.functions and not _is_own(inside, self.functions[name]):
+            return  # R(β), where R(α) = … stands above
+        if place and is_variable(inside) and self.own_argument and not _is_own(inside, self.own_argument):
+            self.sides[place] = letter_at_a_place(side)  # g(α) = g(β)
+            return
         if is_variable(inside):
+            self.own_argument = self.own_argument if place else inside[0].value
             self.sides[place], note = letter_without_argument(head, inside, side[-1])
             self.notes += [note] if note not in self.notes else []
         elif is_value(inside):
@@ -572,6 +620,17 @@ class Draft:
         name = lone_letter(self.sides[0])
         is_declared = name is not None and (name in self.names or other_form(name) in self.names)
         return frozenset({name} if name and not is_declared and name != "pi" else ())
+
+    def own_index(self) -> frozenset[str]:
+        """Return the index that the letter on the left carries and the right side is written in.
+
+        In ψ_j = 2πj/N the j is a number that counts, in this equation.
+        """
+        name = lone_letter(self.sides[0]) if self.signs else ""
+        index = name.rpartition("_")[2] if "_" in name else ""
+        is_letter = len(index) == 1 and index.isalpha() and index not in self.names
+        others = {token.value for side in self.sides[1:] for token in side if token.kind == "name"}
+        return frozenset({index} if is_letter and index in others else ())
 
     def _running_letter(self) -> frozenset[str]:
         """Return the undeclared letter of 1 ≤ n ≤ 4 or k ≥ 0, whose other sides hold no letter."""
@@ -621,7 +680,10 @@ class Draft:
         """Note what is missing at the end."""
         if self.open_brackets:
             self._leave_open()
-        self.sides = with_functions_at_places(self.sides, self.motions)
+        if not self.failures:
+            self.sides, self.signs = with_second_values(self.sides, self.signs)
+        self.sides = with_differentials(self.sides, self.names)
+        self.sides = with_functions_at_places(self.sides, self.motions, self.functions)
         for place, side in enumerate(self.sides):
             if not side and place not in self.failures:
                 self.failures[place] = self._missing(place)
@@ -688,6 +750,9 @@ def lone_letter(side: Sequence[Token]) -> str:
     tokens = [token for token in side if token.kind not in ("open", "close")]
     if len(tokens) == 1 and len(side) == 1 and tokens[0].kind == "name":
         return tokens[0].value
+    is_dotted = len(tokens) == 2 and tokens[0].is_cmd(*TIME_DOTS) and is_extreme(tokens[1].value)
+    if is_dotted:
+        return f"{tokens[0].value}_{tokens[1].value}"
     is_accented = len(tokens) in (2, 3) and tokens[0].is_cmd(*ACCENTS) and tokens[1].kind == "name"
     if not is_accented or (len(side) > len(tokens) and side[1].value != "{"):
         return ""
@@ -761,18 +826,27 @@ def letter_at_a_place(side: Sequence[Token]) -> list[Token]:
     return [replace(t, value=AT) if t.kind == "open" and t.value == "(" else t for t in side]
 
 
-def with_functions_at_places(sides: list[list[Token]], motions: Motions) -> list[list[Token]]:
+def with_functions_at_places(
+    sides: list[list[Token]], motions: Motions, known: Mapping[str, str]
+) -> list[list[Token]]:
     """Return the sides with F(2ω) = 4 F(ω) as one function at two places, and no product.
 
-    One letter before two brackets, each with one running letter alone or with numbers, is a function;
-    a letter that moves is one before every bracket that shifts or stretches what it moves with.
+    One letter before two brackets, each with one running letter alone or with numbers, is a function, and
+    one that a line above defines as R(α) = … is; a letter that moves is one before every bracket that
+    shifts or stretches what it moves with. R(α) alone is R, if nothing is R of another letter.
     """
     uses: dict[str, set[str]] = {}
+    variables: dict[str, set[str]] = {}
     for side in sides:
-        for start, stop in _calls(side):
-            name = side[start - 1].value
-            uses.setdefault(name, set()).add(tokens_text(side[start + 1 : stop]))
-    functions = {name for name, insides in uses.items() if len(insides) > 1}
+        for start, stop in _calls(side, known):
+            name, inside = side[start - 1].value, side[start + 1 : stop]
+            uses.setdefault(name, set()).add(tokens_text(inside))
+            if is_variable(inside):
+                variables.setdefault(name, set()).add(inside[0].value)
+    functions = {name: "" for name, insides in uses.items() if len(insides) > 1 or name in known}
+    for name in functions:
+        own = variables.get(name, set())
+        functions[name] = known.get(name) or (next(iter(own)) if len(own) == 1 else "")
     if functions:
         sides = [_with_places(side, functions) for side in sides]
     return [_with_moved_places(side, motions) for side in sides] if motions.letters else sides
@@ -813,7 +887,7 @@ def _is_moved(inside: Sequence[Token], arguments: frozenset[str]) -> bool:
     """Tell whether brackets hold an angle or time, shifted or stretched, and no function of it."""
     plain = all(
         token.kind in ("number", "vulgar", "degree", "name", "op", "open", "close")
-        or token.is_cmd("frac")
+        or token.is_cmd("frac", "tfrac", "dfrac")
         for token in inside
     )
     return plain and any(token.kind == "name" and token.value in arguments for token in inside)
@@ -823,12 +897,18 @@ _MULTIPLIERS = frozenset({"pi", "i", "j", "e", "k", "n", "m", "N"})
 """Letters before a bracket that are factors of an angle, and no functions: e^{i(θ + π)}, n(θ + h)."""
 
 
-def _calls(side: Sequence[Token]) -> list[tuple[int, int]]:
-    """Return where brackets stand tightly behind a letter with one running letter in them."""
+def _calls(side: Sequence[Token], functions: Collection[str] = ()) -> list[tuple[int, int]]:
+    """Return where brackets stand tightly behind a letter with one running letter in them.
+
+    Behind one of the `functions` there may be several.
+    """
     result: list[tuple[int, int]] = []
     for start, token in enumerate(side):
         before = side[start - 1] if start else None
         if token.value not in ("(", AT) or before is None or before.kind != "name":
+            continue
+        if _is_shifted(side, start, functions):
+            result.append((start, _closing(side, start) or start))
             continue
         stop = next((n for n in range(start + 1, len(side)) if side[n].kind in ("open", "close")), None)
         if stop is None or side[stop].value != ")" or before.end != token.start:
@@ -837,23 +917,41 @@ def _calls(side: Sequence[Token]) -> list[tuple[int, int]]:
         letters = {t.value for t in inside if t.kind == "name"} - {"pi"}
         plain = all(t.kind in ("number", "vulgar", "degree", "name", "op") for t in inside)
         ahead = side[start - 2] if start > 1 else None
-        is_term = ahead is None or ahead.kind in ("op", "open", "number")
+        is_function = before.value in functions
+        is_term = is_function or ahead is None or ahead.kind in ("op", "open", "number", "close")
         is_call = is_term and before.value not in _MULTIPLIERS
-        if plain and is_call and len(letters) == 1 and all(map(_is_running, letters)):
+        is_one = len(letters) == 1 or (is_function and letters)
+        if plain and is_call and is_one and all(map(_is_running, letters)):
             result.append((start, stop))
     return result
 
 
-def _with_places(side: list[Token], functions: set[str]) -> list[Token]:
+def _is_shifted(side: Sequence[Token], start: int, functions: Collection[str]) -> bool:
+    """Tell whether a function stands before a bracket with its own letter in a sum: T(θ + 2πk/3)."""
+    own = functions.get(side[start - 1].value, "") if isinstance(functions, Mapping) else ""
+    stop = _closing(side, start)
+    if not own or stop is None:
+        return False
+    inside = side[start + 1 : stop]
+    return not is_variable(inside) and _is_moved(inside, frozenset({own}))
+
+
+def _with_places(side: list[Token], functions: Mapping[str, str]) -> list[Token]:
+    """Return a side with R(α) as R and R(β) as R at β, where the functions are those of α."""
     done = list(side)
-    for start, stop in reversed(_calls(side)):
+    for start, stop in reversed(_calls(side, functions)):
         if side[start - 1].value not in functions:
             continue
-        if is_variable(side[start + 1 : stop]):
+        if _is_own(side[start + 1 : stop], functions[side[start - 1].value]):
             done[start - 1 : stop + 1] = [replace(side[start - 1], end=side[stop].end)]
         else:
             done[start] = replace(side[start], value=AT)
     return done
+
+
+def _is_own(inside: Sequence[Token], own: str) -> bool:
+    """Tell whether brackets hold what a function is one of, or time: x(t) is x(θ)."""
+    return is_variable(inside) and own != "" and (inside[0].value == own or "t" in (inside[0].value, own))
 
 
 def tokens_text(tokens: Sequence[Token]) -> str:

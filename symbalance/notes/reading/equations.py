@@ -90,6 +90,8 @@ class ReadNotes:
     not_mathematics: tuple[Passed, ...] = ()
     free_letters: tuple[str, ...] = ()
     """Letters that nobody declared and no line defines, read as letters of their own."""
+    own_letters: frozenset[str] = frozenset()
+    """Letters that elsewhere are numbers, as e, and are none on this page."""
 
     def line_of(self, offset: int) -> int:
         """Return the line, from 1, of a character offset."""

@@ -1,8 +1,8 @@
 """Letters that nobody declared, read as letters of their own where what they are cannot change the sense.
 
-In `cos α − cos β = −2 sin((α + β)/2) sin((α − β)/2)` it does not matter what α means. It does for f(x),
-which may be a function, for ẍ, which is 0 for a constant, for F_k under a sum over k, and for N behind a
-number, which may be a unit: those stay undeclared, and are said to be.
+In `cos α − cos β = −2 sin((α + β)/2) sin((α − β)/2)` it does not matter what α means, and f of f(x) is a
+function of which nothing is known. It matters for the rate of a sin t, and for N behind a number, which
+may be a unit: those stay undeclared, and are said to be.
 """
 
 from __future__ import annotations
@@ -10,13 +10,13 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Sequence
 
-from symbalance.document.formula import Derivative, Formula, Integral, Summation, names, walk
-from symbalance.document.letters import ACCENTS, GREEK_SIGN
+from symbalance.document.formula import Call, Derivative, Formula, Name, Summation, names, walk
+from symbalance.document.letters import ACCENTS, GREEK_SIGN, TIME_DOTS
 from symbalance.notes.reading.lexer import Token
 from symbalance.notes.reading.units import scale_of
 
-_MARKS = frozenset(ACCENTS.values()) | {"Delta", "delta"}
-_NEVER = frozenset({"O", "e", "i", "j"})
+_MARKS = frozenset(ACCENTS.values()) | frozenset(TIME_DOTS) | {"Delta", "delta"}
+_NEVER = frozenset({"O", "e", "i"})
 """Big O, or a nought misread, and the constants."""
 _INDICES = frozenset({"i", "j", "k"})
 
@@ -24,46 +24,46 @@ _INDICES = frozenset({"i", "j", "k"})
 def is_plain(name: str) -> bool:
     """Tell whether a canonical name is one letter, with subscript, accent or prime: no word.
 
-    >>> [is_plain(name) for name in ("F", "m_rot", "bar_v", "gamma_1'", "Lh", "O")]
+    >>> [is_plain(name) for name in ("F", "m_rot", "J1", "gamma_1'", "Lh", "O")]
     [True, True, True, True, False, False]
     """
     parts = re.sub(r"'+$", "", name).split("_")
     while len(parts) > 1 and parts[0] in _MARKS:
         parts = parts[1:]
-    base = parts[0]
+    base = re.sub(r"(?<=^[A-Za-z])[0-9]+$", "", parts[0])
     return (len(base) == 1 and base.isalpha() and base not in _NEVER) or base in GREEK_SIGN
 
 
-def may_be_free(name: str, tokens: Sequence[Token], start: int, place: int) -> bool:
+def may_be_free(
+    name: str, tokens: Sequence[Token], start: int, place: int, known: Collection[str] = ()
+) -> bool:
     """Tell whether an undeclared letter that begins at `start` is one by what stands around it.
 
-    `place` is that of the token behind it.
+    `place` is that of the token behind it; `known` are letters that lines above use: 2J, where J_1 = J.
     """
-    if not is_plain(name):
+    if not is_plain(name) and name not in known:
         return False
     before = next((t for t in reversed(tokens[:place]) if t.end <= start), None)
     is_last = place >= len(tokens) or tokens[place].kind in ("sep", "close")
-    if is_last and before is not None and before.kind in ("number", "vulgar") and scale_of(name):
-        return False  # 3 N, but 2 m r
-    if place + 2 < len(tokens) and tokens[place].kind == "open" and tokens[place + 2].kind == "close":
-        inside = tokens[place + 1]
-        is_call = tokens[place].value == "(" and tokens[place].start == tokens[place - 1].end
-        if is_call and inside.kind in ("name", "number"):
-            return False  # f(x), f(0)
+    is_word = tokens[place - 1].end - start == len(name)  # 20 psi, but 2\psi and 2ψ
+    if is_last and is_word and before is not None and before.kind in ("number", "vulgar"):
+        is_letter = not scale_of(name) or (name in known and before.end == start)
+        return is_letter and name != "d"  # 3 N, but 2 m r
     return not (name == "d" and place < len(tokens) and tokens[place].kind in ("name", "cmd"))
 
 
 def unclear(node: Formula, free: Collection[str]) -> str | None:
     """Return a free letter that stands where its meaning counts, None if there is none.
 
-    Under a derivative or integral it may vary; under a sum its subscript may count.
+    Under a derivative or integral it may vary; under a sum its subscript may count, unless the sum
+    is a series of harmonics.
     """
     for part in walk(node):
         if isinstance(part, Derivative):
-            inside = names(part.expression)
-        elif isinstance(part, Integral):
-            inside = names(part.body) - {part.variable.name}
-        elif isinstance(part, Summation):
+            if isinstance(part.expression, Name):
+                continue  # the rate of a letter of which nothing is known is a letter too
+            inside = names(part.expression) - {part.variable.name}
+        elif isinstance(part, Summation) and not _is_of_harmonics(part):
             inside = {name for name in names(part.body) if _is_indexed(name, part)}
         else:
             continue
@@ -73,8 +73,18 @@ def unclear(node: Formula, free: Collection[str]) -> str | None:
     return None
 
 
+def _is_of_harmonics(total: Summation) -> bool:
+    """Tell whether a sum is of harmonics, Σ T_k sin kθ: its letters are their coefficients."""
+    index = total.index.name if total.index is not None else ""
+    return any(isinstance(part, Call) and index in names(part.argument) for part in walk(total.body))
+
+
 def _is_indexed(name: str, total: Summation) -> bool:
-    subscripts = set(re.split(r"[_,]", name)[1:])
-    if total.index is None:
-        return bool(subscripts)
+    subscripts = set(re.split(r"[_,()]+", name)[1:])
+    if total.index is None or total.lower is None:
+        return False  # a sum that does not say from where to where is a quantity of its own
+    index = total.index.name
+    carried = rf"(?:(?<=[_,(])|(?<=[_,(][i-nN]))\d*{re.escape(index)}(?=[i-nN]?(?:,\w+)?\)?$)"
+    if re.search(carried, name):
+        return False  # F_k summed over k from 1 to 4 is F_1 + F_2 + F_3 + F_4
     return total.index.name in subscripts or not subscripts.isdisjoint(_INDICES)

@@ -12,6 +12,7 @@ from symbalance.document.letters import (
     GREEK_SIGN,
     LOWERED,
     NAME_OF_SIGN,
+    RAISED,
     WORDS,
 )
 from symbalance.notes.reading.failures import ReadingError
@@ -20,7 +21,12 @@ from symbalance.notes.reading.signs import COMBINED, accented
 _COMMAND = re.compile(r"\\([A-Za-z]+)\s*")
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9]*")
 _CANONICAL = re.compile(r"[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)+'*")
+_TOUCHING = re.compile(r"([A-Za-z0-9]+)(['′]*)")
 _PRIMES = re.compile(r"(?:['′’″]|\^\s*\{?\s*(?:\\prime\s*)+\}?)+")
+_NUMBERED = re.compile(
+    r"\s*\^\s*\{\s*(?:\\left)?\(\s*([0-9]{1,2}|[A-Za-z]|[IVX]{1,4})\s*(?:\\right)?\)\s*\}|⁽([⁰¹²³⁴-⁹ⁿⁱ]{1,2})⁾"
+)
+"""The (2) of F^{(2)}: nobody writes a power so."""
 LONGEST_SUBSCRIPT = 80
 """Longer runs of letters are no subscript; the limit keeps the search for a declared one short."""
 
@@ -30,11 +36,15 @@ def canonical_name(text: str) -> str:
 
     >>> canonical_name(r"m_{\mathrm{rec}}"), canonical_name("m₁"), canonical_name(r"\bar{x}'")
     ('m_rec', 'm_1', "bar_x'")
+    >>> canonical_name("ωm"), canonical_name("θ2")
+    ('omega_m', 'theta_2')
     """
     bare = COMBINED.sub(accented, text.strip().strip("$").strip())
     if _CANONICAL.fullmatch(bare):
         return bare
     base, stop = _base(bare)
+    if (touching := _TOUCHING.fullmatch(bare, stop)) and bare[:1] in NAME_OF_SIGN and base != "pi":
+        return f"{base}_{touching[1]}{len(touching[2]) * chr(39)}"
     name, stop = with_scripts(bare, base, stop, len(bare))
     if not bare or stop != len(bare):
         raise _junk(text)
@@ -112,6 +122,12 @@ def with_scripts(
             subscript, stop = after
         else:
             break
+    if match := _NUMBERED.match(text, stop, end):
+        number = match[1] or "".join(RAISED[sign] for sign in match[2])
+        stop = match.end()
+        if not subscript and (after := subscript_at(text, stop, end, base, names)):
+            subscript, stop = after
+        subscript = f"{subscript},({number})" if subscript else f"({number})"
     return base + (f"_{subscript}" if subscript else "") + "'" * primes, stop
 
 
@@ -144,6 +160,8 @@ def _bare_subscript(
         return subscript_name(match.group(), start), start + len(match.group(1)) + 1
     if match := re.compile(r"[0-9]+|[A-Za-z][A-Za-z0-9]*").match(text, start, end):
         run = match.group()[:LONGEST_SUBSCRIPT]
+        if len(run) > 1 and text[start + len(run) : min(start + len(run) + 1, end)] == "_":
+            run = run[:-1]  # a_zm_o is a_z m_o
         lengths = range(len(run), 0, -1) if names is not None else ()
         whole = (n for n in lengths if not (run[n - 1 : n].isdecimal() and run[n : n + 1].isdecimal()))
         length = next(

@@ -58,11 +58,22 @@ _DIGITS = re.compile(r"[0-9]+")
 LONGEST_ANNOTATED = 2000  # characters under one \underbrace
 _COMMAND = re.compile(r"\\([A-Za-z]+)\*?")
 _FONT_WORD = re.compile(r"\s*\{\s*([A-Za-z0-9]+)\s*\}")
+_EULER = re.compile(
+    r"\s*(?:\{\s*e\s*\}|(?<=\s)e)(?=\s*\^\s*\{(?:[^{}]|\{[^{}]*\})*?(?:\\mathrm\s*\{?\s*|(?<![A-Za-z\\]))[ij](?![A-Za-z]))"
+)
+"""Behind \\mathrm the e of e^{i φ}, beside which an italic e may be an offset."""
 _LEFT_RIGHT = re.compile(r"\\(left|right|[bB]igg?[lr])\s*(\\[{}|]|\\[lr]?vert(?![A-Za-z])|[|.])")
 _SIZED_BRACKET = re.compile(r"\\(?:left|right|[bB]igg?[lrm]?)\s*([()\[\]])")
 _ARGUMENT = re.compile(r"\s*\{[^{}]*\}")
 _ENVIRONMENT = re.compile(r"\s*\{([A-Za-z]+)\*?\}(?:\s*\{\s*[0-9]+\s*\}|\[[a-z]\])?")
 _CELLS = re.compile(r"\s*\{([A-Za-z]+)\*?\}(?:\s*\{[lcr|@{}\s]*\}|\[[a-z]\])?")
+_AND_SO_ON = r"(?:etc(?![a-z])|usw(?![a-z])|u\.\s?s\.\s?w(?![a-z])|h\.\s?o\.\s?t(?![a-z]))\.?"
+_ET_CETERA = re.compile(
+    rf"&\s?c(?:\.|(?=\s*(?:[,;)=]|$)))|{_AND_SO_ON}|\.(?:[ \t]\.){{2,}}"
+    rf"|\\&\s?c\.?|\\(?:text|textrm|mathrm|mbox)\s*\{{\s*(?:\\?&\s?c\.?|{_AND_SO_ON})\s*\}}"
+)
+"""What stands for dots behind the last sign of a sum, in words: + etc., − &c., + u. s. w., + . . ."""
+_END_OF_CELL = re.compile(r"\s*(?:\\[,;: !]\s*)*(?:\\\\|\\end\s*\{|$)")
 _OWN_FUNCTION = re.compile(r"(Re|Im|conj|lg)(?=\s*(?:[({]|\\left))|lg(?=\s+[0-9A-Za-z\\])")
 _WORD_FONTS = ("text", "textrm", "mbox")
 _UNIT_COMMANDS = ("mathrm", "unit", "si", *_WORD_FONTS)
@@ -83,7 +94,8 @@ class Token:
     dots, degree, arrow (of a limit), postfix (!), cell and row (of a matrix), differential (the d x of an
     integral). `sub` carries a subscript that follows something other than a letter; `under` is a
     bare underscore after a sum sign or a function. `spaced` tells of a space typed as such before it.
-    `scale` is what the unit behind it multiplies it by, 0 where that is not sure.
+    `scale` is what the unit behind it multiplies it by, 0 where that is not sure. `upright` marks the e
+    of e^{i φ} where a letter e is declared.
     """
 
     kind: str
@@ -95,6 +107,7 @@ class Token:
     spaced: bool = False
     scale: Fraction | None = None
     is_demanded: bool = False
+    upright: bool = False
 
     def moved(self, offset: int) -> Token:
         """Return the token so many characters further on."""
@@ -157,7 +170,9 @@ class Lexer:
         sign = self.text[self.place]
         if self._may_begin_unit(sign) and self.plain_unit(sign):
             return
-        if self.place in self.skips:
+        if dots := self._and_so_on():
+            self._add("dots", "…", dots)
+        elif self.place in self.skips:
             self.place = self.skips.pop(self.place)
         elif sign == "&" and self.cells:
             self._add("cell", "&", self.place + 1)
@@ -173,6 +188,14 @@ class Lexer:
             self._number()
         else:
             self._sign(sign)
+
+    def _and_so_on(self) -> int:
+        """Return where the &c. of 1 + x + &c. ends; 0 where none stands here."""
+        last = self.tokens[-1] if self.tokens else None
+        if last is None or not (last.kind == "sep" or last.is_op("+-±∓")):
+            return 0
+        match = _ET_CETERA.match(self.text, self.place, self.end)
+        return match.end() if match and not (self.latex and self.text[self.place] == "&") else 0
 
     def _may_begin_unit(self, sign: str) -> bool:
         """Tell whether a unit may begin at the place: behind a number, or in square brackets."""
@@ -261,7 +284,7 @@ class Lexer:
             self.tokens.append(Token("cmd", "dot" if order == 1 else "ddot", self.place, self.place + 1))
             self._letter(letter, self.place + 1)
         elif sign in NAME_OF_SIGN:
-            self._greek(NAME_OF_SIGN[sign], self.place + 1)
+            self._greek_sign(NAME_OF_SIGN[sign])
         else:
             self._unknown(sign)
 
@@ -349,6 +372,8 @@ class Lexer:
             raise ReadingError(self.place, *signs.REFUSED_SIGNS[sign])
         elif sign == "~":
             self._tilde()
+        elif sign in ".。" and self.cells and _END_OF_CELL.match(self.text, self.place + 1, self.end):
+            self.place += 1
         elif sign in ".。":
             raise ReadingError(self.place, "a stray point", "remove it")
         else:
@@ -382,7 +407,10 @@ class Lexer:
 
     def _number(self) -> None:
         scientific = "e" not in self.words.names
-        if not (token := read_number(self.text, self.place, self.end, scientific)):
+        last = self.tokens[-1] if self.tokens else None
+        # 10^3 500 and x_1 200 end their index at the space; \frac 1 200 has two arguments
+        is_apart = last is None or last.kind not in ("sup", "sub", "cmd")
+        if not (token := read_number(self.text, self.place, self.end, scientific, is_apart)):
             raise ReadingError(self.place, "a digit that is not read", "write it as 0 to 9")
         self.tokens.append(token)
         self.place = token.end
@@ -544,7 +572,7 @@ class Lexer:
 
     def _condition_word(self, match: re.Match[str]) -> None:
         """Go past "if" and "otherwise" among cases; other words are no condition that is read."""
-        word = " ".join(match.group().strip(" {}~").lower().split())
+        word = " ".join(match.group().strip(" {}~.,;").lower().split())
         if word not in signs.CONDITION_WORDS:
             raise ReadingError(self.place, f"a condition in words: {word}", "write it as a relation")
         self.place = match.end()
@@ -579,6 +607,16 @@ class Lexer:
                 self.cells.pop()
             self._add("close", "[end]", stop)
 
+    def _greek_sign(self, name: str) -> None:
+        """Add a Greek letter that is no command: digits that touch it are its subscript, ω1 is ω_1."""
+        digits = self._touching_digits(self.place + 1)
+        stop = self.place + 1 + len(digits)
+        is_decimal = re.match(r"[.,][0-9]", self.text[stop : stop + 2]) is not None
+        if digits and name != "pi" and not is_decimal:
+            self._letter(f"{name}_{digits}", stop)
+        else:
+            self._greek(name, self.place + 1)
+
     def _greek(self, name: str, stop: int) -> None:
         if name == "pi" and "pi" not in self.words.names:
             full_name, after = with_scripts(self.text, name, stop, self.end, self.words.names)
@@ -589,7 +627,11 @@ class Lexer:
     def _font(self, name: str, stop: int) -> None:
         """\\mathrm{Lh} is the run Lh, \\operatorname{sin} the function; the rest stays as it is."""
         match = _FONT_WORD.match(self.text, stop, self.end)
-        if match and match.group(1) in signs.OWN_FUNCTIONS and match.group(1) not in self.words.names:
+        euler = _EULER.match(self.text, stop, self.end) if name == "mathrm" else None
+        if euler and "e" in self.words.names:
+            self._letter("e", euler.end())
+            self.tokens[-1] = replace(self.tokens[-1], upright=True)
+        elif match and match.group(1) in signs.OWN_FUNCTIONS and match.group(1) not in self.words.names:
             self._add("function", signs.OWN_FUNCTIONS[match.group(1)], match.end())
         elif match and match.group(1) in FUNCTION_WORDS and match.group(1) not in self.words.names:
             self._add("function", FUNCTION_WORDS[match.group(1)], match.end())
@@ -750,21 +792,31 @@ MOST_DIGITS = 400
 """Digits, and the largest power of ten: exact arithmetic with more of them would take over."""
 
 _THOUSANDS = re.compile(r"[0-9]{1,3}(?:(?:\\,|\{,\}|\u2009|\u202f)[0-9]{3})+(?![0-9])(?:\.[0-9]+)?")
+_BETWEEN = r"(?:[ ~\u00a0]|\\[ ;:])"
+_SPACED_THOUSANDS = re.compile(
+    rf"(?:[1-9][0-9]?(?:{_BETWEEN}[0-9]{{3}})+|[1-9][0-9]{{2}}{_BETWEEN}[0-9]{{3}}"
+    rf"|[1-9][0-9]{{2}}(?:{_BETWEEN}[0-9]{{3}})+(?<=000))(?!{_BETWEEN}?[0-9])(?:\.[0-9]+)?"
+)
+"""A plain space between groups of three: 37 100, 500 000. 120 240 360 are three numbers of a list."""
 _DECIMAL_COMMA = re.compile(r"[0-9]+\{,\}[0-9]+")
 _PLAIN_NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]+)?|\.[0-9]+)")
 _EXPONENT = re.compile(r"[eE]([+-]?[0-9]+)(?![A-Za-z0-9])")
-_GROUPING = re.compile(r"\\,|\{,\}|\u2009|\u202f")
+_GROUPING = re.compile(r"\\[,;: ]|\{,\}|[ ~\u00a0\u2009\u202f]")
 
 
-def read_number(text: str, start: int, end: int, scientific: bool = True) -> Token | None:
-    """Return the number that begins at `start`, or None.
+def read_number(
+    text: str, start: int, end: int, scientific: bool = True, spaced: bool = False
+) -> Token | None:
+    """Return the number that begins at `start`, or None; `spaced` if a space may part its thousands.
 
     >>> read_number("4.02", 0, 4).number, read_number("4.02", 0, 4).place
     (Fraction(201, 50), Fraction(1, 100))
     >>> read_number("1\\\\,024", 0, 6).number
     Fraction(1024, 1)
     """
-    if match := _THOUSANDS.match(text, start, end):
+    if match := _THOUSANDS.match(text, start, end) or (
+        _SPACED_THOUSANDS.match(text, start, end) if spaced else None
+    ):
         digits, exponent = _GROUPING.sub("", match.group()), None
     elif match := _DECIMAL_COMMA.match(text, start, end):
         digits, exponent = match.group().replace("{,}", "."), None

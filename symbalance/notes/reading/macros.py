@@ -283,7 +283,11 @@ class Round:
             self.refusals.setdefault(origin, _endless(name))
             return match.end()
         self.room -= max(growth, 0)
-        self.rewriter.replace(match.start(), end, *texts, *self._parting(texts, end))
+        first = texts[0] if texts else ""
+        first = first if isinstance(first, str) else self.text[slice(*first)]
+        is_glued = first[:1].isalpha() and re.search(r"_\w$", self.text[: match.start()][-2:])
+        lead = [" "] if is_glued else []  # a_z\mo is a_z m_o, and no a_zm
+        self.rewriter.replace(match.start(), end, *lead, *texts, *self._parting(texts, end))
         self.changes += 1
         return end
 

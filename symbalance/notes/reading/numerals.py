@@ -12,6 +12,7 @@ from collections.abc import Callable
 from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, LOWERED, NAME_OF_SIGN, RAISED
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import COMBINED, RELATION, accented
+from symbalance.notes.reading.units import scale_of
 
 _APART = (
     r"(?:(?<![\w.,\\])|(?<=\\cdot)|(?<=\\times)|(?<=\\approx)|(?<=\\simeq)|(?<=\\le)|(?<=\\ge)|(?<=\\leq)"
@@ -20,7 +21,7 @@ _APART = (
 """Where a number begins: behind no letter, digit or point but those of an operator, \\cdot0,5."""
 _COMMA = re.compile(
     _APART + r"(?<!_\{)(?<!\^\{)(?<!\{,\})(?<![0-9]\s,)([0-9]{1,12})(,|\{,\})([0-9]{1,15})"
-    r"(?![0-9A-Za-z]|,[0-9]|\{,\}|\.[0-9])"
+    r"(?![0-9]|(?!(?:[mck]?m|k?g|k?Nm?|k?W|bar|ms|rad|kp|PS)(?![A-Za-z0-9]))[A-Za-z]|,[0-9]|\{,\}|\.[0-9])"
 )
 _GROUPED = re.compile(
     _APART + r"(?<!_\{)(?<!\{,\})([1-9][0-9]{0,2})((?:,[0-9]{3})+)(?![0-9A-Za-z]|,[0-9])"
@@ -41,6 +42,7 @@ _WORD = re.compile(r"(?<![\\A-Za-z])[A-Za-z]{2,}")
 _FUNCTION = re.compile(r"\b(?:" + "|".join(sorted(FUNCTION_WORDS, key=len, reverse=True)) + r")\b")
 _OPERAND_BEFORE = re.compile(r"[\w)\]}²³°′'&]$")
 _OPERAND_AFTER = re.compile(r"[\w(\[\\√½¼¾|{]")
+_FOOT_POUND = r"(?:(?:foot|feet|ft)(?:[ .·‐‑-]){0,2}(?:pounds?|lbs?f?))"
 _SPELLED = (
     ("mm", "millimet(?:er|re)s?"), ("cm", "centimet(?:er|re)s?|Zentimeter"), ("km", "kilomet(?:er|re)s?"),
     ("m", "met(?:er|re)s?|Meter"), ("kg", "kilogram(?:me)?s?|Kilogramm"), ("g", "gram(?:me)?s?|Gramm"),
@@ -50,9 +52,20 @@ _SPELLED = (
     ("rad/s", r"rad(?:ians?)?\.? ?(?:per|/) ?s(?:ec(?:onds?)?)?\b"),
     ("m/s", r"(?:met(?:er|re)s?|m) ?(?:per|/) ?sec(?:onds?)?\b"),
     ("rpm", r"r\. ?p\. ?m\b|rev(?:olution)?s?\.? per min(?:ute)?\b|Umdrehungen pro Minute"),
+    ("ft·lbf/s", rf"{_FOOT_POUND} ?(?:per|/) ?s(?:ec(?:onds?)?)?\b"),
+    ("ft·lbf/min", rf"{_FOOT_POUND} ?(?:per|/) ?min(?:utes?)?\b"), ("ft·lbf", _FOOT_POUND),
+    ("lbf·ft", "(?:pound[ -]?(?:feet|foot)|lbf?[-‐‑]ft)"),
+    ("lbf·inch", "(?:inch[ -]pounds?|lbf?[-‐‑]in|in[-‐‑]lbf?)"),
+    ("N·m", "N[‐‑]m"), ("hp", r"H\. ?P\.|h\. ?p\.|horse[ -]?power"),
+    ("ft/s²", r"(?:feet|ft\.?) ?(?:per|/) ?sec(?:onds?)?\.? per sec(?:onds?)?\b"),
+    ("ft/s", r"(?:feet|ft) ?(?:per|/) ?sec(?:onds?)?\b"),
+    ("ft/min", r"(?:feet|ft) ?(?:per|/) ?min(?:ute)?\b"),
     ("ft", "feet|foot|ft(?=\\.)"),
-    ("inch", r"inch(?:es)?|Zoll|in(?=\s*(?:$|[,;.)=≈\n]|so\b|and\b|or\b|und\b|long\b|\$))"),
-    ("lb", "pounds?|lbs?(?=\\.)"),
+    ("inch^3", r"cu(?:bic|\.)? ?in(?:ches|\.|(?![a-z]))"),
+    ("ft^3", r"cu(?:bic|\.)? ?(?:feet|foot|ft\.?)"),
+    ("inch", r"in\.(?=\s*(?:[=≈]|\\approx))|inch(?:es)?|Zoll"
+     r"|in(?=\s*(?:$|[,;.)=≈\n]|so\b|and\b|or\b|und\b|long\b|\$))"),
+    ("lbf", "pounds?[ -]force"), ("lb", "pounds?|lbs?(?=\\.)"),
     ("°", "degrees?|deg|Grad|degrés|° ?(?:KW|CA|crank)|deg ?CA"), ("%", "percent|per cent|Prozent"),
 )  # fmt: skip
 _SPELLED_UNIT = re.compile(
@@ -61,16 +74,14 @@ _SPELLED_UNIT = re.compile(
     + r")(?![A-Za-z])",
     re.IGNORECASE,
 )
-_UNIT_BEHIND = (
-    r"(?:[kmcM]?N ?m?|[kmcd]?m(?:/s(?:\^?[2²])?)?|k?g|m?s|rpm"
-    r"|rad(?:/s)?|1/s|1/min|min\^?-1|min⁻¹|s\^-1|s⁻¹"
-    r"|[kM]?Pa|bar|lbf?|inch|ft|[kM]?W|[kM]?J"
-    r"|k?Hz|kg ?m[²2]?|N/mm[²2]?|N/m|°|U/min|in(?=\.))"
-)
+_PART_BEHIND = r"(?:1|[A-Za-zµμΩ]+)(?:\^?\{?[-−]?[1-4]\}?|[⁻]?[¹²³⁴])?"
 _BEHIND_DOLLAR = re.compile(
-    rf"(?<=[0-9])\$[ ~]?(?P<unit>{_UNIT_BEHIND})(?=[.,;:)]?(?:\s*$|[\s|)])|[.,;:)]\s)(?! ?[=<>≈+*/])",
+    r"(?:(?<=[0-9])|(?<=\^\{[0-9]\})|(?<=\^\{-[0-9]\}))(?:\\[,;: ]|~)?\$(?:[ ~]|\\[,;: ])?"
+    rf"(?P<unit>°|{_PART_BEHIND}(?:[ ]?[/·⋅*]?[ ]?{_PART_BEHIND}){{0,3}})"
+    r"(?=[.,;:)]?(?:\s*$|[\s|)])|[.,;:)]\s|[\u3001-\u9fff\uff08-\uff1f])(?! ?[=<>≈+*/])",
     re.MULTILINE,
 )
+"""A unit behind a formula's dollar, its longest beginning that is one: N m/rad, but m of `40$ m long`."""
 _NEARLY = re.compile(r"(?<=[\s\w)\]])(?:~=|=~|≈=|=≈)(?=[\s\w(√-])")
 _OPENED = re.compile(r"\$[^$\n]*$")
 _AROUND = 400  # characters of a line looked at on either side
@@ -102,6 +113,9 @@ def with_plain_numerals(
         m.start(): (m.end(), f"({_small(m[1])}/{_small(m[2])})") for m in _SMALL_FRACTION.finditer(text)
     }
     changes |= _points(text, notes)
+    changes |= {m.start(): (m.end(), ".") for m in _BRACED_POINT.finditer(text)}
+    changes |= _spaced_points(text, notes)
+    changes |= _spaced_thousands(text, notes)
     changes |= _accents(text)
     changes |= _subscript_words(text, is_letter)
     changes |= _raised_points(text, notes)
@@ -144,12 +158,13 @@ def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
 
 _POINT_BETWEEN = re.compile(
     r"(?:(?<![A-Za-z\\])[A-Za-z](?:_\w{1,4}|_\{\w{1,6}\}|[₀-₉0-9])?[²³]?"
-    r"|(?:sin|cos|tan)[²³]? ?[0-9]?[A-Za-z]"
+    r"|(?:sin|cos|tan)[²³]? ?[0-9]?[A-Za-z]|(?<![A-Za-z])pi(?=\.[0-9A-Za-z(])"
     r"|[)\]²³}\u03b1-\u03c9]|(?<![0-9.])[0-9]{1,3}|(?<=\^)[0-9])"
     r"(?P<point>\.)"
-    r"(?=[A-Za-z](?![A-Za-z])|[A-Za-z]?(?:sin|cos|tan|sqrt|exp)(?![a-z])"
+    r"(?=[A-Za-z](?![A-Za-z])|[A-Za-z]?(?:sin|cos|tan|sqrt|exp|pi)(?![a-z])"
     r"|[A-Za-z]?(?:sin|cos|tan)[a-z](?![a-z])|[\u03b1-\u03c9(√]"
-    rf"|\\(?:{'|'.join((*GREEK_SIGN, *FUNCTION_WORDS, 'frac', 'dot', 'ddot', 'left'))})(?![A-Za-z]))"
+    rf"|\\(?:{'|'.join((*GREEK_SIGN, *FUNCTION_WORDS, 'frac', 'dot', 'ddot', 'left'))})(?![A-Za-z])"
+    r"|(?<=pi\.)[0-9])"
 )
 _ABBREVIATED = re.compile(
     r"\b(?:z\.B|d\.h|i\.e|e\.g|u\.a|s\.o|s\.u|p\.m|a\.m|i\.d|u\.U|o\.g|i\.A|i\.e|w\.r|r\.h|l\.h)\b"
@@ -171,6 +186,38 @@ def _points(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
         changes[place] = (place + 1, "·")
     if changes:
         notes.append(f"a point between letters is read as a multiplication sign ({len(changes)}×)")
+    return changes
+
+
+_BRACED_POINT = re.compile(r"(?<=[0-9])\{\.\}(?=[0-9])")
+_SPACED_POINT_OF_PRODUCT = re.compile(r"(?<=[0-9)²³]) \. (?=[0-9(])")
+_SPACED_THOUSANDS = re.compile(
+    r"(?<![\w.,])(?<![0-9] )[1-9][0-9]{0,2}(?: [0-9]{3})+(?![0-9A-Za-z])(?! [0-9])"
+)
+_OPERATION_BEFORE = re.compile(r"(?:[=≈<>≤≥+\-−–·×*/(]|\\(?:cdot|times|approx))\s*$")
+_OPERATION_AFTER = re.compile(r"\s*(?:[=≈+\-−·×*/^]|\\(?:cdot|times|approx)|[²³])")
+
+
+def _spaced_points(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
+    """Return the points that multiply numbers, 0.5 . 0.04 . 314: with a space on both sides."""
+    changes: dict[int, tuple[int, str]] = {}
+    for match in _SPACED_POINT_OF_PRODUCT.finditer(text):
+        line = text[text.rfind("\n", 0, match.start()) + 1 : match.start()]
+        if RELATION.search(line[-_AROUND:]) is not None:
+            changes[match.start()] = (match.end(), " · ")
+    if changes:
+        notes.append(f"a point between numbers is read as a multiplication sign ({len(changes)}×)")
+    return changes
+
+
+def _spaced_thousands(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
+    """Return the numbers with spaces between thousands, 81 300/942.5: beside an operation."""
+    changes: dict[int, tuple[int, str]] = {}
+    for match in _SPACED_THOUSANDS.finditer(text):
+        before = text[max(match.start() - 12, 0) : match.start()]
+        if _OPERATION_BEFORE.search(before) or _OPERATION_AFTER.match(text, match.end()):
+            changes[match.start()] = (match.end(), match.group().replace(" ", ""))
+    _note(notes, "spaces between thousands", changes, text)
     return changes
 
 
@@ -291,9 +338,36 @@ def _units_in_words(text: str) -> dict[int, tuple[int, str]]:
         unit, dollars = _SPELLED[which][0], match[1] + match[2]
         changes[match.start()] = (match.end(), _unit_sign(unit, bool(dollars)) + dollars)
     for match in _BEHIND_DOLLAR.finditer(text):
-        if _closes(text, match.start()):
-            changes[match.start()] = (match.end(), _unit_sign(match["unit"], True) + "$")
+        unit = _unit_behind(match["unit"], text[match.end() :][:1])
+        if unit and _closes(text, match.start()):
+            end = match.start("unit") + len(unit)
+            changes[match.start()] = (end, _unit_sign(unit, True) + "$")
     return changes
+
+
+def _unit_behind(words: str, after: str) -> str:
+    """Return the longest beginning of some words that is a unit, "" for none."""
+    ends = [m.start() for m in re.finditer(" ", words)]
+    for end in [len(words), *reversed(ends)]:
+        unit = words[:end]
+        if unit in ("°", "in") and (unit == "°" or after == "."):
+            return unit
+        if scale_of(unit) is not None:
+            return unit
+    return ""
+
+
+def unit_in_words(text: str) -> str:
+    """Return the unit that a text begins with, spelled or as its sign, "" for none.
+
+    >>> unit_in_words("inches, the speed"), unit_in_words("mm eingesetzt"), unit_in_words("motion")
+    ('inch', 'mm', '')
+    """
+    for sign, spelled in _SPELLED:
+        if re.match(rf"(?:{spelled})(?![A-Za-z])", text, re.IGNORECASE):
+            return sign
+    word = re.match(r"[A-Za-zµ]+(?:/[A-Za-z]+[²³]?)?", text)
+    return word.group() if word and scale_of(word.group()) is not None else ""
 
 
 def _unit_sign(unit: str, in_latex: bool) -> str:

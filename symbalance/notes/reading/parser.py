@@ -97,6 +97,7 @@ def _parse(
     """Return the tree that a list of decisions leads to, in a list that is empty on a refusal."""
     parser = Parser(tokens, names, decisions, latex, end)
     parser.takes_free_letters = free is not None
+    parser.page_letters = frozenset(free or ())
     try:
         node = parser.contents()
         if parser.current is not None:
@@ -150,6 +151,7 @@ class Parser:
         self.bound: list[str] = []
         self.takes_free_letters = False
         self.free_letters: dict[str, int] = {}  # and where each is first
+        self.page_letters: frozenset[str] = frozenset()  # not declared, and letters of lines above
         self.exponentials = 0
         self.open_bars = 0
         self._depth = 0
@@ -257,7 +259,9 @@ class Parser:
             return Constant("pi", span=span)
         if name == "i" or (name == "j" and self.exponentials):
             return Constant("i", span=span)
-        if self.takes_free_letters and may_be_free(name, self.tokens, span[0], self.place):
+        if self.takes_free_letters and may_be_free(
+            name, self.tokens, span[0], self.place, self.page_letters
+        ):
             self.free_letters.setdefault(name, span[0])
             return Name(name, span=span)
         raise UndeclaredError(span[0], name)
@@ -294,6 +298,8 @@ class Parser:
         first = self.place
         if self.current is not None and self.current.is_op("±∓"):
             upper = 1 if self.take().value == "±" else -1
+            if self.at("dots"):  # 1 - x + x² ∓ …
+                return self._dots()
             return PlusMinus(self.product(), upper, span=self.span_since(first))
         minus = self._sign_run()
         term = self._dots() if self.at("dots") else self._big_o() or self.product()
@@ -311,7 +317,7 @@ class Parser:
         depth, steps, has_letter = 1, 2, False
         while depth and (token := self.peek(steps)):
             depth += {"open": 1, "close": -1}.get(token.kind, 0)
-            has_letter = has_letter or (token.kind == "name" and token.value in self.names)
+            has_letter = has_letter or (token.kind == "name" and token.value != "pi")
             steps += 1
         if not has_letter:
             remedy = "name the small letter, as in O(λ^2)"
@@ -537,7 +543,7 @@ class Parser:
         if (derivative := self.derivative_in_line()) is not None:
             return derivative
         following = self.peek(1)
-        if token.value == "e" and "e" not in self.names and following and following.kind == "sup":
+        if self._is_euler(token) and following and following.kind == "sup":
             return self._exponential()
         self.take()
         indexed = None if token.value in self.names else constructs.read_indexed(self, token)
@@ -547,9 +553,33 @@ class Parser:
         if is_difference and self.at("cmd", *ACCENTS):
             return self._accented_difference(token)
         letter = self.letter(token.value, (token.start, token.end))
-        if isinstance(letter, Name):
+        return self._with_place(letter, token) if isinstance(letter, Name) else letter
+
+    def _with_place(self, letter: Name, token: Token) -> Formula:
+        """Read what stands in brackets behind a letter as its place: x(π), f(x) of an unknown f."""
+        if not (letter.name in self.free_letters and self._is_call()):
             return constructs.read_place(self, letter, self.place - 1) or letter
-        return letter
+        opener = self.take()
+        inside = self.expression()
+        self.expect_close(opener)
+        return Apply("at", (letter, inside), span=(token.start, self._last_end()))
+
+    def _is_call(self) -> bool:
+        """Tell whether f(x) or f(0) stands here, one letter or number in brackets: f is a function."""
+        inside, closer = self.peek(1), self.peek(2)
+        return (
+            self.at("open", "(")
+            and self.is_tight()
+            and inside is not None
+            and inside.kind in ("name", "number")
+            and closer is not None
+            and closer.kind == "close"
+        )
+
+    def _is_euler(self, token: Token) -> bool:
+        """Tell whether a token is the number e: e is no letter here, or is upright before e^{i φ}."""
+        is_letter = "e" in self.names or "e" in self.page_letters
+        return token.value == "e" and (not is_letter or token.upright)
 
     def _exponential(self) -> Formula:
         first = self.place
@@ -634,6 +664,9 @@ class Parser:
         order = TIME_DOTS[self.take().value]
         name = self._bare_name()
         span = self.span_since(first)
+        if is_extreme(name):
+            dotted = f"{self.tokens[first].value}_{name}"
+            return self.letter(dotted, span)
         node = Derivative(self.letter(name, span), Name("t", span=span), order, span=span)
         return constructs.read_place_of_derivative(self, node, first)
 
@@ -774,7 +807,7 @@ class Parser:
 
     def _ends_argument(self, token: Token) -> bool:
         """Tell whether a factor can never belong to an argument already begun."""
-        power_of_e = token.kind == "name" and token.value == "e" and "e" not in self.names
+        power_of_e = token.kind == "name" and self._is_euler(token)
         return token.kind in ("function", "number") or token.is_cmd("sum", *_WITH_BOUNDS) or power_of_e
 
     # Derivatives: with a bar, in line, and as the operator d/dθ before a bracket
@@ -1078,6 +1111,15 @@ def _with_subscript(name: str) -> str:
     """Return F_1 for F1, the same letter typed without its subscript, and F1 for F_1; "" for others."""
     match = re.fullmatch(r"([A-Za-z]+)(_?)([0-9]+)", name)
     return "" if match is None else f"{match[1]}{'' if match[2] else '_'}{match[3]}"
+
+
+def is_extreme(name: str) -> bool:
+    r"""Tell whether a letter under dots is a value that does not change: \ddot x_{\max}, not ẍ of x_max.
+
+    >>> is_extreme("x_max"), is_extreme("x_1")
+    (True, False)
+    """
+    return re.split("[_,]", name)[-1] in ("max", "min", "rms", "eff")
 
 
 def _is_d(token: Token | None) -> bool:

@@ -54,15 +54,25 @@ _COMMANDS = (
 _PLAIN_WORDS = word_set(
     "a an as at be by do go he if in is it me my no of on or so to up us we and are but can for had has"
     " her his how its may new not now off old one our out per she the too two use was way who why you"
-    " rpm mm cm km kg kw hz vs via etc cost tank sink sing since sine tang logs sins"
+    " rpm mm cm km kg kw hz vs via etc cost tank sink sing since sine tang logs sins cosy tans expo"
+    " logo coth sech csch sect sind secs cots expr logi sinn"
 )
+_CLAUSE_WORDS = word_set(
+    "which that this these just about exactly quite very much well still only then there here what"
+    " because also das die der den ein eine wie was und oder aber nicht nur noch etwa genau damit weil"
+    " denn est ce qui et c soit que como es"
+)
+"""Words that begin a clause behind a dash: what a formula subtracts begins with none of them."""
 _OWN_FUNCTION = re.compile(r"(?:lim|max|min|det|Re|Im|conj|lg)(?=\s*[_(])|lg(?=\s[0-9])")
 _DERIVATIVE = re.compile(
-    r"d[A-Za-z]?(?=/d[A-Za-z](?![A-Za-z]))|(?:(?<=d/)|(?<=d[A-Za-z]/))d[A-Za-z](?![A-Za-z])"
+    r"d[A-Za-z]?(?=[α-ωϕ]?/d[A-Za-zα-ωϕ](?![A-Za-z]))"
+    r"|(?:(?<=d/)|(?<=d[A-Za-zα-ωϕ]/)|(?<=d[²³]/)|(?<=d[²³][A-Za-zα-ωϕ]/)|(?<=d\^[23]/)"
+    r"|(?<=d\^[23][A-Za-zα-ωϕ]/))d[A-Za-z]?(?![A-Za-z])"
 )
 _LONG_WORD = re.compile(r"(?<![\\A-Za-z_])[A-Za-z]{4,}")
 _ARTICLE_FIRST = re.compile(r"(a|I|A)\s+(?=[\w\\(])")
 _DASH_LAST = re.compile(r"\s+[-–—−]\s*$")
+_ENDS_OPEN = re.compile(rf"(?:{signs.RELATION.pattern}|[*·×/])\s*$")
 _ARTICLE_LAST = re.compile(r"\s(a|I|A)$")
 
 
@@ -106,7 +116,19 @@ def segments(text: str, start: int, end: int, line: LineRules) -> list[tuple[int
         first = piece.end()
     if text[first:end].strip():
         spans.append((first, end))
-    return spans
+    return [(_after_speed(text, begin, stop) if begin > start else begin, stop) for begin, stop in spans]
+
+
+_SPEED_FIRST = re.compile(
+    r"\s*[0-9][0-9.,]*[ \u00a0\u2009\u202f]?(?P<unit>[A-Za-z/.]{3,6})\s+(?=[^\W\d_])"
+)
+
+
+def _after_speed(text: str, start: int, end: int) -> int:
+    """Return where a formula begins behind words and the speed they end in: at 9000 rpm rω² = …"""
+    speed = _SPEED_FIRST.match(text, start, end)
+    scale = scale_of(speed["unit"]) if speed else None
+    return speed.end() if speed and scale is not None and scale[1] else start
 
 
 def _pieces(text: str, start: int, end: int, line: LineRules) -> Iterator[re.Match[str]]:
@@ -157,7 +179,7 @@ def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules)
 
 def _is_mathematical_sign(sign: str, text: str, place: int, end: int) -> bool:
     if sign == ":":
-        return text[place + 1 : place + 2] == "="
+        return text[place + 1 : place + 2] == "=" or _is_ratio(text, place)
     if sign in "!%":
         before = text[max(place - 2, 0) : place]
         before = before.rstrip() if sign == "%" else before
@@ -165,6 +187,13 @@ def _is_mathematical_sign(sign: str, text: str, place: int, end: int) -> bool:
     if sign == ".":
         return place + 1 < end and text[place + 1].isdecimal()
     return sign in _MATHEMATICAL
+
+
+def _is_ratio(text: str, place: int) -> bool:
+    """Tell 12 : 4 and 12:4 from the colon behind a label, as in (3): 4·2 = 8."""
+    before, after = text[max(place - 2, 0) : place], text[place + 1 : place + 3]
+    is_even = before[-1:].isspace() == after[:1].isspace()
+    return is_even and before.strip()[-1:].isdecimal() and after.strip()[:1].isdecimal()
 
 
 def _is_operation(sign: str, before: str, after: str) -> bool:
@@ -193,8 +222,13 @@ def _consists_of_letters(word: str, words: Vocabulary, longest: int) -> bool:
         )
         place += length or 1
     if unknown:
-        return unknown == 1 and _is_factor_before_function(word)
+        return unknown == 1 and (_is_factor_before_function(word) or is_function_of_letter(word))
     return whole or len(word) <= longest
+
+
+def is_function_of_letter(word: str) -> bool:
+    """Tell whether a run is a function and its letter, as sinA, and no word, as sine."""
+    return word[:-1] in FUNCTION_WORDS and word.lower() not in _PLAIN_WORDS and word not in FUNCTION_WORDS
 
 
 def _is_factor_before_function(word: str) -> bool:
@@ -214,12 +248,25 @@ def trim_segment(text: str, start: int, end: int, words: Vocabulary) -> tuple[in
             start += 1
     while start < end and (text[end - 1].isspace() or text[end - 1] in ",;'~&"):
         end -= 1
+    end = _before_dash_of_prose(text, start, end)
     match = _ARTICLE_LAST.search(text[max(start, end - 4) : end])
-    if match and match.group(1) not in words.names:
+    if match and match.group(1) not in words.names and not _ENDS_OPEN.search(text, start, end - 1):
         end -= len(match.group())
         if dash := _DASH_LAST.search(text[max(start, end - 4) : end]):
             end -= len(dash.group())  # "… - a known identity": the dash is the prose's too
     return _within_brackets(text, start, end)
+
+
+_SPACED_DASH = re.compile(r"(?<=[^\s=≈<>+\-*/·×(])\s+[–—](?=\s*$)")
+_FIRST_WORD = re.compile(r"\s*([^\W\d_]+)(?:[\s,]|$)")
+
+
+def _before_dash_of_prose(text: str, start: int, end: int) -> int:
+    """Return where a segment ends before the long dash of the words behind it: 916 cm³ – as it says."""
+    match = _SPACED_DASH.search(text, max(start, end - 4), end)
+    word = _FIRST_WORD.match(text, end) if match else None
+    is_clause = word is not None and word[1].lower() in _PLAIN_WORDS | _CLAUSE_WORDS
+    return match.start() if match and is_clause else end
 
 
 def parts_at_lone_brackets(text: str, start: int, end: int) -> list[tuple[int, int]]:

@@ -13,7 +13,7 @@ _NUMBER = (
     r"[-−]?(?:[0-9]+(?:\.[0-9]+|\{,\}[0-9]+)?(?:\s*(?:\\pi(?![A-Za-z])|π))?|\\pi(?![A-Za-z])|π)"
     r"(?:\s?°|\^\\circ(?![A-Za-z])|\^\{\\circ\})?"
 )
-_UNIT = r"(?P<unit>(?:\\[,;: ]|~| )*\\mathrm\{[^{}]{1,12}\}|\s?(?:mm|cm|rpm|N|m|kg)(?![A-Za-z0-9]))"
+_UNIT = r"(?P<unit>(?:\\[,;: ]|~| )*\\mathrm\{[^{}]{1,12}\}|[^\S\n]?(?:mm|cm|rpm|N|m|kg)(?![A-Za-z0-9]))"
 _DOTS = r"(?:\\(?:l|c)?dots[a-z]?(?![A-Za-z])|…|⋯|\.{2,3}|・・・)"
 _HEAD = r"(?<![\w\\}\])'′⁄])(?P<letter>(?:\\[A-Za-z]+|[^\W\d_])(?:_\{\w{1,6}\}|_\w{1,4}|[₀-₉])?)\s*&?=\s*"
 _NOT_BEFORE_FORMULA = (
@@ -37,6 +37,8 @@ _LIST = re.compile(
 )
 _OPERATOR_BEFORE = re.compile(r"(?:[-+−*/·×^=<>≤≥≈]|\\(?:cdot|times|pm|sum|prod|int|lim)|[_^]\s*\{)\s*$")
 _LONGEST_BEFORE = 12
+_PROGRAM = re.compile(r"^(`{3,}+|~{3,}+)[^\n]*+\n.*?^\1", re.MULTILINE | re.DOTALL)
+"""Program code, whose `r, l = 0.045, 0.15` gives two letters a value each."""
 
 
 def with_ranges(text: str) -> tuple[Rewritten | None, tuple[str, ...]]:
@@ -45,6 +47,7 @@ def with_ranges(text: str) -> tuple[Rewritten | None, tuple[str, ...]]:
     >>> with_ranges("n = 1, 2, …")[0].text, with_ranges("n = 1, m = 2")[0]
     ('n ≥ 1', None)
     """
+    program = [match.span() for match in _PROGRAM.finditer(text)]
     changes: dict[int, tuple[int, str]] = {}
     for match in _RANGE.finditer(text):
         if _stands_first(text, match):
@@ -59,6 +62,9 @@ def with_ranges(text: str) -> tuple[Rewritten | None, tuple[str, ...]]:
         if is_new and (match["rest"] or match["dots"]) and _stands_first(text, match):
             written = _listed(match)
             changes |= {match.start(): (match.end(), written)} if written else {}
+    changes = {
+        start: change for start, change in changes.items() if not any(a <= start < b for a, b in program)
+    }
     if not changes:
         return None, ()
     rewriter = Rewriter(text)

@@ -2,7 +2,8 @@
 
 In √(7² − 2²) = 6.71 in the numbers on the way to the result are in its unit. Whether they are, or in
 metres and newtons, their value tells: it is the number printed before the unit, or the quantity itself.
-1.8·10⁴ and 9.9 kN are rounded to the last digit printed, as 9900 ± 50 is.
+1.8·10⁴ and 9.9 kN are rounded to the last digit printed, as 9900 ± 50 is. A whole number with a unit that
+a computation of bare numbers comes to is measured, and rounded too: 8600/9 = 956 lb.
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ from symbalance.notes.reading.equations import Side
 from symbalance.notes.reading.lexer import Token
 
 _CLOSE = 0.005  # of the number printed: a rounded result is nearer than that, another unit is not
+_NEAR = 0.25  # of the number printed: a slip in its digits, seldom another unit
 _PREFIX = 1000
 _FUNCTIONS = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "tan": math.tan}
 
@@ -46,7 +48,7 @@ def in_unit_of_result(
             if other is None or not _is_bare(tokens[before]):
                 break
             value = _value(other.node)
-            if value is None or not _agree(value, printed) or _agree(value, printed * _size(factor)):
+            if value is None or not _is_meant(value, printed, _size(factor)):
                 break
             if _size(factor) >= _PREFIX and abs(printed) >= _PREFIX:
                 break  # 1800 kN for 1800 N is a slip that is made: who computes in kN has 1.8
@@ -54,6 +56,49 @@ def in_unit_of_result(
             done[before] = replace(other, readings=readings)
             notes = ["numbers before a result are in its unit"]
     return done, notes
+
+
+def with_rounded_results(
+    sides: Sequence[Side | None], tokens: Sequence[Sequence[Token]], signs: Sequence[str]
+) -> list[Side | None]:
+    """Return the sides of a chain, a whole result with a unit as a number rounded to its units.
+
+    Behind = it has three digits, and its closing zeros beyond these are open; behind ≈ two will do.
+    """
+    done = list(sides)
+    for place, side in enumerate(sides):
+        before = sides[place - 1] if place else None
+        if side is None or before is None or not _is_bare(tokens[place - 1]):
+            continue
+        number, factor = _whole_result(tokens[place])
+        value = _value(before.node)
+        fewest = _FEWEST_DIGITS[signs[place - 1] == "≈"]
+        digits = str(abs(number.value.numerator)) if number else ""
+        if number is None or value is None or not fewest <= len(digits) <= _MOST_DIGITS:
+            continue
+        zeros = min(len(digits) - len(digits.rstrip("0")), len(digits) - fewest)
+        step = Fraction(10**zeros)
+        printed = float(number.value)
+        scales = [1.0, float(factor)]
+        if any(0 < abs(value - printed * scale) <= 0.5 * float(step) * scale for scale in scales):
+            rounded = Number(number.value * factor, step * factor, span=side.node.span)
+            done[place] = replace(side, readings=(rounded,))
+    return done
+
+
+_FEWEST_DIGITS = {False: 3, True: 2}
+_MOST_DIGITS = 9
+
+
+def _whole_result(tokens: Sequence[Token]) -> tuple[Number | None, Fraction]:
+    """Return the whole number of 956 lb, or of 956 kg, and what its unit multiplies it by."""
+    first = tokens[0] if tokens else None
+    if first is None or first.kind != "number" or not first.scale or first.number.denominator != 1:
+        return None, Fraction(1)
+    kinds = [token.kind for token in tokens[1:]]
+    if first.place is not None or kinds not in ([], ["open", "number", "close"]):
+        return None, Fraction(1)
+    return Number(first.number), first.scale
 
 
 def as_printed(side: Side, tokens: Sequence[Token]) -> Side:
@@ -112,6 +157,19 @@ def _is_bare(tokens: Sequence[Token]) -> bool:
         or (token.kind == "name" and token.value != "pi")
         for token in tokens
     )
+
+
+def _is_meant(value: float, printed: float, size: float) -> bool:
+    """Tell whether a value is in the unit printed: it agrees there, or nearly and nowhere else."""
+    if _agree(value, printed * size):
+        return False
+    if _agree(value, printed) or not value or not printed:
+        return _agree(value, printed)
+    far = not 0.5 < abs(printed * size / value) < 2
+    shift = round(math.log10(abs(value / printed)))
+    if shift and _agree(value, printed * 10.0**shift):  # the digits are right: a slip by a power of ten
+        return abs(math.log10(abs(value / printed))) < abs(math.log10(abs(value / (printed * size))))
+    return far and abs(value - printed) <= _NEAR * abs(printed)
 
 
 def _agree(value: float, printed: float) -> bool:

@@ -29,7 +29,7 @@ from symbalance.notes.reading.units import (
 )
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
-_BULLET = re.compile(r"\s*(?:\(?[0-9]{1,3}[.)](?=\s))?\s*")
+_BULLET = re.compile(r"\s*(?:\(?(?:[0-9]{1,3}[.)]|(?:[a-h]|i{1,3}|i?v)\))(?=\s))?\s*")
 _MARKDOWN_BULLET = re.compile(r"\s*(?:>\s*)*(?:[-*+]\s+|[0-9]{1,3}[.)]\s+)?\s*")
 _DASH = re.compile(r"[-*•]\s+(?=[^\s=])")
 _EXPLAINED = re.compile(
@@ -309,6 +309,7 @@ class ItemFinder:
         for piece in pieces_of(self.text, start, end):
             if has_relation(self.text, piece.start, piece.end):
                 inner = trim_segment(self.text, piece.start, piece.end, words)
+                inner = inner[0], _before_next_letter(self.text, *inner)
                 doubt = piece.doubt or doubt_around(self.text, *inner, words)
                 head = self._letter_explained(inner[0], line) or self._named_in_words(
                     inner[0], line, words
@@ -337,6 +338,16 @@ class ItemFinder:
         if _ONE_NUMBER.match(self.text, place):
             return None  # cost = 4
         return match.span("words")
+
+
+_NEXT_LETTER = re.compile(r",\s+(?!π)[^\W\d](?:_\{[^{}]{1,12}\}|_?\w{1,3}|[₀-₉]+)?\s*$")
+
+
+def _before_next_letter(text: str, start: int, end: int) -> int:
+    """Return where λ = r/l ends in "λ = r/l, m the mass": the words behind the comma are about m."""
+    match = _NEXT_LETTER.search(text, start, end)
+    follows = re.match(r"\s+(?!(?:and|or|are|und|oder|sind|bzw)\b)[^\W\d_]{2}", text[end : end + 40])
+    return match.start() if match and follows and has_relation(text, start, match.start()) else end
 
 
 # Delimited mathematics
@@ -440,26 +451,28 @@ _ROW = re.compile(
     r"\\(begin|end)\s*\{([A-Za-z]*)\*?\}|\\\\(?:\*?[ \t]*\[[^\]\n]{0,20}\])?|\\.|[{}&]", re.DOTALL
 )
 _PIECE = re.compile(
-    rf"\\(?:{_WORDS})\s*(?=\{{)|\\q?quad(?![A-Za-z])|\\[A-Za-z]+|\\.|[{{}}()\[\],;、，∴⇒⇔⟹⟺→⟶]", re.DOTALL
+    rf"\\(?:{_WORDS})\s*(?=\{{)|\\q?quad(?![A-Za-z])|\\[A-Za-z]+|\\.|[{{}}()\[\],;、，∴∵⇒⇔⟹⟺→⟶]",
+    re.DOTALL,
 )
 _ARROW_COMMANDS = words(
     "therefore Rightarrow implies Longrightarrow Leftrightarrow Longleftrightarrow iff leadsto rightarrow"
-    " longrightarrow to hence Leftarrow"
+    " longrightarrow to hence Leftarrow because"
 )
-_ARROWS = (*(f"\\{name}" for name in _ARROW_COMMANDS), *"∴⇒⇔⟹⟺→⟶")
+_ARROWS = (*(f"\\{name}" for name in _ARROW_COMMANDS), *"∴∵⇒⇔⟹⟺→⟶")
 _SCAN = re.compile(rf"{RELATION.pattern}|\\[A-Za-z]+|\\.|[{{}}()\[\]]", re.DOTALL)
 _TAG = re.compile(
     r"(?:\\tag\*?\s*\{([^{}]{1,20})\}|\\(?:l|r)?eqno\s*\(([^()]{1,12})\)"
     r"|(?P<lead>\\q?quad|\\hfill|\\hspace\*?\{[^{}]*\}|\\cdots|\\dots|\\ldots|…+|\.{3,}|[・･]{3,}|⋯|\s{2,}|\t)"
-    r"\s*(?:\\q?quad\s*)*[-–—−]?\s*\((?P<tag>[0-9A-Za-z.\-']{1,8})\))\s*$"
+    r"\s*(?:\\q?quad\s*)*[-–—−]?\s*\((?P<tag>[0-9A-Za-z.\-']{1,8})\)"
+    r"|\s\((?P<numbered>[0-9]{1,2}\.[0-9]{1,2}[-–][0-9]{1,3}[a-z]?)\))\s*$"
 )
 _TRAILING = re.compile(
     rf"(?:\s|[.,;。、&]|\\end\s*\{{(?!(?:{'|'.join(CELLS)})\*?\}})[A-Za-z]*\*?\}}"
     r"|\\[,;:! ]|\\q?quad|\\nonumber|\\notag"
-    r"|\\label\s*\{[^{}]*\}|\\\\|\\hfill|[∴⇒⇔⟹⟺→⟶]|\\(?:" + "|".join(_ARROW_COMMANDS) + r"))\Z"
+    r"|\\label\s*\{[^{}]*\}|\\\\|\\hfill|[∴∵⇒⇔⟹⟺→⟶]|\\(?:" + "|".join(_ARROW_COMMANDS) + r"))\Z"
 )
 _LEADING = re.compile(
-    r"(?:\s|[、。,;&]|\\[,;:! ]|\\q?quad(?![A-Za-z])|[∴⇒⇔⟹⟺→⟶]|\\(?:"
+    r"(?:\s|[、。,;&]|\\[,;:! ]|\\q?quad(?![A-Za-z])|[∴∵⇒⇔⟹⟺→⟶]|\\(?:"
     + "|".join(_ARROW_COMMANDS)
     + r")(?![A-Za-z]))+"
 )
@@ -487,7 +500,7 @@ def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Pa
     for row, (first, end_of_row) in enumerate(_rows(text, start, end, environment)):
         last, tag = without_tag(text, first, end_of_row)
         last = _without_constant(text, first, last)
-        parts = [part for span in _separate(text, first, last) for part in _with_condition(text, *span)]
+        parts = [part for span in _separate(text, first, last) for part in _with_conditions(text, *span)]
         spans = [_without_box(text, *trim(text, *span)) for span in parts]
         spans = [span for span in spans if span[0] < span[1]]
         doubts: dict[tuple[int, int], ReadingError] = {}
@@ -515,6 +528,12 @@ _CONDITION = re.compile(
     r"(?:\\q?quad|\\[,;: ]|~|\s)+[\[(](?P<inside>[^()\[\]]{1,80})[)\]]"
     r"[\s.,;]*(?:\\q?quad|\\[,;: ]|[\s.,;~])*$"
 )
+
+
+def _with_conditions(text: str, start: int, end: int) -> list[tuple[int, int]]:
+    """Return an equation and what the brackets behind it hold, λ = r/l (r = 40 mm, l = 150 mm), apart."""
+    first, *inside = _with_condition(text, start, end)
+    return [first, *(part for span in inside for part in _separate(text, *span))]
 
 
 def _with_condition(text: str, start: int, end: int) -> list[tuple[int, int]]:
@@ -557,11 +576,12 @@ _WORDS_WITH_DOLLARS = re.compile(
 )
 _DOLLARS = re.compile(r"\$([^$]{1,400})\$")
 _JOINING = re.compile(
-    r"(?:plus|minus|times|over|divided|multiplied|less|mal|durch|geteilt|weniger|fois|moins|squared|cubed"
-    r"|percent|prozent|and so|thousand|million|hundred|half|twice|tausend|hundert)\b",
+    r"(?:(?:plus|minus|times|divided|multiplied|mal|geteilt|fois|por|moins|squared|cubed"
+    r"|percent|prozent|thousand|million|hundred|half|twice|tausend|hundert)\b"
+    r"|(?:over|durch|less|weniger)\s+(?:[0-9$\\(√]|(?![aAI]\b)[^\W_]\b)|and\s+so\s+[-+−*×·/^])",
     re.IGNORECASE,
 )
-"""Words that go on with a formula."""
+"""Words that go on with a formula; over one turn, and so θ = 77° do not."""
 _WRITE_WHOLE = "write it whole, between dollars"
 _UNKNOWN_UNIT = re.compile(
     r"(?<=[0-9])\s?(?:°C|°F|dB|oz|slugs?|cps|HP|CV|ch|kcal|cal|dyn|erg|t|[kM]?V|mA|kWh|l|L|cl|ml)"
@@ -570,10 +590,11 @@ _UNKNOWN_UNIT = re.compile(
 _PART_OF = re.compile(r"(?:of|von|de)\b", re.IGNORECASE)
 _JOINED_BEFORE = re.compile(
     r"(?:(?<=[0-9%)½¼¾²³}$])\s*(?:of|von|de)|\b(?:half|third|quarter|twice) (?:of )?"
-    r"|(?:\b|\s)(?:plus|minus|times|mal|over"
-    r"|durch|divided by|multiplied by|geteilt durch))$",
+    r"|(?:\b|\s)(?:plus|minus|times|mal|divided by|multiplied by|geteilt durch)"
+    r"|(?:[0-9$)}\]²³%]|(?<![^\W_])[^\W_])\s+(?:over|durch))$",
     re.IGNORECASE,
 )
+_BOUNDS_BEFORE = re.compile(r"\b(?:from|von|de)\s+\S{1,12}\s+(?:to|bis|à)$", re.IGNORECASE)
 _OPERATION = re.compile(r"[+\-−–*×·⋅∙/÷^±∓!]|\\(?:cdot|times|div|pm|mp|over)(?![A-Za-z])|\*\*")
 
 
@@ -607,7 +628,8 @@ def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingE
     """
     if _is_cut_from(text, start - 1) and not text[start].isspace():
         return ReadingError(start, "a formula that begins before what is read", _WRITE_WHOLE)
-    if _is_cut_from(text, end) and not text[end - 1].isspace():
+    is_pointed = re.match(r"\.[a-z0-9α-ω\\(]", text[end : end + 2]) is not None
+    if (is_pointed or _is_cut_from(text, end)) and not text[end - 1].isspace():
         return ReadingError(end, "a formula that goes on behind what is read", _WRITE_WHOLE)
     line_end = text.find("\n", end)
     stop = min(line_end if line_end >= 0 else len(text), end + _MARGIN)
@@ -632,7 +654,7 @@ def _doubt_before(start: int, before: str) -> ReadingError | None:
         word = re.search(r"\w+$", before[: operation.start(2)].rstrip())
         what = f"a formula that begins in words: {word.group() if word else ''} {operation[2]}"
         return ReadingError(start, what, "declare the word, or write the relation in signs")
-    joined = _JOINED_BEFORE.search(before)
+    joined = _JOINED_BEFORE.search(before) or _BOUNDS_BEFORE.search(before)
     if joined:
         what = f"a formula that begins in words: {joined.group()}"
         return ReadingError(start, what, "write the relation in signs")
@@ -819,7 +841,7 @@ def without_tag(text: str, start: int, end: int) -> tuple[int, str]:
     if not match:
         return end, ""
     stop = offset + match.start()
-    tag = match.group(1) or match.group(2) or match.group("tag")
+    tag = match.group(1) or match.group(2) or match.group("tag") or match.group("numbered")
     lead = match.group("lead") or ""
     if lead.strip() and not lead.startswith(("\\q", "\\h")):
         before = text[start:stop].rstrip()

@@ -16,7 +16,8 @@ RELATION_COMMANDS = {
     **dict.fromkeys(words("approx simeq fallingdotseq cong doteq doteqdot sim approxeq"), "≈"),
     **dict.fromkeys(words("leq le leqq leqslant"), "≤"),
     **dict.fromkeys(words("geq ge geqq geqslant"), "≥"),
-    **dict.fromkeys(words("triangleq coloneqq eq defeq shallbe"), "="),
+    **dict.fromkeys(words("triangleq coloneqq coloneq colonequals eqqcolon eqcolon equalscolon"), "="),
+    **dict.fromkeys(words("eq defeq shallbe"), "="),
     "lt": "<", "gt": ">", "equiv": "≡", "neq": "≠", "ne": "≠",
 }  # fmt: skip
 
@@ -121,6 +122,7 @@ BRACKET_COMMANDS = {
     "lbrace": ("open", "\\{"), "rbrace": ("close", "\\}"), "lbrack": ("open", "["),
     "rbrack": ("close", "]"),
     "lparen": ("open", "("), "rparen": ("close", ")"), "langle": ("open", "<"), "rangle": ("close", ">"),
+    "lVert": ("open", "|"), "rVert": ("close", "|"), "Vert": ("bar", "|"),
     "lvert": ("open", "|"), "rvert": ("close", "|"), "vert": ("bar", "|"), "mid": ("bar", "|"),
 }  # fmt: skip
 

@@ -13,12 +13,21 @@ from dataclasses import dataclass
 from html import unescape
 
 from symbalance.document.wordlists import words
+from symbalance.notes.reading.and_so_on import with_dots
+from symbalance.notes.reading.compound_names import with_compound_names
+from symbalance.notes.reading.function_names import with_function_names
+from symbalance.notes.reading.greek_words import with_greek_words
 from symbalance.notes.reading.joined_dollars import with_joined_dollars
+from symbalance.notes.reading.letter_e import means_letter, with_number_e
 from symbalance.notes.reading.macros import expand_macros
 from symbalance.notes.reading.mathml import is_mathml, mathml_text
+from symbalance.notes.reading.memberships import with_memberships
 from symbalance.notes.reading.numerals import with_plain_numerals
+from symbalance.notes.reading.operator_words import with_operator_words
+from symbalance.notes.reading.page_marks import with_page_marks
 from symbalance.notes.reading.ranges import with_ranges
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
+from symbalance.notes.reading.systems_in_braces import with_systems
 
 CELL_END = "\ue000"
 """Stands between the cells of a table: no formula goes over it. (A sign that nobody types.)"""
@@ -46,6 +55,28 @@ class Source:
     origin: Rewritten | None = None
     refusals: tuple[tuple[int, tuple[str, str]], ...] = ()
     notes: tuple[str, ...] = ()
+    own_letters: frozenset[str] = frozenset()
+    """Letters that elsewhere are numbers, as e, and are none on this page."""
+
+
+@dataclass
+class _Rewriting:
+    """A text that is rewritten step by step, with the way back to where each piece was typed."""
+
+    text: str
+    origin: Rewritten | None = None
+    notes: tuple[str, ...] = ()
+
+    def apply(self, done: Rewritten | None) -> None:
+        """Take a rewriting of the text; None where nothing changes."""
+        if done is not None:
+            self.origin = done.after(self.origin)
+            self.text = self.origin.text
+
+    def apply_noted(self, done: tuple[Rewritten | None, tuple[str, ...]]) -> None:
+        """Take a rewriting and what is to be said of it."""
+        self.apply(done[0])
+        self.notes += done[1]
 
 
 def prepare(
@@ -55,27 +86,28 @@ def prepare(
 
     `is_letter` tells whether a name is a declared letter on a line.
     """
-    narrow = to_half_width(text)
-    kind = kind_of(narrow, suffix)
-    first: Rewritten | None = None
-    narrow = mask_code_of_tex(narrow) if kind == "tex" else narrow
+    reader = _Rewriting(to_half_width(text))
+    kind = kind_of(reader.text, suffix)
+    if kind == "tex":
+        reader.text = mask_code_of_tex(reader.text)
+    reader.apply(with_page_marks(reader.text, kind, suffix))
     for rules in _RULES.get(kind, ()):
-        done = _rewritten(first.text if first else narrow, rules)
-        first = done.after(first) if done else first
-    current = first.text if first else narrow
-    macros = expand_macros(current)
-    origin = macros.source.after(first) if macros.source else first
-    current = origin.text if origin else narrow
-    joined = with_joined_dollars(current) if kind in ("tex", "markdown") else None
-    origin = joined.after(origin) if joined else origin
-    current = origin.text if origin else narrow
-    numerals, notes = with_plain_numerals(current, is_letter)
-    origin = numerals.after(origin) if numerals else origin
-    current = origin.text if origin else narrow
-    ranges, more_notes = with_ranges(current)
-    origin = ranges.after(origin) if ranges else origin
-    current = origin.text if origin else narrow
-    notes += more_notes
+        reader.apply(_rewritten(reader.text, rules))
+    macros = expand_macros(reader.text)
+    reader.apply(macros.source)
+    own_letters = frozenset({"e"} if means_letter(reader.text) else ())
+    if own_letters:
+        reader.apply(with_number_e(reader.text))
+    if kind in ("tex", "markdown"):
+        reader.apply(with_joined_dollars(reader.text))
+    for rewrite in (with_operator_words, with_systems, with_memberships, with_function_names, with_dots):
+        reader.apply(rewrite(reader.text))
+    if kind != "tex":
+        reader.apply(with_greek_words(reader.text, is_letter))
+        reader.apply_noted(with_compound_names(reader.text, is_letter))
+    reader.apply_noted(with_plain_numerals(reader.text, is_letter))
+    reader.apply_noted(with_ranges(reader.text))
+    current, origin = reader.text, reader.origin
     formulas: list[Span] = []
     codes: list[Span] = []
     if kind == "tex":
@@ -85,7 +117,9 @@ def prepare(
     else:
         current = mask_plain(current)
     refusals = tuple(sorted(macros.refusals.items()))
-    return Source(current, kind, tuple(formulas), tuple(codes), origin, refusals, notes)
+    return Source(
+        current, kind, tuple(formulas), tuple(codes), origin, refusals, reader.notes, own_letters
+    )
 
 
 def kind_of(text: str, suffix: str) -> str:
@@ -191,7 +225,7 @@ _BLOCK_TAGS = "|".join(
         "p div li ul ol dl dt dd h1 h2 h3 h4 h5 h6 table thead tbody tfoot tr td th caption br hr img"
         " body html head meta link title section article header footer main nav figure figcaption"
         " pre blockquote input button form label aside center sup sub details summary"
-        " colgroup col svg path gallery poem"
+        " colgroup col svg path gallery poem references"
     )
 )
 _INLINE_TAG = _rule(rf"</?(?:{_INLINE_TAGS})(?:\s[^<>]*)?/?>", lambda match: ("",))
@@ -281,6 +315,11 @@ _TEX_DISPLAYS = (
     ),
     _rule(r"\\end\s*\{IEEEeqnarraybox\*?\}", lambda match: ("\\end{aligned}",)),
 )
+_CELL_WITH_RELATION = _rule(
+    rf"[ \t]*{CELL_END}[ \t{CELL_END}]*(?=[=≈<>≤≥])|(?<=[=≈≤≥])[ \t]*{CELL_END}[ \t{CELL_END}]*(?=\S)",
+    _blank,
+)
+"""Cells of a table in which an equation stands in columns: r | = | 40 mm."""
 _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
     "tex": (_TEX_DISPLAYS,),
     "markdown": (_TEX_DISPLAYS, (
@@ -311,9 +350,8 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
         _rule(r"<script(?:\s[^<>]*)?>(?:(?!<script).)*?</script\s*>", _script),
         _rule(r"<(?P<hidden>style|noscript|head)(?:\s[^<>]*)?>(?:(?!<(?P=hidden)[\s>]).)*?"
               r"</(?P=hidden)\s*>", _blank),
-        _rule(r"<span\s[^<>]*aria-hidden=\"true\"[^<>]*class=\"katex-html\".*?</span>", _blank),
         _MATH, _STACKED, _RAISED, _LOWERED, _INLINE_TAG, _BLOCK_TAG, _ENTITY,
-    ),),
+    ), (_CELL_WITH_RELATION,)),
     "asciidoc": ((
         _rule(r"^////$.*?^////$|^//(?!/)[^\n]*", _blank),
         _rule(r"^\[(?:stem|latexmath|asciimath)[^\]\n]*\]\n\+{4}\n(.{0,20000}?)\n\+{4}$",
@@ -335,6 +373,8 @@ _WIDE = {0xFF01 + k: 0x21 + k for k in range(94)} | {0x3000: 0x20, 0x0D: 0x20, 0
 _WIDE |= dict.fromkeys(
     (*range(9), 0x0B, 0x0C, *range(0x0E, 0x20), 0x7F, 0xFEFF, 0x200B, 0x200C, 0x200D, 0x2060), 0x20
 )
+_DOT_OF_PRODUCT = re.compile(r"(?<=[A-Za-zα-ω0-9²³)])[・･](?=[A-Za-zα-ω0-9(√])")
+_DEGREE_TYPED = re.compile("(?<=[0-9])[º˚](?![A-Za-z])")
 _TEX_COMMENT = re.compile(r"(?<!\\)(?:\\\\)*(%[^\n]*)")
 _VERBATIM = re.compile(r"\\begin\s*\{(verbatim\*?|lstlisting|minted|comment|Verbatim)\}")
 _VERB = re.compile(r"\\verb\*?([^A-Za-z\s*])[^\n]{0,400}?\1")
@@ -360,8 +400,9 @@ def blank(text: str) -> str:
 
 
 def to_half_width(text: str) -> str:
-    """Return the text with full-width signs as plain ones, of the same length."""
-    return text.translate(_WIDE)
+    """Return the text with full-width signs as plain ones, of the same length; m・r is a product."""
+    narrow = _DEGREE_TYPED.sub("°", text.translate(_WIDE))
+    return _DOT_OF_PRODUCT.sub("·", narrow) if "・" in narrow else narrow
 
 
 def mask_code_of_tex(text: str) -> str:
@@ -427,15 +468,21 @@ def mask_markdown(text: str) -> tuple[str, list[Span], list[Span]]:
                 codes.append((offset + code.start() + ticks, offset + code.end() - ticks))
             without_ticks = _CODE.sub(_without_ticks, line)
             plain = _BOLD.sub(lambda m: f"  {m.group(1)}  ", without_ticks)
-            lines.append(_ITALIC.sub(lambda m: f" {m.group(1) or m.group(2)} ", plain))
+            slanted = _ITALIC.sub(lambda m: f" {m.group(1) or m.group(2)} ", plain)
+            lines.append(slanted.translate(_SHOWN_IN_CODE))
     unquoted = _QUOTED.sub(lambda m: blank(m.group()), "".join(lines))
     return mask_plain(unquoted), formulas, codes
+
+
+_HIDDEN_IN_CODE = {ord("*"): "\ue001", ord("_"): "\ue002"}
+_SHOWN_IN_CODE = {ord(hidden): chr(sign) for sign, hidden in _HIDDEN_IN_CODE.items()}
+"""Signs of emphasis that are none in code: `a*b*c` is a product."""
 
 
 def _without_ticks(match: re.Match[str]) -> str:
     """Return code without its ticks, which no formula goes over."""
     ticks = CELL_END * len(match.group(1))
-    return f"{ticks}{match.group()[len(ticks) : -len(ticks)]}{ticks}"
+    return f"{ticks}{match.group()[len(ticks) : -len(ticks)].translate(_HIDDEN_IN_CODE)}{ticks}"
 
 
 def _lines(text: str) -> Iterator[tuple[int, str]]:

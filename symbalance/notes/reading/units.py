@@ -19,20 +19,38 @@ _PREFIXES = {
 _PREFIXED = {"m", "s", "N", "J", "W", "Pa", "rad", "Hz", "Nm", "Ns"}
 _OTHER: dict[str, Fraction] = {
     "min": Fraction(60), "h": Fraction(3600), "bar": Fraction(10**5), "K": Fraction(1),
-    "cc": Fraction(1, 10**6), "Nmm": Fraction(1, 1000), "kNmm": Fraction(1),
+    "cc": Fraction(1, 10**6), "ccm": Fraction(1, 10**6), "oz": Fraction(45359237, 16 * 10**8),
+    "Nmm": Fraction(1, 1000), "kNmm": Fraction(1),
     "sec": Fraction(1), "ft": Fraction(3048, 10**4), "lb": Fraction(45359237, 10**8),
     "lbs": Fraction(45359237, 10**8), "lbf": Fraction(44482216152605, 10**13),
     "inch": Fraction(254, 10**4),
     "kp": Fraction(980665, 10**5), "kgf": Fraction(980665, 10**5), "PS": Fraction(73549875, 10**5),
-    "psi": Fraction(44482216152605 * 10**4, 254**2 * 10**5), "bhp": Fraction(7456998715822702, 10**13),
-    "hp": Fraction(7456998715822702, 10**13), "mph": Fraction(44704, 10**5),
-}  # fmt: skip
+    "psi": Fraction(44482216152605, 10**13) / Fraction(254, 10**4) ** 2, "mph": Fraction(44704, 10**5),
+    "mi": Fraction(1609344, 1000), "knot": Fraction(1852, 3600), "knots": Fraction(1852, 3600),
+    }  # fmt: skip
+_OTHER["slug"] = _OTHER["lbf"] / _OTHER["ft"]
+_HORSEPOWER = 550 * _OTHER["ft"] * _OTHER["lbf"]
+_OTHER |= dict.fromkeys(words("hp bhp HP"), _HORSEPOWER)
+_IN_COMPOUNDS = {"in": Fraction(254, 10**4)}
+"""Units whose name is a word of the language: read beside another unit only, in/s², lb·in."""
 _UNITS = {p + unit: scale for unit in _PREFIXED for p, scale in _PREFIXES.items()} | _OTHER
+_UNITS["G"] = Fraction(1)
 _UNITS |= {p + "g": scale / 1000 for p, scale in _PREFIXES.items()}
+USUAL_SCALES = tuple(
+    sorted(
+        {
+            *(Fraction(10) ** k for k in (-9, -6, -4, -3, -2, 3, 6, 9)),
+            *_OTHER.values(),
+            _IN_COMPOUNDS["in"],
+        }
+        - {1}
+    )
+)
+"""What the usual units multiply a number by that is typed without one."""
 _TURNS = {**dict.fromkeys(words("rpm 1/min min^-1 r/min rev/min U/min tr/min Umin^-1"), Fraction(1, 30))}
 _TURNS |= dict.fromkeys(words("Umdr/min Umd/min U/Min r.p.m. rpm."), Fraction(1, 30))
 _TURNS |= {"rps": Fraction(2), "rev/s": Fraction(2)}
-_PLAIN_SURE = word_set("mm cm km kg rpm kW kHz Hz kN Nm rad lbs lb ft psi kgf mph")
+_PLAIN_SURE = word_set("mm cm km kg cc ccm oz rpm kW kHz Hz kN Nm rad lbs lb ft psi kgf mph")
 
 _MOST_PARTS, _LONGEST = 6, 100
 
@@ -40,7 +58,7 @@ _PART = re.compile(r"(1(?=/)|[A-Za-z]+)(?:\^(-?[0-9]))?")
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−µμ", "0123456789--uu")
 _RAISED_RUN = re.compile("[⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]")
 _INNER_FONT = re.compile(r"\\(?:mathrm|text|textrm|rm)(?![A-Za-z])")
-_SEPARATOR = re.compile(r"\\[,;: ]|~|\\cdot(?![A-Za-z])|[·⋅*.\s]")
+_SEPARATOR = re.compile(r"\\[,;: ]|~|\\cdot(?![A-Za-z])|[·⋅・*.\s]")
 _COMMAND = r"\\(?:mathrm|text|textrm|mbox|unit|si)\s*"
 _ARGUMENT = (
     r"(?:\{(?P<word>(?:[^{}]|\{[^{}]{0,20}\}){1,60})\}|(?<=\s)[A-Za-z](?![A-Za-z]))"
@@ -60,7 +78,7 @@ _RAISED_UNIT = r"(?:\^\{?[-−]?[0-9]\}?|\^\([-−]?[0-9]\)|[⁻]?[¹²³⁴])"
 _PART_OF_UNIT = rf"[A-Za-zµμ]+{_RAISED_UNIT}?"
 _PLAIN_UNIT = re.compile(
     rf"(?P<space>[ \u2009\u202f]?)(?P<plain>(?:1/)?{_PART_OF_UNIT}"
-    rf"(?:(?:/|[·⋅*]| (?=[cm]?m|s|g|kg|rad)){_PART_OF_UNIT}){{0,3}})"
+    rf"(?:(?:/|[·⋅・*]| (?=[cm]?m|s|g|kg|rad)){_PART_OF_UNIT}){{0,3}})"
     r"(?![A-Za-z0-9_('^′⁻¹²³⁴])"
 )
 _NUMBER_BEFORE = re.compile(r"(?<![A-Za-z_^\w])(?P<digits>[0-9][0-9.,]*)$")
@@ -73,6 +91,8 @@ _UNIT_AROUND = re.compile(
     r"|m\}\{s|[kM]Pa|bar|m/s|U/min|1/s|1/min|(?:s|min)⁻¹|ms|min)"
     r"(?![A-Za-z0-9_(])"
 )
+_SECOND_VALUE = re.compile(r"\s*\(\s*[0-9][0-9.,]*\s*[A-Za-zµ/²³^0-9]{1,8}\.?\s*\)")
+"""The same quantity once more behind a unit: 6217 N (6.2 kN)."""
 _STOPS = "=≈≒≃<>≤≥≡+-−–·×*/÷)]},;.:!?|&、。，；：…"
 """Signs that may stand behind a unit; a letter there goes on with a product."""
 
@@ -91,7 +111,7 @@ def scale_of(unit: str) -> Scale | None:
     scale, place, power = Fraction(1), 0, 1
     while place < len(plain):
         match = _PART.match(plain, place)
-        size = match and (Fraction(1) if match.group(1) == "1" else _UNITS.get(match.group(1)))
+        size = match and (Fraction(1) if match.group(1) == "1" else _size(match.group(1), plain))
         if not match or not size:
             return None
         scale *= size ** (power * int(match.group(2) or 1))
@@ -101,6 +121,11 @@ def scale_of(unit: str) -> Scale | None:
             return None
         power, place = (-1 if sign == "/" else 1), place + 1
     return (scale, False) if plain and plain[-1] not in " /" else None
+
+
+def _size(word: str, unit: str) -> Fraction | None:
+    """Return what one word of a unit multiplies by."""
+    return _UNITS.get(word) or (_IN_COMPOUNDS.get(word) if word != unit else None)
 
 
 def _plain(unit: str) -> str:
@@ -202,11 +227,19 @@ class _PlainUnit:
             return self._is_clear_among_letters()
         if len(self.word) > 1:
             return self.digits != "" or self.spaced
-        if self.word == "g":
-            head = _HEAD.search(self.text[max(self.place - 60, 0) : self.place])
-            return head is not None and head[1] in "mM"
+        if self.word in "gG":
+            return self._is_gram_or_multiple_of_g()
         is_big = self.word in "NJWK" and self.spaced
         return (is_big or self._is_measured()) and not self._goes_on()
+
+    def _is_gram_or_multiple_of_g(self) -> bool:
+        """Tell whether m = 40 g is a mass, and 3513 G behind a division by 9.81 a multiple of g."""
+        before = self.text[max(self.place - 60, 0) : self.place]
+        if self.word == "g":
+            head = _HEAD.search(before)
+            return head is not None and head[1] in "mM"
+        line = before.rpartition("\n")[2]
+        return self.spaced and re.search(r"(?:/|÷|\}\{)\s*9\.8[0-9]*(?![0-9])", line) is not None
 
     def _is_declared(self, names: Collection[str]) -> bool:
         """Tell whether the word may be read in declared letters alone."""
@@ -246,6 +279,8 @@ class _PlainUnit:
         """Tell whether a factor follows: 2 m r, 3 N sin x."""
         after = self.text[self.stop : min(self.stop + 12, self.end)]
         bare = after.lstrip(" ~")
+        if _SECOND_VALUE.match(self.text, self.stop, self.end):
+            return False
         if not bare or bare[0] in _STOPS or bare[0] == "\n" or ord(bare[0]) >= 0x2E80:
             return False
         if bare.startswith(

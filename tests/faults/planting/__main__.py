@@ -14,8 +14,9 @@ from .planting import Settings, plant, report, say_at_once
 from .trees import PlantingError
 
 ALL = ("text", "document", "exact", "kinematics", "engine", "forces", "torque")
-ALL += ("design", "codegen", "notes", "crankshaft", "cli")
-"""The rooms that are planted when none is named: all but the smallest and the bench."""
+ALL += ("design", "codegen", "notes", "crankshaft", "search", "budgets", "jobs")
+ALL += ("drawing", "pages", "cli")
+"""The rooms that are planted when none is named: all but the bench and files of a few lines."""
 
 
 def main(arguments: Sequence[str]) -> int:

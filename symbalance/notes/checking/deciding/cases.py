@@ -12,26 +12,50 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Call, Formula, Name, Negative, Number, Product, Sum, names, walk
+from symbalance.document.formula import (
+    Call,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Product,
+    Quotient,
+    Sum,
+    names,
+    walk,
+)
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import polynomial_node
 from symbalance.notes.algebra.series import Expansion
 from symbalance.notes.algebra.values import letters
-from symbalance.notes.checking.deciding.equality import PROVED, UNDECIDED, Decision, decide_equality
+from symbalance.notes.checking.deciding.equality import (
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Decision,
+    decide_equality,
+    without_dots,
+)
 from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.numbers_put_in import paired
 from symbalance.notes.checking.deciding.order_agreement import SmallLetter, truncated_sum
 from symbalance.notes.checking.deciding.remainders import has_remainder
 from symbalance.notes.checking.deciding.satisfiability import survey
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.verdicts import CONDITION, PREMISE
 from symbalance.notes.reading.equations import Chain
+from symbalance.notes.reading.units import USUAL_SCALES
 
 HIGHEST_ORDER = 8
 """Of the rod ratio's powers that a line with numbers may have been cut off at."""
 
 
+UNITS_LEFT_OUT = "the numbers are in units that are left out"
+NUMBERS_PUT_IN = "numbers put in"
 NO_VALUES = "no values satisfy it, as far as tried"
+NO_POINT = "no point where both sides are real"
 ON_A_BRANCH = "equal at some points and not at others: say for which values it is meant"
 
 
@@ -44,19 +68,93 @@ def decide_case(
     values (F_1 + F_2 = 0). One that no values satisfy stays refuted. `is_solved` tells that the text
     around takes it for an equation to be solved.
     """
-    if any(has_remainder(side.node) for side in chain.sides[k : k + 2]):
-        return None  # an order is a claim
+    if any(has_remainder(s.node) or without_dots(s.node)[1] for s in chain.sides[k : k + 2]):
+        return None  # an order is a claim, and a series is one
+    if refutation.left is None and not names(chain.sides[k + 1].node):  # ≈: no forms were kept
+        exactly = decide_equality(chain.sides[k].node, chain.sides[k + 1].node, knowledge)
+        refutation = replace(refutation, left=exactly.left, right=exactly.right)
+    if (in_units := in_units_left_out(chain, k, knowledge)) is not None:
+        return in_units
     word, reason = _kind_of_statement(chain, k, refutation, knowledge)
     if not word and is_solved and refutation.left is not None and letters(refutation.left):
         word = CONDITION
     if not word:
         return None
     left, right = chain.sides[k].node, chain.sides[k + 1].node
+    if reason == NUMBERS_PUT_IN and _is_of_sizes(left, right, knowledge):
+        return _decide_put_in(left, right, refutation, knowledge)
     level = refutation.level or list(knowledge.levels(left, right))[-1]
-    signs = survey(left, right, replace(knowledge.meaning, values=level.values))
+    meaning = replace(knowledge.meaning, values=level.values)
+    signs = survey(left, right, meaning)
+    if not signs.tried and refutation.left is not None and refutation.right is not None:
+        first, second = _written(refutation.left), _written(refutation.right)
+        signs = survey(first, second, meaning)  # what it comes to: a derivative has no value at a point
     if signs.is_equal_in_places:
         return replace(refutation, status=UNDECIDED, reason=ON_A_BRANCH)
-    return Decision(word, reason) if signs.has_root else replace(refutation, reason=NO_VALUES)
+    status, why = (REFUTED, NO_VALUES) if signs.tried else (UNDECIDED, NO_POINT)
+    given = Decision(word, reason)
+    return given if signs.has_root else replace(refutation, status=status, reason=why)
+
+
+def _written(form: Form) -> Formula:
+    above, below = (polynomial_node(form.domain, part) for part in (form.numerator, form.denominator))
+    return above if form.is_polynomial else Quotient(above, below)
+
+
+def in_units_left_out(chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return that m R = 0.35·38 holds with R in mm: numbers put in one by one, their units left out."""
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    if names(right) or not names(left) or isinstance(right, Number) or chain.relations[k].sign != "=":
+        return None
+    are_left_out = False
+    for part, number in paired(left, right) or ():
+        there = decide_equality(part, number, knowledge)
+        is_known = there.left is not None and not letters(there.left)
+        if not is_known or not (there.is_proved or _is_so_in_some_unit(part, number, knowledge)):
+            return None
+        are_left_out = are_left_out or not there.is_proved
+    return Decision(PROVED, UNITS_LEFT_OUT) if are_left_out else None
+
+
+def _is_so_in_some_unit(part: Formula, number: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a number put in is a letter's value in mm, lb or another unit, left out there."""
+    return any(
+        decide_equality(part, Product((number, Number(scale))), knowledge).is_proved
+        for scale in USUAL_SCALES
+    )
+
+
+def _is_of_sizes(left: Formula, right: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether numbers are put into a product of sizes: some have values, or the numbers are several.
+
+    x + y = 3 and x y = 2 are premises, m r ω² = 2025 a result where m and r are known.
+    """
+    if isinstance(left, Name) or any(isinstance(part, Sum) for part in walk(left)):
+        return False
+    if not isinstance(right, Number) and paired(left, right) is not None:
+        return True
+    return any(n in knowledge.definitions and knowledge.definitions[n].numeric for n in names(left))
+
+
+def _decide_put_in(left: Formula, right: Formula, refutation: Decision, knowledge: Knowledge) -> Decision:
+    """Return the decision on numbers for letters of which some have no values.
+
+    Put in one for each, m r ω² = 0.5·0.04·628², they are given, but for those that have other values; one
+    result for several letters could be judged only if all had values.
+    """
+    missing = sorted(letters(refutation.left)) if refutation.left is not None else []
+    texts = ", ".join(formula_text(Name(name), plain=True) for name in missing)
+    have = "has no value" if len(missing) == 1 else "have no values"
+    pairs = paired(left, right)
+    if pairs is None:
+        return replace(refutation, status=UNDECIDED, reason=f"{texts} {have} here: give what is put in")
+    for part, number in pairs:
+        there = decide_equality(part, number, knowledge)
+        is_known = there.left is not None and not letters(there.left)
+        if there.status == REFUTED and is_known and not _is_so_in_some_unit(part, number, knowledge):
+            put, stands = (formula_text(node, plain=True) for node in (number, part))
+            return replace(refutation, reason=f"{put} is put in for {stands}, which has another value")
+    return Decision(PREMISE, f"{NUMBERS_PUT_IN}; {texts} {have} above")
 
 
 def _kind_of_statement(
@@ -79,9 +177,10 @@ def _kind_of_statement(
         return (CONDITION, "") if is_condition else ("", "")
     is_equation = names(left) == free and not knowledge.has_meaning(min(free))
     if is_alone and len(free) == 1 and (is_equation or not is_zero):
-        return CONDITION, ""
+        is_arithmetic = not isinstance(right, Number) and len(names(left)) > 1
+        return (PREMISE, NUMBERS_PUT_IN) if is_arithmetic and paired(left, right) else (CONDITION, "")
     numeric_letters = {n for n, d in knowledge.definitions.items() if d.numeric}
-    return ("", "") if is_zero or names(left) <= numeric_letters else (PREMISE, "numbers put in")
+    return ("", "") if is_zero or names(left) <= numeric_letters else (PREMISE, NUMBERS_PUT_IN)
 
 
 def _is_balance_of_unknowns(left: Formula, right: Formula, knowledge: Knowledge) -> bool:

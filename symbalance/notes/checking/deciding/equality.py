@@ -82,7 +82,7 @@ def _at_level(left: Formula, right: Formula, knowledge: Knowledge, level: Level)
             return Decision(
                 PROVED, assumptions=level.assumptions + assumptions, level=level, left=first, right=second
             )
-        return _by_numbers(left, right, evaluator, (first, second), level)
+        return _by_numbers(left, right, evaluator, (first, second), level, knowledge)
     except NoFormError as problem:
         return _by_trees(left, right, evaluator.meaning, level, f"no normal form: {problem}")
     except TooLargeError as problem:
@@ -101,11 +101,18 @@ def _by_trees(left: Formula, right: Formula, meaning: SymbolValue, level: Level,
 
 
 def _by_numbers(
-    left: Formula, right: Formula, evaluator: FormEvaluator, forms: tuple[Form, Form], level: Level
+    left: Formula,
+    right: Formula,
+    evaluator: FormEvaluator,
+    forms: tuple[Form, Form],
+    level: Level,
+    knowledge: Knowledge,
 ) -> Decision:
     """Return what points in numbers say of two forms that are not identical."""
     first, second = forms
-    points = values.sample([first, second])
+    points = values.sample([first, second], 1)
+    if points and _close(*map(abs, points[0][1])):  # else one point refutes, up to a sign too
+        points = values.sample([first, second])
     if not points:
         return Decision(
             UNDECIDED,
@@ -120,7 +127,7 @@ def _by_numbers(
         return Decision(
             PROVED, assumptions=(*level.assumptions, *assumptions), level=level, left=first, right=second
         )
-    if agrees_as_printed(left, right, evaluator.form, level.values):
+    if agrees_as_printed(left, right, evaluator.form, level.values, printed=knowledge.printed):
         order = "the digits printed"
         return Decision(
             PROVED, order=order, assumptions=level.assumptions, level=level, left=first, right=second

@@ -23,7 +23,7 @@ from symbalance.notes.checking.deciding.equality import (
     printed_decimal,
 )
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, Level, StatedRange
-from symbalance.notes.checking.deciding.satisfiability import Survey, sign_at, survey
+from symbalance.notes.checking.deciding.satisfiability import TRIES, Survey, sign_at, survey
 from symbalance.notes.checking.verdicts import CONTRADICTION, RANGE
 from symbalance.notes.reading.equations import Chain
 
@@ -191,12 +191,13 @@ def _by_survey(stated: StatedRange, knowledge: Knowledge) -> Decision:
     if not signs.tried:
         return Decision(UNDECIDED, "no point where both sides are real", level=level)
     true = [s for s in signs.counts if s in SATISFIED_BY[stated.sign]]
-    if not true:
+    # nearly everywhere one side is complex: ζ^q is 1 where it is real
+    is_complex = stated.sign == "≠" and signs.tried < TRIES // FEWEST * 2
+    if not true and not is_complex:
         witness = _failing(signs, stated)
         return Decision(REFUTED, _tried(signs, "true at none"), level=level, witness=witness)
-    if len(true) == len(signs.counts):
-        return Decision(RANGE, _tried(signs, "true at all") + ", not proved")
-    return Decision(RANGE)
+    is_always = len(true) == len(signs.counts)
+    return Decision(RANGE, _tried(signs, "true at all") + ", not proved" if is_always else "")
 
 
 def _shares_letters(earlier: StatedRange, stated: StatedRange) -> bool:

@@ -27,6 +27,10 @@ class Definition:
     """Whether an equation was solved for the letter, which is a premise beside it."""
     branch: str = ""
     """The condition under which `node` is the value, where there are alternatives."""
+    is_rough: bool = False
+    """Whether its line says it with dots or ≈."""
+    is_coefficient: bool = False
+    """Whether it is a coefficient of a series: a line that gives it a value then claims something."""
     rounded: Formula | None = None
     """The value as its line prints it, v = 2π·100 = 628.3: what follows may be computed from either."""
 
@@ -88,6 +92,8 @@ class Knowledge:
     """What letters equal by premises solved together, and the premises' texts."""
     solved_from: tuple[str, ...] = ()
     ranges: tuple[StatedRange, ...] = ()
+    printed: frozenset[float] = frozenset()
+    """The numbers that the page prints as results: put in elsewhere they are rounded."""
     small: frozenset[str] = frozenset()
     """Letters that are said to be small; where ≈ rests on another, that is an assumption."""
 

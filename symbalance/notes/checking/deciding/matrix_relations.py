@@ -32,8 +32,15 @@ SIZE = 2
 
 def is_of_matrices(left: Formula, right: Formula, knowledge: Knowledge) -> bool:
     """Tell whether a relation is one between matrices."""
-    kinds = knowledge.meaning.kinds
+    kinds = _kinds(knowledge)
     return any(holds_matrices(side, kinds) for side in (left, right))
+
+
+def _kinds(knowledge: Knowledge) -> Kinds:
+    """Return which letters are matrices: as declared, and those that the page gives rows of entries."""
+    kinds = knowledge.meaning.kinds
+    given = {name for name, d in knowledge.definitions.items() if isinstance(d.node, formula.Matrix)}
+    return replace(kinds, matrices=kinds.matrices | (given - kinds.letters)) if given else kinds
 
 
 def decide_matrices(left: Formula, right: Formula, sign: str, knowledge: Knowledge) -> Decision:
@@ -72,7 +79,7 @@ def _names(*nodes: Formula) -> list[str]:
 
 
 def _at_level(left: Formula, right: Formula, knowledge: Knowledge, level: Level) -> Decision:
-    evaluator = MatrixEvaluator(knowledge.evaluator(level), knowledge.meaning.kinds)
+    evaluator = MatrixEvaluator(knowledge.evaluator(level), _kinds(knowledge))
     try:
         first, second = evaluator.value(left), evaluator.value(right)
         return _compare(first, second, evaluator, level)
@@ -277,10 +284,10 @@ def _is_of_a_vector(left: Formula, knowledge: Knowledge) -> bool:
     """Tell whether all terms end in vectors without a value: (K - ω²M) φ = 0 is solved for φ."""
     level = list(knowledge.levels(left))[-1]
     try:
-        value = MatrixEvaluator(knowledge.evaluator(level), knowledge.meaning.kinds).value(left)
+        value = MatrixEvaluator(knowledge.evaluator(level), _kinds(knowledge)).value(left)
     except (NoFormError, TooLargeError):
         return False
-    vectors = knowledge.meaning.kinds.vectors
+    vectors = _kinds(knowledge).vectors
     return isinstance(value, Words) and all(word and word[-1].name in vectors for word in value.terms)
 
 
@@ -288,7 +295,12 @@ def meaningless(left: Formula, right: Formula, knowledge: Knowledge) -> str:
     """Return why a relation between matrices can be none: A + 1, F = K; "" where it may be one."""
     if not is_of_matrices(left, right, knowledge):
         return ""
-    evaluator = MatrixEvaluator(knowledge.evaluator(Level({})), knowledge.meaning.kinds)
+    level = Level({})
+    if any(
+        getattr(part, "function", "") == "at" for side in (left, right) for part in formula.walk(side)
+    ):
+        level = list(knowledge.levels(left, right))[-1]  # R(β) is nothing without the R(α) above
+    evaluator = MatrixEvaluator(knowledge.evaluator(level), _kinds(knowledge))
     try:
         sides = [evaluator.value(side) for side in (left, right)]
     except NoFormError as problem:
@@ -311,7 +323,7 @@ def meaningless(left: Formula, right: Formula, knowledge: Knowledge) -> str:
 def decide_published(left: Formula, right: Formula, equation: Equation, knowledge: Knowledge) -> Decision:
     """Decide whether an equation of columns is the one that somebody who knows engines hands in."""
     level = list(knowledge.levels(left, right))[-1]
-    evaluator = MatrixEvaluator(knowledge.evaluator(level), knowledge.meaning.kinds)
+    evaluator = MatrixEvaluator(knowledge.evaluator(level), _kinds(knowledge))
     try:
         sides = [evaluator.value(side) for side in (left, right, equation.left, equation.links[0][1])]
         minus = evaluator.number(-1)

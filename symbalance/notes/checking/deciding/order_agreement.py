@@ -6,7 +6,7 @@ a polynomial. The order a line keeps is the highest power of it there; both side
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
@@ -32,6 +32,7 @@ from symbalance.notes.checking.deciding.equality import (
     without_dots,
 )
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
+from symbalance.notes.checking.deciding.numbers_put_in import precision
 from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals
 
 HIGHEST_ORDER = 40
@@ -71,6 +72,7 @@ def decide_agreement(
     *,
     through: int | None = None,
     loose: bool = False,
+    by_series_alone: bool = False,
 ) -> Decision:
     """Decide whether two sides agree through the order the right one keeps.
 
@@ -79,7 +81,7 @@ def decide_agreement(
     """
     left, left_is_cut = without_dots(left)
     right, right_is_cut = without_dots(right)
-    exact = decide_equality(left, right, knowledge)
+    exact = Decision(UNDECIDED) if by_series_alone else decide_equality(left, right, knowledge)
     if exact.is_proved and through is None:
         return exact
     best = exact
@@ -99,7 +101,7 @@ def _at_level(
     try:
         first, second = evaluator.form(left), evaluator.form(right)
         if not values.letters(first) and not values.letters(second):
-            return _as_numbers(left, right, evaluator, (first, second), level)
+            return _as_numbers(left, right, evaluator, (first, second), level, knowledge.printed)
     except (NoFormError, TooLargeError) as problem:
         return Decision(UNDECIDED, f"no normal form: {problem}", level=level)
     best = Decision(
@@ -111,7 +113,8 @@ def _at_level(
     )
     for small in _candidates(first, second, knowledge, through):
         try:
-            decision = _through(first, second, small, level, loose)
+            is_first = best.status != REFUTED  # a witness is sought once: the first refutation is kept
+            decision = agreement_through(first, second, small, level, loose, with_witness=is_first)
         except (NoFormError, TooLargeError) as problem:
             decision = Decision(UNDECIDED, f"no power series in {small.letter}: {problem}", level=level)
         if decision.is_proved:
@@ -131,7 +134,12 @@ def _with_its_assumption(decision: Decision, small: SmallLetter, knowledge: Know
 
 
 def _as_numbers(
-    left: Formula, right: Formula, evaluator: FormEvaluator, forms: tuple[Form, Form], level: Level
+    left: Formula,
+    right: Formula,
+    evaluator: FormEvaluator,
+    forms: tuple[Form, Form],
+    level: Level,
+    printed: Collection[float],
 ) -> Decision:
     """Compare two numbers: to the digits printed where there are any, else saying how closely."""
     first, second = forms
@@ -143,10 +151,13 @@ def _as_numbers(
         abs(left_value), abs(right_value), values.context().mpf(10) ** -300
     )
     if decimals(left) or decimals(right):
-        fits = agrees_as_printed(left, right, evaluator.form, level.values, generous=True)
+        fits = agrees_as_printed(
+            left, right, evaluator.form, level.values, generous=True, printed=printed
+        )
         order = "the digits printed"
     else:
-        fits, order = relative_error <= float(ROUGH), f"relative error {digits(relative_error, 2)}"
+        fits = relative_error <= min(float(ROUGH), *map(precision, (left, right)))
+        order = f"relative error {digits(relative_error, 2)}"
     if fits:
         return Decision(
             PROVED, order=order, assumptions=level.assumptions, level=level, left=first, right=second
@@ -195,10 +206,13 @@ def degree(form: Form, letter: str, sign: int) -> int | None:
     return int(top) if top.denominator == 1 else None
 
 
-def _through(first: Form, second: Form, small: SmallLetter, level: Level, loose: bool) -> Decision:
+def agreement_through(
+    first: Form, second: Form, small: SmallLetter, level: Level, loose: bool, *, with_witness: bool
+) -> Decision:
     """Decide by the series of both sides in one letter, through the order that is kept of it."""
     expansion = Expansion(first.domain, small.letter, small.sign, small.order)
-    left = expansion.of(first).cut(small.order)
+    exact = expansion.of(first)
+    left = exact.cut(small.order)
     right = expansion.of(second).cut(small.order)
     if min(left.through, right.through) < small.order:
         raise NoFormError("the series does not reach that order")
@@ -238,8 +252,10 @@ def _through(first: Form, second: Form, small: SmallLetter, level: Level, loose:
             through=small.order,
         )
     order = f"{small.text}"
+    if not with_witness:
+        return Decision(REFUTED, order=order, level=level, through=small.order)
     witness = witness_of(left_form, right_form)
-    further = tuple(truncated_sum(expansion.of(first).cut(small.order + n), small) for n in (1, 2))
+    further = tuple(truncated_sum(exact.cut(small.order + n), small) for n in (1, 2))
     return Decision(
         REFUTED,
         order=order,

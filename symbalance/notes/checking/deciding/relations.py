@@ -21,7 +21,7 @@ from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.construct_rules import may_fail
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.harmonics import polynomial_node
-from symbalance.notes.algebra.sums import indexed_letters
+from symbalance.notes.algebra.sums import NO_EQUAL_TERMS, indexed_letters
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.branches import decide_branches, has_branches
 from symbalance.notes.checking.deciding.equality import (
@@ -32,6 +32,7 @@ from symbalance.notes.checking.deciding.equality import (
     without_dots,
 )
 from symbalance.notes.checking.deciding.induction import decide_by_induction
+from symbalance.notes.checking.deciding.joint_orders import decide_jointly
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import decide_matrices, is_of_matrices
 from symbalance.notes.checking.deciding.order_agreement import (
@@ -51,6 +52,8 @@ SMALLEST_ROUNDED = 100
 """A whole number of three digits may be a result, ω = 628; a shorter one is data."""
 MOST_ROUNDED = 3
 """Results that are tried as printed one by one, the others with all their digits."""
+MOST_COUNTED = 9
+"""Numbers of terms, of cylinders, that are tried where a sum has a special value at one of them."""
 DEEPEST = 12
 """Letters that stand for others, one in the other."""
 MOST_BRANCHED = 3
@@ -195,10 +198,47 @@ def decide_reading(
         reason = f"{formula_text(Name(unknown), plain=True)} has no values here: say what each is"
         return replace(decision, status=UNDECIDED, reason=reason)
     if decision.status == REFUTED and decision.left is not None:
-        open_premises = [text for text in decision.left.domain.assumptions if may_fail(text)]
+        free = knowledge.angles | {"t"}
+        open_premises = [text for text in decision.left.domain.assumptions if may_fail(text, free)]
+        if NO_EQUAL_TERMS in decision.left.domain.assumptions and not _sums(left, right):
+            open_premises.append(NO_EQUAL_TERMS)
+            at_number = _at_a_number(left, right, sign, knowledge, through)
+            if at_number is not None:
+                return at_number
         if open_premises:
             return replace(decision, status=UNDECIDED, reason=f"differs if {open_premises[0]}; say so")
     return decision
+
+
+def _sums(*nodes: Formula) -> bool:
+    """Tell whether a sum stands in formulas themselves: they are on any number of terms."""
+    return any(isinstance(part, Summation) for node in nodes for part in walk(node))
+
+
+def _at_a_number(
+    left: Formula, right: Formula, sign: str, knowledge: Knowledge, through: int | None
+) -> Decision | None:
+    """Return the proof of a relation for one number of summed terms: three cylinders are special."""
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    behind = {n for node in (left, right) for n in names_behind(node, values)}
+    nodes = [left, right, *(values[n] for n in sorted(behind) if n in values)]
+    ends = {
+        name
+        for node in nodes
+        for part in walk(node)
+        if isinstance(part, Summation) and part.upper is not None
+        for name in names(part.upper)
+    }
+    for name in sorted(ends) if len(ends) == 1 else ():
+        for count in range(2, MOST_COUNTED + 1):
+            number = Definition(Number(Fraction(count)), 0)
+            decision = _decide_reading(
+                left, right, sign, knowledge.with_definition(name, number), through
+            )
+            if decision.is_proved:
+                assumption = f"{formula_text(Name(name), plain=True)} = {count}"
+                return replace(decision, assumptions=(*decision.assumptions, assumption))
+    return None
 
 
 def _terms_without_values(left: Formula, right: Formula, knowledge: Knowledge) -> str:
@@ -207,6 +247,9 @@ def _terms_without_values(left: Formula, right: Formula, knowledge: Knowledge) -
     for part in (*walk(left), *walk(right)):
         if isinstance(part, Summation) and part.index is not None:
             for name in indexed_letters(part.body, part.index.name):
+                own_values = knowledge.definitions.get(name)
+                if own_values is not None and part.index.name in names(own_values.node):
+                    continue  # α_k = 2πk/3 says what each is
                 stem = name[: -len(part.index.name)]
                 others = {*own, *knowledge.definitions} - {name}
                 if not any(n.startswith(stem) and n[len(stem) :].isdecimal() for n in others):
@@ -232,9 +275,12 @@ def _decide_reading(
         return by_steps if by_steps.is_proved else _by_closed_form(left, right, knowledge) or by_steps
     (bare_left, left_is_cut), (bare_right, right_is_cut) = without_dots(left), without_dots(right)
     if sign == "≈" or left_is_cut or right_is_cut or through is not None:
-        return decide_agreement(
+        decision = decide_agreement(
             left, right, knowledge, through=through, loose=left_is_cut or right_is_cut
         )
+        is_plain = sign == "≈" and through is None and not (left_is_cut or right_is_cut)
+        jointly = is_plain and not decision.is_proved and decide_jointly(left, right, knowledge)
+        return jointly or decision
     return _by_series_where_cut(left, right, decide_equality(bare_left, bare_right, knowledge), knowledge)
 
 

@@ -9,7 +9,8 @@ a unit in the last place of each decimal in it brings.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -20,15 +21,24 @@ from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import Components, components
 from symbalance.notes.algebra.tree_values import names_behind
-from symbalance.notes.algebra.values import Valuation, context, letters, sample
+from symbalance.notes.algebra.values import Point, Valuation, context, letters, sample
+from symbalance.notes.checking.deciding.numbers_put_in import (
+    is_put_in,
+    margin_of_numbers,
+    may_be_rounded,
+)
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 
 DEEPEST = 12
 """Values that rest on values, one in the other."""
+ROUGHLY = 0.01
+"""What ≈ forgives an arithmetic with numbers put in."""
 SHORTEST = 2
 """Digits of decimals beside roots, at least, that may be rounded."""
 LONGEST = 9
 """Digits of a whole number that a result is rounded to; a longer one is meant as it stands."""
+APART = 1.9
+"""Times that a decimal of one digit may not be off, though it is rounded to it."""
 LONG = 3
 """A decimal of this many digits on the way to a result may itself be rounded."""
 
@@ -40,6 +50,11 @@ def decimals(node: Formula) -> list[Number]:
     ]
 
 
+def _distinct(node: Formula) -> list[Number]:
+    """Return the decimals of a formula; that of a letter, wherever it is put in, is one."""
+    return list({id(number): number for number in decimals(node)}.values())
+
+
 def agrees_as_printed(
     left: Formula,
     right: Formula,
@@ -47,15 +62,18 @@ def agrees_as_printed(
     values: Mapping[str, Formula] | None = None,
     *,
     generous: bool = False,
+    printed: Collection[float] = (),
 ) -> bool:
     """Tell whether two sides agree to the last digits printed; `form_of` gives a side's form.
 
     A lone decimal may be off by half a unit of its last place, and by what the decimals bring that the
     other side is computed from, those of the letters' `values` too; by a whole unit towards zero if
-    `generous` (cut off, not rounded).
+    `generous` (cut off, not rounded). `printed` are the results that the page prints: one that is put in
+    stands for its interval, other numbers are data.
     """
+    typed_left, typed_right = left, right
     left, right = (with_decimals(node, values or {}) for node in (left, right))
-    if not decimals(left) and not decimals(right) and not (_is_bare(left) or _is_bare(right)):
+    if not decimals(left) and not decimals(right) and not (_is_result(left) or _is_result(right)):
         return False
     first, second = form_of(left), form_of(right)
     if not letters(first) and not letters(second):
@@ -67,12 +85,25 @@ def agrees_as_printed(
             other = _lone_decimal(other_side, node, value, generous)
             if lone is None or (other is not None and _is_finer(lone, other)):
                 continue  # of two lone decimals the coarser one is the other, rounded
+            if node is left and other is not None and _is_one_of_a_unit(node, lone):
+                continue  # 1 knot is one knot, whatever it comes to in others
             numbers = _number(value), _number(exact)
             unit = _unit(node, lone, numbers[0], form_of)
-            spread = 0 if other is not None else _spread(other_side, numbers[1], form_of)
+            typed = typed_left if other_side is left else typed_right
+            is_number = other is not None and _is_bare(other_side)
+            spread = 0 if is_number else _spread(other_side, typed, numbers[1], form_of, printed)
             return _is_rounded(lone, unit, *numbers, spread, generous)
         if not names(left) and not names(right) and (_is_bare(left) or _is_bare(right)):
             return False  # a whole number beside a decimal
+        pairs = ((typed_left, left, typed_right, first), (typed_right, right, typed_left, second))
+        margin: Any = 0
+        for typed, node, opposite, form in pairs:
+            if is_put_in(typed, opposite):
+                margin += margin_of_numbers(node, opposite, form_of, printed)
+            else:
+                margin += _spread(node, typed, _number(form), form_of, printed)
+        gap, size = abs(_number(first) - _number(second)), abs(_number(first))
+        return gap <= margin * (1 + 1e-12) + (size * ROUGHLY if generous else 0) + size * _tiny()
     if not decimals(left) and not decimals(right):
         return False
     return _coefficients_agree(left, right, first, second, form_of)
@@ -106,6 +137,15 @@ def _is_bare(node: Formula) -> bool:
     return isinstance(node.operand if isinstance(node, Negative) else node, Number)
 
 
+def _is_result(node: Formula) -> bool:
+    return _is_bare(node) or _whole_before_unit(node) is not None
+
+
+def _is_one_of_a_unit(node: Formula, lone: Number) -> bool:
+    """Tell whether a side is a whole number of one digit before its unit."""
+    return isinstance(node, formula.Product) and lone.last_place == 1 and abs(lone.value) < 10
+
+
 def _is_finer(lone: Number, other: Number) -> bool:
     assert lone.last_place is not None
     assert other.last_place is not None
@@ -135,10 +175,47 @@ def _lone_decimal(node: Formula, other_side: Formula, exact: Form, generous: boo
         return _lone_decimal(node.operand, other_side, exact, generous)
     if isinstance(node, Number):
         return node if node.last_place is not None else _as_printed(node, other_side, exact, generous)
+    if (whole := _whole_before_unit(node)) is not None:
+        turns = isinstance(node, formula.Product) and isinstance(node.factors[1], formula.Quotient)
+        own = exact.over(Form.constant(exact.domain, "pi")) if turns else exact  # of rpm: π/30 each
+        return _as_printed(whole, other_side, own, generous)
     numbers = decimals(node)
     if not isinstance(node, formula.Product) or len(numbers) != 1 or formula.names(node):
         return None
-    return numbers[0] if numbers[0] in node.factors else None
+    # 2·0.7071 is √2, rounded; 0.72·6369 puts in data, and is no arithmetic's result
+    is_short = significant(numbers[0]) < SHORTEST
+    is_exact = not (is_short or decimals(other_side) or _is_bare(other_side))
+    is_scaled = all(_is_scale(factor) or (is_exact and _is_small(factor)) for factor in node.factors)
+    return numbers[0] if numbers[0] in node.factors and is_scaled else None
+
+
+def _whole_before_unit(node: Formula) -> Number | None:
+    """Return the 452 of 452 cm³, a whole number whose unit is no typed number; None for other sides."""
+    if not isinstance(node, formula.Product) or len(node.factors) != 2:
+        return None
+    number, unit = node.factors
+    if not isinstance(number, Number) or number.last_place is not None or number.value.denominator > 1:
+        return None
+    return number if _is_unit_factor(unit) else None
+
+
+def _is_unit_factor(node: Formula) -> bool:
+    """Tell the factor of a unit, 1/1000 of mm or π/30 of rpm, from a fraction as an author types it."""
+    if isinstance(node, formula.Quotient):
+        is_turn = node == formula.Quotient(formula.Constant("pi"), Number(Fraction(30)))
+        return is_turn and node.numerator.span == node.denominator.span
+    return isinstance(node, Number) and node.last_place is None and node.value.denominator > 1
+
+
+def _is_small(factor: Formula) -> bool:
+    return isinstance(factor, Number) and abs(factor.value) < 100
+
+
+def _is_scale(factor: Formula) -> bool:
+    """Tell whether a factor beside a decimal is a unit or a power of ten: 0.72·6396 is an arithmetic."""
+    if not isinstance(factor, Number) or factor.last_place is not None or factor.value.denominator > 1:
+        return True
+    return str(abs(factor.value.numerator)).rstrip("0") == "1"
 
 
 def _number(form: Form) -> Any:
@@ -153,12 +230,23 @@ def _unit(node: Formula, lone: Number, value: Any, form_of: Callable[[Formula], 
     return abs(_number(form_of(replace_part(node, lone, Number(lone.last_place)))))
 
 
-def _spread(node: Formula, value: Any, form_of: Callable[[Formula], Form]) -> Any:
-    """Return how far a side may be off by the long decimals it is computed from, each by half a unit."""
+def _spread(
+    node: Formula,
+    typed: Formula,
+    value: Any,
+    form_of: Callable[[Formula], Form],
+    printed: Collection[float],
+) -> Any:
+    """Return how far a side may be off by the long decimals it is computed from, each by half a unit.
+
+    A number that stands in the line itself is data, unless the page prints it as a result elsewhere.
+    """
     total = context().mpf(0)
-    for number in decimals(node):
+    own = {id(part) for part in formula.walk(typed)}
+    for number in _distinct(node):
         assert number.last_place is not None
-        if significant(number) >= LONG:
+        is_open = id(number) not in own or may_be_rounded(number, printed)
+        if significant(number) >= LONG and is_open:
             off_by_half = Number(number.value + number.last_place / 2, number.last_place)
             total += abs(_number(form_of(replace_part(node, number, off_by_half))) - value)
     return total
@@ -166,6 +254,10 @@ def _spread(node: Formula, value: Any, form_of: Callable[[Formula], Form]) -> An
 
 def _is_rounded(lone: Number, unit: Any, value: Any, exact: Any, spread: Any, generous: bool) -> bool:
     """Tell whether a value is the exact one, rounded; a printed 0.000 stands for half a unit at most."""
+    if lone.value and exact and significant(lone) == 1:
+        sizes = sorted((abs(value), abs(exact)))
+        if sizes[1] >= APART * sizes[0]:
+            return False  # 0.01 for 0.005: one digit says less than that they are twice apart
     is_cut_off = generous and bool(lone.value) and abs(value) <= abs(exact)
     return abs(value - exact) <= (unit * (1 if is_cut_off else 0.5) + spread) * (1 + 1e-12)
 
@@ -197,6 +289,8 @@ def _coefficients_agree(
     margins: dict[Any, Any] = {}
     for forms, parts in zip(moved, (left_parts, right_parts), strict=True):
         for parts_off in map(_parts, forms):
+            if parts_off.keys() - parts.keys() and parts.keys() - parts_off.keys():
+                return False  # it stands in an angle, cos 628.3 t: moved, the wave is another one
             for key in {*parts, *parts_off}:
                 change = poly.minus(parts_off.get(key, {}), parts.get(key, {}))
                 margins[key] = margins.get(key, 0) + abs(Valuation(domain, {}).polynomial(change))
@@ -211,8 +305,8 @@ def _coefficients_agree(
 
 
 def _moved(side: Formula) -> Iterator[Formula]:
-    """Yield a side with each of its decimals off by half a unit of its last place."""
-    for number in decimals(side):
+    """Yield a side with each of its decimals off by half a unit of its last place, a letter's once."""
+    for number in _distinct(side):
         assert number.last_place is not None
         off_by_half = Number(number.value + number.last_place / 2, number.last_place)
         yield replace_part(side, number, off_by_half)
@@ -220,17 +314,26 @@ def _moved(side: Formula) -> Iterator[Formula]:
 
 def _values_agree(left: Form, right: Form, left_moved: list[Form], right_moved: list[Form]) -> bool:
     """Tell whether two sides agree at points, as far as their decimals may be off."""
-    points = sample([left, right, *left_moved, *right_moved])
-    for _, (one, other, *changed) in points:
-        margin = sum(abs(value - one) for value in changed[: len(left_moved)])
-        margin += sum(abs(value - other) for value in changed[len(left_moved) :])
-        if abs(one - other) > margin * (1 + 1e-12) + _tiny():
-            return False
+    points: list[tuple[Point, list[Any]]] = []
+    for count in (1, 3):  # the first point says no of most
+        points = sample([left, right, *left_moved, *right_moved], count)
+        for _, (one, other, *changed) in points:
+            margin = sum(abs(value - one) for value in changed[: len(left_moved)])
+            margin += sum(abs(value - other) for value in changed[len(left_moved) :])
+            if abs(one - other) > margin * (1 + 1e-12) + _tiny():
+                return False
     return bool(points)
 
 
 def _parts(form: Form) -> Components:
-    return components(form.domain, form.numerator)
+    """Return the numbers of a form by their harmonics and letters; π is a part of its number."""
+    domain, parts = form.domain, Components()
+    for key, number in components(domain, form.numerator).items():
+        constants = tuple(e for e in key.letters if domain.generators[e[0]].kind == "constant")
+        bare = replace(key, letters=tuple(e for e in key.letters if e not in constants))
+        whole = poly.times(domain, number, {constants: Fraction(1)}) if constants else number
+        parts[bare] = poly.plus(parts.get(bare, {}), whole)
+    return parts
 
 
 def _tiny() -> Any:

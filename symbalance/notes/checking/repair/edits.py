@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 from math import isqrt
 
 from symbalance.document import formula
@@ -25,9 +26,11 @@ from symbalance.document.formula import (
     Quotient,
     Sum,
 )
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator
 from symbalance.notes.algebra.number_formulas import rational_node
+from symbalance.notes.checking.written_degrees import degrees_of
 
 _SWAPS = {
     "sin": ("cos", "tan"),
@@ -159,7 +162,7 @@ def _with_functions_swapped(node: Formula) -> Formula:
 
 def _exponents(part: Formula, role: str) -> Iterator[Edit]:
     if role == "exponent" and isinstance(part, Number) and part.value.denominator == 1:
-        for value in range(1, 9):
+        for value in range(2, 9):
             if value != part.value:
                 yield Edit(
                     "exponent",
@@ -168,7 +171,8 @@ def _exponents(part: Formula, role: str) -> Iterator[Edit]:
                     rational_node(Fraction(value)),
                 )
     if isinstance(part, Power):
-        yield Edit("exponent", 1.3, part, part.base)
+        away = float(part.exponent.value) - 1 if isinstance(part.exponent, Number) else 20
+        yield Edit("exponent", 1.1 + min(abs(away), 20) / 100, part, part.base)
     elif isinstance(part, Name | Call) and role != "exponent":
         for value in (2, 3):
             yield Edit("exponent", 1.2 + value / 100, part, Power(part, rational_node(Fraction(value))))
@@ -176,18 +180,24 @@ def _exponents(part: Formula, role: str) -> Iterator[Edit]:
         yield Edit("root", 1.4, part, part.argument)
 
 
+@cache
+def _letter(name: str) -> str:
+    """Return a letter as a page shows it: λ for lam."""
+    return formula_text(Name(name), plain=True)
+
+
 def _letters(part: Formula, letters: list[str]) -> Iterator[Edit]:
     if isinstance(part, Name):
         for name in letters:
             if name != part.name:
-                yield Edit(f"{name} for {part.name}", 1.25, part, Name(name))
+                yield Edit(f"{_letter(name)} for {_letter(part.name)}", 1.25, part, Name(name))
     if isinstance(part, Number) and part.last_place is None:
         for name in letters:
-            yield Edit(f"{name} for {part.value}", 1.6, part, Name(name))
+            yield Edit(f"{_letter(name)} for {part.value}", 1.6, part, Name(name))
     if isinstance(part, Name):
         for value in (1, 2):
             yield Edit(
-                "letter too many" if value == 1 else f"2 for {part.name}",
+                "letter too many" if value == 1 else f"2 for {_letter(part.name)}",
                 1.5,
                 part,
                 rational_node(Fraction(value)),
@@ -197,10 +207,10 @@ def _letters(part: Formula, letters: list[str]) -> Iterator[Edit]:
 def _missing(part: Formula, role: str, letters: list[str]) -> Iterator[Edit]:
     if role in ("side", "term"):
         for name in letters:
-            yield Edit(f"{name} missing", 1.5, part, _product(part, Name(name)))
-            yield Edit(f"{name} too many", 1.55, part, Quotient(part, Name(name)))
+            yield Edit(f"{_letter(name)} missing", 1.5, part, _product(part, Name(name)))
+            yield Edit(f"{_letter(name)} too many", 1.55, part, Quotient(part, Name(name)))
             yield Edit(
-                f"{name}² missing",
+                f"{_letter(name)}² missing",
                 1.7,
                 part,
                 _product(part, Power(Name(name), rational_node(Fraction(2)))),
@@ -234,6 +244,7 @@ def phases(part: Formula) -> Iterator[Edit]:
     ):
         return
     multiple = _multiple(part.argument.terms[0])
+    yield from _other_phases(part.argument)
     for term in part.argument.terms[1:]:
         for factor in dict.fromkeys(
             [
@@ -253,6 +264,34 @@ def phases(part: Formula) -> Iterator[Edit]:
                     term,
                     _times(factor, term),
                 )
+
+
+def _other_phases(argument: Sum) -> Iterator[Edit]:
+    """Yield other angles for the phase that is a number: the multiples of 15° and 18°, in its unit."""
+    for term in argument.terms[1:]:
+        inner = term.operand if isinstance(term, Negative) else term
+        if formula.names(term) or not (isinstance(inner, Product | Quotient | Constant | Number)):
+            continue
+        for parts_of_turn in (24, 20):
+            for k in range(1 - parts_of_turn // 2, parts_of_turn // 2 + 1):
+                if k and (parts_of_turn == 24 or k % 5):
+                    turns = Fraction(abs(k), parts_of_turn)
+                    new = _angle_like(inner, turns)
+                    yield Edit("phase", 1.2 + abs(k) / 10000, term, Negative(new) if k < 0 else new)
+
+
+def _angle_like(angle: Formula, turns: Fraction) -> Formula:
+    """Return an angle in degrees where another is."""
+    if degrees_of(angle) is not None and isinstance(angle, Product):
+        return Product((Number(360 * turns), angle.factors[-1]))
+    return _pi_times(2 * turns)
+
+
+def _pi_times(factor: Fraction) -> Formula:
+    above: Formula = Constant("pi")
+    if factor.numerator != 1:
+        above = Product((Number(Fraction(factor.numerator)), above))
+    return above if factor.denominator == 1 else Quotient(above, Number(Fraction(factor.denominator)))
 
 
 def _multiple(term: Formula) -> Fraction | None:

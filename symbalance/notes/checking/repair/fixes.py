@@ -18,7 +18,7 @@ from traceback import format_exception
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
 from symbalance.document import formula
-from symbalance.document.formula import Formula, Name, Negative, Number, Power, Product, Quotient
+from symbalance.document.formula import Formula, Name, Negative, Number, Power, Product, Quotient, names
 from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError, fault_of
 from symbalance.notes.algebra import values
@@ -29,6 +29,7 @@ from symbalance.notes.checking.constraints import letter_counts
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.substitution import substitute, without_stacked_fractions
+from symbalance.notes.checking.descriptions import printed_value, rational_of
 from symbalance.notes.checking.repair.edits import Edit, edits, parents_of, parts
 from symbalance.notes.checking.repair.numeric_filter import (
     Case,
@@ -39,10 +40,12 @@ from symbalance.notes.checking.repair.numeric_filter import (
     fits,
     letters_of,
 )
+from symbalance.notes.checking.repair.slip_words import slip_words
 from symbalance.notes.checking.repair.term_repair import correct_terms, slip_kind, slip_kinds
 from symbalance.notes.checking.repair.tidying import tidied
 from symbalance.notes.checking.verdicts import REFUTED, Fault, Fix, Verdict
 from symbalance.notes.checking.written_degrees import in_degrees
+from symbalance.notes.checking.written_numbers import corrected
 from symbalance.notes.reading.equations import ReadNotes, Side
 
 OTHER_SIDE = 0.2
@@ -59,8 +62,14 @@ OF_A_SHORT_VALUE = 1.2
 SHORT_VALUE = 14
 """What the exact value costs, put for a whole side, and how many parts it may have: less than a change of
 two things, and a result is what a teacher corrects, not what it was worked out from."""
+ROUNDED = Fraction(1, 10**9)
+"""Relative: a whole number is the value itself, but for the rounding of π."""
+SHORT_DENOMINATOR = 100
+"""Of a fraction that is put for a whole number."""
 NOT_REDUCED = 0.15
 """What 2/(2λ) costs more than 1/λ, where either is right."""
+LONGEST_NUMBER = 10**7
+"""From here on a number in a correction is no slip: 1558361602735921/20000."""
 LARGEST = 10**7
 """Of a whole number put for a printed one."""
 SEARCH = Budget(5)
@@ -76,18 +85,20 @@ def add_fix(
     decision: Decision,
     knowledge: Knowledge,
     proves: Callable[[Formula], bool],
-    other: tuple[Side, Callable[[Formula], bool]] | None = None,
+    left: Side | None = None,
+    proves_left: Callable[[Formula], bool] | None = None,
 ) -> Verdict:
     """Return a refuted verdict with the change that makes its line true, if one is found.
 
-    `other` is the left side and how a changed one is proved: it may hold the slip just as well.
+    `left` is the side before, None of a piece that is bound to a quantity; `proves_left` tells whether a
+    changed left side is proved, where that may hold the slip just as well.
     """
     if verdict.verdict != REFUTED or decision.left is None or not knowledge.corrects:
         return verdict
     try:
         return run_within(
             SEARCH,
-            lambda: _with_fix(verdict, document, side, decision, knowledge, proves, other),
+            lambda: _with_fix(verdict, document, side, decision, knowledge, proves, left, proves_left),
             SHARE,
         )
     except OverBudgetError as problem:
@@ -109,33 +120,70 @@ def _with_fix(
     decision: Decision,
     knowledge: Knowledge,
     proves: Callable[[Formula], bool],
-    other: tuple[Side, Callable[[Formula], bool]] | None,
+    left: Side | None,
+    proves_left: Callable[[Formula], bool] | None,
 ) -> Verdict:
     """Return the verdict with the cheapest fix of the right side, or a clearly cheaper left one."""
     case = Case(side.node, decision, knowledge, proves)
+    number = _printed(case, document, side, left)
+    if number is not None:
+        return replace(verdict, fix=fix_of(number, document, side))
     repair = diagnose(case)
     if repair is None or repair.cost > OF_A_SHORT_VALUE:
-        left = None if other is None else other[0].node
-        short = _short_value(case, verdict.exact_node, left)
+        known = None if left is None or isinstance(left.node, Name) else left.node
+        short = _short_value(case, verdict.exact_node, known)
         if short is not None and repair is not None and repair.kind == "factor":
             repair = replace(repair, cost=short.cost)  # says more of the slip
         else:
             repair = short or repair
     where, title = side, ""
-    is_result = not formula.names(side.node)  # what was calculated: never what it was calculated from
-    if other is not None and not is_result and (repair is None or repair.cost > 1.0 + OTHER_SIDE):
+    is_result = not names(side.node)  # what was calculated: never what it was calculated from
+    if (
+        left is not None
+        and proves_left is not None
+        and not is_result
+        and (repair is None or repair.cost > 1.0 + OTHER_SIDE)
+    ):
         exchange = replace(decision, left=decision.right, right=decision.left)
-        rival = diagnose(Case(other[0].node, exchange, knowledge, other[1]))
+        rival = diagnose(Case(left.node, exchange, knowledge, proves_left))
         if (
             rival is not None
             and rival.cost < MOST_OTHER
-            and rival.changes[0][0] is not other[0].node
+            and rival.changes[0][0] is not left.node
             and (repair is None or rival.cost + OTHER_SIDE < repair.cost)
         ):
-            repair, where, title = rival, other[0], "left side: "
+            repair, where, title = rival, left, "left side: "
     if repair is None:
         return verdict
-    return replace(verdict, fix=fix_of(_tidy(repair, where.node), document, where, title))
+    repair = _tidy(repair, where.node)
+    is_rewritten = repair.cost >= MOST_OTHER
+    if left is not None and is_rewritten and where is side and repair.node == left.node:
+        return verdict  # the left side once more corrects nothing
+    return replace(verdict, fix=fix_of(repair, document, where, title))
+
+
+def _printed(case: Case, document: ReadNotes, side: Side, left: Side | None) -> Repair | None:
+    """Return what a printed number should be, in its own unit, with as many digits as prove the line.
+
+    Of whole numbers an exact one: 7·8 = 54 is mended by 56, and 2 cos 30° = 2 by √3.
+    """
+    printed = printed_value(case.decision, document, side, left)
+    if printed is None:
+        return None
+    claim, value, is_sum = printed
+    is_exact = claim.place is None and claim.power is None
+    exact = case.decision.left.rational() if is_exact and case.decision.left is not None else None
+    if is_exact and not claim.unit and (exact is None or exact.denominator <= SHORT_DENOMINATOR):
+        return None
+    for words, number in corrected(claim, value):
+        if is_sum or case.proves(number.node):
+            kind = words
+            is_whole = abs(Fraction(number.factor) * number.mantissa - value) < abs(value) * ROUNDED
+            if is_exact and number.place is None and kind == "value" and is_whole:
+                shown = (abs(each.mantissa) for each in (number, claim))
+                kind = "number misprinted ({} for {})".format(*shown)
+            return Repair(kind, number.written, ((case.node, number.written),), 1.0)
+    return None
 
 
 def _tidy(repair: Repair, before: Formula) -> Repair:
@@ -156,8 +204,8 @@ def _short_value(case: Case, exact: Formula | None, left: Formula | None) -> Rep
     """
     if exact is None or isinstance(exact, formula.Sum) or not _is_short(exact):
         return None
-    is_restated = left is None or (formula.names(left) and _size(left) <= _size(exact) + 1)
-    if formula.names(case.node) and is_restated:
+    is_restated = left is None or (names(left) and _size(left) <= _size(exact) + 1)
+    if names(case.node) and is_restated:
         return None
     node = _as_decimal(case) or exact
     if not case.proves(node):
@@ -212,7 +260,8 @@ def fix_of(repair: Repair, document: ReadNotes, side: Side, title: str = "") -> 
         for old, new in repair.changes
     )
     text = title + formula_text(repair.node, plain=True)
-    return Fix(repair.kind, text, repair.node, faults, of_left=bool(title))
+    words = slip_words(repair.kind, side.node, repair.changes)
+    return Fix(repair.kind, text, repair.node, faults, of_left=bool(title), words=words)
 
 
 def _fault(old: Formula, new: Formula, document: ReadNotes, side: Side, kind_of: str) -> Fault:
@@ -225,6 +274,12 @@ def _fault(old: Formula, new: Formula, document: ReadNotes, side: Side, kind_of:
         formula_text(new, plain=True),
         kind_of,
         new,
+        is_first=not any(
+            old is term
+            for part in formula.walk(side.node)
+            if isinstance(part, formula.Sum)
+            for term in part.terms[1:]
+        ),
     )
 
 
@@ -269,6 +324,8 @@ def _as_written(edit: Edit, parents: dict[int, Formula]) -> tuple[Formula, Formu
     """Return the part replaced and its replacement, with a power written in it: sin²θ holds no sin θ."""
     outer = parents.get(id(edit.old))
     start, end = edit.old.span
+    if isinstance(outer, Power) and outer.exponent is edit.old and outer.span != (0, 0):
+        return outer, replace(outer, exponent=edit.new)
     if isinstance(outer, Power) and outer.base is edit.old and start < outer.exponent.span[0] < end:
         return replace(outer, span=edit.old.span), replace(outer, base=edit.new)
     return edit.old, edit.new
@@ -299,7 +356,7 @@ def _decimal(value: Fraction, place: Fraction) -> Formula:
 def _exact_number(case: Case) -> Repair | None:
     """Return the exact value for a side without letters, where that is a short number."""
     left = case.decision.left
-    value = None if left is None or formula.names(case.node) else left.rational()
+    value = None if left is None or names(case.node) else left.rational()
     if value is None or value.denominator > LONGEST_DENOMINATOR or abs(value) > LARGEST:
         return None
     new = rational_node(value)
@@ -315,7 +372,7 @@ def _rounded(repair: Repair, case: Case) -> Repair:
     own = {id(part) for part in formula.walk(case.node)}
 
     def in_decimals(node: Formula) -> Formula:
-        whole = _rational(node)
+        whole = rational_of(node)
         if whole is not None and id(node) not in own and whole.denominator > 12:
             place = Fraction(10) ** (_exponent(whole) + 1 - significant)
             return _decimal(whole, place)
@@ -338,19 +395,6 @@ _LONG_FACTOR = re.compile(r"factor -?[0-9]+/[0-9]{3,}")
 """Two decimals in the ratio of their digits, which is no slip that anybody makes."""
 
 
-def _rational(node: Formula) -> Fraction | None:
-    """Return the value of a whole number or of a quotient of two."""
-    if isinstance(node, Number):
-        return node.value
-    if isinstance(node, Quotient):
-        above, below = _rational(node.numerator), _rational(node.denominator)
-        return above / below if above is not None and below else None
-    if isinstance(node, Negative):
-        inner = _rational(node.operand)
-        return None if inner is None else -inner
-    return None
-
-
 def _exponent(value: Fraction) -> int:
     """Return the power of ten of a number's first digit."""
     return math.floor(math.log10(abs(value))) if value else 0
@@ -367,17 +411,13 @@ def _edits_that_fit(case: Case, numeric: NumericFilter, targets: list[Values]) -
     passing: list[Edit] = list(_integers(case, numeric, targets, parents))
     is_nothing = not any(targets[0])
     variables = (
-        [case.knowledge.crank.time, *formula.names(case.knowledge.crank.theta)]
-        if case.knowledge.crank
-        else []
+        [case.knowledge.crank.time, *names(case.knowledge.crank.theta)] if case.knowledge.crank else []
     )
     for edit in edits(case.node, letters_of(case), variables):
         if isinstance(edit.new, formula.Derivative):
             passing.append(edit)
             continue
-        if is_nothing and (
-            edit.kind.endswith("missing") or formula.names(edit.new) - formula.names(edit.old)
-        ):
+        if is_nothing and (edit.kind.endswith("missing") or names(edit.new) - names(edit.old)):
             continue  # of a side that should be 0, a letter that is 0 is no correction
         if fits(edit.applied(parents), numeric, targets):
             passing.append(edit)
@@ -407,6 +447,9 @@ def _integers(
         except NoValueError:
             continue
         for value, inverse in _solutions(value_now[0], value_doubled[0], targets[0][0], part.value):
+            is_turned = value < 0 and abs(value) != abs(part.value)
+            if is_turned and (part.last_place or value.denominator != 1):
+                continue  # two slips in one number
             if value != part.value and abs(value) <= LARGEST:
                 new = rational_node(Fraction(value))
                 if fits(Edit("", 0, part, new).applied(parents), numeric, targets):
@@ -465,7 +508,7 @@ def _solutions(
 def _conventions(case: Case, numeric: NumericFilter, targets: list[Values]) -> Iterator[Edit]:
     """Yield the side with λ doubled or halved throughout: l/r put for l/s, or the reverse."""
     small = case.knowledge.crank.small if case.knowledge.crank else None
-    if small is None or small[0] not in formula.names(case.node):
+    if small is None or small[0] not in names(case.node):
         return
     letter = Name(small[0])
     for title, new in (
@@ -505,8 +548,25 @@ def _by_factor(case: Case) -> Repair | None:
         factor = polynomial_node(ratio.domain, ratio.numerator)
     except (NoFormError, TooLargeError):
         return None
-    node = Product((factor, case.node))
+    node = _times(factor, case.node)
     return Repair("factor", node, ((case.node, node),), 2.0) if case.proves(node) else None
+
+
+def _times(factor: Formula, node: Formula) -> Formula:
+    """Return a factor times a side: 1/2 below its bar where it has one, -i x as x/i."""
+    below: Formula | None = None
+    if formula_text(factor, plain=True) in ("-i", "-sqrt(-1)"):
+        below = formula.Constant("i")
+    elif isinstance(factor, Quotient) and factor.numerator == Number(Fraction(1)):
+        below = factor.denominator if isinstance(node, Quotient) else None
+    if below is None:
+        return Product((factor, node))
+    if not isinstance(node, Quotient):
+        return Quotient(node, below)
+    own = node.denominator
+    factors = own.factors if isinstance(own, Product) else (own,)
+    last = isinstance(below, formula.Constant)
+    return Quotient(node.numerator, Product((*factors, below) if last else (below, *factors)))
 
 
 def _is_simple(number: int) -> bool:
@@ -524,6 +584,23 @@ def _by_terms(case: Case) -> Repair | None:
     if pair is None:
         return None
     node, changes = pair
-    if not case.proves(node):
+    if not _is_writable(case.node, changes) or not case.proves(node):
         return None
     return Repair(slip_kinds(changes), node, changes, 2.0 + len(changes))
+
+
+def _is_writable(node: Formula, changes: tuple[tuple[Formula, Formula], ...]) -> bool:
+    """Tell whether changed terms are what somebody would write: wrong terms put right, or one exchanged.
+
+    Where no term stays it is another formula, not a correction; nor is a number of seven digits one.
+    """
+    for _, new in changes:
+        numbers = (n for n in formula.walk(new) if isinstance(n, Number) and n.last_place is None)
+        if any(max(abs(n.value.numerator), n.value.denominator) >= LONGEST_NUMBER for n in numbers):
+            return False
+    kinds = {slip_kind(old, new) for old, new in changes}
+    if len(changes) == 1 or len(kinds) == 1:
+        return True
+    replaced = {id(part) for old, _ in changes for part in formula.walk(old)}
+    stays = any(isinstance(p, formula.Call | Name) and id(p) not in replaced for p in formula.walk(node))
+    return stays and (len(changes) == 2 or not kinds & {"term missing", "term too many"})

@@ -111,7 +111,11 @@ def _points(case: Case) -> list[tuple[values.Point, list[Any]]]:
         return samples
     count = 1 + len(case.decision.further)  # some letter has no value: leave it out
     unit = Form.number(case.decision.left.domain, 1)
-    usable = [f if values.sample([case.decision.left, f]) else unit for f in forms[count:]]
+    alone = [f if values.sample([f], 1) else unit for f in forms[count:]]
+    samples = values.sample([*forms[:count], *alone])
+    if samples:
+        return samples
+    usable = [f if values.sample([case.decision.left, f], 1) else unit for f in forms[count:]]
     return values.sample([*forms[:count], *usable])
 
 

@@ -45,6 +45,8 @@ def _negative(node: Formula) -> Formula:
     """Return a formula with its sign turned, of a sum a positive term in front: −(4a − 3b) is 3b − 4a."""
     if isinstance(node, Negative):
         return node.operand
+    if _is(node, 0):
+        return node
     if not isinstance(node, Sum):
         return Negative(node)
     terms = [term.operand if isinstance(term, Negative) else Negative(term) for term in node.terms]

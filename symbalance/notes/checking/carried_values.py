@@ -1,0 +1,107 @@
+"""Results that are wrong where they are printed, and right lines that go on with them.
+
+F = m r ω² = 4065 is refuted, 4605 it is. λ F = 0.3·4065 = 1219.5 puts in what the page has: nothing new
+is wrong there, and nobody is accused a second time; it holds with the value of the line before.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+
+from symbalance.document.formula import Formula, Name, Negative, Number, names, walk
+from symbalance.document.text_writer import formula_text
+from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.numbers_put_in import LONG, significant_digits
+from symbalance.notes.checking.deciding.substitution import replace_part
+from symbalance.notes.reading.equations import Chain, Side
+
+_SCALES = (1.0, 1e-3, 1e3)
+_PLACES = Fraction(1, 10**9)
+MOST = 6
+"""Wrong results, the last ones, that a line may go on with."""
+
+
+@dataclass(frozen=True, slots=True)
+class WrongResult:
+    """A number that a line prints and that is refuted there, with the formula it is printed for."""
+
+    number: Number
+    formula: Formula
+    name: str
+    line: int
+
+    @property
+    def text(self) -> str:
+        """What a line that goes on with it rests on."""
+        value = formula_text(self.number, plain=True)
+        letter = f"{formula_text(Name(self.name), plain=True)} = " if self.name else ""
+        return f"{letter}{value} of line {self.line}, which is refuted"
+
+
+@dataclass
+class CarriedValues:
+    """The wrong results of a page so far."""
+
+    results: list[WrongResult] = field(default_factory=list)
+
+    def note(self, chain: Chain, k: int) -> None:
+        """Note the refuted k-th relation of a chain, if it prints a number for a formula in letters."""
+        node = chain.sides[k + 1].node
+        number = node.operand if isinstance(node, Negative) else node
+        of = next((s.node for s in reversed(chain.sides[: k + 1]) if names(s.node)), None)
+        head = chain.sides[0].node
+        is_result = isinstance(number, Number) and significant_digits(number) >= LONG
+        if isinstance(node, Number) and is_result and of is not None:
+            name = head.name if isinstance(head, Name) else ""
+            self.results.append(WrongResult(node, of, name, chain.lines[0]))
+
+    def decide(
+        self,
+        sides: tuple[Side, Side],
+        knowledge: Knowledge,
+        decide: Callable[[Side, Side, Knowledge], Decision],
+        value_of: Callable[[Formula], float | None],
+    ) -> Decision | None:
+        """Return the proof of a refuted relation from a wrong result it goes on with, if there is one."""
+        left, right = sides
+        for wrong in reversed(self.results[-MOST:]):
+            typed = [
+                part
+                for part in walk(right.node)
+                if isinstance(part, Number) and part is not right.node and _is_same(part, wrong.number)
+            ]
+            exact = value_of(wrong.formula) if typed and names(left.node) else None
+            if exact:
+                scale = _scale(typed[0], wrong.number)
+                number = Number(Fraction(exact) / scale, _PLACES * abs(Fraction(exact)) / scale)
+                node = replace_part(right.node, typed[0], number)
+                there = decide(left, replace(right, readings=(node,)), knowledge)
+                if there.is_proved:
+                    return replace(there, assumptions=(*there.assumptions, wrong.text))
+            values = {n: d.node for n, d in knowledge.definitions.items()}
+            if wrong.name in names_behind(left.node, values) and wrong.name in knowledge.definitions:
+                own = replace(
+                    knowledge.definitions[wrong.name], node=wrong.number, numeric=True, rounded=None
+                )
+                there = decide(left, right, knowledge.with_definition(wrong.name, own))
+                if there.is_proved:
+                    return replace(there, assumptions=(*there.assumptions, wrong.text))
+        return None
+
+
+def _scale(typed: Number, printed: Number) -> Fraction:
+    """Return what the number typed again is multiplied by to be the one that is printed: 1000 for kN."""
+    ratio = float(printed.value / typed.value) if typed.value else 1.0
+    return Fraction(round(ratio * 1000), 1000)
+
+
+def _is_same(first: Number, second: Number) -> bool:
+    """Tell whether a number is typed again, perhaps in another unit."""
+    return any(
+        math.isclose(float(first.value) * scale, float(second.value), rel_tol=1e-12) for scale in _SCALES
+    )

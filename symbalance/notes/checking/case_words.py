@@ -1,0 +1,113 @@
+"""Words that open a case (for θ = 0), that end every case (in general), and that name an engine.
+
+A case is a value or a range that holds where its sentence says so: the next case takes its place, and
+what a page says of all values, or of any, does not rest on it.
+"""
+
+from __future__ import annotations
+
+import re
+
+_END = r"\s[^.;:!?\n=<>≤≥]{0,30}$"
+_CASE = re.compile(
+    r"(?<![A-Za-z])(?:for|if|when|whenever|where|at|only for|provided(?:\s+that)?"
+    rf"|as\s+long\s+as|in\s+the\s+case|für|bei|falls|wenn|sofern|solange|im\s+Fall|pour|si){_END}",
+    re.IGNORECASE,
+)
+_CASE_BEHIND = re.compile(r"[\s$)\]}\\,]{0,6}(?:なら|のとき|の時|の場合)")
+_TAG = re.compile(r"</?[A-Za-z][^<>]*>")
+_BETWEEN = re.compile(r"[\s$,)}\]°]*(?:[^\W\d_]+\s+){1,3}[\s$({\[\\]*")
+_CLAUSE_LAST = re.compile(r"[\s$)}\]°]*(?:[.;。]|\n\s*\n|\Z)")
+_CLAUSE = re.compile(r"[.!?]\s|[;。；]|\n\s*\n")
+_GENERAL = re.compile(
+    r"(?<![A-Za-zÀ-ÿ\\])(?:always|in\s+general|generally|everywhere|elsewhere|otherwise|at\s+all\s+times|at\s+any\s+time"
+    r"|in\s+(?:every|any|all|each)\s+(?:other\s+)?(?:positions?|cases?)|allgemein|im\s+allgemeinen|immer|stets|überall"
+    r"|andernfalls|sonst|in\s+jeder\s+(?:Stellung|Lage))(?![A-Za-zÀ-ÿ])"
+    r"|一般に|一般には|常に|つねに|いつも|それ以外",
+    re.IGNORECASE,
+)
+_OF_ALL = (
+    r"(?<![A-Za-zÀ-ÿ\\])(?:(?:for\s+|at\s+)?(?:all|every|any|arbitrary|each)|für\s+(?:alle|jede[nsrm]?|beliebige[nsrm]?)|beliebige[snrm]?)"
+    r"(?:\s+other)?\s+(?:(?:real|values?|angles?|crank\s+angles?|Werte?|Winkel|(?:Kurbel)?[Ww]inkel|of)\s+){0,3}"
+    r"|(?:任意の|すべての|全ての|あらゆる)\s*"
+)
+_ANGLE_WORD = r"(?:crank\s+)?(?:angles?|positions?)|(?:Kurbel)?[Ww]inkel|Stellungen?|クランク角|角度?"
+_COUNTS = {
+    "single": 1, "one": 1, "two": 2, "twin": 2, "three": 3, "triple": 3, "four": 4, "five": 5, "six": 6,
+    "seven": 7, "eight": 8, "nine": 9, "ten": 10, "twelve": 12, "sixteen": 16,
+    "ein": 1, "zwei": 2, "drei": 3, "vier": 4, "fünf": 5, "sechs": 6, "sieben": 7, "acht": 8, "neun": 9,
+    "zehn": 10, "zwölf": 12, "sechzehn": 16,
+    "単": 1, "二": 2, "三": 3, "四": 4, "五": 5, "六": 6, "八": 8, "十二": 12,
+}  # fmt: skip
+_NUMBER = "|".join(sorted((*_COUNTS, r"[0-9]{1,2}"), key=len, reverse=True))
+_ENGINE = re.compile(
+    rf"(?<![A-Za-z0-9.,])(?P<before>{_NUMBER})[-\s]?(?:cylinders?|throws?|cranks|cyl|zylinder|シリンダ|気筒)"
+    rf"|(?<![A-Za-z])(?P<kind>inline|straight|flat|boxer|reihen|直列|水平対向|V型|V|W)[-\s]?(?P<behind>{_NUMBER})(?![0-9.,]*[0-9A-Za-z])",
+    re.IGNORECASE,
+)
+_PROBLEM = re.compile(
+    r"(?:exercise|problem|question|example|case|aufgabe|beispiel|fall|例題|問題?|演習)\s*\(?([0-9]+(?:\.[0-9]+)*|[a-h])\b",
+    re.IGNORECASE,
+)
+
+
+def opens_case(text: str, start: int, end: int) -> bool:
+    """Tell whether a relation, from `start` to `end`, is introduced as a case: for x > 0, bei θ = 0."""
+    bare = _TAG.sub(" ", text[max(0, start - 80) : start])
+    before = _CLAUSE.split(bare)[-1].rstrip(" \t\n$\\([{")
+    return _CASE.search(before + " ") is not None or _CASE_BEHIND.match(text, end) is not None
+
+
+def is_case_behind(text: str, end: int, first: int, last: int) -> bool:
+    """Tell whether a case, from `first` to `last`, stands behind the relation that ends before it.
+
+    As in cos θ = -1 for θ = π: it ends the clause, and nothing but such words stands between.
+    """
+    between = _BETWEEN.fullmatch(text, end, first) is not None
+    return between and opens_case(text, first, last) and _CLAUSE_LAST.match(text, last) is not None
+
+
+def clause_start(text: str, start: int) -> int:
+    """Return where the clause begins that a relation stands in."""
+    first = max(0, start - 200)
+    ends = [match.end() for match in _CLAUSE.finditer(text, first, start)]
+    return ends[-1] if ends else first
+
+
+def speaks_of_all(before: str, letters: dict[str, bool], *, named: bool = False) -> set[str]:
+    """Return the letters that a claim is made for all values of, by the words before it.
+
+    `letters` are those of the page with cases: by the name as it is written, whether it is an angle.
+    "In general" speaks of all of them, unless those that are `named` are wanted; "for every x" of x.
+    """
+    if not named and _GENERAL.search(before):
+        return set(letters)
+    spoken: set[str] = set()
+    for name, is_angle in letters.items():
+        written = rf"[\s$\\({{]{{0,6}}{re.escape(name)}(?![A-Za-z0-9_])"
+        if re.search(f"(?:{_OF_ALL}){written}", before, re.IGNORECASE) or (
+            is_angle and re.search(rf"(?:{_OF_ALL})(?:{_ANGLE_WORD})", before, re.IGNORECASE)
+        ):
+            spoken.add(name)
+    return spoken
+
+
+def engine_named(text: str, start: int) -> tuple[int, str] | None:
+    """Return the cylinders of the engine that was named last before a place, and its kind if said.
+
+    >>> engine_named("a two-cylinder engine, then the V8", 40)
+    (8, 'v')
+    """
+    last = None
+    for match in _ENGINE.finditer(text, 0, start):
+        last = match
+    if last is None:
+        return None
+    number = (last["before"] or last["behind"]).lower()
+    return _COUNTS.get(number) or int(number), (last["kind"] or "").lower()
+
+
+def problem_named(text: str, start: int) -> str:
+    """Return the number of the exercise, example or case that was named last before a place."""
+    matches = list(_PROBLEM.finditer(text, 0, start))
+    return matches[-1][1] if matches else ""

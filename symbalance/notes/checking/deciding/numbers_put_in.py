@@ -1,0 +1,265 @@
+"""Numbers put in for letters: which of them are data, exact, and which are results, rounded as printed.
+
+m r ω² = 0.72·6396 puts in m = 0.72 kg as it is given, and 6396 for r ω², rounded. A number is the value
+of a part of the other side if it agrees with it to the last digit printed, in its unit or a thousandth of
+it; one that is no part's value is what it says, but for a decimal of three digits that the page prints as
+a result elsewhere, or that stands for √3/2, π and the like: those have more digits than are shown.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Collection, Iterator
+from fractions import Fraction
+from itertools import combinations
+from typing import Any
+
+from symbalance.document import formula
+from symbalance.document.formula import Formula, Name, Negative, Number, Product, names
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.values import Valuation, letters
+from symbalance.notes.checking.deciding.substitution import replace_part
+from symbalance.notes.reading.equations import ReadNotes
+
+LONG = 3
+"""A decimal of this many digits on the way to a result may itself be rounded."""
+LONGER = 5
+"""A term of a sum with this many digits is a result."""
+MOST_FACTORS = 8
+"""Factors of a product whose parts are looked through: 255 of them."""
+_SCALES = (1.0, 1e-3, 1e3, 1e-6, 1e6)
+"""A value in mm, kN or MPa is put in as it is typed."""
+_ROUNDING = 1 + 1e-9
+_DEGREES = (15, 18, 22.5, 30, 36, 40, 45, 360 / 7, 54, 60, 72, 75)
+_EXACT = (
+    *(math.sqrt(n) for n in (2, 3, 5, 6, 7, 10)),
+    *(math.pi * n for n in (1, 2, 4)),
+    *(f(math.radians(angle)) for f in (math.sin, math.cos, math.tan) for angle in _DEGREES),
+)
+_CONSTANTS = tuple(factor * value for value in _EXACT for factor in (0.25, 0.5, 1, 2, 3, 4))
+"""What decimals such as 0.866, 1.732 and 3.1416 stand for."""
+
+
+def significant_digits(number: Number) -> int:
+    """Return how many digits of a number count, closing zeros of a whole one not.
+
+    >>> significant_digits(Number(Fraction(1, 25), Fraction(1, 1000)))  # 0.040
+    2
+    """
+    if number.last_place is not None:
+        return len(str(abs(number.value / number.last_place).numerator))
+    return len(str(abs(number.value.numerator)).rstrip("0"))
+
+
+def printed_results(document: ReadNotes) -> frozenset[float]:
+    """Return the numbers that a page prints as results: behind a relation, but for the sizes it gives.
+
+    A length, a mass or a time that a letter is set equal to is data.
+    """
+    results: set[float] = set()
+    for chain in document.chains:
+        for k, side in enumerate(chain.sides[1:], 1):
+            node = side.node.operand if isinstance(side.node, Negative) else side.node
+            node = node.factors[0] if isinstance(node, Product) and not names(node) else node
+            is_given = (
+                k == 1
+                and isinstance(chain.sides[0].node, Name)
+                and chain.relations[0].sign == "="
+                and len(chain.sides) == 2
+                and _SIZE.search(document.source(side.span)) is not None
+            )
+            if isinstance(node, Number) and not is_given and significant_digits(node) >= LONG:
+                results.add(abs(float(node.value)))
+    return frozenset(results)
+
+
+_SIZE = re.compile(
+    r"[0-9](?:\s|~|\$|\\[,;: ]|\\(?:mathrm|text|textrm)\{|\}\{|\\(?:milli|kilo|centi))*"
+    r"(?:[kmcd]?m|k?g|m?s|inch|in|ft|lbs?|\\metre|\\meter|\\gram|\\second)[\s}$.,;]*$"
+)
+
+
+def may_be_rounded(number: Number, printed: Collection[float]) -> bool:
+    """Tell whether a number in an arithmetic has more digits than it shows: a result, or √3/2."""
+    if significant_digits(number) < LONG:
+        return False
+    value, half = abs(float(number.value)), _half(number)
+    if any(_is_same(value, other) for other in printed):
+        return True
+    return number.last_place is not None and any(abs(c - value) <= half * _ROUNDING for c in _CONSTANTS)
+
+
+def _is_same(value: float, other: float) -> bool:
+    return any(math.isclose(value * scale, other, rel_tol=1e-9) for scale in _SCALES)
+
+
+def _half(number: Number) -> float:
+    """Return half a unit of the last digit that counts."""
+    if number.last_place is not None:
+        return float(number.last_place) / 2
+    digits = str(abs(number.value.numerator))
+    zeros = min(len(digits) - len(digits.rstrip("0")), max(len(digits) - 2, 0))
+    return 10.0**zeros / 2
+
+
+def precision(node: Formula) -> float:
+    """Return how closely a whole number is meant behind ≈, by the digits that count: 2130 to 10 in it.
+
+    Of other formulas, and numbers of one digit, 1: nothing is said.
+    """
+    if not isinstance(node, Number) or node.value.denominator != 1 or significant_digits(node) < LONG:
+        return 1.0
+    return 2 * _half(node) / abs(float(node.value))
+
+
+def margin_of_numbers(
+    put_in: Formula,
+    other: Formula,
+    form_of: Callable[[Formula], Form],
+    printed: Collection[float],
+) -> Any:
+    """Return how far a side of numbers may be off, put in for the letters of the other side."""
+    whole = _value(put_in, form_of)
+    parts = list(_values_of_parts(other, form_of))
+    total: Any = 0
+    for number in _typed(put_in):
+        half, value = _half(number), abs(float(number.value))
+        is_part = any(
+            abs(part * scale - value) <= half * scale_slack
+            for part in parts
+            for scale, scale_slack in ((s, _ROUNDING) for s in _SCALES)
+        )
+        is_exact = any(_is_same(value, part) for part in parts)
+        # 204.84 mm - 114.72 mm: as many digits as these are results, not data
+        is_long = number.last_place is not None and significant_digits(number) >= LONGER
+        is_term = is_long and isinstance(put_in, formula.Sum)
+        if is_exact or not (is_part or is_term or may_be_rounded(number, printed)):
+            continue
+        moved = replace_part(put_in, number, Number(number.value + Fraction(half)))
+        total += abs(_value(moved, form_of) - whole)
+    return total
+
+
+def _typed(node: Formula) -> Iterator[Number]:
+    """Yield the numbers of a side that may be values: decimals, and whole numbers from 100."""
+    exponents = {id(part.exponent) for part in formula.walk(node) if isinstance(part, formula.Power)}
+    for part in formula.walk(node):
+        if isinstance(part, Number) and id(part) not in exponents:
+            is_whole = part.value.denominator == 1 and abs(part.value) >= 100
+            if part.last_place is not None or (part.last_place is None and is_whole):
+                yield part
+
+
+def _values_of_parts(node: Formula, form_of: Callable[[Formula], Form]) -> Iterator[float]:
+    """Yield the sizes of the parts of a formula: of letters, sums and functions, and products of some."""
+    for part in formula.walk(node):
+        if names(part):
+            yield from _size(part, form_of)
+        if isinstance(part, formula.Product | formula.Quotient) and names(part):
+            factors = [f for f in _factors(part) if not isinstance(f, Number)][:MOST_FACTORS]
+            sizes = [next(_size(f, form_of), None) for f in factors]
+            known = [size for size in sizes if size is not None]
+            for count in range(2, len(known)):
+                for chosen in combinations(known, count):
+                    yield math.prod(chosen)
+
+
+def _factors(node: Formula) -> Iterator[Formula]:
+    """Yield the factors of a product and of a quotient, a square twice, what stands below as 1/x."""
+    if isinstance(node, formula.Product):
+        for factor in node.factors:
+            yield from _factors(factor)
+    elif isinstance(node, formula.Quotient):
+        yield from _factors(node.numerator)
+        for factor in _factors(node.denominator):
+            yield formula.Quotient(Number(Fraction(1)), factor)
+    elif isinstance(node, formula.Power) and node.exponent == Number(Fraction(2)):
+        yield node.base
+        yield node.base
+    else:
+        yield node
+
+
+def _size(node: Formula, form_of: Callable[[Formula], Form]) -> Iterator[float]:
+    try:
+        form = form_of(node)
+        if not letters(form):
+            yield abs(complex(Valuation(form.domain, {}).of(form)))
+    except (NoFormError, TooLargeError, OverflowError, ZeroDivisionError):
+        return
+
+
+def _value(node: Formula, form_of: Callable[[Formula], Form]) -> Any:
+    form = form_of(node)
+    return Valuation(form.domain, {}).of(form)
+
+
+def is_put_in(node: Formula, other: Formula) -> bool:
+    """Tell whether a side is an arithmetic of numbers that stands beside letters: m r ω² = 0.72·6396."""
+    return not names(node) and bool(names(other)) and not isinstance(node, Number | Name)
+
+
+def paired(left: Formula, right: Formula) -> list[tuple[Formula, Formula]] | None:
+    """Return the parts of a product with the numbers put in for them, in order; None for other shapes.
+
+    m r ω² = 0.5·0.04·628² puts 0.5 in for m, 0.04 for r, 628 for ω; λ m r ω² = 0.3·4605 puts in
+    something else, and m r ω² = 7888 nothing.
+    """
+    by_parts = _paired_parts(left, _without_unit(right))
+    if by_parts is not None and isinstance(left, formula.Product | formula.Quotient):
+        return by_parts
+    first, second = list(_bases(left)), list(_bases(right))
+    if len(first) != len(second) or len(first) < 2 or [e for _, e in first] != [e for _, e in second]:
+        return None
+    return [(part, number) for (part, _), (number, _) in zip(first, second, strict=True) if names(part)]
+
+
+def _without_unit(node: Formula) -> Formula:
+    """Return an arithmetic without the unit of its result behind it."""
+    if isinstance(node, Product) and len(node.factors) == 2 and isinstance(node.factors[0], Product):
+        return node.factors[0] if isinstance(node.factors[1], Number) else node
+    return node
+
+
+def _paired_parts(left: Formula, right: Formula) -> list[tuple[Formula, Formula]] | None:
+    """Return the letters of a formula with what stands at their places in another of the same shape."""
+    if isinstance(left, Name):
+        return [(left, right)]
+    if isinstance(left, formula.Power) and isinstance(right, formula.Power):
+        return _paired_parts(left.base, right.base) if left.exponent == right.exponent else None
+    if not names(left):
+        return []
+    first, second = formula.children(left), formula.children(right)
+    if type(left) is not type(right) or len(first) != len(second):
+        return None
+    parts = [_paired_parts(a, b) for a, b in zip(first, second, strict=True)]
+    return None if None in parts else [pair for part in parts if part for pair in part]
+
+
+def _bases(node: Formula, sign: int = 1) -> Iterator[tuple[Formula, Fraction]]:
+    """Yield the factors of a formula with their exponents; a unit goes with the number before it."""
+    if isinstance(node, formula.Product):
+        factors: list[Formula] = []
+        for factor in node.factors:
+            if factors and isinstance(factor, Number) and _is_unit(factor) and not names(factors[-1]):
+                factors[-1] = Product((factors[-1], factor))
+            else:
+                factors.append(factor)
+        for factor in factors if len(factors) > 1 else ():
+            yield from _bases(factor, sign)
+        if len(factors) == 1:
+            yield factors[0], Fraction(sign)
+    elif isinstance(node, formula.Quotient):
+        yield from _bases(node.numerator, sign)
+        yield from _bases(node.denominator, -sign)
+    elif isinstance(node, formula.Power) and isinstance(node.exponent, Number):
+        yield node.base, sign * node.exponent.value
+    else:
+        yield node, Fraction(sign)
+
+
+def _is_unit(number: Number) -> bool:
+    """Tell the factor of a unit, 1/1000 of mm, which no one types as a number."""
+    return number.last_place is None and number.value.denominator > 1

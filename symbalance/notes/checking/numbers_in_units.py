@@ -1,0 +1,249 @@
+"""Results whose numbers are in units that the arithmetic does not say: 109 hp · 0.7457 = 81.3 kW.
+
+What is calculated with stands in metres, newtons and kilograms; an author may put in the number of inches
+that a formula of his wants, convert a unit by a factor beside it, or weigh a force in lb. A relation that
+is refuted as it stands is read so where the page shows that it is meant so, and holds if it comes out.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+
+from symbalance.document.formula import (
+    Formula,
+    Name,
+    Number,
+    Product,
+    Quotient,
+    children,
+    names,
+    walk,
+    with_children,
+)
+from symbalance.document.text_writer import formula_text
+from symbalance.notes.algebra.domain import NoFormError
+from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.checking.deciding.cases import UNITS_LEFT_OUT, in_units_left_out
+from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.rounding import decimals, significant
+from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.dimensions import written_unit
+from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+from symbalance.notes.reading.numerals import unit_in_words
+from symbalance.notes.reading.units import Scale, scale_of
+
+RPM = Fraction(1, 30), True
+POUND, POUND_FORCE = Fraction(45359237, 10**8), Fraction(44482216152605, 10**13)
+FEWEST_DIGITS = 3
+"""That a factor of conversion, or a constant that a formula has for its units, is printed with."""
+_LETTER = re.compile(r"[A-Za-z]")
+_NO_LETTERS = re.compile(r"\\(?:cdot|times|[dt]?frac|pi|sqrt|left|right|div)(?![A-Za-z])")
+_SMALL_LENGTH = re.compile(r"(?<![A-Za-z])[cm]m(?![A-Za-z])")
+
+
+def decide_in_units(
+    chain: Chain, k: int, decision: Decision, document: ReadNotes, knowledge: Knowledge
+) -> Decision:
+    """Return the decision on a refuted relation in the units that its numbers are meant in."""
+    for meant in (_in_unit_of_result, _converted, _of_weights, _with_numbers_of_units):
+        there = meant(chain, k, document, knowledge)
+        if there is not None and (there.is_proved or meant is _converted):
+            return there
+    return decision
+
+
+def decide_after_units_left_out(
+    chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision on the result of numbers without units, m R = 0.35·38 = 13.3 kg mm.
+
+    It has to be that of the letters; where it is not, but is the arithmetic's, the units decide.
+    """
+    if not k or in_units_left_out(chain, k - 1, knowledge) is None:
+        return None
+    sign, right = chain.relations[k].sign, chain.sides[k + 1]
+    by_letters = decide(chain.sides[k - 1], right, sign, knowledge)
+    unit = written_unit(document.source(right.span))[1]
+    if by_letters.is_proved or not unit:
+        return by_letters if by_letters.is_proved else None
+    number, scale = right.node, scale_of(unit)
+    if not isinstance(number, Number) or scale is None:
+        return by_letters
+    place = number.last_place and number.last_place / scale[0]
+    typed = Side((Number(number.value / scale[0], place),), right.span)
+    by_number = decide(chain.sides[k], typed, sign, knowledge).is_proved
+    return Decision(UNDECIDED, UNITS_LEFT_OUT) if by_number else by_letters
+
+
+def _in_unit_of_result(
+    chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision on 80/2 = 40 mm: numbers without units, computed in that of the result.
+
+    Of lengths in mm or cm, and of rpm only: 1800 kN for 1800 N is a slip that is made.
+    """
+    left, right = chain.sides[k], chain.sides[k + 1]
+    if names(left.node) or names(right.node) or not isinstance(right.node, Product):
+        return None
+    *rest, unit = right.node.factors
+    written = document.text[unit.span[0] : unit.span[1]]
+    before = _NO_LETTERS.sub("", document.text[left.span[0] : left.span[1]])
+    is_usual = _SMALL_LENGTH.search(written) or scale_of(written.strip(" ~,.\\$")) == RPM
+    if _LETTER.search(before) or not is_usual or not rest:
+        return None
+    bare = rest[0] if len(rest) == 1 else Product(tuple(rest))
+    there = decide(left, Side((bare,), right.span), chain.relations[k].sign, knowledge)
+    return replace(there, assumptions=(*there.assumptions, "numbers in the unit of the result"))
+
+
+# Factors of conversion: 109 hp · 0.7457 = 81.3 kW
+
+
+def _converted(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on a quantity times what converts its unit to that of the result.
+
+    The factor agrees with the two units to its last digit; then it is no second power, and the number is
+    in the unit of the result. What does not come out so is wrong.
+    """
+    left, right = chain.sides[k], chain.sides[k + 1]
+    target = _scale_written(document.source(right.span))
+    if names(left.node) or names(right.node) or target is None or target[1]:
+        return None
+    units = [p for p in walk(left.node) if isinstance(p, Number) and _is_unit_in(p, document)]
+    if len(units) > 1 or not _LETTER.search(_NO_LETTERS.sub("", document.source(left.span))):
+        return None
+    own = units[0].value if units else Fraction(1)
+    ratio = own / target[0]
+    factor = next((f for f, power in _factors(left.node) if _agrees(f, ratio**power)), None)
+    if factor is None or ratio == 1:
+        return None
+    bare = _with_scale(left.node, units[0] if units else None, target[0])
+    there = decide(Side((bare,), left.span), right, chain.relations[k].sign, knowledge)
+    text = formula_text(factor, plain=True)
+    return replace(there, assumptions=(*there.assumptions, f"{text} converts the unit"))
+
+
+def _scale_written(source: str) -> Scale | None:
+    number, unit = written_unit(source)
+    return scale_of(unit) if number and unit else None
+
+
+def _is_unit_in(node: Formula, document: ReadNotes) -> bool:
+    """Tell whether a number is the factor of a unit: letters stand where it was read."""
+    is_exact = isinstance(node, Number) and node.last_place is None
+    return is_exact and _LETTER.match(document.source(node.span).lstrip("\\{~ ")) is not None
+
+
+def _factors(node: Formula, power: int = 1) -> Iterator[tuple[Number, int]]:
+    """Yield the numbers that are factors of an arithmetic, with 1 above a stroke, -1 below it."""
+    if isinstance(node, Number):
+        yield node, power
+    elif isinstance(node, Product):
+        for factor in node.factors:
+            yield from _factors(factor, power)
+    elif isinstance(node, Quotient):
+        yield from _factors(node.numerator, power)
+        yield from _factors(node.denominator, -power)
+
+
+def _agrees(number: Number, ratio: Fraction) -> bool:
+    """Tell whether a number as printed is a ratio of units; one of two digits has to be so exactly."""
+    place = number.last_place
+    if place is None or significant(number) < FEWEST_DIGITS:
+        return number.value == ratio
+    return abs(number.value - ratio) <= place / 2
+
+
+def _with_scale(node: Formula, unit: Formula | None, scale: Fraction) -> Formula:
+    """Return an arithmetic in another unit than the one that stands in it."""
+    if unit is None:
+        return Product((node, Number(scale)))
+    return _replaced(node, unit, Number(scale))
+
+
+def _replaced(node: Formula, old: Formula, new: Formula) -> Formula:
+    if node is old:
+        return new
+    parts = children(node)
+    return with_children(node, tuple(_replaced(part, old, new) for part in parts)) if parts else node
+
+
+# Weights: a force in lb
+
+
+def _of_weights(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on F = m a = 1345 lb, a force that is weighed in pounds."""
+    left, right = chain.sides[k], chain.sides[k + 1]
+    pounds = [part for part in walk(right.node) if part == Number(POUND)]
+    if not names(left.node) or names(right.node) or len(pounds) != 1:
+        return None
+    forced = Side((_replaced(right.node, pounds[0], Number(POUND_FORCE)),), right.span)
+    there = decide(left, forced, chain.relations[k].sign, knowledge)
+    return replace(there, assumptions=(*there.assumptions, "lb is a force"))
+
+
+# Formulas between numbers: N_c = 187.6/√y, y in inches
+
+
+def _with_numbers_of_units(
+    chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision with a formula's letters as numbers of the units that the page names.
+
+    "With y in inches N_c = 187.6/√y": such a formula has a constant for its units, and a letter in it
+    counts inches. Both have to be there, the words before the line.
+    """
+    left, right = chain.sides[k], chain.sides[k + 1]
+    before = document.text[: right.span[1]]
+    units = dict(_units_in_words(before, knowledge, left.node, right.node))
+    if not units:
+        return None
+    definitions = dict(knowledge.definitions)
+    for name, definition in knowledge.definitions.items():
+        if _is_of_numbers(definition.node):
+            definitions[name] = replace(definition, node=_as_numbers(definition.node, units))
+    sides = [
+        replace(s, readings=tuple(_as_numbers(n, units) if _is_of_numbers(n) else n for n in s.readings))
+        for s in (left, right)
+    ]
+    there = decide(
+        sides[0], sides[1], chain.relations[k].sign, replace(knowledge, definitions=definitions)
+    )
+    texts = tuple(f"{formula_text(Name(n), plain=True)} in {unit}" for n, (unit, _) in units.items())
+    return replace(there, assumptions=(*there.assumptions, *texts))
+
+
+def _units_in_words(
+    text: str, knowledge: Knowledge, *nodes: Formula
+) -> Iterator[tuple[str, tuple[str, Fraction]]]:
+    """Yield the letters that a text says to be in a unit, with it: the deflection y in inches."""
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    for name in sorted({n for node in nodes for n in names_behind(node, values)}):
+        if len(name) > 1:
+            continue
+        for match in re.finditer(rf"(?<![\w\\]){re.escape(name)}\$? in (?=[A-Za-z])", text):
+            unit = unit_in_words(text[match.end() : match.end() + 40])
+            scale = scale_of(unit) if unit else None
+            if scale is not None and not scale[1] and scale[0] != 1:
+                yield name, (unit, scale[0])
+                break
+
+
+def _is_of_numbers(node: Formula) -> bool:
+    """Tell whether a formula has letters and a constant for its units, a decimal of three digits."""
+    return bool(names(node)) and any(significant(number) >= FEWEST_DIGITS for number in decimals(node))
+
+
+def _as_numbers(node: Formula, units: dict[str, tuple[str, Fraction]]) -> Formula:
+    """Return a formula with each letter divided by its unit."""
+    for name in sorted(names(node) & units.keys()):
+        try:
+            node = substitute(node, name, Quotient(Name(name), Number(units[name][1])))
+        except NoFormError:
+            continue  # a derivative by the letter: it stays one
+    return node

@@ -1,0 +1,72 @@
+"""Names of slips as a teacher writes them beside a line: "sign of the second term", "4, not 2"."""
+
+from __future__ import annotations
+
+import re
+
+from symbalance.document import formula
+from symbalance.document.formula import Formula, Negative, Product, Quotient, Sum
+from symbalance.document.text_writer import formula_text
+
+_ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
+_MISPRINTED = re.compile(r"number misprinted \((\S+) for (\S+)\)")
+_INSTEAD = re.compile(r"(\S+) for (\S+)")
+_OF_A_TERM = ("sign", "exponent", "order", "phase")
+
+
+def slip_words(kind: str, side: Formula, changes: tuple[tuple[Formula, Formula], ...]) -> str:
+    """Return what kind of slip a change undoes, in words, with the term of the side that it stands in.
+
+    >>> from symbalance.document.formula import Name
+    >>> x, y = Name("x"), Negative(Name("y"))
+    >>> slip_words("sign", Sum((x, y)), ((y, y.operand),)), slip_words("cos for sin", x, ((x, y),))
+    ('sign of the second term', 'cos, not sin')
+    """
+    if match := _MISPRINTED.fullmatch(kind):
+        return f"{match[1]}, not {match[2]}"
+    if match := _INSTEAD.fullmatch(kind):
+        return f"{match[1]}, not {match[2]}"
+    (old, new), *others = changes
+    if kind == "factor" and not others:
+        factor = _factor(old, new)
+        if factor is None:
+            return "a factor"
+        return f"factor {formula_text(factor, plain=True)} is missing"
+    if kind in _OF_A_TERM and not others:
+        term = _term_with(old, side)
+        return f"{kind} of the {_ORDINALS[term]} term" if term is not None else kind
+    return kind
+
+
+def _factor(old: Formula, new: Formula) -> Formula | None:
+    """Return what a side is multiplied by, where that stands in front of it."""
+    if isinstance(new, Product) and len(new.factors) == 2 and new.factors[1] is old:
+        return new.factors[0]
+    if isinstance(new, Product) and isinstance(old, Product) and new.factors[1:] == old.factors:
+        return new.factors[0]
+    return None
+
+
+def _term_with(part: Formula, side: Formula) -> int | None:
+    """Return which term of a side's sum holds a part; None where it has none, or a long one."""
+    total = _sum_in(side)
+    if total is None or len(total.terms) > len(_ORDINALS):
+        return None
+    for k, term in enumerate(total.terms):
+        if any(each is part for each in formula.walk(term)):
+            return k
+    return None
+
+
+def _sum_in(node: Formula) -> Sum | None:
+    """Return the sum that a side is, alone, behind a sign, with a factor or above a bar."""
+    if isinstance(node, Sum):
+        return node
+    if isinstance(node, Negative):
+        return _sum_in(node.operand)
+    if isinstance(node, Quotient):
+        return _sum_in(node.numerator)
+    if isinstance(node, Product):
+        sums = [each for each in map(_sum_in, node.factors) if each is not None]
+        return sums[0] if len(sums) == 1 else None
+    return None

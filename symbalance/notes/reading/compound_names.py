@@ -1,0 +1,233 @@
+"""Names of several letters in plain text, ωm, rG or Fmax: which are one name is decided once for a page.
+
+Without TeX a subscript is typed on the line. Whether `ωm` is one letter or ω times m, the page itself
+says: it is one where it stands alone left of = and one of its letters is no letter of the page, where
+what it is defined by belongs to its first letter (ωm = (ω1 + ω2)/2), or where the page writes every
+product with a sign. Each name is then read so throughout, as ω_{m}, and a note says it; a note also
+says which ones are products although they stand alone.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from symbalance.document.letters import (
+    FUNCTION_WORDS,
+    GREEK_SIGN,
+    NAME_OF_SIGN,
+    SHORT_NAMES,
+    plain_letter,
+)
+from symbalance.notes.reading.letter_names import canonical_name
+from symbalance.notes.reading.marked_formulas import marked_formulas
+from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
+from symbalance.notes.reading.units import scale_of
+
+_GREEK = "".join(sign for sign in (*GREEK_SIGN.values(), *NAME_OF_SIGN) if sign not in "πΣΠ")
+_LETTER = f"A-Za-z{_GREEK}"
+_EQUALS = r"(?=[ \t]*(?:=(?![=>])|[≈≒≃]))"
+_HEAD = re.compile(
+    rf"(?<![A-Za-z0-9_À-ÿ\\^}}'′’{_GREEK}])(?P<base>[{_LETTER}])(?P<suffix>[A-Za-z]{{1,4}}){_EQUALS}"
+)
+_BEFORE = re.compile(
+    rf"(?:^|(?:^|\s)\(?[a-z0-9]{{1,2}}\)|[.,:;(、。，：；|`\ue000]|[^\W\d_{_GREEK}]{{2,}}\.?"
+    r"|[\u2e80-\u9fff])[ \t]*$"
+)
+_VALUE = re.compile(r"[ \t]*[=≈≒≃](?P<value>[^\n=≈≒≃<>,;、。]{1,200})")
+_OPERATOR = "·*×/+²³^"
+_ALONE = re.compile(
+    "|".join(
+        (
+            rf"(?:^|(?<=[^\w {{\\'’]))[ \t]*([{_LETTER}])[ \t]*(?=[=≈≒≃{_OPERATOR}])",
+            rf"(?<=[·*×/+−(=] )([{_LETTER}])(?![{_LETTER}\w'’])",
+            rf"(?<=[·*×/+−(=])([{_LETTER}])(?![{_LETTER}\w'’])",
+            rf"(?<=[^\W\d_]{{3}} )([{_LETTER}])(?=[ \t]*[=≈≒≃,.;:)])",
+            rf"(?<=[\u2e80-\u9fff])[ \t]?([{_LETTER}])(?=[ \t]*[=≈≒≃,.;:)、。])",
+            rf"(?<=[0-9])([{_GREEK}])(?![{_LETTER}\w])",
+        )
+    ),
+    re.MULTILINE,
+)
+"""A letter by itself: left of a sign, behind one, behind a word that it stands for, behind a digit."""
+_SIGNED_PRODUCT = re.compile(
+    rf"(?<![{_LETTER}])[{_LETTER}](?:_?\w{{1,3}})?[²³]?[ \t]?[·*×⋅][ \t]?[{_LETTER}](?![{_LETTER}])"
+)
+_IN_FORMULA = re.compile(r"[ \t]*[²³^·・*×⋅/+−=≈≒≃)]|[ \t]*-[ \t]*\S")
+_BEHIND_SIGN = re.compile(r"[·・*×⋅/+−=≈≒≃(0-9²³√][ \t]*$|[^\w \t]-[ \t]*$")
+_TIMES = frozenset("tT")
+_EXTREMES = ("max", "min")
+_LONGEST_BEFORE = 40
+MOST_NAMES = 200
+"""A page has fewer; the limit keeps the search in proportion to the text."""
+
+
+@dataclass(slots=True)
+class _Name:
+    """A spelling that stands alone left of a relation, and where it first does."""
+
+    base: str
+    suffix: str
+    place: int
+    is_defined_by_kin: bool = False
+
+    @property
+    def spelling(self) -> str:
+        return self.base + self.suffix
+
+
+def with_compound_names(
+    text: str, is_letter: Callable[[str, int], bool] = lambda name, line: False
+) -> tuple[Rewritten | None, tuple[str, ...]]:
+    """Return a text with ωm as ω_{m} where that is one name, None where there are none, and notes.
+
+    >>> with_compound_names("Der Mittelwert ωm = (ω1 + ω2)/2, also ωm² = 4")[0].text
+    'Der Mittelwert ω_{m} = (ω1 + ω2)/2, also ω_{m}² = 4'
+    >>> with_compound_names("m = 3 kg, r = 2 m, mr = 6 kg m")[0] is None
+    True
+    """
+    formulas = marked_formulas(text)
+    plain = _without(text, formulas)
+    candidates = _candidates(plain, is_letter)
+    if not candidates:
+        return None, ()
+    known = _letters_of(plain, candidates)
+    has_signs = len(_SIGNED_PRODUCT.findall(plain)) > 1 and not _has_bare_products(
+        plain, candidates, known
+    )
+    names: list[_Name] = []
+    products: list[_Name] = []
+    for name in candidates:
+        line = plain.count("\n", 0, name.place) + 1
+        is_declared = is_letter(_canonical(name), line)
+
+        def is_known(letter: str, at: int = line) -> bool:
+            return letter in known or letter in _TIMES or is_letter(NAME_OF_SIGN.get(letter, letter), at)
+
+        is_product = all(map(is_known, name.spelling)) and name.suffix not in _EXTREMES
+        if is_declared or not is_product or name.is_defined_by_kin or has_signs:
+            names.append(name)
+        else:
+            products.append(name)
+    notes: list[str] = []
+    if names:
+        shown = ", ".join(f"{name.spelling} as {plain_letter(_canonical(name))}" for name in names)
+        notes.append(f"one letter each: {shown}")
+    if products:
+        shown = ", ".join(f"{name.spelling} as {'·'.join(name.spelling)}" for name in products)
+        notes.append(f"products of letters of the page: {shown}")
+    return _written(text, plain, names, known) if names else None, tuple(notes)
+
+
+def _without(text: str, spans: list[Span]) -> str:
+    """Return a text with blanks where TeX stands: its subscripts are marked."""
+    pieces, place = [], 0
+    for start, end in spans:
+        pieces += [text[place:start], re.sub(r"[^\n]", "\ue000", text[start:end])]
+        place = end
+    return "".join([*pieces, text[place:]])
+
+
+def _canonical(name: _Name) -> str:
+    return canonical_name(f"{name.base}_{{{name.suffix}}}")
+
+
+def _candidates(plain: str, is_letter: Callable[[str, int], bool]) -> list[_Name]:
+    """Return the spellings that stand alone left of a relation, each once."""
+    first: dict[str, _Name] = {}
+    for match in _HEAD.finditer(plain):
+        before = plain[max(match.start() - _LONGEST_BEFORE, 0) : match.start()].rpartition("\n")[2]
+        name = _Name(match["base"], match["suffix"], match.start())
+        value = _VALUE.match(plain, match.end())
+        name.is_defined_by_kin = value is not None and _is_kin(name, value["value"])
+        if not _BEFORE.search(before) or not _may_be_name(name, plain):
+            continue
+        if is_letter(name.spelling, plain.count("\n", 0, match.start()) + 1):
+            continue
+        earlier = first.setdefault(name.spelling, name)
+        earlier.is_defined_by_kin = earlier.is_defined_by_kin or name.is_defined_by_kin
+        if len(first) >= MOST_NAMES:
+            break
+    spellings = "|".join(first)
+    runs = re.compile(rf"(?:{spellings}){{2,}}")
+    return [name for name in first.values() if not runs.fullmatch(name.spelling)]
+
+
+def _may_be_name(name: _Name, plain: str) -> bool:
+    """Tell whether a spelling may be a letter and its subscript by its look, and is no word or unit."""
+    spelling = name.spelling
+    if _has_other_meaning(spelling) or (name.base in "dδ∂Δ∆" and len(name.suffix) == 1):
+        return False
+    if name.base in _GREEK or name.suffix in _EXTREMES:
+        return True
+    is_long = len(spelling) > 2
+    if is_long and not name.suffix.islower():
+        return spelling[0].islower() and spelling[1].isupper()
+    if not is_long and not spelling.islower():
+        return True
+    uses = list(_uses(name, plain))
+    enough = 1 if not is_long or name.is_defined_by_kin else 2
+    return len(uses) >= enough and all(_stands_in_formula(plain, *span) for span in uses)
+
+
+def _has_other_meaning(spelling: str) -> bool:
+    """Tell whether a spelling is a function, a unit or a Greek letter written out."""
+    is_letter = spelling in GREEK_SIGN or spelling in SHORT_NAMES or spelling == "pi"
+    is_function = spelling.lower() in FUNCTION_WORDS or spelling[1:] in FUNCTION_WORDS
+    return is_letter or is_function or scale_of(spelling) is not None
+
+
+def _stands_in_formula(plain: str, start: int, end: int) -> bool:
+    before = plain[max(start - 4, 0) : start]
+    return _IN_FORMULA.match(plain, end) is not None or _BEHIND_SIGN.search(before) is not None
+
+
+def _is_kin(name: _Name, value: str) -> bool:
+    """Tell whether a value is made of letters of the same base, (ω1 + ω2)/2, and not of the suffix."""
+    kin = re.search(rf"(?<![A-Za-z\\]){name.base}(?:_?\{{?[0-9A-Za-z]|[₀-₉ₐ-ₜ])", value)
+    own = any(re.search(rf"(?<![A-Za-z{_GREEK}_{{]){sign}(?![a-zA-Z(])", value) for sign in name.suffix)
+    return kin is not None and not own
+
+
+def _letters_of(plain: str, candidates: list[_Name]) -> set[str]:
+    """Return the single letters that stand as such on the page."""
+    return {next(filter(None, match.groups())) for match in _ALONE.finditer(plain)} - set("aAI")
+
+
+def _has_bare_products(plain: str, candidates: list[_Name], known: set[str]) -> bool:
+    """Tell whether letters of the page stand side by side as a product that is no candidate."""
+    spellings = {name.spelling for name in candidates}
+    for match in re.finditer(rf"(?<![\w\\{_GREEK}])[{_LETTER}]{{2,4}}(?![{_LETTER}_{{])", plain):
+        run = match.group()
+        if run in spellings or run.lower() in FUNCTION_WORDS or not set(run) <= known or scale_of(run):
+            continue
+        if _stands_in_formula(plain, *match.span()):
+            return True
+    return False
+
+
+def _uses(name: _Name, plain: str) -> list[Span]:
+    """Return where a spelling stands: in no longer word, but behind Greek letters and digits too."""
+    before = "" if name.base in _GREEK else "A-Za-z"
+    pattern = rf"(?<![\\_{{{before}]){name.spelling}(?![A-Za-z_{{]|[0-9]\w)"
+    return [match.span() for match in re.finditer(pattern, plain)]
+
+
+def _written(text: str, plain: str, names: list[_Name], known: set[str]) -> Rewritten | None:
+    """Return a text whose runs of letters are cut into names, functions and letters of the page."""
+    names = sorted(names, key=lambda name: -len(name.spelling))
+    spellings = "|".join(name.spelling for name in names)
+    functions = "|".join(sorted(FUNCTION_WORDS, key=len, reverse=True))
+    single = "".join(sorted(known | set(_GREEK)))
+    part = rf"(?:{spellings}|{functions}|[{single}])"
+    run = re.compile(rf"(?<![{_LETTER}\\_]){part}*?(?:{spellings}){part}*(?![{_LETTER}_{{]|[0-9]\w)")
+    piece = re.compile(rf"(?P<name>{spellings})|{functions}|[{single}]")
+    rewriter, has_names = Rewriter(text), False
+    for match in run.finditer(plain):
+        for inner in piece.finditer(plain, *match.span()):
+            if inner["name"]:
+                start, end = inner.span()
+                rewriter.replace(start, end, (start, start + 1), "_{", (start + 1, end), "}")
+                has_names = True
+    return rewriter.finish() if has_names else None

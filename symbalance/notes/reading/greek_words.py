@@ -1,0 +1,54 @@
+"""Greek letters written out in plain text, lambda = r/l and cos(2phi), as their signs.
+
+Only where they stand in a formula: beside an operator, a relation or a digit, or in brackets.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from bisect import bisect_right
+from collections.abc import Callable
+
+from symbalance.document.letters import GREEK_SIGN, SHORT_NAMES
+from symbalance.notes.reading.marked_formulas import marked_formulas
+from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+
+_SIGNS = {**GREEK_SIGN, **{short: GREEK_SIGN[name] for short, name in SHORT_NAMES.items()}}
+_WORDS = sorted((name for name in _SIGNS if name not in ("pi", "ell")), key=len, reverse=True)
+_WORD = re.compile(rf"(?<![A-Za-z\\_{{])(?P<name>{'|'.join(_WORDS)})(?![A-Za-z_{{'’])")
+_AFTER = re.compile(r"[0-9]|[ \t]*[=≈^*·/+²³<>≤≥)]|[ \t]+-[ \t]")
+_BEFORE = re.compile(r"[0-9=≈*·/+(<>≤≥−][ \t]*$|[ \t]-[ \t]*$")
+
+
+def with_greek_words(
+    text: str, is_letter: Callable[[str, int], bool] = lambda name, line: False
+) -> Rewritten | None:
+    """Return a text with the names of Greek letters in formulas as signs, None where there are none.
+
+    >>> with_greek_words("also lambda=r/l, cos(2phi)").text
+    'also λ=r/l, cos(2φ)'
+    >>> with_greek_words("the angle theta of phi") is None
+    True
+    """
+    formulas = marked_formulas(text)
+    rewriter, has_words = Rewriter(text), False
+    line, counted = 1, 0
+    for match in _WORD.finditer(text):
+        start, end = match.span()
+        line, counted = line + text.count("\n", counted, start), start
+        if is_letter(match["name"], line) or _is_inside(start, formulas):
+            continue
+        before = text[max(start - 4, 0) : start]
+        if match["name"] == "psi" and before.rstrip()[-1:].isdigit():
+            continue  # 120 psi
+        if _AFTER.match(text, end) or _BEFORE.search(before):
+            rewriter.replace(start, end, _SIGNS[match["name"]])
+            has_words = True
+    return rewriter.finish() if has_words else None
+
+
+def _is_inside(place: int, spans: list[tuple[int, int]]) -> bool:
+    """Tell whether a place lies in one of the spans, which are in order."""
+    before = bisect_right(spans, (place, sys.maxsize))
+    return before > 0 and place < spans[before - 1][1]

@@ -1,0 +1,78 @@
+r"""Equations behind one brace, `\begin{cases} a + b = 5 \\ a - b = 1 \end{cases}`, as rows of a display.
+
+Behind a relation sign such a brace holds cases: f = { 0 for x < 0, 1 for x ≥ 0.
+"""
+
+from __future__ import annotations
+
+import re
+
+from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.notes.reading.signs import RELATION
+
+_ROWS = r"(?P<rows>(?:(?!\\begin|\\end).){1,4000}?)"
+_BRACE = re.compile(
+    r"\\left\s*\\(?:\{|lbrace)\s*\\begin\s*\{(?P<inner>aligned|array|gathered|alignedat|split|matrix)\}"
+    rf"(?:\s*\{{[^{{}}]*\}})?{_ROWS}\\end\s*\{{(?P=inner)\}}\s*\\right\s*\."
+    rf"|\\begin\s*\{{(?P<cases>d?cases)\}}{_ROWS.replace('rows', 'values')}\\end\s*\{{(?P=cases)\}}",
+    re.DOTALL,
+)
+_RELATION_LAST = re.compile(rf"(?:{RELATION.pattern})$")
+_BEFORE = 24  # characters before the brace in which its relation stands
+
+
+def with_systems(text: str) -> Rewritten | None:
+    r"""Return a text with systems as rows of equations, and cases as such; None where there are none.
+
+    >>> with_systems(r"\[\begin{cases} a + b = 5 \\ a = 3 \end{cases}\]").text
+    '\\[\\begin{aligned} a + b = 5 \\\\ a = 3 \\end{aligned}\\]'
+    """
+    if "\\begin" not in text:
+        return None
+    rewriter, changed = Rewriter(text), False
+    for match in _BRACE.finditer(text):
+        group = "values" if match["cases"] else "rows"
+        before = text[max(match.start() - _BEFORE, 0) : match.start()].rstrip(" \t\n&")
+        if _RELATION_LAST.search(before):
+            name = "" if match["cases"] else "cases"
+        else:
+            rows = _rows(match[group])
+            if match["cases"] and rows and all(RELATION.match(row.lstrip(" \t\n&")) for row in rows):
+                rewriter.replace(*match.span(), *_with_relation_before(text, *match.span(group)))
+                changed = True
+                continue
+            name = "aligned" if all(map(_is_equation, rows)) else ""
+        if name:
+            rewriter.replace(*match.span(), f"\\begin{{{name}}}", match.span(group), f"\\end{{{name}}}")
+            changed = True
+    return rewriter.finish() if changed else None
+
+
+def _with_relation_before(text: str, start: int, end: int) -> list[str | tuple[int, int]]:
+    """Return { = a if …, = b else as = { a if …, b else; with several relations it is not read."""
+    signs: set[str] = set()
+    spans: list[tuple[int, int]] = []
+    first = start
+    for stop in [*(m.start() for m in re.compile(r"\\\\").finditer(text, start, end)), end]:
+        begin = re.compile(r"[ \t\n&]*").match(text, first, stop)
+        sign = RELATION.match(text, begin.end() if begin else first, stop)
+        if sign is not None:
+            signs.add(sign.group())
+            spans.append((sign.end(), stop))
+        first = stop + 2
+    if len(signs) > 1:
+        return ["\\begin{relations}", (start, end), "\\end{relations}"]
+    parts: list[str | tuple[int, int]] = [f"{signs.pop()}\\begin{{cases}}"]
+    for span in spans:
+        parts += [span, "\\\\"]
+    return [*parts[:-1], "\\end{cases}"]
+
+
+def _rows(inside: str) -> list[str]:
+    return [row for row in re.split(r"\\\\", inside) if row.strip()]
+
+
+def _is_equation(row: str) -> bool:
+    """Tell whether a relation stands in a row's first cell, or right behind it."""
+    first, _, second = row.partition("&")
+    return RELATION.search(first) is not None or RELATION.match(second.lstrip()) is not None
