@@ -395,7 +395,7 @@ class _Roles:
         return sum(power > 0 for power in powers) > sum(power < 0 for power in powers)
 
     def _has_value_below_one(self, letter: str) -> bool:
-        """Tell whether a page gives a letter a value below one: then it is r/l, as a rod is longer than r."""
+        """Tell whether a page gives a letter a value below one: then it is r/l, a rod being longer."""
         for chain in self.page.chains:
             for left, right in zip(chain.sides, chain.sides[1:], strict=False):
                 if left.node == Name(letter):
