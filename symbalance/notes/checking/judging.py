@@ -34,17 +34,8 @@ from symbalance.notes.checking.carried_values import CarriedValues
 from symbalance.notes.checking.case_words import is_case_behind
 from symbalance.notes.checking.consequences import decide_consequence
 from symbalance.notes.checking.constraints import Constraint
-from symbalance.notes.checking.deciding.cases import (
-    decide_case,
-    decide_with_ratio,
-    states_a_case,
-)
-from symbalance.notes.checking.deciding.equality import (
-    PROVED,
-    Decision,
-    decide_equality,
-    without_dots,
-)
+from symbalance.notes.checking.deciding.cases import decide_case, decide_with_ratio, states_a_case
+from symbalance.notes.checking.deciding.equality import PROVED, Decision, decide_equality, without_dots
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality, sample_ranges
 from symbalance.notes.checking.deciding.knowledge import Assumption, Definition, Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import (
@@ -57,13 +48,7 @@ from symbalance.notes.checking.deciding.relations import decide, decide_at_value
 from symbalance.notes.checking.deciding.remainders import is_remainder
 from symbalance.notes.checking.deciding.sign_of_letters import decide_with_signs
 from symbalance.notes.checking.deciding.substitution import substitute
-from symbalance.notes.checking.definitions import (
-    Definitions,
-    holds_at_angles,
-    lines_of,
-    number_of,
-    refuted_at_angles,
-)
+from symbalance.notes.checking.definitions import Definitions
 from symbalance.notes.checking.descriptions import (
     describe,
     undecided,
@@ -76,14 +61,25 @@ from symbalance.notes.checking.engine_speeds import decide_speed, speeds_of
 from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.extremes import decide_extreme, decide_place
 from symbalance.notes.checking.given_numbers import GivenNumbers, number_given
+from symbalance.notes.checking.impossible_values import number_of
+from symbalance.notes.checking.letter_values import define_letter
 from symbalance.notes.checking.letters_of_sections import numbers_of_this_section
 from symbalance.notes.checking.meant_quantities import MeantQuantities
 from symbalance.notes.checking.meant_words import MeantWords
 from symbalance.notes.checking.numbers_in_units import decide_after_units_left_out, decide_in_units
+from symbalance.notes.checking.open_cases import (
+    cases_left_by,
+    cases_replaced_by,
+    end_cases,
+    lines_of_numbers,
+    past_cases,
+    without_cases,
+)
 from symbalance.notes.checking.own_units import with_speeds
 from symbalance.notes.checking.page_data import data_of
 from symbalance.notes.checking.premise_branches import decide_on_branches
-from symbalance.notes.checking.premises import Premise, implied
+from symbalance.notes.checking.premise_decisions import decide_by_premises, must_follow
+from symbalance.notes.checking.premises import Premise, implied, lines_of
 from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
 from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.series_coefficients import (
@@ -93,6 +89,7 @@ from symbalance.notes.checking.series_coefficients import (
 )
 from symbalance.notes.checking.sidecar import Binding, Declarations
 from symbalance.notes.checking.solutions import NEAR, chains_below, solution_behind_arrow, solution_below
+from symbalance.notes.checking.solved_premises import concerns, solve_premises, solve_without_scope
 from symbalance.notes.checking.symbol_roles import (
     KNOWN,
     MOVING,
@@ -115,6 +112,7 @@ from symbalance.notes.checking.verdicts import (
     Checked,
     Verdict,
 )
+from symbalance.notes.checking.witness_angles import holds_at_angles, refuted_at_angles
 from symbalance.notes.reading import ReadingError, read_equation
 from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side
 
@@ -406,23 +404,23 @@ class Judge:
         What is said of all values does not rest on a case before, and one case takes another's place.
         """
         angles = self.knowledge(chain.lines[0]).angles if self.definitions.cases else frozenset[str]()
-        left = self.definitions.cases_left_by(chain, angles)
+        left = cases_left_by(self.definitions, chain, angles)
         start = min(side.span[0] for side in chain.sides)
         own = {name for side in chain.sides for name in names(side.node)}
         spoken = dict.fromkeys(own, False)
         self.general = self.definitions.sections.spoken_of_generally(chain, spoken, named=True)
-        examples = self.definitions.lines_of_numbers(self.general)
+        examples = lines_of_numbers(self.definitions, self.general)
         if left or examples:
             free = frozenset(name for case in left for name in case.letters)
             self.general |= free
             lines = examples | {case.line for case in left}
-            with self.definitions.without_cases(lines, self.general):
+            with without_cases(self.definitions, lines, self.general):
                 verdict = self._link_in_scope(chain, k, sound, bad)
-            self.definitions.end_cases(left, start)
+            end_cases(self.definitions, left, start)
             return verdict
         verdict = self._link_in_scope(chain, k, sound, bad)
-        if verdict.verdict == CONTRADICTION and (others := self.definitions.cases_replaced_by(chain)):
-            self.definitions.end_cases(others, start)
+        if verdict.verdict == CONTRADICTION and (others := cases_replaced_by(self.definitions, chain)):
+            end_cases(self.definitions, others, start)
             return self._link_in_scope(chain, k, sound, bad)
         return verdict
 
@@ -447,9 +445,9 @@ class Judge:
         past = frozenset[int]()
         angles = turning if rests_on_case else angles
         if _is_refuted(outcome) or rests_on_case:
-            past = self.definitions.past_cases(line, angles)
+            past = past_cases(self.definitions, line, angles)
         if past:
-            with self.definitions.without_cases(past, angles):
+            with without_cases(self.definitions, past, angles):
                 freer = self._with_clauses_below(chain, k, self.knowledge(line))
                 general = self._link(chain, k, sound, bad, freer)
             # a case that is past makes no relation true in which its angle stands
@@ -538,7 +536,7 @@ class Judge:
         """Return the decision on a refuted relation by all that may be meant with it, in turn."""
         of_matrices = is_of_matrices(chain.sides[k].node, chain.sides[k + 1].node, knowledge)
         # cases and conditions are of numbers
-        may_state = not of_matrices and not self.definitions.must_follow(chain, k) and not self.general
+        may_state = not of_matrices and not must_follow(self.definitions, chain, k) and not self.general
         if decision.status == REFUTED and may_state:
             decision = self._unless_stated(chain, k, against, decision, knowledge)
         if decision.status == REFUTED:
@@ -557,7 +555,7 @@ class Judge:
         """
         values = {name: list(entries) for name, entries in self.definitions.values.items()}
         premises = list(self.definitions.premises)
-        definition = self.definitions.define_by(chain, k, knowledge)
+        definition = define_letter(self.definitions, chain, k, knowledge)
         pair, line, sections = number_given(chain, k), chain.lines[0], self.definitions.sections
         head = chain.sides[0].node
         if not k and definition is not None and definition.status in STATED and isinstance(head, Name):
@@ -729,9 +727,9 @@ class Judge:
         """Return the decision on what is no proved step: it may be given, or follow from what is."""
         left, right = chain.sides[k], chain.sides[k + 1]
         of_matrices = is_of_matrices(left.node, right.node, knowledge)
-        must_follow = [] if of_matrices else self.definitions.must_follow(chain, k)
-        if must_follow:
-            return self._following(chain, k, must_follow, decision, knowledge)
+        premises = [] if of_matrices else must_follow(self.definitions, chain, k)
+        if premises:
+            return self._following(chain, k, premises, decision, knowledge)
         if not self.general:
             stated = (self._fixed_matrix if of_matrices else self._fixed)(chain, k, knowledge)
             if stated is not None:
@@ -787,7 +785,7 @@ class Judge:
         left, right = chain.sides[k], chain.sides[k + 1]
         by_all, _ = self._with_premises(left, right, "=", decision, knowledge)
         statement = self.definitions.premise_of(chain, k)
-        by_premises = self.definitions.decide_by_premises(statement, knowledge)
+        by_premises = decide_by_premises(self.definitions, statement, knowledge)
         if by_premises is not None and by_premises.status != PREMISE:
             return by_premises
         if by_all.status != REFUTED:
@@ -928,7 +926,7 @@ class Judge:
     def _ended_premise(self, chain: Chain, k: int, knowledge: Knowledge) -> str:
         """Return which premise of a section above would make a relation true, "" for none."""
         left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
-        solved = self.definitions.without_scope([left.node, right.node], chain.lines[0], knowledge)
+        solved = solve_without_scope(self.definitions, [left.node, right.node], chain.lines[0], knowledge)
         if solved is None:
             return ""
         by_all = decide(left, right, sign, solved.knowledge)
@@ -1043,8 +1041,8 @@ class Judge:
 
     def _fix(self, constraint: Constraint, chain: Chain, k: int, knowledge: Knowledge) -> Decision:
         """Return the decision on a relation that fixes a letter, after defining it."""
-        by_premises = self.definitions.decide_by_premises(
-            self.definitions.premise_of(chain, k), knowledge
+        by_premises = decide_by_premises(
+            self.definitions, self.definitions.premise_of(chain, k), knowledge
         )
         if by_premises is not None and by_premises.status == CONTRADICTION:
             return by_premises
@@ -1068,8 +1066,8 @@ class Judge:
 
     def _state(self, chain: Chain, k: int, case: Decision, knowledge: Knowledge) -> Decision:
         """Return the decision on a relation that is taken as given, after noting it."""
-        by_premises = self.definitions.decide_by_premises(
-            self.definitions.premise_of(chain, k), knowledge
+        by_premises = decide_by_premises(
+            self.definitions, self.definitions.premise_of(chain, k), knowledge
         )
         if by_premises is not None and by_premises.status != PREMISE:
             return by_premises
@@ -1084,14 +1082,14 @@ class Judge:
         Also whether it is undecided for what could not be solved, and may be one more equation.
         """
         nodes = [left.node, right.node]
-        solved = self.definitions.solved(nodes, self.document.line_of(right.span[0]), knowledge)
+        solved = solve_premises(self.definitions, nodes, self.document.line_of(right.span[0]), knowledge)
         if solved is None:
             return decision, False
         by_all = decide(left, right, sign, solved.knowledge)
         if by_all.status != REFUTED or not solved.leftover:
             return by_all, False
         at_solution = refuted_at_angles(left, right, sign, solved)
-        if at_solution is not None or not self.definitions.concerns(solved, by_all):
+        if at_solution is not None or not concerns(solved, by_all):
             return at_solution or by_all, False
         given = lines_of(solved.premises)
         answer = implied(solved.premises, left.node, right.node, knowledge) if sign == "=" else None
