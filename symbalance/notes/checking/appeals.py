@@ -53,8 +53,8 @@ def _with_wrong_results(
         number = number_of(node, knowledge)
         return None if number is None else float(number)
 
-    carried = state.carried.decide((against, chain.sides[k + 1]), knowledge, by, value_of)
-    return carried or decision
+    by_wrong_number = state.wrong_numbers.decide((against, chain.sides[k + 1]), knowledge, by, value_of)
+    return by_wrong_number or decision
 
 
 def _at_stated_angle(
@@ -65,17 +65,17 @@ def _at_stated_angle(
     An angle stays free where a line gives it a number; a relation without it may be meant there.
     """
     left, right, line = chain.sides[k], chain.sides[k + 1], chain.lines[0]
-    stated: list[tuple[str, Formula]] = []
+    angles: list[tuple[str, Formula]] = []
     for name in sorted(knowledge.angles):
         definition = knowledge.definitions.get(name)
         near = state.sections.paragraph_start(line) <= (definition.line if definition else 0)
         if definition is not None and definition.numeric and near:
-            stated.append((name, definition.node))
+            angles.append((name, definition.node))
     centre = state.sections.dead_centre(chain)
     if knowledge.crank is not None and isinstance(knowledge.crank.theta, Name) and centre is not None:
         angle = Constant("pi") if centre else Number(Fraction(0))
-        stated.append((knowledge.crank.theta.name, angle))
-    for name, value in stated:
+        angles.append((knowledge.crank.theta.name, angle))
+    for name, value in angles:
         if name in names(right.node):
             continue
         assumption = f"{formula_text(Name(name), plain=True)} = {formula_text(value, plain=True)}"

@@ -158,7 +158,7 @@ class Definitions:
         """Return the equations taken as given that reach a line."""
         return [p for p in self.premises if self.reaches(p.line, line, p.names) and line <= p.last_line]
 
-    def state_range(self, chain: Chain, k: int, decision: Decision) -> None:
+    def note_range(self, chain: Chain, k: int, decision: Decision) -> None:
         """Note a range that a relation states; one that is empty states nothing."""
         left, right = chain.sides[k].node, chain.sides[k + 1].node
         if decision.status == REFUTED:
@@ -174,7 +174,9 @@ class Definitions:
         left, right = chain.sides[0].node, chain.sides[-1].node
         self.ranges = [r for r in self.ranges if r.left is not left or r.right is not right]
 
-    def state(self, chain: Chain, k: int, fixes: str = "", angles: frozenset[str] = frozenset()) -> None:
+    def note_premise(
+        self, chain: Chain, k: int, fixes: str = "", angles: frozenset[str] = frozenset()
+    ) -> None:
         """Note an equation that is taken as given, and the letter it fixes.
 
         On angles alone it says at which of them something is looked at (largest where cos 2θ = 1), and
@@ -228,9 +230,9 @@ class Definitions:
     def on_stated_branches(self, knowledge: Knowledge) -> Knowledge:
         """Return what is known where ranges have said on which branch a letter lies; each is kept."""
         for name, definition in knowledge.definitions.items():
-            concerned = [r for r in knowledge.ranges if name in names(r.left) | names(r.right)]
-            if definition.alternatives and concerned:
-                key = (name, definition.line, len(concerned))
+            own_ranges = [r for r in knowledge.ranges if name in names(r.left) | names(r.right)]
+            if definition.alternatives and own_ranges:
+                key = (name, definition.line, len(own_ranges))
                 if key not in self._branches:
                     self._branches[key] = possible_branches(name, definition, knowledge)
                 knowledge = knowledge.with_definition(name, self._branches[key])

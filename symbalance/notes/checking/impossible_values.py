@@ -106,14 +106,12 @@ def outside_meaning(
     number = number_of(value, knowledge) if is_positive or is_whole else None
     if number is None:
         return None
-    shown = "0" if abs(number) < WHOLE else context().nstr(number, 6)
+    text = "0" if abs(number) < WHOLE else context().nstr(number, 6)
     if is_whole and abs(number - context().nint(number)) > WHOLE:
-        return Decision(CONTRADICTION, f"{plain_text(Name(name))} is declared an integer, not {shown}")
+        return Decision(CONTRADICTION, f"{plain_text(Name(name))} is declared an integer, not {text}")
     may_be_zero = not is_result and role_of(knowledge.meanings.get(name, "")) != "positive"
-    if is_positive and (number < -WHOLE or (shown == "0" and not may_be_zero)):
-        return Decision(
-            CONTRADICTION, f"{plain_text(Name(name))} is positive by its meaning, not {shown}"
-        )
+    if is_positive and (number < -WHOLE or (text == "0" and not may_be_zero)):
+        return Decision(CONTRADICTION, f"{plain_text(Name(name))} is positive by its meaning, not {text}")
     return None
 
 

@@ -141,7 +141,7 @@ class Judge:
                 verdict = self.assertion(chain, k + 1, bound[k + 1], verdict, is_excused)
             verdicts.append(verdict)
             if verdict.verdict == REFUTED:
-                self.state.carried.note(chain, k)
+                self.state.wrong_numbers.note(chain, k)
                 self.state.definitions.forget_moment(chain.sides[k + 1].node)
             self.state.given_numbers.note(chain, k, verdict)
             if verdict.is_unjudged:

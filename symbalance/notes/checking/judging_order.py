@@ -25,17 +25,17 @@ def chains_in_turn(document: ReadNotes, sections: Sections) -> list[Chain]:
     ordered: list[Chain] = []
     for line in sorted(by_line):
         first: dict[frozenset[str], Chain] = {}
-        met: set[frozenset[str]] = set()
+        heads_above: set[frozenset[str]] = set()
         is_second = False
         for chain in by_line[line]:
             own = names(chain.sides[0].node)
             is_second = is_second or (own in first and states_a_case(chain))
-            is_result = sections.is_consequence(chain) or own in met or is_second
+            is_result = sections.is_consequence(chain) or own in heads_above or is_second
             is_result = is_result or any(relation.sign == "≈" for relation in chain.relations)
             if states_a_case(chain) and not is_result:
                 first[own] = chain
             if isinstance(chain.sides[0].node, Name) or not any(names(s.node) for s in chain.sides[1:]):
-                met.add(own)
+                heads_above.add(own)
         cases = list(first.values())
         others = [c for c in by_line[line] if all(c is not case for case in cases)]
         ordered += [*cases, *_cases_before_claims(document, others)]

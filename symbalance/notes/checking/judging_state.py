@@ -60,7 +60,7 @@ class JudgingState:
             n for chain in self.document.chains for side in chain.sides for n in names(side.node)
         }
         self.printed = printed_results(self.document)
-        self.carried = CarriedValues()
+        self.wrong_numbers = CarriedValues()
         self.given_numbers = GivenNumbers()
         self.speeds = speeds_of(self.document.text)
         self.not_judged: dict[str, int] = {}

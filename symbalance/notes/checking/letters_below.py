@@ -50,7 +50,7 @@ def _letters_below(
     state: JudgingState, chain: Chain, own: frozenset[str], knowledge: Knowledge
 ) -> dict[str, Definition]:
     """Return the new letters of a relation that the lines right below it define."""
-    last, found = chain.lines[-1], dict[str, Definition]()
+    last, below = chain.lines[-1], dict[str, Definition]()
     before = state.definitions.letters_in_use
     for other in state.document.chains:
         head = other.sides[0].node
@@ -60,9 +60,9 @@ def _letters_below(
             continue
         is_new = head.name in own - before and not knowledge.has_meaning(head.name)
         is_new = is_new and bool(names(other.sides[1].node))  # a number is an example's
-        if is_new and head.name not in found and head.name not in names(other.sides[1].node):
-            found[head.name] = Definition(without_dots(other.sides[1].node)[0], other.lines[0])
-    return found
+        if is_new and head.name not in below and head.name not in names(other.sides[1].node):
+            below[head.name] = Definition(without_dots(other.sides[1].node)[0], other.lines[0])
+    return below
 
 
 def _is_false_for_any(
@@ -89,8 +89,8 @@ def _is_false_for_any(
         for monomial in gap.numerator
     }
     inner = {n for n in letters(gap) if n in unknown}
-    shown = {generators[g].content for power in powers for g, _ in power}
-    return len(powers) == 1 and inner <= shown
+    outer = {generators[g].content for power in powers for g, _ in power}
+    return len(powers) == 1 and inner <= outer
 
 
 def with_clauses_below(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Knowledge:

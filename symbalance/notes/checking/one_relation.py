@@ -51,7 +51,7 @@ def judge_relation(
         return Decision(UNDECIDED, fault)
     if relation.sign in SATISFIED_BY:
         decision = decide_inequality(chain, k, knowledge)
-        state.definitions.state_range(chain, k, decision)
+        state.definitions.note_range(chain, k, decision)
         return decision
     is_equality = relation.sign == "=" and not of_matrices
     if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):

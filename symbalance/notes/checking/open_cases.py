@@ -23,11 +23,11 @@ def cases_left_by(definitions: Definitions, chain: Chain, angles: frozenset[str]
     if not definitions.cases:
         return []
     letters_of_cases = {name: name in angles for case in definitions.cases for name in case.letters}
-    spoken = definitions.sections.spoken_of_generally(chain, letters_of_cases)
+    general = definitions.sections.spoken_of_generally(chain, letters_of_cases)
     return [
         case
         for case in definitions.cases
-        if case.letters & spoken and not definitions.sections.stands_in_clause(case.start, chain)
+        if case.letters & general and not definitions.sections.stands_in_clause(case.start, chain)
     ]
 
 
@@ -46,9 +46,9 @@ def lines_of_numbers(definitions: Definitions, letters_of_all: frozenset[str]) -
     return frozenset(definition.line for definition in entries if definition.numeric)
 
 
-def end_cases(definitions: Definitions, ended: list[OpenCase], start: int) -> None:
+def end_cases(definitions: Definitions, cases: list[OpenCase], start: int) -> None:
     """Forget for good the cases among these that were opened before a place in the text."""
-    for case in ended:
+    for case in cases:
         if case.start >= start:
             continue
         definitions.cases.remove(case)
@@ -81,10 +81,10 @@ def without_cases(
     definitions.ranges = [
         r for r in ranges if r.line not in lines or not names(r.left) | names(r.right) <= angles
     ]
-    hidden: dict[str, list[Entry]] = {}
+    apart_by_name: dict[str, list[Entry]] = {}
     for name in angles & definitions.values.keys():
         entries = definitions.values.pop(name)
-        hidden[name] = [e for e in entries if e.definition.line in lines]
+        apart_by_name[name] = [e for e in entries if e.definition.line in lines]
         if rest := [e for e in entries if e.definition.line not in lines]:
             definitions.values[name] = rest
     fewer = list(definitions.ranges)
@@ -94,7 +94,7 @@ def without_cases(
         new = [r for r in definitions.ranges if all(r is not other for other in fewer)]
         definitions.ranges = [r for r in ranges if r in definitions.ranges or r not in fewer] + new
         definitions.premises = sorted([*apart, *definitions.premises], key=lambda premise: premise.line)
-        for name, entries in hidden.items():
+        for name, entries in apart_by_name.items():
             whole = [*entries, *definitions.values.get(name, [])]
             if whole:
                 definitions.values[name] = sorted(whole, key=lambda entry: entry.definition.line)

@@ -37,15 +37,15 @@ def decide_by_premises(
     nodes = [statement.left, statement.right]
     if any(isinstance(part, PlusMinus) for node in nodes for part in walk(node)):
         return _decide_both_signs(definitions, statement, knowledge)
-    given = related(definitions.premises_at(statement.line), nodes, knowledge, rounded=True)
-    if not given or is_of_matrices(statement.left, statement.right, knowledge):
+    premises = related(definitions.premises_at(statement.line), nodes, knowledge, rounded=True)
+    if not premises or is_of_matrices(statement.left, statement.right, knowledge):
         return None
-    before = eliminate(given, knowledge, rounded=True)
+    before = eliminate(premises, knowledge, rounded=True)
     if not before.is_consistent:
         return None  # said where the last of them stands
-    after = eliminate([*given, statement], knowledge, rounded=True)
-    refusal = _refusal_by(given, before, after, statement, knowledge)
-    return refusal or _support_by(given, before, after, statement, knowledge)
+    after = eliminate([*premises, statement], knowledge, rounded=True)
+    refusal = _refusal_by(premises, before, after, statement, knowledge)
+    return refusal or _support_by(premises, before, after, statement, knowledge)
 
 
 def _decide_both_signs(
@@ -65,7 +65,7 @@ def _decide_both_signs(
 
 
 def _refusal_by(
-    given: list[Premise],
+    premises: list[Premise],
     before: Elimination,
     after: Elimination,
     statement: Premise,
@@ -82,13 +82,13 @@ def _refusal_by(
         return Decision(CONTRADICTION, reason)
     zero = [name for name in after.vanishing if name not in before.vanishing]
     if zero and isinstance(statement.left, Name) and names(statement.right):
-        reason = f"with {lines_of(given)} it is true only for {plain_text(Name(zero[0]))} = 0"
+        reason = f"with {lines_of(premises)} it is true only for {plain_text(Name(zero[0]))} = 0"
         return Decision(UNDECIDED, reason)
     return None
 
 
 def _support_by(
-    given: list[Premise],
+    premises: list[Premise],
     before: Elimination,
     after: Elimination,
     statement: Premise,
@@ -96,13 +96,13 @@ def _support_by(
 ) -> Decision | None:
     """Return that a statement follows from premises, or is one of their solutions; None for neither."""
     is_implied = statement in after.following or (
-        bool(before.leftover) and implied(given, statement.left, statement.right, knowledge) is True
+        bool(before.leftover) and implied(premises, statement.left, statement.right, knowledge) is True
     )
     if is_implied:
-        texts = (*dict.fromkeys(p.text for p in given), *nonzero_texts(after))
-        return Decision(PROVED, f"by {lines_of(given)}", assumptions=texts)
-    if any(p in after.following for p in given if p not in before.following):
-        return Decision(PREMISE, f"satisfies {lines_of(given)}")
+        texts = (*dict.fromkeys(p.text for p in premises), *nonzero_texts(after))
+        return Decision(PROVED, f"by {lines_of(premises)}", assumptions=texts)
+    if any(p in after.following for p in premises if p not in before.following):
+        return Decision(PREMISE, f"satisfies {lines_of(premises)}")
     return None
 
 
@@ -114,5 +114,7 @@ def must_follow(definitions: Definitions, chain: Chain, k: int) -> list[Premise]
     own = names(chain.sides[k].node) | names(chain.sides[k + 1].node)
     if k or not own or chain.relations[k].sign != "=" or not definitions.sections.is_consequence(chain):
         return []
-    given = [p for p in definitions.premises_at(chain.lines[0]) if own & p.names and not has_decimals(p)]
-    return given if own <= {name for p in given for name in p.names} else []
+    premises = [
+        p for p in definitions.premises_at(chain.lines[0]) if own & p.names and not has_decimals(p)
+    ]
+    return premises if own <= {name for p in premises for name in p.names} else []

@@ -36,11 +36,11 @@ def judge_series(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
             return describe(state.document, chain, k, extreme)
     if decision is None:
         return None
-    described = describe(state.document, chain, k, decision)
+    verdict = describe(state.document, chain, k, decision)
     others = {n: d for n, d in knowledge.definitions.items() if not d.is_coefficient}
     left = Side((exact_value(decision),), chain.sides[k].span)
     return add_fix_of_relation(
-        state, described, chain, k, left, decision, replace(knowledge, definitions=others)
+        state, verdict, chain, k, left, decision, replace(knowledge, definitions=others)
     )
 
 

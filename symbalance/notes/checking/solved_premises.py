@@ -39,15 +39,15 @@ def solve_premises(
 
     None where there are none beside those that fix a letter each, or they contradict each other.
     """
-    given = related(definitions.premises_at(line), nodes, knowledge)
-    if all(p.fixes and _is_in_effect(p, knowledge) for p in given):
+    premises = related(definitions.premises_at(line), nodes, knowledge)
+    if all(p.fixes and _is_in_effect(p, knowledge) for p in premises):
         return None
-    result = eliminate(given, knowledge)
+    result = eliminate(premises, knowledge)
     if not result.is_consistent:
         return None
-    texts = (*dict.fromkeys(p.text for p in given), *nonzero_texts(result))
+    texts = (*dict.fromkeys(p.text for p in premises), *nonzero_texts(result))
     known = replace(knowledge, solved=result.values, solved_from=texts)
-    return Solved(known, result.leftover, tuple(given))
+    return Solved(known, result.leftover, tuple(premises))
 
 
 def _is_in_effect(premise: Premise, knowledge: Knowledge) -> bool:
@@ -69,12 +69,12 @@ def concerns(solved: Solved, decision: Decision) -> bool:
     values = {**values, **solved.knowledge.meaning.values, **solved.knowledge.solved}
     free = solved.knowledge.universal
     for p in solved.leftover:
-        reached = {name for node in (p.left, p.right) for name in letters_behind(node, values)}
-        if not reached <= free:
-            reached -= free
+        behind = {name for node in (p.left, p.right) for name in letters_behind(node, values)}
+        if not behind <= free:
+            behind -= free
         others = {n for other in solved.premises if other is not p for n in other.names}
         private = p.names - others - own - free - solved.knowledge.meaning.values.keys()
-        if own & reached and not any(_is_factor_once(p, name) for name in private):
+        if own & behind and not any(_is_factor_once(p, name) for name in private):
             return True
     return False
 
@@ -96,7 +96,7 @@ def solve_without_scope(
 
     A line below the next heading may still rest on it: it is not refuted then.
     """
-    ended = [
+    past = [
         p
         for p in definitions.premises
         if p.last_line < line and definitions.reaches(p.line, line, p.names) and not has_decimals(p)
@@ -108,14 +108,14 @@ def solve_without_scope(
             continue  # the item ended that looked at one angle
         if is_ended and not decimals(last.definition.node) and name not in knowledge.definitions:
             own = last.definition
-            ended.append(Premise(Name(name), own.node, own.line, last.last_line or EVERYWHERE))
-    connected = related(ended, nodes, knowledge)
-    if not connected:
+            past.append(Premise(Name(name), own.node, own.line, last.last_line or EVERYWHERE))
+    own_past = related(past, nodes, knowledge)
+    if not own_past:
         return None
-    given = related([*definitions.premises_at(line), *connected], nodes, knowledge)
-    result = eliminate(given, knowledge)
+    premises = related([*definitions.premises_at(line), *own_past], nodes, knowledge)
+    result = eliminate(premises, knowledge)
     if not result.is_consistent:
         return None
-    texts = tuple(dict.fromkeys(p.text for p in given))
+    texts = tuple(dict.fromkeys(p.text for p in premises))
     known = replace(knowledge, solved=result.values, solved_from=texts)
-    return Solved(known, result.leftover, tuple(p for p in given if p in connected))
+    return Solved(known, result.leftover, tuple(p for p in premises if p in own_past))

@@ -69,10 +69,10 @@ def _fix(
         sides = [form for form in (as_step.left, as_step.right) if form is not None]
         if as_step.status == REFUTED and sides and all(constraint.name not in letters(f) for f in sides):
             return as_step  # the letter cancels: nothing is fixed
-        state.definitions.state(chain, k)
+        state.definitions.note_premise(chain, k)
         return Decision(DEFINITION, f"read as what fixes {constraint.name}, with an equation before")
     state.definitions.fix(constraint, chain)
-    state.definitions.state(chain, k, constraint.name)
+    state.definitions.note_premise(chain, k, constraint.name)
     if not names(chain.sides[k + 1].node) and len(names(chain.sides[k].node)) == 1:
         return Decision(CONDITION)
     as_rod_angle = state.meant.rod_angle(chain, k, knowledge)
@@ -86,17 +86,19 @@ def unless_stated(
     is_solved = is_to_be_solved(state, chain, k)
     case = decide_case(chain, k, decision, knowledge, is_solved=is_solved)
     if case is not None and case.status in STATED and chain.relations[k].sign == "=":
-        case = _state(state, chain, k, case, knowledge)
+        case = _note_statement(state, chain, k, case, knowledge)
     if case is not None and case.status != REFUTED:
         return case
     with_ratio = decide_with_ratio(against.node, chain.sides[k + 1].node, knowledge)
     return with_ratio or case or decision
 
 
-def _state(state: JudgingState, chain: Chain, k: int, case: Decision, knowledge: Knowledge) -> Decision:
+def _note_statement(
+    state: JudgingState, chain: Chain, k: int, case: Decision, knowledge: Knowledge
+) -> Decision:
     """Return the decision on a relation that is taken as given, after noting it."""
     by_premises = decide_by_premises(state.definitions, state.definitions.premise_of(chain, k), knowledge)
     if by_premises is not None and by_premises.status != PREMISE:
         return by_premises
-    state.definitions.state(chain, k, angles=knowledge.angles)
+    state.definitions.note_premise(chain, k, angles=knowledge.angles)
     return case

@@ -25,18 +25,18 @@ def fix_matrix(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
     It does not join the premises: those are solved as numbers are, whose products commute.
     """
     left, right = chain.sides[k].node, chain.sides[k + 1].node
-    stated = matrix_constraint(left, right, state.definitions.letters_in_use, knowledge)
-    if stated is None:
+    pair = matrix_constraint(left, right, state.definitions.letters_in_use, knowledge)
+    if pair is None:
         entries = _new_entries(left, right, knowledge)
         for letter, value in entries:
             state.definitions.define(letter, value, chain)
         return Decision(CONDITION, "entry by entry") if entries else None
-    name, _ = stated
+    name, _ = pair
     if name in knowledge.meaning.kinds.identities:
         if _is_commutator(left) or _is_commutator(right):
             return Decision(REFUTED, "the trace of AB - BA is 0, that of the identity is not")
         return Decision(CONDITION, f"{name} is the identity: a condition on the others")
-    state.definitions.define(*stated, chain)
+    state.definitions.define(*pair, chain)
     return Decision(DEFINITION, f"read as what fixes {name}")
 
 

@@ -31,9 +31,9 @@ def unless_given(
     if premises:
         return _following(state, chain, k, premises, decision, knowledge)
     if not state.general:
-        stated = (fix_matrix if of_matrices else fix_letter)(state, chain, k, knowledge)
-        if stated is not None:
-            return stated
+        as_statement = (fix_matrix if of_matrices else fix_letter)(state, chain, k, knowledge)
+        if as_statement is not None:
+            return as_statement
     sign = chain.relations[k].sign
     decision, is_open = _with_premises(state, against, right, sign, decision, knowledge)
     if is_open and not of_matrices:
@@ -86,17 +86,17 @@ def _with_premises(
     at_solution = refuted_at_angles(left, right, sign, solved)
     if at_solution is not None or not concerns(solved, by_all):
         return at_solution or by_all, False
-    given = lines_of(solved.premises)
+    lines = lines_of(solved.premises)
     answer = implied(solved.premises, left.node, right.node, knowledge) if sign == "=" else None
     if answer:
         texts = solved.knowledge.solved_from
-        decided = Decision(PROVED, f"by {given}", assumptions=texts, level=by_all.level)
+        outcome = Decision(PROVED, f"by {lines}", assumptions=texts, level=by_all.level)
     elif answer is False:
-        reason = f"no values satisfy it together with {given}"
-        decided = replace(by_all, reason=reason, witness={})
+        reason = f"no values satisfy it together with {lines}"
+        outcome = replace(by_all, reason=reason, witness={})
     elif branched := decide_on_branches(left, right, sign, solved.leftover, knowledge):
         return branched, False
     else:
         reason = f"may rest on {lines_of(solved.leftover)}, which could not be solved for a letter"
-        decided = replace(by_all, status=UNDECIDED, reason=reason)
-    return decided, answer is None
+        outcome = replace(by_all, status=UNDECIDED, reason=reason)
+    return outcome, answer is None

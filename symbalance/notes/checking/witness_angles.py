@@ -46,10 +46,10 @@ def holds_at_angles(left: Side, right: Side, sign: str, solved: Solved) -> bool:
 
 def _at_angles(left: Side, right: Side, sign: str, solved: Solved) -> Iterator[tuple[int, str, Decision]]:
     """Yield the decisions at the multiples of 15 degrees that satisfy premises on one angle."""
-    concerned = {name for premise in solved.leftover for name in premise.names}
-    if len(concerned) != 1 or not concerned <= solved.knowledge.angles:
+    own = {name for premise in solved.leftover for name in premise.names}
+    if len(own) != 1 or not own <= solved.knowledge.angles:
         return
-    (letter,) = concerned
+    (letter,) = own
     for twelfths in range(24):
         angle = Product((rational_node(Fraction(twelfths, 12)), Constant("pi")))
 
