@@ -44,7 +44,7 @@ def decide_by_premises(
     if not before.is_consistent:
         return None  # said where the last of them stands
     after = eliminate([*premises, statement], knowledge, rounded=True)
-    refusal = _refusal_by(premises, before, after, statement, knowledge)
+    refusal = _refusal_by(premises, before, after, statement)
     return refusal or _support_by(premises, before, after, statement, knowledge)
 
 
@@ -69,7 +69,6 @@ def _refusal_by(
     before: Elimination,
     after: Elimination,
     statement: Premise,
-    knowledge: Knowledge,
 ) -> Decision | None:
     """Return why a statement cannot stand beside premises: it contradicts them, or makes a letter 0."""
     if not after.is_consistent:
