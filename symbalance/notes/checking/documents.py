@@ -43,9 +43,21 @@ from symbalance.text.files import STANDARD_INPUT, file_name, read_text
 if TYPE_CHECKING:
     from symbalance.notes.checking.declaration_draft import DeclarationDraft
 
-IN_FOLDERS = (".tex", ".md", ".txt", ".text", ".ipynb", ".markdown", ".latex", ".wiki", ".adoc")
+IN_FOLDERS = (
+    ".tex",
+    ".md",
+    ".txt",
+    ".text",
+    ".ipynb",
+    ".markdown",
+    ".latex",
+    ".wiki",
+    ".adoc",
+    ".rst",
+    ".org",
+)
 """What is taken for notes in a folder; web pages only by their names, as reports are web pages too."""
-SUFFIXES = (*IN_FOLDERS, ".mediawiki", ".asciidoc", ".html", ".htm", ".xhtml")
+SUFFIXES = (*IN_FOLDERS, ".mediawiki", ".asciidoc", ".rest", ".html", ".htm", ".xhtml")
 COURSE = "symbols.toml"
 """The file that declares letters for every document of its folder."""
 
@@ -219,7 +231,7 @@ def text_of(document: str | Path) -> tuple[str, str, Path]:
         return document, "text", Path()
     path = Path(document)
     text, name = (
-        read_text(path, what="a .tex, .md, .txt, .ipynb, .wiki, .html or .adoc file"),
+        read_text(path, what="a .tex, .md, .txt, .ipynb, .wiki, .html, .adoc, .rst or .org file"),
         file_name(path),
     )
     is_notebook = path.suffix.lower() == NOTEBOOK
