@@ -6,7 +6,6 @@ from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.formula import Constant, Formula, Name, Number, names
-from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
@@ -16,6 +15,7 @@ from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.letters_below import with_letters_below
 from symbalance.notes.checking.numbers_in_units import decide_in_units
 from symbalance.notes.checking.open_reasons import unless_open
+from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.premise_decisions import must_follow
 from symbalance.notes.checking.stated_equations import unless_stated
 from symbalance.notes.checking.verdicts import REFUTED
@@ -78,7 +78,7 @@ def _at_stated_angle(
     for name, value in angles:
         if name in names(right.node):
             continue
-        assumption = f"{formula_text(Name(name), plain=True)} = {formula_text(value, plain=True)}"
+        assumption = f"{plain_text(Name(name))} = {plain_text(value)}"
         there = decide_at_value(left, right, chain.relations[k].sign, knowledge, name, value)
         if there.is_proved:
             return replace(there, assumptions=(*there.assumptions, assumption))

@@ -30,7 +30,7 @@ def decide_solution(
         return None
     violated = refute_solution(definitions, name, value, chain, k, knowledge)
     is_solution = solves_as_printed(condition, name, value, knowledge)
-    text = f"{plain_text(condition.left)} = {plain_text(condition.right)} of line {condition.line}"
+    text = f"{condition.text} of line {condition.line}"
     if violated is not None or is_solution is None:
         return violated
     if is_solution:

@@ -247,7 +247,7 @@ class Definitions:
 
     def use(self, chain: Chain) -> None:
         """Note the letters of a chain; one on other letters ends the solving of a condition."""
-        own = {name for side in chain.sides for name in names(side.node)}
+        own = chain.letters
         for name in own:
             self.first_lines.setdefault(name, chain.lines[0])
         line = chain.lines[0]

@@ -193,7 +193,7 @@ class Judge:
         )
         left = cases_left_by(self.state.definitions, chain, angles)
         start = min(side.span[0] for side in chain.sides)
-        own = {name for side in chain.sides for name in names(side.node)}
+        own = chain.letters
         spoken = dict.fromkeys(own, False)
         self.state.general = self.state.sections.spoken_of_generally(chain, spoken, named=True)
         examples = lines_of_numbers(self.state.definitions, self.state.general)

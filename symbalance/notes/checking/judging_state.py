@@ -56,9 +56,7 @@ class JudgingState:
         )
         self.small_letters = small_letters(self.document.text)
         self.counts = _counts(self.document)
-        self.letters = {
-            n for chain in self.document.chains for side in chain.sides for n in names(side.node)
-        }
+        self.letters = {n for chain in self.document.chains for n in chain.letters}
         self.printed = printed_results(self.document)
         self.wrong_numbers = CarriedValues()
         self.given_numbers = GivenNumbers()

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Formula, Name, Negative, Sum, names
-from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import Decision, without_dots
@@ -13,6 +12,7 @@ from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.judging_state import JudgingState
+from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.verdicts import UNDECIDED
 from symbalance.notes.reading.equations import Chain
 
@@ -41,7 +41,7 @@ def with_letters_below(
         return with_all
     if _is_false_for_any(left.node, right.node, frozenset(below), decision, knowledge):
         return decision
-    texts = ", ".join(formula_text(Name(name), plain=True) for name in sorted(below))
+    texts = ", ".join(plain_text(Name(name)) for name in sorted(below))
     reason = f"not true with {texts} as the lines below have it"
     return replace(decision, status=UNDECIDED, reason=reason)
 
@@ -101,7 +101,7 @@ def with_clauses_below(state: JudgingState, chain: Chain, k: int, knowledge: Kno
     if not is_of_matrices(chain.sides[k].node, chain.sides[k + 1].node, knowledge):
         return knowledge
     last = chain.lines[-1]
-    own = {name for side in chain.sides for name in names(side.node)}
+    own = chain.letters
     clauses = dict(knowledge.definitions)
     for other in state.document.chains:
         head = other.sides[0].node

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Constant, Formula, Name, Number, names
-from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.appeals import appeal
 from symbalance.notes.checking.deciding.equality import Decision, decide_equality
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality
@@ -20,6 +19,7 @@ from symbalance.notes.checking.given_numbers import number_given
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.letter_values import define_letter
 from symbalance.notes.checking.numbers_in_units import decide_after_units_left_out
+from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.solutions import solution_below
 from symbalance.notes.checking.solved_below import as_proved_solution, as_solved
@@ -89,7 +89,7 @@ def _meant_as_number(left: Formula, right: Formula, knowledge: Knowledge) -> str
             first, second = (substitute(node, name, Constant(name)) for node in (first, second))
         if decide_equality(first, second, knowledge).is_proved:
             is_letter = decide_equality(left, right, knowledge).is_proved
-            return "" if is_letter else ", ".join(formula_text(Constant(n), plain=True) for n in chosen)
+            return "" if is_letter else ", ".join(plain_text(Constant(n)) for n in chosen)
     return ""
 
 
@@ -180,7 +180,7 @@ def _with_signs(
     """Return the decision with the signs that are stated; |x| = x is not so for every x."""
     if not is_of_matrices(left.node, right.node, knowledge):
         decision = decide_with_signs(left, right, sign, decision, knowledge)
-    texts = {f"{formula_text(Name(name), plain=True)} ≥ 0" for name in state.general}
+    texts = {f"{plain_text(Name(name))} ≥ 0" for name in state.general}
     least = [text for text in decision.assumptions if text in texts]
     if not least or not decision.is_proved:
         return decision

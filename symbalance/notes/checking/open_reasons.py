@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Formula, Name, names
-from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking import constraints
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.judging_state import JudgingState
+from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.premises import lines_of
 from symbalance.notes.checking.solutions import solution_behind_arrow
 from symbalance.notes.checking.solved_below import as_solution, as_solved
@@ -67,7 +67,7 @@ def _one_sided_letter(state: JudgingState, decision: Decision, line: int, knowle
     free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
     for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
         if name in free and not knowledge.knows(name):
-            return f"{formula_text(Name(name), plain=True)} is not declared and"
+            return f"{plain_text(Name(name))} is not declared and"
         if "/d" in name:  # the derivative of what no line defines
             return name
     return ""
@@ -89,7 +89,7 @@ def _missing_meaning(
             continue
         size = constraints.size_of(left, right, name, knowledge)
         if size is not None:
-            letter, text = (formula_text(node, plain=True) for node in (Name(name), size))
+            letter, text = (plain_text(node) for node in (Name(name), size))
             return f"true if {letter} = {text}: declare what {letter} means"
     return ""
 
@@ -126,6 +126,6 @@ def _count_without_meaning(
     declared = state.declarations.symbols_at(chain.lines[0])
     for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
         if name in below and name not in declared and not knowledge.knows(name):
-            text = formula_text(Name(name), plain=True)
+            text = plain_text(Name(name))
             return f"{text} stands on one side only: declare what it means"
     return ""

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Name, names
-from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.deciding.equality import Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
@@ -14,6 +13,7 @@ from symbalance.notes.checking.descriptions import describe
 from symbalance.notes.checking.extremes import decide_extreme, decide_place
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.letters_below import with_letters_below
+from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.series_coefficients import (
     coefficient_values,
@@ -64,7 +64,7 @@ def _by_coefficients(state: JudgingState, chain: Chain, k: int, knowledge: Knowl
     )
     if fixed is None:
         return _another_series(state, chain, k, knowledge)
-    texts = ", ".join(formula_text(Name(name), plain=True) for name in sorted(fixed))
+    texts = ", ".join(plain_text(Name(name)) for name in sorted(fixed))
     case = Decision(PREMISE, f"read as what fixes {texts}: the coefficients of the other side")
     refuted = Decision(REFUTED)
     by_lines_below = with_letters_below(state, chain, k, refuted, knowledge)
@@ -90,7 +90,7 @@ def _another_series(state: JudgingState, chain: Chain, k: int, knowledge: Knowle
     if fixed is None:
         return None
     line = max(d.line for d in earlier.values())
-    texts = ", ".join(formula_text(Name(name), plain=True) for name in sorted(earlier))
+    texts = ", ".join(plain_text(Name(name)) for name in sorted(earlier))
     if state.sections.same_section(line, chain.lines[0]):
         return Decision(UNDECIDED, f"{texts} are the coefficients of line {line}, or new ones: say so")
     state.definitions.fix_coefficients(fixed, chain)

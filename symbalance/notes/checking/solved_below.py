@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Formula, Name
-from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.judging_state import JudgingState
+from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.verdicts import CONDITION, REFUTED, UNDECIDED
 from symbalance.notes.reading.equations import Chain, Side
 
@@ -29,7 +29,7 @@ def as_solved(
     assert isinstance(head, Name)
     at_value = _decide_with(chain.sides[0], chain.sides[1], head.name, value, knowledge)
     state.solutions[following.sides[0].span[0]] = state.definitions.premise_of(chain, 0), at_value
-    return Decision(CONDITION, f"solved for {formula_text(head, plain=True)} below")
+    return Decision(CONDITION, f"solved for {plain_text(head)} below")
 
 
 def _decide_with(left: Side, right: Side, name: str, value: Formula, knowledge: Knowledge) -> Decision:

@@ -44,13 +44,9 @@ def _explained_letter(state: JudgingState, chain: Chain, k: int) -> frozenset[st
     if k or len(own) != 1 or not before:
         return frozenset()
     *earlier, last = sorted(before, key=lambda c: c.sides[0].span[0])
-    is_first_use = not any(own <= _letters_of(c) for c in earlier)
-    is_near = own <= _letters_of(last) and chain.lines[0] <= last.lines[-1] + NEAR
+    is_first_use = not any(own <= c.letters for c in earlier)
+    is_near = own <= last.letters and chain.lines[0] <= last.lines[-1] + NEAR
     return own if is_first_use and is_near and not _is_declared(state, own, chain) else frozenset()
-
-
-def _letters_of(chain: Chain) -> frozenset[str]:
-    return frozenset(name for side in chain.sides for name in names(side.node))
 
 
 def _is_declared(state: JudgingState, letters_here: frozenset[str], chain: Chain) -> bool:
