@@ -19,7 +19,8 @@ from symbalance.document.letters import plain_letter
 from symbalance.document.nodes import Code, Strong, Words
 from symbalance.errors import SymbalanceError, brief
 from symbalance.notes.checking.engines import Engines, NoEngines, Sources
-from symbalance.notes.checking.judging import PAGE, Judge
+from symbalance.notes.checking.guarded_verdicts import PAGE
+from symbalance.notes.checking.judging import Judge
 from symbalance.notes.checking.letters_anew import with_letters_anew
 from symbalance.notes.checking.one_reading import judge_in_one_reading
 from symbalance.notes.checking.sidecar import (
