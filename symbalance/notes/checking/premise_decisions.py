@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Name, PlusMinus, names, walk
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.branches import with_sign
 from symbalance.notes.checking.deciding.equality import PROVED, UNDECIDED, Decision
@@ -45,6 +46,8 @@ def decide_by_premises(
         return None  # said where the last of them stands
     after = eliminate([*premises, statement], knowledge, rounded=True)
     refusal = _refusal_by(premises, before, after, statement)
+    if refusal is not None and refusal.status == CONTRADICTION:
+        refusal = _with_right_value(refusal, before, statement, knowledge)
     return refusal or _support_by(premises, before, after, statement, knowledge)
 
 
@@ -84,6 +87,21 @@ def _refusal_by(
         reason = f"with {lines_of(premises)} it is true only for {plain_text(Name(zero[0]))} = 0"
         return Decision(UNDECIDED, reason)
     return None
+
+
+def _with_right_value(
+    refusal: Decision, before: Elimination, statement: Premise, knowledge: Knowledge
+) -> Decision:
+    """Return a contradiction of a letter's value with the value that the premises give the letter."""
+    value = before.values.get(statement.left.name) if isinstance(statement.left, Name) else None
+    if value is None:
+        return refusal
+    evaluator = knowledge.evaluator(list(knowledge.levels(value))[-1])
+    try:
+        right_one, claimed = evaluator.form(value), evaluator.form(statement.right)
+    except (NoFormError, TooLargeError):
+        return refusal
+    return refusal if letters(right_one) else replace(refusal, left=right_one, right=claimed)
 
 
 def _support_by(
