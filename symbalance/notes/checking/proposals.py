@@ -287,6 +287,7 @@ class _Roles:
                 for place, letter in places
                 for role in found
                 if _gap_is_naming(line, role.start, role.end, *place)
+                and not (role.role == RATIO and _is_in_quotient(line, *place))
             ]
             spent: set[object] = set()
             for _, _, place, role, letter in sorted(pairs, key=lambda pair: pair[:3]):
@@ -529,6 +530,13 @@ def _distance(line: str, role: NamedRole, place: tuple[int, int]) -> int:
     before = place[1] <= role.start
     gap = line[place[1] : role.start] if before else line[role.end : place[0]]
     return 2 * len(gap) - (1 if gap.strip()[:1] in (":", "=", "は", "を", "：") else 0)
+
+
+def _is_in_quotient(line: str, first: int, last: int) -> bool:
+    """Tell whether a letter is a part of r/l: "the crank ratio r/l" names neither r nor l."""
+    return re.match(r"\s*/\s*[^\W\d]", line[last:]) is not None or (
+        re.search(r"[^\W\d](?:_\w)?\s*/\s*$", line[:first]) is not None
+    )
 
 
 def _is_asked(line: str, role: NamedRole) -> bool:

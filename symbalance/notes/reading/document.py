@@ -17,6 +17,7 @@ from typing import NamedTuple
 from symbalance.document.formula import Formula, children, with_children
 from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek, plain_letter
 from symbalance.notes.reading.accounting import Account
+from symbalance.notes.reading.continued_lines import goes_on_below, goes_on_from
 from symbalance.notes.reading.differentials import with_differentials
 from symbalance.notes.reading.equations import Chain, Passed, ReadNotes, Relation, Side, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
@@ -343,7 +344,9 @@ class Assembler:
         """Tell whether an item says something: in prose or without LaTeX, not every one does."""
         if any(token.kind == "rel" for token in tokens) or item.kind == "display":
             return True
-        if item.kind == "inline":
+        if goes_on_below(self.text, item.end):
+            return True
+        if item.kind in ("inline", "prose"):
             return False
         if "\\" in self.text[item.start : item.end]:
             return len(tokens) > 1
@@ -353,9 +356,12 @@ class Assembler:
     def _continues(self, item: Item, tokens: list[Token]) -> bool:
         """Tell whether an item goes on with the chain: by its first sign, or as a side is unfinished."""
         draft = self.draft
-        if draft is None or item.kind in ("inline", "prose"):
+        if draft is None:
             return False
         first = tokens[0]
+        if item.kind in ("inline", "prose"):
+            is_behind = first.kind == "rel" and goes_on_from(self.text, draft.last.end, item.start)
+            return is_behind and item.head is None
         if first.kind == "rel":
             return self._is_near(draft.last, item)
         if draft.last.kind in ("inline", "prose") or not self._is_next(item):

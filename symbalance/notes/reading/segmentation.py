@@ -15,6 +15,7 @@ from itertools import islice, pairwise
 
 from symbalance.document.letters import NAME_OF_SIGN, WORDS
 from symbalance.document.wordlists import word_set, words
+from symbalance.notes.reading.continued_lines import goes_on_below, is_first_side
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.lexer import Vocabulary, vocabulary
 from symbalance.notes.reading.prose import line_rules, parts_at_lone_brackets, segments, trim_segment
@@ -145,7 +146,8 @@ class ItemFinder:
 
     def _items_of_region(self, region: Region, block: int) -> Iterator[Item]:
         alone = region.display or self._is_alone(region)
-        if not alone and not has_any_relation(self.text, region.start, region.end):
+        is_first = not alone and goes_on_below(self.text, region.last)
+        if not alone and not is_first and not has_any_relation(self.text, region.start, region.end):
             return
         kind = "display" if alone else "inline"
         pieces = pieces_of(self.text, region.start, region.end, region.environment)
@@ -293,7 +295,10 @@ class ItemFinder:
         self, span: tuple[int, int], line: int, lenient: bool, words: Vocabulary
     ) -> Iterator[Item]:
         """Yield the equations in a stretch of a line without prose."""
-        if span[1] - span[0] > LONGEST_LINE or not has_any_relation(self.text, *span):
+        is_long = span[1] - span[0] > LONGEST_LINE
+        if is_long or not (
+            has_any_relation(self.text, *span) or goes_on_below(self.text, span[1])
+        ):
             return
         display = self.text.find("\\displaystyle", *span)
         if display >= 0:
@@ -305,6 +310,8 @@ class ItemFinder:
             return
         start, end = trim_segment(self.text, *span, words)
         if not has_relation(self.text, start, end):
+            if is_first_side(self.text, start, end):
+                yield Item(start, end, "prose", False, line, line)
             return
         for piece in pieces_of(self.text, start, end):
             if has_relation(self.text, piece.start, piece.end):
