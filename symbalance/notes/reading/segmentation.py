@@ -28,6 +28,7 @@ from symbalance.notes.reading.units import (
     scale_of,
     unit_set_at,
 )
+from symbalance.notes.reading.words_behind_numbers import says_multiple_of
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _BULLET = re.compile(r"\s*(?:\(?(?:[0-9]{1,3}[.)]|(?:[a-h]|i{1,3}|i?v)\))(?=\s))?\s*")
@@ -646,6 +647,8 @@ def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingE
     if unit := _UNKNOWN_UNIT.match(text, end, stop):
         what = f"a unit that is not known: {unit.group().strip()}"
         return ReadingError(end, what, "give the value in SI units")
+    if says_multiple_of(text, start, end, behind):
+        behind = ""
     if _goes_on(behind, after, words) or (text[end - 1 : end] == "%" and _PART_OF.match(behind)):
         return _cut(place, behind)
     line_begin = text.rfind("\n", 0, start) + 1
