@@ -33,6 +33,7 @@ from symbalance.notes.checking.symbol_roles import readable_letters
 from symbalance.notes.checking.symbols import motions_of
 from symbalance.notes.checking.time_letters import with_time
 from symbalance.notes.checking.verdicts import MOST_LETTERS, UNDECLARED, Checked
+from symbalance.notes.checking.whole_letters import with_whole_letters
 from symbalance.notes.reading import Motions, read_document
 from symbalance.notes.reading.equations import ReadNotes
 from symbalance.notes.reading.notebooks import SUFFIX as NOTEBOOK
@@ -95,7 +96,7 @@ def check(
     letters, motions = _letters_by_line(declarations), _motions_by_line(declarations)
     page = run_within(budget, partial(read_document, text, name, letters, motions))
     page, declarations = with_letters_anew(page, declarations.without_idle(page_letters(page)))
-    declarations = with_time(page, declarations)
+    declarations = with_whole_letters(page, with_time(page, declarations))
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
     sources = Sources(provider, beside)
     start = time.monotonic()

@@ -31,6 +31,7 @@ _ARGUED = "unit|si|mathrm|mathit|mathbf|operatorname|tag|label|mathsf|bm|boldsym
 _UMLAUTS = "ÄÖÜäöüßàáâãçèéêëíîñóôõøåæœú"
 _PIECE = re.compile(
     rf"(?P<prose>\\(?:{'|'.join(sorted(WORDS, key=len, reverse=True))})\s*\{{[^{{}}]*\}})"
+    r"|(?P<cells>\\begin\s*\{[pbvV]?matrix\}(?:(?!\\begin)[^\n]){1,400}?\\end\s*\{[pbvV]?matrix\})"
     rf"|(?P<argued>\\(?:{_ARGUED})\*?\s*\{{(?:[^{{}}]|\{{[^{{}}]{{0,20}}\}})*\}})"
     r"|(?P<command>\\[A-Za-z]+)|(?P<escape>\\.)"
     r"|(?P<script>_\{(?:[^{}]|\{[^{}]{0,40}\}){0,80}\}|_[A-Za-z0-9]+)|(?P<degrees>(?<=[0-9])\s?度)|"

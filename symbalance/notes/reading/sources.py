@@ -27,6 +27,7 @@ from symbalance.notes.reading.operator_words import with_operator_words
 from symbalance.notes.reading.page_marks import with_page_marks
 from symbalance.notes.reading.ranges import with_ranges
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
+from symbalance.notes.reading.row_vectors import with_row_vectors
 from symbalance.notes.reading.systems_in_braces import with_systems
 
 CELL_END = "\ue000"
@@ -100,7 +101,7 @@ def prepare(
         reader.apply(with_number_e(reader.text))
     if kind in ("tex", "markdown"):
         reader.apply(with_joined_dollars(reader.text))
-    for rewrite in (with_operator_words, with_systems, with_memberships, with_function_names, with_dots):
+    for rewrite in (with_row_vectors, with_operator_words, with_systems, with_memberships, with_function_names, with_dots):
         reader.apply(rewrite(reader.text))
     if kind != "tex":
         reader.apply(with_greek_words(reader.text, is_letter))
