@@ -20,8 +20,10 @@ from symbalance.document.nodes import Code, Strong, Words
 from symbalance.errors import SymbalanceError, brief
 from symbalance.notes.checking.engines import Engines, NoEngines, Sources
 from symbalance.notes.checking.judging import PAGE, Judge
+from symbalance.notes.checking.expanded_sums import with_expanded_sums
 from symbalance.notes.checking.letters_anew import with_letters_anew
 from symbalance.notes.checking.one_reading import judge_in_one_reading
+from symbalance.notes.checking.page_data import data_of
 from symbalance.notes.checking.sidecar import (
     Declarations,
     declarations_in,
@@ -97,6 +99,7 @@ def check(
     page = run_within(budget, partial(read_document, text, name, letters, motions))
     page, declarations = with_letters_anew(page, declarations.without_idle(page_letters(page)))
     declarations = with_whole_letters(page, with_time(page, declarations))
+    page = with_expanded_sums(page, data_of(page, declarations.symbols_at))
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
     sources = Sources(provider, beside)
     start = time.monotonic()

@@ -24,10 +24,12 @@ _INDICES = frozenset({"i", "j", "k"})
 def is_plain(name: str) -> bool:
     """Tell whether a canonical name is one letter, with subscript, accent or prime: no word.
 
-    >>> [is_plain(name) for name in ("F", "m_rot", "J1", "gamma_1'", "Lh", "O")]
-    [True, True, True, True, False, False]
+    >>> [is_plain(name) for name in ("F", "m_rot", "J1", "gamma_1'", "delta_i", "Lh", "O")]
+    [True, True, True, True, True, False, False]
     """
     parts = re.sub(r"'+$", "", name).split("_")
+    if parts[0] == "delta" and parts[1:] in (["i"], ["e"]):
+        return True  # δ_i, and no step of the constant
     while len(parts) > 1 and parts[0] in _MARKS:
         parts = parts[1:]
     base = re.sub(r"(?<=^[A-Za-z])[0-9]+$", "", parts[0])

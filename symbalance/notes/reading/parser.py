@@ -247,6 +247,8 @@ class Parser:
 
     def letter(self, name: str, span: Span) -> Formula:
         """Return a letter's node: a declared or bound name, π, the imaginary i, j in an exponential."""
+        if name in self.bound and self._is_imaginary_beside_index(name):
+            return Constant("i", span=span)
         if name in self.names or name in self.bound:
             return Name(name, span=span)
         if (other := other_form(name)) in self.names:
@@ -265,6 +267,12 @@ class Parser:
             self.free_letters.setdefault(name, span[0])
             return Name(name, span=span)
         raise UndeclaredError(span[0], name)
+
+    def _is_imaginary_beside_index(self, name: str) -> bool:
+        """Tell whether the i of Σ e^{i δ_i} is the imaginary one, as the index stands below a letter."""
+        if name not in ("i", "j") or not self.exponentials or name in self.names:
+            return False
+        return any(t.kind == "name" and t.value.endswith(f"_{name}") for t in self.tokens)
 
     # Sums, products and slashes
 
