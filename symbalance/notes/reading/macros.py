@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 
 from symbalance.document.wordlists import word_set, words
 from symbalance.notes.reading import siunitx
+from symbalance.notes.reading.physics_macros import PHYSICS
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.signs import RELATION
 
@@ -531,4 +532,5 @@ PACKAGES: dict[str, Handler] = {
     "qty": _quantity,
     "dv": _derivative("d"),
     "pdv": _derivative("\\partial"),
+    **PHYSICS,
 }  # fmt: skip

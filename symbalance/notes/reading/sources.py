@@ -267,9 +267,12 @@ def _template(match: re.Match[str]) -> Texts:
     if name.strip().lower() not in _SHOWN or not inside:
         return (" ",)
     start = match.start(1) + len(name) + 1
-    return (" ", (start, match.end(1)), " ")
+    numbered = _NUMBERED_ARGUMENT.match(inside)
+    return (" ", (start + (numbered.end() if numbered else 0), match.end(1)), " ")
 
 
+_NUMBERED_ARGUMENT = re.compile(r"\s*[0-9]\s*=")
+"""{{math|1=a = b}}: with its number an argument may hold an equals sign."""
 _SHOWN = frozenset(words("math mvar nowrap nobr bigmath nobold center"))
 _WIKI_ROW = re.compile(r"\|\||!!")
 
