@@ -28,6 +28,7 @@ from symbalance.notes.reading.page_marks import with_page_marks
 from symbalance.notes.reading.ranges import with_ranges
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.row_vectors import with_row_vectors
+from symbalance.notes.reading.scanned_letters import with_scanned_letters
 from symbalance.notes.reading.systems_in_braces import with_systems
 
 CELL_END = "\ue000"
@@ -106,6 +107,8 @@ def prepare(
     if kind != "tex":
         reader.apply(with_greek_words(reader.text, is_letter))
         reader.apply_noted(with_compound_names(reader.text, is_letter))
+    if kind == "plain":
+        reader.apply_noted(with_scanned_letters(reader.text))
     reader.apply_noted(with_plain_numerals(reader.text, is_letter))
     reader.apply_noted(with_ranges(reader.text))
     current, origin = reader.text, reader.origin
