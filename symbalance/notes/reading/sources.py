@@ -15,6 +15,7 @@ from html import unescape
 from symbalance.document.wordlists import words
 from symbalance.notes.reading.and_so_on import with_dots
 from symbalance.notes.reading.compound_names import with_compound_names
+from symbalance.notes.reading.extremes_apart import with_extremes_apart
 from symbalance.notes.reading.function_names import with_function_names
 from symbalance.notes.reading.greek_words import with_greek_words
 from symbalance.notes.reading.joined_dollars import with_joined_dollars
@@ -106,6 +107,7 @@ def prepare(
         reader.apply(rewrite(reader.text))
     if kind != "tex":
         reader.apply(with_greek_words(reader.text, is_letter))
+        reader.apply(with_extremes_apart(reader.text))
         reader.apply_noted(with_compound_names(reader.text, is_letter))
     if kind == "plain":
         reader.apply_noted(with_scanned_letters(reader.text))
