@@ -14,9 +14,24 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from typing import Protocol
 
-from symbalance.document.formula import Formula, Matrix, Name, Span, children, with_children
+from symbalance.document.formula import (
+    Formula,
+    Matrix,
+    Name,
+    Number,
+    Span,
+    Summation,
+    children,
+    names,
+    walk,
+    with_children,
+)
+from symbalance.notes.algebra.domain import NoFormError
+from symbalance.notes.algebra.sums import at_index
+from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.reading import ReadingError, canonical_name, read_expression
 from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side
 
@@ -57,6 +72,44 @@ def rows_of_values(page: ReadNotes, used: Collection[str]) -> Iterator[Chain]:
         first = 0 if 0 in numbers and len(entries) not in numbers else 1
         for number, entry in enumerate(entries, first):
             yield _given(f"{stem}{number}", entry, chain.sides[-1].span, chain.lines[0])
+
+
+def instances_of_rules(page: ReadNotes, used: Collection[str]) -> Iterator[Chain]:
+    """Yield θ_1 = θ, θ_2 = θ + 2π/3 for a rule θ_k = θ + 2π(k − 1)/3 of a page that uses θ_1 and θ_2.
+
+    Only where k is an index by what the page says: one of a sum, or one that runs through whole numbers.
+    """
+    heads = {c.sides[0].node.name for c in page.chains if isinstance(c.sides[0].node, Name)}
+    for chain in page.chains:
+        head = chain.sides[0].node
+        match = _INDEX.fullmatch(head.name) if isinstance(head, Name) else None
+        if match is None or match["index"].isdecimal() or len(chain.sides) < 2:
+            continue
+        stem, index, value = match["stem"], match["index"], chain.sides[1].node
+        if chain.relations[0].sign != "=" or not _holds_index(value, index) or not _runs(page, index):
+            continue
+        for name in sorted(used):
+            number = name[len(stem) :]
+            if name.startswith(stem) and number.isdecimal() and name not in heads:
+                at_number = at_index(value, index, int(number))
+                try:
+                    node = substitute(at_number, index, Number(Fraction(int(number))))
+                except NoFormError:  # a derivative by the index
+                    break
+                yield _given(name, _at(node, chain.sides[1].span), chain.sides[1].span, chain.lines[0])
+
+
+def _holds_index(value: Formula, index: str) -> bool:
+    return any(name == index or name.endswith(f"_{index}") for name in names(value))
+
+
+def _runs(page: ReadNotes, index: str) -> bool:
+    """Tell whether a letter counts: as the index of a sum, k = 1, 2, 3, or 1 ≤ k ≤ N."""
+    sums = (part for c in page.chains for side in c.sides for part in walk(side.node))
+    if any(isinstance(s, Summation) and s.index is not None and s.index.name == index for s in sums):
+        return True
+    run = rf"(?<![\w\\]){index}\s*(?:=\s*[0-9]\s*(?:,|\\l?dots|…|\.\.)|\\in(?![a-z])|∈|(?:\\leq?|≤)\s*[0-9A-Z])"
+    return re.search(run, page.text) is not None
 
 
 def tables_of_values(

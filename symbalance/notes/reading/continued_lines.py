@@ -19,6 +19,9 @@ _ENDED = re.compile(rf"(?:[{_MARKS},;&]|\\\]|\\\)|\\\\|\\end\{{[a-z]+\*?\}})*\Z"
 _EMPTY = re.compile(r"(?:[ \t]*\n){3,}")
 
 
+_CELL_EDGE = re.compile(rf"(?:[ \t$`]|\\\))*(?:\||{CELL_END})")
+
+
 def begins_with_relation(text: str, place: int) -> bool:
     """Tell whether the first sign behind a place, but for marks of a formula, is a relation.
 
@@ -32,7 +35,12 @@ def begins_with_relation(text: str, place: int) -> bool:
 
 
 def goes_on_below(text: str, end: int) -> bool:
-    """Tell whether a formula that ends at a place ends its line, and the next begins with a relation."""
+    """Tell whether a formula that ends at a place ends its line, and the next begins with a relation.
+
+    So it does where the next cell of its table begins with one: | cos 0° + cos 180° | = 0 |.
+    """
+    if (edge := _CELL_EDGE.match(text, end)) is not None and edge.end() < len(text):
+        return begins_with_relation(text, edge.end())
     stop = text.find("\n", end)
     if stop < 0 or _ENDED.match(text[end:stop]) is None or _EMPTY.match(text, stop):
         return False
@@ -42,6 +50,8 @@ def goes_on_below(text: str, end: int) -> bool:
 def goes_on_from(text: str, end: int, start: int) -> bool:
     """Tell whether nothing but marks and at most one line's end stands between two formulas."""
     between = text[end:start]
+    if (edge := _CELL_EDGE.match(between)) is not None:
+        between = between[edge.end() :]
     return between.count("\n") <= 1 and _ENDED.fullmatch(between) is not None
 
 

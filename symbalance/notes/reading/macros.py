@@ -371,6 +371,12 @@ def _only(which: int, count: int) -> Handler:
     return handle
 
 
+def _spaced(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Span], int] | None:
+    """\\mathrel{:=} is := with its space."""
+    parts = _arguments(text, place, pairs, 1)
+    return ([" ", parts[0][0], " "], parts[1]) if parts else None
+
+
 def _struck_out(
     text: str, place: int, pairs: dict[int, int]
 ) -> tuple[list[str | Span], int] | str | None:
@@ -514,6 +520,7 @@ PACKAGES: dict[str, Handler] = {
         _dropped(0),
     ),
     **dict.fromkeys(words("overset underset stackrel stackbin"), _above),
+    **dict.fromkeys(words("mathrel mathbin mathord mathopen mathclose mathinner"), _spaced),
     "IEEEeqnarraymulticol": _only(2, 3),
     "SI": _siunitx(siunitx.quantity_text, 2),
     "num": _siunitx(siunitx.number_text, 1),

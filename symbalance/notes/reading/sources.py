@@ -15,7 +15,7 @@ from html import unescape
 from symbalance.document.wordlists import words
 from symbalance.notes.reading.and_so_on import with_dots
 from symbalance.notes.reading.compound_names import with_compound_names
-from symbalance.notes.reading.extremes_apart import with_extremes_apart
+from symbalance.notes.reading.extremes_apart import with_extremes_apart, with_extremes_of_bars
 from symbalance.notes.reading.function_names import with_function_names
 from symbalance.notes.reading.greek_words import with_greek_words
 from symbalance.notes.reading.joined_dollars import with_joined_dollars
@@ -103,7 +103,7 @@ def prepare(
         reader.apply(with_number_e(reader.text))
     if kind in ("tex", "markdown"):
         reader.apply(with_joined_dollars(reader.text))
-    for rewrite in (with_row_vectors, with_operator_words, with_systems, with_memberships, with_function_names, with_dots):
+    for rewrite in (with_row_vectors, with_extremes_of_bars, with_operator_words, with_systems, with_memberships, with_function_names, with_dots):
         reader.apply(rewrite(reader.text))
     if kind != "tex":
         reader.apply(with_greek_words(reader.text, is_letter))
