@@ -207,10 +207,22 @@ def rational_power(base: Form, exponent: Fraction) -> Form:
     if exponent.denominator > 60 or not base.is_polynomial or len(base.numerator) != 1:
         raise NoFormError("a root of a sum that is no square root")
     ((monomial, coefficient),) = base.numerator.items()
-    if coefficient != 1 or any(not base.domain.generators[g].positive for g, _ in monomial):
+    number = _exact_root(coefficient, exponent.denominator)
+    if number is None or any(not base.domain.generators[g].positive for g, _ in monomial):
         raise NoFormError("a root that is no square root")
     factor, power = base.domain.raised(monomial, exponent)
-    return Form.of(base.domain, {power: Fraction(factor)})
+    return Form.of(base.domain, {power: Fraction(factor) * number**exponent.numerator})
+
+
+def _exact_root(number: Fraction, degree: int) -> Fraction | None:
+    """Return the positive root of a positive number where it is rational: 2 of 8, and of degree 3."""
+    if number <= 0:
+        return None
+    roots = [round(part ** (1 / degree)) for part in (number.numerator, number.denominator)] if (
+        max(number.numerator, number.denominator) < 10**15
+    ) else [0, 0]
+    is_exact = roots[0] ** degree == number.numerator and roots[1] ** degree == number.denominator
+    return Fraction(*roots) if is_exact else None
 
 
 def _call(evaluator: FormEvaluator, node: formula.Call) -> Form:

@@ -462,9 +462,14 @@ def _above(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Spa
     if parts is None:
         return None
     above, sign = (text[a:b].strip() for a, b in parts[0])
+    if sign in _WITH_PLACE_BELOW:
+        return [f"{sign}_{{", parts[0][0], "}"], parts[1]
     if not RELATION.fullmatch(sign):
         return f"{above!r} above or below {sign!r} is not read"
     return ([" \\shallbe "] if sign == "=" and above == "!" else [" ", parts[0][1], " "]), parts[1]
+
+
+_WITH_PLACE_BELOW = ("\\max", "\\min", "\\lim", "\\sup", "\\inf", "\\sum")
 
 
 def _framed(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Span], int] | None:
@@ -511,7 +516,7 @@ PACKAGES: dict[str, Handler] = {
     **dict.fromkeys(words("mathclap mathllap mathrlap smash ensuremath"), _only(0, 1)),
     **dict.fromkeys(words("textcolor mathcolor colorbox raisebox scalebox href"), _only(1, 2)),
     **dict.fromkeys(words("fcolorbox resizebox"), _only(2, 3)),
-    **dict.fromkeys(words("color pagecolor eqref ref cite autoref cref Cref"), _dropped(1)),
+    **dict.fromkeys(words("leftroot uproot color pagecolor eqref ref cite autoref cref Cref"), _dropped(1)),
     **dict.fromkeys(
         words(
             "checkmark blacksquare square Box qed qedhere lozenge bigstar xspace IEEEyesnumber"

@@ -70,6 +70,11 @@ _DERIVATIVE = re.compile(
     r"|(?:(?<=d/)|(?<=d[A-Za-zα-ωϕ]/)|(?<=d[²³]/)|(?<=d[²³][A-Za-zα-ωϕ]/)|(?<=d\^[23]/)"
     r"|(?<=d\^[23][A-Za-zα-ωϕ]/))d[A-Za-z]?(?![A-Za-z])"
 )
+_LONGEST_FUNCTION = 20
+LONGEST_RUN = 2
+"""Letters that are read as a product behind a function's bracket without being letters of the page."""
+_IN_FUNCTION = re.compile(r"(?<![A-Za-z])(?:sin|cos|tan|cot)\(\s*(?:[0-9.]+\s*\*?\s*)?\Z")
+"""What stands before the letters of cos(wt) and sin(2wt), which are no word there."""
 _LONG_WORD = re.compile(r"(?<![\\A-Za-z_])[A-Za-z]{4,}")
 _ARTICLE_FIRST = re.compile(r"(a|I|A)\s+(?=[\w\\(])")
 _DASH_LAST = re.compile(r"\s+[-–—−]\s*$")
@@ -165,6 +170,8 @@ def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules)
     if kind == "word":
         if _DERIVATIVE.match(text, piece.start(), end):
             return True
+        if len(sign) == LONGEST_RUN and sign not in _PLAIN_WORDS and is_behind_function(text, piece.start()):
+            return True
         own = _OWN_FUNCTION.match(text, piece.start(), end)
         return line.is_mathematical(sign) or (own is not None and own.group() == sign)
     if kind == "command":
@@ -176,6 +183,11 @@ def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules)
         unit = unit_set_at(text, piece.start(), end) if behind else None
         return unit is not None and scale_of(unit[0]) is not None
     return True
+
+
+def is_behind_function(text: str, place: int) -> bool:
+    """Tell whether nothing but a number stands between a function's bracket and a place: cos(2wt."""
+    return _IN_FUNCTION.search(text, max(place - _LONGEST_FUNCTION, 0), place) is not None
 
 
 def _is_mathematical_sign(sign: str, text: str, place: int, end: int) -> bool:

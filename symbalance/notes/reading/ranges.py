@@ -91,8 +91,10 @@ def _listed(match: re.Match[str]) -> str | None:
     sizes = [float(value) for value in plain]
     if sizes != sorted(sizes) or len(set(sizes)) < len(sizes):
         return None
-    units = list(re.finditer(_UNIT, (match["one"] or "") + rest))
-    unit = units[-1].group() if units else ""
+    units = [unit.group() for unit in re.finditer(_UNIT, (match["one"] or "") + rest)]
+    if len({re.sub(r"\\[,;: ]|[~\s]", "", unit) for unit in units}) > 1:
+        return None  # L = 110 mm, 10000 rpm
+    unit = units[-1] if units else ""
     letter, lowest, last = match["letter"], f"{values[0]}{unit}", match["last"]
     if match["dots"] and not last:
         return f"{letter} ≥ {lowest}"

@@ -4,17 +4,21 @@
     1/4 = 25 % of the first order       √2 ≈ 1.414 mal so groß
 
 Both sides are numbers, so the relation is whole without the words. With a letter on a side it is not: F =
-4 times that of one cylinder gives F no value of 4.
+4 times that of one cylinder gives F no value of 4. So it is with 2 + 3 = 5 times the mass, which goes on.
 """
 
 from __future__ import annotations
 
 import re
 
+_ANOTHER = (
+    r"(?:first|second|third|fourth|other|same|one|single|former|latter|primary|secondary|original|previous"
+    r"|ersten?|zweiten?|dritten?|anderen?|einen|vorigen|einzelnen|premi[eè]re?|seconde?|autre)"
+)
 _NAMED = (
-    r"(?:the|that|those|as|what|its|their|his|this|these|larger|greater|smaller|bigger|higher|lower|more|less"
-    r"|faster|slower|longer|shorter|stronger|weaker|der|die|das|des|dem|den|so|wie|größer|kleiner|jene[rsmn]?"
-    r"|celle|celui|la|le|les|plus|moins)"
+    rf"(?:(?:the|its|der|die|das|des|dem|den|le|la)\s+{_ANOTHER}|that|those|as|what|larger|greater|smaller|bigger"
+    r"|higher|lower|more|less|faster|slower|longer|shorter|stronger|weaker|so|wie|größer|kleiner|jene[rsmn]?"
+    r"|celle|celui|plus|moins)"
 )
 _MULTIPLE = re.compile(rf"(?:times|mal|fois)\s+(?=(?:[^\W\d_]+\s+)??{_NAMED}\b)", re.IGNORECASE)
 _SHARE = re.compile(rf"(?:of|von|de)\s+(?={_NAMED}\b)", re.IGNORECASE)
