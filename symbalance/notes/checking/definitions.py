@@ -144,8 +144,12 @@ class Definitions:
                     and (entry.last_line is None or line <= entry.last_line)
                     and owner(name, entry.definition.line) == owner(name, line)
                 ):
-                    reaching[name] = entry.definition
-                    break
+                    last = reaching.setdefault(name, entry.definition)
+                    if not last.numeric:
+                        break
+                    if not entry.definition.numeric:
+                        reaching[name] = replace(last, formula=entry.definition.node)
+                        break
         return reaching
 
     def define(self, name: str, node: Formula, chain: Chain, last: int | None = None) -> bool:
