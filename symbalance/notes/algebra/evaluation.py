@@ -218,9 +218,11 @@ def _exact_root(number: Fraction, degree: int) -> Fraction | None:
     """Return the positive root of a positive number where it is rational: 2 of 8, and of degree 3."""
     if number <= 0:
         return None
-    roots = [round(part ** (1 / degree)) for part in (number.numerator, number.denominator)] if (
-        max(number.numerator, number.denominator) < 10**15
-    ) else [0, 0]
+    roots = (
+        [round(part ** (1 / degree)) for part in (number.numerator, number.denominator)]
+        if (max(number.numerator, number.denominator) < 10**15)
+        else [0, 0]
+    )
     is_exact = roots[0] ** degree == number.numerator and roots[1] ** degree == number.denominator
     return Fraction(*roots) if is_exact else None
 

@@ -1,7 +1,7 @@
-"""Sums over letters whose values a page lists, written out: Σ z_k cos δ_k is z_1 cos δ_1 + z_2 cos δ_2 + …
+"""Sums over letters whose values a page lists, written out: Σ z_k cos δ_k is z_1 cos δ_1 + …
 
-A list, a table or a row z = (1, i, −i, −1) says how far such a sum runs, where its sign does not. A letter
-that the page defines for every index at once (α_k = 2πk/3) stays as it is.
+A list, a table or a row z = (1, i, −i, −1) says how far such a sum runs, where its sign does not. A
+letter that the page defines for every index at once (α_k = 2πk/3) stays as it is.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class _Values:
     general: frozenset[str]
 
     def numbers(self, stem: str, line: int) -> list[int]:
-        """Return the numbers that a letter has values for, those of lines above a line if there are any."""
+        """Return the numbers that a letter has values for, by lines above where there are any."""
         own = self.lines.get(stem, {})
         above = sorted(number for number, at in own.items() if at <= line)
         return above or sorted(own)
@@ -49,7 +49,9 @@ class _Values:
 
 def with_expanded_sums(page: ReadNotes, data: Iterable[Chain] = ()) -> ReadNotes:
     """Return a page whose sums over letters with listed values are written out."""
-    if not any(isinstance(part, Summation) for c in page.chains for s in c.sides for part in _parts(s.node)):
+    if not any(
+        isinstance(part, Summation) for c in page.chains for s in c.sides for part in _parts(s.node)
+    ):
         return page
     values = _values([*page.chains, *data])
 
@@ -108,7 +110,9 @@ def _written_out(node: Summation, values: _Values, line: int) -> Formula:
     if not numbers or len(numbers) > LONGEST or not all(set(numbers) <= set(own) for own in lists):
         return node
     is_whole = numbers == list(range(numbers[0], numbers[-1] + 1)) and numbers[0] in (0, 1)
-    if node.lower is None and not (is_whole and len(numbers) > 1 and all(own == numbers for own in lists)):
+    if node.lower is None and not (
+        is_whole and len(numbers) > 1 and all(own == numbers for own in lists)
+    ):
         return node
     try:
         terms = tuple(

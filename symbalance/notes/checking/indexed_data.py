@@ -1,12 +1,12 @@
 """Values of numbered letters that a page gives in one row or one table: z_1, z_2, … and δ_1, δ_2, …
 
-    z = (1, i, −i, −1)                       a row of values: z_k is the k-th of them
+z = (1, i, −i, −1)                       a row of values: z_k is the k-th of them
 
-    | k | z_k | δ_k |                        a table with the index in its first column,
-    | 1 |  1  |  0° |
+| k | z_k | δ_k |                        a table with the index in its first column,
+| 1 |  1  |  0° |
 
-    | cylinder | 1 | 2  |                    or in its first row
-    | δ_k      | 0 | 90° |
+| cylinder | 1 | 2  |                    or in its first row
+| δ_k      | 0 | 90° |
 """
 
 from __future__ import annotations
@@ -36,8 +36,10 @@ from symbalance.notes.reading import ReadingError, canonical_name, read_expressi
 from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side
 
 _INDEX = re.compile(r"(?P<stem>.+_)(?P<index>[ijkn]|nu|[0-9]{1,2})")
-_DEGREES = re.compile(r"\s*(?:\[°\]|\(°\)|/\s*°|in\s+(?:°|degrees?|Grad)|\[(?:deg|Grad)\]|\((?:deg|Grad)\))$")
-"""The one unit that a head may have: whether lengths in mm are put in as such is the formulas' business."""
+_DEGREES = re.compile(
+    r"\s*(?:\[°\]|\(°\)|/\s*°|in\s+(?:°|degrees?|Grad)|\[(?:deg|Grad)\]|\((?:deg|Grad)\))$"
+)
+"""The one unit that a head may have: a formula may put in lengths in mm as bare numbers."""
 _HEADS = re.compile(
     r"(?:cyl(?:inder)?s?|throws?|cranks?|zyl(?:inder)?|kröpfung|nr|no|number|nummer|piston|kolben|シリンダ|気筒|番号)?[.:#]?"
     r"(?:\s*(?:[ijkn]|number|no\.?|nr\.?|番号))?|#",
@@ -51,9 +53,14 @@ class Cell(Protocol):
     """A cell of a table: its text and its place in the page."""
 
     @property
-    def text(self) -> str: ...
+    def text(self) -> str:
+        """What stands in it."""
+        ...
+
     @property
-    def span(self) -> Span: ...
+    def span(self) -> Span:
+        """Where it stands."""
+        ...
 
 
 def rows_of_values(page: ReadNotes, used: Collection[str]) -> Iterator[Chain]:
@@ -108,7 +115,10 @@ def _runs(page: ReadNotes, index: str) -> bool:
     sums = (part for c in page.chains for side in c.sides for part in walk(side.node))
     if any(isinstance(s, Summation) and s.index is not None and s.index.name == index for s in sums):
         return True
-    run = rf"(?<![\w\\]){index}\s*(?:=\s*[0-9]\s*(?:,|\\l?dots|…|\.\.)|\\in(?![a-z])|∈|(?:\\leq?|≤)\s*[0-9A-Z])"
+    run = (
+        rf"(?<![\w\\]){index}\s*(?:=\s*[0-9]\s*(?:,|\\l?dots|…|\.\.)|\\in(?![a-z])|∈"
+        r"|(?:\\leq?|≤)\s*[0-9A-Z])"
+    )
     return re.search(run, page.text) is not None
 
 

@@ -38,14 +38,20 @@ _STATED = (
         r"|(?:even|odd|gerade|ungerade)(?=[\s.,;:)]|$))"
     ),
     re.compile(rf"(?<![a-z])(?:even|odd|gerade[sn]?|ungerade[sn]?)\s+\$?{_LIST}\$?(?=[\s.,;:)]|$)"),
-    re.compile(rf"{_LIST}\$?\s*(?:は|を|が)?\s*(?:任意の)?(?:整数|自然数)|(?:整数|自然数)\s*\$?(?P<behind>{_SINGLE})"),
+    re.compile(
+        rf"{_LIST}\$?\s*(?:は|を|が)?\s*(?:任意の)?(?:整数|自然数)|(?:整数|自然数)\s*\$?(?P<behind>{_SINGLE})"
+    ),
     re.compile(
         rf"(?P<letters>{_SINGLE})\s*=\s*(?:[-−]?[0-9]+\s*,\s*(?:\\[,;: ])?\s*){{1,6}}{_DOTS}"
         rf"(?!\s*,\s*[0-9]*\.)"
     ),
-    re.compile(rf"(?P<letters>{_SINGLE})\s*=\s*(?:{_DOTS}|\\pm|±)\s*,?\s*[-−]?[0-9]+\s*,\s*(?:[±]|\\pm)?\s*[0-9]+\s*,[^.;\n]{{0,20}}?{_DOTS}"),
+    re.compile(
+        rf"(?P<letters>{_SINGLE})\s*=\s*(?:{_DOTS}|\\pm|±)\s*,?\s*[-−]?[0-9]+\s*,\s*(?:[±]|\\pm)?\s*[0-9]+\s*,[^.;\n]{{0,20}}?{_DOTS}"
+    ),
 )
-_IMAGINARY = re.compile(r"(?:e\s*\^|\\exp|exp\s*\()\s*[{(]?[^}\n]{0,12}?(?<![A-Za-z\\])([ij])(?![A-Za-z])")
+_IMAGINARY = re.compile(
+    r"(?:e\s*\^|\\exp|exp\s*\()\s*[{(]?[^}\n]{0,12}?(?<![A-Za-z\\])([ij])(?![A-Za-z])"
+)
 
 
 def with_whole_letters(page: ReadNotes, declarations: Declarations) -> Declarations:
@@ -58,7 +64,11 @@ def with_whole_letters(page: ReadNotes, declarations: Declarations) -> Declarati
         while first > 1 and sections.same_section(first - 1, line):
             first -= 1
         is_declared = name in declarations.symbols_at(line)
-        if name not in used or is_declared or any(scope.holds(line) and name in scope.symbols for scope in scopes):
+        if (
+            name not in used
+            or is_declared
+            or any(scope.holds(line) and name in scope.symbols for scope in scopes)
+        ):
             continue
         if not _is_broken(page, name, first, last):
             scopes.append(Scope(first, last, {name: "integer"}))

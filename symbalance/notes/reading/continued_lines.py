@@ -1,9 +1,9 @@
 r"""Equations that go on in the next line: a line that begins with = continues the one above it.
 
-    cos t + cos(t + π)          the first side, which nothing marks as a formula
-      = cos t − cos t
-    `M = a F − b F`             a line that ends with its formula,
-    `= (a − b) F`               and one that goes on with it
+cos t + cos(t + π)          the first side, which nothing marks as a formula
+  = cos t − cos t
+`M = a F − b F`             a line that ends with its formula,
+`= (a − b) F`               and one that goes on with it
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _CELL_EDGE = re.compile(rf"(?:[ \t$`]|\\\))*(?:\||{CELL_END})")
 
 
 def begins_with_relation(text: str, place: int) -> bool:
-    """Tell whether the first sign behind a place, but for marks of a formula, is a relation.
+    r"""Tell whether the first sign behind a place, but for marks of a formula, is a relation.
 
     >>> begins_with_relation("a + b\n  $= c$", 5)
     True

@@ -1,4 +1,4 @@
-"""Angles in degrees without their sign, cos(120) = −1/2: a second way to read whole numbers in a function.
+"""Angles in degrees without their sign, cos(120) = −1/2: a second way to read whole numbers there.
 
 Only on a page that speaks of degrees, and where every angle in numbers on a side is one of those that are
 written so: 0, 30, 45, 90, 120, …

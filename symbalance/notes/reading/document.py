@@ -361,18 +361,22 @@ class Assembler:
         if draft is None:
             return False
         first = tokens[0]
-        if item.kind in ("inline", "prose"):
-            is_behind = first.kind == "rel" and goes_on_from(self.text, draft.last.end, item.start)
-            return is_behind and item.head is None
         if first.kind == "rel":
-            return self._is_near(draft.last, item)
-        if draft.last.kind in ("inline", "prose") or not self._is_next(item):
+            return self._goes_on_with_relation(draft, item)
+        is_in_line = not {"inline", "prose"}.isdisjoint((item.kind, draft.last.kind))
+        if is_in_line or not self._is_next(item):
             return False
         if first.is_op("+-") or (first.is_op("*/") and item.block == draft.last.block >= 0):
             return self._goes_on_with_operator(draft, item, tokens)
         if not draft.is_unfinished or item.block != draft.last.block:
             return False
         return not (draft.open_brackets and is_equation(tokens))
+
+    def _goes_on_with_relation(self, draft: Draft, item: Item) -> bool:
+        """Tell whether `= c` goes on with the chain: on a line of its own, or right behind it."""
+        if item.kind in ("inline", "prose"):
+            return item.head is None and goes_on_from(self.text, draft.last.end, item.start)
+        return self._is_near(draft.last, item)
 
     def _goes_on_with_operator(self, draft: Draft, item: Item, tokens: list[Token]) -> bool:
         """Tell whether a row that begins with an operator goes on with the row above."""

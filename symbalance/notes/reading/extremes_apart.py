@@ -12,7 +12,7 @@ from symbalance.notes.reading.marked_formulas import marked_formulas
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 
 _APART = re.compile(
-    r"(?<![^\W\d]['’])(?<![\w\\}'’])(?P<letter>[α-ωϕϑ]|[A-Zb-z](?:_?[0-9]|[₀-₉])?)[ \t\u00a0](?P<word>max|min)\.?"
+    r"(?<![\w\\}'’])(?P<letter>[α-ωϕϑ]|[A-Zb-z](?:_?[0-9]|[₀-₉])?)[ \t\u00a0](?P<word>max|min)\.?"
     r"(?=[ \t]*(?:=(?![=>])|[≈<>≤≥]))"
 )
 
@@ -38,7 +38,8 @@ _CLOSING = r"(?:\\right\s*|\\[bB]igg?r?\s*)?(?:\||\\vert(?![A-Za-z])|\\rvert(?![
 _WORD = r"\\?(?P<word>max|min)(?![A-Za-z])"
 _OF_BARS = re.compile(
     rf"{_BAR}(?P<inside>[^|$\n=<>]{{1,80}}?){_CLOSING}\s*_\s*"
-    rf"(?:\{{\s*(?:\\(?:mathrm|text|textrm|rm|operatorname)\s*\{{?\s*)?{_WORD}\s*\}}{{1,2}}|{_WORD.replace('word', 'bare')})"
+    rf"(?:\{{\s*(?:\\(?:mathrm|text|textrm|rm|operatorname)\s*\{{?\s*)?{_WORD}\s*\}}{{1,2}}"
+    rf"|{_WORD.replace('word', 'bare')})"
 )
 
 

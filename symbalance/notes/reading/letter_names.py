@@ -27,7 +27,9 @@ _NUMBERED = re.compile(
     r"\s*\^\s*\{\s*(?:\\left)?\(\s*([0-9]{1,2}|[A-Za-z]|[IVX]{1,4})\s*(?:\\right)?\)\s*\}|⁽([⁰¹²³⁴-⁹ⁿⁱ]{1,2})⁾"
 )
 """The (2) of F^{(2)}: nobody writes a power so."""
-_ORDER = re.compile(r"(?:^|(?<=,))\s*(?:\\left)?\(\s*([0-9]{1,2}|[A-Za-z]|[IVX]{1,4})\s*(?:\\right)?\)(?=\s*(?:,|$))")
+_ORDER = re.compile(
+    r"(?:^|(?<=,))\s*(?:\\left)?\(\s*([0-9]{1,2}|[A-Za-z]|[IVX]{1,4})\s*(?:\\right)?\)(?=\s*(?:,|$))"
+)
 """The (1) of F_{(1)} and F_{osc,(2)}, the order of a force."""
 LONGEST_SUBSCRIPT = 80
 """Longer runs of letters are no subscript; the limit keeps the search for a declared one short."""

@@ -516,7 +516,8 @@ PACKAGES: dict[str, Handler] = {
     **dict.fromkeys(words("mathclap mathllap mathrlap smash ensuremath"), _only(0, 1)),
     **dict.fromkeys(words("textcolor mathcolor colorbox raisebox scalebox href"), _only(1, 2)),
     **dict.fromkeys(words("fcolorbox resizebox"), _only(2, 3)),
-    **dict.fromkeys(words("leftroot uproot color pagecolor eqref ref cite autoref cref Cref"), _dropped(1)),
+    **dict.fromkeys(words("color pagecolor eqref ref cite autoref cref Cref"), _dropped(1)),
+    **dict.fromkeys(words("leftroot uproot"), _dropped(1)),
     **dict.fromkeys(
         words(
             "checkmark blacksquare square Box qed qedhere lozenge bigstar xspace IEEEyesnumber"

@@ -247,9 +247,8 @@ class Parser:
 
     def letter(self, name: str, span: Span) -> Formula:
         """Return a letter's node: a declared or bound name, π, the imaginary i, j in an exponential."""
-        if name in self.bound and self._is_imaginary_beside_index(name):
-            return Constant("i", span=span)
-        if name in self.names or name in self.bound:
+        is_imaginary = self._is_imaginary_beside_index(name)
+        if name in self.names or (name in self.bound and not is_imaginary):
             return Name(name, span=span)
         if (other := other_form(name)) in self.names:
             self.note(f"{plain_letter(name)} read as {plain_letter(other)}, which is declared")
@@ -749,7 +748,7 @@ class Parser:
         return self.exponent()
 
     def _lowered_power(self, function: Token) -> Formula | None:
-        """Read the 2 of `cos2 θ` as a power, which a scan may have let down: the second way to read it."""
+        """Read the 2 of `cos2 θ` as a power that a scan may have let down, as the second reading."""
         following = self.peek(1)
         is_apart = following is not None and following.kind == "name" and not self.is_tight(1)
         is_lowered = self.at("number", "2", "3") and self.is_tight() and is_apart and not self.latex

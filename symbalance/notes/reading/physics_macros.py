@@ -1,6 +1,7 @@
 r"""Commands of the packages physics, diffcoeff and their like: \qty, \dv, \mqty, \eval, \cos[2](x).
 
-Each writes what it stands for in plain LaTeX: \mqty(a & b) is a matrix, \dd{x} an upright d and its letter.
+Each writes what it stands for in plain LaTeX: \mqty(a & b) is a matrix, \dd{x} an upright d and its
+letter.
 """
 
 from __future__ import annotations
@@ -142,7 +143,7 @@ PHYSICS: dict[str, Handler] = {
     **dict.fromkeys(words("odv derivative diff"), _derivative_of_two("d")),
     **dict.fromkeys(words("partialderivative diffp"), _derivative_of_two("\\partial")),
     "qq": _words,
-    **{f"q{word}": _joining(word) for word in words("and or if for with where then given else otherwise")},
+    **{f"q{word}": _joining(word) for word in words("and or if for with where then given otherwise")},
     **{name: _power(name) for name in words("sin cos tan cot sec csc sinh cosh tanh")},
     **dict.fromkeys(
         words("phantom hphantom vphantom"),

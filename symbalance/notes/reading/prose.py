@@ -168,9 +168,10 @@ def _is_unit(piece: re.Match[str], text: str) -> bool:
 def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules) -> bool:
     kind, sign = piece.lastgroup, piece.group()
     if kind == "word":
-        if _DERIVATIVE.match(text, piece.start(), end):
-            return True
-        if len(sign) == LONGEST_RUN and sign not in _PLAIN_WORDS and is_behind_function(text, piece.start()):
+        is_run = len(sign) == LONGEST_RUN and sign not in _PLAIN_WORDS
+        if _DERIVATIVE.match(text, piece.start(), end) or (
+            is_run and is_behind_function(text, piece.start())
+        ):
             return True
         own = _OWN_FUNCTION.match(text, piece.start(), end)
         return line.is_mathematical(sign) or (own is not None and own.group() == sign)

@@ -12,7 +12,9 @@ from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 _GIVEN = re.compile(
     r"(?<![\w.,/*·×+−^=(-])(?<![=+*/·×−-]\s)1(?=\s?=\s?[0-9]+(?:[.,][0-9]+)?\s?(?:mm|cm|m|in|inch|inches|ft)\b)"
 )
-_RATIO = re.compile(r"(?<![\w.,])(?P<above>[rRsλ])\s?/\s?1(?![\w.,/^])|(?<![\w.,)/*·×])1\s?/\s?(?P<below>[rs])(?=\s?=\s?[0-9λ])")
+_RATIO = re.compile(
+    r"(?<![\w.,])(?P<above>[rRsλ])\s?/\s?1(?![\w.,/^])|(?<![\w.,)/*·×])1\s?/\s?(?P<below>[rs])(?=\s?=\s?[0-9λ])"
+)
 
 
 def with_scanned_letters(text: str) -> tuple[Rewritten | None, tuple[str, ...]]:

@@ -297,9 +297,7 @@ class ItemFinder:
     ) -> Iterator[Item]:
         """Yield the equations in a stretch of a line without prose."""
         is_long = span[1] - span[0] > LONGEST_LINE
-        if is_long or not (
-            has_any_relation(self.text, *span) or goes_on_below(self.text, span[1])
-        ):
+        if is_long or not (has_any_relation(self.text, *span) or goes_on_below(self.text, span[1])):
             return
         display = self.text.find("\\displaystyle", *span)
         if display >= 0:

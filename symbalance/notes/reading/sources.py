@@ -103,7 +103,15 @@ def prepare(
         reader.apply(with_number_e(reader.text))
     if kind in ("tex", "markdown"):
         reader.apply(with_joined_dollars(reader.text))
-    for rewrite in (with_row_vectors, with_extremes_of_bars, with_operator_words, with_systems, with_memberships, with_function_names, with_dots):
+    for rewrite in (
+        with_row_vectors,
+        with_extremes_of_bars,
+        with_operator_words,
+        with_systems,
+        with_memberships,
+        with_function_names,
+        with_dots,
+    ):
         reader.apply(rewrite(reader.text))
     if kind != "tex":
         reader.apply(with_greek_words(reader.text, is_letter))

@@ -30,8 +30,8 @@ _COMPUTED = re.compile(
 )
 _CLAUSE = re.compile(r"[,;:!?)]|\.(?=\s|$)|\b(?:and|or|but|while|und|oder|aber|et|ou)\b|\n|$")
 _CONSTANT = re.compile(
-    r"\\(?:[dt]?frac|sqrt|cdot|times|approx|pi|left|right|sin|cos|tan|circ|,|;|:| |text|mathrm)(?![A-Za-z])"
-    r"|\b(?:sin|cos|tan|sqrt|pi|exp)\b|π"
+    r"\\(?:[dt]?frac|sqrt|cdot|times|approx|pi|left|right|sin|cos|tan|circ|text|mathrm)(?![A-Za-z])"
+    r"|\\[,;: ]|\b(?:sin|cos|tan|sqrt|pi|exp)\b|π"
 )
 
 
