@@ -20,7 +20,8 @@ from symbalance.document.nodes import Code, Strong, Words
 from symbalance.errors import SymbalanceError, brief
 from symbalance.notes.checking.engines import Engines, NoEngines, Sources
 from symbalance.notes.checking.expanded_sums import with_expanded_sums
-from symbalance.notes.checking.judging import PAGE, Judge
+from symbalance.notes.checking.guarded_verdicts import PAGE
+from symbalance.notes.checking.judging import Judge
 from symbalance.notes.checking.letters_anew import with_letters_anew
 from symbalance.notes.checking.one_reading import judge_in_one_reading
 from symbalance.notes.checking.page_data import data_of

@@ -37,7 +37,7 @@ def with_degrees(readings: tuple[Formula, ...]) -> tuple[Formula, ...]:
     >>> from symbalance.document.text_writer import formula_text
     >>> from symbalance.notes.reading import read_expression
     >>> [formula_text(node) for node in with_degrees(read_expression("cos(120)", set()))]
-    ['cos(120)', 'cos(120 (π/180))']
+    ['cos(120)', 'cos 120π/180']
     """
     angles = [
         part.argument
