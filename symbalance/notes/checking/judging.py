@@ -76,7 +76,7 @@ class Judge:
         bindings = assertions.by_line(self.declarations.bindings)
         verdicts: list[Verdict] = [unreadable_verdict(self.document, u) for u in self.document.unreadable]
         for chain in chains_in_turn(self.document, self.state.sections):
-            self._take_data(chain.lines[0])
+            self._take_data(chain)
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
             verdicts += self.chain(chain, chain_binds)
         for binding in (b for rest in bindings.values() for b in rest):
@@ -91,9 +91,13 @@ class Judge:
             self.document, tuple(replace(v, cell=self.document.cell_of(v.line)) for v in numbered)
         )
 
-    def _take_data(self, line: int) -> None:
-        """Define the letters of the tables, lists and code above a line; a formula's letter is left."""
-        while self.data and self.data[0].lines[0] < line:
+    def _take_data(self, chain: Chain) -> None:
+        """Define the letters of the tables, lists and code above a chain; a formula's letter is left."""
+        line, start = chain.lines[0], chain.sides[0].span[0]
+        while self.data and (
+            self.data[0].lines[0] < line
+            or (self.data[0].lines[0] == line and self.data[0].sides[-1].span[1] <= start)
+        ):
             datum = self.data.pop(0)
             name = next(iter(names(datum.sides[0].node)))
             earlier = self.state.knowledge(datum.lines[0]).definitions.get(name)

@@ -18,6 +18,7 @@ from symbalance.notes.checking.engine_speeds import decide_speed
 from symbalance.notes.checking.given_numbers import number_given
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.letter_values import define_letter
+from symbalance.notes.checking.listed_values import decide_for_values
 from symbalance.notes.checking.numbers_in_units import decide_after_units_left_out
 from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.relation_fixes import add_fix_of_relation
@@ -61,6 +62,8 @@ def judge_relation(
     definition = definition or _define(state, chain, k, knowledge)
     if definition is not None:
         return _as_meant(state, chain, k, definition, knowledge)
+    if (for_values := decide_for_values(state.document, chain, k, knowledge)) is not None:
+        return for_values
     decision, against = _decide_step(state, chain, k, sound, bad, knowledge)
     decision = _with_signs(state, left, right, relation.sign, decision, knowledge)
     if decision.status in (REFUTED, UNDECIDED):
