@@ -11,6 +11,7 @@ from symbalance.budgets import Budget
 from symbalance.document.formula import Call, Formula, Name, names, walk
 from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import assertions
+from symbalance.notes.checking.another_place import leave_place
 from symbalance.notes.checking.consequences import decide_consequence
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -210,6 +211,8 @@ class Judge:
             end_cases(self.state.definitions, left, start)
             return verdict
         verdict = self._link_in_scope(chain, k, sound, bad)
+        if verdict.verdict in (REFUTED, CONTRADICTION) and leave_place(self.state, chain):
+            return self._link_in_scope(chain, k, sound, bad)
         if verdict.verdict == CONTRADICTION and (
             others := cases_replaced_by(self.state.definitions, chain)
         ):
