@@ -24,6 +24,7 @@ from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.solutions import solution_below
 from symbalance.notes.checking.solved_below import as_proved_solution, as_solved
+from symbalance.notes.checking.solved_waves import decide_solved_wave
 from symbalance.notes.checking.stated_matrices import no_relation_of_matrices
 from symbalance.notes.checking.steps_by_premises import unless_given
 from symbalance.notes.checking.verdicts import (
@@ -59,6 +60,7 @@ def judge_relation(
         reason = f"true of the number {name}; here {name} is declared as a letter"
         return Decision(UNDECIDED, reason)
     definition = _demanded(relation) or as_proved_solution(state, chain, k)
+    definition = definition or decide_solved_wave(state, chain, k, knowledge)
     definition = definition or _define(state, chain, k, knowledge)
     if definition is not None:
         return _as_meant(state, chain, k, definition, knowledge)
