@@ -48,7 +48,8 @@ def decide_solved_wave(
     decision = decide(*sides, "=", known)
     if decision.is_proved:
         return replace(decision, assumptions=(*decision.assumptions, equation.text))
-    is_said = state.sections.is_consequence(chain) and _is_of_cosines(equation, angle)
+    follows = state.sections.is_consequence(chain) or state.sections.follows_at_once(chain)
+    is_said = follows and _is_of_cosines(equation, angle)
     if decision.status == REFUTED and left.function == "cos" and is_said:
         return replace(decision, reason=f"does not satisfy {equation.text} of line {equation.line}")
     return None
