@@ -19,6 +19,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.remainders import is_remainder
 from symbalance.notes.checking.descriptions import describe, unreadable_verdict, with_fault
 from symbalance.notes.checking.dimensions import Dimensions, unit_text
+from symbalance.notes.checking.engine_blocks import EngineBlocks
 from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.guarded_verdicts import PAGE, Guard
 from symbalance.notes.checking.judging_order import chains_in_turn, number_verdicts
@@ -70,6 +71,7 @@ class Judge:
         self.data = list(every[len(self.document.chains) :])
         """The page's data that stand in tables, lists and code, and have not been reached yet."""
         self.state = JudgingState(self.document, self.declarations, self.sources, self.corrects)
+        self.blocks = EngineBlocks(self.document.text, self.state.sections)
         self.guard = Guard(self.document, self.budget)
 
     def check(self) -> Checked:
@@ -78,6 +80,7 @@ class Judge:
         verdicts: list[Verdict] = [unreadable_verdict(self.document, u) for u in self.document.unreadable]
         for chain in chains_in_turn(self.document, self.state.sections):
             self._take_data(chain)
+            self.blocks.enter(chain.lines[0], self.state.definitions)
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
             verdicts += self.chain(chain, chain_binds)
         for binding in (b for rest in bindings.values() for b in rest):
