@@ -206,6 +206,8 @@ def refuse_case(
     if chain.inline and definitions.sections.is_denied(chain):
         return Decision(CONDITION, f"said not to be so: {text} in line {earlier.line}")
     is_case = _says_new_case(definitions, name, earlier, chain)
+    if name in definitions.sections.spoken_of_generally(chain, {name: False}):
+        is_case = False  # "in general y = 1" is no case
     is_excluded = is_case is not True and _excludes(earlier.node, value, knowledge)
     if not is_excluded or _is_another_solution(definitions, name, value, line, knowledge):
         return None

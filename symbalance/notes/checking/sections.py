@@ -270,6 +270,8 @@ class Sections:
 
         With `named`, those only that the words name: for every x, and not "in general".
         """
+        if case_words.is_said_of_all_behind(self.document.text, _end(chain)):
+            return frozenset(letters)
         start = min(side.span[0] for side in chain.sides)
         first = max([case_words.clause_start(self.document.text, start), *self._ends_before(start)])
         before = self.document.text[first:start]
