@@ -225,7 +225,9 @@ def _says_new_case(definitions: Definitions, name: str, earlier: Definition, cha
         follows_at_once = definitions.sections.stands_next(chain, earlier.line)
         return not (definitions.sections.is_consequence(chain) and follows_at_once)
     if not chain.inline:
-        is_next = is_in_next_group(definitions.sections.document.text, definitions.sections.document.chains, chain)
+        is_next = is_in_next_group(
+            definitions.sections.document.text, definitions.sections.document.chains, chain
+        )
         return is_next or (bool(earlier.assumption) and near > earlier.line)
     return definitions.sections.starts_new_case(chain, earlier.line, name)
 

@@ -50,6 +50,4 @@ class EngineBlocks:
             last = entries[-1] if entries else None
             if own and last is not None and self.label_at(last.definition.line) not in ("", label):
                 entries.append(replace(own[-1], last_line=None))
-        definitions.premises = [
-            p for p in definitions.premises if self.label_at(p.line) in ("", label)
-        ]
+        definitions.premises = [p for p in definitions.premises if self.label_at(p.line) in ("", label)]

@@ -64,9 +64,7 @@ def values_listed(page: ReadNotes, chain: Chain) -> Listed | None:
     return Listed(match["letter"], tuple(values), is_endless)
 
 
-def decide_for_values(
-    page: ReadNotes, chain: Chain, k: int, knowledge: Knowledge
-) -> Decision | None:
+def decide_for_values(page: ReadNotes, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
     """Decide a relation that is said for listed values of a letter; None for any other.
 
     A letter alone on the left is defined, and not claimed to be anything.

@@ -40,7 +40,10 @@ def decide_by_premises(
     if decision is None or decision.status != CONTRADICTION:
         return decision
     premises = related(
-        definitions.premises_at(statement.line), [statement.left, statement.right], knowledge, rounded=True
+        definitions.premises_at(statement.line),
+        [statement.left, statement.right],
+        knowledge,
+        rounded=True,
     )
     return decide_to_the_degree(premises, statement, knowledge) or decision
 

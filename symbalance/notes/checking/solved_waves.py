@@ -55,9 +55,7 @@ def decide_solved_wave(
     return None
 
 
-def _equation_above(
-    state: JudgingState, chain: Chain, angle: str, own: frozenset[str]
-) -> Premise | None:
+def _equation_above(state: JudgingState, chain: Chain, angle: str, own: frozenset[str]) -> Premise | None:
     """Return the last equation above in the angle and the letters of its value."""
     above = [
         p
@@ -74,8 +72,10 @@ def _is_of_cosines(equation: Premise, angle: str) -> bool:
         for part in walk(node)
         if isinstance(part, Call) and angle in names(part.argument)
     }
-    return functions == {"cos"} and not _stands_bare(equation.left, angle) and not _stands_bare(
-        equation.right, angle
+    return (
+        functions == {"cos"}
+        and not _stands_bare(equation.left, angle)
+        and not _stands_bare(equation.right, angle)
     )
 
 

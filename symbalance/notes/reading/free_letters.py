@@ -57,7 +57,7 @@ def may_be_free(
 def unclear(node: Formula, free: Collection[str]) -> str | None:
     """Return a free letter that stands where its meaning counts, None if there is none.
 
-    Under a derivative or integral it may vary; under a sum its subscript may count, unless the sum
+    Under a derivative of what does not hold its variable it may vary; under a sum its subscript may count, unless the sum
     is a series of harmonics.
     """
     for part in walk(node):
@@ -65,6 +65,8 @@ def unclear(node: Formula, free: Collection[str]) -> str | None:
             if isinstance(part.expression, Name):
                 continue  # the rate of a letter of which nothing is known is a letter too
             inside = names(part.expression) - {part.variable.name}
+            if inside != names(part.expression):
+                continue  # d(m r cos θ)/dθ: that m is a constant is said to be assumed
         elif isinstance(part, Summation) and not _is_of_harmonics(part):
             inside = {name for name in names(part.body) if _is_indexed(name, part)}
         else:
