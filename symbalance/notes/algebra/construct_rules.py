@@ -76,7 +76,7 @@ def refuse_what_may_change(evaluator: FormEvaluator, form: Form, variable: str) 
 
 
 def assume_constant(form: Form, names: Collection[str], variable: str) -> None:
-    """Note that a form's derivative rests on letters that nobody declared not changing with a variable."""
+    """Note that a derivative rests on letters that nobody declared not changing with its variable."""
     for name in sorted(names):
         form.domain.assumptions[f"{plain_letter(name)} {_CONSTANT} {plain_letter(variable)}"] = None
 

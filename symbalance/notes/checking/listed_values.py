@@ -20,10 +20,11 @@ from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
 _FOR = re.compile(
-    r"(?:[\s$)}\].,;:~(]|\\\)|\\q?quad|\\[,;: ]|\\(?:text|mbox)\s*\{[^{}]{0,20}\}|(?:only\s+)?(?:for|für|with|where|when"
-    r"|if|bei|mit|all|alle)(?![A-Za-z]))*"
+    r"(?:[\s$)}\].,;:~(]|\\\)|\\q?quad|\\[,;: ]|\\(?:text|mbox)\s*\{[^{}]{0,20}\}"
+    r"|(?:only\s+)?(?:for|für|with|where|when|if|bei|mit|all|alle)(?![A-Za-z]))*"
     r"(?P<letter>[A-Za-z])\s*=\s*(?P<list>[-−]?[0-9]{1,3}(?:\s*,\s*(?:\\[,;: ]\s*)*[-−]?[0-9]{1,3})+)"
-    r"(?P<dots>\s*,\s*(?:\\[,;: ]\s*)*(?:\\(?:l|c)?dots(?![A-Za-z])|…|\.{3}))?(?!\s*,?\s*(?:\\?[A-Za-z]{0,6}dots|…|\.\.))"
+    r"(?P<dots>\s*,\s*(?:\\[,;: ]\s*)*(?:\\(?:l|c)?dots(?![A-Za-z])|…|\.{3}))?"
+    r"(?!\s*,?\s*(?:\\?[A-Za-z]{0,6}dots|…|\.\.))"
 )
 _MOST = 12
 

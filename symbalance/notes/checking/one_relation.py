@@ -62,10 +62,9 @@ def judge_relation(
     definition = _demanded(relation) or as_proved_solution(state, chain, k)
     definition = definition or decide_solved_wave(state, chain, k, knowledge)
     definition = definition or _define(state, chain, k, knowledge)
+    definition = definition or decide_for_values(state.document, chain, k, knowledge)
     if definition is not None:
         return _as_meant(state, chain, k, definition, knowledge)
-    if (for_values := decide_for_values(state.document, chain, k, knowledge)) is not None:
-        return for_values
     decision, against = _decide_step(state, chain, k, sound, bad, knowledge)
     decision = _with_signs(state, left, right, relation.sign, decision, knowledge)
     if decision.status in (REFUTED, UNDECIDED):

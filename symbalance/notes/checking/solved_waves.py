@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from symbalance.document.formula import Call, Formula, Name, names, walk
 from symbalance.notes.algebra.domain import NoFormError
-from symbalance.notes.checking.deciding.equality import REFUTED, Decision
+from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute
@@ -33,19 +33,12 @@ def decide_solved_wave(
     assert isinstance(left, Call)
     assert isinstance(left.argument, Name)
     angle = left.argument.name
-    if angle in names(right):
-        return None
     others = {n: d for n, d in knowledge.definitions.items() if n != angle}
     known = replace(knowledge, definitions=others)
     equation = _equation_above(state, chain, angle, names(right))
-    if equation is None:
+    if equation is None or angle in names(right):
         return None
-    value = Call(_INVERSE[left.function], right)
-    try:
-        sides = [lone_side(substitute(node, angle, value)) for node in (equation.left, equation.right)]
-    except NoFormError:
-        return None
-    decision = decide(*sides, "=", known)
+    decision = _put_in(equation, angle, Call(_INVERSE[left.function], right), known)
     if decision.is_proved:
         return replace(decision, assumptions=(*decision.assumptions, equation.text))
     follows = state.sections.is_consequence(chain) or state.sections.follows_at_once(chain)
@@ -53,6 +46,14 @@ def decide_solved_wave(
     if decision.status == REFUTED and left.function == "cos" and is_said:
         return replace(decision, reason=f"does not satisfy {equation.text} of line {equation.line}")
     return None
+
+
+def _put_in(equation: Premise, angle: str, value: Formula, knowledge: Knowledge) -> Decision:
+    try:
+        sides = [lone_side(substitute(node, angle, value)) for node in (equation.left, equation.right)]
+    except NoFormError as problem:
+        return Decision(UNDECIDED, str(problem))
+    return decide(*sides, "=", knowledge)
 
 
 def _equation_above(state: JudgingState, chain: Chain, angle: str, own: frozenset[str]) -> Premise | None:

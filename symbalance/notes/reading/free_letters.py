@@ -57,8 +57,8 @@ def may_be_free(
 def unclear(node: Formula, free: Collection[str]) -> str | None:
     """Return a free letter that stands where its meaning counts, None if there is none.
 
-    Under a derivative of what does not hold its variable it may vary; under a sum its subscript may count, unless the sum
-    is a series of harmonics.
+    Under a derivative of what does not hold its variable it may vary; under a sum its subscript may
+    count, unless the sum is a series of harmonics.
     """
     for part in walk(node):
         if isinstance(part, Derivative):
