@@ -115,13 +115,13 @@ def _written_out(node: Summation, values: _Values, line: int) -> Formula:
     ):
         return node
     try:
-        terms = tuple(
+        terms = [
             _moved(substitute(at_index(node.body, index, k), index, Number(Fraction(k))), node.span)
             for k in numbers
-        )
+        ]
     except NoFormError:  # the index of a derivative is no number
         return node
-    return Sum(terms, span=node.span) if len(terms) > 1 else terms[0]
+    return Sum(tuple(terms), span=node.span) if len(terms) > 1 else terms[0]
 
 
 def _index_of(body: Formula) -> str:

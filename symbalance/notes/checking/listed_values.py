@@ -81,10 +81,10 @@ def decide_for_values(page: ReadNotes, chain: Chain, k: int, knowledge: Knowledg
     last: Decision | None = None
     for value in listed.formulas():
         try:
-            sides = [_at(side, listed.letter, value) for side in (left, right)]
+            first, second = _at(left, listed.letter, value), _at(right, listed.letter, value)
         except NoFormError:
             return None
-        decision = decide(*sides, sign, known)
+        decision = decide(first, second, sign, known)
         if decision.status == REFUTED and listed.is_endless:
             return replace(decision, status=UNDECIDED, reason="not shown for all of the values listed")
         if not decision.is_proved:

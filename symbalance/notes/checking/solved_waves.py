@@ -50,10 +50,10 @@ def decide_solved_wave(
 
 def _put_in(equation: Premise, angle: str, value: Formula, knowledge: Knowledge) -> Decision:
     try:
-        sides = [lone_side(substitute(node, angle, value)) for node in (equation.left, equation.right)]
+        left, right = (substitute(node, angle, value) for node in (equation.left, equation.right))
     except NoFormError as problem:
         return Decision(UNDECIDED, str(problem))
-    return decide(*sides, "=", knowledge)
+    return decide(lone_side(left), lone_side(right), "=", knowledge)
 
 
 def _equation_above(state: JudgingState, chain: Chain, angle: str, own: frozenset[str]) -> Premise | None:
