@@ -212,15 +212,23 @@ class ItemFinder:
         gaps = [CELL_END]
         if self.kind == "tex":
             gaps += ["&", "\\\\"]
-        elif self.kind == "markdown" and _ROW_OF_TABLE.match(
-            self.text, self.line_span(self.line_of(start))[0]
-        ):
+        elif self.kind == "markdown" and self._is_row_of_table(self.line_of(start)):
             gaps.append("|")
         cells, first = [], start
         for match in re.finditer("|".join(map(re.escape, gaps)), self.text[start:end]):
             cells.append((first, start + match.start()))
             first = start + match.end()
         return [*cells, (first, end)]
+
+    def _is_row_of_table(self, line: int) -> bool:
+        """Tell a row, whose line ends with a bar or stands next to another, from |F| ≤ 3."""
+        start, end = self.line_span(line)
+        if _ROW_OF_TABLE.match(self.text, start) is None:
+            return False
+        around = [self.line_span(n)[0] for n in (line - 1, line + 1) if 0 < n <= len(self.breaks) + 1]
+        return self.text[start:end].rstrip().endswith("|") or any(
+            _ROW_OF_TABLE.match(self.text, place) for place in around
+        )
 
     def _items_of_line(self, start: int, end: int, line: int, whole: bool) -> Iterator[Item]:
         """Yield the items of a line, or of a part of it, outside delimiters."""
