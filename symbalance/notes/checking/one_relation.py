@@ -18,11 +18,13 @@ from symbalance.notes.checking.engine_speeds import decide_speed
 from symbalance.notes.checking.given_numbers import number_given
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.letter_values import define_letter
+from symbalance.notes.checking.listed_values import decide_for_values
 from symbalance.notes.checking.numbers_in_units import decide_after_units_left_out
 from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.solutions import solution_below
 from symbalance.notes.checking.solved_below import as_proved_solution, as_solved
+from symbalance.notes.checking.solved_waves import decide_solved_wave
 from symbalance.notes.checking.stated_matrices import no_relation_of_matrices
 from symbalance.notes.checking.steps_by_premises import unless_given
 from symbalance.notes.checking.verdicts import (
@@ -58,7 +60,9 @@ def judge_relation(
         reason = f"true of the number {name}; here {name} is declared as a letter"
         return Decision(UNDECIDED, reason)
     definition = _demanded(relation) or as_proved_solution(state, chain, k)
+    definition = definition or decide_solved_wave(state, chain, k, knowledge)
     definition = definition or _define(state, chain, k, knowledge)
+    definition = definition or decide_for_values(state.document, chain, k, knowledge)
     if definition is not None:
         return _as_meant(state, chain, k, definition, knowledge)
     decision, against = _decide_step(state, chain, k, sound, bad, knowledge)

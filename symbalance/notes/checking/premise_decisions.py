@@ -24,6 +24,7 @@ from symbalance.notes.checking.premises import (
     related,
 )
 from symbalance.notes.checking.verdicts import CONTRADICTION, PREMISE
+from symbalance.notes.checking.whole_degrees import decide_to_the_degree
 from symbalance.notes.reading.equations import Chain
 
 
@@ -33,8 +34,25 @@ def decide_by_premises(
     """Return what earlier premises say of a statement; None where they say nothing.
 
     It follows from them, it contradicts them, or it is one of several solutions. Of matrices they say
-    nothing: they are solved as numbers are, whose products commute.
+    nothing: they are solved as numbers are, whose products commute. An angle in whole degrees is one to
+    the degree: after tan α = 4 it is 76°.
     """
+    decision = _decide_exactly(definitions, statement, knowledge)
+    if decision is None or decision.status != CONTRADICTION:
+        return decision
+    premises = related(
+        definitions.premises_at(statement.line),
+        [statement.left, statement.right],
+        knowledge,
+        rounded=True,
+    )
+    return decide_to_the_degree(premises, statement, knowledge) or decision
+
+
+def _decide_exactly(
+    definitions: Definitions, statement: Premise, knowledge: Knowledge
+) -> Decision | None:
+    """Return what earlier premises say of a statement as it stands."""
     nodes = [statement.left, statement.right]
     if any(isinstance(part, PlusMinus) for node in nodes for part in walk(node)):
         return _decide_both_signs(definitions, statement, knowledge)

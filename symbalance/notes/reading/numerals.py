@@ -149,6 +149,12 @@ def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
     zeros = {
         m.start(): (m.end(), f"{m[1]}.{m[3]}") for m in sure if m[1].strip("0") == "" and len(m[3]) > 1
     }
+    if zeros:  # 0,5 · 0,04 among points
+        zeros |= {
+            m.start(): (m.end(), f"{m[1]}.{m[3]}")
+            for m in matches
+            if m[1] == "0" and _BEFORE_OPERATION.match(text, m.end())
+        }
     _note(notes, "decimal commas", zeros, text)
     if points and not zeros:
         changes = {m.start(): (m.end(), m[1] + m[2].replace(",", "")) for m in grouped}
@@ -156,6 +162,7 @@ def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
     return changes | zeros
 
 
+_BEFORE_OPERATION = re.compile(r"\s*(?:[·⋅×*=≈/]|\\(?:cdot|times|approx)(?![A-Za-z]))")
 _POINT_BETWEEN = re.compile(
     r"(?:(?<![A-Za-z\\])[A-Za-z](?:_\w{1,4}|_\{\w{1,6}\}|[₀-₉0-9])?[²³]?"
     r"|(?:sin|cos|tan)[²³]? ?[0-9]?[A-Za-z]|(?<![A-Za-z])pi(?=\.[0-9A-Za-z(])"

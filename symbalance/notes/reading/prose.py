@@ -31,6 +31,7 @@ _ARGUED = "unit|si|mathrm|mathit|mathbf|operatorname|tag|label|mathsf|bm|boldsym
 _UMLAUTS = "ÄÖÜäöüßàáâãçèéêëíîñóôõøåæœú"
 _PIECE = re.compile(
     rf"(?P<prose>\\(?:{'|'.join(sorted(WORDS, key=len, reverse=True))})\s*\{{[^{{}}]*\}})"
+    r"|(?P<cells>\\begin\s*\{[pbvV]?matrix\}(?:(?!\\begin)[^\n]){1,400}?\\end\s*\{[pbvV]?matrix\})"
     rf"|(?P<argued>\\(?:{_ARGUED})\*?\s*\{{(?:[^{{}}]|\{{[^{{}}]{{0,20}}\}})*\}})"
     r"|(?P<command>\\[A-Za-z]+)|(?P<escape>\\.)"
     r"|(?P<script>_\{(?:[^{}]|\{[^{}]{0,40}\}){0,80}\}|_[A-Za-z0-9]+)|(?P<degrees>(?<=[0-9])\s?度)|"
@@ -69,6 +70,11 @@ _DERIVATIVE = re.compile(
     r"|(?:(?<=d/)|(?<=d[A-Za-zα-ωϕ]/)|(?<=d[²³]/)|(?<=d[²³][A-Za-zα-ωϕ]/)|(?<=d\^[23]/)"
     r"|(?<=d\^[23][A-Za-zα-ωϕ]/))d[A-Za-z]?(?![A-Za-z])"
 )
+_LONGEST_FUNCTION = 20
+LONGEST_RUN = 2
+"""Letters that are read as a product behind a function's bracket without being letters of the page."""
+_IN_FUNCTION = re.compile(r"(?<![A-Za-z])(?:sin|cos|tan|cot)\(\s*(?:[0-9.]+\s*\*?\s*)?\Z")
+"""What stands before the letters of cos(wt) and sin(2wt), which are no word there."""
 _LONG_WORD = re.compile(r"(?<![\\A-Za-z_])[A-Za-z]{4,}")
 _ARTICLE_FIRST = re.compile(r"(a|I|A)\s+(?=[\w\\(])")
 _DASH_LAST = re.compile(r"\s+[-–—−]\s*$")
@@ -162,7 +168,10 @@ def _is_unit(piece: re.Match[str], text: str) -> bool:
 def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules) -> bool:
     kind, sign = piece.lastgroup, piece.group()
     if kind == "word":
-        if _DERIVATIVE.match(text, piece.start(), end):
+        is_run = len(sign) == LONGEST_RUN and sign not in _PLAIN_WORDS
+        if _DERIVATIVE.match(text, piece.start(), end) or (
+            is_run and is_behind_function(text, piece.start())
+        ):
             return True
         own = _OWN_FUNCTION.match(text, piece.start(), end)
         return line.is_mathematical(sign) or (own is not None and own.group() == sign)
@@ -175,6 +184,11 @@ def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules)
         unit = unit_set_at(text, piece.start(), end) if behind else None
         return unit is not None and scale_of(unit[0]) is not None
     return True
+
+
+def is_behind_function(text: str, place: int) -> bool:
+    """Tell whether nothing but a number stands between a function's bracket and a place: cos(2wt."""
+    return _IN_FUNCTION.search(text, max(place - _LONGEST_FUNCTION, 0), place) is not None
 
 
 def _is_mathematical_sign(sign: str, text: str, place: int, end: int) -> bool:
