@@ -19,6 +19,7 @@ from symbalance.document import formula
 from symbalance.document.formula import Formula, Number, names
 from symbalance.document.letters import raised
 from symbalance.document.text_writer import formula_text
+from symbalance.document.wordlists import words
 from symbalance.notes.checking.symbol_roles import FROM_MIDDLE, FROM_PIN, FROM_TOP, role_of
 from symbalance.notes.reading import siunitx
 
@@ -45,6 +46,11 @@ _WHOLE_UNITS: dict[str, Dimension] = {
     "rps": _dimension(s=-1), "rev": NONE, "r": NONE, "U": NONE, "deg": NONE, "°": NONE, "1": NONE,
     "%": NONE, "t": _dimension(kg=1), "l": _dimension(m=3), "L": _dimension(m=3),
     "Nmm": _dimension(1, 2, -2), "kNm": _dimension(1, 2, -2), "degrees": NONE, "radians": NONE,
+    "cc": _dimension(m=3), "ccm": _dimension(m=3), "inch": _dimension(m=1), "ft": _dimension(m=1),
+    "mi": _dimension(m=1), "slug": _dimension(kg=1), "psi": _dimension(1, -1, -2),
+    "mph": _dimension(m=1, s=-1), "knot": _dimension(m=1, s=-1), "knots": _dimension(m=1, s=-1),
+    **dict.fromkeys(words("lbf kp kgf"), _dimension(1, 1, -2)),
+    **dict.fromkeys(words("hp bhp HP PS"), _dimension(1, 2, -3)),
 }  # fmt: skip
 _PREFIXES = ("", "k", "M", "G", "c", "d", "m", "u", "n")
 _PREFIXED = {p + unit: size for unit, size in _UNITS.items() for p in _PREFIXES}

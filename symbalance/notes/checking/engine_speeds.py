@@ -24,6 +24,7 @@ _SPEED = re.compile(
     rf"(?<![0-9.,])(?P<speed>[1-9][0-9]{{0,2}}(?:(?:[,.' ]|\\,|\{{,\}})?[0-9]{{3}})?|[1-9][0-9]{{3,4}})"
     rf"{_BETWEEN}{_PER_MINUTE}|毎分\s*(?P<behind>[1-9][0-9]{{1,4}})"
 )
+_UNIT_BEHIND = re.compile(_BETWEEN + _PER_MINUTE)
 SAME = 1e-12
 
 
@@ -35,6 +36,11 @@ def speeds_of(text: str) -> frozenset[int]:
     """
     found = (m["speed"] or m["behind"] for m in _SPEED.finditer(text))
     return frozenset(int(re.sub("[^0-9]", "", digits)) for digits in found)
+
+
+def is_per_minute(text: str, place: int) -> bool:
+    """Tell whether a unit of revolutions per minute stands at a place, behind a number."""
+    return _UNIT_BEHIND.match(text, place) is not None
 
 
 def decide_speed(

@@ -26,13 +26,22 @@ from symbalance.document.formula import (
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.values import letters
+from symbalance.notes.checking.conversions import decide_conversion, is_power_of_ten, quantity_of
 from symbalance.notes.checking.deciding.cases import UNITS_LEFT_OUT, in_units_left_out
-from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
+from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.numbers_put_in import without_unit
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals, significant
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.dimensions import written_unit
+from symbalance.notes.checking.formulas_between_numbers import (
+    decide_between_numbers,
+    may_convert,
+    puts_in_numbers,
+    with_printed_results,
+)
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.numerals import unit_in_words
 from symbalance.notes.reading.units import Scale, scale_of
@@ -50,7 +59,12 @@ def decide_in_units(
     chain: Chain, k: int, decision: Decision, document: ReadNotes, knowledge: Knowledge
 ) -> Decision:
     """Return the decision on a refuted relation in the units that its numbers are meant in."""
-    for meant in (_in_unit_of_result, _converted, _of_weights, _with_numbers_of_units):
+    in_two_units = decide_conversion(chain, k, document)
+    if in_two_units is not None:
+        return in_two_units if in_two_units.is_proved else decision
+    for meant in (
+        _between_numbers, _in_unit_of_result, _converted, _of_weights, _with_numbers_of_units
+    ):  # fmt: skip
         there = meant(chain, k, document, knowledge)
         if there is not None and (there.is_proved or meant is _converted):
             return there
@@ -64,20 +78,41 @@ def decide_after_units_left_out(
 
     It has to be that of the letters; where it is not, but is the arithmetic's, the units decide.
     """
-    if not k or in_units_left_out(chain, k - 1, knowledge) is None:
+    knowledge = with_printed_results(knowledge, document)
+    if not k:
         return None
     sign, right = chain.relations[k].sign, chain.sides[k + 1]
+    is_between_numbers = puts_in_numbers(chain.sides[k - 1], chain.sides[k], document, knowledge)
+    if not is_between_numbers and in_units_left_out(chain, k - 1, knowledge) is None:
+        return None
+    between_numbers = decide_between_numbers(chain.sides[k - 1], right, sign, document, knowledge)
+    if between_numbers is not None:
+        return between_numbers
     by_letters = decide(chain.sides[k - 1], right, sign, knowledge)
     unit = written_unit(document.source(right.span))[1]
     if by_letters.is_proved or not unit:
         return by_letters if by_letters.is_proved else None
-    number, scale = right.node, scale_of(unit)
-    if not isinstance(number, Number) or scale is None:
+    quantity = quantity_of(right, document)
+    if quantity is None:
         return by_letters
-    place = number.last_place and number.last_place / scale[0]
-    typed = Side((Number(number.value / scale[0], place),), right.span)
-    by_number = decide(chain.sides[k], typed, sign, knowledge).is_proved
-    return Decision(UNDECIDED, UNITS_LEFT_OUT) if by_number else by_letters
+    typed = Side((Number(quantity.value, 2 * quantity.half),), right.span)
+    arithmetic = Side((without_unit(chain.sides[k].node),), chain.sides[k].span)
+    by_number = decide(arithmetic, typed, sign, knowledge).is_proved
+    is_open = by_number and may_convert(chain.sides[k - 1].node)
+    return Decision(UNDECIDED, UNITS_LEFT_OUT) if is_open else by_letters
+
+
+def _between_numbers(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on a formula whose constant converts units, or on numbers put into a result."""
+    left, right = chain.sides[k], chain.sides[k + 1]
+    there = decide_between_numbers(left, right, chain.relations[k].sign, document, knowledge)
+    if there is None and puts_in_numbers(left, right, document, knowledge):
+        there = Decision(PROVED, UNITS_LEFT_OUT)
+    printed = with_printed_results(knowledge, document)
+    if there is not None or printed.definitions == knowledge.definitions:
+        return there
+    by_printed = decide(left, right, chain.relations[k].sign, printed)
+    return by_printed if by_printed.is_proved else in_units_left_out(chain, k, printed)
 
 
 def _in_unit_of_result(
@@ -85,20 +120,45 @@ def _in_unit_of_result(
 ) -> Decision | None:
     """Return the decision on 80/2 = 40 mm: numbers without units, computed in that of the result.
 
-    Of lengths in mm or cm, and of rpm only: 1800 kN for 1800 N is a slip that is made.
+    Of lengths in mm or cm, of rpm, and of units that are no power of ten, lb, psi or hp, in which nobody
+    has a result who computed in newtons: 1800 kN for 1800 N is a slip that is made.
     """
     left, right = chain.sides[k], chain.sides[k + 1]
-    if names(left.node) or names(right.node) or not isinstance(right.node, Product):
+    if names(left.node) or names(right.node) or not isinstance(right.node, Product | Number):
         return None
-    *rest, unit = right.node.factors
-    written = document.text[unit.span[0] : unit.span[1]]
     before = _NO_LETTERS.sub("", document.text[left.span[0] : left.span[1]])
-    is_usual = _SMALL_LENGTH.search(written) or scale_of(written.strip(" ~,.\\$")) == RPM
-    if _LETTER.search(before) or not is_usual or not rest:
+    if _LETTER.search(before):
         return None
-    bare = rest[0] if len(rest) == 1 else Product(tuple(rest))
+    bare = _number_of_odd_unit(right, document)
+    if bare is not None and _is_wrong_by_letters(chain, k, knowledge):
+        return None
+    if bare is None and isinstance(right.node, Product):
+        *rest, unit = right.node.factors
+        written = document.text[unit.span[0] : unit.span[1]]
+        is_usual = _SMALL_LENGTH.search(written) or scale_of(written.strip(" ~,.\\$")) == RPM
+        if is_usual and rest:
+            bare = rest[0] if len(rest) == 1 else Product(tuple(rest))
+    if bare is None:
+        return None
     there = decide(left, Side((bare,), right.span), chain.relations[k].sign, knowledge)
     return replace(there, assumptions=(*there.assumptions, "numbers in the unit of the result"))
+
+
+def _number_of_odd_unit(side: Side, document: ReadNotes) -> Number | None:
+    """Return the number of a result in lb, psi or hp, None for other sides."""
+    quantity = quantity_of(side, document)
+    if quantity is None or is_power_of_ten(quantity.scale):
+        return None
+    return Number(quantity.value, 2 * quantity.half)
+
+
+def _is_wrong_by_letters(chain: Chain, k: int, knowledge: Knowledge) -> bool:
+    """Tell whether a side with letters before, all of which have values, is another number."""
+    for side in reversed(chain.sides[:k]):
+        if names(side.node):
+            there = decide(side, chain.sides[k + 1], "=", knowledge)
+            return there.status == REFUTED and there.left is not None and not letters(there.left)
+    return False
 
 
 # Factors of conversion: 109 hp · 0.7457 = 81.3 kW

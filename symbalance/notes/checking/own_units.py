@@ -53,6 +53,15 @@ def with_speeds(document: ReadNotes, symbols_at: Symbols) -> ReadNotes:
         for side in chain.sides[1:]
         if isinstance(chain.sides[0].node, Name) and not _BY_NUMBER.isdisjoint(_factors_above(side.node))
     }
+    stems = {_stem(name) for name in numbers if _stem(name) not in _ANGULAR_LETTERS}
+    speeds = {
+        chain.sides[0].node.name
+        for chain in document.chains
+        if isinstance(chain.sides[0].node, Name) and any(map(_has_unit, chain.sides[1:]))
+    }
+    numbers |= {
+        name for name in speeds if _stem(name) in stems
+    }  # n_max beside n_m counts what that counts
     chains = (_chain(chain, symbols_at(chain.lines[0]), numbers, document) for chain in document.chains)
     return replace(document, chains=tuple(chains))
 
@@ -76,6 +85,11 @@ def _chain(chain: Chain, symbols: Mapping[str, str], numbers: set[str], document
 
     sides = (replace(side, readings=tuple(map(at_home, side.readings))) for side in chain.sides)
     return replace(chain, sides=tuple(sides))
+
+
+def _stem(name: str) -> str:
+    """Return a letter without its subscript and strokes: n of n_max."""
+    return name.partition("_")[0].rstrip("'0123456789")
 
 
 def is_angular_speed(name: str, symbols: Mapping[str, str]) -> bool:

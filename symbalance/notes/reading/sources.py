@@ -17,7 +17,7 @@ from symbalance.notes.reading.and_so_on import with_dots
 from symbalance.notes.reading.compound_names import with_compound_names
 from symbalance.notes.reading.function_names import with_function_names
 from symbalance.notes.reading.greek_words import with_greek_words
-from symbalance.notes.reading.joined_dollars import with_joined_dollars
+from symbalance.notes.reading.joined_dollars import with_joined_dollars, with_units_between_dollars
 from symbalance.notes.reading.letter_e import means_letter, with_number_e
 from symbalance.notes.reading.macros import expand_macros
 from symbalance.notes.reading.mathml import is_mathml, mathml_text
@@ -106,6 +106,8 @@ def prepare(
         reader.apply(with_greek_words(reader.text, is_letter))
         reader.apply_noted(with_compound_names(reader.text, is_letter))
     reader.apply_noted(with_plain_numerals(reader.text, is_letter))
+    if kind in ("tex", "markdown"):
+        reader.apply(with_units_between_dollars(reader.text))
     reader.apply_noted(with_ranges(reader.text))
     current, origin = reader.text, reader.origin
     formulas: list[Span] = []

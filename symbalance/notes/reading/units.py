@@ -42,6 +42,8 @@ USUAL_SCALES = tuple(
             *(Fraction(10) ** k for k in (-9, -6, -4, -3, -2, 3, 6, 9)),
             *_OTHER.values(),
             _IN_COMPOUNDS["in"],
+            _OTHER["lbf"] * _OTHER["ft"],
+            _OTHER["lbf"] * _IN_COMPOUNDS["in"],
         }
         - {1}
     )
@@ -90,6 +92,13 @@ _UNIT_AROUND = re.compile(
     r"(?<=[0-9)])(?:\s|\\[,;: ]|~|\\mathrm\{|\\frac\{){0,2}(?:mm|cm|km|kg|rpm|k?W|k?Hz|k?N|k?Nm|k?J|rad"
     r"|m\}\{s|[kM]Pa|bar|m/s|U/min|1/s|1/min|(?:s|min)⁻¹|ms|min)"
     r"(?![A-Za-z0-9_(])"
+)
+_LITRE = re.compile(
+    r"(?:[ ~\u2009\u202f]|\\[,;: ])?(?:\\mathrm\{[lL]\}|[lL])(?=[\s.,;)$=≈]|$)(?![ ]?[A-Za-z(\\](?![A-Za-z]))"
+)
+_VOLUME = re.compile(r"(?<![A-Za-z])V(?:_\{?\w+\}?|[₀-₉]+)?['′]?\s*(?:&\s*)?(?:=|≈|\\approx)")
+_MASS = re.compile(
+    r"(?<![A-Za-z])[mM](?:_\{?\w+\}?|[₀-₉]+)?['′]?\s*(?:&\s*)?(?:=|≈|\\approx)|[0-9]\s?kg(?![\w/·])"
 )
 _SECOND_VALUE = re.compile(r"\s*\(\s*[0-9][0-9.,]*\s*[A-Za-zµ/²³^0-9]{1,8}\.?\s*\)")
 """The same quantity once more behind a unit: 6217 N (6.2 kN)."""
@@ -142,6 +151,8 @@ def unit_set_at(text: str, place: int, end: int) -> tuple[str, int] | None:
     match = _SET.match(text, place, end)
     if not match:
         return None
+    if match["word"] in ("l", "L") and text[max(place - 8, 0) : place].rstrip("\\,;: ~")[-1:].isdecimal():
+        return "dm^3", match.end()
     stop = match.end()
     for _ in range(_MOST_PARTS):
         more = _MORE.match(text, stop, end)
@@ -191,6 +202,8 @@ def plain_unit_at(text: str, place: int, end: int, names: Collection[str]) -> tu
     >>> plain_unit_at("0.04 m · 3 kg", 4, 13, {"r"}), plain_unit_at("2 m r", 1, 5, {"m", "r"})
     (('m', 6), None)
     """
+    if litres := _litres_at(text, place, end):
+        return litres
     match = _PLAIN_UNIT.match(text, place, end)
     if not match or not scale_of(match["plain"]):
         return None
@@ -202,6 +215,20 @@ def plain_unit_at(text: str, place: int, end: int, names: Collection[str]) -> tu
         return None
     sort = _PlainUnit(text, place, match.end(), match["plain"], spaced, number, end)
     return (match["plain"], match.end()) if sort.is_unit(names) else None
+
+
+def is_of_volume(text: str, place: int) -> bool:
+    """Tell whether the line of a place gives a volume V a value before it: an l there is litres."""
+    line = text[max(text.rfind("\n", 0, place) + 1, place - 200) : place]
+    return _VOLUME.search(line) is not None
+
+
+def _litres_at(text: str, place: int, end: int) -> tuple[str, int] | None:
+    """Return the litres of V = 1.81 l as dm³, and where they end: l is a length elsewhere."""
+    match = _LITRE.match(text, place, end)
+    if match is None or not text[max(place - 1, 0) : place].isdecimal():
+        return None
+    return ("dm^3", match.end()) if is_of_volume(text, place) else None
 
 
 class _PlainUnit:
@@ -237,7 +264,9 @@ class _PlainUnit:
         before = self.text[max(self.place - 60, 0) : self.place]
         if self.word == "g":
             head = _HEAD.search(before)
-            return head is not None and head[1] in "mM"
+            is_mass = head is not None and head[1] in "mM"
+            line = before.rpartition("\n")[2]
+            return is_mass or (self.spaced and not self._goes_on() and _MASS.search(line) is not None)
         line = before.rpartition("\n")[2]
         return self.spaced and re.search(r"(?:/|÷|\}\{)\s*9\.8[0-9]*(?![0-9])", line) is not None
 
