@@ -7,6 +7,7 @@ s = 3.5 in = 89.8 mm, the second has to agree with it to its own digits: 3.5 in 
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -20,10 +21,11 @@ from symbalance.notes.reading.units import scale_of
 POUND, POUND_FORCE = Fraction(45359237, 10**8), Fraction(44482216152605, 10**13)
 FEWEST_DIGITS = 2
 """That a whole number shows at least which a quantity is converted to: 8000 lb = 36 kN."""
-FEWEST_SHOWN = 100
-"""Halves of its last place that a number behind = has, of three digits or 50 and more: 1.23 m for 1234 mm."""
+FEWEST_SHOWN = 20
+"""Halves of its last place that a number behind = has at least, two digits: 32 kN for 31 955 N."""
 SLACK = Fraction(3, 1000)
 """What a datum and its conversion may differ by: by a factor of three digits, 0.454 or 1.36."""
+_SPACED = re.compile(r"(?<=[0-9])(?:[ ~\u00a0\u2009\u202f]|\\,)(?=[0-9]{3}(?![0-9]))")
 _WEIGHTS = ("lb", "lbs")
 
 
@@ -39,7 +41,7 @@ class Quantity:
 
 def quantity_of(side: Side, document: ReadNotes) -> Quantity | None:
     """Return the number and unit that a side consists of, None for other sides."""
-    has_number, words = written_unit(document.source(side.span))
+    has_number, words = written_unit(_SPACED.sub("", document.source(side.span)))
     sign = sign_of_unit(words) if has_number and words else ""
     scale = scale_of(sign) if sign else None
     number = _lone(side.node)

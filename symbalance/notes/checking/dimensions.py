@@ -46,6 +46,7 @@ _WHOLE_UNITS: dict[str, Dimension] = {
     "rps": _dimension(s=-1), "rev": NONE, "r": NONE, "U": NONE, "deg": NONE, "°": NONE, "1": NONE,
     "%": NONE, "t": _dimension(kg=1), "l": _dimension(m=3), "L": _dimension(m=3),
     "Nmm": _dimension(1, 2, -2), "kNm": _dimension(1, 2, -2), "degrees": NONE, "radians": NONE,
+    **dict.fromkeys(words("gmm kgmm gcm kgcm"), _dimension(kg=1, m=1)),
     "cc": _dimension(m=3), "ccm": _dimension(m=3), "inch": _dimension(m=1), "ft": _dimension(m=1),
     "mi": _dimension(m=1), "slug": _dimension(kg=1), "psi": _dimension(1, -1, -2),
     "mph": _dimension(m=1, s=-1), "knot": _dimension(m=1, s=-1), "knots": _dimension(m=1, s=-1),
@@ -79,7 +80,7 @@ _ROLES: dict[str, Dimension] = {
     "integer": NONE,
 }
 _SIGNS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−µμ·⋅*", "0123456789--uu   ")
-_PART = re.compile(r"([A-Za-z°%]+|1)(?:\^?\(?(-?[0-9])\)?)?$")
+_PART = re.compile(r"([A-Za-z°%]+|1(?![0-9]))(?:\^?\(?(-?[0-9])\)?)?$")
 _WRITTEN_UNIT = re.compile(
     r"\\(?:mathrm|text|textrm|mbox|unit|si|SI|qty|rm)(?![a-z])|\[[^\]]*[A-Za-z][^\]]*\]"
     r"|[0-9](?:\s|~|\\[,;: ])*(?:mm|cm|km|kg|kN|MPa|GPa|rpm|kW|Hz|bar|rad|Nm)(?![A-Za-z_(^])"

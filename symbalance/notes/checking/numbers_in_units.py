@@ -27,7 +27,13 @@ from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import letters
-from symbalance.notes.checking.conversions import decide_conversion, is_power_of_ten, quantity_of
+from symbalance.notes.checking.conversions import (
+    POUND,
+    POUND_FORCE,
+    decide_conversion,
+    is_power_of_ten,
+    quantity_of,
+)
 from symbalance.notes.checking.deciding.cases import UNITS_LEFT_OUT, in_units_left_out
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -47,7 +53,6 @@ from symbalance.notes.reading.numerals import unit_in_words
 from symbalance.notes.reading.units import Scale, scale_of
 
 RPM = Fraction(1, 30), True
-POUND, POUND_FORCE = Fraction(45359237, 10**8), Fraction(44482216152605, 10**13)
 FEWEST_DIGITS = 3
 """That a factor of conversion, or a constant that a formula has for its units, is printed with."""
 _LETTER = re.compile(r"[A-Za-z]")
@@ -89,6 +94,9 @@ def decide_after_units_left_out(
     if between_numbers is not None:
         return between_numbers
     by_letters = decide(chain.sides[k - 1], right, sign, knowledge)
+    by_weight = _as_force(chain.sides[k - 1], right, sign, document, knowledge)
+    if by_weight is not None and by_weight.is_proved and not by_letters.is_proved:
+        return by_weight
     unit = written_unit(document.source(right.span))[1]
     if by_letters.is_proved or not unit:
         return by_letters if by_letters.is_proved else None
@@ -155,7 +163,7 @@ def _number_of_odd_unit(side: Side, document: ReadNotes) -> Number | None:
 def _is_wrong_by_letters(chain: Chain, k: int, knowledge: Knowledge) -> bool:
     """Tell whether a side with letters before, all of which have values, is another number."""
     for side in reversed(chain.sides[:k]):
-        if names(side.node):
+        if names(side.node) and not isinstance(side.node, Name):
             there = decide(side, chain.sides[k + 1], "=", knowledge)
             return there.status == REFUTED and there.left is not None and not letters(there.left)
     return False
@@ -238,12 +246,24 @@ def _replaced(node: Formula, old: Formula, new: Formula) -> Formula:
 
 def _of_weights(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
     """Return the decision on F = m a = 1345 lb, a force that is weighed in pounds."""
-    left, right = chain.sides[k], chain.sides[k + 1]
-    pounds = [part for part in walk(right.node) if part == Number(POUND)]
-    if not names(left.node) or names(right.node) or len(pounds) != 1:
+    return _as_force(chain.sides[k], chain.sides[k + 1], chain.relations[k].sign, document, knowledge)
+
+
+def _as_force(
+    left: Side, right: Side, sign: str, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision on a number of pounds as a force, None where none stand there."""
+    if not names(left.node) or names(right.node):
         return None
-    forced = Side((_replaced(right.node, pounds[0], Number(POUND_FORCE)),), right.span)
-    there = decide(left, forced, chain.relations[k].sign, knowledge)
+    quantity = quantity_of(right, document)
+    pounds = [part for part in walk(right.node) if part == Number(POUND)]
+    if quantity is not None and quantity.scale == POUND:
+        forced: Formula = Number(quantity.value * POUND_FORCE, 2 * quantity.half * POUND_FORCE)
+    elif len(pounds) == 1:
+        forced = _replaced(right.node, pounds[0], Number(POUND_FORCE))
+    else:
+        return None
+    there = decide(left, Side((forced,), right.span), sign, knowledge)
     return replace(there, assumptions=(*there.assumptions, "lb is a force"))
 
 

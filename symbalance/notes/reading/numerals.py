@@ -61,6 +61,8 @@ _SPELLED = (
     ("ft/s", r"(?:feet|ft) ?(?:per|/) ?sec(?:onds?)?\b"),
     ("ft/min", r"(?:feet|ft) ?(?:per|/) ?min(?:ute)?\b"),
     ("ft", "feet|foot|ft(?=\\.)"),
+    ("inch^2", r"sq(?:uare|\.)? ?in(?:ches|ch|\.|(?![a-z]))"),
+    ("ft^2", r"sq(?:uare|\.)? ?(?:feet|foot|ft\.?)"),
     ("inch^3", r"cu(?:bic|\.)? ?in(?:ches|\.|(?![a-z]))"),
     ("ft^3", r"cu(?:bic|\.)? ?(?:feet|foot|ft\.?)"),
     ("inch", r"in\.(?=\s*(?:[=≈]|\\approx))|inch(?:es)?|Zoll"
@@ -110,6 +112,7 @@ def with_plain_numerals(
     changes |= _units_in_words(text)
     changes |= _crosses(text)
     changes |= _parts_of(text)
+    changes |= {m.start(): (m.end(), f"({m[1]} + {m[2]})") for m in _MIXED.finditer(text)}
     changes |= {
         m.start(): (m.end(), f"({_small(m[1])}/{_small(m[2])})") for m in _SMALL_FRACTION.finditer(text)
     }
@@ -234,6 +237,10 @@ def _crosses(text: str) -> dict[int, tuple[int, str]]:
     return {match.start(): (match.end(), " × ") for match in _CROSS.finditer(text)}
 
 
+_MIXED = re.compile(
+    r"(?<![\w.,/+*·×^$])(?<![0-9] )([1-9][0-9]?)[ -]([1-9][0-9]?/(?:2|4|8|16|32|64))(?=[ -]?(?:in|inch|inches|ft|lbs?)(?![A-Za-z]))"
+)
+"""One and a half inches as a workshop writes them, 1 1/2 in."""
 _PER_MILLE = re.compile(
     r"(?<![\w.,])(?P<whole>[0-9]{1,6})(?:(?P<point>[.,])(?P<rest>[0-9]{1,6}))?(?:[ ~]|\\[,;: ])?(?:‰|\\permil(?![a-z]))"
 )

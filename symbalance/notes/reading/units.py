@@ -20,7 +20,8 @@ _PREFIXED = {"m", "s", "N", "J", "W", "Pa", "rad", "Hz", "Nm", "Ns"}
 _OTHER: dict[str, Fraction] = {
     "min": Fraction(60), "h": Fraction(3600), "bar": Fraction(10**5), "K": Fraction(1),
     "cc": Fraction(1, 10**6), "ccm": Fraction(1, 10**6), "oz": Fraction(45359237, 16 * 10**8),
-    "Nmm": Fraction(1, 1000), "kNmm": Fraction(1),
+    "Nmm": Fraction(1, 1000), "kNmm": Fraction(1), "gmm": Fraction(1, 10**6), "kgmm": Fraction(1, 1000),
+    "gcm": Fraction(1, 10**5), "kgcm": Fraction(1, 100),
     "sec": Fraction(1), "ft": Fraction(3048, 10**4), "lb": Fraction(45359237, 10**8),
     "lbs": Fraction(45359237, 10**8), "lbf": Fraction(44482216152605, 10**13),
     "inch": Fraction(254, 10**4),
@@ -42,6 +43,7 @@ USUAL_SCALES = tuple(
             *(Fraction(10) ** k for k in (-9, -6, -4, -3, -2, 3, 6, 9)),
             *_OTHER.values(),
             _IN_COMPOUNDS["in"],
+            *(size**power for size in (_OTHER["ft"], _IN_COMPOUNDS["in"]) for power in (2, 3)),
             _OTHER["lbf"] * _OTHER["ft"],
             _OTHER["lbf"] * _IN_COMPOUNDS["in"],
         }
@@ -96,10 +98,14 @@ _UNIT_AROUND = re.compile(
 _LITRE = re.compile(
     r"(?:[ ~\u2009\u202f]|\\[,;: ])?(?:\\mathrm\{[lL]\}|[lL])(?=[\s.,;)$=≈]|$)(?![ ]?[A-Za-z(\\](?![A-Za-z]))"
 )
-_VOLUME = re.compile(r"(?<![A-Za-z])V(?:_\{?\w+\}?|[₀-₉]+)?['′]?\s*(?:&\s*)?(?:=|≈|\\approx)")
+_VOLUME = re.compile(
+    r"(?<![A-Za-z])V(?:_\{?\w+\}?|[₀-₉]+)?['′]?\s*(?:&\s*)?(?:=|≈|\\approx)"
+    r"|[0-9]\s?(?:\\[,;: ]|\\mathrm\{)*(?:[mcd]?m|inch|ft)(?:³|\^\{?3)|[0-9]\s?cc(?![a-z])"
+)
 _MASS = re.compile(
     r"(?<![A-Za-z])[mM](?:_\{?\w+\}?|[₀-₉]+)?['′]?\s*(?:&\s*)?(?:=|≈|\\approx)|[0-9]\s?kg(?![\w/·])"
 )
+_TIMES_LENGTH = re.compile(r"[ ]?[·×*xX]?[ ]?(?:[0-9][0-9.,]*[ ]?)?[cm]m(?![\w/])")
 _SECOND_VALUE = re.compile(r"\s*\(\s*[0-9][0-9.,]*\s*[A-Za-zµ/²³^0-9]{1,8}\.?\s*\)")
 """The same quantity once more behind a unit: 6217 N (6.2 kN)."""
 _STOPS = "=≈≒≃<>≤≥≡+-−–·×*/÷)]},;.:!?|&、。，；：…"
@@ -266,6 +272,8 @@ class _PlainUnit:
             head = _HEAD.search(before)
             is_mass = head is not None and head[1] in "mM"
             line = before.rpartition("\n")[2]
+            if _TIMES_LENGTH.match(self.text, self.stop, self.end):
+                return self.spaced
             return is_mass or (self.spaced and not self._goes_on() and _MASS.search(line) is not None)
         line = before.rpartition("\n")[2]
         return self.spaced and re.search(r"(?:/|÷|\}\{)\s*9\.8[0-9]*(?![0-9])", line) is not None

@@ -210,7 +210,7 @@ def paired(left: Formula, right: Formula) -> list[tuple[Formula, Formula]] | Non
     by_parts = _paired_parts(left, without_unit(right))
     if by_parts is not None and isinstance(left, formula.Product | formula.Quotient):
         return by_parts
-    first, second = list(_bases(left)), list(_bases(right))
+    first, second = list(_bases(left)), list(_bases(without_unit(right)))
     if len(first) != len(second) or len(first) < 2 or [e for _, e in first] != [e for _, e in second]:
         return None
     return [(part, number) for (part, _), (number, _) in zip(first, second, strict=True) if names(part)]
