@@ -26,6 +26,9 @@ FEWEST_SHOWN = 20
 SLACK = Fraction(3, 1000)
 """What a datum and its conversion may differ by: by a factor of three digits, 0.454 or 1.36."""
 _SPACED = re.compile(r"(?<=[0-9])(?:[ ~\u00a0\u2009\u202f]|\\,)(?=[0-9]{3}(?![0-9]))")
+GRAVITY = Fraction(4, 10**4)
+"""What 9.81 and 9.80665 differ by."""
+_OF_WEIGHT = {"kp", "kgf", "gn", "kgf/cm²", "kgf/cm^2", "kp/cm²", "kgf·m", "kgf m", "kp m", "kpm"}
 _WEIGHTS = ("lb", "lbs")
 
 
@@ -86,7 +89,8 @@ def decide_conversion(chain: Chain, k: int, document: ReadNotes) -> Decision | N
         return None
     exact = first.value * scales[0] / scales[1]
     off = abs(exact - second.value)
-    if off <= second.half * (1 + Fraction(1, 10**9)):
+    by_weight = GRAVITY * abs(exact) if {first.unit, second.unit} & _OF_WEIGHT else 0
+    if off <= second.half * (1 + Fraction(1, 10**9)) + by_weight:
         is_sign = chain.relations[k].sign == "=" and is_power_of_ten(scales[0] / scales[1])
         is_short = is_sign and abs(second.value) < FEWEST_SHOWN * second.half
         return None if is_short else Decision(PROVED, order="the digits printed")

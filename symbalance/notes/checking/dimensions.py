@@ -48,7 +48,7 @@ _WHOLE_UNITS: dict[str, Dimension] = {
     "Nmm": _dimension(1, 2, -2), "kNm": _dimension(1, 2, -2), "degrees": NONE, "radians": NONE,
     **dict.fromkeys(words("gmm kgmm gcm kgcm"), _dimension(kg=1, m=1)),
     "cc": _dimension(m=3), "ccm": _dimension(m=3), "inch": _dimension(m=1), "ft": _dimension(m=1),
-    "mi": _dimension(m=1), "slug": _dimension(kg=1), "psi": _dimension(1, -1, -2),
+    "gn": _dimension(m=1, s=-2), "mi": _dimension(m=1), "slug": _dimension(kg=1), "psi": _dimension(1, -1, -2),
     "mph": _dimension(m=1, s=-1), "knot": _dimension(m=1, s=-1), "knots": _dimension(m=1, s=-1),
     **dict.fromkeys(words("lbf kp kgf"), _dimension(1, 1, -2)),
     **dict.fromkeys(words("hp bhp HP PS"), _dimension(1, 2, -3)),

@@ -42,6 +42,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals, significant
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.dimensions import written_unit
+from symbalance.notes.checking.engine_speeds import is_per_minute
 from symbalance.notes.checking.formulas_between_numbers import (
     decide_between_numbers,
     may_convert,
@@ -53,6 +54,8 @@ from symbalance.notes.reading.numerals import unit_in_words
 from symbalance.notes.reading.units import Scale, scale_of
 
 RPM = Fraction(1, 30), True
+FEWEST_COUNTED, NEARLY_WHOLE = 10, Fraction(1, 100)
+"""Of a whole result with a unit: the least of two digits, and what it may be off by behind =."""
 FEWEST_DIGITS = 3
 """That a factor of conversion, or a constant that a formula has for its units, is printed with."""
 _LETTER = re.compile(r"[A-Za-z]")
@@ -68,7 +71,8 @@ def decide_in_units(
     if in_two_units is not None:
         return in_two_units if in_two_units.is_proved else decision
     for meant in (
-        _between_numbers, _in_unit_of_result, _converted, _of_weights, _with_numbers_of_units
+        _rounded_in_its_unit, _between_numbers, _in_unit_of_result, _converted, _of_weights,
+        _with_numbers_of_units, _with_frequencies,
     ):  # fmt: skip
         there = meant(chain, k, document, knowledge)
         if there is not None and (there.is_proved or meant is _converted):
@@ -94,9 +98,10 @@ def decide_after_units_left_out(
     if between_numbers is not None:
         return between_numbers
     by_letters = decide(chain.sides[k - 1], right, sign, knowledge)
-    by_weight = _as_force(chain.sides[k - 1], right, sign, document, knowledge)
-    if by_weight is not None and by_weight.is_proved and not by_letters.is_proved:
-        return by_weight
+    for otherwise in (_as_force, _by_frequencies) if not by_letters.is_proved else ():
+        there = otherwise(chain.sides[k - 1], right, sign, document, knowledge)
+        if there is not None and there.is_proved:
+            return there
     unit = written_unit(document.source(right.span))[1]
     if by_letters.is_proved or not unit:
         return by_letters if by_letters.is_proved else None
@@ -108,6 +113,52 @@ def decide_after_units_left_out(
     by_number = decide(arithmetic, typed, sign, knowledge).is_proved
     is_open = by_number and may_convert(chain.sides[k - 1].node)
     return Decision(UNDECIDED, UNITS_LEFT_OUT) if is_open else by_letters
+
+
+def _rounded_in_its_unit(
+    chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision on 5401 N · 45 mm = 243 Nm: a whole result with a unit is rounded to its units.
+
+    It has two digits, and is off by a hundredth at most: 16 m/s for 15.7 wants ≈.
+    """
+    left, right = chain.sides[k], chain.sides[k + 1]
+    quantity = quantity_of(right, document)
+    is_computed = not isinstance(left.node, Name | Number)
+    if quantity is None or names(right.node) or not is_computed or abs(quantity.value) < FEWEST_COUNTED:
+        return None
+    place = min(2 * quantity.half, 2 * NEARLY_WHOLE * abs(quantity.value)) * quantity.scale
+    rounded = Side((Number(quantity.value * quantity.scale, place),), right.span)
+    if not names(left.node) and _is_wrong_by_letters(chain, k, rounded, knowledge):
+        return None
+    return decide(left, rounded, chain.relations[k].sign, knowledge)
+
+
+def _with_frequencies(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
+    """Return the decision with the speeds that count revolutions per minute elsewhere as frequencies."""
+    return _by_frequencies(
+        chain.sides[k], chain.sides[k + 1], chain.relations[k].sign, document, knowledge
+    )
+
+
+def _by_frequencies(
+    left: Side, right: Side, sign: str, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision with such speeds as frequencies, None where there are none.
+
+    With n = 5000 min⁻¹ both v = 2 s n/60 and v = 2 s n are written: n is a number in one of them.
+    """
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    behind = {n for side in (left, right) for n in names_behind(side.node, values)}
+    definitions = dict(knowledge.definitions)
+    for name in behind & definitions.keys():
+        node = definitions[name].node
+        if isinstance(node, Number) and is_per_minute(document.text, node.span[1]):
+            per_second = Product((node, Number(Fraction(1, 60))), span=node.span)
+            definitions[name] = replace(definitions[name], node=per_second)
+    if definitions == dict(knowledge.definitions):
+        return None
+    return decide(left, right, sign, replace(knowledge, definitions=definitions))
 
 
 def _between_numbers(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
@@ -138,7 +189,7 @@ def _in_unit_of_result(
     if _LETTER.search(before):
         return None
     bare = _number_of_odd_unit(right, document)
-    if bare is not None and _is_wrong_by_letters(chain, k, knowledge):
+    if bare is not None and _is_wrong_by_letters(chain, k, right, knowledge):
         return None
     if bare is None and isinstance(right.node, Product):
         *rest, unit = right.node.factors
@@ -160,11 +211,11 @@ def _number_of_odd_unit(side: Side, document: ReadNotes) -> Number | None:
     return Number(quantity.value, 2 * quantity.half)
 
 
-def _is_wrong_by_letters(chain: Chain, k: int, knowledge: Knowledge) -> bool:
+def _is_wrong_by_letters(chain: Chain, k: int, right: Side, knowledge: Knowledge) -> bool:
     """Tell whether a side with letters before, all of which have values, is another number."""
     for side in reversed(chain.sides[:k]):
         if names(side.node) and not isinstance(side.node, Name):
-            there = decide(side, chain.sides[k + 1], "=", knowledge)
+            there = decide(side, right, "=", knowledge)
             return there.status == REFUTED and there.left is not None and not letters(there.left)
     return False
 

@@ -36,6 +36,7 @@ _IN_COMPOUNDS = {"in": Fraction(254, 10**4)}
 """Units whose name is a word of the language: read beside another unit only, in/s², lb·in."""
 _UNITS = {p + unit: scale for unit in _PREFIXED for p, scale in _PREFIXES.items()} | _OTHER
 _UNITS["G"] = Fraction(1)
+_UNITS["gn"] = Fraction(980665, 10**5)
 _UNITS |= {p + "g": scale / 1000 for p, scale in _PREFIXES.items()}
 USUAL_SCALES = tuple(
     sorted(
@@ -104,6 +105,10 @@ _VOLUME = re.compile(
 )
 _MASS = re.compile(
     r"(?<![A-Za-z])[mM](?:_\{?\w+\}?|[₀-₉]+)?['′]?\s*(?:&\s*)?(?:=|≈|\\approx)|[0-9]\s?kg(?![\w/·])"
+)
+_GRAVITY = re.compile(r"(?:[ ~]|\\[,;: ])?[gG](?=[\s.,;)$=≈]|$)(?![ ]?[A-Za-z(\\](?![A-Za-z]))")
+_ACCELERATION = re.compile(
+    r"m/s(?:²|\^\{?2\}?|\$\^2\$)[\s}$]*(?:=|≈|\\approx)\s*\$?[-−]?[0-9.,]+(?:\s[0-9]{3})*$"
 )
 _TIMES_LENGTH = re.compile(r"[ ]?[·×*xX]?[ ]?(?:[0-9][0-9.,]*[ ]?)?[cm]m(?![\w/])")
 _SECOND_VALUE = re.compile(r"\s*\(\s*[0-9][0-9.,]*\s*[A-Za-zµ/²³^0-9]{1,8}\.?\s*\)")
@@ -210,6 +215,10 @@ def plain_unit_at(text: str, place: int, end: int, names: Collection[str]) -> tu
     """
     if litres := _litres_at(text, place, end):
         return litres
+    if (gravity := _GRAVITY.match(text, place, end)) and _ACCELERATION.search(
+        text[max(place - 60, 0) : place]
+    ):
+        return "gn", gravity.end()
     match = _PLAIN_UNIT.match(text, place, end)
     if not match or not scale_of(match["plain"]):
         return None
