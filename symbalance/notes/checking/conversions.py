@@ -29,6 +29,7 @@ _SPACED = re.compile(r"(?<=[0-9])(?:[ ~\u00a0\u2009\u202f]|\\,)(?=[0-9]{3}(?![0-
 GRAVITY = Fraction(4, 10**4)
 """What 9.81 and 9.80665 differ by."""
 _OF_WEIGHT = {"kp", "kgf", "gn", "kgf/cm²", "kgf/cm^2", "kp/cm²", "kgf·m", "kgf m", "kp m", "kpm"}
+_GRAVITY = Fraction(980665, 10**5)
 _WEIGHTS = ("lb", "lbs")
 
 
@@ -46,6 +47,12 @@ def quantity_of(side: Side, document: ReadNotes) -> Quantity | None:
     """Return the number and unit that a side consists of, None for other sides."""
     has_number, words = written_unit(_SPACED.sub("", document.source(side.span)))
     sign = sign_of_unit(words) if has_number and words else ""
+    if (
+        sign in ("g", "G")
+        and isinstance(side.node, Product)
+        and side.node.factors[-1] == Number(_GRAVITY)
+    ):
+        sign = "gn"
     scale = scale_of(sign) if sign else None
     number = _lone(side.node)
     if scale is None or scale[1] or number is None:
@@ -98,6 +105,9 @@ def decide_conversion(chain: Chain, k: int, document: ReadNotes) -> Decision | N
         return None
     is_datum = k == 0 or (k == 1 and isinstance(chain.sides[0].node, Name))
     is_rounded = off * scales[1] / scales[0] <= first.half
+    of_interval = second.half + first.half * scales[0] / scales[1]
+    if not is_datum and off <= of_interval:  # computed from the digits that are not shown
+        return Decision(PROVED, order="the digits printed")
     if not is_datum and is_rounded:
         return None
     is_finer = second.half * scales[1] < first.half * scales[0]

@@ -12,9 +12,20 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import product
+from itertools import pairwise
+from itertools import product as combinations_of
 
-from symbalance.document.formula import Constant, Formula, Number, Quotient, names, walk
+from symbalance.document.formula import (
+    Constant,
+    Formula,
+    Number,
+    Product,
+    Quotient,
+    children,
+    names,
+    walk,
+    with_children,
+)
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.checking.conversions import POUND, POUND_FORCE, quantity_of
@@ -42,7 +53,9 @@ LEAST_FAR, MOST_FAR = Fraction(1, 2), Fraction(5)
 """Between these a constant is a factor of safety or of overbalance, as 1.05; it converts no units."""
 _PURE = tuple(
     simple * math.pi**power * 9.80665**weight
-    for simple, power, weight in product((1, 2, 4, 8, 0.5, 0.25, 0.125), (-1, 0, 1, 2), (-1, 0, 1))
+    for simple, power, weight in combinations_of(
+        (1, 2, 4, 8, 0.5, 0.25, 0.125), (-1, 0, 1, 2), (-1, 0, 1)
+    )
 )
 """What a formula between quantities may have as its factor."""
 _ROUGH = 0.002
@@ -63,12 +76,16 @@ def decide_between_numbers(
 ) -> Decision | None:
     """Return the proof that a formula has a result as a number in its unit; None where it has none."""
     result = quantity_of(right, document)
-    constants = list(_converting(left.node))
+    measured = {id(number) for number in _with_units(left.node, document)}
+    constants = [number for number in _converting(left.node) if id(number) not in measured]
     own = names(left.node)
     typed = {name: _typed(name, document, knowledge) for name in own}
-    if result is None or not constants or not own or not all(typed.values()):
+    if result is None or not constants or not all(typed.values()):
         return None
-    as_number = as_quantity = left.node
+    as_quantity = left.node
+    as_number = left.node if own else _as_typed(left.node, document)
+    if not own and as_number == left.node:
+        return None  # an arithmetic without units is what it is
     try:
         for name, pair in typed.items():
             assert pair is not None
@@ -111,6 +128,11 @@ def puts_in_numbers(left: Side, right: Side, document: ReadNotes, knowledge: Kno
     return first is not None and second is not None and math.isclose(first, second, rel_tol=SAME)
 
 
+def converts(node: Formula) -> bool:
+    """Tell whether a formula has any constant that may convert units."""
+    return any(_converting(node))
+
+
 def may_convert(node: Formula) -> bool:
     """Tell whether a formula has a constant that may convert units, and is no factor near 1."""
     return any(not (LEAST_FAR < abs(number.value) < MOST_FAR) for number in _converting(node))
@@ -129,6 +151,33 @@ def with_printed_results(knowledge: Knowledge, document: ReadNotes) -> Knowledge
             node = Number(result.value * scale, 2 * result.half * scale, span=rounded.span)
             definitions[name] = replace(definition, node=node, numeric=True, rounded=None)
     return replace(knowledge, definitions=definitions)
+
+
+def _as_typed(node: Formula, document: ReadNotes) -> Formula:
+    """Return an arithmetic with its units left out: 85 lb-ft · 4000 rpm/5252 as 85 · 4000/5252."""
+    if isinstance(node, Product):
+        numbers = [part for part in node.factors if not _is_unit(part, document)]
+        factors = tuple(_as_typed(part, document) for part in numbers)
+        return factors[0] if len(factors) == 1 else replace(node, factors=factors)
+    parts = children(node)
+    return with_children(node, tuple(_as_typed(part, document) for part in parts)) if parts else node
+
+
+def _with_units(node: Formula, document: ReadNotes) -> Iterator[Formula]:
+    """Yield the numbers of a formula that have units behind them, and the units' own."""
+    for part in walk(node):
+        if isinstance(part, Product):
+            for factor, unit in pairwise(part.factors):
+                if _is_unit(unit, document):
+                    yield from (factor, *walk(unit))
+        if isinstance(part, Number) and document.source(part.span)[-1:].isalpha():
+            yield part
+
+
+def _is_unit(node: Formula, document: ReadNotes) -> bool:
+    """Tell whether a factor was read from the letters of a unit."""
+    is_factor = isinstance(node, Number | Quotient) and not names(node)
+    return is_factor and document.source(node.span).lstrip(" ~\\{,")[:1].isalpha()
 
 
 def _converting(node: Formula) -> Iterator[Number]:

@@ -71,7 +71,7 @@ def decide_in_units(
     if in_two_units is not None:
         return in_two_units if in_two_units.is_proved else decision
     for meant in (
-        _rounded_in_its_unit, _between_numbers, _in_unit_of_result, _converted, _of_weights,
+        _put_in_bare, _rounded_in_its_unit, _between_numbers, _in_unit_of_result, _converted, _of_weights,
         _with_numbers_of_units, _with_frequencies,
     ):  # fmt: skip
         there = meant(chain, k, document, knowledge)
@@ -91,6 +91,13 @@ def decide_after_units_left_out(
     if not k:
         return None
     sign, right = chain.relations[k].sign, chain.sides[k + 1]
+    bare = _without_unit_of_result(chain.sides[k])
+    if bare is not None and names(chain.sides[k - 1].node):
+        puts_in_bare = decide(chain.sides[k - 1], bare, "=", knowledge)
+        by_letters = decide(chain.sides[k - 1], right, sign, knowledge)
+        is_known = by_letters.left is None or not letters(by_letters.left)
+        if puts_in_bare.is_proved and by_letters.status == REFUTED and is_known:
+            return by_letters
     is_between_numbers = puts_in_numbers(chain.sides[k - 1], chain.sides[k], document, knowledge)
     if not is_between_numbers and in_units_left_out(chain, k - 1, knowledge) is None:
         return None
@@ -113,6 +120,25 @@ def decide_after_units_left_out(
     by_number = decide(arithmetic, typed, sign, knowledge).is_proved
     is_open = by_number and may_convert(chain.sides[k - 1].node)
     return Decision(UNDECIDED, UNITS_LEFT_OUT) if is_open else by_letters
+
+
+def _without_unit_of_result(side: Side) -> Side | None:
+    """Return an arithmetic that was read in the unit of the result behind it without it, None for others."""
+    node = side.node
+    if not isinstance(node, Product) or len(node.factors) != 2:
+        return None
+    arithmetic, unit = node.factors
+    is_foreign = isinstance(unit, Number) and unit.span[0] == unit.span[1] == 0
+    is_foreign = is_foreign or not side.span[0] <= unit.span[0] < side.span[1]
+    return Side((arithmetic,), side.span) if is_foreign else None
+
+
+def _put_in_bare(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on numbers put in for letters, whatever the unit of the result behind is."""
+    left, bare = chain.sides[k], _without_unit_of_result(chain.sides[k + 1])
+    if bare is None or not names(left.node):
+        return None
+    return decide(left, bare, chain.relations[k].sign, knowledge)
 
 
 def _rounded_in_its_unit(

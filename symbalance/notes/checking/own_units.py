@@ -81,6 +81,8 @@ def _chain(chain: Chain, symbols: Mapping[str, str], numbers: set[str], document
             return node
         if _is_quantity(node) and is_speed:
             return _without_unit(node, as_number)
+        if not _BY_NUMBER.isdisjoint(_divisors(node)):
+            return _without_units(node)
         return _in_product(node, document)
 
     sides = (replace(side, readings=tuple(map(at_home, side.readings))) for side in chain.sides)
@@ -90,6 +92,11 @@ def _chain(chain: Chain, symbols: Mapping[str, str], numbers: set[str], document
 def _stem(name: str) -> str:
     """Return a letter without its subscript and strokes: n of n_max."""
     return name.partition("_")[0].rstrip("'0123456789")
+
+
+def divides_by_minute(node: Formula) -> bool:
+    """Tell whether a formula has the 60 or 30 that a number of revolutions per minute is divided by."""
+    return not _BY_NUMBER.isdisjoint(_typed_numbers(node))
 
 
 def is_angular_speed(name: str, symbols: Mapping[str, str]) -> bool:
@@ -123,6 +130,22 @@ def _in_product(node: Formula, document: ReadNotes, with_pi: bool = False) -> Fo
     if isinstance(node, Product):
         with_pi = with_pi or any(isinstance(part, Constant) and part.name == "pi" for part in parts)
     return with_children(node, tuple(_in_product(part, document, with_pi) for part in parts))
+
+
+def _divisors(node: Formula) -> set[Formula]:
+    """Return the factors that anything in a formula is divided by: 4000 rpm · 2π/60 counts revolutions."""
+    if isinstance(node, Quotient) and not _is_unit(node):
+        return _factors_above(node.denominator) | _divisors(node.numerator)
+    return {divisor for part in children(node) for divisor in _divisors(part)}
+
+
+def _without_units(node: Formula) -> Formula:
+    """Return a formula whose speeds are the numbers typed."""
+    if isinstance(node, Product):
+        factors = tuple(_without_units(part) for part in node.factors if not _is_unit(part))
+        return factors[0] if len(factors) == 1 else replace(node, factors=factors)
+    parts = children(node)
+    return with_children(node, tuple(map(_without_units, parts))) if parts else node
 
 
 def _has_unit(side: Side) -> bool:

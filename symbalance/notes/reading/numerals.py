@@ -56,7 +56,7 @@ _SPELLED = (
     ("ft·lbf/min", rf"{_FOOT_POUND} ?(?:per|/) ?min(?:utes?)?\b"), ("ft·lbf", _FOOT_POUND),
     ("lbf·ft", r"(?:pound[ -]?(?:feet|foot)|lbs?f?\.?[ ·‐‑-]ft)"),
     ("lbf·inch", r"(?:inch[ -]pounds?|lbs?f?\.?[-‐‑·]in|in\.?[·‐‑-]lbs?f?\.?|in\. lbs?f?\.?)"),
-    ("N·m", "N[‐‑]m"), ("hp", r"H\. ?P\.|h\. ?p\.|horse[ -]?power"),
+    ("N·m", "N[-‐‑]m"), ("hp", r"H\. ?P\.|h\. ?p\.|horse[ -]?power"),
     ("ft/s²", r"(?:feet|ft\.?) ?(?:per|/) ?sec(?:onds?)?\.? per sec(?:onds?)?\b"),
     ("ft/s", r"(?:feet|ft) ?(?:per|/) ?sec(?:onds?)?\b"),
     ("ft/min", r"(?:feet|ft) ?(?:per|/) ?min(?:ute)?\b"),
@@ -228,13 +228,20 @@ def _spaced_thousands(text: str, notes: list[str]) -> dict[int, tuple[int, str]]
 _ARROW = re.compile(r"(?<=\s)(?:<=+>|<-+>|=+>|-+>)(?=\s)")
 
 
-_CROSS = re.compile(r"(?<=[0-9)])[ ]?[xX][ ](?=[0-9(.])|(?<=[0-9)])[ ][xX](?=[0-9(.])")
+_CROSS = re.compile(r"(?<=[0-9)²³])[ ]?[xX][ ](?=[0-9(.])|(?<=[0-9)²³])[ ][xX](?=[0-9(.])")
+_CROSS_BEHIND_UNIT = re.compile(
+    r"(?<=[0-9])[ ]?(?P<unit>[A-Za-z.]{1,6}(?:[-/·][A-Za-z.]{1,4})?)(?P<cross>[ ][xX][ ])(?=[0-9(.])"
+)
 _SMALL_FRACTION = re.compile("([⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3})[/⁄∕]([₀₁₂₃₄₅₆₇₈₉]{1,3})")
 
 
 def _crosses(text: str) -> dict[int, tuple[int, str]]:
     """Return the letters x that stand for a multiplication sign between numbers, 2 x 0.5."""
-    return {match.start(): (match.end(), " × ") for match in _CROSS.finditer(text)}
+    changes = {match.start(): (match.end(), " × ") for match in _CROSS.finditer(text)}
+    for match in _CROSS_BEHIND_UNIT.finditer(text):
+        if sign_of_unit(match["unit"]):
+            changes[match.start("cross")] = (match.end("cross"), " × ")
+    return changes
 
 
 _MIXED = re.compile(

@@ -104,7 +104,7 @@ _VOLUME = re.compile(
     r"|[0-9]\s?(?:\\[,;: ]|\\mathrm\{)*(?:[mcd]?m|inch|ft)(?:³|\^\{?3)|[0-9]\s?cc(?![a-z])"
 )
 _MASS = re.compile(
-    r"(?<![A-Za-z])[mM](?:_\{?\w+\}?|[₀-₉]+)?['′]?\s*(?:&\s*)?(?:=|≈|\\approx)|[0-9]\s?kg(?![\w/·])"
+    r"(?<![A-Za-z])[mM](?:_\{?\w+\}?|[₀-₉]+)?['′]?\s*(?:&\s*)?(?:=|≈|\\approx)|[0-9]\s?(?:kg|lbs?|oz)(?![\w/·])"
 )
 _GRAVITY = re.compile(r"(?:[ ~]|\\[,;: ])?[gG](?=[\s.,;)$=≈]|$)(?![ ]?[A-Za-z(\\](?![A-Za-z]))")
 _ACCELERATION = re.compile(
