@@ -26,8 +26,15 @@ FUNCTIONS = frozenset(
 )
 
 
+class _Letters:
+    """A place in each formula for its letters, which `names` fills when they are first asked for."""
+
+    __slots__ = ("_letters",)
+    _letters: frozenset[str]
+
+
 @dataclass(frozen=True, slots=True)
-class Formula:
+class Formula(_Letters):
     """A formula or a part of one."""
 
     span: Span = field(default=(0, 0), compare=False, kw_only=True)
@@ -460,4 +467,10 @@ def names(node: Formula) -> frozenset[str]:
     >>> sorted(names(Name("s") * Call("sin", Name("theta"))))
     ['s', 'theta']
     """
-    return frozenset(part.name for part in walk(node) if isinstance(part, Name))
+    try:
+        return node._letters  # a checker asks for those of one side thousands of times
+    except AttributeError:
+        letters = {node.name} if isinstance(node, Name) else set[str]()
+        letters.update(*map(names, children(node)))
+        object.__setattr__(node, "_letters", frozenset(letters))
+        return node._letters
