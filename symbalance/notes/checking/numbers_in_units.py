@@ -91,6 +91,10 @@ def decide_after_units_left_out(
     if not k:
         return None
     sign, right = chain.relations[k].sign, chain.sides[k + 1]
+    is_between_numbers = puts_in_numbers(chain.sides[k - 1], chain.sides[k], document, knowledge)
+    between_numbers = decide_between_numbers(chain.sides[k - 1], right, sign, document, knowledge)
+    if between_numbers is not None:
+        return between_numbers
     bare = _without_unit_of_result(chain.sides[k])
     if bare is not None and names(chain.sides[k - 1].node):
         puts_in_bare = decide(chain.sides[k - 1], bare, "=", knowledge)
@@ -98,12 +102,8 @@ def decide_after_units_left_out(
         is_known = by_letters.left is None or not letters(by_letters.left)
         if puts_in_bare.is_proved and by_letters.status == REFUTED and is_known:
             return by_letters
-    is_between_numbers = puts_in_numbers(chain.sides[k - 1], chain.sides[k], document, knowledge)
     if not is_between_numbers and in_units_left_out(chain, k - 1, knowledge) is None:
         return None
-    between_numbers = decide_between_numbers(chain.sides[k - 1], right, sign, document, knowledge)
-    if between_numbers is not None:
-        return between_numbers
     by_letters = decide(chain.sides[k - 1], right, sign, knowledge)
     for otherwise in (_as_force, _by_frequencies) if not by_letters.is_proved else ():
         there = otherwise(chain.sides[k - 1], right, sign, document, knowledge)

@@ -26,16 +26,7 @@ from symbalance.notes.checking.own_units import divides_by_minute, is_angular_sp
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
 
-def refuted_speed(
-    chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge, speeds: frozenset[int]
-) -> Decision | None:
-    """Return the refutation of a proved relation that rests on a speed per minute as an angular one."""
-    return _put_in_for_angular_speed(chain, k, knowledge, speeds) or _wrong_as_quantity(
-        chain, k, document, knowledge
-    )
-
-
-def _put_in_for_angular_speed(
+def put_in_for_angular_speed(
     chain: Chain, k: int, knowledge: Knowledge, speeds: frozenset[int]
 ) -> Decision | None:
     """Return the refutation of m r ω² = 0.5·0.04·300² on a page with 300 rpm, where ω has no value."""
@@ -54,9 +45,7 @@ def _put_in_for_angular_speed(
     return None
 
 
-def _wrong_as_quantity(
-    chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge
-) -> Decision | None:
+def wrong_as_quantity(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
     """Return the refutation of a result that no reading of a speed per minute as a quantity gives."""
     right = chain.sides[k + 1]
     left = next((side for side in reversed(chain.sides[: k + 1]) if names(side.node)), None)
@@ -65,7 +54,10 @@ def _wrong_as_quantity(
         return None
     values = {name: d.node for name, d in knowledge.definitions.items()}
     behind = {*names(left.node), *names_behind(left.node, values)}
-    if any(_converts(node) for node in (left.node, *(values[n] for n in behind if n in values))):
+    if any(
+        _converts(node)
+        for node in (left.node, *(values[n] for n in behind if n in values and names(values[n])))
+    ):
         return None
     speeds = [name for name in sorted(behind & values.keys()) if _is_per_minute(values[name], document)]
     decisions = [

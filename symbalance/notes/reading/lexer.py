@@ -479,7 +479,7 @@ class Lexer:
         indexed, stop = with_scripts(self.text, letter, match.end(), self.end, self.words.names)
         if f"{name}_{indexed}" in self.words.names:
             return f"{name}_{indexed}", stop
-        if f"{name}_{letter}" in self.words.names:
+        if f"{name}_{letter}" in self.words.names and (indexed == letter or name != "Delta"):
             return f"{name}_{letter}", match.end()
         is_new = name == "Delta" and is_letter and letter != "pi"
         return (f"{name}_{indexed}", stop) if is_new else None
