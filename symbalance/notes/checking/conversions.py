@@ -16,20 +16,21 @@ from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decisio
 from symbalance.notes.checking.dimensions import Dimension, unit_of, written_unit
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.numerals import sign_of_unit
-from symbalance.notes.reading.units import scale_of
+from symbalance.notes.reading.units import GRAVITY, scale_of
 
 POUND, POUND_FORCE = Fraction(45359237, 10**8), Fraction(44482216152605, 10**13)
 FEWEST_DIGITS = 2
 """That a whole number shows at least which a quantity is converted to: 8000 lb = 36 kN."""
+ROUGHLY = Fraction(1, 50)
+"""What a whole number of one digit may be off by, 1 in for 25 mm."""
 FEWEST_SHOWN = 20
 """Halves of its last place that a number behind = has at least, two digits: 32 kN for 31 955 N."""
 SLACK = Fraction(3, 1000)
 """What a datum and its conversion may differ by: by a factor of three digits, 0.454 or 1.36."""
 _SPACED = re.compile(r"(?<=[0-9])(?:[ ~\u00a0\u2009\u202f]|\\,)(?=[0-9]{3}(?![0-9]))")
-GRAVITY = Fraction(4, 10**4)
+ABOUT_GRAVITY = Fraction(4, 10**4)
 """What 9.81 and 9.80665 differ by."""
 _OF_WEIGHT = {"kp", "kgf", "gn", "kgf/cm²", "kgf/cm^2", "kp/cm²", "kgf·m", "kgf m", "kp m", "kpm"}
-_GRAVITY = Fraction(980665, 10**5)
 _WEIGHTS = ("lb", "lbs")
 
 
@@ -47,11 +48,7 @@ def quantity_of(side: Side, document: ReadNotes) -> Quantity | None:
     """Return the number and unit that a side consists of, None for other sides."""
     has_number, words = written_unit(_SPACED.sub("", document.source(side.span)))
     sign = sign_of_unit(words) if has_number and words else ""
-    if (
-        sign in ("g", "G")
-        and isinstance(side.node, Product)
-        and side.node.factors[-1] == Number(_GRAVITY)
-    ):
+    if sign in ("g", "G") and isinstance(side.node, Product) and side.node.factors[-1] == Number(GRAVITY):
         sign = "gn"
     scale = scale_of(sign) if sign else None
     number = _lone(side.node)
@@ -66,7 +63,8 @@ def quantity_of(side: Side, document: ReadNotes) -> Quantity | None:
         return None
     digits = str(abs(value.numerator))
     zeros = min(len(digits) - len(digits.rstrip("0")), max(len(digits) - FEWEST_DIGITS, 0))
-    return Quantity(value, Fraction(10**zeros, 2), sign, scale[0])
+    half = Fraction(10**zeros, 2) if len(digits) >= FEWEST_DIGITS else ROUGHLY * abs(value)
+    return Quantity(value, half, sign, scale[0])
 
 
 def _lone(node: Formula) -> Number | None:
@@ -86,35 +84,30 @@ def decide_conversion(chain: Chain, k: int, document: ReadNotes) -> Decision | N
     Of units that differ by a power of ten the second number is the first one with fewer digits, or nothing
     is said: 0.65 kg may be 654 g.
     """
-    if chain.relations[k].sign not in "=≈":
-        return None
     first, second = (quantity_of(side, document) for side in chain.sides[k : k + 2])
-    if first is None or second is None or first.value == 0 or second.value == 0:
+    if chain.relations[k].sign not in "=≈" or not (first and second and first.value and second.value):
         return None
     scales = _scales(first, second)
     if scales is None or first.unit == second.unit:
         return None
-    exact = first.value * scales[0] / scales[1]
-    off = abs(exact - second.value)
-    by_weight = GRAVITY * abs(exact) if {first.unit, second.unit} & _OF_WEIGHT else 0
-    if off <= second.half * (1 + Fraction(1, 10**9)) + by_weight:
-        is_sign = chain.relations[k].sign == "=" and is_power_of_ten(scales[0] / scales[1])
-        is_short = is_sign and abs(second.value) < FEWEST_SHOWN * second.half
-        return None if is_short else Decision(PROVED, order="the digits printed")
-    if is_power_of_ten(scales[0] / scales[1]):
-        return None
+    ratio = scales[0] / scales[1]
+    exact = first.value * ratio
+    by_weight = ABOUT_GRAVITY * abs(exact) if {first.unit, second.unit} & _OF_WEIGHT else Fraction(0)
+    off = max(abs(exact - second.value) - by_weight, Fraction(0))
     is_datum = k == 0 or (k == 1 and isinstance(chain.sides[0].node, Name))
-    is_rounded = off * scales[1] / scales[0] <= first.half
-    of_interval = second.half + first.half * scales[0] / scales[1]
-    if not is_datum and off <= of_interval:  # computed from the digits that are not shown
-        return Decision(PROVED, order="the digits printed")
-    if not is_datum and is_rounded:
+    # what is computed goes on with digits that are not shown
+    spread = Fraction(0) if is_datum or is_power_of_ten(ratio) else first.half * ratio
+    if off <= (second.half + spread) * (1 + Fraction(1, 10**9)):
+        is_short = is_power_of_ten(ratio) and abs(second.value) < FEWEST_SHOWN * second.half
+        is_short = is_short and chain.relations[k].sign == "="
+        return None if is_short else Decision(PROVED, order="the digits printed")
+    is_wrong = off > max(2 * second.half, SLACK * abs(exact)) + spread
+    if is_power_of_ten(ratio) or not is_wrong:
         return None
-    is_finer = second.half * scales[1] < first.half * scales[0]
-    if is_finer and is_rounded and off > max(2 * second.half, SLACK * abs(exact)):
-        shown = f"{float(exact):.6g} {second.unit}"
-        return Decision(REFUTED, f"{float(first.value):g} {first.unit} is {shown}")
-    return None
+    reason = f"{float(first.value):g} {first.unit} is {float(exact):.6g} {second.unit}"
+    return Decision(
+        REFUTED, reason, witness={"left": f"{float(exact):.6g}", "right": f"{float(second.value):g}"}
+    )
 
 
 def _scales(first: Quantity, second: Quantity) -> tuple[Fraction, Fraction] | None:

@@ -22,6 +22,8 @@ from symbalance.document.text_writer import formula_text
 from symbalance.document.wordlists import words
 from symbalance.notes.checking.symbol_roles import FROM_MIDDLE, FROM_PIN, FROM_TOP, role_of
 from symbalance.notes.reading import siunitx
+from symbalance.notes.reading.numerals import sign_of_unit
+from symbalance.notes.reading.units import GRAVITY
 
 Dimension = tuple[Fraction, ...]
 """Exponents of kg, m, s, K and A."""
@@ -228,7 +230,7 @@ class Dimensions:
             return None
         unit = self.unit_at(node)
         if unit:
-            return unit_of(unit)
+            return unit_of(unit) or unit_of(sign_of_unit(unit) or unit)
         rule = _RULES.get(type(node))
         return None if rule is None else rule(self, node, depth + 1)
 
@@ -238,6 +240,8 @@ class Dimensions:
         if not self.text or not is_factor:
             return ""
         has_number, unit = written_unit(self.text[node.span[0] : node.span[1]])
+        if unit in ("g", "G") and isinstance(node, Number) and node.value == GRAVITY:
+            unit = "gn"
         if has_number and (alone or not isinstance(node, Number)):
             return ""
         is_unit = unit_of(unit) is not None if not isinstance(node, Number) else unit[:1].isalpha()

@@ -41,7 +41,7 @@ from symbalance.notes.checking.deciding.numbers_put_in import without_unit
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals, significant
 from symbalance.notes.checking.deciding.substitution import substitute
-from symbalance.notes.checking.dimensions import written_unit
+from symbalance.notes.checking.dimensions import unit_of, written_unit
 from symbalance.notes.checking.engine_speeds import is_per_minute
 from symbalance.notes.checking.formulas_between_numbers import (
     decide_between_numbers,
@@ -330,12 +330,19 @@ def _as_force(
     left: Side, right: Side, sign: str, document: ReadNotes, knowledge: Knowledge
 ) -> Decision | None:
     """Return the decision on a number of pounds as a force, None where none stand there."""
-    if not names(left.node) or names(right.node):
+    if names(right.node):
         return None
     quantity = quantity_of(right, document)
     pounds = [part for part in walk(right.node) if part == Number(POUND)]
-    if quantity is not None and quantity.scale == POUND:
-        forced: Formula = Number(quantity.value * POUND_FORCE, 2 * quantity.half * POUND_FORCE)
+    if not names(left.node):
+        kind = unit_of(quantity.unit) if quantity else None
+        of_force = [part for part in walk(left.node) if part == Number(POUND)]
+        if kind is None or kind[0] != -kind[2] / 2 or len(of_force) != 1:
+            return None
+        left = Side((_replaced(left.node, of_force[0], Number(POUND_FORCE)),), left.span)
+        forced: Formula = right.node
+    elif quantity is not None and quantity.scale == POUND:
+        forced = Number(quantity.value * POUND_FORCE, 2 * quantity.half * POUND_FORCE)
     elif len(pounds) == 1:
         forced = _replaced(right.node, pounds[0], Number(POUND_FORCE))
     else:

@@ -113,13 +113,23 @@ def _numbers_of_letters(chain: Chain, k: int, knowledge: Knowledge) -> dict[str,
     numbers: dict[str, Formula] = {}
     is_sure = False
     for part, number in paired(chain.sides[k].node, chain.sides[k + 1].node) or ():
-        there = decide_equality(part, number, knowledge)
-        if there.is_proved:
+        if decide_equality(part, number, knowledge).is_proved or _is_printed(part, number, knowledge):
             is_sure = True
-        elif isinstance(part, Name) and not knowledge.has_meaning(part.name):
-            if part.name in knowledge.definitions or part.name in knowledge.angles:
-                return {}
+        elif isinstance(part, Name) and not _has_value(part.name, knowledge):
             numbers[part.name] = number
         else:
             return {}
     return numbers if is_sure else {}
+
+
+def _is_printed(part: Formula, number: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a number is what the line that defines a letter prints for it: a = r ω²(1 + λ) = 29403."""
+    definition = knowledge.definitions.get(part.name) if isinstance(part, Name) else None
+    rounded = None if definition is None else definition.rounded
+    return rounded is not None and decide_equality(rounded, number, knowledge).is_proved
+
+
+def _has_value(name: str, knowledge: Knowledge) -> bool:
+    return (
+        name in knowledge.definitions or name in knowledge.meaning.values or name in knowledge.universal
+    )

@@ -34,7 +34,7 @@ from symbalance.notes.reading.second_values import with_second_values
 from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation
 from symbalance.notes.reading.signs import CELLS, relation_at_start
 from symbalance.notes.reading.sources import Source, prepare, to_half_width
-from symbalance.notes.reading.unit_places import with_unit_of_whole
+from symbalance.notes.reading.unit_places import with_unit_of_whole, with_units_of_divisors
 
 LONGEST_DOCUMENT = 1_000_000  # characters
 MOST_LINES_OF_PROSE = 2  # that a chain may go past: "= …" further down is an equation of its own
@@ -438,8 +438,9 @@ class Assembler:
             (has_letter or has_function) and bool(draft.signs)
         )
         free: set[str] | None = set(self.free_letters) if is_formula else None
-        for place, tokens in enumerate(draft.sides):
+        for place, typed in enumerate(draft.sides):
             sides.append(None)
+            tokens = with_units_of_divisors(typed)
             if place in draft.failures:
                 continue
             try:

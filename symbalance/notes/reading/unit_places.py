@@ -53,6 +53,38 @@ def with_unit_of_whole(
     return done
 
 
+def with_units_of_divisors(tokens: Sequence[Token]) -> list[Token]:
+    """Return a side's tokens with a divisor's unit beside it: 120 N/4 mm is divided by millimetres.
+
+    Only where what is divided has its own unit: in π·8²/4 cm³ the unit is that of the whole.
+    """
+    done: list[Token] = []
+    place = 0
+    while place < len(tokens):
+        token = tokens[place]
+        behind = tokens[place + 1 : place + 4]
+        is_divisor = token.kind == "number" and token.scale is not None and _ends_in_unit(done)
+        if is_divisor and [part.kind for part in behind] == ["open", "number", "close"]:
+            opening = Token("open", "(", token.start, token.start)
+            closing = Token("close", ")", behind[-1].end, behind[-1].end)
+            done += [opening, token, *behind, closing]
+            place += 4
+            continue
+        done.append(token)
+        place += 1
+    return done
+
+
+def _ends_in_unit(tokens: Sequence[Token]) -> bool:
+    """Tell whether tokens end in a quantity with its unit and a stroke."""
+    if len(tokens) < 2 or not tokens[-1].is_op("/"):
+        return False
+    before = tokens[-2]
+    if before.kind == "number":
+        return before.scale is not None
+    return before.kind == "close" and len(tokens) > 4 and tokens[-5].scale is not None
+
+
 def _lone_unit_at_end(tokens: Sequence[Token], text: str) -> tuple[int, Token, Formula] | None:
     """Return the place of the last number, that without its unit, and the unit; None for other sides."""
     place = next((n for n in range(len(tokens) - 1, -1, -1) if tokens[n].scale is not None), None)

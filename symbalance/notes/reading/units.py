@@ -21,6 +21,7 @@ _OTHER: dict[str, Fraction] = {
     "min": Fraction(60), "h": Fraction(3600), "bar": Fraction(10**5), "K": Fraction(1),
     "cc": Fraction(1, 10**6), "ccm": Fraction(1, 10**6), "oz": Fraction(45359237, 16 * 10**8),
     "Nmm": Fraction(1, 1000), "kNmm": Fraction(1), "gmm": Fraction(1, 10**6), "kgmm": Fraction(1, 1000),
+    "ml": Fraction(1, 10**6), "cl": Fraction(1, 10**5), "kWh": Fraction(36 * 10**5),
     "gcm": Fraction(1, 10**5), "kgcm": Fraction(1, 100),
     "sec": Fraction(1), "ft": Fraction(3048, 10**4), "lb": Fraction(45359237, 10**8),
     "lbs": Fraction(45359237, 10**8), "lbf": Fraction(44482216152605, 10**13),
@@ -37,7 +38,9 @@ _IN_COMPOUNDS = {"in": INCH}
 """Units whose name is a word of the language: read beside another unit only, in/s², lb·in."""
 _UNITS = {p + unit: scale for unit in _PREFIXED for p, scale in _PREFIXES.items()} | _OTHER
 _UNITS["G"] = Fraction(1)
-_UNITS["gn"] = Fraction(980665, 10**5)
+GRAVITY = Fraction(980665, 10**5)
+"""What a multiple of g, 888 g of an acceleration, multiplies its number by."""
+_UNITS["gn"] = GRAVITY
 _UNITS |= {p + "g": scale / 1000 for p, scale in _PREFIXES.items()}
 USUAL_SCALES = tuple(
     sorted(
@@ -55,6 +58,12 @@ USUAL_SCALES = tuple(
 """What the usual units multiply a number by that is typed without one."""
 _TURNS = {**dict.fromkeys(words("rpm 1/min min^-1 r/min rev/min U/min tr/min Umin^-1"), Fraction(1, 30))}
 _TURNS |= dict.fromkeys(words("Umdr/min Umd/min U/Min r.p.m. rpm."), Fraction(1, 30))
+_PRESSURES = {
+    f"{pound}/{length}^2": _OTHER["lbf"] / size**2
+    for pound in ("lb", "lbs")
+    for length, size in (("in", _IN_COMPOUNDS["in"]), ("inch", _OTHER["inch"]), ("ft", _OTHER["ft"]))
+}
+"""Pounds on an area are forces, though a pound is a mass elsewhere."""
 _TURNS |= {"rps": Fraction(2), "rev/s": Fraction(2)}
 _PLAIN_SURE = word_set("mm cm km kg cc ccm oz rpm kW kHz Hz kN Nm rad lbs lb ft psi kgf mph")
 
@@ -129,6 +138,8 @@ def scale_of(unit: str) -> Scale | None:
         return None
     if plain in _TURNS:
         return _TURNS[plain], True
+    if plain in _PRESSURES:
+        return _PRESSURES[plain], False
     scale, place, power = Fraction(1), 0, 1
     while place < len(plain):
         match = _PART.match(plain, place)
