@@ -1,4 +1,4 @@
-"""Quantities in two units, 120 ft-lb = 163 N·m: the second number is the first one, converted and rounded.
+"""Quantities in two units, 120 ft-lb = 163 N·m: the second number is the first, converted and rounded.
 
 A weight in lb is a mass or a force, whichever the other unit is. Where the first quantity is a datum,
 s = 3.5 in = 89.8 mm, the second has to agree with it to its own digits: 3.5 in is no rounding of 89.8 mm.
@@ -36,7 +36,7 @@ _WEIGHTS = ("lb", "lbs")
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
-    """A number as typed, half a unit of the last place that counts, and its unit with what that is worth."""
+    """A number as typed, half a unit of its last place, and its unit with what that is worth."""
 
     value: Fraction
     half: Fraction
@@ -81,8 +81,8 @@ def _lone(node: Formula) -> Number | None:
 def decide_conversion(chain: Chain, k: int, document: ReadNotes) -> Decision | None:
     """Return the decision on a quantity that is written in another unit; None for other relations.
 
-    Of units that differ by a power of ten the second number is the first one with fewer digits, or nothing
-    is said: 0.65 kg may be 654 g.
+    Of units that differ by a power of ten the second number is the first one with fewer digits, or
+    nothing is said: 0.65 kg may be 654 g.
     """
     first, second = (quantity_of(side, document) for side in chain.sides[k : k + 2])
     if chain.relations[k].sign not in "=≈" or not (first and second and first.value and second.value):

@@ -1,8 +1,8 @@
-"""Formulas between the numbers of quantities, F = 0.0000284 W R N² with lb, inches and rpm put in as typed.
+"""Formulas between the numbers of quantities: F = 0.0000284 W R N² with lb, inches and rpm as typed.
 
-Such a formula has a constant that converts units. Put in as quantities its letters give nonsense, put in as
-numbers they give the number of the result. It is read so where that number is right to the digits printed
-and the constant does convert: taken with all units the formula has a pure factor, 1, 2, π or g among such.
+Such a formula has a constant that converts units. Put in as quantities its letters give nonsense, as
+numbers they give the number of the result. It is read so where that number is right to the digits
+printed and the constant does convert: with all units the formula has a pure factor, 1, 2, π or g.
 """
 
 from __future__ import annotations
@@ -139,7 +139,7 @@ def may_convert(node: Formula) -> bool:
 
 
 def with_printed_results(knowledge: Knowledge, document: ReadNotes) -> Knowledge:
-    """Return what is known with the results of such formulas as they are printed: F = 1104 lb, a force."""
+    """Return what is known with the results of such formulas as printed: F = 1104 lb, a force."""
     definitions = dict(knowledge.definitions)
     for name, definition in knowledge.definitions.items():
         rounded = definition.rounded

@@ -18,6 +18,7 @@ from symbalance.document.formula import (
     Number,
     Product,
     Quotient,
+    Sum,
     children,
     names,
     walk,
@@ -71,7 +72,7 @@ def decide_in_units(
     if in_two_units is not None:
         return in_two_units if in_two_units.is_proved else decision
     for meant in (
-        _put_in_bare, _rounded_in_its_unit, _between_numbers, _in_unit_of_result, _converted, _of_weights,
+        _put_in_bare, _term_by_term, _rounded_in_its_unit, _between_numbers, _in_unit_of_result, _converted, _of_weights,
         _with_numbers_of_units, _with_frequencies,
     ):  # fmt: skip
         there = meant(chain, k, document, knowledge)
@@ -87,43 +88,54 @@ def decide_after_units_left_out(
 
     It has to be that of the letters; where it is not, but is the arithmetic's, the units decide.
     """
-    knowledge = with_printed_results(knowledge, document)
     if not k:
         return None
-    sign, right = chain.relations[k].sign, chain.sides[k + 1]
-    is_between_numbers = puts_in_numbers(chain.sides[k - 1], chain.sides[k], document, knowledge)
-    between_numbers = decide_between_numbers(chain.sides[k - 1], right, sign, document, knowledge)
+    knowledge = with_printed_results(knowledge, document)
+    formula, put_in, right, sign = *chain.sides[k - 1 : k + 2], chain.relations[k].sign
+    between_numbers = decide_between_numbers(formula, right, sign, document, knowledge)
     if between_numbers is not None:
         return between_numbers
-    bare = _without_unit_of_result(chain.sides[k])
-    if bare is not None and names(chain.sides[k - 1].node):
-        puts_in_bare = decide(chain.sides[k - 1], bare, "=", knowledge)
-        by_letters = decide(chain.sides[k - 1], right, sign, knowledge)
-        is_known = by_letters.left is None or not letters(by_letters.left)
-        if puts_in_bare.is_proved and by_letters.status == REFUTED and is_known:
-            return by_letters
-    if not is_between_numbers and in_units_left_out(chain, k - 1, knowledge) is None:
+    is_between_numbers = puts_in_numbers(formula, put_in, document, knowledge)
+    if is_between_numbers or in_units_left_out(chain, k - 1, knowledge) is not None:
+        return _result_by_letters(formula, put_in, right, sign, document, knowledge)
+    return _refuted_in_its_unit(formula, put_in, right, sign, knowledge)
+
+
+def _refuted_in_its_unit(
+    formula: Side, put_in: Side, right: Side, sign: str, knowledge: Knowledge
+) -> Decision | None:
+    """Return the refutation of a result whose number is right, not its unit: 88.5 kJ for 88.5 J."""
+    bare = _without_unit_of_result(put_in)
+    if bare is None or not names(formula.node):
         return None
-    by_letters = decide(chain.sides[k - 1], right, sign, knowledge)
+    by_letters = decide(formula, right, sign, knowledge)
+    is_known = by_letters.left is None or not letters(by_letters.left)
+    is_wrong = by_letters.status == REFUTED and is_known
+    return by_letters if is_wrong and decide(formula, bare, "=", knowledge).is_proved else None
+
+
+def _result_by_letters(
+    formula: Side, put_in: Side, right: Side, sign: str, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision on a result by the letters of its formula, and by the arithmetic before it."""
+    by_letters = decide(formula, right, sign, knowledge)
     for otherwise in (_as_force, _by_frequencies) if not by_letters.is_proved else ():
-        there = otherwise(chain.sides[k - 1], right, sign, document, knowledge)
+        there = otherwise(formula, right, sign, document, knowledge)
         if there is not None and there.is_proved:
             return there
-    unit = written_unit(document.source(right.span))[1]
-    if by_letters.is_proved or not unit:
+    if by_letters.is_proved or not written_unit(document.source(right.span))[1]:
         return by_letters if by_letters.is_proved else None
     quantity = quantity_of(right, document)
-    if quantity is None:
+    if quantity is None or not may_convert(formula.node):
         return by_letters
     typed = Side((Number(quantity.value, 2 * quantity.half),), right.span)
-    arithmetic = Side((without_unit(chain.sides[k].node),), chain.sides[k].span)
-    by_number = decide(arithmetic, typed, sign, knowledge).is_proved
-    is_open = by_number and may_convert(chain.sides[k - 1].node)
+    arithmetic = Side((without_unit(put_in.node),), put_in.span)
+    is_open = decide(arithmetic, typed, sign, knowledge).is_proved
     return Decision(UNDECIDED, UNITS_LEFT_OUT) if is_open else by_letters
 
 
 def _without_unit_of_result(side: Side) -> Side | None:
-    """Return an arithmetic that was read in the unit of the result behind it without it, None for others."""
+    """Return an arithmetic without the unit of the result behind it, in which it was read; else None."""
     node = side.node
     if not isinstance(node, Product) or len(node.factors) != 2:
         return None
@@ -139,6 +151,30 @@ def _put_in_bare(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge
     if bare is None or not names(left.node):
         return None
     return decide(left, bare, chain.relations[k].sign, knowledge)
+
+
+def _term_by_term(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
+    """Return the proof of 45·0.5 + 0.15·45·0.75 = 22.5 + 5.06, in which each term is rounded."""
+    left, right = (_terms(_bare_sum(side.node)) for side in chain.sides[k : k + 2])
+    if len(left) != len(right) or len(left) < 2 or names(chain.sides[k + 1].node):
+        return None
+    sign, span = chain.relations[k].sign, chain.sides[k].span
+    decisions = [
+        decide(Side((first,), span), Side((second,), span), sign, knowledge)
+        for first, second in zip(left, right, strict=True)
+    ]
+    return decisions[0] if all(decision.is_proved for decision in decisions) else None
+
+
+def _bare_sum(node: Formula) -> Formula:
+    """Return a sum without the unit of the result behind it."""
+    if isinstance(node, Product) and len(node.factors) == 2 and isinstance(node.factors[0], Sum):
+        return node.factors[0] if isinstance(node.factors[1], Number) else node
+    return node
+
+
+def _terms(node: Formula) -> tuple[Formula, ...]:
+    return node.terms if isinstance(node, Sum) else ()
 
 
 def _rounded_in_its_unit(
@@ -337,7 +373,7 @@ def _as_force(
     if not names(left.node):
         kind = unit_of(quantity.unit) if quantity else None
         of_force = [part for part in walk(left.node) if part == Number(POUND)]
-        if kind is None or kind[0] != -kind[2] / 2 or len(of_force) != 1:
+        if kind is None or (kind[0], kind[2]) != (1, -2) or len(of_force) != 1:
             return None
         left = Side((_replaced(left.node, of_force[0], Number(POUND_FORCE)),), left.span)
         forced: Formula = right.node

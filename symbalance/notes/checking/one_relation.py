@@ -63,10 +63,18 @@ def judge_relation(
     definition = definition or _define(state, chain, k, knowledge)
     if definition is not None:
         return _as_meant(state, chain, k, definition, knowledge)
-    if (slip := _slip_of_units(state, chain, k, knowledge)) is not None:
-        return slip
+    return _slip_of_units(state, chain, k, knowledge) or _judge_step(
+        state, chain, k, sound, bad, knowledge
+    )
+
+
+def _judge_step(
+    state: JudgingState, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
+) -> Verdict | Decision:
+    """Return the verdict on a relation that is no definition, as a step or as what is given."""
+    left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
     decision, against = _decide_step(state, chain, k, sound, bad, knowledge)
-    decision = _with_signs(state, left, right, relation.sign, decision, knowledge)
+    decision = _with_signs(state, left, right, sign, decision, knowledge)
     if decision.status in (REFUTED, UNDECIDED):
         below = None if k else solution_below(state.sections, chain, knowledge)
         solved = as_solved(state, chain, below, knowledge)

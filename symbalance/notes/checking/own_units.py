@@ -133,7 +133,7 @@ def _in_product(node: Formula, document: ReadNotes, with_pi: bool = False) -> Fo
 
 
 def _divisors(node: Formula) -> set[Formula]:
-    """Return the factors that anything in a formula is divided by: 4000 rpm · 2π/60 counts revolutions."""
+    """Return the factors that anything in a formula is divided by: 60 of 4000 rpm · 2π/60."""
     if isinstance(node, Quotient) and not _is_unit(node):
         return _factors_above(node.denominator) | _divisors(node.numerator)
     return {divisor for part in children(node) for divisor in _divisors(part)}

@@ -23,7 +23,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.engine_speeds import is_per_minute
 from symbalance.notes.checking.formulas_between_numbers import converts
 from symbalance.notes.checking.own_units import divides_by_minute, is_angular_speed
-from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+from symbalance.notes.reading.equations import Chain, ReadNotes
 
 
 def put_in_for_angular_speed(

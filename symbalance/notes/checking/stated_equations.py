@@ -123,7 +123,7 @@ def _numbers_of_letters(chain: Chain, k: int, knowledge: Knowledge) -> dict[str,
 
 
 def _is_printed(part: Formula, number: Formula, knowledge: Knowledge) -> bool:
-    """Tell whether a number is what the line that defines a letter prints for it: a = r ω²(1 + λ) = 29403."""
+    """Tell whether a number is what a letter's own line prints for it: a = r ω²(1 + λ) = 29403."""
     definition = knowledge.definitions.get(part.name) if isinstance(part, Name) else None
     rounded = None if definition is None else definition.rounded
     return rounded is not None and decide_equality(rounded, number, knowledge).is_proved

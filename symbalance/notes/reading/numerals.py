@@ -245,11 +245,13 @@ def _crosses(text: str) -> dict[int, tuple[int, str]]:
 
 
 _MIXED = re.compile(
-    r"(?<![\w.,/+*·×^$])(?<![0-9] )([1-9][0-9]?)[ -]([1-9][0-9]?/(?:2|4|8|16|32|64))(?=[ -]?(?:in|inch|inches|ft|lbs?)(?![A-Za-z]))"
+    r"(?<![\w.,/+*·×^$])(?<![0-9] )([1-9][0-9]?)[ -]([1-9][0-9]?/(?:2|4|8|16|32|64))"
+    r"(?=[ -]?(?:in|inch|inches|ft|lbs?)(?![A-Za-z]))"
 )
 """One and a half inches as a workshop writes them, 1 1/2 in."""
 _PER_MILLE = re.compile(
-    r"(?<![\w.,])(?P<whole>[0-9]{1,6})(?:(?P<point>[.,])(?P<rest>[0-9]{1,6}))?(?:[ ~]|\\[,;: ])?(?:‰|\\permil(?![a-z]))"
+    r"(?<![\w.,])(?P<whole>[0-9]{1,6})(?:(?P<point>[.,])(?P<rest>[0-9]{1,6}))?(?:[ ~]|\\[,;: ])?"
+    r"(?:‰|\\permil(?![a-z]))"
 )
 _PART_OF = re.compile(
     r"(?<=[0-9])(?P<gap>[ ~]|\\[,;: ])?(?P<sign>\\?%|‰|percent|per cent|Prozent)[ ~]+(?:of|von|de)[ ~]+"

@@ -163,8 +163,6 @@ def _is_unit(piece: re.Match[str], text: str) -> bool:
 
 def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules) -> bool:
     kind, sign = piece.lastgroup, piece.group()
-    if kind == "abbreviation":
-        return False
     if kind == "word":
         if _DERIVATIVE.match(text, piece.start(), end):
             return True
@@ -178,7 +176,7 @@ def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules)
         behind = follows_number(text, 0, piece.start())
         unit = unit_set_at(text, piece.start(), end) if behind else None
         return unit is not None and scale_of(unit[0]) is not None
-    return True
+    return kind != "abbreviation"
 
 
 def _is_mathematical_sign(sign: str, text: str, place: int, end: int) -> bool:

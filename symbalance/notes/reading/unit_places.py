@@ -1,12 +1,13 @@
 """A unit typed once, behind the last number of a side: 0.35 + 0.11 + 0.57/3 kg may be a mass as a whole.
 
-Whether the unit belongs to that number or to all, what stands beside decides: the reading that agrees with
-a side next to it comes first, both stay. (83.8 - 52.4)/11.5 s⁻² is divided by 11.5 s⁻², (1200 + 350)/2 N
-is half a force. Where other numbers have units of their own, each has its own.
+Whether the unit belongs to that number or to all, what stands beside decides: the reading that agrees
+with a side next to it comes first, both stay. (83.8 - 52.4)/11.5 s⁻² is divided by 11.5 s⁻², but
+(1200 + 350)/2 N is half a force. Where other numbers have units of their own, each has its own.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -15,6 +16,7 @@ from symbalance.document.formula import Constant, Formula, Number, Product, Quot
 from symbalance.notes.reading.equations import Side
 from symbalance.notes.reading.lexer import Token
 
+_DIGITS = re.compile(r"[0-9](?:[0-9.,{}  ]*[0-9])?")
 _CLOSE = 0.005
 """Of a number printed: what it is rounded by."""
 
@@ -109,15 +111,13 @@ def _lone_unit_at_end(tokens: Sequence[Token], text: str) -> tuple[int, Token, F
 
 def _unit_text(source: str) -> str:
     """Return what stands behind the digits of a number's text: `3 kg` is one piece where kg counts 1."""
-    digits = len(source) - len(source.lstrip("0123456789.,{}  "))
-    while digits and source[digits - 1] in "{   ,.":
-        digits -= 1
-    return source[digits:]
+    digits = _DIGITS.match(source)
+    return source[digits.end() if digits else 0 :]
 
 
 def _unit(tokens: Sequence[Token], span: tuple[int, int]) -> Formula | None:
-    """Return the factor that a unit's tokens are, at its place; None for anything but a number or π/30."""
-    inside = [token for token in tokens[1:-1]]
+    """Return the factor that a unit's tokens are; None for anything but a number or π/30."""
+    inside = list(tokens[1:-1])
     if not inside:
         return Number(Fraction(1), span=span)
     if len(inside) == 1 and inside[0].kind == "number":
@@ -129,7 +129,7 @@ def _unit(tokens: Sequence[Token], span: tuple[int, int]) -> Formula | None:
 
 
 def _is_in_bracket(tokens: Sequence[Token]) -> bool:
-    """Tell whether a bracket is open before a place, or a power begun: the unit may be that of its inside."""
+    """Tell whether a bracket is open before a place, or a power begun: there the unit ends too."""
     depth = sum({"open": 1, "close": -1}.get(token.kind, 0) for token in tokens)
     return depth > 0 or (bool(tokens) and tokens[-1].kind in ("sup", "sub"))
 
