@@ -72,8 +72,8 @@ def decide_in_units(
     if in_two_units is not None:
         return in_two_units if in_two_units.is_proved else decision
     for meant in (
-        _put_in_bare, _term_by_term, _rounded_in_its_unit, _between_numbers, _in_unit_of_result, _converted, _of_weights,
-        _with_numbers_of_units, _with_frequencies,
+        _put_in_bare, _term_by_term, _rounded_in_its_unit, _between_numbers, _in_unit_of_result,
+        _converted, _of_weights, _with_numbers_of_units, _with_frequencies,
     ):  # fmt: skip
         there = meant(chain, k, document, knowledge)
         if there is not None and (there.is_proved or meant is _converted):
