@@ -13,18 +13,12 @@ from symbalance.document.formula import Formula, Name
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.given_numbers import number_in_example
-from symbalance.notes.checking.own_units import is_angular_speed
+from symbalance.notes.checking.own_units import BETWEEN, PER_MINUTE, is_angular_speed
 
-_BETWEEN = r"(?:\s|[~$]|\\[,;: ]|\\(?:mathrm|text|textrm|unit|si)\s*\{|\}\{|</?[a-z]+>|&nbsp;){0,5}"
-_PER_MINUTE = (
-    r"(?:rpm|r\.\s?p\.\s?m|(?:rev(?:olution)?s?|turns|tr|U|Umdr?\.?|Umdrehungen|1|tours)\s?(?:/|per|pro|par)\s?"
-    r"[Mm]in|min\s*\}?\s*(?:\^\s*\{?\s*[-−]\s*1|⁻¹|<sup>\s*[-−]\s*1)|\\rpm|\\per\\minute|回転)"
-)
 _SPEED = re.compile(
     rf"(?<![0-9.,])(?P<speed>[1-9][0-9]{{0,2}}(?:(?:[,.' ]|\\,|\{{,\}})?[0-9]{{3}})?|[1-9][0-9]{{3,4}})"
-    rf"{_BETWEEN}{_PER_MINUTE}|毎分\s*(?P<behind>[1-9][0-9]{{1,4}})"
+    rf"{BETWEEN}{PER_MINUTE}|毎分\s*(?P<behind>[1-9][0-9]{{1,4}})"
 )
-_UNIT_BEHIND = re.compile(_BETWEEN + _PER_MINUTE)
 SAME = 1e-12
 
 
@@ -36,11 +30,6 @@ def speeds_of(text: str) -> frozenset[int]:
     """
     found = (m["speed"] or m["behind"] for m in _SPEED.finditer(text))
     return frozenset(int(re.sub("[^0-9]", "", digits)) for digits in found)
-
-
-def is_per_minute(text: str, place: int) -> bool:
-    """Tell whether a unit of revolutions per minute stands at a place, behind a number."""
-    return _UNIT_BEHIND.match(text, place) is not None
 
 
 def decide_speed(

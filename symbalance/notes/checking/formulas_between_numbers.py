@@ -36,7 +36,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import significant
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 from symbalance.notes.checking.dimensions import written_unit
-from symbalance.notes.checking.engine_speeds import is_per_minute
+from symbalance.notes.checking.own_units import is_per_minute
 from symbalance.notes.reading.equations import ReadNotes, Side
 from symbalance.notes.reading.numerals import sign_of_unit
 from symbalance.notes.reading.result_units import value_of

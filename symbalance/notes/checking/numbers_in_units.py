@@ -43,13 +43,13 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals, significant
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.dimensions import unit_of, written_unit
-from symbalance.notes.checking.engine_speeds import is_per_minute
 from symbalance.notes.checking.formulas_between_numbers import (
     decide_between_numbers,
     may_convert,
     puts_in_numbers,
     with_printed_results,
 )
+from symbalance.notes.checking.own_units import is_per_minute
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.numerals import unit_in_words
 from symbalance.notes.reading.units import Scale, scale_of

@@ -7,6 +7,7 @@ so a letter that is no angular speed is taken as the formulas of its own page us
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
@@ -27,6 +28,13 @@ from symbalance.document.formula import (
 from symbalance.notes.checking.symbol_roles import role_of
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
+BETWEEN = r"(?:\s|[~$]|\\[,;: ]|\\(?:mathrm|text|textrm|unit|si)\s*\{|\}\{|</?[a-z]+>|&nbsp;){0,5}"
+PER_MINUTE = (
+    r"(?:rpm|r\.\s?p\.\s?m|(?:rev(?:olution)?s?|turns|tr|U|Umdr?\.?|Umdrehungen|1|tours)\s?(?:/|per|pro|par)\s?"
+    r"[Mm]in|min\s*\}?\s*(?:\^\s*\{?\s*[-−]\s*1|⁻¹|<sup>\s*[-−]\s*1)|\\rpm|\\per\\minute|回転)"
+)
+"""The unit of revolutions per minute, and what stands between it and its number."""
+_UNIT_BEHIND = re.compile(BETWEEN + PER_MINUTE)
 ROLE = "engine speed rpm"
 ANGULAR = "angular speed"
 _ANGULAR_LETTERS = ("omega", "Omega")
@@ -92,6 +100,11 @@ def _chain(chain: Chain, symbols: Mapping[str, str], numbers: set[str], document
 def _stem(name: str) -> str:
     """Return a letter without its subscript and strokes: n of n_max."""
     return name.partition("_")[0].rstrip("'0123456789")
+
+
+def is_per_minute(text: str, place: int) -> bool:
+    """Tell whether a unit of revolutions per minute stands at a place, behind a number."""
+    return _UNIT_BEHIND.match(text, place) is not None
 
 
 def divides_by_minute(node: Formula) -> bool:

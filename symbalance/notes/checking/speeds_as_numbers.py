@@ -20,9 +20,8 @@ from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import paired
 from symbalance.notes.checking.deciding.relations import decide
-from symbalance.notes.checking.engine_speeds import is_per_minute
 from symbalance.notes.checking.formulas_between_numbers import converts
-from symbalance.notes.checking.own_units import divides_by_minute, is_angular_speed
+from symbalance.notes.checking.own_units import divides_by_minute, is_angular_speed, is_per_minute
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 

@@ -42,7 +42,7 @@ def with_units_between_dollars(text: str) -> Rewritten | None:
     >>> with_units_between_dollars("so $P = 8000$ lb $= 35.6$ kN").text
     'so $P = 8000\\,\\mathrm{lb} = 35.6$ kN'
     >>> with_units_between_dollars("so $P/A = 6400$ psi = 44.1 MPa.").text
-    'so $P/A = 6400\\,\\mathrm{psi} = 44.1 MPa$.'
+    'so $P/A = 6400\\,\\mathrm{psi} = 44.1 MPa.$'
     """
     rewriter = Rewriter(text)
     is_changed = False
