@@ -18,6 +18,7 @@ from symbalance.document.formula import names
 from symbalance.document.letters import plain_letter
 from symbalance.document.nodes import Code, Strong, Words
 from symbalance.errors import SymbalanceError, brief
+from symbalance.notes.checking.bare_degrees import with_bare_degrees
 from symbalance.notes.checking.engines import Engines, NoEngines, Sources
 from symbalance.notes.checking.expanded_sums import with_expanded_sums
 from symbalance.notes.checking.guarded_verdicts import PAGE
@@ -111,6 +112,7 @@ def check(
         remarks.append(_waiting(count))
     letters, motions = _letters_by_line(declarations), _motions_by_line(declarations)
     page = run_within(budget, partial(read_document, text, name, letters, motions))
+    page = with_bare_degrees(page)
     page, declarations = with_letters_anew(page, declarations.without_idle(page_letters(page)))
     declarations = with_whole_letters(page, with_time(page, declarations))
     page = with_expanded_sums(page, data_of(page, declarations.symbols_at))

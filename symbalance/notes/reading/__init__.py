@@ -21,6 +21,7 @@ executed as code.
     lexer, parser                   one formula's text to tokens, and these to trees
     prose, segmentation             where in a text mathematics stands
     document, result_units          a whole text to its chains; units that stand at a result only
+    unit_places                     a unit typed once, behind the last number of a side
     accounting                      every relation sign is read, unreadable, or no mathematics
     equations, failures             what comes out, and why something may not be read
 """

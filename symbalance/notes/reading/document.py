@@ -25,12 +25,18 @@ from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.letter_names import matching_brace
 from symbalance.notes.reading.lexer import AT, CLOSER, LONGEST_ANNOTATED, LONGEST_EQUATION, Token, lex
 from symbalance.notes.reading.parser import is_extreme, other_form, read_tokens
-from symbalance.notes.reading.result_units import as_printed, in_unit_of_result, with_rounded_results
+from symbalance.notes.reading.result_units import (
+    as_printed,
+    in_unit_of_result,
+    value_of,
+    with_rounded_results,
+)
 from symbalance.notes.reading.rewriting import Piece, Rewritten, rewritten
 from symbalance.notes.reading.second_values import with_second_values
 from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation
 from symbalance.notes.reading.signs import CELLS, relation_at_start
 from symbalance.notes.reading.sources import Source, prepare, to_half_width
+from symbalance.notes.reading.unit_places import with_unit_of_whole, with_units_of_divisors
 
 LONGEST_DOCUMENT = 1_000_000  # characters
 MOST_LINES_OF_PROSE = 2  # that a chain may go past: "= …" further down is an equation of its own
@@ -444,8 +450,9 @@ class Assembler:
             (has_letter or has_function) and bool(draft.signs)
         )
         free: set[str] | None = set(self.free_letters) if is_formula else None
-        for place, tokens in enumerate(draft.sides):
+        for place, typed in enumerate(draft.sides):
             sides.append(None)
+            tokens = with_units_of_divisors(typed)
             if place in draft.failures:
                 continue
             try:
@@ -458,6 +465,13 @@ class Assembler:
             readings = with_degrees(readings) if self.speaks_of_degrees else readings
             sides[-1] = as_printed(Side(readings, (tokens[0].start, tokens[-1].end)), tokens)
         sides, notes = in_unit_of_result(sides, draft.sides)
+        sides = with_unit_of_whole(
+            sides,
+            draft.sides,
+            self.text,
+            lambda tokens: read_tokens(list(tokens), names, tokens[-1].end, latex, free)[0],
+            value_of,
+        )
         sides = with_rounded_results(sides, draft.sides, [sign.value for sign in draft.signs])
         draft.notes.extend(note for note in notes if note not in draft.notes)
         for letter in free or ():

@@ -34,6 +34,7 @@ _PIECE = re.compile(
     r"|(?P<cells>\\begin\s*\{[pbvV]?matrix\}(?:(?!\\begin)[^\n]){1,400}?\\end\s*\{[pbvV]?matrix\})"
     rf"|(?P<argued>\\(?:{_ARGUED})\*?\s*\{{(?:[^{{}}]|\{{[^{{}}]{{0,20}}\}})*\}})"
     r"|(?P<command>\\[A-Za-z]+)|(?P<escape>\\.)"
+    r"|(?P<abbreviation>(?<![\w\\])(?:i\. ?e|e\. ?g|d\. ?h|z\. ?B|u\. ?a)\.(?!\w))"
     r"|(?P<script>_\{(?:[^{}]|\{[^{}]{0,40}\}){0,80}\}|_[A-Za-z0-9]+)|(?P<degrees>(?<=[0-9])\s?度)|"
     rf"{_UNIT}(?P<word>(?=[A-Za-z]*[{_UMLAUTS}][A-Za-z]|[A-Za-z]+[{_UMLAUTS}])[A-Za-z{_UMLAUTS}]+"
     r"|[A-Za-z]+(?:['’][a-z]+)?[0-9]*)|(?P<dots>・・・|･･･|\.\.\.)|(?P<other>.)",
@@ -57,6 +58,7 @@ _PLAIN_WORDS = word_set(
     " her his how its may new not now off old one our out per she the too two use was way who why you"
     " rpm mm cm km kg kw hz vs via etc cost tank sink sing since sine tang logs sins cosy tans expo"
     " logo coth sech csch sect sind secs cots expr logi sinn"
+    " mit bei und von vom zum zur ist sei der die das den dem des ein aus auf wie bzw les est une par sur"
 )
 _CLAUSE_WORDS = word_set(
     "which that this these just about exactly quite very much well still only then there here what"
@@ -183,7 +185,7 @@ def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules)
         behind = follows_number(text, 0, piece.start())
         unit = unit_set_at(text, piece.start(), end) if behind else None
         return unit is not None and scale_of(unit[0]) is not None
-    return True
+    return kind != "abbreviation"
 
 
 def is_behind_function(text: str, place: int) -> bool:

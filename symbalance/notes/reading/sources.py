@@ -18,7 +18,7 @@ from symbalance.notes.reading.compound_names import with_compound_names
 from symbalance.notes.reading.extremes_apart import with_extremes_apart, with_extremes_of_bars
 from symbalance.notes.reading.function_names import with_function_names
 from symbalance.notes.reading.greek_words import with_greek_words
-from symbalance.notes.reading.joined_dollars import with_joined_dollars
+from symbalance.notes.reading.joined_dollars import with_joined_dollars, with_units_between_dollars
 from symbalance.notes.reading.letter_e import means_letter, with_number_e
 from symbalance.notes.reading.macros import expand_macros
 from symbalance.notes.reading.mathml import is_mathml, mathml_text
@@ -120,6 +120,8 @@ def prepare(
     if kind == "plain":
         reader.apply_noted(with_scanned_letters(reader.text))
     reader.apply_noted(with_plain_numerals(reader.text, is_letter))
+    if kind in ("tex", "markdown"):
+        reader.apply(with_units_between_dollars(reader.text))
     reader.apply_noted(with_ranges(reader.text))
     current, origin = reader.text, reader.origin
     formulas: list[Span] = []
