@@ -43,6 +43,7 @@ from symbalance.notes.checking.deciding.order_agreement import (
 )
 from symbalance.notes.checking.deciding.remainders import decide_remainder, has_remainder
 from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.deciding.whole_numbers import decide_with_whole_numbers, with_counts
 from symbalance.notes.reading.equations import Side
 
 MOST_READINGS = 16
@@ -192,6 +193,17 @@ def decide_reading(
     left: Formula, right: Formula, sign: str, knowledge: Knowledge, through: int | None = None
 ) -> Decision:
     """Decide left = right or left ≈ right; what is refuted under an open premise is not decided."""
+
+    def decide_as_known(first: Formula, second: Formula, known: Knowledge) -> Decision:
+        return _decide_under_premises(first, second, sign, known, through)
+
+    knowledge = with_counts(left, right, knowledge)
+    return decide_with_whole_numbers(left, right, knowledge, decide_as_known)
+
+
+def _decide_under_premises(
+    left: Formula, right: Formula, sign: str, knowledge: Knowledge, through: int | None
+) -> Decision:
     decision = _decide_reading(left, right, sign, knowledge, through)
     of_numbers = decision.status == REFUTED and not decision.of_matrices
     if of_numbers and (unknown := _terms_without_values(left, right, knowledge)):
@@ -200,8 +212,10 @@ def decide_reading(
     if decision.status == REFUTED and decision.left is not None:
         free = knowledge.angles | {"t"}
         open_premises = [text for text in decision.left.domain.assumptions if may_fail(text, free)]
-        if NO_EQUAL_TERMS in decision.left.domain.assumptions and not _sums(left, right):
-            open_premises.append(NO_EQUAL_TERMS)
+        domain = decision.left.domain
+        unequal = [t for t in domain.assumptions if t == NO_EQUAL_TERMS or t in domain.special]
+        if unequal and not _sums(left, right):
+            open_premises.append(unequal[0])
             at_number = _at_a_number(left, right, sign, knowledge, through)
             if at_number is not None:
                 return at_number
