@@ -32,6 +32,7 @@ from symbalance.notes.checking.deciding.equality import (
     without_dots,
 )
 from symbalance.notes.checking.deciding.induction import decide_by_induction
+from symbalance.notes.checking.deciding.infinite_series import decide_powers, states_powers
 from symbalance.notes.checking.deciding.joint_orders import decide_jointly
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import decide_matrices, is_of_matrices
@@ -41,9 +42,12 @@ from symbalance.notes.checking.deciding.order_agreement import (
     decide_agreement,
     degree,
 )
-from symbalance.notes.checking.deciding.remainders import decide_remainder, has_remainder
 from symbalance.notes.checking.deciding.substitution import substitute
-from symbalance.notes.checking.deciding.whole_numbers import decide_with_whole_numbers, with_counts
+from symbalance.notes.checking.deciding.whole_numbers import (
+    behind,
+    decide_with_whole_numbers,
+    with_counts,
+)
 from symbalance.notes.reading.equations import Side
 
 MOST_READINGS = 16
@@ -214,7 +218,7 @@ def _decide_under_premises(
         open_premises = [text for text in decision.left.domain.assumptions if may_fail(text, free)]
         domain = decision.left.domain
         unequal = [t for t in domain.assumptions if t == NO_EQUAL_TERMS or t in domain.special]
-        if unequal and not _sums(left, right):
+        if unequal and not _sums(left, right) and _sums(*behind(left, right, knowledge)):
             open_premises.append(unequal[0])
             at_number = _at_a_number(left, right, sign, knowledge, through)
             if at_number is not None:
@@ -276,8 +280,8 @@ def _decide_reading(
 ) -> Decision:
     if is_of_matrices(left, right, knowledge):
         return decide_matrices(left, right, sign, knowledge)
-    if has_remainder(left) or has_remainder(right):
-        return decide_remainder(left, right, sign, knowledge)
+    if states_powers(left, right):
+        return decide_powers(left, right, sign, knowledge)
     if has_branches(left, right, knowledge):
 
         def decide_branch(one: Formula, other: Formula, known: Knowledge) -> Decision:

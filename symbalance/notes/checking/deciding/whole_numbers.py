@@ -50,7 +50,7 @@ def with_counts(left: Formula, right: Formula, knowledge: Knowledge) -> Knowledg
     """
     ends = {
         name
-        for node in _behind(left, right, knowledge)
+        for node in behind(left, right, knowledge)
         for part in walk(node)
         if isinstance(part, Summation) and part.index is not None
         for bound in (part.lower, part.upper)
@@ -77,13 +77,11 @@ def decide_with_whole_numbers(
     return _at_special_values(left, right, decision, knowledge, decide)
 
 
-def _behind(left: Formula, right: Formula, knowledge: Knowledge) -> list[Formula]:
+def behind(left: Formula, right: Formula, knowledge: Knowledge) -> list[Formula]:
     """Return two formulas with what the letters in them stand for by the page."""
     values = {name: d.node for name, d in knowledge.definitions.items()}
-    if not any(isinstance(part, Summation | Integral) for n in (left, right) for part in walk(n)):
-        return [left, right, *(values[n] for n in names(left) | names(right) if n in values)]
-    behind = {n for node in (left, right) for n in names_behind(node, values)}
-    return [left, right, *(values[n] for n in sorted(behind) if n in values)]
+    letters = {n for node in (left, right) for n in names_behind(node, values)}
+    return [left, right, *(values[n] for n in sorted(letters) if n in values)]
 
 
 def _counting(knowledge: Knowledge, counts: set[str]) -> Knowledge:
@@ -106,7 +104,7 @@ def _may_count(name: str, knowledge: Knowledge) -> bool:
 def _multipliers(left: Formula, right: Formula, knowledge: Knowledge) -> dict[str, None]:
     """Return the letters, not known to be whole, that multiply what is integrated or summed over."""
     multipliers: dict[str, None] = {}
-    for node in _behind(left, right, knowledge):
+    for node in behind(left, right, knowledge):
         for part in walk(node):
             if isinstance(part, Integral) and _is_over_turns(part):
                 bounds = [bound for bound in (part.lower, part.upper) if bound is not None]
