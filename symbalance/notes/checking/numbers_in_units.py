@@ -33,6 +33,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals, significant
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.dimensions import written_unit
+from symbalance.notes.checking.units_behind import decide_as_counted
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.numerals import unit_in_words
 from symbalance.notes.reading.units import Scale, scale_of
@@ -50,7 +51,8 @@ def decide_in_units(
     chain: Chain, k: int, decision: Decision, document: ReadNotes, knowledge: Knowledge
 ) -> Decision:
     """Return the decision on a refuted relation in the units that its numbers are meant in."""
-    for meant in (_in_unit_of_result, _converted, _of_weights, _with_numbers_of_units):
+    ways = (_in_unit_of_result, _converted, _of_weights, decide_as_counted, _with_numbers_of_units)
+    for meant in ways:
         there = meant(chain, k, document, knowledge)
         if there is not None and (there.is_proved or meant is _converted):
             return there
