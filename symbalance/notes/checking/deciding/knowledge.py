@@ -9,6 +9,7 @@ from symbalance.document.formula import Formula, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
 from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.checking.crank_angles_listed import CrankAngles
 from symbalance.notes.checking.geometry import Geometry
 
 
@@ -94,6 +95,8 @@ class Knowledge:
     ranges: tuple[StatedRange, ...] = ()
     printed: frozenset[float] = frozenset()
     """The numbers that the page prints as results: put in elsewhere they are rounded."""
+    crank_angles: CrankAngles | None = None
+    """The angles of the cylinders that the page lists: what a sum without an index goes over."""
     small: frozenset[str] = frozenset()
     """Letters that are said to be small; where ≈ rests on another, that is an assumption."""
 

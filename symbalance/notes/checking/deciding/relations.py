@@ -43,6 +43,7 @@ from symbalance.notes.checking.deciding.order_agreement import (
     degree,
 )
 from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.deciding.sums_over_cylinders import decide_over_cylinders
 from symbalance.notes.checking.deciding.whole_numbers import (
     behind,
     decide_with_whole_numbers,
@@ -201,8 +202,11 @@ def decide_reading(
     def decide_as_known(first: Formula, second: Formula, known: Knowledge) -> Decision:
         return _decide_under_premises(first, second, sign, known, through)
 
-    knowledge = with_counts(left, right, knowledge)
-    return decide_with_whole_numbers(left, right, knowledge, decide_as_known)
+    def decide_written_out(first: Formula, second: Formula) -> Decision:
+        known = with_counts(first, second, knowledge)
+        return decide_with_whole_numbers(first, second, known, decide_as_known)
+
+    return decide_over_cylinders(left, right, knowledge, decide_written_out)
 
 
 def _decide_under_premises(
