@@ -44,8 +44,17 @@ _IN_LINE = re.compile(r"in-?\s?line|straight|Reihe|直列", re.IGNORECASE)
 _COUNT = re.compile(r"(?<![A-Za-z\\])[zNni]\s*\$?\s*=\s*\$?\s*([2-9]|1[0-9])(?![0-9.,]*[0-9])")
 _CLAUSE = re.compile(r"[.!?。]\s|[;；]|\n\s*\n|\n#|\n(?=\s*[-*+]\s)")
 _TWO_STROKE = re.compile(
-    r"two[\s-]?stroke|2[\s-]?stroke|Zweitakt|2[\s-]?Takt|2ストローク|2サイクル", re.IGNORECASE
+    r"(?:two|2)[\s-]?stroke|(?:Zwei|2)[\s-]?takt|2ストローク|2サイクル", re.IGNORECASE
 )
+_FOUR_STROKE = re.compile(
+    r"(?:four|4)[\s-]?stroke|(?:Vier|4)[\s-]?takt|4ストローク|4サイクル", re.IGNORECASE
+)
+_IN_BANKS = re.compile(
+    r"(?<![A-Za-z])(?:V|W|VR)[-\s]?(?:[0-9]{1,2}(?![0-9])|engine|twin|motor|型)|boxer|flat[-\s]|opposed"
+    r"|(?<![A-Za-z])bank|radial|Gabel|Sternmotor|水平対向|星型|バンク",
+    re.IGNORECASE,
+)
+"""Words for engines in which the same crank angle is not the same force in one direction."""
 _ROW = re.compile(r"^[ \t]*\|?[ \t]*(?P<cells>[^\n]*[|&][^\n]*)$", re.MULTILINE)
 _BEFORE, _BEHIND = 120, 30
 """Characters before and behind a list in which words have to say that it is of cranks."""
