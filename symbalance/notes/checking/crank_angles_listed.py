@@ -43,12 +43,8 @@ _EQUAL_FIRING = re.compile(
 _IN_LINE = re.compile(r"in-?\s?line|straight|Reihe|直列", re.IGNORECASE)
 _COUNT = re.compile(r"(?<![A-Za-z\\])[zNni]\s*\$?\s*=\s*\$?\s*([2-9]|1[0-9])(?![0-9.,]*[0-9])")
 _CLAUSE = re.compile(r"[.!?。]\s|[;；]|\n\s*\n|\n#|\n(?=\s*[-*+]\s)")
-_TWO_STROKE = re.compile(
-    r"(?:two|2)[\s-]?stroke|(?:Zwei|2)[\s-]?takt|2ストローク|2サイクル", re.IGNORECASE
-)
-_FOUR_STROKE = re.compile(
-    r"(?:four|4)[\s-]?stroke|(?:Vier|4)[\s-]?takt|4ストローク|4サイクル", re.IGNORECASE
-)
+_TWO_STROKE = re.compile(r"(?:two|2)[\s-]?stroke|(?:Zwei|2)[\s-]?takt|2サイクル", re.IGNORECASE)
+_FOUR_STROKE = re.compile(r"(?:four|4)[\s-]?stroke|(?:Vier|4)[\s-]?takt|4サイクル", re.IGNORECASE)
 _IN_BANKS = re.compile(
     r"(?<![A-Za-z])(?:V|W|VR)[-\s]?(?:[0-9]{1,2}(?![0-9])|engine|twin|motor|型)|boxer|flat[-\s]|opposed"
     r"|(?<![A-Za-z])bank|radial|Gabel|Sternmotor|水平対向|星型|バンク",
