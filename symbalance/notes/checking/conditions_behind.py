@@ -7,9 +7,18 @@ has its own.
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 
-from symbalance.document.formula import Formula, Name, Product, names
+from symbalance.document.formula import (
+    Formula,
+    Integral,
+    Name,
+    Product,
+    Summation,
+    names,
+    walk,
+)
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.special_values import ANY_WHOLE
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY
@@ -48,7 +57,7 @@ def conditions_behind(chain: Chain, document: ReadNotes) -> Conditions:
     opened = _BEHIND.match(document.text, end)
     if opened is None:
         return Conditions()
-    own = {name for side in chain.sides for name in names(side.node)}
+    own, counts = chain.letters, _counts(chain)
     ranges: list[StatedRange] = []
     values: list[tuple[str, Formula, str]] = []
     for other in document.chains:
@@ -56,26 +65,51 @@ def conditions_behind(chain: Chain, document: ReadNotes) -> Conditions:
             continue
         for k, relation in enumerate(other.relations):
             left, right = other.sides[k].node, other.sides[k + 1].node
-            if not names(left) | names(right) <= own:
+            if not (names(left) | names(right)) <= set(own):
                 continue
             line = chain.lines[0]
             if relation.sign in SATISFIED_BY:
                 ranges.append(StatedRange(left, relation.sign, right, line, max(chain.lines)))
-            elif relation.sign == "=" and isinstance(left, Name) and isinstance(right, Name):
+            elif counts and _is_equality(other):
+                assert isinstance(left, Name)
                 text = f"{formula_text(left, plain=True)} = {formula_text(right, plain=True)}"
                 values.append((left.name, right, text))
-    values += _multiples(document.text[opened.end() : opened.end() + _NEAR], own)
+    if counts:
+        values += _multiples(document.text[opened.end() : opened.end() + _NEAR], own)
     return Conditions(tuple(ranges), tuple(values))
 
 
-def _multiples(text: str, own: set[str]) -> list[tuple[str, Formula, str]]:
+def equalities_behind(document: ReadNotes) -> frozenset[int]:
+    """Return where the equations of a page begin that are conditions of the relation before: (m = n)."""
+    starts = {c.sides[0].span[0] for c in document.chains if len(c.sides) == 2 and _is_equality(c)}
+    return frozenset(
+        opened.end()
+        for chain in document.chains
+        if starts and _counts(chain)
+        if (opened := _BEHIND.match(document.text, max(side.span[1] for side in chain.sides)))
+        if opened.end() in starts
+    )
+
+
+def _counts(chain: Chain) -> bool:
+    """Tell whether a sum or an integral stands in a relation: its letters may be whole numbers."""
+    return any(isinstance(part, Summation | Integral) for side in chain.sides for part in walk(side.node))
+
+
+def _is_equality(chain: Chain) -> bool:
+    """Tell whether a chain says of two letters that they are equal."""
+    are_letters = all(isinstance(side.node, Name) for side in chain.sides)
+    return are_letters and all(relation.sign == "=" for relation in chain.relations)
+
+
+def _multiples(text: str, own: Collection[str]) -> list[tuple[str, Formula, str]]:
     """Return that a letter is a multiple of another one, as words or the sign for "divides" say."""
     match = _MULTIPLE.match(text)
     if match is None or match["not"]:
         return []
     first, second = match["first"] or match["divided"], match["second"] or match["divisor"]
     letters = first.lstrip("\\"), second.lstrip("\\")
-    if not set(letters) <= own:
+    if not set(letters) <= set(own):
         return []
     value = Product((Name(ANY_WHOLE), Name(letters[1])))
     texts = [formula_text(Name(name), plain=True) for name in letters]
@@ -102,5 +136,5 @@ def with_conditions(chain: Chain, document: ReadNotes, knowledge: Knowledge) -> 
     if conditions.values:
         meaning = replace(meaning, integer=meaning.integer | {ANY_WHOLE})
     return replace(
-        knowledge, meaning=meaning, ranges=(*others, *conditions.ranges), definitions=definitions
+        knowledge, meaning=meaning, ranges=(*conditions.ranges, *others), definitions=definitions
     )

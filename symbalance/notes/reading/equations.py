@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from symbalance.document.formula import Formula, Span
+from symbalance.document.formula import Formula, Span, names
 from symbalance.notes.reading.notebooks import SUFFIX, cell_place
 
 RELATIONS = ("=", "≈", "<", ">", "≤", "≥", "≡", "≠")
@@ -50,6 +50,11 @@ class Chain:
     tag: str = ""
     inline: bool = False
     notes: tuple[str, ...] = field(default=())
+
+    @property
+    def letters(self) -> frozenset[str]:
+        """The letters that stand in its sides."""
+        return frozenset(name for side in self.sides for name in names(side.node))
 
 
 @dataclass(frozen=True, slots=True)

@@ -31,7 +31,8 @@ _OTHER: dict[str, Fraction] = {
 _OTHER["slug"] = _OTHER["lbf"] / _OTHER["ft"]
 _HORSEPOWER = 550 * _OTHER["ft"] * _OTHER["lbf"]
 _OTHER |= dict.fromkeys(words("hp bhp HP"), _HORSEPOWER)
-_IN_COMPOUNDS = {"in": Fraction(254, 10**4)}
+INCH = Fraction(254, 10**4)
+_IN_COMPOUNDS = {"in": INCH}
 """Units whose name is a word of the language: read beside another unit only, in/s², lb·in."""
 _UNITS = {p + unit: scale for unit in _PREFIXED for p, scale in _PREFIXES.items()} | _OTHER
 _UNITS["G"] = Fraction(1)
