@@ -105,6 +105,8 @@ def _note_divisors(domain: Domain, letter: str, number: int, scale: int) -> None
 
 
 def _note_multiples(domain: Domain, above: Polynomial, divisor: Formula) -> None:
+    if all(coefficient < 0 for coefficient in above.values()):
+        above = {monomial: -coefficient for monomial, coefficient in above.items()}
     text = formula_text(_whole_node(domain, above), plain=True)
     condition = f"{text} is no multiple of {formula_text(divisor, plain=True)}"
     domain.assumptions[condition] = None
@@ -129,8 +131,6 @@ def _solved(domain: Domain, above: Polynomial) -> tuple[str, Formula | None] | N
 
 def _whole_node(domain: Domain, polynomial: Polynomial) -> Formula:
     """Return a polynomial in letters as a formula, positive terms first."""
-    if next(iter(polynomial.values())) < 0 and all(c <= 0 for c in polynomial.values()):
-        polynomial = {m: -c for m, c in polynomial.items()}
     ordered = sorted(polynomial.items(), key=lambda item: (item[1] < 0, item[0]))
     terms = [_term(domain, monomial, coefficient) for monomial, coefficient in ordered]
     return terms[0] if len(terms) == 1 else Sum(tuple(terms))

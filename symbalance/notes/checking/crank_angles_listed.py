@@ -35,6 +35,13 @@ _OF_CRANKS = re.compile(
     r"|(?:\\?(?:delta|psi|varphi|phi|alpha|beta|gamma)|[δψφϕαβγ])\s*_\s*\{?\s*[1ijkn]",
     re.IGNORECASE,
 )
+_CRANK_ANGLE = re.compile(r"crank\s*angles?|Kurbelwinkeln?|クランク角度?", re.IGNORECASE)
+_THROWS = re.compile(
+    r"throws|crank\s*pins|kröpfung|cranks?\s+(?:are\s+)?at|_\s*\{?\s*[1ijkn]", re.IGNORECASE
+)
+_RANGE = re.compile(
+    r"(?:between|zwischen|interval|range|from|von|Bereich|∈|\\in|\[)[\s$(]*$", re.IGNORECASE
+)
 _EQUAL_FIRING = re.compile(
     r"equal(?:ly\s+spaced)?\s+firing|even(?:ly)?[\s-]firing|firing\s+(?:at\s+)?equal"
     r"|gleiche[nrm]?\s+Zündabst|gleichmäßige[nrm]?\s+Zünd|等間隔(?:の)?(?:点火|爆発|着火)",
@@ -54,6 +61,8 @@ _IN_BANKS = re.compile(
 _ROW = re.compile(r"^[ \t]*\|?[ \t]*(?P<cells>[^\n]*[|&][^\n]*)$", re.MULTILINE)
 _BEFORE, _BEHIND = 120, 30
 """Characters before and behind a list in which words have to say that it is of cranks."""
+_FURTHEST, _TITLE = 60, 3
+"""Lines of a section before a list, and of the page, that may name an engine in banks."""
 _MARKS = re.compile(r"[\s$]|\\\\|\\hline")
 FEWEST = 2
 
@@ -107,7 +116,10 @@ def listed_at(
     if not near:
         return None
     lines = text.splitlines(keepends=True)
-    if _IN_BANKS.search("".join(lines[max(near[-1].line - 2, 0) : line])):
+    first = near[-1].line
+    while first > max(near[-1].line - _FURTHEST, 1) and same_section(first - 1, line):
+        first -= 1
+    if _IN_BANKS.search("".join([*lines[:_TITLE], *lines[max(first - 2, 0) : line]])):
         return None
     between = "".join(lines[near[-1].line : line])
     engine = engine_named(between, len(between))
@@ -132,8 +144,23 @@ def _in_words(text: str) -> Iterator[CrankAngles]:
         degrees = _degrees(matches)
         before = _CLAUSE.split(text[max(0, start.start() - _BEFORE) : start.start()])[-1]
         behind = _CLAUSE.split(text[end : end + _BEHIND])[0]
-        if degrees is not None and (_OF_CRANKS.search(before) or _OF_CRANKS.search(behind)):
+        if degrees is not None and _is_of_cranks(before, behind, degrees):
             yield CrankAngles(degrees, _line_at(text, start.start()))
+
+
+def _is_of_cranks(before: str, behind: str, degrees: tuple[Fraction, ...]) -> bool:
+    """Tell whether words around a list say that it is where the cranks stand.
+
+    "At crank angles 0°, 30°, 60°" says where one crank is looked at; "between 0 and 180°" is a range.
+    """
+    named = engine_named(before + behind, len(before + behind))
+    if len(degrees) == FEWEST and (_RANGE.search(before) or not (named and named[0] == FEWEST)):
+        return len(set(degrees)) == 1 or _THROWS.search(before) is not None
+    bare_before, bare_behind = (_CRANK_ANGLE.sub(" ", words) for words in (before, behind))
+    if _OF_CRANKS.search(bare_before) or _OF_CRANKS.search(bare_behind):
+        return True
+    is_arrangement = len(set(degrees)) < len(degrees)
+    return is_arrangement and bool(_CRANK_ANGLE.search(before) or _CRANK_ANGLE.search(behind))
 
 
 def _angles_from(text: str, start: int) -> tuple[list[re.Match[str]], int]:

@@ -27,7 +27,7 @@ _OPENED = re.compile(
     r"(?:[\s$\\,;~]|\\q?quad(?![a-z])|\\text\s*\{)*"
     r"(?:\(|,?\s*(?:with|where|when|if|mit|wobei|für|wenn|avec|où)\s)[\s$~]*(?:\\text\s*\{\s*)?"
 )
-_UNIT = r"(?P<unit>[A-Za-z1µ][A-Za-zµ0-9/²³⁻¹^{}·.\\ -]{0,30}?)"
+_UNIT = r"(?P<unit>[A-Za-z1µ](?:[A-Za-zµ0-9/²³⁻¹^·.\\ -]|\{[-−]?[0-9]\}){0,30}?)"
 _COUNTED = re.compile(
     rf"[\s$~]*(?P<letter>\\?[^\W\d_][A-Za-z0-9_{{}}]*)[\s$~]*(?:\\text\s*\{{)?[\s~]*"
     rf"(?:(?:is|ist|are|being|counted|measured|given|taken)\s+)*(?:in\s+|\[)[\s$~]*(?:\\(?:mathrm|text|unit|si)\s*\{{)?{_UNIT}"

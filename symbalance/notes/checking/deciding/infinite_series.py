@@ -145,15 +145,22 @@ def _written_out(node: Formula, highest: int, knowledge: Knowledge, level: Level
 
 
 def _rising_letter(forms: list[Form], knowledge: Knowledge) -> tuple[str, int]:
-    """Return the letter whose powers rise from term to term, and -1 where it stands below."""
+    """Return the letter whose powers rise evenly from term to term, and -1 where it stands below.
+
+    In x^(n(20 - n)) they rise at first only: what is left out is of a higher order if they go on evenly.
+    """
     usual = knowledge.crank.small[0] if knowledge.crank and knowledge.crank.small else ""
     letters = {name for form in forms for name in _symbols(form)}
     ordered = sorted(letters, key=lambda name: (name != usual, name not in knowledge.small, name))
     for name in ordered:
         for sign in (1, -1):
-            powers = [p for form in forms if (p := _least_power(form, name, sign)) is not None]
-            is_rising = all(a < b for a, b in pairwise(powers))
-            if len(powers) >= FEWEST_TERMS // 2 and is_rising and powers[0] >= 0:
+            powers = [
+                (place, p)
+                for place, form in enumerate(forms)
+                if (p := _least_power(form, name, sign)) is not None
+            ]
+            steps = {Fraction(b - a, n - m) for (m, a), (n, b) in pairwise(powers)}
+            if len(powers) >= FEWEST_TERMS // 2 and len(steps) == 1 and min(steps) > 0 <= powers[0][1]:
                 return name, sign
     raise NoFormError(NO_POWERS)
 

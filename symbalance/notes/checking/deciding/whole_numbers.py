@@ -39,6 +39,8 @@ from symbalance.notes.checking.symbol_roles import KNOWN, role_of
 
 Decide = Callable[[Formula, Formula, Knowledge], Decision]
 
+_SPEEDS = ("omega", "Omega")
+"""Letters that are no orders, whatever multiplies them: ω t."""
 _WHOLE_ROLES = ("integer", "constant", "positive", "variable")
 """Known meanings that leave open whether a letter is a whole number."""
 
@@ -117,6 +119,7 @@ def _multipliers(left: Formula, right: Formula, knowledge: Knowledge) -> dict[st
         name: None
         for name in multipliers
         if name not in knowledge.meaning.integer
+        and name not in _SPEEDS
         and not knowledge.knows(name)
         and _may_count(name, knowledge)
     }
@@ -195,9 +198,10 @@ def decide_at(
     """Decide a relation where a letter has a value, None where it cannot be put in."""
     known = _counting(knowledge, {ANY_WHOLE}).with_definition(letter, Definition(value, 0))
     try:
-        return decide(substitute(left, letter, value), substitute(right, letter, value), known)
+        first, second = (substitute(node, letter, value) for node in (left, right))
     except NoFormError:
         return None
+    return _at_special_values(first, second, decide(first, second, known), known, decide)
 
 
 def _ranges_of(letter: str, knowledge: Knowledge) -> list[StatedRange]:
