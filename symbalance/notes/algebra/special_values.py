@@ -72,6 +72,9 @@ def _turns(ratio: Form) -> Polynomial | None:
         if not all(_is_whole(domain, g) and Fraction(e).denominator == 1 for g, e in rest):
             return None
         turns[rest] = turns.get(rest, Fraction(0)) + size
+    for rest, size in turns.items():
+        if all(e > 0 for _, e in rest):
+            turns[rest] = size - round(size)  # 5p/6 turns are -p/6, p whole
     return {m: c for m, c in turns.items() if c}
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, replace
 
 from symbalance.document.formula import Summation, names, walk
@@ -14,6 +15,7 @@ from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.inequalities import sample_ranges
 from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import printed_results
+from symbalance.notes.checking.deciding.whole_numbers import orders_in
 from symbalance.notes.checking.definitions import Definitions
 from symbalance.notes.checking.engine_speeds import speeds_of
 from symbalance.notes.checking.engines import Sources
@@ -29,6 +31,8 @@ from symbalance.notes.reading import ReadingError, read_equation
 from symbalance.notes.reading.equations import ReadNotes
 
 ANGLES = ("crank angle", "rod angle", "time", "integer")
+_COUNT = re.compile(r"\bnumber of|\bcount\b|integer|anzahl|zahl\b|気筒数|シリンダ数", re.IGNORECASE)
+"""Words of a meaning that say of a letter at the end of a sum that it counts."""
 UNIVERSAL = (
     "crank angle",
     "rod angle",
@@ -64,6 +68,7 @@ class JudgingState:
         self.given_numbers = GivenNumbers()
         self.speeds = speeds_of(self.document.text)
         self.crank_angles = crank_angles(self.document.text)
+        self.orders = orders_in(side.node for c in self.document.chains for side in c.sides)
         self.conditions = equalities_behind(self.document)
         """Where equations begin that are conditions of the relation before them alone: (m = n)."""
         self.not_judged: dict[str, int] = {}
@@ -84,7 +89,12 @@ class JudgingState:
         angles = frozenset(n for m in ANGLES for n in letters.get(m, ()))
         letters_declared = frozenset(symbols)
         ranges = self.definitions.ranges_at(line)
-        meaning = replace(meaning, ranges={**meaning.ranges, **sample_ranges(ranges)})
+        counts = {n for n in self.counts if _COUNT.search(symbols[n])}
+        meaning = replace(
+            meaning,
+            ranges={**meaning.ranges, **sample_ranges(ranges)},
+            integer=meaning.integer | counts,
+        )
         knowledge = Knowledge(
             meaning,
             crank,
@@ -98,6 +108,7 @@ class JudgingState:
             corrects=self.corrects,
             ranges=tuple(ranges),
             printed=self.printed,
+            orders=self.orders,
             crank_angles=listed_at(
                 self.crank_angles, line, self.document.text, self.sections.same_section
             ),

@@ -99,6 +99,8 @@ class Knowledge:
     """The numbers that the page prints as results: put in elsewhere they are rounded."""
     crank_angles: CrankAngles | None = None
     """The angles of the cylinders that the page lists: what a sum without an index goes over."""
+    orders: frozenset[str] = frozenset()
+    """Letters that are orders of harmonics somewhere on the page, and may be whole numbers."""
     small: frozenset[str] = frozenset()
     """Letters that are said to be small; where ≈ rests on another, that is an assumption."""
 

@@ -7,7 +7,7 @@ holds but for single values, Σ e^(2πik/N) = 0 for N ≠ 1, is decided at each 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 
@@ -41,8 +41,8 @@ Decide = Callable[[Formula, Formula, Knowledge], Decision]
 
 _SPEEDS = ("omega", "Omega")
 """Letters that are no orders, whatever multiplies them: ω t."""
-_WHOLE_ROLES = ("integer", "constant", "positive", "variable")
-"""Known meanings that leave open whether a letter is a whole number."""
+_WHOLE_ROLES = ("integer", "constant", "positive")
+"""Known meanings that leave open whether a letter is a whole number; a variable takes all values."""
 
 
 def with_counts(left: Formula, right: Formula, knowledge: Knowledge) -> Knowledge:
@@ -68,15 +68,44 @@ def decide_with_whole_numbers(
     """Decide a relation, its letters as whole numbers where they may be such, and at special values."""
     decision = decide(left, right, knowledge)
     multipliers = {} if decision.is_proved else _multipliers(left, right, knowledge)
-    if multipliers:
-        counting = _counting(knowledge, set(multipliers))
-        there = decide(left, right, counting)
-        if there.is_proved or (there.status == REFUTED and decision.status == REFUTED):
-            texts = tuple(f"{formula_text(Name(name), plain=True)} is an integer" for name in multipliers)
-            knowledge, decision = counting, there
-            if there.is_proved:
-                decision = replace(there, assumptions=(*there.assumptions, *texts))
+    counting = _counting(knowledge, set(multipliers))
+    attempts = [counting] if multipliers else []
+    if not decision.is_proved and _has_order_in_sum(left, right, counting):
+        attempts.append(replace(counting, meaning=replace(counting.meaning, closes_sums=True)))
+    for known in attempts:
+        there = decide(left, right, known)
+        if there.is_proved:
+            texts = (f"{formula_text(Name(name), plain=True)} is an integer" for name in multipliers)
+            decision = replace(there, assumptions=(*there.assumptions, *texts))
+            return _at_special_values(left, right, decision, known, decide)
+        if there.status == REFUTED and decision.status == REFUTED:
+            decision = there
     return _at_special_values(left, right, decision, knowledge, decide)
+
+
+def _has_order_in_sum(left: Formula, right: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a whole number multiplies the index of a sum between numbers: it has a closed form."""
+    return any(
+        isinstance(part, Summation)
+        and part.index is not None
+        and part.upper is not None
+        and not knowledge.meaning.integer.isdisjoint(_beside(part.body, part.index.name))
+        for node in behind(left, right, knowledge)
+        for part in walk(node)
+    )
+
+
+def orders_in(nodes: Iterable[Formula]) -> frozenset[str]:
+    """Return the letters that multiply what integrals over turns and sums of phases go over."""
+    orders: set[str] = set()
+    for part in (part for node in nodes for part in walk(node)):
+        if isinstance(part, Integral) and _is_over_turns(part):
+            bounds = [bound for bound in (part.lower, part.upper) if bound is not None]
+            outer = {name for bound in bounds for name in names(bound)}
+            orders |= set(_beside(part.body, part.variable.name)) - outer
+        elif isinstance(part, Summation) and part.index is not None:
+            orders |= set(_beside(part.body, part.index.name))
+    return frozenset(orders)
 
 
 def behind(left: Formula, right: Formula, knowledge: Knowledge) -> list[Formula]:
@@ -105,24 +134,24 @@ def _may_count(name: str, knowledge: Knowledge) -> bool:
 
 def _multipliers(left: Formula, right: Formula, knowledge: Knowledge) -> dict[str, None]:
     """Return the letters, not known to be whole, that multiply what is integrated or summed over."""
-    multipliers: dict[str, None] = {}
-    for node in behind(left, right, knowledge):
-        for part in walk(node):
-            if isinstance(part, Integral) and _is_over_turns(part):
-                bounds = [bound for bound in (part.lower, part.upper) if bound is not None]
-                outer = {name for bound in bounds for name in names(bound)}
-                beside = _beside(part.body, part.variable.name)
-                multipliers |= dict.fromkeys(name for name in beside if name not in outer)
-            elif isinstance(part, Summation) and part.index is not None:
-                multipliers |= dict.fromkeys(_beside(part.body, part.index.name))
+    nodes = behind(left, right, knowledge)
+    own = {name for node in nodes for name in names(node)} - _bound(nodes)
+    multipliers = (orders_in(nodes) | knowledge.orders) & own
     return {
         name: None
-        for name in multipliers
+        for name in sorted(multipliers)
         if name not in knowledge.meaning.integer
         and name not in _SPEEDS
         and not knowledge.knows(name)
         and _may_count(name, knowledge)
     }
+
+
+def _bound(nodes: Iterable[Formula]) -> set[str]:
+    """Return the letters that sums and integrals go over."""
+    parts = [part for node in nodes for part in walk(node)]
+    indices = {part.index.name for part in parts if isinstance(part, Summation) and part.index}
+    return indices | {part.variable.name for part in parts if isinstance(part, Integral)}
 
 
 def _is_over_turns(node: Integral) -> bool:
