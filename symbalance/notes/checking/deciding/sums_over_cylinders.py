@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from fractions import Fraction
 
 from symbalance.document.formula import (
     Formula,
@@ -97,7 +98,7 @@ def _indexed_terms(
     assert node.index is not None
     own = indexed_letters(node.body, node.index.name)
     is_one = len(own) == 1 and is_greek(own[0].split("_")[0])
-    if not is_one or node.index.name in names(node.body) or knowledge.knows(own[0]):
+    if not is_one or knowledge.knows(own[0]):
         return None
     stem = own[0][: -len(node.index.name)]
     if any(name.startswith(stem) and name[len(stem) :].isdecimal() for name in knowledge.definitions):
@@ -111,7 +112,10 @@ def _indexed_terms(
     theta = knowledge.crank.theta if knowledge.crank is not None else None
     is_whole_angle = isinstance(theta, Name) and own[0].split("_")[0] == theta.name
     values = [Sum((theta, a)) if is_whole_angle and theta is not None else a for a in angles]
-    return [substitute(node.body, own[0], value) for value in values]
+    first = node.lower.value if isinstance(node.lower, Number) else Fraction(1)
+    bodies = [substitute(node.body, own[0], value) for value in values]
+    numbers = [Number(first + place) for place in range(len(bodies))]
+    return [substitute(b, node.index.name, n) for b, n in zip(bodies, numbers, strict=True)]
 
 
 def _number(node: Formula, knowledge: Knowledge) -> Number | None:
