@@ -42,6 +42,21 @@ CONDITIONS_BEHIND = [
     (r"\int_0^{2\pi}\cos m\phi\cos n\phi\,d\phi = \pi \quad (m = n)", ["conditional", "condition"]),
     (r"\int_0^{2\pi}\cos m\phi\cos n\phi\,d\phi = 0 \quad (m = n)", ["refuted", "condition"]),
     (r"\int_0^{2\pi}\cos m\phi\cos n\phi\,d\phi = \frac{\pi}{2} \quad (m = n)", ["refuted", "condition"]),
+    (
+        r"\sum_{k=0}^{N-1} e^{2\pi i p k/N} ="
+        r" \begin{cases} N & N \mid p \\ 0 & \text{sonst}\end{cases}",
+        ["conditional"],
+    ),
+    (
+        r"\sum_{k=0}^{N-1} e^{2\pi i p k/N} ="
+        r" \begin{cases} 1 & N \mid p \\ 0 & \text{sonst}\end{cases}",
+        ["refuted"],
+    ),
+    (
+        r"\sum_{k=0}^{N-1} e^{2\pi i p k/N} ="
+        r" \begin{cases} N & N \mid p \\ 1 & \text{sonst}\end{cases}",
+        ["refuted"],
+    ),
     (r"\int_0^{\pi}\sin k\phi\,d\phi = 0 \quad (k \geq 1)", ["refuted", "range"]),
 ]
 
@@ -69,6 +84,22 @@ def test_an_equality_behind_an_integral_reaches_no_further():
     last = max(check(page + "\n", LETTERS).verdicts, key=lambda v: v.span)
     assert last.verdict == "conditional"
     assert "m - n ≠ 0" in last.assumption
+
+
+WORDS = [
+    ("For every integer $k$ we have ", "holds"),
+    ("With $k \\in \\mathbb{Z}$ we have ", "holds"),
+    ("Für ganzzahliges $k$ gilt ", "holds"),
+    ("", "conditional"),
+    ("With $k$ as the balance fraction ", "conditional"),
+]
+
+
+@pytest.mark.parametrize(("words", "verdict"), WORDS)
+def test_words_say_that_an_order_is_a_whole_number(words, verdict):
+    page = words + r"$\int_0^{2\pi}\sin k\phi\,d\phi = 0$."
+    (only,) = check(page + "\n", LETTERS).verdicts[-1:]
+    assert only.verdict == verdict
 
 
 LISTS = [

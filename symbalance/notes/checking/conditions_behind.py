@@ -19,10 +19,10 @@ from symbalance.document.formula import (
     names,
     walk,
 )
-from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.special_values import ANY_WHOLE
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, StatedRange
+from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _WORDS = r"for|if|when|where|provided|für|wenn|falls|sofern|pour|si"
@@ -72,7 +72,7 @@ def conditions_behind(chain: Chain, document: ReadNotes) -> Conditions:
                 ranges.append(StatedRange(left, relation.sign, right, line, max(chain.lines)))
             elif counts and _is_equality(other):
                 assert isinstance(left, Name)
-                text = f"{formula_text(left, plain=True)} = {formula_text(right, plain=True)}"
+                text = f"{plain_text(left)} = {plain_text(right)}"
                 values.append((left.name, right, text))
     if counts:
         values += _multiples(document.text[opened.end() : opened.end() + _NEAR], own)
@@ -112,7 +112,7 @@ def _multiples(text: str, own: Collection[str]) -> list[tuple[str, Formula, str]
     if not set(letters) <= set(own):
         return []
     value = Product((Name(ANY_WHOLE), Name(letters[1])))
-    texts = [formula_text(Name(name), plain=True) for name in letters]
+    texts = [plain_text(Name(name)) for name in letters]
     return [(letters[0], value, f"{texts[0]} is a multiple of {texts[1]}")]
 
 

@@ -15,11 +15,12 @@ from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.inequalities import sample_ranges
 from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import printed_results
-from symbalance.notes.checking.deciding.whole_numbers import orders_in
+from symbalance.notes.checking.deciding.whole_numbers import may_count, orders_in
 from symbalance.notes.checking.definitions import Definitions
 from symbalance.notes.checking.engine_speeds import speeds_of
 from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.given_numbers import GivenNumbers
+from symbalance.notes.checking.integer_words import integers_said
 from symbalance.notes.checking.meant_quantities import MeantQuantities
 from symbalance.notes.checking.meant_words import MeantWords
 from symbalance.notes.checking.premises import Premise
@@ -69,6 +70,8 @@ class JudgingState:
         self.speeds = speeds_of(self.document.text)
         self.crank_angles = crank_angles(self.document.text)
         self.orders = orders_in(side.node for c in self.document.chains for side in c.sides)
+        self.integers = integers_said(self.document.text, self.orders)
+        """Orders that the page's words say to be whole numbers."""
         self.conditions = equalities_behind(self.document)
         """Where equations begin that are conditions of the relation before them alone: (m = n)."""
         self.not_judged: dict[str, int] = {}
@@ -93,7 +96,7 @@ class JudgingState:
         meaning = replace(
             meaning,
             ranges={**meaning.ranges, **sample_ranges(ranges)},
-            integer=meaning.integer | counts,
+            integer=meaning.integer | counts | {n for n in self.integers if may_count(n, symbols)},
         )
         knowledge = Knowledge(
             meaning,

@@ -7,7 +7,7 @@ holds but for single values, Σ e^(2πik/N) = 0 for N ≠ 1, is decided at each 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
@@ -27,7 +27,6 @@ from symbalance.document.formula import (
     names,
     walk,
 )
-from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.special_values import ANY_WHOLE
 from symbalance.notes.algebra.tree_values import names_behind
@@ -35,6 +34,7 @@ from symbalance.notes.checking.deciding.equality import REFUTED, Decision, decid
 from symbalance.notes.checking.deciding.inequalities import compare
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, StatedRange
 from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.symbol_roles import KNOWN, role_of
 
 Decide = Callable[[Formula, Formula, Knowledge], Decision]
@@ -75,7 +75,7 @@ def decide_with_whole_numbers(
     for known in attempts:
         there = decide(left, right, known)
         if there.is_proved:
-            texts = (f"{formula_text(Name(name), plain=True)} is an integer" for name in multipliers)
+            texts = (f"{plain_text(Name(name))} is an integer" for name in multipliers)
             decision = replace(there, assumptions=(*there.assumptions, *texts))
             return _at_special_values(left, right, decision, known, decide)
         if there.status == REFUTED and decision.status == REFUTED:
@@ -122,11 +122,15 @@ def _counting(knowledge: Knowledge, counts: set[str]) -> Knowledge:
     return replace(knowledge, meaning=meaning)
 
 
-def _may_count(name: str, knowledge: Knowledge) -> bool:
+def may_count(name: str, meanings: Mapping[str, str]) -> bool:
     """Tell whether a letter may be a whole number, by what it is declared to be."""
-    role = role_of(knowledge.meanings.get(name, "integer"))
-    is_size = role in KNOWN and role not in _WHOLE_ROLES
-    return not is_size and name not in knowledge.angles - knowledge.meaning.integer
+    role = role_of(meanings.get(name, "integer"))
+    return role not in KNOWN or role in _WHOLE_ROLES
+
+
+def _may_count(name: str, knowledge: Knowledge) -> bool:
+    is_angle = name in knowledge.angles - knowledge.meaning.integer
+    return not is_angle and may_count(name, knowledge.meanings)
 
 
 # Multipliers of angles ----------------------------------------------------------------------------
@@ -214,7 +218,7 @@ def _at_special_values(
             continue
         remaining.append(text)
         if there is not None and there.status == REFUTED and _is_included(letter, value, knowledge):
-            number = {letter: formula_text(value, plain=True)}
+            number = {letter: plain_text(value)}
             stated = next(r.text for r in knowledge.ranges if letter in names(r.left) | names(r.right))
             reason = f"{stated} includes {letter} = {number[letter]}, where it is false"
             return replace(there, reason=reason, witness={**number, **there.witness})
