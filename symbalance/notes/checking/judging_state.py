@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 
-from symbalance.document.formula import Summation, names, walk
+from symbalance.document.formula import Integral, Summation, names, walk
 from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import constraints
 from symbalance.notes.checking.carried_values import CarriedValues
@@ -69,7 +69,9 @@ class JudgingState:
         self.given_numbers = GivenNumbers()
         self.speeds = speeds_of(self.document.text)
         self.crank_angles = crank_angles(self.document.text)
-        self.orders = orders_in(side.node for c in self.document.chains for side in c.sides)
+        sides = [side.node for chain in self.document.chains for side in chain.sides]
+        self.has_sums = any(isinstance(p, Summation | Integral) for node in sides for p in walk(node))
+        self.orders = orders_in(sides) if self.has_sums else frozenset()
         self.integers = integers_said(self.document.text, self.orders)
         """Orders that the page's words say to be whole numbers."""
         self.conditions = equalities_behind(self.document)
@@ -111,6 +113,7 @@ class JudgingState:
             corrects=self.corrects,
             ranges=tuple(ranges),
             printed=self.printed,
+            has_sums=self.has_sums,
             orders=self.orders,
             crank_angles=listed_at(
                 self.crank_angles, line, self.document.text, self.sections.same_section

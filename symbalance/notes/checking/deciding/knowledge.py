@@ -100,6 +100,8 @@ class Knowledge:
     """The numbers that the page prints as results: put in elsewhere they are rounded."""
     crank_angles: CrankAngles | None = None
     """The angles of the cylinders that the page lists: what a sum without an index goes over."""
+    has_sums: bool = True
+    """Whether a sum or an integral stands on the page: letters in it may be whole numbers."""
     orders: frozenset[str] = frozenset()
     """Letters that are orders of harmonics somewhere on the page, and may be whole numbers."""
     small: frozenset[str] = frozenset()

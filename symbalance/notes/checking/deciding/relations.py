@@ -198,6 +198,8 @@ def decide_reading(
     left: Formula, right: Formula, sign: str, knowledge: Knowledge, through: int | None = None
 ) -> Decision:
     """Decide left = right or left ≈ right; what is refuted under an open premise is not decided."""
+    if not knowledge.has_sums:
+        return _decide_under_premises(left, right, sign, knowledge, through)
 
     def decide_as_known(first: Formula, second: Formula, known: Knowledge) -> Decision:
         return _decide_under_premises(first, second, sign, known, through)
