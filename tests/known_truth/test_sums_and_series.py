@@ -136,6 +136,42 @@ ENGINES = [
 ]
 
 
+def test_each_of_several_engines_on_a_line_has_its_own_cranks():
+    first, second = (
+        "two throws at 0°, 180°: $\\sum F_1 = 0$",
+        "two throws at 0°, 360°: $\\sum F_1 = 2 F_1$",
+    )
+    page = f"{FORCES}{first}; {second}\n"
+    words = [v.verdict for v in sorted(check(page, LETTERS).verdicts, key=lambda v: v.span)]
+    assert words[1:] == ["conditional", "conditional"]
+
+
+def test_a_range_further_above_refutes_nothing():
+    page = (
+        r"$\sum_{k=1}^{N} \cos(\alpha+2\pi k/N) = 0$ for $N \ge 2$"
+        "\n\n\n\n"
+        r"$\sum_{k=1}^{N} \cos 2(\alpha+2\pi k/N) = 0$"
+    )
+    last = max(check(page + "\n", LETTERS).verdicts, key=lambda v: v.span)
+    assert (last.verdict, last.assumption) == ("conditional", "N ≠ 2")
+
+
+def test_a_number_behind_a_sum_is_of_that_sum():
+    page = (
+        r"$\sum_{k=1}^{N} \cos 4(\alpha+2\pi k/N) = 0$ ($N = 3$)"
+        "\n\n"
+        r"$\sum_{k=1}^{N} \cos 2(\alpha+2\pi k/N) = 0$ ($N \ge 5$)"
+    )
+    words = [v.verdict for v in sorted(check(page + "\n", LETTERS).verdicts, key=lambda v: v.span)]
+    assert words == ["conditional", "condition", "holds", "range"]
+
+
+def test_a_sum_of_moments_needs_the_lever_arms():
+    page = "$M_1 = m_o r\\omega^2 a\\cos\\theta$\n\ncrank throws at 0°, 120°, 240°: $$\\sum M_1 = 0$$\n"
+    last = max(check(page, LETTERS | {"a": "cylinder pitch"}).verdicts, key=lambda v: v.span)
+    assert last.verdict == "undecided"
+
+
 @pytest.mark.parametrize(("words", "verdict"), ENGINES)
 def test_a_sum_without_an_index_goes_over_the_engine_of_its_section(words, verdict):
     last = max(check(f"{FORCES}{words} $$\\sum F_1 = 0$$\n", LETTERS).verdicts, key=lambda v: v.span)

@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 
 from symbalance.document.formula import (
     Formula,
-    Integral,
     Name,
+    Number,
     Product,
     Summation,
     names,
@@ -22,6 +22,7 @@ from symbalance.document.formula import (
 from symbalance.notes.algebra.special_values import ANY_WHOLE
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, StatedRange
+from symbalance.notes.checking.deciding.whole_numbers import orders_in
 from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
@@ -70,7 +71,7 @@ def conditions_behind(chain: Chain, document: ReadNotes) -> Conditions:
             line = chain.lines[0]
             if relation.sign in SATISFIED_BY:
                 ranges.append(StatedRange(left, relation.sign, right, line, max(chain.lines)))
-            elif counts and _is_equality(other):
+            elif _is_equality(other, counts):
                 assert isinstance(left, Name)
                 text = f"{plain_text(left)} = {plain_text(right)}"
                 values.append((left.name, right, text))
@@ -80,26 +81,38 @@ def conditions_behind(chain: Chain, document: ReadNotes) -> Conditions:
 
 
 def equalities_behind(document: ReadNotes) -> frozenset[int]:
-    """Return where the equations of a page begin that are conditions of the relation before: (m = n)."""
-    starts = {c.sides[0].span[0] for c in document.chains if len(c.sides) == 2 and _is_equality(c)}
-    return frozenset(
-        opened.end()
-        for chain in document.chains
-        if starts and _counts(chain)
-        if (opened := _BEHIND.match(document.text, max(side.span[1] for side in chain.sides)))
-        if opened.end() in starts
-    )
+    """Return where the equations begin that are conditions of the relation before: (m = n), (N = 3)."""
+    heads = {c.sides[0].span[0]: c for c in document.chains if len(c.sides) == 2}
+    behind: set[int] = set()
+    for chain in document.chains:
+        counts = _counts(chain)
+        opened = _BEHIND.match(document.text, max(side.span[1] for side in chain.sides))
+        head = heads.get(opened.end()) if counts and opened is not None else None
+        if head is not None and _is_equality(head, counts):
+            behind.add(head.sides[0].span[0])
+    return frozenset(behind)
 
 
-def _counts(chain: Chain) -> bool:
-    """Tell whether a sum or an integral stands in a relation: its letters may be whole numbers."""
-    return any(isinstance(part, Summation | Integral) for side in chain.sides for part in walk(side.node))
+def _counts(chain: Chain) -> frozenset[str]:
+    """Return the letters of a relation's sums and integrals that may be whole numbers."""
+    nodes = [side.node for side in chain.sides]
+    bounds = [
+        bound
+        for node in nodes
+        for part in walk(node)
+        if isinstance(part, Summation)
+        for bound in (part.lower, part.upper)
+        if bound is not None
+    ]
+    return orders_in(nodes) | {name for bound in bounds for name in names(bound)}
 
 
-def _is_equality(chain: Chain) -> bool:
-    """Tell whether a chain says of two letters that they are equal."""
-    are_letters = all(isinstance(side.node, Name) for side in chain.sides)
-    return are_letters and all(relation.sign == "=" for relation in chain.relations)
+def _is_equality(chain: Chain, counts: Collection[str]) -> bool:
+    """Tell whether a chain says of a letter that counts that it is another one, or a whole number."""
+    left, right = (side.node for side in (chain.sides[0], chain.sides[-1]))
+    is_value = isinstance(right, Name) or (isinstance(right, Number) and right.value.denominator == 1)
+    is_whole = isinstance(left, Name) and left.name in counts and is_value
+    return is_whole and len(chain.sides) == 2 and chain.relations[0].sign == "="
 
 
 def _multiples(text: str, own: Collection[str]) -> list[tuple[str, Formula, str]]:

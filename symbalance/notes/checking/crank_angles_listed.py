@@ -73,6 +73,8 @@ class CrankAngles:
 
     degrees: tuple[Fraction, ...]
     line: int
+    place: int = 0
+    """Where in the page the list begins."""
     is_by_firing: bool = False
     others: tuple[CrankAngles, ...] = ()
     """What else the words may say: the angles of a two-stroke engine."""
@@ -102,17 +104,22 @@ def crank_angles(text: str) -> list[CrankAngles]:
     ['0', '180', '180', '0']
     """
     lists = [*_in_words(text), *_by_rows(text), *_by_firing(text)]
-    return sorted(lists, key=lambda angles: angles.line)
+    return sorted(lists, key=lambda angles: angles.place)
 
 
 def listed_at(
-    lists: list[CrankAngles], line: int, text: str, same_section: Callable[[int, int], bool]
+    lists: list[CrankAngles], start: int, text: str, same_section: Callable[[int, int], bool]
 ) -> CrankAngles | None:
-    """Return the angles that a line's section lists last before it.
+    """Return the angles that are listed last before a place, in its section, or behind it on its line.
 
-    None where it has named another engine since, or one whose cylinders are not in line.
+    None where another engine is named since, or one whose cylinders are not in line.
     """
-    near = [angles for angles in lists if angles.line <= line and same_section(angles.line, line)]
+    line = _line_at(text, start) if lists else 0
+    near = [a for a in lists if a.line <= line and same_section(a.line, line)]
+    before = [a for a in near if a.place < start]
+    behind = [a for a in near if a.line == line and a.place > start]
+    is_before_here = bool(before) and before[-1].line == line
+    near = behind[:1] if behind and not is_before_here else before
     if not near:
         return None
     lines = text.splitlines(keepends=True)
@@ -121,7 +128,7 @@ def listed_at(
         first -= 1
     if _IN_BANKS.search("".join([*lines[:_TITLE], *lines[max(first - 2, 0) : line]])):
         return None
-    between = "".join(lines[near[-1].line : line])
+    between = text[near[-1].place : start]
     engine = engine_named(between, len(between))
     is_other = engine is not None and engine[0] != len(near[-1].degrees)
     return None if is_other else near[-1]
@@ -145,7 +152,7 @@ def _in_words(text: str) -> Iterator[CrankAngles]:
         before = _CLAUSE.split(text[max(0, start.start() - _BEFORE) : start.start()])[-1]
         behind = _CLAUSE.split(text[end : end + _BEHIND])[0]
         if degrees is not None and _is_of_cranks(before, behind, degrees):
-            yield CrankAngles(degrees, _line_at(text, start.start()))
+            yield CrankAngles(degrees, _line_at(text, start.start()), start.start())
 
 
 def _is_of_cranks(before: str, behind: str, degrees: tuple[Fraction, ...]) -> bool:
@@ -194,7 +201,7 @@ def _degrees(matches: list[re.Match[str]]) -> tuple[Fraction, ...] | None:
 
 def _by_rows(text: str) -> Iterator[CrankAngles]:
     """Yield the lists that stand in the rows of a table: number of the cylinder, its angle."""
-    header, rows, first_line = "", list[Fraction](), 0
+    header, rows, first, first_line = "", list[Fraction](), 0, 0
     for match in [*_ROW.finditer(text), None]:
         cells = [_MARKS.sub("", cell) for cell in re.split(r"[|&]", match["cells"])] if match else []
         cells = [cell for cell in cells if cell]
@@ -203,11 +210,12 @@ def _by_rows(text: str) -> Iterator[CrankAngles]:
         zero = [c for c in cells[1:] if c == "0"]
         value = angles[0] if len(angles) == 1 else (Fraction(0),) if zero and not angles else None
         if value is not None and number == str(len(rows) + 1):
-            first_line = first_line if rows else _line_at(text, match.start() if match else 0)
+            first = first if rows or match is None else match.start()
+            first_line = _line_at(text, first)
             rows.append(value[0])
             continue
         if len(rows) >= FEWEST and any(rows) and _OF_CRANKS.search(header):
-            yield CrankAngles(tuple(rows), first_line)
+            yield CrankAngles(tuple(rows), first_line, first)
         if rows or (cells and not set("".join(cells)) <= set("-: ")):
             header = match["cells"] if match else ""
         rows = []
@@ -226,7 +234,10 @@ def _by_firing(text: str) -> Iterator[CrankAngles]:
         line = _line_at(text, match.start())
         four, two = (
             CrankAngles(
-                tuple(Fraction(cycle * k, number) % 360 for k in range(number)), line, is_by_firing=True
+                tuple(Fraction(cycle * k, number) % 360 for k in range(number)),
+                line,
+                match.start(),
+                is_by_firing=True,
             )
             for cycle in (720, 360)
         )

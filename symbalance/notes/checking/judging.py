@@ -11,7 +11,6 @@ from symbalance.budgets import Budget
 from symbalance.document.formula import Call, Formula, Name, names, walk
 from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import assertions
-from symbalance.notes.checking.conditions_behind import with_conditions
 from symbalance.notes.checking.consequences import decide_consequence
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -220,7 +219,7 @@ class Judge:
         if chain.sides[0].span[0] in self.state.conditions:
             return describe(self.document, chain, k, Decision(CONDITION, "of the relation before it"))
         knowledge = with_clauses_below(self.state, chain, k, self.state.knowledge(chain.lines[0]))
-        knowledge = with_conditions(chain, self.document, knowledge)
+        knowledge = self.state.knowledge_of(chain, knowledge)
         mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
         if mismatch is not None and (
             anew := numbers_of_this_section(self.state.sections, chain, knowledge)
@@ -246,6 +245,7 @@ class Judge:
         if past:
             with without_cases(self.state.definitions, past, angles):
                 freer = with_clauses_below(self.state, chain, k, self.state.knowledge(line))
+                freer = self.state.knowledge_of(chain, freer)
                 general = judge_relation(self.state, chain, k, sound, bad, freer)
             # a case that is past makes no relation true in which its angle stands
             if _word(general) in (REFUTED, CONTRADICTION) or not (

@@ -9,7 +9,7 @@ from symbalance.document.formula import Integral, Summation, names, walk
 from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import constraints
 from symbalance.notes.checking.carried_values import CarriedValues
-from symbalance.notes.checking.conditions_behind import equalities_behind
+from symbalance.notes.checking.conditions_behind import equalities_behind, with_conditions
 from symbalance.notes.checking.crank_angles_listed import crank_angles, listed_at
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.inequalities import sample_ranges
@@ -29,11 +29,13 @@ from symbalance.notes.checking.sidecar import Declarations
 from symbalance.notes.checking.symbol_roles import MOVING, SMALL_WORD, letters_by_role, small_letters
 from symbalance.notes.checking.symbols import meaning_of
 from symbalance.notes.reading import ReadingError, read_equation
-from symbalance.notes.reading.equations import ReadNotes
+from symbalance.notes.reading.equations import Chain, ReadNotes
 
 ANGLES = ("crank angle", "rod angle", "time", "integer")
 _COUNT = re.compile(r"\bnumber of|\bcount\b|integer|anzahl|zahl\b|気筒数|シリンダ数", re.IGNORECASE)
 """Words of a meaning that say of a letter at the end of a sum that it counts."""
+NEAR_RANGE = 2
+"""Lines above a relation on which a range is said of it."""
 UNIVERSAL = (
     "crank angle",
     "rod angle",
@@ -115,13 +117,18 @@ class JudgingState:
             printed=self.printed,
             has_sums=self.has_sums,
             orders=self.orders,
-            crank_angles=listed_at(
-                self.crank_angles, line, self.document.text, self.sections.same_section
-            ),
             small=frozenset(n for n, text in symbols.items() if SMALL_WORD.search(text))
             | self.small_letters,
         )
         return self.definitions.on_stated_branches(knowledge)
+
+    def knowledge_of(self, chain: Chain, knowledge: Knowledge) -> Knowledge:
+        """Return what is known with what stands around one relation on its line."""
+        start = min(side.span[0] for side in chain.sides)
+        same_section = self.sections.same_section
+        angles = listed_at(self.crank_angles, start, self.document.text, same_section)
+        own = replace(knowledge, crank_angles=angles, own_ranges_from=chain.lines[0] - NEAR_RANGE)
+        return with_conditions(chain, self.document, own)
 
     def assumptions(self, line: int, letters: frozenset[str]) -> tuple[Assumption, ...]:
         """Return the assumptions at a line, each solved for a letter."""

@@ -100,6 +100,8 @@ class Knowledge:
     """The numbers that the page prints as results: put in elsewhere they are rounded."""
     crank_angles: CrankAngles | None = None
     """The angles of the cylinders that the page lists: what a sum without an index goes over."""
+    own_ranges_from: int = 0
+    """The first line whose ranges are said of the relation in hand: "for N ≥ 2" above a display."""
     has_sums: bool = True
     """Whether a sum or an integral stands on the page: letters in it may be whole numbers."""
     orders: frozenset[str] = frozenset()

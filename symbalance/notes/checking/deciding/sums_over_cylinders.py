@@ -6,6 +6,7 @@ of the listed angles, θ + δ_1, θ + δ_2, ….
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
@@ -30,6 +31,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.substitution import substitute
 
 NO_ANGLES = "a sum over cylinders whose crank angles the page does not list here: say them"
+_MOMENT = re.compile(r"moment|couple|torque|偶力|モーメント", re.IGNORECASE)
 DEEPEST = 12
 """Letters that stand for others, one in the other."""
 Decide = Callable[[Formula, Formula], Decision]
@@ -84,8 +86,8 @@ def _terms(node: Summation, angles: tuple[Formula, ...], knowledge: Knowledge) -
     theta = knowledge.crank.theta if knowledge.crank is not None else None
     if node.index is not None:
         return _indexed_terms(node, angles, knowledge)
-    if not isinstance(theta, Name):
-        return None
+    if not isinstance(theta, Name) or any(_is_moment(name, knowledge) for name in names(node.body)):
+        return None  # the lever arms of the cylinders are not listed with their angles
     body = _in_angle(node.body, theta.name, knowledge)
     if theta.name not in names(body):
         return None
@@ -116,6 +118,11 @@ def _indexed_terms(
     bodies = [substitute(node.body, own[0], value) for value in values]
     numbers = [Number(first + place) for place in range(len(bodies))]
     return [substitute(b, node.index.name, n) for b, n in zip(bodies, numbers, strict=True)]
+
+
+def _is_moment(name: str, knowledge: Knowledge) -> bool:
+    """Tell whether a letter is a moment or a couple, by its meaning or by its usual letter."""
+    return name.startswith("M") or _MOMENT.search(knowledge.meanings.get(name, "")) is not None
 
 
 def _number(node: Formula, knowledge: Knowledge) -> Number | None:

@@ -256,8 +256,13 @@ def _is_excepted(letter: str, value: Formula, knowledge: Knowledge) -> bool:
 
 
 def _is_included(letter: str, value: Formula, knowledge: Knowledge) -> bool:
-    """Tell whether the page states a range of a letter alone, which its value lies in."""
+    """Tell whether a range of a letter alone is stated of the relation in hand, its value in it.
+
+    One that is stated further above is of other relations: nobody says that they hold for the same N.
+    """
     if not isinstance(value, Number) or value.value == Fraction(0):
         return False
     ranges = [r for r in _ranges_of(letter, knowledge) if names(r.left) | names(r.right) == {letter}]
-    return bool(ranges) and not _is_excepted(letter, value, knowledge)
+    return any(r.line >= knowledge.own_ranges_from for r in ranges) and not _is_excepted(
+        letter, value, knowledge
+    )
