@@ -96,11 +96,14 @@ class JudgingState:
         angles = frozenset(n for m in ANGLES for n in letters.get(m, ()))
         letters_declared = frozenset(symbols)
         ranges = self.definitions.ranges_at(line)
+        undeclared = frozenset(self.document.free_letters) - letters_declared - definitions.keys()
         counts = {n for n in self.counts if _COUNT.search(symbols[n])}
+        counts |= {n for n in self.integers if may_count(n, symbols)}
         meaning = replace(
             meaning,
             ranges={**meaning.ranges, **sample_ranges(ranges)},
-            integer=meaning.integer | counts | {n for n in self.integers if may_count(n, symbols)},
+            integer=meaning.integer | counts,
+            undeclared=undeclared,
         )
         knowledge = Knowledge(
             meaning,
