@@ -41,6 +41,7 @@ from symbalance.notes.checking.series_relations import judge_series
 from symbalance.notes.checking.sidecar import Binding, Declarations
 from symbalance.notes.checking.unit_or_letter import with_both_readings
 from symbalance.notes.checking.verdicts import (
+    CONDITION,
     CONTRADICTION,
     PROVED_WORDS,
     REFUTED,
@@ -225,7 +226,10 @@ class Judge:
 
     def _link_in_scope(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on a relation by what is in scope there; a case that is past may be left."""
+        if chain.sides[0].span[0] in self.state.conditions:
+            return describe(self.document, chain, k, Decision(CONDITION, "of the relation before it"))
         knowledge = with_clauses_below(self.state, chain, k, self.state.knowledge(chain.lines[0]))
+        knowledge = self.state.knowledge_of(chain, knowledge)
         mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
         if mismatch is not None and (
             anew := numbers_of_this_section(self.state.sections, chain, knowledge)
@@ -253,6 +257,7 @@ class Judge:
         if past:
             with without_cases(self.state.definitions, past, angles):
                 freer = with_clauses_below(self.state, chain, k, self.state.knowledge(line))
+                freer = self.state.knowledge_of(chain, freer)
                 general = judge_relation(self.state, chain, k, sound, bad, freer)
             # a case that is past makes no relation true in which its angle stands
             if _word(general) in (REFUTED, CONTRADICTION) or not (

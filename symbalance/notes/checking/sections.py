@@ -129,6 +129,8 @@ _DEAD_CENTRE = re.compile(
     rf"(?i:(?P<top>{_TOP})|(?P<bottom>{_BOTTOM}|(?:im|at\s+the|am)\s+(?:unteren|outer|lower|bottom)))"
     rf"|(?P<short_top>{_SHORT_TOP})|(?P<short_bottom>{_SHORT_BOTTOM})"
 )
+_THERE = re.compile(r"[\s$)\]}\\,]{0,6}(?:there|here|dort|hier)(?![A-Za-zäöüß])")
+"""Words behind a relation by which it is meant at the place that its section named last."""
 _OPENING = " \t\n$\\([{&"
 """What stands between a word and the formula that it introduces."""
 LONGEST_SENTENCE = 160
@@ -370,7 +372,17 @@ class Sections:
         before = re.split(
             r"[.;!?。]\s|\n\s*\n", self.document.text[max(0, start - LONGEST_SENTENCE) : start]
         )[-1]
-        return dead_centre_named(before)
+        named = dead_centre_named(before)
+        if named is not None or _THERE.match(self.document.text, _end(chain)) is None:
+            return named
+        return dead_centre_named(self._section_before(chain))
+
+    def _section_before(self, chain: Chain) -> str:
+        """Return the text of a relation's section before it, with its heading."""
+        line = chain.lines[0]
+        first = max((heading for heading in self._headings if heading <= line), default=1)
+        start = min(side.span[0] for side in chain.sides)
+        return self.document.text[self._start_of_line(first) : start]
 
     def _text_before(self, chain: Chain) -> str:
         """Return the words before a relation, without the marks that begin and end displays."""
