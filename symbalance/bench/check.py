@@ -114,7 +114,7 @@ def notes_on(planter: Planter) -> list[str]:
 
 
 def whole_process(runs: int = 5) -> list[Measurement]:
-    """Measure the processor time of `symbalance check` on whole pages (median); it answers 1 on errors."""
+    """Measure the processor time of `symbalance check` on whole pages (median of several runs)."""
     progress("whole processes")
     with as_file(PAGE) as page, as_file(WORKSHOP_PAGE) as notes, TemporaryDirectory() as folder:
         empty = Path(folder) / "empty.md"
