@@ -31,6 +31,7 @@ _OF_ALL = (
     r"(?:\s+other)?\s+(?:(?:real|values?|angles?|crank\s+angles?|Werte?|Winkel|(?:Kurbel)?[Ww]inkel|of)\s+){0,3}"
     r"|(?:任意の|すべての|全ての|あらゆる)\s*"
 )
+_ALL = re.compile(_OF_ALL, re.IGNORECASE)
 _ANGLE_WORD = r"(?:crank\s+)?(?:angles?|positions?)|(?:Kurbel)?[Ww]inkel|Stellungen?|クランク角|角度?"
 _COUNTS = {
     "single": 1, "one": 1, "two": 2, "twin": 2, "three": 3, "triple": 3, "four": 4, "five": 5, "six": 6,
@@ -83,6 +84,8 @@ def speaks_of_all(before: str, letters: dict[str, bool], *, named: bool = False)
     if not named and _GENERAL.search(before):
         return set(letters)
     spoken: set[str] = set()
+    if not _ALL.search(before):
+        return spoken
     for name, is_angle in letters.items():
         written = rf"[\s$\\({{]{{0,6}}{re.escape(name)}(?![A-Za-z0-9_])"
         if re.search(f"(?:{_OF_ALL}){written}", before, re.IGNORECASE) or (
