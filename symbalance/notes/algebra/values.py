@@ -113,19 +113,21 @@ class Valuation:
 
     def polynomial(self, polynomial: Polynomial) -> Any:
         """Return the value of a polynomial."""
-        total = self.mp.mpc(0)
+        total = self.mp.zero
         for monomial, coefficient in polynomial.items():
-            total += (
-                self.mp.mpf(coefficient.numerator) / coefficient.denominator * self.monomial(monomial)
-            )
+            size = self.mp.mpf(coefficient.numerator)
+            if coefficient.denominator != 1:
+                size = size / coefficient.denominator
+            total += size * self.monomial(monomial) if monomial else size
         return total
 
     def monomial(self, monomial: Monomial) -> Any:
         """Return the value of a monomial."""
-        result = self.mp.mpf(1)
+        result = None
         for number, exponent in monomial:
-            result = result * self._power(number, exponent)
-        return result
+            power = self._power(number, exponent)
+            result = power if result is None else result * power
+        return self.mp.one if result is None else result
 
     def _power(self, number: int, exponent: int | Fraction) -> Any:
         key = (number, exponent)
@@ -140,7 +142,11 @@ class Valuation:
             return mp.expjpi(2 * power)
         if generator.kind in ("exponential", "growth"):
             inner = self.monomial(generator.content) * power
-            return mp.exp(1j * inner if generator.kind == "exponential" else inner)
+            if generator.kind == "growth":
+                return mp.exp(inner)
+            if exponent < 0 and type(inner) is mp.mpf and (number, -exponent) in self._powers:
+                return self._powers[number, -exponent].conjugate()
+            return mp.exp(1j * inner)
         base = self._base(number)
         return base ** int(exponent) if power == int(power) else base**power
 
