@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -275,9 +275,14 @@ class _AtAngle(Valuation):
         return super()._power(number, exponent)
 
 
-def sample(forms: list[Form], count: int = 3, tries: int = 24) -> list[tuple[Point, list[Any]]]:
-    """Return up to three points where all forms are defined and real, with their values."""
-    names = sorted({name for form in forms for name in letters(form)})
+def sample(
+    forms: list[Form], count: int = 3, tries: int = 24, others: Iterable[str] = ()
+) -> list[tuple[Point, list[Any]]]:
+    """Return up to three points where all forms are defined and real, with their values.
+
+    A point has a value too for each of the `others`, letters that stand in none of the forms.
+    """
+    names = sorted({name for form in forms for name in letters(form)}.union(others))
     samples = []
     for seed in range(tries):
         point = random_point(names, forms[0].domain, seed)
