@@ -130,7 +130,10 @@ def engine_named(text: str, start: int) -> tuple[int, str] | None:
     >>> engine_named("a two-cylinder engine, then the V8", 40)
     (8, 'v')
     """
-    return engine_of(Mentions(ENGINE, text).last_before(start))
+    last = None
+    for match in ENGINE.finditer(text, 0, start):
+        last = match
+    return engine_of(last)
 
 
 def engine_of(last: re.Match[str] | None) -> tuple[int, str] | None:

@@ -336,8 +336,9 @@ class Sections:
         """Tell whether another engine, or another exercise, was named since a line."""
         start = chain.start
         earlier = self._start_of_line(earlier_line)
-        givers = [o.sides[0].span[0] for o in self._by_line.get(earlier_line, ())]
-        earlier = max([earlier, *(first for first in givers if first < start)])
+        starts = self._by_start[0]
+        place = bisect_left(starts, min(start, self._start_of_line(earlier_line + 1)))
+        earlier = max(earlier, starts[place - 1] if place else 0)  # where the last one on its line begins
         text = self.document.text
         before, now = (
             case_words.engine_of(self._engines.last_before(place)) for place in (earlier, start)
@@ -402,9 +403,9 @@ class Sections:
     def stands_next(self, chain: Chain, line: int) -> bool:
         """Tell whether no other relation stands between a line and a relation below it."""
         start = chain.start
-        return not any(
-            line < other.lines[0] and other.sides[0].span[0] < start for other in self.document.chains
-        )
+        starts, chains = self._by_start
+        first = bisect_left(starts, self._start_of_line(line + 1))
+        return not any(line < other.lines[0] for other in chains[first : bisect_left(starts, start)])
 
     def is_condition(self, chain: Chain) -> bool:
         """Tell whether a relation is introduced as an equation to be solved: where, condition, set."""
