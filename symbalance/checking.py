@@ -14,7 +14,7 @@ from symbalance.document.formula import Derivative, Equation, Matrix, Name, equa
 from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import documents
 from symbalance.notes.checking.engines import KnownEngine
-from symbalance.notes.checking.judging import PAGE
+from symbalance.notes.checking.guarded_verdicts import PAGE
 from symbalance.notes.checking.verdicts import Checked
 from symbalance.text.files import STANDARD_INPUT
 from symbalance.text.named_paths import NamingFolder

@@ -26,7 +26,7 @@ def add(commands: argparse._SubParsersAction) -> None:
         metavar="NOTES",
         nargs="+",
         action=_Documents,
-        help="a .tex, .md, .txt, .ipynb, .wiki, .html or .adoc file, left as it is; "
+        help="a .tex, .md, .txt, .ipynb, .wiki, .html, .adoc, .rst or .org file, left as it is; "
         "- is standard input; several, and folders of "
         "them, are a line each of a table, and with -o FOLDER a report each",
     )

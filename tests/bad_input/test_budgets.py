@@ -166,16 +166,16 @@ def test_when_the_documents_budget_is_spent_the_rest_is_undecided():
 
 def test_a_line_that_rests_on_one_not_judged_is_not_refuted(monkeypatch):
     """y is (x + 1)^2 by a line that was not judged: what follows must not be called wrong."""
-    from symbalance.notes.checking import judging
+    from symbalance.notes.checking import one_relation
 
-    original = judging.Definitions.define_by
+    original = one_relation.define_letter
 
-    def slow(self, chain, k, knowledge):
+    def slow(definitions, chain, k, knowledge):
         if chain.lines[0] == 1:
             endless()
-        return original(self, chain, k, knowledge)
+        return original(definitions, chain, k, knowledge)
 
-    monkeypatch.setattr(judging.Definitions, "define_by", slow)
+    monkeypatch.setattr(one_relation, "define_letter", slow)
     text = "$$y = (x+1)^2$$\n\n$$y + 1 = x^2 + 2x + 2$$\n"
     checked = check(text, {"x": "any", "y": "any"}, budget=Budget(6))
     assert [v.verdict for v in checked.verdicts] == ["undecided", "undecided"]

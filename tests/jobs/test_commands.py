@@ -173,7 +173,7 @@ def test_an_engine_that_a_sidecar_names_counts_by_its_content(tmp_path, capsys):
     (notes / "a.symbols.toml").write_text(bind, encoding="utf-8")
     saved = []
     from symbalance.cli.check_several import _job
-    from symbalance.notes.checking.judging import PAGE
+    from symbalance.notes.checking.guarded_verdicts import PAGE
 
     for ratio in (4, 4, 3):
         (notes / "own.toml").write_text(engine.format(ratio), encoding="utf-8")
@@ -417,13 +417,13 @@ def test_a_document_that_is_changed_while_it_is_checked_is_not_kept(notes, tmp_p
 
 
 def test_what_a_budget_left_open_is_judged_again(notes, tmp_path, monkeypatch, capsys):
-    from symbalance.notes.checking import judging
+    from symbalance.notes.checking.guarded_verdicts import Guard
 
     files = [str(notes / "right.md"), str(notes / "wrong.txt"), "-o", str(tmp_path / "out")]
-    original = judging.Judge._time_left
-    monkeypatch.setattr(judging.Judge, "_time_left", lambda judge: 0.0)
+    original = Guard._time_left
+    monkeypatch.setattr(Guard, "_time_left", lambda guard: 0.0)
     assert run(["check", *files, "--format", "json"]) == 1
     assert reports_of(capsys.readouterr().out)["right.md"]["counts"]["undecided"] == 1
-    monkeypatch.setattr(judging.Judge, "_time_left", original)
+    monkeypatch.setattr(Guard, "_time_left", original)
     assert run(["check", *files, "--format", "json"]) == 1
     assert reports_of(capsys.readouterr().out)["right.md"]["counts"]["holds"] == 1

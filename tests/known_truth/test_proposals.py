@@ -18,9 +18,10 @@ from tests import TESTS
 HAND = TESTS / "hand"
 WRONG = {
     ("oldtex", "λ"), ("single_cylinder", "M"), ("single_cylinder", "F"), ("slider_crank_notes", "v"),
-    ("torque", "F"), ("guest_scan", "ω"), ("guest_web", "λ"),
+    ("torque", "F"), ("guest_scan", "ω"), ("guest_web", "λ"), ("data_on_the_page", "a"),
+    ("roles", "t"),
 }  # fmt: skip
-"""What is proposed wrongly: letters that change their meaning, a ratio no word explains."""
+"""What is proposed wrongly: letters that change their meaning, a ratio no word explains, any variable."""
 PAGES = {
     "en.md": (
         "Let $r$ be the crank radius, $l$ the rod length and $\\theta$ the crank angle.\n\n"

@@ -21,7 +21,19 @@ PAGES = [
 PAGES += sorted(CHECKED.glob("0*.txt"))
 COMMANDS = (
     *("approx", "simeq", "fallingdotseq", "cong", "doteq", "doteqdot", "sim", "approxeq", "leq", "le"),
-    *("leqq", "leqslant", "geq", "ge", "geqq", "geqslant", "triangleq", "coloneqq", "eq", "defeq"),
+    *(
+        "leqq",
+        "leqslant",
+        "geq",
+        "ge",
+        "geqq",
+        "geqslant",
+        "triangleq",
+        "coloneqq",
+        "colonequals",
+        "eq",
+        "defeq",
+    ),
     *("lt", "gt", "equiv", "neq", "ne"),
 )
 SIGN = re.compile(
@@ -32,6 +44,18 @@ SIGN = re.compile(
 
 
 RUN = re.compile(r"=\s*(?:\\(?:SI|qty|num)(?:list|range)|[0-9][0-9,]*\s*(?:…|;\s*[0-9]))")
+"""φ = 0…720° says two things: where φ begins and where it ends."""
+SECOND_VALUE = re.compile(r"[0-9] ?[A-Za-z]+ \([0-9][0-9,.]* [A-Za-z]+\)")
+"""5,39 kW (7,3 PS) says that the two are equal."""
+CASES = re.compile(r"\\begin\{cases\}(.*?)\\end\{cases\}", re.DOTALL)
+
+
+def branches(match: re.Match[str]) -> str:
+    """Return what the branches of cases say, without conditions; signs that begin them count once."""
+    values = [branch.split("&")[0].strip() for branch in match[1].split(r"\\")]
+    if all(SIGN.match(value) for value in values):
+        values[1:] = [SIGN.sub("", value, count=1) for value in values[1:]]
+    return " ".join(values)
 
 
 def counted(path: Path) -> int:
@@ -42,6 +66,7 @@ def counted(path: Path) -> int:
         body = re.search(r"\\begin\{document\}(.*)\\end\{document\}", text, re.DOTALL)
         text = body[1] if body else text
         text = re.sub(r"\[[a-z-]+=[^\]\n]*\]", "", text)  # options: \SI[per-mode=symbol]
+        text = re.sub(r"(?<=[A-Za-z}])<[0-9]+-?[0-9]*>", "", text)  # slides: \alert<2>
         text = re.sub(r"\\begin\{verbatim\}.*?\\end\{verbatim\}", "", text, flags=re.DOTALL)
     elif path.suffix == ".md":
         text = re.sub(r"<!--.*?-->", "", text, flags=re.DOTALL)
@@ -49,11 +74,12 @@ def counted(path: Path) -> int:
         text = re.sub(r"^> ?|</?(?:math|br)>", "", text, flags=re.MULTILINE)
     elif text.startswith("#"):
         text = re.sub(r"\A(?:#[^\n]*\n)+", "", text)
+    if path.suffix == ".txt":
+        text = re.sub(r"^>[> ]*", "", text, flags=re.MULTILINE)  # quoted in an answer
     text = re.sub(r"^[ \t]*={2,}[ \t]*$", "", text, flags=re.MULTILINE)
     text = re.sub(r"https?://\S+", "", text)
-    cases = r"\\begin\{cases\}.*?\\end\{cases\}"  # a condition of a case is no relation of its own
-    text = re.sub(cases, "", text, flags=re.DOTALL)
-    runs = len(RUN.findall(text))  # φ = 0…720° says two things: where φ begins and where it ends
+    text = CASES.sub(branches, text)
+    runs = len(RUN.findall(text)) + len(SECOND_VALUE.findall(text))
     return len(SIGN.findall(re.sub(r"[_^]\s*\{[^{}\n]{0,60}\}", "", text))) + runs
 
 

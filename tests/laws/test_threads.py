@@ -8,6 +8,7 @@ from __future__ import annotations
 import sys
 import threading
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from functools import cache
 
@@ -21,6 +22,11 @@ from symbalance.kinematics.mechanisms import LinkRod, SliderCrank, dead_centres,
 from symbalance.kinematics.piston_torque import torque_left_out, torque_values
 from symbalance.kinematics.slider_crank import acceleration_values
 from symbalance.kinematics.truncation import left_out
+from symbalance.notes.algebra.evaluation import SymbolValue
+from symbalance.notes.algebra.tree_constructs import AREAS
+from symbalance.notes.algebra.tree_values import TreeValues
+from symbalance.notes.algebra.values import context
+from symbalance.notes.reading import read_equation
 from tests.caches import clear_caches
 
 THREADS = 8
@@ -165,3 +171,16 @@ def answers_at_usual_precision() -> dict[str, object]:
     """Return every call's answer where nobody changes mpmath's precision, computed once."""
     clear_caches()
     return {name: call() for name, call in calls().items()}
+
+
+def test_an_integral_that_is_kept_stays_in_its_thread() -> None:
+    """Its number belongs to one mpmath context, and computing with it sets that context's precision."""
+    area = read_equation("y = \\int_0^2 u^2 e^u\\,du", frozenset("yu")).sides[1].node
+
+    def contexts() -> set[object]:
+        TreeValues(SymbolValue(), {}).value(area)
+        return {number.context for number in AREAS.values.values()}
+
+    assert contexts() == {context()}
+    with ThreadPoolExecutor(1) as pool:
+        assert pool.submit(lambda: contexts() == {context()}).result()

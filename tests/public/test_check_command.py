@@ -77,14 +77,14 @@ def test_every_relation_seen_is_counted(tmp_path, capsys):
 def test_a_fault_of_ours_leaves_its_relation_undecided_and_the_report_whole(
     tmp_path, capsys, monkeypatch
 ):
-    from symbalance.notes.checking import judging
+    from symbalance.notes.checking import one_relation
 
-    honest = judging.decide
+    honest = one_relation.decide
 
     def faulty(left, right, *rest):
         return 1 / 0 if "sin" in str(right.node) else honest(left, right, *rest)
 
-    monkeypatch.setattr(judging, "decide", faulty)
+    monkeypatch.setattr(one_relation, "decide", faulty)
     path = written(tmp_path, f"{GOOD}\n$$2\\sin x = \\sin x + \\sin x$$\n\n{BAD}")
     for form in ("text", "latex", "json"):
         assert run(["check", path, "--format", form]) == 3
@@ -150,18 +150,18 @@ def test_a_step_that_was_not_mended_is_told_of_beside_its_claim(tmp_path, capsys
 @pytest.mark.parametrize(
     ("broken", "verdicts"),
     [
-        ("assertions.side_of", ["undecided", "undecided", "holds"]),
-        ("assertions.side_verdict", ["holds", "undecided", "holds"]),
-        ("Definitions.use", ["holds", "refuted", "holds"]),
+        ("judging.assertions.side_of", ["undecided", "undecided", "holds"]),
+        ("judging.assertions.side_verdict", ["holds", "undecided", "holds"]),
+        ("definitions.Definitions.use", ["holds", "refuted", "holds"]),
     ],
 )
 def test_no_fault_in_judging_a_chain_loses_the_report(broken, verdicts, tmp_path, capsys, monkeypatch):
     path = written(tmp_path, CHAIN, BOUND_LINE)
-    monkeypatch.setattr(f"symbalance.notes.checking.judging.{broken}", boom)
+    monkeypatch.setattr(f"symbalance.notes.checking.{broken}", boom)
     links = reported(capsys, path)
     assert [link["verdict"] for link in links] == verdicts
     told = [link for link in links if "fault of symbalance" in f"{link['reason']} {link.get('notes')}"]
-    assert len(told) == (2 if broken != "assertions.side_verdict" else 1)
+    assert len(told) == (2 if broken != "judging.assertions.side_verdict" else 1)
 
 
 @pytest.mark.parametrize("broken", ["missing_equation", "span_of", "piece_verdict"])
@@ -385,7 +385,7 @@ def test_what_is_piped_in_may_declare_its_letters_itself(opening, mark, closing,
 
 
 def test_a_fault_of_ours_names_standard_input(capsys, monkeypatch):
-    monkeypatch.setattr("symbalance.notes.checking.judging.decide", lambda *_: 1 / 0)
+    monkeypatch.setattr("symbalance.notes.checking.one_relation.decide", lambda *_: 1 / 0)
     piped(monkeypatch, "$$2 = 1 + 1$$")
     assert run(["check", "-"]) == 3
     assert "line 1 of standard input: ZeroDivisionError" in capsys.readouterr().err

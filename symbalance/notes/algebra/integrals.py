@@ -14,7 +14,7 @@ from symbalance.notes.algebra import functions
 from symbalance.notes.algebra.domain import Domain, Exponent, Monomial, NoFormError
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.roots import unit
-from symbalance.notes.algebra.substitution_in_forms import Dependence, substitute_letter
+from symbalance.notes.algebra.substitution_in_forms import Dependence, substitute_letter, term_by_term
 
 HIGHEST_POWER = 60
 """Of the letter beside an exponential: each is a term of the result."""
@@ -28,16 +28,10 @@ def antiderivative(form: Form, letter: int) -> Form:
     >>> antiderivative(x, domain.symbol("x")).equals(x.times(x).scaled(Fraction(1, 2)))
     True
     """
-    domain, dependence = form.domain, Dependence(form.domain, letter)
-    if dependence.of_polynomial(form.denominator):
-        raise NoFormError("the integral of a quotient")
-    total = Form.number(domain, 0)
-    for monomial, coefficient in form.numerator.items():
-        free = tuple((g, e) for g, e in monomial if not dependence.of(g))
-        moving = tuple((g, e) for g, e in monomial if dependence.of(g))
-        outside = Form.of(domain, {free: coefficient})
-        total = total.plus(outside.times(_of_term(domain, moving, letter)))
-    return total.over(Form.of(domain, form.denominator))
+    domain = form.domain
+    return term_by_term(
+        form, letter, lambda moving: _of_term(domain, moving, letter), "the integral of a quotient"
+    )
 
 
 def _of_term(domain: Domain, moving: Monomial, letter: int) -> Form:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 
 from symbalance.notes.algebra import functions
@@ -43,6 +44,23 @@ class Dependence:
             argument = generator.content[1]
             return self.of_polynomial(argument.numerator) or self.of_polynomial(argument.denominator)
         return False
+
+
+def term_by_term(form: Form, letter: int, of_moving: Callable[[Monomial], Form], refusal: str) -> Form:
+    """Return a linear function of a form: what is free of the letter stands outside, term by term.
+
+    Refused, with the reason, where the letter stands in the denominator.
+    """
+    domain, dependence = form.domain, Dependence(form.domain, letter)
+    if dependence.of_polynomial(form.denominator):
+        raise NoFormError(refusal)
+    total = Form.number(domain, 0)
+    for monomial, coefficient in form.numerator.items():
+        free = tuple((g, e) for g, e in monomial if not dependence.of(g))
+        moving = tuple((g, e) for g, e in monomial if dependence.of(g))
+        outside = Form.of(domain, {free: coefficient})
+        total = total.plus(outside.times(of_moving(moving)))
+    return total.over(Form.of(domain, form.denominator))
 
 
 def substitute_letter(form: Form, letter: int, value: Form) -> Form:

@@ -15,7 +15,7 @@ from math import comb
 from symbalance.document import formula
 from symbalance.notes.algebra.domain import Domain, Monomial, NoFormError
 from symbalance.notes.algebra.forms import Form
-from symbalance.notes.algebra.substitution_in_forms import Dependence, substitute_letter
+from symbalance.notes.algebra.substitution_in_forms import Dependence, substitute_letter, term_by_term
 
 HIGHEST_POWER = 20
 NO_EQUAL_TERMS = "no wave that is summed has all its terms equal"
@@ -31,16 +31,13 @@ def closed_sum(form: Form, index: int, lower: Form, upper: Form) -> Form:
     >>> total.equals(last.times(last.plus(one)).scaled(Fraction(1, 2)))
     True
     """
-    domain, dependence = form.domain, Dependence(form.domain, index)
-    if dependence.of_polynomial(form.denominator):
-        raise NoFormError("a sum of quotients with a letter as its bound")
-    total = Form.number(domain, 0)
-    for monomial, coefficient in form.numerator.items():
-        free = tuple((g, e) for g, e in monomial if not dependence.of(g))
-        moving = tuple((g, e) for g, e in monomial if dependence.of(g))
-        outside = Form.of(domain, {free: coefficient})
-        total = total.plus(outside.times(_sum_of_term(domain, moving, index, lower, upper)))
-    return total.over(Form.of(domain, form.denominator))
+    domain = form.domain
+    return term_by_term(
+        form,
+        index,
+        lambda moving: _sum_of_term(domain, moving, index, lower, upper),
+        "a sum of quotients with a letter as its bound",
+    )
 
 
 def _sum_of_term(domain: Domain, moving: Monomial, index: int, lower: Form, upper: Form) -> Form:

@@ -6,6 +6,7 @@ value over a turn by a grid and a golden section. What they cannot vouch for has
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -21,11 +22,21 @@ COST_OF_QUADRATURE = 500
 GRID = 192
 """Points over a turn: harmonics to the 40th have several of them between two extrema."""
 SECTIONS = 100
-
-
 MOST_AREAS = 500
-_AREAS: dict[Any, Any] = {}
-"""Integrals at the points tried last: these are the same for every relation of a page."""
+"""Integrals that are kept, of each thread."""
+
+
+class _Areas(threading.local):
+    """Integrals at the points tried last: these are the same for every relation of a page.
+
+    Each thread has its own, as its numbers belong to its own mpmath context.
+    """
+
+    def __init__(self) -> None:
+        self.values: dict[Any, Any] = {}
+
+
+AREAS = _Areas()
 
 
 def _integral(at: TreeValues, node: formula.Integral) -> Any:
@@ -42,8 +53,9 @@ def _integral(at: TreeValues, node: formula.Integral) -> Any:
 
     others = sorted(formula.names(node.body) - {node.variable.name} - at.bound)
     key = (node, at.mp.prec, lower, upper, tuple((name, at.letter(name)) for name in others))
-    if not at.bound and key in _AREAS:
-        return _AREAS[key]
+    areas = AREAS.values
+    if not at.bound and key in areas:
+        return areas[key]
 
     def integrand(x: Any) -> Any:
         return at.with_letter(node.variable.name, x).value(node.body)
@@ -54,10 +66,10 @@ def _integral(at: TreeValues, node: formula.Integral) -> Any:
     total, error = at.mp.quad(integrand, corners, error=True)
     if error > at.mp.mpf(10) ** -28 * (1 + abs(total)):
         raise NoFormError("an integral that does not settle")
-    if len(_AREAS) >= MOST_AREAS:
-        _AREAS.clear()
+    if len(areas) >= MOST_AREAS:
+        areas.clear()
     if not at.bound:
-        _AREAS[key] = total
+        areas[key] = total
     return total
 
 

@@ -6,7 +6,12 @@ In: a document, a sidecar that says what its letters mean, and somebody who know
     engines, geometry, quantities   what lines may be bound to: engines' forces, a slider-crank's motion
     verdicts, descriptions          what is said of a relation
     constraints, definitions        relations that state something, and letters defined on the way
-    deciding, assertions, judging   is a relation true, is a line what it is bound to, all in order
+    letter_values, another_value    may a letter have this value, the first or a second one
+    impossible_values, premises     why it may not: by what it means, by the equations taken as given
+    deciding, assertions            is a relation true, is a line what it is bound to
+    judging, judging_state          the page's relations in order, and what is known where each stands
+    one_relation                    the verdict on one: definition, step, equation to solve, given
+    appeals, open_reasons           what is tried before a refutation stands, why it may stay open
     repair                          the smallest change that makes a refuted line true
     role_phrases, proposals         what a page's words propose, for a person to confirm
     declaration_draft               the symbols file drafted from it

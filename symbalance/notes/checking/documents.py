@@ -19,7 +19,8 @@ from symbalance.document.letters import plain_letter
 from symbalance.document.nodes import Code, Strong, Words
 from symbalance.errors import SymbalanceError, brief
 from symbalance.notes.checking.engines import Engines, NoEngines, Sources
-from symbalance.notes.checking.judging import PAGE, Judge
+from symbalance.notes.checking.guarded_verdicts import PAGE
+from symbalance.notes.checking.judging import Judge
 from symbalance.notes.checking.letters_anew import with_letters_anew
 from symbalance.notes.checking.one_reading import judge_in_one_reading
 from symbalance.notes.checking.sidecar import (
@@ -33,6 +34,7 @@ from symbalance.notes.checking.symbol_roles import readable_letters
 from symbalance.notes.checking.symbols import motions_of
 from symbalance.notes.checking.time_letters import with_time
 from symbalance.notes.checking.verdicts import MOST_LETTERS, UNDECLARED, Checked
+from symbalance.notes.checking.written_assumptions import with_written_assumptions
 from symbalance.notes.reading import Motions, read_document
 from symbalance.notes.reading.equations import ReadNotes
 from symbalance.notes.reading.notebooks import SUFFIX as NOTEBOOK
@@ -42,9 +44,21 @@ from symbalance.text.files import STANDARD_INPUT, file_name, read_text
 if TYPE_CHECKING:
     from symbalance.notes.checking.declaration_draft import DeclarationDraft
 
-IN_FOLDERS = (".tex", ".md", ".txt", ".text", ".ipynb", ".markdown", ".latex", ".wiki", ".adoc")
+IN_FOLDERS = (
+    ".tex",
+    ".md",
+    ".txt",
+    ".text",
+    ".ipynb",
+    ".markdown",
+    ".latex",
+    ".wiki",
+    ".adoc",
+    ".rst",
+    ".org",
+)
 """What is taken for notes in a folder; web pages only by their names, as reports are web pages too."""
-SUFFIXES = (*IN_FOLDERS, ".mediawiki", ".asciidoc", ".html", ".htm", ".xhtml")
+SUFFIXES = (*IN_FOLDERS, ".mediawiki", ".asciidoc", ".rest", ".html", ".htm", ".xhtml")
 COURSE = "symbols.toml"
 """The file that declares letters for every document of its folder."""
 
@@ -106,7 +120,7 @@ def check(
         left = None if seconds is None else max(seconds - (time.monotonic() - start), 1e-9)
         return Judge(notes, declarations, sources, Budget(left, memory), fixes).check()
 
-    checked = judge_in_one_reading(page, judge)
+    checked = with_written_assumptions(judge_in_one_reading(page, judge))
     if not is_declared and not accept_proposals and (offer := _offer(checked, name)):
         remarks.append(offer)
     return replace(checked, remarks=tuple(remarks))
@@ -218,7 +232,7 @@ def text_of(document: str | Path) -> tuple[str, str, Path]:
         return document, "text", Path()
     path = Path(document)
     text, name = (
-        read_text(path, what="a .tex, .md, .txt, .ipynb, .wiki, .html or .adoc file"),
+        read_text(path, what="a .tex, .md, .txt, .ipynb, .wiki, .html, .adoc, .rst or .org file"),
         file_name(path),
     )
     is_notebook = path.suffix.lower() == NOTEBOOK

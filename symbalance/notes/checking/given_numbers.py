@@ -21,7 +21,7 @@ from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decisio
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
-from symbalance.notes.checking.definitions import number_of
+from symbalance.notes.checking.impossible_values import number_of
 from symbalance.notes.checking.meant_words import NOBODY
 from symbalance.notes.checking.verdicts import CONDITION, DEFINITION, PREMISE, UNDECIDED, Verdict
 from symbalance.notes.reading.equations import Chain

@@ -295,10 +295,14 @@ def _with_marks(text: str, pieces: list[_Piece]) -> str:
     parts: list[str] = []
     at = 0
     for k, piece in enumerate(pieces):
-        parts.append(text[at : max(piece.start, at)])
+        before = text[at : max(piece.start, at)]
+        if text.count("$", piece.start, piece.end) % 2:  # $x = 6.71$ in: it opens before its relation
+            before = _OPENING_DOLLAR.sub("", before)
+        parts.append(before)
         parts.append(f"{INLINE if piece.inline and piece.is_inline else DISPLAY}{k}{END}")
         at = max(at, piece.end)
     return "".join([*parts, text[at:]])
 
 
+_OPENING_DOLLAR = re.compile(r"(?<!\\)\$[ \t]*$")
 _ONLY_SIGNS = " \u00a0.,;:、。$&\\"

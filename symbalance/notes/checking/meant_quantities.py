@@ -18,6 +18,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from typing import NamedTuple
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
 from symbalance.document.formula import (
@@ -85,6 +86,14 @@ class Meant:
     assumption: str
 
 
+class _Frame(NamedTuple):
+    """What is known with the letters that words explain, the crank of these, and what that assumes."""
+
+    known: Knowledge
+    crank: Geometry
+    assumptions: tuple[str, ...]
+
+
 @dataclass
 class MeantQuantities:
     """Judges the letters of one document that nobody declared; what each was taken for is its state."""
@@ -104,14 +113,13 @@ class MeantQuantities:
         frame = self._frame(name, value, chain, knowledge)
         if frame is None:
             return None
-        known, crank, assumptions = frame
         named = self.words.named(name, chain) or self._by_company(name)
         try:
             return run_within(
                 SEARCH,
                 lambda: (
-                    self._agreeing(chain, k, name, named, known, crank, assumptions)
-                    or self._with_slip(chain, k, name, named, known, crank, assumptions)
+                    self._agreeing(chain, k, name, named, frame)
+                    or self._with_slip(chain, k, name, named, frame)
                 ),
                 SHARE,
             )
@@ -147,12 +155,10 @@ class MeantQuantities:
         frame = self._frame(name, value, chain, knowledge)
         if frame is None:
             return None
-        known, crank, assumptions = frame
-        named = Named(meant.role, "")
-        decision = self._agreeing(chain, k, name, named, known, crank, assumptions)
-        return (
-            None if decision is None else replace(decision, assumptions=(meant.assumption, *assumptions))
-        )
+        decision = self._agreeing(chain, k, name, Named(meant.role, ""), frame)
+        if decision is None:
+            return None
+        return replace(decision, assumptions=(meant.assumption, *frame.assumptions))
 
     def rod_angle(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
         """Return the proof of what fixes an angle that is the rod's: sin β = (r/l) sin θ."""
@@ -181,9 +187,7 @@ class MeantQuantities:
                     return replace(decision, assumptions=(text, *assumptions, *decision.assumptions))
         return None
 
-    def _frame(
-        self, name: str, value: Formula, chain: Chain, knowledge: Knowledge
-    ) -> tuple[Knowledge, Geometry, tuple[str, ...]] | None:
+    def _frame(self, name: str, value: Formula, chain: Chain, knowledge: Knowledge) -> _Frame | None:
         """Return what is known with the letters that the words explain, the crank, and what that assumes.
 
         None where a letter of the formula is neither declared, nor explained, nor defined by such.
@@ -226,7 +230,7 @@ class MeantQuantities:
             universal=names(crank.theta) | {crank.time},
             meanings=symbols,
         )
-        return known, crank, tuple(texts)
+        return _Frame(known, crank, tuple(texts))
 
     def _agreeing(
         self,
@@ -234,11 +238,10 @@ class MeantQuantities:
         k: int,
         name: str,
         named: Named | None,
-        known: Knowledge,
-        crank: Geometry,
-        assumptions: tuple[str, ...],
+        frame: _Frame,
     ) -> Decision | None:
         """Return the proof that a formula is a quantity of the slider-crank: the named one, or any."""
+        known, crank, assumptions = frame
         right = chain.sides[k + 1]
         is_motion = any(isinstance(part, Call) for part in walk(right.node))
         place = None if is_motion else self._place(name, chain, named)
@@ -292,9 +295,7 @@ class MeantQuantities:
         k: int,
         name: str,
         named: Named | None,
-        known: Knowledge,
-        crank: Geometry,
-        assumptions: tuple[str, ...],
+        frame: _Frame,
     ) -> Verdict | None:
         """Return that a formula is wrong by one slip, of the quantity that words name; else None.
 
@@ -302,6 +303,7 @@ class MeantQuantities:
         say what the letters of the crank are. Where an angle may be counted from the bottom dead centre,
         nothing is said of what is right so.
         """
+        known, crank, assumptions = frame
         right = chain.sides[k + 1]
         if named is None or not named.role or named.is_largest or crank.small is None:
             return None

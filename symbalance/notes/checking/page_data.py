@@ -59,7 +59,9 @@ _ITEM = re.compile(
     r"^\s*(?:[-*+•]|[0-9]{1,2}[.)]|\\item)\s+(?P<letter>[^\n:=]{1,60}?)\s*[:：]\s+(?P<value>[^\n=]{1,40}?)[.;,]?$",
     re.MULTILINE,
 )
-_FENCED = re.compile(r"^(`{3,}+|~{3,}+)(?P<language>\w*+)[^\n]*+\n(?P<code>.*?)^\1", re.MULTILINE | re.DOTALL)
+_FENCED = re.compile(
+    r"^(`{3,}+|~{3,}+)(?P<language>\w*+)[^\n]*+\n(?P<code>.*?)^\1", re.MULTILINE | re.DOTALL
+)
 _PROGRAM = ("code", "python", "py", "julia", "matlab", "octave", "r", "ipython")
 _ASSIGNED = re.compile(
     r"^(?P<names>[A-Za-z_]\w*(?:\s*,\s*[A-Za-z_]\w*)*)\s*=\s*"

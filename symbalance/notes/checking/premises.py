@@ -15,7 +15,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
-from symbalance.document.formula import Formula, Negative, Number, Quotient, Sum, names
+from symbalance.document.formula import Formula, Name, Negative, Number, Quotient, Sum, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import Domain, Monomial, NoFormError, Polynomial, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator
@@ -27,6 +27,7 @@ from symbalance.notes.algebra.values import Valuation, letters
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import replace_part
+from symbalance.notes.checking.plain_formulas import plain_text
 
 _ZERO = Number(Fraction(0))
 MOST = 24
@@ -403,3 +404,15 @@ def _inner_generators(domain: Domain, polynomial: Polynomial) -> set[int]:
         inside |= inner
         waiting += inner
     return inside
+
+
+def lines_of(premises: Sequence[Premise]) -> str:
+    """Return the lines of premises, as `lines 1 and 3`."""
+    numbers = [str(n) for n in sorted({p.line for p in premises})]
+    *others, last = numbers
+    return f"lines {', '.join(others)} and {last}" if others else f"line {last}"
+
+
+def nonzero_texts(result: Elimination) -> tuple[str, ...]:
+    """Return the letters that an elimination divided by, each as `w ≠ 0`."""
+    return tuple(f"{plain_text(Name(name))} ≠ 0" for name in result.nonzero)

@@ -394,6 +394,15 @@ class _Roles:
         ]
         return sum(power > 0 for power in powers) > sum(power < 0 for power in powers)
 
+    def _has_value_below_one(self, letter: str) -> bool:
+        """Tell whether a page gives a letter a value below one: then it is r/l, a rod being longer."""
+        for chain in self.page.chains:
+            for left, right in zip(chain.sides, chain.sides[1:], strict=False):
+                if left.node == Name(letter):
+                    value = _plain_number(right.node)
+                    return value is not None and 0 < value < 1
+        return False
+
     def _length(self, letter: str) -> str:
         """Return r, l or s for a letter that is said to be the radius, the rod or the stroke."""
         short = {"crank radius": "r", "rod length": "l", "stroke": "s"}
@@ -413,7 +422,8 @@ class _Roles:
         sizes = {role.role for line in self.lines for role in roles_named(line[:_LONGEST_LINE])}
         has_stroke = "stroke" in sizes and not {"crank radius"} & sizes and "r" not in self.letters
         ratio = "rod ratio l/s" if has_stroke else "rod ratio l/r"
-        if ratio == "rod ratio l/r" and self._multiplies_second_order("lambda"):
+        is_below_one = self._multiplies_second_order("lambda") or self._has_value_below_one("lambda")
+        if ratio == "rod ratio l/r" and is_below_one:
             ratio = "crank ratio r/l"
         usual = {"theta": "crank angle", "lambda": ratio, "rho": "crank ratio r/l"}
         usual |= {name: USUAL["crank"][plain_letter(name)] for name in ("omega", "t", "beta")}
@@ -827,6 +837,16 @@ def _is_heading(lines: Sequence[str], number: int) -> bool:
 def _section_start(lines: Sequence[str], number: int) -> int:
     """Return the line of the heading above a line; itself where there is none."""
     return next((n for n in range(number, 0, -1) if _is_heading(lines, n)), number)
+
+
+def _plain_number(node: Formula) -> Fraction | None:
+    """Return the value of a number or of a quotient of two numbers; none for any other formula."""
+    if isinstance(node, Number):
+        return Fraction(node.value)
+    if isinstance(node, Quotient):
+        above, below = _plain_number(node.numerator), _plain_number(node.denominator)
+        return above / below if above is not None and below else None
+    return None
 
 
 def _power_of(node: Formula, letter: str) -> int:

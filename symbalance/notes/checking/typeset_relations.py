@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import islice
 from operator import is_
 
@@ -26,7 +26,7 @@ from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.written_degrees import degrees_of
 from symbalance.notes.checking.written_numbers import written_number
 from symbalance.notes.reading.equations import Chain, ReadNotes
-from symbalance.notes.reading.units import scale_of
+from symbalance.notes.reading.units import USUAL_SCALES, scale_of
 
 LARGEST_NUMBER = 10**60
 LARGEST_FORMULA = 300
@@ -99,14 +99,19 @@ def _quantity(node: Formula, text: str) -> Formula | None:
         return None if number.written == node else number.written
     if not isinstance(node, Product):
         return None
-    factors = _with_units(node.factors, text)
+    factors = _with_units([each for each in node.factors if not _is_unit_understood(each)], text)
     if len(factors) == len(node.factors):
         return None
     rest = tuple(each if isinstance(each, Upright) else as_written(each, text) for each in factors)
     return rest[0] if len(rest) == 1 else Product(rest)
 
 
-def _with_units(factors: tuple[Formula, ...], text: str) -> list[Formula]:
+def _is_unit_understood(factor: Formula) -> bool:
+    """Tell whether a factor is a unit that is not typed: `√45 = 6.71 in` has √45 in inches too."""
+    return isinstance(factor, Number) and factor.span == (0, 0) and factor.value in USUAL_SCALES
+
+
+def _with_units(factors: Sequence[Formula], text: str) -> list[Formula]:
     """Return factors with each number and the unit behind it as one, as they were typed."""
     result: list[Formula] = []
     for factor in factors:

@@ -16,7 +16,7 @@ from fractions import Fraction
 
 from symbalance.document.formula import Constant, Decimal, Formula, Negative, Number, Product, Upright
 from symbalance.notes.algebra.number_formulas import rational_node
-from symbalance.notes.reading.units import scale_of
+from symbalance.notes.reading.units import INCH, scale_of
 
 LEAST_DIGITS = 2
 """Significant digits of a correction."""
@@ -27,7 +27,9 @@ LONGEST, MOST_POWER = 120, 99
 MOST_DIGITS = 6
 """That a correction may have."""
 
-_SIUNITX = re.compile(r"\\(?:SI|qty)\s*(?:\[[^\]]*\])?\s*\{([^{}]*)\}\s*(?:\[[^\]]*\])?\{([^{}]*)\}")
+_SIUNITX = re.compile(
+    r"\\(?:SI|qty)\s*(?:\[[^\]]*\])?\s*\{([^{}]*)\}\s*(?:\[[^\]]*\])?\{((?:[^{}]|\{[^{}]*\})*)\}"
+)
 _ONE_ARGUMENT = re.compile(r"\\(?:num|boxed|fbox|mathbf)\s*\{([^{}]*)\}")
 _ANGLE = re.compile(r"\\ang\s*\{([^{}]*)\}")
 _SPACE = re.compile(r"\\(?:[,;: !]|q?quad(?![A-Za-z]))|[~$`]|</?[A-Za-z]+>")
@@ -174,6 +176,10 @@ def _candidates(source: str) -> Iterator[WrittenNumber]:
         scales.append(("°", Fraction(1, 180), True))
     elif unit and (scale := scale_of(text["unit"].strip(" .,;:")) or scale_of(unit)) is not None:
         scales += [(unit, *scale), (unit, Fraction(1), False)]
+        if scale == (Fraction(1, 30), True):  # turns a minute, counted and not in radians
+            scales.append((unit, Fraction(1, 60), False))
+    elif unit == "in":  # a word of the language, so that alone it is no unit of the tables
+        scales.append((unit, INCH, False))
     elif unit and not _UNKNOWN_UNIT.fullmatch(unit):
         return  # a product, a sum
     scales.append((unit, Fraction(1), False))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from symbalance.document.formula import Formula, Span
+from symbalance.document.formula import Formula, Span, names
 from symbalance.notes.reading.notebooks import SUFFIX, cell_place
 
 RELATIONS = ("=", "≈", "<", ">", "≤", "≥", "≡", "≠")
@@ -61,6 +61,11 @@ class Chain:
     def end(self) -> int:
         """The place behind the chain's last character."""
         return max(side.span[1] for side in self.sides)
+
+    @cached_property
+    def letters(self) -> frozenset[str]:
+        """The letters that stand in its sides."""
+        return frozenset(name for side in self.sides for name in names(side.node))
 
 
 @dataclass(frozen=True, slots=True)

@@ -31,7 +31,8 @@ _OTHER: dict[str, Fraction] = {
 _OTHER["slug"] = _OTHER["lbf"] / _OTHER["ft"]
 _HORSEPOWER = 550 * _OTHER["ft"] * _OTHER["lbf"]
 _OTHER |= dict.fromkeys(words("hp bhp HP"), _HORSEPOWER)
-_IN_COMPOUNDS = {"in": Fraction(254, 10**4)}
+INCH = Fraction(254, 10**4)
+_IN_COMPOUNDS = {"in": INCH}
 """Units whose name is a word of the language: read beside another unit only, in/s², lb·in."""
 _UNITS = {p + unit: scale for unit in _PREFIXED for p, scale in _PREFIXES.items()} | _OTHER
 _UNITS["G"] = Fraction(1)
@@ -78,7 +79,7 @@ _RAISED_UNIT = r"(?:\^\{?[-−]?[0-9]\}?|\^\([-−]?[0-9]\)|[⁻]?[¹²³⁴])"
 _PART_OF_UNIT = rf"[A-Za-zµμ]+{_RAISED_UNIT}?"
 _PLAIN_UNIT = re.compile(
     rf"(?P<space>[ \u2009\u202f]?)(?P<plain>(?:1/)?{_PART_OF_UNIT}"
-    rf"(?:(?:/|[·⋅・*]| (?=[cm]?m|s|g|kg|rad)){_PART_OF_UNIT}){{0,3}})"
+    rf"(?:(?:/|[·⋅・*]| (?=(?:[cm]?m|s|g|kg|rad)(?![A-Za-z]))){_PART_OF_UNIT}){{0,3}})"
     r"(?![A-Za-z0-9_('^′⁻¹²³⁴])"
 )
 _NUMBER_BEFORE = re.compile(r"(?<![A-Za-z_^\w])(?P<digits>[0-9][0-9.,]*)$")

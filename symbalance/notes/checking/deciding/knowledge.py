@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from symbalance.document.formula import Formula, names
+from symbalance.document.formula import Formula, Name, Quotient, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
 from symbalance.notes.algebra.tree_values import names_behind
@@ -31,6 +31,8 @@ class Definition:
     """Whether its line says it with dots or ≈."""
     is_coefficient: bool = False
     """Whether it is a coefficient of a series: a line that gives it a value then claims something."""
+    formula: Formula | None = None
+    """What an earlier line has for the letter, where this one gives it a number: U = m r/2, then 0.016."""
     rounded: Formula | None = None
     """The value as its line prints it, v = 2π·100 = 628.3: what follows may be computed from either."""
 
@@ -111,6 +113,8 @@ class Knowledge:
         if number:  # a numeric example: the numbers of the letters in which the geometry is written
             values |= {name: d.node for name, d in usable.items() if d.numeric and not d.assumption}
         light = {name: node for name, node in values.items() if name not in self.moving}
+        if not number:
+            yield from self._formula_levels(nodes, usable)
         if defined_values and len(light) < len(values):
             yield Level(light)
         if values:
@@ -129,6 +133,41 @@ class Knowledge:
         if len(self.assumptions) > 1:
             all_values = {assumption.name: assumption.node for assumption in self.assumptions}
             yield Level({**values, **all_values}, (*texts, *(a.text for a in self.assumptions)))
+
+    def _formula_levels(
+        self, nodes: tuple[Formula, ...], usable: Mapping[str, Definition]
+    ) -> Iterator[Level]:
+        """Yield the letters by their formulas, numbers left out: rounded sizes refute no formula.
+
+        First with a ratio as the letter that is free: of λ = r/l the length is r/λ, so that what is
+        approximately true for a small λ is judged in it.
+        """
+        everything = {**{name: d.node for name, d in usable.items()}, **self.meaning.values}
+        reached = {name for node in nodes for name in names_behind(node, everything)}
+        formulas = {
+            name: node
+            for name, d in usable.items()
+            if (node := d.formula if d.numeric else d.node) is not None and not d.assumption
+        }
+        formulas |= self.meaning.values
+        formulas = {
+            name: node
+            for name, node in formulas.items()
+            if name not in usable or not usable[name].numeric or name not in names_behind(node, formulas)
+        }
+        own = {name for node in nodes for name in names(node)}
+        ratios = {
+            name: node
+            for name, node in formulas.items()
+            if name in own and isinstance(node, Quotient) and _is_of_letters(node)
+        }
+        for name, ratio in ratios.items():
+            (length,) = names(ratio.denominator)
+            if length not in formulas:
+                others = {n: node for n, node in formulas.items() if n != name}
+                yield Level({**others, length: Quotient(ratio.numerator, Name(name))})
+        if any(usable[name].numeric for name in reached & usable.keys()):
+            yield Level(formulas)
 
     def _premises_behind(
         self, nodes: tuple[Formula, ...], usable: Mapping[str, Definition], number: bool
@@ -189,3 +228,8 @@ class Knowledge:
             self.crank.mass,
         )
         return any(name in names(part) for part in parts)
+
+
+def _is_of_letters(ratio: Quotient) -> bool:
+    """Tell whether a quotient is one letter over another."""
+    return isinstance(ratio.numerator, Name) and isinstance(ratio.denominator, Name)

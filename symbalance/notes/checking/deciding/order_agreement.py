@@ -206,6 +206,19 @@ def degree(form: Form, letter: str, sign: int) -> int | None:
     return int(top) if top.denominator == 1 else None
 
 
+def proved_through(power: int, order: str, level: Level, left: Form, right: Form) -> Decision:
+    """Return that two sides agree through a power of the small letter, to an order in words."""
+    return Decision(
+        PROVED,
+        order=order,
+        assumptions=level.assumptions,
+        level=level,
+        left=left,
+        right=right,
+        through=power,
+    )
+
+
 def agreement_through(
     first: Form, second: Form, small: SmallLetter, level: Level, loose: bool, *, with_witness: bool
 ) -> Decision:
@@ -220,37 +233,14 @@ def agreement_through(
         raise NoFormError("nothing of either side is kept")
     difference = left.plus(right.scaled(Form.number(first.domain, -1)))
     if not difference.terms:
-        return Decision(
-            PROVED,
-            order=small.text,
-            assumptions=level.assumptions,
-            level=level,
-            left=first,
-            right=second,
-            through=small.order,
-        )
+        return proved_through(small.order, small.text, level, first, second)
     left_form, right_form = truncated_sum(left, small), truncated_sum(right, small)
     if loose and _only_higher(left_form, right_form):
         order = f"{small.text}, harmonics to {_highest(right_form)}"
-        return Decision(
-            PROVED,
-            order=order,
-            assumptions=level.assumptions,
-            level=level,
-            left=left_form,
-            right=right_form,
-            through=small.order,
-        )
+        return proved_through(small.order, order, level, left_form, right_form)
     if _leading_terms_agree(left_form, right_form, small):
-        return Decision(
-            PROVED,
-            order="the leading term of each harmonic",
-            assumptions=level.assumptions,
-            level=level,
-            left=left_form,
-            right=right_form,
-            through=small.order,
-        )
+        order = "the leading term of each harmonic"
+        return proved_through(small.order, order, level, left_form, right_form)
     order = f"{small.text}"
     if not with_witness:
         return Decision(REFUTED, order=order, level=level, through=small.order)

@@ -13,11 +13,12 @@ from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.series import Expansion
-from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision
+from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
 from symbalance.notes.checking.deciding.order_agreement import (
     HIGHEST_ORDER,
     SmallLetter,
+    proved_through,
     truncated_sum,
     witness_of,
 )
@@ -84,15 +85,7 @@ def _at_level(
     kept = SmallLetter(letter, sign, with_remainder[0] - 1)
     below = series.cut(kept.order)
     if not below.terms:
-        return Decision(
-            PROVED,
-            order=kept.text,
-            assumptions=level.assumptions,
-            level=level,
-            left=first,
-            right=second,
-            through=max(kept.order, 0),
-        )
+        return proved_through(max(kept.order, 0), kept.text, level, first, second)
     left_form, right_form = (
         truncated_sum(Expansion(form.domain, letter, sign, kept.order).of(form).cut(kept.order), kept)
         for form in (first, second)

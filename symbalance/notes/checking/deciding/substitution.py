@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 
@@ -27,13 +28,15 @@ def substitute(node: Formula, name: str, value: Formula) -> Formula:
         return replace(
             node, **{key: part and substitute(part, name, value) for key, part in bounds.items()}
         )
+    return _with_parts(node, lambda part: substitute(part, name, value))
+
+
+def _with_parts(node: Formula, change: Callable[[Formula], Formula]) -> Formula:
+    """Return a formula with its parts changed, that very object where none of them is another."""
     parts = formula.children(node)
-    new_parts = tuple(substitute(part, name, value) for part in parts)
-    return (
-        node
-        if all(a is b for a, b in zip(parts, new_parts, strict=True))
-        else formula.with_children(node, new_parts)
-    )
+    new_parts = tuple(change(part) for part in parts)
+    is_same = all(a is b for a, b in zip(parts, new_parts, strict=True))
+    return node if is_same else formula.with_children(node, new_parts)
 
 
 def _bound_letter(node: Formula) -> str:
@@ -47,13 +50,7 @@ def replace_part(node: Formula, old: Formula, new: Formula) -> Formula:
     """Return a formula with one of its parts (that very object) replaced."""
     if node is old:
         return new
-    parts = formula.children(node)
-    new_parts = tuple(replace_part(part, old, new) for part in parts)
-    return (
-        node
-        if all(a is b for a, b in zip(parts, new_parts, strict=True))
-        else formula.with_children(node, new_parts)
-    )
+    return _with_parts(node, lambda part: replace_part(part, old, new))
 
 
 def without_stacked_fractions(node: Formula) -> Formula:

@@ -1,0 +1,62 @@
+"""The order in which relations are judged: line by line, a case before what is said of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from symbalance.document.formula import Name, names
+from symbalance.notes.checking.case_words import is_case_behind
+from symbalance.notes.checking.deciding.cases import states_a_case
+from symbalance.notes.checking.sections import Sections
+from symbalance.notes.checking.verdicts import Verdict
+from symbalance.notes.reading.equations import Chain, ReadNotes
+
+
+def chains_in_turn(document: ReadNotes, sections: Sections) -> list[Chain]:
+    """Return the chains by lines, on one line first what states a case: x² = 4 for x = 2.
+
+    A result is no case (so x = 2; v = 2 s n, v = 9), nor is the second value of a letter on one line,
+    nor what stands behind that: r = 40, l = 160; r = 45, l = 150, λ = 0.3.
+    """
+    by_line: dict[int, list[Chain]] = {}
+    for chain in document.chains:
+        by_line.setdefault(chain.lines[0], []).append(chain)
+    ordered: list[Chain] = []
+    for line in sorted(by_line):
+        first: dict[frozenset[str], Chain] = {}
+        heads_above: set[frozenset[str]] = set()
+        is_second = False
+        for chain in by_line[line]:
+            own = names(chain.sides[0].node)
+            is_second = is_second or (own in first and states_a_case(chain))
+            is_result = sections.is_consequence(chain) or own in heads_above or is_second
+            is_result = is_result or any(relation.sign == "≈" for relation in chain.relations)
+            if states_a_case(chain) and not is_result:
+                first[own] = chain
+            if isinstance(chain.sides[0].node, Name) or not any(names(s.node) for s in chain.sides[1:]):
+                heads_above.add(own)
+        cases = list(first.values())
+        others = [c for c in by_line[line] if all(c is not case for case in cases)]
+        ordered += [*cases, *_cases_before_claims(document, others)]
+    return ordered
+
+
+def _cases_before_claims(document: ReadNotes, chains: list[Chain]) -> list[Chain]:
+    """Return the chains of a line, another case before the claim it stands behind: for θ = π."""
+    ordered: list[Chain] = []
+    for chain in chains:
+        last = ordered[-1] if ordered else None
+        first, end = chain.sides[0].span[0], chain.sides[-1].span[1]
+        is_behind = last is not None and is_case_behind(document.text, last.sides[-1].span[1], first, end)
+        ordered.insert(len(ordered) - 1 if is_behind and states_a_case(chain) else len(ordered), chain)
+    return ordered
+
+
+def number_verdicts(verdicts: list[Verdict]) -> Iterator[Verdict]:
+    """Yield the verdicts in the order of the text; `link` counts those on one line."""
+    count, line = 0, 0
+    for verdict in sorted(verdicts, key=lambda v: (v.line, bool(v.piece), v.span, v.link)):
+        count = count + 1 if verdict.line == line else 1
+        line = verdict.line
+        yield replace(verdict, link=count)

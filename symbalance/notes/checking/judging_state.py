@@ -1,0 +1,134 @@
+"""What is known of a page where its next relation is judged: what it declares and has said so far."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from symbalance.document.formula import Summation, names, walk
+from symbalance.errors import SymbalanceError
+from symbalance.notes.checking import constraints
+from symbalance.notes.checking.carried_values import CarriedValues
+from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.deciding.inequalities import sample_ranges
+from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
+from symbalance.notes.checking.deciding.numbers_put_in import printed_results
+from symbalance.notes.checking.definitions import Definitions
+from symbalance.notes.checking.engine_speeds import speeds_of
+from symbalance.notes.checking.engines import Sources
+from symbalance.notes.checking.given_numbers import GivenNumbers
+from symbalance.notes.checking.meant_quantities import MeantQuantities
+from symbalance.notes.checking.meant_words import MeantWords
+from symbalance.notes.checking.premises import Premise
+from symbalance.notes.checking.sections import Sections
+from symbalance.notes.checking.sidecar import Declarations
+from symbalance.notes.checking.symbol_roles import MOVING, SMALL_WORD, letters_by_role, small_letters
+from symbalance.notes.checking.symbols import meaning_of
+from symbalance.notes.reading import ReadingError, read_equation
+from symbalance.notes.reading.equations import ReadNotes
+
+ANGLES = ("crank angle", "rod angle", "time", "integer")
+UNIVERSAL = (
+    "crank angle",
+    "rod angle",
+    "time",
+    "rod ratio l/r",
+    "rod ratio l/s",
+    "crank ratio r/l",
+    "integer",
+)
+"""Roles of letters of all of whose values a relation is claimed."""
+
+
+@dataclass
+class JudgingState:
+    """A page while its relations are judged in turn: what it declares, and what is defined so far."""
+
+    document: ReadNotes
+    declarations: Declarations
+    sources: Sources
+    corrects: bool
+
+    def __post_init__(self) -> None:
+        self.sections = Sections(self.document)
+        self.definitions = Definitions(self.declarations, self.sections)
+        self.meant = MeantQuantities(
+            MeantWords(self.document, self.declarations, self.sections), self.sources
+        )
+        self.small_letters = small_letters(self.document.text)
+        self.counts = _counts(self.document)
+        self.letters = {n for chain in self.document.chains for n in chain.letters}
+        self.printed = printed_results(self.document)
+        self.wrong_numbers = CarriedValues()
+        self.given_numbers = GivenNumbers()
+        self.speeds = speeds_of(self.document.text)
+        self.not_judged: dict[str, int] = {}
+        """Letters that a relation may define which was not judged, with its line."""
+        self.solutions: dict[int, tuple[Premise, Decision]] = {}
+        """Where an equation's solution stands: the equation, and whether the solution satisfies it."""
+        self.general: frozenset[str] = frozenset()
+        """Letters of all of whose values the relation in hand is claimed, whatever case stands before."""
+
+    def knowledge(self, line: int, convention: str = "") -> Knowledge:
+        """Return what is known at a line."""
+        symbols = {**self.counts, **self.declarations.symbols_at(line)}
+        meaning, crank = meaning_of(symbols, convention, self.sources.engines)
+        definitions = self.definitions.at(line)
+        letters = letters_by_role(symbols)
+        universal = frozenset(n for m in UNIVERSAL for n in letters.get(m, ()))
+        moving = frozenset(n for m in MOVING for n in letters.get(m, ()))
+        angles = frozenset(n for m in ANGLES for n in letters.get(m, ()))
+        letters_declared = frozenset(symbols)
+        ranges = self.definitions.ranges_at(line)
+        meaning = replace(meaning, ranges={**meaning.ranges, **sample_ranges(ranges)})
+        knowledge = Knowledge(
+            meaning,
+            crank,
+            definitions,
+            self.assumptions(line, letters_declared),
+            letters_declared | self.document.own_letters,
+            moving,
+            angles,
+            symbols,
+            universal,
+            corrects=self.corrects,
+            ranges=tuple(ranges),
+            printed=self.printed,
+            small=frozenset(n for n, text in symbols.items() if SMALL_WORD.search(text))
+            | self.small_letters,
+        )
+        return self.definitions.on_stated_branches(knowledge)
+
+    def assumptions(self, line: int, letters: frozenset[str]) -> tuple[Assumption, ...]:
+        """Return the assumptions at a line, each solved for a letter."""
+        return tuple(
+            read_assumption(text, letters, self.declarations.place)
+            for text in self.declarations.assumptions_at(line)
+        )
+
+
+def _counts(document: ReadNotes) -> dict[str, str]:
+    """Return the letters that sums run to: integers, where nobody declared them anything else."""
+    sums = (
+        part
+        for chain in document.chains
+        for side in chain.sides
+        for part in walk(side.node)
+        if isinstance(part, Summation) and part.upper is not None
+    )
+    ends = {name for total in sums if total.upper is not None for name in names(total.upper)}
+    return dict.fromkeys(sorted(ends), "integer")
+
+
+def read_assumption(text: str, letters: frozenset[str], place: str) -> Assumption:
+    """Return an assumption of the sidecar, solved for a letter."""
+    try:
+        chain = read_equation(text, letters)
+    except ReadingError as problem:
+        raise SymbalanceError(f"given = {text}", problem.what, problem.remedy, place) from None
+    if len(chain.sides) == 2 and chain.relations[0].sign == "=":
+        solution = constraints.solve(chain.sides[0].node, chain.sides[1].node)
+        if solution is not None:
+            return Assumption(text, *solution)
+    raise SymbalanceError(
+        f"given = {text}", "must be an equality that fixes a letter", 'write "α = π/6"', place
+    )

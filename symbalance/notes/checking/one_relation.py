@@ -1,0 +1,188 @@
+"""The verdict on one relation of a chain: is it an inequality, a definition, a step, or given?"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from symbalance.document.formula import Constant, Formula, Name, Number, names
+from symbalance.notes.checking.appeals import appeal
+from symbalance.notes.checking.deciding.equality import Decision, decide_equality
+from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.sign_of_letters import decide_with_signs
+from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.descriptions import describe
+from symbalance.notes.checking.engine_speeds import decide_speed
+from symbalance.notes.checking.given_numbers import number_given
+from symbalance.notes.checking.judging_state import JudgingState
+from symbalance.notes.checking.letter_values import define_letter
+from symbalance.notes.checking.numbers_in_units import decide_after_units_left_out
+from symbalance.notes.checking.plain_formulas import plain_text
+from symbalance.notes.checking.relation_fixes import add_fix_of_relation
+from symbalance.notes.checking.solutions import solution_below
+from symbalance.notes.checking.solved_below import as_proved_solution, as_solved
+from symbalance.notes.checking.stated_matrices import no_relation_of_matrices
+from symbalance.notes.checking.steps_by_premises import unless_given
+from symbalance.notes.checking.verdicts import (
+    CONDITION,
+    CONTRADICTION,
+    DEFINITION,
+    PREMISE,
+    REFUTED,
+    STATED,
+    UNDECIDED,
+    Verdict,
+)
+from symbalance.notes.reading.equations import Chain, Relation, Side
+
+FOLLOWS = "follows from the side before, which is refuted"
+
+
+def judge_relation(
+    state: JudgingState, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
+) -> Verdict | Decision:
+    """Return the verdict on the k-th relation of a chain, or the decision that it only describes."""
+    relation = chain.relations[k]
+    left, right = chain.sides[k], chain.sides[k + 1]
+    of_matrices = is_of_matrices(left.node, right.node, knowledge)
+    if of_matrices and (fault := no_relation_of_matrices(relation.sign, left, right, knowledge)):
+        return Decision(UNDECIDED, fault)
+    if relation.sign in SATISFIED_BY:
+        decision = decide_inequality(chain, k, knowledge)
+        state.definitions.note_range(chain, k, decision)
+        return decision
+    is_equality = relation.sign == "=" and not of_matrices
+    if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):
+        reason = f"true of the number {name}; here {name} is declared as a letter"
+        return Decision(UNDECIDED, reason)
+    definition = _demanded(relation) or as_proved_solution(state, chain, k)
+    definition = definition or _define(state, chain, k, knowledge)
+    if definition is not None:
+        return _as_meant(state, chain, k, definition, knowledge)
+    decision, against = _decide_step(state, chain, k, sound, bad, knowledge)
+    decision = _with_signs(state, left, right, relation.sign, decision, knowledge)
+    if decision.status in (REFUTED, UNDECIDED):
+        below = None if k else solution_below(state.sections, chain, knowledge)
+        solved = as_solved(state, chain, below, knowledge)
+        decision = solved or unless_given(state, chain, k, against, decision, knowledge)
+    if decision.status in STATED or decision.status == CONTRADICTION:
+        return decision
+    decision = appeal(state, chain, k, against, decision, knowledge)
+    return add_fix_of_relation(
+        state, describe(state.document, chain, k, decision), chain, k, against, decision, knowledge
+    )
+
+
+def _meant_as_number(left: Formula, right: Formula, knowledge: Knowledge) -> str:
+    """Return the declared letters among e, i, π that have to be those numbers for a relation to be true.
+
+    One of them that is set to a number is given its value: e = 2.718.
+    """
+    own = [n for n in ("e", "i", "pi") if n in knowledge.letters and n in names(left) | names(right)]
+    if not own or (isinstance(left, Name) and isinstance(right, Number)):
+        return ""
+    for chosen in [*([name] for name in own), own]:
+        first, second = left, right
+        for name in chosen:
+            first, second = (substitute(node, name, Constant(name)) for node in (first, second))
+        if decide_equality(first, second, knowledge).is_proved:
+            is_letter = decide_equality(left, right, knowledge).is_proved
+            return "" if is_letter else ", ".join(plain_text(Constant(n)) for n in chosen)
+    return ""
+
+
+def _demanded(relation: Relation) -> Decision | None:
+    """Return that a relation with an exclamation mark above only demands something."""
+    return Decision(CONDITION, "demanded, to be solved") if relation.is_demanded else None
+
+
+def _define(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on a relation that gives a letter its value; None for other relations.
+
+    A number that equations above give is judged by them; nothing rests on one that is wrong.
+    """
+    values = {name: list(entries) for name, entries in state.definitions.values.items()}
+    premises = list(state.definitions.premises)
+    definition = define_letter(state.definitions, chain, k, knowledge)
+    pair, line, sections = number_given(chain, k), chain.lines[0], state.sections
+    head = chain.sides[0].node
+    if not k and definition is not None and definition.status in STATED and isinstance(head, Name):
+        by_speed = decide_speed(head.name, chain.sides[1].node, state.speeds, knowledge)
+        if by_speed is not None and chain.relations[0].sign == "=":
+            return by_speed
+    is_given = definition is not None and definition.status in (PREMISE, DEFINITION)
+    if pair is None or not is_given or pair[0] in knowledge.meaning.values or sections.opens_case(chain):
+        return definition
+    first = sections.paragraph_start(line)
+    by_given = state.given_numbers.decide(*pair, line, first, knowledge)
+    if by_given is not None and by_given.status == REFUTED:
+        state.definitions.values, state.definitions.premises = values, premises
+    return by_given or definition
+
+
+def _as_meant(
+    state: JudgingState, chain: Chain, k: int, definition: Decision, knowledge: Knowledge
+) -> Verdict | Decision:
+    """Return the verdict on a definition, by the quantity that its letter is known to mean.
+
+    One that is wrong by a slip is mended for the lines that follow.
+    """
+    if definition.status != DEFINITION:
+        return state.meant.again(chain, k, knowledge) or definition
+    outcome = state.meant.judge(chain, k, knowledge)
+    name = chain.sides[k].node
+    if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
+        state.definitions.define(name.name, outcome.fix.node, chain)
+        outcome = outcome if state.corrects else replace(outcome, fix=None)
+    elif isinstance(outcome, Decision) and outcome.status == REFUTED and isinstance(name, Name):
+        state.definitions.forget(name.name, chain.lines[0])
+    return outcome or definition
+
+
+def _decide_step(
+    state: JudgingState, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
+) -> tuple[Decision, Side]:
+    """Return the decision on a relation as a step, and the side its right one is compared with."""
+    sign, left, right = chain.relations[k].sign, chain.sides[k], chain.sides[k + 1]
+    decision, against = decide(left, right, sign, knowledge), left
+    result = None
+    if not names(left.node):
+        result = decide_after_units_left_out(chain, k, state.document, knowledge)
+    if result is not None:
+        return result, chain.sides[k - 1]
+    if bad and not decision.is_proved:
+        from_sound = decide(chain.sides[sound], right, sign, knowledge)
+        if from_sound.is_proved or decision.status == REFUTED:
+            decision, against = from_sound, chain.sides[sound]
+    elif bad:
+        decision = replace(decision, reason=FOLLOWS)
+    head = chain.sides[0].node
+    has_value = k and isinstance(head, Name) and _is_fixed(head.name, knowledge)
+    if has_value and (sign == "≈" or not decision.is_proved):
+        decision, against = decide(chain.sides[0], right, "≈", knowledge), chain.sides[0]
+    if decision.status == REFUTED:
+        decision = state.meant.again(chain, k, knowledge) or decision
+    return decision, against
+
+
+def _is_fixed(name: str, knowledge: Knowledge) -> bool:
+    """Tell whether a letter has its value by its meaning, or as a coefficient of a series."""
+    definition = knowledge.definitions.get(name)
+    is_coefficient = definition is not None and definition.is_coefficient
+    return name in knowledge.meaning.values or is_coefficient
+
+
+def _with_signs(
+    state: JudgingState, left: Side, right: Side, sign: str, decision: Decision, knowledge: Knowledge
+) -> Decision:
+    """Return the decision with the signs that are stated; |x| = x is not so for every x."""
+    if not is_of_matrices(left.node, right.node, knowledge):
+        decision = decide_with_signs(left, right, sign, decision, knowledge)
+    texts = {f"{plain_text(Name(name))} ≥ 0" for name in state.general}
+    least = [text for text in decision.assumptions if text in texts]
+    if not least or not decision.is_proved:
+        return decision
+    reason = f"said of all values, but it holds if {least[0]}"
+    return replace(decision, status=REFUTED, assumptions=(), reason=reason)

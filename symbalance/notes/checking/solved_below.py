@@ -1,0 +1,62 @@
+"""Equations that are solved further down, and whether the solution satisfies them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from symbalance.document.formula import Formula, Name
+from symbalance.notes.algebra.domain import NoFormError
+from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.judging_state import JudgingState
+from symbalance.notes.checking.plain_formulas import plain_text
+from symbalance.notes.checking.verdicts import CONDITION, REFUTED, UNDECIDED
+from symbalance.notes.reading.equations import Chain, Side
+
+
+def as_solved(
+    state: JudgingState, chain: Chain, following: Chain | None, knowledge: Knowledge
+) -> Decision | None:
+    """Return that an equation is solved below, for a letter that has a value already: c = (…)/4.
+
+    The value is put into it: what it comes to is the verdict on the line that gives it.
+    """
+    if following is None:
+        return None
+    head, value = following.sides[0].node, following.sides[1].node
+    assert isinstance(head, Name)
+    at_value = _decide_with(chain.sides[0], chain.sides[1], head.name, value, knowledge)
+    state.solutions[following.sides[0].span[0]] = state.definitions.premise_of(chain, 0), at_value
+    return Decision(CONDITION, f"solved for {plain_text(head)} below")
+
+
+def _decide_with(left: Side, right: Side, name: str, value: Formula, knowledge: Knowledge) -> Decision:
+    """Decide whether two sides are equal with a value put in for a letter."""
+    try:
+        sides = [
+            replace(side, readings=tuple(substitute(node, name, value) for node in side.readings))
+            for side in (left, right)
+        ]
+    except NoFormError as problem:
+        return Decision(UNDECIDED, str(problem))
+    return decide(sides[0], sides[1], "=", knowledge)
+
+
+def as_proved_solution(state: JudgingState, chain: Chain, k: int) -> Decision | None:
+    """Return the proof of an equation's solution, None for other relations and for one that is none."""
+    decision = as_solution(state, chain, k)
+    return decision if decision is not None and decision.is_proved else None
+
+
+def as_solution(state: JudgingState, chain: Chain, k: int) -> Decision | None:
+    """Return the decision on the solution of an equation above, None for other relations."""
+    solution = None if k else state.solutions.get(chain.sides[0].span[0])
+    if solution is None:
+        return None
+    equation, at_value = solution
+    if at_value.is_proved:
+        return replace(at_value, assumptions=(*at_value.assumptions, equation.text))
+    reason = f"does not satisfy {equation.text} of line {equation.line}"
+    return replace(at_value, reason=reason if at_value.status == REFUTED else at_value.reason)

@@ -1,0 +1,100 @@
+"""Equations that are no steps: those that fix a letter, and those that state a case or a condition."""
+
+from __future__ import annotations
+
+from symbalance.document.formula import names
+from symbalance.notes.algebra.values import letters
+from symbalance.notes.checking import constraints
+from symbalance.notes.checking.constraints import Constraint
+from symbalance.notes.checking.deciding.cases import decide_case, decide_with_ratio
+from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.equations_to_solve import is_to_be_solved
+from symbalance.notes.checking.judging_state import JudgingState
+from symbalance.notes.checking.premise_decisions import decide_by_premises
+from symbalance.notes.checking.solutions import NEAR
+from symbalance.notes.checking.verdicts import (
+    CONDITION,
+    CONTRADICTION,
+    DEFINITION,
+    PREMISE,
+    REFUTED,
+    STATED,
+)
+from symbalance.notes.reading.equations import Chain, Side
+
+
+def fix_letter(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on a relation that is no step but fixes a letter; None for others."""
+    in_use, used = state.definitions.letters_before(chain.lines[0]), state.definitions.first_lines
+    in_use = in_use - _explained_letter(state, chain, k)
+    constraint = constraints.constraint_of(chain, k, in_use, used, knowledge)
+    return None if constraint is None else _fix(state, constraint, chain, k, knowledge)
+
+
+def _explained_letter(state: JudgingState, chain: Chain, k: int) -> frozenset[str]:
+    """Return the letter that a relation says what it is right behind its first use.
+
+    x = r (1 - cos θ) + l (1 - cos β), in which sin β = λ sin θ: β alone stands left, and nowhere else
+    but in the formula before.
+    """
+    own = names(chain.sides[k].node)
+    before = [c for c in state.document.chains if c.sides[0].span[0] < chain.sides[0].span[0]]
+    if k or len(own) != 1 or not before:
+        return frozenset()
+    *earlier, last = sorted(before, key=lambda c: c.sides[0].span[0])
+    is_first_use = not any(own <= c.letters for c in earlier)
+    is_near = own <= last.letters and chain.lines[0] <= last.lines[-1] + NEAR
+    return own if is_first_use and is_near and not _is_declared(state, own, chain) else frozenset()
+
+
+def _is_declared(state: JudgingState, letters_here: frozenset[str], chain: Chain) -> bool:
+    return bool(letters_here & state.declarations.symbols_at(chain.lines[0]).keys())
+
+
+def _fix(
+    state: JudgingState, constraint: Constraint, chain: Chain, k: int, knowledge: Knowledge
+) -> Decision:
+    """Return the decision on a relation that fixes a letter, after defining it."""
+    by_premises = decide_by_premises(state.definitions, state.definitions.premise_of(chain, k), knowledge)
+    if by_premises is not None and by_premises.status == CONTRADICTION:
+        return by_premises
+    if constraint.is_circular:
+        as_step = decide(chain.sides[k], chain.sides[k + 1], "=", knowledge)
+        sides = [form for form in (as_step.left, as_step.right) if form is not None]
+        if as_step.status == REFUTED and sides and all(constraint.name not in letters(f) for f in sides):
+            return as_step  # the letter cancels: nothing is fixed
+        state.definitions.note_premise(chain, k)
+        return Decision(DEFINITION, f"read as what fixes {constraint.name}, with an equation before")
+    state.definitions.fix(constraint, chain)
+    state.definitions.note_premise(chain, k, constraint.name)
+    if not names(chain.sides[k + 1].node) and len(names(chain.sides[k].node)) == 1:
+        return Decision(CONDITION)
+    as_rod_angle = state.meant.rod_angle(chain, k, knowledge)
+    return as_rod_angle or Decision(DEFINITION, f"read as what fixes {constraint.name}")
+
+
+def unless_stated(
+    state: JudgingState, chain: Chain, k: int, against: Side, decision: Decision, knowledge: Knowledge
+) -> Decision:
+    """Return the decision on a refuted relation that may be a premise, a condition or a case."""
+    is_solved = is_to_be_solved(state, chain, k)
+    case = decide_case(chain, k, decision, knowledge, is_solved=is_solved)
+    if case is not None and case.status in STATED and chain.relations[k].sign == "=":
+        case = _note_statement(state, chain, k, case, knowledge)
+    if case is not None and case.status != REFUTED:
+        return case
+    with_ratio = decide_with_ratio(against.node, chain.sides[k + 1].node, knowledge)
+    return with_ratio or case or decision
+
+
+def _note_statement(
+    state: JudgingState, chain: Chain, k: int, case: Decision, knowledge: Knowledge
+) -> Decision:
+    """Return the decision on a relation that is taken as given, after noting it."""
+    by_premises = decide_by_premises(state.definitions, state.definitions.premise_of(chain, k), knowledge)
+    if by_premises is not None and by_premises.status != PREMISE:
+        return by_premises
+    state.definitions.note_premise(chain, k, angles=knowledge.angles)
+    return case
