@@ -56,7 +56,7 @@ _HTML_TABLE = re.compile(r"<table\b.*?</table>", re.IGNORECASE | re.DOTALL)
 _TABULAR = re.compile(r"\\begin\{(tabular[xy*]?|array|longtable)\}(?P<rows>.*?)\\end\{\1\}", re.DOTALL)
 _WIKI_TABLE = re.compile(r"^\{\|.*?^\|\}", re.MULTILINE | re.DOTALL)
 _ITEM = re.compile(
-    r"^\s*(?:[-*+•]|[0-9]{1,2}[.)]|\\item)\s+(?P<letter>[^\n:=]{1,60}?)\s*[:：]\s+(?P<value>[^\n=]{1,40}?)[.;,]?$",
+    r"^[^\S\n]*+(?:[-*+•]|[0-9]{1,2}[.)]|\\item)\s+(?P<letter>[^\n:=]{1,60}?)\s*[:：]\s+(?P<value>[^\n=]{1,40}?)[.;,]?$",
     re.MULTILINE,
 )
 _FENCED = re.compile(

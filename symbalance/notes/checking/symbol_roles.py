@@ -76,8 +76,8 @@ SMALL_WORD = re.compile(
 _CALLED_SMALL = re.compile(
     r"(?:(?<![A-Za-z])(?:small|klein(?:e[nsrm]?)?)\s+(?:angles?\s+|values\s+of\s+|Winkel\s+)?\$?\\?"
     r"([A-Za-z]+(?:_\{?\w+\}?)?)\$?(?:\s+(?:and|und|et)\s+\$\\?([A-Za-z]+(?:_\{?\w+\}?)?)\$)?"
-    r"|\\?([A-Za-z]+(?:_\{?\w+\}?)?)\s*(?:\\ll(?![a-z])|≪|<<)\s*1(?![\d.])"
-    r"|([A-Za-z]+)\$?\s+(?:is|ist)\s+(?:small|klein))"
+    r"|(?<![A-Za-z])\\?([A-Za-z]++(?:_\{?\w{1,40}+\}?)?)\s*+(?:\\ll(?![a-z])|≪|<<)\s*1(?![\d.])"
+    r"|(?<![A-Za-z])([A-Za-z]++)\$?\s++(?:is|ist)\s+(?:small|klein))"
 )
 
 
