@@ -49,7 +49,7 @@ _VALUE = re.compile(
 )
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−", "0123456789--")
 _GROUPED = re.compile(r"[1-9][0-9]{0,2}(?:[,.  ][0-9]{3})+")
-_RULE = re.compile(r"\s*\|?[\s:|-]*-[\s:|-]*\|?\s*$|\s*\\(?:hline|toprule|midrule|bottomrule|cline)\b.*")
+_RULE = re.compile(r"(?=[\s:|]*+-)[\s:|-]++$|\s*\\(?:hline|toprule|midrule|bottomrule|cline)\b.*")
 _HTML_ROW = re.compile(r"<tr\b[^>]*>(?P<row>.*?)(?=</tr>|<tr\b|</table>)", re.IGNORECASE | re.DOTALL)
 _HTML_CELL = re.compile(r"<t[dh]\b[^>]*>(.*?)(?=</t[dh]>|<t[dh]\b|\Z)", re.IGNORECASE | re.DOTALL)
 _HTML_TABLE = re.compile(r"<table\b.*?</table>", re.IGNORECASE | re.DOTALL)

@@ -9,9 +9,7 @@ from itertools import accumulate
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import RELATION
 
-_QUANTITY = (
-    r"[-−]?[0-9][0-9.,]*(?:[0-9]|(?<=[0-9]))(?:\\,|~| )?(?:\\mathrm\{[^{}]{1,20}\}|\^\{?\\circ\}?)?"
-)
+_QUANTITY = r"[-−]?[0-9]++(?:[.,]++[0-9]++)*+(?:\\,|~| )?(?:\\mathrm\{[^{}]{1,20}\}|\^\{?\\circ\}?)?"
 _FORMULA = r"(?<!\\)\$[^$\n]{1,200}(?<!\\)\$"
 _SEQUENCE = re.compile(rf"(?:{_FORMULA}|{_QUANTITY})(?:[ ~]*(?:{_FORMULA}|{_QUANTITY}))+")
 _PART = re.compile(rf"({_FORMULA})|({_QUANTITY})")
