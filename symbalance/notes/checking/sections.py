@@ -13,6 +13,7 @@ from symbalance.document.letters import is_greek
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking import case_words
 from symbalance.notes.checking.items import item_end
+from symbalance.notes.checking.value_groups import in_next_groups
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _HEADING = re.compile(
@@ -191,6 +192,18 @@ class Sections:
         return chains
 
     @cached_property
+    def _next_groups(self) -> dict[int, set[int]]:
+        """Where the relations of each line begin that take up the letters of a group before them."""
+        text = self.document.text
+        return {
+            line: {c.sides[0].span[0] for c in in_next_groups(text, chains)}
+            for line, chains in self._by_line.items()
+        }
+
+    def _is_in_next_group(self, chain: Chain) -> bool:
+        return chain.sides[0].span[0] in self._next_groups.get(chain.lines[0], ())
+
+    @cached_property
     def _line_starts(self) -> list[int]:
         """The place of each line's first character."""
         return [0, *accumulate(len(line) + 1 for line in self._lines)]
@@ -273,9 +286,9 @@ class Sections:
         """
         start = chain.start
         row = self._lines[chain.lines[0] - 1]
-        if _ROW_OR_ITEM.match(row):
-            return True
         text = self.document.text
+        if _ROW_OR_ITEM.match(row) or self._is_in_next_group(chain):
+            return True
         before = [
             other
             for other in self._by_line.get(earlier_line, ())
@@ -313,6 +326,8 @@ class Sections:
 
         With `named`, those only that the words name: for every x, and not "in general".
         """
+        if case_words.is_said_of_all_behind(self.document.text, chain.end):
+            return frozenset(letters)
         start = chain.start
         first = max(case_words.clause_start(self.document.text, start), self._end_before(start) or 0)
         before = self.document.text[first:start]
