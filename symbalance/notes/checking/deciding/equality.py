@@ -163,6 +163,8 @@ def _by_numbers(
 
 def _close(left: Any, right: Any) -> bool:
     ten, scale = values.context().mpf(10), max(abs(left), abs(right), 1e-300)
+    if not values.context().isfinite(scale):
+        return False  # ln 0 is equal to nothing
     return abs(left - right) <= max(scale * ten**-25, ten**-NOISE)
 
 
