@@ -38,6 +38,11 @@ _INTRODUCTION = re.compile(
     rf"|für|bei|falls|wenn|nimm|angenommen){_END}",
     re.IGNORECASE,
 )
+_DATA = re.compile(
+    r"[\s*_#>]*(?:Data|Given|Gegeben|Daten|Angaben|Zahlenwerte|諸元|データ)[*_]{0,2}\s*[:：]",
+    re.IGNORECASE,
+)
+"""A list of what holds for the page: "piston with pin and rings m = 0.41 kg" is no case."""
 _NAMING = re.compile(
     rf"(?<![A-Za-z])(?:let|with|put|set|setting|sei|seien|mit|setze|setzt man){_END}", re.IGNORECASE
 )
@@ -266,7 +271,7 @@ class Sections:
         start = chain.start
         before = self.document.text[max(0, start - LONGEST_INTRODUCTION) : start]
         before = re.split(r"\n\s*\n", before)[-1].rstrip(" \t\n$\\([")
-        if not chain.inline:
+        if not chain.inline or _DATA.match(first):
             return None
         end = chain.end
         is_case = _CASE_BEHIND.match(self.document.text, end) or _INTRODUCTION.search(before + " ")

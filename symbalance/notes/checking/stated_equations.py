@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from symbalance.document.formula import Formula, Name, names
+from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking import constraints
 from symbalance.notes.checking.constraints import Constraint
@@ -29,7 +30,8 @@ from symbalance.notes.reading.equations import Chain, Side
 def fix_letter(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
     """Return the decision on a relation that is no step but fixes a letter; None for others."""
     in_use, used = state.definitions.letters_before(chain.lines[0]), state.definitions.first_lines
-    in_use = in_use - _explained_letter(state, chain, k)
+    in_use -= _explained_letter(state, chain, k)
+    in_use -= _letters_found_below(state, chain, k, knowledge)
     constraint = constraints.constraint_of(chain, k, in_use, used, knowledge)
     return None if constraint is None else _fix(state, constraint, chain, k, knowledge)
 
@@ -48,6 +50,34 @@ def _explained_letter(state: JudgingState, chain: Chain, k: int) -> frozenset[st
     is_first_use = not any(own <= c.letters for c in earlier)
     is_near = own <= last.letters and chain.lines[0] <= last.lines[-1] + NEAR
     return own if is_first_use and is_near and not _is_declared(state, own, chain) else frozenset()
+
+
+def _letters_found_below(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> frozenset[str]:
+    """Return the letters that a relation is to be solved for, though they stand in lines above.
+
+    8 m_A r_A ω² = 4 λ m r ω², so that m_A = λ m r/(2 r_A): of m_A nothing was said before, it stands on
+    one side alone, and a line of the section below begins with it.
+    """
+    if k or chain.relations[0].sign != "=":
+        return frozenset()
+    line, sections = chain.lines[0], state.sections
+    below = {
+        other.sides[0].node.name
+        for other in state.document.chains
+        if isinstance(other.sides[0].node, Name) and line < other.lines[0] <= sections.section_end(line)
+    }
+    left, right = (names(chain.sides[n].node) for n in (0, 1))
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    behind = [{*names_behind(chain.sides[n].node, values)} for n in (0, 1)]
+    premises = state.definitions.premises_at(line)
+    in_premises = {name for premise in premises for name in premise.names}
+    return frozenset(
+        name
+        for name in below & ((left - behind[1]) | (right - behind[0])) - in_premises - knowledge.angles
+        if not knowledge.has_meaning(name) and not _is_declared(state, frozenset({name}), chain)
+    )
 
 
 def _is_declared(state: JudgingState, letters_here: frozenset[str], chain: Chain) -> bool:
