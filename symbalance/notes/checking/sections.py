@@ -200,7 +200,8 @@ class Sections:
             for line, chains in self._by_line.items()
         }
 
-    def _is_in_next_group(self, chain: Chain) -> bool:
+    def is_in_next_group(self, chain: Chain) -> bool:
+        """Tell whether a relation stands in a group of values behind another of the same letters."""
         return chain.sides[0].span[0] in self._next_groups.get(chain.lines[0], ())
 
     @cached_property
@@ -287,7 +288,7 @@ class Sections:
         start = chain.start
         row = self._lines[chain.lines[0] - 1]
         text = self.document.text
-        if _ROW_OR_ITEM.match(row) or self._is_in_next_group(chain):
+        if _ROW_OR_ITEM.match(row) or self.is_in_next_group(chain):
             return True
         before = [
             other
