@@ -70,6 +70,8 @@ def judge_relation(
     if decision.status in STATED or decision.status == CONTRADICTION:
         return decision
     decision = appeal(state, chain, k, against, decision, knowledge)
+    if decision.status == UNDECIDED and (by_name := state.named.judge(chain, k, knowledge)) is not None:
+        return by_name
     return add_fix_of_relation(
         state, describe(state.document, chain, k, decision), chain, k, against, decision, knowledge
     )
@@ -129,9 +131,12 @@ def _as_meant(
 
     One that is wrong by a slip is mended for the lines that follow.
     """
-    if definition.status != DEFINITION:
-        return state.meant.again(chain, k, knowledge) or definition
-    outcome = state.meant.judge(chain, k, knowledge)
+    if definition.status == DEFINITION:
+        outcome = state.meant.judge(chain, k, knowledge)
+    else:
+        outcome = state.meant.again(chain, k, knowledge)
+    if outcome is None and definition.status in (DEFINITION, PREMISE):
+        outcome = state.named.judge(chain, k, knowledge)
     name = chain.sides[k].node
     if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
         state.definitions.define(name.name, outcome.fix.node, chain)

@@ -157,6 +157,11 @@ class Sections:
         ]
         return sorted({*marked, *underlined})
 
+    def heading_above(self, line: int) -> str:
+        """Return the heading of the section that a line stands in, "" where there is none."""
+        above = [heading for heading in self._headings if heading <= line]
+        return self._lines[above[-1] - 1] if above else ""
+
     def section_end(self, line: int) -> int:
         """Return the last line of the section that a line stands in."""
         after = [heading for heading in self._headings if heading > line]
