@@ -1,4 +1,4 @@
-"""A formula whose quantity words name is judged by the standard one; other shapes and setups never are."""
+"""A formula whose quantity words name is judged by the standard one; other shapes never are."""
 
 from __future__ import annotations
 

@@ -1,14 +1,14 @@
-"""Letters whose quantity the words around them name: "the bending stress is σ = 16 M/(π d³)" is wrong by 1/2.
+"""Letters whose quantity words name: "the bending stress is σ = 16 M/(π d³)" is wrong by a factor.
 
-The first formula of a letter is a definition, and true of any letter. Where words name a quantity that has
-a standard formula (`known_formulas`) and the letters fit its roles, it says more:
+The first formula of a letter is a definition, and true of any letter. Where words name a quantity that
+has a standard formula (`known_formulas`) and the letters fit its roles, it says more:
 
     it agrees exactly                          conditional on what the letter is taken to be
     it differs by one slip of the usual kinds  refuted, with that assumption and the standard formula
     anything else                              None: a definition, as before
 
-Soundness comes before reach: another shape, another hypothesis, a part or a multiple in the words, a letter
-that words call something else, or any formula that the same words may mean, and nothing is refuted.
+Soundness comes before reach: another shape, another hypothesis, a part or a multiple in the words, a
+letter that words call something else, or any formula that the same words may mean: nothing is refuted.
 """
 
 from __future__ import annotations
@@ -52,29 +52,36 @@ SEARCH, SHARE = Budget(4), 0.6
 """What this may take, and of what is left of the relation's budget: a definition stays one without it."""
 SENTENCE, PARAGRAPH, AFTER = 220, 500, 60
 """Characters that are looked through: before a formula for its name, and around for another shape."""
-NEAR_END = 24
-"""Characters that may stand between a quantity's name and its letter where the letter is an unusual one."""
 POINTS = ((3, 7, 11, 13, 17), (5, 2, 19, 23, 29), (31, 37, 41, 43, 47))
 """Values of a formula's letters at which two formulas are compared, in tenths."""
 _EXACT = 1e-9
 _FACTORS = frozenset({1, 2, 3, 4, 6, 8, 9, 16, 32, 64})
 """Numerators and denominators of a factor that is a slip: 5, 12, 60, 1000 may be a change of units."""
-_ONE_TERM = re.compile(r"order|exponent|number misprinted .*|\S+ missing|sign|factor -?[0-9/]+")
+_ONE_TERM = re.compile(r"order|exponent|number misprinted .*|sign|factor -?[0-9/]+")
 _SENTENCE_END = re.compile(r"[.;!?](?:\s|$)|[。；]|\n\s*\n|<p\b|<li\b|\\item|\\section|\n#|\n\|")
 _BLANK = re.compile(r"\n\s*\n")
-_OPENING = re.compile(r"(?:\s|\$+|\\[\[(]|\\begin\{[a-z]+\*?\}|\\displaystyle|&|\||<p>|<div>|<math>|`)+$")
+_OPENING = re.compile(
+    r"(?:\s|\$+|\\[\[(]|\\begin\{[a-z]+\*?\}|\\displaystyle|&|\||<p>|<div>"
+    r"|<math>|`)+$"
+)
 """What stands between words and the formula that is set off from them."""
 _PART = re.compile(
-    r"\btwo\b|\bboth\b|\beach\b|\bpairs?\b|\btwice\b|\bdoubled?\b|\bhalf\b|\bhalv|\bthree\b|\bfour\b(?![- ]stroke)"
-    r"|\bmean\b|\baverage|amplitude|alternating|\bzwei\b|\bbeide[nrs]?\b|\bjede[rsnm]?\b|\bje\b|\bdoppelt|\bhalbe?[nrs]?\b"
-    r"|\bdrei\b|\bvier\b|mittlere|durchschnitt|ausschlag|wechsel|schwell|平均|振幅|両|[二三四2-9]つ|[2-9２-９][本個枚]"
-    r"|半分|それぞれ|各|片側|differen|差|relative|proportional|\bsum\b|summe|\btotal|gesamt|合計|ratio of|verhältnis",
+    r"\btwo\b|\bboth\b|\beach\b|\bpairs?\b|\btwice\b|\bdoubled?\b|\bhalf\b|\bhalv|\bthree\b"
+    r"|\bfour\b(?![- ]stroke)"
+    r"|\bmean\b|\baverage|amplitude|alternating|\bzwei\b|\bbeide[nrs]?\b|\bjede[rsnm]?\b|\bje\b"
+    r"|\bdoppelt|\bhalbe?[nrs]?\b"
+    r"|\bdrei\b|\bvier\b|mittlere|durchschnitt|ausschlag|wechsel|schwell|平均|振幅|両"
+    r"|[二三四2-9]つ|[2-9２-９][本個枚]"
+    r"|半分|それぞれ|各|片側|differen|差|relative|proportional|\bsum\b|summe|\btotal|gesamt|合計"
+    r"|ratio of|verhältnis",
     re.IGNORECASE,
 )
 """Words that make of a quantity a part or a multiple of it: no factor in it is a slip."""
 _DENIED = re.compile(
-    r"\bnot\b|\binstead\b|\bwrong|mistak|confus|unlike|\bnicht\b|\bstatt\b|anstelle|falsch|verwechs|ではない|でなく"
-    r"|誤り|間違|another book|older|approximat|roughly|näherung|近似|empiric|faustformel|rule of thumb|経験",
+    r"\bnot\b|\binstead\b|\bwrong|mistak|confus|unlike|\bnicht\b|\bstatt\b|anstelle|falsch"
+    r"|verwechs|ではない|でなく"
+    r"|誤り|間違|another book|older|approximat|roughly|näherung|近似|empiric|faustformel"
+    r"|rule of thumb|経験",
     re.IGNORECASE,
 )
 """Words with which a formula may be named that is not the standard one."""
@@ -88,18 +95,22 @@ _OF_TWO = {"outer": (_OUTER, _INNER), "inner": (_INNER, _OUTER)}
 """Subscripts of the two diameters of a hollow section; without one D is the larger."""
 _TAGS = re.compile(r"<[^>]*>|\\(?:mathrm|text|it|rm|bf)\b|[${}()\\*_`|\[\]~]")
 _LINKS = re.compile(
-    r"(?:\s|,|:|=|\bof\b|\bthe\b|\bis\b|\ba\b|\bby\b|\bvon\b|\bist\b|\bder\b|\bdie\b|\bdes\b|\bmit\b|\band\b|\bund\b|[をがはのと、])+$",
+    r"(?:\s|,|:|=|\bof\b|\bthe\b|\bis\b|\ba\b|\bby\b|\bvon\b|\bist\b|\bder\b|\bdie\b|\bdes\b|\bmit\b"
+    r"|\band\b|\bund\b|[をがはのと、])+$",
     re.I,
 )
 _IS = re.compile(
-    r"\s*(?:be|is|denotes|being|sei|ist|bezeichnet)\s+(?:the|a|der|die|das)\s+((?:[\w-]+ ){0,2}?[\w-]+)(?= of\b| der\b| des\b|[,.;]|\s*$)",
+    r"\s*(?:be|is|denotes|being|sei|ist|bezeichnet)\s+(?:the|a|der|die|das)\s+"
+    r"((?:[\w-]+ ){0,2}?[\w-]+)(?= of\b| der\b| des\b|[,.;]|\s*$)",
     re.I,
 )
 """What a letter is said to be behind it: d is the distance of the supports."""
 _COPULA = re.compile(
-    r"(?:\s|[:,=$({\[\\|*_`~—-]|<[^>]*>|\b(?:is|are|of|the|a|an|this|section|shaft|solid|round|circular|given|by|then|then|"
-    r"becomes|equals|ist|sind|beträgt|wird|wellen?|der|die|das|eines?r?|also|folgt|so|begin|equation|align|display|style|"
-    r"displaystyle)\b|[はがを、とすると軸丸実中の])*",
+    r"(?:\s|[:,=$({\[\\|*_`~—-]|<[^>]*>|\b(?:is|are|of|the|a|an|this|section|shaft|solid|round"
+    r"|circular|given|by"
+    r"|then|becomes|equals|ist|sind|beträgt|wird|wellen?|der|die|das|eines?r?|also|folgt|so|begin"
+    r"|equation"
+    r"|align|display|style|displaystyle)\b|[はがを、とすると軸丸実中の])*",
     re.IGNORECASE,
 )
 
@@ -113,17 +124,15 @@ class _Named:
     around: str
     sentence: str
     is_other: bool = False
-    """Whether another shape or hypothesis is in the words, of which only formulas for two diameters hold."""
+    """Whether words name another shape or hypothesis: only formulas of two diameters hold."""
+
+    is_declared: bool = False
 
     @property
     def formulas(self) -> tuple[Formula, ...]:
         """The standard formulas that the words leave open."""
         every = self.quantity.formulas
         return tuple(node for node in every if "outer" in names(node)) if self.is_other else every
-
-    @property
-    def source(self) -> str:
-        return f"taken from the words “{self.words}”"
 
 
 @dataclass
@@ -174,7 +183,9 @@ class NamedQuantities:
         return self._with_slip(chain, name, claim, plain[0], targets, known, knowledge)
 
     def _text(self, name: str, named: _Named) -> str:
-        return f"{plain_letter(name)} is the {named.quantity.name} ({NOBODY}; {named.source})"
+        source = f"{NOBODY}; taken from the words “{named.words}”"
+        source = f"declared as “{named.words}”" if named.is_declared else source
+        return f"{plain_letter(name)} is the {named.quantity.name} ({source})"
 
     # What words name
 
@@ -186,10 +197,14 @@ class NamedQuantities:
         sentence, before, around = self._texts(chain)
         if _DENIED.search(sentence):
             return
-        if declared and not _UNITS_ONLY.fullmatch(declared):
-            yield from self._by_phrases(declared, declared, stem, around, declared)
+        by_meaning = [
+            replace(named, is_declared=True)
+            for named in self._by_phrases(declared, stem, around, declared)
+        ]
+        if by_meaning or (declared and not _UNITS_ONLY.fullmatch(declared)):
+            yield from by_meaning
             return
-        by_phrase = list(self._by_phrases(before, before, stem, around, sentence))
+        by_phrase = list(self._by_phrases(before, stem, around, sentence))
         if by_phrase:
             yield from by_phrase
             return
@@ -204,9 +219,7 @@ class NamedQuantities:
                 all_around = f"{around} {heading}"
                 yield _named(quantity, match[0].strip(), all_around, sentence)
 
-    def _by_phrases(
-        self, words: str, quoted: str, stem: str, around: str, sentence: str
-    ) -> Iterator[_Named]:
+    def _by_phrases(self, words: str, stem: str, around: str, sentence: str) -> Iterator[_Named]:
         """Yield the quantities that words name, those with the letter's usual use first of all."""
         matches = [
             (match.start(), match.end(), quantity)
@@ -227,10 +240,10 @@ class NamedQuantities:
         for start, end, quantity in usual:
             if end == last:
                 rest = sentence.replace(words[start:end], "")
-                yield _named(quantity, quoted[start:end].strip(), around, rest)
+                yield _named(quantity, words[start:end].strip(), around, rest)
 
     def _texts(self, chain: Chain) -> tuple[str, str, str]:
-        """Return the whole sentence before a relation, what of it follows other relations, and what is around."""
+        """Return a relation's sentence, what of it stands right before, and what is around."""
         text, start = self.document.text, min(side.span[0] for side in chain.sides)
         end = max(side.span[1] for side in chain.sides)
         words = _OPENING.sub("", text[max(0, start - PARAGRAPH) : start])
@@ -265,22 +278,14 @@ class NamedQuantities:
     def _may_be(self, letter: str, role: str, knowledge: Knowledge) -> bool:
         """Tell whether a letter may play a role: by its meaning, the words before it, or as is usual."""
         declared = knowledge.meanings.get(letter, "")
-        if declared and not _UNITS_ONLY.fullmatch(declared):
+        if declared and any(each.words.search(declared) for each in ROLES.values()):
             return ROLES[role].words.search(declared) is not None
+        if declared and not _UNITS_ONLY.fullmatch(declared):
+            return False
         said = self._words_before(letter)
         roles = {name for name, each in ROLES.items() if any(_ends_with(each.words, w) for w in said)}
-        if roles:
-            return role in roles
-        if any(_ends_with(OTHER_LENGTHS, w) for w in said):
-            return False
-        stem, _, index = letter.partition("_")
-        stem = letter if letter.startswith("Delta_") else stem
-        if role in _OF_TWO:
-            own, other = _OF_TWO[role]
-            return index in own or (stem == ("D" if role == "outer" else "d") and index not in other)
-        if role in ("diameter", "radius", "crank") and index in _NO_ROLE:
-            return False
-        return stem.rstrip("'") in ROLES[role].letters
+        is_other = any(_ends_with(OTHER_LENGTHS, w) for w in said)
+        return role in roles if roles else not is_other and _is_usual(letter, role)
 
     def _words_before(self, letter: str) -> list[str]:
         """Return the few words before each place where a letter stands in the text."""
@@ -314,7 +319,7 @@ class NamedQuantities:
         known: Knowledge,
         knowledge: Knowledge,
     ) -> Verdict | None:
-        """Return that a formula is wrong by one slip, with the standard one; None where it may be right."""
+        """Return that a formula is wrong by one slip, with the standard one; None where that is open."""
         quantity = named.quantity
         others = self._targets(quantity.others, claim, knowledge)
         if any(_ratio_of(other, claim) == (1.0,) * len(POINTS) for other in others) or decimals(claim):
@@ -333,9 +338,10 @@ class NamedQuantities:
             verdict = self._with_fix(chain, left, decision, known)
             fix = verdict.fix
             is_one_change = fix is not None and len(fix.faults) == 1 and not fix.of_left
-            if is_one_change and fix is not None and _ONE_TERM.fullmatch(fix.kind):
+            change = "exponent" if kind == "power of a term" else _ONE_TERM
+            if is_one_change and fix is not None and re.fullmatch(change, fix.kind):
                 return verdict
-            if kind == "term":
+            if kind in ("term", "power of a term"):
                 continue
             repair = Repair(kind, target, ((side.node, target),), 1.0)
             return replace(verdict, fix=fix_of(repair, self.document, side))
@@ -357,8 +363,20 @@ def _named(quantity: Quantity, words: str, around: str, sentence: str) -> _Named
     return _Named(quantity, words, around, sentence, is_other)
 
 
+def _is_usual(letter: str, role: str) -> bool:
+    """Tell whether a letter of which no words say anything stands for a role on most pages."""
+    stem, _, index = letter.partition("_")
+    stem = letter if letter.startswith("Delta_") else stem
+    if role in _OF_TWO:
+        own, other = _OF_TWO[role]
+        return index in own or (stem == ("D" if role == "outer" else "d") and index not in other)
+    if role in ("diameter", "radius", "crank") and index in _NO_ROLE:
+        return False
+    return stem.rstrip("'") in ROLES[role].letters
+
+
 def _ends_with(words: re.Pattern[str], text: str) -> bool:
-    """Tell whether a text ends with one of the words, or with it and one more: "diameter D in."."""
+    """Tell whether a text ends with one of the words."""
     return any(match.end() == len(text) for match in words.finditer(text))
 
 
@@ -404,25 +422,32 @@ def _slip(target: Formula, claim: Formula, slips: tuple[str, ...], may_be_part: 
     if not all(isfinite(ratio) and ratio for ratio in ratios):
         return "term" if "term" in slips else ""  # σ² - 3 τ² below a root
     if all(isclose(ratio, ratios[0], rel_tol=_EXACT) for ratio in ratios):
-        ratio = ratios[0]
-        if ratio < 0 or ratio == 1:
-            return ""
-        if "turn" in slips and any(isclose(ratio, (2 * pi) ** n, rel_tol=_EXACT) for n in (1, -1, 2, -2)):
-            return "factor 2π"
-        return "factor" if "factor" in slips and not may_be_part and _is_slip_factor(ratio) else ""
+        return _slip_by_factor(target, ratios[0], slips, may_be_part)
     letters = sorted(names(claim))
-    if "root" in slips:
-        if _agrees(_with_roots(target, lambda radicand: radicand), claim):
-            return "root missing"
-        if _agrees(_with_roots(target, lambda radicand: Call("sqrt", 1 / radicand)), claim):
-            return "fraction inverted"
-    if "power" in slips and _is_other_power(target, claim, letters):
-        return "exponent"
-    if "minus" in slips and _is_sum_for_difference(target, claim):
-        return "sign"
-    if "power_of_term" in slips or "term" in slips:
-        return "term"
-    return ""
+    tests = {
+        "root missing": ("root", lambda: _agrees(_with_roots(target, lambda node: node), claim)),
+        "fraction inverted": ("root", lambda: _agrees(_with_roots(target, _inverse_root), claim)),
+        "exponent": ("power", lambda: _is_other_power(target, claim, letters)),
+        "sign": ("minus", lambda: _is_sum_for_difference(target, claim)),
+    }
+    for kind, (allowed, test) in tests.items():
+        if allowed in slips and test():
+            return kind
+    return next((kind for kind in ("term", "power of a term") if kind in slips), "")
+
+
+def _slip_by_factor(target: Formula, ratio: float, slips: tuple[str, ...], may_be_part: bool) -> str:
+    """Return the kind of a slip that is a factor; "" where that may be right."""
+    if ratio <= 0 or ratio == 1:
+        return ""
+    if "turn" in slips and any(isclose(ratio, (2 * pi) ** n, rel_tol=_EXACT) for n in (1, -1, 2, -2)):
+        return "factor 2π"
+    is_told = "bare factor" in slips or ("factor" in slips and _has_number(target))
+    return "factor" if is_told and not may_be_part and _is_slip_factor(ratio) else ""
+
+
+def _inverse_root(radicand: Formula) -> Formula:
+    return Call("sqrt", 1 / radicand)
 
 
 def _with_roots(node: Formula, change: Callable[[Formula], Formula]) -> Formula:
@@ -437,6 +462,14 @@ def _agrees(target: Formula, claim: Formula) -> bool:
     return _ratio_of(target, claim) == (1.0,) * len(POINTS)
 
 
+def _has_number(node: Formula) -> bool:
+    """Tell whether a formula has a factor of its own: 32/π of 32 M/(π d³), none of M/W."""
+    values = {name: Number(Fraction(1)) for name in names(node)}
+    for name, value in values.items():
+        node = substitute(node, name, value)
+    return not isclose(_values(node, {}), 1)
+
+
 def _is_slip_factor(ratio: float) -> bool:
     """Tell whether a factor is one that is forgotten or taken from a neighbouring formula: ½, 4, π."""
     for factor in (1.0, pi, 1 / pi):
@@ -448,7 +481,7 @@ def _is_slip_factor(ratio: float) -> bool:
 
 
 def _is_other_power(target: Formula, claim: Formula, letters: list[str]) -> bool:
-    """Tell whether a claim is the target with another exponent of one letter, or two of them exchanged."""
+    """Tell whether a claim has another exponent at one letter, or two letters exchanged."""
     quotient = claim / target
     exponents: dict[str, float] = {}
     for letter in letters:

@@ -70,9 +70,8 @@ def judge_relation(
     if decision.status in STATED or decision.status == CONTRADICTION:
         return decision
     decision = appeal(state, chain, k, against, decision, knowledge)
-    if decision.status == UNDECIDED and (by_name := state.named.judge(chain, k, knowledge)) is not None:
-        return by_name
-    return add_fix_of_relation(
+    by_name = state.named.judge(chain, k, knowledge) if decision.status == UNDECIDED else None
+    return by_name or add_fix_of_relation(
         state, describe(state.document, chain, k, decision), chain, k, against, decision, knowledge
     )
 
