@@ -70,6 +70,8 @@ class Level:
 
     values: Mapping[str, Formula]
     assumptions: tuple[str, ...] = ()
+    is_of_formulas: bool = False
+    """Whether the numbers of an example are left out, which make a witness and a correction unclear."""
 
 
 @dataclass(frozen=True)
@@ -165,9 +167,10 @@ class Knowledge:
             (length,) = names(ratio.denominator)
             if length not in formulas:
                 others = {n: node for n, node in formulas.items() if n != name}
-                yield Level({**others, length: Quotient(ratio.numerator, Name(name))})
+                by_ratio = Quotient(ratio.numerator, Name(name))
+                yield Level({**others, length: by_ratio}, is_of_formulas=True)
         if any(usable[name].numeric for name in reached & usable.keys()):
-            yield Level(formulas)
+            yield Level(formulas, is_of_formulas=True)
 
     def _premises_behind(
         self, nodes: tuple[Formula, ...], usable: Mapping[str, Definition], number: bool
