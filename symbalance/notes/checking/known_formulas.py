@@ -124,7 +124,8 @@ OTHER_LENGTHS = _words(
 ) = map(Name, ROLES)  # fmt: skip
 
 _HOLLOW = (
-    r"hollow|\btubes?\b|tubular|\bpipes?\b|annul|\brings?\b|thin[- ]walled|rectang|square (?:section"
+    r"hollow|\bbored\b|drilled|\bholes?\b|perforat|bohrung|gelocht|穴|\btubes?\b|tubular"
+    r"|\bpipes?\b|annul|\brings?\b|thin[- ]walled|rectang|square (?:section"
     r"|bar|shaft)"
     r"|ellip|hexagon|\bI-beam|\bprofile|hohl|rohr|ringquerschnitt|dünnwandig|rechteck|vierkant"
     r"|quadratisch"
@@ -297,7 +298,8 @@ QUANTITIES: tuple[Quantity, ...] = (
         (mass * radius**2 / 2, mass * diameter**2 / 8),
         others=(mass * radius**2 / 4, mass * diameter**2 / 16, 3 * mass * radius**2 / 2,
                 3 * mass * diameter**2 / 8),
-        unless=_words(_HOLLOW, r"\brims?\b|hoop|kranz|リング|円環|リム|two dis[ck]|dis[ck]s|scheiben\b"
+        unless=_words(_HOLLOW, r"pulley|riemenscheibe|プーリ",
+        r"\brims?\b|hoop|kranz|リング|円環|リム|two dis[ck]|dis[ck]s|scheiben\b"
         r"|about (?:a|its) "
                       r"diameter|durchmesserachse|直径軸|直径まわり|直径を軸|tapered|kegel"
                       r"|\bpins?\b|zapfen"

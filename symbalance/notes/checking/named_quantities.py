@@ -66,14 +66,19 @@ _OPENING = re.compile(
 )
 """What stands between words and the formula that is set off from them."""
 _PART = re.compile(
-    r"\btwo\b|\bboth\b|\beach\b|\bpairs?\b|\btwice\b|\bdoubled?\b|\bhalf\b|\bhalv|\bthree\b"
-    r"|\bfour\b(?![- ]stroke)"
-    r"|\bmean\b|\baverage|amplitude|alternating|\bzwei\b|\bbeide[nrs]?\b|\bjede[rsnm]?\b|\bje\b"
-    r"|\bdoppelt|\bhalbe?[nrs]?\b"
-    r"|\bdrei\b|\bvier\b|mittlere|durchschnitt|ausschlag|wechsel|schwell|平均|振幅|両"
-    r"|[二三四2-9]つ|[2-9２-９][本個枚]"
-    r"|半分|それぞれ|各|片側|differen|差|relative|proportional|\bsum\b|summe|\btotal|gesamt|合計"
-    r"|ratio of|verhältnis",
+    r"\b(?:two|three|four|five|six|eight|twelve)\b(?![- ]stroke)|\bboth\b|\beach\b|\bpairs?\b"
+    r"|\btwice\b|twin"
+    r"|\bdoubled?\b|\bhalf\b|\bhalv|\bmean\b|\baverage|amplitude|alternating|boxer|\bV\d|together"
+    r"|\bequal\b"
+    r"|\bzwei(?!takt)|\bbeide[nrs]?\b|\bdrei|\bvier(?!takt)|\bsechs|\bacht|\bjede[rsnm]?\b|\bje\b"
+    r"|\bdoppel"
+    r"|\bhalbe?[nrs]?\b|mittlere|durchschnitt|ausschlag|wechsel|schwell|zusammen|reduced"
+    r"|reduziert|equivalent length"
+    r"|\bsafety|sicherheit|\bfactor\b|faktor|beiwert|dynamic|impact|stoß|安全率|衝撃|vehicle"
+    r"|fahrzeug|車両|whole"
+    r"|平均|振幅|両|[二三四六八2-9]つ|[2-9２-９][本個枚]|[2-9二三四六八]気筒|全体|半分|それぞれ"
+    r"|各|片側|差|合計|倍"
+    r"|differen|relative|proportional|\bsum\b|summe|\btotal|gesamt|ratio of|verhältnis",
     re.IGNORECASE,
 )
 """Words that make of a quantity a part or a multiple of it: no factor in it is a slip."""
@@ -81,7 +86,8 @@ _DENIED = re.compile(
     r"\bnot\b|\binstead\b|\bwrong|mistak|confus|unlike|\bnicht\b|\bstatt\b|anstelle|falsch"
     r"|verwechs|ではない|でなく"
     r"|誤り|間違|another book|older|approximat|roughly|näherung|近似|empiric|faustformel"
-    r"|rule of thumb|経験",
+    r"|rule of thumb|経験"
+    r"|squared\b|square of|quadrat\b|quadrate?s?\s+de[rs]|[2二]乗",
     re.IGNORECASE,
 )
 """Words with which a formula may be named that is not the standard one."""
