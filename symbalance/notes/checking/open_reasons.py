@@ -78,7 +78,8 @@ def _one_sided_letter(state: JudgingState, decision: Decision, line: int, knowle
         return ""
     free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
     for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
-        if name in free and not knowledge.knows(name) and name not in state.general:
+        is_open = name in free and name not in {*state.general, *decision.left.domain.integer}
+        if is_open and not knowledge.knows(name):
             return f"{plain_text(Name(name))} is not declared and"
         if "/d" in name:  # the derivative of what no line defines
             return name
