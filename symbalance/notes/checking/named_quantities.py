@@ -26,6 +26,7 @@ from symbalance.document.formula import (
     Formula,
     Name,
     Number,
+    Sum,
     children,
     names,
     walk,
@@ -330,7 +331,7 @@ class NamedQuantities:
         others = self._targets(quantity.others, claim, knowledge)
         if any(_ratio_of(other, claim) == (1.0,) * len(POINTS) for other in others) or decimals(claim):
             return None
-        may_be_part = _PART.search(named.sentence) is not None
+        may_be_part = _PART.search(named.sentence) is not None or _has_own_convention(claim, knowledge)
         for target in targets:
             kind = _slip(target, claim, quantity.slips, may_be_part)
             if not kind:
@@ -379,6 +380,18 @@ def _is_usual(letter: str, role: str) -> bool:
     if role in ("diameter", "radius", "crank") and index in _NO_ROLE:
         return False
     return stem.rstrip("'") in ROLES[role].letters
+
+
+def _has_own_convention(claim: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether the page defines a letter as half a difference: δ = (ω₁ - ω₂)/(2 ω) is another δ."""
+    own = [knowledge.definitions[n] for n in names(claim) if n in knowledge.definitions]
+    formulas = [d.formula if d.numeric else d.node for d in own]
+    parts = [list(walk(node)) for node in formulas if node is not None]
+    return any(
+        any(isinstance(part, Sum) for part in each)
+        and any(isinstance(part, Number) and part.value != 1 for part in each)
+        for each in parts
+    )
 
 
 def _ends_with(words: re.Pattern[str], text: str) -> bool:
