@@ -23,6 +23,7 @@ from symbalance.notes.checking.given_numbers import GivenNumbers
 from symbalance.notes.checking.integer_words import integers_said
 from symbalance.notes.checking.meant_quantities import MeantQuantities
 from symbalance.notes.checking.meant_words import MeantWords
+from symbalance.notes.checking.named_quantities import NamedQuantities
 from symbalance.notes.checking.premises import Premise
 from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.sidecar import Declarations
@@ -63,6 +64,7 @@ class JudgingState:
         self.meant = MeantQuantities(
             MeantWords(self.document, self.declarations, self.sections), self.sources
         )
+        self.named = NamedQuantities(self.document, self.sections)
         self.small_letters = small_letters(self.document.text)
         self.counts = _counts(self.document)
         self.letters = {n for chain in self.document.chains for n in chain.letters}

@@ -162,6 +162,29 @@ class MeantQuantities:
             return None
         return replace(decision, assumptions=(meant.assumption, *frame.assumptions))
 
+    def motions(
+        self, name: str, chain: Chain, knowledge: Knowledge
+    ) -> Iterator[tuple[Knowledge, tuple[str, ...]]]:
+        """Yield what is known with the motion that a letter is the extreme of, in both directions.
+
+        That is one which was taken to be a quantity before: x of dot_x_max, a of a_max.
+        """
+        base = name.rpartition("_")[0] or name
+        base = base.removeprefix("hat_").removeprefix("ddot_").removeprefix("dot_")
+        meant = self.taken.get(base)
+        if meant is None or base in knowledge.letters:
+            return
+        frame = self._frame(name, chain.sides[1].node, chain, knowledge)
+        if frame is None:
+            return
+        known, crank, assumptions = frame
+        target = _quantities(crank)[meant.role]
+        for value in (target, Negative(target)):
+            meaning = replace(known.meaning, values={**known.meaning.values, base: value})
+            others = {n: d for n, d in known.definitions.items() if n != base}
+            moving = replace(known, meaning=meaning, moving=frozenset({base}), definitions=others)
+            yield moving, (meant.assumption, *assumptions)
+
     def rod_angle(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
         """Return the proof of what fixes an angle that is the rod's: sin β = (r/l) sin θ."""
         left, right = chain.sides[k], chain.sides[k + 1]

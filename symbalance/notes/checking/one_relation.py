@@ -88,7 +88,8 @@ def _judge_step(
     decision = appeal(state, chain, k, against, decision, knowledge)
     if decision.is_proved and (by_quantity := wrong_as_quantity(chain, k, state.document, knowledge)):
         return by_quantity
-    return add_fix_of_relation(
+    by_name = state.named.judge(chain, k, knowledge) if decision.status == UNDECIDED else None
+    return by_name or add_fix_of_relation(
         state, describe(state.document, chain, k, decision), chain, k, against, decision, knowledge
     )
 
@@ -155,9 +156,12 @@ def _as_meant(
 
     One that is wrong by a slip is mended for the lines that follow.
     """
-    if definition.status != DEFINITION:
-        return state.meant.again(chain, k, knowledge) or definition
-    outcome = state.meant.judge(chain, k, knowledge)
+    if definition.status == DEFINITION:
+        outcome = state.meant.judge(chain, k, knowledge)
+    else:
+        outcome = state.meant.again(chain, k, knowledge)
+    if outcome is None and definition.status in (DEFINITION, PREMISE):
+        outcome = state.named.judge(chain, k, knowledge)
     name = chain.sides[k].node
     if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
         state.definitions.define(name.name, outcome.fix.node, chain)

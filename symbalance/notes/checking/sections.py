@@ -167,6 +167,11 @@ class Sections:
         ]
         return sorted({*marked, *underlined})
 
+    def heading_above(self, line: int) -> str:
+        """Return the heading of the section that a line stands in, "" where there is none."""
+        above = [heading for heading in self._headings if heading <= line]
+        return self._lines[above[-1] - 1] if above else ""
+
     @cached_property
     def _paragraphs(self) -> list[tuple[int, int]]:
         """The first and the last line of the paragraph of each line, from 1."""

@@ -13,6 +13,7 @@ from symbalance.notes.checking.descriptions import describe
 from symbalance.notes.checking.extremes import decide_extreme, decide_place
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.letters_below import with_letters_below
+from symbalance.notes.checking.meant_extremes import decide_meant_extreme
 from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.series_coefficients import (
@@ -30,8 +31,11 @@ def judge_series(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
     if decision is None and not k and chain.relations[0].sign in "=≈":
         extreme = decide_extreme(chain.sides[0], chain.sides[1], chain.relations[0].sign, knowledge)
         name, value = chain.sides[0].node, without_dots(chain.sides[1].node)[0]
-        if extreme is not None and isinstance(name, Name):
+        if extreme is not None:
             extreme = decide_place(extreme, chain, state.document, knowledge)
+        else:
+            extreme = decide_meant_extreme(state.meant, chain, state.document, knowledge)
+        if extreme is not None and isinstance(name, Name):
             state.definitions.define(name.name, value, chain)
             return describe(state.document, chain, k, extreme)
     if decision is None:

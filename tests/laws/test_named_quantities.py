@@ -1,0 +1,47 @@
+"""A formula whose quantity words name is judged by the standard one; other shapes never are."""
+
+from __future__ import annotations
+
+import tomllib
+
+import pytest
+
+from symbalance.notes.checking import check
+from symbalance.notes.checking.verdicts import CONDITIONAL, DEFINITION, PREMISE, REFUTED, Verdict
+from tests import TESTS
+
+LINES = tomllib.loads((TESTS / "laws" / "named_quantities.toml").read_text(encoding="utf-8"))
+
+
+def last_verdict(page: str, symbols: dict[str, str] | None = None) -> Verdict:
+    checked = check(page + "\n", symbols or {})
+    assert not checked.faults
+    assert not checked.derivation.unreadable
+    return max(checked.verdicts, key=lambda v: (v.line, v.span))
+
+
+@pytest.mark.parametrize("page", LINES["right"])
+def test_the_standard_formula_holds_for_what_the_words_name(page):
+    verdict = last_verdict(page)
+    assert verdict.verdict == CONDITIONAL
+    assert "nobody declared it; taken from the words" in verdict.assumption
+
+
+@pytest.mark.parametrize(("page", "formula"), LINES["wrong"])
+def test_one_slip_is_refuted_with_the_standard_formula(page, formula):
+    verdict = last_verdict(page)
+    assert verdict.verdict == REFUTED
+    assert "nobody declared it; taken from the words" in verdict.reason
+    assert verdict.fix is not None
+    assert formula in ("", verdict.fix.text)
+
+
+@pytest.mark.parametrize("page", LINES["open"])
+def test_another_shape_hypothesis_or_setup_stays_a_definition(page):
+    assert last_verdict(page).verdict in (DEFINITION, PREMISE)
+
+
+def test_there_are_lines_enough_of_each_kind():
+    assert len(set(LINES["right"])) >= 60
+    assert len({page for page, _ in LINES["wrong"]}) >= 60
+    assert len(set(LINES["open"])) >= 30
