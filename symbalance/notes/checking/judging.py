@@ -24,6 +24,7 @@ from symbalance.notes.checking.judging_order import chains_in_turn, number_verdi
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.letters_below import with_clauses_below
 from symbalance.notes.checking.letters_of_sections import numbers_of_this_section
+from symbalance.notes.checking.motion_in_time import motions_in_time, with_plain_rates
 from symbalance.notes.checking.one_relation import FOLLOWS, judge_relation
 from symbalance.notes.checking.open_cases import (
     cases_left_by,
@@ -40,6 +41,7 @@ from symbalance.notes.checking.sidecar import Binding, Declarations
 from symbalance.notes.checking.unit_or_letter import with_both_readings
 from symbalance.notes.checking.verdicts import (
     CONTRADICTION,
+    DEFINITION,
     PROVED_WORDS,
     REFUTED,
     UNDECIDED,
@@ -68,7 +70,11 @@ class Judge:
         self.document = replace(self.document, chains=every[: len(self.document.chains)])
         self.data = list(every[len(self.document.chains) :])
         """The page's data that stand in tables, lists and code, and have not been reached yet."""
-        self.state = JudgingState(self.document, self.declarations, self.sources, self.corrects)
+        motions = motions_in_time(self.document, self.declarations)
+        self.document = with_plain_rates(self.document, motions)
+        self.state = JudgingState(
+            self.document, self.declarations, self.sources, self.corrects, motions
+        )
         self.guard = Guard(self.document, self.budget)
 
     def check(self) -> Checked:
@@ -215,6 +221,8 @@ class Judge:
 
     def _link_in_scope(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on a relation by what is in scope there; a case that is past may be left."""
+        if (chain.sides[k].span, chain.sides[k + 1].span) in self.state.motions.places:
+            return describe(self.document, chain, k, Decision(DEFINITION, "how it changes with the time"))
         knowledge = with_clauses_below(self.state, chain, k, self.state.knowledge(chain.lines[0]))
         mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
         if mismatch is not None and (

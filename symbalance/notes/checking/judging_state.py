@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from symbalance.document.formula import Summation, names, walk
 from symbalance.errors import SymbalanceError
@@ -18,6 +18,7 @@ from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.given_numbers import GivenNumbers
 from symbalance.notes.checking.meant_quantities import MeantQuantities
 from symbalance.notes.checking.meant_words import MeantWords
+from symbalance.notes.checking.motion_in_time import Motions, with_motions
 from symbalance.notes.checking.premises import Premise
 from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.sidecar import Declarations
@@ -47,6 +48,7 @@ class JudgingState:
     declarations: Declarations
     sources: Sources
     corrects: bool
+    motions: Motions = field(default_factory=Motions)
 
     def __post_init__(self) -> None:
         self.sections = Sections(self.document)
@@ -74,9 +76,10 @@ class JudgingState:
         meaning, crank = meaning_of(symbols, convention, self.sources.engines)
         definitions = self.definitions.at(line)
         letters = letters_by_role(symbols)
-        universal = frozenset(n for m in UNIVERSAL for n in letters.get(m, ()))
+        meaning, running = with_motions(meaning, self.motions, line), self.motions.turning(line)
+        universal = frozenset(n for m in UNIVERSAL for n in letters.get(m, ())) | running
         moving = frozenset(n for m in MOVING for n in letters.get(m, ()))
-        angles = frozenset(n for m in ANGLES for n in letters.get(m, ()))
+        angles = frozenset(n for m in ANGLES for n in letters.get(m, ())) | running
         letters_declared = frozenset(symbols)
         ranges = self.definitions.ranges_at(line)
         meaning = replace(meaning, ranges={**meaning.ranges, **sample_ranges(ranges)})

@@ -21,6 +21,7 @@ from symbalance.notes.checking.letter_values import define_letter
 from symbalance.notes.checking.numbers_in_units import decide_after_units_left_out
 from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.relation_fixes import add_fix_of_relation
+from symbalance.notes.checking.rough_letters import decide_roughly
 from symbalance.notes.checking.solutions import solution_below
 from symbalance.notes.checking.solved_below import as_proved_solution, as_solved
 from symbalance.notes.checking.stated_matrices import no_relation_of_matrices
@@ -164,6 +165,8 @@ def _decide_step(
         decision, against = decide(chain.sides[0], right, "≈", knowledge), chain.sides[0]
     if decision.status == REFUTED:
         decision = state.meant.again(chain, k, knowledge) or decision
+    if sign == "=" and against is left:
+        decision = decide_roughly(left, right, decision, knowledge)
     return decision, against
 
 

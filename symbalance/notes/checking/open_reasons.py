@@ -66,7 +66,7 @@ def _one_sided_letter(state: JudgingState, decision: Decision, line: int, knowle
         return ""
     free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
     for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
-        if name in free and not knowledge.knows(name):
+        if name in free and not knowledge.knows(name) and name not in knowledge.universal:
             return f"{plain_text(Name(name))} is not declared and"
         if "/d" in name:  # the derivative of what no line defines
             return name
@@ -125,7 +125,8 @@ def _count_without_meaning(
     }
     declared = state.declarations.symbols_at(chain.lines[0])
     for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
-        if name in below and name not in declared and not knowledge.knows(name):
+        is_open = name not in declared and name not in knowledge.universal
+        if name in below and is_open and not knowledge.knows(name):
             text = plain_text(Name(name))
             return f"{text} stands on one side only: declare what it means"
     return ""

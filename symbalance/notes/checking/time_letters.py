@@ -31,12 +31,12 @@ def with_time(page: ReadNotes, declarations: Declarations) -> Declarations:
             if len(value.factors) != 2 or len(others) != 1:
                 continue
             (name,) = others
-            if name not in declarations.symbols and not _has_another_value(name, page):
+            if name not in declarations.symbols and not has_another_value(name, page):
                 return replace(declarations, symbols={**declarations.symbols, name: "time"})
     return declarations
 
 
-def _has_another_value(name: str, page: ReadNotes) -> bool:
+def has_another_value(name: str, page: ReadNotes) -> bool:
     """Tell whether a page gives a letter what is no time: t = 5 mm, a thickness."""
     for chain in page.chains:
         if not any(isinstance(side.node, Name) and side.node.name == name for side in chain.sides):
@@ -47,3 +47,11 @@ def _has_another_value(name: str, page: ReadNotes) -> bool:
             if not (isinstance(side.node, Name) and side.node.name == name) and not is_time:
                 return True
     return False
+
+
+def time_letter(page: ReadNotes, declarations: Declarations) -> str | None:
+    """Return the letter of time: the one declared, or t where the page has it for nothing else."""
+    declared = letters_by_role(declarations.symbols).get("time")
+    if declared:
+        return declared[0]
+    return None if "t" in declarations.symbols or has_another_value("t", page) else "t"
