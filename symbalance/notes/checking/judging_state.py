@@ -15,6 +15,7 @@ from symbalance.notes.checking.deciding.numbers_put_in import printed_results
 from symbalance.notes.checking.definitions import Definitions
 from symbalance.notes.checking.engine_speeds import speeds_of
 from symbalance.notes.checking.engines import Sources
+from symbalance.notes.checking.equations_of_motion import EquationOfMotion
 from symbalance.notes.checking.given_numbers import GivenNumbers
 from symbalance.notes.checking.meant_quantities import MeantQuantities
 from symbalance.notes.checking.meant_words import MeantWords
@@ -63,6 +64,7 @@ class JudgingState:
         self.wrong_numbers = CarriedValues()
         self.given_numbers = GivenNumbers()
         self.speeds = speeds_of(self.document.text)
+        self.equations_of_motion: list[EquationOfMotion] = []
         self.not_judged: dict[str, int] = {}
         """Letters that a relation may define which was not judged, with its line."""
         self.solutions: dict[int, tuple[Premise, Decision]] = {}
@@ -76,7 +78,8 @@ class JudgingState:
         meaning, crank = meaning_of(symbols, convention, self.sources.engines)
         definitions = self.definitions.at(line)
         letters = letters_by_role(symbols)
-        meaning, running = with_motions(meaning, self.motions, line), self.motions.turning(line)
+        meaning = with_motions(meaning, self.motions, line, definitions)
+        running = self.motions.turning(line)
         universal = frozenset(n for m in UNIVERSAL for n in letters.get(m, ())) | running
         moving = frozenset(n for m in MOVING for n in letters.get(m, ()))
         angles = frozenset(n for m in ANGLES for n in letters.get(m, ())) | running

@@ -6,7 +6,7 @@ what is said of θ stays in θ, and φ̇ = ω puts the plain letter where a dot 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
@@ -28,6 +28,7 @@ from symbalance.document.formula import (
     with_children,
 )
 from symbalance.notes.algebra.evaluation import SymbolValue, derivative_name
+from symbalance.notes.checking.dimensions import Dimensions
 from symbalance.notes.checking.sidecar import Declarations
 from symbalance.notes.checking.symbol_roles import letters_by_role
 from symbalance.notes.checking.symbols import meaning_of
@@ -93,6 +94,7 @@ def motions_in_time(page: ReadNotes, declarations: Declarations) -> Motions:
     turning = {*own_angles, *_turning(page)}
     differentiated = tuple(_differentiated(page))
     by_angles = {each.name for each in differentiated if each.variable != time}
+    dimensions = Dimensions(declarations.symbols, {})
     motions: dict[str, Motion] = {}
     places: set[tuple[Span, Span]] = set()
     for chain in page.chains:
@@ -108,6 +110,8 @@ def motions_in_time(page: ReadNotes, declarations: Declarations) -> Motions:
                 if motion.name not in turning or is_time_known or is_second:
                     continue
             elif _has_formula(motion.name, page) or motion.name in by_angles:
+                continue
+            elif dimensions.mismatch(left.node, right.node, ("", "")) is not None:
                 continue
             motions[motion.name] = motion
             places.add((left.span, right.span))
@@ -138,10 +142,15 @@ def with_plain_rates(page: ReadNotes, motions: Motions) -> ReadNotes:
     return replace(page, chains=tuple(map(changed, page.chains)))
 
 
-def with_motions(meaning: SymbolValue, motions: Motions, line: int) -> SymbolValue:
-    """Return what letters stand for, with the motions that the lines above state."""
-    here = motions.at(line)
-    written = [d for d in motions.differentiated if d.line <= line and d.name not in meaning.values]
+def with_motions(
+    meaning: SymbolValue, motions: Motions, line: int, defined: Collection[str]
+) -> SymbolValue:
+    """Return what letters stand for, with the motions that the lines above state.
+
+    A letter that is `defined` changes as its formula does.
+    """
+    here, known = motions.at(line), {*meaning.values, *defined}
+    written = [d for d in motions.differentiated if d.line <= line and d.name not in known]
     if not here and not written:
         return meaning
     values, rates = dict(meaning.values), {name: dict(rate) for name, rate in meaning.rates.items()}

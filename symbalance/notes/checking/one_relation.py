@@ -15,6 +15,11 @@ from symbalance.notes.checking.deciding.sign_of_letters import decide_with_signs
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.descriptions import describe
 from symbalance.notes.checking.engine_speeds import decide_speed
+from symbalance.notes.checking.equations_of_motion import (
+    decide_motion,
+    decide_natural_frequency,
+    equation_of_motion,
+)
 from symbalance.notes.checking.given_numbers import number_given
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.letter_values import define_letter
@@ -58,6 +63,8 @@ def judge_relation(
     if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):
         reason = f"true of the number {name}; here {name} is declared as a letter"
         return Decision(UNDECIDED, reason)
+    if is_equality and (by_motion := _by_motion(state, chain, k, knowledge)) is not None:
+        return by_motion
     definition = _demanded(relation) or as_proved_solution(state, chain, k)
     definition = definition or _define(state, chain, k, knowledge)
     if definition is not None:
@@ -92,6 +99,29 @@ def _meant_as_number(left: Formula, right: Formula, knowledge: Knowledge) -> str
             is_letter = decide_equality(left, right, knowledge).is_proved
             return "" if is_letter else ", ".join(plain_text(Constant(n)) for n in chosen)
     return ""
+
+
+def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on an equation of motion, or on a natural frequency; None for others."""
+    time = knowledge.crank.time if knowledge.crank else "t"
+    elsewhere = {each.name for each in state.motions.differentiated if each.variable == time}
+    equation = equation_of_motion(chain, k, elsewhere, knowledge)
+    above = state.equations_of_motion
+    if equation is None:
+        here = [e for e in above if state.sections.same_section(e.line, chain.lines[0])]
+        by_frequency = decide_natural_frequency(chain, k, here, knowledge)
+        head = chain.sides[0].node
+        if by_frequency is not None and by_frequency.is_proved and isinstance(head, Name):
+            state.definitions.define(head.name, chain.sides[1].node, chain)
+        return by_frequency
+    last = above[-1].line if above else 0
+    follows = bool(above) and (
+        state.sections.is_consequence(chain) or state.sections.stands_next(chain, last)
+    )
+    follows = follows and state.sections.same_section(last, chain.lines[0])
+    decision = decide_motion(equation, above, knowledge, follows=follows)
+    above.append(equation)
+    return decision
 
 
 def _demanded(relation: Relation) -> Decision | None:
