@@ -14,7 +14,7 @@ from symbalance.notes.checking import assertions
 from symbalance.notes.checking.consequences import decide_consequence
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.relations import NO_VALUES_HERE, decide
 from symbalance.notes.checking.deciding.remainders import is_remainder
 from symbalance.notes.checking.descriptions import describe, unreadable_verdict, with_fault
 from symbalance.notes.checking.dimensions import Dimensions, unit_text
@@ -149,6 +149,9 @@ class Judge:
             if verdict.verdict == REFUTED:
                 self.state.wrong_numbers.note(chain, k)
                 self.state.definitions.forget_moment(chain.sides[k + 1].node)
+            head = chain.sides[0].node
+            if k and verdict.reason.endswith(NO_VALUES_HERE) and isinstance(head, Name):
+                self.state.definitions.define(head.name, chain.sides[k + 1].node, chain)  # F = Σ F_i = …
             self.state.given_numbers.note(chain, k, verdict)
             if verdict.is_unjudged:
                 self.state.not_judged |= dict.fromkeys(_lone_letters(chain, k), relation.line)

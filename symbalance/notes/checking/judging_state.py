@@ -69,6 +69,8 @@ class JudgingState:
         """Letters that a relation may define which was not judged, with its line."""
         self.solutions: dict[int, tuple[Premise, Decision]] = {}
         """Where an equation's solution stands: the equation, and whether the solution satisfies it."""
+        self.balances: set[int] = set()
+        """Places of the solutions of balances, which are wrong where they do not satisfy them."""
         self.general: frozenset[str] = frozenset()
         """Letters of all of whose values the relation in hand is claimed, whatever case stands before."""
 

@@ -28,6 +28,7 @@ from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.rough_letters import decide_roughly
 from symbalance.notes.checking.solutions import solution_below
+from symbalance.notes.checking.solved_balances import as_balance_solution
 from symbalance.notes.checking.solved_below import as_proved_solution, as_solved
 from symbalance.notes.checking.stated_matrices import no_relation_of_matrices
 from symbalance.notes.checking.steps_by_premises import unless_given
@@ -65,7 +66,8 @@ def judge_relation(
         return Decision(UNDECIDED, reason)
     if is_equality and (by_motion := _by_motion(state, chain, k, knowledge)) is not None:
         return by_motion
-    definition = _demanded(relation) or as_proved_solution(state, chain, k)
+    definition = _demanded(relation) or as_balance_solution(state, chain, k)
+    definition = definition or as_proved_solution(state, chain, k)
     definition = definition or _define(state, chain, k, knowledge)
     if definition is not None:
         return _as_meant(state, chain, k, definition, knowledge)
