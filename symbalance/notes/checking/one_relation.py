@@ -23,6 +23,7 @@ from symbalance.notes.checking.equations_of_motion import (
 from symbalance.notes.checking.given_numbers import number_given
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.letter_values import define_letter
+from symbalance.notes.checking.mean_values import decide_by_mean
 from symbalance.notes.checking.numbers_in_units import decide_after_units_left_out
 from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.relation_fixes import add_fix_of_relation
@@ -73,6 +74,12 @@ def judge_relation(
         return _as_meant(state, chain, k, definition, knowledge)
     decision, against = _decide_step(state, chain, k, sound, bad, knowledge)
     decision = _with_signs(state, left, right, relation.sign, decision, knowledge)
+    if decision.status in (REFUTED, UNDECIDED) and (by_mean := decide_by_mean(chain, k, knowledge)):
+        head = left.node
+        earlier = knowledge.definitions.get(head.name) if isinstance(head, Name) and not k else None
+        if isinstance(head, Name) and earlier is not None and earlier.solved:
+            state.definitions.define(head.name, right.node, chain)  # in the letters that go on
+        return by_mean
     if decision.status in (REFUTED, UNDECIDED):
         below = None if k else solution_below(state.sections, chain, knowledge)
         solved = as_solved(state, chain, below, knowledge)
