@@ -32,6 +32,7 @@ from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import polynomial_node
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision, decide_equality
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
+from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.verdicts import CONDITION
 from symbalance.notes.reading.equations import Chain
@@ -119,7 +120,7 @@ def decide_natural_frequency(
     """
     square = _square_of_frequency(chain, k, knowledge) if equations else None
     if square is None:
-        return None
+        return _decide_frequency_equation(chain, k, equations, knowledge) if equations else None
     own = names(square)
     nearest = list(reversed(equations))[: 2 * MOST]
     for count in range(1, MOST + 1):
@@ -154,6 +155,36 @@ def _decide_system(
     if decision.status != REFUTED or not (has_all_letters or len(system) == 1):
         return None
     reason = f"no natural frequency by {where}: no motion A cos(ω t) satisfies it"
+    return Decision(REFUTED, reason, witness=decision.witness)
+
+
+def _decide_frequency_equation(
+    chain: Chain, k: int, equations: Sequence[EquationOfMotion], knowledge: Knowledge
+) -> Decision | None:
+    """Return whether c - J ω² = 0 says the same as the one equation of motion above; None for others."""
+    last = equations[-1]
+    is_damped = any(order == 1 for _, order in last.factors)
+    if k or len(chain.relations) != 1 or chain.relations[0].sign != "=" or is_damped:
+        return None
+    left, right = chain.sides[0].node, chain.sides[1].node
+    own = names(left) | names(right)
+    angular = [n for n in own - last.letters if _ANGULAR.fullmatch(n) and not knowledge.knows(n)]
+    if len(last.moving) != 1 or len(angular) != 1 or not own - {*angular} == last.letters:
+        return None
+    (omega,), (moving,) = angular, last.moving
+    gap = Sum((left, Negative(right)))
+    condition = _at_frequency(last, moving, Power(Name(omega), _TWO))
+    other = Name(omega + "'")
+    decision = decide_equality(
+        Product((gap, substitute(condition, omega, other))),
+        Product((substitute(gap, omega, other), condition)),
+        Knowledge(),
+    )
+    if decision.is_proved:
+        return Decision(PROVED, f"by line {last.line}, with A cos({plain_text(Name(omega))} t)")
+    if decision.status != REFUTED:
+        return None
+    reason = f"does not follow from line {last.line} with A cos({plain_text(Name(omega))} t)"
     return Decision(REFUTED, reason, witness=decision.witness)
 
 

@@ -24,7 +24,7 @@ from symbalance.notes.checking.judging_order import chains_in_turn, number_verdi
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.letters_below import with_clauses_below
 from symbalance.notes.checking.letters_of_sections import numbers_of_this_section
-from symbalance.notes.checking.motion_in_time import motions_in_time, with_plain_rates
+from symbalance.notes.checking.motion_in_time import with_rates_of_rates
 from symbalance.notes.checking.one_relation import FOLLOWS, judge_relation
 from symbalance.notes.checking.open_cases import (
     cases_left_by,
@@ -70,8 +70,9 @@ class Judge:
         self.document = replace(self.document, chains=every[: len(self.document.chains)])
         self.data = list(every[len(self.document.chains) :])
         """The page's data that stand in tables, lists and code, and have not been reached yet."""
-        motions = motions_in_time(self.document, self.declarations)
-        self.document = with_plain_rates(self.document, motions)
+        self.document, motions = with_rates_of_rates(
+            self.document, self.declarations, self.sources.engines
+        )
         self.state = JudgingState(
             self.document, self.declarations, self.sources, self.corrects, motions
         )

@@ -80,7 +80,7 @@ class JudgingState:
         meaning, crank = meaning_of(symbols, convention, self.sources.engines)
         definitions = self.definitions.at(line)
         letters = letters_by_role(symbols)
-        meaning = with_motions(meaning, self.motions, line, definitions)
+        meaning = with_motions(meaning, self.motions, line, definitions, symbols)
         running = self.motions.turning(line)
         universal = frozenset(n for m in UNIVERSAL for n in letters.get(m, ())) | running
         moving = frozenset(n for m in MOVING for n in letters.get(m, ()))

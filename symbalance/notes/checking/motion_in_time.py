@@ -29,12 +29,15 @@ from symbalance.document.formula import (
 )
 from symbalance.notes.algebra.evaluation import SymbolValue, derivative_name
 from symbalance.notes.checking.dimensions import Dimensions
+from symbalance.notes.checking.engines import Engines
 from symbalance.notes.checking.sidecar import Declarations
 from symbalance.notes.checking.symbol_roles import letters_by_role
 from symbalance.notes.checking.symbols import meaning_of
 from symbalance.notes.checking.time_letters import time_letter
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
+HIGHEST = 2
+"""Times that a rate is a letter with a rate of its own."""
 _WAVES = ("sin", "cos", "tan")
 _ZERO = Number(Fraction(0))
 
@@ -76,24 +79,31 @@ class Motions:
         """Return the motions that are stated up to a line."""
         return [motion for motion in self.motions if motion.line <= line]
 
+    def letters(self, line: int) -> frozenset[str]:
+        """Return the letters by which angles run with the time: ω and φ_0 of θ = ω t + φ_0."""
+        return frozenset(name for m in self.at(line) if m.law is not None for name in names(m.law))
+
     def turning(self, line: int) -> frozenset[str]:
         """Return the letters that run with the time at a line: angles, free in what is claimed."""
         return frozenset(motion.name for motion in self.at(line) if motion.law is not None)
 
 
-def motions_in_time(page: ReadNotes, declarations: Declarations) -> Motions:
+def motions_in_time(
+    page: ReadNotes, declarations: Declarations, engines: Engines | None = None
+) -> Motions:
     """Return the motions a page states of letters that the meanings of its letters leave open."""
     time = time_letter(page, declarations)
-    if time is None:
+    if time is None or not page.chains:
         return Motions()
     roles = letters_by_role(declarations.symbols)
-    meaning = meaning_of(declarations.symbols)[0]
+    meaning = meaning_of(declarations.symbols, engines=engines)[0]
     own_angles = roles.get("crank angle", [])
     is_time_known = time in meaning.values and bool(own_angles)
     has_speed = "angular speed" in roles or "engine speed rpm" in roles
     turning = {*own_angles, *_turning(page)}
     differentiated = tuple(_differentiated(page))
     by_angles = {each.name for each in differentiated if each.variable != time}
+    given = _with_formulas(page) | meaning.values.keys()
     dimensions = Dimensions(declarations.symbols, {})
     motions: dict[str, Motion] = {}
     places: set[tuple[Span, Span]] = set()
@@ -109,13 +119,34 @@ def motions_in_time(page: ReadNotes, declarations: Declarations) -> Motions:
                 is_second = any(m.law is not None for m in motions.values())
                 if motion.name not in turning or is_time_known or is_second:
                     continue
-            elif _has_formula(motion.name, page) or motion.name in by_angles:
+            elif motion.name in given or motion.name in by_angles:
                 continue
             elif dimensions.mismatch(left.node, right.node, ("", "")) is not None:
                 continue
             motions[motion.name] = motion
             places.add((left.span, right.span))
     return Motions(tuple(motions.values()), frozenset(places), differentiated)
+
+
+def with_rates_of_rates(
+    page: ReadNotes, declarations: Declarations, engines: Engines | None = None
+) -> tuple[ReadNotes, Motions]:
+    """Return a page without the dotted letters that others stand for, φ̇ = ω and ω̇ = α, and its motions."""
+    motions = motions_in_time(page, declarations, engines)
+    page = with_plain_rates(page, motions)
+    for _ in range(HIGHEST):
+        further = motions_in_time(page, declarations, engines)
+        known = {motion.name for motion in motions.motions}
+        new = tuple(m for m in further.motions if m.name not in known and m.law is None)
+        motions = Motions(
+            (*motions.motions, *new),
+            motions.places | (further.places if new else frozenset()),
+            further.differentiated,
+        )
+        if not new:
+            break
+        page = with_plain_rates(page, replace(motions, motions=new))
+    return page, motions
 
 
 def with_plain_rates(page: ReadNotes, motions: Motions) -> ReadNotes:
@@ -143,11 +174,16 @@ def with_plain_rates(page: ReadNotes, motions: Motions) -> ReadNotes:
 
 
 def with_motions(
-    meaning: SymbolValue, motions: Motions, line: int, defined: Collection[str]
+    meaning: SymbolValue,
+    motions: Motions,
+    line: int,
+    defined: Collection[str],
+    declared: Collection[str],
 ) -> SymbolValue:
     """Return what letters stand for, with the motions that the lines above state.
 
-    A letter that is `defined` changes as its formula does.
+    A letter that is `defined` changes as its formula does; an angle that is not `declared` and has a
+    second derivative does not turn steadily.
     """
     here, known = motions.at(line), {*meaning.values, *defined}
     written = [d for d in motions.differentiated if d.line <= line and d.name not in known]
@@ -158,7 +194,10 @@ def with_motions(
         rates.setdefault(motion.time, {})[motion.name] = motion.rate
         if motion.time_value is not None:
             values[motion.time] = motion.time_value
+    steady = {motion.name for motion in here}
     for each in written:
+        if each.order > 1 and each.name not in {*declared, *steady}:
+            rates.get(each.variable, {}).pop(each.name, None)
         _add_rates(rates, each)
     for each in written:
         _add_chain_rule(rates, each, written, line)
@@ -249,17 +288,24 @@ def _turning(page: ReadNotes) -> Iterator[str]:
                     yield from names(part.argument)
 
 
-def _has_formula(name: str, page: ReadNotes) -> bool:
-    """Tell whether a page gives a letter a formula: its rate is then that formula's, and may be wrong."""
-    return any(
-        isinstance(head.node, Name)
-        and head.node.name == name
-        and bool(names(value.node))
-        and not isinstance(value.node, Derivative)
-        for chain in page.chains
-        for one, other in _pairs(chain)
-        for head, value in ((one, other), (other, one))
-    )
+def _with_formulas(page: ReadNotes) -> set[str]:
+    """Return the letters to which a page gives formulas: their rates are those of it, and may be wrong.
+
+    With x = A cos ω t, v = ẋ has one too.
+    """
+    given, rates = set[str](), list[tuple[str, str]]()
+    for chain in page.chains:
+        for one, other in _pairs(chain):
+            for head, value in ((one.node, other.node), (other.node, one.node)):
+                if not isinstance(head, Name) or not names(value) or head == value:
+                    continue
+                if isinstance(value, Derivative) and isinstance(value.expression, Name):
+                    rates.append((head.name, value.expression.name))
+                else:
+                    given.add(head.name)
+    for _ in rates:
+        given |= {name for name, inner in rates if inner in given}
+    return given
 
 
 def _differentiated(page: ReadNotes) -> Iterator[Differentiated]:

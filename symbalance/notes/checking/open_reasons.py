@@ -67,6 +67,7 @@ def _one_sided_letter(state: JudgingState, decision: Decision, line: int, knowle
     if decision.left is None or decision.right is None:
         return ""
     free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
+    free -= state.motions.letters(line)
     for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
         if name in free and not knowledge.knows(name) and name not in knowledge.universal:
             return f"{plain_text(Name(name))} is not declared and"
