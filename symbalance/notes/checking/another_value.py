@@ -83,7 +83,9 @@ def _is_of_new_letters(
     own, start, known = names(value), chain.sides[0].span[0], knowledge.definitions[name]
     if known.numeric and known.formula is None:
         return False  # E = 310 J, then what formula it has
-    if len(own) < FEWEST_NEW or any(knowledge.has_meaning(n) and n not in knowledge.definitions for n in own):
+    if len(own) < FEWEST_NEW or any(
+        knowledge.has_meaning(n) and n not in knowledge.definitions for n in own
+    ):
         return False
     if own & knowledge.meanings.keys() or definitions.sections.is_consequence(chain):
         return False

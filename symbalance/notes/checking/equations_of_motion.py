@@ -223,7 +223,9 @@ def _linear_factors(form: Form, moving: frozenset[str]) -> dict[tuple[str, int],
     polynomials: dict[tuple[str, int], Polynomial] = {}
     for monomial, coefficient in form.numerator.items():
         own = [(g, e) for g, e in monomial if g in generators]
-        behind = {n for g, _ in monomial if domain.generators[g].kind != "symbol" for n in _names_in(form, g)}
+        behind = {
+            n for g, _ in monomial if domain.generators[g].kind != "symbol" for n in _names_in(form, g)
+        }
         if len(own) > 1 or (own and own[0][1] != 1) or behind & moving:
             return None
         if own:

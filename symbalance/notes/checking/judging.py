@@ -73,9 +73,7 @@ class Judge:
         self.document, motions = with_rates_of_rates(
             self.document, self.declarations, self.sources.engines
         )
-        self.state = JudgingState(
-            self.document, self.declarations, self.sources, self.corrects, motions
-        )
+        self.state = JudgingState(self.document, self.declarations, self.sources, self.corrects, motions)
         self.guard = Guard(self.document, self.budget)
 
     def check(self) -> Checked:

@@ -241,7 +241,11 @@ def _stated_rate(left: Formula, right: Formula, time: str, chain: Chain) -> Moti
         if not isinstance(rate, Derivative) or not isinstance(letter, Name) or rate.order != 1:
             continue
         inner = rate.expression
-        if isinstance(inner, Name) and rate.variable.name == time and letter.name not in (inner.name, time):
+        if (
+            isinstance(inner, Name)
+            and rate.variable.name == time
+            and letter.name not in (inner.name, time)
+        ):
             return Motion(inner.name, letter, time, chain.lines[0])
     return None
 
@@ -265,7 +269,11 @@ def _rate(term: Formula, time: str) -> Formula | None:
     if not isinstance(term, Product):
         return None
     rest = [factor for factor in term.factors if factor != Name(time)]
-    if len(rest) != len(term.factors) - 1 or not all(map(_is_still, rest)) or time in names(term) - {time}:
+    if (
+        len(rest) != len(term.factors) - 1
+        or not all(map(_is_still, rest))
+        or time in names(term) - {time}
+    ):
         return None
     if any(time in names(factor) for factor in rest):
         return None

@@ -148,15 +148,27 @@ _WORDINGS = tuple(
     for role, pattern in (
         ("angular speed", rf"(?:(?:constant|steady|uniform) )?angular (?:speed|velocity) of {_SHAFT}"),
         ("angular speed", r"(?:crank|crankshaft) angular (?:speed|velocity)"),
-        ("angular speed", r"winkelgeschwindigkeit(?: der kurbel(?:welle)?)?|(?:クランク(?:軸|シャフト)?の?)?角速度"),
+        (
+            "angular speed",
+            r"winkelgeschwindigkeit(?: der kurbel(?:welle)?)?|(?:クランク(?:軸|シャフト)?の?)?角速度",
+        ),
         ("crank angle", rf"(?:rotation )?angle of {_SHAFT}|crankshaft angle|kurbelwinkel"),
         ("crank angle", r"クランク(?:軸|シャフト)?の?(?:回転)?角度?"),
-        ("crank radius", rf"radius of {_SHAFT}|crank throw|kurbelradius|kurbelhalbmesser|クランクの?半径"),
+        (
+            "crank radius",
+            rf"radius of {_SHAFT}|crank throw|kurbelradius|kurbelhalbmesser|クランクの?半径",
+        ),
         ("rod length", rf"length of {_ROD}|(?:connecting-rod|conrod) length"),
-        ("rod length", r"pleuell(?:ä|ae)nge|l(?:ä|ae)nge de[rs] pleuel(?:stange|s)|schubstangenl(?:ä|ae)nge"),
+        (
+            "rod length",
+            r"pleuell(?:ä|ae)nge|l(?:ä|ae)nge de[rs] pleuel(?:stange|s)|schubstangenl(?:ä|ae)nge",
+        ),
         ("rod length", r"(?:コンロッド|連接棒|連桿)の?長さ"),
         ("reciprocating mass", rf"(?:reciprocating|oscillating) mass{_OF_ONE}"),
-        ("reciprocating mass", r"oszillierende masse(?: (?:je|pro|eines) (?:zylinders?|kolbens?))?|往復(?:部の?)?質量"),
+        (
+            "reciprocating mass",
+            r"oszillierende masse(?: (?:je|pro|eines) (?:zylinders?|kolbens?))?|往復(?:部の?)?質量",
+        ),
         ("crank ratio r/l", rf"{_RATIO_GERMAN} \(?r/l\)?"),
         ("rod ratio l/r", rf"{_RATIO_GERMAN} \(?l/r\)?"),
     )
