@@ -1,7 +1,8 @@
 """Linear differential equations of motion, J φ̈ + c φ = 0, and the natural frequencies that follow.
 
-Such an equation holds along one motion: it gives no letter its value, least of all a mass. With x = X e^(iωt)
-each becomes linear in the amplitudes, and a natural frequency is where the determinant of them all is zero.
+Such an equation holds along one motion: it gives no letter its value, least of all a mass. With
+x = X e^(iωt) each becomes linear in the amplitudes; a natural frequency is where the determinant of them
+all is zero.
 """
 
 from __future__ import annotations
@@ -169,7 +170,7 @@ def _decide_frequency_equation(
     left, right = chain.sides[0].node, chain.sides[1].node
     own = names(left) | names(right)
     angular = [n for n in own - last.letters if _ANGULAR.fullmatch(n) and not knowledge.knows(n)]
-    if len(last.moving) != 1 or len(angular) != 1 or not own - {*angular} == last.letters:
+    if len(last.moving) != 1 or len(angular) != 1 or own - {*angular} != last.letters:
         return None
     (omega,), (moving,) = angular, last.moving
     gap = Sum((left, Negative(right)))

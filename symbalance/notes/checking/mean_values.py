@@ -1,7 +1,7 @@
 """Mean values that a page uses and never writes: ω_0 between ω_max and ω_min, ω between ω_1 and ω_2.
 
-ΔE = J (ω_max² - ω_min²)/2 is J ω_0² δ if ω_0 is half the sum of the two. Words say so, or nobody does: what
-is true with it is true on that condition.
+ΔE = J (ω_max² - ω_min²)/2 is J ω_0² δ if ω_0 is half the sum of the two. Words say so, or nobody does:
+what is true with it is true on that condition.
 """
 
 from __future__ import annotations

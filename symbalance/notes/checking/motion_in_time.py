@@ -1,13 +1,13 @@
 """Angles that a page lets run with the time, θ = ω t, and letters whose rate it names, φ̇ = ω.
 
-Both say how a letter changes, and neither takes the letter's place: θ = ω t gives the time as θ/ω, so that
-what is said of θ stays in θ, and φ̇ = ω puts the plain letter where a dot stood, never the other way.
+Both say how a letter changes, and neither takes the letter's place: θ = ω t gives the time as θ/ω, so
+that what is said of θ stays in θ, and φ̇ = ω puts the plain letter where a dot stood, never the other way.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from symbalance.document.formula import (
@@ -119,9 +119,7 @@ def motions_in_time(
                 is_second = any(m.law is not None for m in motions.values())
                 if motion.name not in turning or is_time_known or is_second:
                     continue
-            elif motion.name in given or motion.name in by_angles:
-                continue
-            elif dimensions.mismatch(left.node, right.node, ("", "")) is not None:
+            elif motion.name in given | by_angles or dimensions.mismatch(left.node, right.node, ("", "")):
                 continue
             motions[motion.name] = motion
             places.add((left.span, right.span))
@@ -131,7 +129,7 @@ def motions_in_time(
 def with_rates_of_rates(
     page: ReadNotes, declarations: Declarations, engines: Engines | None = None
 ) -> tuple[ReadNotes, Motions]:
-    """Return a page without the dotted letters that others stand for, φ̇ = ω and ω̇ = α, and its motions."""
+    """Return a page without the dotted letters that others stand for, and its motions: φ̇ = ω, ω̇ = α."""
     motions = motions_in_time(page, declarations, engines)
     page = with_plain_rates(page, motions)
     for _ in range(HIGHEST):

@@ -67,6 +67,14 @@ def judge_relation(
         return Decision(UNDECIDED, reason)
     if is_equality and (by_motion := _by_motion(state, chain, k, knowledge)) is not None:
         return by_motion
+    return _judge_equality(state, chain, k, sound, bad, knowledge)
+
+
+def _judge_equality(
+    state: JudgingState, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
+) -> Verdict | Decision:
+    """Return the verdict on a relation = or ≈: a definition, a step, or something given."""
+    relation, left, right = chain.relations[k], chain.sides[k], chain.sides[k + 1]
     definition = _demanded(relation) or as_balance_solution(state, chain, k)
     definition = definition or as_proved_solution(state, chain, k)
     definition = definition or _define(state, chain, k, knowledge)
@@ -74,15 +82,9 @@ def judge_relation(
         return _as_meant(state, chain, k, definition, knowledge)
     decision, against = _decide_step(state, chain, k, sound, bad, knowledge)
     decision = _with_signs(state, left, right, relation.sign, decision, knowledge)
-    if decision.status in (REFUTED, UNDECIDED) and (by_mean := decide_by_mean(chain, k, knowledge)):
-        head = left.node
-        earlier = knowledge.definitions.get(head.name) if isinstance(head, Name) and not k else None
-        if isinstance(head, Name) and earlier is not None and earlier.solved:
-            state.definitions.define(head.name, right.node, chain)  # in the letters that go on
-        return by_mean
     if decision.status in (REFUTED, UNDECIDED):
         below = None if k else solution_below(state.sections, chain, knowledge)
-        solved = as_solved(state, chain, below, knowledge)
+        solved = _by_mean(state, chain, k, knowledge) or as_solved(state, chain, below, knowledge)
         decision = solved or unless_given(state, chain, k, against, decision, knowledge)
     if decision.status in STATED or decision.status == CONTRADICTION:
         return decision
@@ -90,6 +92,16 @@ def judge_relation(
     return add_fix_of_relation(
         state, describe(state.document, chain, k, decision), chain, k, against, decision, knowledge
     )
+
+
+def _by_mean(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the proof of a relation by a mean value; a letter solved for goes on in its letters."""
+    decision, head = decide_by_mean(chain, k, knowledge), chain.sides[k].node
+    if decision is not None and not k and isinstance(head, Name):
+        earlier = knowledge.definitions.get(head.name)
+        if earlier is not None and earlier.solved:
+            state.definitions.define(head.name, chain.sides[1].node, chain)
+    return decision
 
 
 def _meant_as_number(left: Formula, right: Formula, knowledge: Knowledge) -> str:

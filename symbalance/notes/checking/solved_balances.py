@@ -1,6 +1,7 @@
 """Balances that are solved below for a letter behind their own: F_Σ + F_B = 0, from which U = ρ m R/2.
 
-No letter of the balance is new, so nothing in it is solved for; what its letters stand for has one that is.
+No letter of the balance is new, so nothing in it is solved for; what its letters stand for has one that
+is.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ LONGEST = 80
 
 
 def as_balance(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
-    """Return that a balance is a condition on a letter behind it which the next line solves, else None."""
+    """Return that a balance is a condition which the next line solves for a letter behind it."""
     if k or len(chain.relations) != 1 or chain.relations[0].sign != "=":
         return None
     right = chain.sides[1].node
@@ -57,7 +58,7 @@ def as_balance(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
 
 
 def _is_closed(at_value: Decision, following: Chain, knowledge: Knowledge) -> bool:
-    """Tell whether nothing stands in a balance with its solution but letters of that, and the crank's sizes.
+    """Tell whether a balance with its solution has no letters but that one's and the crank's sizes.
 
     With others, of which only words say what they are, it is neither right nor wrong. The sizes of the
     crank are declared for good: nothing further can be said of them.
@@ -70,7 +71,7 @@ def _is_closed(at_value: Decision, following: Chain, knowledge: Knowledge) -> bo
 
 
 def as_balance_solution(state: JudgingState, chain: Chain, k: int) -> Decision | None:
-    """Return the proof or refutation of what is said to solve a balance above, None for other relations."""
+    """Return the proof or refutation of what is said to solve a balance above, None for others."""
     if k or chain.sides[0].span[0] not in state.balances:
         return None
     decision, head = as_solution(state, chain, k), chain.sides[0].node

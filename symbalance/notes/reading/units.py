@@ -225,10 +225,8 @@ class _PlainUnit:
             return (self.spaced and self.digits != "") or not is_letters
         if is_letters and not any(part in _PLAIN_SURE for part in long_parts):
             return self._is_clear_among_letters()
-        if len(self.parts) == 1 and len(self.parts[0]) == 1 and self._fills_braces():
-            return False
         if len(self.word) > 1:
-            return self.digits != "" or self.spaced
+            return (self.digits != "" or self.spaced) and not self._fills_braces()
         if self.word in "gG":
             return self._is_gram_or_multiple_of_g()
         is_big = self.word in "NJWK" and self.spaced
@@ -236,6 +234,8 @@ class _PlainUnit:
 
     def _fills_braces(self) -> bool:
         """Tell whether a count and a letter are all of a group: the 4m^2 of \\frac{b^2}{4m^2}."""
+        if len(self.parts) > 1 or len(self.parts[0]) > 1:
+            return False
         before = self.text[max(self.place - 4, 0) : self.place]
         is_alone = re.search(r"\{[0-9]{1,2}$", before) is not None
         return is_alone and self.text[self.stop : self.stop + 1] == "}"
