@@ -20,6 +20,7 @@ from symbalance.notes.checking.plain_formulas import lone_side, plain_text
 from symbalance.notes.checking.premise_decisions import decide_by_premises
 from symbalance.notes.checking.premises import Premise
 from symbalance.notes.checking.symbol_roles import role_of
+from symbalance.notes.checking.value_groups import is_in_next_group
 from symbalance.notes.checking.verdicts import CONDITION, CONTRADICTION, DEFINITION, PREMISE
 from symbalance.notes.reading.equations import Chain, Side
 
@@ -233,6 +234,8 @@ def refuse_case(
     if chain.inline and definitions.sections.is_denied(chain):
         return Decision(CONDITION, f"said not to be so: {text} in line {earlier.line}")
     is_case = _says_new_case(definitions, name, earlier, chain)
+    if name in definitions.sections.spoken_of_generally(chain, {name: False}):
+        is_case = False  # "in general y = 1" is no case
     is_excluded = is_case is not True and _excludes(earlier.node, value, knowledge)
     if not is_excluded or _is_another_solution(definitions, name, value, line, knowledge):
         return None
@@ -250,7 +253,10 @@ def _says_new_case(definitions: Definitions, name: str, earlier: Definition, cha
         follows_at_once = definitions.sections.stands_next(chain, earlier.line)
         return not (definitions.sections.is_consequence(chain) and follows_at_once)
     if not chain.inline:
-        return bool(earlier.assumption) and near > earlier.line
+        is_next = is_in_next_group(
+            definitions.sections.document.text, definitions.sections.document.chains, chain
+        )
+        return is_next or (bool(earlier.assumption) and near > earlier.line)
     return definitions.sections.starts_new_case(chain, earlier.line, name)
 
 

@@ -26,6 +26,13 @@ _GENERAL = re.compile(
     r"|一般に|一般には|常に|つねに|いつも|それ以外",
     re.IGNORECASE,
 )
+_ALWAYS_BEHIND = re.compile(
+    r"[\s$)}\]\\,]{0,6}(?:\\text\s*\{\s*)?(?:(?:holds?|is\s+true|gilt|is\s+valid)\s+)?(?:always|at\s+all\s+times"
+    r"|at\s+any\s+time|immer|stets|everywhere|identically|for\s+(?:all|every|any)\s+(?:crank\s+)?(?:angles?|positions?|values?)"
+    r"|für\s+(?:alle|jeden)\s+(?:Kurbel)?[Ww]inkeln?)(?:\s+(?:holds?|true|vanishes))?(?=\s*[.,;:)}\]$]|\s*$)"
+    r"|[\s$)}\]]{0,4}(?:は|が)?(?:常に|つねに|いつも)(?:成り立つ|成立)",
+    re.IGNORECASE | re.MULTILINE,
+)
 _OF_ALL = (
     r"(?<![A-Za-zÀ-ÿ\\])(?:(?:for\s+|at\s+)?(?:all|every|any|arbitrary|each)|für\s+(?:alle|jede[nsrm]?|beliebige[nsrm]?)|beliebige[snrm]?)"
     r"(?:\s+other)?\s+(?:(?:real|values?|angles?|crank\s+angles?|Werte?|Winkel|(?:Kurbel)?[Ww]inkel|of)\s+){0,3}"
@@ -65,6 +72,15 @@ def is_case_behind(text: str, end: int, first: int, last: int) -> bool:
     """
     between = _BETWEEN.fullmatch(text, end, first) is not None
     return between and opens_case(text, first, last) and _CLAUSE_LAST.match(text, last) is not None
+
+
+def is_said_of_all_behind(text: str, end: int) -> bool:
+    """Tell whether a relation is said to hold always by the words right behind it.
+
+    >>> is_said_of_all_behind("x + y = 1 always.", 9), is_said_of_all_behind("x = 1 here, always y", 5)
+    (True, False)
+    """
+    return _ALWAYS_BEHIND.match(text, end) is not None
 
 
 def clause_start(text: str, start: int) -> int:

@@ -11,6 +11,7 @@ from symbalance.budgets import Budget
 from symbalance.document.formula import Call, Formula, Name, names, walk
 from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import assertions
+from symbalance.notes.checking.another_place import leave_place
 from symbalance.notes.checking.consequences import decide_consequence
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -18,6 +19,7 @@ from symbalance.notes.checking.deciding.relations import NO_VALUES_HERE, decide
 from symbalance.notes.checking.deciding.remainders import is_remainder
 from symbalance.notes.checking.descriptions import describe, unreadable_verdict, with_fault
 from symbalance.notes.checking.dimensions import Dimensions, unit_text
+from symbalance.notes.checking.engine_blocks import EngineBlocks
 from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.guarded_verdicts import PAGE, Guard
 from symbalance.notes.checking.judging_order import chains_in_turn, number_verdicts
@@ -74,6 +76,7 @@ class Judge:
             self.document, self.declarations, self.sources.engines
         )
         self.state = JudgingState(self.document, self.declarations, self.sources, self.corrects, motions)
+        self.blocks = EngineBlocks(self.document.text, self.state.sections)
         self.guard = Guard(self.document, self.budget)
 
     def check(self) -> Checked:
@@ -81,7 +84,8 @@ class Judge:
         bindings = assertions.by_line(self.declarations.bindings)
         verdicts: list[Verdict] = [unreadable_verdict(self.document, u) for u in self.document.unreadable]
         for chain in chains_in_turn(self.document, self.state.sections):
-            self._take_data(chain.lines[0])
+            self._take_data(chain)
+            self.blocks.enter(chain.lines[0], self.state.definitions)
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
             verdicts += self.chain(chain, chain_binds)
         for binding in (b for rest in bindings.values() for b in rest):
@@ -96,9 +100,13 @@ class Judge:
             self.document, tuple(replace(v, cell=self.document.cell_of(v.line)) for v in numbered)
         )
 
-    def _take_data(self, line: int) -> None:
-        """Define the letters of the tables, lists and code above a line; a formula's letter is left."""
-        while self.data and self.data[0].lines[0] < line:
+    def _take_data(self, chain: Chain) -> None:
+        """Define the letters of the tables, lists and code above a chain; a formula's letter is left."""
+        line, start = chain.lines[0], chain.sides[0].span[0]
+        while self.data and (
+            self.data[0].lines[0] < line
+            or (self.data[0].lines[0] == line and self.data[0].sides[-1].span[1] <= start)
+        ):
             datum = self.data.pop(0)
             name = next(iter(names(datum.sides[0].node)))
             earlier = self.state.knowledge(datum.lines[0]).definitions.get(name)
@@ -214,6 +222,8 @@ class Judge:
             end_cases(self.state.definitions, left, start)
             return verdict
         verdict = self._link_in_scope(chain, k, sound, bad)
+        if verdict.verdict in (REFUTED, CONTRADICTION) and leave_place(self.state, chain):
+            return self._link_in_scope(chain, k, sound, bad)
         if verdict.verdict == CONTRADICTION and (
             others := cases_replaced_by(self.state.definitions, chain)
         ):

@@ -87,7 +87,10 @@ class JudgingState:
         angles = frozenset(n for m in ANGLES for n in letters.get(m, ())) | running
         letters_declared = frozenset(symbols)
         ranges = self.definitions.ranges_at(line)
-        meaning = replace(meaning, ranges={**meaning.ranges, **sample_ranges(ranges)})
+        undeclared = frozenset(self.document.free_letters) - letters_declared - definitions.keys()
+        meaning = replace(
+            meaning, ranges={**meaning.ranges, **sample_ranges(ranges)}, undeclared=undeclared
+        )
         knowledge = Knowledge(
             meaning,
             crank,

@@ -13,6 +13,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.premises import lines_of
+from symbalance.notes.checking.small_by_value import refuted_in_small_letter
 from symbalance.notes.checking.solutions import solution_behind_arrow
 from symbalance.notes.checking.solved_balances import as_balance
 from symbalance.notes.checking.solved_below import as_solution, as_solved
@@ -21,6 +22,8 @@ from symbalance.notes.checking.symbol_roles import KNOWN, role_of
 from symbalance.notes.checking.verdicts import UNDECIDED
 from symbalance.notes.checking.witness_angles import holds_at_angles
 from symbalance.notes.reading.equations import Chain
+
+UNKNOWN_SMALL = "nobody has said which letter is small: declare what they mean"
 
 
 def unless_open(
@@ -44,8 +47,17 @@ def unless_open(
         reason = f"may rest on line {state.not_judged[unknown[0]]}, which was not judged"
     elif condition is not None:
         reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
-    elif chain.relations[k].sign == "≈" and free & letters_here and len(letters_here) > 1:
-        reason = "nobody has said which letter is small: declare what they mean"
+    elif (
+        chain.relations[k].sign == "≈"
+        and free & letters_here
+        and len(letters_here) > 1
+        and not letters_here & knowledge.small
+    ):
+        refutation = refuted_in_small_letter(chain, k, knowledge)
+        letter = _one_sided_letter(state, decision, line, knowledge) if refutation else ""
+        if refutation is not None and not letter:
+            return refutation
+        reason = f"{letter} stands on one side only: declare what it means" if letter else UNKNOWN_SMALL
     elif letter := _one_sided_letter(state, decision, line, knowledge):
         reason = f"{letter} stands on one side only: declare what it means"
     elif chain.relations[k].sign == "=":
@@ -69,7 +81,8 @@ def _one_sided_letter(state: JudgingState, decision: Decision, line: int, knowle
     free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
     free -= state.motions.letters(line)
     for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
-        if name in free and not knowledge.knows(name) and name not in knowledge.universal:
+        is_open = name not in state.general | knowledge.universal
+        if name in free and not knowledge.knows(name) and is_open:
             return f"{plain_text(Name(name))} is not declared and"
         if "/d" in name:  # the derivative of what no line defines
             return name
@@ -128,8 +141,9 @@ def _count_without_meaning(
     }
     declared = state.declarations.symbols_at(chain.lines[0])
     for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
-        is_open = name not in declared and name not in knowledge.universal
-        if name in below and is_open and not knowledge.knows(name):
+        if name in state.general | knowledge.universal:
+            continue
+        if name in below and name not in declared and not knowledge.knows(name):
             text = plain_text(Name(name))
             return f"{text} stands on one side only: declare what it means"
     return ""

@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from symbalance.document.formula import Constant, Formula, Name, Number, Product, Quotient, Span, names
+from symbalance.notes.checking.indexed_data import instances_of_rules, rows_of_values, tables_of_values
 from symbalance.notes.checking.symbol_roles import role_of
 from symbalance.notes.reading import ReadingError, canonical_name
 from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side
@@ -86,7 +87,14 @@ def data_of(notes: ReadNotes, symbols_at: Symbols) -> tuple[Chain, ...]:
     """Return the data of a page as chains of a letter and its value, in the order of their lines."""
     used = {name for chain in notes.chains for side in chain.sides for name in names(side.node)}
     reader = _Reader(notes, used, symbols_at)
-    chains = [*reader.of_tables(), *reader.of_items(), *reader.of_code()]
+    chains = [
+        *reader.of_tables(),
+        *reader.of_items(),
+        *reader.of_code(),
+        *rows_of_values(notes, used),
+        *instances_of_rules(notes, used),
+        *tables_of_values(notes, list(_tables(notes.text)), used),
+    ]
     return tuple(sorted(chains, key=lambda chain: chain.sides[0].span))
 
 

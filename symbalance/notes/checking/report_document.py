@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 from symbalance.document.fitting import plain_words
 from symbalance.document.formula import Equation, Formula, Name
@@ -84,7 +85,8 @@ _MEANINGS = {
 def report_document(checked: Checked) -> Document:
     """Return the counts, every verdict in line order, then what the verdicts mean."""
     sides = sides_by_span(checked.derivation)
-    lines = tuple(_line(verdict, sides) for verdict in checked.verdicts)
+    text = checked.derivation.text
+    lines = tuple(_line(verdict, sides, text) for verdict in _with_notes_once(checked.verdicts))
     remarks = tuple(map(Paragraph, checked.remarks))
     title, lead = page_title(checked.derivation.name), summary(checked)
     if not lines:
@@ -92,10 +94,19 @@ def report_document(checked: Checked) -> Document:
     return Document(title, (*remarks, Source(lines), legend(checked.verdicts)), lead)
 
 
+def _with_notes_once(verdicts: tuple[Verdict, ...]) -> Iterator[Verdict]:
+    """Yield verdicts of which each note stands where it comes first: "F1 read as F_1"."""
+    above: set[str] = set()
+    for verdict in verdicts:
+        notes = tuple(note for note in verdict.notes if note not in above)
+        above.update(notes)
+        yield verdict if notes == verdict.notes else replace(verdict, notes=notes)
+
+
 def verdict_document(verdict: Verdict) -> Document:
     """Return one verdict with its reasons, then what it means."""
     return Document(
-        f"Verdict: {verdict_words(verdict)}", (Source((_line(verdict, {}),)), legend((verdict,)))
+        f"Verdict: {verdict_words(verdict)}", (Source((_line(verdict, {}, ""),)), legend((verdict,)))
     )
 
 
@@ -159,15 +170,16 @@ def one_line(source: str, limit: int) -> str:
     return line if len(line) <= limit else line[: limit - 1] + "…"
 
 
-def _line(verdict: Verdict, sides: Sides) -> SourceLine:
+def _line(verdict: Verdict, sides: Sides, text: str) -> SourceLine:
+    """Return a verdict as a line of a report; of the page's `text` its units are as they were typed."""
     return SourceLine(
         place(verdict),
         one_line(verdict.source, LONGEST_SOURCE),
         verdict_words(verdict),
         verdict.verdict in FAILING,
         tuple(_notes(verdict)),
-        _formulas(verdict),
-        typeset(verdict, sides),
+        _formulas(verdict, text),
+        typeset(verdict, sides, text),
     )
 
 
@@ -229,11 +241,11 @@ def fault_words(fault: Fault, verdict: Verdict) -> Words:
     return (f"{where}for ", Code(one_line(fault.source, LONGEST_PIECE)), put, should)
 
 
-def _formulas(verdict: Verdict) -> tuple[tuple[str, Formula], ...]:
+def _formulas(verdict: Verdict, text: str) -> tuple[tuple[str, Formula], ...]:
     """Return a side that is not right as it was read, and as it should be; its exact value, if not."""
     if not verdict.is_bad:
         return ()
-    claim = None if verdict.node is None else as_written(verdict.node)
+    claim = None if verdict.node is None else as_written(verdict.node, text)
     stands, fix = ("stands", claim), verdict.fix
     if fix is None:
         is_number = bool(verdict.exact) and "right" in verdict.witness and not needs_witness(verdict)

@@ -11,6 +11,7 @@ from symbalance.document.letters import is_greek
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking import case_words
 from symbalance.notes.checking.items import item_end
+from symbalance.notes.checking.value_groups import is_in_next_group
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _HEADING = re.compile(
@@ -230,9 +231,9 @@ class Sections:
         """
         start = min(side.span[0] for side in chain.sides)
         row = self._lines[chain.lines[0] - 1]
-        if _ROW_OR_ITEM.match(row):
-            return True
         text = self.document.text
+        if _ROW_OR_ITEM.match(row) or is_in_next_group(text, self.document.chains, chain):
+            return True
         before = [
             other
             for other in self.document.chains
@@ -269,6 +270,8 @@ class Sections:
 
         With `named`, those only that the words name: for every x, and not "in general".
         """
+        if case_words.is_said_of_all_behind(self.document.text, _end(chain)):
+            return frozenset(letters)
         start = min(side.span[0] for side in chain.sides)
         first = max([case_words.clause_start(self.document.text, start), *self._ends_before(start)])
         before = self.document.text[first:start]

@@ -16,7 +16,7 @@ from fractions import Fraction
 
 from symbalance.document.formula import Constant, Decimal, Formula, Negative, Number, Product, Upright
 from symbalance.notes.algebra.number_formulas import rational_node
-from symbalance.notes.reading.units import scale_of
+from symbalance.notes.reading.units import INCH, scale_of
 
 LEAST_DIGITS = 2
 """Significant digits of a correction."""
@@ -179,7 +179,7 @@ def _candidates(source: str) -> Iterator[WrittenNumber]:
         if scale == (Fraction(1, 30), True):  # turns a minute, counted and not in radians
             scales.append((unit, Fraction(1, 60), False))
     elif unit == "in":  # a word of the language, so that alone it is no unit of the tables
-        scales.append((unit, *(scale_of("inch") or (Fraction(1), False))))
+        scales.append((unit, INCH, False))
     elif unit and not _UNKNOWN_UNIT.fullmatch(unit):
         return  # a product, a sum
     scales.append((unit, Fraction(1), False))

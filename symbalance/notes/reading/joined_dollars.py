@@ -6,6 +6,7 @@ import re
 
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import RELATION
+from symbalance.notes.reading.units import scale_of
 
 _QUANTITY = (
     r"[-−]?[0-9][0-9.,]*(?:[0-9]|(?<=[0-9]))(?:\\,|~| )?(?:\\mathrm\{[^{}]{1,20}\}|\^\{?\\circ\}?)?"
@@ -24,6 +25,59 @@ _OUTSIDE = re.compile(
     rf"({_FORMULA})(?P<sign>[ ~]*(?:[=≈<>≤≥])[ ~]*)(?P<number>[-−]?[0-9][0-9.,]*[0-9]|[-−]?[0-9])"
     rf"(?:[ ~](?P<unit>{_UNIT}))?(?![\w$^]|[ ]?[-+−·×*/=(\\$])"
 )
+_PART_OF_UNIT = r"(?:1|[A-Za-zµμ]{1,6}\.?)(?:\^?[-−]?[1-4]|⁻?[¹²³⁴])?"
+_UNIT_IN_PROSE = rf"{_PART_OF_UNIT}(?:[ ]?[/·⋅*‐‑-][ ]?{_PART_OF_UNIT}|[ ]{_PART_OF_UNIT}){{0,3}}"
+_GOES_ON = re.compile(
+    rf"(?<=[0-9}}])\$(?P<gap>[ ~]?)(?:(?P<unit>{_UNIT_IN_PROSE})(?P<space>[ ~]*))?"
+    r"(?=(?P<sign>\$(?:\\[,;: ]|[ ~])*)?(?:[=≈<>≤≥]|\\(?:approx|le|ge)(?![A-Za-z])))"
+)
+_RESULT = re.compile(rf"[ ~]*[=≈][ ~]*[-−]?[0-9][0-9.,]*(?<=[0-9])(?:[ ~]?(?P<unit>{_UNIT_IN_PROSE}))?")
+_OPERATION_BEHIND = re.compile(r"[\w$^]|[ ]?[-+−·×*/(\\$]|[ ]?[=≈]|[ ][A-Za-zα-ω](?![A-Za-z])")
+"""What goes on with a formula behind a unit in prose, `$P = 8000$ lb $= 35.6$ kN`, `$…$ psi = 44 MPa`."""
+
+
+def with_units_between_dollars(text: str) -> Rewritten | None:
+    r"""Return a text in which a formula goes on behind a unit in prose, None where none does.
+
+    >>> with_units_between_dollars("so $P = 8000$ lb $= 35.6$ kN").text
+    'so $P = 8000\\,\\mathrm{lb} = 35.6$ kN'
+    >>> with_units_between_dollars("so $P/A = 6400$ psi = 44.1 MPa.").text
+    'so $P/A = 6400\\,\\mathrm{psi} = 44.1 MPa.$'
+    """
+    rewriter = Rewriter(text)
+    is_changed = False
+    for match in _GOES_ON.finditer(text):
+        start, unit = match.start(), match["unit"]
+        is_known = unit is None or scale_of(unit.rstrip(".")) is not None
+        if start < rewriter.place or not is_known or not _closes_relation(text, start):
+            continue
+        end = match.end() if match["sign"] else _end_of_results(text, match.end())
+        if end == match.end() and not match["sign"]:
+            continue
+        is_changed = True
+        set_unit = ("\\,\\mathrm{", match.span("unit"), "} ") if unit else (" ",)
+        rewriter.replace(start, match.end() + len(match["sign"] or ""), *set_unit)
+        if not match["sign"]:
+            rewriter.replace(match.end(), end, (match.end(), end), "$")
+    return rewriter.finish() if is_changed else None
+
+
+def _end_of_results(text: str, place: int) -> int:
+    """Return where `= 163 N·m = 0.163 kN m` ends, the place where nothing of the kind begins."""
+    end = place
+    while match := _RESULT.match(text, end):
+        words = match["unit"] or ""
+        ends = [len(words), *(m.start() for m in re.finditer(r"[ .]", words)), 0]
+        length = next((n for n in sorted(ends, reverse=True) if scale_of(words[:n]) is not None), 0)
+        stop = match.start("unit") + length if length else match.end() - len(words)
+        end = stop if length else len(text[:stop].rstrip(" ~"))
+    return place if end > place and _OPERATION_BEHIND.match(text, end) else end
+
+
+def _closes_relation(text: str, place: int) -> bool:
+    """Tell whether the dollar at a place closes a formula of its line that holds a relation."""
+    line = text[max(place - 400, 0) : place].rpartition("\n")[2]
+    return line.count("$") % 2 == 1 and RELATION.search(line.rpartition("$")[2]) is not None
 
 
 def with_joined_dollars(text: str) -> Rewritten | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
@@ -56,7 +56,20 @@ def decide_equality(left: Formula, right: Formula, knowledge: Knowledge) -> Deci
         last = _at_level(left, right, knowledge, level)
         if last.is_proved:
             return last
-    return last
+    if decimals(left) or decimals(right):
+        return last
+    return refuted_by_formulas(last, levels, lambda level: _at_level(left, right, knowledge, level))
+
+
+def refuted_by_formulas(
+    last: Decision, levels: Sequence[Level], decide_at: Callable[[Level], Decision]
+) -> Decision:
+    """Return a refutation without the numbers of a page's example, if there is one: r λ, not 3 λ/20."""
+    general = next((level for level in reversed(levels) if level.is_of_formulas), None)
+    if last.status != REFUTED or general is None:
+        return last
+    decision = decide_at(general)
+    return decision if decision.status == REFUTED else last
 
 
 def _differs_clearly(left: Formula, right: Formula, knowledge: Knowledge, level: Level) -> bool:

@@ -32,7 +32,7 @@ class Definition:
     is_coefficient: bool = False
     """Whether it is a coefficient of a series: a line that gives it a value then claims something."""
     formula: Formula | None = None
-    """What an earlier line has for the letter, where this one gives it a number: U = m r/2, then 0.016."""
+    """What an earlier line has for a letter to which this one gives a number: U = m r/2, then 0.016."""
     rounded: Formula | None = None
     """The value as its line prints it, v = 2π·100 = 628.3: what follows may be computed from either."""
 
@@ -70,6 +70,8 @@ class Level:
 
     values: Mapping[str, Formula]
     assumptions: tuple[str, ...] = ()
+    is_of_formulas: bool = False
+    """Whether the numbers of an example are left out, which make a witness and a correction unclear."""
 
 
 @dataclass(frozen=True)
@@ -165,9 +167,10 @@ class Knowledge:
             (length,) = names(ratio.denominator)
             if length not in formulas:
                 others = {n: node for n, node in formulas.items() if n != name}
-                yield Level({**others, length: Quotient(ratio.numerator, Name(name))})
+                by_ratio = Quotient(ratio.numerator, Name(name))
+                yield Level({**others, length: by_ratio}, is_of_formulas=True)
         if any(usable[name].numeric for name in reached & usable.keys()):
-            yield Level(formulas)
+            yield Level(formulas, is_of_formulas=True)
 
     def _premises_behind(
         self, nodes: tuple[Formula, ...], usable: Mapping[str, Definition], number: bool
