@@ -161,10 +161,8 @@ def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
             state.definitions.define(head.name, chain.sides[1].node, chain)
         return by_frequency
     last = above[-1].line if above else 0
-    follows = bool(above) and (
-        state.sections.is_consequence(chain) or state.sections.stands_next(chain, last)
-    )
-    follows = follows and state.sections.same_section(last, chain.lines[0])
+    follows = bool(above) and state.sections.stands_next(chain, last)
+    follows = follows and state.sections.follows_at_once(chain)
     decision = decide_motion(equation, above, knowledge, follows=follows)
     above.append(equation)
     return decision

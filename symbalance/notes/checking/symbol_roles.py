@@ -142,7 +142,8 @@ def readable_letters(symbols: Mapping[str, str]) -> frozenset[str]:
 
 _THE = r"(?:the |an? |its )?"
 _ROD = rf"{_THE}(?:connecting[- ]rod|conrod|rod)"
-_SHAFT = rf"{_THE}(?:crank|crankshaft|engine|engine's crankshaft|shaft)"
+_CRANK = rf"{_THE}crank(?:[- ]?shaft)?"
+_SHAFT = rf"(?:{_CRANK}|{_THE}engine(?:'s crankshaft)?)"
 _OF_ONE = r"(?: (?:of|per|in) (?:one|each|a|the|single) ?(?:piston|cylinder)| per (?:cylinder|piston))?"
 _RATIO_GERMAN = r"(?:schubstangen|pleuelstangen|pleuel)verh(?:ä|ae)ltnis"
 _WORDINGS = tuple(
@@ -154,11 +155,11 @@ _WORDINGS = tuple(
             "angular speed",
             r"winkelgeschwindigkeit(?: der kurbel(?:welle)?)?|(?:クランク(?:軸|シャフト)?の?)?角速度",
         ),
-        ("crank angle", rf"(?:rotation )?angle of {_SHAFT}|crankshaft angle|kurbelwinkel"),
+        ("crank angle", rf"(?:rotation )?angle of {_CRANK}|crankshaft angle|kurbelwinkel"),
         ("crank angle", r"クランク(?:軸|シャフト)?の?(?:回転)?角度?"),
         (
             "crank radius",
-            rf"radius of {_SHAFT}|crank throw|kurbelradius|kurbelhalbmesser|クランクの?半径",
+            rf"radius of {_THE}crank|crank throw|kurbelradius|kurbelhalbmesser|クランクの?半径",
         ),
         ("rod length", rf"length of {_ROD}|(?:connecting-rod|conrod) length"),
         (
