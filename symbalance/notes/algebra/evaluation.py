@@ -47,6 +47,8 @@ class SymbolValue:
     """Which letters are matrices and vectors."""
     known: Mapping[str, formula.Formula] = field(default_factory=dict)
     """All values there are, those too that `values` leaves out: what a letter may change with."""
+    closes_sums: bool = False
+    """Whether sums between numbers are brought to closed form too: Σ e^(2πipk/5) over five terms."""
     undeclared: frozenset[str] = frozenset()
     """Letters that nobody declared: that one does not change with a variable is an assumption."""
 
@@ -298,7 +300,7 @@ def _summation(evaluator: FormEvaluator, node: formula.Summation) -> Form:
     if node.index is None or node.lower is None or node.upper is None:
         return functions.opaque("sum", evaluator.form(node.body))
     lower, upper = (evaluator.form(bound).rational() for bound in (node.lower, node.upper))
-    if lower is None or upper is None:
+    if lower is None or upper is None or evaluator.meaning.closes_sums:
         return summed_in_letters(evaluator, node)
     if not lower.denominator == upper.denominator == 1:
         raise NoFormError("a sum without bounds in whole numbers")

@@ -20,7 +20,6 @@ from symbalance.notes.checking.plain_formulas import lone_side, plain_text
 from symbalance.notes.checking.premise_decisions import decide_by_premises
 from symbalance.notes.checking.premises import Premise
 from symbalance.notes.checking.symbol_roles import role_of
-from symbalance.notes.checking.value_groups import is_in_next_group
 from symbalance.notes.checking.verdicts import CONDITION, CONTRADICTION, DEFINITION, PREMISE
 from symbalance.notes.reading.equations import Chain, Side
 
@@ -253,9 +252,7 @@ def _says_new_case(definitions: Definitions, name: str, earlier: Definition, cha
         follows_at_once = definitions.sections.stands_next(chain, earlier.line)
         return not (definitions.sections.is_consequence(chain) and follows_at_once)
     if not chain.inline:
-        is_next = is_in_next_group(
-            definitions.sections.document.text, definitions.sections.document.chains, chain
-        )
+        is_next = definitions.sections.is_in_next_group(chain)
         return is_next or (bool(earlier.assumption) and near > earlier.line)
     return definitions.sections.starts_new_case(chain, earlier.line, name)
 

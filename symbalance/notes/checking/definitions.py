@@ -249,6 +249,8 @@ class Definitions:
     def reaches(self, own_line: int, line: int, letters_of_it: frozenset[str]) -> bool:
         """Tell whether what a line states is in scope at another, its letters being the same there."""
         declared = self.declarations
+        if not declared.scopes:
+            return True
         return set(declared.scope_at(own_line)) <= set(declared.scope_at(line)) and all(
             declared.owner(name, own_line) == declared.owner(name, line) for name in letters_of_it
         )

@@ -85,7 +85,7 @@ _ROLES: dict[str, Dimension] = {
 _SIGNS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−µμ·⋅*", "0123456789--uu   ")
 _PART = re.compile(r"([A-Za-z°%]+|1(?![0-9]))(?:\^?\(?(-?[0-9])\)?)?$")
 _WRITTEN_UNIT = re.compile(
-    r"\\(?:mathrm|text|textrm|mbox|unit|si|SI|qty|rm)(?![a-z])|\[[^\]]*[A-Za-z][^\]]*\]"
+    r"\\(?:mathrm|text|textrm|mbox|unit|si|SI|qty|rm)(?![a-z])|\[[^\[\]A-Za-z]*+[A-Za-z][^\[\]]*+\]"
     r"|[0-9](?:\s|~|\\[,;: ])*(?:mm|cm|km|kg|kN|MPa|GPa|rpm|kW|Hz|bar|rad|Nm)(?![A-Za-z_(^])"
 )
 

@@ -208,8 +208,9 @@ def _gives_a_letter(one: Formula, other: Formula) -> bool:
     """Tell whether one side is a letter, or a dotted letter that stands nowhere else: F = m ẍ, ẍ = -g."""
     if isinstance(one, Name):
         return one.name not in names(other)
-    is_dotted = isinstance(one, Derivative) and isinstance(one.expression, Name)
-    return is_dotted and names(one.expression).isdisjoint(names(other))
+    if not isinstance(one, Derivative) or not isinstance(one.expression, Name):
+        return False
+    return one.expression.name not in names(other)
 
 
 def _linear_factors(form: Form, moving: frozenset[str]) -> dict[tuple[str, int], Formula] | None:

@@ -18,7 +18,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import NO_VALUES_HERE, decide
 from symbalance.notes.checking.deciding.remainders import is_remainder
 from symbalance.notes.checking.descriptions import describe, unreadable_verdict, with_fault
-from symbalance.notes.checking.dimensions import Dimensions, unit_text
+from symbalance.notes.checking.dimensions import Dimensions, Mismatch, unit_text
 from symbalance.notes.checking.engine_blocks import EngineBlocks
 from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.guarded_verdicts import PAGE, Guard
@@ -42,6 +42,7 @@ from symbalance.notes.checking.series_relations import judge_series
 from symbalance.notes.checking.sidecar import Binding, Declarations
 from symbalance.notes.checking.unit_or_letter import with_both_readings
 from symbalance.notes.checking.verdicts import (
+    CONDITION,
     CONTRADICTION,
     DEFINITION,
     PROVED_WORDS,
@@ -233,9 +234,10 @@ class Judge:
 
     def _link_in_scope(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on a relation by what is in scope there; a case that is past may be left."""
-        if (chain.sides[k].span, chain.sides[k + 1].span) in self.state.motions.places:
-            return describe(self.document, chain, k, Decision(DEFINITION, "how it changes with the time"))
+        if (by_place := self._decide_by_place(chain, k)) is not None:
+            return describe(self.document, chain, k, by_place)
         knowledge = with_clauses_below(self.state, chain, k, self.state.knowledge(chain.lines[0]))
+        knowledge = self.state.knowledge_of(chain, knowledge)
         mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
         if mismatch is not None and (
             anew := numbers_of_this_section(self.state.sections, chain, knowledge)
@@ -244,6 +246,8 @@ class Judge:
             freer = replace(knowledge, definitions=others)
             if self._mismatch(chain, k, sound if bad else k, freer) is None:
                 mismatch, knowledge = None, freer
+        if mismatch is None:
+            chain = self._in_fitting_units(chain, k, sound if bad else k, knowledge)
         left, right = chain.sides[k], chain.sides[k + 1]
         if is_remainder(left.node) or is_remainder(right.node):
             outcome: Verdict | Decision = decide(left, right, chain.relations[k].sign, knowledge)
@@ -261,6 +265,7 @@ class Judge:
         if past:
             with without_cases(self.state.definitions, past, angles):
                 freer = with_clauses_below(self.state, chain, k, self.state.knowledge(line))
+                freer = self.state.knowledge_of(chain, freer)
                 general = judge_relation(self.state, chain, k, sound, bad, freer)
             # a case that is past makes no relation true in which its angle stands
             if _word(general) in (REFUTED, CONTRADICTION) or not (
@@ -275,6 +280,14 @@ class Judge:
         if verdict.verdict == REFUTED:  # its witness and its correction say more
             return replace(verdict, reason=verdict.reason or mismatch.reason)
         return describe(self.document, chain, k, mismatch)
+
+    def _decide_by_place(self, chain: Chain, k: int) -> Decision | None:
+        """Return the decision on a relation by the place where it stands, None for most."""
+        if chain.sides[0].span[0] in self.state.conditions:
+            return Decision(CONDITION, "of the relation before it")
+        if (chain.sides[k].span, chain.sides[k + 1].span) in self.state.motions.places:
+            return Decision(DEFINITION, "how it changes with the time")
+        return None
 
     def _as_consequence(
         self, chain: Chain, k: int, outcome: Verdict | Decision, knowledge: Knowledge
@@ -294,17 +307,37 @@ class Judge:
             self.state.definitions.forget_range(chain)
         return judged
 
-    def _mismatch(self, chain: Chain, k: int, against: int, knowledge: Knowledge) -> Decision | None:
-        """Refute a relation whose sides, or terms, are in different units."""
-        line = chain.lines[0]
+    def _in_fitting_units(self, chain: Chain, k: int, against: int, knowledge: Knowledge) -> Chain:
+        """Return a chain without the readings whose units fit none of the other side."""
+        left, right = chain.sides[against], chain.sides[k + 1]
+        if len(left.readings) == len(right.readings) == 1:
+            return chain
+        mismatches = self._mismatches(chain, k, against, knowledge)
+        fitting = [pair for pair, mismatch in mismatches.items() if mismatch is None]
+        sides = list(chain.sides)
+        for place, side, which in ((against, left, 0), (k + 1, right, 1)):
+            places = {pair[which] for pair in fitting}
+            readings = tuple(node for n, node in enumerate(side.readings) if n in places)
+            sides[place] = replace(side, readings=readings)
+        return replace(chain, sides=tuple(sides))
+
+    def _mismatches(
+        self, chain: Chain, k: int, against: int, knowledge: Knowledge
+    ) -> dict[tuple[int, int], Mismatch | None]:
+        """Return for each two readings of two sides where their units differ, None where they do not."""
         values = {name: d.node for name, d in knowledge.definitions.items()}
-        dimensions = Dimensions(self.declarations.symbols_at(line), values, self.document.text)
+        symbols = self.declarations.symbols_at(chain.lines[0])
+        dimensions = Dimensions(symbols, values, self.document.text)
         left, right = chain.sides[against], chain.sides[k + 1]
         sources = (self.document.source(left.span), self.document.source(right.span))
-        mismatches = [
-            dimensions.mismatch(first, second, sources)
-            for first, second in product(left.readings, right.readings)
-        ]
+        return {
+            (m, n): dimensions.mismatch(first, second, sources)
+            for (m, first), (n, second) in product(enumerate(left.readings), enumerate(right.readings))
+        }
+
+    def _mismatch(self, chain: Chain, k: int, against: int, knowledge: Knowledge) -> Decision | None:
+        """Refute a relation whose sides, or terms, are in different units."""
+        mismatches = list(self._mismatches(chain, k, against, knowledge).values())
         if not all(mismatches) or mismatches[0] is None:
             return None
         witness = {"left": unit_text(mismatches[0].left), "right": unit_text(mismatches[0].right)}

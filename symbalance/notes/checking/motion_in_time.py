@@ -28,12 +28,11 @@ from symbalance.document.formula import (
     with_children,
 )
 from symbalance.notes.algebra.evaluation import SymbolValue, derivative_name
-from symbalance.notes.checking.dimensions import Dimensions
+from symbalance.notes.checking.dimensions import Dimensions, unit_of, written_unit
 from symbalance.notes.checking.engines import Engines
 from symbalance.notes.checking.sidecar import Declarations
 from symbalance.notes.checking.symbol_roles import letters_by_role
 from symbalance.notes.checking.symbols import meaning_of
-from symbalance.notes.checking.time_letters import time_letter
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
 HIGHEST = 2
@@ -331,3 +330,24 @@ def _differentiated(page: ReadNotes) -> Iterator[Differentiated]:
     for (name, variable), own in places.items():
         lines, order = frozenset(line for line, _ in own), max(n for _, n in own)
         yield Differentiated(name, variable, min(lines), order, lines)
+
+
+def has_another_value(name: str, page: ReadNotes) -> bool:
+    """Tell whether a page gives a letter what is no time: t = 5 mm, a thickness."""
+    for chain in page.chains:
+        if not any(isinstance(side.node, Name) and side.node.name == name for side in chain.sides):
+            continue
+        for side in chain.sides:
+            unit = written_unit(page.source(side.span))[1]
+            is_time = bool(unit) and unit_of(unit) == unit_of("s")
+            if not (isinstance(side.node, Name) and side.node.name == name) and not is_time:
+                return True
+    return False
+
+
+def time_letter(page: ReadNotes, declarations: Declarations) -> str | None:
+    """Return the letter of time: the one declared, or t where the page has it for nothing else."""
+    declared = letters_by_role(declarations.symbols).get("time")
+    if declared:
+        return declared[0]
+    return None if "t" in declarations.symbols or has_another_value("t", page) else "t"

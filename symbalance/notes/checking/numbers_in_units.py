@@ -50,6 +50,7 @@ from symbalance.notes.checking.formulas_between_numbers import (
     with_printed_results,
 )
 from symbalance.notes.checking.own_units import is_per_minute
+from symbalance.notes.checking.units_behind import decide_as_counted
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.numerals import unit_in_words
 from symbalance.notes.reading.units import Scale, scale_of
@@ -73,7 +74,7 @@ def decide_in_units(
         return in_two_units if in_two_units.is_proved else decision
     for meant in (
         _put_in_bare, _term_by_term, _rounded_in_its_unit, _between_numbers, _in_unit_of_result,
-        _converted, _of_weights, _with_numbers_of_units, _with_frequencies,
+        _converted, _of_weights, decide_as_counted, _with_numbers_of_units, _with_frequencies,
     ):  # fmt: skip
         there = meant(chain, k, document, knowledge)
         if there is not None and (there.is_proved or meant is _converted):

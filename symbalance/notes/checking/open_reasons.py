@@ -81,8 +81,12 @@ def _one_sided_letter(state: JudgingState, decision: Decision, line: int, knowle
     free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
     free -= state.motions.letters(line)
     for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
-        is_open = name not in state.general | knowledge.universal
-        if name in free and not knowledge.knows(name) and is_open:
+        is_open = name in free and name not in {
+            *state.general,
+            *knowledge.universal,
+            *decision.left.domain.integer,
+        }
+        if is_open and not knowledge.knows(name):
             return f"{plain_text(Name(name))} is not declared and"
         if "/d" in name:  # the derivative of what no line defines
             return name

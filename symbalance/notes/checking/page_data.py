@@ -50,14 +50,14 @@ _VALUE = re.compile(
 )
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−", "0123456789--")
 _GROUPED = re.compile(r"[1-9][0-9]{0,2}(?:[,.  ][0-9]{3})+")
-_RULE = re.compile(r"\s*\|?[\s:|-]*-[\s:|-]*\|?\s*$|\s*\\(?:hline|toprule|midrule|bottomrule|cline)\b.*")
+_RULE = re.compile(r"(?=[\s:|]*+-)[\s:|-]++$|\s*\\(?:hline|toprule|midrule|bottomrule|cline)\b.*")
 _HTML_ROW = re.compile(r"<tr\b[^>]*>(?P<row>.*?)(?=</tr>|<tr\b|</table>)", re.IGNORECASE | re.DOTALL)
 _HTML_CELL = re.compile(r"<t[dh]\b[^>]*>(.*?)(?=</t[dh]>|<t[dh]\b|\Z)", re.IGNORECASE | re.DOTALL)
 _HTML_TABLE = re.compile(r"<table\b.*?</table>", re.IGNORECASE | re.DOTALL)
 _TABULAR = re.compile(r"\\begin\{(tabular[xy*]?|array|longtable)\}(?P<rows>.*?)\\end\{\1\}", re.DOTALL)
 _WIKI_TABLE = re.compile(r"^\{\|.*?^\|\}", re.MULTILINE | re.DOTALL)
 _ITEM = re.compile(
-    r"^\s*(?:[-*+•]|[0-9]{1,2}[.)]|\\item)\s+(?P<letter>[^\n:=]{1,60}?)\s*[:：]\s+(?P<value>[^\n=]{1,40}?)[.;,]?$",
+    r"^[^\S\n]*+(?:[-*+•]|[0-9]{1,2}[.)]|\\item)\s+(?P<letter>[^\n:=]{1,60}?)\s*[:：]\s+(?P<value>[^\n=]{1,40}?)[.;,]?$",
     re.MULTILINE,
 )
 _FENCED = re.compile(

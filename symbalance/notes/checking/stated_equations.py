@@ -38,7 +38,7 @@ def fix_letter(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
 
 
 def _names_its_terms(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> bool:
-    """Tell whether a value is said to be a sum of new letters: F = m r ω² (cos θ + λ cos 2θ) = F_1 + F_2."""
+    """Tell whether a value is said to be a sum of new letters: F = m r ω² cos θ + … = F_1 + F_2."""
     total = chain.sides[k + 1].node
     if not k or chain.relations[k].sign != "=" or not isinstance(total, Sum):
         return False

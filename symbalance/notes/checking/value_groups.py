@@ -6,7 +6,7 @@ Semicolons part the groups, and each gives the same letters values, in the same 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from symbalance.document.formula import Name
@@ -15,20 +15,21 @@ from symbalance.notes.reading.equations import Chain
 _PARTED = re.compile(r"[;；]")
 
 
-def is_in_next_group(text: str, chains: Sequence[Chain], chain: Chain) -> bool:
-    """Tell whether a relation stands in a group of values behind another group of the same letters."""
-    row = sorted(
-        (other for other in chains if other.lines[0] == chain.lines[0]), key=lambda c: c.sides[0].span[0]
-    )
+def in_next_groups(text: str, chains: Sequence[Chain]) -> Iterator[Chain]:
+    """Yield those relations of a line that stand in a group behind another group of the same letters."""
+    row = sorted(chains, key=lambda c: c.sides[0].span[0])
     groups: list[list[Chain]] = [row[:1]]
     for before, after in pairwise(row):
         between = text[before.sides[-1].span[1] : after.sides[0].span[0]]
         if _PARTED.search(between):
             groups.append([])
         groups[-1].append(after)
-    number = next((n for n, group in enumerate(groups) if any(c is chain for c in group)), 0)
-    heads = [_heads(group) for group in groups]
-    return number > 0 and len(heads[number]) > 1 and heads[number] in heads[:number]
+    earlier: set[tuple[str, ...]] = set()
+    for group in groups:
+        heads = _heads(group)
+        if len(heads) > 1 and heads in earlier:
+            yield from group
+        earlier.add(heads)
 
 
 def _heads(group: Sequence[Chain]) -> tuple[str, ...]:

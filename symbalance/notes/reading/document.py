@@ -41,6 +41,8 @@ from symbalance.notes.reading.unit_places import with_unit_of_whole, with_units_
 LONGEST_DOCUMENT = 1_000_000  # characters
 MOST_LINES_OF_PROSE = 2  # that a chain may go past: "= …" further down is an equation of its own
 EQUALITIES = ("=", "≈", "≡")
+LONGEST_RANGE = 8
+"""Sides, with room to spare: 1 ≤ n ≤ 4 has three."""
 
 
 class Motions(NamedTuple):
@@ -661,6 +663,8 @@ class Draft:
 
     def _running_letter(self) -> frozenset[str]:
         """Return the undeclared letter of 1 ≤ n ≤ 4 or k ≥ 0, whose other sides hold no letter."""
+        if len(self.sides) > LONGEST_RANGE:
+            return frozenset()
         letters = [lone_letter(side) for side in self.sides]
         others = [side for side, name in zip(self.sides, letters, strict=True) if not name]
         alone = [name for name in letters if name]

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
+from itertools import accumulate
 
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import RELATION
 from symbalance.notes.reading.units import scale_of
 
-_QUANTITY = (
-    r"[-−]?[0-9][0-9.,]*(?:[0-9]|(?<=[0-9]))(?:\\,|~| )?(?:\\mathrm\{[^{}]{1,20}\}|\^\{?\\circ\}?)?"
-)
+_QUANTITY = r"[-−]?[0-9]++(?:[.,]++[0-9]++)*+(?:\\,|~| )?(?:\\mathrm\{[^{}]{1,20}\}|\^\{?\\circ\}?)?"
 _FORMULA = r"(?<!\\)\$[^$\n]{1,200}(?<!\\)\$"
 _SEQUENCE = re.compile(rf"(?:{_FORMULA}|{_QUANTITY})(?:[ ~]*(?:{_FORMULA}|{_QUANTITY}))+")
 _PART = re.compile(rf"({_FORMULA})|({_QUANTITY})")
@@ -89,16 +89,17 @@ def with_joined_dollars(text: str) -> Rewritten | None:
     if "$" not in text:
         return None
     changes: dict[int, tuple[int, tuple[str | tuple[int, int], ...]]] = {}
+    dollars = _Dollars(text)
     for match in _OUTSIDE.finditer(text):
         start, end = match.span(1)
-        if RELATION.search(match[1]) or not _opens(text, start):
+        if RELATION.search(match[1]) or not dollars.opens(start):
             continue
         unit = match["unit"]
         tail = f"\\,\\mathrm{{{unit}}}$" if unit and unit not in "°%\\%" else f"{unit or ''}$"
         tail = "^{\\circ}$" if unit == "°" else tail.replace("%", "\\%") if unit == "%" else tail
         changes[start] = match.end(), ((start, end - 1), (end, match.end("number")), tail)
     for match in _SEQUENCE.finditer(text):
-        if match.start() in changes or not _opens(text, match.start()):
+        if match.start() in changes or not dollars.opens(match.start()):
             continue
         parts = list(_PART.finditer(text, *match.span()))
         formulas = [part[1][1:-1] for part in parts if part[1]]
@@ -120,7 +121,22 @@ def _ends_open(inside: str) -> bool:
     return bare.endswith(("+", "-", "=", "\\cdot", "\\times", "\\approx"))
 
 
-def _opens(text: str, place: int) -> bool:
-    """Tell whether a place stands outside the dollars of its paragraph."""
-    begin = text.rfind("\n\n", 0, place) + 1
-    return len(re.findall(r"(?<!\\)\$", text[begin:place].replace("$$", ""))) % 2 == 0
+class _Dollars:
+    """The single dollars of a text, to tell quickly what stands between them; $$ is none."""
+
+    def __init__(self, text: str) -> None:
+        self._spans = [match.span() for match in re.finditer(r"(?<![\\$])\$+", text)]
+        self._starts = [start for start, _ in self._spans]
+        self._counts = [0, *accumulate((end - start) % 2 for start, end in self._spans)]
+        self._paragraphs = [match.end() for match in re.finditer(r"\n(?=\n)", text)]
+
+    def opens(self, place: int) -> bool:
+        """Tell whether a place stands outside the dollars of its paragraph."""
+        paragraph = bisect_left(self._paragraphs, place)
+        begin = self._paragraphs[paragraph - 1] if paragraph else 0
+        first, last = bisect_left(self._starts, begin), bisect_left(self._starts, place)
+        count = self._counts[last] - self._counts[first]
+        if last > first and self._spans[last - 1][1] > place:  # of a row of dollars only those before it
+            start, end = self._spans[last - 1]
+            count += (place - start) % 2 - (end - start) % 2
+        return count % 2 == 0

@@ -18,6 +18,8 @@ from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
 from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals
 
+NOISE = values.DIGITS - 5
+"""Places behind the point at which a number is what computing leaves of 0: a sum of roots of unity."""
 PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
 
 
@@ -160,8 +162,10 @@ def _by_numbers(
 
 
 def _close(left: Any, right: Any) -> bool:
-    scale = max(abs(left), abs(right), 1e-300)
-    return abs(left - right) <= scale * values.context().mpf(10) ** -25
+    ten, scale = values.context().mpf(10), max(abs(left), abs(right), 1e-300)
+    if not values.context().isfinite(scale):
+        return False  # ln 0 is equal to nothing
+    return abs(left - right) <= max(scale * ten**-25, ten**-NOISE)
 
 
 def _witness(point: values.Point, pair: list[Any]) -> dict[str, str]:
