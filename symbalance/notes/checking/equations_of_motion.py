@@ -53,6 +53,8 @@ class EquationOfMotion:
     """A linear equation in letters that move: their factors, by letter and order of differentiation."""
 
     factors: Mapping[tuple[str, int], Formula]
+    rest: Formula
+    """What stands beside them on one side: the force, with a minus sign."""
     line: int
     text: str
 
@@ -60,6 +62,15 @@ class EquationOfMotion:
     def moving(self) -> frozenset[str]:
         """The letters that move in it."""
         return frozenset(name for name, _ in self.factors)
+
+    @property
+    def lone_rate(self) -> tuple[str, Formula] | None:
+        """The one dotted letter of J ω̇ = M_1 - M_2, and what it is; None where several letters move."""
+        if len(self.factors) != 1:
+            return None
+        ((name, order), factor) = next(iter(self.factors.items()))
+        rate = derivative_name(Derivative(Name(name), Name("t"), order))
+        return (rate, Quotient(Negative(self.rest), factor)) if order else None
 
     @property
     def letters(self) -> frozenset[str]:
@@ -85,10 +96,11 @@ def equation_of_motion(
     except (NoFormError, TooLargeError):
         return None
     others = {n for n in elsewhere if not knowledge.knows(n)}
-    factors = _linear_factors(form, moving | (others & (names(left) | names(right))))
+    linear = _linear_factors(form, moving | (others & (names(left) | names(right))))
+    factors, rest = linear or (None, _ZERO)
     if factors is None or len(form.numerator) < 2 or not any(order for _, order in factors):
         return None
-    return EquationOfMotion(factors, chain.lines[0], f"{plain_text(left)} = {plain_text(right)}")
+    return EquationOfMotion(factors, rest, chain.lines[0], f"{plain_text(left)} = {plain_text(right)}")
 
 
 def decide_motion(
@@ -213,8 +225,10 @@ def _gives_a_letter(one: Formula, other: Formula) -> bool:
     return one.expression.name not in names(other)
 
 
-def _linear_factors(form: Form, moving: frozenset[str]) -> dict[tuple[str, int], Formula] | None:
-    """Return the factors of moving letters and their rates in a form; None where it is not linear."""
+def _linear_factors(
+    form: Form, moving: frozenset[str]
+) -> tuple[dict[tuple[str, int], Formula], Formula] | None:
+    """Return the factors of moving letters and their rates in a form, and the rest; else None."""
     domain = form.domain
     generators: dict[int, tuple[str, int]] = {}
     for name in moving:
@@ -223,6 +237,7 @@ def _linear_factors(form: Form, moving: frozenset[str]) -> dict[tuple[str, int],
             rate = derivative_name(Derivative(Name(name), Name("t"), order))
             generators[domain.symbol(rate)] = name, order
     polynomials: dict[tuple[str, int], Polynomial] = {}
+    beside: Polynomial = {}
     for monomial, coefficient in form.numerator.items():
         own = [(g, e) for g, e in monomial if g in generators]
         behind = {
@@ -233,9 +248,12 @@ def _linear_factors(form: Form, moving: frozenset[str]) -> dict[tuple[str, int],
         if own:
             rest: Monomial = tuple(entry for entry in monomial if entry[0] not in generators)
             polynomials.setdefault(generators[own[0][0]], {})[rest] = coefficient
+        else:
+            beside[monomial] = coefficient
     if any(n in moving for m in form.denominator for g, _ in m for n in _names_in(form, g)):
         return None
-    return {key: polynomial_node(domain, p) for key, p in polynomials.items()}
+    factors = {key: polynomial_node(domain, p) for key, p in polynomials.items()}
+    return factors, polynomial_node(domain, beside)
 
 
 def _names_in(form: Form, number: int) -> Iterator[str]:

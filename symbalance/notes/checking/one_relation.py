@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from symbalance.document.formula import Constant, Formula, Name, Number, names
 from symbalance.notes.checking.appeals import appeal
+from symbalance.notes.checking.constraints import Constraint
 from symbalance.notes.checking.conversions import decide_conversion
 from symbalance.notes.checking.deciding.equality import Decision, decide_equality
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality
@@ -165,6 +166,8 @@ def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
     follows = follows and state.sections.follows_at_once(chain)
     decision = decide_motion(equation, above, knowledge, follows=follows)
     above.append(equation)
+    if decision.status == CONDITION and equation.lone_rate is not None:
+        state.definitions.fix(Constraint(*equation.lone_rate), chain)
     return decision
 
 
