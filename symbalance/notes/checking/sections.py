@@ -203,7 +203,7 @@ class Sections:
         }
 
     def is_in_next_group(self, chain: Chain) -> bool:
-        """Tell whether a relation stands in a group of values behind another group of the same letters."""
+        """Tell whether a relation stands in a group of values behind another of the same letters."""
         return chain.sides[0].span[0] in self._next_groups.get(chain.lines[0], ())
 
     @cached_property
