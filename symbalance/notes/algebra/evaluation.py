@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
@@ -125,15 +125,37 @@ class FormEvaluator:
         inner._open, inner._depth = list(self._open), self._depth
         return inner
 
-    def rates(self, variable: str) -> dict[int, Polynomial]:
+    def rates(self, variable: str) -> Mapping[int, Polynomial]:
         """Return the letters that change with `variable`, and their rates."""
-        rates_by_number: dict[int, Polynomial] = {self.domain.symbol(variable): {(): Fraction(1)}}
-        for name, rate in self.meaning.rates.get(variable, {}).items():
-            form = self.form(rate)
+        own = self.meaning.rates.get(variable, {})
+        numbers = {self.domain.symbol(name): rate for name, rate in own.items()}
+        return _Rates(self, self.domain.symbol(variable), numbers)
+
+
+class _Rates(Mapping[int, Polynomial]):
+    """The rates of letters, each brought to normal form when a formula has that letter."""
+
+    def __init__(
+        self, evaluator: FormEvaluator, variable: int, rates: Mapping[int, formula.Formula]
+    ) -> None:
+        self._evaluator, self._rates = evaluator, rates
+        self._polynomials: dict[int, Polynomial] = (
+            {} if variable in rates else {variable: {(): Fraction(1)}}
+        )
+
+    def __getitem__(self, number: int) -> Polynomial:
+        if number not in self._polynomials:
+            form = self._evaluator.form(self._rates[number])
             if not form.is_polynomial:
                 raise NoFormError("a rate that is a quotient")
-            rates_by_number[self.domain.symbol(name)] = form.numerator
-        return rates_by_number
+            self._polynomials[number] = form.numerator
+        return self._polynomials[number]
+
+    def __iter__(self) -> Iterator[int]:
+        return iter({*self._rates, *self._polynomials})
+
+    def __len__(self) -> int:
+        return len({*self._rates, *self._polynomials})
 
 
 def _number(evaluator: FormEvaluator, node: formula.Number) -> Form:

@@ -23,6 +23,8 @@ from symbalance.notes.checking.symbol_roles import role_of
 from symbalance.notes.checking.verdicts import CONDITION, CONTRADICTION, DEFINITION, PREMISE
 from symbalance.notes.reading.equations import Chain, Side
 
+FEWEST_NEW = 2
+"""Letters of a formula that make it one of another thing: x = y may be a claim."""
 NEARLY = 0.1
 """Relative difference: a second value closer to the first is a slip, not a new case."""
 
@@ -32,6 +34,9 @@ def define_anew(
 ) -> Decision | None:
     """Return the decision on another value of a defined letter: a new case, a condition, or None."""
     earlier, line = knowledge.definitions[name], chain.lines[0]
+    if not k and _is_of_new_letters(definitions, name, value, chain, knowledge):
+        definitions.define(name, without_dots(value)[0], chain)
+        return Decision(DEFINITION, f"anew: of other letters than in line {earlier.line}")
     by_premises = decide_by_premises(definitions, Premise(Name(name), value, line), knowledge)
     if by_premises is not None:
         outside = outside_range(definitions, name, value, line, knowledge)
@@ -66,6 +71,29 @@ def _each_has_own_letters(earlier: Formula, value: Formula, knowledge: Knowledge
     """Tell whether a second value fixes another letter: F_1 = -F_2, then F_1 = cos θ; or is a number."""
     first, second = (set(_letters_behind([node], knowledge)) for node in (earlier, value))
     return not second or bool(first - second and second - first)
+
+
+def _is_of_new_letters(
+    definitions: Definitions, name: str, value: Formula, chain: Chain, knowledge: Knowledge
+) -> bool:
+    """Tell whether a formula is of two letters or more that all came up after a letter's last mention.
+
+    A disc of mass M and radius R has J = M R²/2, whatever the J of the flywheel before was.
+    """
+    own, start, known = names(value), chain.sides[0].span[0], knowledge.definitions[name]
+    if known.numeric and known.formula is None:
+        return False  # E = 310 J, then what formula it has
+    if len(own) < FEWEST_NEW or any(
+        knowledge.has_meaning(n) and n not in knowledge.definitions for n in own
+    ):
+        return False
+    if own & knowledge.meanings.keys() or definitions.sections.is_consequence(chain):
+        return False
+    above = [c for c in definitions.sections.document.chains if c.sides[0].span[0] < start]
+    last = max((c.sides[-1].span[1] for c in above if name in c.letters), default=None)
+    earlier = [c for c in above if last is None or c.sides[0].span[0] < last]
+    used = frozenset[str]().union(*(c.letters for c in earlier))
+    return last is not None and used.isdisjoint(own)
 
 
 def _is_anew(definitions: Definitions, earlier: Definition, chain: Chain) -> bool:

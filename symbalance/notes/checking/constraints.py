@@ -189,6 +189,8 @@ def _lone_derivative(left: Formula, right: Formula, knowledge: Knowledge) -> str
     name = left.expression.name
     is_known = knowledge.has_meaning(name) or name in formula.names(right)
     is_known = is_known or name == left.variable.name  # dx/dx is 1
+    lower = (derivative_name(replace(left, order=order)) for order in range(1, left.order))
+    is_known = is_known or any(map(knowledge.knows, lower))  # of a velocity that is known
     return "" if is_known else derivative_name(left)
 
 

@@ -298,7 +298,9 @@ def _product(dimensions: Dimensions, node: formula.Product, depth: int) -> Dimen
     factors = list(node.factors)
     parts: list[tuple[Formula, int]] = []
     for factor, after in zip(factors, [*factors[1:], None], strict=True):
+        # the letters of one macro have one span too, and each its own dimension
         is_second = bool(parts) and bool(dimensions.text) and factor.span == parts[-1][0].span != (0, 0)
+        is_second = is_second and not names(factor) and not names(parts[-1][0])
         is_counted = after is not None and bool(dimensions.unit_at(after, alone=True))
         if not (is_second or (is_counted and isinstance(factor, Number))):
             parts.append((factor, 1))  # of 40 and mm the unit alone has a dimension

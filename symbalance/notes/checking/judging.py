@@ -15,7 +15,7 @@ from symbalance.notes.checking.another_place import leave_place
 from symbalance.notes.checking.consequences import decide_consequence
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.relations import NO_VALUES_HERE, decide
 from symbalance.notes.checking.deciding.remainders import is_remainder
 from symbalance.notes.checking.descriptions import describe, unreadable_verdict, with_fault
 from symbalance.notes.checking.dimensions import Dimensions, Mismatch, unit_text
@@ -26,6 +26,7 @@ from symbalance.notes.checking.judging_order import chains_in_turn, number_verdi
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.letters_below import with_clauses_below
 from symbalance.notes.checking.letters_of_sections import numbers_of_this_section
+from symbalance.notes.checking.motion_in_time import with_rates_of_rates
 from symbalance.notes.checking.one_relation import FOLLOWS, judge_relation
 from symbalance.notes.checking.open_cases import (
     cases_left_by,
@@ -43,6 +44,7 @@ from symbalance.notes.checking.unit_or_letter import with_both_readings
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONTRADICTION,
+    DEFINITION,
     PROVED_WORDS,
     REFUTED,
     UNDECIDED,
@@ -71,7 +73,10 @@ class Judge:
         self.document = replace(self.document, chains=every[: len(self.document.chains)])
         self.data = list(every[len(self.document.chains) :])
         """The page's data that stand in tables, lists and code, and have not been reached yet."""
-        self.state = JudgingState(self.document, self.declarations, self.sources, self.corrects)
+        self.document, motions = with_rates_of_rates(
+            self.document, self.declarations, self.sources.engines
+        )
+        self.state = JudgingState(self.document, self.declarations, self.sources, self.corrects, motions)
         self.blocks = EngineBlocks(self.document.text, self.state.sections)
         self.guard = Guard(self.document, self.budget)
 
@@ -152,6 +157,9 @@ class Judge:
             if verdict.verdict == REFUTED:
                 self.state.wrong_numbers.note(chain, k)
                 self.state.definitions.forget_moment(chain.sides[k + 1].node)
+            head = chain.sides[0].node
+            if k and verdict.reason.endswith(NO_VALUES_HERE) and isinstance(head, Name):
+                self.state.definitions.define(head.name, chain.sides[k + 1].node, chain)  # F = Σ F_i = …
             self.state.given_numbers.note(chain, k, verdict)
             if verdict.is_unjudged:
                 self.state.not_judged |= dict.fromkeys(_lone_letters(chain, k), relation.line)
@@ -226,8 +234,8 @@ class Judge:
 
     def _link_in_scope(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on a relation by what is in scope there; a case that is past may be left."""
-        if chain.sides[0].span[0] in self.state.conditions:
-            return describe(self.document, chain, k, Decision(CONDITION, "of the relation before it"))
+        if (by_place := self._decide_by_place(chain, k)) is not None:
+            return describe(self.document, chain, k, by_place)
         knowledge = with_clauses_below(self.state, chain, k, self.state.knowledge(chain.lines[0]))
         knowledge = self.state.knowledge_of(chain, knowledge)
         mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
@@ -272,6 +280,14 @@ class Judge:
         if verdict.verdict == REFUTED:  # its witness and its correction say more
             return replace(verdict, reason=verdict.reason or mismatch.reason)
         return describe(self.document, chain, k, mismatch)
+
+    def _decide_by_place(self, chain: Chain, k: int) -> Decision | None:
+        """Return the decision on a relation by the place where it stands, None for most."""
+        if chain.sides[0].span[0] in self.state.conditions:
+            return Decision(CONDITION, "of the relation before it")
+        if (chain.sides[k].span, chain.sides[k + 1].span) in self.state.motions.places:
+            return Decision(DEFINITION, "how it changes with the time")
+        return None
 
     def _as_consequence(
         self, chain: Chain, k: int, outcome: Verdict | Decision, knowledge: Knowledge

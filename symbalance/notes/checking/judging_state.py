@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from symbalance.document.formula import Integral, Summation, names, walk
 from symbalance.errors import SymbalanceError
@@ -19,10 +19,12 @@ from symbalance.notes.checking.deciding.whole_numbers import may_count, orders_i
 from symbalance.notes.checking.definitions import Definitions
 from symbalance.notes.checking.engine_speeds import speeds_of
 from symbalance.notes.checking.engines import Sources
+from symbalance.notes.checking.equations_of_motion import EquationOfMotion
 from symbalance.notes.checking.given_numbers import GivenNumbers
 from symbalance.notes.checking.integer_words import integers_said
 from symbalance.notes.checking.meant_quantities import MeantQuantities
 from symbalance.notes.checking.meant_words import MeantWords
+from symbalance.notes.checking.motion_in_time import Motions, with_motions
 from symbalance.notes.checking.named_quantities import NamedQuantities
 from symbalance.notes.checking.premises import Premise
 from symbalance.notes.checking.sections import Sections
@@ -57,6 +59,7 @@ class JudgingState:
     declarations: Declarations
     sources: Sources
     corrects: bool
+    motions: Motions = field(default_factory=Motions)
 
     def __post_init__(self) -> None:
         self.sections = Sections(self.document)
@@ -80,10 +83,13 @@ class JudgingState:
         """Orders that the page's words say to be whole numbers."""
         self.conditions = equalities_behind(self.document)
         """Where equations begin that are conditions of the relation before them alone: (m = n)."""
+        self.equations_of_motion: list[EquationOfMotion] = []
         self.not_judged: dict[str, int] = {}
         """Letters that a relation may define which was not judged, with its line."""
         self.solutions: dict[int, tuple[Premise, Decision]] = {}
         """Where an equation's solution stands: the equation, and whether the solution satisfies it."""
+        self.balances: set[int] = set()
+        """Places of the solutions of balances, which are wrong where they do not satisfy them."""
         self.general: frozenset[str] = frozenset()
         """Letters of all of whose values the relation in hand is claimed, whatever case stands before."""
 
@@ -93,9 +99,11 @@ class JudgingState:
         meaning, crank = meaning_of(symbols, convention, self.sources.engines)
         definitions = self.definitions.at(line)
         letters = letters_by_role(symbols)
-        universal = frozenset(n for m in UNIVERSAL for n in letters.get(m, ()))
+        meaning = with_motions(meaning, self.motions, line, definitions, symbols)
+        running = self.motions.turning(line)
+        universal = frozenset(n for m in UNIVERSAL for n in letters.get(m, ())) | running
         moving = frozenset(n for m in MOVING for n in letters.get(m, ()))
-        angles = frozenset(n for m in ANGLES for n in letters.get(m, ()))
+        angles = frozenset(n for m in ANGLES for n in letters.get(m, ())) | running
         letters_declared = frozenset(symbols)
         ranges = self.definitions.ranges_at(line)
         undeclared = frozenset(self.document.free_letters) - letters_declared - definitions.keys()

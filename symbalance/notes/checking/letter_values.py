@@ -62,7 +62,8 @@ def _letter_defined(definitions: Definitions, chain: Chain, k: int) -> tuple[str
     """Return the letter a relation may define, and its value."""
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     is_new = isinstance(right, Name) and right.name not in names(left) | definitions.letters_in_use
-    if k == 0 and isinstance(left, Name) and left.name not in names(right):
+    is_head = all(side.node == left for side in chain.sides[:k])  # ω = φ̇ = 2πn, the dot being ω
+    if is_head and isinstance(left, Name) and left.name not in names(right):
         has_number = any(e.definition.numeric for e in definitions.values.get(left.name, [])[-1:])
         if not (has_number and is_new):  # u = 3, then u = v: that is what v is
             return left.name, right

@@ -12,6 +12,7 @@ from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.judging_state import JudgingState
+from symbalance.notes.checking.mean_values import decide_by_mean
 from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.verdicts import UNDECIDED
 from symbalance.notes.reading.equations import Chain
@@ -37,6 +38,8 @@ def with_letters_below(
     with_all = decide(left, right, sign, known)
     if not with_all.is_proved:
         with_all = decide(left, right, "≈", known)
+    if not with_all.is_proved:
+        with_all = decide_by_mean(chain, k, known) or with_all
     if with_all.is_proved:
         return with_all
     if _is_false_for_any(left.node, right.node, frozenset(below), decision, knowledge):

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from symbalance.document.formula import Constant, Formula, Name, Number, names
 from symbalance.notes.checking.appeals import appeal
+from symbalance.notes.checking.constraints import Constraint
 from symbalance.notes.checking.conversions import decide_conversion
 from symbalance.notes.checking.deciding.equality import Decision, decide_equality
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality
@@ -16,14 +17,22 @@ from symbalance.notes.checking.deciding.sign_of_letters import decide_with_signs
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.descriptions import describe
 from symbalance.notes.checking.engine_speeds import decide_speed
+from symbalance.notes.checking.equations_of_motion import (
+    decide_motion,
+    decide_natural_frequency,
+    equation_of_motion,
+)
 from symbalance.notes.checking.given_numbers import number_given
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.letter_values import define_letter
 from symbalance.notes.checking.listed_values import decide_for_values
+from symbalance.notes.checking.mean_values import decide_by_mean
 from symbalance.notes.checking.numbers_in_units import decide_after_units_left_out
 from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.relation_fixes import add_fix_of_relation
+from symbalance.notes.checking.rough_letters import decide_roughly
 from symbalance.notes.checking.solutions import solution_below
+from symbalance.notes.checking.solved_balances import as_balance_solution
 from symbalance.notes.checking.solved_below import as_proved_solution, as_solved
 from symbalance.notes.checking.solved_waves import decide_solved_wave
 from symbalance.notes.checking.speeds_as_numbers import put_in_for_angular_speed, wrong_as_quantity
@@ -61,7 +70,17 @@ def judge_relation(
     if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):
         reason = f"true of the number {name}; here {name} is declared as a letter"
         return Decision(UNDECIDED, reason)
-    definition = _demanded(relation) or as_proved_solution(state, chain, k)
+    if is_equality and (by_motion := _by_motion(state, chain, k, knowledge)) is not None:
+        return by_motion
+    return _judge_equality(state, chain, k, sound, bad, knowledge)
+
+
+def _judge_equality(
+    state: JudgingState, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
+) -> Verdict | Decision:
+    """Return the verdict on a relation = or ≈: a definition, a step, or something given."""
+    definition = _demanded(chain.relations[k]) or as_balance_solution(state, chain, k)
+    definition = definition or as_proved_solution(state, chain, k)
     definition = definition or decide_solved_wave(state, chain, k, knowledge)
     definition = definition or _define(state, chain, k, knowledge)
     definition = definition or decide_for_values(state.document, chain, k, knowledge)
@@ -81,7 +100,7 @@ def _judge_step(
     decision = _with_signs(state, left, right, sign, decision, knowledge)
     if decision.status in (REFUTED, UNDECIDED):
         below = None if k else solution_below(state.sections, chain, knowledge)
-        solved = as_solved(state, chain, below, knowledge)
+        solved = _by_mean(state, chain, k, knowledge) or as_solved(state, chain, below, knowledge)
         decision = solved or unless_given(state, chain, k, against, decision, knowledge)
     if decision.status in STATED or decision.status == CONTRADICTION:
         return decision
@@ -92,6 +111,16 @@ def _judge_step(
     return by_name or add_fix_of_relation(
         state, describe(state.document, chain, k, decision), chain, k, against, decision, knowledge
     )
+
+
+def _by_mean(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the proof of a relation by a mean value; a letter solved for goes on in its letters."""
+    decision, head = decide_by_mean(chain, k, knowledge), chain.sides[k].node
+    if decision is not None and not k and isinstance(head, Name):
+        earlier = knowledge.definitions.get(head.name)
+        if earlier is not None and earlier.solved:
+            state.definitions.define(head.name, chain.sides[1].node, chain)
+    return decision
 
 
 def _slip_of_units(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
@@ -118,6 +147,29 @@ def _meant_as_number(left: Formula, right: Formula, knowledge: Knowledge) -> str
             is_letter = decide_equality(left, right, knowledge).is_proved
             return "" if is_letter else ", ".join(plain_text(Constant(n)) for n in chosen)
     return ""
+
+
+def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on an equation of motion, or on a natural frequency; None for others."""
+    time = knowledge.crank.time if knowledge.crank else "t"
+    elsewhere = {each.name for each in state.motions.differentiated if each.variable == time}
+    equation = equation_of_motion(chain, k, elsewhere, knowledge)
+    above = state.equations_of_motion
+    if equation is None:
+        here = [e for e in above if state.sections.same_section(e.line, chain.lines[0])]
+        by_frequency = decide_natural_frequency(chain, k, here, knowledge)
+        head = chain.sides[0].node
+        if by_frequency is not None and by_frequency.is_proved and isinstance(head, Name):
+            state.definitions.define(head.name, chain.sides[1].node, chain)
+        return by_frequency
+    last = above[-1].line if above else 0
+    follows = bool(above) and state.sections.stands_next(chain, last)
+    follows = follows and state.sections.follows_at_once(chain)
+    decision = decide_motion(equation, above, knowledge, follows=follows)
+    above.append(equation)
+    if decision.status == CONDITION and equation.lone_rate is not None:
+        state.definitions.fix(Constraint(*equation.lone_rate), chain)
+    return decision
 
 
 def _demanded(relation: Relation) -> Decision | None:
@@ -194,6 +246,8 @@ def _decide_step(
         decision, against = decide(chain.sides[0], right, "≈", knowledge), chain.sides[0]
     if decision.status == REFUTED:
         decision = state.meant.again(chain, k, knowledge) or decision
+    if sign == "=" and against is left:
+        decision = decide_roughly(left, right, decision, knowledge)
     return decision, against
 
 

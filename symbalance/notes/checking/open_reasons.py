@@ -15,6 +15,7 @@ from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.premises import lines_of
 from symbalance.notes.checking.small_by_value import refuted_in_small_letter
 from symbalance.notes.checking.solutions import solution_behind_arrow
+from symbalance.notes.checking.solved_balances import as_balance
 from symbalance.notes.checking.solved_below import as_solution, as_solved
 from symbalance.notes.checking.solved_premises import solve_without_scope
 from symbalance.notes.checking.symbol_roles import KNOWN, role_of
@@ -32,6 +33,7 @@ def unless_open(
     left, right, line = chain.sides[k].node, chain.sides[k + 1].node, chain.lines[0]
     behind = None if k else solution_behind_arrow(state.sections, chain, knowledge)
     solved = as_solved(state, chain, behind, knowledge) or as_solution(state, chain, k)
+    solved = solved or as_balance(state, chain, k, knowledge)
     if solved is not None:
         return solved
     if (as_rod_angle := state.meant.rod_angle(chain, k, knowledge)) is not None:
@@ -77,8 +79,13 @@ def _one_sided_letter(state: JudgingState, decision: Decision, line: int, knowle
     if decision.left is None or decision.right is None:
         return ""
     free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
+    free -= state.motions.letters(line)
     for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
-        is_open = name in free and name not in {*state.general, *decision.left.domain.integer}
+        is_open = name in free and name not in {
+            *state.general,
+            *knowledge.universal,
+            *decision.left.domain.integer,
+        }
         if is_open and not knowledge.knows(name):
             return f"{plain_text(Name(name))} is not declared and"
         if "/d" in name:  # the derivative of what no line defines
@@ -138,7 +145,7 @@ def _count_without_meaning(
     }
     declared = state.declarations.symbols_at(chain.lines[0])
     for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
-        if name in state.general:
+        if name in state.general | knowledge.universal:
             continue
         if name in below and name not in declared and not knowledge.knows(name):
             text = plain_text(Name(name))

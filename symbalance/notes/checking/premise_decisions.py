@@ -63,7 +63,8 @@ def _decide_exactly(
     if not before.is_consistent:
         return None  # said where the last of them stands
     after = eliminate([*premises, statement], knowledge, rounded=True)
-    refusal = _refusal_by(premises, before, after, statement)
+    positive = knowledge.meaning.positive & knowledge.meanings.keys()
+    refusal = _refusal_by(premises, before, after, statement, positive)
     if refusal is not None and refusal.status == CONTRADICTION:
         refusal = _with_right_value(refusal, before, statement, knowledge)
     return refusal or _support_by(premises, before, after, statement, knowledge)
@@ -90,6 +91,7 @@ def _refusal_by(
     before: Elimination,
     after: Elimination,
     statement: Premise,
+    positive: frozenset[str],
 ) -> Decision | None:
     """Return why a statement cannot stand beside premises: it contradicts them, or makes a letter 0."""
     if not after.is_consistent:
@@ -103,7 +105,8 @@ def _refusal_by(
     zero = [name for name in after.vanishing if name not in before.vanishing]
     if zero and isinstance(statement.left, Name) and names(statement.right):
         reason = f"with {lines_of(premises)} it is true only for {plain_text(Name(zero[0]))} = 0"
-        return Decision(UNDECIDED, reason)
+        is_of_sizes = not positive.isdisjoint(zero)  # a mass, a radius: declared, and never 0
+        return Decision(CONTRADICTION if is_of_sizes else UNDECIDED, reason)
     return None
 
 

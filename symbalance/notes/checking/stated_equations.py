@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbalance.document.formula import Formula, Name, names
+from symbalance.document.formula import Formula, Name, Sum, names
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking import constraints
@@ -32,8 +32,26 @@ def fix_letter(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
     in_use, used = state.definitions.letters_before(chain.lines[0]), state.definitions.first_lines
     in_use -= _explained_letter(state, chain, k)
     in_use -= _letters_found_below(state, chain, k, knowledge)
+    if _names_its_terms(state, chain, k, knowledge):
+        state.definitions.note_premise(chain, k)
+        return Decision(PREMISE, "names the terms")
     constraint = constraints.constraint_of(chain, k, in_use, used, knowledge)
     return None if constraint is None else _fix(state, constraint, chain, k, knowledge)
+
+
+def _names_its_terms(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> bool:
+    """Tell whether a value is said to be a sum of new letters: F = m r ω² cos θ + … = F_1 + F_2."""
+    total = chain.sides[k + 1].node
+    if not k or chain.relations[k].sign != "=" or not isinstance(total, Sum):
+        return False
+    terms = [term.name for term in total.terms if isinstance(term, Name)]
+    own = frozenset(terms)
+    if not len(own) == len(terms) == len(total.terms) or own & state.definitions.letters_in_use:
+        return False
+    earlier = frozenset[str]().union(*(names(side.node) for side in chain.sides[: k + 1]))
+    return own.isdisjoint(earlier) and not any(
+        knowledge.has_meaning(n) or n in knowledge.meanings for n in own
+    )
 
 
 def _explained_letter(state: JudgingState, chain: Chain, k: int) -> frozenset[str]:

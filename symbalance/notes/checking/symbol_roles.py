@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from difflib import SequenceMatcher
+from functools import cache
 
 FROM_TOP = "displacement from top dead centre"
 FROM_PIN = "piston position"
@@ -139,16 +140,64 @@ def readable_letters(symbols: Mapping[str, str]) -> frozenset[str]:
     return frozenset(symbols) | not_real
 
 
+_THE = r"(?:the |an? |its )?"
+_ROD = rf"{_THE}(?:connecting[- ]rod|conrod|rod)"
+_CRANK = rf"{_THE}crank(?:[- ]?shaft)?"
+_SHAFT = rf"(?:{_CRANK}|{_THE}engine(?:'s crankshaft)?)"
+_OF_ONE = r"(?: (?:of|per|in) (?:one|each|a|the|single) ?(?:piston|cylinder)| per (?:cylinder|piston))?"
+_RATIO_GERMAN = r"(?:schubstangen|pleuelstangen|pleuel)verh(?:ä|ae)ltnis"
+_WORDINGS = tuple(
+    (role, re.compile(pattern))
+    for role, pattern in (
+        ("angular speed", rf"(?:(?:constant|steady|uniform) )?angular (?:speed|velocity) of {_SHAFT}"),
+        ("angular speed", r"(?:crank|crankshaft) angular (?:speed|velocity)"),
+        (
+            "angular speed",
+            r"winkelgeschwindigkeit(?: der kurbel(?:welle)?)?|(?:クランク(?:軸|シャフト)?の?)?角速度",
+        ),
+        ("crank angle", rf"(?:rotation )?angle of {_CRANK}|crankshaft angle|kurbelwinkel"),
+        ("crank angle", r"クランク(?:軸|シャフト)?の?(?:回転)?角度?"),
+        (
+            "crank radius",
+            rf"radius of {_THE}crank|crank throw|kurbelradius|kurbelhalbmesser|クランクの?半径",
+        ),
+        ("rod length", rf"length of {_ROD}|(?:connecting-rod|conrod) length"),
+        (
+            "rod length",
+            r"pleuell(?:ä|ae)nge|l(?:ä|ae)nge de[rs] pleuel(?:stange|s)|schubstangenl(?:ä|ae)nge",
+        ),
+        ("rod length", r"(?:コンロッド|連接棒|連桿)の?長さ"),
+        ("reciprocating mass", rf"(?:reciprocating|oscillating) mass{_OF_ONE}"),
+        (
+            "reciprocating mass",
+            r"oszillierende masse(?: (?:je|pro|eines) (?:zylinders?|kolbens?))?|往復(?:部の?)?質量",
+        ),
+        ("crank ratio r/l", rf"{_RATIO_GERMAN} \(?r/l\)?"),
+        ("rod ratio l/r", rf"{_RATIO_GERMAN} \(?l/r\)?"),
+    )
+)
+"""Fuller wordings of a known meaning. Only such as can mean nothing else: the angular velocity of the rod
+is another, and so is the mass of the whole engine."""
+
+
 def role_of(text: str) -> str:
     """Return the known meaning a declaration states, or its text.
 
-    >>> role_of("Crank radius, half the stroke")
-    'crank radius'
+    >>> role_of("Crank radius, half the stroke"), role_of("angular velocity of the crankshaft")
+    ('crank radius', 'angular speed')
     """
     head = text.split(",", maxsplit=1)[0].strip()
+    return _known_role(head) or head
+
+
+@cache
+def _known_role(head: str) -> str:
+    """Return the known meaning that a declaration's first words state, "" for another."""
     role = " ".join(head.lower().split())
     role = ALIASES.get(role, role)
-    return role if role in KNOWN else head
+    if role in KNOWN:
+        return role
+    return next((known for known, wording in _WORDINGS if wording.fullmatch(role)), "")
 
 
 SIMILAR = 0.7

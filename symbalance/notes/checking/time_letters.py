@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Name, Product, names
-from symbalance.notes.checking.dimensions import unit_of, written_unit
+from symbalance.notes.checking.motion_in_time import has_another_value
 from symbalance.notes.checking.sidecar import Declarations
 from symbalance.notes.checking.symbol_roles import letters_by_role
 from symbalance.notes.reading.equations import ReadNotes
@@ -31,19 +31,6 @@ def with_time(page: ReadNotes, declarations: Declarations) -> Declarations:
             if len(value.factors) != 2 or len(others) != 1:
                 continue
             (name,) = others
-            if name not in declarations.symbols and not _has_another_value(name, page):
+            if name not in declarations.symbols and not has_another_value(name, page):
                 return replace(declarations, symbols={**declarations.symbols, name: "time"})
     return declarations
-
-
-def _has_another_value(name: str, page: ReadNotes) -> bool:
-    """Tell whether a page gives a letter what is no time: t = 5 mm, a thickness."""
-    for chain in page.chains:
-        if not any(isinstance(side.node, Name) and side.node.name == name for side in chain.sides):
-            continue
-        for side in chain.sides:
-            unit = written_unit(page.source(side.span))[1]
-            is_time = bool(unit) and unit_of(unit) == unit_of("s")
-            if not (isinstance(side.node, Name) and side.node.name == name) and not is_time:
-                return True
-    return False

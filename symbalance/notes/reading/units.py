@@ -84,12 +84,12 @@ _UNNAMED = _SET.pattern.replace("?P<word>", "?:")
 _FRACTION = re.compile(rf"\\[dt]?frac\s*\{{\s*({_UNNAMED}|1)\s*\}}\s*\{{\s*({_UNNAMED})\s*\}}")
 _PLAIN_FRACTION = re.compile(
     r"\\[dt]?frac\s*\{\s*((?:k?N|k?N\s*m|rad|[kmc]?m|k?g|kg\s*m|k?J|k?W|1|U|Umdr?\.?)"
-    r"(?:\s*\^\s*\{?[23]\}?)?)\s*\}"
-    r"\s*\{\s*((?:m?s|min|m|[cm]m|kg|rad|h)(?:\s*\^\s*\{?[234]\}?)?)\s*\}"
+    r"(?:\s*\^\s*(?:\{[23]\}|[23]))?)\s*\}"
+    r"\s*\{\s*((?:m?s|min|m|[cm]m|kg|rad|h)(?:\s*\^\s*(?:\{[234]\}|[234]))?)\s*\}"
 )
 _MORE = re.compile(rf"(?:\\[,;: ]|~|\\cdot(?![A-Za-z])|[·/\s]){{0,6}}{_COMMAND}{_ARGUMENT}")
 _BRACKETED = re.compile(rf"\[\s*(?:{_UNNAMED}|[A-Za-zµμ/^0-9·⁻¹² -]{{1,20}})\s*\]")
-_RAISED_UNIT = r"(?:\^\{?[-−]?[0-9]\}?|\^\([-−]?[0-9]\)|[⁻]?[¹²³⁴])"
+_RAISED_UNIT = r"(?:\^\{[-−]?[0-9]\}|\^[-−]?[0-9]|\^\([-−]?[0-9]\)|[⁻]?[¹²³⁴])"
 _PART_OF_UNIT = rf"[A-Za-zµμ]+{_RAISED_UNIT}?"
 _PLAIN_UNIT = re.compile(
     rf"(?P<space>[ \u2009\u202f]?)(?P<plain>(?:1/)?{_PART_OF_UNIT}"
@@ -281,11 +281,19 @@ class _PlainUnit:
         if is_letters and not any(part in _PLAIN_SURE for part in long_parts):
             return self._is_clear_among_letters()
         if len(self.word) > 1:
-            return self.digits != "" or self.spaced
+            return (self.digits != "" or self.spaced) and not self._fills_braces()
         if self.word in "gG":
             return self._is_gram_or_multiple_of_g()
         is_big = self.word in "NJWK" and self.spaced
         return (is_big or self._is_measured()) and not self._goes_on()
+
+    def _fills_braces(self) -> bool:
+        """Tell whether a count and a letter are all of a group: the 4m^2 of \\frac{b^2}{4m^2}."""
+        if len(self.parts) > 1 or len(self.parts[0]) > 1:
+            return False
+        before = self.text[max(self.place - 4, 0) : self.place]
+        is_alone = re.search(r"\{[0-9]{1,2}$", before) is not None
+        return is_alone and self.text[self.stop : self.stop + 1] == "}"
 
     def _is_gram_or_multiple_of_g(self) -> bool:
         """Tell whether m = 40 g is a mass, and 3513 G behind a division by 9.81 a multiple of g."""

@@ -171,7 +171,9 @@ class Knowledge:
         ratios = {
             name: node
             for name, node in formulas.items()
-            if name in own and isinstance(node, Quotient) and _is_of_letters(node)
+            if name in own - self.meaning.rates.keys()  # not of the time, θ/ω
+            and isinstance(node, Quotient)
+            and _is_of_letters(node)
         }
         for name, ratio in ratios.items():
             (length,) = names(ratio.denominator)

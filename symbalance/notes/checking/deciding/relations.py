@@ -54,6 +54,7 @@ from symbalance.notes.reading.equations import Side
 MOST_READINGS = 16
 """Pairs of readings that are tried: a decision may cost a second."""
 MEANT_ROUGHLY = "= stands where ≈ is meant"
+NO_VALUES_HERE = " has no values here: say what each is"
 SMALLEST_ROUNDED = 100
 """A whole number of three digits may be a result, ω = 628; a shorter one is data."""
 MOST_ROUNDED = 3
@@ -217,7 +218,7 @@ def _decide_under_premises(
     decision = _decide_reading(left, right, sign, knowledge, through)
     of_numbers = decision.status == REFUTED and not decision.of_matrices
     if of_numbers and (unknown := _terms_without_values(left, right, knowledge)):
-        reason = f"{formula_text(Name(unknown), plain=True)} has no values here: say what each is"
+        reason = formula_text(Name(unknown), plain=True) + NO_VALUES_HERE
         return replace(decision, status=UNDECIDED, reason=reason)
     if decision.status == REFUTED and decision.left is not None:
         free = knowledge.angles | {"t"}

@@ -112,7 +112,9 @@ def _indexed_terms(
         if last is None or last.value - node.lower.value + 1 != len(angles):
             return None
     theta = knowledge.crank.theta if knowledge.crank is not None else None
-    is_whole_angle = isinstance(theta, Name) and own[0].split("_")[0] == theta.name
+    # Σ cos θ_i is of whole angles; beside θ, in cos(θ + θ_i), they are those of the cranks
+    is_beside = isinstance(theta, Name) and theta.name in names(node.body)
+    is_whole_angle = isinstance(theta, Name) and own[0].split("_")[0] == theta.name and not is_beside
     values = [Sum((theta, a)) if is_whole_angle and theta is not None else a for a in angles]
     first = node.lower.value if isinstance(node.lower, Number) else Fraction(1)
     bodies = [substitute(node.body, own[0], value) for value in values]
