@@ -18,6 +18,7 @@ from symbalance.document.formula import names
 from symbalance.document.letters import plain_letter
 from symbalance.document.nodes import Code, Strong, Words
 from symbalance.errors import SymbalanceError, brief
+from symbalance.notes.checking.degrees_without_sign import judge_in_one_unit_of_angle
 from symbalance.notes.checking.engines import Engines, NoEngines, Sources
 from symbalance.notes.checking.guarded_verdicts import PAGE
 from symbalance.notes.checking.judging import Judge
@@ -120,7 +121,8 @@ def check(
         left = None if seconds is None else max(seconds - (time.monotonic() - start), 1e-9)
         return Judge(notes, declarations, sources, Budget(left, memory), fixes).check()
 
-    checked = with_written_assumptions(judge_in_one_reading(page, judge))
+    in_one_reading = partial(judge_in_one_reading, judge=judge)
+    checked = with_written_assumptions(judge_in_one_unit_of_angle(page, in_one_reading))
     if not is_declared and not accept_proposals and (offer := _offer(checked, name)):
         remarks.append(offer)
     return replace(checked, remarks=tuple(remarks))
