@@ -26,6 +26,10 @@ def is_to_be_solved(state: JudgingState, chain: Chain, k: int) -> bool:
     following = _next(state, chain)
     if following is None or _turns_to_angle(state, chain, following):
         return following is not None
+    if chain.inline and names(chain.sides[k].node) & names(chain.sides[k + 1].node):
+        line = following.lines[0]
+        if state.sections.paragraph_start(line) > chain.lines[-1]:
+            return False  # another paragraph tries a value of its own
     return (
         len(own) == 1
         and isinstance(following.sides[0].node, Name)

@@ -11,6 +11,7 @@ from symbalance.budgets import Budget
 from symbalance.document.formula import Call, Formula, Name, names, walk
 from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import assertions
+from symbalance.notes.checking.angle_equations import lines_of_angles
 from symbalance.notes.checking.consequences import decide_consequence
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -225,21 +226,26 @@ class Judge:
             if self._mismatch(chain, k, sound if bad else k, freer) is None:
                 mismatch, knowledge = None, freer
         left, right = chain.sides[k], chain.sides[k + 1]
-        if is_remainder(left.node) or is_remainder(right.node):
-            outcome: Verdict | Decision = decide(left, right, chain.relations[k].sign, knowledge)
+        general_proof = self._for_all_values(chain, k)
+        if general_proof is not None and mismatch is None:
+            outcome: Verdict | Decision = general_proof[0]
+            knowledge = general_proof[1]
+        elif is_remainder(left.node) or is_remainder(right.node):
+            outcome = decide(left, right, chain.relations[k].sign, knowledge)
         else:
             outcome = judge_series(self.state, chain, k, knowledge) or judge_relation(
                 self.state, chain, k, sound, bad, knowledge
             )
         angles, line = knowledge.angles, chain.lines[0]
         turning = angles | (_turned(left.node) & _turned(right.node))
+        turned = _turned(left.node) | _turned(right.node)
         rests_on_case = bool(turning & names(left.node) & names(right.node)) and _is_proved(outcome)
         past = frozenset[int]()
         angles = turning if rests_on_case else angles
         if _word(outcome) in (REFUTED, CONTRADICTION) or rests_on_case:
-            past = past_cases(self.state.definitions, line, angles)
+            past = past_cases(self.state.definitions, line, angles, turned)
         if past:
-            with without_cases(self.state.definitions, past, angles):
+            with without_cases(self.state.definitions, past, angles | turned):
                 freer = with_clauses_below(self.state, chain, k, self.state.knowledge(line))
                 general = judge_relation(self.state, chain, k, sound, bad, freer)
             # a case that is past makes no relation true in which its angle stands
@@ -255,6 +261,22 @@ class Judge:
         if verdict.verdict == REFUTED:  # its witness and its correction say more
             return replace(verdict, reason=verdict.reason or mismatch.reason)
         return describe(self.document, chain, k, mismatch)
+
+    def _for_all_values(self, chain: Chain, k: int) -> tuple[Decision, Knowledge] | None:
+        """Return the proof of a relation for all values of its angles, and what is known without them.
+
+        None where no line above has put one in, or where it takes their values to make it true.
+        """
+        left, right, line = chain.sides[k], chain.sides[k + 1], chain.lines[0]
+        if isinstance(left.node, Name) or chain.relations[k].sign not in "=≈":
+            return None
+        cases, own = lines_of_angles(self.state, chain, k, self.state.knowledge(line))
+        if not cases:
+            return None
+        with without_cases(self.state.definitions, cases, own):
+            freer = with_clauses_below(self.state, chain, k, self.state.knowledge(line))
+            decision = decide(left, right, chain.relations[k].sign, freer)
+        return (decision, freer) if decision.is_proved else None
 
     def _as_consequence(
         self, chain: Chain, k: int, outcome: Verdict | Decision, knowledge: Knowledge
@@ -301,7 +323,8 @@ def _is_proved(outcome: Verdict | Decision) -> bool:
 
 def _turned(node: Formula) -> frozenset[str]:
     """Return the letters within sines and cosines, angles though nobody has declared them."""
-    calls = (part for part in walk(node) if isinstance(part, Call) and part.function in ("sin", "cos"))
+    turning = ("sin", "cos", "tan")
+    calls = (part for part in walk(node) if isinstance(part, Call) and part.function in turning)
     return frozenset(name for call in calls for name in names(call.argument))
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Constant, Formula, Name, Number, names
+from symbalance.notes.checking.angle_equations import as_equation_for_angle
 from symbalance.notes.checking.appeals import appeal
 from symbalance.notes.checking.deciding.equality import Decision, decide_equality
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality
@@ -57,8 +58,13 @@ def judge_relation(
     if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):
         reason = f"true of the number {name}; here {name} is declared as a letter"
         return Decision(UNDECIDED, reason)
-    definition = _demanded(relation) or as_proved_solution(state, chain, k)
+    definition = _demanded(relation) or as_equation_for_angle(state, chain, k, knowledge)
+    definition = definition or as_proved_solution(state, chain, k)
     definition = definition or _define(state, chain, k, knowledge)
+    wrong = None if k else state.wrong_angles.get(chain.sides[0].span[0])
+    if wrong is not None:
+        state.definitions.forget_moment(right.node)
+        return wrong
     if definition is not None:
         return _as_meant(state, chain, k, definition, knowledge)
     decision, against = _decide_step(state, chain, k, sound, bad, knowledge)

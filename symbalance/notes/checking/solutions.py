@@ -13,7 +13,7 @@ from symbalance.document.formula import Call, Formula, Name, names, walk
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.sections import Sections
-from symbalance.notes.reading.equations import Chain
+from symbalance.notes.reading.equations import Chain, ReadNotes
 
 NEAR = 4
 """Lines below an equation in which its solution is looked for."""
@@ -25,6 +25,18 @@ _SOLVED_NEXT = re.compile(
     r"(?:\\(?:Rightarrow|Longrightarrow|implies)(?![A-Za-z])|[⇒⟹])"
 )
 """What stands behind an equation whose solution follows."""
+
+
+def turned_letters(document: ReadNotes) -> frozenset[str]:
+    """Return the letters that stand within sines, cosines and tangents of a page."""
+    return frozenset(
+        name
+        for chain in document.chains
+        for side in chain.sides
+        for part in walk(side.node)
+        if isinstance(part, Call) and part.function in WAVES
+        for name in names(part.argument)
+    )
 
 
 def chains_below(chains: tuple[Chain, ...], chain: Chain) -> Iterator[Chain]:
