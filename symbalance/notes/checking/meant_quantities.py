@@ -101,6 +101,8 @@ class MeantQuantities:
     words: MeantWords
     sources: Sources
     taken: dict[str, Meant] = field(default_factory=dict)
+    shown: set[str] = field(default_factory=set)
+    """What was assumed of other letters where a formula came out: ω is the angular speed, as is usual."""
 
     def judge(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
         """Return the verdict on a relation that defines a letter, if that is known to mean a quantity."""
@@ -258,6 +260,7 @@ class MeantQuantities:
             text = f"{plain_letter(name)} is the {role}{where} ({NOBODY}; {source})"
             if place is None and name not in self.taken:
                 self.taken[name] = Meant(role, text)
+                self.shown.update(assumptions)
             return replace(decision, assumptions=(text, *assumptions, *decision.assumptions))
         return None
 
@@ -308,7 +311,8 @@ class MeantQuantities:
         if named is None or not named.role or named.is_largest or crank.small is None:
             return None
         turns = names(crank.theta) | {crank.time}
-        if not turns & names(right.node) or any(text.endswith(USUAL_END) for text in assumptions):
+        is_guess = any(text.endswith(USUAL_END) and text not in self.shown for text in assumptions)
+        if is_guess or not turns & names(right.node):
             return None
         behind = names_behind(right.node, {n: d.node for n, d in known.definitions.items()})
         if crank.small[0] not in behind and not any(

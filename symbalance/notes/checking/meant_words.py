@@ -203,7 +203,7 @@ class MeantWords:
 
 def _motions(words: str) -> list[tuple[str, str]]:
     """Return the motions and forces that words name, each with the phrase."""
-    found = [(named.role, named.phrase) for named in roles_named(words)]
+    found = [(named.role, named.phrase) for named in roles_named(words) if not named.is_part]
     low = words.casefold()
     for role, phrases in MOVING_SECTIONS.items():
         phrase = next((p for p in phrases if p.casefold() in low), "")

@@ -13,6 +13,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.premises import lines_of
+from symbalance.notes.checking.small_by_value import refuted_in_small_letter
 from symbalance.notes.checking.solutions import solution_behind_arrow
 from symbalance.notes.checking.solved_below import as_solution, as_solved
 from symbalance.notes.checking.solved_premises import solve_without_scope
@@ -20,6 +21,8 @@ from symbalance.notes.checking.symbol_roles import KNOWN, role_of
 from symbalance.notes.checking.verdicts import UNDECIDED
 from symbalance.notes.checking.witness_angles import holds_at_angles
 from symbalance.notes.reading.equations import Chain
+
+UNKNOWN_SMALL = "nobody has said which letter is small: declare what they mean"
 
 
 def unless_open(
@@ -43,7 +46,11 @@ def unless_open(
     elif condition is not None:
         reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
     elif chain.relations[k].sign == "≈" and free & letters_here and len(letters_here) > 1:
-        reason = "nobody has said which letter is small: declare what they mean"
+        refutation = refuted_in_small_letter(chain, k, knowledge)
+        letter = _one_sided_letter(state, decision, line, knowledge) if refutation else ""
+        if refutation is not None and not letter:
+            return refutation
+        reason = f"{letter} stands on one side only: declare what it means" if letter else UNKNOWN_SMALL
     elif letter := _one_sided_letter(state, decision, line, knowledge):
         reason = f"{letter} stands on one side only: declare what it means"
     elif chain.relations[k].sign == "=":

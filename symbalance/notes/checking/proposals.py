@@ -186,7 +186,8 @@ def _words(text: str, names_at: Callable[[int], Collection[str]]) -> Iterator[tu
             before = before.rstrip().removesuffix("\\displaystyle").rstrip()
             is_side = rest[:1] == "=" and not before[-1:].isalnum() and before[-1:] not in ("/", ")", "}")
             is_named = any(
-                _gap_is_naming(line, role.start, role.end, *match.span(1)) for role in roles_named(line)
+                role.may_name(word) and _gap_is_naming(line, role.start, role.end, *match.span(1))
+                for role in roles_named(line)
             )
             if is_side or is_named:
                 yield word, number
@@ -226,7 +227,7 @@ def _gap_is_naming(line: str, start: int, end: int, first: int, last: int) -> bo
     if last > start:
         return False
     # "R is the crank radius, L the length of the rod": of a list each but the first goes without "is"
-    is_in_list = line[:first].rstrip(" $\\(").endswith((",", ";", "and", "und"))
+    is_in_list = line[:first].rstrip(" $\\(").endswith((",", ";", "and", "und", "with", "where", "mit"))
     return _BEFORE.fullmatch(line, last, start) is not None or (
         is_in_list and _OF_LIST.fullmatch(line, last, start) is not None
     )
@@ -286,7 +287,7 @@ class _Roles:
                 (_distance(line, role, place), place[0] < role.start, place, role, letter)
                 for place, letter in places
                 for role in found
-                if _gap_is_naming(line, role.start, role.end, *place)
+                if role.may_name(letter) and _gap_is_naming(line, role.start, role.end, *place)
             ]
             spent: set[object] = set()
             for _, _, place, role, letter in sorted(pairs, key=lambda pair: pair[:3]):
@@ -298,13 +299,16 @@ class _Roles:
                     if role.role in UNITS and place[0] >= role.end:
                         for other in _listed_after(line, place[1], places):
                             self._add(other, role.role, number, words)
-            self._named_for_the_next_line(line, number, found)
+            self._named_for_the_next_line(line, number, [role for role in found if role not in spent])
         for match in _COUNTED.finditer(line):
             if match[1] in self.letters:
                 self._add(match[1], "integer", number, match[0].strip("$"))
 
-    def _named_for_the_next_line(self, line: str, number: int, found: Sequence[object]) -> None:
-        """Add the letter on the left of the next line for "the displacement is:" and the like."""
+    def _named_for_the_next_line(self, line: str, number: int, roles: Sequence[NamedRole]) -> None:
+        """Add the letter on the left of the next line for "the displacement is:" and the like.
+
+        Of the line's roles those that have no letter yet: "position, with θ the crank angle:".
+        """
         after = re.search(
             r"(?:は|[:：]|\b(?:is|are|ist|gilt|lautet))\s*(?:以下の通りと(?:なる|する))?[。.]?\s*$", line
         )
@@ -314,7 +318,7 @@ class _Roles:
         if after is None or follows is None or any(sign in line for sign in "=≈"):
             return
         letter = self._letter_alone_on_the_left(self.lines[follows])
-        roles = list(roles_named(line[: after.start()]))
+        roles = [role for role in roles if role.end <= after.start() and role.may_name(letter)]
         if letter and roles and not self.introduced.get(letter) and roles[-1].role != RATIO:
             self._add(letter, roles[-1].role, number, _quotation(line, roles[-1].start, roles[-1].end))
 
@@ -419,7 +423,8 @@ class _Roles:
 
     def _named_by_use(self) -> None:
         """Add what a letter usually means, where no word says it: of θ, ω, t, β and the ratio alone."""
-        sizes = {role.role for line in self.lines for role in roles_named(line[:_LONGEST_LINE])}
+        named = (role for line in self.lines for role in roles_named(line[:_LONGEST_LINE]))
+        sizes = {role.role for role in named if not role.is_part}
         has_stroke = "stroke" in sizes and not {"crank radius"} & sizes and "r" not in self.letters
         ratio = "rod ratio l/s" if has_stroke else "rod ratio l/r"
         is_below_one = self._multiplies_second_order("lambda") or self._has_value_below_one("lambda")

@@ -84,7 +84,8 @@ _MEANINGS = {
 def report_document(checked: Checked) -> Document:
     """Return the counts, every verdict in line order, then what the verdicts mean."""
     sides = sides_by_span(checked.derivation)
-    lines = tuple(_line(verdict, sides) for verdict in checked.verdicts)
+    text = checked.derivation.text
+    lines = tuple(_line(verdict, sides, text) for verdict in checked.verdicts)
     remarks = tuple(map(Paragraph, checked.remarks))
     title, lead = page_title(checked.derivation.name), summary(checked)
     if not lines:
@@ -95,7 +96,7 @@ def report_document(checked: Checked) -> Document:
 def verdict_document(verdict: Verdict) -> Document:
     """Return one verdict with its reasons, then what it means."""
     return Document(
-        f"Verdict: {verdict_words(verdict)}", (Source((_line(verdict, {}),)), legend((verdict,)))
+        f"Verdict: {verdict_words(verdict)}", (Source((_line(verdict, {}, ""),)), legend((verdict,)))
     )
 
 
@@ -159,15 +160,16 @@ def one_line(source: str, limit: int) -> str:
     return line if len(line) <= limit else line[: limit - 1] + "…"
 
 
-def _line(verdict: Verdict, sides: Sides) -> SourceLine:
+def _line(verdict: Verdict, sides: Sides, text: str) -> SourceLine:
+    """Return a verdict as a line of a report; of the page's `text` its units are as they were typed."""
     return SourceLine(
         place(verdict),
         one_line(verdict.source, LONGEST_SOURCE),
         verdict_words(verdict),
         verdict.verdict in FAILING,
         tuple(_notes(verdict)),
-        _formulas(verdict),
-        typeset(verdict, sides),
+        _formulas(verdict, text),
+        typeset(verdict, sides, text),
     )
 
 
@@ -229,11 +231,11 @@ def fault_words(fault: Fault, verdict: Verdict) -> Words:
     return (f"{where}for ", Code(one_line(fault.source, LONGEST_PIECE)), put, should)
 
 
-def _formulas(verdict: Verdict) -> tuple[tuple[str, Formula], ...]:
+def _formulas(verdict: Verdict, text: str) -> tuple[tuple[str, Formula], ...]:
     """Return a side that is not right as it was read, and as it should be; its exact value, if not."""
     if not verdict.is_bad:
         return ()
-    claim = None if verdict.node is None else as_written(verdict.node)
+    claim = None if verdict.node is None else as_written(verdict.node, text)
     stands, fix = ("stands", claim), verdict.fix
     if fix is None:
         is_number = bool(verdict.exact) and "right" in verdict.witness and not needs_witness(verdict)

@@ -127,6 +127,15 @@ MOVING_SECTIONS: Mapping[str, tuple[str, ...]] = {
 
 The first that occurs counts: 加速度, acceleration, ends in 速度, velocity."""
 
+PARTS = {
+    "rod": "rod length", "con rod": "rod length", "conrod": "rod length",
+    "connecting rod": "rod length", "connecting-rod": "rod length", "Pleuel": "rod length",
+    "Pleuelstange": "rod length", "コンロッド": "rod length", "crank": "crank radius",
+    "Kurbel": "crank radius",
+}  # fmt: skip
+"""Parts of the crank drive, which stand for their lengths before a letter for one: rod L = 160 mm."""
+LETTERS_OF_LENGTHS = {"rod length": ("l", "L", "ell"), "crank radius": ("r", "R")}
+
 CONVENTIONS = {"l/r": "rod ratio l/r", "l/s": "rod ratio l/s", "r/l": "crank ratio r/l"}
 GERMAN_RATIO = ("Schubstangenverhältnis", "Pleuelstangenverhältnis", "Pleuelverhältnis")
 """Names of r/l where nothing else is said; of all others l/r is the usual reading."""
@@ -154,6 +163,18 @@ class NamedRole:
     role: str
     phrase: str
 
+    def may_name(self, letter: str) -> bool:
+        """Tell whether the phrase may name a letter: a rod stands for its length before l or L alone."""
+        return not self.is_part or letter in LETTERS_OF_LENGTHS[self.role]
+
+    @property
+    def is_part(self) -> bool:
+        """Whether the phrase names a part, the rod or the crank, and only before a letter its length."""
+        return self.phrase.casefold() in _PARTS
+
+
+_PARTS = frozenset(phrase.casefold() for phrase in PARTS)
+
 
 def roles_named(line: str) -> Iterator[NamedRole]:
     """Yield the roles that a line names, each by its longest phrase, from left to right.
@@ -169,7 +190,8 @@ def roles_named(line: str) -> Iterator[NamedRole]:
 @cache
 def _pattern() -> tuple[re.Pattern[str], dict[str, str]]:
     """Return one pattern of all phrases, the longest first; Latin ones are whole words, plurals too."""
-    roles = {phrase.casefold(): role for role, phrases in PHRASES.items() for phrase in phrases}
+    roles = {phrase.casefold(): role for phrase, role in PARTS.items()}
+    roles |= {phrase.casefold(): role for role, phrases in PHRASES.items() for phrase in phrases}
     longest_first = sorted(roles, key=len, reverse=True)
     latin = [re.escape(phrase) for phrase in longest_first if phrase[0] < "\u2e80"]
     other = [re.escape(phrase) for phrase in longest_first if phrase[0] >= "\u2e80"]

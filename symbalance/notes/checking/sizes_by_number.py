@@ -14,6 +14,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.definitions import Definitions
+from symbalance.notes.checking.impossible_values import number_of
 from symbalance.notes.checking.plain_formulas import lone_side, plain_text
 from symbalance.notes.checking.verdicts import DEFINITION, PREMISE
 from symbalance.notes.reading.equations import Chain
@@ -75,11 +76,11 @@ def _define_by_number(
         if refusal is not None:
             return refusal
     word = PREMISE if definitions.define(letter, solution, chain) else DEFINITION
-    text = f"{plain_text(Name(letter))} = {plain_text(solution)}"
+    text = f"{plain_text(Name(letter))} = {_as_number(solution, knowledge)}"
     if reasons:
         behind = [(n, knowledge.definitions.get(n)) for n in names(knowledge.meaning.values[name])]
         definitions.solved_from[letter] = (line, {n: d and d.node for n, d in behind if n != letter})
-    return Decision(word, f"with {' and '.join(reasons)} a case: {text}" if reasons else "")
+    return Decision(word, f"with {' and '.join(reasons)}: {text}" if reasons else "")
 
 
 def _solve_for_one_letter(node: Formula, value: Formula) -> tuple[str, Formula] | None:
@@ -123,4 +124,10 @@ def _define_case(
             if refusal is not None:
                 return refusal
     word = PREMISE if definitions.define(small, number, chain) else DEFINITION
-    return Decision(word, f"a case: {plain_text(Name(small))} = {plain_text(number)}")
+    return Decision(word, f"a case: {plain_text(Name(small))} = {_as_number(number, knowledge)}")
+
+
+def _as_number(node: Formula, knowledge: Knowledge) -> str:
+    """Return the number that a formula comes to, in six digits at most; the formula if it is none."""
+    value = number_of(node, knowledge)
+    return plain_text(node) if value is None else f"{float(value):.6g}"

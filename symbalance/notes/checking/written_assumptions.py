@@ -1,4 +1,4 @@
-"""Assumptions in their author's numbers: "holds if l = 150 mm", not "l = 150 (1/1000)".
+"""Assumptions and reasons in their author's numbers: "holds if l = 150 mm", not "l = 150 (1/1000)".
 
 What is calculated with stands in metres, kilograms and radians; a report names a value as its page does.
 """
@@ -16,18 +16,22 @@ from symbalance.notes.reading.equations import ReadNotes
 
 
 def with_written_assumptions(checked: Checked) -> Checked:
-    """Return a checked page whose assumptions give values with the digits and units of the page."""
-    if not any(" = " in verdict.assumption for verdict in checked.verdicts):
+    """Return a checked page whose verdicts give values with the digits and units of the page."""
+    if not any(" = " in verdict.assumption + verdict.reason for verdict in checked.verdicts):
         return checked
     written = _written_values(checked.derivation)
     if not written:
         return checked
     values = "|".join(map(re.escape, sorted(written, key=len, reverse=True)))
-    pattern = re.compile(rf"(?<== )(?:{values})(?=,|$)")
+    pattern = re.compile(rf"(?<== )(?:{values})(?=[,:;]| and |$)")
 
     def rewrite(verdict: Verdict) -> Verdict:
-        text = pattern.sub(lambda match: written[match[0]], verdict.assumption)
-        return verdict if text == verdict.assumption else replace(verdict, assumption=text)
+        texts = [pattern.sub(_written, text) for text in (verdict.assumption, verdict.reason)]
+        is_same = texts == [verdict.assumption, verdict.reason]
+        return verdict if is_same else replace(verdict, assumption=texts[0], reason=texts[1])
+
+    def _written(match: re.Match[str]) -> str:
+        return written[match[0]]
 
     return replace(checked, verdicts=tuple(map(rewrite, checked.verdicts)))
 

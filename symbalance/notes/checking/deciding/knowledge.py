@@ -32,7 +32,7 @@ class Definition:
     is_coefficient: bool = False
     """Whether it is a coefficient of a series: a line that gives it a value then claims something."""
     formula: Formula | None = None
-    """What an earlier line has for the letter, where this one gives it a number: U = m r/2, then 0.016."""
+    """What an earlier line has for a letter to which this one gives a number: U = m r/2, then 0.016."""
     rounded: Formula | None = None
     """The value as its line prints it, v = 2π·100 = 628.3: what follows may be computed from either."""
 
