@@ -42,6 +42,13 @@ POUND, POUND_FORCE = Fraction(45359237, 10**8), Fraction(44482216152605, 10**13)
 FEWEST_DIGITS = 3
 """That a factor of conversion, or a constant that a formula has for its units, is printed with."""
 _LETTER = re.compile(r"[A-Za-z]")
+_RPM = re.compile(
+    r"r\.?\s?p\.?\s?m|rev(?:olutions?|s)?\.?\s?(?:per|/)\s?m|(?:U|tr|Umdr)?/min|min\^?\{?[-⁻]",
+    re.IGNORECASE,
+)
+_BY_MINUTE = re.compile(
+    r"(?:per\s+|/\s*)min(?![A-Za-z])|(?:per|a)\s+minute|min\^?\{?[-⁻−]1?|je\s+Minute|pro\s+Minute"
+)
 _NO_LETTERS = re.compile(r"\\(?:cdot|times|[dt]?frac|pi|sqrt|left|right|div)(?![A-Za-z])")
 _SMALL_LENGTH = re.compile(r"(?<![A-Za-z])[cm]m(?![A-Za-z])")
 
@@ -50,7 +57,7 @@ def decide_in_units(
     chain: Chain, k: int, decision: Decision, document: ReadNotes, knowledge: Knowledge
 ) -> Decision:
     """Return the decision on a refuted relation in the units that its numbers are meant in."""
-    for meant in (_in_unit_of_result, _converted, _of_weights, _with_numbers_of_units):
+    for meant in (_in_unit_of_result, _converted, _of_weights, _with_numbers_of_units, _by_the_minute):
         there = meant(chain, k, document, knowledge)
         if there is not None and (there.is_proved or meant is _converted):
             return there
@@ -68,6 +75,8 @@ def decide_after_units_left_out(
         return None
     sign, right = chain.relations[k].sign, chain.sides[k + 1]
     by_letters = decide(chain.sides[k - 1], right, sign, knowledge)
+    if not by_letters.is_proved:
+        by_letters = _per_minute(chain, k, k - 1, document, knowledge) or by_letters
     unit = written_unit(document.source(right.span))[1]
     if by_letters.is_proved or not unit:
         return by_letters if by_letters.is_proved else None
@@ -99,6 +108,41 @@ def _in_unit_of_result(
     bare = rest[0] if len(rest) == 1 else Product(tuple(rest))
     there = decide(left, Side((bare,), right.span), chain.relations[k].sign, knowledge)
     return replace(there, assumptions=(*there.assumptions, "numbers in the unit of the result"))
+
+
+def _by_the_minute(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on 4 r N = 1200 ft per min, where N is a number of revolutions per minute."""
+    return _per_minute(chain, k, k, document, knowledge)
+
+
+def _per_minute(
+    chain: Chain, k: int, left: int, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision on a rate per minute of a speed that counts revolutions per minute.
+
+    Where ω = 2πN/60 makes N the number itself, 4 r N is a length; printed as so much per minute it is that.
+    """
+    sides = chain.sides
+    own = names(sides[left].node)
+    counted = {
+        other.sides[0].node.name
+        for other in document.chains
+        if isinstance(other.sides[0].node, Name)
+        and any(
+            isinstance(s.node, Number) and _RPM.search(document.source(s.span)) for s in other.sides[1:]
+        )
+    }
+    if not own & counted or not _BY_MINUTE.search(_with_behind(sides[k + 1], document)):
+        return None
+    by_minute = tuple(Product((Number(Fraction(60)), node)) for node in sides[k + 1].readings)
+    right = replace(sides[k + 1], readings=by_minute)
+    there = decide(sides[left], right, chain.relations[k].sign, knowledge)
+    return there if there.is_proved else None
+
+
+def _with_behind(side: Side, document: ReadNotes) -> str:
+    """Return the text of a side with what stands right behind it, where a unit may end."""
+    return document.text[side.span[0] : side.span[1] + 4]
 
 
 # Factors of conversion: 109 hp · 0.7457 = 81.3 kW

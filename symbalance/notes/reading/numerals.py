@@ -54,12 +54,15 @@ _SPELLED = (
     ("rpm", r"r\. ?p\. ?m\b|rev(?:olution)?s?\.? per min(?:ute)?\b|Umdrehungen pro Minute"),
     ("ft·lbf/s", rf"{_FOOT_POUND} ?(?:per|/) ?s(?:ec(?:onds?)?)?\b"),
     ("ft·lbf/min", rf"{_FOOT_POUND} ?(?:per|/) ?min(?:utes?)?\b"), ("ft·lbf", _FOOT_POUND),
+    ("psi", r"(?:lbs?\.?|lbf\.?|pounds?)[ -]?(?:per|/)\s?sq(?:uare|\.)?\s?in(?:ch|\.|\b)"),
+    ("lbf·inch", r"lbs?\.[ -]in(?:ch(?:es)?|\.|\b)|in\.[ -]lbs?\.?"),
+    ("lbf·ft", r"lbs?\.[ -]ft\.?"),
     ("lbf·ft", "(?:pound[ -]?(?:feet|foot)|lbf?[-‐‑]ft)"),
     ("lbf·inch", "(?:inch[ -]pounds?|lbf?[-‐‑]in|in[-‐‑]lbf?)"),
     ("N·m", "N[‐‑]m"), ("hp", r"H\. ?P\.|h\. ?p\.|horse[ -]?power"),
     ("ft/s²", r"(?:feet|ft\.?) ?(?:per|/) ?sec(?:onds?)?\.? per sec(?:onds?)?\b"),
-    ("ft/s", r"(?:feet|ft) ?(?:per|/) ?sec(?:onds?)?\b"),
-    ("ft/min", r"(?:feet|ft) ?(?:per|/) ?min(?:ute)?\b"),
+    ("ft/s", r"(?:feet|ft\.?) ?(?:per|/) ?sec(?:onds?)?\b"),
+    ("ft/min", r"(?:feet|ft\.?) ?(?:per|/) ?min(?:ute)?\b"),
     ("ft", "feet|foot|ft(?=\\.)"),
     ("inch^3", r"cu(?:bic|\.)? ?in(?:ches|\.|(?![a-z]))"),
     ("ft^3", r"cu(?:bic|\.)? ?(?:feet|foot|ft\.?)"),
@@ -336,7 +339,11 @@ def _units_in_words(text: str) -> dict[int, tuple[int, str]]:
     for match in _SPELLED_UNIT.finditer(text):
         which = next(n for n in range(len(_SPELLED)) if match[f"u{n}"])
         unit, dollars = _SPELLED[which][0], match[1] + match[2]
-        changes[match.start()] = (match.end(), _unit_sign(unit, bool(dollars)) + dollars)
+        end = match.end()
+        if "\n" in match.group():  # the unit stands where its number does
+            end = match.start() + match.group().index("\n")
+            changes[end + 1] = (match.end(), "")
+        changes[match.start()] = (end, _unit_sign(unit, bool(dollars)) + dollars)
     for match in _BEHIND_DOLLAR.finditer(text):
         unit = _unit_behind(match["unit"], text[match.end() :][:1])
         if unit and _closes(text, match.start()):
