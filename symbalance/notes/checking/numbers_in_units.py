@@ -31,8 +31,9 @@ from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals, significant
-from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 from symbalance.notes.checking.dimensions import written_unit
+from symbalance.notes.checking.impossible_values import number_of
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.numerals import unit_in_words
 from symbalance.notes.reading.units import Scale, scale_of
@@ -41,6 +42,8 @@ RPM = Fraction(1, 30), True
 POUND, POUND_FORCE = Fraction(45359237, 10**8), Fraction(44482216152605, 10**13)
 FEWEST_DIGITS = 3
 """That a factor of conversion, or a constant that a formula has for its units, is printed with."""
+_PI, _NEAR_PI = Fraction(355, 113), Fraction(1, 500)
+_SMALL = Fraction(1, 100)
 _LETTER = re.compile(r"[A-Za-z]")
 _RPM = re.compile(
     r"r\.?\s?p\.?\s?m|rev(?:olutions?|s)?\.?\s?(?:per|/)\s?m|(?:U|tr|Umdr)?/min|min\^?\{?[-⁻]",
@@ -259,7 +262,33 @@ def _with_numbers_of_units(
         sides[0], sides[1], chain.relations[k].sign, replace(knowledge, definitions=definitions)
     )
     texts = tuple(f"{formula_text(Name(n), plain=True)} in {unit}" for n, (unit, _) in units.items())
+    if not there.is_proved:
+        there = _by_its_constant(sides, chain.relations[k].sign, knowledge) or there
     return replace(there, assumptions=(*there.assumptions, *texts))
+
+
+def _by_its_constant(sides: list[Side], sign: str, knowledge: Knowledge) -> Decision | None:
+    """Return the proof that two formulas differ by no more than the constant of one is rounded.
+
+    F = (W/g) ω² r = 0.00034 W N² r: of the letters on both sides nothing is left but a ratio.
+    """
+    left, right = sides
+    constants = [n for n in decimals(right.node) if n.last_place is not None]
+    own = names(left.node) & names(right.node)
+    if len(constants) != 1 or not names(right.node) <= own:
+        return None
+    lettered = {n: d for n, d in knowledge.definitions.items() if n not in own}
+    ratio = number_of(Quotient(left.node, right.node), replace(knowledge, definitions=lettered))
+    (constant,) = constants
+    if ratio is None or constant.last_place is None:
+        return None
+    exact = constant.value * Fraction(float(ratio))
+    if 2 * abs(exact - constant.value) > constant.last_place:
+        return None
+    finer = Number(exact, constant.last_place / 10**9, span=constant.span)
+    node = replace_part(right.node, constant, finer)
+    there = decide(left, replace(right, readings=(node,)), sign, knowledge)
+    return there if there.is_proved else None
 
 
 def _units_in_words(
@@ -270,7 +299,9 @@ def _units_in_words(
     for name in sorted({n for node in nodes for n in names_behind(node, values)}):
         if len(name) > 1:
             continue
-        for match in re.finditer(rf"(?<![\w\\]){re.escape(name)}\$? in (?=[A-Za-z])", text):
+        said = rf"(?<![\w\\]){re.escape(name)}\$? in (?=[A-Za-z])"
+        beside = rf"(?<=[A-Za-z]{{3}} )\$?{re.escape(name)}\$? (?=(?:ft|in)\.|[cm]m[\s,.;])"  # the radius r ft.
+        for match in re.finditer(f"{said}|{beside}", text):
             unit = unit_in_words(text[match.end() : match.end() + 40])
             scale = scale_of(unit) if unit else None
             if scale is not None and not scale[1] and scale[0] != 1:
@@ -279,8 +310,15 @@ def _units_in_words(
 
 
 def _is_of_numbers(node: Formula) -> bool:
-    """Tell whether a formula has letters and a constant for its units, a decimal of three digits."""
-    return bool(names(node)) and any(significant(number) >= FEWEST_DIGITS for number in decimals(node))
+    """Tell whether a formula has letters and a constant for its units, a decimal of three digits.
+
+    Of a small one two are enough, F = 0.00034 W N² r; 3.1416 is for no unit.
+    """
+    return bool(names(node)) and any(
+        significant(number) >= FEWEST_DIGITS - (abs(number.value) < _SMALL)
+        for number in decimals(node)
+        if abs(number.value - _PI) > _NEAR_PI
+    )
 
 
 def _as_numbers(node: Formula, units: dict[str, tuple[str, Fraction]]) -> Formula:

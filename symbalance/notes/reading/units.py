@@ -317,7 +317,7 @@ class _PlainUnit:
             ("\\cdot", "\\times", "\\approx", "\\le", "\\ge", "\\quad", "\\qquad", "\\\\", "\\,")
         ):
             return False
-        word = re.match(r"[^\W\d_]+", bare)
+        word = re.match(r"[^\W\d_¹²³⁴⁵⁶]+", bare)
         return (
             word is None
             or len(word.group()) < 2
