@@ -36,6 +36,7 @@ from symbalance.notes.checking.open_cases import (
 )
 from symbalance.notes.checking.own_units import with_speeds
 from symbalance.notes.checking.page_data import data_of
+from symbalance.notes.checking.quotations import Quotations
 from symbalance.notes.checking.series_relations import judge_series
 from symbalance.notes.checking.sidecar import Binding, Declarations
 from symbalance.notes.checking.unit_or_letter import with_both_readings
@@ -71,6 +72,7 @@ class Judge:
         """The page's data that stand in tables, lists and code, and have not been reached yet."""
         self.state = JudgingState(self.document, self.declarations, self.sources, self.corrects)
         self.guard = Guard(self.document, self.budget)
+        self.quotations = Quotations(self.document)
 
     def check(self) -> Checked:
         """Return the document with its verdicts."""
@@ -116,9 +118,12 @@ class Judge:
 
     def chain(self, chain: Chain, bindings: list[Binding]) -> list[Verdict]:
         """Return the verdicts on a chain's relations in order; none is lost by a fault of the checker."""
+        if not bindings and (quoted := self.quotations.verdicts(chain)) is not None:
+            return quoted
         verdicts: list[Verdict] = []
         try:
             self._judge(chain, bindings, verdicts)
+            self.quotations.note(chain, verdicts)
         except SymbalanceError:
             raise  # a declaration that cannot be used
         except Exception as problem:

@@ -80,7 +80,7 @@ _SPELLED_UNIT = re.compile(
 _PART_BEHIND = r"(?:1|[A-Za-zµμΩ]+)(?:\^?\{?[-−]?[1-4]\}?|[⁻]?[¹²³⁴])?"
 _BEHIND_DOLLAR = re.compile(
     r"(?:(?<=[0-9])|(?<=\^\{[0-9]\})|(?<=\^\{-[0-9]\}))(?:\\[,;: ]|~)?\$(?:[ ~]|\\[,;: ])?"
-    rf"(?P<unit>°|{_PART_BEHIND}(?:[ ]?[/·⋅*]?[ ]?{_PART_BEHIND}){{0,3}})"
+    rf"(?P<unit>°|\\?%|{_PART_BEHIND}(?:[ ]?[/·⋅*]?[ ]?{_PART_BEHIND}){{0,3}})"
     r"(?=[.,;:)]?(?:\s*$|[\s|)])|[.,;:)]\s|[\u3001-\u9fff\uff08-\uff1f])(?! ?[=<>≈+*/])",
     re.MULTILINE,
 )
@@ -357,7 +357,7 @@ def _unit_behind(words: str, after: str) -> str:
     ends = [m.start() for m in re.finditer(" ", words)]
     for end in [len(words), *reversed(ends)]:
         unit = words[:end]
-        if unit in ("°", "in") and (unit == "°" or after == "."):
+        if unit in ("°", "%", "\\%") or (unit == "in" and after == "."):
             return unit
         if scale_of(unit) is not None:
             return unit
@@ -379,7 +379,8 @@ def unit_in_words(text: str) -> str:
 
 def _unit_sign(unit: str, in_latex: bool) -> str:
     unit = "inch" if unit == "in" else unit
-    if unit in ("°", "%"):
+    if unit in ("°", "%", "\\%"):
+        unit = unit.removeprefix("\\")
         return {"°": "°", "%": "\\%" if in_latex else "%"}[unit]
     return f"\\,\\mathrm{{{unit}}}" if in_latex else f" {unit}"
 
