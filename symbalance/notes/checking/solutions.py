@@ -26,6 +26,13 @@ _SOLVED_NEXT = re.compile(
 )
 """What stands behind an equation whose solution follows."""
 
+_SOLVED_IN_WORDS = re.compile(
+    r"(?:[\s,;$]|\\[,;: ])*(?:also|so|hence|thus|therefore|which\s+gives|giving|somit|daher|folglich|mithin|damit|demnach"
+    r"|donc|d'où)(?![A-Za-z])(?:[^\W\d]|[ ,$\n-]){0,50}",
+    re.IGNORECASE,
+)
+"""Words of the same sentence that lead from an equation to its solution."""
+
 
 def turned_letters(document: ReadNotes) -> frozenset[str]:
     """Return the letters that stand within sines, cosines and tangents of a page."""
@@ -56,6 +63,16 @@ def solution_behind_arrow(sections: Sections, chain: Chain, knowledge: Knowledge
     if other is None or len(chain.relations) != 1 or not _SOLVED_NEXT.match(behind):
         return None
     return other if _may_be_solved_for(other, chain, knowledge) else None
+
+
+def solution_behind_words(sections: Sections, chain: Chain, knowledge: Knowledge) -> Chain | None:
+    """Return the chain that gives an equation's solution in the same sentence: 2n/60 = f, so n = 30 f."""
+    other = next(chains_below(sections.document.chains, chain), None)
+    if other is None or len(chain.relations) != 1:
+        return None
+    between = sections.document.text[chain.sides[1].span[1] : other.sides[0].span[0]]
+    is_next = _SOLVED_IN_WORDS.fullmatch(between) is not None
+    return other if is_next and _may_be_solved_for(other, chain, knowledge) else None
 
 
 def _may_be_solved_for(other: Chain, chain: Chain, knowledge: Knowledge) -> bool:
