@@ -54,6 +54,7 @@ _WORD = re.compile(
 """What says that a page counts some angle in degrees; degrees of freedom are none."""
 _PROGRAM = re.compile(r"(?:math|np|numpy|cmath|Math|mp|sp|sympy|torch|jnp)\.$")
 """What stands before the name of a function that is a program's, and takes radians."""
+_COMMANDS = re.compile(r"\\(?:[dt]?frac|cdot|times|left|right|[,;: ])")
 _RADIANS = re.compile(r"(?<![A-Za-z])rad(?:ians?)?(?![A-Za-z])")
 
 IN_DEGREES = "angles without a sign are read in degrees: cos(t + 120) is cos(t + 120°)"
@@ -125,9 +126,9 @@ class _Angles:
         return isinstance(head, Name) and head.name in self.angles
 
     def _has_unit(self, side: Side) -> bool:
-        """Tell whether a number has a unit behind it, which is none of an angle without a sign."""
-        behind = self.document.text[side.span[0] : side.span[1] + 12]
-        return re.match(r"\s*[-−+]?[0-9][0-9.,]*\s*\$?\s*(?:[A-Za-z°º%\\'′]|1/s)", behind) is not None
+        """Tell whether a side has a unit or letters of its own: 45 mm is no angle, 45 and 360/7 may be."""
+        written = _COMMANDS.sub("", self.document.text[side.span[0] : side.span[1]])
+        return re.search(r"[^\W\d_]|[°º%'′]", written) is not None
 
     def in_degrees(self) -> ReadNotes:
         """Return the page with its bare angles in degrees."""
@@ -140,7 +141,12 @@ class _Angles:
         for place, side in enumerate(chain.sides):
             readings = tuple(map(self._within_functions, side.readings))
             is_value = (gives_angle and place) or is_inverse
-            if is_value and not _is_inverse(side.node) and not self._has_unit(side):
+            if (
+                is_value
+                and not names(side.node)
+                and not _is_inverse(side.node)
+                and not self._has_unit(side)
+            ):
                 readings = tuple(map(_as_angle, readings))
             sides.append(replace(side, readings=readings))
         return replace(chain, sides=tuple(sides))
@@ -180,6 +186,10 @@ def _as_angle(node: Formula) -> Formula:
 
 def _degrees(node: Formula) -> Formula:
     """Return n as n π/180, the unit at its end as where the sign ° would stand."""
+    if isinstance(node, Number) and node.last_place is not None:
+        sevenths = round(node.value / _SEVENTH) * _SEVENTH
+        if 2 * abs(node.value - sevenths) <= node.last_place:
+            node = Number(sevenths, span=node.span)  # 51.43 is 360/7
     place = (node.span[1], node.span[1])
     half_turn = Number(Fraction(180), span=place)
     return Product((node, Quotient(Constant("pi", span=place), half_turn, span=place)), span=node.span)

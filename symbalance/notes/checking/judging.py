@@ -10,6 +10,7 @@ from itertools import product
 from symbalance.budgets import Budget
 from symbalance.document.formula import Call, Formula, Name, names, walk
 from symbalance.errors import SymbalanceError
+from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking import assertions
 from symbalance.notes.checking.angle_equations import lines_of_angles
 from symbalance.notes.checking.consequences import decide_consequence
@@ -244,9 +245,11 @@ class Judge:
         angles, line = knowledge.angles, chain.lines[0]
         turning = angles | (_turned(left.node) & _turned(right.node))
         turned = _turned(left.node) | _turned(right.node)
-        rests_on_case = bool(turning & names(left.node) & names(right.node)) and _is_proved(outcome)
+        values = {name: d.node for name, d in knowledge.definitions.items()}
+        behind = names(left.node) if k else {*names_behind(left.node, values)}
+        rests_on_case = bool((turning | turned) & behind & names(right.node)) and _is_proved(outcome)
         past = frozenset[int]()
-        angles = turning if rests_on_case else angles
+        angles = turning | turned if rests_on_case else angles
         if _word(outcome) in (REFUTED, CONTRADICTION) or rests_on_case:
             past = past_cases(self.state.definitions, line, angles, turned)
         if past:

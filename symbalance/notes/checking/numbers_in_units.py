@@ -49,6 +49,9 @@ _RPM = re.compile(
     r"r\.?\s?p\.?\s?m|rev(?:olutions?|s)?\.?\s?(?:per|/)\s?m|(?:U|tr|Umdr)?/min|min\^?\{?[-⁻]",
     re.IGNORECASE,
 )
+_QUANTITY = re.compile(
+    r"\s*[-−]?[0-9][0-9.,]*(?:[0-9]|(?<=[0-9]))\$?[ ~]?\$?(?P<unit>[A-Za-zµ].*)", re.DOTALL
+)
 _BY_MINUTE = re.compile(
     r"(?:per\s+|/\s*)min(?![A-Za-z])|(?:per|a)\s+minute|min\^?\{?[-⁻−]1?|je\s+Minute|pro\s+Minute"
 )
@@ -60,7 +63,14 @@ def decide_in_units(
     chain: Chain, k: int, decision: Decision, document: ReadNotes, knowledge: Knowledge
 ) -> Decision:
     """Return the decision on a refuted relation in the units that its numbers are meant in."""
-    for meant in (_in_unit_of_result, _converted, _of_weights, _with_numbers_of_units, _by_the_minute):
+    for meant in (
+        _in_unit_of_result,
+        _in_unit_behind,
+        _converted,
+        _of_weights,
+        _with_numbers_of_units,
+        _by_the_minute,
+    ):
         there = meant(chain, k, document, knowledge)
         if there is not None and (there.is_proved or meant is _converted):
             return there
@@ -146,6 +156,21 @@ def _per_minute(
 def _with_behind(side: Side, document: ReadNotes) -> str:
     """Return the text of a side with what stands right behind it, where a unit may end."""
     return document.text[side.span[0] : side.span[1] + 4]
+
+
+def _in_unit_behind(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on v = 0.1047 × 4 × 90 where the side behind has a unit, = 37.7 ft. per sec."""
+    if k + 2 >= len(chain.sides) or names(chain.sides[k + 1].node):
+        return None
+    left, right = chain.sides[k], chain.sides[k + 1]
+    behind = _QUANTITY.match(_with_behind(chain.sides[k + 2], document))
+    scale = scale_of(unit_in_words(behind["unit"])) if behind else None
+    bare = _NO_LETTERS.sub("", document.source(right.span))
+    if scale is None or scale[1] or scale[0] == 1 or _LETTER.search(bare) or not names(left.node):
+        return None
+    in_unit = tuple(Product((node, Number(scale[0]))) for node in right.readings)
+    there = decide(left, replace(right, readings=in_unit), chain.relations[k].sign, knowledge)
+    return replace(there, assumptions=(*there.assumptions, "numbers in the unit of the result"))
 
 
 # Factors of conversion: 109 hp · 0.7457 = 81.3 kW
@@ -301,7 +326,10 @@ def _units_in_words(
             continue
         said = rf"(?<![\w\\]){re.escape(name)}\$? in (?=[A-Za-z])"
         beside = rf"(?<=[A-Za-z]{{3}} )\$?{re.escape(name)}\$? (?=(?:ft|in)\.|[cm]m[\s,.;])"  # the radius r ft.
-        for match in re.finditer(f"{said}|{beside}", text):
+        apposed = (
+            rf"(?<![\w\\]){re.escape(name)}\$? (?:the|its|der|die|das) (?:[a-z]+ ){{1,6}}in (?=[A-Za-z])"
+        )
+        for match in re.finditer(f"{said}|{beside}|{apposed}", text):
             unit = unit_in_words(text[match.end() : match.end() + 40])
             scale = scale_of(unit) if unit else None
             if scale is not None and not scale[1] and scale[0] != 1:

@@ -61,7 +61,9 @@ class Quotations:
             signs = {relation.sign for relation in earlier.relations[first:last]}
             if last and (sign in signs) and earlier.lines[0] < chain.lines[0]:
                 way = verdicts[first:last]
-                return min(way, key=lambda v: _WORST.index(v.verdict) if v.verdict in _WORST else len(_WORST))
+                return min(
+                    way, key=lambda v: _WORST.index(v.verdict) if v.verdict in _WORST else len(_WORST)
+                )
         return None
 
     def _verdict(self, chain: Chain, k: int, above: Verdict) -> Verdict:

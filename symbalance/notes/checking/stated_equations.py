@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbalance.document.formula import names
+from symbalance.document.formula import Name, names
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking import constraints
 from symbalance.notes.checking.constraints import Constraint
@@ -10,6 +10,7 @@ from symbalance.notes.checking.deciding.cases import decide_case, decide_with_ra
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.equations_to_solve import is_to_be_solved
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.premise_decisions import decide_by_premises
@@ -30,7 +31,22 @@ def fix_letter(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
     in_use, used = state.definitions.letters_before(chain.lines[0]), state.definitions.first_lines
     in_use = in_use - _explained_letter(state, chain, k)
     constraint = constraints.constraint_of(chain, k, in_use, used, knowledge)
-    return None if constraint is None else _fix(state, constraint, chain, k, knowledge)
+    if constraint is None or _is_rough_for(state, constraint.name, chain, k):
+        return None
+    return _fix(state, constraint, chain, k, knowledge)
+
+
+def _is_rough_for(state: JudgingState, name: str, chain: Chain, k: int) -> bool:
+    """Tell whether a relation with rounded numbers would fix a letter that has its number below it.
+
+    W v²/(g r) = 0.00034 W N² r says nothing of g, with g = 32.2 in the next paragraph.
+    """
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    if not (names(left) and names(right) and (decimals(left) or decimals(right))):
+        return False
+    below = (c for c in state.document.chains if c.sides[0].span[0] > chain.sides[0].span[0])
+    heads = (c for c in below if isinstance(c.sides[0].node, Name) and c.sides[0].node.name == name)
+    return any(not names(c.sides[1].node) for c in heads if c.relations)
 
 
 def _explained_letter(state: JudgingState, chain: Chain, k: int) -> frozenset[str]:

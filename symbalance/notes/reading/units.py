@@ -102,6 +102,8 @@ _SIZES = (
 _EXPLAINED = re.compile(
     rf"(?<![\w\\])(?<![0-9.,][ ~])(?P<first>[{_UNIT_LETTERS}])\s+(?:is|be|being|denotes|stands\s+for|ist|sei|bezeichnet"
     r"|rev(?:olutions?|s)?\.?|r\.\s?p\.\s?m|cylinders?|cranks?|throws?|Umdrehungen|Zylinder)(?![A-Za-z])"
+    rf"|(?:(?<![A-Za-z])(?:and|where|with|und|wo|mit)|,)\s+(?P<third>[{_UNIT_LETTERS}])\s+"
+    r"(?:the|an?|der|die|das|eine?)(?=\s)"
     rf"|(?<![A-Za-z])(?:{_SIZES})\s+(?P<second>[{_UNIT_LETTERS}])(?![\w'(])",
 )
 """Where words say what a letter is that is also the sign of a unit: N revolutions, a force W."""
@@ -158,7 +160,7 @@ def explained_letters(text: str) -> frozenset[str]:
     >>> sorted(explained_letters("at N revolutions per minute the weight W, a force of 3 N is small"))
     ['N', 'W']
     """
-    return frozenset(match["first"] or match["second"] for match in _EXPLAINED.finditer(text))
+    return frozenset(m["first"] or m["second"] or m["third"] for m in _EXPLAINED.finditer(text))
 
 
 def unit_set_at(text: str, place: int, end: int) -> tuple[str, int] | None:
