@@ -1,4 +1,4 @@
-"""Pages of mails, forums and notes whose verdicts are known: degrees without a sign, quotations, units."""
+"""Pages of mails and notes whose verdicts are known: degrees without a sign, quotations, units."""
 
 import pytest
 

@@ -72,7 +72,7 @@ def as_equation_for_angle(
 
 
 def _solves_nearly(condition: Premise, name: str, value: Formula, knowledge: Knowledge) -> bool:
-    """Tell whether an equation has a solution within a degree of an angle; also where none can be computed."""
+    """Tell whether an equation has a solution near an angle, to a degree, or nothing is known of it."""
     known = {n: d.node for n, d in knowledge.definitions.items() if n != name}
     meaning = replace(knowledge.meaning, values={**knowledge.meaning.values, **known})
     gap, signs = Sum((condition.left, Negative(condition.right))), set[bool]()
@@ -115,8 +115,8 @@ def at_rough_angle(
 ) -> Decision:
     """Return the decision on another formula of a letter at an angle where it is known nearly only.
 
-    v ≈ w r (sin A + …), and at A = 76° it is v = w r sqrt(1 + 1/n²): they agree as nearly as the series is
-    true and the angle printed, which neither proves nor refutes the formula.
+    v ≈ w r (sin A + …), and at A = 76° it is v = w r sqrt(1 + 1/n²): they agree as nearly as the series
+    is true and the angle printed, which neither proves nor refutes the formula.
     """
     head = chain.sides[0].node
     definition = knowledge.definitions.get(head.name) if isinstance(head, Name) and not k else None

@@ -50,7 +50,7 @@ class CarriedValues:
     results: list[WrongResult] = field(default_factory=list)
 
     def note(self, chain: Chain, k: int) -> None:
-        """Note the refuted k-th relation of a chain, if it has a number for a formula in letters, or a formula."""
+        """Note the refuted k-th relation of a chain: a number for a formula in letters, or a formula."""
         node = chain.sides[k + 1].node
         number = node.operand if isinstance(node, Negative) else node
         of = next((s.node for s in reversed(chain.sides[: k + 1]) if names(s.node)), None)
@@ -87,8 +87,10 @@ class CarriedValues:
                 if there.is_proved:
                     return replace(there, assumptions=(*there.assumptions, wrong.text))
             values = {n: d.node for n, d in knowledge.definitions.items()}
+            is_number = not names(wrong.value)
+            if names(right.node) and not is_number:
+                continue  # the same formula once more is wrong once more
             if wrong.name in names_behind(left.node, values) and wrong.name in knowledge.definitions:
-                is_number = not names(wrong.value)
                 earlier = knowledge.definitions[wrong.name]
                 own = replace(earlier, node=wrong.value, numeric=is_number, rounded=None)
                 there = decide(left, right, knowledge.with_definition(wrong.name, own))

@@ -1,4 +1,4 @@
-"""Angles that a page writes in degrees without a sign: cos(t) + cos(t+120) + cos(t+240) = 0, sin 30 = 0.5.
+"""Angles in degrees without a sign, as in cos(t) + cos(t+120) + cos(t+240) = 0 and sin 30 = 0.5.
 
 In mathematics a bare number is in radians, in mails and forums often not. Where the numbers within sines
 and cosines are angles of engines in degrees (whole multiples of 15, 22.5, 36, 40, 72 or 360/7), the page
@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
+from math import prod
 
 from symbalance.document.formula import (
     Call,
@@ -126,7 +127,7 @@ class _Angles:
         return isinstance(head, Name) and head.name in self.angles
 
     def _has_unit(self, side: Side) -> bool:
-        """Tell whether a side has a unit or letters of its own: 45 mm is no angle, 45 and 360/7 may be."""
+        """Tell whether a side has a unit or letters: 45 mm is no angle, 45 and 360/7 may be."""
         written = _COMMANDS.sub("", self.document.text[side.span[0] : side.span[1]])
         return re.search(r"[^\W\d_]|[°º%'′]", written) is not None
 
@@ -170,17 +171,14 @@ def _as_angle(node: Formula) -> Formula:
         return node
     if not names(node):
         return node if _rational(node) in (None, 0) else _degrees(node)
-    if isinstance(node, Sum):
-        return replace(node, terms=tuple(map(_as_angle, node.terms)))
-    if isinstance(node, Negative):
-        return replace(node, operand=_as_angle(node.operand))
-    if isinstance(node, Quotient) and not names(node.denominator):
-        return replace(node, numerator=_as_angle(node.numerator))
     if isinstance(node, Product):
         factors = tuple(_as_angle(f) if isinstance(f, Sum) and names(f) else f for f in node.factors)
         return replace(node, factors=factors)
-    if isinstance(node, Quotient) and _rational(node.numerator) is not None:
-        return replace(node, numerator=_as_angle(node.numerator))  # 360/N
+    if isinstance(node, Quotient):
+        is_angle = not names(node.denominator) or _rational(node.numerator) is not None  # 360/N
+        return replace(node, numerator=_as_angle(node.numerator)) if is_angle else node
+    if isinstance(node, Sum | Negative):
+        return with_children(node, tuple(map(_as_angle, children(node))))
     return node
 
 
@@ -237,23 +235,15 @@ def _rational(node: Formula) -> Fraction | None:
     """Return what a formula of numbers alone is, None for one with π, a root or a letter."""
     if isinstance(node, Number):
         return node.value
-    if isinstance(node, Negative):
-        value = _rational(node.operand)
-        return None if value is None else -value
-    if not isinstance(node, Sum | Product | Quotient):
-        return None
     values = [_rational(part) for part in children(node)]
     numbers = [value for value in values if value is not None]
-    if len(numbers) < len(values):
+    if not isinstance(node, Sum | Product | Quotient | Negative) or len(numbers) < len(values):
         return None
-    if isinstance(node, Sum):
-        return sum(numbers, start=Fraction(0))
+    if isinstance(node, Quotient):
+        return numbers[0] / numbers[1] if numbers[1] else None
     if isinstance(node, Product):
-        product = Fraction(1)
-        for value in numbers:
-            product *= value
-        return product
-    return numbers[0] / numbers[1] if numbers[1] else None
+        return prod(numbers, start=Fraction(1))
+    return -numbers[0] if isinstance(node, Negative) else sum(numbers, start=Fraction(0))
 
 
 def _is_usual(value: Fraction) -> bool:

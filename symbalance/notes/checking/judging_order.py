@@ -60,7 +60,9 @@ def _cases_before_claims(document: ReadNotes, chains: list[Chain]) -> list[Chain
 def _asks_for_angle(chain: Chain) -> bool:
     """Tell whether a chain gives an angle by a function of it, tan A = n: its value is a result."""
     head = chain.sides[0].node
-    return isinstance(head, Call) and head.function in WAVES and isinstance(head.argument, Name)
+    if not isinstance(head, Call) or head.function not in WAVES or not isinstance(head.argument, Name):
+        return False
+    return all(head.argument.name not in names(side.node) for side in chain.sides[1:])
 
 
 def number_verdicts(verdicts: list[Verdict]) -> Iterator[Verdict]:

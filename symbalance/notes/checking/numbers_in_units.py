@@ -133,7 +133,7 @@ def _per_minute(
 ) -> Decision | None:
     """Return the decision on a rate per minute of a speed that counts revolutions per minute.
 
-    Where ω = 2πN/60 makes N the number itself, 4 r N is a length; printed as so much per minute it is that.
+    Where ω = 2πN/60 makes N the number itself, 4 r N is a length, printed as so much per minute.
     """
     sides = chain.sides
     own = names(sides[left].node)
@@ -325,7 +325,8 @@ def _units_in_words(
         if len(name) > 1:
             continue
         said = rf"(?<![\w\\]){re.escape(name)}\$? in (?=[A-Za-z])"
-        beside = rf"(?<=[A-Za-z]{{3}} )\$?{re.escape(name)}\$? (?=(?:ft|in)\.|[cm]m[\s,.;])"  # the radius r ft.
+        # the radius r ft.
+        beside = rf"(?<=[A-Za-z]{{3}} )\$?{re.escape(name)}\$? (?=(?:ft|in)\.|[cm]m[\s,.;])"
         apposed = (
             rf"(?<![\w\\]){re.escape(name)}\$? (?:the|its|der|die|das) (?:[a-z]+ ){{1,6}}in (?=[A-Za-z])"
         )

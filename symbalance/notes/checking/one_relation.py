@@ -62,9 +62,7 @@ def judge_relation(
     definition = definition or as_proved_solution(state, chain, k)
     definition = definition or _define(state, chain, k, knowledge)
     wrong = None if k else state.wrong_angles.get(chain.sides[0].span[0])
-    if wrong is not None:
-        state.definitions.forget_moment(right.node)
-        return wrong
+    definition = wrong or definition
     if definition is not None:
         return _as_meant(state, chain, k, definition, knowledge)
     decision, against = _decide_step(state, chain, k, sound, bad, knowledge)

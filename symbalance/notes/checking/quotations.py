@@ -52,7 +52,7 @@ class Quotations:
         return [self._verdict(chain, k, verdict) for k, verdict in enumerate(above)]
 
     def _repeated(self, chain: Chain, k: int) -> Verdict | None:
-        """Return the verdict on the relation above that the k-th of a chain repeats, the worst on its way."""
+        """Return the worst verdict on what the k-th relation of a chain repeats from above."""
         left, right, sign = chain.sides[k].node, chain.sides[k + 1].node, chain.relations[k].sign
         for earlier, verdicts in reversed(self.judged):
             nodes = [side.node for side in earlier.sides]

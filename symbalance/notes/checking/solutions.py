@@ -27,8 +27,8 @@ _SOLVED_NEXT = re.compile(
 """What stands behind an equation whose solution follows."""
 
 _SOLVED_IN_WORDS = re.compile(
-    r"(?:[\s,;$]|\\[,;: ])*(?:also|so|hence|thus|therefore|which\s+gives|giving|somit|daher|folglich|mithin|damit|demnach"
-    r"|donc|d'où)(?![A-Za-z])(?:[^\W\d]|[ ,$\n-]){0,50}",
+    r"(?:[\s,;$]|\\[,;: ])*(?:also|so|hence|thus|therefore|which\s+gives|giving|somit|daher|folglich"
+    r"|mithin|damit|demnach|donc|d'où)(?![A-Za-z])(?:[^\W\d]|[ ,$\n-]){0,50}",
     re.IGNORECASE,
 )
 """Words of the same sentence that lead from an equation to its solution."""

@@ -27,7 +27,8 @@ _OUTSIDE = re.compile(
 
 
 _UNIT_BETWEEN = re.compile(
-    rf"({_FORMULA})[ ~]*(?P<unit>{_UNIT})[ ~]*\$(?P<rest>[ ]*(?:[=≈]|\\approx(?![A-Za-z]))[^$\n]{{1,200}})(?<!\\)\$"
+    rf"({_FORMULA})[ ~]*(?P<unit>{_UNIT})[ ~]*"
+    r"\$(?P<rest>[ ]*(?:[=≈]|\\approx(?![A-Za-z]))[^$\n]{1,200})(?<!\\)\$"
 )
 """A quantity that the next formula goes on with: $m = 180$ g $= 0,180$ kg."""
 

@@ -96,12 +96,13 @@ _UNIT_AROUND = re.compile(
 _DIVIDED_ON = re.compile(r"(?:\s|~|\\[,;: ])*/\s*[0-9(]")
 _UNIT_LETTERS = "NWJKTVCAmsgh"
 _SIZES = (
-    r"speed|revolutions|torque|moment|force|mass|weight|work|volume|area|number|energy|temperature|pressure|height"
-    r"|Drehzahl|Drehmoment|Moment|Kraft|Masse|Gewicht|Arbeit|Volumen|Fläche|Anzahl|Energie|Temperatur|Höhe|Hub"
+    "speed|revolutions|torque|moment|force|mass|weight|work|volume|area|number|energy|temperature"
+    "|pressure|height|Drehzahl|Drehmoment|Moment|Kraft|Masse|Gewicht|Arbeit|Volumen|Fläche|Anzahl|Energie"
+    "|Temperatur|Höhe|Hub"
 )
 _EXPLAINED = re.compile(
-    rf"(?<![\w\\])(?<![0-9.,][ ~])(?P<first>[{_UNIT_LETTERS}])\s+(?:is|be|being|denotes|stands\s+for|ist|sei|bezeichnet"
-    r"|rev(?:olutions?|s)?\.?|r\.\s?p\.\s?m|cylinders?|cranks?|throws?|Umdrehungen|Zylinder)(?![A-Za-z])"
+    rf"(?<![\w\\])(?<![0-9.,][ ~])(?P<first>[{_UNIT_LETTERS}])\s+"
+    r"(?:is|be|being|denotes|stands\s+for|ist|sei|bezeichnet|rev(?:olutions?|s)?\.?|r\.\s?p\.\s?m|cylinders?|cranks?|throws?|Umdrehungen|Zylinder)(?![A-Za-z])"
     rf"|(?:(?<![A-Za-z])(?:and|where|with|und|wo|mit)|,)\s+(?P<third>[{_UNIT_LETTERS}])\s+"
     r"(?:the|an?|der|die|das|eine?)(?=\s)"
     rf"|(?<![A-Za-z])(?:{_SIZES})\s+(?P<second>[{_UNIT_LETTERS}])(?![\w'(])",

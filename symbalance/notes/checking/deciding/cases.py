@@ -185,7 +185,7 @@ def _kind_of_statement(
 
 
 def _is_of_shifted_waves(node: Formula) -> bool:
-    """Tell whether a sum is of one wave at several places, cos t + cos(t + 120°): = 0 claims it for all t."""
+    """Tell whether a sum is of one wave at several places: cos t + cos(t + 120°) + … is 0 for all t."""
     waves = [term.operand if isinstance(term, Negative) else term for term in _terms(node)]
     calls = [wave for wave in waves if isinstance(wave, Call) and wave.function in ("sin", "cos")]
     if len(calls) < MANY_WAVES or len(calls) < len(waves) or len({call.function for call in calls}) > 1:
