@@ -37,6 +37,8 @@ _LIST = re.compile(
 )
 _OPERATOR_BEFORE = re.compile(r"(?:[-+−*/·×^=<>≤≥≈]|\\(?:cdot|times|pm|sum|prod|int|lim)|[_^]\s*\{)\s*$")
 _LONGEST_BEFORE = 12
+_LENGTHS = frozenset(("mm", "cm", "m"))
+"""Units between which a list of values may change."""
 _PROGRAM = re.compile(r"^(`{3,}+|~{3,}+)[^\n]*+\n.*?^\1", re.MULTILINE | re.DOTALL)
 """Program code, whose `r, l = 0.045, 0.15` gives two letters a value each."""
 
@@ -92,6 +94,9 @@ def _listed(match: re.Match[str]) -> str | None:
     if sizes != sorted(sizes) or len(set(sizes)) < len(sizes):
         return None
     units = list(re.finditer(_UNIT, (match["one"] or "") + rest))
+    kinds = {re.sub(r"\\mathrm|[^A-Za-z]", "", found.group()) for found in units}
+    if len(kinds) > 1 and not kinds <= _LENGTHS:
+        return None  # l = 180 mm and 5000 rpm
     unit = units[-1].group() if units else ""
     letter, lowest, last = match["letter"], f"{values[0]}{unit}", match["last"]
     if match["dots"] and not last:
