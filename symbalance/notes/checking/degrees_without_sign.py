@@ -32,6 +32,7 @@ from symbalance.document.formula import (
     with_children,
 )
 from symbalance.notes.checking.verdicts import (
+    CONDITION,
     CONTRADICTION,
     FAILING,
     PROVED_WORDS,
@@ -290,9 +291,10 @@ def _pairs(first: Checked, second: Checked) -> Iterator[tuple[Verdict, Verdict]]
 
 
 def _proved_only_in(first: Checked, second: Checked) -> int:
-    """Return how many relations one way of judging proves that the other refutes."""
+    """Return how many relations one way of judging proves and the other does not, though they claim."""
+    not_proved = (*FAILING, CONDITION)  # 1 + cos(t + 120) = 0 is an equation for t in radians
     return sum(
-        v.verdict in PROVED_WORDS and other.verdict in FAILING for v, other in _pairs(first, second)
+        v.verdict in PROVED_WORDS and other.verdict in not_proved for v, other in _pairs(first, second)
     )
 
 

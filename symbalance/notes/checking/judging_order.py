@@ -51,9 +51,10 @@ def _cases_before_claims(document: ReadNotes, chains: list[Chain]) -> list[Chain
         last = ordered[-1] if ordered else None
         first, end = chain.sides[0].span[0], chain.sides[-1].span[1]
         is_behind = last is not None and is_case_behind(document.text, last.sides[-1].span[1], first, end)
-        is_case = is_behind and states_a_case(chain) and last is not None
-        is_solution = is_case and _asks_for_angle(last) and last.letters >= chain.letters
-        ordered.insert(len(ordered) - 1 if is_case and not is_solution else len(ordered), chain)
+        is_case = is_behind and states_a_case(chain)
+        if last is not None and _asks_for_angle(last) and last.letters >= chain.letters:
+            is_case = False  # the solution of the equation before
+        ordered.insert(len(ordered) - 1 if is_case else len(ordered), chain)
     return ordered
 
 

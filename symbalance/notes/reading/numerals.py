@@ -68,7 +68,8 @@ _SPELLED = (
     ("ft^3", r"cu(?:bic|\.)? ?(?:feet|foot|ft\.?)"),
     ("inch", r"in\.(?=\s*(?:[=≈]|\\approx))|inch(?:es)?|Zoll"
      r"|in(?=\s*(?:$|[,;.)=≈\n]|so\b|and\b|or\b|und\b|long\b|\$))"),
-    ("kgf", "kg[ -]?force|kilogram(?:me)?[ -]force|kg[ -]weight|kilopond"), ("lbf", "pounds?[ -]force"), ("lb", "pounds?|lbs?(?=\\.)"),
+    ("kgf", "kg[ -]?force|kilogram(?:me)?[ -]force|kg[ -]weight|kilopond"),
+    ("lbf", "pounds?[ -]force"), ("lb", "pounds?|lbs?(?=\\.)"),
     ("°", "degrees?|deg|Grad|degrés|° ?(?:KW|CA|crank)|deg ?CA"), ("%", "percent|per cent|Prozent"),
 )  # fmt: skip
 _SPELLED_UNIT = re.compile(
