@@ -19,6 +19,7 @@ from symbalance.notes.checking.engine_speeds import decide_speed
 from symbalance.notes.checking.given_numbers import number_given
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.letter_values import define_letter
+from symbalance.notes.checking.mean_piston_speed import mean_piston_speed
 from symbalance.notes.checking.numbers_in_units import decide_after_units_left_out
 from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.relation_fixes import add_fix_of_relation
@@ -112,6 +113,8 @@ def _define(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> 
     definition = define_letter(state.definitions, chain, k, knowledge)
     pair, line, sections = number_given(chain, k), chain.lines[0], state.sections
     head = chain.sides[0].node
+    if not k and definition is not None and (by_words := mean_piston_speed(state, chain)) is not None:
+        return by_words
     if not k and definition is not None and definition.status in STATED and isinstance(head, Name):
         by_speed = decide_speed(head.name, chain.sides[1].node, state.speeds, knowledge)
         if by_speed is not None and chain.relations[0].sign == "=":
