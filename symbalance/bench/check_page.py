@@ -21,6 +21,8 @@ from symbalance.notes.reading import canonical_name, read_document
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 PAGE = files("symbalance.bench") / "page.md"
+WORKSHOP_PAGE = files("symbalance.bench") / "workshop_page.md"
+"""An engineer's notes, with their letters beside them, of which only the time is measured."""
 
 
 @dataclass(frozen=True)

@@ -414,6 +414,8 @@ _SINGLE: dict[type[Formula], tuple[str, ...]] = {
     PlusMinus: ("operand",),
 }
 _SEVERAL: dict[type[Formula], str] = {Sum: "terms", Product: "factors", Apply: "arguments"}
+_LEAVES = frozenset({Name, Number, Constant})
+"""The most frequent formulas without parts."""
 
 
 def children(node: Formula) -> tuple[Formula, ...]:
@@ -423,6 +425,8 @@ def children(node: Formula) -> tuple[Formula, ...]:
     (Number(span=(0, 0), value=Fraction(1, 1), last_place=None), Name(span=(0, 0), name='s'))
     """
     kind = type(node)
+    if kind in _LEAVES:
+        return ()
     if kind in _SEVERAL:
         return getattr(node, _SEVERAL[kind])
     if isinstance(node, Matrix):
@@ -456,9 +460,11 @@ def with_children(node: Formula, parts: tuple[Formula, ...]) -> Formula:
 
 def walk(node: Formula) -> Iterator[Formula]:
     """Yield the formula and everything in it, outermost first."""
-    yield node
-    for part in children(node):
-        yield from walk(part)
+    waiting = [node]
+    while waiting:
+        part = waiting.pop()
+        yield part
+        waiting.extend(reversed(children(part)))
 
 
 def names(node: Formula) -> frozenset[str]:

@@ -68,6 +68,14 @@ LARGE = {
     "tags": "<math>" * 20_000,
     "fences": "```\n" * 30_000,
     "minus signs": "$$" + "-" * 20_000 + "x = x$$",
+    "lines of relations": "x = y\n" * 5_000,
+    "quoted relations": "> x = y\n" * 10_000,
+    "ranges": "0 ≤ x ≤ 1, " * 1_000,
+    "blank lines": "\n" * 100_000,
+    "a long word": "a" * 100_000,
+    "pieces between dollars": "$x$ theta=1 " * 5_000,
+    "rows of dashes": ("| " + "-" * 20_000 + "!\n") * 3,
+    "one number of all digits": "1" * 100_000 + "!",
 }
 
 

@@ -75,6 +75,12 @@ def refuse_what_may_change(evaluator: FormEvaluator, form: Form, variable: str) 
         domain.assumptions[text] = None
 
 
+def assume_constant(form: Form, names: Collection[str], variable: str) -> None:
+    """Note that a derivative rests on letters that nobody declared not changing with its variable."""
+    for name in sorted(names):
+        form.domain.assumptions[f"{plain_letter(name)} {_CONSTANT} {plain_letter(variable)}"] = None
+
+
 def _changes_with(evaluator: FormEvaluator, name: str, variable: str) -> bool:
     """Tell whether a letter's value, used at this level or not, holds the bound letter."""
     meaning = evaluator.meaning

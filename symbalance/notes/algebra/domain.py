@@ -88,6 +88,8 @@ class Domain:
         self.radicals: list[int] = []
         self.opaque: list[int] = []
         self.assumptions: dict[str, None] = {}
+        self.special: dict[str, tuple[str, Any]] = {}
+        """For assumptions on whole numbers the letter, and its value at which they fail: N of N ≠ 1."""
         self.positive_polynomials: list[Polynomial] = []
         self.work = 0
 

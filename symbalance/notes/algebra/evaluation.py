@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from symbalance.document import formula
 from symbalance.notes.algebra import functions
-from symbalance.notes.algebra.construct_rules import RULES, summed_in_letters
+from symbalance.notes.algebra.construct_rules import RULES, assume_constant, summed_in_letters
 from symbalance.notes.algebra.derivatives import differentiate
 from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
 from symbalance.notes.algebra.forms import Form
@@ -16,6 +16,7 @@ from symbalance.notes.algebra.matrix_letters import Kinds
 from symbalance.notes.algebra.polynomials import MOST_WORK
 from symbalance.notes.algebra.roots import root, unit
 from symbalance.notes.algebra.sums import at_index, indexed_letters
+from symbalance.notes.algebra.values import letters
 
 DEEPEST = 40
 """Definitions that use definitions, one in the other."""
@@ -46,6 +47,10 @@ class SymbolValue:
     """Which letters are matrices and vectors."""
     known: Mapping[str, formula.Formula] = field(default_factory=dict)
     """All values there are, those too that `values` leaves out: what a letter may change with."""
+    closes_sums: bool = False
+    """Whether sums between numbers are brought to closed form too: Σ e^(2πipk/5) over five terms."""
+    undeclared: frozenset[str] = frozenset()
+    """Letters that nobody declared: that one does not change with a variable is an assumption."""
 
     def domain(self) -> Domain:
         """Return a fresh domain for formulas of this meaning."""
@@ -207,10 +212,24 @@ def rational_power(base: Form, exponent: Fraction) -> Form:
     if exponent.denominator > 60 or not base.is_polynomial or len(base.numerator) != 1:
         raise NoFormError("a root of a sum that is no square root")
     ((monomial, coefficient),) = base.numerator.items()
-    if coefficient != 1 or any(not base.domain.generators[g].positive for g, _ in monomial):
+    number = _exact_root(coefficient, exponent.denominator)
+    if number is None or any(not base.domain.generators[g].positive for g, _ in monomial):
         raise NoFormError("a root that is no square root")
     factor, power = base.domain.raised(monomial, exponent)
-    return Form.of(base.domain, {power: Fraction(factor)})
+    return Form.of(base.domain, {power: Fraction(factor) * number**exponent.numerator})
+
+
+def _exact_root(number: Fraction, degree: int) -> Fraction | None:
+    """Return the positive root of a positive number where it is rational: 2 of 8, and of degree 3."""
+    if number <= 0:
+        return None
+    roots = (
+        [round(part ** (1 / degree)) for part in (number.numerator, number.denominator)]
+        if (max(number.numerator, number.denominator) < 10**15)
+        else [0, 0]
+    )
+    is_exact = roots[0] ** degree == number.numerator and roots[1] ** degree == number.denominator
+    return Fraction(*roots) if is_exact else None
 
 
 def _call(evaluator: FormEvaluator, node: formula.Call) -> Form:
@@ -241,6 +260,10 @@ def _derivative(evaluator: FormEvaluator, node: formula.Derivative) -> Form:
     if variable in meaning.values and meaning.rates:
         return _by_chain_rule(evaluator, evaluator.form(inner), node)
     form, rates = evaluator.form(inner), evaluator.rates(variable)
+    if not isinstance(inner, formula.Name):  # letters that are typed under the derivative
+        changing = {variable, "omega", "Omega", *meaning.rates.get(variable, ())}
+        typed = formula.names(inner) & set(letters(form))
+        assume_constant(form, (meaning.undeclared & typed) - changing, variable)
     for _ in range(node.order):
         form = differentiate(form, rates)
     return form
@@ -277,7 +300,7 @@ def _summation(evaluator: FormEvaluator, node: formula.Summation) -> Form:
     if node.index is None or node.lower is None or node.upper is None:
         return functions.opaque("sum", evaluator.form(node.body))
     lower, upper = (evaluator.form(bound).rational() for bound in (node.lower, node.upper))
-    if lower is None or upper is None:
+    if lower is None or upper is None or evaluator.meaning.closes_sums:
         return summed_in_letters(evaluator, node)
     if not lower.denominator == upper.denominator == 1:
         raise NoFormError("a sum without bounds in whole numbers")

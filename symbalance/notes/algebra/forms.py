@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra.domain import ONE, Domain, Monomial, NoFormError, Polynomial
-from symbalance.notes.algebra.polynomials import common_multiple, quotient
+from symbalance.notes.algebra.polynomials import UNIT, common_multiple, is_unit, quotient
 from symbalance.notes.algebra.zero import is_zero
 
 
@@ -30,8 +30,8 @@ class Form:
     @staticmethod
     def of(domain: Domain, numerator: Polynomial, denominator: Polynomial | None = None) -> Form:
         """Return the quotient; a denominator of one term is carried into the numerator."""
-        if denominator is None or denominator == {ONE: 1}:
-            return Form(domain, numerator, {ONE: Fraction(1)})
+        if denominator is None or is_unit(denominator):
+            return Form(domain, numerator, UNIT)
         if is_zero(domain, denominator) is not False:
             raise NoFormError("a division by zero")
         if len(denominator) == 1:
@@ -39,7 +39,7 @@ class Form:
             if not any(g in domain.radicals for g, _ in monomial):
                 factor, inverse = domain.raised(monomial, -1)
                 numerator = poly.times(domain, numerator, {inverse: factor / coefficient})
-                return Form(domain, numerator, {ONE: Fraction(1)})
+                return Form(domain, numerator, UNIT)
         return _with_rational_denominator(domain, numerator, denominator)
 
     @staticmethod
@@ -60,7 +60,7 @@ class Form:
     @property
     def is_polynomial(self) -> bool:
         """Tell whether the denominator is 1."""
-        return self.denominator == {ONE: 1}
+        return is_unit(self.denominator)
 
     def rational(self) -> Fraction | None:
         """Return the value of a form that is a rational number, else None."""
@@ -70,7 +70,7 @@ class Form:
 
     def plus(self, other: Form) -> Form:
         """Return the sum."""
-        if self.denominator == other.denominator:
+        if self.denominator is other.denominator or self.denominator == other.denominator:
             return Form.of(self.domain, poly.plus(self.numerator, other.numerator), self.denominator)
         own_factor, other_factor, below = common_multiple(
             self.domain, self.denominator, other.denominator
@@ -91,6 +91,8 @@ class Form:
 
     def times(self, other: Form) -> Form:
         """Return the product."""
+        if self.denominator is UNIT and other.denominator is UNIT:
+            return Form(self.domain, poly.times(self.domain, self.numerator, other.numerator), UNIT)
         return Form.of(
             self.domain,
             poly.times(self.domain, self.numerator, other.numerator),

@@ -14,6 +14,7 @@ from symbalance.notes.algebra import functions
 from symbalance.notes.algebra.domain import Domain, Exponent, Monomial, NoFormError
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.roots import unit
+from symbalance.notes.algebra.special_values import note_that_not_zero
 from symbalance.notes.algebra.substitution_in_forms import Dependence, substitute_letter, term_by_term
 
 HIGHEST_POWER = 60
@@ -88,7 +89,9 @@ def assume_not_zero(form: Form) -> None:
     is_product = len(form.numerator) == 1
     if is_product and all(domain.generators[g].positive for g in open_letters):
         return
-    domain.assumptions[f"{_printed(form)} ≠ 0"] = None
+    text = f"{_printed(form)} ≠ 0"
+    domain.assumptions[text] = None
+    note_that_not_zero(form, text)
 
 
 def _printed(form: Form) -> str:

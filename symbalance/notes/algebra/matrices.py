@@ -428,9 +428,10 @@ def _shape(literal: Literal) -> str:
 
 def holds_matrices(node: Formula, kinds: Kinds) -> bool:
     """Tell whether a formula holds a matrix: a letter that is one, or rows of entries."""
+    matrix_letters = kinds.letters | kinds.identities
     return any(
         isinstance(part, Matrix)
-        or (isinstance(part, Name) and part.name in kinds.letters | kinds.identities)
+        or (isinstance(part, Name) and part.name in matrix_letters)
         or (isinstance(part, formula.Apply) and part.function in ("det", "transpose"))
         for part in formula.walk(node)
     )

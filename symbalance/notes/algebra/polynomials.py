@@ -25,6 +25,7 @@ LARGEST_EXPONENT = 400
 LARGEST_BITS = 20_000
 """Of a coefficient: `MOST_WORK` counts products of terms, and would not see numbers that grow."""
 UNIT: Polynomial = {ONE: Fraction(1)}
+"""The number 1; one object, so that most denominators are known to be 1 without a comparison."""
 Exponents = tuple[Exponent, ...]
 """The exponents of one monomial, for a fixed row of generators."""
 
@@ -32,6 +33,11 @@ Exponents = tuple[Exponent, ...]
 def constant(value: Fraction | int) -> Polynomial:
     """Return a rational as a polynomial."""
     return {ONE: Fraction(value)} if value else {}
+
+
+def is_unit(polynomial: Polynomial) -> bool:
+    """Tell whether a polynomial is the number 1."""
+    return polynomial is UNIT or (len(polynomial) == 1 and polynomial.get(ONE) == 1)
 
 
 def is_rational(polynomial: Polynomial) -> bool:
@@ -70,10 +76,16 @@ def minus(left: Polynomial, right: Polynomial) -> Polynomial:
 def times(domain: Domain, left: Polynomial, right: Polynomial) -> Polynomial:
     """Return the product, every radical's power below two."""
     count_work(domain, len(left) * len(right))
-    if left == UNIT:
+    if is_unit(left):
         return right
-    if right == UNIT:
+    if is_unit(right):
         return left
+    if not left or not right:
+        return {}
+    if len(left) == 1 or len(right) == 1:
+        product = _times_term(domain, left, right)
+        _check_size(product)
+        return _without_squares(domain, product) if domain.radicals else product
     left_terms, left_denominator = _over_common_denominator(left)
     right_terms, right_denominator = _over_common_denominator(right)
     total: dict[Monomial, int | Fraction] = {}
@@ -84,6 +96,20 @@ def times(domain: Domain, left: Polynomial, right: Polynomial) -> Polynomial:
     product = {m: Fraction(c, left_denominator * right_denominator) for m, c in total.items() if c}
     _check_size(product)
     return _without_squares(domain, product) if domain.radicals else product
+
+
+def _times_term(domain: Domain, left: Polynomial, right: Polynomial) -> Polynomial:
+    """Return the product of two polynomials, one of them a single term."""
+    if len(left) > 1:
+        left, right = right, left
+    ((first, a),) = left.items()
+    product: Polynomial = {}
+    for second, b in right.items():
+        factor, monomial = domain.times(first, second)
+        coefficient = b if a == 1 else a * b
+        coefficient = coefficient if factor == 1 else coefficient * factor
+        product[monomial] = product[monomial] + coefficient if monomial in product else coefficient
+    return {m: c for m, c in product.items() if c} if len(product) < len(right) else product
 
 
 def _over_common_denominator(polynomial: Polynomial) -> tuple[dict[Monomial, int], int]:

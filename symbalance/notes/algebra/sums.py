@@ -15,6 +15,7 @@ from math import comb
 from symbalance.document import formula
 from symbalance.notes.algebra.domain import Domain, Monomial, NoFormError
 from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.special_values import note_that_terms_differ
 from symbalance.notes.algebra.substitution_in_forms import Dependence, substitute_letter, term_by_term
 
 HIGHEST_POWER = 20
@@ -59,7 +60,7 @@ def _sum_of_term(domain: Domain, moving: Monomial, index: int, lower: Form, uppe
         raise NoFormError("a sum of waves whose angle is not linear in the index")
     if ratio.equals(one):
         return term.times(upper.minus(lower).plus(one))
-    domain.assumptions[NO_EQUAL_TERMS] = None
+    note_that_terms_differ(ratio, NO_EQUAL_TERMS)
     end = substitute_letter(term, index, upper.plus(one))
     return end.minus(substitute_letter(term, index, lower)).over(ratio.minus(one))
 

@@ -79,6 +79,7 @@ class TreeValues:
         self, meaning: SymbolValue, point: Point, derivatives: DerivativeForms | None = None
     ) -> None:
         self.meaning, self.point, self.mp = meaning, point, context()
+        self._numbers = (self.mp.mpf, self.mp.mpc)
         self.derivatives: DerivativeForms = {} if derivatives is None else derivatives
         self._derivative_values: dict[Formula, Any] = {}
         self._values: dict[str, Any] = {}
@@ -107,7 +108,8 @@ class TreeValues:
 
     def value(self, node: Formula) -> Any:
         """Return a formula's value; what has none raises NoFormError or ZeroDivisionError."""
-        return self.mp.mpc(_RULES[type(node)](self, node))
+        number = _RULES[type(node)](self, node)
+        return number if type(number) in self._numbers else self.mp.mpc(number)
 
     def letter(self, name: str) -> Any:
         """Return a letter's value."""
@@ -179,7 +181,10 @@ def _sum(at: TreeValues, node: formula.Sum) -> Any:
 
 
 def _product(at: TreeValues, node: formula.Product) -> Any:
-    return at.mp.fprod(at.value(f) for f in node.factors)
+    total = at.mp.one
+    for factor in node.factors:
+        total = total * at.value(factor)
+    return total
 
 
 def _power(at: TreeValues, node: formula.Power) -> Any:

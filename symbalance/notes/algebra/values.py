@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -16,6 +16,8 @@ DIGITS = 40
 """Of every value. Half of them decide: what differs beyond 20 digits differs, less is rounding."""
 MEAN_POINTS = (17, 34, 68, 136, 272, 544)
 """Over one turn: an odd number first, at which no symmetry hides a harmonic."""
+QUARTER_POINTS = (5, 10, 20, 40, 80, 160)
+"""Over a quarter of a turn, for what is the same in all four."""
 Point = dict[str, Fraction]
 
 _RANGES = {"lambda": (300, 500), "rho": (15, 40), "theta": (10, 620), "phi": (10, 150), "beta": (5, 40)}
@@ -113,19 +115,21 @@ class Valuation:
 
     def polynomial(self, polynomial: Polynomial) -> Any:
         """Return the value of a polynomial."""
-        total = self.mp.mpc(0)
+        total = self.mp.zero
         for monomial, coefficient in polynomial.items():
-            total += (
-                self.mp.mpf(coefficient.numerator) / coefficient.denominator * self.monomial(monomial)
-            )
+            size = self.mp.mpf(coefficient.numerator)
+            if coefficient.denominator != 1:
+                size = size / coefficient.denominator
+            total += size * self.monomial(monomial) if monomial else size
         return total
 
     def monomial(self, monomial: Monomial) -> Any:
         """Return the value of a monomial."""
-        result = self.mp.mpf(1)
+        result = None
         for number, exponent in monomial:
-            result = result * self._power(number, exponent)
-        return result
+            power = self._power(number, exponent)
+            result = power if result is None else result * power
+        return self.mp.one if result is None else result
 
     def _power(self, number: int, exponent: int | Fraction) -> Any:
         key = (number, exponent)
@@ -140,7 +144,11 @@ class Valuation:
             return mp.expjpi(2 * power)
         if generator.kind in ("exponential", "growth"):
             inner = self.monomial(generator.content) * power
-            return mp.exp(1j * inner if generator.kind == "exponential" else inner)
+            if generator.kind == "growth":
+                return mp.exp(inner)
+            if exponent < 0 and type(inner) is mp.mpf and (number, -exponent) in self._powers:
+                return self._powers[number, -exponent].conjugate()
+            return mp.exp(1j * inner)
         base = self._base(number)
         return base ** int(exponent) if power == int(power) else base**power
 
@@ -176,15 +184,43 @@ class Valuation:
         is none.
         """
         turn, total, before = _Turn(self), self.mp.mpf(0), None
+
+        def at(angle: Any) -> Any:
+            return _AtAngle(turn, angle).of(argument)
+
+        if self._is_even_about_quarters(at):
+            return self._mean_by_quarter(at)
         for count in MEAN_POINTS:
             step = 2 * self.mp.pi / count
             for place in range(count) if before is None else range(1, count, 2):
-                total += _AtAngle(turn, step * place).of(argument)
+                total += at(step * place)
             now = total / count
-            if before is not None and abs(now - before) <= self.mp.mpf(10) ** -30 * (1 + abs(now)):
+            if before is not None and self._is_settled(now, before):
                 return now
             before = now
         raise NoFormError("a mean over a turn that is not reached at this point")
+
+    def _is_even_about_quarters(self, at: Callable[[Any], Any]) -> bool:
+        """Tell by an angle of no meaning whether f(x) = f(-x) = f(π - x): then a quarter says all."""
+        one = self.mp.one
+        first = at(one)
+        return self._is_settled(at(-one), first) and self._is_settled(at(self.mp.pi - one), first)
+
+    def _mean_by_quarter(self, at: Callable[[Any], Any]) -> Any:
+        """Return the mean over a turn of what is the same in each quarter of it, to and fro."""
+        ends, inside, before = (at(self.mp.zero) + at(self.mp.pi / 2)) / 2, self.mp.zero, None
+        for count in QUARTER_POINTS:
+            step = self.mp.pi / 2 / count
+            for place in range(1, count) if before is None else range(1, count, 2):
+                inside += at(step * place)
+            now = (ends + inside) / count
+            if before is not None and self._is_settled(now, before):
+                return now
+            before = now
+        raise NoFormError("a mean over a turn that is not reached at this point")
+
+    def _is_settled(self, now: Any, before: Any) -> bool:
+        return bool(abs(now - before) <= self.mp.mpf(10) ** -30 * (1 + abs(now)))
 
     def _function(self, function: str, argument: Any) -> Any:
         if function == "sum":
@@ -269,9 +305,14 @@ class _AtAngle(Valuation):
         return super()._power(number, exponent)
 
 
-def sample(forms: list[Form], count: int = 3, tries: int = 24) -> list[tuple[Point, list[Any]]]:
-    """Return up to three points where all forms are defined and real, with their values."""
-    names = sorted({name for form in forms for name in letters(form)})
+def sample(
+    forms: list[Form], count: int = 3, tries: int = 24, others: Iterable[str] = ()
+) -> list[tuple[Point, list[Any]]]:
+    """Return up to three points where all forms are defined and real, with their values.
+
+    A point has a value too for each of the `others`, letters that stand in none of the forms.
+    """
+    names = sorted({name for form in forms for name in letters(form)}.union(others))
     samples = []
     for seed in range(tries):
         point = random_point(names, forms[0].domain, seed)

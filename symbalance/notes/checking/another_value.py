@@ -205,6 +205,8 @@ def refuse_case(
     if chain.inline and definitions.sections.is_denied(chain):
         return Decision(CONDITION, f"said not to be so: {text} in line {earlier.line}")
     is_case = _says_new_case(definitions, name, earlier, chain)
+    if name in definitions.sections.spoken_of_generally(chain, {name: False}):
+        is_case = False  # "in general y = 1" is no case
     is_excluded = is_case is not True and _excludes(earlier.node, value, knowledge)
     if not is_excluded or _is_another_solution(definitions, name, value, line, knowledge):
         return None
@@ -222,7 +224,8 @@ def _says_new_case(definitions: Definitions, name: str, earlier: Definition, cha
         follows_at_once = definitions.sections.stands_next(chain, earlier.line)
         return not (definitions.sections.is_consequence(chain) and follows_at_once)
     if not chain.inline:
-        return bool(earlier.assumption) and near > earlier.line
+        is_next = definitions.sections.is_in_next_group(chain)
+        return is_next or (bool(earlier.assumption) and near > earlier.line)
     return definitions.sections.starts_new_case(chain, earlier.line, name)
 
 

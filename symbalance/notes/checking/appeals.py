@@ -63,7 +63,8 @@ def _at_stated_angle(
 ) -> Decision:
     """Return the proof of a relation at an angle its sentence names: at top dead centre, where θ = 0.
 
-    An angle stays free where a line gives it a number; a relation without it may be meant there.
+    An angle stays free where a line gives it a number; a relation without it may be meant there. One
+    that is wrong there too is refuted there, where its line gives the angle.
     """
     left, right, line = chain.sides[k], chain.sides[k + 1], chain.lines[0]
     angles: list[tuple[str, Formula]] = []
@@ -76,6 +77,7 @@ def _at_stated_angle(
     if knowledge.crank is not None and isinstance(knowledge.crank.theta, Name) and centre is not None:
         angle = Constant("pi") if centre else Number(Fraction(0))
         angles.append((knowledge.crank.theta.name, angle))
+    refuted_there = decision
     for name, value in angles:
         if name in names(right.node):
             continue
@@ -83,4 +85,8 @@ def _at_stated_angle(
         there = decide_at_value(left, right, chain.relations[k].sign, knowledge, name, value)
         if there.is_proved:
             return replace(there, assumptions=(*there.assumptions, assumption))
-    return decision
+        own = knowledge.definitions.get(name)
+        is_stated = own is not None and own.line in chain.lines and not k
+        if there.status == REFUTED and is_stated and name not in names(left.node):
+            refuted_there = replace(there, reason=there.reason or f"at {assumption}")
+    return refuted_there

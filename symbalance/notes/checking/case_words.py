@@ -7,6 +7,7 @@ what a page says of all values, or of any, does not rest on it.
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
 
 _END = r"\s[^.;:!?\n=<>≤≥]{0,30}$"
 _CASE = re.compile(
@@ -26,11 +27,19 @@ _GENERAL = re.compile(
     r"|一般に|一般には|常に|つねに|いつも|それ以外",
     re.IGNORECASE,
 )
+_ALWAYS_BEHIND = re.compile(
+    r"[\s$)}\]\\,]{0,6}(?:\\text\s*\{\s*)?(?:(?:holds?|is\s+true|gilt|is\s+valid)\s+)?(?:always|at\s+all\s+times"
+    r"|at\s+any\s+time|immer|stets|everywhere|identically|for\s+(?:all|every|any)\s+(?:crank\s+)?(?:angles?|positions?|values?)"
+    r"|für\s+(?:alle|jeden)\s+(?:Kurbel)?[Ww]inkeln?)(?:\s+(?:holds?|true|vanishes))?(?=\s*[.,;:)}\]$]|\s*$)"
+    r"|[\s$)}\]]{0,4}(?:は|が)?(?:常に|つねに|いつも)(?:成り立つ|成立)",
+    re.IGNORECASE | re.MULTILINE,
+)
 _OF_ALL = (
     r"(?<![A-Za-zÀ-ÿ\\])(?:(?:for\s+|at\s+)?(?:all|every|any|arbitrary|each)|für\s+(?:alle|jede[nsrm]?|beliebige[nsrm]?)|beliebige[snrm]?)"
     r"(?:\s+other)?\s+(?:(?:real|values?|angles?|crank\s+angles?|Werte?|Winkel|(?:Kurbel)?[Ww]inkel|of)\s+){0,3}"
     r"|(?:任意の|すべての|全ての|あらゆる)\s*"
 )
+_ALL = re.compile(_OF_ALL, re.IGNORECASE)
 _ANGLE_WORD = r"(?:crank\s+)?(?:angles?|positions?)|(?:Kurbel)?[Ww]inkel|Stellungen?|クランク角|角度?"
 _COUNTS = {
     "single": 1, "one": 1, "two": 2, "twin": 2, "three": 3, "triple": 3, "four": 4, "five": 5, "six": 6,
@@ -40,12 +49,12 @@ _COUNTS = {
     "単": 1, "二": 2, "三": 3, "四": 4, "五": 5, "六": 6, "八": 8, "十二": 12,
 }  # fmt: skip
 _NUMBER = "|".join(sorted((*_COUNTS, r"[0-9]{1,2}"), key=len, reverse=True))
-_ENGINE = re.compile(
+ENGINE = re.compile(
     rf"(?<![A-Za-z0-9.,])(?P<before>{_NUMBER})[-\s]?(?:cylinders?|throws?|cranks|cyl|zylinder|シリンダ|気筒)"
     rf"|(?<![A-Za-z])(?P<kind>inline|straight|flat|boxer|reihen|直列|水平対向|V型|V|W)[-\s]?(?P<behind>{_NUMBER})(?![0-9.,]*[0-9A-Za-z])",
     re.IGNORECASE,
 )
-_PROBLEM = re.compile(
+PROBLEM = re.compile(
     r"(?:exercise|problem|question|example|case|aufgabe|beispiel|fall|例題|問題?|演習)\s*\(?([0-9]+(?:\.[0-9]+)*|[a-h])\b",
     re.IGNORECASE,
 )
@@ -67,6 +76,15 @@ def is_case_behind(text: str, end: int, first: int, last: int) -> bool:
     return between and opens_case(text, first, last) and _CLAUSE_LAST.match(text, last) is not None
 
 
+def is_said_of_all_behind(text: str, end: int) -> bool:
+    """Tell whether a relation is said to hold always by the words right behind it.
+
+    >>> is_said_of_all_behind("x + y = 1 always.", 9), is_said_of_all_behind("x = 1 here, always y", 5)
+    (True, False)
+    """
+    return _ALWAYS_BEHIND.match(text, end) is not None
+
+
 def clause_start(text: str, start: int) -> int:
     """Return where the clause begins that a relation stands in."""
     first = max(0, start - 200)
@@ -83,6 +101,8 @@ def speaks_of_all(before: str, letters: dict[str, bool], *, named: bool = False)
     if not named and _GENERAL.search(before):
         return set(letters)
     spoken: set[str] = set()
+    if not _ALL.search(before):
+        return spoken
     for name, is_angle in letters.items():
         written = rf"[\s$\\({{]{{0,6}}{re.escape(name)}(?![A-Za-z0-9_])"
         if re.search(f"(?:{_OF_ALL}){written}", before, re.IGNORECASE) or (
@@ -92,6 +112,34 @@ def speaks_of_all(before: str, letters: dict[str, bool], *, named: bool = False)
     return spoken
 
 
+class Mentions:
+    """The places of a text where a pattern occurs, to find the last one before another place."""
+
+    def __init__(self, pattern: re.Pattern[str], text: str) -> None:
+        self._pattern, self._text = pattern, text
+        self._matches = list(pattern.finditer(text))
+        self._ends = [match.end() for match in self._matches]
+
+    def last_before(self, start: int) -> re.Match[str] | None:
+        """Return the last occurrence in the text before a place, as if the text ended there.
+
+        >>> Mentions(ENGINE, "a two-cylinder engine, then the V8").last_before(30)
+        <re.Match object; span=(2, 14), match='two-cylinder'>
+        """
+        count = bisect_right(self._ends, start - REACH)
+        last = self._matches[count - 1] if count else None
+        first = max(start - REACH, last.end() if last else 0)  # near the end the text is read anew
+        if count < len(self._matches):
+            first = min(first, self._matches[count].start())
+        for match in self._pattern.finditer(self._text, max(first, 0), start):
+            last = match
+        return last
+
+
+REACH = 200
+"""Characters: longer than any mention of an engine or an exercise."""
+
+
 def engine_named(text: str, start: int) -> tuple[int, str] | None:
     """Return the cylinders of the engine that was named last before a place, and its kind if said.
 
@@ -99,15 +147,14 @@ def engine_named(text: str, start: int) -> tuple[int, str] | None:
     (8, 'v')
     """
     last = None
-    for match in _ENGINE.finditer(text, 0, start):
+    for match in ENGINE.finditer(text, 0, start):
         last = match
+    return engine_of(last)
+
+
+def engine_of(last: re.Match[str] | None) -> tuple[int, str] | None:
+    """Return the cylinders of the engine that a mention names, and its kind if said."""
     if last is None:
         return None
     number = (last["before"] or last["behind"]).lower()
     return _COUNTS.get(number) or int(number), (last["kind"] or "").lower()
-
-
-def problem_named(text: str, start: int) -> str:
-    """Return the number of the exercise, example or case that was named last before a place."""
-    matches = list(_PROBLEM.finditer(text, 0, start))
-    return matches[-1][1] if matches else ""

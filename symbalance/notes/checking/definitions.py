@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, Negative, Number, names
+from symbalance.document.formula import Formula, Name, Negative, Number, Product, names
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.constraints import Constraint
@@ -142,6 +142,10 @@ class Definitions:
         if isinstance(number, Number) and number.last_place is None:
             number = Number(number.value, Fraction(1), span=number.span)
             node = Negative(number) if isinstance(node, Negative) else number
+        if isinstance(node, Product) and len(node.factors) == 2:
+            number, unit = node.factors
+            if isinstance(number, Number) and number.last_place is None and isinstance(unit, Number):
+                node = replace(node, factors=(replace(number, last_place=Fraction(1)), unit))
         if decimals(node):
             definition = replace(entries[-1].definition, rounded=node)
             entries[-1] = replace(entries[-1], definition=definition)
@@ -245,6 +249,8 @@ class Definitions:
     def reaches(self, own_line: int, line: int, letters_of_it: frozenset[str]) -> bool:
         """Tell whether what a line states is in scope at another, its letters being the same there."""
         declared = self.declarations
+        if not declared.scopes:
+            return True
         return set(declared.scope_at(own_line)) <= set(declared.scope_at(line)) and all(
             declared.owner(name, own_line) == declared.owner(name, line) for name in letters_of_it
         )

@@ -31,6 +31,7 @@ from symbalance.document.formula import (
     walk,
     with_children,
 )
+from symbalance.notes.checking.bare_degrees import with_bare_degrees
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONTRADICTION,
@@ -65,10 +66,11 @@ IN_RADIANS = "angles without a sign are read in radians"
 
 def judge_in_one_unit_of_angle(document: ReadNotes, judge: Callable[[ReadNotes], Checked]) -> Checked:
     """Return the verdicts on a document in which bare angles are all in degrees, or all in radians."""
-    page = _Angles(document)
+    typed = _as_typed(document)
+    page = _Angles(typed)
     if not page.has_usual_angle:
-        return judge(document)
-    radians, degrees = judge(document), judge(page.in_degrees())
+        return judge(with_bare_degrees(document))
+    radians, degrees = judge(typed), judge(page.in_degrees())
     gained, lost = _proved_only_in(degrees, radians), _proved_only_in(radians, degrees)
     says_degrees = page.is_within_functions and (not page.has_pi or page.says_degrees)
     is_shown = gained > lost
@@ -83,6 +85,24 @@ def judge_in_one_unit_of_angle(document: ReadNotes, judge: Callable[[ReadNotes],
     )
     verdicts = tuple(map(note, degrees.verdicts))
     return _with_note(replace(degrees, verdicts=verdicts), IN_DEGREES)
+
+
+def _as_typed(document: ReadNotes) -> ReadNotes:
+    """Return a page without the second readings of its sides that put degrees where no sign stands."""
+
+    def side_as_typed(side: Side) -> Side:
+        typed = tuple(node for node in side.readings if not any(map(_is_unsaid, walk(node))))
+        return replace(side, readings=typed) if typed and len(typed) < len(side.readings) else side
+
+    chains = (replace(c, sides=tuple(map(side_as_typed, c.sides))) for c in document.chains)
+    return replace(document, chains=tuple(chains))
+
+
+def _is_unsaid(node: Formula) -> bool:
+    """Tell whether a number is one of degrees by a reading only: its unit stands where it does itself."""
+    if not isinstance(node, Product) or degrees_of(node) is None:
+        return False
+    return node.factors[0].span == node.factors[-1].span
 
 
 class _Angles:

@@ -19,8 +19,11 @@ from symbalance.document import formula
 from symbalance.document.formula import Formula, Number, names
 from symbalance.document.letters import raised
 from symbalance.document.text_writer import formula_text
+from symbalance.document.wordlists import words
 from symbalance.notes.checking.symbol_roles import FROM_MIDDLE, FROM_PIN, FROM_TOP, role_of
 from symbalance.notes.reading import siunitx
+from symbalance.notes.reading.numerals import sign_of_unit
+from symbalance.notes.reading.units import GRAVITY
 
 Dimension = tuple[Fraction, ...]
 """Exponents of kg, m, s, K and A."""
@@ -45,6 +48,13 @@ _WHOLE_UNITS: dict[str, Dimension] = {
     "rps": _dimension(s=-1), "rev": NONE, "r": NONE, "U": NONE, "deg": NONE, "°": NONE, "1": NONE,
     "%": NONE, "t": _dimension(kg=1), "l": _dimension(m=3), "L": _dimension(m=3),
     "Nmm": _dimension(1, 2, -2), "kNm": _dimension(1, 2, -2), "degrees": NONE, "radians": NONE,
+    **dict.fromkeys(words("gmm kgmm gcm kgcm"), _dimension(kg=1, m=1)),
+    "cc": _dimension(m=3), "ccm": _dimension(m=3), "inch": _dimension(m=1), "ft": _dimension(m=1),
+    "gn": _dimension(m=1, s=-2), "mi": _dimension(m=1), "slug": _dimension(kg=1),
+    "psi": _dimension(1, -1, -2),
+    "mph": _dimension(m=1, s=-1), "knot": _dimension(m=1, s=-1), "knots": _dimension(m=1, s=-1),
+    **dict.fromkeys(words("lbf kp kgf"), _dimension(1, 1, -2)),
+    **dict.fromkeys(words("hp bhp HP PS"), _dimension(1, 2, -3)),
 }  # fmt: skip
 _PREFIXES = ("", "k", "M", "G", "c", "d", "m", "u", "n")
 _PREFIXED = {p + unit: size for unit, size in _UNITS.items() for p in _PREFIXES}
@@ -73,9 +83,9 @@ _ROLES: dict[str, Dimension] = {
     "integer": NONE,
 }
 _SIGNS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−µμ·⋅*", "0123456789--uu   ")
-_PART = re.compile(r"([A-Za-z°%]+|1)(?:\^?\(?(-?[0-9])\)?)?$")
+_PART = re.compile(r"([A-Za-z°%]+|1(?![0-9]))(?:\^?\(?(-?[0-9])\)?)?$")
 _WRITTEN_UNIT = re.compile(
-    r"\\(?:mathrm|text|textrm|mbox|unit|si|SI|qty|rm)(?![a-z])|\[[^\]]*[A-Za-z][^\]]*\]"
+    r"\\(?:mathrm|text|textrm|mbox|unit|si|SI|qty|rm)(?![a-z])|\[[^\[\]A-Za-z]*+[A-Za-z][^\[\]]*+\]"
     r"|[0-9](?:\s|~|\\[,;: ])*(?:mm|cm|km|kg|kN|MPa|GPa|rpm|kW|Hz|bar|rad|Nm)(?![A-Za-z_(^])"
 )
 
@@ -221,7 +231,7 @@ class Dimensions:
             return None
         unit = self.unit_at(node)
         if unit:
-            return unit_of(unit)
+            return unit_of(unit) or unit_of(sign_of_unit(unit) or unit)
         rule = _RULES.get(type(node))
         return None if rule is None else rule(self, node, depth + 1)
 
@@ -231,6 +241,8 @@ class Dimensions:
         if not self.text or not is_factor:
             return ""
         has_number, unit = written_unit(self.text[node.span[0] : node.span[1]])
+        if unit in ("g", "G") and isinstance(node, Number) and node.value == GRAVITY:
+            unit = "gn"
         if has_number and (alone or not isinstance(node, Number)):
             return ""
         is_unit = unit_of(unit) is not None if not isinstance(node, Number) else unit[:1].isalpha()

@@ -18,12 +18,15 @@ from symbalance.document.formula import names
 from symbalance.document.letters import plain_letter
 from symbalance.document.nodes import Code, Strong, Words
 from symbalance.errors import SymbalanceError, brief
+from symbalance.notes.checking.bare_degrees import with_bare_degrees
 from symbalance.notes.checking.degrees_without_sign import judge_in_one_unit_of_angle
 from symbalance.notes.checking.engines import Engines, NoEngines, Sources
+from symbalance.notes.checking.expanded_sums import with_expanded_sums
 from symbalance.notes.checking.guarded_verdicts import PAGE
 from symbalance.notes.checking.judging import Judge
 from symbalance.notes.checking.letters_anew import with_letters_anew
 from symbalance.notes.checking.one_reading import judge_in_one_reading
+from symbalance.notes.checking.page_data import data_of
 from symbalance.notes.checking.sidecar import (
     Declarations,
     declarations_in,
@@ -35,6 +38,7 @@ from symbalance.notes.checking.symbol_roles import readable_letters
 from symbalance.notes.checking.symbols import motions_of
 from symbalance.notes.checking.time_letters import with_time
 from symbalance.notes.checking.verdicts import MOST_LETTERS, UNDECLARED, Checked
+from symbalance.notes.checking.whole_letters import with_whole_letters
 from symbalance.notes.checking.written_assumptions import with_written_assumptions
 from symbalance.notes.reading import Motions, read_document
 from symbalance.notes.reading.equations import ReadNotes
@@ -109,8 +113,10 @@ def check(
         remarks.append(_waiting(count))
     letters, motions = _letters_by_line(declarations), _motions_by_line(declarations)
     page = run_within(budget, partial(read_document, text, name, letters, motions))
+    page = with_bare_degrees(page, only_named=True)
     page, declarations = with_letters_anew(page, declarations.without_idle(page_letters(page)))
-    declarations = with_time(page, declarations)
+    declarations = with_whole_letters(page, with_time(page, declarations))
+    page = with_expanded_sums(page, data_of(page, declarations.symbols_at))
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
     sources = Sources(provider, beside)
     start = time.monotonic()

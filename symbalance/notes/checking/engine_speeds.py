@@ -13,16 +13,11 @@ from symbalance.document.formula import Formula, Name
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.given_numbers import number_in_example
-from symbalance.notes.checking.own_units import is_angular_speed
+from symbalance.notes.checking.own_units import BETWEEN, PER_MINUTE, is_angular_speed
 
-_BETWEEN = r"(?:\s|[~$]|\\[,;: ]|\\(?:mathrm|text|textrm|unit|si)\s*\{|\}\{|</?[a-z]+>|&nbsp;){0,5}"
-_PER_MINUTE = (
-    r"(?:rpm|r\.\s?p\.\s?m|(?:rev(?:olution)?s?|turns|tr|U|Umdr?\.?|Umdrehungen|1|tours)\s?(?:/|per|pro|par)\s?"
-    r"[Mm]in|min\s*\}?\s*(?:\^\s*\{?\s*[-−]\s*1|⁻¹|<sup>\s*[-−]\s*1)|\\rpm|\\per\\minute|回転)"
-)
 _SPEED = re.compile(
     rf"(?<![0-9.,])(?P<speed>[1-9][0-9]{{0,2}}(?:(?:[,.' ]|\\,|\{{,\}})?[0-9]{{3}})?|[1-9][0-9]{{3,4}})"
-    rf"{_BETWEEN}{_PER_MINUTE}|毎分\s*(?P<behind>[1-9][0-9]{{1,4}})"
+    rf"{BETWEEN}{PER_MINUTE}|毎分\s*(?P<behind>[1-9][0-9]{{1,4}})"
 )
 SAME = 1e-12
 

@@ -13,13 +13,15 @@ from symbalance.errors import SymbalanceError
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking import assertions
 from symbalance.notes.checking.angle_equations import lines_of_angles
+from symbalance.notes.checking.another_place import leave_place
 from symbalance.notes.checking.consequences import decide_consequence
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.remainders import is_remainder
 from symbalance.notes.checking.descriptions import describe, unreadable_verdict, with_fault
-from symbalance.notes.checking.dimensions import Dimensions, unit_text
+from symbalance.notes.checking.dimensions import Dimensions, Mismatch, unit_text
+from symbalance.notes.checking.engine_blocks import EngineBlocks
 from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.guarded_verdicts import PAGE, Guard
 from symbalance.notes.checking.judging_order import chains_in_turn, number_verdicts
@@ -42,6 +44,7 @@ from symbalance.notes.checking.series_relations import judge_series
 from symbalance.notes.checking.sidecar import Binding, Declarations
 from symbalance.notes.checking.unit_or_letter import with_both_readings
 from symbalance.notes.checking.verdicts import (
+    CONDITION,
     CONTRADICTION,
     PROVED_WORDS,
     REFUTED,
@@ -72,6 +75,7 @@ class Judge:
         self.data = list(every[len(self.document.chains) :])
         """The page's data that stand in tables, lists and code, and have not been reached yet."""
         self.state = JudgingState(self.document, self.declarations, self.sources, self.corrects)
+        self.blocks = EngineBlocks(self.document.text, self.state.sections)
         self.guard = Guard(self.document, self.budget)
         self.quotations = Quotations(self.document)
 
@@ -80,7 +84,8 @@ class Judge:
         bindings = assertions.by_line(self.declarations.bindings)
         verdicts: list[Verdict] = [unreadable_verdict(self.document, u) for u in self.document.unreadable]
         for chain in chains_in_turn(self.document, self.state.sections):
-            self._take_data(chain.lines[0])
+            self._take_data(chain)
+            self.blocks.enter(chain.lines[0], self.state.definitions)
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
             verdicts += self.chain(chain, chain_binds)
         for binding in (b for rest in bindings.values() for b in rest):
@@ -95,9 +100,13 @@ class Judge:
             self.document, tuple(replace(v, cell=self.document.cell_of(v.line)) for v in numbered)
         )
 
-    def _take_data(self, line: int) -> None:
-        """Define the letters of the tables, lists and code above a line; a formula's letter is left."""
-        while self.data and self.data[0].lines[0] < line:
+    def _take_data(self, chain: Chain) -> None:
+        """Define the letters of the tables, lists and code above a chain; a formula's letter is left."""
+        line, start = chain.lines[0], chain.sides[0].span[0]
+        while self.data and (
+            self.data[0].lines[0] < line
+            or (self.data[0].lines[0] == line and self.data[0].sides[-1].span[1] <= start)
+        ):
             datum = self.data.pop(0)
             name = next(iter(names(datum.sides[0].node)))
             earlier = self.state.knowledge(datum.lines[0]).definitions.get(name)
@@ -213,6 +222,8 @@ class Judge:
             end_cases(self.state.definitions, left, start)
             return verdict
         verdict = self._link_in_scope(chain, k, sound, bad)
+        if verdict.verdict in (REFUTED, CONTRADICTION) and leave_place(self.state, chain):
+            return self._link_in_scope(chain, k, sound, bad)
         if verdict.verdict == CONTRADICTION and (
             others := cases_replaced_by(self.state.definitions, chain)
         ):
@@ -222,7 +233,10 @@ class Judge:
 
     def _link_in_scope(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on a relation by what is in scope there; a case that is past may be left."""
+        if chain.sides[0].span[0] in self.state.conditions:
+            return describe(self.document, chain, k, Decision(CONDITION, "of the relation before it"))
         knowledge = with_clauses_below(self.state, chain, k, self.state.knowledge(chain.lines[0]))
+        knowledge = self.state.knowledge_of(chain, knowledge)
         mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
         if mismatch is not None and (
             anew := numbers_of_this_section(self.state.sections, chain, knowledge)
@@ -231,17 +245,15 @@ class Judge:
             freer = replace(knowledge, definitions=others)
             if self._mismatch(chain, k, sound if bad else k, freer) is None:
                 mismatch, knowledge = None, freer
+        if mismatch is None:
+            chain = self._in_fitting_units(chain, k, sound if bad else k, knowledge)
         left, right = chain.sides[k], chain.sides[k + 1]
-        general_proof = self._for_all_values(chain, k)
-        if general_proof is not None and mismatch is None:
+        general_proof = self._for_all_values(chain, k) if mismatch is None else None
+        if general_proof is not None:
             outcome: Verdict | Decision = general_proof[0]
             knowledge = general_proof[1]
-        elif is_remainder(left.node) or is_remainder(right.node):
-            outcome = decide(left, right, chain.relations[k].sign, knowledge)
         else:
-            outcome = judge_series(self.state, chain, k, knowledge) or judge_relation(
-                self.state, chain, k, sound, bad, knowledge
-            )
+            outcome = self._by_kind(chain, k, sound, bad, knowledge)
         angles, line = knowledge.angles, chain.lines[0]
         turning = angles | (_turned(left.node) & _turned(right.node))
         turned = (_turned(left.node) | _turned(right.node)) - self._given_again(line)
@@ -255,6 +267,7 @@ class Judge:
         if past:
             with without_cases(self.state.definitions, past, angles | turned):
                 freer = with_clauses_below(self.state, chain, k, self.state.knowledge(line))
+                freer = self.state.knowledge_of(chain, freer)
                 general = judge_relation(self.state, chain, k, sound, bad, freer)
             # a case that is past makes no relation true in which its angle stands
             if _word(general) in (REFUTED, CONTRADICTION) or not (
@@ -269,6 +282,16 @@ class Judge:
         if verdict.verdict == REFUTED:  # its witness and its correction say more
             return replace(verdict, reason=verdict.reason or mismatch.reason)
         return describe(self.document, chain, k, mismatch)
+
+    def _by_kind(
+        self, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
+    ) -> Verdict | Decision:
+        """Return the verdict on a relation as one of a remainder, of a series, or as any other."""
+        left, right = chain.sides[k], chain.sides[k + 1]
+        if is_remainder(left.node) or is_remainder(right.node):
+            return decide(left, right, chain.relations[k].sign, knowledge)
+        by_series = judge_series(self.state, chain, k, knowledge)
+        return by_series or judge_relation(self.state, chain, k, sound, bad, knowledge)
 
     def _given_again(self, line: int) -> frozenset[str]:
         """Return the letters that a line's own paragraph gives a number: with x = 15 once more."""
@@ -313,17 +336,37 @@ class Judge:
             self.state.definitions.forget_range(chain)
         return judged
 
-    def _mismatch(self, chain: Chain, k: int, against: int, knowledge: Knowledge) -> Decision | None:
-        """Refute a relation whose sides, or terms, are in different units."""
-        line = chain.lines[0]
+    def _in_fitting_units(self, chain: Chain, k: int, against: int, knowledge: Knowledge) -> Chain:
+        """Return a chain without the readings whose units fit none of the other side."""
+        left, right = chain.sides[against], chain.sides[k + 1]
+        if len(left.readings) == len(right.readings) == 1:
+            return chain
+        mismatches = self._mismatches(chain, k, against, knowledge)
+        fitting = [pair for pair, mismatch in mismatches.items() if mismatch is None]
+        sides = list(chain.sides)
+        for place, side, which in ((against, left, 0), (k + 1, right, 1)):
+            places = {pair[which] for pair in fitting}
+            readings = tuple(node for n, node in enumerate(side.readings) if n in places)
+            sides[place] = replace(side, readings=readings)
+        return replace(chain, sides=tuple(sides))
+
+    def _mismatches(
+        self, chain: Chain, k: int, against: int, knowledge: Knowledge
+    ) -> dict[tuple[int, int], Mismatch | None]:
+        """Return for each two readings of two sides where their units differ, None where they do not."""
         values = {name: d.node for name, d in knowledge.definitions.items()}
-        dimensions = Dimensions(self.declarations.symbols_at(line), values, self.document.text)
+        symbols = self.declarations.symbols_at(chain.lines[0])
+        dimensions = Dimensions(symbols, values, self.document.text)
         left, right = chain.sides[against], chain.sides[k + 1]
         sources = (self.document.source(left.span), self.document.source(right.span))
-        mismatches = [
-            dimensions.mismatch(first, second, sources)
-            for first, second in product(left.readings, right.readings)
-        ]
+        return {
+            (m, n): dimensions.mismatch(first, second, sources)
+            for (m, first), (n, second) in product(enumerate(left.readings), enumerate(right.readings))
+        }
+
+    def _mismatch(self, chain: Chain, k: int, against: int, knowledge: Knowledge) -> Decision | None:
+        """Refute a relation whose sides, or terms, are in different units."""
+        mismatches = list(self._mismatches(chain, k, against, knowledge).values())
         if not all(mismatches) or mismatches[0] is None:
             return None
         witness = {"left": unit_text(mismatches[0].left), "right": unit_text(mismatches[0].right)}

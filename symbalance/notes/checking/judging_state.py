@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, replace
 
-from symbalance.document.formula import Summation, names, walk
+from symbalance.document.formula import Integral, Summation, names, walk
 from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import constraints
 from symbalance.notes.checking.carried_values import CarriedValues
+from symbalance.notes.checking.conditions_behind import equalities_behind, with_conditions
+from symbalance.notes.checking.crank_angles_listed import crank_angles, listed_at
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.inequalities import sample_ranges
 from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import printed_results
+from symbalance.notes.checking.deciding.whole_numbers import may_count, orders_in
 from symbalance.notes.checking.definitions import Definitions
 from symbalance.notes.checking.engine_speeds import speeds_of
 from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.given_numbers import GivenNumbers
+from symbalance.notes.checking.integer_words import integers_said
 from symbalance.notes.checking.meant_quantities import MeantQuantities
 from symbalance.notes.checking.meant_words import MeantWords
 from symbalance.notes.checking.premises import Premise
@@ -25,9 +30,13 @@ from symbalance.notes.checking.solutions import turned_letters
 from symbalance.notes.checking.symbol_roles import MOVING, SMALL_WORD, letters_by_role, small_letters
 from symbalance.notes.checking.symbols import meaning_of
 from symbalance.notes.reading import ReadingError, read_equation
-from symbalance.notes.reading.equations import ReadNotes
+from symbalance.notes.reading.equations import Chain, ReadNotes
 
 ANGLES = ("crank angle", "rod angle", "time", "integer")
+_COUNT = re.compile(r"\bnumber of|\bcount\b|integer|anzahl|zahl\b|気筒数|シリンダ数", re.IGNORECASE)
+"""Words of a meaning that say of a letter at the end of a sum that it counts."""
+NEAR_RANGE = 2
+"""Lines above a relation on which a range is said of it."""
 UNIVERSAL = (
     "crank angle",
     "rod angle",
@@ -62,6 +71,14 @@ class JudgingState:
         self.wrong_numbers = CarriedValues()
         self.given_numbers = GivenNumbers()
         self.speeds = speeds_of(self.document.text)
+        self.crank_angles = crank_angles(self.document.text)
+        sides = [side.node for chain in self.document.chains for side in chain.sides]
+        self.has_sums = any(isinstance(p, Summation | Integral) for node in sides for p in walk(node))
+        self.orders = orders_in(sides) if self.has_sums else frozenset()
+        self.integers = integers_said(self.document.text, self.orders)
+        """Orders that the page's words say to be whole numbers."""
+        self.conditions = equalities_behind(self.document)
+        """Where equations begin that are conditions of the relation before them alone: (m = n)."""
         self.not_judged: dict[str, int] = {}
         """Letters that a relation may define which was not judged, with its line."""
         self.solutions: dict[int, tuple[Premise, Decision]] = {}
@@ -83,7 +100,15 @@ class JudgingState:
         angles = frozenset(n for m in ANGLES for n in letters.get(m, ()))
         letters_declared = frozenset(symbols)
         ranges = self.definitions.ranges_at(line)
-        meaning = replace(meaning, ranges={**meaning.ranges, **sample_ranges(ranges)})
+        undeclared = frozenset(self.document.free_letters) - letters_declared - definitions.keys()
+        counts = {n for n in self.counts if _COUNT.search(symbols[n])}
+        counts |= {n for n in self.integers if may_count(n, symbols)}
+        meaning = replace(
+            meaning,
+            ranges={**meaning.ranges, **sample_ranges(ranges)},
+            integer=meaning.integer | counts,
+            undeclared=undeclared,
+        )
         knowledge = Knowledge(
             meaning,
             crank,
@@ -97,10 +122,20 @@ class JudgingState:
             corrects=self.corrects,
             ranges=tuple(ranges),
             printed=self.printed,
+            has_sums=self.has_sums,
+            orders=self.orders,
             small=frozenset(n for n, text in symbols.items() if SMALL_WORD.search(text))
             | self.small_letters,
         )
         return self.definitions.on_stated_branches(knowledge)
+
+    def knowledge_of(self, chain: Chain, knowledge: Knowledge) -> Knowledge:
+        """Return what is known with what stands around one relation on its line."""
+        start = min(side.span[0] for side in chain.sides)
+        same_section = self.sections.same_section
+        angles = listed_at(self.crank_angles, start, self.document.text, same_section)
+        own = replace(knowledge, crank_angles=angles, own_ranges_from=chain.lines[0] - NEAR_RANGE)
+        return with_conditions(chain, self.document, own)
 
     def assumptions(self, line: int, letters: frozenset[str]) -> tuple[Assumption, ...]:
         """Return the assumptions at a line, each solved for a letter."""

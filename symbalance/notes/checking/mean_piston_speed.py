@@ -1,8 +1,8 @@
 """The mean piston speed: two strokes a revolution, 2 s n or 4 r n, and not 2 r n.
 
-Where words name it right before a letter, and its formula is a number times the crank radius or the
-stroke and one other letter, the revolutions, that number is known: 4 or 2, or a 60th of it where these are
-counted by the minute. Half or twice the number is a stroke forgotten; anything else is no claim.
+Where words name it right before a letter, and its formula is a number times the crank radius or
+the stroke and one other letter, the revolutions, that number is known: 4 or 2, or a 60th of it if these
+are counted by the minute. Half or twice the number is a stroke forgotten; anything else is no claim.
 """
 
 from __future__ import annotations

@@ -398,7 +398,7 @@ class MeantQuantities:
         values = {n: d.node for n, d in knowledge.definitions.items() if n != name}
         source = self.words.document.source(chain.sides[1].span)
         found = Dimensions(symbols, values, self.words.document.text).side(value, source)
-        if found is None or found == expected[1]:
+        if found is None or found == expected[1] or self.words.has_result_in(name, found):
             return None
         gap = [a - b for a, b in zip(found, expected[1], strict=True)]
         if [place for place, e in enumerate(gap) if e] not in ([1], [2]):  # of kg, m, s

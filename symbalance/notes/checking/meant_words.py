@@ -200,6 +200,17 @@ class MeantWords:
                 units.setdefault(name, (unit, dimension, chain.lines[0]))
         return {name: unit for name, unit in units.items() if name not in several}
 
+    def has_result_in(self, name: str, dimension: Dimension) -> bool:
+        """Tell whether a letter has a number of a dimension: M = 142·400/4 = 14200 Nmm is no stress."""
+        for chain in self.document.chains:
+            if chain.sides[0].node != Name(name):
+                continue
+            for side in chain.sides[1:]:
+                has_number, unit = written_unit(self.document.source(side.span))
+                if has_number and unit and not names(side.node) and unit_of(unit) == dimension:
+                    return True
+        return False
+
 
 def _motions(words: str) -> list[tuple[str, str]]:
     """Return the motions and forces that words name, each with the phrase."""

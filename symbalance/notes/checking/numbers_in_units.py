@@ -18,6 +18,7 @@ from symbalance.document.formula import (
     Number,
     Product,
     Quotient,
+    Sum,
     children,
     names,
     walk,
@@ -26,20 +27,38 @@ from symbalance.document.formula import (
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.values import letters
+from symbalance.notes.checking.conversions import (
+    POUND,
+    POUND_FORCE,
+    decide_conversion,
+    is_power_of_ten,
+    quantity_of,
+)
 from symbalance.notes.checking.deciding.cases import UNITS_LEFT_OUT, in_units_left_out
-from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
+from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.numbers_put_in import without_unit
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals, significant
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
-from symbalance.notes.checking.dimensions import written_unit
+from symbalance.notes.checking.dimensions import unit_of, written_unit
+from symbalance.notes.checking.formulas_between_numbers import (
+    decide_between_numbers,
+    may_convert,
+    puts_in_numbers,
+    with_printed_results,
+)
 from symbalance.notes.checking.impossible_values import number_of
+from symbalance.notes.checking.own_units import is_per_minute
+from symbalance.notes.checking.units_behind import decide_as_counted
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.numerals import unit_in_words
 from symbalance.notes.reading.units import Scale, scale_of
 
 RPM = Fraction(1, 30), True
-POUND, POUND_FORCE = Fraction(45359237, 10**8), Fraction(44482216152605, 10**13)
+FEWEST_COUNTED, NEARLY_WHOLE = 10, Fraction(1, 100)
+"""Of a whole result with a unit: the least of two digits, and what it may be off by behind =."""
 FEWEST_DIGITS = 3
 """That a factor of conversion, or a constant that a formula has for its units, is printed with."""
 _PI, _NEAR_PI = Fraction(355, 113), Fraction(1, 500)
@@ -63,14 +82,14 @@ def decide_in_units(
     chain: Chain, k: int, decision: Decision, document: ReadNotes, knowledge: Knowledge
 ) -> Decision:
     """Return the decision on a refuted relation in the units that its numbers are meant in."""
+    in_two_units = decide_conversion(chain, k, document)
+    if in_two_units is not None:
+        return in_two_units if in_two_units.is_proved else decision
     for meant in (
-        _in_unit_of_result,
-        _in_unit_behind,
-        _converted,
-        _of_weights,
-        _with_numbers_of_units,
-        _by_the_minute,
-    ):
+        _put_in_bare, _term_by_term, _rounded_in_its_unit, _between_numbers, _in_unit_of_result,
+        _converted, _of_weights, decide_as_counted, _with_numbers_of_units, _with_frequencies,
+        _in_unit_behind, _by_the_minute,
+    ):  # fmt: skip
         there = meant(chain, k, document, knowledge)
         if there is not None and (there.is_proved or meant is _converted):
             return there
@@ -84,22 +103,152 @@ def decide_after_units_left_out(
 
     It has to be that of the letters; where it is not, but is the arithmetic's, the units decide.
     """
-    if not k or in_units_left_out(chain, k - 1, knowledge) is None:
+    if not k:
         return None
-    sign, right = chain.relations[k].sign, chain.sides[k + 1]
-    by_letters = decide(chain.sides[k - 1], right, sign, knowledge)
-    if not by_letters.is_proved:
-        by_letters = _per_minute(chain, k, k - 1, document, knowledge) or by_letters
-    unit = written_unit(document.source(right.span))[1]
-    if by_letters.is_proved or not unit:
+    knowledge = with_printed_results(knowledge, document)
+    formula, put_in, right, sign = *chain.sides[k - 1 : k + 2], chain.relations[k].sign
+    between_numbers = decide_between_numbers(formula, right, sign, document, knowledge)
+    if between_numbers is not None:
+        return between_numbers
+    is_between_numbers = puts_in_numbers(formula, put_in, document, knowledge)
+    if is_between_numbers or in_units_left_out(chain, k - 1, knowledge) is not None:
+        return _result_by_letters(formula, put_in, right, sign, document, knowledge)
+    return _refuted_in_its_unit(formula, put_in, right, sign, knowledge)
+
+
+def _refuted_in_its_unit(
+    formula: Side, put_in: Side, right: Side, sign: str, knowledge: Knowledge
+) -> Decision | None:
+    """Return the refutation of a result whose number is right, not its unit: 88.5 kJ for 88.5 J."""
+    bare = _without_unit_of_result(put_in)
+    if bare is None or not names(formula.node):
+        return None
+    by_letters = decide(formula, right, sign, knowledge)
+    is_known = by_letters.left is None or not letters(by_letters.left)
+    is_wrong = by_letters.status == REFUTED and is_known
+    return by_letters if is_wrong and decide(formula, bare, "=", knowledge).is_proved else None
+
+
+def _result_by_letters(
+    formula: Side, put_in: Side, right: Side, sign: str, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision on a result by the letters of its formula, and by the arithmetic before it."""
+    by_letters = decide(formula, right, sign, knowledge)
+    for otherwise in (_as_force, _by_frequencies) if not by_letters.is_proved else ():
+        there = otherwise(formula, right, sign, document, knowledge)
+        if there is not None and there.is_proved:
+            return there
+    if by_letters.is_proved or not written_unit(document.source(right.span))[1]:
         return by_letters if by_letters.is_proved else None
-    number, scale = right.node, scale_of(unit)
-    if not isinstance(number, Number) or scale is None:
+    quantity = quantity_of(right, document)
+    if quantity is None or not may_convert(formula.node):
         return by_letters
-    place = number.last_place and number.last_place / scale[0]
-    typed = Side((Number(number.value / scale[0], place),), right.span)
-    by_number = decide(chain.sides[k], typed, sign, knowledge).is_proved
-    return Decision(UNDECIDED, UNITS_LEFT_OUT) if by_number else by_letters
+    typed = Side((Number(quantity.value, 2 * quantity.half),), right.span)
+    arithmetic = Side((without_unit(put_in.node),), put_in.span)
+    is_open = decide(arithmetic, typed, sign, knowledge).is_proved
+    return Decision(UNDECIDED, UNITS_LEFT_OUT) if is_open else by_letters
+
+
+def _without_unit_of_result(side: Side) -> Side | None:
+    """Return an arithmetic without the unit of the result behind it, in which it was read; else None."""
+    node = side.node
+    if not isinstance(node, Product) or len(node.factors) != 2:
+        return None
+    arithmetic, unit = node.factors
+    is_foreign = isinstance(unit, Number) and unit.span[0] == unit.span[1] == 0
+    is_foreign = is_foreign or not side.span[0] <= unit.span[0] < side.span[1]
+    return Side((arithmetic,), side.span) if is_foreign else None
+
+
+def _put_in_bare(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on numbers put in for letters, whatever the unit of the result behind is."""
+    left, bare = chain.sides[k], _without_unit_of_result(chain.sides[k + 1])
+    if bare is None or not names(left.node):
+        return None
+    return decide(left, bare, chain.relations[k].sign, knowledge)
+
+
+def _term_by_term(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
+    """Return the proof of 45·0.5 + 0.15·45·0.75 = 22.5 + 5.06, in which each term is rounded."""
+    left, right = (_terms(_bare_sum(side.node)) for side in chain.sides[k : k + 2])
+    if len(left) != len(right) or len(left) < 2 or names(chain.sides[k + 1].node):
+        return None
+    sign, span = chain.relations[k].sign, chain.sides[k].span
+    decisions = [
+        decide(Side((first,), span), Side((second,), span), sign, knowledge)
+        for first, second in zip(left, right, strict=True)
+    ]
+    return decisions[0] if all(decision.is_proved for decision in decisions) else None
+
+
+def _bare_sum(node: Formula) -> Formula:
+    """Return a sum without the unit of the result behind it."""
+    if isinstance(node, Product) and len(node.factors) == 2 and isinstance(node.factors[0], Sum):
+        return node.factors[0] if isinstance(node.factors[1], Number) else node
+    return node
+
+
+def _terms(node: Formula) -> tuple[Formula, ...]:
+    return node.terms if isinstance(node, Sum) else ()
+
+
+def _rounded_in_its_unit(
+    chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision on 5401 N · 45 mm = 243 Nm: a whole result with a unit is rounded to its units.
+
+    It has two digits, and is off by a hundredth at most: 16 m/s for 15.7 wants ≈.
+    """
+    left, right = chain.sides[k], chain.sides[k + 1]
+    quantity = quantity_of(right, document)
+    is_computed = not isinstance(left.node, Name | Number)
+    if quantity is None or names(right.node) or not is_computed or abs(quantity.value) < FEWEST_COUNTED:
+        return None
+    place = min(2 * quantity.half, 2 * NEARLY_WHOLE * abs(quantity.value)) * quantity.scale
+    rounded = Side((Number(quantity.value * quantity.scale, place),), right.span)
+    if not names(left.node) and _is_wrong_by_letters(chain, k, rounded, knowledge):
+        return None
+    return decide(left, rounded, chain.relations[k].sign, knowledge)
+
+
+def _with_frequencies(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
+    """Return the decision with the speeds that count revolutions per minute elsewhere as frequencies."""
+    return _by_frequencies(
+        chain.sides[k], chain.sides[k + 1], chain.relations[k].sign, document, knowledge
+    )
+
+
+def _by_frequencies(
+    left: Side, right: Side, sign: str, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision with such speeds as frequencies, None where there are none.
+
+    With n = 5000 min⁻¹ both v = 2 s n/60 and v = 2 s n are written: n is a number in one of them.
+    """
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    behind = {n for side in (left, right) for n in names_behind(side.node, values)}
+    definitions = dict(knowledge.definitions)
+    for name in behind & definitions.keys():
+        node = definitions[name].node
+        if isinstance(node, Number) and is_per_minute(document.text, node.span[1]):
+            per_second = Product((node, Number(Fraction(1, 60))), span=node.span)
+            definitions[name] = replace(definitions[name], node=per_second)
+    if definitions == dict(knowledge.definitions):
+        return None
+    return decide(left, right, sign, replace(knowledge, definitions=definitions))
+
+
+def _between_numbers(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on a formula whose constant converts units, or on numbers put into a result."""
+    left, right = chain.sides[k], chain.sides[k + 1]
+    there = decide_between_numbers(left, right, chain.relations[k].sign, document, knowledge)
+    if there is None and puts_in_numbers(left, right, document, knowledge):
+        there = Decision(PROVED, UNITS_LEFT_OUT)
+    printed = with_printed_results(knowledge, document)
+    if there is not None or printed.definitions == knowledge.definitions:
+        return there
+    by_printed = decide(left, right, chain.relations[k].sign, printed)
+    return by_printed if by_printed.is_proved else in_units_left_out(chain, k, printed)
 
 
 def _in_unit_of_result(
@@ -107,18 +256,26 @@ def _in_unit_of_result(
 ) -> Decision | None:
     """Return the decision on 80/2 = 40 mm: numbers without units, computed in that of the result.
 
-    Of lengths in mm or cm, and of rpm only: 1800 kN for 1800 N is a slip that is made.
+    Of lengths in mm or cm, of rpm, and of units that are no power of ten, lb, psi or hp, in which nobody
+    has a result who computed in newtons: 1800 kN for 1800 N is a slip that is made.
     """
     left, right = chain.sides[k], chain.sides[k + 1]
-    if names(left.node) or names(right.node) or not isinstance(right.node, Product):
+    if names(left.node) or names(right.node) or not isinstance(right.node, Product | Number):
         return None
-    *rest, unit = right.node.factors
-    written = document.text[unit.span[0] : unit.span[1]]
     before = _NO_LETTERS.sub("", document.text[left.span[0] : left.span[1]])
-    is_usual = _SMALL_LENGTH.search(written) or scale_of(written.strip(" ~,.\\$")) == RPM
-    if _LETTER.search(before) or not is_usual or not rest:
+    if _LETTER.search(before):
         return None
-    bare = rest[0] if len(rest) == 1 else Product(tuple(rest))
+    bare = _number_of_odd_unit(right, document)
+    if bare is not None and _is_wrong_by_letters(chain, k, right, knowledge):
+        return None
+    if bare is None and isinstance(right.node, Product):
+        *rest, unit = right.node.factors
+        written = document.text[unit.span[0] : unit.span[1]]
+        is_usual = _SMALL_LENGTH.search(written) or scale_of(written.strip(" ~,.\\$")) == RPM
+        if is_usual and rest:
+            bare = rest[0] if len(rest) == 1 else Product(tuple(rest))
+    if bare is None:
+        return None
     there = decide(left, Side((bare,), right.span), chain.relations[k].sign, knowledge)
     return replace(there, assumptions=(*there.assumptions, "numbers in the unit of the result"))
 
@@ -171,6 +328,23 @@ def _in_unit_behind(chain: Chain, k: int, document: ReadNotes, knowledge: Knowle
     in_unit = tuple(Product((node, Number(scale[0]))) for node in right.readings)
     there = decide(left, replace(right, readings=in_unit), chain.relations[k].sign, knowledge)
     return replace(there, assumptions=(*there.assumptions, "numbers in the unit of the result"))
+
+
+def _number_of_odd_unit(side: Side, document: ReadNotes) -> Number | None:
+    """Return the number of a result in lb, psi or hp, None for other sides."""
+    quantity = quantity_of(side, document)
+    if quantity is None or is_power_of_ten(quantity.scale):
+        return None
+    return Number(quantity.value, 2 * quantity.half)
+
+
+def _is_wrong_by_letters(chain: Chain, k: int, right: Side, knowledge: Knowledge) -> bool:
+    """Tell whether a side with letters before, all of which have values, is another number."""
+    for side in reversed(chain.sides[:k]):
+        if names(side.node) and not isinstance(side.node, Name):
+            there = decide(side, right, "=", knowledge)
+            return there.status == REFUTED and there.left is not None and not letters(there.left)
+    return False
 
 
 # Factors of conversion: 109 hp · 0.7457 = 81.3 kW
@@ -250,12 +424,31 @@ def _replaced(node: Formula, old: Formula, new: Formula) -> Formula:
 
 def _of_weights(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
     """Return the decision on F = m a = 1345 lb, a force that is weighed in pounds."""
-    left, right = chain.sides[k], chain.sides[k + 1]
-    pounds = [part for part in walk(right.node) if part == Number(POUND)]
-    if not names(left.node) or names(right.node) or len(pounds) != 1:
+    return _as_force(chain.sides[k], chain.sides[k + 1], chain.relations[k].sign, document, knowledge)
+
+
+def _as_force(
+    left: Side, right: Side, sign: str, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision on a number of pounds as a force, None where none stand there."""
+    if names(right.node):
         return None
-    forced = Side((_replaced(right.node, pounds[0], Number(POUND_FORCE)),), right.span)
-    there = decide(left, forced, chain.relations[k].sign, knowledge)
+    quantity = quantity_of(right, document)
+    pounds = [part for part in walk(right.node) if part == Number(POUND)]
+    if not names(left.node):
+        kind = unit_of(quantity.unit) if quantity else None
+        of_force = [part for part in walk(left.node) if part == Number(POUND)]
+        if kind is None or (kind[0], kind[2]) != (1, -2) or len(of_force) != 1:
+            return None
+        left = Side((_replaced(left.node, of_force[0], Number(POUND_FORCE)),), left.span)
+        forced: Formula = right.node
+    elif quantity is not None and quantity.scale == POUND:
+        forced = Number(quantity.value * POUND_FORCE, 2 * quantity.half * POUND_FORCE)
+    elif len(pounds) == 1:
+        forced = _replaced(right.node, pounds[0], Number(POUND_FORCE))
+    else:
+        return None
+    there = decide(left, Side((forced,), right.span), sign, knowledge)
     return replace(there, assumptions=(*there.assumptions, "lb is a force"))
 
 

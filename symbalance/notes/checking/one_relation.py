@@ -7,6 +7,7 @@ from dataclasses import replace
 from symbalance.document.formula import Constant, Formula, Name, Number, names
 from symbalance.notes.checking.angle_equations import as_equation_for_angle
 from symbalance.notes.checking.appeals import appeal
+from symbalance.notes.checking.conversions import decide_conversion
 from symbalance.notes.checking.deciding.equality import Decision, decide_equality
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -19,12 +20,15 @@ from symbalance.notes.checking.engine_speeds import decide_speed
 from symbalance.notes.checking.given_numbers import number_given
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.letter_values import define_letter
+from symbalance.notes.checking.listed_values import decide_for_values
 from symbalance.notes.checking.mean_piston_speed import mean_piston_speed
 from symbalance.notes.checking.numbers_in_units import decide_after_units_left_out
 from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.solutions import solution_below
 from symbalance.notes.checking.solved_below import as_proved_solution, as_solved
+from symbalance.notes.checking.solved_waves import decide_solved_wave
+from symbalance.notes.checking.speeds_as_numbers import put_in_for_angular_speed, wrong_as_quantity
 from symbalance.notes.checking.stated_matrices import no_relation_of_matrices
 from symbalance.notes.checking.steps_by_premises import unless_given
 from symbalance.notes.checking.verdicts import (
@@ -61,13 +65,25 @@ def judge_relation(
         return Decision(UNDECIDED, reason)
     definition = _demanded(relation) or as_equation_for_angle(state, chain, k, knowledge)
     definition = definition or as_proved_solution(state, chain, k)
+    definition = definition or decide_solved_wave(state, chain, k, knowledge)
     definition = definition or _define(state, chain, k, knowledge)
+    definition = definition or decide_for_values(state.document, chain, k, knowledge)
     wrong = None if k else state.wrong_angles.get(chain.sides[0].span[0])
     definition = wrong or definition
     if definition is not None:
         return _as_meant(state, chain, k, definition, knowledge)
+    return _slip_of_units(state, chain, k, knowledge) or _judge_step(
+        state, chain, k, sound, bad, knowledge
+    )
+
+
+def _judge_step(
+    state: JudgingState, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
+) -> Verdict | Decision:
+    """Return the verdict on a relation that is no definition, as a step or as what is given."""
+    left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
     decision, against = _decide_step(state, chain, k, sound, bad, knowledge)
-    decision = _with_signs(state, left, right, relation.sign, decision, knowledge)
+    decision = _with_signs(state, left, right, sign, decision, knowledge)
     if decision.status in (REFUTED, UNDECIDED):
         below = None if k else solution_below(state.sections, chain, knowledge)
         solved = as_solved(state, chain, below, knowledge)
@@ -75,9 +91,19 @@ def judge_relation(
     if decision.status in STATED or decision.status == CONTRADICTION:
         return decision
     decision = appeal(state, chain, k, against, decision, knowledge)
+    if decision.is_proved and (by_quantity := wrong_as_quantity(chain, k, state.document, knowledge)):
+        return by_quantity
     return add_fix_of_relation(
         state, describe(state.document, chain, k, decision), chain, k, against, decision, knowledge
     )
+
+
+def _slip_of_units(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the refutation of a datum converted wrongly, or of a speed per minute as an angular one."""
+    converted = decide_conversion(chain, k, state.document)
+    if converted is not None and converted.status == REFUTED:
+        return converted
+    return put_in_for_angular_speed(chain, k, knowledge, state.speeds)
 
 
 def _meant_as_number(left: Formula, right: Formula, knowledge: Knowledge) -> str:

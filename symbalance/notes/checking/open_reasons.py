@@ -48,7 +48,12 @@ def unless_open(
         reason = f"may rest on line {state.not_judged[unknown[0]]}, which was not judged"
     elif condition is not None:
         reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
-    elif chain.relations[k].sign == "≈" and free & letters_here and len(letters_here) > 1:
+    elif (
+        chain.relations[k].sign == "≈"
+        and free & letters_here
+        and len(letters_here) > 1
+        and not letters_here & knowledge.small
+    ):
         refutation = refuted_in_small_letter(chain, k, knowledge)
         letter = _one_sided_letter(state, decision, line, knowledge) if refutation else ""
         if refutation is not None and not letter:
@@ -76,7 +81,8 @@ def _one_sided_letter(state: JudgingState, decision: Decision, line: int, knowle
         return ""
     free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
     for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
-        if name in free and not knowledge.knows(name):
+        is_open = name in free and name not in {*state.general, *decision.left.domain.integer}
+        if is_open and not knowledge.knows(name):
             return f"{plain_text(Name(name))} is not declared and"
         if "/d" in name:  # the derivative of what no line defines
             return name
@@ -135,6 +141,8 @@ def _count_without_meaning(
     }
     declared = state.declarations.symbols_at(chain.lines[0])
     for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
+        if name in state.general:
+            continue
         if name in below and name not in declared and not knowledge.knows(name):
             text = plain_text(Name(name))
             return f"{text} stands on one side only: declare what it means"

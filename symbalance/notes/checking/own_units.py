@@ -7,6 +7,7 @@ so a letter that is no angular speed is taken as the formulas of its own page us
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
@@ -27,6 +28,13 @@ from symbalance.document.formula import (
 from symbalance.notes.checking.symbol_roles import role_of
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
+BETWEEN = r"(?:\s|[~$]|\\[,;: ]|\\(?:mathrm|text|textrm|unit|si)\s*\{|\}\{|</?[a-z]+>|&nbsp;){0,5}"
+PER_MINUTE = (
+    r"(?:rpm|r\.\s?p\.\s?m|(?:rev(?:olution)?s?|turns|tr|U|Umdr?\.?|Umdrehungen|1|tours)\s?(?:/|per|pro|par)\s?"
+    r"[Mm]in|min\s*\}?\s*(?:\^\s*\{?\s*[-−]\s*1|⁻¹|<sup>\s*[-−]\s*1)|\\rpm|\\per\\minute|回転)"
+)
+"""The unit of revolutions per minute, and what stands between it and its number."""
+_UNIT_BEHIND = re.compile(BETWEEN + PER_MINUTE)
 ROLE = "engine speed rpm"
 ANGULAR = "angular speed"
 _ANGULAR_LETTERS = ("omega", "Omega")
@@ -53,6 +61,15 @@ def with_speeds(document: ReadNotes, symbols_at: Symbols) -> ReadNotes:
         for side in chain.sides[1:]
         if isinstance(chain.sides[0].node, Name) and not _BY_NUMBER.isdisjoint(_factors_above(side.node))
     }
+    stems = {_stem(name) for name in numbers if _stem(name) not in _ANGULAR_LETTERS}
+    speeds = {
+        chain.sides[0].node.name
+        for chain in document.chains
+        if isinstance(chain.sides[0].node, Name) and any(map(_has_unit, chain.sides[1:]))
+    }
+    numbers |= {
+        name for name in speeds if _stem(name) in stems
+    }  # n_max beside n_m counts what that counts
     chains = (_chain(chain, symbols_at(chain.lines[0]), numbers, document) for chain in document.chains)
     return replace(document, chains=tuple(chains))
 
@@ -72,10 +89,27 @@ def _chain(chain: Chain, symbols: Mapping[str, str], numbers: set[str], document
             return node
         if _is_quantity(node) and is_speed:
             return _without_unit(node, as_number)
+        if not _BY_NUMBER.isdisjoint(_divisors(node)):
+            return _without_units(node)
         return _in_product(node, document)
 
     sides = (replace(side, readings=tuple(map(at_home, side.readings))) for side in chain.sides)
     return replace(chain, sides=tuple(sides))
+
+
+def _stem(name: str) -> str:
+    """Return a letter without its subscript and strokes: n of n_max."""
+    return name.partition("_")[0].rstrip("'0123456789")
+
+
+def is_per_minute(text: str, place: int) -> bool:
+    """Tell whether a unit of revolutions per minute stands at a place, behind a number."""
+    return _UNIT_BEHIND.match(text, place) is not None
+
+
+def divides_by_minute(node: Formula) -> bool:
+    """Tell whether a formula has the 60 or 30 that a number of revolutions per minute is divided by."""
+    return not _BY_NUMBER.isdisjoint(_typed_numbers(node))
 
 
 def is_angular_speed(name: str, symbols: Mapping[str, str]) -> bool:
@@ -109,6 +143,22 @@ def _in_product(node: Formula, document: ReadNotes, with_pi: bool = False) -> Fo
     if isinstance(node, Product):
         with_pi = with_pi or any(isinstance(part, Constant) and part.name == "pi" for part in parts)
     return with_children(node, tuple(_in_product(part, document, with_pi) for part in parts))
+
+
+def _divisors(node: Formula) -> set[Formula]:
+    """Return the factors that anything in a formula is divided by: 60 of 4000 rpm · 2π/60."""
+    if isinstance(node, Quotient) and not _is_unit(node):
+        return _factors_above(node.denominator) | _divisors(node.numerator)
+    return {divisor for part in children(node) for divisor in _divisors(part)}
+
+
+def _without_units(node: Formula) -> Formula:
+    """Return a formula whose speeds are the numbers typed."""
+    if isinstance(node, Product):
+        factors = tuple(_without_units(part) for part in node.factors if not _is_unit(part))
+        return factors[0] if len(factors) == 1 else replace(node, factors=factors)
+    parts = children(node)
+    return with_children(node, tuple(map(_without_units, parts))) if parts else node
 
 
 def _has_unit(side: Side) -> bool:

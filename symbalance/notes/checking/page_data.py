@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from symbalance.document.formula import Constant, Formula, Name, Number, Product, Quotient, Span, names
+from symbalance.notes.checking.indexed_data import instances_of_rules, rows_of_values, tables_of_values
 from symbalance.notes.checking.symbol_roles import role_of
 from symbalance.notes.reading import ReadingError, canonical_name
 from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side
@@ -49,14 +50,14 @@ _VALUE = re.compile(
 )
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−", "0123456789--")
 _GROUPED = re.compile(r"[1-9][0-9]{0,2}(?:[,.  ][0-9]{3})+")
-_RULE = re.compile(r"\s*\|?[\s:|-]*-[\s:|-]*\|?\s*$|\s*\\(?:hline|toprule|midrule|bottomrule|cline)\b.*")
+_RULE = re.compile(r"(?=[\s:|]*+-)[\s:|-]++$|\s*\\(?:hline|toprule|midrule|bottomrule|cline)\b.*")
 _HTML_ROW = re.compile(r"<tr\b[^>]*>(?P<row>.*?)(?=</tr>|<tr\b|</table>)", re.IGNORECASE | re.DOTALL)
 _HTML_CELL = re.compile(r"<t[dh]\b[^>]*>(.*?)(?=</t[dh]>|<t[dh]\b|\Z)", re.IGNORECASE | re.DOTALL)
 _HTML_TABLE = re.compile(r"<table\b.*?</table>", re.IGNORECASE | re.DOTALL)
 _TABULAR = re.compile(r"\\begin\{(tabular[xy*]?|array|longtable)\}(?P<rows>.*?)\\end\{\1\}", re.DOTALL)
 _WIKI_TABLE = re.compile(r"^\{\|.*?^\|\}", re.MULTILINE | re.DOTALL)
 _ITEM = re.compile(
-    r"^\s*(?:[-*+•]|[0-9]{1,2}[.)]|\\item)\s+(?P<letter>[^\n:=]{1,60}?)\s*[:：]\s+(?P<value>[^\n=]{1,40}?)[.;,]?$",
+    r"^[^\S\n]*+(?:[-*+•]|[0-9]{1,2}[.)]|\\item)\s+(?P<letter>[^\n:=]{1,60}?)\s*[:：]\s+(?P<value>[^\n=]{1,40}?)[.;,]?$",
     re.MULTILINE,
 )
 _FENCED = re.compile(
@@ -86,7 +87,14 @@ def data_of(notes: ReadNotes, symbols_at: Symbols) -> tuple[Chain, ...]:
     """Return the data of a page as chains of a letter and its value, in the order of their lines."""
     used = {name for chain in notes.chains for side in chain.sides for name in names(side.node)}
     reader = _Reader(notes, used, symbols_at)
-    chains = [*reader.of_tables(), *reader.of_items(), *reader.of_code()]
+    chains = [
+        *reader.of_tables(),
+        *reader.of_items(),
+        *reader.of_code(),
+        *rows_of_values(notes, used),
+        *instances_of_rules(notes, used),
+        *tables_of_values(notes, list(_tables(notes.text)), used),
+    ]
     return tuple(sorted(chains, key=lambda chain: chain.sides[0].span))
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Name, PlusMinus, names, walk
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.branches import with_sign
 from symbalance.notes.checking.deciding.equality import PROVED, UNDECIDED, Decision
@@ -23,6 +24,7 @@ from symbalance.notes.checking.premises import (
     related,
 )
 from symbalance.notes.checking.verdicts import CONTRADICTION, PREMISE
+from symbalance.notes.checking.whole_degrees import decide_to_the_degree
 from symbalance.notes.reading.equations import Chain
 
 
@@ -32,8 +34,25 @@ def decide_by_premises(
     """Return what earlier premises say of a statement; None where they say nothing.
 
     It follows from them, it contradicts them, or it is one of several solutions. Of matrices they say
-    nothing: they are solved as numbers are, whose products commute.
+    nothing: they are solved as numbers are, whose products commute. An angle in whole degrees is one to
+    the degree: after tan α = 4 it is 76°.
     """
+    decision = _decide_exactly(definitions, statement, knowledge)
+    if decision is None or decision.status != CONTRADICTION:
+        return decision
+    premises = related(
+        definitions.premises_at(statement.line),
+        [statement.left, statement.right],
+        knowledge,
+        rounded=True,
+    )
+    return decide_to_the_degree(premises, statement, knowledge) or decision
+
+
+def _decide_exactly(
+    definitions: Definitions, statement: Premise, knowledge: Knowledge
+) -> Decision | None:
+    """Return what earlier premises say of a statement as it stands."""
     nodes = [statement.left, statement.right]
     if any(isinstance(part, PlusMinus) for node in nodes for part in walk(node)):
         return _decide_both_signs(definitions, statement, knowledge)
@@ -45,6 +64,8 @@ def decide_by_premises(
         return None  # said where the last of them stands
     after = eliminate([*premises, statement], knowledge, rounded=True)
     refusal = _refusal_by(premises, before, after, statement)
+    if refusal is not None and refusal.status == CONTRADICTION:
+        refusal = _with_right_value(refusal, before, statement, knowledge)
     return refusal or _support_by(premises, before, after, statement, knowledge)
 
 
@@ -84,6 +105,21 @@ def _refusal_by(
         reason = f"with {lines_of(premises)} it is true only for {plain_text(Name(zero[0]))} = 0"
         return Decision(UNDECIDED, reason)
     return None
+
+
+def _with_right_value(
+    refusal: Decision, before: Elimination, statement: Premise, knowledge: Knowledge
+) -> Decision:
+    """Return a contradiction of a letter's value with the value that the premises give the letter."""
+    value = before.values.get(statement.left.name) if isinstance(statement.left, Name) else None
+    if value is None:
+        return refusal
+    evaluator = knowledge.evaluator(list(knowledge.levels(value))[-1])
+    try:
+        right_one, claimed = evaluator.form(value), evaluator.form(statement.right)
+    except (NoFormError, TooLargeError):
+        return refusal
+    return refusal if letters(right_one) else replace(refusal, left=right_one, right=claimed)
 
 
 def _support_by(

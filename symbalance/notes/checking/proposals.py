@@ -287,13 +287,19 @@ class _Roles:
                 (_distance(line, role, place), place[0] < role.start, place, role, letter)
                 for place, letter in places
                 for role in found
-                if role.may_name(letter) and _gap_is_naming(line, role.start, role.end, *place)
+                if role.may_name(letter)
+                and _gap_is_naming(line, role.start, role.end, *place)
+                and not (role.role == RATIO and _is_in_quotient(line, *place))
             ]
             spent: set[object] = set()
             for _, _, place, role, letter in sorted(pairs, key=lambda pair: pair[:3]):
                 if role not in spent and (letter, number) not in spent and not _is_asked(line, role):
                     spent |= {role, (letter, number)}
-                    meaning = self._convention(letter, role.phrase) if role.role == RATIO else role.role
+                    meaning = (
+                        self._convention(letter, role.phrase, line[role.end :])
+                        if role.role == RATIO
+                        else role.role
+                    )
                     words = _quotation(line, role.start, role.end)
                     self._add(letter, meaning, number, words)
                     if role.role in UNITS and place[0] >= role.end:
@@ -414,8 +420,12 @@ class _Roles:
         usual = {"r": "r", "R": "r", "l": "l", "L": "l", "s": "s", "S": "s"}
         return (said or [usual.get(letter, "?")])[0]
 
-    def _convention(self, letter: str, phrase: str) -> str:
-        """Return which ratio is meant by a "rod ratio": as a formula says, else as is usual."""
+    def _convention(self, letter: str, phrase: str, behind: str) -> str:
+        """Return which ratio is meant by a "rod ratio": as what stands behind says, or a formula."""
+        if quotient := _QUOTIENT_BEHIND.match(behind):
+            named = f"{self._length(quotient[1])}/{self._length(quotient[2])}"
+            if named in CONVENTIONS:
+                return CONVENTIONS[named]
         ratio = self._ratio_written(letter)
         if ratio and ratio[0] in CONVENTIONS:
             return CONVENTIONS[ratio[0]]
@@ -544,6 +554,18 @@ def _distance(line: str, role: NamedRole, place: tuple[int, int]) -> int:
     before = place[1] <= role.start
     gap = line[place[1] : role.start] if before else line[role.end : place[0]]
     return 2 * len(gap) - (1 if gap.strip()[:1] in (":", "=", "は", "を", "：") else 0)
+
+
+_QUOTIENT_BEHIND = re.compile(
+    r"[\s$(,:=]{0,6}(?:\\lambda\s*=\s*|λ\s*=\s*)?(?:\\[td]?frac\s*\{\s*)?([A-Za-z])\s*(?:/|\}\s*\{)\s*([A-Za-z])(?![A-Za-z])"
+)
+
+
+def _is_in_quotient(line: str, first: int, last: int) -> bool:
+    """Tell whether a letter is a part of r/l: "the crank ratio r/l" names neither r nor l."""
+    return re.match(r"\s*/\s*[^\W\d]", line[last:]) is not None or (
+        re.search(r"[^\W\d](?:_\w)?\s*/\s*$", line[:first]) is not None
+    )
 
 
 def _is_asked(line: str, role: NamedRole) -> bool:

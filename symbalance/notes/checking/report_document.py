@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 from symbalance.document.fitting import plain_words
 from symbalance.document.formula import Equation, Formula, Name
@@ -85,12 +86,21 @@ def report_document(checked: Checked) -> Document:
     """Return the counts, every verdict in line order, then what the verdicts mean."""
     sides = sides_by_span(checked.derivation)
     text = checked.derivation.text
-    lines = tuple(_line(verdict, sides, text) for verdict in checked.verdicts)
+    lines = tuple(_line(verdict, sides, text) for verdict in _with_notes_once(checked.verdicts))
     remarks = tuple(map(Paragraph, checked.remarks))
     title, lead = page_title(checked.derivation.name), summary(checked)
     if not lines:
         return Document(title, remarks, lead)
     return Document(title, (*remarks, Source(lines), legend(checked.verdicts)), lead)
+
+
+def _with_notes_once(verdicts: tuple[Verdict, ...]) -> Iterator[Verdict]:
+    """Yield verdicts of which each note stands where it comes first: "F1 read as F_1"."""
+    above: set[str] = set()
+    for verdict in verdicts:
+        notes = tuple(note for note in verdict.notes if note not in above)
+        above.update(notes)
+        yield verdict if notes == verdict.notes else replace(verdict, notes=notes)
 
 
 def verdict_document(verdict: Verdict) -> Document:

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_left, bisect_right
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import accumulate
 
 from symbalance.document.formula import Constant, Name, Number, walk
 from symbalance.document.letters import is_greek
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking import case_words
 from symbalance.notes.checking.items import item_end
+from symbalance.notes.checking.value_groups import in_next_groups
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _HEADING = re.compile(
@@ -128,6 +131,8 @@ _DEAD_CENTRE = re.compile(
     rf"(?i:(?P<top>{_TOP})|(?P<bottom>{_BOTTOM}|(?:im|at\s+the|am)\s+(?:unteren|outer|lower|bottom)))"
     rf"|(?P<short_top>{_SHORT_TOP})|(?P<short_bottom>{_SHORT_BOTTOM})"
 )
+_THERE = re.compile(r"[\s$)\]}\\,]{0,6}(?:there|here|dort|hier)(?![A-Za-zäöüß])")
+"""Words behind a relation by which it is meant at the place that its section named last."""
 _OPENING = " \t\n$\\([{&"
 """What stands between a word and the formula that it introduces."""
 LONGEST_SENTENCE = 160
@@ -157,17 +162,71 @@ class Sections:
         ]
         return sorted({*marked, *underlined})
 
+    @cached_property
+    def _paragraphs(self) -> list[tuple[int, int]]:
+        """The first and the last line of the paragraph of each line, from 1."""
+        starts, ends = [1], [len(self._lines)]
+        breaks = [self._is_break(line) for line in range(1, len(self._lines))]
+        for line, is_break in enumerate(breaks, 2):
+            is_first = is_break or not self._lines[line - 2].strip()
+            starts.append(line if is_first else starts[-1])
+        for line in range(len(breaks), 0, -1):
+            ends.append(line if breaks[line - 1] else ends[-1])
+        return list(zip(starts, reversed(ends), strict=True))
+
+    @cached_property
+    def _chain_ends(self) -> list[int]:
+        """The places behind the relations, in their order in the text."""
+        return sorted(chain.end for chain in self.document.chains)
+
+    @cached_property
+    def _by_start(self) -> tuple[list[int], list[Chain]]:
+        """The relations by where their first side begins, in the order of the text."""
+        chains = sorted(self.document.chains, key=lambda chain: chain.sides[0].span[0])
+        return [chain.sides[0].span[0] for chain in chains], chains
+
+    @cached_property
+    def _by_line(self) -> dict[int, list[Chain]]:
+        """The relations that begin on each line."""
+        chains: dict[int, list[Chain]] = {}
+        for chain in self.document.chains:
+            chains.setdefault(chain.lines[0], []).append(chain)
+        return chains
+
+    @cached_property
+    def _next_groups(self) -> dict[int, set[int]]:
+        """Where the relations of each line begin that take up the letters of a group before them."""
+        text = self.document.text
+        return {
+            line: {c.sides[0].span[0] for c in in_next_groups(text, chains)}
+            for line, chains in self._by_line.items()
+        }
+
+    def is_in_next_group(self, chain: Chain) -> bool:
+        """Tell whether a relation stands in a group of values behind another of the same letters."""
+        return chain.sides[0].span[0] in self._next_groups.get(chain.lines[0], ())
+
+    @cached_property
+    def _line_starts(self) -> list[int]:
+        """The place of each line's first character."""
+        return [0, *accumulate(len(line) + 1 for line in self._lines)]
+
+    @cached_property
+    def _engines(self) -> case_words.Mentions:
+        return case_words.Mentions(case_words.ENGINE, self.document.text)
+
+    @cached_property
+    def _problems(self) -> case_words.Mentions:
+        return case_words.Mentions(case_words.PROBLEM, self.document.text)
+
     def section_end(self, line: int) -> int:
         """Return the last line of the section that a line stands in."""
-        after = [heading for heading in self._headings if heading > line]
-        return after[0] - 1 if after else len(self._lines)
+        place = bisect_right(self._headings, line)
+        return self._headings[place] - 1 if place < len(self._headings) else len(self._lines)
 
     def paragraph_end(self, line: int) -> int:
         """Return the last line of the paragraph that a line stands in."""
-        for k in range(line, len(self._lines)):
-            if self._is_break(k):
-                return k
-        return len(self._lines)
+        return self._paragraphs[line - 1][1]
 
     def _is_break(self, line: int) -> bool:
         """Tell whether a paragraph ends with a line: before a blank one, at an edge of an HTML block."""
@@ -176,7 +235,7 @@ class Sections:
 
     def is_in_brackets(self, chain: Chain) -> bool:
         """Tell whether a relation stands in brackets, as the condition of a formula: = 0 (N ≥ 2)."""
-        start, end = chain.sides[0].span[0], max(side.span[1] for side in chain.sides)
+        start, end = chain.sides[0].span[0], chain.end
         before, after = self.document.text[:start].rstrip(" $"), self.document.text[end:].lstrip(" $")
         return before[-1:] == "(" and after[:1] == ")"
 
@@ -204,12 +263,12 @@ class Sections:
         first = self._lines[self.paragraph_start(line) - 1]
         if (chain.inline and _CAPTION.match(first)) or _IN_BRACKETS.match(first):
             return self.paragraph_end(line)
-        start = min(side.span[0] for side in chain.sides)
+        start = chain.start
         before = self.document.text[max(0, start - LONGEST_INTRODUCTION) : start]
         before = re.split(r"\n\s*\n", before)[-1].rstrip(" \t\n$\\([")
         if not chain.inline:
             return None
-        end = max(side.span[1] for side in chain.sides)
+        end = chain.end
         is_case = _CASE_BEHIND.match(self.document.text, end) or _INTRODUCTION.search(before + " ")
         if is_case and is_number and _is_place(chain):
             if self.document.text[end : end + 4].lstrip(" $)").startswith(":"):
@@ -228,24 +287,25 @@ class Sections:
         False where they say that it follows or is the same, or there are none; None where they may mean
         either.
         """
-        start = min(side.span[0] for side in chain.sides)
+        start = chain.start
         row = self._lines[chain.lines[0] - 1]
-        if _ROW_OR_ITEM.match(row):
-            return True
         text = self.document.text
+        if _ROW_OR_ITEM.match(row) or self.is_in_next_group(chain):
+            return True
         before = [
             other
-            for other in self.document.chains
-            if other.lines[0] == earlier_line and other is not chain and _end(other) <= start
+            for other in self._by_line.get(earlier_line, ())
+            if other is not chain and other.end <= start
         ]
         givers = [other for other in before if _gives(other, name)]
-        end = max(map(_end, givers or before), default=None)
+        end = max((other.end for other in givers or before), default=None)
         if end is None:
             return True  # taken before what stands left of it: x² = 4 for x = 2
         between = list(text[end:start])
-        for other in self.document.chains:
+        starts, chains = self._by_start
+        for other in chains[bisect_left(starts, end) : bisect_right(starts, start)]:
             first, last = other.sides[0].span[0], other.sides[-1].span[1]
-            if end <= first and last <= start:
+            if last <= start:
                 between[first - end : last - end] = " " * (last - first)
         words = "".join(between).replace("$", " ").strip(_OPENING)
         if self.is_consequence(chain):
@@ -259,8 +319,8 @@ class Sections:
 
     def opens_case(self, chain: Chain) -> bool:
         """Tell whether a relation is introduced as a case, which the next one ends: for x > 0."""
-        start = min(side.span[0] for side in chain.sides)
-        return chain.inline and case_words.opens_case(self.document.text, start, _end(chain))
+        start = chain.start
+        return chain.inline and case_words.opens_case(self.document.text, start, chain.end)
 
     def spoken_of_generally(
         self, chain: Chain, letters: dict[str, bool], *, named: bool = False
@@ -269,8 +329,10 @@ class Sections:
 
         With `named`, those only that the words name: for every x, and not "in general".
         """
-        start = min(side.span[0] for side in chain.sides)
-        first = max([case_words.clause_start(self.document.text, start), *self._ends_before(start)])
+        if case_words.is_said_of_all_behind(self.document.text, chain.end):
+            return frozenset(letters)
+        start = chain.start
+        first = max(case_words.clause_start(self.document.text, start), self._end_before(start) or 0)
         before = self.document.text[first:start]
         written = {formula_text(Name(name), plain=True): is_angle for name, is_angle in letters.items()}
         written |= letters | {f"\\{name}": is_angle for name, is_angle in letters.items()}
@@ -278,22 +340,27 @@ class Sections:
         own = {name: {name, f"\\{name}", formula_text(Name(name), plain=True)} for name in letters}
         return frozenset(name for name, ways in own.items() if ways & spoken)
 
-    def _ends_before(self, start: int) -> list[int]:
-        return [end for other in self.document.chains if (end := _end(other)) <= start]
+    def _end_before(self, start: int) -> int | None:
+        """Return where the last relation ends that stands before a place, None where there is none."""
+        place = bisect_right(self._chain_ends, start)
+        return self._chain_ends[place - 1] if place else None
 
     def stands_in_clause(self, position: int, chain: Chain) -> bool:
         """Tell whether a place in the text is in the clause that a relation stands in."""
-        start = min(side.span[0] for side in chain.sides)
+        start = chain.start
         return position >= case_words.clause_start(self.document.text, start)
 
     def is_of_another_engine(self, chain: Chain, earlier_line: int) -> bool:
         """Tell whether another engine, or another exercise, was named since a line."""
-        start = min(side.span[0] for side in chain.sides)
+        start = chain.start
         earlier = self._start_of_line(earlier_line)
-        givers = [o.sides[0].span[0] for o in self.document.chains if o.lines[0] == earlier_line]
-        earlier = max([earlier, *(first for first in givers if first < start)])
+        starts = self._by_start[0]
+        place = bisect_left(starts, min(start, self._start_of_line(earlier_line + 1)))
+        earlier = max(earlier, starts[place - 1] if place else 0)  # where the last one on its line begins
         text = self.document.text
-        before, now = case_words.engine_named(text, earlier), case_words.engine_named(text, start)
+        before, now = (
+            case_words.engine_of(self._engines.last_before(place)) for place in (earlier, start)
+        )
         if before is not None and now is not None:
             is_other = before[0] != now[0] or bool(before[1] and now[1] and before[1] != now[1])
             if is_other:
@@ -301,23 +368,26 @@ class Sections:
         own_engine = case_words.engine_named(text[case_words.clause_start(text, start) : start], start)
         if before is None and own_engine is not None and own_engine[0] > 1:
             return True  # of one cylinder above, and here its own clause says: for an inline four
-        problems = case_words.problem_named(text, earlier), case_words.problem_named(text, start)
-        return not self.same_section(earlier_line, chain.lines[0]) and problems[0] != problems[1] != ""
+        if self.same_section(earlier_line, chain.lines[0]):
+            return False
+        mentions = [self._problems.last_before(place) for place in (earlier, start)]
+        problems = ["" if mention is None else mention[1] for mention in mentions]
+        return problems[0] != problems[1] != ""
 
     def _start_of_line(self, line: int) -> int:
-        return sum(len(text) + 1 for text in self._lines[: line - 1])
+        return self._line_starts[line - 1]
 
     def follows_at_once(self, chain: Chain) -> bool:
         """Tell whether nothing but words such as "hence" stands behind the relation before."""
-        start = min(side.span[0] for side in chain.sides)
-        ends = self._ends_before(start)
-        return bool(ends) and _LINK.fullmatch(self._words_between(max(ends), start)) is not None
+        start = chain.start
+        end = self._end_before(start)
+        return end is not None and _LINK.fullmatch(self._words_between(end, start)) is not None
 
     def is_one_of_several(self, chain: Chain) -> bool:
         """Tell whether a relation stands beside an "or": x = 0 or x = 1."""
-        text, start = self.document.text, min(side.span[0] for side in chain.sides)
+        text, start = self.document.text, chain.start
         before = text[max(0, start - 20) : start].rstrip(_OPENING)
-        return bool(_OR_BEHIND.match(text, _end(chain)) or _OR_BEFORE.search(before))
+        return bool(_OR_BEHIND.match(text, chain.end) or _OR_BEFORE.search(before))
 
     def is_equivalence(self, chain: Chain) -> bool:
         """Tell whether a relation is said to be equivalent to the one before it: ⇔, if and only if."""
@@ -328,9 +398,9 @@ class Sections:
         return _CONVERSE.fullmatch(self._between(chain)) is not None
 
     def _between(self, chain: Chain) -> str:
-        start = min(side.span[0] for side in chain.sides)
-        ends = self._ends_before(start)
-        return self.document.text[max(ends) : start].strip(" \t\n$}") if ends else ""
+        start = chain.start
+        end = self._end_before(start)
+        return "" if end is None else self.document.text[end:start].strip(" \t\n$}")
 
     def _words_between(self, end: int, start: int) -> str:
         text = self.document.text[end:start].replace("$", " ")
@@ -338,40 +408,50 @@ class Sections:
 
     def is_denied(self, chain: Chain) -> bool:
         """Tell whether a relation stands behind a "not", or as what is left out: besides ω = 0."""
-        start, end = min(side.span[0] for side in chain.sides), _end(chain)
+        start, end = chain.start, chain.end
         before = self.document.text[max(0, start - LONGEST_INTRODUCTION) : start]
         return bool(_DENIED.search(before) or _EXCEPT_BEHIND.match(self.document.text, end))
 
     def is_supposed(self, chain: Chain) -> bool:
         """Tell whether a relation is in the mood of what is not so: it would be, es wäre."""
-        start = min(side.span[0] for side in chain.sides)
+        start = chain.start
         text = self.document.text
         return _SUPPOSED.search(text[case_words.clause_start(text, start) : start]) is not None
 
     def stands_next(self, chain: Chain, line: int) -> bool:
         """Tell whether no other relation stands between a line and a relation below it."""
-        start = min(side.span[0] for side in chain.sides)
-        return not any(
-            line < other.lines[0] and other.sides[0].span[0] < start for other in self.document.chains
-        )
+        start = chain.start
+        starts, chains = self._by_start
+        first = bisect_left(starts, self._start_of_line(line + 1))
+        return not any(line < other.lines[0] for other in chains[first : bisect_left(starts, start)])
 
     def is_condition(self, chain: Chain) -> bool:
         """Tell whether a relation is introduced as an equation to be solved: where, condition, set."""
-        if _WHEN_BEHIND.match(self.document.text, _end(chain)):
+        if _WHEN_BEHIND.match(self.document.text, chain.end):
             return True
         return _CONDITION.search(_ASIDE.sub(" ", self._text_before(chain))) is not None
 
     def dead_centre(self, chain: Chain) -> bool | None:
         """Return whether a relation's sentence names bottom dead centre, False for top, else None."""
-        start = min(side.span[0] for side in chain.sides)
+        start = chain.start
         before = re.split(
             r"[.;!?。]\s|\n\s*\n", self.document.text[max(0, start - LONGEST_SENTENCE) : start]
         )[-1]
-        return dead_centre_named(before)
+        named = dead_centre_named(before)
+        if named is not None or _THERE.match(self.document.text, chain.end) is None:
+            return named
+        return dead_centre_named(self._section_before(chain))
+
+    def _section_before(self, chain: Chain) -> str:
+        """Return the text of a relation's section before it, with its heading."""
+        line = chain.lines[0]
+        first = max((heading for heading in self._headings if heading <= line), default=1)
+        start = min(side.span[0] for side in chain.sides)
+        return self.document.text[self._start_of_line(first) : start]
 
     def _text_before(self, chain: Chain) -> str:
         """Return the words before a relation, without the marks that begin and end displays."""
-        start = min(side.span[0] for side in chain.sides)
+        start = chain.start
         before = self.document.text[max(0, start - LONGEST_INTRODUCTION) : start]
         return _DISPLAY.sub(".", _DISPLAY_LAST.sub("", before.rstrip(_OPENING))).rstrip(_OPENING)
 
@@ -381,10 +461,7 @@ class Sections:
 
     def paragraph_start(self, line: int) -> int:
         """Return the first line of the paragraph that a line stands in."""
-        first = line
-        while first > 1 and self._lines[first - 2].strip() and not self._is_break(first - 1):
-            first -= 1
-        return first
+        return self._paragraphs[line - 1][0]
 
 
 def dead_centre_named(words: str) -> bool | None:
@@ -395,10 +472,6 @@ def dead_centre_named(words: str) -> bool | None:
     """
     matches = list(_DEAD_CENTRE.finditer(words))
     return None if not matches else bool((matches[-1].lastgroup or "").endswith("bottom"))
-
-
-def _end(chain: Chain) -> int:
-    return max(side.span[1] for side in chain.sides)
 
 
 def _is_place(chain: Chain) -> bool:

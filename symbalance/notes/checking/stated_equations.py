@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from symbalance.document.formula import Name, names
+from symbalance.document.formula import Formula, Name, names
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking import constraints
 from symbalance.notes.checking.constraints import Constraint
-from symbalance.notes.checking.deciding.cases import decide_case, decide_with_ratio
-from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.deciding.cases import NUMBERS_PUT_IN, decide_case, decide_with_ratio
+from symbalance.notes.checking.deciding.equality import Decision, decide_equality
 from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.numbers_put_in import paired
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.equations_to_solve import is_to_be_solved
@@ -109,8 +110,42 @@ def _note_statement(
     state: JudgingState, chain: Chain, k: int, case: Decision, knowledge: Knowledge
 ) -> Decision:
     """Return the decision on a relation that is taken as given, after noting it."""
+    if case.reason.startswith(NUMBERS_PUT_IN) and (numbers := _numbers_of_letters(chain, k, knowledge)):
+        for name, number in numbers.items():
+            state.definitions.define(name, number, chain)
+        return case
     by_premises = decide_by_premises(state.definitions, state.definitions.premise_of(chain, k), knowledge)
     if by_premises is not None and by_premises.status != PREMISE:
         return by_premises
     state.definitions.note_premise(chain, k, angles=knowledge.angles)
     return case
+
+
+def _numbers_of_letters(chain: Chain, k: int, knowledge: Knowledge) -> dict[str, Formula]:
+    """Return the letters without values that an arithmetic gives numbers: M of M ω = 23.5·151.8.
+
+    None where no other letter has the number put in for it: the units are not sure then.
+    """
+    numbers: dict[str, Formula] = {}
+    is_sure = False
+    for part, number in paired(chain.sides[k].node, chain.sides[k + 1].node) or ():
+        if decide_equality(part, number, knowledge).is_proved or _is_printed(part, number, knowledge):
+            is_sure = True
+        elif isinstance(part, Name) and not _has_value(part.name, knowledge):
+            numbers[part.name] = number
+        else:
+            return {}
+    return numbers if is_sure else {}
+
+
+def _is_printed(part: Formula, number: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a number is what a letter's own line prints for it: a = r ω²(1 + λ) = 29403."""
+    definition = knowledge.definitions.get(part.name) if isinstance(part, Name) else None
+    rounded = None if definition is None else definition.rounded
+    return rounded is not None and decide_equality(rounded, number, knowledge).is_proved
+
+
+def _has_value(name: str, knowledge: Knowledge) -> bool:
+    return (
+        name in knowledge.definitions or name in knowledge.meaning.values or name in knowledge.universal
+    )

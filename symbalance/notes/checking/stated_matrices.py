@@ -41,8 +41,8 @@ def fix_matrix(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
 
 
 def _new_entries(left: Formula, right: Formula, knowledge: Knowledge) -> list[tuple[str, Formula]]:
-    """Return the letters without values that a vector of them gives numbers: (x, y) = (1, 2)."""
-    if not isinstance(left, Matrix) or not isinstance(right, Matrix) or names(right):
+    """Return the letters without values that a vector of them gives values: (x, y) = (1, r cos θ)."""
+    if not isinstance(left, Matrix) or not isinstance(right, Matrix) or names(left) & names(right):
         return []
     if [len(row) for row in left.rows] != [len(row) for row in right.rows]:
         return []

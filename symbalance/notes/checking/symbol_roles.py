@@ -76,13 +76,15 @@ SMALL_WORD = re.compile(
 _CALLED_SMALL = re.compile(
     r"(?:(?<![A-Za-z])(?:small|klein(?:e[nsrm]?)?)\s+(?:angles?\s+|values\s+of\s+|Winkel\s+)?\$?\\?"
     r"([A-Za-z]+(?:_\{?\w+\}?)?)\$?(?:\s+(?:and|und|et)\s+\$\\?([A-Za-z]+(?:_\{?\w+\}?)?)\$)?"
-    r"|\\?([A-Za-z]+(?:_\{?\w+\}?)?)\s*(?:\\ll(?![a-z])|≪|<<)\s*1(?![\d.])"
-    r"|([A-Za-z]+)\$?\s+(?:is|ist)\s+(?:small|klein))"
+    r"|(?<![A-Za-z])\\?([A-Za-z]++(?:_\{?\w{1,40}+\}?)?)\s*+(?:\\ll(?![a-z])|≪|<<)\s*1(?![\d.])"
+    r"|(?<![A-Za-z])([A-Za-z]++)(?:\s*=\s*[^$.;,\n]{1,20})?\$?\s+(?:is|ist)\s+(?:very\s+|sehr\s+|much\s+)?(?:small|klein)"
+    r"|(?<![A-Za-z])([A-Za-z]++)\$?\s*は\s*(?:十分に?|非常に)?小さ"
+    r"|(?<![A-Za-z])([A-Za-z]++)\s*=\s*(?:\\[td]?frac\s*\{?\s*r\s*\}?\s*\{?\s*l(?![A-Za-z])|r\s*/\s*l(?![A-Za-z\w])))"
 )
 
 
 def small_letters(text: str) -> frozenset[str]:
-    """Return the letters that a text calls small: "for small x", "ε ≪ 1".
+    """Return the letters that a text calls small: "for small x", "ε ≪ 1", or the ratio λ = r/l.
 
     >>> sorted(small_letters(r"for small $\\varphi$ and $x \\ll 1$"))
     ['varphi', 'x']

@@ -76,7 +76,8 @@ def _bare(node: Formula) -> tuple[Callable[[Formula], Formula], Formula]:
 def _both(node: Formula, name: str, scale: Fraction) -> tuple[Formula | None, Formula | None]:
     """Return a number times a letter, and the quantity in the unit of that name; None for neither."""
     if isinstance(node, Number):
-        number = _scaled(node, 1 / scale)
+        digits = (node.span[0], max(node.span[0], node.span[1] - 1))  # of which the letter is no unit
+        number = replace(_scaled(node, 1 / scale), span=digits)
         return Product((number, Name(name, span=node.span)), span=node.span), node
     if isinstance(node, Product) and len(node.factors) == 2:
         number, letter = node.factors

@@ -6,6 +6,12 @@ executed as code.
 
     sources, rewriting              a file as people keep it, in one form; where each character stood
     macros, siunitx, mathml         what authors and packages abbreviate, other people's formulas
+    physics_macros                  commands of the package physics and its like
+    row_vectors                     rows of values in brackets
+    extremes_apart, scanned_letters β max and |M|_max; the letter l that is a 1 in a scan
+    words_behind_numbers            what a number is said to be a multiple of
+    continued_lines                 lines that begin with = and go on with the one above
+    degrees_unsaid                  cos(120) on a page that speaks of degrees
     notebooks, numerals             cells as text; decimal commas, units in words, a scanner's letters
     ranges, joined_dollars          letters that run through values; formulas that dollars cut
     signs, units, letter_names      what signs and commands stand for; units; one name for each letter
@@ -15,6 +21,7 @@ executed as code.
     lexer, parser                   one formula's text to tokens, and these to trees
     prose, segmentation             where in a text mathematics stands
     document, result_units          a whole text to its chains; units that stand at a result only
+    unit_places                     a unit typed once, behind the last number of a side
     accounting                      every relation sign is read, unreadable, or no mathematics
     equations, failures             what comes out, and why something may not be read
 """

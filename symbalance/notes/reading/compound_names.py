@@ -136,14 +136,22 @@ def _canonical(name: _Name) -> str:
 def _candidates(plain: str, is_letter: Callable[[str, int], bool]) -> list[_Name]:
     """Return the spellings that stand alone left of a relation, each once."""
     first: dict[str, _Name] = {}
+    looks: dict[tuple[str, bool], bool] = {}  # each spelling is looked for on the page once
+    line, place = 1, 0
     for match in _HEAD.finditer(plain):
         before = plain[max(match.start() - _LONGEST_BEFORE, 0) : match.start()].rpartition("\n")[2]
         name = _Name(match["base"], match["suffix"], match.start())
         value = _VALUE.match(plain, match.end())
         name.is_defined_by_kin = value is not None and _is_kin(name, value["value"])
-        if not _BEFORE.search(before) or not _may_be_name(name, plain):
+        if not _BEFORE.search(before):
             continue
-        if is_letter(name.spelling, plain.count("\n", 0, match.start()) + 1):
+        look = name.spelling, name.is_defined_by_kin
+        if look not in looks:
+            looks[look] = _may_be_name(name, plain)
+        if not looks[look]:
+            continue
+        line, place = line + plain.count("\n", place, match.start()), match.start()
+        if is_letter(name.spelling, line):
             continue
         earlier = first.setdefault(name.spelling, name)
         earlier.is_defined_by_kin = earlier.is_defined_by_kin or name.is_defined_by_kin

@@ -17,23 +17,33 @@ from typing import NamedTuple
 from symbalance.document.formula import Formula, children, with_children
 from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek, plain_letter
 from symbalance.notes.reading.accounting import Account
+from symbalance.notes.reading.continued_lines import goes_on_below, goes_on_from
+from symbalance.notes.reading.degrees_unsaid import speaks_of_degrees, with_degrees
 from symbalance.notes.reading.differentials import with_differentials
 from symbalance.notes.reading.equations import Chain, Passed, ReadNotes, Relation, Side, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.letter_names import matching_brace
 from symbalance.notes.reading.lexer import AT, CLOSER, LONGEST_ANNOTATED, LONGEST_EQUATION, Token, lex
 from symbalance.notes.reading.parser import is_extreme, other_form, read_tokens
-from symbalance.notes.reading.result_units import as_printed, in_unit_of_result, with_rounded_results
+from symbalance.notes.reading.result_units import (
+    as_printed,
+    in_unit_of_result,
+    value_of,
+    with_rounded_results,
+)
 from symbalance.notes.reading.rewriting import Piece, Rewritten, rewritten
 from symbalance.notes.reading.second_values import with_second_values
 from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation
 from symbalance.notes.reading.signs import CELLS, relation_at_start
 from symbalance.notes.reading.sources import Source, prepare, to_half_width
+from symbalance.notes.reading.unit_places import with_unit_of_whole, with_units_of_divisors
 from symbalance.notes.reading.units import explained_letters
 
 LONGEST_DOCUMENT = 1_000_000  # characters
 MOST_LINES_OF_PROSE = 2  # that a chain may go past: "= …" further down is an equation of its own
 EQUALITIES = ("=", "≈", "≡")
+LONGEST_RANGE = 8
+"""Sides, with room to spare: 1 ≤ n ≤ 4 has three."""
 
 
 class Motions(NamedTuple):
@@ -193,6 +203,7 @@ class Assembler:
         self.draft: Draft | None = None
         self._refused_item: Item | None = None
         self.phrases: dict[str, int] = {}
+        self.speaks_of_degrees = speaks_of_degrees(self.text)
         self.functions: dict[str, str] = {}  # defined as R(α) = …, and of what
         self.free_letters: dict[str, int] = {}  # not declared, and the line where each is first
 
@@ -344,7 +355,9 @@ class Assembler:
         """Tell whether an item says something: in prose or without LaTeX, not every one does."""
         if any(token.kind == "rel" for token in tokens) or item.kind == "display":
             return True
-        if item.kind == "inline":
+        if goes_on_below(self.text, item.end):
+            return True
+        if item.kind in ("inline", "prose"):
             return False
         if "\\" in self.text[item.start : item.end]:
             return len(tokens) > 1
@@ -354,18 +367,25 @@ class Assembler:
     def _continues(self, item: Item, tokens: list[Token]) -> bool:
         """Tell whether an item goes on with the chain: by its first sign, or as a side is unfinished."""
         draft = self.draft
-        if draft is None or item.kind in ("inline", "prose"):
+        if draft is None:
             return False
         first = tokens[0]
         if first.kind == "rel":
-            return self._is_near(draft.last, item)
-        if draft.last.kind in ("inline", "prose") or not self._is_next(item):
+            return self._goes_on_with_relation(draft, item)
+        is_in_line = not {"inline", "prose"}.isdisjoint((item.kind, draft.last.kind))
+        if is_in_line or not self._is_next(item):
             return False
         if first.is_op("+-") or (first.is_op("*/") and item.block == draft.last.block >= 0):
             return self._goes_on_with_operator(draft, item, tokens)
         if not draft.is_unfinished or item.block != draft.last.block:
             return False
         return not (draft.open_brackets and is_equation(tokens))
+
+    def _goes_on_with_relation(self, draft: Draft, item: Item) -> bool:
+        """Tell whether `= c` goes on with the chain: on a line of its own, or right behind it."""
+        if item.kind in ("inline", "prose"):
+            return item.head is None and goes_on_from(self.text, draft.last.end, item.start)
+        return self._is_near(draft.last, item)
 
     def _goes_on_with_operator(self, draft: Draft, item: Item, tokens: list[Token]) -> bool:
         """Tell whether a row that begins with an operator goes on with the row above."""
@@ -436,8 +456,9 @@ class Assembler:
         explained = self._explained_letters(draft, names) if is_formula else frozenset[str]()
         if free is not None:
             free |= explained
-        for place, tokens in enumerate(draft.sides):
+        for place, typed in enumerate(draft.sides):
             sides.append(None)
+            tokens = with_units_of_divisors(typed)
             if place in draft.failures:
                 continue
             try:
@@ -447,8 +468,16 @@ class Assembler:
                 draft.failures[place] = failure
                 continue
             draft.notes.extend(note for note in notes if note not in draft.notes)
+            readings = with_degrees(readings) if self.speaks_of_degrees else readings
             sides[-1] = as_printed(Side(readings, (tokens[0].start, tokens[-1].end)), tokens)
         sides, notes = in_unit_of_result(sides, draft.sides)
+        sides = with_unit_of_whole(
+            sides,
+            draft.sides,
+            self.text,
+            lambda tokens: read_tokens(list(tokens), names, tokens[-1].end, latex, free)[0],
+            value_of,
+        )
         sides = with_rounded_results(sides, draft.sides, [sign.value for sign in draft.signs])
         draft.notes.extend(note for note in notes if note not in draft.notes)
         for letter in free or ():
@@ -643,6 +672,8 @@ class Draft:
 
     def _running_letter(self) -> frozenset[str]:
         """Return the undeclared letter of 1 ≤ n ≤ 4 or k ≥ 0, whose other sides hold no letter."""
+        if len(self.sides) > LONGEST_RANGE:
+            return frozenset()
         letters = [lone_letter(side) for side in self.sides]
         others = [side for side, name in zip(self.sides, letters, strict=True) if not name]
         alone = [name for name in letters if name]

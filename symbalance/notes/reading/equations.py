@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from symbalance.document.formula import Formula, Span, names
 from symbalance.notes.reading.notebooks import SUFFIX, cell_place
@@ -35,7 +36,7 @@ class Relation:
     is_demanded: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Chain:
     """a = b = c: sides and the relations between them, one fewer. A lone expression has no relation.
 
@@ -51,7 +52,17 @@ class Chain:
     inline: bool = False
     notes: tuple[str, ...] = field(default=())
 
-    @property
+    @cached_property
+    def start(self) -> int:
+        """The place of the chain's first character in the text."""
+        return min(side.span[0] for side in self.sides)
+
+    @cached_property
+    def end(self) -> int:
+        """The place behind the chain's last character."""
+        return max(side.span[1] for side in self.sides)
+
+    @cached_property
     def letters(self) -> frozenset[str]:
         """The letters that stand in its sides."""
         return frozenset(name for side in self.sides for name in names(side.node))

@@ -24,10 +24,12 @@ _INDICES = frozenset({"i", "j", "k"})
 def is_plain(name: str) -> bool:
     """Tell whether a canonical name is one letter, with subscript, accent or prime: no word.
 
-    >>> [is_plain(name) for name in ("F", "m_rot", "J1", "gamma_1'", "Lh", "O")]
-    [True, True, True, True, False, False]
+    >>> [is_plain(name) for name in ("F", "m_rot", "J1", "gamma_1'", "delta_i", "Lh", "O")]
+    [True, True, True, True, True, False, False]
     """
     parts = re.sub(r"'+$", "", name).split("_")
+    if parts[0] == "delta" and parts[1:] in (["i"], ["e"]):
+        return True  # δ_i, and no step of the constant
     while len(parts) > 1 and parts[0] in _MARKS:
         parts = parts[1:]
     base = re.sub(r"(?<=^[A-Za-z])[0-9]+$", "", parts[0])
@@ -55,14 +57,16 @@ def may_be_free(
 def unclear(node: Formula, free: Collection[str]) -> str | None:
     """Return a free letter that stands where its meaning counts, None if there is none.
 
-    Under a derivative or integral it may vary; under a sum its subscript may count, unless the sum
-    is a series of harmonics.
+    Under a derivative of what does not hold its variable it may vary; under a sum its subscript may
+    count, unless the sum is a series of harmonics.
     """
     for part in walk(node):
         if isinstance(part, Derivative):
             if isinstance(part.expression, Name):
                 continue  # the rate of a letter of which nothing is known is a letter too
             inside = names(part.expression) - {part.variable.name}
+            if inside != names(part.expression):
+                continue  # d(m r cos θ)/dθ: that m is a constant is said to be assumed
         elif isinstance(part, Summation) and not _is_of_harmonics(part):
             inside = {name for name in names(part.body) if _is_indexed(name, part)}
         else:

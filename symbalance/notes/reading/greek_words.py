@@ -40,7 +40,7 @@ def with_greek_words(
         if is_letter(match["name"], line) or _is_inside(start, formulas):
             continue
         before = text[max(start - 4, 0) : start]
-        if match["name"] == "psi" and before.rstrip()[-1:].isdigit():
+        if match["name"] == "psi" and before.rstrip(" ~$")[-1:].isdigit():
             continue  # 120 psi
         if _AFTER.match(text, end) or _BEFORE.search(before):
             rewriter.replace(start, end, _SIGNS[match["name"]])

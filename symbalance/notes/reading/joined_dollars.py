@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
+from itertools import accumulate
 
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import RELATION
+from symbalance.notes.reading.units import scale_of
 
-_QUANTITY = (
-    r"[-−]?[0-9][0-9.,]*(?:[0-9]|(?<=[0-9]))(?:\\,|~| )?(?:\\mathrm\{[^{}]{1,20}\}|\^\{?\\circ\}?)?"
-)
+_QUANTITY = r"[-−]?[0-9]++(?:[.,]++[0-9]++)*+(?:\\,|~| )?(?:\\mathrm\{[^{}]{1,20}\}|\^\{?\\circ\}?)?"
 _FORMULA = r"(?<!\\)\$[^$\n]{1,200}(?<!\\)\$"
 _SEQUENCE = re.compile(rf"(?:{_FORMULA}|{_QUANTITY})(?:[ ~]*(?:{_FORMULA}|{_QUANTITY}))+")
 _PART = re.compile(rf"({_FORMULA})|({_QUANTITY})")
@@ -24,6 +25,59 @@ _OUTSIDE = re.compile(
     rf"({_FORMULA})(?P<sign>[ ~]*(?:[=≈<>≤≥])[ ~]*)(?P<number>[-−]?[0-9][0-9.,]*[0-9]|[-−]?[0-9])"
     rf"(?:[ ~](?P<unit>{_UNIT}))?(?![\w$^]|[ ]?[-+−·×*/=(\\$])"
 )
+_PART_OF_UNIT = r"(?:1|[A-Za-zµμ]{1,6}\.?)(?:\^?[-−]?[1-4]|⁻?[¹²³⁴])?"
+_UNIT_IN_PROSE = rf"{_PART_OF_UNIT}(?:[ ]?[/·⋅*‐‑-][ ]?{_PART_OF_UNIT}|[ ]{_PART_OF_UNIT}){{0,3}}"
+_GOES_ON = re.compile(
+    rf"(?<=[0-9}}])\$(?P<gap>[ ~]?)(?:(?P<unit>{_UNIT_IN_PROSE})(?P<space>[ ~]*))?"
+    r"(?=(?P<sign>\$(?:\\[,;: ]|[ ~])*)?(?:[=≈<>≤≥]|\\(?:approx|le|ge)(?![A-Za-z])))"
+)
+_RESULT = re.compile(rf"[ ~]*[=≈][ ~]*[-−]?[0-9][0-9.,]*(?<=[0-9])(?:[ ~]?(?P<unit>{_UNIT_IN_PROSE}))?")
+_OPERATION_BEHIND = re.compile(r"[\w$^]|[ ]?[-+−·×*/(\\$]|[ ]?[=≈]|[ ][A-Za-zα-ω](?![A-Za-z])")
+"""What goes on with a formula behind a unit in prose, `$P = 8000$ lb $= 35.6$ kN`, `$…$ psi = 44 MPa`."""
+
+
+def with_units_between_dollars(text: str) -> Rewritten | None:
+    r"""Return a text in which a formula goes on behind a unit in prose, None where none does.
+
+    >>> with_units_between_dollars("so $P = 8000$ lb $= 35.6$ kN").text
+    'so $P = 8000\\,\\mathrm{lb} = 35.6$ kN'
+    >>> with_units_between_dollars("so $P/A = 6400$ psi = 44.1 MPa.").text
+    'so $P/A = 6400\\,\\mathrm{psi} = 44.1 MPa.$'
+    """
+    rewriter = Rewriter(text)
+    is_changed = False
+    for match in _GOES_ON.finditer(text):
+        start, unit = match.start(), match["unit"]
+        is_known = unit is None or scale_of(unit.rstrip(".")) is not None
+        if start < rewriter.place or not is_known or not _closes_relation(text, start):
+            continue
+        end = match.end() if match["sign"] else _end_of_results(text, match.end())
+        if end == match.end() and not match["sign"]:
+            continue
+        is_changed = True
+        set_unit = ("\\,\\mathrm{", match.span("unit"), "} ") if unit else (" ",)
+        rewriter.replace(start, match.end() + len(match["sign"] or ""), *set_unit)
+        if not match["sign"]:
+            rewriter.replace(match.end(), end, (match.end(), end), "$")
+    return rewriter.finish() if is_changed else None
+
+
+def _end_of_results(text: str, place: int) -> int:
+    """Return where `= 163 N·m = 0.163 kN m` ends, the place where nothing of the kind begins."""
+    end = place
+    while match := _RESULT.match(text, end):
+        words = match["unit"] or ""
+        ends = [len(words), *(m.start() for m in re.finditer(r"[ .]", words)), 0]
+        length = next((n for n in sorted(ends, reverse=True) if scale_of(words[:n]) is not None), 0)
+        stop = match.start("unit") + length if length else match.end() - len(words)
+        end = stop if length else len(text[:stop].rstrip(" ~"))
+    return place if end > place and _OPERATION_BEHIND.match(text, end) else end
+
+
+def _closes_relation(text: str, place: int) -> bool:
+    """Tell whether the dollar at a place closes a formula of its line that holds a relation."""
+    line = text[max(place - 400, 0) : place].rpartition("\n")[2]
+    return line.count("$") % 2 == 1 and RELATION.search(line.rpartition("$")[2]) is not None
 
 
 _UNIT_BETWEEN = re.compile(
@@ -42,21 +96,22 @@ def with_joined_dollars(text: str) -> Rewritten | None:
     if "$" not in text:
         return None
     changes: dict[int, tuple[int, tuple[str | tuple[int, int], ...]]] = {}
+    dollars = _Dollars(text)
     for match in _OUTSIDE.finditer(text):
         start, end = match.span(1)
-        if RELATION.search(match[1]) or not _opens(text, start):
+        if RELATION.search(match[1]) or not dollars.opens(start):
             continue
         unit = match["unit"]
         tail = f"\\,\\mathrm{{{unit}}}$" if unit and unit not in "°%\\%" else f"{unit or ''}$"
         tail = "^{\\circ}$" if unit == "°" else tail.replace("%", "\\%") if unit == "%" else tail
         changes[start] = match.end(), ((start, end - 1), (end, match.end("number")), tail)
     for match in _UNIT_BETWEEN.finditer(text):
-        if match.start() not in changes and _opens(text, match.start(1)):
+        if match.start() not in changes and dollars.opens(match.start(1)):
             unit = match["unit"].removeprefix("\\")
             sign = {"°": "^{\\circ}", "%": "\\%"}.get(unit, f"\\,\\mathrm{{{unit}}}")
             changes[match.end(1) - 1] = match.start("rest"), (sign,)
     for match in _SEQUENCE.finditer(text):
-        if match.start() in changes or not _opens(text, match.start()):
+        if match.start() in changes or not dollars.opens(match.start()):
             continue
         parts = list(_PART.finditer(text, *match.span()))
         formulas = [part[1][1:-1] for part in parts if part[1]]
@@ -78,7 +133,22 @@ def _ends_open(inside: str) -> bool:
     return bare.endswith(("+", "-", "=", "\\cdot", "\\times", "\\approx"))
 
 
-def _opens(text: str, place: int) -> bool:
-    """Tell whether a place stands outside the dollars of its paragraph."""
-    begin = text.rfind("\n\n", 0, place) + 1
-    return len(re.findall(r"(?<!\\)\$", text[begin:place].replace("$$", ""))) % 2 == 0
+class _Dollars:
+    """The single dollars of a text, to tell quickly what stands between them; $$ is none."""
+
+    def __init__(self, text: str) -> None:
+        self._spans = [match.span() for match in re.finditer(r"(?<![\\$])\$+", text)]
+        self._starts = [start for start, _ in self._spans]
+        self._counts = [0, *accumulate((end - start) % 2 for start, end in self._spans)]
+        self._paragraphs = [match.end() for match in re.finditer(r"\n(?=\n)", text)]
+
+    def opens(self, place: int) -> bool:
+        """Tell whether a place stands outside the dollars of its paragraph."""
+        paragraph = bisect_left(self._paragraphs, place)
+        begin = self._paragraphs[paragraph - 1] if paragraph else 0
+        first, last = bisect_left(self._starts, begin), bisect_left(self._starts, place)
+        count = self._counts[last] - self._counts[first]
+        if last > first and self._spans[last - 1][1] > place:  # of a row of dollars only those before it
+            start, end = self._spans[last - 1]
+            count += (place - start) % 2 - (end - start) % 2
+        return count % 2 == 0

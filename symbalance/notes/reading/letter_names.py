@@ -27,6 +27,10 @@ _NUMBERED = re.compile(
     r"\s*\^\s*\{\s*(?:\\left)?\(\s*([0-9]{1,2}|[A-Za-z]|[IVX]{1,4})\s*(?:\\right)?\)\s*\}|⁽([⁰¹²³⁴-⁹ⁿⁱ]{1,2})⁾"
 )
 """The (2) of F^{(2)}: nobody writes a power so."""
+_ORDER = re.compile(
+    r"(?:^|(?<=,))\s*(?:\\left)?\(\s*([0-9]{1,2}|[A-Za-z]|[IVX]{1,4})\s*(?:\\right)?\)(?=\s*(?:,|$))"
+)
+"""The (1) of F_{(1)} and F_{osc,(2)}, the order of a force."""
 LONGEST_SUBSCRIPT = 80
 """Longer runs of letters are no subscript; the limit keeps the search for a declared one short."""
 
@@ -187,8 +191,11 @@ def subscript_name(text: str, offset: int) -> str:
 
     >>> subscript_name(r"\mathrm{rec},\theta", 0)
     'rec,theta'
+    >>> subscript_name("(1)", 0)
+    '(1)'
     """
     pieces: list[str] = []
+    orders = {place for match in _ORDER.finditer(text) for place in range(*match.span())}
     for match in re.finditer(r"\\([A-Za-z]+)|\\[,;: !]|(.)", text, re.DOTALL):
         command, sign = match.group(1), match.group(2)
         if command in GREEK_SIGN or command in ("max", "min", "sup", "inf", "lim"):
@@ -197,6 +204,8 @@ def subscript_name(text: str, offset: int) -> str:
             continue
         elif sign and (sign.isalnum() or sign in ",.+-*"):
             pieces.append(NAME_OF_SIGN.get(sign, sign))
+        elif match.start() in orders:
+            pieces.append(sign if sign in ("(", ")") else "")
         elif sign or command:
             raise ReadingError(offset, f"subscript {text!r} is not read", "use letters and digits")
     if not pieces:

@@ -476,10 +476,13 @@ class Lexer:
         letter = match.group(1).lstrip("\\")
         letter = NAME_OF_SIGN.get(letter, letter)
         is_letter = len(letter) == 1 or letter in GREEK_SIGN
-        whole = f"{name}_{letter}"
-        if whole in self.words.names or (name == "Delta" and is_letter and letter != "pi"):
-            return whole, match.end()
-        return None
+        indexed, stop = with_scripts(self.text, letter, match.end(), self.end, self.words.names)
+        if f"{name}_{indexed}" in self.words.names:
+            return f"{name}_{indexed}", stop
+        if f"{name}_{letter}" in self.words.names and (indexed == letter or name != "Delta"):
+            return f"{name}_{letter}", match.end()
+        is_new = name == "Delta" and is_letter and letter != "pi"
+        return (f"{name}_{indexed}", stop) if is_new else None
 
     # What begins with a backslash
 

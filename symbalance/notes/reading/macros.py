@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 
 from symbalance.document.wordlists import word_set, words
 from symbalance.notes.reading import siunitx
+from symbalance.notes.reading.physics_macros import PHYSICS
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.signs import RELATION
 
@@ -370,6 +371,12 @@ def _only(which: int, count: int) -> Handler:
     return handle
 
 
+def _spaced(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Span], int] | None:
+    """\\mathrel{:=} is := with its space."""
+    parts = _arguments(text, place, pairs, 1)
+    return ([" ", parts[0][0], " "], parts[1]) if parts else None
+
+
 def _struck_out(
     text: str, place: int, pairs: dict[int, int]
 ) -> tuple[list[str | Span], int] | str | None:
@@ -455,9 +462,14 @@ def _above(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Spa
     if parts is None:
         return None
     above, sign = (text[a:b].strip() for a, b in parts[0])
+    if sign in _WITH_PLACE_BELOW:
+        return [f"{sign}_{{", parts[0][0], "}"], parts[1]
     if not RELATION.fullmatch(sign):
         return f"{above!r} above or below {sign!r} is not read"
     return ([" \\shallbe "] if sign == "=" and above == "!" else [" ", parts[0][1], " "]), parts[1]
+
+
+_WITH_PLACE_BELOW = ("\\max", "\\min", "\\lim", "\\sup", "\\inf", "\\sum")
 
 
 def _framed(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Span], int] | None:
@@ -505,6 +517,7 @@ PACKAGES: dict[str, Handler] = {
     **dict.fromkeys(words("textcolor mathcolor colorbox raisebox scalebox href"), _only(1, 2)),
     **dict.fromkeys(words("fcolorbox resizebox"), _only(2, 3)),
     **dict.fromkeys(words("color pagecolor eqref ref cite autoref cref Cref"), _dropped(1)),
+    **dict.fromkeys(words("leftroot uproot"), _dropped(1)),
     **dict.fromkeys(
         words(
             "checkmark blacksquare square Box qed qedhere lozenge bigstar xspace IEEEyesnumber"
@@ -513,6 +526,7 @@ PACKAGES: dict[str, Handler] = {
         _dropped(0),
     ),
     **dict.fromkeys(words("overset underset stackrel stackbin"), _above),
+    **dict.fromkeys(words("mathrel mathbin mathord mathopen mathclose mathinner"), _spaced),
     "IEEEeqnarraymulticol": _only(2, 3),
     "SI": _siunitx(siunitx.quantity_text, 2),
     "num": _siunitx(siunitx.number_text, 1),
@@ -531,4 +545,5 @@ PACKAGES: dict[str, Handler] = {
     "qty": _quantity,
     "dv": _derivative("d"),
     "pdv": _derivative("\\partial"),
+    **PHYSICS,
 }  # fmt: skip

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, LOWERED, NAME_OF_SIGN, RAISED
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import COMBINED, RELATION, accented
-from symbalance.notes.reading.units import scale_of
+from symbalance.notes.reading.units import is_of_volume, scale_of
 
 _APART = (
     r"(?:(?<![\w.,\\])|(?<=\\cdot)|(?<=\\times)|(?<=\\approx)|(?<=\\simeq)|(?<=\\le)|(?<=\\ge)|(?<=\\leq)"
@@ -42,7 +42,7 @@ _WORD = re.compile(r"(?<![\\A-Za-z])[A-Za-z]{2,}")
 _FUNCTION = re.compile(r"\b(?:" + "|".join(sorted(FUNCTION_WORDS, key=len, reverse=True)) + r")\b")
 _OPERAND_BEFORE = re.compile(r"[\w)\]}²³°′'&]$")
 _OPERAND_AFTER = re.compile(r"[\w(\[\\√½¼¾|{]")
-_FOOT_POUND = r"(?:(?:foot|feet|ft)(?:[ .·‐‑-]){0,2}(?:pounds?|lbs?f?))"
+_FOOT_POUND = r"(?:(?:foot|feet|ft)(?:[ .·‐‑-]){0,2}(?:pounds?|lbs?f?\.?))"
 _SPELLED = (
     ("mm", "millimet(?:er|re)s?"), ("cm", "centimet(?:er|re)s?|Zentimeter"), ("km", "kilomet(?:er|re)s?"),
     ("m", "met(?:er|re)s?|Meter"), ("kg", "kilogram(?:me)?s?|Kilogramm"), ("g", "gram(?:me)?s?|Gramm"),
@@ -55,15 +55,16 @@ _SPELLED = (
     ("ft·lbf/s", rf"{_FOOT_POUND} ?(?:per|/) ?s(?:ec(?:onds?)?)?\b"),
     ("ft·lbf/min", rf"{_FOOT_POUND} ?(?:per|/) ?min(?:utes?)?\b"), ("ft·lbf", _FOOT_POUND),
     ("psi", r"(?:lbs?\.?|lbf\.?|pounds?)[ -]?(?:per|/)\s?sq(?:uare|\.)?\s?in(?:ch|\.|\b)"),
-    ("lbf·inch", r"lbs?\.[ -]in(?:ch(?:es)?|\.|\b)|in\.[ -]lbs?\.?"),
-    ("lbf·ft", r"lbs?\.[ -]ft\.?"),
-    ("lbf·ft", "(?:pound[ -]?(?:feet|foot)|lbf?[-‐‑]ft)"),
-    ("lbf·inch", "(?:inch[ -]pounds?|lbf?[-‐‑]in|in[-‐‑]lbf?)"),
-    ("N·m", "N[‐‑]m"), ("hp", r"H\. ?P\.|h\. ?p\.|horse[ -]?power"),
+    ("lbf·inch", r"lbs?\.[ -]in(?:ch(?:es)?|\.|\b)|in\.[ -]lbs?\.?"), ("lbf·ft", r"lbs?\.[ -]ft\.?"),
+    ("lbf·ft", r"(?:pound[ -]?(?:feet|foot)|lbs?f?\.?[ ·‐‑-]ft)"),
+    ("lbf·inch", r"(?:inch[ -]pounds?|lbs?f?\.?[-‐‑·]in|in\.?[·‐‑-]lbs?f?\.?|in\. lbs?f?\.?)"),
+    ("N·m", "N[-‐‑]m"), ("hp", r"H\. ?P\.|h\. ?p\.|horse[ -]?power"),
     ("ft/s²", r"(?:feet|ft\.?) ?(?:per|/) ?sec(?:onds?)?\.? per sec(?:onds?)?\b"),
     ("ft/s", r"(?:feet|ft\.?) ?(?:per|/) ?sec(?:onds?)?\b"),
     ("ft/min", r"(?:feet|ft\.?) ?(?:per|/) ?min(?:ute)?\b"),
     ("ft", "feet|foot|ft(?=\\.)"),
+    ("inch^2", r"sq(?:uare|\.)? ?in(?:ches|ch|\.|(?![a-z]))"),
+    ("ft^2", r"sq(?:uare|\.)? ?(?:feet|foot|ft\.?)"),
     ("inch^3", r"cu(?:bic|\.)? ?in(?:ches|\.|(?![a-z]))"),
     ("ft^3", r"cu(?:bic|\.)? ?(?:feet|foot|ft\.?)"),
     ("inch", r"in\.(?=\s*(?:[=≈]|\\approx))|inch(?:es)?|Zoll"
@@ -113,6 +114,8 @@ def with_plain_numerals(
     changes |= {m.start(): (m.end(), "≈") for m in _NEARLY.finditer(text)}
     changes |= _units_in_words(text)
     changes |= _crosses(text)
+    changes |= _parts_of(text)
+    changes |= {m.start(): (m.end(), f"({m[1]} + {m[2]})") for m in _MIXED.finditer(text)}
     changes |= {
         m.start(): (m.end(), f"({_small(m[1])}/{_small(m[2])})") for m in _SMALL_FRACTION.finditer(text)
     }
@@ -153,6 +156,12 @@ def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
     zeros = {
         m.start(): (m.end(), f"{m[1]}.{m[3]}") for m in sure if m[1].strip("0") == "" and len(m[3]) > 1
     }
+    if zeros:  # 0,5 · 0,04 among points
+        zeros |= {
+            m.start(): (m.end(), f"{m[1]}.{m[3]}")
+            for m in matches
+            if m[1] == "0" and _BEFORE_OPERATION.match(text, m.end())
+        }
     _note(notes, "decimal commas", zeros, text)
     if points and not zeros:
         changes = {m.start(): (m.end(), m[1] + m[2].replace(",", "")) for m in grouped}
@@ -160,6 +169,7 @@ def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
     return changes | zeros
 
 
+_BEFORE_OPERATION = re.compile(r"\s*(?:[·⋅×*=≈/]|\\(?:cdot|times|approx)(?![A-Za-z]))")
 _POINT_BETWEEN = re.compile(
     r"(?:(?<![A-Za-z\\])[A-Za-z](?:_\w{1,4}|_\{\w{1,6}\}|[₀-₉0-9])?[²³]?"
     r"|(?:sin|cos|tan)[²³]? ?[0-9]?[A-Za-z]|(?<![A-Za-z])pi(?=\.[0-9A-Za-z(])"
@@ -228,13 +238,57 @@ def _spaced_thousands(text: str, notes: list[str]) -> dict[int, tuple[int, str]]
 _ARROW = re.compile(r"(?<=\s)(?:<=+>|<-+>|=+>|-+>)(?=\s)")
 
 
-_CROSS = re.compile(r"(?<=[0-9)])[ ]?[xX][ ](?=[0-9(.])|(?<=[0-9)])[ ][xX](?=[0-9(.])")
+_CROSS = re.compile(r"(?<=[0-9)²³])[ ]?[xX][ ](?=[0-9(.])|(?<=[0-9)²³])[ ][xX](?=[0-9(.])")
+_CROSS_BEHIND_UNIT = re.compile(
+    r"(?<=[0-9])[ ]?(?P<unit>[A-Za-z.]{1,6}(?:[-/·][A-Za-z.]{1,4})?)(?P<cross>[ ][xX][ ])(?=[0-9(.])"
+)
 _SMALL_FRACTION = re.compile("([⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3})[/⁄∕]([₀₁₂₃₄₅₆₇₈₉]{1,3})")
 
 
 def _crosses(text: str) -> dict[int, tuple[int, str]]:
     """Return the letters x that stand for a multiplication sign between numbers, 2 x 0.5."""
-    return {match.start(): (match.end(), " × ") for match in _CROSS.finditer(text)}
+    changes = {match.start(): (match.end(), " × ") for match in _CROSS.finditer(text)}
+    for match in _CROSS_BEHIND_UNIT.finditer(text):
+        if sign_of_unit(match["unit"]):
+            changes[match.start("cross")] = (match.end("cross"), " × ")
+    return changes
+
+
+_MIXED = re.compile(
+    r"(?<![\w.,/+*·×^$])(?<![0-9] )([1-9][0-9]?)[ -]([1-9][0-9]?/(?:2|4|8|16|32|64))"
+    r"(?=[ -]?(?:in|inch|inches|ft|lbs?)(?![A-Za-z]))"
+)
+"""One and a half inches as a workshop writes them, 1 1/2 in."""
+_PER_MILLE = re.compile(
+    r"(?<![\w.,])(?P<whole>[0-9]{1,6})(?:(?P<point>[.,])(?P<rest>[0-9]{1,6}))?(?:[ ~]|\\[,;: ])?"
+    r"(?:‰|\\permil(?![a-z]))"
+)
+_PART_OF = re.compile(
+    r"(?<=[0-9])(?P<gap>[ ~]|\\[,;: ])?(?P<sign>\\?%|‰|percent|per cent|Prozent)[ ~]+(?:of|von|de)[ ~]+"
+    r"(?:the[ ~]+|der[ ~]+)?(?=[0-9]+(?:[.,][0-9]+)?[^\n]{0,40}?[=≈])"
+)
+
+
+def _parts_of(text: str) -> dict[int, tuple[int, str]]:
+    """Return 5 ‰ as 0.5 %, and 12 % of 26.3 kN, part of a relation, as a product."""
+    changes: dict[int, tuple[int, str]] = {}
+    for match in _PER_MILLE.finditer(text):
+        whole = match["whole"].rjust(2, "0")
+        shifted = f"{whole[:-1]}.{whole[-1]}{match['rest'] or ''}"
+        escape = (
+            "\\" if text.count("$", text.rfind("\n", 0, match.start()) + 1, match.start()) % 2 else ""
+        )
+        changes[match.start()] = (match.end(), f"{shifted} {escape}%")
+    for match in _PART_OF.finditer(text):
+        if match["sign"] == "‰":
+            start = match.start("sign") + 1
+            changes[start] = (match.end(), " · ")
+        else:
+            changes[match.start()] = (
+                match.end(),
+                f" {match['sign'] if '%' in match['sign'] else '%'} · ",
+            )
+    return changes
 
 
 def _small(digits: str) -> str:
@@ -346,6 +400,9 @@ def _units_in_words(text: str) -> dict[int, tuple[int, str]]:
             changes[end + 1] = (match.end(), "")
         changes[match.start()] = (end, _unit_sign(unit, bool(dollars)) + dollars)
     for match in _BEHIND_DOLLAR.finditer(text):
+        if match["unit"] in ("l", "L") and is_of_volume(text, match.start()):
+            changes[match.start()] = (match.end(), _unit_sign("dm^3", True) + "$")
+            continue
         unit = _unit_behind(match["unit"], text[match.end() :][:1])
         if unit and _closes(text, match.start()):
             end = match.start("unit") + len(unit)
@@ -376,6 +433,20 @@ def unit_in_words(text: str) -> str:
             return sign
     word = re.match(r"[A-Za-zµ]+(?:/[A-Za-z]+[²³]?)?", text)
     return word.group() if word and scale_of(word.group()) is not None else ""
+
+
+def sign_of_unit(words: str) -> str:
+    """Return the sign of a unit that is written out or abbreviated, "" for what is no unit.
+
+    >>> sign_of_unit("in.-lb"), sign_of_unit("N m"), sign_of_unit("inches"), sign_of_unit("a lever")
+    ('lbf·inch', 'N m', 'inch', '')
+    """
+    for sign, spelled in _SPELLED:
+        if re.fullmatch(spelled, words, re.IGNORECASE):
+            return sign
+    if words.rstrip(".") == "in":
+        return "inch"
+    return words if scale_of(words) is not None else ""
 
 
 def _unit_sign(unit: str, in_latex: bool) -> str:

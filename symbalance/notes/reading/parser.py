@@ -247,7 +247,8 @@ class Parser:
 
     def letter(self, name: str, span: Span) -> Formula:
         """Return a letter's node: a declared or bound name, π, the imaginary i, j in an exponential."""
-        if name in self.names or name in self.bound:
+        is_imaginary = self._is_imaginary_beside_index(name)
+        if name in self.names or (name in self.bound and not is_imaginary):
             return Name(name, span=span)
         if (other := other_form(name)) in self.names:
             self.note(f"{plain_letter(name)} read as {plain_letter(other)}, which is declared")
@@ -265,6 +266,12 @@ class Parser:
             self.free_letters.setdefault(name, span[0])
             return Name(name, span=span)
         raise UndeclaredError(span[0], name)
+
+    def _is_imaginary_beside_index(self, name: str) -> bool:
+        """Tell whether the i of Σ e^{i δ_i} is the imaginary one, as the index stands below a letter."""
+        if name not in ("i", "j") or not self.exponentials or name in self.names:
+            return False
+        return any(t.kind == "name" and t.value.endswith(f"_{name}") for t in self.tokens)
 
     # Sums, products and slashes
 
@@ -413,10 +420,20 @@ class Parser:
                 factors = [Quotient(top, bottom, span=(top.span[0], bottom.span[1]))]
             elif self.starts_factor():
                 self._refuse_two_numbers(factors[-1])
-                factors.append(self.factor())
+                if self._is_lowered_behind_bracket() and self.choose() == 1:
+                    power = self.number(self.take())
+                    factors[-1] = Power(factors[-1], power, span=(factors[-1].span[0], power.span[1]))
+                else:
+                    factors.append(self.factor())
             else:
                 break
         return product_of(factors)
+
+    def _is_lowered_behind_bracket(self) -> bool:
+        """Tell whether the 2 of `(cos θ)2` touches its bracket: a power that a scan may have let down."""
+        before = self.peek(-1)
+        is_behind = before is not None and before.kind == "close" and before.value == ")"
+        return is_behind and self.at("number", "2", "3") and self.is_tight() and not self.latex
 
     def _refuse_two_numbers(self, last: Formula) -> None:
         if (
@@ -708,7 +725,7 @@ class Parser:
         """Read sin x, sin^2 x, sin^{-1} x, sqrt(x), exp(x)."""
         first = self.place
         function = self.take()
-        power = self._function_power(function.value)
+        power = self._function_power(function.value) or self._lowered_power(function)
         if self.at("under"):
             raise ReadingError(self.offset, "a logarithm's base is not read", "write log x / log b")
         self.exponentials += function.value == "exp"
@@ -729,6 +746,15 @@ class Parser:
         if self.current is not None and self._is_power_and_multiple(self.current):
             self.split_digit(self.current)
         return self.exponent()
+
+    def _lowered_power(self, function: Token) -> Formula | None:
+        """Read the 2 of `cos2 θ` as a power that a scan may have let down, as the second reading."""
+        following = self.peek(1)
+        is_apart = following is not None and following.kind == "name" and not self.is_tight(1)
+        is_lowered = self.at("number", "2", "3") and self.is_tight() and is_apart and not self.latex
+        if not is_lowered or function.value in ("sqrt", "exp", "abs") or self.choose() == 0:
+            return None
+        return self.number(self.take())
 
     def _is_power_and_multiple(self, token: Token) -> bool:
         """Tell sin^22θ, which is sin²(2θ), from sin^10θ and sin^22 θ."""

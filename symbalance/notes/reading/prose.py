@@ -31,8 +31,10 @@ _ARGUED = "unit|si|mathrm|mathit|mathbf|operatorname|tag|label|mathsf|bm|boldsym
 _UMLAUTS = "ÄÖÜäöüßàáâãçèéêëíîñóôõøåæœú"
 _PIECE = re.compile(
     rf"(?P<prose>\\(?:{'|'.join(sorted(WORDS, key=len, reverse=True))})\s*\{{[^{{}}]*\}})"
+    r"|(?P<cells>\\begin\s*\{[pbvV]?matrix\}(?:(?!\\begin)[^\n]){1,400}?\\end\s*\{[pbvV]?matrix\})"
     rf"|(?P<argued>\\(?:{_ARGUED})\*?\s*\{{(?:[^{{}}]|\{{[^{{}}]{{0,20}}\}})*\}})"
     r"|(?P<command>\\[A-Za-z]+)|(?P<escape>\\.)"
+    r"|(?P<abbreviation>(?<![\w\\])(?:i\. ?e|e\. ?g|d\. ?h|z\. ?B|u\. ?a)\.(?!\w))"
     r"|(?P<script>_\{(?:[^{}]|\{[^{}]{0,40}\}){0,80}\}|_[A-Za-z0-9]+)|(?P<degrees>(?<=[0-9])\s?度)|"
     rf"{_UNIT}(?P<word>(?=[A-Za-z]*[{_UMLAUTS}][A-Za-z]|[A-Za-z]+[{_UMLAUTS}])[A-Za-z{_UMLAUTS}]+"
     r"|[A-Za-z]+(?:['’][a-z]+)?[0-9]*)|(?P<dots>・・・|･･･|\.\.\.)|(?P<other>.)",
@@ -56,6 +58,7 @@ _PLAIN_WORDS = word_set(
     " her his how its may new not now off old one our out per she the too two use was way who why you"
     " rpm mm cm km kg kw hz vs via etc cost tank sink sing since sine tang logs sins cosy tans expo"
     " logo coth sech csch sect sind secs cots expr logi sinn"
+    " mit bei und von vom zum zur ist sei der die das den dem des ein aus auf wie bzw les est une par sur"
 )
 _CLAUSE_WORDS = word_set(
     "which that this these just about exactly quite very much well still only then there here what"
@@ -69,6 +72,11 @@ _DERIVATIVE = re.compile(
     r"|(?:(?<=d/)|(?<=d[A-Za-zα-ωϕ]/)|(?<=d[²³]/)|(?<=d[²³][A-Za-zα-ωϕ]/)|(?<=d\^[23]/)"
     r"|(?<=d\^[23][A-Za-zα-ωϕ]/))d[A-Za-z]?(?![A-Za-z])"
 )
+_LONGEST_FUNCTION = 20
+LONGEST_RUN = 2
+"""Letters that are read as a product behind a function's bracket without being letters of the page."""
+_IN_FUNCTION = re.compile(r"(?<![A-Za-z])(?:sin|cos|tan|cot)\(\s*(?:[0-9.]+\s*\*?\s*)?\Z")
+"""What stands before the letters of cos(wt) and sin(2wt), which are no word there."""
 _LONG_WORD = re.compile(r"(?<![\\A-Za-z_])[A-Za-z]{4,}")
 _ARTICLE_FIRST = re.compile(r"(a|I|A)\s+(?=[\w\\(])")
 _DASH_LAST = re.compile(r"\s+[-–—−]\s*$")
@@ -162,7 +170,10 @@ def _is_unit(piece: re.Match[str], text: str) -> bool:
 def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules) -> bool:
     kind, sign = piece.lastgroup, piece.group()
     if kind == "word":
-        if _DERIVATIVE.match(text, piece.start(), end):
+        is_run = len(sign) == LONGEST_RUN and sign not in _PLAIN_WORDS
+        if _DERIVATIVE.match(text, piece.start(), end) or (
+            is_run and is_behind_function(text, piece.start())
+        ):
             return True
         own = _OWN_FUNCTION.match(text, piece.start(), end)
         return line.is_mathematical(sign) or (own is not None and own.group() == sign)
@@ -174,7 +185,12 @@ def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules)
         behind = follows_number(text, 0, piece.start())
         unit = unit_set_at(text, piece.start(), end) if behind else None
         return unit is not None and scale_of(unit[0]) is not None
-    return True
+    return kind != "abbreviation"
+
+
+def is_behind_function(text: str, place: int) -> bool:
+    """Tell whether nothing but a number stands between a function's bracket and a place: cos(2wt."""
+    return _IN_FUNCTION.search(text, max(place - _LONGEST_FUNCTION, 0), place) is not None
 
 
 def _is_mathematical_sign(sign: str, text: str, place: int, end: int) -> bool:

@@ -17,7 +17,7 @@ _UNIT = r"(?P<unit>(?:\\[,;: ]|~| )*\\mathrm\{[^{}]{1,12}\}|[^\S\n]?(?:mm|cm|rpm
 _DOTS = r"(?:\\(?:l|c)?dots[a-z]?(?![A-Za-z])|…|⋯|\.{2,3}|・・・)"
 _HEAD = r"(?<![\w\\}\])'′⁄])(?P<letter>(?:\\[A-Za-z]+|[^\W\d_])(?:_\{\w{1,6}\}|_\w{1,4}|[₀-₉])?)\s*&?=\s*"
 _NOT_BEFORE_FORMULA = (
-    r"(?![0-9.])(?!\s*(?:[-+−*/·×=^_<>(≈≤≥≠√°]|\\(?!\)|\]|q?quad|text|end|\\|,|;)"
+    r"(?![0-9.])(?![^\S\n]*(?:[-+−*/·×=^_<>(≈≤≥≠√°]|\\(?!\)|\]|q?quad|text|end|\\|,|;)"
     r"|[^\W\d_](?![^\W\d_])|(?:sin|cos|tan)\b))"
 )
 _RANGE = re.compile(
@@ -93,11 +93,10 @@ def _listed(match: re.Match[str]) -> str | None:
     sizes = [float(value) for value in plain]
     if sizes != sorted(sizes) or len(set(sizes)) < len(sizes):
         return None
-    units = list(re.finditer(_UNIT, (match["one"] or "") + rest))
-    kinds = {re.sub(r"\\mathrm|[^A-Za-z]", "", found.group()) for found in units}
-    if len(kinds) > 1 and not kinds <= _LENGTHS:
-        return None  # l = 180 mm and 5000 rpm
-    unit = units[-1].group() if units else ""
+    units = [unit.group() for unit in re.finditer(_UNIT, (match["one"] or "") + rest)]
+    if len({re.sub(r"\\[,;: ]|[~\s]", "", unit) for unit in units}) > 1:
+        return None  # L = 110 mm, 10000 rpm
+    unit = units[-1] if units else ""
     letter, lowest, last = match["letter"], f"{values[0]}{unit}", match["last"]
     if match["dots"] and not last:
         return f"{letter} ≥ {lowest}"

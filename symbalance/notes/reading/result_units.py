@@ -47,7 +47,7 @@ def in_unit_of_result(
             other = done[before]
             if other is None or not _is_bare(tokens[before]):
                 break
-            value = _value(other.node)
+            value = value_of(other.node)
             if value is None or not _is_meant(value, printed, _size(factor)):
                 break
             is_prefix = _size(factor) in (1e3, 1e6, 1e9)
@@ -72,7 +72,7 @@ def with_rounded_results(
         if side is None or before is None or not _is_bare(tokens[place - 1]):
             continue
         number, factor = _whole_result(tokens[place])
-        value = _value(before.node)
+        value = value_of(before.node)
         fewest = _FEWEST_DIGITS[signs[place - 1] == "≈"]
         digits = str(abs(number.value.numerator)) if number else ""
         if number is None or value is None or not fewest <= len(digits) <= _MOST_DIGITS:
@@ -181,7 +181,7 @@ def _size(factor: Formula) -> float:
     return float(factor.value) if isinstance(factor, Number) else math.pi / 180
 
 
-def _value(node: Formula) -> float | None:
+def value_of(node: Formula) -> float | None:
     """Return about what a formula without letters is, None for anything unusual."""
     try:
         return _plain_value(node)

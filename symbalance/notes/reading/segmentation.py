@@ -15,6 +15,7 @@ from itertools import islice, pairwise
 
 from symbalance.document.letters import NAME_OF_SIGN, WORDS
 from symbalance.document.wordlists import word_set, words
+from symbalance.notes.reading.continued_lines import goes_on_below, is_first_side
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.lexer import Vocabulary, vocabulary
 from symbalance.notes.reading.prose import line_rules, parts_at_lone_brackets, segments, trim_segment
@@ -27,6 +28,7 @@ from symbalance.notes.reading.units import (
     scale_of,
     unit_set_at,
 )
+from symbalance.notes.reading.words_behind_numbers import says_multiple_of
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _BULLET = re.compile(r"\s*(?:\(?(?:[0-9]{1,3}[.)]|(?:[a-h]|i{1,3}|i?v)\))(?=\s))?\s*")
@@ -145,7 +147,8 @@ class ItemFinder:
 
     def _items_of_region(self, region: Region, block: int) -> Iterator[Item]:
         alone = region.display or self._is_alone(region)
-        if not alone and not has_any_relation(self.text, region.start, region.end):
+        is_first = not alone and goes_on_below(self.text, region.last)
+        if not alone and not is_first and not has_any_relation(self.text, region.start, region.end):
             return
         kind = "display" if alone else "inline"
         pieces = pieces_of(self.text, region.start, region.end, region.environment)
@@ -209,15 +212,23 @@ class ItemFinder:
         gaps = [CELL_END]
         if self.kind == "tex":
             gaps += ["&", "\\\\"]
-        elif self.kind == "markdown" and _ROW_OF_TABLE.match(
-            self.text, self.line_span(self.line_of(start))[0]
-        ):
+        elif self.kind == "markdown" and self._is_row_of_table(self.line_of(start)):
             gaps.append("|")
         cells, first = [], start
         for match in re.finditer("|".join(map(re.escape, gaps)), self.text[start:end]):
             cells.append((first, start + match.start()))
             first = start + match.end()
         return [*cells, (first, end)]
+
+    def _is_row_of_table(self, line: int) -> bool:
+        """Tell a row, whose line ends with a bar or stands next to another, from |F| ≤ 3."""
+        start, end = self.line_span(line)
+        if _ROW_OF_TABLE.match(self.text, start) is None:
+            return False
+        around = [self.line_span(n)[0] for n in (line - 1, line + 1) if 0 < n <= len(self.breaks) + 1]
+        return self.text[start:end].rstrip().endswith("|") or any(
+            _ROW_OF_TABLE.match(self.text, place) for place in around
+        )
 
     def _items_of_line(self, start: int, end: int, line: int, whole: bool) -> Iterator[Item]:
         """Yield the items of a line, or of a part of it, outside delimiters."""
@@ -293,7 +304,8 @@ class ItemFinder:
         self, span: tuple[int, int], line: int, lenient: bool, words: Vocabulary
     ) -> Iterator[Item]:
         """Yield the equations in a stretch of a line without prose."""
-        if span[1] - span[0] > LONGEST_LINE or not has_any_relation(self.text, *span):
+        is_long = span[1] - span[0] > LONGEST_LINE
+        if is_long or not (has_any_relation(self.text, *span) or goes_on_below(self.text, span[1])):
             return
         display = self.text.find("\\displaystyle", *span)
         if display >= 0:
@@ -305,6 +317,8 @@ class ItemFinder:
             return
         start, end = trim_segment(self.text, *span, words)
         if not has_relation(self.text, start, end):
+            if is_first_side(self.text, start, end):
+                yield Item(start, end, "prose", False, line, line)
             return
         for piece in pieces_of(self.text, start, end):
             if has_relation(self.text, piece.start, piece.end):
@@ -639,6 +653,8 @@ def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingE
     if unit := _UNKNOWN_UNIT.match(text, end, stop):
         what = f"a unit that is not known: {unit.group().strip()}"
         return ReadingError(end, what, "give the value in SI units")
+    if says_multiple_of(text, start, end, behind):
+        behind = ""
     if _goes_on(behind, after, words) or (text[end - 1 : end] == "%" and _PART_OF.match(behind)):
         return _cut(place, behind)
     line_begin = text.rfind("\n", 0, start) + 1

@@ -15,9 +15,10 @@ from html import unescape
 from symbalance.document.wordlists import words
 from symbalance.notes.reading.and_so_on import with_dots
 from symbalance.notes.reading.compound_names import with_compound_names
+from symbalance.notes.reading.extremes_apart import with_extremes_apart, with_extremes_of_bars
 from symbalance.notes.reading.function_names import with_function_names
 from symbalance.notes.reading.greek_words import with_greek_words
-from symbalance.notes.reading.joined_dollars import with_joined_dollars
+from symbalance.notes.reading.joined_dollars import with_joined_dollars, with_units_between_dollars
 from symbalance.notes.reading.letter_e import means_letter, with_number_e
 from symbalance.notes.reading.macros import expand_macros
 from symbalance.notes.reading.mathml import is_mathml, mathml_text
@@ -27,6 +28,8 @@ from symbalance.notes.reading.operator_words import with_operator_words
 from symbalance.notes.reading.page_marks import with_page_marks
 from symbalance.notes.reading.ranges import with_ranges
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
+from symbalance.notes.reading.row_vectors import with_row_vectors
+from symbalance.notes.reading.scanned_letters import with_scanned_letters
 from symbalance.notes.reading.systems_in_braces import with_systems
 
 CELL_END = "\ue000"
@@ -100,12 +103,25 @@ def prepare(
         reader.apply(with_number_e(reader.text))
     if kind in ("tex", "markdown"):
         reader.apply(with_joined_dollars(reader.text))
-    for rewrite in (with_operator_words, with_systems, with_memberships, with_function_names, with_dots):
+    for rewrite in (
+        with_row_vectors,
+        with_extremes_of_bars,
+        with_operator_words,
+        with_systems,
+        with_memberships,
+        with_function_names,
+        with_dots,
+    ):
         reader.apply(rewrite(reader.text))
     if kind != "tex":
         reader.apply(with_greek_words(reader.text, is_letter))
+        reader.apply(with_extremes_apart(reader.text))
         reader.apply_noted(with_compound_names(reader.text, is_letter))
+    if kind == "plain":
+        reader.apply_noted(with_scanned_letters(reader.text))
     reader.apply_noted(with_plain_numerals(reader.text, is_letter))
+    if kind in ("tex", "markdown"):
+        reader.apply(with_units_between_dollars(reader.text))
     reader.apply_noted(with_ranges(reader.text))
     current, origin = reader.text, reader.origin
     formulas: list[Span] = []
@@ -266,9 +282,12 @@ def _template(match: re.Match[str]) -> Texts:
     if name.strip().lower() not in _SHOWN or not inside:
         return (" ",)
     start = match.start(1) + len(name) + 1
-    return (" ", (start, match.end(1)), " ")
+    numbered = _NUMBERED_ARGUMENT.match(inside)
+    return (" ", (start + (numbered.end() if numbered else 0), match.end(1)), " ")
 
 
+_NUMBERED_ARGUMENT = re.compile(r"\s*[0-9]\s*=")
+"""{{math|1=a = b}}: with its number an argument may hold an equals sign."""
 _SHOWN = frozenset(words("math mvar nowrap nobr bigmath nobold center"))
 _WIKI_ROW = re.compile(r"\|\||!!")
 

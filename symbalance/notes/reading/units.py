@@ -21,7 +21,9 @@ _PREFIXED = {"m", "s", "N", "J", "W", "Pa", "rad", "Hz", "Nm", "Ns"}
 _OTHER: dict[str, Fraction] = {
     "min": Fraction(60), "h": Fraction(3600), "bar": Fraction(10**5), "K": Fraction(1),
     "cc": Fraction(1, 10**6), "ccm": Fraction(1, 10**6), "oz": Fraction(45359237, 16 * 10**8),
-    "Nmm": Fraction(1, 1000), "kNmm": Fraction(1),
+    "Nmm": Fraction(1, 1000), "kNmm": Fraction(1), "gmm": Fraction(1, 10**6), "kgmm": Fraction(1, 1000),
+    "ml": Fraction(1, 10**6), "cl": Fraction(1, 10**5), "kWh": Fraction(36 * 10**5),
+    "gcm": Fraction(1, 10**5), "kgcm": Fraction(1, 100),
     "sec": Fraction(1), "ft": Fraction(3048, 10**4), "lb": Fraction(45359237, 10**8),
     "lbs": Fraction(45359237, 10**8), "lbf": Fraction(44482216152605, 10**13),
     "inch": Fraction(254, 10**4),
@@ -37,6 +39,9 @@ _IN_COMPOUNDS = {"in": INCH}
 """Units whose name is a word of the language: read beside another unit only, in/s², lb·in."""
 _UNITS = {p + unit: scale for unit in _PREFIXED for p, scale in _PREFIXES.items()} | _OTHER
 _UNITS["G"] = Fraction(1)
+GRAVITY = Fraction(980665, 10**5)
+"""What a multiple of g, 888 g of an acceleration, multiplies its number by."""
+_UNITS["gn"] = GRAVITY
 _UNITS |= {p + "g": scale / 1000 for p, scale in _PREFIXES.items()}
 USUAL_SCALES = tuple(
     sorted(
@@ -44,6 +49,9 @@ USUAL_SCALES = tuple(
             *(Fraction(10) ** k for k in (-9, -6, -4, -3, -2, 3, 6, 9)),
             *_OTHER.values(),
             _IN_COMPOUNDS["in"],
+            *(size**power for size in (_OTHER["ft"], _IN_COMPOUNDS["in"]) for power in (2, 3)),
+            _OTHER["lbf"] * _OTHER["ft"],
+            _OTHER["lbf"] * _IN_COMPOUNDS["in"],
         }
         - {1}
     )
@@ -51,6 +59,12 @@ USUAL_SCALES = tuple(
 """What the usual units multiply a number by that is typed without one."""
 _TURNS = {**dict.fromkeys(words("rpm 1/min min^-1 r/min rev/min U/min tr/min Umin^-1"), Fraction(1, 30))}
 _TURNS |= dict.fromkeys(words("Umdr/min Umd/min U/Min r.p.m. rpm."), Fraction(1, 30))
+_PRESSURES = {
+    f"{pound}/{length}^2": _OTHER["lbf"] / size**2
+    for pound in ("lb", "lbs")
+    for length, size in (("in", _IN_COMPOUNDS["in"]), ("inch", _OTHER["inch"]), ("ft", _OTHER["ft"]))
+}
+"""Pounds on an area are forces, though a pound is a mass elsewhere."""
 _TURNS |= {"rps": Fraction(2), "rev/s": Fraction(2)}
 _PLAIN_SURE = word_set("mm cm km kg cc ccm oz rpm kW kHz Hz kN Nm rad lbs lb ft psi kgf mph")
 
@@ -108,6 +122,22 @@ _EXPLAINED = re.compile(
     rf"|(?<![A-Za-z])(?:{_SIZES})\s+(?P<second>[{_UNIT_LETTERS}])(?![\w'(])",
 )
 """Where words say what a letter is that is also the sign of a unit: N revolutions, a force W."""
+_LITRE = re.compile(
+    r"(?:[ ~\u2009\u202f]|\\[,;: ])?(?:\\mathrm\{[lL]\}|[lL])(?=[\s.,;)$=≈]|$)"
+    r"(?![ ]?[A-Za-z(\\](?![A-Za-z]))"
+)
+_VOLUME = re.compile(
+    r"(?<![A-Za-z])V(?:_\{?\w+\}?|[₀-₉]+)?['′]?\s*(?:&\s*)?(?:=|≈|\\approx)"
+    r"|[0-9]\s?(?:\\[,;: ]|\\mathrm\{)*(?:[mcd]?m|inch|ft)(?:³|\^\{?3)|[0-9]\s?cc(?![a-z])"
+)
+_MASS = re.compile(
+    r"(?<![A-Za-z])[mM](?:_\{?\w+\}?|[₀-₉]+)?['′]?\s*(?:&\s*)?(?:=|≈|\\approx)|[0-9]\s?(?:kg|lbs?|oz)(?![\w/·])"
+)
+_GRAVITY = re.compile(r"(?:[ ~]|\\[,;: ])?[gG](?=[\s.,;)$=≈]|$)(?![ ]?[A-Za-z(\\](?![A-Za-z]))")
+_ACCELERATION = re.compile(
+    r"m/s(?:²|\^\{?2\}?|\$\^2\$)[\s}$]*(?:=|≈|\\approx)\s*\$?[-−]?[0-9.,]+(?:\s[0-9]{3})*$"
+)
+_TIMES_LENGTH = re.compile(r"[ ]?[·×*xX]?[ ]?(?:[0-9][0-9.,]*[ ]?)?[cm]m(?![\w/])")
 _SECOND_VALUE = re.compile(r"\s*\(\s*[0-9][0-9.,]*\s*[A-Za-zµ/²³^0-9]{1,8}\.?\s*\)")
 """The same quantity once more behind a unit: 6217 N (6.2 kN)."""
 _STOPS = "=≈≒≃<>≤≥≡+-−–·×*/÷)]},;.:!?|&、。，；：…"
@@ -125,6 +155,8 @@ def scale_of(unit: str) -> Scale | None:
         return None
     if plain in _TURNS:
         return _TURNS[plain], True
+    if plain in _PRESSURES:
+        return _PRESSURES[plain], False
     scale, place, power = Fraction(1), 0, 1
     while place < len(plain):
         match = _PART.match(plain, place)
@@ -169,6 +201,8 @@ def unit_set_at(text: str, place: int, end: int) -> tuple[str, int] | None:
     match = _SET.match(text, place, end)
     if not match:
         return None
+    if match["word"] in ("l", "L") and text[max(place - 8, 0) : place].rstrip("\\,;: ~")[-1:].isdecimal():
+        return "dm^3", match.end()
     stop = match.end()
     for _ in range(_MOST_PARTS):
         more = _MORE.match(text, stop, end)
@@ -218,6 +252,12 @@ def plain_unit_at(text: str, place: int, end: int, names: Collection[str]) -> tu
     >>> plain_unit_at("0.04 m · 3 kg", 4, 13, {"r"}), plain_unit_at("2 m r", 1, 5, {"m", "r"})
     (('m', 6), None)
     """
+    if litres := _litres_at(text, place, end):
+        return litres
+    if (gravity := _GRAVITY.match(text, place, end)) and _ACCELERATION.search(
+        text[max(place - 60, 0) : place]
+    ):
+        return "gn", gravity.end()
     match = _PLAIN_UNIT.match(text, place, end)
     if not match or not scale_of(match["plain"]):
         return None
@@ -229,6 +269,20 @@ def plain_unit_at(text: str, place: int, end: int, names: Collection[str]) -> tu
         return None
     sort = _PlainUnit(text, place, match.end(), match["plain"], spaced, number, end)
     return (match["plain"], match.end()) if sort.is_unit(names) else None
+
+
+def is_of_volume(text: str, place: int) -> bool:
+    """Tell whether the line of a place gives a volume V a value before it: an l there is litres."""
+    line = text[max(text.rfind("\n", 0, place) + 1, place - 200) : place]
+    return _VOLUME.search(line) is not None
+
+
+def _litres_at(text: str, place: int, end: int) -> tuple[str, int] | None:
+    """Return the litres of V = 1.81 l as dm³, and where they end: l is a length elsewhere."""
+    match = _LITRE.match(text, place, end)
+    if match is None or not text[max(place - 1, 0) : place].isdecimal():
+        return None
+    return ("dm^3", match.end()) if is_of_volume(text, place) else None
 
 
 class _PlainUnit:
@@ -266,7 +320,11 @@ class _PlainUnit:
         before = self.text[max(self.place - 60, 0) : self.place]
         if self.word == "g":
             head = _HEAD.search(before)
-            return head is not None and head[1] in "mM"
+            is_mass = head is not None and head[1] in "mM"
+            line = before.rpartition("\n")[2]
+            if _TIMES_LENGTH.match(self.text, self.stop, self.end):
+                return self.spaced
+            return is_mass or (self.spaced and not self._goes_on() and _MASS.search(line) is not None)
         line = before.rpartition("\n")[2]
         return self.spaced and re.search(r"(?:/|÷|\}\{)\s*9\.8[0-9]*(?![0-9])", line) is not None
 

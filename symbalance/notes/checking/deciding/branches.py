@@ -24,6 +24,7 @@ from symbalance.document.formula import (
 )
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.special_values import ANY_WHOLE
 from symbalance.notes.algebra.tree_values import TreeValues, sample_trees
 from symbalance.notes.checking.deciding.equality import (
     PROVED,
@@ -35,6 +36,7 @@ from symbalance.notes.checking.deciding.equality import (
 )
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
+from symbalance.notes.checking.plain_formulas import plain_text
 
 MOST_BRANCHES = 16
 
@@ -308,7 +310,8 @@ def _of_cases(branch: Branch, cases: Cases) -> list[Branch]:
         if condition is None:
             exact = branch.is_exact and only_equations
             title = _joined(branch.title, "otherwise")
-            result.append(replace(branch, left=left, right=right, title=title, is_exact=exact))
+            otherwise = replace(branch, left=left, right=right, title=title, is_exact=exact)
+            result.append(replace(otherwise, condition=_not_divided(cases)))
             continue
         letter, sign, limit = condition
         text = f"{formula_text(letter, plain=True)} {sign} {formula_text(limit, plain=True)}"
@@ -317,11 +320,39 @@ def _of_cases(branch: Branch, cases: Cases) -> list[Branch]:
         is_open = not isinstance(letter, Name) or letter.name in formula.names(limit)
         if sign == "≠":
             result.append(replace(case, condition=text))
+        elif (pair := _divided(condition)) is not None:
+            result.append(_of_multiples(case, branch.title, *pair))
         elif is_open or not isinstance(letter, Name) or sign not in "=<>≤≥":
             result.append(replace(case, is_exact=False))
         else:
             result.append(_under_condition(case, letter, sign, limit))
     return result
+
+
+def _of_multiples(case: Branch, title: str, divided: Name, divisor: Formula) -> Branch:
+    """Return a branch on which one whole number is a multiple of another."""
+    meaning = case.knowledge.meaning
+    meaning = replace(meaning, integer=meaning.integer | {ANY_WHOLE})
+    case = replace(case, knowledge=replace(case.knowledge, meaning=meaning))
+    put_in = _under_condition(case, divided, "=", Product((Name(ANY_WHOLE), divisor)))
+    text = f"where {plain_text(divided)} is a multiple of {plain_text(divisor)}"
+    return replace(put_in, title=_joined(title, text))
+
+
+def _divided(condition: tuple[Formula, str, Formula]) -> tuple[Name, Formula] | None:
+    """Return p and N of the condition that N divides p, None for other conditions."""
+    left, sign, right = condition
+    if sign != "=" or right != formula.number(0) or not isinstance(left, Apply) or left.function != "mod":
+        return None
+    divided, divisor = left.arguments
+    return (divided, divisor) if isinstance(divided, Name) else None
+
+
+def _not_divided(cases: Cases) -> str:
+    """Return what "otherwise" says behind the one case that N divides p, "" behind others."""
+    conditions = [condition for condition in cases.conditions if condition is not None]
+    pair = _divided(conditions[0]) if len(conditions) == 1 else None
+    return f"{plain_text(pair[0])} is no multiple of {plain_text(pair[1])}" if pair else ""
 
 
 def _under_condition(case: Branch, letter: Name, sign: str, limit: Formula) -> Branch:

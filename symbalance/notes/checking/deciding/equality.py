@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
@@ -18,6 +18,8 @@ from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
 from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals
 
+NOISE = values.DIGITS - 5
+"""Places behind the point at which a number is what computing leaves of 0: a sum of roots of unity."""
 PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
 
 
@@ -56,7 +58,20 @@ def decide_equality(left: Formula, right: Formula, knowledge: Knowledge) -> Deci
         last = _at_level(left, right, knowledge, level)
         if last.is_proved:
             return last
-    return last
+    if decimals(left) or decimals(right):
+        return last
+    return refuted_by_formulas(last, levels, lambda level: _at_level(left, right, knowledge, level))
+
+
+def refuted_by_formulas(
+    last: Decision, levels: Sequence[Level], decide_at: Callable[[Level], Decision]
+) -> Decision:
+    """Return a refutation without the numbers of a page's example, if there is one: r λ, not 3 λ/20."""
+    general = next((level for level in reversed(levels) if level.is_of_formulas), None)
+    if last.status != REFUTED or general is None:
+        return last
+    decision = decide_at(general)
+    return decision if decision.status == REFUTED else last
 
 
 def _differs_clearly(left: Formula, right: Formula, knowledge: Knowledge, level: Level) -> bool:
@@ -147,8 +162,10 @@ def _by_numbers(
 
 
 def _close(left: Any, right: Any) -> bool:
-    scale = max(abs(left), abs(right), 1e-300)
-    return abs(left - right) <= scale * values.context().mpf(10) ** -25
+    ten, scale = values.context().mpf(10), max(abs(left), abs(right), 1e-300)
+    if not values.context().isfinite(scale):
+        return False  # ln 0 is equal to nothing
+    return abs(left - right) <= max(scale * ten**-25, ten**-NOISE)
 
 
 def _witness(point: values.Point, pair: list[Any]) -> dict[str, str]:

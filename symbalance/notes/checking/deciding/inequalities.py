@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
 from symbalance.document.formula import Formula, Name, Negative, Number, Sum, names
@@ -249,10 +250,14 @@ def _contradiction(stated: StatedRange, knowledge: Knowledge) -> Decision | None
         above = compare(bound, Number(Fraction(0)), ">", knowledge)
         if above is not None and not above.is_proved:
             return Decision(REFUTED, "the letter is declared to be positive", witness=above.witness)
+    compared: set[tuple[str, Formula]] = set()
     for earlier in knowledge.ranges:
         other = lone_letter(earlier)
         if other is None or other[0] != name or other[1] == "≠" or (other[1] in "<≤") == (sign in "<≤"):
             continue
+        if other[1:] in compared:  # a page may state one range a thousand times
+            continue
+        compared.add(other[1:])
         low, high = (bound, other[2]) if sign in ">≥" else (other[2], bound)
         touching = "≤" if sign in "≤≥" and other[1] in "≤≥" else "<"
         fits = compare(low, high, touching, knowledge)
@@ -293,6 +298,7 @@ def sample_ranges(ranges: Iterable[StatedRange]) -> dict[str, tuple[int, int]]:
     return drawn
 
 
+@lru_cache(1000)
 def _rational_bound(node: Formula) -> Fraction | None:
     """Return a bound as a number to three decimals."""
     evaluator = Knowledge().evaluator(Level({}))

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from symbalance.document.formula import Formula, Name, Quotient, names
+from symbalance.document.formula import Formula, Name, Quotient, Summation, names, walk
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
+from symbalance.notes.algebra.sums import indexed_letters
 from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.checking.crank_angles_listed import CrankAngles
 from symbalance.notes.checking.geometry import Geometry
 
 
@@ -70,6 +72,8 @@ class Level:
 
     values: Mapping[str, Formula]
     assumptions: tuple[str, ...] = ()
+    is_of_formulas: bool = False
+    """Whether the numbers of an example are left out, which make a witness and a correction unclear."""
 
 
 @dataclass(frozen=True)
@@ -96,6 +100,14 @@ class Knowledge:
     ranges: tuple[StatedRange, ...] = ()
     printed: frozenset[float] = frozenset()
     """The numbers that the page prints as results: put in elsewhere they are rounded."""
+    crank_angles: CrankAngles | None = None
+    """The angles of the cylinders that the page lists: what a sum without an index goes over."""
+    own_ranges_from: int = 0
+    """The first line whose ranges are said of the relation in hand: "for N ≥ 2" above a display."""
+    has_sums: bool = True
+    """Whether a sum or an integral stands on the page: letters in it may be whole numbers."""
+    orders: frozenset[str] = frozenset()
+    """Letters that are orders of harmonics somewhere on the page, and may be whole numbers."""
     small: frozenset[str] = frozenset()
     """Letters that are said to be small; where ≈ rests on another, that is an assumption."""
 
@@ -165,9 +177,10 @@ class Knowledge:
             (length,) = names(ratio.denominator)
             if length not in formulas:
                 others = {n: node for n, node in formulas.items() if n != name}
-                yield Level({**others, length: Quotient(ratio.numerator, Name(name))})
+                by_ratio = Quotient(ratio.numerator, Name(name))
+                yield Level({**others, length: by_ratio}, is_of_formulas=True)
         if any(usable[name].numeric for name in reached & usable.keys()):
-            yield Level(formulas)
+            yield Level(formulas, is_of_formulas=True)
 
     def _premises_behind(
         self, nodes: tuple[Formula, ...], usable: Mapping[str, Definition], number: bool
@@ -175,6 +188,7 @@ class Knowledge:
         """Return the letters behind formulas whose values are premises."""
         everything = {**{name: d.node for name, d in usable.items()}, **self.meaning.values}
         reached = {name for node in nodes for name in names_behind(node, everything)}
+        reached |= {name for name in usable if _is_summed_over(name, nodes)}
         return {
             name: d
             for name, d in usable.items()
@@ -233,3 +247,15 @@ class Knowledge:
 def _is_of_letters(ratio: Quotient) -> bool:
     """Tell whether a quotient is one letter over another."""
     return isinstance(ratio.numerator, Name) and isinstance(ratio.denominator, Name)
+
+
+def _is_summed_over(name: str, nodes: tuple[Formula, ...]) -> bool:
+    """Tell whether a letter is one of those that a sum goes over: δ_1 of the sum of cos δ_i."""
+    stem = name.rstrip("0123456789")
+    return stem not in ("", name) and any(
+        own[: -len(part.index.name)] == stem
+        for node in nodes
+        for part in walk(node)
+        if isinstance(part, Summation) and part.index is not None
+        for own in indexed_letters(part.body, part.index.name)
+    )

@@ -207,19 +207,21 @@ def paired(left: Formula, right: Formula) -> list[tuple[Formula, Formula]] | Non
     m r ω² = 0.5·0.04·628² puts 0.5 in for m, 0.04 for r, 628 for ω; λ m r ω² = 0.3·4605 puts in
     something else, and m r ω² = 7888 nothing.
     """
-    by_parts = _paired_parts(left, _without_unit(right))
+    by_parts = _paired_parts(left, without_unit(right))
     if by_parts is not None and isinstance(left, formula.Product | formula.Quotient):
         return by_parts
-    first, second = list(_bases(left)), list(_bases(right))
+    first, second = list(_bases(left)), list(_bases(without_unit(right)))
     if len(first) != len(second) or len(first) < 2 or [e for _, e in first] != [e for _, e in second]:
         return None
     return [(part, number) for (part, _), (number, _) in zip(first, second, strict=True) if names(part)]
 
 
-def _without_unit(node: Formula) -> Formula:
+def without_unit(node: Formula) -> Formula:
     """Return an arithmetic without the unit of its result behind it."""
-    if isinstance(node, Product) and len(node.factors) == 2 and isinstance(node.factors[0], Product):
-        return node.factors[0] if isinstance(node.factors[1], Number) else node
+    if isinstance(node, Product) and len(node.factors) == 2:
+        arithmetic, unit = node.factors
+        is_result = isinstance(arithmetic, Product | formula.Quotient) and isinstance(unit, Number)
+        return arithmetic if is_result else node
     return node
 
 

@@ -29,6 +29,7 @@ from symbalance.notes.checking.deciding.equality import (
     decide_equality,
     digits,
     printed_decimal,
+    refuted_by_formulas,
     without_dots,
 )
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
@@ -84,12 +85,17 @@ def decide_agreement(
     exact = Decision(UNDECIDED) if by_series_alone else decide_equality(left, right, knowledge)
     if exact.is_proved and through is None:
         return exact
-    best = exact
-    for level in knowledge.levels(left, right):
-        decision = _at_level(left, right, knowledge, level, through, loose or right_is_cut or left_is_cut)
+    best, levels = exact, list(knowledge.levels(left, right))
+    is_loose = loose or right_is_cut or left_is_cut
+    for level in levels:
+        decision = _at_level(left, right, knowledge, level, through, is_loose)
         if decision.is_proved:
             return decision
         best = decision
+    if not decimals(left) and not decimals(right):
+        best = refuted_by_formulas(
+            best, levels, lambda level: _at_level(left, right, knowledge, level, through, is_loose)
+        )
     return exact if best.reason == NO_LETTER and exact.status == REFUTED else best
 
 

@@ -32,6 +32,7 @@ from symbalance.notes.checking.deciding.equality import (
     without_dots,
 )
 from symbalance.notes.checking.deciding.induction import decide_by_induction
+from symbalance.notes.checking.deciding.infinite_series import decide_powers, states_powers
 from symbalance.notes.checking.deciding.joint_orders import decide_jointly
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import decide_matrices, is_of_matrices
@@ -41,8 +42,13 @@ from symbalance.notes.checking.deciding.order_agreement import (
     decide_agreement,
     degree,
 )
-from symbalance.notes.checking.deciding.remainders import decide_remainder, has_remainder
 from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.deciding.sums_over_cylinders import decide_over_cylinders
+from symbalance.notes.checking.deciding.whole_numbers import (
+    behind,
+    decide_with_whole_numbers,
+    with_counts,
+)
 from symbalance.notes.reading.equations import Side
 
 MOST_READINGS = 16
@@ -192,6 +198,22 @@ def decide_reading(
     left: Formula, right: Formula, sign: str, knowledge: Knowledge, through: int | None = None
 ) -> Decision:
     """Decide left = right or left ≈ right; what is refuted under an open premise is not decided."""
+    if not knowledge.has_sums:
+        return _decide_under_premises(left, right, sign, knowledge, through)
+
+    def decide_as_known(first: Formula, second: Formula, known: Knowledge) -> Decision:
+        return _decide_under_premises(first, second, sign, known, through)
+
+    def decide_written_out(first: Formula, second: Formula) -> Decision:
+        known = with_counts(first, second, knowledge)
+        return decide_with_whole_numbers(first, second, known, decide_as_known)
+
+    return decide_over_cylinders(left, right, knowledge, decide_written_out)
+
+
+def _decide_under_premises(
+    left: Formula, right: Formula, sign: str, knowledge: Knowledge, through: int | None
+) -> Decision:
     decision = _decide_reading(left, right, sign, knowledge, through)
     of_numbers = decision.status == REFUTED and not decision.of_matrices
     if of_numbers and (unknown := _terms_without_values(left, right, knowledge)):
@@ -200,8 +222,10 @@ def decide_reading(
     if decision.status == REFUTED and decision.left is not None:
         free = knowledge.angles | {"t"}
         open_premises = [text for text in decision.left.domain.assumptions if may_fail(text, free)]
-        if NO_EQUAL_TERMS in decision.left.domain.assumptions and not _sums(left, right):
-            open_premises.append(NO_EQUAL_TERMS)
+        domain = decision.left.domain
+        unequal = [t for t in domain.assumptions if t == NO_EQUAL_TERMS or t in domain.special]
+        if unequal and not _sums(left, right) and _sums(*behind(left, right, knowledge)):
+            open_premises.append(unequal[0])
             at_number = _at_a_number(left, right, sign, knowledge, through)
             if at_number is not None:
                 return at_number
@@ -262,8 +286,8 @@ def _decide_reading(
 ) -> Decision:
     if is_of_matrices(left, right, knowledge):
         return decide_matrices(left, right, sign, knowledge)
-    if has_remainder(left) or has_remainder(right):
-        return decide_remainder(left, right, sign, knowledge)
+    if states_powers(left, right):
+        return decide_powers(left, right, sign, knowledge)
     if has_branches(left, right, knowledge):
 
         def decide_branch(one: Formula, other: Formula, known: Knowledge) -> Decision:

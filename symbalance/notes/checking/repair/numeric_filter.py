@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,7 +12,8 @@ from symbalance.document import formula
 from symbalance.document.formula import Formula
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
-from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.evaluation import FormEvaluator, complex_parts
+from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 
@@ -62,11 +63,8 @@ def filter_of(case: Case) -> tuple[list[Values], NumericFilter] | None:
         return None
     count = 1 + len(decision.further)
     targets = [tuple(complex(rows[n]) for _, rows in points) for n in range(count)]
-    letters = {
-        name: [complex(row[k]) for _, row in points] for k, name in enumerate(letters_of(case), count)
-    }
-    numeric = NumericFilter(letters, len(points))
     evaluator = knowledge.evaluator(decision.level)
+    numeric = NumericFilter(ValuesOfLetters(evaluator, [point for point, _ in points]), len(points))
     for part in formula.walk(case.node):
         if isinstance(part, formula.Derivative):
             try:
@@ -95,28 +93,14 @@ def letters_of(case: Case) -> list[str]:
 
 
 def _points(case: Case) -> list[tuple[values.Point, list[Any]]]:
-    """Return points with the values there of the exact side, its later cut-offs, and the letters."""
+    """Return points for all letters, with the values there of the exact side and its later cut-offs."""
     assert case.decision.left is not None
     assert case.decision.level is not None
-    evaluator = case.knowledge.evaluator(case.decision.level)
-    evaluator.domain = case.decision.left.domain
-    forms: list[Form] = [case.decision.left, *case.decision.further]
-    for name in letters_of(case):
-        try:
-            forms.append(evaluator.letter(name))
-        except (NoFormError, TooLargeError):
-            forms.append(Form.number(case.decision.left.domain, 1))
-    samples = values.sample(forms)
-    if samples:
-        return samples
-    count = 1 + len(case.decision.further)  # some letter has no value: leave it out
-    unit = Form.number(case.decision.left.domain, 1)
-    alone = [f if values.sample([f], 1) else unit for f in forms[count:]]
-    samples = values.sample([*forms[:count], *alone])
-    if samples:
-        return samples
-    usable = [f if values.sample([case.decision.left, f], 1) else unit for f in forms[count:]]
-    return values.sample([*forms[:count], *usable])
+    meaning, own = case.knowledge.meaning, case.decision.level.values
+    behind = {n for name in letters_of(case) for n in names_behind(formula.Name(name), own)}
+    # those that have values too: of letters that rest on each other one is taken as it is
+    others = {part for n in behind for part in (complex_parts(n) if n in meaning.complex else (n,))}
+    return values.sample([case.decision.left, *case.decision.further], others=others)
 
 
 def fits(node: Formula, numeric: NumericFilter, targets: list[Values]) -> bool:
@@ -143,6 +127,57 @@ def _cancels(node: Formula, row: Values, numeric: NumericFilter) -> bool:
 
 class NoValueError(Exception):
     """A formula without a value here: a pole, an unknown letter, a derivative."""
+
+
+class ValuesOfLetters(Mapping[str, Values]):
+    """The values of letters at a few points, each found when it is first asked for.
+
+    What a letter stands for is evaluated as it is written; only what has no value so, such as a
+    derivative, is brought to its normal form. What has none is 1: proofs decide on what is put in.
+    """
+
+    def __init__(self, evaluator: FormEvaluator, points: Sequence[values.Point]) -> None:
+        self._evaluator, self._points = evaluator, points
+        self._rows: dict[str, Values] = {}
+        self._open: set[str] = set()
+        self._numeric = NumericFilter(self, len(points))
+
+    def __getitem__(self, name: str) -> Values:
+        if name not in self._rows:
+            if name in self._open:  # of letters that rest on each other one is taken as it is
+                return self._at_points(name)
+            self._open.add(name)
+            try:
+                self._rows[name] = self._row(name)
+            finally:
+                self._open.remove(name)
+        return self._rows[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._rows)
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def _row(self, name: str) -> Values:
+        meaning = self._evaluator.meaning
+        node = meaning.values.get(name)
+        try:
+            if node is not None:
+                return self._numeric.values(node)
+        except NoValueError:
+            return self._row_of_form(name)
+        return self._row_of_form(name) if name in meaning.complex else self._at_points(name)
+
+    def _at_points(self, name: str) -> Values:
+        return tuple(complex(point[name]) for point in self._points)
+
+    def _row_of_form(self, name: str) -> Values:
+        try:
+            form = self._evaluator.letter(name)
+            return tuple(complex(values.value(form, point)) for point in self._points)
+        except (NoFormError, TooLargeError, KeyError, ZeroDivisionError, ValueError, OverflowError):
+            return (complex(1),) * len(self._points)
 
 
 class NumericFilter:

@@ -1,0 +1,147 @@
+"""Sums over the cylinders that a page lists: ΣF_1, and Σ cos(φ + δ_i) with δ_i in words.
+
+A sum without an index is taken as that of what its body comes to with the crank angle θ advanced to each
+of the listed angles, θ + δ_1, θ + δ_2, ….
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+
+from symbalance.document.formula import (
+    Formula,
+    Name,
+    Number,
+    Sum,
+    Summation,
+    children,
+    names,
+    walk,
+    with_children,
+)
+from symbalance.document.letters import is_greek
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.sums import indexed_letters
+from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.substitution import substitute
+
+NO_ANGLES = "a sum over cylinders whose crank angles the page does not list here: say them"
+_MOMENT = re.compile(r"moment|couple|torque|偶力|モーメント", re.IGNORECASE)
+DEEPEST = 12
+"""Letters that stand for others, one in the other."""
+Decide = Callable[[Formula, Formula], Decision]
+
+
+def decide_over_cylinders(
+    left: Formula, right: Formula, knowledge: Knowledge, decide: Decide
+) -> Decision:
+    """Decide a relation, the sums over cylinders in it written out by the angles that the page lists.
+
+    Where the words leave two sets of angles open, it is refuted only if it is false for both.
+    """
+    is_open = any(_is_without_index(part) for node in (left, right) for part in walk(node))
+    listed = knowledge.crank_angles
+    last: Decision | None = None
+    for angles in () if listed is None else (listed, *listed.others):
+        try:
+            first, second = (_written_out(node, angles.nodes, knowledge) for node in (left, right))
+        except (NoFormError, TooLargeError) as problem:
+            return Decision(UNDECIDED, str(problem))
+        if first is left and second is right:
+            break
+        decision = decide(first, second)
+        decision = replace(decision, assumptions=(*decision.assumptions, angles.text))
+        if decision.is_proved:
+            return decision
+        last = decision if last is None or decision.status == UNDECIDED else last
+    if last is not None:
+        return last
+    decision = decide(left, right)
+    is_unsaid = is_open and decision.status == UNDECIDED
+    return replace(decision, reason=NO_ANGLES) if is_unsaid else decision
+
+
+def _is_without_index(node: Formula) -> bool:
+    return isinstance(node, Summation) and (node.index is None or node.upper is None)
+
+
+def _written_out(node: Formula, angles: tuple[Formula, ...], knowledge: Knowledge) -> Formula:
+    """Return a formula with its sums over cylinders as sums of terms, itself where there are none."""
+    if isinstance(node, Summation):
+        terms = _terms(node, angles, knowledge)
+        return node if terms is None else Sum(tuple(terms))
+    parts = children(node)
+    new_parts = tuple(_written_out(part, angles, knowledge) for part in parts)
+    is_same = all(a is b for a, b in zip(parts, new_parts, strict=True))
+    return node if is_same else with_children(node, new_parts)
+
+
+def _terms(node: Summation, angles: tuple[Formula, ...], knowledge: Knowledge) -> list[Formula] | None:
+    """Return the terms of a sum, one a cylinder; None where it is not one over the listed angles."""
+    theta = knowledge.crank.theta if knowledge.crank is not None else None
+    if node.index is not None:
+        return _indexed_terms(node, angles, knowledge)
+    if not isinstance(theta, Name) or any(_is_moment(name, knowledge) for name in names(node.body)):
+        return None  # the lever arms of the cylinders are not listed with their angles
+    body = _in_angle(node.body, theta.name, knowledge)
+    if theta.name not in names(body):
+        return None
+    return [substitute(body, theta.name, Sum((theta, angle))) for angle in angles]
+
+
+def _indexed_terms(
+    node: Summation, angles: tuple[Formula, ...], knowledge: Knowledge
+) -> list[Formula] | None:
+    assert node.index is not None
+    own = indexed_letters(node.body, node.index.name)
+    is_one = len(own) == 1 and is_greek(own[0].split("_")[0])
+    if not is_one or knowledge.knows(own[0]):
+        return None
+    stem = own[0][: -len(node.index.name)]
+    if any(name.startswith(stem) and name[len(stem) :].isdecimal() for name in knowledge.definitions):
+        return None  # δ_1, δ_2 have values of their own
+    if node.upper is not None:
+        if node.lower is None or not isinstance(node.lower, Number):
+            return None
+        last = _number(node.upper, knowledge)
+        if last is None or last.value - node.lower.value + 1 != len(angles):
+            return None
+    theta = knowledge.crank.theta if knowledge.crank is not None else None
+    is_whole_angle = isinstance(theta, Name) and own[0].split("_")[0] == theta.name
+    values = [Sum((theta, a)) if is_whole_angle and theta is not None else a for a in angles]
+    first = node.lower.value if isinstance(node.lower, Number) else Fraction(1)
+    bodies = [substitute(node.body, own[0], value) for value in values]
+    numbers = [Number(first + place) for place in range(len(bodies))]
+    return [substitute(b, node.index.name, n) for b, n in zip(bodies, numbers, strict=True)]
+
+
+def _is_moment(name: str, knowledge: Knowledge) -> bool:
+    """Tell whether a letter is a moment or a couple, by its meaning or by its usual letter."""
+    return name.startswith("M") or _MOMENT.search(knowledge.meanings.get(name, "")) is not None
+
+
+def _number(node: Formula, knowledge: Knowledge) -> Number | None:
+    if isinstance(node, Name) and node.name in knowledge.definitions:
+        node = knowledge.definitions[node.name].node
+    return node if isinstance(node, Number) else None
+
+
+def _in_angle(node: Formula, theta: str, knowledge: Knowledge) -> Formula:
+    """Return a formula with the letters that depend on the crank angle written out in it."""
+    values = {**{n: d.node for n, d in knowledge.definitions.items()}, **knowledge.meaning.values}
+    for _ in range(DEEPEST):
+        depends = [
+            name
+            for name in sorted(names(node) - {theta})
+            if name in values and theta in names_behind(values[name], values)
+        ]
+        if not depends:
+            return node
+        for name in depends:
+            node = substitute(node, name, values[name])
+    raise TooLargeError("definitions nested too deep")

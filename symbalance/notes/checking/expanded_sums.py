@@ -1,0 +1,145 @@
+"""Sums over letters whose values a page lists, written out: Σ z_k cos δ_k is z_1 cos δ_1 + …
+
+A list, a table or a row z = (1, i, −i, −1) says how far such a sum runs, where its sign does not. A
+letter that the page defines for every index at once (α_k = 2πk/3) stays as it is.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from symbalance.document.formula import (
+    Formula,
+    Name,
+    Number,
+    Span,
+    Sum,
+    Summation,
+    children,
+    names,
+    with_children,
+)
+from symbalance.notes.algebra.domain import NoFormError
+from symbalance.notes.algebra.sums import at_index, indexed_letters
+from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.reading.equations import Chain, ReadNotes
+
+LONGEST = 24
+"""Terms that are written out; engines have no more cylinders."""
+_INDICES = ("i", "j", "k", "n", "nu")
+_NUMBERED = re.compile(r"(?P<stem>.+[_,])(?P<number>\d{1,2})")
+
+
+@dataclass(frozen=True)
+class _Values:
+    """The numbers of the letters that a page gives a value, with the lines; and what it gives for all."""
+
+    lines: Mapping[str, Mapping[int, int]]
+    general: frozenset[str]
+
+    def numbers(self, stem: str, line: int) -> list[int]:
+        """Return the numbers that a letter has values for, by lines above where there are any."""
+        own = self.lines.get(stem, {})
+        above = sorted(number for number, at in own.items() if at <= line)
+        return above or sorted(own)
+
+
+def with_expanded_sums(page: ReadNotes, data: Iterable[Chain] = ()) -> ReadNotes:
+    """Return a page whose sums over letters with listed values are written out."""
+    if not any(
+        isinstance(part, Summation) for c in page.chains for s in c.sides for part in _parts(s.node)
+    ):
+        return page
+    values = _values([*page.chains, *data])
+
+    def expanded(chain: Chain) -> Chain:
+        line = chain.lines[0]
+        sides = tuple(
+            replace(side, readings=tuple(_expanded(node, values, line) for node in side.readings))
+            for side in chain.sides
+        )
+        return replace(chain, sides=sides)
+
+    return replace(page, chains=tuple(map(expanded, page.chains)))
+
+
+def _parts(node: Formula) -> Iterable[Formula]:
+    yield node
+    for part in children(node):
+        yield from _parts(part)
+
+
+def _values(chains: Iterable[Chain]) -> _Values:
+    lines: dict[str, dict[int, int]] = {}
+    general: set[str] = set()
+    for chain in chains:
+        for k, side in enumerate(chain.sides):
+            is_given = isinstance(side.node, Name) and (
+                any(r.sign == "=" for r in chain.relations[max(k - 1, 0) : k + 1])
+            )
+            if not is_given or not isinstance(side.node, Name):
+                continue
+            match = _NUMBERED.fullmatch(side.node.name)
+            if match is None:
+                general.add(side.node.name)
+            else:
+                lines.setdefault(match["stem"], {}).setdefault(int(match["number"]), chain.lines[0])
+    return _Values(lines, frozenset(general))
+
+
+def _expanded(node: Formula, values: _Values, line: int) -> Formula:
+    parts = children(node)
+    if parts:
+        node = with_children(node, tuple(_expanded(part, values, line) for part in parts))
+    return _written_out(node, values, line) if isinstance(node, Summation) else node
+
+
+def _written_out(node: Summation, values: _Values, line: int) -> Formula:
+    index = node.index.name if node.index is not None else _index_of(node.body)
+    letters = indexed_letters(node.body, index) if index else []
+    if not letters or any(letter in values.general for letter in letters):
+        return node
+    stems = [letter[: -len(index)] for letter in letters if letter.endswith(index)]
+    if len(stems) < len(letters):
+        return node  # c_2k
+    lists = [values.numbers(stem, line) for stem in stems]
+    numbers = _range(node) if node.lower is not None or node.upper is not None else lists[0]
+    if not numbers or len(numbers) > LONGEST or not all(set(numbers) <= set(own) for own in lists):
+        return node
+    is_whole = numbers == list(range(numbers[0], numbers[-1] + 1)) and numbers[0] in (0, 1)
+    if node.lower is None and not (
+        is_whole and len(numbers) > 1 and all(own == numbers for own in lists)
+    ):
+        return node
+    try:
+        terms = [
+            _moved(substitute(at_index(node.body, index, k), index, Number(Fraction(k))), node.span)
+            for k in numbers
+        ]
+    except NoFormError:  # the index of a derivative is no number
+        return node
+    return Sum(tuple(terms), span=node.span) if len(terms) > 1 else terms[0]
+
+
+def _index_of(body: Formula) -> str:
+    """Return the index that the letters of a sum without one carry, "" where they differ."""
+    carried = {name.rpartition("_")[2] for name in names(body) if "_" in name}
+    carried &= set(_INDICES)
+    return carried.pop() if len(carried) == 1 else ""
+
+
+def _range(node: Summation) -> list[int]:
+    ends = [bound.value for bound in (node.lower, node.upper) if isinstance(bound, Number)]
+    if len(ends) < 2 or any(end.denominator != 1 for end in ends):
+        return []
+    return list(range(int(ends[0]), int(ends[1]) + 1))[: LONGEST + 1]
+
+
+def _moved(node: Formula, span: Span) -> Formula:
+    """Return a term with every part at the place of the sum: no part of it stands alone in the text."""
+    parts = children(node)
+    moved = with_children(node, tuple(_moved(part, span) for part in parts)) if parts else node
+    return replace(moved, span=span)

@@ -1,0 +1,200 @@
+"""Values of numbered letters that a page gives in one row or one table: z_1, z_2, … and δ_1, δ_2, …
+
+z = (1, i, −i, −1)                       a row of values: z_k is the k-th of them
+
+| k | z_k | δ_k |                        a table with the index in its first column,
+| 1 |  1  |  0° |
+
+| cylinder | 1 | 2  |                    or in its first row
+| δ_k      | 0 | 90° |
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import Protocol
+
+from symbalance.document.formula import (
+    Formula,
+    Matrix,
+    Name,
+    Number,
+    Span,
+    Summation,
+    children,
+    names,
+    walk,
+    with_children,
+)
+from symbalance.notes.algebra.domain import NoFormError
+from symbalance.notes.algebra.sums import at_index
+from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.reading import ReadingError, canonical_name, read_expression
+from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side
+
+_INDEX = re.compile(r"(?P<stem>.+_)(?P<index>[ijkn]|nu|[0-9]{1,2})")
+_DEGREES = re.compile(
+    r"\s*(?:\[°\]|\(°\)|/\s*°|in\s+(?:°|degrees?|Grad)|\[(?:deg|Grad)\]|\((?:deg|Grad)\))$"
+)
+"""The one unit that a head may have: a formula may put in lengths in mm as bare numbers."""
+_HEADS = re.compile(
+    r"(?:cyl(?:inder)?s?|throws?|cranks?|zyl(?:inder)?|kröpfung|nr|no|number|nummer|piston|kolben|シリンダ|気筒|番号)?[.:#]?"
+    r"(?:\s*(?:[ijkn]|number|no\.?|nr\.?|番号))?|#",
+    re.IGNORECASE,
+)
+_MARKS = re.compile(r"\*\*|\$|\\[()]|`|</?(?:b|i|em|strong|var|math)\b[^>]*>")
+_LONGEST_CELL = 60
+
+
+class Cell(Protocol):
+    """A cell of a table: its text and its place in the page."""
+
+    @property
+    def text(self) -> str:
+        """What stands in it."""
+        ...
+
+    @property
+    def span(self) -> Span:
+        """Where it stands."""
+        ...
+
+
+def rows_of_values(page: ReadNotes, used: Collection[str]) -> Iterator[Chain]:
+    """Yield the values of z_1, z_2, … for each row z = (…) of a page that uses z_1 or z_k."""
+    for chain in page.chains:
+        head, value = chain.sides[0].node, chain.sides[-1].node
+        is_row = isinstance(value, Matrix) and (len(value.rows) == 1 or len(value.rows[0]) == 1)
+        if not isinstance(head, Name) or not isinstance(value, Matrix) or not is_row:
+            continue
+        entries = [entry for row in value.rows for entry in row]
+        stem = f"{head.name}_"
+        numbers = {int(n[len(stem) :]) for n in used if n.startswith(stem) and n[len(stem) :].isdecimal()}
+        is_indexed = any((m := _INDEX.fullmatch(name)) and m["stem"] == stem for name in used)
+        if not is_indexed and not numbers:
+            continue
+        first = 0 if 0 in numbers and len(entries) not in numbers else 1
+        for number, entry in enumerate(entries, first):
+            yield _given(f"{stem}{number}", entry, chain.sides[-1].span, chain.lines[0])
+
+
+def instances_of_rules(page: ReadNotes, used: Collection[str]) -> Iterator[Chain]:
+    """Yield θ_1 = θ, θ_2 = θ + 2π/3 for a rule θ_k = θ + 2π(k − 1)/3 of a page that uses θ_1 and θ_2.
+
+    Only where k is an index by what the page says: one of a sum, or one that runs through whole numbers.
+    """
+    heads = {c.sides[0].node.name for c in page.chains if isinstance(c.sides[0].node, Name)}
+    for chain in page.chains:
+        head = chain.sides[0].node
+        match = _INDEX.fullmatch(head.name) if isinstance(head, Name) else None
+        if match is None or match["index"].isdecimal() or len(chain.sides) < 2:
+            continue
+        stem, index, value = match["stem"], match["index"], chain.sides[1].node
+        if chain.relations[0].sign != "=" or not _holds_index(value, index) or not _runs(page, index):
+            continue
+        for name in sorted(used):
+            number = name[len(stem) :]
+            if name.startswith(stem) and number.isdecimal() and name not in heads:
+                at_number = at_index(value, index, int(number))
+                try:
+                    node = substitute(at_number, index, Number(Fraction(int(number))))
+                except NoFormError:  # a derivative by the index
+                    break
+                yield _given(name, _at(node, chain.sides[1].span), chain.sides[1].span, chain.lines[0])
+
+
+def _holds_index(value: Formula, index: str) -> bool:
+    return any(name == index or name.endswith(f"_{index}") for name in names(value))
+
+
+def _runs(page: ReadNotes, index: str) -> bool:
+    """Tell whether a letter counts: as the index of a sum, k = 1, 2, 3, or 1 ≤ k ≤ N."""
+    sums = (part for c in page.chains for side in c.sides for part in walk(side.node))
+    if any(isinstance(s, Summation) and s.index is not None and s.index.name == index for s in sums):
+        return True
+    run = (
+        rf"(?<![\w\\]){index}\s*(?:=\s*[0-9]\s*(?:,|\\l?dots|…|\.\.)|\\in(?![a-z])|∈"
+        r"|(?:\\leq?|≤)\s*[0-9A-Z])"
+    )
+    return re.search(run, page.text) is not None
+
+
+def tables_of_values(
+    page: ReadNotes, tables: Sequence[Sequence[Sequence[Cell]]], used: Collection[str]
+) -> Iterator[Chain]:
+    """Yield the values of numbered letters in tables with a row, or a column, for each number."""
+    reader = _Tables(page, used)
+    for table in tables:
+        if len(table) < 2 or len({len(row) for row in table}) > 1:
+            continue
+        yield from reader.of(table)
+        yield from reader.of([list(column) for column in zip(*table, strict=True)])
+
+
+class _Tables:
+    def __init__(self, page: ReadNotes, used: Collection[str]) -> None:
+        self.page, self.used = page, used
+        self.stems = {
+            (match["stem"], match["index"]) for name in used if (match := _INDEX.fullmatch(name))
+        }
+
+    def of(self, table: Sequence[Sequence[Cell]]) -> Iterator[Chain]:
+        """Yield the values of a table whose first row names letters and first column counts."""
+        numbers = [_bare(row[0].text) for row in table[1:]]
+        if not _HEADS.fullmatch(_bare(table[0][0].text)) or len(numbers) < 2:
+            return
+        if not all(number.isdecimal() for number in numbers):
+            return
+        counted = list(map(int, numbers))
+        if counted != list(range(counted[0], counted[0] + len(counted))) or counted[0] > 1:
+            return
+        for column, head in enumerate(table[0][1:], 1):
+            text = _bare(head.text)
+            name = _DEGREES.sub("", text)
+            stem, unit = self._stem(name), "°" if name != text else ""
+            values = [self._value(row[column], unit) for row in table[1:]] if stem else []
+            if not stem or any(value is None for value in values):
+                continue
+            for number, value, row in zip(counted, values, table[1:], strict=True):
+                if value is not None:
+                    span = row[column].span
+                    yield _given(f"{stem}{number}", value, span, self.page.line_of(span[0]))
+
+    def _stem(self, text: str) -> str:
+        """Return δ_ for a head δ_k, δ_i or δ, where the page uses δ_k."""
+        try:
+            name = canonical_name(text)
+        except ReadingError:
+            return ""
+        match = _INDEX.fullmatch(name)
+        stem = match["stem"] if match else f"{name}_"
+        return stem if any(own == stem for own, _ in self.stems) else ""
+
+    def _value(self, cell: Cell, unit: str) -> Formula | None:
+        text = _bare(cell.text)
+        text += unit if text.lstrip("-−").isdecimal() else ""
+        if not text or len(text) > _LONGEST_CELL:
+            return None
+        try:
+            (node, *_) = read_expression(text.replace("−", "-"), self.used)
+        except ReadingError:
+            return None
+        return _at(node, cell.span)
+
+
+def _at(node: Formula, span: Span) -> Formula:
+    parts = children(node)
+    moved = with_children(node, tuple(_at(part, span) for part in parts)) if parts else node
+    return replace(moved, span=span)
+
+
+def _bare(text: str) -> str:
+    return " ".join(_MARKS.sub(" ", text).split())
+
+
+def _given(name: str, value: Formula, span: Span, line: int) -> Chain:
+    sides = Side((Name(name, span=span),), span), Side((value,), span)
+    return Chain(sides, (Relation("=", line),), (line,))

@@ -1,0 +1,57 @@
+r"""Extremes written otherwise than by a subscript: β max = 14.5° is β_{max}, |M|_{\max} is \max |M|.
+
+Without TeX the subscript is typed on the line. Within a formula, before a relation, the two words can be
+nothing else.
+"""
+
+from __future__ import annotations
+
+import re
+
+from symbalance.notes.reading.marked_formulas import marked_formulas
+from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+
+_APART = re.compile(
+    r"(?<![\w\\}'’])(?P<letter>[α-ωϕϑ]|[A-Zb-z](?:_?[0-9]|[₀-₉])?)[ \t\u00a0](?P<word>max|min)\.?"
+    r"(?=[ \t]*(?:=(?![=>])|[≈<>≤≥]))"
+)
+
+
+def with_extremes_apart(text: str) -> Rewritten | None:
+    """Return a text with β max as β_{max}, None where there is none.
+
+    >>> with_extremes_apart("sin β max = λ").text
+    'sin β_{max} = λ'
+    """
+    inside = marked_formulas(text)
+    rewriter, changed = Rewriter(text), False
+    for match in _APART.finditer(text):
+        if any(start <= match.start() < end for start, end in inside):
+            continue
+        rewriter.replace(match.end("letter"), match.end(), "_{", match.span("word"), "}")
+        changed = True
+    return rewriter.finish() if changed else None
+
+
+_BAR = r"(?:\\left\s*|\\[bB]igg?l?\s*)?(?:\||\\vert(?![A-Za-z])|\\lvert(?![A-Za-z]))"
+_CLOSING = r"(?:\\right\s*|\\[bB]igg?r?\s*)?(?:\||\\vert(?![A-Za-z])|\\rvert(?![A-Za-z]))"
+_WORD = r"\\?(?P<word>max|min)(?![A-Za-z])"
+_OF_BARS = re.compile(
+    rf"{_BAR}(?P<inside>[^|$\n=<>]{{1,80}}?){_CLOSING}\s*_\s*"
+    rf"(?:\{{\s*(?:\\(?:mathrm|text|textrm|rm|operatorname)\s*\{{?\s*)?{_WORD}\s*\}}{{1,2}}"
+    rf"|{_WORD.replace('word', 'bare')})"
+)
+
+
+def with_extremes_of_bars(text: str) -> Rewritten | None:
+    r"""Return a text with |M|_{\max} as \max |M|, None where there is none.
+
+    >>> with_extremes_of_bars(r"$|M|_{\max} = 3$").text
+    '$\\max \\left|M\\right| = 3$'
+    """
+    rewriter, changed = Rewriter(text), False
+    for match in _OF_BARS.finditer(text):
+        word = match["word"] or match["bare"]
+        rewriter.replace(*match.span(), f"\\{word} \\left|", match.span("inside"), "\\right|")
+        changed = True
+    return rewriter.finish() if changed else None

@@ -1,0 +1,74 @@
+r"""Rows of values in brackets, z = (1, i, −i, −1), put as a matrix of one row.
+
+Only right of an equals sign, and where the bracket is the whole side: f = (a, b) of two letters may be
+anything, three entries or numbers are a row.
+"""
+
+from __future__ import annotations
+
+import re
+
+from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+
+_ENTRY = r"[^(),;=<>≤≥≈$\n]+(?:\([^(),;=$\n]*\)[^(),;=<>≤≥≈$\n]*)*"
+_GAP = r"(?:,\s|,(?=\D)|;)\s*"
+_OPEN = r"(?:\\left\s*|\\[bB]igg?l?\s*)?(?P<open>[(\[])"
+_ROW = re.compile(
+    rf"(?P<head>(?<![<>!:=])=\s*&?\s*){_OPEN}(?P<entries>\s*{_ENTRY}(?:{_GAP}{_ENTRY})+)"
+    r"(?:\\right\s*|\\[bB]igg?r?\s*)?(?P<close>[)\]])"
+    r"(?P<turned>\s*\^\s*(?:\{?\s*(?:\\(?:top|mathsf|mathrm|rm|intercal)\s*\{?\s*)?T?\s*\}{0,2})|[ᵀ⊤])?"
+    r"(?=\s*(?:[.,;、。](?!\d)|\$|\\\)|\\\]|\\\\|\\q?quad|\\end|\\text|\\,|\\;|\n|$|=|[^\W\d_]{2}))"
+)
+_NUMBER = re.compile(
+    r"\s*[-+−±]?\s*(?:(?:[0-9]+(?:\.[0-9]+)?|\\[td]?frac\s*\{[^{}]*\}\s*\{[^{}]*\}|\\sqrt\s*\{?\w+\}?|√\s*\w+)\s*"
+    r"(?:/\s*[0-9]+)?\s*(?:°|\^\{?\\circ\}?|\\degree)?\s*)?(?:[ija-z]|\\pi|π)?\s*"
+)
+_LANGUAGE = re.compile(r"[^\W\d_]{3,}(?![^\W\d_])")
+
+
+def with_row_vectors(text: str) -> Rewritten | None:
+    r"""Return a text with such rows as matrices, None where there are none.
+
+    >>> with_row_vectors("$z = (1, i, -i, -1)$").text
+    '$z = \\begin{pmatrix}1 & i & -i & -1\\end{pmatrix}$'
+    """
+    rewriter, changed = Rewriter(text), False
+    for match in _ROW.finditer(text):
+        spans = _entries(text, *match.span("entries"))
+        if not _is_row(text, spans, match["open"] + match["close"]):
+            continue
+        pieces: list[str | tuple[int, int]] = ["\\begin{pmatrix}"]
+        for number, span in enumerate(spans):
+            pieces += [" & "] if number else []
+            pieces.append(span)
+        pieces.append("\\end{pmatrix}")
+        rewriter.replace(match.end("head"), match.end("close"), *pieces)
+        changed = True
+    return rewriter.finish() if changed else None
+
+
+def _entries(text: str, start: int, end: int) -> list[tuple[int, int]]:
+    """Return the spans of the entries, without the space around them."""
+    spans: list[tuple[int, int]] = []
+    depth, first = 0, start
+    for place in range(start, end + 1):
+        sign = text[place] if place < end else ","
+        depth += {"(": 1, "{": 1, ")": -1, "}": -1}.get(sign, 0)
+        if sign in ",;" and not depth:
+            inside = text[first:place]
+            lead = len(inside) - len(inside.lstrip())
+            inside = re.sub(r"(?:\s|\\[,;:! ])+$", "", inside)
+            spans.append((first + lead, first + max(len(inside), lead)))
+            first = place + 1
+    return spans
+
+
+def _is_row(text: str, spans: list[tuple[int, int]], brackets: str) -> bool:
+    """Tell a row of values from an interval, arguments or a remark."""
+    entries = [text[a:b] for a, b in spans]
+    if not all(entries) or any(_LANGUAGE.search(re.sub(r"\\[A-Za-z]+", "", entry)) for entry in entries):
+        return False
+    if brackets in ("(]", "[)") or any("…" in e or "dots" in e or "..." in e for e in entries):
+        return False
+    are_numbers = all(_NUMBER.fullmatch(entry) for entry in entries)
+    return are_numbers if len(entries) == 2 or brackets == "[]" else True
