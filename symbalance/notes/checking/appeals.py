@@ -6,6 +6,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.formula import Constant, Formula, Name, Number, names
+from symbalance.notes.checking.angle_equations import at_rough_angle
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
@@ -35,7 +36,7 @@ def appeal(
         decision = decide_in_units(chain, k, decision, state.document, knowledge)
     if decision.status == REFUTED:
         decision = _with_wrong_results(state, chain, k, against, decision, knowledge)
-    for mend in (_at_stated_angle, with_letters_below, unless_open):
+    for mend in (_at_stated_angle, with_letters_below, at_rough_angle, unless_open):
         if decision.status == REFUTED:
             decision = mend(state, chain, k, decision, knowledge)
     return decision

@@ -35,25 +35,28 @@ _IN_DEGREES = re.compile(
 )
 
 
-def with_bare_degrees(document: ReadNotes) -> ReadNotes:
-    """Return a page whose bare numbers in sines and cosines are degrees, where they may be."""
+def with_bare_degrees(document: ReadNotes, *, only_named: bool = False) -> ReadNotes:
+    """Return a page whose bare numbers in sines and cosines are degrees, where they may be.
+
+    With `only_named` those only that the page names with their sign elsewhere: the others stay.
+    """
     if not any(_bare(node) for chain in document.chains for s in chain.sides for node in s.readings):
         return document
     angles = frozenset(
         Fraction((m["number"] or m["typed"]).replace(",", "."))
         for m in _IN_DEGREES.finditer(document.text)
     )
-    return replace(document, chains=tuple(_chain(chain, angles) for chain in document.chains))
+    return replace(document, chains=tuple(_chain(chain, angles, only_named) for chain in document.chains))
 
 
-def _chain(chain: Chain, angles: frozenset[Fraction]) -> Chain:
-    return replace(chain, sides=tuple(_side(side, angles) for side in chain.sides))
+def _chain(chain: Chain, angles: frozenset[Fraction], only_named: bool) -> Chain:
+    return replace(chain, sides=tuple(_side(side, angles, only_named) for side in chain.sides))
 
 
-def _side(side: Side, angles: frozenset[Fraction]) -> Side:
+def _side(side: Side, angles: frozenset[Fraction], only_named: bool) -> Side:
     own = [number for node in side.readings for number in _bare(node)]
     is_named = any(abs(number.value) in angles for number in own)
-    if not own:
+    if not own or (only_named and not is_named):
         return side
     in_degrees = tuple(_in_degrees(node) for node in side.readings)
     return replace(side, readings=in_degrees if is_named else (*in_degrees, *side.readings))

@@ -28,9 +28,9 @@ MOST = 6
 
 @dataclass(frozen=True, slots=True)
 class WrongResult:
-    """A number that a line prints and that is refuted there, with the formula it is printed for."""
+    """A value that a line gives and that is refuted there, with the formula it stands for."""
 
-    number: Number
+    value: Formula
     formula: Formula
     name: str
     line: int
@@ -38,7 +38,7 @@ class WrongResult:
     @property
     def text(self) -> str:
         """What a line that goes on with it rests on."""
-        value = formula_text(self.number, plain=True)
+        value = formula_text(self.value, plain=True)
         letter = f"{formula_text(Name(self.name), plain=True)} = " if self.name else ""
         return f"{letter}{value} of line {self.line}, which is refuted"
 
@@ -50,7 +50,7 @@ class CarriedValues:
     results: list[WrongResult] = field(default_factory=list)
 
     def note(self, chain: Chain, k: int) -> None:
-        """Note the refuted k-th relation of a chain, if it prints a number for a formula in letters."""
+        """Note the refuted k-th relation of a chain: a number for a formula in letters, or a formula."""
         node = chain.sides[k + 1].node
         number = node.operand if isinstance(node, Negative) else node
         of = next((s.node for s in reversed(chain.sides[: k + 1]) if names(s.node)), None)
@@ -59,6 +59,8 @@ class CarriedValues:
         if isinstance(node, Number) and is_result and of is not None:
             name = head.name if isinstance(head, Name) else ""
             self.results.append(WrongResult(node, of, name, chain.lines[0]))
+        elif k and isinstance(head, Name) and names(node) and head.name not in names(node):
+            self.results.append(WrongResult(node, head, head.name, chain.lines[0]))
 
     def decide(
         self,
@@ -73,21 +75,24 @@ class CarriedValues:
             typed = [
                 part
                 for part in walk(right.node)
-                if isinstance(part, Number) and part is not right.node and _is_same(part, wrong.number)
+                if isinstance(part, Number) and part is not right.node and _is_same(part, wrong.value)
             ]
             exact = value_of(wrong.formula) if typed and names(left.node) else None
             if exact:
-                scale = _scale(typed[0], wrong.number)
+                assert isinstance(wrong.value, Number)
+                scale = _scale(typed[0], wrong.value)
                 number = Number(Fraction(exact) / scale, _PLACES * abs(Fraction(exact)) / scale)
                 node = replace_part(right.node, typed[0], number)
                 there = decide(left, replace(right, readings=(node,)), knowledge)
                 if there.is_proved:
                     return replace(there, assumptions=(*there.assumptions, wrong.text))
             values = {n: d.node for n, d in knowledge.definitions.items()}
+            is_number = not names(wrong.value)
+            if names(right.node) and not is_number:
+                continue  # the same formula once more is wrong once more
             if wrong.name in names_behind(left.node, values) and wrong.name in knowledge.definitions:
-                own = replace(
-                    knowledge.definitions[wrong.name], node=wrong.number, numeric=True, rounded=None
-                )
+                earlier = knowledge.definitions[wrong.name]
+                own = replace(earlier, node=wrong.value, numeric=is_number, rounded=None)
                 there = decide(left, right, knowledge.with_definition(wrong.name, own))
                 if there.is_proved:
                     return replace(there, assumptions=(*there.assumptions, wrong.text))
@@ -100,8 +105,8 @@ def _scale(typed: Number, printed: Number) -> Fraction:
     return Fraction(round(ratio * 1000), 1000)
 
 
-def _is_same(first: Number, second: Number) -> bool:
+def _is_same(first: Number, second: Formula) -> bool:
     """Tell whether a number is typed again, perhaps in another unit."""
-    return any(
+    return isinstance(second, Number) and any(
         math.isclose(float(first.value) * scale, float(second.value), rel_tol=1e-12) for scale in _SCALES
     )

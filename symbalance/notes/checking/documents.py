@@ -19,6 +19,7 @@ from symbalance.document.letters import plain_letter
 from symbalance.document.nodes import Code, Strong, Words
 from symbalance.errors import SymbalanceError, brief
 from symbalance.notes.checking.bare_degrees import with_bare_degrees
+from symbalance.notes.checking.degrees_without_sign import judge_in_one_unit_of_angle
 from symbalance.notes.checking.engines import Engines, NoEngines, Sources
 from symbalance.notes.checking.expanded_sums import with_expanded_sums
 from symbalance.notes.checking.guarded_verdicts import PAGE
@@ -112,7 +113,7 @@ def check(
         remarks.append(_waiting(count))
     letters, motions = _letters_by_line(declarations), _motions_by_line(declarations)
     page = run_within(budget, partial(read_document, text, name, letters, motions))
-    page = with_bare_degrees(page)
+    page = with_bare_degrees(page, only_named=True)
     page, declarations = with_letters_anew(page, declarations.without_idle(page_letters(page)))
     declarations = with_whole_letters(page, with_time(page, declarations))
     page = with_expanded_sums(page, data_of(page, declarations.symbols_at))
@@ -126,7 +127,8 @@ def check(
         left = None if seconds is None else max(seconds - (time.monotonic() - start), 1e-9)
         return Judge(notes, declarations, sources, Budget(left, memory), fixes).check()
 
-    checked = with_written_assumptions(judge_in_one_reading(page, judge))
+    in_one_reading = partial(judge_in_one_reading, judge=judge)
+    checked = with_written_assumptions(judge_in_one_unit_of_angle(page, in_one_reading))
     if not is_declared and not accept_proposals and (offer := _offer(checked, name)):
         remarks.append(offer)
     return replace(checked, remarks=tuple(remarks))

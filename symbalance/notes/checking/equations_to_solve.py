@@ -26,8 +26,12 @@ def is_to_be_solved(state: JudgingState, chain: Chain, k: int) -> bool:
     following = _next(state, chain)
     if following is None or _turns_to_angle(state, chain, following):
         return following is not None
+    is_apart = state.sections.paragraph_start(following.lines[0]) > chain.lines[-1]
+    is_of_both = bool(names(chain.sides[k].node) & names(chain.sides[k + 1].node))
+    # another paragraph tries a value of its own
     return (
-        len(own) == 1
+        not (chain.inline and is_of_both and is_apart)
+        and len(own) == 1
         and isinstance(following.sides[0].node, Name)
         and following.sides[0].node.name in own
         and not names(following.sides[1].node)

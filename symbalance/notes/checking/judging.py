@@ -10,7 +10,9 @@ from itertools import product
 from symbalance.budgets import Budget
 from symbalance.document.formula import Call, Formula, Name, names, walk
 from symbalance.errors import SymbalanceError
+from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking import assertions
+from symbalance.notes.checking.angle_equations import lines_of_angles
 from symbalance.notes.checking.another_place import leave_place
 from symbalance.notes.checking.consequences import decide_consequence
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
@@ -38,6 +40,7 @@ from symbalance.notes.checking.open_cases import (
 )
 from symbalance.notes.checking.own_units import with_speeds
 from symbalance.notes.checking.page_data import data_of
+from symbalance.notes.checking.quotations import Quotations
 from symbalance.notes.checking.series_relations import judge_series
 from symbalance.notes.checking.sidecar import Binding, Declarations
 from symbalance.notes.checking.unit_or_letter import with_both_readings
@@ -79,6 +82,7 @@ class Judge:
         self.state = JudgingState(self.document, self.declarations, self.sources, self.corrects, motions)
         self.blocks = EngineBlocks(self.document.text, self.state.sections)
         self.guard = Guard(self.document, self.budget)
+        self.quotations = Quotations(self.document)
 
     def check(self) -> Checked:
         """Return the document with its verdicts."""
@@ -129,9 +133,12 @@ class Judge:
 
     def chain(self, chain: Chain, bindings: list[Binding]) -> list[Verdict]:
         """Return the verdicts on a chain's relations in order; none is lost by a fault of the checker."""
+        if not bindings and (quoted := self.quotations.verdicts(chain)) is not None:
+            return quoted
         verdicts: list[Verdict] = []
         try:
             self._judge(chain, bindings, verdicts)
+            self.quotations.note(chain, verdicts)
         except SymbalanceError:
             raise  # a declaration that cannot be used
         except Exception as problem:
@@ -249,21 +256,24 @@ class Judge:
         if mismatch is None:
             chain = self._in_fitting_units(chain, k, sound if bad else k, knowledge)
         left, right = chain.sides[k], chain.sides[k + 1]
-        if is_remainder(left.node) or is_remainder(right.node):
-            outcome: Verdict | Decision = decide(left, right, chain.relations[k].sign, knowledge)
+        general_proof = self._for_all_values(chain, k) if mismatch is None else None
+        if general_proof is not None:
+            outcome: Verdict | Decision = general_proof[0]
+            knowledge = general_proof[1]
         else:
-            outcome = judge_series(self.state, chain, k, knowledge) or judge_relation(
-                self.state, chain, k, sound, bad, knowledge
-            )
+            outcome = self._by_kind(chain, k, sound, bad, knowledge)
         angles, line = knowledge.angles, chain.lines[0]
         turning = angles | (_turned(left.node) & _turned(right.node))
-        rests_on_case = bool(turning & names(left.node) & names(right.node)) and _is_proved(outcome)
+        turned = (_turned(left.node) | _turned(right.node)) - self._given_again(line)
+        values = {name: d.node for name, d in knowledge.definitions.items()}
+        behind = names(left.node) if k else {*names_behind(left.node, values)}
+        rests_on_case = bool((turning | turned) & behind & names(right.node)) and _is_proved(outcome)
         past = frozenset[int]()
-        angles = turning if rests_on_case else angles
+        angles = turning | turned if rests_on_case else angles
         if _word(outcome) in (REFUTED, CONTRADICTION) or rests_on_case:
-            past = past_cases(self.state.definitions, line, angles)
+            past = past_cases(self.state.definitions, line, angles, turned)
         if past:
-            with without_cases(self.state.definitions, past, angles):
+            with without_cases(self.state.definitions, past, angles | turned):
                 freer = with_clauses_below(self.state, chain, k, self.state.knowledge(line))
                 freer = self.state.knowledge_of(chain, freer)
                 general = judge_relation(self.state, chain, k, sound, bad, freer)
@@ -288,6 +298,41 @@ class Judge:
         if (chain.sides[k].span, chain.sides[k + 1].span) in self.state.motions.places:
             return Decision(DEFINITION, "how it changes with the time")
         return None
+
+    def _by_kind(
+        self, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
+    ) -> Verdict | Decision:
+        """Return the verdict on a relation as one of a remainder, of a series, or as any other."""
+        left, right = chain.sides[k], chain.sides[k + 1]
+        if is_remainder(left.node) or is_remainder(right.node):
+            return decide(left, right, chain.relations[k].sign, knowledge)
+        by_series = judge_series(self.state, chain, k, knowledge)
+        return by_series or judge_relation(self.state, chain, k, sound, bad, knowledge)
+
+    def _given_again(self, line: int) -> frozenset[str]:
+        """Return the letters that a line's own paragraph gives a number: with x = 15 once more."""
+        first = self.state.sections.paragraph_start(line)
+        near = [c for c in self.document.chains if first <= c.lines[0] <= line and c.relations]
+        pairs = ((c.sides[0].node, c.sides[1].node) for c in near)
+        return frozenset(
+            head.name for head, value in pairs if isinstance(head, Name) and not names(value)
+        )
+
+    def _for_all_values(self, chain: Chain, k: int) -> tuple[Decision, Knowledge] | None:
+        """Return the proof of a relation for all values of its angles, and what is known without them.
+
+        None where no line above has put one in, or where it takes their values to make it true.
+        """
+        left, right, line = chain.sides[k], chain.sides[k + 1], chain.lines[0]
+        if isinstance(left.node, Name) or chain.relations[k].sign not in "=≈":
+            return None
+        cases, own = lines_of_angles(self.state, chain, k, self.state.knowledge(line))
+        if not cases:
+            return None
+        with without_cases(self.state.definitions, cases, own):
+            freer = with_clauses_below(self.state, chain, k, self.state.knowledge(line))
+            decision = decide(left, right, chain.relations[k].sign, freer)
+        return (decision, freer) if decision.is_proved else None
 
     def _as_consequence(
         self, chain: Chain, k: int, outcome: Verdict | Decision, knowledge: Knowledge
@@ -354,7 +399,8 @@ def _is_proved(outcome: Verdict | Decision) -> bool:
 
 def _turned(node: Formula) -> frozenset[str]:
     """Return the letters within sines and cosines, angles though nobody has declared them."""
-    calls = (part for part in walk(node) if isinstance(part, Call) and part.function in ("sin", "cos"))
+    turning = ("sin", "cos", "tan")
+    calls = (part for part in walk(node) if isinstance(part, Call) and part.function in turning)
     return frozenset(name for call in calls for name in names(call.argument))
 
 

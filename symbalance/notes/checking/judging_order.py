@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from symbalance.document.formula import Name, names
+from symbalance.document.formula import Call, Name, names
 from symbalance.notes.checking.case_words import is_case_behind
 from symbalance.notes.checking.deciding.cases import states_a_case
 from symbalance.notes.checking.sections import Sections
+from symbalance.notes.checking.solutions import WAVES
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
@@ -34,7 +35,8 @@ def chains_in_turn(document: ReadNotes, sections: Sections) -> list[Chain]:
             is_result = is_result or any(relation.sign == "≈" for relation in chain.relations)
             if states_a_case(chain) and not is_result:
                 first[own] = chain
-            if isinstance(chain.sides[0].node, Name) or not any(names(s.node) for s in chain.sides[1:]):
+            is_letter = isinstance(chain.sides[0].node, Name) or _asks_for_angle(chain)
+            if is_letter or not any(names(s.node) for s in chain.sides[1:]):
                 heads_above.add(own)
         cases = list(first.values())
         others = [c for c in by_line[line] if all(c is not case for case in cases)]
@@ -49,8 +51,19 @@ def _cases_before_claims(document: ReadNotes, chains: list[Chain]) -> list[Chain
         last = ordered[-1] if ordered else None
         first, end = chain.sides[0].span[0], chain.sides[-1].span[1]
         is_behind = last is not None and is_case_behind(document.text, last.sides[-1].span[1], first, end)
-        ordered.insert(len(ordered) - 1 if is_behind and states_a_case(chain) else len(ordered), chain)
+        is_case = is_behind and states_a_case(chain)
+        if last is not None and _asks_for_angle(last) and last.letters >= chain.letters:
+            is_case = False  # the solution of the equation before
+        ordered.insert(len(ordered) - 1 if is_case else len(ordered), chain)
     return ordered
+
+
+def _asks_for_angle(chain: Chain) -> bool:
+    """Tell whether a chain gives an angle by a function of it, tan A = n: its value is a result."""
+    head = chain.sides[0].node
+    if not isinstance(head, Call) or head.function not in WAVES or not isinstance(head.argument, Name):
+        return False
+    return all(head.argument.name not in names(side.node) for side in chain.sides[1:])
 
 
 def number_verdicts(verdicts: list[Verdict]) -> Iterator[Verdict]:

@@ -29,6 +29,7 @@ from symbalance.notes.checking.named_quantities import NamedQuantities
 from symbalance.notes.checking.premises import Premise
 from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.sidecar import Declarations
+from symbalance.notes.checking.solutions import turned_letters
 from symbalance.notes.checking.symbol_roles import MOVING, SMALL_WORD, letters_by_role, small_letters
 from symbalance.notes.checking.symbols import meaning_of
 from symbalance.notes.reading import ReadingError, read_equation
@@ -90,6 +91,9 @@ class JudgingState:
         """Where an equation's solution stands: the equation, and whether the solution satisfies it."""
         self.balances: set[int] = set()
         """Places of the solutions of balances, which are wrong where they do not satisfy them."""
+        self.wrong_angles: dict[int, Decision] = {}
+        """Where an angle stands that is said to solve the equation before it, and does not."""
+        self.turned = turned_letters(self.document)
         self.general: frozenset[str] = frozenset()
         """Letters of all of whose values the relation in hand is claimed, whatever case stands before."""
 

@@ -41,7 +41,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import without_unit
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals, significant
-from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 from symbalance.notes.checking.dimensions import unit_of, written_unit
 from symbalance.notes.checking.formulas_between_numbers import (
     decide_between_numbers,
@@ -49,6 +49,7 @@ from symbalance.notes.checking.formulas_between_numbers import (
     puts_in_numbers,
     with_printed_results,
 )
+from symbalance.notes.checking.impossible_values import number_of
 from symbalance.notes.checking.own_units import is_per_minute
 from symbalance.notes.checking.units_behind import decide_as_counted
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
@@ -60,7 +61,19 @@ FEWEST_COUNTED, NEARLY_WHOLE = 10, Fraction(1, 100)
 """Of a whole result with a unit: the least of two digits, and what it may be off by behind =."""
 FEWEST_DIGITS = 3
 """That a factor of conversion, or a constant that a formula has for its units, is printed with."""
+_PI, _NEAR_PI = Fraction(355, 113), Fraction(1, 500)
+_SMALL = Fraction(1, 100)
 _LETTER = re.compile(r"[A-Za-z]")
+_RPM = re.compile(
+    r"r\.?\s?p\.?\s?m|rev(?:olutions?|s)?\.?\s?(?:per|/)\s?m|(?:U|tr|Umdr)?/min|min\^?\{?[-⁻]",
+    re.IGNORECASE,
+)
+_QUANTITY = re.compile(
+    r"\s*[-−]?[0-9][0-9.,]*(?:[0-9]|(?<=[0-9]))\$?[ ~]?\$?(?P<unit>[A-Za-zµ].*)", re.DOTALL
+)
+_BY_MINUTE = re.compile(
+    r"(?:per\s+|/\s*)min(?![A-Za-z])|(?:per|a)\s+minute|min\^?\{?[-⁻−]1?|je\s+Minute|pro\s+Minute"
+)
 _NO_LETTERS = re.compile(r"\\(?:cdot|times|[dt]?frac|pi|sqrt|left|right|div)(?![A-Za-z])")
 _SMALL_LENGTH = re.compile(r"(?<![A-Za-z])[cm]m(?![A-Za-z])")
 
@@ -75,6 +88,7 @@ def decide_in_units(
     for meant in (
         _put_in_bare, _term_by_term, _rounded_in_its_unit, _between_numbers, _in_unit_of_result,
         _converted, _of_weights, decide_as_counted, _with_numbers_of_units, _with_frequencies,
+        _in_unit_behind, _by_the_minute,
     ):  # fmt: skip
         there = meant(chain, k, document, knowledge)
         if there is not None and (there.is_proved or meant is _converted):
@@ -266,6 +280,56 @@ def _in_unit_of_result(
     return replace(there, assumptions=(*there.assumptions, "numbers in the unit of the result"))
 
 
+def _by_the_minute(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on 4 r N = 1200 ft per min, where N is a number of revolutions per minute."""
+    return _per_minute(chain, k, k, document, knowledge)
+
+
+def _per_minute(
+    chain: Chain, k: int, left: int, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision on a rate per minute of a speed that counts revolutions per minute.
+
+    Where ω = 2πN/60 makes N the number itself, 4 r N is a length, printed as so much per minute.
+    """
+    sides = chain.sides
+    own = names(sides[left].node)
+    counted = {
+        other.sides[0].node.name
+        for other in document.chains
+        if isinstance(other.sides[0].node, Name)
+        and any(
+            isinstance(s.node, Number) and _RPM.search(document.source(s.span)) for s in other.sides[1:]
+        )
+    }
+    if not own & counted or not _BY_MINUTE.search(_with_behind(sides[k + 1], document)):
+        return None
+    by_minute = tuple(Product((Number(Fraction(60)), node)) for node in sides[k + 1].readings)
+    right = replace(sides[k + 1], readings=by_minute)
+    there = decide(sides[left], right, chain.relations[k].sign, knowledge)
+    return there if there.is_proved else None
+
+
+def _with_behind(side: Side, document: ReadNotes) -> str:
+    """Return the text of a side with what stands right behind it, where a unit may end."""
+    return document.text[side.span[0] : side.span[1] + 4]
+
+
+def _in_unit_behind(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on v = 0.1047 × 4 × 90 where the side behind has a unit, = 37.7 ft. per sec."""
+    if k + 2 >= len(chain.sides) or names(chain.sides[k + 1].node):
+        return None
+    left, right = chain.sides[k], chain.sides[k + 1]
+    behind = _QUANTITY.match(_with_behind(chain.sides[k + 2], document))
+    scale = scale_of(unit_in_words(behind["unit"])) if behind else None
+    bare = _NO_LETTERS.sub("", document.source(right.span))
+    if scale is None or scale[1] or scale[0] == 1 or _LETTER.search(bare) or not names(left.node):
+        return None
+    in_unit = tuple(Product((node, Number(scale[0]))) for node in right.readings)
+    there = decide(left, replace(right, readings=in_unit), chain.relations[k].sign, knowledge)
+    return replace(there, assumptions=(*there.assumptions, "numbers in the unit of the result"))
+
+
 def _number_of_odd_unit(side: Side, document: ReadNotes) -> Number | None:
     """Return the number of a result in lb, psi or hp, None for other sides."""
     quantity = quantity_of(side, document)
@@ -416,7 +480,33 @@ def _with_numbers_of_units(
         sides[0], sides[1], chain.relations[k].sign, replace(knowledge, definitions=definitions)
     )
     texts = tuple(f"{formula_text(Name(n), plain=True)} in {unit}" for n, (unit, _) in units.items())
+    if not there.is_proved:
+        there = _by_its_constant(sides, chain.relations[k].sign, knowledge) or there
     return replace(there, assumptions=(*there.assumptions, *texts))
+
+
+def _by_its_constant(sides: list[Side], sign: str, knowledge: Knowledge) -> Decision | None:
+    """Return the proof that two formulas differ by no more than the constant of one is rounded.
+
+    F = (W/g) ω² r = 0.00034 W N² r: of the letters on both sides nothing is left but a ratio.
+    """
+    left, right = sides
+    constants = [n for n in decimals(right.node) if n.last_place is not None]
+    own = names(left.node) & names(right.node)
+    if len(constants) != 1 or not names(right.node) <= own:
+        return None
+    lettered = {n: d for n, d in knowledge.definitions.items() if n not in own}
+    ratio = number_of(Quotient(left.node, right.node), replace(knowledge, definitions=lettered))
+    (constant,) = constants
+    if ratio is None or constant.last_place is None:
+        return None
+    exact = constant.value * Fraction(float(ratio))
+    if 2 * abs(exact - constant.value) > constant.last_place:
+        return None
+    finer = Number(exact, constant.last_place / 10**9, span=constant.span)
+    node = replace_part(right.node, constant, finer)
+    there = decide(left, replace(right, readings=(node,)), sign, knowledge)
+    return there if there.is_proved else None
 
 
 def _units_in_words(
@@ -427,7 +517,13 @@ def _units_in_words(
     for name in sorted({n for node in nodes for n in names_behind(node, values)}):
         if len(name) > 1:
             continue
-        for match in re.finditer(rf"(?<![\w\\]){re.escape(name)}\$? in (?=[A-Za-z])", text):
+        said = rf"(?<![\w\\]){re.escape(name)}\$? in (?=[A-Za-z])"
+        # the radius r ft.
+        beside = rf"(?<=[A-Za-z]{{3}} )\$?{re.escape(name)}\$? (?=(?:ft|in)\.|[cm]m[\s,.;])"
+        apposed = (
+            rf"(?<![\w\\]){re.escape(name)}\$? (?:the|its|der|die|das) (?:[a-z]+ ){{1,6}}in (?=[A-Za-z])"
+        )
+        for match in re.finditer(f"{said}|{beside}|{apposed}", text):
             unit = unit_in_words(text[match.end() : match.end() + 40])
             scale = scale_of(unit) if unit else None
             if scale is not None and not scale[1] and scale[0] != 1:
@@ -436,8 +532,15 @@ def _units_in_words(
 
 
 def _is_of_numbers(node: Formula) -> bool:
-    """Tell whether a formula has letters and a constant for its units, a decimal of three digits."""
-    return bool(names(node)) and any(significant(number) >= FEWEST_DIGITS for number in decimals(node))
+    """Tell whether a formula has letters and a constant for its units, a decimal of three digits.
+
+    Of a small one two are enough, F = 0.00034 W N² r; 3.1416 is for no unit.
+    """
+    return bool(names(node)) and any(
+        significant(number) >= FEWEST_DIGITS - (abs(number.value) < _SMALL)
+        for number in decimals(node)
+        if abs(number.value - _PI) > _NEAR_PI
+    )
 
 
 def _as_numbers(node: Formula, units: dict[str, tuple[str, Fraction]]) -> Formula:

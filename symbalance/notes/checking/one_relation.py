@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Constant, Formula, Name, Number, names
+from symbalance.notes.checking.angle_equations import as_equation_for_angle
 from symbalance.notes.checking.appeals import appeal
 from symbalance.notes.checking.constraints import Constraint
 from symbalance.notes.checking.conversions import decide_conversion
@@ -26,6 +27,7 @@ from symbalance.notes.checking.given_numbers import number_given
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.letter_values import define_letter
 from symbalance.notes.checking.listed_values import decide_for_values
+from symbalance.notes.checking.mean_piston_speed import mean_piston_speed
 from symbalance.notes.checking.mean_values import decide_by_mean
 from symbalance.notes.checking.numbers_in_units import decide_after_units_left_out
 from symbalance.notes.checking.plain_formulas import plain_text
@@ -80,10 +82,13 @@ def _judge_equality(
 ) -> Verdict | Decision:
     """Return the verdict on a relation = or ≈: a definition, a step, or something given."""
     definition = _demanded(chain.relations[k]) or as_balance_solution(state, chain, k)
+    definition = definition or as_equation_for_angle(state, chain, k, knowledge)
     definition = definition or as_proved_solution(state, chain, k)
     definition = definition or decide_solved_wave(state, chain, k, knowledge)
     definition = definition or _define(state, chain, k, knowledge)
     definition = definition or decide_for_values(state.document, chain, k, knowledge)
+    wrong = None if k else state.wrong_angles.get(chain.sides[0].span[0])
+    definition = wrong or definition
     if definition is not None:
         return _as_meant(state, chain, k, definition, knowledge)
     return _slip_of_units(state, chain, k, knowledge) or _judge_step(
@@ -187,6 +192,8 @@ def _define(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> 
     definition = define_letter(state.definitions, chain, k, knowledge)
     pair, line, sections = number_given(chain, k), chain.lines[0], state.sections
     head = chain.sides[0].node
+    if not k and definition is not None and (by_words := mean_piston_speed(state, chain)) is not None:
+        return by_words
     if not k and definition is not None and definition.status in STATED and isinstance(head, Name):
         by_speed = decide_speed(head.name, chain.sides[1].node, state.speeds, knowledge)
         if by_speed is not None and chain.relations[0].sign == "=":

@@ -10,12 +10,26 @@ from symbalance.notes.checking.definitions import Definitions, Entry, OpenCase
 from symbalance.notes.reading.equations import Chain
 
 
-def past_cases(definitions: Definitions, line: int, angles: frozenset[str]) -> frozenset[int]:
-    """Return the lines that put an angle in, θ = 90°, whose paragraph ends before a line."""
+def past_cases(
+    definitions: Definitions, line: int, angles: frozenset[str], turned: frozenset[str] = frozenset()
+) -> frozenset[int]:
+    """Return the lines that put an angle in, θ = 90°, whose paragraph ends before a line.
+
+    The letters `turned` stand in sines, and nobody has declared them: what is given of them may be of the
+    whole page, so that only a case is past, "at the dead centre A = 0".
+    """
     entries = (e.definition for name in angles for e in definitions.values.get(name, ()))
     lines = {d.line for d in entries if d.assumption or d.numeric}
+    cases = (e.definition for name in turned - angles for e in definitions.values.get(name, ()))
+    lines |= {d.line for d in cases if d.assumption}
     lines |= {p.line for p in definitions.premises if p.names <= angles}
     return frozenset(case for case in lines if definitions.sections.case_end(case) < line)
+
+
+def lines_of_cases(definitions: Definitions, line: int, angles: frozenset[str]) -> frozenset[int]:
+    """Return the lines above that put angles in: t = 0, at θ = 90°."""
+    entries = (e.definition for name in angles for e in definitions.values.get(name, ()))
+    return frozenset(d.line for d in entries if d.numeric and d.line < line)
 
 
 def cases_left_by(definitions: Definitions, chain: Chain, angles: frozenset[str]) -> list[OpenCase]:

@@ -14,9 +14,9 @@ from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.premises import lines_of
 from symbalance.notes.checking.small_by_value import refuted_in_small_letter
-from symbalance.notes.checking.solutions import solution_behind_arrow
+from symbalance.notes.checking.solutions import solution_behind_arrow, solution_behind_words
 from symbalance.notes.checking.solved_balances import as_balance
-from symbalance.notes.checking.solved_below import as_solution, as_solved
+from symbalance.notes.checking.solved_below import as_solution, as_solved, as_solved_in_words
 from symbalance.notes.checking.solved_premises import solve_without_scope
 from symbalance.notes.checking.symbol_roles import KNOWN, role_of
 from symbalance.notes.checking.verdicts import UNDECIDED
@@ -34,6 +34,9 @@ def unless_open(
     behind = None if k else solution_behind_arrow(state.sections, chain, knowledge)
     solved = as_solved(state, chain, behind, knowledge) or as_solution(state, chain, k)
     solved = solved or as_balance(state, chain, k, knowledge)
+    if solved is None and not k:
+        in_words = solution_behind_words(state.sections, chain, knowledge)
+        solved = as_solved_in_words(state, chain, in_words, knowledge)
     if solved is not None:
         return solved
     if (as_rod_angle := state.meant.rod_angle(chain, k, knowledge)) is not None:

@@ -13,7 +13,7 @@ from symbalance.document.formula import Call, Formula, Name, names, walk
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.sections import Sections
-from symbalance.notes.reading.equations import Chain
+from symbalance.notes.reading.equations import Chain, ReadNotes
 
 NEAR = 4
 """Lines below an equation in which its solution is looked for."""
@@ -25,6 +25,25 @@ _SOLVED_NEXT = re.compile(
     r"(?:\\(?:Rightarrow|Longrightarrow|implies)(?![A-Za-z])|[⇒⟹])"
 )
 """What stands behind an equation whose solution follows."""
+
+_SOLVED_IN_WORDS = re.compile(
+    r"(?:[\s,;$]|\\[,;: ])*(?:also|so|hence|thus|therefore|which\s+gives|giving|somit|daher|folglich"
+    r"|mithin|damit|demnach|donc|d'où)(?![A-Za-z])(?:[^\W\d]|[ ,$\n-]){0,50}",
+    re.IGNORECASE,
+)
+"""Words of the same sentence that lead from an equation to its solution."""
+
+
+def turned_letters(document: ReadNotes) -> frozenset[str]:
+    """Return the letters that stand within sines, cosines and tangents of a page."""
+    return frozenset(
+        name
+        for chain in document.chains
+        for side in chain.sides
+        for part in walk(side.node)
+        if isinstance(part, Call) and part.function in WAVES
+        for name in names(part.argument)
+    )
 
 
 def chains_below(chains: tuple[Chain, ...], chain: Chain) -> Iterator[Chain]:
@@ -44,6 +63,16 @@ def solution_behind_arrow(sections: Sections, chain: Chain, knowledge: Knowledge
     if other is None or len(chain.relations) != 1 or not _SOLVED_NEXT.match(behind):
         return None
     return other if _may_be_solved_for(other, chain, knowledge) else None
+
+
+def solution_behind_words(sections: Sections, chain: Chain, knowledge: Knowledge) -> Chain | None:
+    """Return the chain that gives an equation's solution in the same sentence: 2n/60 = f, so n = 30 f."""
+    other = next(chains_below(sections.document.chains, chain), None)
+    if other is None or len(chain.relations) != 1:
+        return None
+    between = sections.document.text[chain.sides[1].span[1] : other.sides[0].span[0]]
+    is_next = _SOLVED_IN_WORDS.fullmatch(between) is not None
+    return other if is_next and _may_be_solved_for(other, chain, knowledge) else None
 
 
 def _may_be_solved_for(other: Chain, chain: Chain, knowledge: Knowledge) -> bool:

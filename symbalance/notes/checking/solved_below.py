@@ -32,6 +32,30 @@ def as_solved(
     return Decision(CONDITION, f"solved for {plain_text(head)} below")
 
 
+def as_solved_in_words(
+    state: JudgingState, chain: Chain, following: Chain | None, knowledge: Knowledge
+) -> Decision | None:
+    """Return that an equation is solved behind words, 2n/60 = f, so n = 2190: if that value solves it."""
+    if following is None:
+        return None
+    head, value = following.sides[0].node, following.sides[1].node
+    assert isinstance(head, Name)
+    left, right = chain.sides[:2]
+
+    def with_value(first: Side, second: Side, known: Knowledge) -> Decision:
+        return _decide_with(first, second, head.name, value, known)
+
+    at_value = with_value(left, right, knowledge)
+    if not at_value.is_proved:
+        for pair in ((left, right), (right, left)):
+            by_wrong = state.wrong_numbers.decide(pair, knowledge, with_value, lambda node: None)
+            at_value = by_wrong or at_value
+    if not at_value.is_proved:
+        return None
+    state.solutions[following.sides[0].span[0]] = state.definitions.premise_of(chain, 0), at_value
+    return Decision(CONDITION, f"solved for {plain_text(head)} behind it")
+
+
 def _decide_with(left: Side, right: Side, name: str, value: Formula, knowledge: Knowledge) -> Decision:
     """Decide whether two sides are equal with a value put in for a letter."""
     try:

@@ -12,6 +12,7 @@ from symbalance.notes.checking.deciding.equality import Decision, decide_equalit
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import paired
 from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.equations_to_solve import is_to_be_solved
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.premise_decisions import decide_by_premises
@@ -36,7 +37,22 @@ def fix_letter(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
         state.definitions.note_premise(chain, k)
         return Decision(PREMISE, "names the terms")
     constraint = constraints.constraint_of(chain, k, in_use, used, knowledge)
-    return None if constraint is None else _fix(state, constraint, chain, k, knowledge)
+    if constraint is None or _is_rough_for(state, constraint.name, chain, k):
+        return None
+    return _fix(state, constraint, chain, k, knowledge)
+
+
+def _is_rough_for(state: JudgingState, name: str, chain: Chain, k: int) -> bool:
+    """Tell whether a relation with rounded numbers would fix a letter that has its number below it.
+
+    W v²/(g r) = 0.00034 W N² r says nothing of g, with g = 32.2 in the next paragraph.
+    """
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    if not (names(left) and names(right) and (decimals(left) or decimals(right))):
+        return False
+    below = (c for c in state.document.chains if c.sides[0].span[0] > chain.sides[0].span[0])
+    heads = (c for c in below if isinstance(c.sides[0].node, Name) and c.sides[0].node.name == name)
+    return any(not names(c.sides[1].node) for c in heads if c.relations)
 
 
 def _names_its_terms(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> bool:

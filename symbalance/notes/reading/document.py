@@ -37,6 +37,7 @@ from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation
 from symbalance.notes.reading.signs import CELLS, relation_at_start
 from symbalance.notes.reading.sources import Source, prepare, to_half_width
 from symbalance.notes.reading.unit_places import with_unit_of_whole, with_units_of_divisors
+from symbalance.notes.reading.units import explained_letters
 
 LONGEST_DOCUMENT = 1_000_000  # characters
 MOST_LINES_OF_PROSE = 2  # that a chain may go past: "= …" further down is an equation of its own
@@ -452,6 +453,9 @@ class Assembler:
             (has_letter or has_function) and bool(draft.signs)
         )
         free: set[str] | None = set(self.free_letters) if is_formula else None
+        explained = self._explained_letters(draft, names) if is_formula else frozenset[str]()
+        if free is not None:
+            free |= explained
         for place, typed in enumerate(draft.sides):
             sides.append(None)
             tokens = with_units_of_divisors(typed)
@@ -459,7 +463,7 @@ class Assembler:
                 continue
             try:
                 _refuse_too_long(tokens)
-                readings, notes = read_tokens(tokens, names, tokens[-1].end, latex, free)
+                readings, notes = read_tokens(tokens, names | explained, tokens[-1].end, latex, free)
             except ReadingError as failure:
                 draft.failures[place] = failure
                 continue
@@ -479,6 +483,11 @@ class Assembler:
         for letter in free or ():
             self.free_letters.setdefault(letter, draft.item.first_line)
         return sides
+
+    def _explained_letters(self, draft: Draft, names: frozenset[str]) -> frozenset[str]:
+        """Return the letters of a chain that words explain, though they are units too: N revolutions."""
+        used = {token.value for tokens in draft.sides for token in tokens if token.kind == "name"}
+        return (explained_letters(self.text) & used) - names
 
     def _store_chain(self, draft: Draft, sides: list[Side | None], names: frozenset[str]) -> None:
         """Store what was read of a chain; a side that was not is reported and skipped."""

@@ -80,6 +80,13 @@ def _closes_relation(text: str, place: int) -> bool:
     return line.count("$") % 2 == 1 and RELATION.search(line.rpartition("$")[2]) is not None
 
 
+_UNIT_BETWEEN = re.compile(
+    rf"({_FORMULA})[ ~]*(?P<unit>{_UNIT})[ ~]*"
+    r"\$(?P<rest>[ ]*(?:[=≈]|\\approx(?![A-Za-z]))[^$\n]{1,200})(?<!\\)\$"
+)
+"""A quantity that the next formula goes on with: $m = 180$ g $= 0,180$ kg."""
+
+
 def with_joined_dollars(text: str) -> Rewritten | None:
     r"""Return a text with such pieces within one pair of dollars, None where there are none.
 
@@ -98,6 +105,11 @@ def with_joined_dollars(text: str) -> Rewritten | None:
         tail = f"\\,\\mathrm{{{unit}}}$" if unit and unit not in "°%\\%" else f"{unit or ''}$"
         tail = "^{\\circ}$" if unit == "°" else tail.replace("%", "\\%") if unit == "%" else tail
         changes[start] = match.end(), ((start, end - 1), (end, match.end("number")), tail)
+    for match in _UNIT_BETWEEN.finditer(text):
+        if match.start() not in changes and dollars.opens(match.start(1)):
+            unit = match["unit"].removeprefix("\\")
+            sign = {"°": "^{\\circ}", "%": "\\%"}.get(unit, f"\\,\\mathrm{{{unit}}}")
+            changes[match.end(1) - 1] = match.start("rest"), (sign,)
     for match in _SEQUENCE.finditer(text):
         if match.start() in changes or not dollars.opens(match.start()):
             continue

@@ -54,12 +54,14 @@ _SPELLED = (
     ("rpm", r"r\. ?p\. ?m\b|rev(?:olution)?s?\.? per min(?:ute)?\b|Umdrehungen pro Minute"),
     ("ft·lbf/s", rf"{_FOOT_POUND} ?(?:per|/) ?s(?:ec(?:onds?)?)?\b"),
     ("ft·lbf/min", rf"{_FOOT_POUND} ?(?:per|/) ?min(?:utes?)?\b"), ("ft·lbf", _FOOT_POUND),
+    ("psi", r"(?:lbs?\.?|lbf\.?|pounds?)[ -]?(?:per|/)\s?sq(?:uare|\.)?\s?in(?:ch|\.|\b)"),
+    ("lbf·inch", r"lbs?\.[ -]in(?:ch(?:es)?|\.|\b)|in\.[ -]lbs?\.?"), ("lbf·ft", r"lbs?\.[ -]ft\.?"),
     ("lbf·ft", r"(?:pound[ -]?(?:feet|foot)|lbs?f?\.?[ ·‐‑-]ft)"),
     ("lbf·inch", r"(?:inch[ -]pounds?|lbs?f?\.?[-‐‑·]in|in\.?[·‐‑-]lbs?f?\.?|in\. lbs?f?\.?)"),
     ("N·m", "N[-‐‑]m"), ("hp", r"H\. ?P\.|h\. ?p\.|horse[ -]?power"),
     ("ft/s²", r"(?:feet|ft\.?) ?(?:per|/) ?sec(?:onds?)?\.? per sec(?:onds?)?\b"),
-    ("ft/s", r"(?:feet|ft) ?(?:per|/) ?sec(?:onds?)?\b"),
-    ("ft/min", r"(?:feet|ft) ?(?:per|/) ?min(?:ute)?\b"),
+    ("ft/s", r"(?:feet|ft\.?) ?(?:per|/) ?sec(?:onds?)?\b"),
+    ("ft/min", r"(?:feet|ft\.?) ?(?:per|/) ?min(?:ute)?\b"),
     ("ft", "feet|foot|ft(?=\\.)"),
     ("inch^2", r"sq(?:uare|\.)? ?in(?:ches|ch|\.|(?![a-z]))"),
     ("ft^2", r"sq(?:uare|\.)? ?(?:feet|foot|ft\.?)"),
@@ -67,6 +69,7 @@ _SPELLED = (
     ("ft^3", r"cu(?:bic|\.)? ?(?:feet|foot|ft\.?)"),
     ("inch", r"in\.(?=\s*(?:[=≈]|\\approx))|inch(?:es)?|Zoll"
      r"|in(?=\s*(?:$|[,;.)=≈\n]|so\b|and\b|or\b|und\b|long\b|\$))"),
+    ("kgf", "kg[ -]?force|kilogram(?:me)?[ -]force|kg[ -]weight|kilopond"),
     ("lbf", "pounds?[ -]force"), ("lb", "pounds?|lbs?(?=\\.)"),
     ("°", "degrees?|deg|Grad|degrés|° ?(?:KW|CA|crank)|deg ?CA"), ("%", "percent|per cent|Prozent"),
 )  # fmt: skip
@@ -79,7 +82,7 @@ _SPELLED_UNIT = re.compile(
 _PART_BEHIND = r"(?:1|[A-Za-zµμΩ]+)(?:\^?\{?[-−]?[1-4]\}?|[⁻]?[¹²³⁴])?"
 _BEHIND_DOLLAR = re.compile(
     r"(?:(?<=[0-9])|(?<=\^\{[0-9]\})|(?<=\^\{-[0-9]\}))(?:\\[,;: ]|~)?\$(?:[ ~]|\\[,;: ])?"
-    rf"(?P<unit>°|{_PART_BEHIND}(?:[ ]?[/·⋅*]?[ ]?{_PART_BEHIND}){{0,3}})"
+    rf"(?P<unit>°|\\?%|{_PART_BEHIND}(?:[ ]?[/·⋅*]?[ ]?{_PART_BEHIND}){{0,3}})"
     r"(?=[.,;:)]?(?:\s*$|[\s|)])|[.,;:)]\s|[\u3001-\u9fff\uff08-\uff1f])(?! ?[=<>≈+*/])",
     re.MULTILINE,
 )
@@ -391,7 +394,11 @@ def _units_in_words(text: str) -> dict[int, tuple[int, str]]:
     for match in _SPELLED_UNIT.finditer(text):
         which = next(n for n in range(len(_SPELLED)) if match[f"u{n}"])
         unit, dollars = _SPELLED[which][0], match[1] + match[2]
-        changes[match.start()] = (match.end(), _unit_sign(unit, bool(dollars)) + dollars)
+        end = match.end()
+        if "\n" in match.group():  # the unit stands where its number does
+            end = match.start() + match.group().index("\n")
+            changes[end + 1] = (match.end(), "")
+        changes[match.start()] = (end, _unit_sign(unit, bool(dollars)) + dollars)
     for match in _BEHIND_DOLLAR.finditer(text):
         if match["unit"] in ("l", "L") and is_of_volume(text, match.start()):
             changes[match.start()] = (match.end(), _unit_sign("dm^3", True) + "$")
@@ -408,7 +415,7 @@ def _unit_behind(words: str, after: str) -> str:
     ends = [m.start() for m in re.finditer(" ", words)]
     for end in [len(words), *reversed(ends)]:
         unit = words[:end]
-        if unit in ("°", "in") and (unit == "°" or after == "."):
+        if unit in ("°", "%", "\\%") or (unit == "in" and after == "."):
             return unit
         if scale_of(unit) is not None:
             return unit
@@ -444,7 +451,8 @@ def sign_of_unit(words: str) -> str:
 
 def _unit_sign(unit: str, in_latex: bool) -> str:
     unit = "inch" if unit == "in" else unit
-    if unit in ("°", "%"):
+    if unit in ("°", "%", "\\%"):
+        unit = unit.removeprefix("\\")
         return {"°": "°", "%": "\\%" if in_latex else "%"}[unit]
     return f"\\,\\mathrm{{{unit}}}" if in_latex else f" {unit}"
 

@@ -93,7 +93,9 @@ _MARKDOWN = (
 _REMARKS = (
     _mark(r"(?<=\s)[:;]-[)(DP](?=\s|$)", _blank),
     _mark(r"(?<=[\w)])[ \t]+<-+[ \t]*(?=[A-Za-z!?])[^\n=<>0-9]*$", _blank),
-    _mark(r"^(?:>[ ]?)+(?=[^\n]*[^\W\d_]{2})", _blank),
+    _mark(r"^(?:>[ ]?)+(?!=)(?=[^\n]*(?:[^\W\d_]{2}|[=≈]))", _blank),
+    _mark(r"\[/?quote\b[^\]\n]{0,60}\]", lambda m: (" ; ",)),
+    _mark(r"^={2,}[ \t]+([^\n=]*?)[ \t]+={2,}[ \t]*$", _first_group),
 )
 """What people put beside a line, and the signs by which e-mail quotes."""
 _WORD = (

@@ -37,6 +37,8 @@ _LIST = re.compile(
 )
 _OPERATOR_BEFORE = re.compile(r"(?:[-+−*/·×^=<>≤≥≈]|\\(?:cdot|times|pm|sum|prod|int|lim)|[_^]\s*\{)\s*$")
 _LONGEST_BEFORE = 12
+_LENGTHS = frozenset(("mm", "cm", "m"))
+"""Units between which a list of values may change."""
 _PROGRAM = re.compile(r"^(`{3,}+|~{3,}+)[^\n]*+\n.*?^\1", re.MULTILINE | re.DOTALL)
 """Program code, whose `r, l = 0.045, 0.15` gives two letters a value each."""
 

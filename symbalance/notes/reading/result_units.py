@@ -50,7 +50,8 @@ def in_unit_of_result(
             value = value_of(other.node)
             if value is None or not _is_meant(value, printed, _size(factor)):
                 break
-            if _size(factor) >= _PREFIX and abs(printed) >= _PREFIX:
+            is_prefix = _size(factor) in (1e3, 1e6, 1e9)
+            if is_prefix and abs(printed) >= _PREFIX:
                 break  # 1800 kN for 1800 N is a slip that is made: who computes in kN has 1.8
             readings = tuple(Product((reading, factor), span=reading.span) for reading in other.readings)
             done[before] = replace(other, readings=readings)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection
 from fractions import Fraction
+from functools import lru_cache
 
 from symbalance.document.wordlists import word_set, words
 
@@ -106,6 +107,21 @@ _UNIT_AROUND = re.compile(
     r"|m\}\{s|[kM]Pa|bar|m/s|U/min|1/s|1/min|(?:s|min)⁻¹|ms|min)"
     r"(?![A-Za-z0-9_(])"
 )
+_DIVIDED_ON = re.compile(r"(?:\s|~|\\[,;: ])*/\s*[0-9(]")
+_UNIT_LETTERS = "NWJKTVCAmsgh"
+_SIZES = (
+    "speed|revolutions|torque|moment|force|mass|weight|work|volume|area|number|energy|temperature"
+    "|pressure|height|Drehzahl|Drehmoment|Moment|Kraft|Masse|Gewicht|Arbeit|Volumen|Fläche|Anzahl|Energie"
+    "|Temperatur|Höhe|Hub"
+)
+_EXPLAINED = re.compile(
+    rf"(?<![\w\\])(?<![0-9.,][ ~])(?P<first>[{_UNIT_LETTERS}])\s+"
+    r"(?:is|be|being|denotes|stands\s+for|ist|sei|bezeichnet|rev(?:olutions?|s)?\.?|r\.\s?p\.\s?m|cylinders?|cranks?|throws?|Umdrehungen|Zylinder)(?![A-Za-z])"
+    rf"|(?:(?<![A-Za-z])(?:and|where|with|und|wo|mit)|,)\s+(?P<third>[{_UNIT_LETTERS}])\s+"
+    r"(?:the|an?|der|die|das|eine?)(?=\s)"
+    rf"|(?<![A-Za-z])(?:{_SIZES})\s+(?P<second>[{_UNIT_LETTERS}])(?![\w'(])",
+)
+"""Where words say what a letter is that is also the sign of a unit: N revolutions, a force W."""
 _LITRE = re.compile(
     r"(?:[ ~\u2009\u202f]|\\[,;: ])?(?:\\mathrm\{[lL]\}|[lL])(?=[\s.,;)$=≈]|$)"
     r"(?![ ]?[A-Za-z(\\](?![A-Za-z]))"
@@ -168,6 +184,16 @@ def _plain(unit: str) -> str:
     text = _SEPARATOR.sub(" ", text.translate(_RAISED))
     text = text.replace("{", "").replace("}", "")
     return re.sub(r"\s*([/^-])\s*", r"\1", re.sub(r"\s+", " ", text)).strip()
+
+
+@lru_cache(maxsize=8)
+def explained_letters(text: str) -> frozenset[str]:
+    """Return the letters of units that a text explains as letters of its own.
+
+    >>> sorted(explained_letters("at N revolutions per minute the weight W, a force of 3 N is small"))
+    ['N', 'W']
+    """
+    return frozenset(m["first"] or m["second"] or m["third"] for m in _EXPLAINED.finditer(text))
 
 
 def unit_set_at(text: str, place: int, end: int) -> tuple[str, int] | None:
@@ -276,6 +302,8 @@ class _PlainUnit:
         if self.parts[0] == "us" or any(part in names for part in long_parts):
             return False
         is_letters = self._is_declared(names)
+        if len(self.word) == 1 and not is_letters and self.word in explained_letters(self.text):
+            is_letters = True
         if self.word.startswith("1/") or re.search(r"\^\{?\(?[-−]|⁻", self.word):
             return (self.spaced and self.digits != "") or not is_letters
         if is_letters and not any(part in _PLAIN_SURE for part in long_parts):
@@ -336,11 +364,15 @@ class _PlainUnit:
         if self.word == "g":
             return False
         if self._has_units_around() or (self.word == "N" and len(self.digits) > 2):
-            return True
+            return not self._is_divided()
         head = _HEAD.search(self.text[max(self.place - 60, 0) : self.place])
         is_length = self.word == "m" and head is not None and head[1] not in "mMFJIW"
         is_time = self.word == "s" and head is not None and head[1] in "tT"
         return (is_length or is_time) and ("." in self.digits or len(self.digits) > 2)
+
+    def _is_divided(self) -> bool:
+        """Tell whether a product that holds the word is divided on: 2 π N/60, where a force never is."""
+        return _DIVIDED_ON.match(self.text, self.stop, self.end) is not None
 
     def _goes_on(self) -> bool:
         """Tell whether a factor follows: 2 m r, 3 N sin x."""
@@ -354,7 +386,7 @@ class _PlainUnit:
             ("\\cdot", "\\times", "\\approx", "\\le", "\\ge", "\\quad", "\\qquad", "\\\\", "\\,")
         ):
             return False
-        word = re.match(r"[^\W\d_]+", bare)
+        word = re.match(r"[^\W\d_¹²³⁴⁵⁶]+", bare)
         return (
             word is None
             or len(word.group()) < 2

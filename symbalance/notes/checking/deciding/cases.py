@@ -51,7 +51,8 @@ from symbalance.notes.reading.units import USUAL_SCALES
 HIGHEST_ORDER = 8
 """Of the rod ratio's powers that a line with numbers may have been cut off at."""
 
-
+MANY_WAVES = 3
+"""Waves of a sum that is said to vanish for all angles; two may be an equation to be solved."""
 UNITS_LEFT_OUT = "the numbers are in units that are left out"
 NUMBERS_PUT_IN = "numbers put in"
 NO_VALUES = "no values satisfy it, as far as tried"
@@ -166,7 +167,7 @@ def _kind_of_statement(
     free = set() if refutation.left is None else set(letters(refutation.left))
     if is_alone and _is_balance_of_unknowns(left, right, knowledge):
         return PREMISE, ""
-    if names(right) or not names(left) or not free:
+    if names(right) or not names(left) or not free or _is_of_shifted_waves(left):
         return "", ""
     if free & knowledge.angles:
         is_condition = is_alone and (
@@ -181,6 +182,17 @@ def _kind_of_statement(
         return (PREMISE, NUMBERS_PUT_IN) if is_arithmetic and paired(left, right) else (CONDITION, "")
     numeric_letters = {n for n, d in knowledge.definitions.items() if d.numeric}
     return ("", "") if is_zero or names(left) <= numeric_letters else (PREMISE, NUMBERS_PUT_IN)
+
+
+def _is_of_shifted_waves(node: Formula) -> bool:
+    """Tell whether a sum is of one wave at several places: cos t + cos(t + 120°) + … is 0 for all t."""
+    waves = [term.operand if isinstance(term, Negative) else term for term in _terms(node)]
+    calls = [wave for wave in waves if isinstance(wave, Call) and wave.function in ("sin", "cos")]
+    if len(calls) < MANY_WAVES or len(calls) < len(waves) or len({call.function for call in calls}) > 1:
+        return False
+    letters_of_waves = {names(call.argument) for call in calls}
+    numbers = [part for call in calls for part in walk(call.argument) if isinstance(part, Sum)]
+    return len(letters_of_waves) == 1 and len(numbers) >= len(calls) - 1
 
 
 def _is_balance_of_unknowns(left: Formula, right: Formula, knowledge: Knowledge) -> bool:

@@ -1,0 +1,57 @@
+"""Pages of mails and notes whose verdicts are known: degrees without a sign, quotations, units."""
+
+import pytest
+
+from symbalance.checking import check
+
+PAGES = {
+    "cranks.txt": (
+        "For the twin cos(t) + cos(t+180) = 0, for the triple\n"
+        "  cos(t) + cos(t+120) + cos(t+240) = 0\n"
+        "  cos(t+120) + cos(t+240) = cos(t)\n",
+        ["holds", "holds", "refuted"],
+    ),
+    "radians.txt": ("sin(15) = 0.650 and cos(30) = 0.154\n", ["holds_to_order", "holds_to_order"]),
+    "program.md": (
+        "The sum is `cos(120) + cos(240) = -1`.\n\n```python\nassert math.cos(120) == 0.814\n```\n",
+        ["holds"],
+    ),
+    "mail.txt": (
+        "  F = 8636/4 = 4318 N\n\nBob wrote:\n> F = 4318 N\nNo:\n  G = 8636/4 = 2159 N\n",
+        ["definition", "refuted", "refuted", "definition", "holds"],
+    ),
+    "heading.txt": ("=== Forum > Cranks ===\n\n  k = 45/180 = 0.25\n", ["definition", "holds"]),
+    "masses.md": (
+        "$m = 180$ g $= 0.180$ kg and $p = 5$ bar $= 5\\cdot10^4$ Pa\n",
+        ["definition", "holds", "definition", "refuted"],
+    ),
+    "shaft.txt": (
+        "A shaft of D = 2.5 in. under T = 12000 lb.-in. has\n\n"
+        "     f = 16 T / (3.1416 D³) = 3911 lb. per\nsquare inch.\n",
+        ["definition", "definition", "definition", "holds_to_order"],
+    ),
+    "wrong_twice.txt": (
+        "r = 4 ft., N = 90 revolutions per minute\n\n     v = 2 × 3.1416 r N / 60\n\n"
+        "     v = 0.1047 × 4 × 90 = 73.7 ft. per sec.\n",
+        ["definition", "definition", "definition", "conditional", "refuted"],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_a_page_has_the_verdicts_that_are_known(name, tmp_path):
+    text, verdicts = PAGES[name]
+    path = tmp_path / name
+    path.write_text(text, encoding="utf-8")
+    assert [v.verdict for v in check(path).verdicts] == verdicts
+
+
+def test_the_report_says_in_which_unit_angles_are_read():
+    degrees = check("  cos(t) + cos(t+120) + cos(t+240) = 0\n").derivation.notes
+    assert any("read in degrees" in note for note in degrees)
+    assert not any("degrees" in note for note in check("  cos(t+2) = cos(t+2)\n").derivation.notes)
+
+
+def test_a_quotation_says_which_line_it_repeats():
+    *_, quoted = check("  F = 8636/4 = 4318 N\n\n> F = 4318 N\n").verdicts
+    assert quoted.reason == "quotes line 1, which is refuted"
