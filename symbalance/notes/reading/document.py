@@ -21,6 +21,7 @@ from symbalance.notes.reading.continued_lines import goes_on_below, goes_on_from
 from symbalance.notes.reading.differentials import with_differentials
 from symbalance.notes.reading.equations import Chain, Passed, ReadNotes, Relation, Side, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
+from symbalance.notes.reading.free_letters import is_plain
 from symbalance.notes.reading.letter_names import matching_brace
 from symbalance.notes.reading.lexer import AT, CLOSER, LONGEST_ANNOTATED, LONGEST_EQUATION, Token, lex
 from symbalance.notes.reading.parser import is_extreme, other_form, read_tokens
@@ -445,7 +446,10 @@ class Assembler:
         """Return the sides of a chain, None for one that cannot be read."""
         sides: list[Side | None] = []
         latex = any("\\" in self.text[item.start : item.end] for item in draft.items)
-        has_letter = any(t.kind == "name" and t.value in names for side in draft.sides for t in side)
+        letters = [t.value for side in draft.sides for t in side if t.kind == "name"]
+        has_letter = any(letter in names for letter in letters) or (
+            all(draft.sides) and bool(letters) and all(map(is_plain, letters))  # m_A a = m_B b
+        )
         has_function = any(t.kind in ("function", "cmd", "sup") for side in draft.sides for t in side)
         is_formula = any(item.strict for item in draft.items) or (
             (has_letter or has_function) and bool(draft.signs)
