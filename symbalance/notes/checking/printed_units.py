@@ -1,4 +1,4 @@
-"""Numbers put in whose units stand in the words before: 4.45 cc over 1.131 cm² is 3.93 cm, and not 3.93 mm.
+"""Numbers put in whose units stand in the words before: 4.45 cc over 1.131 cm² is 3.93 cm, not 3.93 mm.
 
 A result of bare numbers is read in the unit printed behind it, as 80/2 = 40 mm is. Where the page gives
 each of those numbers its unit right before, the units decide: the same digits in another power of ten are
@@ -29,7 +29,10 @@ FEWEST_DIGITS = 3
 IN_THEIR_UNITS = "numbers in the units that the words before give them"
 _LETTERS = re.compile(r"\\[A-Za-z]+|[^\W\d_]")
 _PLAIN = frozenset(("\\frac", "\\dfrac", "\\tfrac", "\\cdot", "\\times", "\\left", "\\right", "\\div"))
-_UNIT = r"(?:[ ~$]|\\[,;: ]|\\(?:mathrm|text|si|unit)\s*\{)*(?P<unit>[A-Za-zµ]+[²³]?(?:\^\{?[23]\}?)?(?:/[A-Za-z]+[²³]?)?)"
+_UNIT = (
+    r"(?:[ ~$]|\\[,;: ]|\\(?:mathrm|text|si|unit)\s*\{)*"
+    r"(?P<unit>[A-Za-zµ]+[²³]?(?:\^\{?[23]\}?)?(?:/[A-Za-z]+[²³]?)?)"
+)
 
 
 def decide_by_printed_units(
@@ -104,7 +107,7 @@ def _in_units(node: Formula, before: int, text: str) -> tuple[Fraction, Dimensio
 
 
 def _factors(node: Formula, power: int = 1) -> Iterator[tuple[Number | None, int]]:
-    """Yield the numbers of an arithmetic without sums, 1 above a stroke and -1 below it; None for others."""
+    """Yield the numbers of an arithmetic without sums, 1 above a stroke, -1 below it; None for others."""
     if isinstance(node, Product):
         for factor in node.factors:
             yield from _factors(factor, power)
@@ -118,7 +121,7 @@ def _factors(node: Formula, power: int = 1) -> Iterator[tuple[Number | None, int
 
 
 def _printed_unit(number: Number, before: int, text: str) -> str:
-    """Return the unit that a number has where it was printed last in the paragraph, "" for none or two."""
+    """Return the unit that a number has where it is printed right before, "" for none or two."""
     digits = text[number.span[0] : number.span[1]].strip()
     paragraph = text[max(before - NEAREST, 0) : before].rpartition("\n\n")[2]
     is_number = re.fullmatch(r"[0-9]+(?:[.,][0-9]+)?", digits) is not None

@@ -1,8 +1,8 @@
 """Colons that divide, as handbooks print them: 110 : 2 = 55 mm and λ = 1 : 4.5 become strokes.
 
-A colon behind a label is none: Fig. 3 : 4 · 2 = 8. So a number before it is one of the formula only behind a
-sign of the formula, or where it has several digits. 12:30 is a time, 1 : 2 : 3 a proportion of three, and a
-ratio that stands in no relation stays as it is.
+A colon behind a label is none: Fig. 3 : 4 · 2 = 8. So a number before it is one of the formula only
+behind a sign of the formula, or where it has several digits. 12:30 is a time, 1 : 2 : 3 a proportion of
+three, and a ratio that stands in no relation stays as it is.
 """
 
 from __future__ import annotations
@@ -15,10 +15,12 @@ _NUMBER = r"[0-9]+(?:[.,][0-9]+)?"
 _LETTER = r"(?:\\[a-z]+|[^\W\d_])(?:_\{?[A-Za-z0-9]{1,4}\}?|[₀-₉]{1,2})?"
 _UNIT = r"(?:[ ~]?(?:[kcm]?m|k?g|k?N|k?W|s|min|PS)(?![A-Za-z]))?"
 _RATIO = re.compile(
-    rf"(?<![\w.,:])(?P<first>{_NUMBER}{_UNIT})(?P<colon>[ ]:[ ]|:)(?P<second>{_NUMBER})(?![\w:]|[.,][0-9])(?![ ]?:)"
+    rf"(?<![\w.,:])(?P<first>{_NUMBER}{_UNIT})(?P<colon>[ ]:[ ]|:)(?P<second>{_NUMBER})"
+    r"(?![\w:]|[.,][0-9])(?![ ]?:)"
 )
 _OF_LETTERS = re.compile(
-    rf"(?:=|≈|\\approx)[ ]*{_LETTER}(?P<colon>[ ]:[ ])(?={_LETTER}(?:[ ]?[.,;)$]|[ ]*(?:[=≈\n]|$)|[ ][^\W\d_]{{2,}}))"
+    rf"(?:=|≈|\\approx)[ ]*{_LETTER}(?P<colon>[ ]:[ ])"
+    rf"(?={_LETTER}(?:[ ]?[.,;)$]|[ ]*(?:[=≈\n]|$)|[ ][^\W\d_]{{2,}}))"
 )
 _SIGN_BEFORE = re.compile(r"(?:[=≈<>≤≥+−·×*/(]|\\(?:approx|cdot|times)|[ ]-)[ ~]*$")
 _RELATION_BEFORE = re.compile(r"(?:[=≈]|\\approx)[ ~]*$")

@@ -1,8 +1,8 @@
 """Greek letters by the first letters of their names, cos(2*th) and om = 2*pi*n/60, as their signs.
 
-A mail writes th for θ and be for β, where it has no other letters. Such a word is one where it stands in a
-formula, and is none where the page has its two letters as letters of their own: with a = 3 and l = 4, al is
-their product, unless a sine is taken of it. "to be = 3" and "the 4th + 1" are words.
+A mail writes th for θ and be for β, where it has no other letters. Such a word is one where it stands in
+a formula, and is none where the page has its two letters as letters of their own: with a = 3 and l = 4,
+al is their product, unless a sine is taken of it. "to be = 3" and "the 4th + 1" are words.
 """
 
 from __future__ import annotations
@@ -45,6 +45,7 @@ _VERBS = re.compile(
     re.IGNORECASE,
 )
 _BEGINS = re.compile(r"(?:^|[\n(,;:.=|&]|(?<=[A-Za-z]{2}))[ \t]*$")
+_END = re.compile(r"[ \t]|[.,;)\n]|\Z")
 _ARGUMENT = 60
 """Characters looked at before a word for the sine that is taken of it."""
 
@@ -97,7 +98,7 @@ def _is_of_sine(text: str, place: int) -> bool:
 
 
 def _is_free(text: str, name: str) -> bool:
-    """Tell whether not all letters of a word stand alone in formulas of the page, as factors or values."""
+    """Tell whether not all letters of a word stand alone in formulas of the page."""
     return not all(
         re.search(
             rf"(?<![A-Za-z\\_'’]){letter}(?![A-Za-z'’])(?:_[A-Za-z0-9]+)?[ \t]*[=≈^*·/+²³)]"

@@ -139,8 +139,8 @@ _ACCELERATION = re.compile(
 )
 _TIMES_LENGTH = re.compile(r"[ ]?[·×*xX]?[ ]?(?:[0-9][0-9.,]*[ ]?)?[cm]m(?![\w/])")
 _COMPUTED = re.compile(
-    r"(?:\\(?:cdot|times|approx|left|right)(?![A-Za-z])|\\[,;: ]|(?<=[0-9])[ ]?g(?![A-Za-z])|[0-9.,()+\-−·×*/=≈$ ])*[=≈]"
-    r"[ $]*[0-9.,]+$"
+    r"(?:\\(?:cdot|times|approx|left|right)(?![A-Za-z])|\\[,;: ]|(?<=[0-9])[ ]?g(?![A-Za-z])"
+    r"|[0-9.,()+\-−·×*/=≈$ ])*[=≈][ $]*[0-9.,]+$"
 )
 _SUM_OF_GRAMS = re.compile(r"[0-9][ ~]?g[ ]?[+\-−][ ]*[0-9.,]+$")
 _ADDED_GRAMS = re.compile(r"[ ]?[+\-−][ ]?[0-9.,]+[ ~]?g(?![A-Za-z])")
@@ -148,14 +148,18 @@ _BEHIND_GRAM = re.compile(r"\\[a-z]+|(?<=[0-9])[ ]?g(?![A-Za-z])")
 _LETTERS = re.compile(r"[^\W\d_]")
 _IN_OUNCES = re.compile(r"[ $]*(?:[=≈]|\\approx)[ $]*[0-9.,]+[ ]?(?:oz|ounces?|lbs?|k?g)(?![A-Za-z])")
 _OF_GRAMS = re.compile(
-    r"(?<![A-Za-z])(?:grams?|grammes?|Gramm)(?![A-Za-z])|[\[(]g[\])]|[0-9][ ~]?g[ ·]?(?:[cm]m(?![A-Za-z])|/c)"
+    r"(?<![A-Za-z])(?:grams?|grammes?|Gramm)(?![A-Za-z])|[\[(]g[\])]"
+    r"|[0-9][ ~]?g[ ·]?(?:[cm]m(?![A-Za-z])|/c)"
     r"|[0-9][ ~]?(?:lbs?|oz|kg)[ ]*[=≈][ ]*[0-9.,]+[ ]?g(?![A-Za-z])"
     r"|(?<![A-Za-z])[mM](?:_\{?\w+\}?|[₀-₉]+)?[ ]*[=≈][ ]*\$?[0-9.,]+\$?[ ~]?g(?![A-Za-z])"
-    r"|(?:[Ww]eigh[a-z]*|[Mm]ass(?:es|en|e)?|Gewichte?|wieg(?:t|en))(?![A-Za-z])[^\n=]{0,60}[0-9]\$?[ ~]?g(?![A-Za-z/])"
+    r"|(?:[Ww]eigh[a-z]*|[Mm]ass(?:es|en|e)?|Gewichte?|wieg(?:t|en))(?![A-Za-z])"
+    r"[^\n=]{0,60}[0-9]\$?[ ~]?g(?![A-Za-z/])"
 )
 _OF_GRAVITY = re.compile(
-    r"\b(?:[Aa]ccelerations?|[Bb]eschleunigung(?:en)?|[Vv]erzögerung|[Dd]eceleration)[^\n]{0,60}[0-9][ ~]?\$?[ ]?g(?![A-Za-z/])|"
-    r"(?<![A-Za-z\\_])g[ ]*(?:=|≈|\\approx)[ ]*\$?9[.,]8|[*·/(][ ]*g(?![A-Za-z])|(?<![A-Za-z\\])g[ ]*[·*(]"
+    r"\b(?:[Aa]ccelerations?|[Bb]eschleunigung(?:en)?|[Vv]erzögerung|[Dd]eceleration)"
+    r"[^\n]{0,60}[0-9][ ~]?\$?[ ]?g(?![A-Za-z/])"
+    r"|(?<![A-Za-z\\_])g[ ]*(?:=|≈|\\approx)[ ]*\$?9[.,]8|(?:[*·/]|\((?!g\)))[ ]*g(?![A-Za-z])"
+    r"|(?<![A-Za-z\\0-9])(?<![0-9][ ~])g[ ]*[·*(]"
     r"|m/s(?:²|\^\{?2\}?)[ $,]*(?:=|≈|,|\()[^\n=]{0,20}[0-9][ ]?g(?![A-Za-z/])"
 )
 
@@ -164,7 +168,7 @@ _OF_GRAVITY = re.compile(
 def speaks_of_grams(text: str) -> bool:
     """Tell whether a text weighs in grams, and has no g for the acceleration of gravity.
 
-    >>> speaks_of_grams("1 lb = 453.6 g; table | piston (g) |"), speaks_of_grams("in grams, with g = 9.81")
+    >>> speaks_of_grams("1 lb = 453.6 g; | piston (g) |"), speaks_of_grams("in grams, g = 9.81")
     (True, False)
     """
     return _OF_GRAMS.search(text) is not None and _OF_GRAVITY.search(text) is None
@@ -371,7 +375,7 @@ class _PlainUnit:
         return self.spaced and re.search(r"(?:/|÷|\}\{)\s*9\.8[0-9]*(?![0-9])", line) is not None
 
     def _is_sum_of_grams(self, line: str) -> bool:
-        """Tell whether nothing but numbers stand before a g, on a page that weighs in grams: 4 + 5 = 9 g."""
+        """Tell whether nothing but numbers stand before a g, on a page of grams: 4 + 5 = 9 g."""
         if not speaks_of_grams(self.text) and _IN_OUNCES.match(self.text, self.stop, self.end) is None:
             return False
         if _SUM_OF_GRAMS.search(line) or _ADDED_GRAMS.match(self.text, self.stop, self.end):
