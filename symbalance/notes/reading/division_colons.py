@@ -32,7 +32,7 @@ _LABEL = re.compile(
     r"(?:\b(?:[Aa]bb|[Ff]ig|[Tt]ab|[Gg]l|[Ee]q|[Nn]r|[Nn]o|[Kk]ap|[Cc]h|[Ss]ec|[Bb]sp|[Aa]ufg|[Ss]|[Pp])\.?"
     r"|\b(?:[Ff]igure|[Tt]able|[Bb]ild|[Tt]afel|[Tt]abelle|[Ee]quation|[Gg]leichung|[Cc]ase|[Ff]all|[Cc]as|[Ss]tep"
     r"|[Ss]chritt|[Ee]xercise|[Aa]ufgabe|[Ee]xample|[Bb]eispiel|[Cc]ylinders?|[Zz]ylinder|[Ll]ine|[Zz]eile|[Pp]age"
-    r"|[Ss]eite|[Pp]art|[Tt]eil|[Cc]hapter|[Kk]apitel|[Jj]ob|[Nn]ote|[Oo]rd(?:er|nung|re)|[Vv]ersuch|[Tt]est|[Rr]un)"
+    r"|[Ss]eite|[Pp]art|[Tt]eil|[Cc]hapter|[Kk]apitel|[Jj]ob|[Nn]ote|[Vv]ersuch|[Tt]est|[Rr]un)"
     r"|[§#№])[ ~]*(?:\(|\[)?$"
 )
 _WORD_BEFORE = re.compile(r"[^\W\d_][ ~\n]*$")

@@ -17,7 +17,6 @@ from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 _SHORT = {
     "th": "theta",
     "thet": "theta",
-    "ph": "phi",
     "al": "alpha",
     "alph": "alpha",
     "be": "beta",
@@ -27,11 +26,10 @@ _SHORT = {
     "lamb": "lambda",
     "eps": "epsilon",
     "gam": "gamma",
-    "del": "delta",
     "sig": "sigma",
 }
 _NAMES = "|".join(sorted(_SHORT, key=len, reverse=True))
-_WORD = re.compile(rf"(?<![A-Za-z\\_{{.'’@/#-])(?P<name>{_NAMES})(?![A-Za-z{{'’@])")
+_WORD = re.compile(rf"(?<![A-Za-z\\_{{.'’@/#<-])(?P<name>{_NAMES})(?![A-Za-z{{'’@])")
 _AFTER = re.compile(
     r"[0-9]{1,2}(?![0-9A-Za-z])|_[0-9A-Za-z]|[ \t]*[=≈^*·/+²³<>≤≥)](?!/)|[ \t]+[-−][ \t](?=[0-9(a-zA-Z])"
 )
@@ -44,8 +42,9 @@ _VERBS = re.compile(
     r"|it|let|et|then|only)[ \t]+$",
     re.IGNORECASE,
 )
-_BEGINS = re.compile(r"(?:^|[\n(,;:.=|&]|(?<=[A-Za-z]{2}))[ \t]*$")
-_END = re.compile(r"[ \t]|[.,;)\n]|\Z")
+_BEGINS = re.compile(r"(?:^|[\n(,;:.=|&\ue000]|(?<=[A-Za-z]{2}))[ \t]*$")
+_END = re.compile(r"[ \t]|[.,;)\n\ue000]|\Z")
+_COUNTED = re.compile(r"[=≈*·/+−-][ ]?[0-9]{1,2}$")
 _ARGUMENT = 60
 """Characters looked at before a word for the sine that is taken of it."""
 
@@ -113,7 +112,10 @@ def _stands_in_formula(text: str, match: re.Match[str]) -> bool:
     before = text[max(match.start() - _ARGUMENT, 0) : match.start()]
     if _is_of_sine(text, match.start()):
         return True
-    if _VERBS.search(before) or before[-1:].isdigit():
+    is_bracketed = before.endswith((" (", "\n(")) and text.startswith(")", match.end())
+    if _COUNTED.search(before):
+        return _AFTER.match(text, match.end()) is not None
+    if _VERBS.search(before) or before[-1:].isdigit() or is_bracketed:
         return False
     if _BEFORE.search(before):
         return _ends_whole(text, match.end())
