@@ -315,3 +315,39 @@ def test_an_order_that_is_not_the_last_term_is_a_letter() -> None:
 
 def test_a_declared_vector_is_a_letter_of_its_own() -> None:
     assert read_expression(r"\vec F", [*LETTERS, "vec_F"])[0] == Name("vec_F")
+
+
+QUOTED_AND_SHORT = [
+    (">    x = a\n>      = b\n>\n> with y = c", ["x = a = b", "y = c"]),
+    (">> x = a\n>>   = b", ["x = a = b"]),
+    ("x = a*cos(th) + b*cos(2*th)", ["x = a cos θ + b cos 2θ"]),
+    ("th2 = th + 240 deg for cos(th)", ["θ_2 = θ + 240 (π/180)"]),
+    ("x = 110 : 2 = 55", ["x = 110/2 = 55"]),
+    ("Fig. 3: x = 4", ["x = 4"]),
+]
+
+
+@pytest.mark.parametrize(("text", "expected"), QUOTED_AND_SHORT)
+def test_quoted_lines_short_greek_names_and_dividing_colons_are_read(
+    text: str, expected: list[str]
+) -> None:
+    assert said(read(text, ".txt")) == expected
+
+
+def test_short_names_are_noted_once_and_declared_letters_go_before_them() -> None:
+    assert read("x = a*cos(th) + b*sin(th)", ".txt").notes[0] == "th is read as θ"
+    own = read_document("x = 2*th = th + th", "mail.txt", lambda line: ["x", "t", "h"])
+    assert said(own) == ["x = 2t h = t h + t h"]
+    words = read("Miller et al = 4, the 4th + 1 (th), it has to be (3) + a = x", ".txt")
+    assert not any("is read as" in note for note in words.notes)
+
+
+def test_a_sign_that_compares_at_the_start_of_a_line_stays_a_relation() -> None:
+    assert said(read("x = a\n  > b", ".txt")) == ["x = a > b"]
+
+
+def test_dotted_letters_have_names() -> None:
+    names = [canonical_name(letter) for letter in (r"\ddot{x}", r"\dot x", r"\bar v", r"\hat{F}_2")]
+    assert names == ["ddot_x", "dot_x", "bar_v", "hat_F_2"]
+    own = read_document(r"$\ddot{x} = a$", "page.md", lambda line: ["ddot_x", "a"])
+    assert own.chains[0].sides[0].node == Name("ddot_x")

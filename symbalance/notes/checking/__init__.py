@@ -13,6 +13,7 @@ In: a document, a sidecar that says what its letters mean, and somebody who know
     one_relation                    the verdict on one: definition, step, equation to solve, given
     appeals, open_reasons           what is tried before a refutation stands, why it may stay open
     numbers_in_units, conversions   units that numbers are meant in; one quantity in two units
+    printed_units                   units that numbers put in have in the words before
     formulas_between_numbers        formulas whose constant converts units; rpm as rad/s in
     speeds_as_numbers, bare_degrees angular speeds, angles typed without their sign
     repair                          the smallest change that makes a refuted line true

@@ -31,6 +31,7 @@ from symbalance.notes.checking.mean_piston_speed import mean_piston_speed
 from symbalance.notes.checking.mean_values import decide_by_mean
 from symbalance.notes.checking.numbers_in_units import decide_after_units_left_out
 from symbalance.notes.checking.plain_formulas import plain_text
+from symbalance.notes.checking.printed_units import decide_by_printed_units
 from symbalance.notes.checking.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.rough_letters import decide_roughly
 from symbalance.notes.checking.solutions import solution_below
@@ -241,6 +242,8 @@ def _decide_step(
         result = decide_after_units_left_out(chain, k, state.document, knowledge)
     if result is not None:
         return result, chain.sides[k - 1]
+    if not names(left.node):
+        decision = decide_by_printed_units(chain, k, state.document, knowledge) or decision
     if bad and not decision.is_proved:
         from_sound = decide(chain.sides[sound], right, sign, knowledge)
         if from_sound.is_proved or decision.status == REFUTED:

@@ -15,7 +15,8 @@ executed as code.
     ranges, joined_dollars          letters that run through values; formulas that dollars cut
     signs, units, letter_names      what signs and commands stand for; units; one name for each letter
     page_marks, function_names      what formats mark around formulas; other languages' names
-    and_so_on                       + etc. for dots
+    and_so_on, division_colons      + etc. for dots; 478 : 4 as a quotient
+    greek_words, short_greek        lambda = r/l and cos(2*th) in plain text
     letter_e                        the offset e, told from the number
     lexer, parser                   one formula's text to tokens, and these to trees
     prose, segmentation             where in a text mathematics stands

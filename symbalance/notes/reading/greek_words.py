@@ -6,12 +6,10 @@ Only where they stand in a formula: beside an operator, a relation or a digit, o
 from __future__ import annotations
 
 import re
-import sys
-from bisect import bisect_right
 from collections.abc import Callable
 
 from symbalance.document.letters import GREEK_SIGN, SHORT_NAMES
-from symbalance.notes.reading.marked_formulas import marked_formulas
+from symbalance.notes.reading.marked_formulas import is_inside, marked_formulas
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 
 _SIGNS = {**GREEK_SIGN, **{short: GREEK_SIGN[name] for short, name in SHORT_NAMES.items()}}
@@ -37,7 +35,7 @@ def with_greek_words(
     for match in _WORD.finditer(text):
         start, end = match.span()
         line, counted = line + text.count("\n", counted, start), start
-        if is_letter(match["name"], line) or _is_inside(start, formulas):
+        if is_letter(match["name"], line) or is_inside(start, formulas):
             continue
         before = text[max(start - 4, 0) : start]
         if match["name"] == "psi" and before.rstrip(" ~$")[-1:].isdigit():
@@ -46,9 +44,3 @@ def with_greek_words(
             rewriter.replace(start, end, _SIGNS[match["name"]])
             has_words = True
     return rewriter.finish() if has_words else None
-
-
-def _is_inside(place: int, spans: list[tuple[int, int]]) -> bool:
-    """Tell whether a place lies in one of the spans, which are in order."""
-    before = bisect_right(spans, (place, sys.maxsize))
-    return before > 0 and place < spans[before - 1][1]

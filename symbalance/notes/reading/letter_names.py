@@ -13,6 +13,7 @@ from symbalance.document.letters import (
     LOWERED,
     NAME_OF_SIGN,
     RAISED,
+    TIME_DOTS,
     WORDS,
 )
 from symbalance.notes.reading.failures import ReadingError
@@ -40,8 +41,8 @@ def canonical_name(text: str) -> str:
 
     >>> canonical_name(r"m_{\mathrm{rec}}"), canonical_name("m₁"), canonical_name(r"\bar{x}'")
     ('m_rec', 'm_1', "bar_x'")
-    >>> canonical_name("ωm"), canonical_name("θ2")
-    ('omega_m', 'theta_2')
+    >>> canonical_name("ωm"), canonical_name("θ2"), canonical_name(r"\ddot{x}")
+    ('omega_m', 'theta_2', 'ddot_x')
     """
     bare = COMBINED.sub(accented, text.strip().strip("$").strip())
     if _CANONICAL.fullmatch(bare):
@@ -81,6 +82,9 @@ def _command_base(text: str, match: re.Match[str]) -> tuple[str, int]:
         inner, stop = _argument(text, match.end())
         name = canonical_name(inner)
         return (f"{ACCENTS[command]}_{name}" if command in ACCENTS else name), stop
+    if command in TIME_DOTS:
+        inner, stop = _argument(text, match.end())
+        return f"{command}_{canonical_name(inner)}", stop
     raise _junk(text)
 
 

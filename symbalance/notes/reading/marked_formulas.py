@@ -6,6 +6,9 @@ Each closing mark is looked for once beyond the last place known: a megabyte of 
 from __future__ import annotations
 
 import re
+import sys
+from bisect import bisect_right
+from collections.abc import Sequence
 
 from symbalance.notes.reading.rewriting import Span
 
@@ -43,3 +46,13 @@ def _end(text: str, opening: re.Match[str], missing: set[str]) -> int | None:
         missing.add(closing)
         return None
     return at + len(closing)
+
+
+def is_inside(place: int, spans: Sequence[Span]) -> bool:
+    """Tell whether a place lies in one of the spans, which are in order.
+
+    >>> is_inside(5, [(1, 3), (4, 6)]), is_inside(3, [(1, 3)])
+    (True, False)
+    """
+    before = bisect_right(spans, (place, sys.maxsize))
+    return before > 0 and place < spans[before - 1][1]

@@ -58,6 +58,8 @@ _SPELLED = (
     ("lbf·inch", r"lbs?\.[ -]in(?:ch(?:es)?|\.|\b)|in\.[ -]lbs?\.?"), ("lbf·ft", r"lbs?\.[ -]ft\.?"),
     ("lbf·ft", r"(?:pound[ -]?(?:feet|foot)|lbs?f?\.?[ ·‐‑-]ft)"),
     ("lbf·inch", r"(?:inch[ -]pounds?|lbs?f?\.?[-‐‑·]in|in\.?[·‐‑-]lbs?f?\.?|in\. lbs?f?\.?)"),
+    ("oz·inch", r"(?:oz|ounces?)(?:[ ]?[·‐‑-][ ]?|[ ])in(?:ch(?:es)?|\.)?(?=\s*(?:$|[,;.)=≈\n]))"),
+    ("oz·inch", "in[·‐‑-]oz"),
     ("N·m", "N[-‐‑]m"), ("hp", r"H\. ?P\.|h\. ?p\.|horse[ -]?power"),
     ("ft/s²", r"(?:feet|ft\.?) ?(?:per|/) ?sec(?:onds?)?\.? per sec(?:onds?)?\b"),
     ("ft/s", r"(?:feet|ft\.?) ?(?:per|/) ?sec(?:onds?)?\b"),

@@ -93,7 +93,9 @@ _MARKDOWN = (
 _REMARKS = (
     _mark(r"(?<=\s)[:;]-[)(DP](?=\s|$)", _blank),
     _mark(r"(?<=[\w)])[ \t]+<-+[ \t]*(?=[A-Za-z!?])[^\n=<>0-9]*$", _blank),
-    _mark(r"^(?:>[ ]?)+(?!=)(?=[^\n]*(?:[^\W\d_]{2}|[=≈]))", _blank),
+    _mark(  # and above another line that is quoted, or alone, a line without words: > 3 x, >
+        r"^(?:>[ ]?)+(?!=)(?=[^\n]*(?:[^\W\d_]{2}|[=≈])|[^\n]*\n>(?!=)|[ \t]*$)", _blank
+    ),
     _mark(r"\[/?quote\b[^\]\n]{0,60}\]", lambda m: (" ; ",)),
     _mark(r"^={2,}[ \t]+([^\n=]*?)[ \t]+={2,}[ \t]*$", _first_group),
 )

@@ -681,8 +681,9 @@ class Parser:
         order = TIME_DOTS[self.take().value]
         name = self._bare_name()
         span = self.span_since(first)
-        if is_extreme(name):
-            dotted = f"{self.tokens[first].value}_{name}"
+        dotted = f"{self.tokens[first].value}_{name}"
+        is_own_letter = dotted in self.names and name not in self.names
+        if is_extreme(name) or is_own_letter:
             return self.letter(dotted, span)
         node = Derivative(self.letter(name, span), Name("t", span=span), order, span=span)
         return constructs.read_place_of_derivative(self, node, first)

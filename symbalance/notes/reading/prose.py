@@ -34,7 +34,7 @@ _PIECE = re.compile(
     r"|(?P<cells>\\begin\s*\{[pbvV]?matrix\}(?:(?!\\begin)[^\n]){1,400}?\\end\s*\{[pbvV]?matrix\})"
     rf"|(?P<argued>\\(?:{_ARGUED})\*?\s*\{{(?:[^{{}}]|\{{[^{{}}]{{0,20}}\}})*\}})"
     r"|(?P<command>\\[A-Za-z]+)|(?P<escape>\\.)"
-    r"|(?P<abbreviation>(?<![\w\\])(?:i\. ?e|e\. ?g|d\. ?h|z\. ?B|u\. ?a)\.(?!\w))"
+    r"|(?P<abbreviation>(?<![\w\\])(?:i\. ?e|e\. ?g|d\. ?h|d\. ?i|z\. ?B|u\. ?a)\.(?!\w))"
     r"|(?P<script>_\{(?:[^{}]|\{[^{}]{0,40}\}){0,80}\}|_[A-Za-z0-9]+)|(?P<degrees>(?<=[0-9])\s?度)|"
     rf"{_UNIT}(?P<word>(?=[A-Za-z]*[{_UMLAUTS}][A-Za-z]|[A-Za-z]+[{_UMLAUTS}])[A-Za-z{_UMLAUTS}]+"
     r"|[A-Za-z]+(?:['’][a-z]+)?[0-9]*)|(?P<dots>・・・|･･･|\.\.\.)|(?P<other>.)",

@@ -761,11 +761,29 @@ def _separate(text: str, start: int, end: int) -> list[tuple[int, int]]:
         elif sign.rstrip().lstrip("\\") in WORDS | {"intertext", "shortintertext"}:
             place = _after_words(text, place, end)
             cuts.append((match.start(), place, True))
+        elif sign == "," and (speed := _speed_behind(text, start, place, end)):
+            cuts.append((match.start(), speed, True))
+            place = speed
         elif sign in (",", ";", "、", "，", "\\quad", "\\qquad") or sign in _ARROWS:
             last = cuts[-1] if cuts else (start, start, True)
             introduces = sign in _ARROWS and last[2] and not text[last[1] : match.start()].strip(" \t\n&")
             cuts.append((match.start(), match.end(), introduces))
     return _join_spans(text, start, end, cuts)
+
+
+def _speed_behind(text: str, start: int, place: int, end: int) -> int:
+    """Return where a speed without a letter ends behind an equation's comma, m = 3 kg, 900 rpm; or 0."""
+    match = _SPEED_BEHIND.match(text, place, end)
+    scale = scale_of(match["unit"].strip()) if match else None
+    if match is None or scale is None or not scale[1] or not has_relation(text, start, place - 1):
+        return 0
+    return match.end()
+
+
+_SPEED_BEHIND = re.compile(
+    r"(?:[ ~]|\\[,;: ])+[0-9][0-9.,]*(?:[ ~]|\\[,;: ])*"
+    r"(?P<unit>[A-Za-z1/.]{3,6}(?:\^\{?-1\}?|⁻¹)?)(?=[.\s]*(?:[,;]|\Z|$))"
+)
 
 
 def _level_of_cells(text: str, sign: str, place: int) -> int:

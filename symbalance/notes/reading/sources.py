@@ -15,6 +15,7 @@ from html import unescape
 from symbalance.document.wordlists import words
 from symbalance.notes.reading.and_so_on import with_dots
 from symbalance.notes.reading.compound_names import with_compound_names
+from symbalance.notes.reading.division_colons import with_divisions
 from symbalance.notes.reading.extremes_apart import with_extremes_apart, with_extremes_of_bars
 from symbalance.notes.reading.function_names import with_function_names
 from symbalance.notes.reading.greek_words import with_greek_words
@@ -30,6 +31,7 @@ from symbalance.notes.reading.ranges import with_ranges
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.row_vectors import with_row_vectors
 from symbalance.notes.reading.scanned_letters import with_scanned_letters
+from symbalance.notes.reading.short_greek import with_short_greek
 from symbalance.notes.reading.systems_in_braces import with_systems
 
 CELL_END = "\ue000"
@@ -111,9 +113,11 @@ def prepare(
         with_memberships,
         with_function_names,
         with_dots,
+        with_divisions,
     ):
         reader.apply(rewrite(reader.text))
     if kind != "tex":
+        reader.apply_noted(with_short_greek(reader.text, is_letter))
         reader.apply(with_greek_words(reader.text, is_letter))
         reader.apply(with_extremes_apart(reader.text))
         reader.apply_noted(with_compound_names(reader.text, is_letter))

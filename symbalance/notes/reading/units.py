@@ -138,6 +138,42 @@ _ACCELERATION = re.compile(
     r"m/s(?:²|\^\{?2\}?|\$\^2\$)[\s}$]*(?:=|≈|\\approx)\s*\$?[-−]?[0-9.,]+(?:\s[0-9]{3})*$"
 )
 _TIMES_LENGTH = re.compile(r"[ ]?[·×*xX]?[ ]?(?:[0-9][0-9.,]*[ ]?)?[cm]m(?![\w/])")
+_COMPUTED = re.compile(
+    r"(?:\\(?:cdot|times|approx|left|right)(?![A-Za-z])|\\[,;: ]|(?<=[0-9])[ ]?g(?![A-Za-z])"
+    r"|[0-9.,()+\-−·×*/=≈$ ])*[=≈][ $]*[0-9.,]+$"
+)
+_SUM_OF_GRAMS = re.compile(r"[0-9][ ~]?g[ ]?[+\-−][ ]*[0-9.,]+$")
+_ADDED_GRAMS = re.compile(r"[ ]?[+\-−][ ]?[0-9.,]+[ ~]?g(?![A-Za-z])")
+_BEHIND_GRAM = re.compile(r"\\[a-z]+|(?<=[0-9])[ ]?g(?![A-Za-z])")
+_LETTERS = re.compile(r"[^\W\d_]")
+_IN_OUNCES = re.compile(r"[ $]*(?:[=≈]|\\approx)[ $]*[0-9.,]+[ ]?(?:oz|ounces?|lbs?|k?g)(?![A-Za-z])")
+_OF_GRAMS = re.compile(
+    r"(?<![A-Za-z])(?:grams?|grammes?|Gramm)(?![A-Za-z])|[\[(]g[\])]"
+    r"|[0-9][ ~]?g[ ·]?(?:[cm]m(?![A-Za-z])|/c)"
+    r"|[0-9][ ~]?(?:lbs?|oz|kg)[ ]*[=≈][ ]*[0-9.,]+[ ]?g(?![A-Za-z])"
+    r"|(?<![A-Za-z])[mM](?:_\{?\w+\}?|[₀-₉]+)?[ ]*[=≈][ ]*\$?[0-9.,]+\$?[ ~]?g(?![A-Za-z])"
+    r"|(?:[Ww]eigh[a-z]*|[Mm]ass(?:es|en|e)?|Gewichte?|wieg(?:t|en))(?![A-Za-z])"
+    r"[^\n=]{0,60}[0-9]\$?[ ~]?g(?![A-Za-z/])"
+)
+_OF_GRAVITY = re.compile(
+    r"\b(?:[Aa]ccelerations?|[Bb]eschleunigung(?:en)?|[Vv]erzögerung|[Dd]eceleration)"
+    r"[^\n]{0,60}[0-9][ ~]?\$?[ ]?g(?![A-Za-z/])"
+    r"|(?<![A-Za-z\\_])g[ ]*(?:=|≈|\\approx)[ ]*\$?9[.,]8|(?:[*·/]|\((?!g\)))[ ]*g(?![A-Za-z])"
+    r"|(?<![A-Za-z\\0-9])(?<![0-9][ ~])g[ ]*[·*(]"
+    r"|m/s(?:²|\^\{?2\}?)[ $,]*(?:=|≈|,|\()[^\n=]{0,20}[0-9][ ]?g(?![A-Za-z/])"
+)
+
+
+@lru_cache(maxsize=8)
+def speaks_of_grams(text: str) -> bool:
+    """Tell whether a text weighs in grams, and has no g for the acceleration of gravity.
+
+    >>> speaks_of_grams("1 lb = 453.6 g; | piston (g) |"), speaks_of_grams("in grams, g = 9.81")
+    (True, False)
+    """
+    return _OF_GRAMS.search(text) is not None and _OF_GRAVITY.search(text) is None
+
+
 _SECOND_VALUE = re.compile(r"\s*\(\s*[0-9][0-9.,]*\s*[A-Za-zµ/²³^0-9]{1,8}\.?\s*\)")
 """The same quantity once more behind a unit: 6217 N (6.2 kN)."""
 _STOPS = "=≈≒≃<>≤≥≡+-−–·×*/÷)]},;.:!?|&、。，；：…"
@@ -332,9 +368,20 @@ class _PlainUnit:
             line = before.rpartition("\n")[2]
             if _TIMES_LENGTH.match(self.text, self.stop, self.end):
                 return self.spaced
-            return is_mass or (self.spaced and not self._goes_on() and _MASS.search(line) is not None)
+            if is_mass or not self.spaced or self._goes_on():
+                return is_mass
+            return _MASS.search(line) is not None or self._is_sum_of_grams(line)
         line = before.rpartition("\n")[2]
         return self.spaced and re.search(r"(?:/|÷|\}\{)\s*9\.8[0-9]*(?![0-9])", line) is not None
+
+    def _is_sum_of_grams(self, line: str) -> bool:
+        """Tell whether nothing but numbers stand before a g, on a page of grams: 4 + 5 = 9 g."""
+        if not speaks_of_grams(self.text) and _IN_OUNCES.match(self.text, self.stop, self.end) is None:
+            return False
+        if _SUM_OF_GRAMS.search(line) or _ADDED_GRAMS.match(self.text, self.stop, self.end):
+            return True
+        computed = _COMPUTED.search(line)
+        return computed is not None and _LETTERS.search(_BEHIND_GRAM.sub("", computed[0])) is None
 
     def _is_declared(self, names: Collection[str]) -> bool:
         """Tell whether the word may be read in declared letters alone."""
