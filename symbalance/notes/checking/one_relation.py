@@ -19,6 +19,7 @@ from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.descriptions import describe
 from symbalance.notes.checking.engine_speeds import decide_speed
 from symbalance.notes.checking.equations_of_motion import (
+    EquationOfMotion,
     decide_motion,
     decide_natural_frequency,
     equation_of_motion,
@@ -27,6 +28,7 @@ from symbalance.notes.checking.given_numbers import number_given
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.letter_values import define_letter
 from symbalance.notes.checking.listed_values import decide_for_values
+from symbalance.notes.checking.matrix_equations_of_motion import rows_of_motion
 from symbalance.notes.checking.mean_piston_speed import mean_piston_speed
 from symbalance.notes.checking.mean_values import decide_by_mean
 from symbalance.notes.checking.numbers_in_units import decide_after_units_left_out
@@ -68,6 +70,9 @@ def judge_relation(
         decision = decide_inequality(chain, k, knowledge)
         state.definitions.note_range(chain, k, decision)
         return decision
+    if of_matrices and (rows := _rows_of_motion(state, chain, k, knowledge)):
+        state.equations_of_motion += rows
+        return Decision(CONDITION, "equation of motion")
     is_equality = relation.sign == "=" and not of_matrices
     if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):
         reason = f"true of the number {name}; here {name} is declared as a letter"
@@ -154,11 +159,21 @@ def _meant_as_number(left: Formula, right: Formula, knowledge: Knowledge) -> str
     return ""
 
 
+def _rows_of_motion(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> list[EquationOfMotion]:
+    return rows_of_motion(chain, k, _differentiated(state, knowledge), knowledge)
+
+
+def _differentiated(state: JudgingState, knowledge: Knowledge) -> set[str]:
+    """Return the letters that the page differentiates by the time."""
+    time = knowledge.crank.time if knowledge.crank else "t"
+    return {each.name for each in state.motions.differentiated if each.variable == time}
+
+
 def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
     """Return the decision on an equation of motion, or on a natural frequency; None for others."""
-    time = knowledge.crank.time if knowledge.crank else "t"
-    elsewhere = {each.name for each in state.motions.differentiated if each.variable == time}
-    equation = equation_of_motion(chain, k, elsewhere, knowledge)
+    equation = equation_of_motion(chain, k, _differentiated(state, knowledge), knowledge)
     above = state.equations_of_motion
     if equation is None:
         here = [e for e in above if state.sections.same_section(e.line, chain.lines[0])]
