@@ -164,8 +164,8 @@ def _decide_system(
     """Return whether the determinant of a system is zero at a frequency; None where it says nothing."""
     formulas = {name: d for name, d in knowledge.definitions.items() if not d.numeric}
     known = replace(knowledge, definitions=formulas)
-    first = min(e.line for e in system)
-    where = f"line {first}" if len(system) == 1 else f"lines {first} and {max(e.line for e in system)}"
+    first, last = min(e.line for e in system), max(e.line for e in system)
+    where = f"line {first}" if first == last else f"lines {first} and {last}"
     is_damped = any(order == 1 for e in system for _, order in e.factors)
     rows = [[_at_frequency(e, name, square) for name in moving] for e in system]
     decision = decide_equality(_determinant(rows), _ZERO, known)

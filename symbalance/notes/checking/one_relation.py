@@ -24,6 +24,7 @@ from symbalance.notes.checking.equations_of_motion import (
     decide_natural_frequency,
     equation_of_motion,
 )
+from symbalance.notes.checking.fourier_series import as_fourier_series, decide_fourier
 from symbalance.notes.checking.given_numbers import number_given
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.letter_values import define_letter
@@ -77,6 +78,11 @@ def judge_relation(
     if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):
         reason = f"true of the number {name}; here {name} is declared as a letter"
         return Decision(UNDECIDED, reason)
+    series = state.fourier_series
+    fourier = as_fourier_series(chain, k, series, knowledge) if is_equality and state.has_sums else None
+    fourier = fourier or (decide_fourier(chain, k, series, knowledge) if series else None)
+    if fourier is not None:
+        return fourier
     if is_equality and (by_motion := _by_motion(state, chain, k, knowledge)) is not None:
         return by_motion
     return _judge_equality(state, chain, k, sound, bad, knowledge)
