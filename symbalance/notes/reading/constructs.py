@@ -33,6 +33,7 @@ from symbalance.document.formula import (
 )
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.lexer import AT, Token
+from symbalance.notes.reading.signs import MULTIPLE
 
 if TYPE_CHECKING:
     from symbalance.notes.reading.parser import Parser
@@ -595,6 +596,7 @@ def _read_condition(parser: Parser) -> tuple[Formula, str, Formula] | None:
     if parser.at("row") or parser.at("close"):
         return None
     bars = [place for place in range(parser.place, _end_of_cell(parser)) if _is_bar(parser, place)]
+    is_multiple = len(bars) == 1 and parser.tokens[bars[0]].value == MULTIPLE
     if len(bars) == 1:  # N | n: N divides n
         parser.tokens[bars[0]] = replace(parser.tokens[bars[0]], kind="rel", value=_DIVIDES)
     left = parser.contents()
@@ -602,6 +604,7 @@ def _read_condition(parser: Parser) -> tuple[Formula, str, Formula] | None:
         raise ReadingError(parser.offset, "a condition that is not read", "write n = 0 or x > 0")
     sign, right = parser.take().value, parser.contents()
     if sign == _DIVIDES:
+        left, right = (right, left) if is_multiple else (left, right)
         zero = Number(Fraction(0), span=right.span)
         return Apply("mod", (right, left), span=(left.span[0], right.span[1])), "=", zero
     if parser.at("rel"):
