@@ -48,7 +48,9 @@ def decide_largest_size(left: Side, right: Side, sign: str, knowledge: Knowledge
         reason = f"within {worst} of the largest size, by numbers"
         return Decision(PROVED, reason, order=f"{BY_NUMBERS} {worst}")
     if len(errors) < len(rows) or min(errors) <= FAR:
-        return Decision(UNDECIDED, f"off by up to {worst} of the largest size: say ≈, and in which letter")
+        return Decision(
+            UNDECIDED, f"off by up to {worst} of the largest size: say ≈, and in which letter"
+        )
     witness = {name: f"{float(value):.6g}" for name, value in rows[0][0].items()}
     witness |= {"left": digits(context().mpf(sizes[0]), 6), "right": digits(context().mpf(claims[0]), 6)}
     return Decision(REFUTED, "not the largest size of a turn", witness=witness)

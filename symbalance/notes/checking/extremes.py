@@ -93,7 +93,9 @@ def decide_place(extreme: Decision, chain: Chain, document: ReadNotes, knowledge
     ):
         return extreme
     motion = Side((described[0],), chain.sides[0].span)
-    there = decide_at_value(motion, right, chain.relations[0].sign, knowledge, theta_name(knowledge), named)
+    there = decide_at_value(
+        motion, right, chain.relations[0].sign, knowledge, theta_name(knowledge), named
+    )
     if there.status != REFUTED:
         return extreme
     return replace(there, reason=f"not the value at θ = {formula_text(named, plain=True)}")
@@ -118,10 +120,13 @@ def _place_named(chain: Chain, document: ReadNotes, theta: str) -> Formula | Non
 def at_dead_centre(motion: Formula, right: Side, sign: str, place: int, knowledge: Knowledge) -> Decision:
     """Return the decision on the motion's value at top dead centre, or at bottom dead centre."""
     angle: Formula = Constant("pi") if place else Number(Fraction(0))
-    return decide_at_value(Side((motion,), right.span), right, sign, knowledge, theta_name(knowledge), angle)
+    return decide_at_value(
+        Side((motion,), right.span), right, sign, knowledge, theta_name(knowledge), angle
+    )
 
 
 def theta_name(knowledge: Knowledge) -> str:
+    """Return the crank angle's letter, "" where none is declared."""
     theta = knowledge.crank.theta if knowledge.crank else None
     return theta.name if isinstance(theta, Name) else ""
 
@@ -151,7 +156,9 @@ def _if_extreme(
     return replace(at_centre, assumptions=(*at_centre.assumptions, f"it is at {where}"))
 
 
-def values_over_turn(motion: Formula, claim: Formula, knowledge: Knowledge) -> list[tuple[Point, list[Any], Any]]:
+def values_over_turn(
+    motion: Formula, claim: Formula, knowledge: Knowledge
+) -> list[tuple[Point, list[Any], Any]]:
     """Return points of the letters, with the motion's values over a turn and the claim's there."""
     level = list(knowledge.levels(motion, claim))[-1]
     meaning = replace(knowledge.meaning, values=level.values)

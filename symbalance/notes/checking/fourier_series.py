@@ -75,7 +75,12 @@ def fourier_series(chain: Chain, k: int, knowledge: Knowledge) -> FourierSeries 
     own = [wave[0] for wave in waves if wave is not None]
     is_new = not any(knowledge.knows(name) for name in own) and len({*own}) == len(waves)
     arguments = {wave[1].function for wave in waves if wave is not None}
-    if not is_endless or not is_new or len(arguments) < len(waves) or not 0 < len(waves) <= len(_HARMONIC):
+    if (
+        not is_endless
+        or not is_new
+        or len(arguments) < len(waves)
+        or not 0 < len(waves) <= len(_HARMONIC)
+    ):
         return None
     constant = rest[0] if rest else None
     if constant is not None and (len(names(constant)) != 1 or names(constant) & {head.name, *own}):
@@ -135,7 +140,9 @@ def _decide_coefficient(
             continue
         amplitude = mean if wave == _ONE else Product((_TWO, mean))
         if letter != head.name:
-            reason = f"with {plain_text(wave)} it is that of {plain_text(Name(letter))} in line {series.line}"
+            reason = (
+                f"with {plain_text(wave)} it is that of {plain_text(Name(letter))} in line {series.line}"
+            )
             return Decision(REFUTED, reason)
         solved = Quotient(amplitude, Quotient(multiple, Name(letter)))
         claimed = Product((factor, _RESULT))

@@ -19,7 +19,6 @@ from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.descriptions import describe
 from symbalance.notes.checking.engine_speeds import decide_speed
 from symbalance.notes.checking.equations_of_motion import (
-    EquationOfMotion,
     decide_motion,
     decide_natural_frequency,
     equation_of_motion,
@@ -71,20 +70,14 @@ def judge_relation(
         decision = decide_inequality(chain, k, knowledge)
         state.definitions.note_range(chain, k, decision)
         return decision
-    if of_matrices and (rows := _rows_of_motion(state, chain, k, knowledge)):
-        state.equations_of_motion += rows
-        return Decision(CONDITION, "equation of motion")
     is_equality = relation.sign == "=" and not of_matrices
     if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):
         reason = f"true of the number {name}; here {name} is declared as a letter"
         return Decision(UNDECIDED, reason)
-    series = state.fourier_series
-    fourier = as_fourier_series(chain, k, series, knowledge) if is_equality and state.has_sums else None
-    fourier = fourier or (decide_fourier(chain, k, series, knowledge) if series else None)
-    if fourier is not None:
-        return fourier
-    if is_equality and (by_motion := _by_motion(state, chain, k, knowledge)) is not None:
-        return by_motion
+    kinds = (_by_rows_of_motion,) if of_matrices else (_by_fourier, _by_motion) if is_equality else ()
+    for by_kind in kinds:
+        if (decision := by_kind(state, chain, k, knowledge)) is not None:
+            return decision
     return _judge_equality(state, chain, k, sound, bad, knowledge)
 
 
@@ -165,10 +158,21 @@ def _meant_as_number(left: Formula, right: Formula, knowledge: Knowledge) -> str
     return ""
 
 
-def _rows_of_motion(
+def _by_rows_of_motion(
     state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
-) -> list[EquationOfMotion]:
-    return rows_of_motion(chain, k, _differentiated(state, knowledge), knowledge)
+) -> Decision | None:
+    """Return that a relation of matrices is an equation of motion; None for others."""
+    rows = rows_of_motion(chain, k, _differentiated(state, knowledge), knowledge)
+    state.equations_of_motion += rows
+    return Decision(CONDITION, "equation of motion") if rows else None
+
+
+def _by_fourier(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on a Fourier series without end, or on one of its coefficients."""
+    if not state.has_sums:
+        return None
+    series = as_fourier_series(chain, k, state.fourier_series, knowledge)
+    return series or decide_fourier(chain, k, state.fourier_series, knowledge)
 
 
 def _differentiated(state: JudgingState, knowledge: Knowledge) -> set[str]:

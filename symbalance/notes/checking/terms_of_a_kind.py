@@ -1,12 +1,12 @@
 r"""Terms of one sum that differ in nothing but the power of a rate: ½ J_1 φ̇_1 + ½ J_2 φ̇_2².
 
-Masses and moments of inertia with the same stem, J_1 and J_2, are of one dimension, and so are the rates of
-φ_1 and φ_2: such terms cannot be added. Of dampers, d_1 ẋ_1 + d_2 ẋ_2², nothing is said.
+Masses and moments of inertia with the same stem, J_1 and J_2, are of one dimension, and so are the
+rates of φ_1 and φ_2: such terms cannot be added. Of dampers, d_1 ẋ_1 + d_2 ẋ_2², nothing is said.
 """
 
 from __future__ import annotations
 
-from collections import Counter
+from collections.abc import Iterator
 from fractions import Fraction
 from itertools import combinations
 
@@ -56,8 +56,9 @@ def _unlike_rate(one: Formula, other: Formula) -> Kind | None:
     if not all(order or stem in _INERTIAS for stem, order in first):
         return None
     unlike = [kind for kind in first if first[kind] != second[kind]]
-    is_rate = len(unlike) == 1 and unlike[0][1] > 0
-    return unlike[0] if is_rate and len(first) > 1 and min(first[unlike[0]], second[unlike[0]]) > 0 else None
+    if len(unlike) != 1 or not unlike[0][1] or len(first) < 2:
+        return None
+    return unlike[0] if min(first[unlike[0]], second[unlike[0]]) > 0 else None
 
 
 def _indices(term: Formula) -> set[str]:
@@ -66,26 +67,30 @@ def _indices(term: Formula) -> set[str]:
     return own if all("_" in name for name in own) else own | {""}
 
 
-def _powers(term: Formula) -> Counter[Kind]:
-    """Return the powers of the kinds of letters in a product, nothing for what is no product of powers."""
-    powers: Counter[Kind] = Counter()
-    return powers if _count(term, Fraction(1), powers) else Counter()
+def _powers(term: Formula) -> dict[Kind, Fraction]:
+    """Return the powers of the kinds of letters in a product, nothing for what is no such product."""
+    powers: dict[Kind, Fraction] = {}
+    for factor, power in _factors(term, Fraction(1)):
+        letter = factor.expression if isinstance(factor, Derivative) else factor
+        in_time = not isinstance(factor, Derivative) or factor.variable.name == "t"
+        if not isinstance(letter, Name) or not in_time:
+            return {}
+        kind = letter.name.partition("_")[0], factor.order if isinstance(factor, Derivative) else 0
+        powers[kind] = powers.get(kind, Fraction(0)) + power
+    return powers
 
 
-def _count(node: Formula, power: Fraction, powers: Counter[Kind]) -> bool:
-    if isinstance(node, Number | Constant):
-        return True
+def _factors(node: Formula, power: Fraction) -> Iterator[tuple[Formula, Fraction]]:
+    """Yield the factors of a product with their powers, numbers left out."""
     if isinstance(node, Negative):
-        return _count(node.operand, power, powers)
-    if isinstance(node, Product):
-        return all([_count(factor, power, powers) for factor in node.factors])
-    if isinstance(node, Quotient):
-        return _count(node.numerator, power, powers) and _count(node.denominator, -power, powers)
-    if isinstance(node, Power) and isinstance(node.exponent, Number):
-        return _count(node.base, power * node.exponent.value, powers)
-    order = node.order if isinstance(node, Derivative) else 0
-    letter = node.expression if isinstance(node, Derivative) else node
-    if not isinstance(letter, Name) or (isinstance(node, Derivative) and node.variable.name != "t"):
-        return False
-    powers[letter.name.partition("_")[0], order] += power  # type: ignore[assignment]
-    return True
+        yield from _factors(node.operand, power)
+    elif isinstance(node, Product):
+        for factor in node.factors:
+            yield from _factors(factor, power)
+    elif isinstance(node, Quotient):
+        yield from _factors(node.numerator, power)
+        yield from _factors(node.denominator, -power)
+    elif isinstance(node, Power) and isinstance(node.exponent, Number):
+        yield from _factors(node.base, power * node.exponent.value)
+    elif not isinstance(node, Number | Constant):
+        yield node, power

@@ -116,7 +116,7 @@ def _unwrap_differentials(parser: Parser) -> None:
         opener, inside, closer = tokens[place : place + 3]
         is_group = (opener.kind, opener.value, closer.kind, closer.value) == ("open", "{", "close", "}")
         before = tokens[place - 1] if place else None
-        is_bare = before is None or not (before.kind in ("cmd", "sup", "sub", "close", "function"))
+        is_bare = before is None or before.kind not in ("cmd", "sup", "sub", "close", "function")
         if not is_group or inside.kind != "name" or not is_bare or before is None:
             continue
         after = tokens[place + 3] if place + 3 < len(tokens) else None

@@ -47,7 +47,11 @@ def decide_over_cylinders(
     is_open = any(_is_without_index(part) for node in (left, right) for part in walk(node))
     listed = knowledge.crank_angles
     last: Decision | None = None
-    ways = [] if listed is None else [(a, t) for a in (listed, *listed.others) for t in _angles_at(left, right, knowledge)]
+    ways = (
+        []
+        if listed is None
+        else [(a, t) for a in (listed, *listed.others) for t in _angles_at(left, right, knowledge)]
+    )
     for angles, theta in ways:
         try:
             first, second = (_written_out(node, angles.nodes, knowledge, theta) for node in (left, right))
