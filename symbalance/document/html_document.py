@@ -235,8 +235,8 @@ class _Writer(DocumentWriter):
         fit = fit_table(block, lambda words: len(plain_words(words)), ROOM, 2)
         columns = [_padding(fit.cells(i)) if each else None for i, each in enumerate(fit.numeric)]
         heads = "".join(
-            f'<th scope="col"{_number_class(pad)}>{self.head(column)}</th>'
-            for column, pad in zip(fit.columns, columns, strict=True)
+            f'<th scope="col"{_number_class(pad)}>{head}</th>' if head else "<td></td>"
+            for head, pad in zip(map(self.head, fit.columns), columns, strict=True)
         )
         pads = [[None if c is None else c[k] for c in columns] for k in range(len(fit.rows))]
         rows = [self.row(row, pad, block.keys) for row, pad in zip(fit.rows, pads, strict=True)]

@@ -31,7 +31,7 @@ from symbalance.document.formula import (
     walk,
     with_children,
 )
-from symbalance.notes.checking.bare_degrees import with_bare_degrees
+from symbalance.notes.checking.bare_degrees import MORE_THAN_A_TURN, with_bare_degrees
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONTRADICTION,
@@ -162,6 +162,8 @@ class _Angles:
         sides = []
         for place, side in enumerate(chain.sides):
             readings = tuple(map(self._within_functions, side.readings))
+            if any(map(_has_small_number, side.readings)):
+                readings = (*readings, *side.readings)
             is_value = (gives_angle and place) or is_inverse
             if (
                 is_value
@@ -184,6 +186,13 @@ class _Angles:
             if all(a is b for a, b in zip(parts, changed, strict=True))
             else with_children(node, changed)
         )
+
+
+def _has_small_number(node: Formula) -> bool:
+    """Tell whether a function is of a number below a turn in radians, cos 2: it may be either there."""
+    calls = (part for part in walk(node) if isinstance(part, Call) and part.function in _TURNED)
+    values = (_rational(call.argument) for call in calls)
+    return any(value is not None and 0 < abs(value) < MORE_THAN_A_TURN for value in values)
 
 
 def _as_angle(node: Formula) -> Formula:

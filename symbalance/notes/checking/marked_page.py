@@ -58,6 +58,8 @@ MOST_FORMULAS = 2000
 """In the prose of one page that are read to be typeset; the rest stand as they are typed."""
 MOST_CODE = 200
 """Lines of program code that are shown."""
+LONGEST_VERDICT = 56
+"""Characters of a verdict beside its formula; what it assumes stands whole where the line opens."""
 LONGEST_PROSE = 600
 """Characters of a source that stands in the page as it is typed."""
 _RIGHT = ("holds", "holds_to_order", "conditional")
@@ -250,7 +252,7 @@ class _Page:
         return Marked(
             place(verdict),
             words,
-            verdict_words(verdict),
+            one_line(verdict_words(verdict), LONGEST_VERDICT),
             _mark(verdict),
             tuple(self._inside(verdict)),
             _anchor(verdict),
@@ -259,6 +261,8 @@ class _Page:
     def _inside(self, verdict: Verdict) -> Iterator[Block]:
         """Yield what is said of a relation: why, what differs, a witness, the sides drawn, the change."""
         entries: list[tuple[Words, Words]] = [("As typed", Code(one_line(verdict.source, LONGEST_PROSE)))]
+        if len(verdict_words(verdict)) > LONGEST_VERDICT:
+            entries.append(("Holds if", verdict.assumption))
         if verdict.bind:
             entries.append(("Claims to be", verdict.bind))
         if verdict.fix:

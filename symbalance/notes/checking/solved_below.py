@@ -8,7 +8,7 @@ from symbalance.document.formula import Formula, Name
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.relations import decide_solution
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.plain_formulas import plain_text
@@ -65,7 +65,7 @@ def _decide_with(left: Side, right: Side, name: str, value: Formula, knowledge: 
         ]
     except NoFormError as problem:
         return Decision(UNDECIDED, str(problem))
-    return decide(sides[0], sides[1], "=", knowledge)
+    return decide_solution(sides[0], sides[1], knowledge)
 
 
 def as_proved_solution(state: JudgingState, chain: Chain, k: int) -> Decision | None:

@@ -8,7 +8,7 @@ from symbalance.document.formula import Call, Formula, Name, names, walk
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.relations import decide_solution
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.plain_formulas import lone_side
@@ -53,7 +53,7 @@ def _put_in(equation: Premise, angle: str, value: Formula, knowledge: Knowledge)
         left, right = (substitute(node, angle, value) for node in (equation.left, equation.right))
     except NoFormError as problem:
         return Decision(UNDECIDED, str(problem))
-    return decide(lone_side(left), lone_side(right), "=", knowledge)
+    return decide_solution(lone_side(left), lone_side(right), knowledge)
 
 
 def _equation_above(state: JudgingState, chain: Chain, angle: str, own: frozenset[str]) -> Premise | None:

@@ -167,6 +167,19 @@ _WORDINGS = tuple(
             r"pleuell(?:ä|ae)nge|l(?:ä|ae)nge de[rs] pleuel(?:stange|s)|schubstangenl(?:ä|ae)nge",
         ),
         ("rod length", r"(?:コンロッド|連接棒|連桿)の?長さ"),
+        ("rod angle", rf"(?:angle|inclination|obliquity) of {_ROD}|(?:connecting[- ]rod|conrod) angle"),
+        ("rod angle", r"pleuel(?:stangen)?winkel|schwenkwinkel"),
+        ("rod angle", r"(?:コンロッド|連接棒|連桿)の?(?:角度?|傾き)"),
+        ("stroke", rf"piston stroke|stroke of {_THE}piston|kolbenhub|(?:ピストン)?(?:ストローク|行程)"),
+        ("piston velocity", rf"velocity of {_THE}piston|kolbengeschwindigkeit|ピストンの?速度"),
+        ("piston acceleration", rf"acceleration of {_THE}piston|kolbenbeschleunigung|ピストンの?加速度"),
+        (
+            FROM_PIN,
+            rf"(?:piston position|height of {_THE}(?:piston|gudgeon|wrist)[- ]pin)"
+            r" (?:above|from) the crank(?:shaft)? (?:axis|centre|center)",
+        ),
+        (FROM_TOP, rf"displacement of {_THE}piston from (?:tdc|(?:the )?top dead cent(?:re|er))"),
+        (FROM_TOP, r"kolbenweg ab (?:dem )?(?:ot|oberen totpunkt)|上死点からの(?:ピストンの?)?変位"),
         ("reciprocating mass", rf"(?:reciprocating|oscillating) mass{_OF_ONE}"),
         (
             "reciprocating mass",

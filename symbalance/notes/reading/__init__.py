@@ -11,7 +11,6 @@ executed as code.
     extremes_apart, scanned_letters β max and |M|_max; the letter l that is a 1 in a scan
     words_behind_numbers            what a number is said to be a multiple of
     continued_lines                 lines that begin with = and go on with the one above
-    degrees_unsaid                  cos(120) on a page that speaks of degrees
     notebooks, numerals             cells as text; decimal commas, units in words, a scanner's letters
     ranges, joined_dollars          letters that run through values; formulas that dollars cut
     signs, units, letter_names      what signs and commands stand for; units; one name for each letter

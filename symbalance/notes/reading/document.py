@@ -18,7 +18,6 @@ from symbalance.document.formula import Formula, children, with_children
 from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek, plain_letter
 from symbalance.notes.reading.accounting import Account
 from symbalance.notes.reading.continued_lines import goes_on_below, goes_on_from
-from symbalance.notes.reading.degrees_unsaid import speaks_of_degrees, with_degrees
 from symbalance.notes.reading.differentials import with_differentials
 from symbalance.notes.reading.equations import Chain, Passed, ReadNotes, Relation, Side, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
@@ -203,7 +202,6 @@ class Assembler:
         self.draft: Draft | None = None
         self._refused_item: Item | None = None
         self.phrases: dict[str, int] = {}
-        self.speaks_of_degrees = speaks_of_degrees(self.text)
         self.functions: dict[str, str] = {}  # defined as R(α) = …, and of what
         self.free_letters: dict[str, int] = {}  # not declared, and the line where each is first
 
@@ -468,7 +466,6 @@ class Assembler:
                 draft.failures[place] = failure
                 continue
             draft.notes.extend(note for note in notes if note not in draft.notes)
-            readings = with_degrees(readings) if self.speaks_of_degrees else readings
             sides[-1] = as_printed(Side(readings, (tokens[0].start, tokens[-1].end)), tokens)
         sides, notes = in_unit_of_result(sides, draft.sides)
         sides = with_unit_of_whole(

@@ -96,6 +96,14 @@ def decide(
     return replace(decision, assumptions=(*decision.assumptions, *conditions)) if conditions else decision
 
 
+def decide_solution(left: Side, right: Side, knowledge: Knowledge) -> Decision:
+    """Decide whether an equation is satisfied with a solution put in: a root is no series cut off."""
+    decision = decide(left, right, "=", knowledge)
+    if decision.is_proved and decision.reason == MEANT_ROUGHLY:
+        return decide_equality(left.node, right.node, knowledge)
+    return decision
+
+
 def decide_at_value(
     left: Side, right: Side, sign: str, knowledge: Knowledge, name: str, value: Formula
 ) -> Decision:
