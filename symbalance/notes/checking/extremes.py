@@ -15,8 +15,7 @@ from typing import Any
 from symbalance.document.formula import Constant, Derivative, Formula, Name, Negative, Number, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
-from symbalance.notes.algebra.forms import Form
-from symbalance.notes.algebra.tree_values import TreeValues, letters_behind
+from symbalance.notes.algebra.tree_values import DerivativeForms, TreeValues, letters_behind
 from symbalance.notes.algebra.values import Point, context, random_point
 from symbalance.notes.checking.case_words import opens_case
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision, digits
@@ -166,7 +165,7 @@ def values_over_turn(
     theta = theta_name(knowledge)
     open_letters = {n for node in (motion, claim) for n in letters_behind(node, level.values)} - {theta}
     rows: list[tuple[Point, list[Any], Any]] = []
-    derivatives: dict[Formula, Form | Exception] = {}  # the same forms at every point
+    derivatives: DerivativeForms = {}  # the same forms at every point
     for seed in range(POINTS if open_letters else 1):
         point = random_point(sorted(open_letters), meaning.domain(), seed)
         try:
