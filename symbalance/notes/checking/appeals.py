@@ -70,8 +70,10 @@ def _at_stated_angle(
     angles: list[tuple[str, Formula]] = []
     for name in sorted(knowledge.angles):
         definition = knowledge.definitions.get(name)
-        near = state.sections.paragraph_start(line) <= (definition.line if definition else 0)
-        if definition is not None and definition.numeric and near:
+        if definition is None or not definition.numeric:
+            continue
+        is_here = state.sections.paragraph_start(line) <= definition.line
+        if is_here or line <= state.sections.case_end(definition.line):
             angles.append((name, definition.node))
     centre = state.sections.dead_centre(chain)
     if knowledge.crank is not None and isinstance(knowledge.crank.theta, Name) and centre is not None:

@@ -62,7 +62,9 @@ _ROW = re.compile(r"^[ \t]*\|?[ \t]*(?P<cells>[^\n]*[|&][^\n]*)$", re.MULTILINE)
 _BEFORE, _BEHIND = 120, 30
 """Characters before and behind a list in which words have to say that it is of cranks."""
 _FURTHEST, _TITLE = 60, 3
-"""Lines of a section before a list, and of the page, that may name an engine in banks."""
+"""Lines of a section before a list, and of the page, that may name an engine in banks.
+
+A section that says its engine is in line has the last word."""
 _MARKS = re.compile(r"[\s$]|\\\\|\\hline")
 FEWEST = 2
 
@@ -126,7 +128,9 @@ def listed_at(
     first = near[-1].line
     while first > max(near[-1].line - _FURTHEST, 1) and same_section(first - 1, line):
         first -= 1
-    if _IN_BANKS.search("".join([*lines[:_TITLE], *lines[max(first - 2, 0) : line]])):
+    own = "".join(lines[max(first - 2, 0) : line])
+    title = "" if _IN_LINE.search(own) else "".join(lines[:_TITLE])
+    if _IN_BANKS.search(title + own):
         return None
     between = text[near[-1].place : start]
     engine = engine_named(between, len(between))

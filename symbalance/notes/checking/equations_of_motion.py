@@ -88,7 +88,7 @@ def equation_of_motion(
     if k or len(chain.relations) != 1 or chain.relations[0].sign != "=":
         return None
     left, right = chain.sides[0].node, chain.sides[1].node
-    moving = _moving(left, right, knowledge)
+    moving = moving_letters(left, right, knowledge)
     if not moving or any(_gives_a_letter(one, other) for one, other in ((left, right), (right, left))):
         return None
     try:
@@ -96,11 +96,19 @@ def equation_of_motion(
     except (NoFormError, TooLargeError):
         return None
     others = {n for n in elsewhere if not knowledge.knows(n)}
-    linear = _linear_factors(form, moving | (others & (names(left) | names(right))))
-    factors, rest = linear or (None, _ZERO)
-    if factors is None or len(form.numerator) < 2 or not any(order for _, order in factors):
-        return None
-    return EquationOfMotion(factors, rest, chain.lines[0], f"{plain_text(left)} = {plain_text(right)}")
+    own = moving | (others & (names(left) | names(right)))
+    text = f"{plain_text(left)} = {plain_text(right)}"
+    equation = linear_equation(form, own, chain.lines[0], text)
+    has_rates = equation is not None and any(order for _, order in equation.factors)
+    return equation if has_rates and len(form.numerator) > 1 else None
+
+
+def linear_equation(
+    form: Form, moving: frozenset[str] | set[str], line: int, text: str
+) -> EquationOfMotion | None:
+    """Return a form that is zero as a linear equation in what moves; None where it is not linear."""
+    linear = _linear_factors(form, frozenset(moving))
+    return None if linear is None else EquationOfMotion(*linear, line, text)
 
 
 def decide_motion(
@@ -156,8 +164,8 @@ def _decide_system(
     """Return whether the determinant of a system is zero at a frequency; None where it says nothing."""
     formulas = {name: d for name, d in knowledge.definitions.items() if not d.numeric}
     known = replace(knowledge, definitions=formulas)
-    first = min(e.line for e in system)
-    where = f"line {first}" if len(system) == 1 else f"lines {first} and {max(e.line for e in system)}"
+    first, last = min(e.line for e in system), max(e.line for e in system)
+    where = f"line {first}" if first == last else f"lines {first} and {last}"
     is_damped = any(order == 1 for e in system for _, order in e.factors)
     rows = [[_at_frequency(e, name, square) for name in moving] for e in system]
     decision = decide_equality(_determinant(rows), _ZERO, known)
@@ -201,7 +209,7 @@ def _decide_frequency_equation(
     return Decision(REFUTED, reason, witness=decision.witness)
 
 
-def _moving(left: Formula, right: Formula, knowledge: Knowledge) -> frozenset[str]:
+def moving_letters(left: Formula, right: Formula, knowledge: Knowledge) -> frozenset[str]:
     """Return the letters that two sides differentiate by the time and of which nothing is known."""
     time = knowledge.crank.time if knowledge.crank else "t"
     return frozenset(

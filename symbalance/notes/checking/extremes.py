@@ -15,7 +15,7 @@ from typing import Any
 from symbalance.document.formula import Constant, Derivative, Formula, Name, Negative, Number, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
-from symbalance.notes.algebra.tree_values import TreeValues, letters_behind
+from symbalance.notes.algebra.tree_values import DerivativeForms, TreeValues, letters_behind
 from symbalance.notes.algebra.values import Point, context, random_point
 from symbalance.notes.checking.case_words import opens_case
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision, digits
@@ -30,7 +30,7 @@ GRID = 120
 NEAR, FAR = 0.005, 0.08
 """Relative errors: below the first ≈ is right, above the second no approximation is meant."""
 POINTS = 3
-_BY_NUMBERS = "relative error"
+BY_NUMBERS = "relative error"
 _LINK = re.compile(r"[\s$,:)}\]°]*(?:(?!(?:and|und|et|while|or)\b)[^\W\d_]+\s+){0,4}[\s$({\[\\]*")
 _AT = re.compile(r"[\s$,)}\]]*(?:\(|[^\W\d_]+\s+){1,3}[\s$({\[\\]*")
 _CLAUSE_END = re.compile(r"[\s$)}\]°]*(?:[.;。]|\n\s*\n|\Z)")
@@ -42,7 +42,7 @@ def motion_of(name: str, knowledge: Knowledge) -> tuple[Formula, str] | None:
     stem, _, which = name.rpartition("_")
     if name.startswith("hat_"):
         stem, which = name[len("hat_") :], "max"
-    if which not in (*_PLACES, "max", "min") or knowledge.crank is None or not _theta(knowledge):
+    if which not in (*_PLACES, "max", "min") or knowledge.crank is None or not theta_name(knowledge):
         return None
     order = next((n for mark, n in (("ddot_", 2), ("dot_", 1)) if stem.startswith(mark)), 0)
     base = stem.rpartition("dot_")[2].removeprefix("d") if order else stem
@@ -71,7 +71,7 @@ def decide_extreme(left: Side, right: Side, sign: str, knowledge: Knowledge) -> 
     if which in _PLACES:
         return _at_place(motion, right, sign, _PLACES[which], knowledge)
     for place in (0, 1):
-        at_centre = _at_centre(motion, right, sign, place, knowledge)
+        at_centre = at_dead_centre(motion, right, sign, place, knowledge)
         if at_centre.is_proved:
             return _if_extreme(at_centre, motion, right.node, which, place, knowledge)
     return _by_numbers(motion, right.node, which, knowledge)
@@ -82,18 +82,20 @@ def decide_place(extreme: Decision, chain: Chain, document: ReadNotes, knowledge
 
     An extreme between the dead centres is near an angle, not at it: of that nothing is said.
     """
-    named = _place_named(chain, document, _theta(knowledge))
+    named = _place_named(chain, document, theta_name(knowledge))
     head, right = chain.sides[0].node, chain.sides[1]
     described = motion_of(head.name, knowledge) if isinstance(head, Name) else None
     if (
         not extreme.is_proved
-        or extreme.order.startswith(_BY_NUMBERS)
+        or extreme.order.startswith(BY_NUMBERS)
         or named is None
         or described is None
     ):
         return extreme
     motion = Side((described[0],), chain.sides[0].span)
-    there = decide_at_value(motion, right, chain.relations[0].sign, knowledge, _theta(knowledge), named)
+    there = decide_at_value(
+        motion, right, chain.relations[0].sign, knowledge, theta_name(knowledge), named
+    )
     if there.status != REFUTED:
         return extreme
     return replace(there, reason=f"not the value at θ = {formula_text(named, plain=True)}")
@@ -115,22 +117,25 @@ def _place_named(chain: Chain, document: ReadNotes, theta: str) -> Formula | Non
     return before
 
 
-def _at_centre(motion: Formula, right: Side, sign: str, place: int, knowledge: Knowledge) -> Decision:
+def at_dead_centre(motion: Formula, right: Side, sign: str, place: int, knowledge: Knowledge) -> Decision:
     """Return the decision on the motion's value at top dead centre, or at bottom dead centre."""
     angle: Formula = Constant("pi") if place else Number(Fraction(0))
-    return decide_at_value(Side((motion,), right.span), right, sign, knowledge, _theta(knowledge), angle)
+    return decide_at_value(
+        Side((motion,), right.span), right, sign, knowledge, theta_name(knowledge), angle
+    )
 
 
-def _theta(knowledge: Knowledge) -> str:
+def theta_name(knowledge: Knowledge) -> str:
+    """Return the crank angle's letter, "" where none is declared."""
     theta = knowledge.crank.theta if knowledge.crank else None
     return theta.name if isinstance(theta, Name) else ""
 
 
 def _at_place(motion: Formula, right: Side, sign: str, place: int, knowledge: Knowledge) -> Decision:
     """Return the decision on a value at a dead centre that the letter names; sizes have no sign."""
-    decision = _at_centre(motion, right, sign, place, knowledge)
+    decision = at_dead_centre(motion, right, sign, place, knowledge)
     negative = Side((Negative(right.node),), right.span)
-    if decision.status == REFUTED and _at_centre(motion, negative, sign, place, knowledge).is_proved:
+    if decision.status == REFUTED and at_dead_centre(motion, negative, sign, place, knowledge).is_proved:
         return replace(decision, status=UNDECIDED, reason="true of its size, not of its sign")
     return decision
 
@@ -151,18 +156,23 @@ def _if_extreme(
     return replace(at_centre, assumptions=(*at_centre.assumptions, f"it is at {where}"))
 
 
-def _values(motion: Formula, claim: Formula, knowledge: Knowledge) -> list[tuple[Point, list[Any], Any]]:
+def values_over_turn(
+    motion: Formula, claim: Formula, knowledge: Knowledge
+) -> list[tuple[Point, list[Any], Any]]:
     """Return points of the letters, with the motion's values over a turn and the claim's there."""
     level = list(knowledge.levels(motion, claim))[-1]
     meaning = replace(knowledge.meaning, values=level.values)
-    theta = _theta(knowledge)
+    theta = theta_name(knowledge)
     open_letters = {n for node in (motion, claim) for n in letters_behind(node, level.values)} - {theta}
     rows: list[tuple[Point, list[Any], Any]] = []
-    for seed in range(POINTS):
+    derivatives: DerivativeForms = {}  # the same forms at every point
+    for seed in range(POINTS if open_letters else 1):
         point = random_point(sorted(open_letters), meaning.domain(), seed)
         try:
             turn = [
-                TreeValues(meaning, {**point, theta: Fraction(44, 7) * k / GRID}).value(motion).real
+                TreeValues(meaning, {**point, theta: Fraction(44, 7) * k / GRID}, derivatives)
+                .value(motion)
+                .real
                 for k in range(GRID)
             ]
             rows.append((point, turn, TreeValues(meaning, point).value(claim).real))
@@ -175,7 +185,7 @@ def _is_extreme(motion: Formula, claim: Formula, which: str, knowledge: Knowledg
     """Tell whether no angle of the grid has a larger value than the claimed one, or a smaller one."""
     sign = -1 if which == "min" else 1
     tiny = context().mpf(10) ** -12
-    rows = _values(motion, claim, knowledge)
+    rows = values_over_turn(motion, claim, knowledge)
     return bool(rows) and all(
         max(sign * value for value in turn) <= sign * claimed + tiny * abs(claimed)
         for _, turn, claimed in rows
@@ -185,7 +195,7 @@ def _is_extreme(motion: Formula, claim: Formula, which: str, knowledge: Knowledg
 def _by_numbers(motion: Formula, claim: Formula, which: str, knowledge: Knowledge) -> Decision:
     """Return the decision on an extreme between the dead centres."""
     errors: list[Any] = []
-    rows = _values(motion, claim, knowledge)
+    rows = values_over_turn(motion, claim, knowledge)
     for _, turn, claimed in rows:
         largest, smallest = max(turn), min(turn)
         size = max(abs(largest), abs(smallest))
@@ -198,7 +208,7 @@ def _by_numbers(motion: Formula, claim: Formula, which: str, knowledge: Knowledg
     worst = digits(context().mpf(max(errors)), 2)
     if max(errors) <= NEAR:
         return Decision(
-            PROVED, f"within {worst} of the extreme, by numbers", order=f"{_BY_NUMBERS} {worst}"
+            PROVED, f"within {worst} of the extreme, by numbers", order=f"{BY_NUMBERS} {worst}"
         )
     point, turn, claimed = rows[errors.index(min(errors))]
     extreme = max(turn) if which == "max" else min(turn)

@@ -43,6 +43,7 @@ from symbalance.notes.checking.page_data import data_of
 from symbalance.notes.checking.quotations import Quotations
 from symbalance.notes.checking.series_relations import judge_series
 from symbalance.notes.checking.sidecar import Binding, Declarations
+from symbalance.notes.checking.terms_of_a_kind import unlike_terms
 from symbalance.notes.checking.unit_or_letter import with_both_readings
 from symbalance.notes.checking.verdicts import (
     CONDITION,
@@ -382,6 +383,9 @@ class Judge:
 
     def _mismatch(self, chain: Chain, k: int, against: int, knowledge: Knowledge) -> Decision | None:
         """Refute a relation whose sides, or terms, are in different units."""
+        unlike = [unlike_terms(node) for node in chain.sides[k + 1].readings]
+        if all(unlike) and chain.relations[k].sign in "=≈":
+            return Decision(REFUTED, unlike[0])
         mismatches = list(self._mismatches(chain, k, against, knowledge).values())
         if not all(mismatches) or mismatches[0] is None:
             return None

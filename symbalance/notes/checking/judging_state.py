@@ -20,6 +20,7 @@ from symbalance.notes.checking.definitions import Definitions
 from symbalance.notes.checking.engine_speeds import speeds_of
 from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.equations_of_motion import EquationOfMotion
+from symbalance.notes.checking.fourier_series import FourierSeries
 from symbalance.notes.checking.given_numbers import GivenNumbers
 from symbalance.notes.checking.integer_words import integers_said
 from symbalance.notes.checking.meant_quantities import MeantQuantities
@@ -85,6 +86,7 @@ class JudgingState:
         self.conditions = equalities_behind(self.document)
         """Where equations begin that are conditions of the relation before them alone: (m = n)."""
         self.equations_of_motion: list[EquationOfMotion] = []
+        self.fourier_series: list[FourierSeries] = []
         self.not_judged: dict[str, int] = {}
         """Letters that a relation may define which was not judged, with its line."""
         self.solutions: dict[int, tuple[Premise, Decision]] = {}

@@ -23,10 +23,12 @@ from symbalance.notes.checking.equations_of_motion import (
     decide_natural_frequency,
     equation_of_motion,
 )
+from symbalance.notes.checking.fourier_series import as_fourier_series, decide_fourier
 from symbalance.notes.checking.given_numbers import number_given
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.letter_values import define_letter
 from symbalance.notes.checking.listed_values import decide_for_values
+from symbalance.notes.checking.matrix_equations_of_motion import rows_of_motion
 from symbalance.notes.checking.mean_piston_speed import mean_piston_speed
 from symbalance.notes.checking.mean_values import decide_by_mean
 from symbalance.notes.checking.numbers_in_units import decide_after_units_left_out
@@ -73,8 +75,10 @@ def judge_relation(
     if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):
         reason = f"true of the number {name}; here {name} is declared as a letter"
         return Decision(UNDECIDED, reason)
-    if is_equality and (by_motion := _by_motion(state, chain, k, knowledge)) is not None:
-        return by_motion
+    kinds = (_by_rows_of_motion,) if of_matrices else (_by_fourier, _by_motion) if is_equality else ()
+    for by_kind in kinds:
+        if (decision := by_kind(state, chain, k, knowledge)) is not None:
+            return decision
     return _judge_equality(state, chain, k, sound, bad, knowledge)
 
 
@@ -155,11 +159,32 @@ def _meant_as_number(left: Formula, right: Formula, knowledge: Knowledge) -> str
     return ""
 
 
+def _by_rows_of_motion(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> Decision | None:
+    """Return that a relation of matrices is an equation of motion; None for others."""
+    rows = rows_of_motion(chain, k, _differentiated(state, knowledge), knowledge)
+    state.equations_of_motion += rows
+    return Decision(CONDITION, "equation of motion") if rows else None
+
+
+def _by_fourier(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on a Fourier series without end, or on one of its coefficients."""
+    if not state.has_sums:
+        return None
+    series = as_fourier_series(chain, k, state.fourier_series, knowledge)
+    return series or decide_fourier(chain, k, state.fourier_series, knowledge)
+
+
+def _differentiated(state: JudgingState, knowledge: Knowledge) -> set[str]:
+    """Return the letters that the page differentiates by the time."""
+    time = knowledge.crank.time if knowledge.crank else "t"
+    return {each.name for each in state.motions.differentiated if each.variable == time}
+
+
 def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
     """Return the decision on an equation of motion, or on a natural frequency; None for others."""
-    time = knowledge.crank.time if knowledge.crank else "t"
-    elsewhere = {each.name for each in state.motions.differentiated if each.variable == time}
-    equation = equation_of_motion(chain, k, elsewhere, knowledge)
+    equation = equation_of_motion(chain, k, _differentiated(state, knowledge), knowledge)
     above = state.equations_of_motion
     if equation is None:
         here = [e for e in above if state.sections.same_section(e.line, chain.lines[0])]

@@ -10,6 +10,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.descriptions import describe
+from symbalance.notes.checking.extreme_sizes import decide_largest_size
 from symbalance.notes.checking.extremes import decide_extreme, decide_place
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.letters_below import with_letters_below
@@ -31,6 +32,9 @@ def judge_series(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
     if decision is None and not k and chain.relations[0].sign in "=≈":
         extreme = decide_extreme(chain.sides[0], chain.sides[1], chain.relations[0].sign, knowledge)
         name, value = chain.sides[0].node, without_dots(chain.sides[1].node)[0]
+        size = decide_largest_size(*chain.sides[:2], chain.relations[0].sign, knowledge)
+        if size is not None:
+            return describe(state.document, chain, k, size)
         if extreme is not None:
             extreme = decide_place(extreme, chain, state.document, knowledge)
         else:

@@ -33,6 +33,7 @@ from symbalance.document.formula import (
 )
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.lexer import AT, Token
+from symbalance.notes.reading.signs import MULTIPLE
 
 if TYPE_CHECKING:
     from symbalance.notes.reading.parser import Parser
@@ -87,6 +88,7 @@ def _is_end_of_term(parser: Parser) -> bool:
 def _mark_differential(parser: Parser, sign: Token) -> Name:
     """Make one token of the integral's d x, or take it out of a numerator; return the letter x."""
     depth, open_signs = 0, 0
+    _unwrap_differentials(parser)
     for place in range(parser.place, len(parser.tokens)):
         token = parser.tokens[place]
         if token.kind in ("open", "close"):
@@ -103,6 +105,31 @@ def _mark_differential(parser: Parser, sign: Token) -> Name:
         return _take_differential(parser, place, depth)
     remedy = "close it with its dx, as in \\int_0^{2\\pi} f \\, d\\theta"
     raise ReadingError(sign.start, "an integral without its differential", remedy)
+
+
+def _unwrap_differentials(parser: Parser) -> None:
+    r"""Take out the braces that set off a sign or a letter, {d} θ and d {θ}, behind an integral sign."""
+    tokens = parser.tokens
+    for place in range(len(tokens) - 3, parser.place - 1, -1):
+        if place + 3 > len(tokens):
+            continue
+        opener, inside, closer = tokens[place : place + 3]
+        is_group = (opener.kind, opener.value, closer.kind, closer.value) == ("open", "{", "close", "}")
+        before = tokens[place - 1] if place else None
+        is_bare = before is None or before.kind not in ("cmd", "sup", "sub", "close", "function")
+        if not is_group or inside.kind != "name" or not is_bare or before is None:
+            continue
+        after = tokens[place + 3] if place + 3 < len(tokens) else None
+        is_sign = inside.value == "d" and after is not None and after.kind == "name"
+        is_letter = before.kind == "name" and before.value == "d" and _stands_free(tokens, place - 1)
+        if is_sign or is_letter:
+            tokens[place : place + 3] = [inside]
+
+
+def _stands_free(tokens: list[Token], place: int) -> bool:
+    """Tell whether a sign is under no command: not the d of \\frac d{x}, whose braces are arguments."""
+    before = tokens[place - 1] if place else None
+    return before is None or before.kind not in ("cmd", "sup", "sub")
 
 
 def _is_of_a_derivative(parser: Parser, place: int) -> bool:
@@ -569,6 +596,7 @@ def _read_condition(parser: Parser) -> tuple[Formula, str, Formula] | None:
     if parser.at("row") or parser.at("close"):
         return None
     bars = [place for place in range(parser.place, _end_of_cell(parser)) if _is_bar(parser, place)]
+    is_multiple = len(bars) == 1 and parser.tokens[bars[0]].value == MULTIPLE
     if len(bars) == 1:  # N | n: N divides n
         parser.tokens[bars[0]] = replace(parser.tokens[bars[0]], kind="rel", value=_DIVIDES)
     left = parser.contents()
@@ -576,6 +604,7 @@ def _read_condition(parser: Parser) -> tuple[Formula, str, Formula] | None:
         raise ReadingError(parser.offset, "a condition that is not read", "write n = 0 or x > 0")
     sign, right = parser.take().value, parser.contents()
     if sign == _DIVIDES:
+        left, right = (right, left) if is_multiple else (left, right)
         zero = Number(Fraction(0), span=right.span)
         return Apply("mod", (right, left), span=(left.span[0], right.span[1])), "=", zero
     if parser.at("rel"):

@@ -948,7 +948,7 @@ def _calls(side: Sequence[Token], functions: Collection[str] = ()) -> list[tuple
         before = side[start - 1] if start else None
         if token.value not in ("(", AT) or before is None or before.kind != "name":
             continue
-        if _is_shifted(side, start, functions):
+        if _is_shifted(side, start, functions) or _is_at_root(side, start, functions):
             result.append((start, _closing(side, start) or start))
             continue
         stop = next((n for n in range(start + 1, len(side)) if side[n].kind in ("open", "close")), None)
@@ -975,6 +975,13 @@ def _is_shifted(side: Sequence[Token], start: int, functions: Collection[str]) -
         return False
     inside = side[start + 1 : stop]
     return not is_variable(inside) and _is_moved(inside, frozenset({own}))
+
+
+def _is_at_root(side: Sequence[Token], start: int, functions: Collection[str]) -> bool:
+    r"""Tell whether a function stands tightly before a root in brackets: H(\sqrt{c/J})."""
+    stop = _closing(side, start)
+    is_function = side[start - 1].value in functions and side[start - 1].end == side[start].start
+    return stop is not None and is_function and side[start + 1].is_cmd("sqrt")
 
 
 def _with_places(side: list[Token], functions: Mapping[str, str]) -> list[Token]:

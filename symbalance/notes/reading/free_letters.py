@@ -50,8 +50,17 @@ def may_be_free(
     is_word = tokens[place - 1].end - start == len(name)  # 20 psi, but 2\psi and 2ψ
     if is_last and is_word and before is not None and before.kind in ("number", "vulgar"):
         is_letter = not scale_of(name) or (name in known and before.end == start)
-        return is_letter and name != "d"  # 3 N, but 2 m r
-    return not (name == "d" and place < len(tokens) and tokens[place].kind in ("name", "cmd"))
+        return is_letter and (name != "d" or name in known)  # 3 N, but 2 m r
+    return name != "d" or _is_no_differential(tokens, place)
+
+
+def _is_no_differential(tokens: Sequence[Token], place: int) -> bool:
+    r"""Tell whether the d before a place is a letter: d \dot q, \frac1d, and no d of dx or d \theta."""
+    after = tokens[place] if place < len(tokens) else None
+    if after is None or after.kind not in ("name", "cmd") or after.is_cmd(*TIME_DOTS):
+        return True
+    below = place > 2 and tokens[place - 3].is_cmd("frac") and tokens[place - 2].kind == "number"
+    return below or (place > 1 and tokens[place - 2].is_cmd("frac") and after.kind == "cmd")
 
 
 def unclear(node: Formula, free: Collection[str]) -> str | None:

@@ -576,6 +576,9 @@ class Lexer:
     def _condition_word(self, match: re.Match[str]) -> None:
         """Go past "if" and "otherwise" among cases; other words are no condition that is read."""
         word = " ".join(match.group().strip(" {}~.,;").lower().split())
+        if word in signs.DIVIDES or word in signs.IS_DIVISIBLE:
+            self._add("bar", "|" if word in signs.DIVIDES else signs.MULTIPLE, match.end())
+            return
         if word not in signs.CONDITION_WORDS:
             raise ReadingError(self.place, f"a condition in words: {word}", "write it as a relation")
         self.place = match.end()

@@ -13,7 +13,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from symbalance.document.wordlists import word_set, words
-from symbalance.notes.reading import siunitx
+from symbalance.notes.reading import differential_signs, siunitx
 from symbalance.notes.reading.physics_macros import PHYSICS
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.signs import RELATION
@@ -27,7 +27,7 @@ _DEEPEST = 200
 
 _NAME = r"(?:\{\s*\\(?P<braced>[A-Za-z@]+)\s*\}|\\(?P<bare>[A-Za-z@]+))"
 _DEFINITION = re.compile(
-    r"\\(?P<command>(?:re|provide)?newcommand|DeclareRobustCommand|DeclareMathOperator"
+    r"\\(?P<command>(?:(?:re)?new|provide)command|DeclareRobustCommand|DeclareMathOperator"
     r"|DeclarePairedDelimiter|(?:New|Renew|Provide|Declare)DocumentCommand|let|[gex]?def)"
     rf"(?![A-Za-z])\*?\s*{_NAME}"
 )
@@ -527,6 +527,8 @@ PACKAGES: dict[str, Handler] = {
     ),
     **dict.fromkeys(words("overset underset stackrel stackbin"), _above),
     **dict.fromkeys(words("mathrel mathbin mathord mathopen mathclose mathinner"), _spaced),
+    "mathop": differential_signs.operator_sign,
+    **dict.fromkeys(differential_signs.NAMES, differential_signs.without_definition),
     "IEEEeqnarraymulticol": _only(2, 3),
     "SI": _siunitx(siunitx.quantity_text, 2),
     "num": _siunitx(siunitx.number_text, 1),

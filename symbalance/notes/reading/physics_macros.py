@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable
 
 from symbalance.document.wordlists import words
+from symbalance.notes.reading.differential_signs import without_definition
 from symbalance.notes.reading.rewriting import Span
 
 Texts = list[str | Span]
@@ -87,7 +88,7 @@ def _two(write: Callable[[Span, Span], Texts]) -> Handler:
 
 
 def _derivative_of_two(sign: str) -> Handler:
-    """Return the handler of \\diff[2]{y}{x} and \\odv[order=2]{y}{x}; with one argument it stays."""
+    """Return the handler of \\diff[2]{y}{x} and \\odv[order=2]{y}{x}; with one it is a differential."""
 
     def handle(text: str, place: int, pairs: dict[int, int]) -> tuple[Texts, int] | None:
         option = _OPTION.match(text, place)
@@ -95,7 +96,7 @@ def _derivative_of_two(sign: str) -> Handler:
         first = _group(text, start + text.startswith("*", start), pairs)
         second = _group(text, first[1], pairs) if first else None
         if first is None or second is None:
-            return None
+            return without_definition(text, place, pairs) if sign == "d" else None
         order = option[1].removeprefix("order=").strip() if option else ""
         power = f"^{{{order}}}" if order else ""
         return [f"\\frac{{{sign}{power} ", first[0], f"}}{{{sign} ", second[0], f"{power}}}"], second[1]

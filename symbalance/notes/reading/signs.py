@@ -82,6 +82,21 @@ CONDITION_WORDS = frozenset(
 )
 """Words that stand among cases and say nothing that the relation does not."""
 
+DIVIDES = frozenset({"divides", "teilt", "divise", "is a divisor of", "ist teiler von"})
+IS_DIVISIBLE = frozenset(
+    {
+        "is a multiple of",
+        "a multiple of",
+        "multiple of",
+        "is divisible by",
+        "divisible by",
+        "vielfaches von",
+    }
+    | {"ist vielfaches von", "ist ein vielfaches von", "is an integer multiple of"}
+)
+"""Words between two whole numbers of a case: N divides n, n is a multiple of N."""
+MULTIPLE = "⋮"
+
 ARROWS = word_set("to rightarrow longrightarrow searrow nearrow")
 """Arrows that a limit may have."""
 

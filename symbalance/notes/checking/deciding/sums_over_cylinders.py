@@ -47,9 +47,14 @@ def decide_over_cylinders(
     is_open = any(_is_without_index(part) for node in (left, right) for part in walk(node))
     listed = knowledge.crank_angles
     last: Decision | None = None
-    for angles in () if listed is None else (listed, *listed.others):
+    ways = (
+        []
+        if listed is None
+        else [(a, t) for a in (listed, *listed.others) for t in _angles_at(left, right, knowledge)]
+    )
+    for angles, theta in ways:
         try:
-            first, second = (_written_out(node, angles.nodes, knowledge) for node in (left, right))
+            first, second = (_written_out(node, angles.nodes, knowledge, theta) for node in (left, right))
         except (NoFormError, TooLargeError) as problem:
             return Decision(UNDECIDED, str(problem))
         if first is left and second is right:
@@ -66,26 +71,47 @@ def decide_over_cylinders(
     return replace(decision, reason=NO_ANGLES) if is_unsaid else decision
 
 
+def _angles_at(left: Formula, right: Formula, knowledge: Knowledge) -> list[Formula | None]:
+    """Return the crank angle as what a listed angle may be counted from.
+
+    Where none is declared, θ_i of a sum may be θ + δ_i, of a letter θ that is free, or δ_i alone.
+    """
+    if knowledge.crank is not None and knowledge.crank.theta is not None:
+        return [knowledge.crank.theta]
+    stems = {
+        name.rpartition("_")[0]
+        for node in (left, right)
+        for part in walk(node)
+        if isinstance(part, Summation) and part.index is not None
+        for name in indexed_letters(part.body, part.index.name)
+    }
+    wholes = sorted(stem for stem in stems if is_greek(stem) and not knowledge.knows(stem))
+    return [*map(Name, wholes[:1]), None]
+
+
 def _is_without_index(node: Formula) -> bool:
     return isinstance(node, Summation) and (node.index is None or node.upper is None)
 
 
-def _written_out(node: Formula, angles: tuple[Formula, ...], knowledge: Knowledge) -> Formula:
+def _written_out(
+    node: Formula, angles: tuple[Formula, ...], knowledge: Knowledge, theta: Formula | None
+) -> Formula:
     """Return a formula with its sums over cylinders as sums of terms, itself where there are none."""
     if isinstance(node, Summation):
-        terms = _terms(node, angles, knowledge)
+        terms = _terms(node, angles, knowledge, theta)
         return node if terms is None else Sum(tuple(terms))
     parts = children(node)
-    new_parts = tuple(_written_out(part, angles, knowledge) for part in parts)
+    new_parts = tuple(_written_out(part, angles, knowledge, theta) for part in parts)
     is_same = all(a is b for a, b in zip(parts, new_parts, strict=True))
     return node if is_same else with_children(node, new_parts)
 
 
-def _terms(node: Summation, angles: tuple[Formula, ...], knowledge: Knowledge) -> list[Formula] | None:
+def _terms(
+    node: Summation, angles: tuple[Formula, ...], knowledge: Knowledge, theta: Formula | None
+) -> list[Formula] | None:
     """Return the terms of a sum, one a cylinder; None where it is not one over the listed angles."""
-    theta = knowledge.crank.theta if knowledge.crank is not None else None
     if node.index is not None:
-        return _indexed_terms(node, angles, knowledge)
+        return _indexed_terms(node, angles, knowledge, theta)
     if not isinstance(theta, Name) or any(_is_moment(name, knowledge) for name in names(node.body)):
         return None  # the lever arms of the cylinders are not listed with their angles
     body = _in_angle(node.body, theta.name, knowledge)
@@ -95,7 +121,7 @@ def _terms(node: Summation, angles: tuple[Formula, ...], knowledge: Knowledge) -
 
 
 def _indexed_terms(
-    node: Summation, angles: tuple[Formula, ...], knowledge: Knowledge
+    node: Summation, angles: tuple[Formula, ...], knowledge: Knowledge, theta: Formula | None
 ) -> list[Formula] | None:
     assert node.index is not None
     own = indexed_letters(node.body, node.index.name)
@@ -111,7 +137,6 @@ def _indexed_terms(
         last = _number(node.upper, knowledge)
         if last is None or last.value - node.lower.value + 1 != len(angles):
             return None
-    theta = knowledge.crank.theta if knowledge.crank is not None else None
     # Σ cos θ_i is of whole angles; beside θ, in cos(θ + θ_i), they are those of the cranks
     is_beside = isinstance(theta, Name) and theta.name in names(node.body)
     is_whole_angle = isinstance(theta, Name) and own[0].split("_")[0] == theta.name and not is_beside
