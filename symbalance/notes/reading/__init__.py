@@ -16,6 +16,7 @@ executed as code.
     ranges, joined_dollars          letters that run through values; formulas that dollars cut
     signs, units, letter_names      what signs and commands stand for; units; one name for each letter
     page_marks, function_names      what formats mark around formulas; other languages' names
+    ratios_by_colon                 λ = r : l as a quotient
     and_so_on                       + etc. for dots
     letter_e                        the offset e, told from the number
     lexer, parser                   one formula's text to tokens, and these to trees

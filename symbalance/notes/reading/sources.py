@@ -27,6 +27,7 @@ from symbalance.notes.reading.numerals import with_plain_numerals
 from symbalance.notes.reading.operator_words import with_operator_words
 from symbalance.notes.reading.page_marks import with_page_marks
 from symbalance.notes.reading.ranges import with_ranges
+from symbalance.notes.reading.ratios_by_colon import with_ratios
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.row_vectors import with_row_vectors
 from symbalance.notes.reading.scanned_letters import with_scanned_letters
@@ -94,6 +95,7 @@ def prepare(
     if kind == "tex":
         reader.text = mask_code_of_tex(reader.text)
     reader.apply(with_page_marks(reader.text, kind, suffix))
+    reader.apply(with_ratios(reader.text))
     for rules in _RULES.get(kind, ()):
         reader.apply(_rewritten(reader.text, rules))
     macros = expand_macros(reader.text)
