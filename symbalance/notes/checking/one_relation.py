@@ -9,6 +9,7 @@ from symbalance.notes.checking.angle_equations import as_equation_for_angle
 from symbalance.notes.checking.appeals import appeal
 from symbalance.notes.checking.constraints import Constraint
 from symbalance.notes.checking.conversions import decide_conversion
+from symbalance.notes.checking.dead_centres import value_at_dead_centre
 from symbalance.notes.checking.deciding.equality import Decision, decide_equality
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -219,6 +220,8 @@ def _as_meant(
         outcome = state.meant.judge(chain, k, knowledge)
     else:
         outcome = state.meant.again(chain, k, knowledge)
+    if outcome is None and definition.status == DEFINITION:
+        outcome = value_at_dead_centre(state, chain, k, knowledge)
     if outcome is None and definition.status in (DEFINITION, PREMISE):
         outcome = state.named.judge(chain, k, knowledge)
     name = chain.sides[k].node
