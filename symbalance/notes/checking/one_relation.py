@@ -31,6 +31,7 @@ from symbalance.notes.checking.listed_values import decide_for_values
 from symbalance.notes.checking.mean_piston_speed import mean_piston_speed
 from symbalance.notes.checking.mean_values import decide_by_mean
 from symbalance.notes.checking.numbers_in_units import decide_after_units_left_out
+from symbalance.notes.checking.open_cases import case_of_a_letter
 from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.rough_letters import decide_roughly
@@ -46,6 +47,7 @@ from symbalance.notes.checking.verdicts import (
     CONTRADICTION,
     DEFINITION,
     PREMISE,
+    RANGE,
     REFUTED,
     STATED,
     UNDECIDED,
@@ -66,6 +68,8 @@ def judge_relation(
     if of_matrices and (fault := no_relation_of_matrices(relation.sign, left, right, knowledge)):
         return Decision(UNDECIDED, fault)
     if relation.sign in SATISFIED_BY:
+        if case_of_a_letter(state, chain, k, knowledge):
+            return Decision(RANGE, "a case, whatever value the letter has above")
         decision = decide_inequality(chain, k, knowledge)
         state.definitions.note_range(chain, k, decision)
         return decision
