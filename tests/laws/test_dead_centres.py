@@ -14,7 +14,9 @@ Die Beschleunigung des Kolbens ist b ≈ r ω² (cos α + λ cos 2α).
 
 %s
 """
-DISPLACEMENT = r"""Kurbelradius $r$, Pleuellänge $l$, $\lambda = r/l$, Kurbelwinkel $\varphi=\omega t$ ab OT.
+MATHS = r"$b \approx r \omega^2(\cos\alpha + \lambda\cos 2\alpha)$"
+DISPLACEMENT = r"""Kurbelradius $r$, Pleuellänge $l$, $\lambda = r/l$, Kurbelwinkel
+$\varphi=\omega t$ ab OT.
 
 Der Kolbenweg ist
 $$x = r(1-\cos\varphi) + l(1-\cos\beta)$$
@@ -43,6 +45,23 @@ def test_an_indexed_letter_holds_as_the_value_at_a_dead_centre(line):
     verdict = last_verdict(ACCELERATION % line)
     assert verdict.verdict == CONDITIONAL
     assert "by the words before" in verdict.assumption
+
+
+@pytest.mark.parametrize(
+    ("line", "word"),
+    [
+        ("Es wird $b_{OT} = r \\omega^2 (1 + \\lambda)$.", CONDITIONAL),
+        ("Es wird $b_{bdc} = - r \\omega^2 (1 - \\lambda)$.", CONDITIONAL),
+        ("Es wird $b_{bdc} = - r \\omega^2 (1 + \\lambda)$.", REFUTED),
+        ("Es wird $b_{OT} = r \\omega^2 (1 + \\lambda^2)$.", REFUTED),
+        ("Es wird $b_{UT} = r \\omega^2 (1 - \\lambda)$.", DEFINITION),  # its size
+        ("Es wird $b_{OT} = 1800$.", DEFINITION),
+        ("Es wird $b_{OT} = k r \\omega^2$.", DEFINITION),
+    ],
+)
+def test_an_index_that_names_the_dead_centre_says_which_value_it_is(line, word):
+    page = ACCELERATION.replace("b ≈ r ω² (cos α + λ cos 2α)", MATHS) % line
+    assert last_verdict(page).verdict == word
 
 
 def test_the_value_of_one_dead_centre_with_the_other_sign_is_refuted_at_the_other():

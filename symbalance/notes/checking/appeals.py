@@ -73,7 +73,7 @@ def _at_stated_angle(
         near = state.sections.paragraph_start(line) <= (definition.line if definition else 0)
         if definition is not None and definition.numeric and near:
             angles.append((name, definition.node))
-    if (at_centre := angle_there(state, chain, knowledge)) is not None:
+    if (at_centre := angle_there(state, chain, k, knowledge)) is not None:
         angles.append(at_centre)
     refuted_there = decision
     for name, value in angles:

@@ -21,8 +21,8 @@ from symbalance.notes.reading.equations import Side
 def decide_with_sizes(left: Side, right: Side, sign: str, solved: Solved) -> Decision | None:
     """Return the decision on a relation with the sizes that are left over put in; None where it is open.
 
-    Only numbers of letters that the geometry is written in are such sizes, and each is solved for a letter
-    of its own.
+    Only numbers of letters that the geometry is written in are such sizes, and each is solved for a
+    letter of its own.
     """
     values: dict[str, Formula] = {}
     for premise in solved.leftover:

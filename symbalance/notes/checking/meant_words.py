@@ -144,7 +144,7 @@ class MeantWords:
         return {}
 
     def law_of_angle(self, theta: Formula, time: str, line: int) -> str:
-        """Return how a page says, up to a line, that its crank angle grows: θ = ω t; "" if it does not."""
+        """Return how a page says, up to a line, that its crank angle grows: θ = ω t; "" for not."""
         for chain in self.document.chains:
             pairs = zip(chain.sides, chain.sides[1:], strict=False)
             for left, right in pairs if chain.lines[0] <= line else ():

@@ -112,7 +112,9 @@ def _judge_step(
         below = None if k else solution_below(state.sections, chain, knowledge)
         solved = _by_mean(state, chain, k, knowledge) or as_solved(state, chain, below, knowledge)
         decision = solved or unless_given(state, chain, k, against, decision, knowledge)
-    if decision.status in STATED or decision.status == CONTRADICTION:
+    if decision.status in STATED:
+        return value_at_dead_centre(state, chain, k, knowledge) or decision
+    if decision.status == CONTRADICTION:
         return decision
     decision = appeal(state, chain, k, against, decision, knowledge)
     if decision.is_proved and (by_quantity := wrong_as_quantity(chain, k, state.document, knowledge)):
@@ -224,7 +226,7 @@ def _as_meant(
         outcome = state.meant.judge(chain, k, knowledge)
     else:
         outcome = state.meant.again(chain, k, knowledge)
-    if outcome is None and definition.status == DEFINITION:
+    if outcome is None and definition.status in STATED:
         outcome = value_at_dead_centre(state, chain, k, knowledge)
     if outcome is None and definition.status in (DEFINITION, PREMISE):
         outcome = state.named.judge(chain, k, knowledge)

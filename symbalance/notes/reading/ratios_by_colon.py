@@ -1,7 +1,8 @@
 r"""Ratios that are written with a colon become quotients: λ = r : l, i = z₁:z₂, 478 : 4 = 119.5.
 
-A colon also stands behind a label and a case ("for θ = 0 : F = 3"), where the French put a space before it.
-A ratio stands between two letters or numbers that a relation sets equal to something, alike on both sides.
+A colon also stands behind a label and a case ("for θ = 0 : F = 3"), where the French put a space before
+it. A ratio stands between two letters or numbers that a relation sets equal to something, with a space on
+both sides or on neither.
 """
 
 from __future__ import annotations
