@@ -12,6 +12,8 @@ In: a document, a sidecar that says what its letters mean, and somebody who know
     judging, judging_state          the page's relations in order, and what is known where each stands
     one_relation                    the verdict on one: definition, step, equation to solve, given
     appeals, open_reasons           what is tried before a refutation stands, why it may stay open
+    dead_centres                    values at the dead centres that words or an index name
+    leftover_premises               numbers of sizes that are written in others: l of n r
     numbers_in_units, conversions   units that numbers are meant in; one quantity in two units
     printed_units                   units that numbers put in have in the words before
     formulas_between_numbers        formulas whose constant converts units; rpm as rad/s in

@@ -78,7 +78,8 @@ def _is_of_new_letters(
 ) -> bool:
     """Tell whether a formula is of two letters or more that all came up after a letter's last mention.
 
-    A disc of mass M and radius R has J = M R²/2, whatever the J of the flywheel before was.
+    A disc of mass M and radius R has J = M R²/2, whatever the J of the flywheel before was; where the
+    next formula is M = 2 J/R², it is that J, and the disc's mass is asked for.
     """
     own, start, known = names(value), chain.sides[0].span[0], knowledge.definitions[name]
     if known.numeric and known.formula is None:
@@ -89,7 +90,13 @@ def _is_of_new_letters(
         return False
     if own & knowledge.meanings.keys() or definitions.sections.is_consequence(chain):
         return False
-    above = [c for c in definitions.sections.document.chains if c.sides[0].span[0] < start]
+    chains = definitions.sections.document.chains
+    below = [c for c in chains if c.sides[0].span[0] > start]
+    below.sort(key=lambda c: c.sides[0].span[0])
+    solved = below[0].sides[:2] if below and len(below[0].sides) > 1 else ()
+    if solved and solved[0].node in [Name(n) for n in own] and name in names(solved[1].node):
+        return False
+    above = [c for c in chains if c.sides[0].span[0] < start]
     last = max((c.sides[-1].span[1] for c in above if name in c.letters), default=None)
     earlier = [c for c in above if last is None or c.sides[0].span[0] < last]
     used = frozenset[str]().union(*(c.letters for c in earlier))

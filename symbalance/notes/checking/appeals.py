@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from fractions import Fraction
 
-from symbalance.document.formula import Constant, Formula, Name, Number, names
+from symbalance.document.formula import Formula, Name, names
 from symbalance.notes.checking.angle_equations import at_rough_angle
+from symbalance.notes.checking.dead_centres import angle_there
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
@@ -75,10 +75,8 @@ def _at_stated_angle(
         is_here = state.sections.paragraph_start(line) <= definition.line
         if is_here or line <= state.sections.case_end(definition.line):
             angles.append((name, definition.node))
-    centre = state.sections.dead_centre(chain)
-    if knowledge.crank is not None and isinstance(knowledge.crank.theta, Name) and centre is not None:
-        angle = Constant("pi") if centre else Number(Fraction(0))
-        angles.append((knowledge.crank.theta.name, angle))
+    if (at_centre := angle_there(state, chain, k, knowledge)) is not None:
+        angles.append(at_centre)
     refuted_there = decision
     for name, value in angles:
         if name in names(right.node):

@@ -31,7 +31,8 @@ def decide_meant_extreme(
         decision = decide_place(decision, chain, document, known)
         if decision.is_proved:
             return replace(decision, assumptions=(*texts, *decision.assumptions))
-        if decision.status != REFUTED or any(text.endswith(USUAL_END) for text in texts):
+        is_guess = any(text.endswith(USUAL_END) and text not in meant.shown for text in texts)
+        if decision.status != REFUTED or is_guess:
             return None
         refuted = replace(decision, reason=f"{decision.reason}, if {'; '.join(texts)}")
     return refuted

@@ -239,7 +239,14 @@ class MeantQuantities:
         if not ends <= sizes | set(meaning.values) or not isinstance(crank.theta, Name):
             return None
         used = {n: m for n, m in proposed.items() if n in ends}
-        texts = (*letters_text(used, self.words.proposals), *(_usual(n, crank) for n in sorted(usual)))
+        texts = (
+            *letters_text(used, self.words.proposals),
+            *(_usual(n, crank) for n in sorted(usual)),
+        )
+        law = self.words.law_of_angle(crank.theta, crank.time, line)
+        if law and isinstance(crank.omega, Name):
+            speed = f"{plain_letter(crank.omega.name)} is the angular speed, "
+            texts = tuple(f"{speed}by {law}" if t == speed + USUAL_END else t for t in texts)
         known = replace(
             knowledge,
             meaning=meaning,

@@ -12,9 +12,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from symbalance.document.formula import Name, Quotient, names
+from symbalance.document.formula import Formula, Name, Product, Quotient, names
 from symbalance.document.letters import plain_letter
 from symbalance.notes.checking.dimensions import Dimension, unit_of, written_unit
+from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.proposals import Proposal, meanings_from_words
 from symbalance.notes.checking.role_phrases import CONVENTIONS, MOVING_SECTIONS, RATIO, roles_named
 from symbalance.notes.checking.sections import Sections
@@ -141,6 +142,16 @@ class MeantWords:
                     if pair in CONVENTIONS and name not in symbols:
                         return {name: CONVENTIONS[pair]}
         return {}
+
+    def law_of_angle(self, theta: Formula, time: str, line: int) -> str:
+        """Return how a page says, up to a line, that its crank angle grows: θ = ω t; "" for not."""
+        for chain in self.document.chains:
+            pairs = zip(chain.sides, chain.sides[1:], strict=False)
+            for left, right in pairs if chain.lines[0] <= line else ():
+                is_law = left.node == theta and isinstance(right.node, Product)
+                if is_law and names(right.node) - {time} and time in names(right.node):
+                    return f"{plain_text(left.node)} = {plain_text(right.node)}"
+        return ""
 
     def before(self, chain: Chain) -> str:
         """Return the words of the sentence before a relation, behind the relation before it."""

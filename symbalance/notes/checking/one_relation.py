@@ -9,6 +9,7 @@ from symbalance.notes.checking.angle_equations import as_equation_for_angle
 from symbalance.notes.checking.appeals import appeal
 from symbalance.notes.checking.constraints import Constraint
 from symbalance.notes.checking.conversions import decide_conversion
+from symbalance.notes.checking.dead_centres import value_at_dead_centre
 from symbalance.notes.checking.deciding.equality import Decision, decide_equality
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -32,6 +33,7 @@ from symbalance.notes.checking.matrix_equations_of_motion import rows_of_motion
 from symbalance.notes.checking.mean_piston_speed import mean_piston_speed
 from symbalance.notes.checking.mean_values import decide_by_mean
 from symbalance.notes.checking.numbers_in_units import decide_after_units_left_out
+from symbalance.notes.checking.open_cases import case_of_a_letter
 from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.printed_units import decide_by_printed_units
 from symbalance.notes.checking.relation_fixes import add_fix_of_relation
@@ -48,6 +50,7 @@ from symbalance.notes.checking.verdicts import (
     CONTRADICTION,
     DEFINITION,
     PREMISE,
+    RANGE,
     REFUTED,
     STATED,
     UNDECIDED,
@@ -68,6 +71,8 @@ def judge_relation(
     if of_matrices and (fault := no_relation_of_matrices(relation.sign, left, right, knowledge)):
         return Decision(UNDECIDED, fault)
     if relation.sign in SATISFIED_BY:
+        if case_of_a_letter(state, chain, k, knowledge):
+            return Decision(RANGE, "a case, whatever value the letter has above")
         decision = decide_inequality(chain, k, knowledge)
         state.definitions.note_range(chain, k, decision)
         return decision
@@ -112,7 +117,9 @@ def _judge_step(
         below = None if k else solution_below(state.sections, chain, knowledge)
         solved = _by_mean(state, chain, k, knowledge) or as_solved(state, chain, below, knowledge)
         decision = solved or unless_given(state, chain, k, against, decision, knowledge)
-    if decision.status in STATED or decision.status == CONTRADICTION:
+    if decision.status in STATED:
+        return value_at_dead_centre(state, chain, k, knowledge) or decision
+    if decision.status == CONTRADICTION:
         return decision
     decision = appeal(state, chain, k, against, decision, knowledge)
     if decision.is_proved and (by_quantity := wrong_as_quantity(chain, k, state.document, knowledge)):
@@ -245,6 +252,8 @@ def _as_meant(
         outcome = state.meant.judge(chain, k, knowledge)
     else:
         outcome = state.meant.again(chain, k, knowledge)
+    if outcome is None and definition.status in STATED:
+        outcome = value_at_dead_centre(state, chain, k, knowledge)
     if outcome is None and definition.status in (DEFINITION, PREMISE):
         outcome = state.named.judge(chain, k, knowledge)
     name = chain.sides[k].node

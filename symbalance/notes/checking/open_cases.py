@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from symbalance.document.formula import names
+from symbalance.document.formula import Name, names
+from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.definitions import Definitions, Entry, OpenCase
+from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain
 
 
@@ -112,3 +114,17 @@ def without_cases(
             whole = [*entries, *definitions.values.get(name, [])]
             if whole:
                 definitions.values[name] = sorted(whole, key=lambda entry: entry.definition.line)
+
+
+def case_of_a_letter(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> bool:
+    """Tell whether a range is a case, of a letter that a line above gave a number: for k < 1/2, this.
+
+    Where the number is given as one of its own sentence, "for k = 1/3 < 1/2", the range is claimed of it.
+    """
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    letters = [side for side in (left, right) if isinstance(side, Name)]
+    if len(chain.relations) != 1 or len(letters) != 1 or names(left) & names(right):
+        return False
+    definition = knowledge.definitions.get(letters[0].name)
+    is_above = definition is not None and definition.numeric and definition.line < chain.lines[0]
+    return is_above and state.sections.opens_case(chain)

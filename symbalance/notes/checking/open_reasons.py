@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Formula, Name, names
+from symbalance.document.letters import plain_letter
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking import constraints
 from symbalance.notes.checking.deciding.equality import Decision
@@ -40,6 +41,7 @@ def unless_open(
     if solved is not None:
         return solved
     if (as_rod_angle := state.meant.rod_angle(chain, k, knowledge)) is not None:
+        _fix_rod_angle(state, chain, k, as_rod_angle, knowledge)
         return as_rod_angle
     letters_here = names(left) | names(right)
     free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
@@ -71,6 +73,23 @@ def unless_open(
     reason = reason or _ended_premise(state, chain, k, knowledge)
     reason = reason or _count_without_meaning(state, chain, k, decision, knowledge)
     return replace(decision, status=UNDECIDED, reason=reason) if reason else decision
+
+
+def _fix_rod_angle(
+    state: JudgingState, chain: Chain, k: int, as_rod_angle: Decision, knowledge: Knowledge
+) -> None:
+    """Define the rod's angle by the relation that fixes it: it turns with the crank, in what is derived.
+
+    Without it, ẍ of x = r (1 - cos θ) + l (1 - cos β) would be r ω² cos θ, as if β stood still.
+    """
+    in_use = state.definitions.letters_before(chain.lines[0])
+    for name in sorted(names(chain.sides[k].node) | names(chain.sides[k + 1].node)):
+        if not as_rod_angle.assumptions[0].startswith(f"{plain_letter(name)} is "):
+            continue
+        used = state.definitions.first_lines
+        constraint = constraints.constraint_of(chain, k, in_use - {name}, used, knowledge)
+        if constraint is not None and constraint.name == name:
+            state.definitions.fix(constraint, chain)
 
 
 def _one_sided_letter(state: JudgingState, decision: Decision, line: int, knowledge: Knowledge) -> str:

@@ -443,14 +443,15 @@ class Sections:
 
     def dead_centre(self, chain: Chain) -> bool | None:
         """Return whether a relation's sentence names bottom dead centre, False for top, else None."""
-        start = chain.start
-        before = re.split(
-            r"[.;!?。]\s|\n\s*\n", self.document.text[max(0, start - LONGEST_SENTENCE) : start]
-        )[-1]
-        named = dead_centre_named(before)
+        named = dead_centre_named(self.sentence_before(chain))
         if named is not None or _THERE.match(self.document.text, chain.end) is None:
             return named
         return dead_centre_named(self._section_before(chain))
+
+    def sentence_before(self, chain: Chain) -> str:
+        """Return what a relation's sentence says before it."""
+        text = self.document.text[max(0, chain.start - LONGEST_SENTENCE) : chain.start]
+        return re.split(r"[.;!?。]\s|\n\s*\n", text)[-1]
 
     def _section_before(self, chain: Chain) -> str:
         """Return the text of a relation's section before it, with its heading."""

@@ -10,6 +10,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.judging_state import JudgingState
+from symbalance.notes.checking.leftover_premises import decide_with_sizes
 from symbalance.notes.checking.premise_branches import decide_on_branches
 from symbalance.notes.checking.premise_decisions import decide_by_premises, must_follow
 from symbalance.notes.checking.premises import Premise, implied, lines_of
@@ -96,6 +97,8 @@ def _with_premises(
         outcome = replace(by_all, reason=reason, witness={})
     elif branched := decide_on_branches(left, right, sign, solved.leftover, knowledge):
         return branched, False
+    elif (with_sizes := decide_with_sizes(left, right, sign, solved)) is not None:
+        return with_sizes, False
     else:
         reason = f"may rest on {lines_of(solved.leftover)}, which could not be solved for a letter"
         outcome = replace(by_all, status=UNDECIDED, reason=reason)

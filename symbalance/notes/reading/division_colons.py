@@ -19,7 +19,7 @@ _RATIO = re.compile(
     r"(?![\w:]|[.,][0-9])(?![ ]?:)"
 )
 _OF_LETTERS = re.compile(
-    rf"(?:=|≈|\\approx)[ ]*{_LETTER}(?P<colon>[ ]:[ ])"
+    rf"(?:=|≈|\\approx)[ ]*{_LETTER}(?P<colon>[ ]:[ ]|:)"
     rf"(?={_LETTER}(?:[ ]?[.,;)$]|[ ]*(?:[=≈\n]|$)|[ ][^\W\d_]{{2,}}))"
 )
 _SIGN_BEFORE = re.compile(r"(?:[=≈<>≤≥+−·×*/(]|\\(?:approx|cdot|times)|[ ]-)[ ~]*$")
