@@ -95,11 +95,14 @@ def report_document(checked: Checked) -> Document:
 
 
 def _with_notes_once(verdicts: tuple[Verdict, ...]) -> Iterator[Verdict]:
-    """Yield verdicts of which each note stands where it comes first: "F1 read as F_1"."""
+    """Yield verdicts of which what a letter is read as stands where it comes first: "F1 read as F_1".
+
+    What was dropped from a line, or done with it, is said of each.
+    """
     above: set[str] = set()
     for verdict in verdicts:
         notes = tuple(note for note in verdict.notes if note not in above)
-        above.update(notes)
+        above.update(note for note in notes if " read as " in note)
         yield verdict if notes == verdict.notes else replace(verdict, notes=notes)
 
 

@@ -224,6 +224,9 @@ def argument_at(text: str, place: int, pairs: dict[int, int]) -> tuple[int, int,
 
 # One round: every outermost use is replaced
 
+LONGEST_COMMAND = 40
+"""Characters before a macro in which the command ends that its first letter would run into."""
+
 Handler = Callable[[str, int, dict[int, int]], "tuple[list[str | Span], int] | str | None"]
 """What a package's command at a place becomes, and where it ends; why not; or None: it stays."""
 
@@ -286,8 +289,9 @@ class Round:
         self.room -= max(growth, 0)
         first = texts[0] if texts else ""
         first = first if isinstance(first, str) else self.text[slice(*first)]
-        is_glued = first[:1].isalpha() and re.search(r"_\w$", self.text[: match.start()][-2:])
-        lead = [" "] if is_glued else []  # a_z\mo is a_z m_o, and no a_zm
+        before = self.text[max(match.start() - LONGEST_COMMAND, 0) : match.start()]
+        is_glued = first[:1].isalpha() and re.search(r"_\w$|\\[A-Za-z]+$", before)
+        lead = [" "] if is_glued else []  # a_z\mo is a_z m_o, \lambda\mo is \lambda m_o
         self.rewriter.replace(match.start(), end, *lead, *texts, *self._parting(texts, end))
         self.changes += 1
         return end

@@ -323,7 +323,7 @@ class ItemFinder:
         for piece in pieces_of(self.text, start, end):
             if has_relation(self.text, piece.start, piece.end):
                 inner = trim_segment(self.text, piece.start, piece.end, words)
-                inner = inner[0], _before_next_letter(self.text, *inner)
+                inner = _behind_named_letter(self.text, *inner), _before_next_letter(self.text, *inner)
                 doubt = piece.doubt or doubt_around(self.text, *inner, words)
                 head = self._letter_explained(inner[0], line) or self._named_in_words(
                     inner[0], line, words
@@ -355,6 +355,19 @@ class ItemFinder:
 
 
 _NEXT_LETTER = re.compile(r",\s+(?!π)[^\W\d](?:_\{[^{}]{1,12}\}|_?\w{1,3}|[₀-₉]+)?\s*$")
+
+
+_NAMED_LETTER = re.compile(r"(?!π)[^\W\d](?:_\{[^{}]{1,12}\}|_?\w{1,3}|[₀-₉]+)?,\s+")
+_WORD_BEFORE = re.compile(r"([^\W\d_]{3,})\s+$")
+
+
+def _behind_named_letter(text: str, start: int, end: int) -> int:
+    """Return where λ = l/r begins in "crank radius r, λ = l/r": the letter before it is the noun's."""
+    match = _NAMED_LETTER.match(text, start, end)
+    word = _WORD_BEFORE.search(text, max(start - _MARGIN, 0), start)
+    if match is None or word is None or word[1].lower() in _VERBS | _PARTICLES:
+        return start
+    return match.end() if has_relation(text, match.end(), end) else start
 
 
 def _before_next_letter(text: str, start: int, end: int) -> int:

@@ -56,11 +56,25 @@ def decide_equality(left: Formula, right: Formula, knowledge: Knowledge) -> Deci
         if level is not levels[-1] and _differs_clearly(left, right, knowledge, level):
             continue
         last = _at_level(left, right, knowledge, level)
-        if last.is_proved:
+        if last.is_proved or (level is levels[0] and _is_of_another_size(left, right, last)):
             return last
     if decimals(left) or decimals(right):
         return last
     return refuted_by_formulas(last, levels, lambda level: _at_level(left, right, knowledge, level))
+
+
+def _is_of_another_size(left: Formula, right: Formula, refutation: Decision) -> bool:
+    """Tell whether two sides in letters differ by a printed factor alone: √3 F a = 1.723 F a.
+
+    It is wrong whatever the letters are: that they are rounded explains nothing.
+    """
+    first, second = refutation.left, refutation.right
+    if refutation.status != REFUTED or first is None or second is None:
+        return False
+    if not (decimals(left) or decimals(right)) or not (values.letters(first) and values.letters(second)):
+        return False
+    ratios = [pair[0] / pair[1] for _, pair in values.sample([first, second], 3) if pair[1]]
+    return len(ratios) == 3 and all(_close(ratio, ratios[0]) for ratio in ratios[1:])
 
 
 def refuted_by_formulas(
