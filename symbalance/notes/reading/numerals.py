@@ -88,7 +88,7 @@ _BEHIND_DOLLAR = re.compile(
     r"(?=[.,;:)]?(?:\s*$|[\s|)])|[.,;:)]\s|[\u3001-\u9fff\uff08-\uff1f])(?! ?[=<>≈+*/])",
     re.MULTILINE,
 )
-"""A unit behind the dollar or `\\)` that ends a formula, its longest beginning that is one: N m/rad, but m of `40$ m long`."""
+"""A unit behind the dollar or `\\)` that ends a formula: N m/rad as a whole, but m of `40$ m long`."""
 _NEARLY = re.compile(r"(?<=[\s\w)\]])(?:~=|=~|≈=|=≈)(?=[\s\w(√-])")
 _OPENED = {
     "$": re.compile(r"\$[^$\n]*$"),

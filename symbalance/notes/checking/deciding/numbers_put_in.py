@@ -129,9 +129,7 @@ def margin_of_numbers(
     for number, scale in _typed(put_in):
         size = Number(number.value * scale, number.last_place * scale if number.last_place else None)
         half, value = _half(number) * float(scale), abs(float(size.value))
-        is_part = any(
-            abs(part * unit - value) <= half * _ROUNDING for part in parts for unit in _SCALES
-        )
+        is_part = any(abs(part * unit - value) <= half * _ROUNDING for part in parts for unit in _SCALES)
         is_exact = any(_is_same(value, part) for part in parts)
         # 204.84 mm - 114.72 mm: as many digits as these are results, not data
         is_long = number.last_place is not None and significant_digits(number) >= LONGER
