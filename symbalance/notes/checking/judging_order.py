@@ -69,14 +69,19 @@ def _places_before_values(document: ReadNotes, chains: list[Chain]) -> list[Chai
                 n
                 for n, before in enumerate(ordered)
                 if is_place_behind(document.text, before.sides[-1].span[1], start)
-                and states_a_case(before)
-                and states_a_case(chain)
+                and _is_value(before)
+                and _is_value(chain)
                 and before.letters.isdisjoint(chain.letters)
             ),
             len(ordered),
         )
         ordered.insert(place, chain)
     return ordered
+
+
+def _is_value(chain: Chain) -> bool:
+    """Tell whether a chain gives a letter a number: no range, u > 1."""
+    return states_a_case(chain) and chain.relations[0].sign in ("=", "≈")
 
 
 def _asks_for_angle(chain: Chain) -> bool:
