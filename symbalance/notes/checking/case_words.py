@@ -18,6 +18,7 @@ _CASE = re.compile(
 _CASE_BEHIND = re.compile(r"[\s$)\]}\\,]{0,6}(?:なら|のとき|の時|の場合)")
 _TAG = re.compile(r"</?[A-Za-z][^<>]*>")
 _BETWEEN = re.compile(r"[\s$,)}\]°]*(?:[^\W\d_]+\s+){1,3}[\s$({\[\\]*")
+_PLACE_BEHIND = re.compile(r"[$)}\]°]{0,4}\.?,?\s[\s$]{0,4}(?:at|for|bei|für|pour)\s[\s$({\[\\]{0,6}")
 _CLAUSE_LAST = re.compile(r"[\s$)}\]°]*(?:[.;。]|\n\s*\n|\Z)")
 _CLAUSE = re.compile(r"[.!?]\s|[;。；]|\n\s*\n")
 _GENERAL = re.compile(
@@ -74,6 +75,15 @@ def is_case_behind(text: str, end: int, first: int, last: int) -> bool:
     """
     between = _BETWEEN.fullmatch(text, end, first) is not None
     return between and opens_case(text, first, last) and _CLAUSE_LAST.match(text, last) is not None
+
+
+def is_place_behind(text: str, end: int, first: int) -> bool:
+    """Tell whether only "at" or "for" parts a relation from the next one, which says where it holds.
+
+    >>> is_place_behind("S = 5 lb., at a = 0", 8, 14), is_place_behind("S = 5, T = 0", 5, 7)
+    (True, False)
+    """
+    return first > end and _PLACE_BEHIND.fullmatch(text, end, first) is not None
 
 
 def is_said_of_all_behind(text: str, end: int) -> bool:

@@ -168,7 +168,10 @@ def written_unit(source: str) -> tuple[bool, str]:
 
     >>> written_unit(r"5\,\mathrm{kg\,m/s^{2}}"), written_unit("$ mm")
     ((True, 'kg m/s^2'), (False, 'mm'))
+    >>> written_unit(r"0{,}62\,\mathrm{kg}")
+    (True, 'kg')
     """
+    source = source.replace("{,}", ",")  # no unit ", 62" behind 0
     typed = _TYPED.search(source)
     if typed is not None:
         source = f"{typed['number']} {siunitx.unit_text(typed['unit']) or '?'}"

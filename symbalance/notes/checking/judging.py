@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import product
@@ -20,7 +20,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import NO_VALUES_HERE, decide
 from symbalance.notes.checking.deciding.remainders import is_remainder
 from symbalance.notes.checking.descriptions import describe, unreadable_verdict, with_fault
-from symbalance.notes.checking.dimensions import Dimensions, Mismatch, unit_text
+from symbalance.notes.checking.dimensions import Dimensions, Mismatch, declared_dimension, unit_text
 from symbalance.notes.checking.engine_blocks import EngineBlocks
 from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.guarded_verdicts import PAGE, Guard
@@ -386,11 +386,23 @@ class Judge:
         unlike = [unlike_terms(node) for node in chain.sides[k + 1].readings]
         if all(unlike) and chain.relations[k].sign in "=≈":
             return Decision(REFUTED, unlike[0])
-        mismatches = list(self._mismatches(chain, k, against, knowledge).values())
-        if not all(mismatches) or mismatches[0] is None:
-            return None
-        witness = {"left": unit_text(mismatches[0].left), "right": unit_text(mismatches[0].right)}
-        return Decision(REFUTED, mismatches[0].reason, witness=witness)
+        lettered = [against]
+        if against and not names(chain.sides[against].node):  # m = 0.44 + 0.18 = 0.62 m is no mass
+            symbols = self.declarations.symbols_at(chain.lines[0])
+            heads = ((n, chain.sides[n].node) for n in range(against))
+            lettered += [
+                n for n, head in heads if isinstance(head, Name) and _has_dimension(head, symbols)
+            ]
+        for place in lettered:
+            mismatches = list(self._mismatches(chain, k, place, knowledge).values())
+            if all(mismatches) and mismatches[0] is not None:
+                witness = {"left": unit_text(mismatches[0].left), "right": unit_text(mismatches[0].right)}
+                return Decision(REFUTED, mismatches[0].reason, witness=witness)
+        return None
+
+
+def _has_dimension(letter: Name, symbols: Mapping[str, str]) -> bool:
+    return declared_dimension(symbols.get(letter.name, "")) is not None
 
 
 def _word(outcome: Verdict | Decision) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from symbalance.document.formula import Call, Name, names
-from symbalance.notes.checking.case_words import is_case_behind
+from symbalance.notes.checking.case_words import is_case_behind, is_place_behind
 from symbalance.notes.checking.deciding.cases import states_a_case
 from symbalance.notes.checking.sections import Sections
 from symbalance.notes.checking.solutions import WAVES
@@ -40,7 +40,8 @@ def chains_in_turn(document: ReadNotes, sections: Sections) -> list[Chain]:
                 heads_above.add(own)
         cases = list(first.values())
         others = [c for c in by_line[line] if all(c is not case for case in cases)]
-        ordered += [*cases, *_cases_before_claims(document, others)]
+        in_turn = [*cases, *_cases_before_claims(document, others)]
+        ordered += _places_before_values(document, in_turn)
     return ordered
 
 
@@ -56,6 +57,31 @@ def _cases_before_claims(document: ReadNotes, chains: list[Chain]) -> list[Chain
             is_case = False  # the solution of the equation before
         ordered.insert(len(ordered) - 1 if is_case else len(ordered), chain)
     return ordered
+
+
+def _places_before_values(document: ReadNotes, chains: list[Chain]) -> list[Chain]:
+    """Return the chains of a line, where a value is had before it: F = 5 N at θ = 0 and at θ = π."""
+    ordered: list[Chain] = []
+    for chain in chains:
+        start = chain.sides[0].span[0]
+        place = next(
+            (
+                n
+                for n, before in enumerate(ordered)
+                if is_place_behind(document.text, before.sides[-1].span[1], start)
+                and _is_value(before)
+                and _is_value(chain)
+                and before.letters.isdisjoint(chain.letters)
+            ),
+            len(ordered),
+        )
+        ordered.insert(place, chain)
+    return ordered
+
+
+def _is_value(chain: Chain) -> bool:
+    """Tell whether a chain gives a letter a number: no range, u > 1."""
+    return states_a_case(chain) and chain.relations[0].sign in ("=", "≈")
 
 
 def _asks_for_angle(chain: Chain) -> bool:

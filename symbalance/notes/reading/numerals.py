@@ -54,7 +54,7 @@ _SPELLED = (
     ("rpm", r"r\. ?p\. ?m\b|rev(?:olution)?s?\.? per min(?:ute)?\b|Umdrehungen pro Minute"),
     ("ft·lbf/s", rf"{_FOOT_POUND} ?(?:per|/) ?s(?:ec(?:onds?)?)?\b"),
     ("ft·lbf/min", rf"{_FOOT_POUND} ?(?:per|/) ?min(?:utes?)?\b"), ("ft·lbf", _FOOT_POUND),
-    ("psi", r"(?:lbs?\.?|lbf\.?|pounds?)[ -]?(?:per|/)\s?sq(?:uare|\.)?\s?in(?:ch|\.|\b)"),
+    ("psi", r"(?:lbs?\.?|lbf\.?|pounds?)[\s-]?(?:per|/)\s?sq(?:uare|\.)?\s?in(?:ch|\.|\b)"),
     ("lbf·inch", r"lbs?\.[ -]in(?:ch(?:es)?|\.|\b)|in\.[ -]lbs?\.?"), ("lbf·ft", r"lbs?\.[ -]ft\.?"),
     ("lbf·ft", r"(?:pound[ -]?(?:feet|foot)|lbs?f?\.?[ ·‐‑-]ft)"),
     ("lbf·inch", r"(?:inch[ -]pounds?|lbs?f?\.?[-‐‑·]in|in\.?[·‐‑-]lbs?f?\.?|in\. lbs?f?\.?)"),
@@ -76,21 +76,24 @@ _SPELLED = (
     ("°", "degrees?|deg|Grad|degrés|° ?(?:KW|CA|crank)|deg ?CA"), ("%", "percent|per cent|Prozent"),
 )  # fmt: skip
 _SPELLED_UNIT = re.compile(
-    r"(?:(?<=[0-9])|(?<=[0-9]O))(\$?)[ ~]?(\$?)(?:"
+    r"(?:(?<=[0-9])|(?<=[0-9]O))(\$?|\\\))[ ~]?(\$?)(?:"
     + "|".join(f"(?P<u{n}>{names})" for n, (_, names) in enumerate(_SPELLED))
     + r")(?![A-Za-z])",
     re.IGNORECASE,
 )
 _PART_BEHIND = r"(?:1|[A-Za-zµμΩ]+)(?:\^?\{?[-−]?[1-4]\}?|[⁻]?[¹²³⁴])?"
 _BEHIND_DOLLAR = re.compile(
-    r"(?:(?<=[0-9])|(?<=\^\{[0-9]\})|(?<=\^\{-[0-9]\}))(?:\\[,;: ]|~)?\$(?:[ ~]|\\[,;: ])?"
+    r"(?:(?<=[0-9])|(?<=\^\{[0-9]\})|(?<=\^\{-[0-9]\}))(?:\\[,;: ]|~)?(?P<mark>\$|\\\))(?:[ ~]|\\[,;: ])?"
     rf"(?P<unit>°|\\?%|{_PART_BEHIND}(?:[ ]?[/·⋅*]?[ ]?{_PART_BEHIND}){{0,3}})"
     r"(?=[.,;:)]?(?:\s*$|[\s|)])|[.,;:)]\s|[\u3001-\u9fff\uff08-\uff1f])(?! ?[=<>≈+*/])",
     re.MULTILINE,
 )
-"""A unit behind a formula's dollar, its longest beginning that is one: N m/rad, but m of `40$ m long`."""
+"""A unit behind the dollar or `\\)` that ends a formula: N m/rad as a whole, but m of `40$ m long`."""
 _NEARLY = re.compile(r"(?<=[\s\w)\]])(?:~=|=~|≈=|=≈)(?=[\s\w(√-])")
-_OPENED = re.compile(r"\$[^$\n]*$")
+_OPENED = {
+    "$": re.compile(r"\$[^$\n]*$"),
+    "\\)": re.compile(r"\\\((?:(?!\\[()]).)*$"),
+}
 _AROUND = 400  # characters of a line looked at on either side
 FEWEST_WORDS = 3
 """Of a language that writes decimal commas, before `1,5` counts as one; `i = 1,2` is a list elsewhere."""
@@ -391,7 +394,7 @@ def _scanned(
 
 
 def _units_in_words(text: str) -> dict[int, tuple[int, str]]:
-    """Return the units written out, 40 millimetres, or behind the dollar, $r = 40$ mm, in their signs."""
+    """Return the units written out, 40 millimetres, or behind a formula, $r = 40$ mm, in their signs."""
     changes: dict[int, tuple[int, str]] = {}
     for match in _SPELLED_UNIT.finditer(text):
         which = next(n for n in range(len(_SPELLED)) if match[f"u{n}"])
@@ -403,12 +406,12 @@ def _units_in_words(text: str) -> dict[int, tuple[int, str]]:
         changes[match.start()] = (end, _unit_sign(unit, bool(dollars)) + dollars)
     for match in _BEHIND_DOLLAR.finditer(text):
         if match["unit"] in ("l", "L") and is_of_volume(text, match.start()):
-            changes[match.start()] = (match.end(), _unit_sign("dm^3", True) + "$")
+            changes[match.start()] = (match.end(), _unit_sign("dm^3", True) + match["mark"])
             continue
         unit = _unit_behind(match["unit"], text[match.end() :][:1])
-        if unit and _closes(text, match.start()):
+        if unit and _closes(text, match.start(), match["mark"]):
             end = match.start("unit") + len(unit)
-            changes[match.start()] = (end, _unit_sign(unit, True) + "$")
+            changes[match.start()] = (end, _unit_sign(unit, True) + match["mark"])
     return changes
 
 
@@ -459,11 +462,12 @@ def _unit_sign(unit: str, in_latex: bool) -> str:
     return f"\\,\\mathrm{{{unit}}}" if in_latex else f" {unit}"
 
 
-def _closes(text: str, place: int) -> bool:
-    """Tell whether the dollar at a place closes mathematics of its line, which holds a relation."""
+def _closes(text: str, place: int, mark: str) -> bool:
+    """Tell whether the mark at a place closes mathematics of its line, which holds a relation."""
     line = text[max(place - _AROUND, 0) : place].rpartition("\n")[2]
-    opened = _OPENED.search(line)
-    return line.count("$") % 2 == 1 and opened is not None and RELATION.search(opened.group()) is not None
+    opened = _OPENED[mark].search(line)
+    is_open = mark != "$" or line.count("$") % 2 == 1
+    return is_open and opened is not None and RELATION.search(opened.group()) is not None
 
 
 def _dashes(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:

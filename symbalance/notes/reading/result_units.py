@@ -23,6 +23,7 @@ from symbalance.document.formula import (
     Product,
     Quotient,
     Sum,
+    walk,
 )
 from symbalance.notes.reading.equations import Side
 from symbalance.notes.reading.lexer import Token
@@ -64,7 +65,8 @@ def with_rounded_results(
 ) -> list[Side | None]:
     """Return the sides of a chain, a whole result with a unit as a number rounded to its units.
 
-    Behind = it has three digits, and its closing zeros beyond these are open; behind ≈ two will do.
+    Behind = it has three digits, and its closing zeros beyond these are open; behind ≈, and behind an
+    arithmetic of decimals, which are measured, two will do.
     """
     done = list(sides)
     for place, side in enumerate(sides):
@@ -73,7 +75,8 @@ def with_rounded_results(
             continue
         number, factor = _whole_result(tokens[place])
         value = value_of(before.node)
-        fewest = _FEWEST_DIGITS[signs[place - 1] == "≈"]
+        is_rough = signs[place - 1] == "≈" or _is_measured(before.node)
+        fewest = _FEWEST_DIGITS[is_rough]
         digits = str(abs(number.value.numerator)) if number else ""
         if number is None or value is None or not fewest <= len(digits) <= _MOST_DIGITS:
             continue
@@ -85,6 +88,12 @@ def with_rounded_results(
             rounded = Number(number.value * factor, step * factor, span=side.node.span)
             done[place] = replace(side, readings=(rounded,))
     return done
+
+
+def _is_measured(node: Formula) -> bool:
+    """Tell whether an arithmetic is a product or a quotient that holds decimals."""
+    holds_decimal = any(isinstance(part, Number) and part.last_place is not None for part in walk(node))
+    return holds_decimal and isinstance(node, Product | Quotient)
 
 
 _FEWEST_DIGITS = {False: 3, True: 2}

@@ -12,7 +12,7 @@ import math
 import re
 from collections.abc import Callable, Collection, Iterator
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, pairwise
 from typing import Any
 
 from symbalance.document import formula
@@ -29,6 +29,8 @@ LONGER = 5
 """A term of a sum with this many digits is a result."""
 MOST_FACTORS = 8
 """Factors of a product whose parts are looked through: 255 of them."""
+MOST_ZEROS = 40
+"""Of a power of ten that a number is printed with."""
 _SCALES = (1.0, 1e-3, 1e3, 1e-6, 1e6)
 """A value in mm, kN or MPa is put in as it is typed."""
 _ROUNDING = 1 + 1e-9
@@ -124,32 +126,56 @@ def margin_of_numbers(
     whole = _value(put_in, form_of)
     parts = list(_values_of_parts(other, form_of))
     total: Any = 0
-    for number in _typed(put_in):
-        half, value = _half(number), abs(float(number.value))
-        is_part = any(
-            abs(part * scale - value) <= half * scale_slack
-            for part in parts
-            for scale, scale_slack in ((s, _ROUNDING) for s in _SCALES)
-        )
+    for number, scale in _typed(put_in):
+        size = Number(number.value * scale, number.last_place * scale if number.last_place else None)
+        half, value = _half(number) * float(scale), abs(float(size.value))
+        is_part = any(abs(part * unit - value) <= half * _ROUNDING for part in parts for unit in _SCALES)
         is_exact = any(_is_same(value, part) for part in parts)
         # 204.84 mm - 114.72 mm: as many digits as these are results, not data
         is_long = number.last_place is not None and significant_digits(number) >= LONGER
         is_term = is_long and isinstance(put_in, formula.Sum)
-        if is_exact or not (is_part or is_term or may_be_rounded(number, printed)):
+        if is_exact or not (is_part or is_term or may_be_rounded(size, printed)):
             continue
-        moved = replace_part(put_in, number, Number(number.value + Fraction(half)))
+        moved = replace_part(put_in, number, Number(number.value + Fraction(_half(number))))
         total += abs(_value(moved, form_of) - whole)
     return total
 
 
-def _typed(node: Formula) -> Iterator[Number]:
-    """Yield the numbers of a side that may be values: decimals, and whole numbers from 100."""
+def _typed(node: Formula) -> Iterator[tuple[Number, Fraction]]:
+    """Yield the numbers of a side that may be values, each with the power of ten that it stands before.
+
+    Those are decimals, and whole numbers from 100: 6.136 of 6.136·10⁻⁷/0.4 with 10⁻⁷, and 0.4 with 1.
+    """
+    scales = _powers_of_ten_behind(node)
     exponents = {id(part.exponent) for part in formula.walk(node) if isinstance(part, formula.Power)}
     for part in formula.walk(node):
         if isinstance(part, Number) and id(part) not in exponents:
             is_whole = part.value.denominator == 1 and abs(part.value) >= 100
-            if part.last_place is not None or (part.last_place is None and is_whole):
-                yield part
+            if part.last_place is not None or is_whole:
+                yield part, scales.get(id(part), Fraction(1))
+
+
+def _powers_of_ten_behind(node: Formula) -> dict[int, Fraction]:
+    """Return what 10ⁿ comes to by the number right before it, a decimal, in a product."""
+    powers: dict[int, Fraction] = {}
+    for part in formula.walk(node):
+        factors = part.factors if isinstance(part, Product) else ()
+        for factor, behind in pairwise(factors):
+            exponent = _exponent_of_ten(behind)
+            if exponent is not None and isinstance(factor, Number) and factor.last_place is not None:
+                powers[id(factor)] = Fraction(10) ** exponent
+    return powers
+
+
+def _exponent_of_ten(node: Formula) -> int | None:
+    """Return the exponent of a power of ten as it is typed, None for anything else."""
+    if not isinstance(node, formula.Power) or node.base != Number(Fraction(10)):
+        return None
+    exponent = node.exponent
+    number = exponent.operand if isinstance(exponent, Negative) else exponent
+    if not isinstance(number, Number) or number.value.denominator != 1 or abs(number.value) > MOST_ZEROS:
+        return None
+    return int(-number.value if number is not exponent else number.value)
 
 
 def _values_of_parts(node: Formula, form_of: Callable[[Formula], Form]) -> Iterator[float]:
