@@ -10,7 +10,11 @@ from symbalance.notes.checking.appeals import appeal
 from symbalance.notes.checking.constraints import Constraint
 from symbalance.notes.checking.conversions import decide_conversion
 from symbalance.notes.checking.dead_centres import value_at_dead_centre
-from symbalance.notes.checking.deciding.equality import Decision, decide_equality
+from symbalance.notes.checking.deciding.equality import (
+    Decision,
+    decide_equality,
+    is_of_another_size,
+)
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
@@ -113,7 +117,8 @@ def _judge_step(
     left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
     decision, against = _decide_step(state, chain, k, sound, bad, knowledge)
     decision = _with_signs(state, left, right, sign, decision, knowledge)
-    if decision.status in (REFUTED, UNDECIDED):
+    is_settled = is_of_another_size(left.node, right.node, decision)  # nothing else can be meant
+    if decision.status in (REFUTED, UNDECIDED) and not is_settled:
         below = None if k else solution_below(state.sections, chain, knowledge)
         solved = _by_mean(state, chain, k, knowledge) or as_solved(state, chain, below, knowledge)
         decision = solved or unless_given(state, chain, k, against, decision, knowledge)
@@ -121,7 +126,8 @@ def _judge_step(
         return value_at_dead_centre(state, chain, k, knowledge) or decision
     if decision.status == CONTRADICTION:
         return decision
-    decision = appeal(state, chain, k, against, decision, knowledge)
+    if not is_settled:
+        decision = appeal(state, chain, k, against, decision, knowledge)
     if decision.is_proved and (by_quantity := wrong_as_quantity(chain, k, state.document, knowledge)):
         return by_quantity
     by_name = state.named.judge(chain, k, knowledge) if decision.status == UNDECIDED else None

@@ -56,14 +56,14 @@ def decide_equality(left: Formula, right: Formula, knowledge: Knowledge) -> Deci
         if level is not levels[-1] and _differs_clearly(left, right, knowledge, level):
             continue
         last = _at_level(left, right, knowledge, level)
-        if last.is_proved or (level is levels[0] and _is_of_another_size(left, right, last)):
+        if last.is_proved or (level is levels[0] and is_of_another_size(left, right, last)):
             return last
     if decimals(left) or decimals(right):
         return last
     return refuted_by_formulas(last, levels, lambda level: _at_level(left, right, knowledge, level))
 
 
-def _is_of_another_size(left: Formula, right: Formula, refutation: Decision) -> bool:
+def is_of_another_size(left: Formula, right: Formula, refutation: Decision) -> bool:
     """Tell whether two sides in letters differ by a printed factor alone: √3 F a = 1.723 F a.
 
     It is wrong whatever the letters are: that they are rounded explains nothing.
