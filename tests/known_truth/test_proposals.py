@@ -167,3 +167,31 @@ def test_a_folder_s_file_says_nothing_of_lines(tmp_path):
 def test_an_unknown_set_of_letters_is_refused_with_the_known():
     with pytest.raises(SymbalanceError, match="crank"):
         parse_sidecar('letters = "kran"\n', "a.symbols.toml")
+
+
+WORDS_OF_A_BOOK = """Let R be the radius of the crank, L the length of the connecting rod between centres,
+and n = L / R the ratio of the two. When the crank has turned through the angle a from the inner dead
+centre, the piston has travelled some way.
+
+The velocity of the piston, {speed}, follows as
+
+    v = {velocity}
+"""
+
+SPEED = "w being the angular velocity"
+VELOCITIES = [
+    (SPEED, "w R (sin a + sin 2a / (2n))", "conditional"),
+    (SPEED, "w R (sin a + sin 2a / n)", "refuted"),
+    (SPEED, "w R (sin a - sin 2a / (2n))", "refuted"),
+    (SPEED, "w R (sin a + sin a / (2n))", "refuted"),
+    (SPEED, "w² R (sin a + sin 2a / (2n))", "refuted"),
+    (SPEED, "w R (cos a + sin 2a / (2n))", "refuted"),
+    ("w being the angular velocity of the rod", "w R (sin a + sin 2a / n)", "definition"),
+    ("w being a number", "w R (sin a + sin 2a / n)", "definition"),
+]
+
+
+@pytest.mark.parametrize(("speed", "velocity", "word"), VELOCITIES)
+def test_the_letters_of_a_velocity_are_told_in_clauses_around_it(speed, velocity, word):
+    page = WORDS_OF_A_BOOK.format(speed=speed, velocity=velocity)
+    assert max(check(page, {}).verdicts, key=lambda v: v.span).verdict == word

@@ -193,3 +193,50 @@ UNITS = [
 def test_units_behind_a_side_are_those_of_its_letters(text, units):
     counted = letters_counted(text, {"n": "n", "P": "P"})
     assert {name: unit for name, (unit, _) in counted.items()} == units
+
+
+MOTION = {
+    "r": "crank radius", "l": "connecting rod length", "\\lambda": "crank ratio r/l",
+    "theta": "crank angle", "phi": "angle of the connecting rod to the cylinder axis",
+    "x": "distance of the piston pin from the crank axis",
+}  # fmt: skip
+
+MOTION_AND_ENDS = r"""$$r\sin\theta = l\sin\phi$$
+
+$$x = r\cos\theta + l\cos\phi$$
+
+At $\theta = 0$ the pin is farthest away, $x_{\max} = r + l$, and at $\theta = \pi$ nearest,
+$x_{\min} = l - r$.
+
+## The motion as a series
+
+$$\frac{x}{r} = A_0 + \cos\theta + A_2\cos 2\theta + A_4\cos 4\theta + \dots$$
+
+"""
+
+COEFFICIENTS = [
+    (r"\frac{\lambda}{4} + \frac{\lambda^3}{16}", r"-\frac{\lambda^3}{64}", "", ""),
+    (r"\frac{\lambda}{4} + \frac{\lambda^3}{16}", r"\frac{\lambda^3}{64}", "", "refuted"),
+    (r"\frac{\lambda}{4} + \frac{\lambda^3}{16}", r"-\frac{\lambda^3}{32}", "", "refuted"),
+    (r"\frac{\lambda}{2} + \frac{\lambda^3}{16}", r"-\frac{\lambda^3}{64}", "refuted", ""),
+    (r"\frac{\lambda}{4} - \frac{\lambda^3}{16}", r"-\frac{\lambda^2}{64}", "refuted", "refuted"),
+]
+
+
+@pytest.mark.parametrize(("second", "fourth", "by_second", "by_fourth"), COEFFICIENTS)
+def test_a_series_behind_values_at_places_fixes_its_coefficients(second, fourth, by_second, by_fourth):
+    mean_part = r"$$A_0 = \frac1\lambda - \frac{\lambda}{4} - \frac{3\lambda^3}{64} - \dots$$"
+    rest = f"$$A_2 = {second} + \\dots$$\n\n$$A_4 = {fourth} - \\dots$$"
+    verdicts = check(f"{MOTION_AND_ENDS}{mean_part}\n\n{rest}\n", MOTION).verdicts
+    series, mean, *others = sorted(verdicts, key=lambda v: v.span)[-4:]
+    assert series.verdict in ("premise", "conditional")
+    words = ["holds_to_order", by_second or "holds_to_order", by_fourth or "holds_to_order"]
+    assert [v.verdict for v in (mean, *others)] == words
+
+
+def test_a_motion_that_is_no_such_series_is_refuted_behind_values_at_places():
+    page = (
+        MOTION_AND_ENDS.partition("$$\\frac{x}{r}")[0]
+        + "$$\\frac{x}{r} = \\frac1\\lambda + 2\\cos\\theta$$\n"
+    )
+    assert max(check(page, MOTION).verdicts, key=lambda v: v.span).verdict == "refuted"

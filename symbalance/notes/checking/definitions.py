@@ -105,7 +105,7 @@ class Definitions:
         self._note_case(chain, frozenset({name}))
         return last_line is not None
 
-    def fix(self, constraint: Constraint, chain: Chain) -> None:
+    def fix(self, constraint: Constraint, chain: Chain, *, is_rod_angle: bool = False) -> None:
         """Define a letter that a relation fixes, perhaps on one branch of several."""
         line, node = chain.lines[0], constraint.node
         definition = Definition(
@@ -115,6 +115,7 @@ class Definitions:
             alternatives=constraint.alternatives,
             solved=True,
             branch=constraint.branch if constraint.alternatives else "",
+            is_rod_angle=is_rod_angle,
         )
         scopes = self.declarations.scope_at(line)
         last_line = self.sections.premise_end(chain, is_number=not names(node))
@@ -132,6 +133,33 @@ class Definitions:
         for name, node in values.items():
             definition = Definition(node, line, is_coefficient=True)
             self._add(name, Entry(definition, self.declarations.scope_at(line)))
+
+    def coefficients(self) -> dict[str, list[Entry]]:
+        """Return the letters that series have as their coefficients."""
+        of_series = {
+            name: [e for e in entries if e.definition.is_coefficient]
+            for name, entries in self.values.items()
+        }
+        return {name: entries for name, entries in of_series.items() if entries}
+
+    def forget_coefficients(self, but: Mapping[str, list[Entry]]) -> dict[str, list[Entry]]:
+        """Forget the coefficients of series but those given, and return them."""
+        newer = {
+            name: [e for e in entries if all(e is not other for other in but.get(name, ()))]
+            for name, entries in self.coefficients().items()
+        }
+        newer = {name: entries for name, entries in newer.items() if entries}
+        for name, entries in newer.items():
+            rest = [e for e in self.values.pop(name) if all(e is not other for other in entries)]
+            if rest:
+                self.values[name] = rest
+        return newer
+
+    def put_back(self, entries_by_name: Mapping[str, list[Entry]]) -> None:
+        """Define letters again as they were."""
+        for name, entries in entries_by_name.items():
+            for entry in entries:
+                self._add(name, entry)
 
     def round(self, name: str, chain: Chain, node: Formula) -> None:
         """Note how a letter's value is printed in the line that defines it: v = 2π·100 = 628.3."""

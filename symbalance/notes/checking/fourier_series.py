@@ -34,7 +34,7 @@ from symbalance.notes.checking.plain_formulas import plain_text
 from symbalance.notes.checking.verdicts import DEFINITION
 from symbalance.notes.reading.equations import Chain
 
-_ONE, _TWO = Number(Fraction(1)), Number(Fraction(2))
+_ZERO, _ONE, _TWO = (Number(Fraction(n)) for n in range(3))
 MOST_PERIODS = 4
 """Periods over which a coefficient's integral may run."""
 _RESULT = Name("∫")
@@ -60,36 +60,54 @@ class FourierSeries:
 
 
 def fourier_series(chain: Chain, k: int, knowledge: Knowledge) -> FourierSeries | None:
-    """Return a relation as the Fourier series of a letter of which nothing is known; None for others."""
+    """Return a relation as the Fourier series of a letter, with letters that are new; None for others.
+
+    The bounds may go without saying, Σ_k. What is known of the function says nothing of its letters.
+    """
     head, total = chain.sides[k].node, chain.sides[k + 1].node
-    if k or chain.relations[0].sign != "=" or not isinstance(head, Name) or knowledge.knows(head.name):
+    if k or chain.relations[0].sign != "=" or not isinstance(head, Name):
         return None
     terms = total.terms if isinstance(total, Sum) else (total,)
     sums = [term for term in terms if isinstance(term, Summation)]
     rest = [term for term in terms if not isinstance(term, Summation)]
     if len(sums) != 1 or len(rest) > 1 or sums[0].index is None:
         return None
-    is_endless = sums[0].lower == _ONE and sums[0].upper == Constant("infinity")
     index = sums[0].index.name
     waves = [_wave(part, index) for part in _parts_of(sums[0].body)]
-    own = [wave[0] for wave in waves if wave is not None]
-    is_new = not any(knowledge.knows(name) for name in own) and len({*own}) == len(waves)
-    arguments = {wave[1].function for wave in waves if wave is not None}
-    if (
-        not is_endless
-        or not is_new
-        or len(arguments) < len(waves)
-        or not 0 < len(waves) <= len(_HARMONIC)
-    ):
-        return None
+    series = tuple(wave for wave in waves if wave is not None)
     constant = rest[0] if rest else None
-    if constant is not None and (len(names(constant)) != 1 or names(constant) & {head.name, *own}):
-        return None
-    series = [wave for wave in waves if wave is not None]
-    first = series[0][1].argument
-    if not all(_is_same(call.argument, first, knowledge) for _, call in series):
-        return None
-    return FourierSeries(head.name, constant, index, tuple(series), chain.lines[0])
+    own = FourierSeries(head.name, constant, index, series, chain.lines[0])
+    is_read = len(series) == len(waves) and _has_own_letters(own, knowledge)
+    return own if is_read and _has_all_harmonics(own, sums[0], knowledge) else None
+
+
+def _has_own_letters(series: FourierSeries, knowledge: Knowledge) -> bool:
+    """Tell whether a series has new letters, one for each kind of wave; of a known function all kinds."""
+    own = [name for name, _ in series.waves]
+    if any(map(knowledge.knows, own)) or len({*own}) < len(own):
+        return False
+    steady = names(series.constant) if series.constant is not None else frozenset[str]()
+    if series.constant is not None and (len(steady) != 1 or steady & {series.function, *own}):
+        return False
+    is_whole = len(own) == len(_HARMONIC) and bool(steady) and not any(map(knowledge.knows, steady))
+    return is_whole or not knowledge.knows(series.function)
+
+
+def _has_all_harmonics(series: FourierSeries, total: Summation, knowledge: Knowledge) -> bool:
+    """Tell whether a series goes over all multiples of one angle, its bounds written or not.
+
+    Without them, Σ_k cos(θ + kα) may go over cylinders.
+    """
+    functions = {call.function for _, call in series.waves}
+    if not 0 < len(series.waves) == len(functions) <= len(_HARMONIC):
+        return False
+    first = series.waves[0][1].argument
+    bounds = (total.lower, total.upper)
+    if bounds != (_ONE, Constant("infinity")):
+        at_zero = substitute(first, series.index, _ZERO)
+        if bounds not in ((None, None), (_ONE, None)) or not _is_same(at_zero, _ZERO, knowledge):
+            return False
+    return all(_is_same(call.argument, first, knowledge) for _, call in series.waves)
 
 
 _HARMONIC = ("cos", "sin")
@@ -174,7 +192,8 @@ def _factor(value: Formula, integral: Integral, knowledge: Knowledge) -> Formula
 def _kernel(body: Formula, function: str, knowledge: Knowledge) -> Formula | None:
     """Return what a function is multiplied by under its integral."""
     kernel = substitute(body, function, _ONE)
-    return kernel if _is_same(body, Product((Name(function), kernel)), knowledge) else None
+    marked = substitute(body, function, _RESULT)  # whatever is known of the function
+    return kernel if _is_same(marked, Product((_RESULT, kernel)), knowledge) else None
 
 
 def _with(node: Formula, part: Formula, other: Formula) -> Formula:

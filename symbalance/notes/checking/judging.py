@@ -258,6 +258,7 @@ class Judge:
             chain = self._in_fitting_units(chain, k, sound if bad else k, knowledge)
         left, right = chain.sides[k], chain.sides[k + 1]
         general_proof = self._for_all_values(chain, k) if mismatch is None else None
+        before = self.state.definitions.coefficients()
         if general_proof is not None:
             outcome: Verdict | Decision = general_proof[0]
             knowledge = general_proof[1]
@@ -274,15 +275,18 @@ class Judge:
         if _word(outcome) in (REFUTED, CONTRADICTION) or rests_on_case:
             past = past_cases(self.state.definitions, line, angles, turned)
         if past:
+            fixed = self.state.definitions.forget_coefficients(but=before)
             with without_cases(self.state.definitions, past, angles | turned):
                 freer = with_clauses_below(self.state, chain, k, self.state.knowledge(line))
                 freer = self.state.knowledge_of(chain, freer)
-                general = judge_relation(self.state, chain, k, sound, bad, freer)
+                # a series that has just fixed its letters is read anew: it is no claim about their values
+                judge = self._by_kind if fixed else partial(judge_relation, self.state)
+                general = judge(chain, k, sound, bad, freer)
             # a case that is past makes no relation true in which its angle stands
-            if _word(general) in (REFUTED, CONTRADICTION) or not (
-                rests_on_case or _word(general) == UNDECIDED
-            ):
-                outcome, knowledge = general, freer
+            is_open = rests_on_case or _word(general) == UNDECIDED
+            if _word(general) in (REFUTED, CONTRADICTION) or not is_open:
+                outcome, knowledge, fixed = general, freer, {}
+            self.state.definitions.put_back(fixed)
         if k or chain.sides[0].span[0] not in self.state.solutions:
             outcome = self._as_consequence(chain, k, outcome, knowledge)
         verdict = describe(self.document, chain, k, outcome) if isinstance(outcome, Decision) else outcome

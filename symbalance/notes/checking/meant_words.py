@@ -162,7 +162,7 @@ class MeantWords:
 
     def named(self, name: str, chain: Chain) -> Named | None:
         """Return what words say of the letter that a relation defines; None where they say nothing."""
-        own = self.before(chain)
+        own = self._without_letters_told(self.before(chain))
         proposal = self.proposals.get(name)
         if proposal is not None and proposal.words and proposal.line <= chain.lines[0]:
             quoted = proposal.words
@@ -180,6 +180,25 @@ class MeantWords:
             role, words = motions[0]
             return Named(role, words, _LARGEST.search(own) is not None)
         return Named("", own.strip()) if motions else None
+
+    def _without_letters_told(self, words: str) -> str:
+        """Return words without the clauses that only tell a size's letter, ω being the angular speed."""
+        clauses = words.split(",")
+        return ",".join(clause for clause in clauses if not self._tells_a_letter(clause))
+
+    def _tells_a_letter(self, clause: str) -> bool:
+        if _motions(clause):
+            return False
+        phrases = [named for named in roles_named(clause) if not named.is_part]
+        told, rest = {named.role for named in phrases} & {*SIZES}, clause
+        for named in reversed(phrases):
+            rest = rest[: named.start] + rest[named.end :]
+        return not _OTHER.search(rest) and any(
+            proposal.meaning in told
+            and re.search(rf"(?<![A-Za-z]){re.escape(sign)}(?![A-Za-z])", clause) is not None
+            for letter, proposal in self.proposals.items()
+            for sign in {letter, plain_letter(letter)}
+        )
 
     def unit_named(self, chain: Chain) -> tuple[str, Dimension] | None:
         """Return the kind of size that the sentence before a relation names, with its dimension."""

@@ -117,7 +117,9 @@ _COPULA = re.compile(
     r"|circular|given|by"
     r"|then|becomes|equals|ist|sind|beträgt|wird|wellen?|der|die|das|eines?r?|also|folgt|so|begin"
     r"|equation"
-    r"|align|display|style|displaystyle)\b|[はがを、とすると軸丸実中の])*",
+    r"|align|display|style|displaystyle)\b"
+    r"|\b(?:in|over|along|for|auf|über)\s+(?:an?|the|its|der|die)\s+(?:length|länge)(?:\s+of)?\s+\$?[lL]\b"
+    r"|[はがを、とすると軸丸実中の])*",
     re.IGNORECASE,
 )
 

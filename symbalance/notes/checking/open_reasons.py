@@ -142,6 +142,9 @@ def _ended_premise(state: JudgingState, chain: Chain, k: int, knowledge: Knowled
     solved = solve_without_scope(state.definitions, [left.node, right.node], chain.lines[0], knowledge)
     if solved is None:
         return ""
+    at_places = {p.left.name for p in solved.premises if isinstance(p.left, Name) and not names(p.right)}
+    if sign == "=" and at_places & names(left.node) & names(right.node):
+        return ""  # of every angle, as it is written: at one of them both sides are numbers
     by_all = decide(left, right, sign, solved.knowledge)
     is_true = by_all.is_proved or (bool(solved.leftover) and holds_at_angles(left, right, sign, solved))
     if not is_true:

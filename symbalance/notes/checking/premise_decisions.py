@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symbalance.document.formula import Name, PlusMinus, names, walk
+from symbalance.document.formula import Formula, Name, PlusMinus, names, walk
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.branches import with_sign
@@ -139,6 +139,8 @@ def _support_by(
     if is_implied:
         texts = (*dict.fromkeys(p.text for p in premises), *nonzero_texts(after))
         return Decision(PROVED, f"by {lines_of(premises)}", assumptions=texts)
+    if _is_rods(statement.left, knowledge):
+        return None  # the one solution that is meant is known
     if any(p in after.following for p in premises if p not in before.following):
         return Decision(PREMISE, f"satisfies {lines_of(premises)}")
     return None
@@ -156,3 +158,9 @@ def must_follow(definitions: Definitions, chain: Chain, k: int) -> list[Premise]
         p for p in definitions.premises_at(chain.lines[0]) if own & p.names and not has_decimals(p)
     ]
     return premises if own <= {name for p in premises for name in p.names} else []
+
+
+def _is_rods(node: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a side is the angle of a connecting rod, which a line above fixes."""
+    definition = knowledge.definitions.get(node.name) if isinstance(node, Name) else None
+    return definition is not None and definition.is_rod_angle

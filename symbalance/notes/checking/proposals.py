@@ -203,7 +203,7 @@ _AFTER = re.compile(
 _BEFORE = re.compile(
     r"[\s$)}\]）」]*(?:(?:\([^()]{0,12}\)|（[^（）]{0,12}）)\s*)?"
     r"(?:[:：=]\s*(?:[lrs]/[lrs]\s*)?[\u3040-\u9fff]{0,8}"
-    r"|(?:is|are|be|denotes|means|stands\s+for|ist|sei|bezeichnet)\b|,\s*(?=the\b|der\b|die\b|das\b)"
+    r"|(?:is|are|be|being|denotes|means|stands\s+for|ist|sei|bezeichnet)\b|,\s*(?=the\b|der\b|die\b|das\b)"
     r"|は[^、。は]{0,14}|が[^、。は]{0,20}|を|…|\.{2,3}|[-–—])[\s$]*"
     r"(?:(?:the|a|an|der|die|das|den|its|one|half)\s+)?"
 )

@@ -18,6 +18,9 @@ RATIO = "rod ratio"
 
 PHRASES: Mapping[str, tuple[str, ...]] = {
     "crank angle": (
+        "crank has turned through the angle", "crank has turned through an angle",
+        "crank turned through the angle", "crank turns through the angle",
+        "crank has turned by the angle", "crank has turned by an angle",
         "crank angle", "crankshaft angle", "angle of the crankshaft", "angle of the crank",
         "angle of rotation of the crank", "crank turns at", "crank is at", "Kurbelwinkel",
         "Drehwinkel der Kurbel", "クランクシャフトの角度", "クランク軸の角度", "クランク角度",

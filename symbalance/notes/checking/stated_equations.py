@@ -16,6 +16,7 @@ from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.equations_to_solve import is_to_be_solved
 from symbalance.notes.checking.judging_state import JudgingState
 from symbalance.notes.checking.premise_decisions import decide_by_premises
+from symbalance.notes.checking.rod_branches import is_rod_angle
 from symbalance.notes.checking.solutions import NEAR
 from symbalance.notes.checking.verdicts import (
     CONDITION,
@@ -132,7 +133,8 @@ def _fix(
             return as_step  # the letter cancels: nothing is fixed
         state.definitions.note_premise(chain, k)
         return Decision(DEFINITION, f"read as what fixes {constraint.name}, with an equation before")
-    state.definitions.fix(constraint, chain)
+    is_rods = bool(constraint.alternatives) and is_rod_angle(state, constraint, chain, knowledge)
+    state.definitions.fix(constraint, chain, is_rod_angle=is_rods)
     state.definitions.note_premise(chain, k, constraint.name)
     if not names(chain.sides[k + 1].node) and len(names(chain.sides[k].node)) == 1:
         return Decision(CONDITION)

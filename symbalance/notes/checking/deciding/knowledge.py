@@ -29,6 +29,8 @@ class Definition:
     """Whether an equation was solved for the letter, which is a premise beside it."""
     branch: str = ""
     """The condition under which `node` is the value, where there are alternatives."""
+    is_rod_angle: bool = False
+    """Whether it is the angle of a connecting rod: then `node` is meant, and not the alternatives."""
     is_rough: bool = False
     """Whether its line says it with dots or ≈."""
     is_coefficient: bool = False

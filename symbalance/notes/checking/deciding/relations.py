@@ -89,7 +89,11 @@ def decide(
             others.append((_decide_as_defined(left, right, sign, there, through), condition))
         if not decision.is_proved:
             proof = next((pair for pair in others if pair[0].is_proved), None)
-            if proof is not None:
+            if proof is not None and definition.is_rod_angle:
+                if decision.status == REFUTED and not decision.reason:
+                    reason = f"true for {proof[1]} alone, where the rod's angle never is"
+                    return replace(decision, reason=reason)
+            elif proof is not None:
                 return replace(proof[0], assumptions=(*proof[0].assumptions, proof[1]))
         elif not all(other.is_proved for other, _ in others):
             conditions.append(definition.branch)
