@@ -266,7 +266,8 @@ class Judge:
             outcome = self._by_kind(chain, k, sound, bad, knowledge)
         angles, line = knowledge.angles, chain.lines[0]
         turning = angles | (_turned(left.node) & _turned(right.node))
-        turned = (_turned(left.node) | _turned(right.node)) - self._given_again(line)
+        again = self.state.sections.numbers_given_again(line)
+        turned = (_turned(left.node) | _turned(right.node)) - again
         values = {name: d.node for name, d in knowledge.definitions.items()}
         behind = names(left.node) if k else {*names_behind(left.node, values)}
         rests_on_case = bool((turning | turned) & behind & names(right.node)) and _is_proved(outcome)
@@ -313,15 +314,6 @@ class Judge:
             return decide(left, right, chain.relations[k].sign, knowledge)
         by_series = judge_series(self.state, chain, k, knowledge)
         return by_series or judge_relation(self.state, chain, k, sound, bad, knowledge)
-
-    def _given_again(self, line: int) -> frozenset[str]:
-        """Return the letters that a line's own paragraph gives a number: with x = 15 once more."""
-        first = self.state.sections.paragraph_start(line)
-        near = [c for c in self.document.chains if first <= c.lines[0] <= line and c.relations]
-        pairs = ((c.sides[0].node, c.sides[1].node) for c in near)
-        return frozenset(
-            head.name for head, value in pairs if isinstance(head, Name) and not names(value)
-        )
 
     def _for_all_values(self, chain: Chain, k: int) -> tuple[Decision, Knowledge] | None:
         """Return the proof of a relation for all values of its angles, and what is known without them.

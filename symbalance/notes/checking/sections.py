@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate
 
-from symbalance.document.formula import Constant, Name, Number, walk
+from symbalance.document.formula import Constant, Name, Number, names, walk
 from symbalance.document.letters import is_greek
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking import case_words
@@ -228,6 +228,22 @@ class Sections:
     @cached_property
     def _problems(self) -> case_words.Mentions:
         return case_words.Mentions(case_words.PROBLEM, self.document.text)
+
+    @cached_property
+    def _numbers_given(self) -> dict[int, dict[str, int]]:
+        """The letters that a paragraph gives a number, with the first line that does, by its start."""
+        numbers: dict[int, dict[str, int]] = {}
+        for chain in self.document.chains:
+            head, line = chain.sides[0].node, chain.lines[0]
+            if chain.relations and isinstance(head, Name) and not names(chain.sides[1].node):
+                own = numbers.setdefault(self.paragraph_start(line), {})
+                own[head.name] = min(line, own.get(head.name, line))
+        return numbers
+
+    def numbers_given_again(self, line: int) -> frozenset[str]:
+        """Return the letters that a line's own paragraph gives a number: with x = 15 once more."""
+        own = self._numbers_given.get(self.paragraph_start(line), {})
+        return frozenset(name for name, first in own.items() if first <= line)
 
     def section_end(self, line: int) -> int:
         """Return the last line of the section that a line stands in."""
