@@ -13,8 +13,8 @@ from symbalance.notes.checking.definitions import Definitions
 from symbalance.notes.checking.sections import Sections
 
 _LABEL = re.compile(
-    r"^[ \t>*_#|•-]*+(?P<kind>engine|motor|version|variante?|design|layout|machine|maschine|case|fall|option|configuration"
-    r"|konfiguration|機関|エンジン|ケース)\s*(?P<own>[A-Z]|[IVX]{1,4}|[0-9]{1,2})(?![A-Za-z0-9])[*_]*\s*"
+    r"^[ \t>*_#|•-]*+(?P<kind>engine|motor|version|variante?|design|layout|machine|maschine|case|fall"
+    r"|option|configuration|konfiguration|機関|エンジン|ケース)\s*(?P<own>[A-Z]|[IVX]{1,4}|[0-9]{1,2})(?![A-Za-z0-9])[*_]*\s*"
     r"(?:\([^()\n]{0,40}\)\s*)?[*_]*(?:[:.：)—–]|$)",
     re.IGNORECASE | re.MULTILINE,
 )
