@@ -83,6 +83,7 @@ _ROLES: dict[str, Dimension] = {
     "integer": NONE,
 }
 _SIGNS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−µμ·⋅*", "0123456789--uu   ")
+_IN_BRACES = re.compile(r"\s*\{[^{}]*\}(?=.*[A-Za-z])", re.DOTALL)
 _PART = re.compile(r"([A-Za-z°%]+|1(?![0-9]))(?:\^?\(?(-?[0-9])\)?)?$")
 _WRITTEN_UNIT = re.compile(
     r"\\(?:mathrm|text|textrm|mbox|unit|si|SI|qty|rm)(?![a-z])|\[[^\[\]A-Za-z]*+[A-Za-z][^\[\]]*+\]"
@@ -232,11 +233,19 @@ class Dimensions:
         """Return a formula's dimension, None where it is open; a sum of unlike terms is refused."""
         if depth > 60:
             return None
+        if isinstance(node, formula.Quotient) and (unit := self._unit_behind(node.denominator)):
+            return None if names(node) else unit_of(unit)
         unit = self.unit_at(node)
         if unit:
             return unit_of(unit) or unit_of(sign_of_unit(unit) or unit)
         rule = _RULES.get(type(node))
         return None if rule is None else rule(self, node, depth + 1)
+
+    def _unit_behind(self, denominator: Formula) -> str:
+        r"""Return the unit behind a fraction, which is read with the number below: \frac{a}{50}\,kg."""
+        source = self.text[denominator.span[0] : denominator.span[1]] if self.text else ""
+        match = _IN_BRACES.match(source) if isinstance(denominator, Number) else None
+        return written_unit(f"0 {source[match.end() :]}")[1] if match else ""
 
     def unit_at(self, node: Formula, *, alone: bool = False) -> str:
         """Return the unit that stands at a number, or is what a factor was read from; "" for none."""

@@ -1,4 +1,4 @@
-"""Sums over letters whose values a page lists, written out: Σ z_k cos δ_k is z_1 cos δ_1 + …
+"""Sums over letters whose values a page lists, written out: Σ z_k cos δ_k is z_1 cos δ_1 and so on.
 
 A list, a table or a row z = (1, i, −i, −1) says how far such a sum runs, where its sign does not. A
 letter that the page defines for every index at once (α_k = 2πk/3) stays as it is.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -57,6 +58,10 @@ def _cases_before_claims(document: ReadNotes, chains: list[Chain]) -> list[Chain
             is_case = False  # the solution of the equation before
         ordered.insert(len(ordered) - 1 if is_case else len(ordered), chain)
     return ordered
+
+
+_ANGLE = re.compile(r"°|\\circ|\\pi(?![A-Za-z])|π|deg|^\W*0\W*$")
+"""The angle at which a value is had: at θ = 0, and not at 4200 rpm."""
 
 
 def _places_before_values(document: ReadNotes, chains: list[Chain]) -> list[Chain]:
