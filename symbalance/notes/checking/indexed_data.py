@@ -1,4 +1,4 @@
-"""Values of numbered letters that a page gives in one row or one table: z_1, z_2, … and δ_1, δ_2, …
+"""Values of numbered letters that a page gives in one row or one table: z_1, z_2, δ_1, δ_2 and so on.
 
 z = (1, i, −i, −1)                       a row of values: z_k is the k-th of them
 

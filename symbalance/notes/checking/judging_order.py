@@ -76,6 +76,7 @@ def _places_before_values(document: ReadNotes, chains: list[Chain]) -> list[Chai
                 if is_place_behind(document.text, before.sides[-1].span[1], start)
                 and _is_value(before)
                 and _is_value(chain)
+                and _ANGLE.search(document.source(chain.sides[-1].span))
                 and before.letters.isdisjoint(chain.letters)
             ),
             len(ordered),
