@@ -1,4 +1,4 @@
-"""Equations between letters that a page has approximately: T ω = -m a v, where a ≈ r ω² cos θ + …"""
+"""Equations between letters that a page has approximately: T ω = -m a v, where a ≈ r ω² cos θ."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ def judge_series(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
     if decision is None and not k and chain.relations[0].sign in "=≈":
         extreme = decide_extreme(chain.sides[0], chain.sides[1], chain.relations[0].sign, knowledge)
         name, value = chain.sides[0].node, without_dots(chain.sides[1].node)[0]
-        size = decide_largest_size(*chain.sides[:2], chain.relations[0].sign, knowledge)
+        size = decide_largest_size(chain.sides[0], chain.sides[1], chain.relations[0].sign, knowledge)
         if size is not None:
             return describe(state.document, chain, k, size)
         if extreme is not None:

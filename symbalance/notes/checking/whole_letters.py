@@ -1,4 +1,4 @@
-r"""Letters that a page says are whole numbers: k ∈ ℤ, for every integer k, k = 0, 1, 2, …
+r"""Letters that a page says are whole numbers: k ∈ ℤ, for every integer k, k = 0, 1, 2 and so on.
 
 Such a sentence is a declaration of the page's own, to the end of its section, of a letter that nobody has
 declared. cos(2πk) = 1 holds by it, and cos(πk) = 1 does not.
