@@ -57,5 +57,5 @@ def test_a_mean_is_the_integral_over_a_turn(text):
     wave = FormEvaluator(domain).form(
         read_equation("y = \\cos 2\\theta", frozenset({"y", *SYMBOLS})).sides[1].node
     )
-    ours = value(mean(form.times(wave), domain.symbol("theta")), {"lambda": Fraction(2, 5)})
-    assert abs(ours.real - coefficient(FUNCTIONS[text], "cos", 2, 0.4) / 2) < 1e-12
+    by_mean = value(mean(form.times(wave), domain.symbol("theta")), {"lambda": Fraction(2, 5)})
+    assert abs(by_mean.real - coefficient(FUNCTIONS[text], "cos", 2, 0.4) / 2) < 1e-12

@@ -38,6 +38,12 @@ def names_behind(node: Formula, values: Mapping[str, Formula]) -> list[str]:
     return list(names)
 
 
+NO_VALUE = (
+    NoFormError, TooLargeError, ZeroDivisionError, ValueError, KeyError, OverflowError, TypeError,
+)  # fmt: skip
+"""What is raised where a formula has no value at a point: a pole, a letter without a number."""
+
+
 def sample_trees(
     nodes: list[Formula], meaning: SymbolValue, count: int = 3, tries: int = 24
 ) -> list[tuple[Point, list[Any]]]:
@@ -51,15 +57,7 @@ def sample_trees(
         at = TreeValues(meaning, point, derivatives)
         try:
             row = [at.value(node) for node in nodes]
-        except (
-            NoFormError,
-            TooLargeError,
-            ZeroDivisionError,
-            ValueError,
-            KeyError,
-            OverflowError,
-            TypeError,
-        ):
+        except NO_VALUE:
             continue
         if all(abs(v.imag) <= abs(v) * context().mpf(10) ** (-DIGITS // 2) for v in row):
             samples.append((point, row))

@@ -144,14 +144,14 @@ def _line_at(text: str, place: int) -> int:
 
 def _in_words(text: str) -> Iterator[CrankAngles]:
     """Yield the lists that stand in a sentence or in one row of a table."""
-    reached = 0
+    last = 0
     for start in _STARTS.finditer(text):
-        if start.start() < reached:
+        if start.start() < last:
             continue
         matches, end = _angles_from(text, start.start())
         if len(matches) < FEWEST:
             continue
-        reached = end
+        last = end
         degrees = _degrees(matches)
         before = _CLAUSE.split(text[max(0, start.start() - _BEFORE) : start.start()])[-1]
         behind = _CLAUSE.split(text[end : end + _BEHIND])[0]

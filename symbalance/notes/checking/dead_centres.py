@@ -50,8 +50,8 @@ def angle_of_crank(state: JudgingState, line: int, knowledge: Knowledge) -> str:
     if isinstance(theta, Name) and theta.name in knowledge.letters:
         return theta.name
     _, proposed = state.meant.words.sizes(line)
-    said = [n for n, text in proposed.items() if role_of(text) == "crank angle"]
-    turning = [*said, *sorted(state.motions.turning(line))]
+    by_words = [n for n, text in proposed.items() if role_of(text) == "crank angle"]
+    turning = [*by_words, *sorted(state.motions.turning(line))]
     return next(iter(turning), "")
 
 

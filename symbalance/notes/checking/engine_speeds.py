@@ -28,8 +28,8 @@ def speeds_of(text: str) -> frozenset[int]:
     >>> sorted(speeds_of(r"bei 6500 1/min, at 8000 rpm, $n = 3600\\,\\text{min}^{-1}$, 毎分600回転"))
     [600, 3600, 6500, 8000]
     """
-    found = (m["speed"] or m["behind"] for m in _SPEED.finditer(text))
-    return frozenset(int(re.sub("[^0-9]", "", digits)) for digits in found)
+    speeds = (m["speed"] or m["behind"] for m in _SPEED.finditer(text))
+    return frozenset(int(re.sub("[^0-9]", "", digits)) for digits in speeds)
 
 
 def decide_speed(

@@ -29,12 +29,7 @@ def decide_by_mean(chain: Chain, k: int, knowledge: Knowledge) -> Decision | Non
     left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
     if sign not in ("=", "≈"):
         return None
-    formulas: dict[str, Definition] = {}
-    for name, definition in knowledge.definitions.items():
-        if not definition.numeric:
-            formulas[name] = definition
-        elif definition.formula is not None:
-            formulas[name] = replace(definition, node=definition.formula, numeric=False)
+    formulas = knowledge.formulas
     values = {name: d.node for name, d in formulas.items()} | dict(knowledge.meaning.values)
     behind = {n for side in (left, right) for n in names_behind(side.node, values)}
     for mean, value in _means(behind):

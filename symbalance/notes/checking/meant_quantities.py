@@ -35,8 +35,7 @@ from symbalance.document.formula import (
     walk,
 )
 from symbalance.document.letters import plain_letter
-from symbalance.notes.algebra.domain import NoFormError, TooLargeError
-from symbalance.notes.algebra.tree_values import TreeValues, letters_behind, names_behind
+from symbalance.notes.algebra.tree_values import NO_VALUE, TreeValues, letters_behind, names_behind
 from symbalance.notes.algebra.values import random_point
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
@@ -413,32 +412,34 @@ class MeantQuantities:
         """
         line = chain.lines[0]
         units = self.words.units_on_page
-        said = units.get(name)
+        unit = units.get(name)
         expected: tuple[str, Dimension] | None = None
-        if said is not None:
-            expected = f"{plain_letter(name)} is in {said[0]} on line {said[2]}", said[1]
+        if unit is not None:
+            expected = f"{plain_letter(name)} is in {unit[0]} on line {unit[2]}", unit[1]
         elif (by_words := self.words.unit_named(chain)) is not None:
             expected = f"the words “{by_words[0]}” name {plain_letter(name)}", by_words[1]
         if expected is None:
             return None
         symbols = {n: p.meaning for n, p in self.words.proposals.items() if p.words}
-        symbols |= {n: unit[0] for n, unit in units.items()}
+        symbols |= {n: each[0] for n, each in units.items()}
         symbols |= self.words.declarations.symbols_at(line)
         symbols.pop(name, None)
         values = {n: d.node for n, d in knowledge.definitions.items() if n != name}
         source = self.words.document.source(chain.sides[1].span)
-        found = Dimensions(symbols, values, self.words.document.text).side(value, source)
-        if found is None or found == expected[1] or self.words.has_result_in(name, found):
+        dimension = Dimensions(symbols, values, self.words.document.text).side(value, source)
+        if dimension is None or dimension == expected[1]:
             return None
-        gap = [a - b for a, b in zip(found, expected[1], strict=True)]
+        if self.words.has_result_in(name, dimension):
+            return None
+        gap = [a - b for a, b in zip(dimension, expected[1], strict=True)]
         if [place for place, e in enumerate(gap) if e] not in ([1], [2]):  # of kg, m, s
             return None
         reason = (
             f"dimensions: {expected[0]}, which is {unit_text(expected[1])}, and the right side is in"
-            f" {unit_text(found)}"
+            f" {unit_text(dimension)}"
         )
         return Decision(
-            REFUTED, reason, witness={"left": unit_text(expected[1]), "right": unit_text(found)}
+            REFUTED, reason, witness={"left": unit_text(expected[1]), "right": unit_text(dimension)}
         )
 
 
@@ -499,7 +500,7 @@ def _is_near(target: Formula, side: Side, known: Knowledge, crank: Geometry) -> 
             )
         try:
             rows.append([float(TreeValues(meaning, point).value(node).real) for node in nodes])
-        except (NoFormError, TooLargeError, ZeroDivisionError, ValueError, KeyError, TypeError):
+        except NO_VALUE:
             return True  # decided by proof
     scale = max(row[0] for row in rows) - min(row[0] for row in rows)
     ways = range(1, len(nodes))

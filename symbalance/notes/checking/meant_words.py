@@ -244,15 +244,15 @@ class MeantWords:
 
 def _motions(words: str) -> list[tuple[str, str]]:
     """Return the motions and forces that words name, each with the phrase."""
-    found = [(named.role, named.phrase) for named in roles_named(words) if not named.is_part]
+    motions = [(named.role, named.phrase) for named in roles_named(words) if not named.is_part]
     low = words.casefold()
     for role, phrases in MOVING_SECTIONS.items():
         phrase = next((p for p in phrases if p.casefold() in low), "")
-        if phrase and not any(r == role for r, _ in found) and not _is_within(phrase, found):
-            found.append((role, phrase))
+        if phrase and not any(r == role for r, _ in motions) and not _is_within(phrase, motions):
+            motions.append((role, phrase))
     return [
         (role, phrase)
-        for role, phrase in found
+        for role, phrase in motions
         if role in MOVING or role in (FROM_PIN, FROM_MIDDLE, FROM_TOP)
     ]
 

@@ -291,9 +291,9 @@ class NamedQuantities:
             return ROLES[role].words.search(declared) is not None
         if declared and not _UNITS_ONLY.fullmatch(declared):
             return False
-        said = self._words_before(letter)
-        roles = {name for name, each in ROLES.items() if any(_ends_with(each.words, w) for w in said)}
-        is_other = any(_ends_with(OTHER_LENGTHS, w) for w in said)
+        before = self._words_before(letter)
+        roles = {name for name, each in ROLES.items() if any(_ends_with(each.words, w) for w in before)}
+        is_other = any(_ends_with(OTHER_LENGTHS, w) for w in before)
         return role in roles if roles else not is_other and _is_usual(letter, role)
 
     def _words_before(self, letter: str) -> list[str]:
@@ -308,12 +308,12 @@ class NamedQuantities:
             text = self.document.text
             places = [m.start() for m in re.finditer(pattern, text)]
             tails = (_TAGS.sub("", text[max(0, start - 60) : start]) for start in places)
-            said = [_LINKS.sub("", tail)[-30:] for tail in tails]
+            phrases = [_LINKS.sub("", tail)[-30:] for tail in tails]
             for match in re.finditer(pattern, text):
                 follows = _IS.match(_TAGS.sub("", text[match.end() : match.end() + 60]))
                 if follows is not None:
-                    said.append(follows[1])
-            self._said[letter] = "\n".join(words.replace("\n", " ") for words in said)
+                    phrases.append(follows[1])
+            self._said[letter] = "\n".join(words.replace("\n", " ") for words in phrases)
         return self._said[letter].split("\n")
 
     # What is wrong

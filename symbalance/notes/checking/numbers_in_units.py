@@ -517,13 +517,13 @@ def _units_in_words(
     for name in sorted({n for node in nodes for n in names_behind(node, values)}):
         if len(name) > 1:
             continue
-        said = rf"(?<![\w\\]){re.escape(name)}\$? in (?=[A-Za-z])"
+        in_unit = rf"(?<![\w\\]){re.escape(name)}\$? in (?=[A-Za-z])"
         # the radius r ft.
         beside = rf"(?<=[A-Za-z]{{3}} )\$?{re.escape(name)}\$? (?=(?:ft|in)\.|[cm]m[\s,.;])"
         apposed = (
             rf"(?<![\w\\]){re.escape(name)}\$? (?:the|its|der|die|das) (?:[a-z]+ ){{1,6}}in (?=[A-Za-z])"
         )
-        for match in re.finditer(f"{said}|{beside}|{apposed}", text):
+        for match in re.finditer(f"{in_unit}|{beside}|{apposed}", text):
             unit = unit_in_words(text[match.end() : match.end() + 40])
             scale = scale_of(unit) if unit else None
             if scale is not None and not scale[1] and scale[0] != 1:

@@ -11,7 +11,7 @@ from dataclasses import replace
 from symbalance.document.formula import Formula, Name, Quotient, names
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.checking.deciding.equality import Decision
-from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
+from symbalance.notes.checking.deciding.knowledge import Knowledge, length_by_ratio
 from symbalance.notes.checking.deciding.order_agreement import (
     HIGHEST_ORDER,
     SmallLetter,
@@ -70,18 +70,15 @@ def _with_letter_free(name: str, knowledge: Knowledge) -> Knowledge:
 
     Of λ = r/l the length becomes r/λ, where no formula gives it.
     """
-    formulas: dict[str, Definition] = {}
-    for each, definition in knowledge.definitions.items():
-        if each == name:
-            continue
-        if not definition.numeric:
-            formulas[each] = definition
-        elif definition.formula is not None and name not in names(definition.formula):
-            formulas[each] = replace(definition, node=definition.formula, numeric=False, formula=None)
     own = knowledge.definitions[name]
+    formulas = {
+        each: definition
+        for each, definition in knowledge.formulas.items()
+        if each != name and not (knowledge.definitions[each].numeric and name in names(definition.node))
+    }
     ratio = own.formula if own.numeric else own.node
     if isinstance(ratio, Quotient) and isinstance(ratio.denominator, Name):
         length = ratio.denominator.name
         if length not in formulas and length not in names(ratio.numerator):
-            formulas[length] = replace(own, node=Quotient(ratio.numerator, Name(name)), numeric=False)
+            formulas[length] = replace(own, node=length_by_ratio(name, ratio), numeric=False)
     return replace(knowledge, definitions=formulas, small=knowledge.small | {name})

@@ -42,7 +42,7 @@ def as_balance(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
     if not (isinstance(right, Number) and not right.value):
         return None
     following = next(chains_below(state.document.chains, chain), None)
-    formulas = _formulas(knowledge)
+    formulas = knowledge.formulas
     if following is None or not _solves(following, chain, formulas, state, knowledge):
         return None
     head, value = following.sides[0].node, following.sides[1].node
@@ -78,17 +78,6 @@ def as_balance_solution(state: JudgingState, chain: Chain, k: int) -> Decision |
     if decision is not None and decision.is_proved and isinstance(head, Name):
         state.definitions.define(head.name, chain.sides[1].node, chain)
     return decision if decision is not None and decision.status in (PROVED, REFUTED) else None
-
-
-def _formulas(knowledge: Knowledge) -> dict[str, Definition]:
-    """Return what letters stand for without the numbers of an example."""
-    formulas: dict[str, Definition] = {}
-    for name, definition in knowledge.definitions.items():
-        if not definition.numeric:
-            formulas[name] = definition
-        elif definition.formula is not None:
-            formulas[name] = replace(definition, node=definition.formula, numeric=False)
-    return formulas
 
 
 def _solves(

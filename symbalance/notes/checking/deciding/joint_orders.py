@@ -33,9 +33,9 @@ def decide_jointly(left: Formula, right: Formula, knowledge: Knowledge) -> Decis
     if len(small) < 2:
         return None
     for level in knowledge.levels(left, right):
-        kept = {name: node for name, node in level.values.items() if name not in small}
+        values = {name: node for name, node in level.values.items() if name not in small}
         try:
-            decision = _at_level(left, right, small, knowledge, replace(level, values=kept))
+            decision = _at_level(left, right, small, knowledge, replace(level, values=values))
         except (NoFormError, TooLargeError):
             continue
         if decision is not None:

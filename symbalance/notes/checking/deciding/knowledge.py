@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from symbalance.document.formula import Formula, Name, Quotient, Summation, names, walk
 from symbalance.document.text_writer import formula_text
@@ -148,6 +149,24 @@ class Knowledge:
             all_values = {assumption.name: assumption.node for assumption in self.assumptions}
             yield Level({**values, **all_values}, (*texts, *(a.text for a in self.assumptions)))
 
+    @cached_property
+    def formulas(self) -> dict[str, Definition]:
+        """What letters stand for without the numbers of an example: U = m r/2, and not U = 0.016.
+
+        A letter that has a number stands for its formula, unless that comes back to the letter itself.
+        """
+        formulas = {
+            name: replace(d, node=node, numeric=False, formula=None) if d.numeric else d
+            for name, d in self.definitions.items()
+            if (node := d.formula if d.numeric else d.node) is not None
+        }
+        values = {**{name: d.node for name, d in formulas.items()}, **self.meaning.values}
+        return {
+            name: d
+            for name, d in formulas.items()
+            if not self.definitions[name].numeric or name not in names_behind(d.node, values)
+        }
+
     def _formula_levels(
         self, nodes: tuple[Formula, ...], usable: Mapping[str, Definition]
     ) -> Iterator[Level]:
@@ -157,18 +176,9 @@ class Knowledge:
         approximately true for a small λ is judged in it.
         """
         everything = {**{name: d.node for name, d in usable.items()}, **self.meaning.values}
-        reached = {name for node in nodes for name in names_behind(node, everything)}
-        formulas = {
-            name: node
-            for name, d in usable.items()
-            if (node := d.formula if d.numeric else d.node) is not None and not d.assumption
-        }
+        behind = {name for node in nodes for name in names_behind(node, everything)}
+        formulas = {n: d.node for n, d in self.formulas.items() if n in usable and not d.assumption}
         formulas |= self.meaning.values
-        formulas = {
-            name: node
-            for name, node in formulas.items()
-            if name not in usable or not usable[name].numeric or name not in names_behind(node, formulas)
-        }
         own = {name for node in nodes for name in names(node)}
         ratios = {
             name: node
@@ -181,9 +191,9 @@ class Knowledge:
             (length,) = names(ratio.denominator)
             if length not in formulas:
                 others = {n: node for n, node in formulas.items() if n != name}
-                by_ratio = Quotient(ratio.numerator, Name(name))
+                by_ratio = length_by_ratio(name, ratio)
                 yield Level({**others, length: by_ratio}, is_of_formulas=True)
-        if any(usable[name].numeric for name in reached & usable.keys()):
+        if any(usable[name].numeric for name in behind & usable.keys()):
             yield Level(formulas, is_of_formulas=True)
 
     def _premises_behind(
@@ -191,13 +201,13 @@ class Knowledge:
     ) -> dict[str, Definition]:
         """Return the letters behind formulas whose values are premises."""
         everything = {**{name: d.node for name, d in usable.items()}, **self.meaning.values}
-        reached = {name for node in nodes for name in names_behind(node, everything)}
-        reached |= {name for name in usable if _is_summed_over(name, nodes)}
+        behind = {name for node in nodes for name in names_behind(node, everything)}
+        behind |= {name for name in usable if _is_summed_over(name, nodes)}
         return {
             name: d
             for name, d in usable.items()
             if d.assumption
-            and name in reached
+            and name in behind
             and (name not in self.meaning.values or (number and d.numeric))
         }
 
@@ -209,8 +219,8 @@ class Knowledge:
         values = {**{name: d.node for name, d in self.definitions.items()}, **self.meaning.values}
         if not any(d.alternatives for d in self.definitions.values()):
             return {}
-        reached = {name for node in nodes for name in names_behind(node, values)}
-        return {n: d for n, d in self.definitions.items() if d.alternatives and n in reached}
+        behind = {name for node in nodes for name in names_behind(node, values)}
+        return {n: d for n, d in self.definitions.items() if d.alternatives and n in behind}
 
     def with_definition(self, name: str, definition: Definition) -> Knowledge:
         """Return what is known if a letter is defined otherwise."""
@@ -246,6 +256,11 @@ class Knowledge:
             self.crank.mass,
         )
         return any(name in names(part) for part in parts)
+
+
+def length_by_ratio(name: str, ratio: Quotient) -> Quotient:
+    """Return the length below the stroke of a ratio by the ratio's letter: of λ = r/l the rod r/λ."""
+    return Quotient(ratio.numerator, Name(name))
 
 
 def _is_of_letters(ratio: Quotient) -> bool:
