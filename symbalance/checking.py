@@ -13,14 +13,14 @@ from symbalance.budgets import Budget
 from symbalance.document.formula import Derivative, Equation, Matrix, Name, equal
 from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import documents
-from symbalance.notes.checking.engines import KnownEngine
-from symbalance.notes.checking.guarded_verdicts import PAGE
+from symbalance.notes.checking.deciding.guarded_verdicts import PAGE
+from symbalance.notes.checking.declared.engines import KnownEngine
 from symbalance.notes.checking.verdicts import Checked
 from symbalance.text.files import STANDARD_INPUT
 from symbalance.text.named_paths import NamingFolder
 
 if TYPE_CHECKING:
-    from symbalance.notes.checking.declaration_draft import DeclarationDraft
+    from symbalance.notes.checking.declared.declaration_draft import DeclarationDraft
 
 VALUE_DIGITS = 30
 _COUNTS = {

@@ -21,7 +21,7 @@ from symbalance.crankshaft.reports import summarise_run
 from symbalance.crankshaft.running import configure_run, run_speeds
 from symbalance.document.result import Result
 from symbalance.engine.crank_train import CrankTrain
-from symbalance.notes.checking.document_table import DocumentRow, DocumentTable
+from symbalance.notes.checking.reports.document_table import DocumentRow, DocumentTable
 from tests.cranks import sheet, written
 
 

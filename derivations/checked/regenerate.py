@@ -19,7 +19,7 @@ from symbalance.checking import check
 from symbalance.document.markdown_document import document_markdown
 from symbalance.document.nodes import Code, Column, Document, Table, Words, inlines
 from symbalance.notes.checking import Checked, Verdict
-from symbalance.notes.checking.report_document import one_line
+from symbalance.notes.checking.reports.report_document import one_line
 
 HERE = Path(__file__).parent
 LONGEST = 110

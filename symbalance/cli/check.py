@@ -120,7 +120,7 @@ def _write_certificates(checked: Checked, name: str) -> None:
     """Write the certificates of a document's verdicts."""
     import json
 
-    from symbalance.notes.checking.certificates import certificates
+    from symbalance.notes.checking.reports.certificates import certificates
 
     if not name.endswith(".json"):
         raise SymbalanceError(

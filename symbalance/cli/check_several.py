@@ -21,8 +21,8 @@ from symbalance.cli.output import for_terminal, medium_of_several, printed, show
 from symbalance.errors import SymbalanceError
 from symbalance.jobs.running import Job, JobOutcome, run_jobs
 from symbalance.jobs.store import JSON, Codec, Store, key_of
-from symbalance.notes.checking.document_table import DocumentRow, DocumentTable
 from symbalance.notes.checking.documents import COURSE, IN_FOLDERS
+from symbalance.notes.checking.reports.document_table import DocumentRow, DocumentTable
 from symbalance.text.files import STANDARD_INPUT
 
 MOST_DOCUMENTS = 10_000
@@ -124,7 +124,7 @@ def _reading_order(path: Path) -> tuple[list[str], str]:
 def _declare_several(options: argparse.Namespace) -> int:
     """Write one draft of a symbols file for all of them; 2 if some could not be read."""
     from symbalance.checking import sidecar_draft
-    from symbalance.notes.checking.declaration_draft import course_toml
+    from symbalance.notes.checking.declared.declaration_draft import course_toml
 
     unused = ("standalone", "label", "lenient", "accept_proposals", "no_fixes", "certificates", "format")
     for name in unused:

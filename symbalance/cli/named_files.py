@@ -135,8 +135,8 @@ def _is_file(engine: str) -> bool:
 
 def _declared(notes: Path, beside: bool) -> Iterator[Path]:
     """Yield the sidecars beside a document, and the files they name, or its own header names."""
+    from symbalance.notes.checking.declared.sidecar import without_header
     from symbalance.notes.checking.documents import sidecars_beside
-    from symbalance.notes.checking.sidecar import without_header
     from symbalance.text.files import read_text
 
     for sidecar in sidecars_beside(notes) if beside else ():

@@ -123,7 +123,7 @@ def test_a_profiled_program_goes_on_after_a_budget():
 
 
 def test_a_relation_over_its_budget_is_undecided_and_the_others_are_judged(monkeypatch):
-    from symbalance.notes.checking import judging
+    from symbalance.notes.checking.judging import judge as judging
 
     original = judging.Judge.link
 
@@ -166,7 +166,7 @@ def test_when_the_documents_budget_is_spent_the_rest_is_undecided():
 
 def test_a_line_that_rests_on_one_not_judged_is_not_refuted(monkeypatch):
     """y is (x + 1)^2 by a line that was not judged: what follows must not be called wrong."""
-    from symbalance.notes.checking import one_relation
+    from symbalance.notes.checking.judging import one_relation
 
     original = one_relation.define_letter
 

@@ -9,7 +9,7 @@ import pytest
 from symbalance.checking import check
 from symbalance.document.result import to_html
 from symbalance.notes.algebra import values
-from symbalance.notes.checking.sides_plot import plot_sides
+from symbalance.notes.checking.reports.sides_plot import plot_sides
 from tests import TESTS
 
 PAGES = sorted(page for page in (TESTS / "hand").iterdir() if page.suffix in (".md", ".tex", ".txt"))

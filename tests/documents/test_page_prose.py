@@ -9,8 +9,8 @@ import pytest
 
 from symbalance.checking import check
 from symbalance.document.html_document import document_html
-from symbalance.notes.checking.marked_page import marked_page
-from symbalance.notes.checking.page_prose import DISPLAY, END, INLINE, Prose
+from symbalance.notes.checking.reports.marked_page import marked_page
+from symbalance.notes.checking.reports.page_prose import DISPLAY, END, INLINE, Prose
 
 MARK = f"{INLINE}0{END}"
 SHOWN = f"{DISPLAY}1{END}"

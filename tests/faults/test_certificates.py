@@ -14,7 +14,7 @@ import pytest
 from symbalance.checking import check
 from symbalance.cli import run
 from symbalance.notes import verify_certificates
-from symbalance.notes.checking.certificates import certificates
+from symbalance.notes.checking.reports.certificates import certificates
 from symbalance.notes.verify_certificates import Rejected, cyclotomic, is_zero, plus, verify
 from tests import ROOT, TESTS
 

@@ -11,7 +11,7 @@ from mpmath import mp, mpf
 from symbalance.document.formula import Formula, names
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.algebra.tree_values import TreeValues
-from symbalance.notes.checking.known_formulas import QUANTITIES, Quantity
+from symbalance.notes.checking.meant.known_formulas import QUANTITIES, Quantity
 
 F = Fraction
 R, INNER = F(2, 100), F(1, 100)

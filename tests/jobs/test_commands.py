@@ -173,7 +173,7 @@ def test_an_engine_that_a_sidecar_names_counts_by_its_content(tmp_path, capsys):
     (notes / "a.symbols.toml").write_text(bind, encoding="utf-8")
     saved = []
     from symbalance.cli.check_several import _job
-    from symbalance.notes.checking.guarded_verdicts import PAGE
+    from symbalance.notes.checking.deciding.guarded_verdicts import PAGE
 
     for ratio in (4, 4, 3):
         (notes / "own.toml").write_text(engine.format(ratio), encoding="utf-8")
@@ -417,7 +417,7 @@ def test_a_document_that_is_changed_while_it_is_checked_is_not_kept(notes, tmp_p
 
 
 def test_what_a_budget_left_open_is_judged_again(notes, tmp_path, monkeypatch, capsys):
-    from symbalance.notes.checking.guarded_verdicts import Guard
+    from symbalance.notes.checking.deciding.guarded_verdicts import Guard
 
     files = [str(notes / "right.md"), str(notes / "wrong.txt"), "-o", str(tmp_path / "out")]
     original = Guard._time_left

@@ -6,8 +6,8 @@ import pytest
 
 import symbalance as sb
 from symbalance.document.text_writer import formula_text
-from symbalance.notes.checking.typeset_relations import sides_by_span, typeset
-from symbalance.notes.checking.written_numbers import written_number
+from symbalance.notes.checking.reports.typeset_relations import sides_by_span, typeset
+from symbalance.notes.checking.words.written_numbers import written_number
 
 NUMBERS = {
     r"$31.4/0.7457 \approx 45$": ("value", "42"),

@@ -10,9 +10,9 @@ from symbalance.checking import check, sidecar_draft
 from symbalance.cli import run
 from symbalance.document.letters import plain_letter
 from symbalance.errors import SymbalanceError
+from symbalance.notes.checking.declared.sidecar import parse_sidecar, read_sidecar
+from symbalance.notes.checking.declared.symbol_roles import KNOWN, role_of
 from symbalance.notes.checking.documents import SUFFIXES
-from symbalance.notes.checking.sidecar import parse_sidecar, read_sidecar
-from symbalance.notes.checking.symbol_roles import KNOWN, role_of
 from tests import TESTS
 
 HAND = TESTS / "hand"

@@ -8,8 +8,8 @@ from __future__ import annotations
 import pytest
 
 from symbalance.notes.checking import check
-from symbalance.notes.checking.crank_angles_listed import crank_angles
-from symbalance.notes.checking.units_behind import letters_counted
+from symbalance.notes.checking.units.units_behind import letters_counted
+from symbalance.notes.checking.words.crank_angles_listed import crank_angles
 
 LETTERS = {
     "alpha": "crank angle", "theta": "crank angle", "N": "number of cylinders", "r": "crank radius",

@@ -16,7 +16,7 @@ import pytest
 import sympy as sp
 
 from symbalance.notes.checking import check
-from symbalance.notes.checking.symbol_roles import KNOWN, misspelt_role
+from symbalance.notes.checking.declared.symbol_roles import KNOWN, misspelt_role
 from symbalance.notes.checking.verdicts import (
     CONTRADICTION,
     DEFINITION,

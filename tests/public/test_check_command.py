@@ -77,7 +77,7 @@ def test_every_relation_seen_is_counted(tmp_path, capsys):
 def test_a_fault_of_ours_leaves_its_relation_undecided_and_the_report_whole(
     tmp_path, capsys, monkeypatch
 ):
-    from symbalance.notes.checking import one_relation
+    from symbalance.notes.checking.judging import one_relation
 
     honest = one_relation.decide
 
@@ -129,7 +129,7 @@ def reported(capsys, path: str) -> list[dict]:
 def test_a_step_that_was_not_judged_is_told_of_beside_a_claim_that_holds(tmp_path, capsys, monkeypatch):
     path = written(tmp_path, GOOD, BOUND_LINE)
     assert run(["check", path]) == 0
-    monkeypatch.setattr("symbalance.notes.checking.judging.Judge.link", boom)
+    monkeypatch.setattr("symbalance.notes.checking.judging.judge.Judge.link", boom)
     capsys.readouterr()
     (link,) = reported(capsys, path)
     assert link["bind"] == "displacement"
@@ -139,7 +139,7 @@ def test_a_step_that_was_not_judged_is_told_of_beside_a_claim_that_holds(tmp_pat
 
 def test_a_step_that_was_not_mended_is_told_of_beside_its_claim(tmp_path, capsys, monkeypatch):
     path = written(tmp_path, BAD, BOUND_LINE)
-    monkeypatch.setattr("symbalance.notes.checking.assertions.add_fix", lambda base, *_: base)
+    monkeypatch.setattr("symbalance.notes.checking.page.assertions.add_fix", lambda base, *_: base)
     monkeypatch.setattr("symbalance.notes.checking.repair.fixes.diagnose", boom)
     (link,) = reported(capsys, path)
     assert (link["verdict"], link["bind"]) == ("refuted", "displacement")
@@ -150,9 +150,9 @@ def test_a_step_that_was_not_mended_is_told_of_beside_its_claim(tmp_path, capsys
 @pytest.mark.parametrize(
     ("broken", "verdicts"),
     [
-        ("judging.assertions.side_of", ["undecided", "undecided", "holds"]),
-        ("judging.assertions.side_verdict", ["holds", "undecided", "holds"]),
-        ("definitions.Definitions.use", ["holds", "refuted", "holds"]),
+        ("judging.judge.assertions.side_of", ["undecided", "undecided", "holds"]),
+        ("judging.judge.assertions.side_verdict", ["holds", "undecided", "holds"]),
+        ("premises.definitions.Definitions.use", ["holds", "refuted", "holds"]),
     ],
 )
 def test_no_fault_in_judging_a_chain_loses_the_report(broken, verdicts, tmp_path, capsys, monkeypatch):
@@ -169,7 +169,7 @@ def test_no_fault_in_placing_a_bind_loses_the_report(broken, tmp_path, capsys, m
     text = "" if broken == "missing_equation" else 'text = "2k"\n'
     bind = SIDECAR + f'[[bind]]\nline = 4\nquantity = "displacement"\n{text}'
     path = written(tmp_path, f"{CHAIN}so much for 2k\n", bind)
-    monkeypatch.setattr(f"symbalance.notes.checking.assertions.{broken}", boom)
+    monkeypatch.setattr(f"symbalance.notes.checking.page.assertions.{broken}", boom)
     links = reported(capsys, path)
     assert [(link["line"], link["verdict"]) for link in links] == [
         (1, "holds"), (1, "holds"), (3, "holds"), (4, "undecided")
@@ -385,7 +385,7 @@ def test_what_is_piped_in_may_declare_its_letters_itself(opening, mark, closing,
 
 
 def test_a_fault_of_ours_names_standard_input(capsys, monkeypatch):
-    monkeypatch.setattr("symbalance.notes.checking.one_relation.decide", lambda *_: 1 / 0)
+    monkeypatch.setattr("symbalance.notes.checking.judging.one_relation.decide", lambda *_: 1 / 0)
     piped(monkeypatch, "$$2 = 1 + 1$$")
     assert run(["check", "-"]) == 3
     assert "line 1 of standard input: ZeroDivisionError" in capsys.readouterr().err

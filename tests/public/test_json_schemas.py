@@ -21,7 +21,7 @@ from symbalance.document.result import Result, to_json
 from symbalance.engine.engine_file import SCHEMA as ENGINE_FILE
 from symbalance.kinematics.conventions import CONVENTIONS
 from symbalance.kinematics.truncation_table import UNITS
-from symbalance.notes.checking.document_table import DocumentRow, DocumentTable
+from symbalance.notes.checking.reports.document_table import DocumentRow, DocumentTable
 from symbalance.notes.checking.verdicts import VERDICTS
 from tests import TESTS
 from tests.results import EXAMPLES, UNEVEN, example, result_classes

@@ -22,7 +22,7 @@ from symbalance.errors import JobFaultError, MissingPartError, SymbalanceError
 from symbalance.exact.phasor import Phasor
 from symbalance.exact.spectrum import Spectrum
 from symbalance.jobs.running import _NobodyLeftError
-from symbalance.notes.checking.dimensions import Mismatch, _MismatchError
+from symbalance.notes.checking.units.dimensions import Mismatch, _MismatchError
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.torque import torque_report
 

@@ -1,31 +1,23 @@
 """The checker of hand derivations: a verdict, a witness and a correction for every relation.
 
 In: a document, a sidecar that says what its letters mean, and somebody who knows engines. Out: `Checked`.
+A relation climbs these rooms from the ground up:
 
-    sidecar, symbol_roles, symbols  what is declared: letters, their roles and what they stand for
-    engines, geometry, quantities   what lines may be bound to: engines' forces, a slider-crank's motion
-    verdicts, descriptions          what is said of a relation
-    constraints, definitions        relations that state something, and letters defined on the way
-    letter_values, another_value    may a letter have this value, the first or a second one
-    impossible_values, premises     why it may not: by what it means, by the equations taken as given
-    deciding, assertions            is a relation true, is a line what it is bound to
-    judging, judging_state          the page's relations in order, and what is known where each stands
-    one_relation                    the verdict on one: definition, step, equation to solve, given
-    appeals, open_reasons           what is tried before a refutation stands, why it may stay open
-    dead_centres                    values at the dead centres that words or an index name
-    leftover_premises               numbers of sizes that are written in others: l of n r
-    numbers_in_units, conversions   units that numbers are meant in; one quantity in two units
-    printed_units                   units that numbers put in have in the words before
-    formulas_between_numbers        formulas whose constant converts units; rpm as rad/s in
-    speeds_as_numbers, bare_degrees angular speeds, angles typed without their sign
-    repair                          the smallest change that makes a refuted line true
-    role_phrases, proposals         what a page's words propose, for a person to confirm
-    declaration_draft               the symbols file drafted from it
+    words      cases, sections, numbers as typed: what stands between the relations
+    declared   roles of letters, the symbols file, proposals, engines as the caller knows them
+    deciding   is a relation true: exactly, through an order, or to the digits printed
+    premises   letters defined on the way, equations taken as given, what follows from them
+    repair     the smallest change that makes a refuted line true
+    units      units and dimensions, at letters, at numbers and in words
+    motions    series, means, largest values and equations of motion
+    meant      quantities that nobody declared, known by their words and formulas
+    page       data, quotations, conclusions, and lines bound to a known quantity
+    steps      kinds of relations that are no plain step, and what is known where one stands
+    judging    the page's relations in order
+    reports    for readers, for programs, as the author's page, as certificates
+
     documents, sympy_expressions    `check` of a document, `check_equal` of two SymPy expressions
-    report_document, report_data    the report for readers and for programs
-    page_prose                      what stands between relations, in whatever markup, as blocks
-    marked_page, sides_plot         the author's page for a browser, both sides of what is wrong drawn
-    document_table                  several documents, a line for each
+    verdicts                        what is said of a relation, and of a page
 """
 
 from symbalance.notes.checking.documents import check as check

@@ -18,28 +18,28 @@ from symbalance.document.formula import names
 from symbalance.document.letters import plain_letter
 from symbalance.document.nodes import Code, Strong, Words
 from symbalance.errors import SymbalanceError, brief
-from symbalance.notes.checking.bare_degrees import with_bare_degrees
-from symbalance.notes.checking.degrees_without_sign import judge_in_one_unit_of_angle
-from symbalance.notes.checking.engines import Engines, NoEngines, Sources
-from symbalance.notes.checking.expanded_sums import with_expanded_sums
-from symbalance.notes.checking.guarded_verdicts import PAGE
-from symbalance.notes.checking.judging import Judge
-from symbalance.notes.checking.letters_anew import with_letters_anew
-from symbalance.notes.checking.one_reading import judge_in_one_reading
-from symbalance.notes.checking.page_data import data_of
-from symbalance.notes.checking.sidecar import (
+from symbalance.notes.checking.deciding.guarded_verdicts import PAGE
+from symbalance.notes.checking.declared.engines import Engines, NoEngines, Sources
+from symbalance.notes.checking.declared.sidecar import (
     Declarations,
     declarations_in,
     parse_sidecar,
     read_sidecar,
     without_header,
 )
-from symbalance.notes.checking.symbol_roles import readable_letters
-from symbalance.notes.checking.symbols import motions_of
-from symbalance.notes.checking.time_letters import with_time
+from symbalance.notes.checking.declared.symbol_roles import readable_letters
+from symbalance.notes.checking.declared.symbols import motions_of
+from symbalance.notes.checking.judging.judge import Judge
+from symbalance.notes.checking.page.expanded_sums import with_expanded_sums
+from symbalance.notes.checking.page.letters_anew import with_letters_anew
+from symbalance.notes.checking.page.page_data import data_of
+from symbalance.notes.checking.page.time_letters import with_time
+from symbalance.notes.checking.page.whole_letters import with_whole_letters
+from symbalance.notes.checking.reports.written_assumptions import with_written_assumptions
 from symbalance.notes.checking.verdicts import MOST_LETTERS, UNDECLARED, Checked
-from symbalance.notes.checking.whole_letters import with_whole_letters
-from symbalance.notes.checking.written_assumptions import with_written_assumptions
+from symbalance.notes.checking.words.bare_degrees import with_bare_degrees
+from symbalance.notes.checking.words.degrees_without_sign import judge_in_one_unit_of_angle
+from symbalance.notes.checking.words.one_reading import judge_in_one_reading
 from symbalance.notes.reading import Motions, read_document
 from symbalance.notes.reading.equations import ReadNotes
 from symbalance.notes.reading.notebooks import SUFFIX as NOTEBOOK
@@ -47,7 +47,7 @@ from symbalance.notes.reading.notebooks import notebook_text
 from symbalance.text.files import STANDARD_INPUT, file_name, read_text
 
 if TYPE_CHECKING:
-    from symbalance.notes.checking.declaration_draft import DeclarationDraft
+    from symbalance.notes.checking.declared.declaration_draft import DeclarationDraft
 
 IN_FOLDERS = (
     ".tex",
@@ -313,7 +313,9 @@ def sidecar_draft(
 
 
 def _draft(text: str, name: str, declarations: Declarations, engines: Engines) -> DeclarationDraft:
-    from symbalance.notes.checking.declaration_draft import DeclarationDraft
-    from symbalance.notes.checking.proposals import propose  # most checks have their letters declared
+    from symbalance.notes.checking.declared.declaration_draft import DeclarationDraft
+    from symbalance.notes.checking.declared.proposals import (
+        propose,  # most checks have their letters declared
+    )
 
     return DeclarationDraft(name, propose(text, name, _letters_by_line(declarations), engines))

@@ -11,11 +11,11 @@ from symbalance.document.formula import Call, Constant, Formula, Name, Number, P
 from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError, brief
 from symbalance.notes.algebra.evaluation import SymbolValue
+from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
-from symbalance.notes.checking.descriptions import describe
-from symbalance.notes.checking.judging_state import read_assumption
 from symbalance.notes.checking.repair.fixes import add_fix
+from symbalance.notes.checking.steps.judging_state import read_assumption
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side
 

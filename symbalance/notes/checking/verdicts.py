@@ -141,25 +141,25 @@ class Verdict(Result):
 
     def summary(self) -> str:
         """Return the line, its verdict and the correction, in one line."""
-        from symbalance.notes.checking.report_document import verdict_summary
+        from symbalance.notes.checking.reports.report_document import verdict_summary
 
         return verdict_summary(self)
 
     def document(self) -> nodes.Document:
         """Return what stands, the verdict on it with its reasons, and what should stand."""
-        from symbalance.notes.checking.report_document import verdict_document
+        from symbalance.notes.checking.reports.report_document import verdict_document
 
         return verdict_document(self)
 
     def data(self) -> dict[str, Any]:
         """Return the verdict with its witness, differences and correction as texts."""
-        from symbalance.notes.checking.report_data import verdict_data
+        from symbalance.notes.checking.reports.report_data import verdict_data
 
         return verdict_data(self)
 
     def records(self) -> list[dict[str, Any]]:
         """Return the verdict as one row."""
-        from symbalance.notes.checking.report_data import verdict_records
+        from symbalance.notes.checking.reports.report_data import verdict_records
 
         return verdict_records((self,))
 
@@ -177,31 +177,31 @@ class Checked(Result):
 
     def summary(self) -> str:
         """Return how many relations were seen and how many verdicts there are of each kind."""
-        from symbalance.notes.checking.report_document import report_summary
+        from symbalance.notes.checking.reports.report_document import report_summary
 
         return report_summary(self)
 
     def document(self) -> nodes.Document:
         """Return the counts, then every relation with its verdict, its reasons and its correction."""
-        from symbalance.notes.checking.report_document import report_document
+        from symbalance.notes.checking.reports.report_document import report_document
 
         return report_document(self)
 
     def browser_document(self) -> nodes.Document:
         """Return the author's own page, typeset, each relation marked; what is wrong stands first."""
-        from symbalance.notes.checking.marked_page import marked_page
+        from symbalance.notes.checking.reports.marked_page import marked_page
 
         return marked_page(self)
 
     def data(self) -> dict[str, Any]:
         """Return the counts, and an entry for each relation and each line that continues one."""
-        from symbalance.notes.checking.report_data import report_data
+        from symbalance.notes.checking.reports.report_data import report_data
 
         return report_data(self)
 
     def records(self) -> list[dict[str, Any]]:
         """Return a row for each verdict."""
-        from symbalance.notes.checking.report_data import verdict_records
+        from symbalance.notes.checking.reports.report_data import verdict_records
 
         return verdict_records(self.verdicts)
 

@@ -36,7 +36,7 @@ from symbalance.notes.checking.deciding.equality import (
 )
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
-from symbalance.notes.checking.plain_formulas import plain_text
+from symbalance.notes.checking.words.plain_formulas import plain_text
 
 MOST_BRANCHES = 16
 

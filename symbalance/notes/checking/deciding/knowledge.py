@@ -11,8 +11,8 @@ from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
 from symbalance.notes.algebra.sums import indexed_letters
 from symbalance.notes.algebra.tree_values import names_behind
-from symbalance.notes.checking.crank_angles_listed import CrankAngles
-from symbalance.notes.checking.geometry import Geometry
+from symbalance.notes.checking.declared.geometry import Geometry
+from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
 
 
 @dataclass(frozen=True, slots=True)

@@ -34,8 +34,8 @@ from symbalance.notes.checking.deciding.equality import REFUTED, Decision, decid
 from symbalance.notes.checking.deciding.inequalities import compare
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, StatedRange
 from symbalance.notes.checking.deciding.substitution import substitute
-from symbalance.notes.checking.plain_formulas import plain_text
-from symbalance.notes.checking.symbol_roles import KNOWN, role_of
+from symbalance.notes.checking.declared.symbol_roles import KNOWN, role_of
+from symbalance.notes.checking.words.plain_formulas import plain_text
 
 Decide = Callable[[Formula, Formula, Knowledge], Decision]
 

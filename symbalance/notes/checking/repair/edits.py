@@ -30,7 +30,7 @@ from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator
 from symbalance.notes.algebra.number_formulas import rational_node
-from symbalance.notes.checking.written_degrees import degrees_of
+from symbalance.notes.checking.words.written_degrees import degrees_of
 
 _SWAPS = {
     "sin": ("cos", "tan"),

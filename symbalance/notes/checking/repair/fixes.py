@@ -25,11 +25,11 @@ from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.harmonics import polynomial_node
 from symbalance.notes.algebra.number_formulas import rational_node
-from symbalance.notes.checking.constraints import letter_counts
+from symbalance.notes.checking.deciding.descriptions import printed_value, rational_of
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.substitution import substitute, without_stacked_fractions
-from symbalance.notes.checking.descriptions import printed_value, rational_of
+from symbalance.notes.checking.premises.constraints import letter_counts
 from symbalance.notes.checking.repair.edits import Edit, edits, parents_of, parts
 from symbalance.notes.checking.repair.numeric_filter import (
     Case,
@@ -44,8 +44,8 @@ from symbalance.notes.checking.repair.slip_words import slip_words
 from symbalance.notes.checking.repair.term_repair import correct_terms, slip_kind, slip_kinds
 from symbalance.notes.checking.repair.tidying import tidied
 from symbalance.notes.checking.verdicts import REFUTED, Fault, Fix, Verdict
-from symbalance.notes.checking.written_degrees import in_degrees
-from symbalance.notes.checking.written_numbers import corrected
+from symbalance.notes.checking.words.written_degrees import in_degrees
+from symbalance.notes.checking.words.written_numbers import corrected
 from symbalance.notes.reading.equations import ReadNotes, Side
 
 OTHER_SIDE = 0.2

@@ -1,0 +1,328 @@
+"""The sidecar file of a document: what its letters mean, where, and what its lines claim to be.
+
+    [symbols]                        letter -> meaning or unit
+    [[scope]]                        lines = [a, b] with symbols and equalities of their own
+    [[bind]]                         line, quantity, engine, order, ...: what a line claims to be
+
+`letters = "crank"` at the head takes a standard set of letters; what [symbols] says goes before it.
+Behind a question mark, `s = "? stroke"`, a meaning is proposed and not confirmed: s is just a letter. A
+scope or a binding with `proposed = true` plays no part.
+
+Unknown keys are errors; every refusal names the file and the line.
+
+The declarations may stand at the head of the document itself instead, as a comment that comes first:
+
+    <!-- [symbols]                   % [symbols]                    # [symbols]
+    r = "crank radius"               % r = "crank radius"           # r = "crank radius"
+    -->                              (.tex)                         (.txt and others)
+    (.md)
+
+In a notebook they are a raw cell of their own, without marks, wherever it stands.
+
+What is read as equations is the rest, at its own lines. A text without a file, typed in or piped, may
+have any of the three.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Set
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from symbalance.notes.checking.declared.role_phrases import USUAL
+from symbalance.notes.checking.declared.symbol_roles import KNOWN, letters_by_role, misspelt_role
+from symbalance.notes.reading import ReadingError, canonical_name
+from symbalance.text.files import file_name, read_text
+from symbalance.text.key_tables import Key, TableKeys
+from symbalance.text.kinds import Choice, Flag, ListOf, Text, Whole
+from symbalance.text.sections import Section, SourceText, read_sections
+
+CONVENTIONS = ("l/r", "r/l", "l/s")
+_MOST = 10**9
+_COUNT = Whole(1, _MOST)
+_ORDER = Whole(1, 1000)
+"""As far as every command goes: a series through 10^9 would fill the memory."""
+_SYMBOLS = "Letters and their meanings or units"
+PROPOSED = "?"
+"""Before a meaning that is proposed and not confirmed."""
+_PROPOSED = Key("proposed", Flag(), "Whether it is proposed and not confirmed: it plays no part")
+SCOPE = TableKeys(
+    "scope",
+    (
+        Key(
+            "lines",
+            ListOf(_COUNT, "[10, 20]", exactly=2),
+            "The first and the last line it holds for",
+            required=True,
+            remedy="count from 1",
+            add="write lines = [10, 20]",
+        ),
+        Key("symbols", TableKeys("scope.symbols", (), others=Text()), _SYMBOLS),
+        Key("given", ListOf(Text(), '["α = π/6"]'), "Equalities that hold there"),
+        _PROPOSED,
+    ),
+)
+BIND = TableKeys(
+    "bind",
+    (
+        Key("line", _COUNT, "The line", required=True, remedy="write line = 2"),
+        Key("quantity", Text(), "What it claims to be", required=True),
+        Key("engine", Text(), "Of which engine: a preset or an engine file"),
+        Key("convention", Choice(CONVENTIONS), "What a series is in", remedy="name one of them"),
+        Key("text", Text(), "The piece of the line that is meant"),
+        Key("scale", Text(), "What it is a multiple of"),
+        Key("unit", Text(), "Its unit"),
+        Key("order", _ORDER, "Of which order", remedy="write order = 2"),
+        *(
+            Key(name, _COUNT, "Of which " + name, remedy=f"write {name} = 2")
+            for name in ("column", "cylinder")
+        ),
+        Key("bank", Whole(-_MOST, _MOST), "Of which bank", remedy="write bank = 2"),
+        Key("through", _ORDER, "The highest order", remedy="write through = 4"),
+        Key("power", Whole(-1000, 1000), "Of the series", remedy="write power = 2"),
+        _PROPOSED,
+    ),
+)
+SIDECAR = TableKeys(
+    "",
+    (
+        Key("letters", Choice(tuple(USUAL)), "A standard set of letters", remedy="name one of them"),
+        Key("symbols", TableKeys("symbols", (), others=Text()), _SYMBOLS),
+        Key("scope", SCOPE, "Lines with letters and assumptions of their own", listed=True),
+        Key("bind", BIND, "What lines claim to be", listed=True),
+    ),
+)
+_MARKDOWN = re.compile(r"\s*<!--\s*(\[(?:symbols|\[scope\]|\[bind\])\].*?)-->", re.DOTALL)
+_LINES = {mark: re.compile(rf"\s*(?:{mark}[^\n]*(?:\n|$))+") for mark in ("%", "#")}
+_RAW_CELL = re.compile(
+    r"<!-- cell [0-9]{1,6}: raw -->\n(`{3,})code\n(\s*\[(?:symbols|\[scope\]|\[bind\])\].*?)\n\1(?:\n|$)",
+    re.DOTALL,
+)
+_BY_SUFFIX = {
+    ".md": (_MARKDOWN,),
+    ".tex": (_LINES["%"],),
+    "": (_MARKDOWN, _LINES["%"], _LINES["#"]),
+}
+_OPENING = re.compile(r"\s*\[\s*symbols\s*\]|\s*\[\[\s*(?:scope|bind)\s*\]\]")
+
+
+@dataclass(frozen=True, slots=True)
+class Scope:
+    """Lines with letters and assumptions of their own; both ends included."""
+
+    first: int
+    last: int
+    symbols: Mapping[str, str] = field(default_factory=dict)
+    assumptions: tuple[str, ...] = ()
+    proposed: bool = False
+
+    def holds(self, line: int) -> bool:
+        """Tell whether a line lies in the scope."""
+        return self.first <= line <= self.last
+
+
+@dataclass(frozen=True, slots=True)
+class Binding:
+    """What a line, or a piece `text` of it, claims to be."""
+
+    line: int
+    quantity: str
+    engine: str = ""
+    convention: str = ""
+    text: str = ""
+    scale: str = ""
+    unit: str = ""
+    order: int | None = None
+    column: int | None = None
+    cylinder: int | None = None
+    bank: int | None = None
+    through: int | None = None
+    power: int | None = None
+    proposed: bool = False
+    place: str = ""
+
+    @property
+    def title(self) -> str:
+        """Return what the line claims to be, in words."""
+        if self.quantity == "value":
+            return self.scale
+        parts = [self.quantity]
+        parts += [f"order {self.order}"] if self.order is not None else []
+        parts += [f"cylinder {self.cylinder}"] if self.cylinder is not None else []
+        parts += [f"bank {self.bank}"] if self.bank is not None else []
+        parts += [f"of {Path(self.engine).stem}"] if self.engine else []
+        return ", ".join(parts[:-1]) + (" " if self.engine else ", " if parts[:-1] else "") + parts[-1]
+
+
+@dataclass(frozen=True, slots=True)
+class Declarations:
+    """All that is declared about a document."""
+
+    symbols: Mapping[str, str] = field(default_factory=dict)
+    scopes: tuple[Scope, ...] = ()
+    bindings: tuple[Binding, ...] = ()
+    place: str = "symbols"
+    proposed_scopes: tuple[Scope, ...] = ()
+    proposed_bindings: tuple[Binding, ...] = ()
+    """What is proposed and not confirmed, which nothing is judged by."""
+
+    @property
+    def is_declared(self) -> bool:
+        """Tell whether anything at all is declared."""
+        return self.place != "symbols" or bool(self.symbols or self.scopes or self.bindings)
+
+    @property
+    def proposal_count(self) -> int:
+        """The number of proposals that nobody has confirmed."""
+        texts = [
+            *self.symbols.values(),
+            *(text for scope in self.scopes for text in scope.symbols.values()),
+        ]
+        of_letters = sum(text.startswith(PROPOSED) for text in texts)
+        return of_letters + len(self.proposed_scopes) + len(self.proposed_bindings)
+
+    def without_idle(self, used: Set[str]) -> Declarations:
+        """Return the declarations without letters that stand aside for another of the same meaning.
+
+        A course whose notes write θ or φ declares both a crank angle. A page that writes φ alone has one
+        crank angle, and what is known of a rod angle or a displacement must be said in that.
+        """
+        if self.scopes or self.bindings:  # their texts may hold letters that the page does not
+            return self
+        by_role = letters_by_role(self.symbols)
+        idle = {
+            name
+            for role, letters in by_role.items()
+            if role in KNOWN and not used.isdisjoint(letters)
+            for name in letters
+            if name not in used
+        }
+        return replace(self, symbols={n: text for n, text in self.symbols.items() if n not in idle})
+
+    def accepted(self) -> Declarations:
+        """Return the declarations with every proposal taken as confirmed."""
+        scopes = (*self.scopes, *self.proposed_scopes)
+        return replace(
+            self,
+            symbols=_confirmed(self.symbols),
+            scopes=tuple(replace(scope, symbols=_confirmed(scope.symbols)) for scope in scopes),
+            bindings=(*self.bindings, *self.proposed_bindings),
+            proposed_scopes=(),
+            proposed_bindings=(),
+        )
+
+    def below(self, other: Declarations) -> Declarations:
+        """Return the declarations with the letters of `other` added that these do not declare."""
+        return replace(self, symbols={**other.symbols, **self.symbols})
+
+    def symbols_at(self, line: int) -> dict[str, str]:
+        """Return the letters declared for a line; later scopes override earlier ones."""
+        symbols = dict(self.symbols)
+        for scope in self.scopes:
+            if scope.holds(line):
+                symbols |= scope.symbols
+        return symbols
+
+    def assumptions_at(self, line: int) -> tuple[str, ...]:
+        """Return the assumptions that stand at a line."""
+        holding = (scope for scope in self.scopes if scope.holds(line))
+        return tuple(text for scope in holding for text in scope.assumptions)
+
+    def owner(self, letter: str, line: int) -> int:
+        """Return the number of the last scope that declares a letter at a line, -1 for [symbols]."""
+        return max((k for k in self.scope_at(line) if letter in self.scopes[k].symbols), default=-1)
+
+    def scope_at(self, line: int) -> tuple[int, ...]:
+        """Return the numbers of the scopes a line lies in: what tells two places' letters apart."""
+        return tuple(k for k, scope in enumerate(self.scopes) if scope.holds(line))
+
+
+def read_sidecar(path: str | Path) -> Declarations:
+    """Return the declarations of a sidecar file."""
+    return parse_sidecar(read_text(path, what="a symbols file"), file_name(path))
+
+
+def parse_sidecar(text: str, place: str) -> Declarations:
+    """Return the declarations in the text of a sidecar; `place` is what errors call it."""
+    remedy = 'correct the line; a letter such as θ stands in quotes: "θ" = "crank angle"'
+    return _declarations(read_sections(text, place, SIDECAR, remedy))
+
+
+def declarations_in(symbols: Mapping[str, Any]) -> Declarations:
+    """Return the declarations in a Python mapping: letters to meanings, or a sidecar's whole table."""
+    table = dict(symbols)
+    if any(isinstance(value, str) for value in table.values()) or not set(table) <= set(SIDECAR.by_name):
+        table = {"symbols": table}
+    return _declarations(Section(table, SIDECAR, SourceText("", "symbols")).check())
+
+
+def _declarations(file: Section) -> Declarations:
+    scopes = tuple(_scope(table) for table in file.sections("scope"))
+    bindings = tuple(Binding(**table.values(), place=table.place()) for table in file.sections("bind"))
+    usual = {
+        canonical_name(letter): text for letter, text in USUAL.get(file.value("letters"), {}).items()
+    }
+    return Declarations(
+        usual | _symbols(file.section("symbols")),
+        tuple(scope for scope in scopes if not scope.proposed),
+        tuple(binding for binding in bindings if not binding.proposed),
+        file.source.place,
+        tuple(scope for scope in scopes if scope.proposed),
+        tuple(binding for binding in bindings if binding.proposed),
+    )
+
+
+def _confirmed(symbols: Mapping[str, str]) -> dict[str, str]:
+    return {name: text.removeprefix(PROPOSED).strip() for name, text in symbols.items()}
+
+
+def _symbols(table: Section) -> dict[str, str]:
+    meanings: dict[str, str] = {}
+    for letter, meaning in table.values().items():
+        try:
+            name = canonical_name(letter)
+        except ReadingError as problem:
+            raise table.refusal(letter, problem.what, "write one letter") from None
+        if name in meanings:
+            raise table.refusal(letter, "is declared twice", "keep one line of it")
+        nearest = misspelt_role(meaning)
+        if nearest is not None:
+            remedy = f'write "{nearest}", or "variable, {meaning.strip()}" for just a letter'
+            raise table.refusal(letter, f"has no known meaning, but one much like {nearest}", remedy)
+        meanings[name] = meaning.strip()
+    return meanings
+
+
+def _scope(table: Section) -> Scope:
+    first, last = table.value("lines")
+    if first > last:
+        raise table.refusal("lines", "must go upwards", "write lines = [10, 20]")
+    symbols = _symbols(table.section("symbols"))
+    return Scope(first, last, symbols, tuple(table.value("given") or ()), bool(table.value("proposed")))
+
+
+# Declarations at the head of the document itself
+
+
+def without_header(text: str, suffix: str) -> tuple[str, str]:
+    """Return (the document with its header blank, the header's text as TOML); "" if there is none.
+
+    >>> without_header('% [symbols]\\n% r = "crank radius"\\n$r=1$', ".tex")[1]
+    '[symbols]\\nr = "crank radius"\\n'
+    """
+    if suffix.lower() == ".ipynb":  # a raw cell stands fenced, and is passed over as it is
+        cell = _RAW_CELL.search(text)
+        return text, "\n" * text[: cell.start(2)].count("\n") + cell[2] + "\n" if cell else ""
+    for pattern in _BY_SUFFIX.get(suffix, (_LINES["#"],)):
+        match = pattern.match(text)
+        if match is None:
+            continue
+        in_lines = pattern is not _MARKDOWN
+        inside = re.sub(r"(?m)^[ \t]*[%#][ \t]?", "", match[0]) if in_lines else match[1]
+        if _OPENING.match(inside):
+            blank = re.sub(r"[^\n]", " ", match[0])
+            before = 0 if in_lines else text[: match.start(1)].count("\n")
+            return blank + text[match.end() :], "\n" * before + inside
+    return text, ""

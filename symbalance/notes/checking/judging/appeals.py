@@ -1,0 +1,92 @@
+"""Appeals of a relation that does not come out, heard one by one before its refutation stands."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from symbalance.document.formula import Formula, Name, names
+from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
+from symbalance.notes.checking.deciding.relations import decide, decide_at_value
+from symbalance.notes.checking.judging.open_reasons import unless_open
+from symbalance.notes.checking.premises.impossible_values import number_of
+from symbalance.notes.checking.premises.premise_decisions import must_follow
+from symbalance.notes.checking.steps.angle_equations import at_rough_angle
+from symbalance.notes.checking.steps.dead_centres import angle_there
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.steps.letters_below import with_letters_below
+from symbalance.notes.checking.steps.stated_equations import unless_stated
+from symbalance.notes.checking.units.numbers_in_units import decide_in_units
+from symbalance.notes.checking.verdicts import REFUTED
+from symbalance.notes.checking.words.plain_formulas import plain_text
+from symbalance.notes.reading.equations import Chain, Side
+
+
+def appeal(
+    state: JudgingState, chain: Chain, k: int, against: Side, decision: Decision, knowledge: Knowledge
+) -> Decision:
+    """Return the decision on a refuted relation by all that may be meant with it, in turn."""
+    of_matrices = is_of_matrices(chain.sides[k].node, chain.sides[k + 1].node, knowledge)
+    # cases and conditions are of numbers
+    may_state = not of_matrices and not must_follow(state.definitions, chain, k) and not state.general
+    if decision.status == REFUTED and may_state:
+        decision = unless_stated(state, chain, k, against, decision, knowledge)
+    if decision.status == REFUTED:
+        decision = decide_in_units(chain, k, decision, state.document, knowledge)
+    if decision.status == REFUTED:
+        decision = _with_wrong_results(state, chain, k, against, decision, knowledge)
+    for mend in (_at_stated_angle, with_letters_below, at_rough_angle, unless_open):
+        if decision.status == REFUTED:
+            decision = mend(state, chain, k, decision, knowledge)
+    return decision
+
+
+def _with_wrong_results(
+    state: JudgingState, chain: Chain, k: int, against: Side, decision: Decision, knowledge: Knowledge
+) -> Decision:
+    """Return the proof of a relation from a number that is refuted where it was printed first."""
+
+    def by(left: Side, right: Side, known: Knowledge) -> Decision:
+        return decide(left, right, chain.relations[k].sign, known)
+
+    def value_of(node: Formula) -> float | None:
+        number = number_of(node, knowledge)
+        return None if number is None else float(number)
+
+    by_wrong_number = state.wrong_numbers.decide((against, chain.sides[k + 1]), knowledge, by, value_of)
+    return by_wrong_number or decision
+
+
+def _at_stated_angle(
+    state: JudgingState, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
+) -> Decision:
+    """Return the proof of a relation at an angle its sentence names: at top dead centre, where θ = 0.
+
+    An angle stays free where a line gives it a number; a relation without it may be meant there. One
+    that is wrong there too is refuted there, where its line gives the angle.
+    """
+    left, right, line = chain.sides[k], chain.sides[k + 1], chain.lines[0]
+    angles: list[tuple[str, Formula]] = []
+    for name in sorted(knowledge.angles):
+        definition = knowledge.definitions.get(name)
+        if definition is None or not definition.numeric:
+            continue
+        is_here = state.sections.paragraph_start(line) <= definition.line
+        if is_here or line <= state.sections.case_end(definition.line):
+            angles.append((name, definition.node))
+    if (at_centre := angle_there(state, chain, k, knowledge)) is not None:
+        angles.append(at_centre)
+    refuted_there = decision
+    for name, value in angles:
+        if name in names(right.node):
+            continue
+        assumption = f"{plain_text(Name(name))} = {plain_text(value)}"
+        there = decide_at_value(left, right, chain.relations[k].sign, knowledge, name, value)
+        if there.is_proved:
+            return replace(there, assumptions=(*there.assumptions, assumption))
+        own = knowledge.definitions.get(name)
+        is_stated = own is not None and own.line in chain.lines and not k
+        if there.status == REFUTED and is_stated and name not in names(left.node):
+            refuted_there = replace(there, reason=there.reason or f"at {assumption}")
+    return refuted_there

@@ -1,0 +1,423 @@
+"""The class `Judge`: goes through a document's equations in order and gives each its verdict."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import partial
+from itertools import product
+
+from symbalance.budgets import Budget
+from symbalance.document.formula import Call, Formula, Name, names, walk
+from symbalance.errors import SymbalanceError
+from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.checking.deciding.descriptions import describe, unreadable_verdict, with_fault
+from symbalance.notes.checking.deciding.equality import PROVED, Decision
+from symbalance.notes.checking.deciding.guarded_verdicts import PAGE, Guard
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.relations import NO_VALUES_HERE, decide
+from symbalance.notes.checking.deciding.remainders import is_remainder
+from symbalance.notes.checking.declared.engines import Sources
+from symbalance.notes.checking.declared.sidecar import Binding, Declarations
+from symbalance.notes.checking.judging.judging_order import chains_in_turn, number_verdicts
+from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
+from symbalance.notes.checking.meant.motion_in_time import with_rates_of_rates
+from symbalance.notes.checking.page import assertions
+from symbalance.notes.checking.page.consequences import decide_consequence
+from symbalance.notes.checking.page.engine_blocks import EngineBlocks
+from symbalance.notes.checking.page.letters_of_sections import numbers_of_this_section
+from symbalance.notes.checking.page.page_data import data_of
+from symbalance.notes.checking.page.quotations import Quotations
+from symbalance.notes.checking.steps.angle_equations import lines_of_angles
+from symbalance.notes.checking.steps.another_place import leave_place
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.steps.letters_below import with_clauses_below
+from symbalance.notes.checking.steps.open_cases import (
+    cases_left_by,
+    cases_replaced_by,
+    end_cases,
+    lines_of_numbers,
+    past_cases,
+    without_cases,
+)
+from symbalance.notes.checking.steps.series_relations import judge_series
+from symbalance.notes.checking.units.dimensions import Dimensions, Mismatch, declared_dimension, unit_text
+from symbalance.notes.checking.units.own_units import with_speeds
+from symbalance.notes.checking.verdicts import (
+    CONDITION,
+    CONTRADICTION,
+    DEFINITION,
+    PROVED_WORDS,
+    REFUTED,
+    UNDECIDED,
+    Checked,
+    Verdict,
+)
+from symbalance.notes.checking.words.terms_of_a_kind import unlike_terms
+from symbalance.notes.checking.words.unit_or_letter import with_both_readings
+from symbalance.notes.reading.equations import Chain, ReadNotes
+
+
+@dataclass
+class Judge:
+    """Judges one document, chain by chain, within its budget."""
+
+    document: ReadNotes
+    declarations: Declarations
+    sources: Sources = field(default_factory=Sources)
+    budget: Budget = PAGE
+    corrects: bool = True
+
+    def __post_init__(self) -> None:
+        symbols_at = self.declarations.symbols_at
+        self.document = with_both_readings(self.document, symbols_at)
+        data = data_of(self.document, symbols_at)
+        chains = (*self.document.chains, *data)
+        every = with_speeds(replace(self.document, chains=chains), symbols_at).chains
+        self.document = replace(self.document, chains=every[: len(self.document.chains)])
+        self.data = list(every[len(self.document.chains) :])
+        """The page's data that stand in tables, lists and code, and have not been reached yet."""
+        self.document, motions = with_rates_of_rates(
+            self.document, self.declarations, self.sources.engines
+        )
+        self.state = JudgingState(self.document, self.declarations, self.sources, self.corrects, motions)
+        self.blocks = EngineBlocks(self.document.text, self.state.sections)
+        self.guard = Guard(self.document, self.budget)
+        self.quotations = Quotations(self.document)
+
+    def check(self) -> Checked:
+        """Return the document with its verdicts."""
+        bindings = assertions.by_line(self.declarations.bindings)
+        verdicts: list[Verdict] = [unreadable_verdict(self.document, u) for u in self.document.unreadable]
+        for chain in chains_in_turn(self.document, self.state.sections):
+            self._take_data(chain)
+            self.blocks.enter(chain.lines[0], self.state.definitions)
+            chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
+            verdicts += self.chain(chain, chain_binds)
+        for binding in (b for rest in bindings.values() for b in rest):
+            if not assertions.name_unreadable(verdicts, self.document, binding):
+                missing_equation = partial(assertions.missing_equation, self.document, binding)
+                verdicts.append(self.guard.verdict(missing_equation, (0, 0), binding.line))
+        for binding in self.declarations.bindings:
+            if binding.text:
+                verdicts.append(self.guard.verdict(partial(self.piece, binding), (0, 0), binding.line))
+        numbered = number_verdicts(verdicts)
+        return Checked(
+            self.document, tuple(replace(v, cell=self.document.cell_of(v.line)) for v in numbered)
+        )
+
+    def _take_data(self, chain: Chain) -> None:
+        """Define the letters of the tables, lists and code above a chain; a formula's letter is left."""
+        line, start = chain.lines[0], chain.sides[0].span[0]
+        while self.data and (
+            self.data[0].lines[0] < line
+            or (self.data[0].lines[0] == line and self.data[0].sides[-1].span[1] <= start)
+        ):
+            datum = self.data.pop(0)
+            name = next(iter(names(datum.sides[0].node)))
+            earlier = self.state.knowledge(datum.lines[0]).definitions.get(name)
+            if earlier is not None and not earlier.numeric:
+                continue
+            verdicts = self.chain(datum, [])
+            if any(v.verdict in (REFUTED, CONTRADICTION, UNDECIDED) for v in verdicts):
+                self.state.definitions.define(name, datum.sides[1].node, datum)  # another engine's table
+
+    def piece(self, binding: Binding) -> Verdict:
+        """Return the verdict on a piece of a line that is bound to a quantity."""
+        span = assertions.span_of(self.document, binding)
+        return self.guard.verdict(partial(self._piece, binding), span, binding.line)
+
+    def _piece(self, binding: Binding) -> Verdict:
+        knowledge = self.state.knowledge(binding.line, binding.convention)
+        names_here = frozenset(self.declarations.symbols_at(binding.line))
+        return assertions.piece_verdict(self.document, binding, knowledge, names_here, self.sources)
+
+    def chain(self, chain: Chain, bindings: list[Binding]) -> list[Verdict]:
+        """Return the verdicts on a chain's relations in order; none is lost by a fault of the checker."""
+        if not bindings and (quoted := self.quotations.verdicts(chain)) is not None:
+            return quoted
+        verdicts: list[Verdict] = []
+        try:
+            self._judge(chain, bindings, verdicts)
+            self.quotations.note(chain, verdicts)
+        except SymbalanceError:
+            raise  # a declaration that cannot be used
+        except Exception as problem:
+            return with_fault(self.document, chain, verdicts, problem)
+        return verdicts
+
+    def _judge(self, chain: Chain, bindings: list[Binding], verdicts: list[Verdict]) -> None:
+        """Add the verdicts on a chain's relations, and define its letters."""
+        sound, bad = 0, False
+        bound = self._bound(chain, bindings)
+        if not chain.relations:
+            verdicts += [self.assertion(chain, 0, b, None) for b in bound.values()]
+            return
+        for k, relation in enumerate(chain.relations):
+            if k == 0 and 0 in bound:
+                verdicts.append(self.assertion(chain, 0, bound[0], None))
+            span = chain.sides[k + 1].span
+            verdict = self.guard.verdict(partial(self.link, chain, k, sound, bad), span, relation.line)
+            if k + 1 in bound:
+                is_excused = bad or isinstance(chain.sides[k].node, Name)
+                verdict = self.assertion(chain, k + 1, bound[k + 1], verdict, is_excused)
+            verdicts.append(verdict)
+            if verdict.verdict == REFUTED:
+                self.state.wrong_numbers.note(chain, k)
+                self.state.definitions.forget_moment(chain.sides[k + 1].node)
+            head = chain.sides[0].node
+            if k and verdict.reason.endswith(NO_VALUES_HERE) and isinstance(head, Name):
+                self.state.definitions.define(head.name, chain.sides[k + 1].node, chain)  # F = Σ F_i = …
+            self.state.given_numbers.note(chain, k, verdict)
+            if verdict.is_unjudged:
+                self.state.not_judged |= dict.fromkeys(_lone_letters(chain, k), relation.line)
+            if k and verdict.verdict in PROVED_WORDS and isinstance(chain.sides[0].node, Name):
+                self.state.definitions.round(chain.sides[0].node.name, chain, chain.sides[k + 1].node)
+            bad = verdict.verdict == REFUTED or (bad and verdict.reason == FOLLOWS)
+            if not bad:
+                sound = k + 1
+        self.state.definitions.use(chain)
+
+    def _bound(self, chain: Chain, bindings: list[Binding]) -> dict[int, Binding]:
+        """Return what each side is bound to; two bindings of one are refused: one would go unjudged."""
+        bound: dict[int, Binding] = {}
+        for binding in (b for b in bindings if not b.text):
+            earlier = bound.setdefault(assertions.side_of(self.document, chain, binding), binding)
+            if earlier is not binding:
+                rule = f"is bound twice, as {earlier.title} and as {binding.title}"
+                remedy = "keep one, or bind a piece of the line with text"
+                raise SymbalanceError(f"line = {binding.line}", rule, remedy, f"{binding.place}: bind")
+        return bound
+
+    def assertion(
+        self, chain: Chain, index: int, binding: Binding, step: Verdict | None, is_excused: bool = False
+    ) -> Verdict:
+        """Return the verdict on a side that is bound to a quantity; `step` is that of its relation.
+
+        `is_excused` tells that the side before is known to be wrong, or only a name.
+        """
+
+        def verdict() -> Verdict:
+            knowledge = self.state.knowledge(chain.lines[0], binding.convention)
+            return assertions.side_verdict(
+                self.document, chain, index, binding, knowledge, self.sources, step, is_excused
+            )
+
+        line = chain.relations[index - 1].line if index else 0
+        return self.guard.verdict(verdict, chain.sides[index].span, line)
+
+    def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
+        """Return the verdict on the k-th relation of a chain.
+
+        What is said of all values does not rest on a case before, and one case takes another's place.
+        """
+        angles = (
+            self.state.knowledge(chain.lines[0]).angles
+            if self.state.definitions.cases
+            else frozenset[str]()
+        )
+        left = cases_left_by(self.state.definitions, chain, angles)
+        start = min(side.span[0] for side in chain.sides)
+        own = chain.letters
+        spoken = dict.fromkeys(own, False)
+        self.state.general = self.state.sections.spoken_of_generally(chain, spoken, named=True)
+        examples = lines_of_numbers(self.state.definitions, self.state.general)
+        if left or examples:
+            free = frozenset(name for case in left for name in case.letters)
+            self.state.general |= free
+            lines = examples | {case.line for case in left}
+            with without_cases(self.state.definitions, lines, self.state.general):
+                verdict = self._link_in_scope(chain, k, sound, bad)
+            end_cases(self.state.definitions, left, start)
+            return verdict
+        verdict = self._link_in_scope(chain, k, sound, bad)
+        if verdict.verdict in (REFUTED, CONTRADICTION) and leave_place(self.state, chain):
+            return self._link_in_scope(chain, k, sound, bad)
+        if verdict.verdict == CONTRADICTION and (
+            others := cases_replaced_by(self.state.definitions, chain)
+        ):
+            end_cases(self.state.definitions, others, start)
+            return self._link_in_scope(chain, k, sound, bad)
+        return verdict
+
+    def _link_in_scope(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
+        """Return the verdict on a relation by what is in scope there; a case that is past may be left."""
+        if (by_place := self._decide_by_place(chain, k)) is not None:
+            return describe(self.document, chain, k, by_place)
+        knowledge = with_clauses_below(self.state, chain, k, self.state.knowledge(chain.lines[0]))
+        knowledge = self.state.knowledge_of(chain, knowledge)
+        mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
+        if mismatch is not None and (
+            anew := numbers_of_this_section(self.state.sections, chain, knowledge)
+        ):
+            others = {n: d for n, d in knowledge.definitions.items() if n not in anew}
+            freer = replace(knowledge, definitions=others)
+            if self._mismatch(chain, k, sound if bad else k, freer) is None:
+                mismatch, knowledge = None, freer
+        if mismatch is None:
+            chain = self._in_fitting_units(chain, k, sound if bad else k, knowledge)
+        left, right = chain.sides[k], chain.sides[k + 1]
+        general_proof = self._for_all_values(chain, k) if mismatch is None else None
+        before = self.state.definitions.coefficients()
+        if general_proof is not None:
+            outcome: Verdict | Decision = general_proof[0]
+            knowledge = general_proof[1]
+        else:
+            outcome = self._by_kind(chain, k, sound, bad, knowledge)
+        angles, line = knowledge.angles, chain.lines[0]
+        turning = angles | (_turned(left.node) & _turned(right.node))
+        again = self.state.sections.numbers_given_again(line)
+        turned = (_turned(left.node) | _turned(right.node)) - again
+        values = {name: d.node for name, d in knowledge.definitions.items()}
+        behind = names(left.node) if k else {*names_behind(left.node, values)}
+        rests_on_case = bool((turning | turned) & behind & names(right.node)) and _is_proved(outcome)
+        past = frozenset[int]()
+        angles = turning | turned if rests_on_case else angles
+        if _word(outcome) in (REFUTED, CONTRADICTION) or rests_on_case:
+            past = past_cases(self.state.definitions, line, angles, turned)
+        if past:
+            fixed = self.state.definitions.forget_coefficients(but=before)
+            with without_cases(self.state.definitions, past, angles | turned):
+                freer = with_clauses_below(self.state, chain, k, self.state.knowledge(line))
+                freer = self.state.knowledge_of(chain, freer)
+                # a series that has just fixed its letters is read anew: it is no claim about their values
+                judge = self._by_kind if fixed else partial(judge_relation, self.state)
+                general = judge(chain, k, sound, bad, freer)
+            # a case that is past makes no relation true in which its angle stands
+            is_open = rests_on_case or _word(general) == UNDECIDED
+            if _word(general) in (REFUTED, CONTRADICTION) or not is_open:
+                outcome, knowledge, fixed = general, freer, {}
+            self.state.definitions.put_back(fixed)
+        if k or chain.sides[0].span[0] not in self.state.solutions:
+            outcome = self._as_consequence(chain, k, outcome, knowledge)
+        verdict = describe(self.document, chain, k, outcome) if isinstance(outcome, Decision) else outcome
+        if mismatch is None:
+            return verdict
+        if verdict.verdict == REFUTED:  # its witness and its correction say more
+            return replace(verdict, reason=verdict.reason or mismatch.reason)
+        return describe(self.document, chain, k, mismatch)
+
+    def _decide_by_place(self, chain: Chain, k: int) -> Decision | None:
+        """Return the decision on a relation by the place where it stands, None for most."""
+        if chain.sides[0].span[0] in self.state.conditions:
+            return Decision(CONDITION, "of the relation before it")
+        if (chain.sides[k].span, chain.sides[k + 1].span) in self.state.motions.places:
+            return Decision(DEFINITION, "how it changes with the time")
+        return None
+
+    def _by_kind(
+        self, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
+    ) -> Verdict | Decision:
+        """Return the verdict on a relation as one of a remainder, of a series, or as any other."""
+        left, right = chain.sides[k], chain.sides[k + 1]
+        if is_remainder(left.node) or is_remainder(right.node):
+            return decide(left, right, chain.relations[k].sign, knowledge)
+        by_series = judge_series(self.state, chain, k, knowledge)
+        return by_series or judge_relation(self.state, chain, k, sound, bad, knowledge)
+
+    def _for_all_values(self, chain: Chain, k: int) -> tuple[Decision, Knowledge] | None:
+        """Return the proof of a relation for all values of its angles, and what is known without them.
+
+        None where no line above has put one in, or where it takes their values to make it true.
+        """
+        left, right, line = chain.sides[k], chain.sides[k + 1], chain.lines[0]
+        if isinstance(left.node, Name) or chain.relations[k].sign not in "=≈":
+            return None
+        cases, own = lines_of_angles(self.state, chain, k, self.state.knowledge(line))
+        if not cases:
+            return None
+        with without_cases(self.state.definitions, cases, own):
+            freer = with_clauses_below(self.state, chain, k, self.state.knowledge(line))
+            decision = decide(left, right, chain.relations[k].sign, freer)
+        return (decision, freer) if decision.is_proved else None
+
+    def _as_consequence(
+        self, chain: Chain, k: int, outcome: Verdict | Decision, knowledge: Knowledge
+    ) -> Verdict | Decision:
+        """Return the outcome of a relation that is said to follow from the one before, judged as that."""
+        decision = outcome if isinstance(outcome, Decision) else outcome.decision
+        if isinstance(outcome, Verdict) and outcome.verdict in PROVED_WORDS:
+            decision = decision or Decision(PROVED)
+        if k or decision is None or decision.status in (REFUTED, CONTRADICTION):
+            return outcome
+        known = replace(knowledge, ranges=tuple(self.state.definitions.ranges_at(chain.lines[0])))
+        sections = self.state.sections
+        judged = decide_consequence(self.document, sections, chain, decision, known)
+        if judged is decision:
+            return outcome
+        if judged.status == REFUTED:
+            self.state.definitions.forget_range(chain)
+        return judged
+
+    def _in_fitting_units(self, chain: Chain, k: int, against: int, knowledge: Knowledge) -> Chain:
+        """Return a chain without the readings whose units fit none of the other side."""
+        left, right = chain.sides[against], chain.sides[k + 1]
+        if len(left.readings) == len(right.readings) == 1:
+            return chain
+        mismatches = self._mismatches(chain, k, against, knowledge)
+        fitting = [pair for pair, mismatch in mismatches.items() if mismatch is None]
+        sides = list(chain.sides)
+        for place, side, which in ((against, left, 0), (k + 1, right, 1)):
+            places = {pair[which] for pair in fitting}
+            readings = tuple(node for n, node in enumerate(side.readings) if n in places)
+            sides[place] = replace(side, readings=readings)
+        return replace(chain, sides=tuple(sides))
+
+    def _mismatches(
+        self, chain: Chain, k: int, against: int, knowledge: Knowledge
+    ) -> dict[tuple[int, int], Mismatch | None]:
+        """Return for each two readings of two sides where their units differ, None where they do not."""
+        values = {name: d.node for name, d in knowledge.definitions.items()}
+        symbols = self.declarations.symbols_at(chain.lines[0])
+        dimensions = Dimensions(symbols, values, self.document.text)
+        left, right = chain.sides[against], chain.sides[k + 1]
+        sources = (self.document.source(left.span), self.document.source(right.span))
+        return {
+            (m, n): dimensions.mismatch(first, second, sources)
+            for (m, first), (n, second) in product(enumerate(left.readings), enumerate(right.readings))
+        }
+
+    def _mismatch(self, chain: Chain, k: int, against: int, knowledge: Knowledge) -> Decision | None:
+        """Refute a relation whose sides, or terms, are in different units."""
+        unlike = [unlike_terms(node) for node in chain.sides[k + 1].readings]
+        if all(unlike) and chain.relations[k].sign in "=≈":
+            return Decision(REFUTED, unlike[0])
+        lettered = [against]
+        if against and not names(chain.sides[against].node):  # m = 0.44 + 0.18 = 0.62 m is no mass
+            symbols = self.declarations.symbols_at(chain.lines[0])
+            heads = ((n, chain.sides[n].node) for n in range(against))
+            lettered += [
+                n for n, head in heads if isinstance(head, Name) and _has_dimension(head, symbols)
+            ]
+        for place in lettered:
+            mismatches = list(self._mismatches(chain, k, place, knowledge).values())
+            if all(mismatches) and mismatches[0] is not None:
+                witness = {"left": unit_text(mismatches[0].left), "right": unit_text(mismatches[0].right)}
+                return Decision(REFUTED, mismatches[0].reason, witness=witness)
+        return None
+
+
+def _has_dimension(letter: Name, symbols: Mapping[str, str]) -> bool:
+    return declared_dimension(symbols.get(letter.name, "")) is not None
+
+
+def _word(outcome: Verdict | Decision) -> str:
+    return outcome.status if isinstance(outcome, Decision) else outcome.verdict
+
+
+def _is_proved(outcome: Verdict | Decision) -> bool:
+    return outcome.is_proved if isinstance(outcome, Decision) else outcome.verdict in PROVED_WORDS
+
+
+def _turned(node: Formula) -> frozenset[str]:
+    """Return the letters within sines and cosines, angles though nobody has declared them."""
+    turning = ("sin", "cos", "tan")
+    calls = (part for part in walk(node) if isinstance(part, Call) and part.function in turning)
+    return frozenset(name for call in calls for name in names(call.argument))
+
+
+def _lone_letters(chain: Chain, k: int) -> Iterator[str]:
+    """Yield the letters that the k-th relation of a chain may define."""
+    for side in (chain.sides[0], chain.sides[k], chain.sides[k + 1]):
+        if isinstance(side.node, Name):
+            yield side.node.name

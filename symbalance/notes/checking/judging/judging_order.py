@@ -1,0 +1,107 @@
+"""The order in which relations are judged: line by line, a case before what is said of it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+
+from symbalance.document.formula import Call, Name, names
+from symbalance.notes.checking.deciding.cases import states_a_case
+from symbalance.notes.checking.page.solutions import WAVES
+from symbalance.notes.checking.verdicts import Verdict
+from symbalance.notes.checking.words.case_words import is_case_behind, is_place_behind
+from symbalance.notes.checking.words.sections import Sections
+from symbalance.notes.reading.equations import Chain, ReadNotes
+
+
+def chains_in_turn(document: ReadNotes, sections: Sections) -> list[Chain]:
+    """Return the chains by lines, on one line first what states a case: x² = 4 for x = 2.
+
+    A result is no case (so x = 2; v = 2 s n, v = 9), nor is the second value of a letter on one line,
+    nor what stands behind that: r = 40, l = 160; r = 45, l = 150, λ = 0.3.
+    """
+    by_line: dict[int, list[Chain]] = {}
+    for chain in document.chains:
+        by_line.setdefault(chain.lines[0], []).append(chain)
+    ordered: list[Chain] = []
+    for line in sorted(by_line):
+        first: dict[frozenset[str], Chain] = {}
+        heads_above: set[frozenset[str]] = set()
+        is_second = False
+        for chain in by_line[line]:
+            own = names(chain.sides[0].node)
+            is_second = is_second or (own in first and states_a_case(chain))
+            is_result = sections.is_consequence(chain) or own in heads_above or is_second
+            is_result = is_result or any(relation.sign == "≈" for relation in chain.relations)
+            if states_a_case(chain) and not is_result:
+                first[own] = chain
+            is_letter = isinstance(chain.sides[0].node, Name) or _asks_for_angle(chain)
+            if is_letter or not any(names(s.node) for s in chain.sides[1:]):
+                heads_above.add(own)
+        cases = list(first.values())
+        others = [c for c in by_line[line] if all(c is not case for case in cases)]
+        in_turn = [*cases, *_cases_before_claims(document, others)]
+        ordered += _places_before_values(document, in_turn)
+    return ordered
+
+
+def _cases_before_claims(document: ReadNotes, chains: list[Chain]) -> list[Chain]:
+    """Return the chains of a line, another case before the claim it stands behind: for θ = π."""
+    ordered: list[Chain] = []
+    for chain in chains:
+        last = ordered[-1] if ordered else None
+        first, end = chain.sides[0].span[0], chain.sides[-1].span[1]
+        is_behind = last is not None and is_case_behind(document.text, last.sides[-1].span[1], first, end)
+        is_case = is_behind and states_a_case(chain)
+        if last is not None and _asks_for_angle(last) and last.letters >= chain.letters:
+            is_case = False  # the solution of the equation before
+        ordered.insert(len(ordered) - 1 if is_case else len(ordered), chain)
+    return ordered
+
+
+_ANGLE = re.compile(r"°|\\circ|\\pi(?![A-Za-z])|π|deg|^\W*0\W*$")
+"""The angle at which a value is had: at θ = 0, and not at 4200 rpm."""
+
+
+def _places_before_values(document: ReadNotes, chains: list[Chain]) -> list[Chain]:
+    """Return the chains of a line, where a value is had before it: F = 5 N at θ = 0 and at θ = π."""
+    ordered: list[Chain] = []
+    for chain in chains:
+        start = chain.sides[0].span[0]
+        place = next(
+            (
+                n
+                for n, before in enumerate(ordered)
+                if is_place_behind(document.text, before.sides[-1].span[1], start)
+                and _is_value(before)
+                and _is_value(chain)
+                and _ANGLE.search(document.source(chain.sides[-1].span))
+                and before.letters.isdisjoint(chain.letters)
+            ),
+            len(ordered),
+        )
+        ordered.insert(place, chain)
+    return ordered
+
+
+def _is_value(chain: Chain) -> bool:
+    """Tell whether a chain gives a letter a number: no range, u > 1."""
+    return states_a_case(chain) and chain.relations[0].sign in ("=", "≈")
+
+
+def _asks_for_angle(chain: Chain) -> bool:
+    """Tell whether a chain gives an angle by a function of it, tan A = n: its value is a result."""
+    head = chain.sides[0].node
+    if not isinstance(head, Call) or head.function not in WAVES or not isinstance(head.argument, Name):
+        return False
+    return all(head.argument.name not in names(side.node) for side in chain.sides[1:])
+
+
+def number_verdicts(verdicts: list[Verdict]) -> Iterator[Verdict]:
+    """Yield the verdicts in the order of the text; `link` counts those on one line."""
+    count, line = 0, 0
+    for verdict in sorted(verdicts, key=lambda v: (v.line, bool(v.piece), v.span, v.link)):
+        count = count + 1 if verdict.line == line else 1
+        line = verdict.line
+        yield replace(verdict, link=count)

@@ -1,0 +1,322 @@
+"""The verdict on one relation of a chain: is it an inequality, a definition, a step, or given?"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from symbalance.document.formula import Constant, Formula, Name, Number, names
+from symbalance.notes.checking.deciding.descriptions import describe
+from symbalance.notes.checking.deciding.equality import (
+    Decision,
+    decide_equality,
+    is_of_another_size,
+)
+from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.sign_of_letters import decide_with_signs
+from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.judging.appeals import appeal
+from symbalance.notes.checking.meant.engine_speeds import decide_speed
+from symbalance.notes.checking.meant.given_numbers import number_given
+from symbalance.notes.checking.motions.equations_of_motion import (
+    decide_motion,
+    decide_natural_frequency,
+    equation_of_motion,
+)
+from symbalance.notes.checking.motions.fourier_series import as_fourier_series, decide_fourier
+from symbalance.notes.checking.motions.listed_values import decide_for_values
+from symbalance.notes.checking.motions.matrix_equations_of_motion import rows_of_motion
+from symbalance.notes.checking.motions.mean_values import decide_by_mean
+from symbalance.notes.checking.page.solutions import solution_below
+from symbalance.notes.checking.premises.constraints import Constraint
+from symbalance.notes.checking.premises.letter_values import define_letter
+from symbalance.notes.checking.premises.rough_letters import decide_roughly
+from symbalance.notes.checking.steps.angle_equations import as_equation_for_angle
+from symbalance.notes.checking.steps.dead_centres import value_at_dead_centre
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.steps.mean_piston_speed import mean_piston_speed
+from symbalance.notes.checking.steps.open_cases import case_of_a_letter
+from symbalance.notes.checking.steps.relation_fixes import add_fix_of_relation
+from symbalance.notes.checking.steps.solved_balances import as_balance_solution
+from symbalance.notes.checking.steps.solved_below import as_proved_solution, as_solved
+from symbalance.notes.checking.steps.solved_waves import decide_solved_wave
+from symbalance.notes.checking.steps.stated_matrices import no_relation_of_matrices
+from symbalance.notes.checking.steps.steps_by_premises import unless_given
+from symbalance.notes.checking.units.conversions import decide_conversion
+from symbalance.notes.checking.units.numbers_in_units import decide_after_units_left_out
+from symbalance.notes.checking.units.printed_units import decide_by_printed_units
+from symbalance.notes.checking.units.speeds_as_numbers import put_in_for_angular_speed, wrong_as_quantity
+from symbalance.notes.checking.verdicts import (
+    CONDITION,
+    CONTRADICTION,
+    DEFINITION,
+    PREMISE,
+    RANGE,
+    REFUTED,
+    STATED,
+    UNDECIDED,
+    Verdict,
+)
+from symbalance.notes.checking.words.plain_formulas import plain_text
+from symbalance.notes.reading.equations import Chain, Relation, Side
+
+FOLLOWS = "follows from the side before, which is refuted"
+
+
+def judge_relation(
+    state: JudgingState, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
+) -> Verdict | Decision:
+    """Return the verdict on the k-th relation of a chain, or the decision that it only describes."""
+    relation = chain.relations[k]
+    left, right = chain.sides[k], chain.sides[k + 1]
+    of_matrices = is_of_matrices(left.node, right.node, knowledge)
+    if of_matrices and (fault := no_relation_of_matrices(relation.sign, left, right, knowledge)):
+        return Decision(UNDECIDED, fault)
+    if relation.sign in SATISFIED_BY:
+        if case_of_a_letter(state, chain, k, knowledge):
+            return Decision(RANGE, "a case, whatever value the letter has above")
+        decision = decide_inequality(chain, k, knowledge)
+        state.definitions.note_range(chain, k, decision)
+        return decision
+    is_equality = relation.sign == "=" and not of_matrices
+    if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):
+        reason = f"true of the number {name}; here {name} is declared as a letter"
+        return Decision(UNDECIDED, reason)
+    kinds = (_by_rows_of_motion,) if of_matrices else (_by_fourier, _by_motion) if is_equality else ()
+    for by_kind in kinds:
+        if (decision := by_kind(state, chain, k, knowledge)) is not None:
+            return decision
+    return _judge_equality(state, chain, k, sound, bad, knowledge)
+
+
+def _judge_equality(
+    state: JudgingState, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
+) -> Verdict | Decision:
+    """Return the verdict on a relation = or ≈: a definition, a step, or something given."""
+    definition = _demanded(chain.relations[k]) or as_balance_solution(state, chain, k)
+    definition = definition or as_equation_for_angle(state, chain, k, knowledge)
+    definition = definition or as_proved_solution(state, chain, k)
+    definition = definition or decide_solved_wave(state, chain, k, knowledge)
+    definition = definition or _define(state, chain, k, knowledge)
+    definition = definition or decide_for_values(state.document, chain, k, knowledge)
+    wrong = None if k else state.wrong_angles.get(chain.sides[0].span[0])
+    definition = wrong or definition
+    if definition is not None:
+        return _as_meant(state, chain, k, definition, knowledge)
+    return _slip_of_units(state, chain, k, knowledge) or _judge_step(
+        state, chain, k, sound, bad, knowledge
+    )
+
+
+def _judge_step(
+    state: JudgingState, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
+) -> Verdict | Decision:
+    """Return the verdict on a relation that is no definition, as a step or as what is given."""
+    left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
+    decision, against = _decide_step(state, chain, k, sound, bad, knowledge)
+    decision = _with_signs(state, left, right, sign, decision, knowledge)
+    is_settled = is_of_another_size(left.node, right.node, decision)  # nothing else can be meant
+    if decision.status in (REFUTED, UNDECIDED) and not is_settled:
+        below = None if k else solution_below(state.sections, chain, knowledge)
+        solved = _by_mean(state, chain, k, knowledge) or as_solved(state, chain, below, knowledge)
+        decision = solved or unless_given(state, chain, k, against, decision, knowledge)
+    if decision.status in STATED:
+        return value_at_dead_centre(state, chain, k, knowledge) or decision
+    if decision.status == CONTRADICTION:
+        return decision
+    if not is_settled:
+        decision = appeal(state, chain, k, against, decision, knowledge)
+    if decision.is_proved and (by_quantity := wrong_as_quantity(chain, k, state.document, knowledge)):
+        return by_quantity
+    by_name = state.named.judge(chain, k, knowledge) if decision.status == UNDECIDED else None
+    return by_name or add_fix_of_relation(
+        state, describe(state.document, chain, k, decision), chain, k, against, decision, knowledge
+    )
+
+
+def _by_mean(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the proof of a relation by a mean value; a letter solved for goes on in its letters."""
+    decision, head = decide_by_mean(chain, k, knowledge), chain.sides[k].node
+    if decision is not None and not k and isinstance(head, Name):
+        earlier = knowledge.definitions.get(head.name)
+        if earlier is not None and earlier.solved:
+            state.definitions.define(head.name, chain.sides[1].node, chain)
+    return decision
+
+
+def _slip_of_units(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the refutation of a datum converted wrongly, or of a speed per minute as an angular one."""
+    converted = decide_conversion(chain, k, state.document)
+    if converted is not None and converted.status == REFUTED:
+        return converted
+    return put_in_for_angular_speed(chain, k, knowledge, state.speeds)
+
+
+def _meant_as_number(left: Formula, right: Formula, knowledge: Knowledge) -> str:
+    """Return the declared letters among e, i, π that have to be those numbers for a relation to be true.
+
+    One of them that is set to a number is given its value: e = 2.718.
+    """
+    own = [n for n in ("e", "i", "pi") if n in knowledge.letters and n in names(left) | names(right)]
+    if not own or (isinstance(left, Name) and isinstance(right, Number)):
+        return ""
+    for chosen in [*([name] for name in own), own]:
+        first, second = left, right
+        for name in chosen:
+            first, second = (substitute(node, name, Constant(name)) for node in (first, second))
+        if decide_equality(first, second, knowledge).is_proved:
+            is_letter = decide_equality(left, right, knowledge).is_proved
+            return "" if is_letter else ", ".join(plain_text(Constant(n)) for n in chosen)
+    return ""
+
+
+def _by_rows_of_motion(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> Decision | None:
+    """Return that a relation of matrices is an equation of motion; None for others."""
+    rows = rows_of_motion(chain, k, _differentiated(state, knowledge), knowledge)
+    state.equations_of_motion += rows
+    return Decision(CONDITION, "equation of motion") if rows else None
+
+
+def _by_fourier(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on a Fourier series without end, or on one of its coefficients."""
+    if not state.has_sums:
+        return None
+    series = as_fourier_series(chain, k, state.fourier_series, knowledge)
+    return series or decide_fourier(chain, k, state.fourier_series, knowledge)
+
+
+def _differentiated(state: JudgingState, knowledge: Knowledge) -> set[str]:
+    """Return the letters that the page differentiates by the time."""
+    time = knowledge.crank.time if knowledge.crank else "t"
+    return {each.name for each in state.motions.differentiated if each.variable == time}
+
+
+def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on an equation of motion, or on a natural frequency; None for others."""
+    equation = equation_of_motion(chain, k, _differentiated(state, knowledge), knowledge)
+    above = state.equations_of_motion
+    if equation is None:
+        here = [e for e in above if state.sections.same_section(e.line, chain.lines[0])]
+        by_frequency = decide_natural_frequency(chain, k, here, knowledge)
+        head = chain.sides[0].node
+        if by_frequency is not None and by_frequency.is_proved and isinstance(head, Name):
+            state.definitions.define(head.name, chain.sides[1].node, chain)
+        return by_frequency
+    last = above[-1].line if above else 0
+    follows = bool(above) and state.sections.stands_next(chain, last)
+    follows = follows and state.sections.follows_at_once(chain)
+    decision = decide_motion(equation, above, knowledge, follows=follows)
+    above.append(equation)
+    if decision.status == CONDITION and equation.lone_rate is not None:
+        state.definitions.fix(Constraint(*equation.lone_rate), chain)
+    return decision
+
+
+def _demanded(relation: Relation) -> Decision | None:
+    """Return that a relation with an exclamation mark above only demands something."""
+    return Decision(CONDITION, "demanded, to be solved") if relation.is_demanded else None
+
+
+def _define(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on a relation that gives a letter its value; None for other relations.
+
+    A number that equations above give is judged by them; nothing rests on one that is wrong.
+    """
+    values = {name: list(entries) for name, entries in state.definitions.values.items()}
+    premises = list(state.definitions.premises)
+    definition = define_letter(state.definitions, chain, k, knowledge)
+    pair, line, sections = number_given(chain, k), chain.lines[0], state.sections
+    head = chain.sides[0].node
+    if not k and definition is not None and (by_words := mean_piston_speed(state, chain)) is not None:
+        return by_words
+    if not k and definition is not None and definition.status in STATED and isinstance(head, Name):
+        by_speed = decide_speed(head.name, chain.sides[1].node, state.speeds, knowledge)
+        if by_speed is not None and chain.relations[0].sign == "=":
+            return by_speed
+    is_given = definition is not None and definition.status in (PREMISE, DEFINITION)
+    if pair is None or not is_given or pair[0] in knowledge.meaning.values or sections.opens_case(chain):
+        return definition
+    first = sections.paragraph_start(line)
+    by_given = state.given_numbers.decide(*pair, line, first, knowledge)
+    if by_given is not None and by_given.status == REFUTED:
+        state.definitions.values, state.definitions.premises = values, premises
+    return by_given or definition
+
+
+def _as_meant(
+    state: JudgingState, chain: Chain, k: int, definition: Decision, knowledge: Knowledge
+) -> Verdict | Decision:
+    """Return the verdict on a definition, by the quantity that its letter is known to mean.
+
+    One that is wrong by a slip is mended for the lines that follow.
+    """
+    if definition.status == DEFINITION:
+        outcome = state.meant.judge(chain, k, knowledge)
+    else:
+        outcome = state.meant.again(chain, k, knowledge)
+    if outcome is None and definition.status in STATED:
+        outcome = value_at_dead_centre(state, chain, k, knowledge)
+    if outcome is None and definition.status in (DEFINITION, PREMISE):
+        outcome = state.named.judge(chain, k, knowledge)
+    name = chain.sides[k].node
+    if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
+        state.definitions.define(name.name, outcome.fix.node, chain)
+        outcome = outcome if state.corrects else replace(outcome, fix=None)
+    elif isinstance(outcome, Decision) and outcome.status == REFUTED and isinstance(name, Name):
+        state.definitions.forget(name.name, chain.lines[0])
+    return outcome or definition
+
+
+def _decide_step(
+    state: JudgingState, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
+) -> tuple[Decision, Side]:
+    """Return the decision on a relation as a step, and the side its right one is compared with."""
+    sign, left, right = chain.relations[k].sign, chain.sides[k], chain.sides[k + 1]
+    decision, against = decide(left, right, sign, knowledge), left
+    result = None
+    if not names(left.node):
+        result = decide_after_units_left_out(chain, k, state.document, knowledge)
+    if result is not None:
+        return result, chain.sides[k - 1]
+    if not names(left.node):
+        decision = decide_by_printed_units(chain, k, state.document, knowledge) or decision
+    if bad and not decision.is_proved:
+        from_sound = decide(chain.sides[sound], right, sign, knowledge)
+        if from_sound.is_proved or decision.status == REFUTED:
+            decision, against = from_sound, chain.sides[sound]
+    elif bad:
+        decision = replace(decision, reason=FOLLOWS)
+    head = chain.sides[0].node
+    has_value = k and isinstance(head, Name) and _is_fixed(head.name, knowledge)
+    if has_value and (sign == "≈" or not decision.is_proved):
+        decision, against = decide(chain.sides[0], right, "≈", knowledge), chain.sides[0]
+    if decision.status == REFUTED:
+        decision = state.meant.again(chain, k, knowledge) or decision
+    if sign == "=" and against is left:
+        decision = decide_roughly(left, right, decision, knowledge)
+    return decision, against
+
+
+def _is_fixed(name: str, knowledge: Knowledge) -> bool:
+    """Tell whether a letter has its value by its meaning, or as a coefficient of a series."""
+    definition = knowledge.definitions.get(name)
+    is_coefficient = definition is not None and definition.is_coefficient
+    return name in knowledge.meaning.values or is_coefficient
+
+
+def _with_signs(
+    state: JudgingState, left: Side, right: Side, sign: str, decision: Decision, knowledge: Knowledge
+) -> Decision:
+    """Return the decision with the signs that are stated; |x| = x is not so for every x."""
+    if not is_of_matrices(left.node, right.node, knowledge):
+        decision = decide_with_signs(left, right, sign, decision, knowledge)
+    texts = {f"{plain_text(Name(name))} ≥ 0" for name in state.general}
+    least = [text for text in decision.assumptions if text in texts]
+    if not least or not decision.is_proved:
+        return decision
+    reason = f"said of all values, but it holds if {least[0]}"
+    return replace(decision, status=REFUTED, assumptions=(), reason=reason)

@@ -1,0 +1,178 @@
+"""Reasons why a relation that does not come out is undecided: what it may rest on is not known."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from symbalance.document.formula import Formula, Name, names
+from symbalance.document.letters import plain_letter
+from symbalance.notes.algebra.values import letters
+from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.declared.symbol_roles import KNOWN, role_of
+from symbalance.notes.checking.page.solutions import solution_behind_arrow, solution_behind_words
+from symbalance.notes.checking.premises import constraints
+from symbalance.notes.checking.premises.small_by_value import refuted_in_small_letter
+from symbalance.notes.checking.premises.solved_premises import solve_without_scope
+from symbalance.notes.checking.premises.system import lines_of
+from symbalance.notes.checking.premises.witness_angles import holds_at_angles
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.steps.solved_balances import as_balance
+from symbalance.notes.checking.steps.solved_below import as_solution, as_solved, as_solved_in_words
+from symbalance.notes.checking.verdicts import UNDECIDED
+from symbalance.notes.checking.words.plain_formulas import plain_text
+from symbalance.notes.reading.equations import Chain
+
+UNKNOWN_SMALL = "nobody has said which letter is small: declare what they mean"
+
+
+def unless_open(
+    state: JudgingState, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
+) -> Decision:
+    """Return the decision on a refuted relation: undecided if it may rest on what is not known."""
+    left, right, line = chain.sides[k].node, chain.sides[k + 1].node, chain.lines[0]
+    behind = None if k else solution_behind_arrow(state.sections, chain, knowledge)
+    solved = as_solved(state, chain, behind, knowledge) or as_solution(state, chain, k)
+    solved = solved or as_balance(state, chain, k, knowledge)
+    if solved is None and not k:
+        in_words = solution_behind_words(state.sections, chain, knowledge)
+        solved = as_solved_in_words(state, chain, in_words, knowledge)
+    if solved is not None:
+        return solved
+    if (as_rod_angle := state.meant.rod_angle(chain, k, knowledge)) is not None:
+        _fix_rod_angle(state, chain, k, as_rod_angle, knowledge)
+        return as_rod_angle
+    letters_here = names(left) | names(right)
+    free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
+    reason = ""
+    unknown = [name for name in state.not_judged if name in letters_here]
+    condition = state.definitions.condition_behind(decision, line)
+    if unknown:
+        reason = f"may rest on line {state.not_judged[unknown[0]]}, which was not judged"
+    elif condition is not None:
+        reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
+    elif (
+        chain.relations[k].sign == "≈"
+        and free & letters_here
+        and len(letters_here) > 1
+        and not letters_here & knowledge.small
+    ):
+        refutation = refuted_in_small_letter(chain, k, knowledge)
+        letter = _one_sided_letter(state, decision, line, knowledge) if refutation else ""
+        if refutation is not None and not letter:
+            return refutation
+        reason = f"{letter} stands on one side only: declare what it means" if letter else UNKNOWN_SMALL
+    elif letter := _one_sided_letter(state, decision, line, knowledge):
+        reason = f"{letter} stands on one side only: declare what it means"
+    elif chain.relations[k].sign == "=":
+        reason = _missing_meaning(state, left, right, line, knowledge)
+    is_value = k == 0 and isinstance(left, Name) and not names(right)
+    if not reason and is_value and state.sections.is_supposed(chain):
+        reason = "said of what would be in a case that stands in words"
+    reason = reason or _ended_premise(state, chain, k, knowledge)
+    reason = reason or _count_without_meaning(state, chain, k, decision, knowledge)
+    return replace(decision, status=UNDECIDED, reason=reason) if reason else decision
+
+
+def _fix_rod_angle(
+    state: JudgingState, chain: Chain, k: int, as_rod_angle: Decision, knowledge: Knowledge
+) -> None:
+    """Define the rod's angle by the relation that fixes it: it turns with the crank, in what is derived.
+
+    Without it, ẍ of x = r (1 - cos θ) + l (1 - cos β) would be r ω² cos θ, as if β stood still.
+    """
+    in_use = state.definitions.letters_before(chain.lines[0])
+    for name in sorted(names(chain.sides[k].node) | names(chain.sides[k + 1].node)):
+        if not as_rod_angle.assumptions[0].startswith(f"{plain_letter(name)} is "):
+            continue
+        used = state.definitions.first_lines
+        constraint = constraints.constraint_of(chain, k, in_use - {name}, used, knowledge)
+        if constraint is not None and constraint.name == name:
+            state.definitions.fix(constraint, chain)
+
+
+def _one_sided_letter(state: JudgingState, decision: Decision, line: int, knowledge: Knowledge) -> str:
+    """Return a letter whose meaning may make a refuted relation true, as it stands on one side only.
+
+    x = r (1 - cos u) is wrong of any u but of the crank angle, which u may be; dx/dt = v is of any x
+    but the one whose speed v is.
+    """
+    if decision.left is None or decision.right is None:
+        return ""
+    free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
+    free -= state.motions.letters(line)
+    for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
+        is_open = name in free and name not in {
+            *state.general,
+            *knowledge.universal,
+            *decision.left.domain.integer,
+        }
+        if is_open and not knowledge.knows(name):
+            return f"{plain_text(Name(name))} is not declared and"
+        if "/d" in name:  # the derivative of what no line defines
+            return name
+    return ""
+
+
+def _missing_meaning(
+    state: JudgingState, left: Formula, right: Formula, line: int, knowledge: Knowledge
+) -> str:
+    """Return for which size of the geometry a letter without a meaning makes a relation true.
+
+    A letter declared by other words than the known ones is just a letter, and sin β = k sin θ would
+    be refuted although k is r/l by its author's words.
+    """
+    declared = state.declarations.symbols_at(line)
+    for name in sorted(names(left) | names(right)):
+        if role_of(declared.get(name, KNOWN[0])) in KNOWN or knowledge.knows(name):
+            continue
+        if knowledge.meaning.values.keys().isdisjoint(names(left) | names(right)):
+            continue
+        size = constraints.size_of(left, right, name, knowledge)
+        if size is not None:
+            letter, text = (plain_text(node) for node in (Name(name), size))
+            return f"true if {letter} = {text}: declare what {letter} means"
+    return ""
+
+
+def _ended_premise(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> str:
+    """Return which premise of a section above would make a relation true, "" for none."""
+    left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
+    solved = solve_without_scope(state.definitions, [left.node, right.node], chain.lines[0], knowledge)
+    if solved is None:
+        return ""
+    at_places = {p.left.name for p in solved.premises if isinstance(p.left, Name) and not names(p.right)}
+    if sign == "=" and at_places & names(left.node) & names(right.node):
+        return ""  # of every angle, as it is written: at one of them both sides are numbers
+    by_all = decide(left, right, sign, solved.knowledge)
+    is_true = by_all.is_proved or (bool(solved.leftover) and holds_at_angles(left, right, sign, solved))
+    if not is_true:
+        return ""
+    texts = " and ".join(p.text for p in solved.premises)
+    where = lines_of(solved.premises)
+    return f"true if {texts}, by {where}, which holds to the end of its section; say so again"
+
+
+def _count_without_meaning(
+    state: JudgingState, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
+) -> str:
+    """Return a letter that a page explains in words and gives a number below: N turns per minute."""
+    if decision.left is None or decision.right is None:
+        return ""
+    below = {
+        c.sides[0].node.name
+        for c in state.document.chains
+        if isinstance(c.sides[0].node, Name)
+        and c.lines[0] > chain.lines[0]
+        and len(c.sides) > 1
+        and not names(c.sides[1].node)
+    }
+    declared = state.declarations.symbols_at(chain.lines[0])
+    for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
+        if name in state.general | knowledge.universal:
+            continue
+        if name in below and name not in declared and not knowledge.knows(name):
+            text = plain_text(Name(name))
+            return f"{text} stands on one side only: declare what it means"
+    return ""

@@ -1,0 +1,294 @@
+"""What the words of a page say of letters that nobody declared: which size, which motion, which unit.
+
+Nothing here is believed silently: a verdict that rests on such words names them. Words that speak of a
+part, a sum or another body (the second order, all cylinders, the rod) name no motion of the piston, but
+the unit of what they name still stands.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from symbalance.document.formula import Formula, Name, Product, Quotient, names
+from symbalance.document.letters import plain_letter
+from symbalance.notes.checking.declared.proposals import Proposal, meanings_from_words
+from symbalance.notes.checking.declared.role_phrases import (
+    CONVENTIONS,
+    MOVING_SECTIONS,
+    RATIO,
+    roles_named,
+)
+from symbalance.notes.checking.declared.sidecar import Declarations
+from symbalance.notes.checking.declared.symbol_roles import (
+    FROM_MIDDLE,
+    FROM_PIN,
+    FROM_TOP,
+    MOVING,
+    role_of,
+)
+from symbalance.notes.checking.units.dimensions import Dimension, unit_of, written_unit
+from symbalance.notes.checking.words.plain_formulas import plain_text
+from symbalance.notes.checking.words.sections import Sections
+from symbalance.notes.reading.equations import Chain, ReadNotes
+
+NOBODY = "nobody declared it"
+"""In the assumption of every verdict that rests on what a letter is taken to be."""
+TORQUE = "inertia torque"
+"""Not a role that a letter may be declared with: -m a dx/dθ."""
+LONGEST_WORDS = 160
+"""Characters before a relation in which its quantity is named: a sentence."""
+SIZES = (
+    "crank angle", "rod angle", "crank radius", "stroke", "rod length", "angular speed",
+    "reciprocating mass", *CONVENTIONS.values(),
+)  # fmt: skip
+"""The roles that the slider-crank is written in."""
+_OTHER = re.compile(
+    r"first|second|third|fourth|primary|secondary|\borders?\b|Ordnung|[一二三四六0-9]\s*次"
+    r"|\bmean\b|average|mittlere|durchschnitt|平均|amplitude|振幅"
+    r"|\bsum\b|total|result(?:ant|ing)|gesamt|Summe|resultier|合力|cylinders|Zylinder\b|気筒"
+    r"|angular|Winkel[gb]|角速度|角加速度|centripetal|centrifugal|Flieh|遠心|\bgas"
+    r"|\brod\b|Pleuel(?!länge)|Stange|コンロッド|component|Komponente|成分|\bside\b|Seiten|\bnormal"
+    r"|counterweight|Gegengewicht|Ausgleich|balance|flywheel|Schwungrad|\bshaft|Welle\b|Schwerpunkt|重心"
+    r"|relative|square|Quadrat|per\s+unit|proportional|difference|Differenz|error|Fehler|\bratio\b|mass\s+moment",
+    re.IGNORECASE,
+)
+"""Words that make of the piston's motion or force a part, a sum or another body's."""
+_LARGEST = re.compile(
+    r"\bmax|greatest|largest|größte|maximal|最大|peak|\bmin|smallest|kleinste|最小", re.IGNORECASE
+)
+_NO_UNIT = re.compile(
+    r"per\b|\bje\b|\bpro\b|proportional|specific|spezifisch|bezogen|relative|unit|of\s+inertia|Trägheits"
+    r"|Widerstands|Flächen|moments?\s+of\s+(?:area|resistance)|慣性モーメント|断面|momentum|ratio|Verhältnis|比"
+    r"|dimensionless|divided|geteilt",
+    re.IGNORECASE,
+)
+"""Words beside the name of a force or a moment that may make another dimension of it."""
+_DIMENSIONS: Mapping[str, str] = {
+    "force": r"(?<![A-Za-z])forces?(?![A-Za-z])|[Kk]raft(?![A-Za-z])|[Kk]räfte(?![A-Za-z])"
+    r"|(?<![偶圧出動応能入馬電強])力(?!学|の?モーメント|対)",
+    "torque": r"(?<![A-Za-z])(?:torques?|moments?|couples?)(?![A-Za-z])"
+    r"|[Mm]oment(?![A-Za-z])|トルク|モーメント|偶力",
+    "stress": r"(?<![A-Za-z])stress(?:es)?(?![A-Za-z])|[Ss]pannung(?![A-Za-z])|応力",
+    "velocity": r"(?<![A-Za-z])velocity(?![A-Za-z])|(?<![a-z])[Gg]eschwindigkeit(?![A-Za-z])",
+    "acceleration": r"(?<![A-Za-z])acceleration(?![A-Za-z])|[Bb]eschleunigung(?![A-Za-z])|加速度",
+}
+_UNITS = {"force": "N", "torque": "N m", "stress": "Pa", "velocity": "m/s", "acceleration": "m/s^2"}
+_KIND = re.compile("|".join(f"(?P<{kind}>{pattern})" for kind, pattern in _DIMENSIONS.items()))
+_SENTENCE = re.compile(r"[.;!?]\s|[。；]|\n\s*\n(?=.*[.;!?。]\s)|<p\b|<li\b|\\item")
+_BOTTOM = re.compile(
+    r"bottom dead|lower dead|outer dead|\bBDC\b|\bUT\b|unteren? Totpunkt|下死点|crank[- ]end",
+    re.IGNORECASE,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """What words name a letter: a motion or force of the piston ("" for none), and the words."""
+
+    role: str
+    words: str
+    is_largest: bool = False
+    company: str = ""
+    """The letter that it is known by, where no words name it: a beside x and v."""
+
+    @property
+    def source(self) -> str:
+        """What says so."""
+        if self.company:
+            return f"it goes with {plain_letter(self.company)} above"
+        return f"taken from the words “{self.words}”" if self.role else "its formula says so"
+
+
+@dataclass
+class MeantWords:
+    """The words of one page, read once, when a letter first needs them."""
+
+    document: ReadNotes
+    declarations: Declarations
+    sections: Sections
+
+    @cached_property
+    def proposals(self) -> Mapping[str, Proposal]:
+        """The meanings that words propose for letters that are not declared."""
+        return meanings_from_words(self.document, self.declarations.symbols_at)
+
+    @cached_property
+    def counts_from_bottom(self) -> bool:
+        """Tell whether the page speaks of the bottom dead centre: an angle may be counted from there."""
+        return _BOTTOM.search(self.document.text) is not None
+
+    def sizes(self, line: int) -> tuple[dict[str, str], dict[str, str]]:
+        """Return the letters of the slider-crank at a line: the declared ones, and those of the words."""
+        declared = self.declarations.symbols_at(line)
+        roles = {role_of(meaning) for meaning in declared.values()}
+        proposed: dict[str, str] = {}
+        for letter, proposal in self.proposals.items():
+            is_new = letter not in declared and proposal.meaning not in {*roles, *proposed.values()}
+            is_new = is_new and not (
+                proposal.meaning in CONVENTIONS.values() and roles & {*CONVENTIONS.values()}
+            )
+            if is_new and proposal.meaning in SIZES and proposal.line <= line + 1:
+                proposed[letter] = proposal.meaning
+        if not {*CONVENTIONS.values()} & {*roles, *proposed.values()}:
+            proposed |= self._ratio({**declared, **proposed}, line)
+        return declared, proposed
+
+    def _ratio(self, symbols: Mapping[str, str], line: int) -> dict[str, str]:
+        """Return the letter that a line above defines as the ratio of two known lengths."""
+        short = {"crank radius": "r", "rod length": "l", "stroke": "s"}
+        lengths = {name: short[role_of(text)] for name, text in symbols.items() if role_of(text) in short}
+        for chain in self.document.chains:
+            if chain.lines[0] > line or len(chain.sides) < 2 or not isinstance(chain.sides[0].node, Name):
+                continue
+            name = chain.sides[0].node.name
+            for value in (side.node for side in chain.sides[1:]):
+                if isinstance(value, Quotient) and isinstance(value.numerator, Name):
+                    below = value.denominator
+                    pair = f"{lengths.get(value.numerator.name)}/" + (
+                        str(lengths.get(below.name)) if isinstance(below, Name) else ""
+                    )
+                    if pair in CONVENTIONS and name not in symbols:
+                        return {name: CONVENTIONS[pair]}
+        return {}
+
+    def law_of_angle(self, theta: Formula, time: str, line: int) -> str:
+        """Return how a page says, up to a line, that its crank angle grows: θ = ω t; "" for not."""
+        for chain in self.document.chains:
+            pairs = zip(chain.sides, chain.sides[1:], strict=False)
+            for left, right in pairs if chain.lines[0] <= line else ():
+                is_law = left.node == theta and isinstance(right.node, Product)
+                if is_law and names(right.node) - {time} and time in names(right.node):
+                    return f"{plain_text(left.node)} = {plain_text(right.node)}"
+        return ""
+
+    def before(self, chain: Chain) -> str:
+        """Return the words of the sentence before a relation, behind the relation before it."""
+        text, start = self.document.text, min(side.span[0] for side in chain.sides)
+        ends = [max(s.span[1] for s in other.sides) for other in self.document.chains]
+        first = max([start - LONGEST_WORDS, 0, *(end for end in ends if end <= start)])
+        return _SENTENCE.split(text[first:start])[-1]
+
+    def named(self, name: str, chain: Chain) -> Named | None:
+        """Return what words say of the letter that a relation defines; None where they say nothing."""
+        own = self._without_letters_told(self.before(chain))
+        proposal = self.proposals.get(name)
+        if proposal is not None and proposal.words and proposal.line <= chain.lines[0]:
+            quoted = proposal.words
+            if proposal.meaning in MOVING and not _OTHER.search(f"{quoted} {own}"):
+                return Named(proposal.meaning, phrase_of(proposal), _LARGEST.search(quoted) is not None)
+            if proposal.meaning in MOVING:
+                return Named("", quoted)
+        if _OTHER.search(own):
+            return Named("", own.strip()) if _motions(own) else None
+        motions = _motions(own)
+        kinds = {match.lastgroup for match in _KIND.finditer(own)}
+        if motions and "torque" in kinds:
+            return Named("", own.strip())  # the moment of the inertia force
+        if len({role for role, _ in motions}) == 1:
+            role, words = motions[0]
+            return Named(role, words, _LARGEST.search(own) is not None)
+        return Named("", own.strip()) if motions else None
+
+    def _without_letters_told(self, words: str) -> str:
+        """Return words without the clauses that only tell a size's letter, ω being the angular speed."""
+        clauses = words.split(",")
+        return ",".join(clause for clause in clauses if not self._tells_a_letter(clause))
+
+    def _tells_a_letter(self, clause: str) -> bool:
+        if _motions(clause):
+            return False
+        phrases = [named for named in roles_named(clause) if not named.is_part]
+        told, rest = {named.role for named in phrases} & {*SIZES}, clause
+        for named in reversed(phrases):
+            rest = rest[: named.start] + rest[named.end :]
+        return not _OTHER.search(rest) and any(
+            proposal.meaning in told
+            and re.search(rf"(?<![A-Za-z]){re.escape(sign)}(?![A-Za-z])", clause) is not None
+            for letter, proposal in self.proposals.items()
+            for sign in {letter, plain_letter(letter)}
+        )
+
+    def unit_named(self, chain: Chain) -> tuple[str, Dimension] | None:
+        """Return the kind of size that the sentence before a relation names, with its dimension."""
+        own = self.before(chain)
+        kinds = {match.lastgroup or "": match[0] for match in _KIND.finditer(own)}
+        if len(kinds) != 1 or _NO_UNIT.search(own):
+            return None
+        ((kind, word),) = kinds.items()
+        dimension = unit_of(_UNITS[kind])
+        return None if dimension is None else (word, dimension)
+
+    @cached_property
+    def units_on_page(self) -> Mapping[str, tuple[str, Dimension, int]]:
+        """The units in which letters have numbers: M = 500 N m; not of letters that have several."""
+        units: dict[str, tuple[str, Dimension, int]] = {}
+        several: set[str] = set()
+        for chain in self.document.chains:
+            for left, right in zip(chain.sides, chain.sides[1:], strict=False):
+                if not isinstance(left.node, Name) or names(right.node):
+                    continue
+                source = self.document.source(right.span).replace("{,}", ",").replace("}^", "^")
+                has_number, unit = written_unit(source)
+                dimension = unit_of(unit) if has_number and unit else None
+                if dimension is None:
+                    continue
+                name = left.node.name
+                if name in units and units[name][1] != dimension:
+                    several.add(name)
+                units.setdefault(name, (unit, dimension, chain.lines[0]))
+        return {name: unit for name, unit in units.items() if name not in several}
+
+    def has_result_in(self, name: str, dimension: Dimension) -> bool:
+        """Tell whether a letter has a number of a dimension: M = 142·400/4 = 14200 Nmm is no stress."""
+        for chain in self.document.chains:
+            if chain.sides[0].node != Name(name):
+                continue
+            for side in chain.sides[1:]:
+                has_number, unit = written_unit(self.document.source(side.span))
+                if has_number and unit and not names(side.node) and unit_of(unit) == dimension:
+                    return True
+        return False
+
+
+def _motions(words: str) -> list[tuple[str, str]]:
+    """Return the motions and forces that words name, each with the phrase."""
+    motions = [(named.role, named.phrase) for named in roles_named(words) if not named.is_part]
+    low = words.casefold()
+    for role, phrases in MOVING_SECTIONS.items():
+        phrase = next((p for p in phrases if p.casefold() in low), "")
+        if phrase and not any(r == role for r, _ in motions) and not _is_within(phrase, motions):
+            motions.append((role, phrase))
+    return [
+        (role, phrase)
+        for role, phrase in motions
+        if role in MOVING or role in (FROM_PIN, FROM_MIDDLE, FROM_TOP)
+    ]
+
+
+def _is_within(phrase: str, found: list[tuple[str, str]]) -> bool:
+    """Tell whether a phrase is part of one that means something else: 速度 of 加速度."""
+    return any(phrase.casefold() in other.casefold() for _, other in found)
+
+
+def letters_text(letters: Mapping[str, str], words: Mapping[str, Proposal]) -> Iterator[str]:
+    """Yield for letters that are not declared what they are taken to be, with the words that say so."""
+    for letter, meaning in letters.items():
+        proposal = words.get(letter)
+        is_said = proposal is not None and proposal.words
+        source = f"by “{phrase_of(proposal)}”" if proposal and is_said else USUAL_END
+        yield f"{plain_letter(letter)} is the {meaning}, {source}"
+
+
+def phrase_of(proposal: Proposal) -> str:
+    """Return the words that name a proposal's meaning, without those around."""
+    roles = (proposal.meaning, RATIO) if proposal.meaning in CONVENTIONS.values() else (proposal.meaning,)
+    own = [named.phrase for named in roles_named(proposal.words) if named.role in roles]
+    return (own or [_MARKS.sub("", proposal.words).split(",")[0].strip()])[0]
+
+
+_MARKS = re.compile(r"<[^>]*>?|[#$*]|\\[,;]")
+USUAL_END = "as is usual for this letter"
+"""Of a letter of which no words say what it is."""

@@ -1,0 +1,203 @@
+"""What a page says to follow from the relation just before it, or to be equivalent to it, judged as that.
+
+Only where nothing but "hence" or an arrow stands between: else words may bring in what it takes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from fractions import Fraction
+
+from symbalance.document.formula import Formula, Name, Negative, Number, names
+from symbalance.document.text_writer import formula_text
+from symbalance.notes.algebra.domain import NoFormError
+from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision, decide_equality
+from symbalance.notes.checking.deciding.implications import point_text, range_that_fails, solution_lost
+from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY
+from symbalance.notes.checking.deciding.knowledge import Knowledge, StatedRange
+from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.verdicts import CONDITION, DEFINITION, PREMISE, RANGE
+from symbalance.notes.checking.words.sections import Sections
+from symbalance.notes.reading.equations import Chain, ReadNotes
+
+
+def decide_consequence(
+    document: ReadNotes, sections: Sections, chain: Chain, decision: Decision, knowledge: Knowledge
+) -> Decision:
+    """Return the decision on a relation as what follows from the one before, where it is not: x > 5.
+
+    Else the decision as it is.
+    """
+    follows = sections.is_consequence(chain) and sections.follows_at_once(chain)
+    is_converse = sections.is_converse(chain)
+    before = _before(document, chain) if follows or is_converse else None
+    if before is None or len(before.relations) != 1 or len(chain.relations) != 1:
+        return decision
+    if is_converse:
+        return _converse(before, chain, decision, knowledge)
+    sign, first = chain.relations[0].sign, before.relations[0].sign
+    if sign in SATISFIED_BY and first in SATISFIED_BY and decision.status == RANGE:
+        return _range_after_range(sections, before, chain, decision, knowledge)
+    if sign == "=" and first in SATISFIED_BY and decision.status in (DEFINITION, CONDITION):
+        return _equation_after_range(before, chain, decision, knowledge)
+    if sign == "=" == first and decision.status != REFUTED:
+        return _equation_after_equation(sections, before, chain, decision, knowledge)
+    return decision
+
+
+def _converse(before: Chain, chain: Chain, decision: Decision, knowledge: Knowledge) -> Decision:
+    """Refute x = 1 ⇐ x² = 1, by what satisfies the second relation and not the first."""
+    own, earlier = _stated(chain), _stated(before)
+    if own.sign in SATISFIED_BY and earlier.sign in SATISFIED_BY:
+        given = [r for r in knowledge.ranges if not _same(r, earlier) and not _same(r, own)]
+        witness = range_that_fails(earlier, [*given, own], knowledge)
+        return decision if witness is None else Decision(REFUTED, _not_from_it(earlier), witness=witness)
+    if own.sign != "=" or earlier.sign != "=":
+        return decision
+    stated = names(own.left) | names(own.right) | names(earlier.left) | names(earlier.right)
+    lines = {before.lines[0], chain.lines[0]}
+    others = {n: d for n, d in knowledge.definitions.items() if n not in stated or d.line not in lines}
+    free = replace(knowledge, definitions=others)
+    point = solution_lost((own.left, own.right), (earlier.left, earlier.right), free)
+    if point is None:
+        return decision
+    return Decision(REFUTED, f"{point_text(point)} satisfies it, but not {earlier.text}")
+
+
+def _not_from_it(earlier: StatedRange) -> str:
+    return f"{earlier.text} does not follow from it"
+
+
+def _before(document: ReadNotes, chain: Chain) -> Chain | None:
+    start = min(side.span[0] for side in chain.sides)
+    earlier = [c for c in document.chains if max(s.span[1] for s in c.sides) <= start and c.relations]
+    return max(earlier, key=lambda c: c.sides[-1].span[1], default=None)
+
+
+def _stated(chain: Chain) -> StatedRange:
+    return StatedRange(chain.sides[0].node, chain.relations[0].sign, chain.sides[1].node, chain.lines[0])
+
+
+def _range_after_range(
+    sections: Sections, before: Chain, chain: Chain, decision: Decision, knowledge: Knowledge
+) -> Decision:
+    own, earlier = _stated(chain), _stated(before)
+    given = [r for r in knowledge.ranges if r.line <= chain.lines[0] and not _same(r, own)]
+    if not any(_same(r, earlier) for r in given):
+        return decision
+    witness = range_that_fails(own, given, knowledge)
+    if witness is not None:
+        return Decision(REFUTED, f"does not follow from {earlier.text}", witness=witness)
+    if sections.is_equivalence(chain):
+        others = [r for r in given if not _same(r, earlier)]
+        witness = range_that_fails(earlier, [*others, own], knowledge)
+        if witness is not None:
+            return Decision(REFUTED, _not_from_it(earlier), witness=witness)
+    return decision
+
+
+def _same(one: StatedRange, other: StatedRange) -> bool:
+    return (one.left, one.sign, one.right) == (other.left, other.sign, other.right)
+
+
+def _equation_after_range(
+    before: Chain, chain: Chain, decision: Decision, knowledge: Knowledge
+) -> Decision:
+    """Refute x ≥ 1, therefore x = 1, unless the ranges leave one value: for 1 ≤ x and x ≤ 1."""
+    left, right = chain.sides[0].node, chain.sides[1].node
+    own, earlier = names(left) | names(right), _stated(before)
+    if own != names(earlier.left) | names(earlier.right) or len(own) != 1:
+        return decision
+    (name,) = own
+    others = {n: d for n, d in knowledge.definitions.items() if n != name}
+    free = replace(knowledge, definitions=others)
+    given = [r for r in knowledge.ranges if names(r.left) | names(r.right) == own]
+    witness = range_that_fails(StatedRange(left, "≤", right, 0), given, free)
+    witness = witness or range_that_fails(StatedRange(left, "≥", right, 0), given, free)
+    if witness is None:
+        return decision
+    return Decision(REFUTED, f"does not follow from {earlier.text}", witness=witness)
+
+
+def _equation_after_equation(
+    sections: Sections, before: Chain, chain: Chain, decision: Decision, knowledge: Knowledge
+) -> Decision:
+    """Refute an equivalence one of whose sides has more solutions; doubt x y = 0 ⇒ x = 0."""
+    first = before.sides[0].node, before.sides[1].node
+    second = chain.sides[0].node, chain.sides[1].node
+    lines = {before.lines[0], chain.lines[0]}
+    given = names(first[0]) | names(first[1])
+    others = {n: d for n, d in knowledge.definitions.items() if n not in given or d.line not in lines}
+    knowledge = replace(knowledge, definitions=others)
+    lost = solution_lost(first, second, knowledge)
+    if sections.is_equivalence(chain):
+        return _equivalence(first, second, lost, decision, knowledge)
+    if lost is not None and decision.is_proved:
+        return _where_nothing_vanishes(lost, first, second, decision, knowledge)
+    if lost is None or decision.status != PREMISE or _differs_in_sign(lost, second):
+        return decision  # of a length the positive root is meant
+    own = given | names(second[0]) | names(second[1])
+    is_free = bool(names(second[1])) or second[1] == Number(Fraction(0))
+    is_one = bool(own & knowledge.angles) or sections.is_one_of_several(chain)
+    if not is_free or is_one:
+        return decision
+    return replace(decision, status=UNDECIDED, reason=_too(lost, first))
+
+
+def _equivalence(
+    first: tuple[Formula, Formula],
+    second: tuple[Formula, Formula],
+    lost: Mapping[str, Formula] | None,
+    decision: Decision,
+    knowledge: Knowledge,
+) -> Decision:
+    """Refute an equivalence by a solution of one of the two equations alone."""
+    if lost is not None:
+        return Decision(REFUTED, _too(lost, first))
+    gained = solution_lost(second, first, knowledge)
+    if gained is None:
+        return decision
+    return Decision(REFUTED, f"{point_text(gained)} satisfies it, but not {_text(first)}")
+
+
+def _too(point: Mapping[str, Formula], equation: tuple[Formula, Formula]) -> str:
+    return f"{point_text(point)} satisfies {_text(equation)} too"
+
+
+def _text(equation: tuple[Formula, Formula]) -> str:
+    return " = ".join(formula_text(node, plain=True) for node in equation)
+
+
+def _where_nothing_vanishes(
+    lost: Mapping[str, Formula],
+    first: tuple[Formula, Formula],
+    second: tuple[Formula, Formula],
+    decision: Decision,
+    knowledge: Knowledge,
+) -> Decision:
+    """Return a proof that has divided by a letter as what it is: x y = x c gives y = c if x ≠ 0."""
+    if _differs_in_sign(lost, second):
+        condition = f"{formula_text(second[0], plain=True)} ≥ 0"
+        return replace(decision, assumptions=(*decision.assumptions, condition))
+    zeros = [n for n, value in lost.items() if value == Number(Fraction(0)) and second[0] != Name(n)]
+    for chosen in [*([name] for name in zeros), zeros] if zeros else []:
+        meaning = replace(knowledge.meaning, positive=knowledge.meaning.positive | {*chosen})
+        if solution_lost(first, second, replace(knowledge, meaning=meaning)) is None:
+            conditions = tuple(f"{formula_text(Name(n), plain=True)} ≠ 0" for n in chosen)
+            return replace(decision, assumptions=(*decision.assumptions, *conditions))
+    return Decision(UNDECIDED, _too(lost, first))
+
+
+def _differs_in_sign(lost: Mapping[str, Formula], second: tuple[Formula, Formula]) -> bool:
+    """Tell whether a solution that an equation leaves out is minus the one that it gives: x = -y."""
+    value = second[1]
+    for name, own in lost.items():
+        try:
+            value = substitute(value, name, own)
+        except NoFormError:
+            return False
+    head = second[0]
+    if not isinstance(head, Name) or head.name not in lost:
+        return False
+    return decide_equality(lost[head.name], Negative(value), Knowledge()).is_proved

@@ -1,0 +1,357 @@
+"""The data of a page that stand in no relation: tables of letters and values, lists, a notebook's code.
+
+    | crank radius | $r$ | 45 mm |        a letter and its value, with a unit here or in the next cell
+    | $r$ | $l$ |  over  | 45 mm | 150 mm |
+    - crank radius $r$: 45 mm
+    r, l = 0.045, 0.150                   in program code
+
+Each becomes the chain r = 45 mm, at its place. Nothing is taken that may be read in two ways: a letter
+with two values in one table, a size without a unit, a name that stands in no formula of the page.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from symbalance.document.formula import Constant, Formula, Name, Number, Product, Quotient, Span, names
+from symbalance.notes.checking.declared.symbol_roles import role_of
+from symbalance.notes.checking.page.indexed_data import (
+    instances_of_rules,
+    rows_of_values,
+    tables_of_values,
+)
+from symbalance.notes.reading import ReadingError, canonical_name
+from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side
+from symbalance.notes.reading.units import scale_of
+
+Symbols = Callable[[int], Mapping[str, str]]
+LONGEST_METRES = 3
+"""A length in program code without a unit is in metres up to it; 45 is in millimetres, or anything."""
+LARGEST_COUNT = 64
+"""A whole number up to it may stand without a unit: a count."""
+_LENGTHS = ("crank radius", "stroke", "rod length", "cylinder pitch")
+_BARE = ("integer", "rod ratio l/r", "rod ratio l/s", "crank ratio r/l", "engine speed rpm")
+"""Meanings whose numbers need no unit."""
+
+_MARKUP = re.compile(
+    r"</?(?:i|b|em|strong|var|math|span|p|code|tt)\b[^>]*>|'{2,3}|\$|\\[()]|`|\\(?:,|;|:|!| )"
+    r"|\*\*|~|&nbsp;",
+    re.IGNORECASE,
+)
+_SUBSCRIPT = re.compile(r"<sub>([^<]{1,12})</sub>", re.IGNORECASE)
+_MARKED_LETTER = re.compile(r"(?P<words>[^$]*?)\$(?P<letter>[^$=]{1,40})\$(?P<unit>[^$]{0,20})")
+_UNIT_BESIDE = re.compile(
+    r"(?P<letter>.*?)\s*(?:\[(?P<square>[^\]]+)\]|\((?P<round>[^)]+)\)|/\s*(?P<per>\S+))"
+)
+_VALUE = re.compile(
+    r"[=≈]?\s*(?P<sign>[-−]?)(?P<digits>[0-9]+(?:[.,][0-9]+|[\u00a0\u202f ][0-9]{3}(?![0-9]))*)"
+    r"(?:\s*(?:×|·|\*|\\cdot|\\times)\s*10(?:\^?\{?(?P<power>[-−]?[0-9]{1,2})\}?|(?P<raised>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,2})))?"
+    r"\s*(?P<unit>(?:1\s*/|[^\d\s]).*)?"
+)
+_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−", "0123456789--")
+_GROUPED = re.compile(r"[1-9][0-9]{0,2}(?:[,.  ][0-9]{3})+")
+_RULE = re.compile(r"(?=[\s:|]*+-)[\s:|-]++$|\s*\\(?:hline|toprule|midrule|bottomrule|cline)\b.*")
+_HTML_ROW = re.compile(r"<tr\b[^>]*>(?P<row>.*?)(?=</tr>|<tr\b|</table>)", re.IGNORECASE | re.DOTALL)
+_HTML_CELL = re.compile(r"<t[dh]\b[^>]*>(.*?)(?=</t[dh]>|<t[dh]\b|\Z)", re.IGNORECASE | re.DOTALL)
+_HTML_TABLE = re.compile(r"<table\b.*?</table>", re.IGNORECASE | re.DOTALL)
+_TABULAR = re.compile(r"\\begin\{(tabular[xy*]?|array|longtable)\}(?P<rows>.*?)\\end\{\1\}", re.DOTALL)
+_WIKI_TABLE = re.compile(r"^\{\|.*?^\|\}", re.MULTILINE | re.DOTALL)
+_ITEM = re.compile(
+    r"^[^\S\n]*+(?:[-*+•]|[0-9]{1,2}[.)]|\\item)\s+(?P<letter>[^\n:=]{1,60}?)\s*[:：]\s+(?P<value>[^\n=]{1,40}?)[.;,]?$",
+    re.MULTILINE,
+)
+_FENCED = re.compile(
+    r"^(`{3,}+|~{3,}+)(?P<language>\w*+)[^\n]*+\n(?P<code>.*?)^\1", re.MULTILINE | re.DOTALL
+)
+_PROGRAM = ("code", "python", "py", "julia", "matlab", "octave", "r", "ipython")
+_ASSIGNED = re.compile(
+    r"^(?P<names>[A-Za-z_]\w*(?:\s*,\s*[A-Za-z_]\w*)*)\s*=\s*"
+    r"(?P<values>[-+0-9.eE_]+(?:\s*,\s*[-+0-9.eE_]+)*)\s*;?\s*(?:[#%](?P<comment>.*))?$",
+    re.MULTILINE,
+)
+_CODE_NAMES = {"lam": "lambda", "lmbda": "lambda", "lambda_": "lambda", "lamda": "lambda", "om": "omega"}
+
+
+@dataclass(frozen=True, slots=True)
+class _Cell:
+    """A cell of a table: its text and its place in the page."""
+
+    text: str
+    span: Span
+
+
+_Table = list[list[_Cell]]
+
+
+def data_of(notes: ReadNotes, symbols_at: Symbols) -> tuple[Chain, ...]:
+    """Return the data of a page as chains of a letter and its value, in the order of their lines."""
+    used = {name for chain in notes.chains for side in chain.sides for name in names(side.node)}
+    reader = _Reader(notes, used, symbols_at)
+    chains = [
+        *reader.of_tables(),
+        *reader.of_items(),
+        *reader.of_code(),
+        *rows_of_values(notes, used),
+        *instances_of_rules(notes, used),
+        *tables_of_values(notes, list(_tables(notes.text)), used),
+    ]
+    return tuple(sorted(chains, key=lambda chain: chain.sides[0].span))
+
+
+@dataclass(frozen=True)
+class _Reader:
+    notes: ReadNotes
+    used: set[str]
+    symbols_at: Symbols
+
+    def of_tables(self) -> Iterator[Chain]:
+        """Yield the data of tables; a letter with two values in one table has none."""
+        for table in _tables(self.notes.text):
+            chains = [*self._by_rows(table), *self._by_columns(table)]
+            counts = Counter(_letter(chain) for chain in chains)
+            yield from (chain for chain in chains if counts[_letter(chain)] == 1)
+
+    def _by_rows(self, table: _Table) -> Iterator[Chain]:
+        for row in table:
+            letters = [(k, own) for k, cell in enumerate(row) if (own := self._letter_of(cell))]
+            values = [k for k, cell in enumerate(row) if _value_match(cell.text)]
+            if len(letters) != 1 or len(values) != 1:
+                continue
+            (place, (name, unit)), value = letters[0], values[0]
+            behind = [cell.text for cell in row[value + 1 : value + 2]]
+            chain = self._chain(name, row[place], row[value], unit or "".join(behind))
+            if chain is not None and value > place:
+                yield chain
+
+    def _by_columns(self, table: _Table) -> Iterator[Chain]:
+        if len(table) != 2 or len(table[0]) != len(table[1]):
+            return
+        heads = [self._letter_of(cell) for cell in table[0]]
+        if sum(head is not None for head in heads) < 2:
+            return
+        for head, above, below in zip(heads, *table, strict=True):
+            chain = self._chain(head[0], above, below, head[1]) if head else None
+            if chain is not None:
+                yield chain
+
+    def of_items(self) -> Iterator[Chain]:
+        """Yield the data of lists: `- crank radius $r$: 45 mm`."""
+        for match in _ITEM.finditer(self.notes.text):
+            letter = _Cell(match["letter"], match.span("letter"))
+            own = self._letter_of(letter)
+            if own is not None:
+                chain = self._chain(own[0], letter, _Cell(match["value"], match.span("value")), own[1])
+                if chain is not None:
+                    yield chain
+
+    def of_code(self) -> Iterator[Chain]:
+        """Yield the numbers that program code gives to letters of the page."""
+        for block in _FENCED.finditer(self.notes.text):
+            if block["language"].lower() not in _PROGRAM:
+                continue
+            begin, code = block.start("code"), block["code"]
+            for match in _ASSIGNED.finditer(code):
+                letters = [name.strip() for name in match["names"].split(",")]
+                values = [value.strip() for value in match["values"].split(",")]
+                span = begin + match.start("values"), begin + match.end("values")
+                for letter, value in zip(letters, values, strict=False):
+                    name = _CODE_NAMES.get(letter, letter)
+                    if len(letters) == len(values) and self._is_letter(name, span[0]):
+                        yield from self._assigned(name, value, match["comment"] or "", span)
+
+    def _assigned(self, name: str, value: str, comment: str, span: Span) -> Iterator[Chain]:
+        number = _typed(value)
+        line = self.notes.line_of(span[0])
+        role = role_of(self.symbols_at(line).get(name, ""))
+        if number is None:
+            return
+        unit = next((word for word in _words_of(comment) if scale_of(word)), "")
+        if not unit and role in _LENGTHS and number.value > LONGEST_METRES:
+            return
+        if (node := _with_unit(number, unit, span)) is not None:
+            yield _as_chain(name, span, node, span, line)
+
+    def _letter_of(self, cell: _Cell) -> tuple[str, str] | None:
+        """Return the letter of the page that a cell holds, perhaps behind words, and its unit."""
+        marked = _MARKED_LETTER.fullmatch(_formula_marks(cell.text).strip())
+        text = f"{marked['letter']} {marked['unit']}".strip() if marked else _bare(cell.text)
+        unit = ""
+        if beside := _UNIT_BESIDE.fullmatch(text):
+            unit = beside["square"] or beside["round"] or beside["per"]
+            text = beside["letter"]
+            if scale_of(unit) is None:
+                return None
+        try:
+            name = canonical_name(_bare(text))
+        except ReadingError:
+            return None
+        return (name, unit) if self._is_letter(name, cell.span[0]) else None
+
+    def _is_letter(self, name: str, place: int) -> bool:
+        """Tell whether a name is one of the page's letters: in a formula, or declared."""
+        return name in self.used or name in self.symbols_at(self.notes.line_of(place))
+
+    def _chain(self, name: str, letter: _Cell, value: _Cell, unit_beside: str) -> Chain | None:
+        match = _value_match(value.text)
+        number = _number(match, self._has_commas) if match else None
+        if match is None or number is None:
+            return None
+        line = self.notes.line_of(value.span[0])
+        unit = match["unit"] or (unit_beside if scale_of(_bare(unit_beside)) else "")
+        is_count = number.value.denominator == 1 and number.value <= LARGEST_COUNT
+        role = role_of(self.symbols_at(line).get(name, ""))
+        if not unit and not (role in _BARE or (is_count and role not in _LENGTHS)):
+            return None
+        node = _with_unit(number, _bare(unit), value.span)
+        return None if node is None else _as_chain(name, letter.span, node, value.span, line)
+
+    @property
+    def _has_commas(self) -> bool:
+        return any(note.startswith("decimal commas") for note in self.notes.notes)
+
+
+def _letter(chain: Chain) -> str:
+    node = chain.sides[0].node
+    return node.name if isinstance(node, Name) else ""
+
+
+def _as_chain(name: str, letter: Span, node: Formula, value: Span, line: int) -> Chain:
+    sides = Side((Name(name, span=letter),), letter), Side((node,), value)
+    return Chain(sides, (Relation("=", line),), (line,))
+
+
+def _bare(text: str) -> str:
+    """Return a cell without markup."""
+    text = _SUBSCRIPT.sub(r"_{\1}", text)
+    return " ".join(_MARKUP.sub(" ", text.replace("{,}", ",")).split())
+
+
+def _formula_marks(text: str) -> str:
+    r"""Return a cell with one kind of marks around its formulas: <math>, \( \), '' and <i> as dollars."""
+    text = _SUBSCRIPT.sub(r"_{\1}", text)
+    text = re.sub(r"</?(?:math|i|em|var)\b[^>]*>|\\[()]|'{2,3}", "$", text)
+    return re.sub(r"(?<=\w)\$(_\{[^}]*\})", r"\1$", text)  # <i>m</i><sub>1</sub>
+
+
+def _value_match(text: str) -> re.Match[str] | None:
+    match = _VALUE.fullmatch(_bare(text))
+    if match is None or (match["unit"] and scale_of(match["unit"]) is None):
+        return None
+    return match
+
+
+def _number(match: re.Match[str], has_commas: bool) -> Number | None:
+    """Return the number of a value as printed."""
+    digits = re.sub("[  ]", "", match["digits"])
+    is_lone = len(re.findall("[,.]", digits)) == 1 and "," in digits
+    if has_commas or (is_lone and not _GROUPED.fullmatch(digits)):
+        digits = (digits.replace(".", "") if "," in digits else digits).replace(",", ".")
+    elif _GROUPED.fullmatch(digits) and "," in digits:
+        digits = digits.replace(",", "")
+    number = _typed(match["sign"].replace("−", "-") + digits)
+    power = int((match["power"] or match["raised"] or "0").translate(_RAISED))
+    if number is None:
+        return None
+    scale = Fraction(10) ** power
+    return Number(number.value * scale, number.last_place * scale if number.last_place else None)
+
+
+def _typed(text: str) -> Number | None:
+    """Return a number as program code writes it, 45e-3."""
+    match = re.fullmatch(r"([-+]?[0-9]+)(?:\.([0-9]*))?(?:[eE]([-+]?[0-9]{1,2}))?", text.replace("_", ""))
+    if match is None:
+        return None
+    scale = Fraction(10) ** int(match[3] or 0)
+    decimals = match[2] or ""
+    place = scale / 10 ** len(decimals) if decimals else None
+    return Number(Fraction(int(match[1] + decimals), 10 ** len(decimals)) * scale, place)
+
+
+def _with_unit(number: Number, unit: str, span: Span) -> Formula | None:
+    """Return a quantity as it is read in a formula, every part at its place."""
+    scale = scale_of(unit) if unit else (Fraction(1), False)
+    if scale is None:
+        return None
+    size, is_turn = scale
+    if is_turn:
+        half_turn = Number(1 / size, span=span) if size.numerator == 1 else None
+        if half_turn is None:
+            return None
+        factor = Quotient(Constant("pi", span=span), half_turn, span=span)
+        return Product((Number(number.value, number.last_place, span=span), factor), span=span)
+    return Number(number.value * size, number.last_place * size if number.last_place else None, span=span)
+
+
+def _words_of(comment: str) -> list[str]:
+    """Return what of a comment may be a unit: in brackets, or a word of its own, the last one first."""
+    bracketed = re.findall(r"[\[(]([^\])]+)[\])]", comment)
+    return [*bracketed, comment.strip(), *reversed(comment.replace(",", " ").split())]
+
+
+def _tables(text: str) -> Iterator[_Table]:
+    """Yield the tables of a page in Markdown, a wiki's markup, HTML and LaTeX, as rows of cells."""
+    yield from _piped_tables(text)
+    for match in _WIKI_TABLE.finditer(text):
+        yield _wiki_table(text, *match.span())
+    for match in _HTML_TABLE.finditer(text):
+        yield [
+            [_Cell(cell[1], cell.span(1)) for cell in _HTML_CELL.finditer(text, *row.span("row"))]
+            for row in _HTML_ROW.finditer(text, *match.span())
+        ]
+    for match in _TABULAR.finditer(text):
+        yield _tabular(text, *match.span("rows"))
+
+
+def _piped_tables(text: str) -> Iterator[_Table]:
+    table: _Table = []
+    offset, is_wiki = 0, False
+    for line in [*text.split("\n"), ""]:
+        is_wiki = (is_wiki or line.startswith("{|")) and not line.startswith("|}")
+        if line.lstrip().startswith("|") and not is_wiki and not line.startswith(("|}", "|-", "|+")):
+            if not _RULE.fullmatch(line):
+                begin = offset + line.index("|") + 1
+                stop = offset + len(line.rstrip().removesuffix("|"))
+                table.append(list(_split(text, begin, stop, re.compile(r"(?<!\\)\|"))))
+        elif not line.startswith("|-"):
+            if table:
+                yield table
+            table = []
+        offset += len(line) + 1
+
+
+def _wiki_table(text: str, start: int, end: int) -> _Table:
+    table: _Table = [[]]
+    offset = start
+    for line in text[start:end].split("\n"):
+        if line.startswith("|-"):
+            table.append([])
+        elif line[:1] in ("|", "!") and not line.startswith(("|+", "|}")):
+            table[-1] += _split(text, offset + 1, offset + len(line), re.compile(r"\|\||!!"))
+        offset += len(line) + 1
+    return [row for row in table if row]
+
+
+def _tabular(text: str, start: int, end: int) -> _Table:
+    rows = _split(text, start, end, re.compile(r"\\\\(?:\[[^\]]*\])?"))
+    rules = re.compile(r"^(?:\s*\{[^}]*\}|\s*\\(?:hline|toprule|midrule|bottomrule))+")
+    table: _Table = []
+    for row in rows:
+        rule = rules.match(row.text)
+        begin = row.span[0] + (rule.end() if rule else 0)
+        if text[begin : row.span[1]].strip():
+            table.append(list(_split(text, begin, row.span[1], re.compile(r"(?<!\\)&"))))
+    return table
+
+
+def _split(text: str, start: int, end: int, gap: re.Pattern[str]) -> Iterator[_Cell]:
+    """Yield the cells between gaps, without the space around them."""
+    for match in [*gap.finditer(text, start, end), None]:
+        stop = match.start() if match else end
+        inside = text[start:stop]
+        begin = start + len(inside) - len(inside.lstrip())
+        yield _Cell(inside.strip(), (begin, begin + len(inside.strip())))
+        start = match.end() if match else end

@@ -1,0 +1,120 @@
+"""An equation that is solved in the lines below it: 2c² + ρ c - 1 = 0, so c = (-ρ + √(ρ² + 8))/4.
+
+c is cos θ by what stands before or between, and the equation is true of no angle but one: it claims
+nothing of all of them. What it comes to with the solution put in is the verdict on that line.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+
+from symbalance.document.formula import Call, Formula, Name, names, walk
+from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.words.sections import Sections
+from symbalance.notes.reading.equations import Chain, ReadNotes
+
+NEAR = 4
+"""Lines below an equation in which its solution is looked for."""
+WAVES = ("sin", "cos", "tan")
+LONGEST_ARROW = 40
+"""Characters behind an equation in which the arrow to its solution stands."""
+_SOLVED_NEXT = re.compile(
+    r"(?:[\s,;]|\\[,;: ]|\\q?quad(?![A-Za-z]))*"
+    r"(?:\\(?:Rightarrow|Longrightarrow|implies)(?![A-Za-z])|[⇒⟹])"
+)
+"""What stands behind an equation whose solution follows."""
+
+_SOLVED_IN_WORDS = re.compile(
+    r"(?:[\s,;$]|\\[,;: ])*(?:also|so|hence|thus|therefore|which\s+gives|giving|somit|daher|folglich"
+    r"|mithin|damit|demnach|donc|d'où)(?![A-Za-z])(?:[^\W\d]|[ ,$\n-]){0,50}",
+    re.IGNORECASE,
+)
+"""Words of the same sentence that lead from an equation to its solution."""
+
+
+def turned_letters(document: ReadNotes) -> frozenset[str]:
+    """Return the letters that stand within sines, cosines and tangents of a page."""
+    return frozenset(
+        name
+        for chain in document.chains
+        for side in chain.sides
+        for part in walk(side.node)
+        if isinstance(part, Call) and part.function in WAVES
+        for name in names(part.argument)
+    )
+
+
+def chains_below(chains: tuple[Chain, ...], chain: Chain) -> Iterator[Chain]:
+    """Yield the chains that follow one in the text, in its order, as far as they stand near."""
+    start = chain.sides[-1].span[0]
+    after = [c for c in chains if c.sides[0].span[0] > start and c.relations]
+    for other in sorted(after, key=lambda c: c.sides[0].span[0]):
+        if other.lines[0] > chain.lines[-1] + NEAR:
+            return
+        yield other
+
+
+def solution_behind_arrow(sections: Sections, chain: Chain, knowledge: Knowledge) -> Chain | None:
+    """Return the chain that gives an equation's solution behind an arrow, None where none does."""
+    behind = sections.document.text[chain.sides[1].span[1] :][:LONGEST_ARROW]
+    other = next(chains_below(sections.document.chains, chain), None)
+    if other is None or len(chain.relations) != 1 or not _SOLVED_NEXT.match(behind):
+        return None
+    return other if _may_be_solved_for(other, chain, knowledge) else None
+
+
+def solution_behind_words(sections: Sections, chain: Chain, knowledge: Knowledge) -> Chain | None:
+    """Return the chain that gives an equation's solution in the same sentence: 2n/60 = f, so n = 30 f."""
+    other = next(chains_below(sections.document.chains, chain), None)
+    if other is None or len(chain.relations) != 1:
+        return None
+    between = sections.document.text[chain.sides[1].span[1] : other.sides[0].span[0]]
+    is_next = _SOLVED_IN_WORDS.fullmatch(between) is not None
+    return other if is_next and _may_be_solved_for(other, chain, knowledge) else None
+
+
+def _may_be_solved_for(other: Chain, chain: Chain, knowledge: Knowledge) -> bool:
+    head = other.sides[0].node
+    own = names(chain.sides[0].node) | names(chain.sides[1].node)
+    return (
+        isinstance(head, Name)
+        and other.relations[0].sign == "="
+        and head.name not in names(other.sides[1].node)
+        and head.name in own - knowledge.universal
+    )
+
+
+def solution_below(sections: Sections, chain: Chain, knowledge: Knowledge) -> Chain | None:
+    """Return the chain that solves an equation of one letter that turns with an angle, and constants.
+
+    It is true of single angles only, whoever solves it. None for others, and where no line solves it.
+    """
+    if len(chain.relations) != 1 or chain.relations[0].sign != "=":
+        return None
+    own = names(chain.sides[0].node) | names(chain.sides[1].node)
+    values = {name: definition.node for name, definition in knowledge.definitions.items()}
+    for other in chains_below(sections.document.chains, chain):
+        head, value = other.sides[0].node, other.sides[1].node
+        if not _may_be_solved_for(other, chain, knowledge) or not isinstance(head, Name):
+            break
+        if names(value) <= own:
+            is_solution = bool(names(value)) and _is_of_one_moment(own, head.name, values, knowledge)
+            return other if is_solution else None
+        values.setdefault(head.name, value)  # where c = cos θ: what the letter is
+    return None
+
+
+def _is_of_one_moment(
+    own: frozenset[str], name: str, values: Mapping[str, Formula], knowledge: Knowledge
+) -> bool:
+    """Tell whether of all letters one turns with an angle: what it stands for is a wave."""
+    if name not in values:
+        return False
+    calls = [part for part in walk(values[name]) if isinstance(part, Call) and part.function in WAVES]
+    turning = {letter for call in calls for letter in names(call.argument)}
+    turning |= knowledge.angles & {*names_behind(values[name], values)}
+    others = own - {name}
+    still = {letter for other in others for letter in names_behind(Name(other), values)}
+    return bool(turning) and still.isdisjoint(turning | knowledge.moving)

@@ -1,0 +1,296 @@
+"""A second value of a letter that has one: a new case, a condition, or a contradiction."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+from symbalance.document.formula import Cases, Formula, Name, Negative, Number, Sum, names
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.evaluation import SymbolValue
+from symbalance.notes.algebra.tree_values import letters_behind, names_behind, sample_trees
+from symbalance.notes.algebra.values import letters
+from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision, without_dots
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.declared.symbol_roles import role_of
+from symbalance.notes.checking.premises.definitions import Definitions
+from symbalance.notes.checking.premises.impossible_values import outside_range
+from symbalance.notes.checking.premises.premise_decisions import decide_by_premises
+from symbalance.notes.checking.premises.system import Premise
+from symbalance.notes.checking.verdicts import CONDITION, CONTRADICTION, DEFINITION, PREMISE
+from symbalance.notes.checking.words.plain_formulas import lone_side, plain_text
+from symbalance.notes.reading.equations import Chain, Side
+
+FEWEST_NEW = 2
+"""Letters of a formula that make it one of another thing: x = y may be a claim."""
+NEARLY = 0.1
+"""Relative difference: a second value closer to the first is a slip, not a new case."""
+
+
+def define_anew(
+    definitions: Definitions, name: str, value: Formula, chain: Chain, k: int, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision on another value of a defined letter: a new case, a condition, or None."""
+    earlier, line = knowledge.definitions[name], chain.lines[0]
+    if not k and _is_of_new_letters(definitions, name, value, chain, knowledge):
+        definitions.define(name, without_dots(value)[0], chain)
+        return Decision(DEFINITION, f"anew: of other letters than in line {earlier.line}")
+    by_premises = decide_by_premises(definitions, Premise(Name(name), value, line), knowledge)
+    if by_premises is not None:
+        outside = outside_range(definitions, name, value, line, knowledge)
+        if by_premises.status == PREMISE and outside is None:
+            definitions.define(name, value, chain)
+        return outside or by_premises
+    if earlier.solved and _each_has_own_letters(earlier.node, value, knowledge):
+        contradiction = outside_range(definitions, name, value, line, knowledge)
+        if contradiction is None:
+            definitions.define(name, without_dots(value)[0], chain)
+        return contradiction or Decision(PREMISE, f"beside line {earlier.line}")
+    is_numbered = name.endswith(")") and not definitions.sections.same_section(earlier.line, line)
+    reason = ""
+    if is_numbered or (names(earlier.node) and names(value) and _is_anew(definitions, earlier, chain)):
+        reason = f"anew: in line {earlier.line} it was another one's"
+    elif _is_exact_form(name, value, earlier, chain, k, knowledge):
+        reason = f"exactly what line {earlier.line} has approximately"
+    if reason:
+        definitions.define(name, without_dots(value)[0], chain)
+        return Decision(DEFINITION, reason)
+    if chain.relations[k].sign == "≈" and not k and names(earlier.node) and not names(value):
+        condition = Premise(earlier.node, value, line, definitions.sections.case_end(line))
+        turning = _turning_behind(name, earlier.node, knowledge)
+        definitions.open_conditions |= dict.fromkeys(turning, condition)  # c ≈ 0.25, so θ ≈ 75.5°
+    is_put_in = not names(value) and _has_number_put_in(definitions, earlier, line, knowledge)
+    if is_put_in or not _new_case(earlier, value, chain.relations[k].sign, knowledge):
+        return None
+    return _define_case_anew(definitions, name, value, earlier, chain, knowledge)
+
+
+def _each_has_own_letters(earlier: Formula, value: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a second value fixes another letter: F_1 = -F_2, then F_1 = cos θ; or is a number."""
+    first, second = (set(_letters_behind([node], knowledge)) for node in (earlier, value))
+    return not second or bool(first - second and second - first)
+
+
+def _is_of_new_letters(
+    definitions: Definitions, name: str, value: Formula, chain: Chain, knowledge: Knowledge
+) -> bool:
+    """Tell whether a formula is of two letters or more that all came up after a letter's last mention.
+
+    A disc of mass M and radius R has J = M R²/2, whatever the J of the flywheel before was; where the
+    next formula is M = 2 J/R², it is that J, and the disc's mass is asked for.
+    """
+    own, start, known = names(value), chain.sides[0].span[0], knowledge.definitions[name]
+    if known.numeric and known.formula is None:
+        return False  # E = 310 J, then what formula it has
+    if len(own) < FEWEST_NEW or any(
+        knowledge.has_meaning(n) and n not in knowledge.definitions for n in own
+    ):
+        return False
+    if own & knowledge.meanings.keys() or definitions.sections.is_consequence(chain):
+        return False
+    chains = definitions.sections.document.chains
+    below = [c for c in chains if c.sides[0].span[0] > start]
+    below.sort(key=lambda c: c.sides[0].span[0])
+    solved = below[0].sides[:2] if below and len(below[0].sides) > 1 else ()
+    if solved and solved[0].node in [Name(n) for n in own] and name in names(solved[1].node):
+        return False
+    above = [c for c in chains if c.sides[0].span[0] < start]
+    last = max((c.sides[-1].span[1] for c in above if name in c.letters), default=None)
+    earlier = [c for c in above if last is None or c.sides[0].span[0] < last]
+    used = frozenset[str]().union(*(c.letters for c in earlier))
+    return last is not None and used.isdisjoint(own)
+
+
+def _is_anew(definitions: Definitions, earlier: Definition, chain: Chain) -> bool:
+    """Tell whether a second formula of a letter is of another engine, or in another exercise."""
+    is_tied = definitions.sections.is_consequence(chain)
+    return not is_tied and definitions.sections.is_of_another_engine(chain, earlier.line)
+
+
+def _is_exact_form(
+    name: str, value: Formula, earlier: Definition, chain: Chain, k: int, knowledge: Knowledge
+) -> bool:
+    """Tell whether a formula is what an earlier line gave a letter with ≈, cut off at some order."""
+    if k or not earlier.is_rough or chain.relations[0].sign != "=" or not names(value):
+        return False
+    lettered = {n: d for n, d in knowledge.definitions.items() if n != name and not d.numeric}
+    known = replace(knowledge, definitions=lettered)
+    return bool(names(earlier.node)) and (
+        decide(lone_side(value), lone_side(earlier.node), "≈", known).is_proved
+        and not decide(lone_side(earlier.node), lone_side(value), "=", known).is_proved
+    )
+
+
+def _new_case(earlier: Definition, value: Formula, sign: str, knowledge: Knowledge) -> bool:
+    """Tell whether another value of a letter starts a new case, and is not a slip.
+
+    It does between lone letters or numbers (θ = 0, then θ = π/2), unless two numbers nearly agree.
+    """
+    old = Side((earlier.node,), (0, 0))
+    if sign == "≈" or decide(old, Side((value,), (0, 0)), sign, knowledge).is_proved:
+        return False
+    if names(earlier.node) and names(value):
+        return isinstance(value, Name)
+    if names(earlier.node) or names(value):
+        return not _comes_to_a_number(earlier.node, knowledge)
+    points = sample_trees([earlier.node, value], SymbolValue(), 1)
+    if not points:
+        return True
+    old_value, new_value = points[0][1]
+    return abs(old_value - new_value) > NEARLY * max(abs(old_value), abs(new_value))
+
+
+def _has_number_put_in(
+    definitions: Definitions, earlier: Definition, line: int, knowledge: Knowledge
+) -> bool:
+    """Tell whether a line gives a formula its value, by its letters' numbers: λ = 3.5, F = 648."""
+    behind = (knowledge.definitions.get(n) for n in names(earlier.node) - knowledge.angles)
+    is_here = any(d is not None and d.numeric and d.line == line for d in behind)
+    return is_here and _comes_to_a_number(earlier.node, knowledge, Number(Fraction(0)))
+
+
+def _comes_to_a_number(node: Formula, knowledge: Knowledge, *beside: Formula) -> bool:
+    """Tell whether a formula has a number by all that is known: another one then contradicts it."""
+    level = list(knowledge.levels(node, *beside))[-1]
+    try:
+        return not letters(knowledge.evaluator(level).form(node))
+    except (NoFormError, TooLargeError):
+        return False
+
+
+def _define_case_anew(
+    definitions: Definitions,
+    name: str,
+    value: Formula,
+    earlier: Definition,
+    chain: Chain,
+    knowledge: Knowledge,
+) -> Decision:
+    """Return the decision on a value that may start a new case, after defining it."""
+    line = chain.lines[0]
+    if isinstance(value, Name) and value.name in knowledge.definitions:
+        definitions.conditions[line] = frozenset(_letters_behind([earlier.node, value], knowledge))
+        return Decision(CONDITION, "sets two quantities equal")
+    refusal = refuse_case(definitions, name, value, earlier, chain, knowledge)
+    if refusal is None and _is_no_other_root(definitions, name, value, chain, knowledge):
+        refusal = Decision(CONTRADICTION, "no solution of the equation that the other value solves")
+    if refusal is not None:
+        return refusal
+    bare = without_dots(value)[0]
+    end: int | None = None
+    if not names(bare) and names(earlier.node) and name not in knowledge.angles:
+        end = definitions.sections.section_end(line)  # u = 2v, then u = 6: 2v is 6 here
+        end = min(end, definitions.end_of_place(earlier.node, line) or end)
+        if turning := _turning_behind(name, earlier.node, knowledge):
+            end = min(end, definitions.sections.case_end(line))  # v = 0 at one moment, and not below
+        premise = Premise(earlier.node, bare, line, end)
+        definitions.premises.append(premise)
+        definitions.open_conditions |= dict.fromkeys(turning, premise)
+        end = end if turning else None
+    definitions.define(name, bare, chain, end)
+    return Decision(PREMISE, f"a new case: line {earlier.line} had another value")
+
+
+def _turning_behind(name: str, node: Formula, knowledge: Knowledge) -> frozenset[str]:
+    """Return the angles that a letter's value turns with: it has a number at a moment only."""
+    values = {n: d.node for n, d in knowledge.definitions.items() if n != name}
+    behind = {*names(node), *names_behind(node, {**values, **knowledge.meaning.values})}
+    roles = knowledge.meanings
+    return frozenset(n for n in behind if role_of(roles.get(n, "")) in ("crank angle", "rod angle"))
+
+
+def _letters_behind(nodes: list[Formula], knowledge: Knowledge) -> list[str]:
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    return [name for node in nodes for name in letters_behind(node, values)]
+
+
+def _is_no_other_root(
+    definitions: Definitions, name: str, value: Formula, chain: Chain, knowledge: Knowledge
+) -> bool:
+    """Tell whether a second value is said to solve what the first does, and does not: or x = 4."""
+    if not definitions.sections.is_one_of_several(chain):
+        return False
+    for premise in definitions.premises_at(chain.lines[0]):
+        if premise.names == {name}:
+            left, right = (lone_side(substitute(n, name, value)) for n in (premise.left, premise.right))
+            if decide(left, right, "=", knowledge).status == REFUTED:
+                return True
+    return False
+
+
+def refuse_case(
+    definitions: Definitions,
+    name: str,
+    value: Formula,
+    earlier: Definition,
+    chain: Chain,
+    knowledge: Knowledge,
+) -> Decision | None:
+    """Return why another value of a letter is no new case: it contradicts the earlier one, or may.
+
+    In prose a new case is said to be one, or stands in a section of its own.
+    """
+    line, text = chain.lines[0], f"{plain_text(Name(name))} = {plain_text(earlier.node)}"
+    if name in knowledge.angles or definitions.is_stale(name, knowledge):
+        return None
+    if definitions.sections.premise_end(chain, is_number=not names(value)) is not None:
+        return None
+    if chain.inline and definitions.sections.is_denied(chain):
+        return Decision(CONDITION, f"said not to be so: {text} in line {earlier.line}")
+    is_case = _says_new_case(definitions, name, earlier, chain)
+    if name in definitions.sections.spoken_of_generally(chain, {name: False}):
+        is_case = False  # "in general y = 1" is no case
+    is_excluded = is_case is not True and _excludes(earlier.node, value, knowledge)
+    if not is_excluded or _is_another_solution(definitions, name, value, line, knowledge):
+        return None
+    if is_case is None:
+        reason = f"not {text} of line {earlier.line}, and no words say that it is another case"
+        return Decision(UNDECIDED, reason)
+    return Decision(CONTRADICTION, f"contradicts {text} of line {earlier.line}")
+
+
+def _says_new_case(definitions: Definitions, name: str, earlier: Definition, chain: Chain) -> bool | None:
+    """Tell whether what stands around another value makes it a new case; None where it may."""
+    line, near = chain.lines[0], definitions.sections.paragraph_start(chain.lines[0])
+    same_section = definitions.sections.same_section(earlier.line, line)
+    if not same_section or (chain.inline and near > earlier.line):
+        follows_at_once = definitions.sections.stands_next(chain, earlier.line)
+        return not (definitions.sections.is_consequence(chain) and follows_at_once)
+    if not chain.inline:
+        is_next = definitions.sections.is_in_next_group(chain)
+        return is_next or (bool(earlier.assumption) and near > earlier.line)
+    return definitions.sections.starts_new_case(chain, earlier.line, name)
+
+
+def _excludes(earlier: Formula, value: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether no values of their letters make two values of one letter the same.
+
+    Two numbers, values that differ by a number, or a number that no case of the earlier one gives.
+    """
+    if isinstance(earlier, Cases) and not names(value):
+        return not any(names(v) for v in earlier.values) and all(
+            decide(lone_side(v), lone_side(value), "=", knowledge).status == REFUTED
+            for v in earlier.values
+        )
+    if not names(earlier) and not names(value):
+        return True
+    level = list(knowledge.levels(earlier, value))[-1]
+    try:
+        gap = knowledge.evaluator(level).form(Sum((earlier, Negative(value))))
+    except (NoFormError, TooLargeError):
+        return False
+    return not letters(gap) and not gap.is_zero()
+
+
+def _is_another_solution(
+    definitions: Definitions, name: str, value: Formula, line: int, knowledge: Knowledge
+) -> bool:
+    """Tell whether a second value solves an equation too that a letter's first one solves."""
+    others = {n: d for n, d in knowledge.definitions.items() if n != name}
+    without = replace(knowledge, definitions=others)
+    if not any(name in p.names and not p.fixes for p in definitions.premises_at(line)):
+        return False
+    decision = decide_by_premises(definitions, Premise(Name(name), value, line), without)
+    return decision is not None and decision.status == PREMISE

@@ -1,0 +1,153 @@
+"""Conditions that stand right behind a relation: (N ≥ 3), (m = n), for p not a multiple of N.
+
+Each is of that relation alone: of two on one line, Σ cos θ_i = 0 (N ≥ 2), Σ cos 2θ_i = 0 (N ≥ 3), each
+has its own.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection
+from dataclasses import dataclass, replace
+
+from symbalance.document.formula import (
+    Formula,
+    Name,
+    Number,
+    Product,
+    Summation,
+    names,
+    walk,
+)
+from symbalance.notes.algebra.special_values import ANY_WHOLE
+from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, StatedRange
+from symbalance.notes.checking.deciding.whole_numbers import orders_in
+from symbalance.notes.checking.words.plain_formulas import plain_text
+from symbalance.notes.reading.equations import Chain, ReadNotes
+
+_WORDS = r"for|if|when|where|provided|für|wenn|falls|sofern|pour|si"
+_BLANK = r"\s|[$~&]|\\[,;:! ]|\\q?quad(?![a-z])|\\(?:text|mbox|mathrm|textrm)\s*\{|\\left|\\[bB]igg?l?|\}"
+_BEHIND = re.compile(
+    rf"(?:{_BLANK}|,)*(?:[(\[（]|(?<![A-Za-z\\])(?:{_WORDS})(?![A-Za-z]))"
+    rf"(?:{_BLANK}|(?<![A-Za-z\\])(?:{_WORDS}|all|alle|every|any|jedes|jede)(?![A-Za-z]))*"
+)
+_LETTER = r"[\s$~]*(?P<{}>\\?[A-Za-z])[\s$~]*"
+_MULTIPLE = re.compile(
+    rf"{_LETTER.format('first')}(?:is|ist|=)?\s*(?P<not>not|no|kein)?\s*(?:an?\s+|ein\s+)?"
+    r"(?:integer\s+|whole\s+|ganzzahliges\s+)?"
+    rf"(?:multiple\s+of|Vielfaches\s+von){_LETTER.format('second')}"
+    rf"|{_LETTER.format('divisor')}(?:\\mid(?![a-z])|divides|teilt|∣){_LETTER.format('divided')}"
+)
+_NEAR = 60
+"""Characters behind a relation in which such words begin."""
+
+
+@dataclass(frozen=True, slots=True)
+class Conditions:
+    """What is said right behind a relation of the letters in it."""
+
+    ranges: tuple[StatedRange, ...] = ()
+    values: tuple[tuple[str, Formula, str], ...] = ()
+    """Letters with what they equal there, and the condition as text."""
+
+
+def conditions_behind(chain: Chain, document: ReadNotes) -> Conditions:
+    """Return the conditions right after a relation, in brackets or behind "for" and the like."""
+    end = max(side.span[1] for side in chain.sides)
+    opened = _BEHIND.match(document.text, end)
+    if opened is None:
+        return Conditions()
+    own, counts = chain.letters, _counts(chain)
+    ranges: list[StatedRange] = []
+    values: list[tuple[str, Formula, str]] = []
+    for other in document.chains:
+        if other.sides[0].span[0] != opened.end() or other is chain:
+            continue
+        for k, relation in enumerate(other.relations):
+            left, right = other.sides[k].node, other.sides[k + 1].node
+            if not (names(left) | names(right)) <= set(own):
+                continue
+            line = chain.lines[0]
+            if relation.sign in SATISFIED_BY:
+                ranges.append(StatedRange(left, relation.sign, right, line, max(chain.lines)))
+            elif _is_equality(other, counts):
+                assert isinstance(left, Name)
+                text = f"{plain_text(left)} = {plain_text(right)}"
+                values.append((left.name, right, text))
+    if counts:
+        values += _multiples(document.text[opened.end() : opened.end() + _NEAR], own)
+    return Conditions(tuple(ranges), tuple(values))
+
+
+def equalities_behind(document: ReadNotes) -> frozenset[int]:
+    """Return where the equations begin that are conditions of the relation before: (m = n), (N = 3)."""
+    heads = {c.sides[0].span[0]: c for c in document.chains if len(c.sides) == 2}
+    behind: set[int] = set()
+    for chain in document.chains:
+        counts = _counts(chain)
+        opened = _BEHIND.match(document.text, max(side.span[1] for side in chain.sides))
+        head = heads.get(opened.end()) if counts and opened is not None else None
+        if head is not None and _is_equality(head, counts):
+            behind.add(head.sides[0].span[0])
+    return frozenset(behind)
+
+
+def _counts(chain: Chain) -> frozenset[str]:
+    """Return the letters of a relation's sums and integrals that may be whole numbers."""
+    nodes = [side.node for side in chain.sides]
+    bounds = [
+        bound
+        for node in nodes
+        for part in walk(node)
+        if isinstance(part, Summation)
+        for bound in (part.lower, part.upper)
+        if bound is not None
+    ]
+    return orders_in(nodes) | {name for bound in bounds for name in names(bound)}
+
+
+def _is_equality(chain: Chain, counts: Collection[str]) -> bool:
+    """Tell whether a chain says of a letter that counts that it is another one, or a whole number."""
+    left, right = (side.node for side in (chain.sides[0], chain.sides[-1]))
+    is_value = isinstance(right, Name) or (isinstance(right, Number) and right.value.denominator == 1)
+    is_whole = isinstance(left, Name) and left.name in counts and is_value
+    return is_whole and len(chain.sides) == 2 and chain.relations[0].sign == "="
+
+
+def _multiples(text: str, own: Collection[str]) -> list[tuple[str, Formula, str]]:
+    """Return that a letter is a multiple of another one, as words or the sign for "divides" say."""
+    match = _MULTIPLE.match(text)
+    if match is None or match["not"]:
+        return []
+    first, second = match["first"] or match["divided"], match["second"] or match["divisor"]
+    letters = first.lstrip("\\"), second.lstrip("\\")
+    if not set(letters) <= set(own):
+        return []
+    value = Product((Name(ANY_WHOLE), Name(letters[1])))
+    texts = [plain_text(Name(name)) for name in letters]
+    return [(letters[0], value, f"{texts[0]} is a multiple of {texts[1]}")]
+
+
+def with_conditions(chain: Chain, document: ReadNotes, knowledge: Knowledge) -> Knowledge:
+    """Return what is known with the conditions right behind a relation, instead of others on its line."""
+    conditions = conditions_behind(chain, document)
+    if conditions == Conditions():
+        return knowledge
+    letters = {name for r in conditions.ranges for name in names(r.left) | names(r.right)}
+    others = tuple(
+        r
+        for r in knowledge.ranges
+        if r.line != chain.lines[0]
+        or r.last_line is None
+        or letters.isdisjoint(names(r.left) | names(r.right))
+    )
+    definitions = dict(knowledge.definitions)
+    for name, value, text in conditions.values:
+        definitions[name] = Definition(value, chain.lines[0], assumption=text)
+    meaning = knowledge.meaning
+    if conditions.values:
+        meaning = replace(meaning, integer=meaning.integer | {ANY_WHOLE})
+    return replace(
+        knowledge, meaning=meaning, ranges=(*conditions.ranges, *others), definitions=definitions
+    )

@@ -1,0 +1,334 @@
+"""Letters that a document has defined so far, with their values, each as far as its scope reaches."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+
+from symbalance.document.formula import Formula, Name, Negative, Number, Product, names
+from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.values import letters
+from symbalance.notes.checking.deciding.equality import REFUTED, Decision, without_dots
+from symbalance.notes.checking.deciding.inequalities import possible_branches
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, StatedRange
+from symbalance.notes.checking.deciding.rounding import decimals
+from symbalance.notes.checking.declared.sidecar import Declarations
+from symbalance.notes.checking.declared.symbol_roles import CONSTANT, MOVING, role_of
+from symbalance.notes.checking.premises.constraints import Constraint
+from symbalance.notes.checking.premises.system import EVERYWHERE, Premise
+from symbalance.notes.checking.verdicts import RANGE
+from symbalance.notes.checking.words.plain_formulas import plain_text
+from symbalance.notes.checking.words.sections import Sections
+from symbalance.notes.reading.equations import Chain
+
+_OF_CRANK_ANGLE = (*MOVING, "rod angle")
+"""What a condition such as v = 0 is solved for the crank angle with."""
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A letter's definition, the scopes of the sidecar it stands in, and the last line it reaches."""
+
+    definition: Definition
+    scopes: tuple[int, ...]
+    last_line: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class OpenCase:
+    """A case that a relation opens (for θ = 0): its letters, its line, and its place in the text."""
+
+    letters: frozenset[str]
+    line: int
+    start: int
+
+
+@dataclass
+class Definitions:
+    """The letters a document has given values, those it has used at all, and what it takes as given."""
+
+    declarations: Declarations
+    sections: Sections
+    values: dict[str, list[Entry]] = field(default_factory=dict)
+    first_lines: dict[str, int] = field(default_factory=dict)
+    """The letters in use, each with the line on which it first stands."""
+    conditions: dict[int, frozenset[str]] = field(default_factory=dict)
+    """Lines that set two known quantities equal, with the letters these come down to."""
+    ranges: list[StatedRange] = field(default_factory=list)
+    premises: list[Premise] = field(default_factory=list)
+    cases: list[OpenCase] = field(default_factory=list)
+    open_conditions: dict[str, Premise] = field(default_factory=dict)
+    """Conditions on one angle that were stated last: a value given to it next is their solution."""
+    _branches: dict[tuple[str, int, int], Definition] = field(default_factory=dict)
+    solved_from: dict[str, tuple[int, dict[str, Formula | None]]] = field(default_factory=dict)
+    """Letters whose number was solved for, with the line and the values of the letters it rests on."""
+
+    def at(self, line: int) -> dict[str, Definition]:
+        """Return the definitions that reach a line, of the letters as declared there."""
+        scopes_here, owner = set(self.declarations.scope_at(line)), self.declarations.owner
+        reaching: dict[str, Definition] = {}
+        for name, entries in self.values.items():
+            for entry in reversed(entries):
+                if (
+                    set(entry.scopes) <= scopes_here
+                    and (entry.last_line is None or line <= entry.last_line)
+                    and owner(name, entry.definition.line) == owner(name, line)
+                ):
+                    last = reaching.setdefault(name, entry.definition)
+                    if not last.numeric:
+                        break
+                    if not entry.definition.numeric:
+                        reaching[name] = replace(last, formula=entry.definition.node)
+                        break
+        return reaching
+
+    def define(self, name: str, node: Formula, chain: Chain, last: int | None = None) -> bool:
+        """Define a letter's value from here on; tell whether its sentence makes it a premise.
+
+        "Take r = 1" reaches its section, and what rests on it is conditional. No value reaches
+        further than the line `last`.
+        """
+        line, last_line = chain.lines[0], self.sections.premise_end(chain, is_number=not names(node))
+        is_zero = isinstance(node, Number) and not node.value
+        # where a letter is 0 nearly all is true: what rests on that says so
+        text = (
+            f"{plain_text(Name(name))} = {plain_text(node)}" if last_line is not None or is_zero else ""
+        )
+        is_rough = chain.relations[0].sign == "≈" or any(without_dots(s.node)[1] for s in chain.sides)
+        definition = Definition(node, line, not names(node), text, is_rough=is_rough)
+        end = self.end_of_place(Name(name), line) if last_line is None and not names(node) else last_line
+        if is_zero and name in self.letters_before(line):
+            last = min(last or self.sections.section_end(line), self.sections.section_end(line))
+        end = min((n for n in (end, last) if n is not None), default=None)
+        self._add(name, Entry(definition, self.declarations.scope_at(line), end))
+        self._note_case(chain, frozenset({name}))
+        return last_line is not None
+
+    def fix(self, constraint: Constraint, chain: Chain, *, is_rod_angle: bool = False) -> None:
+        """Define a letter that a relation fixes, perhaps on one branch of several."""
+        line, node = chain.lines[0], constraint.node
+        definition = Definition(
+            node,
+            line,
+            not names(node),
+            alternatives=constraint.alternatives,
+            solved=True,
+            branch=constraint.branch if constraint.alternatives else "",
+            is_rod_angle=is_rod_angle,
+        )
+        scopes = self.declarations.scope_at(line)
+        last_line = self.sections.premise_end(chain, is_number=not names(node))
+        self._add(constraint.name, Entry(definition, scopes, last_line))
+
+    def forget(self, name: str, line: int) -> None:
+        """Forget the value that a line gave a letter, which cannot be: what follows is of another one."""
+        entries = [e for e in self.values.pop(name, []) if e.definition.line != line]
+        if entries:
+            self.values[name] = entries
+
+    def fix_coefficients(self, values: Mapping[str, Formula], chain: Chain) -> None:
+        """Define the letters that a series has as its coefficients."""
+        line = chain.lines[0]
+        for name, node in values.items():
+            definition = Definition(node, line, is_coefficient=True)
+            self._add(name, Entry(definition, self.declarations.scope_at(line)))
+
+    def coefficients(self) -> dict[str, list[Entry]]:
+        """Return the letters that series have as their coefficients."""
+        of_series = {
+            name: [e for e in entries if e.definition.is_coefficient]
+            for name, entries in self.values.items()
+        }
+        return {name: entries for name, entries in of_series.items() if entries}
+
+    def forget_coefficients(self, but: Mapping[str, list[Entry]]) -> dict[str, list[Entry]]:
+        """Forget the coefficients of series but those given, and return them."""
+        newer = {
+            name: [e for e in entries if all(e is not other for other in but.get(name, ()))]
+            for name, entries in self.coefficients().items()
+        }
+        newer = {name: entries for name, entries in newer.items() if entries}
+        for name, entries in newer.items():
+            rest = [e for e in self.values.pop(name) if all(e is not other for other in entries)]
+            if rest:
+                self.values[name] = rest
+        return newer
+
+    def put_back(self, entries_by_name: Mapping[str, list[Entry]]) -> None:
+        """Define letters again as they were."""
+        for name, entries in entries_by_name.items():
+            for entry in entries:
+                self._add(name, entry)
+
+    def round(self, name: str, chain: Chain, node: Formula) -> None:
+        """Note how a letter's value is printed in the line that defines it: v = 2π·100 = 628.3."""
+        entries = self.values.get(name, [])
+        if names(node) or not entries or entries[-1].definition.line != chain.lines[0]:
+            return
+        number = node.operand if isinstance(node, Negative) else node
+        if isinstance(number, Number) and number.last_place is None:
+            number = Number(number.value, Fraction(1), span=number.span)
+            node = Negative(number) if isinstance(node, Negative) else number
+        if isinstance(node, Product) and len(node.factors) == 2:
+            number, unit = node.factors
+            if isinstance(number, Number) and number.last_place is None and isinstance(unit, Number):
+                node = replace(node, factors=(replace(number, last_place=Fraction(1)), unit))
+        if decimals(node):
+            definition = replace(entries[-1].definition, rounded=node)
+            entries[-1] = replace(entries[-1], definition=definition)
+
+    def _add(self, name: str, entry: Entry) -> None:
+        self.values.setdefault(name, []).append(entry)
+
+    def ranges_at(self, line: int) -> list[StatedRange]:
+        """Return the ranges that reach a line."""
+        return [
+            r
+            for r in self.ranges
+            if self.reaches(r.line, line, names(r.left) | names(r.right))
+            and (r.last_line is None or line <= r.last_line)
+        ]
+
+    def premises_at(self, line: int) -> list[Premise]:
+        """Return the equations taken as given that reach a line."""
+        return [p for p in self.premises if self.reaches(p.line, line, p.names) and line <= p.last_line]
+
+    def note_range(self, chain: Chain, k: int, decision: Decision) -> None:
+        """Note a range that a relation states; one that is empty states nothing."""
+        left, right = chain.sides[k].node, chain.sides[k + 1].node
+        if decision.status == REFUTED:
+            self.ranges = [r for r in self.ranges if r.right is not left]
+        if decision.status == RANGE:
+            line, is_aside = chain.lines[0], self.sections.is_in_brackets(chain)
+            last = max(chain.lines) if is_aside else None
+            self.ranges.append(StatedRange(left, chain.relations[k].sign, right, line, last))
+            self._note_case(chain, names(left) | names(right))
+
+    def forget_range(self, chain: Chain) -> None:
+        """Forget the range that a relation stated, which is refuted."""
+        left, right = chain.sides[0].node, chain.sides[-1].node
+        self.ranges = [r for r in self.ranges if r.left is not left or r.right is not right]
+
+    def note_premise(
+        self, chain: Chain, k: int, fixes: str = "", angles: frozenset[str] = frozenset()
+    ) -> None:
+        """Note an equation that is taken as given, and the letter it fixes.
+
+        On angles alone it says at which of them something is looked at (largest where cos 2θ = 1), and
+        reaches to the end of its section; on one of them, cos θ + λ cos 2θ = 0, to that of its item.
+        """
+        premise = replace(self.premise_of(chain, k), fixes=fixes)
+        symbols = self.declarations.symbols_at(premise.line)
+        roles = {role_of(symbols.get(n, "")) for n in premise.names}
+        is_motion = bool(roles & {*_OF_CRANK_ANGLE}) and roles <= {*_OF_CRANK_ANGLE, *CONSTANT}
+        is_moment = (
+            len(premise.names & angles) == 1
+            and not names(premise.right)
+            and roles <= {*_OF_CRANK_ANGLE, *CONSTANT, "crank angle"}
+        )
+        if is_moment or premise.names <= angles:
+            end = (self.sections.moment_end if is_moment else self.sections.section_end)(premise.line)
+            premise = replace(premise, last_line=min(premise.last_line, end))
+        self.premises.append(premise)
+        turned = [n for n, text in symbols.items() if is_motion and role_of(text) == "crank angle"]
+        for name in {*(premise.names & angles), *turned}:
+            self.open_conditions[name] = premise
+
+    def forget_moment(self, value: Formula) -> None:
+        """Forget a refuted number that a relation gave what moves: no angle follows from it."""
+        self.premises = [p for p in self.premises if p.right is not value]
+        self.open_conditions = {n: p for n, p in self.open_conditions.items() if p.right is not value}
+
+    def _note_case(self, chain: Chain, letters_of_it: frozenset[str]) -> None:
+        if self.sections.opens_case(chain):
+            start = min(side.span[0] for side in chain.sides)
+            self.cases.append(OpenCase(letters_of_it, chain.lines[0], start))
+
+    def premise_of(self, chain: Chain, k: int) -> Premise:
+        """Return a relation of a chain as a premise, with its reach."""
+        left, right = chain.sides[k].node, chain.sides[k + 1].node
+        last_line = self.sections.premise_end(chain, is_number=not names(right))
+        if last_line is None and not names(right):
+            last_line = self.end_of_place(left, chain.lines[0])
+        return Premise(left, right, chain.lines[0], EVERYWHERE if last_line is None else last_line)
+
+    def end_of_place(self, node: Formula, line: int) -> int | None:
+        """Return where the angle ends at which a formula has a value: x = 6.71 at θ = 90° of item b)."""
+        values = {name: entries[-1].definition.node for name, entries in self.values.items()}
+        for name in {*names(node), *names_behind(node, values)} & set(self.values):
+            for entry in self.values[name]:
+                first, last = entry.definition.line, entry.last_line
+                if last is not None and first <= line <= last < self.sections.section_end(first):
+                    return last
+        return None
+
+    def on_stated_branches(self, knowledge: Knowledge) -> Knowledge:
+        """Return what is known where ranges have said on which branch a letter lies; each is kept."""
+        for name, definition in knowledge.definitions.items():
+            own_ranges = [r for r in knowledge.ranges if name in names(r.left) | names(r.right)]
+            if definition.alternatives and own_ranges:
+                key = (name, definition.line, len(own_ranges))
+                if key not in self._branches:
+                    self._branches[key] = possible_branches(name, definition, knowledge)
+                knowledge = knowledge.with_definition(name, self._branches[key])
+        return knowledge
+
+    def reaches(self, own_line: int, line: int, letters_of_it: frozenset[str]) -> bool:
+        """Tell whether what a line states is in scope at another, its letters being the same there."""
+        declared = self.declarations
+        if not declared.scopes:
+            return True
+        return set(declared.scope_at(own_line)) <= set(declared.scope_at(line)) and all(
+            declared.owner(name, own_line) == declared.owner(name, line) for name in letters_of_it
+        )
+
+    def use(self, chain: Chain) -> None:
+        """Note the letters of a chain; one on other letters ends the solving of a condition."""
+        own = chain.letters
+        for name in own:
+            self.first_lines.setdefault(name, chain.lines[0])
+        line = chain.lines[0]
+        self.open_conditions = {
+            name: premise
+            for name, premise in self.open_conditions.items()
+            if (premise.line == line or own == {name}) and line <= premise.last_line
+        }
+
+    @property
+    def letters_in_use(self) -> set[str]:
+        """The letters that stand in the document so far."""
+        return set(self.first_lines)
+
+    def letters_before(self, line: int) -> set[str]:
+        """Return the letters in use before a line's paragraph: equations of one display are a system."""
+        start = self.sections.paragraph_start(line)
+        return {name for name, first in self.first_lines.items() if first < start}
+
+    def condition_behind(self, decision: Decision, line: int) -> int | None:
+        """Return the line of a condition that a refuted relation may rest on: it shares two letters."""
+        if decision.left is None or decision.right is None:
+            return None
+        own_letters = {*letters(decision.left), *letters(decision.right)}
+        lines = [
+            n
+            for n, condition_letters in self.conditions.items()
+            if n < line and len(own_letters & condition_letters) > 1
+        ]
+        return lines[-1] if lines else None
+
+    def is_stale(self, letter: str, knowledge: Knowledge) -> bool:
+        """Tell whether a letter's number was solved from another one that has changed since."""
+        if letter not in self.solved_from:
+            return False
+        line, others = self.solved_from[letter]
+        own = knowledge.definitions.get(letter)
+        return (
+            own is not None
+            and own.line == line
+            and any(
+                n in knowledge.definitions
+                and (knowledge.definitions[n].line > line or knowledge.definitions[n].node != node)
+                for n, node in others.items()
+            )
+        )

@@ -1,0 +1,45 @@
+"""A page that looks at one angle and then at another: tan α = 1/λ here, cos α + λ cos 2α = 0 there.
+
+A second condition on an angle, in a paragraph of its own and introduced as one ("it vanishes where"), is
+not to be satisfied together with the first: it is about another angle, and what fixed the first is left.
+"""
+
+from __future__ import annotations
+
+from symbalance.document.formula import Call, Formula, Name, names, walk
+from symbalance.notes.checking.premises.system import Premise
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.reading.equations import Chain
+
+_TURNING = ("sin", "cos", "tan")
+
+
+def leave_place(state: JudgingState, chain: Chain) -> bool:
+    """Forget what fixed the angle of a new condition in a paragraph above; tell whether anything did."""
+    sections, definitions = state.sections, state.definitions
+    if len(chain.relations) != 1 or not sections.is_condition(chain):
+        return False
+    first = sections.paragraph_start(chain.lines[0])
+    angles = {name for side in chain.sides for name in _turning(side.node)}
+    fixing = [p for p in definitions.premises if p.line < first and _is_condition_on(p, angles)]
+    fixed = {name for premise in fixing for name in premise.names & angles}
+    if not fixed:
+        return False
+    definitions.premises = [p for p in definitions.premises if p.line >= first or not p.names & fixed]
+    for name in fixed:
+        for entry in list(definitions.values.get(name, ())):
+            if entry.definition.line < first:
+                definitions.forget(name, entry.definition.line)
+    return True
+
+
+def _is_condition_on(premise: Premise, angles: set[str]) -> bool:
+    """Tell whether an equation fixes an angle: one in its sine or cosine, or its value."""
+    turning = _turning(premise.left) | _turning(premise.right)
+    lone = {side.name for side in (premise.left, premise.right) if isinstance(side, Name)}
+    return len(turning & angles) == 1 == len(turning) or bool(lone & angles)
+
+
+def _turning(node: Formula) -> set[str]:
+    calls = (part for part in walk(node) if isinstance(part, Call) and part.function in _TURNING)
+    return {name for call in calls for name in names(call.argument)}

@@ -1,0 +1,75 @@
+"""Whether an equation is to be solved: by the words before it, or by a value right below it."""
+
+from __future__ import annotations
+
+from symbalance.document.formula import Name, names
+from symbalance.notes.checking.declared.symbol_roles import letters_by_role
+from symbalance.notes.checking.page.solutions import chains_below
+from symbalance.notes.checking.steps.judging_state import ANGLES, JudgingState
+from symbalance.notes.reading.equations import Chain
+
+
+def is_to_be_solved(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Tell whether an equation is to be solved: by the words before it, or by a value right below.
+
+    cos θ + λ cos 2θ = 0 may be a claim; behind "where", or with θ = 76° next, it is none.
+    """
+    if len(chain.relations) != 1:
+        return False
+    own = names(chain.sides[k].node) | names(chain.sides[k + 1].node)
+    if _is_solved_next(state, chain, own):
+        return True
+    if names(chain.sides[k].node) & names(chain.sides[k + 1].node) & _angles(state, chain):
+        return False  # sin 2θ = 2 sin θ claims that they are the same
+    if state.sections.is_condition(chain):
+        return True
+    following = _next(state, chain)
+    if following is None or _turns_to_angle(state, chain, following):
+        return following is not None
+    is_apart = state.sections.paragraph_start(following.lines[0]) > chain.lines[-1]
+    is_of_both = bool(names(chain.sides[k].node) & names(chain.sides[k + 1].node))
+    # another paragraph tries a value of its own
+    return (
+        not (chain.inline and is_of_both and is_apart)
+        and len(own) == 1
+        and isinstance(following.sides[0].node, Name)
+        and following.sides[0].node.name in own
+        and not names(following.sides[1].node)
+    )
+
+
+def _is_solved_next(state: JudgingState, chain: Chain, own: frozenset[str]) -> bool:
+    """Tell whether an equation is solved for a letter by what follows: 8U = 4m λ ⇒ U = m λ/2."""
+    following = _next(state, chain)
+    if following is None or not state.sections.is_consequence(following):
+        return False
+    head = following.sides[0].node
+    both = names(chain.sides[0].node) & names(chain.sides[1].node)
+    if not isinstance(head, Name) or head.name not in own - both:
+        return False
+    is_open = not state.knowledge(chain.lines[0]).has_meaning(head.name)
+    return is_open and names(following.sides[1].node) <= own - {head.name}
+
+
+def _turns_to_angle(state: JudgingState, chain: Chain, following: Chain) -> bool:
+    """Tell whether a motion that has some value gives the crank angle next: x = r, so θ = π/2."""
+    head, angle = chain.sides[0].node, following.sides[0].node
+    moving = state.knowledge(chain.lines[0]).moving
+    return (
+        isinstance(head, Name)
+        and head.name in moving
+        and isinstance(angle, Name)
+        and angle.name in _angles(state, chain)
+        and not names(following.sides[1].node)
+        and state.sections.is_consequence(following)
+    )
+
+
+def _next(state: JudgingState, chain: Chain) -> Chain | None:
+    """Return the chain that follows in the text, if it stands near."""
+    return next(chains_below(state.document.chains, chain), None)
+
+
+def _angles(state: JudgingState, chain: Chain) -> set[str]:
+    letters = letters_by_role(state.declarations.symbols_at(chain.lines[0]))
+    return {name for meaning in ANGLES for name in letters.get(meaning, ())}

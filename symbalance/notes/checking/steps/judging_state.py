@@ -1,0 +1,190 @@
+"""What is known of a page where its next relation is judged: what it declares and has said so far."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field, replace
+
+from symbalance.document.formula import Integral, Summation, names, walk
+from symbalance.errors import SymbalanceError
+from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.deciding.inequalities import sample_ranges
+from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
+from symbalance.notes.checking.deciding.numbers_put_in import printed_results
+from symbalance.notes.checking.deciding.whole_numbers import may_count, orders_in
+from symbalance.notes.checking.declared.engines import Sources
+from symbalance.notes.checking.declared.sidecar import Declarations
+from symbalance.notes.checking.declared.symbol_roles import (
+    MOVING,
+    SMALL_WORD,
+    letters_by_role,
+    small_letters,
+)
+from symbalance.notes.checking.declared.symbols import meaning_of
+from symbalance.notes.checking.meant.engine_speeds import speeds_of
+from symbalance.notes.checking.meant.given_numbers import GivenNumbers
+from symbalance.notes.checking.meant.meant_quantities import MeantQuantities
+from symbalance.notes.checking.meant.meant_words import MeantWords
+from symbalance.notes.checking.meant.motion_in_time import Motions, with_motions
+from symbalance.notes.checking.meant.named_quantities import NamedQuantities
+from symbalance.notes.checking.motions.equations_of_motion import EquationOfMotion
+from symbalance.notes.checking.motions.fourier_series import FourierSeries
+from symbalance.notes.checking.page.solutions import turned_letters
+from symbalance.notes.checking.premises import constraints
+from symbalance.notes.checking.premises.carried_values import CarriedValues
+from symbalance.notes.checking.premises.conditions_behind import equalities_behind, with_conditions
+from symbalance.notes.checking.premises.definitions import Definitions
+from symbalance.notes.checking.premises.system import Premise
+from symbalance.notes.checking.words.crank_angles_listed import crank_angles, listed_at
+from symbalance.notes.checking.words.integer_words import integers_said
+from symbalance.notes.checking.words.sections import Sections
+from symbalance.notes.reading import ReadingError, read_equation
+from symbalance.notes.reading.equations import Chain, ReadNotes
+
+ANGLES = ("crank angle", "rod angle", "time", "integer")
+_COUNT = re.compile(r"\bnumber of|\bcount\b|integer|anzahl|zahl\b|気筒数|シリンダ数", re.IGNORECASE)
+"""Words of a meaning that say of a letter at the end of a sum that it counts."""
+NEAR_RANGE = 2
+"""Lines above a relation on which a range is said of it."""
+UNIVERSAL = (
+    "crank angle",
+    "rod angle",
+    "time",
+    "rod ratio l/r",
+    "rod ratio l/s",
+    "crank ratio r/l",
+    "integer",
+)
+"""Roles of letters of all of whose values a relation is claimed."""
+
+
+@dataclass
+class JudgingState:
+    """A page while its relations are judged in turn: what it declares, and what is defined so far."""
+
+    document: ReadNotes
+    declarations: Declarations
+    sources: Sources
+    corrects: bool
+    motions: Motions = field(default_factory=Motions)
+
+    def __post_init__(self) -> None:
+        self.sections = Sections(self.document)
+        self.definitions = Definitions(self.declarations, self.sections)
+        self.meant = MeantQuantities(
+            MeantWords(self.document, self.declarations, self.sections), self.sources
+        )
+        self.named = NamedQuantities(self.document, self.sections)
+        self.small_letters = small_letters(self.document.text)
+        self.counts = _counts(self.document)
+        self.letters = {n for chain in self.document.chains for n in chain.letters}
+        self.printed = printed_results(self.document)
+        self.wrong_numbers = CarriedValues()
+        self.given_numbers = GivenNumbers()
+        self.speeds = speeds_of(self.document.text)
+        self.crank_angles = crank_angles(self.document.text)
+        sides = [side.node for chain in self.document.chains for side in chain.sides]
+        self.has_sums = any(isinstance(p, Summation | Integral) for node in sides for p in walk(node))
+        self.orders = orders_in(sides) if self.has_sums else frozenset()
+        self.integers = integers_said(self.document.text, self.orders)
+        """Orders that the page's words say to be whole numbers."""
+        self.conditions = equalities_behind(self.document)
+        """Where equations begin that are conditions of the relation before them alone: (m = n)."""
+        self.equations_of_motion: list[EquationOfMotion] = []
+        self.fourier_series: list[FourierSeries] = []
+        self.not_judged: dict[str, int] = {}
+        """Letters that a relation may define which was not judged, with its line."""
+        self.solutions: dict[int, tuple[Premise, Decision]] = {}
+        """Where an equation's solution stands: the equation, and whether the solution satisfies it."""
+        self.balances: set[int] = set()
+        """Places of the solutions of balances, which are wrong where they do not satisfy them."""
+        self.wrong_angles: dict[int, Decision] = {}
+        """Where an angle stands that is said to solve the equation before it, and does not."""
+        self.turned = turned_letters(self.document)
+        self.general: frozenset[str] = frozenset()
+        """Letters of all of whose values the relation in hand is claimed, whatever case stands before."""
+
+    def knowledge(self, line: int, convention: str = "") -> Knowledge:
+        """Return what is known at a line."""
+        symbols = {**self.counts, **self.declarations.symbols_at(line)}
+        meaning, crank = meaning_of(symbols, convention, self.sources.engines)
+        definitions = self.definitions.at(line)
+        letters = letters_by_role(symbols)
+        meaning = with_motions(meaning, self.motions, line, definitions, symbols)
+        running = self.motions.turning(line)
+        universal = frozenset(n for m in UNIVERSAL for n in letters.get(m, ())) | running
+        moving = frozenset(n for m in MOVING for n in letters.get(m, ()))
+        angles = frozenset(n for m in ANGLES for n in letters.get(m, ())) | running
+        letters_declared = frozenset(symbols)
+        ranges = self.definitions.ranges_at(line)
+        undeclared = frozenset(self.document.free_letters) - letters_declared - definitions.keys()
+        counts = {n for n in self.counts if _COUNT.search(symbols[n])}
+        counts |= {n for n in self.integers if may_count(n, symbols)}
+        meaning = replace(
+            meaning,
+            ranges={**meaning.ranges, **sample_ranges(ranges)},
+            integer=meaning.integer | counts,
+            undeclared=undeclared,
+        )
+        knowledge = Knowledge(
+            meaning,
+            crank,
+            definitions,
+            self.assumptions(line, letters_declared),
+            letters_declared | self.document.own_letters,
+            moving,
+            angles,
+            symbols,
+            universal,
+            corrects=self.corrects,
+            ranges=tuple(ranges),
+            printed=self.printed,
+            has_sums=self.has_sums,
+            orders=self.orders,
+            small=frozenset(n for n, text in symbols.items() if SMALL_WORD.search(text))
+            | self.small_letters,
+        )
+        return self.definitions.on_stated_branches(knowledge)
+
+    def knowledge_of(self, chain: Chain, knowledge: Knowledge) -> Knowledge:
+        """Return what is known with what stands around one relation on its line."""
+        start = min(side.span[0] for side in chain.sides)
+        same_section = self.sections.same_section
+        angles = listed_at(self.crank_angles, start, self.document.text, same_section)
+        own = replace(knowledge, crank_angles=angles, own_ranges_from=chain.lines[0] - NEAR_RANGE)
+        return with_conditions(chain, self.document, own)
+
+    def assumptions(self, line: int, letters: frozenset[str]) -> tuple[Assumption, ...]:
+        """Return the assumptions at a line, each solved for a letter."""
+        return tuple(
+            read_assumption(text, letters, self.declarations.place)
+            for text in self.declarations.assumptions_at(line)
+        )
+
+
+def _counts(document: ReadNotes) -> dict[str, str]:
+    """Return the letters that sums run to: integers, where nobody declared them anything else."""
+    sums = (
+        part
+        for chain in document.chains
+        for side in chain.sides
+        for part in walk(side.node)
+        if isinstance(part, Summation) and part.upper is not None
+    )
+    ends = {name for total in sums if total.upper is not None for name in names(total.upper)}
+    return dict.fromkeys(sorted(ends), "integer")
+
+
+def read_assumption(text: str, letters: frozenset[str], place: str) -> Assumption:
+    """Return an assumption of the sidecar, solved for a letter."""
+    try:
+        chain = read_equation(text, letters)
+    except ReadingError as problem:
+        raise SymbalanceError(f"given = {text}", problem.what, problem.remedy, place) from None
+    if len(chain.sides) == 2 and chain.relations[0].sign == "=":
+        solution = constraints.solve(chain.sides[0].node, chain.sides[1].node)
+        if solution is not None:
+            return Assumption(text, *solution)
+    raise SymbalanceError(
+        f"given = {text}", "must be an equality that fixes a letter", 'write "α = π/6"', place
+    )

@@ -1,0 +1,130 @@
+"""Cases that a page opens (for θ = 0): which relations leave them, and what ends with them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from symbalance.document.formula import Name, names
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.premises.definitions import Definitions, Entry, OpenCase
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.reading.equations import Chain
+
+
+def past_cases(
+    definitions: Definitions, line: int, angles: frozenset[str], turned: frozenset[str] = frozenset()
+) -> frozenset[int]:
+    """Return the lines that put an angle in, θ = 90°, whose paragraph ends before a line.
+
+    The letters `turned` stand in sines, and nobody has declared them: what is given of them may be of the
+    whole page, so that only a case is past, "at the dead centre A = 0".
+    """
+    entries = (e.definition for name in angles for e in definitions.values.get(name, ()))
+    lines = {d.line for d in entries if d.assumption or d.numeric}
+    cases = (e.definition for name in turned - angles for e in definitions.values.get(name, ()))
+    lines |= {d.line for d in cases if d.assumption}
+    lines |= {p.line for p in definitions.premises if p.names <= angles}
+    return frozenset(case for case in lines if definitions.sections.case_end(case) < line)
+
+
+def lines_of_cases(definitions: Definitions, line: int, angles: frozenset[str]) -> frozenset[int]:
+    """Return the lines above that put angles in: t = 0, at θ = 90°."""
+    entries = (e.definition for name in angles for e in definitions.values.get(name, ()))
+    return frozenset(d.line for d in entries if d.numeric and d.line < line)
+
+
+def cases_left_by(definitions: Definitions, chain: Chain, angles: frozenset[str]) -> list[OpenCase]:
+    """Return the cases that a relation is claimed beyond, which is said to be true of all values."""
+    if not definitions.cases:
+        return []
+    letters_of_cases = {name: name in angles for case in definitions.cases for name in case.letters}
+    general = definitions.sections.spoken_of_generally(chain, letters_of_cases)
+    return [
+        case
+        for case in definitions.cases
+        if case.letters & general and not definitions.sections.stands_in_clause(case.start, chain)
+    ]
+
+
+def cases_replaced_by(definitions: Definitions, chain: Chain) -> list[OpenCase]:
+    """Return the earlier cases of the letters of a relation that opens a case of its own."""
+    own = chain.letters
+    start = min(side.span[0] for side in chain.sides)
+    if not definitions.sections.opens_case(chain):
+        return []
+    return [case for case in definitions.cases if case.start < start and case.letters & own]
+
+
+def lines_of_numbers(definitions: Definitions, letters_of_all: frozenset[str]) -> frozenset[int]:
+    """Return the lines that give letters numbers; what is said of all their values rests on none."""
+    entries = (entry.definition for name in letters_of_all for entry in definitions.values.get(name, ()))
+    return frozenset(definition.line for definition in entries if definition.numeric)
+
+
+def end_cases(definitions: Definitions, cases: list[OpenCase], start: int) -> None:
+    """Forget for good the cases among these that were opened before a place in the text."""
+    for case in cases:
+        if case.start >= start:
+            continue
+        definitions.cases.remove(case)
+        definitions.premises = [
+            p for p in definitions.premises if not (p.line == case.line and p.names <= case.letters)
+        ]
+        definitions.ranges = [
+            r
+            for r in definitions.ranges
+            if not (r.line == case.line and names(r.left) | names(r.right) <= case.letters)
+        ]
+        for name in case.letters & definitions.values.keys():
+            definitions.values[name] = [
+                e
+                for e in definitions.values[name]
+                if e.definition.line != case.line or not e.definition.assumption
+            ]
+            if not definitions.values[name]:
+                del definitions.values[name]
+
+
+@contextmanager
+def without_cases(
+    definitions: Definitions, lines: frozenset[int], angles: frozenset[str]
+) -> Iterator[None]:
+    """Leave out for a while what lines say of angles: a reader may have left the case."""
+    apart = [p for p in definitions.premises if p.line in lines and p.names <= angles]
+    definitions.premises = [p for p in definitions.premises if p not in apart]
+    ranges = definitions.ranges
+    definitions.ranges = [
+        r for r in ranges if r.line not in lines or not names(r.left) | names(r.right) <= angles
+    ]
+    apart_by_name: dict[str, list[Entry]] = {}
+    for name in angles & definitions.values.keys():
+        entries = definitions.values.pop(name)
+        apart_by_name[name] = [e for e in entries if e.definition.line in lines]
+        if rest := [e for e in entries if e.definition.line not in lines]:
+            definitions.values[name] = rest
+    fewer = list(definitions.ranges)
+    try:
+        yield
+    finally:
+        new = [r for r in definitions.ranges if all(r is not other for other in fewer)]
+        definitions.ranges = [r for r in ranges if r in definitions.ranges or r not in fewer] + new
+        definitions.premises = sorted([*apart, *definitions.premises], key=lambda premise: premise.line)
+        for name, entries in apart_by_name.items():
+            whole = [*entries, *definitions.values.get(name, [])]
+            if whole:
+                definitions.values[name] = sorted(whole, key=lambda entry: entry.definition.line)
+
+
+def case_of_a_letter(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> bool:
+    """Tell whether a range is a case, of a letter that a line above gave a number: for k < 1/2, this.
+
+    Where the number is given as one of its own sentence, "for k = 1/3 < 1/2", the range is claimed of it.
+    """
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    letters = [side for side in (left, right) if isinstance(side, Name)]
+    if len(chain.relations) != 1 or len(letters) != 1 or names(left) & names(right):
+        return False
+    definition = knowledge.definitions.get(letters[0].name)
+    is_above = definition is not None and definition.numeric and definition.line < chain.lines[0]
+    return is_above and state.sections.opens_case(chain)

@@ -1,0 +1,105 @@
+"""Relations that no step proves: they follow from what a page takes as given, or join it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from symbalance.document.formula import names
+from symbalance.notes.checking.deciding.equality import PROVED, Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.premises.leftover_premises import decide_with_sizes
+from symbalance.notes.checking.premises.premise_branches import decide_on_branches
+from symbalance.notes.checking.premises.premise_decisions import decide_by_premises, must_follow
+from symbalance.notes.checking.premises.solved_premises import concerns, solve_premises
+from symbalance.notes.checking.premises.system import Premise, implied, lines_of
+from symbalance.notes.checking.premises.witness_angles import refuted_at_angles
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.steps.stated_equations import fix_letter, unless_stated
+from symbalance.notes.checking.steps.stated_matrices import fix_matrix
+from symbalance.notes.checking.verdicts import CONTRADICTION, PREMISE, REFUTED, STATED, UNDECIDED
+from symbalance.notes.reading.equations import Chain, Side
+
+
+def unless_given(
+    state: JudgingState, chain: Chain, k: int, against: Side, decision: Decision, knowledge: Knowledge
+) -> Decision:
+    """Return the decision on what is no proved step: it may be given, or follow from what is."""
+    left, right = chain.sides[k], chain.sides[k + 1]
+    of_matrices = is_of_matrices(left.node, right.node, knowledge)
+    premises = [] if of_matrices else must_follow(state.definitions, chain, k)
+    if premises:
+        return _following(state, chain, k, premises, decision, knowledge)
+    if not state.general:
+        as_statement = (fix_matrix if of_matrices else fix_letter)(state, chain, k, knowledge)
+        if as_statement is not None:
+            return as_statement
+    sign = chain.relations[k].sign
+    decision, is_open = _with_premises(state, against, right, sign, decision, knowledge)
+    if is_open and not of_matrices:
+        refuted = replace(decision, status=REFUTED)
+        case = unless_stated(state, chain, k, against, refuted, knowledge)
+        return case if case.status in (*STATED, CONTRADICTION) else decision
+    return decision
+
+
+def _following(
+    state: JudgingState,
+    chain: Chain,
+    k: int,
+    premises: list[Premise],
+    decision: Decision,
+    knowledge: Knowledge,
+) -> Decision:
+    """Return the decision on what is said to follow, and does not: x + y = 2, therefore x = y.
+
+    It is refuted if one line alone speaks of its letters; several, or a number for one of them, may
+    rest on what stands in words.
+    """
+    left, right = chain.sides[k], chain.sides[k + 1]
+    by_all, _ = _with_premises(state, left, right, "=", decision, knowledge)
+    statement = state.definitions.premise_of(chain, k)
+    by_premises = decide_by_premises(state.definitions, statement, knowledge)
+    if by_premises is not None and by_premises.status != PREMISE:
+        return by_premises
+    if by_all.status != REFUTED:
+        return by_all
+    reason = f"does not follow from {lines_of(premises)}"
+    is_whole = bool(names(right.node)) and any(statement.names <= p.names for p in premises)
+    return replace(by_all, status=REFUTED if is_whole else UNDECIDED, reason=by_all.reason or reason)
+
+
+def _with_premises(
+    state: JudgingState, left: Side, right: Side, sign: str, decision: Decision, knowledge: Knowledge
+) -> tuple[Decision, bool]:
+    """Return the decision with the premises solved together: a witness must satisfy them all.
+
+    Also whether it is undecided for what could not be solved, and may be one more equation.
+    """
+    nodes = [left.node, right.node]
+    solved = solve_premises(state.definitions, nodes, state.document.line_of(right.span[0]), knowledge)
+    if solved is None:
+        return decision, False
+    by_all = decide(left, right, sign, solved.knowledge)
+    if by_all.status != REFUTED or not solved.leftover:
+        return by_all, False
+    at_solution = refuted_at_angles(left, right, sign, solved)
+    if at_solution is not None or not concerns(solved, by_all):
+        return at_solution or by_all, False
+    lines = lines_of(solved.premises)
+    answer = implied(solved.premises, left.node, right.node, knowledge) if sign == "=" else None
+    if answer:
+        texts = solved.knowledge.solved_from
+        outcome = Decision(PROVED, f"by {lines}", assumptions=texts, level=by_all.level)
+    elif answer is False:
+        reason = f"no values satisfy it together with {lines}"
+        outcome = replace(by_all, reason=reason, witness={})
+    elif branched := decide_on_branches(left, right, sign, solved.leftover, knowledge):
+        return branched, False
+    elif (with_sizes := decide_with_sizes(left, right, sign, solved)) is not None:
+        return with_sizes, False
+    else:
+        reason = f"may rest on {lines_of(solved.leftover)}, which could not be solved for a letter"
+        outcome = replace(by_all, status=UNDECIDED, reason=reason)
+    return outcome, answer is None

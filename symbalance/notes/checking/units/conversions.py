@@ -1,0 +1,137 @@
+"""Quantities in two units, 120 ft-lb = 163 N·m: the second number is the first, converted and rounded.
+
+A weight in lb is a mass or a force, whichever the other unit is. Where the first quantity is a datum,
+s = 3.5 in = 89.8 mm, the second has to agree with it to its own digits: 3.5 in is no rounding of 89.8 mm.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+
+from symbalance.document.formula import Formula, Name, Negative, Number, Product
+from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
+from symbalance.notes.checking.units.dimensions import Dimension, unit_of, written_unit
+from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+from symbalance.notes.reading.numerals import sign_of_unit
+from symbalance.notes.reading.units import GRAVITY, scale_of
+
+POUND, POUND_FORCE = Fraction(45359237, 10**8), Fraction(44482216152605, 10**13)
+FEWEST_DIGITS = 2
+"""That a whole number shows at least which a quantity is converted to: 8000 lb = 36 kN."""
+ROUGHLY = Fraction(1, 50)
+"""What a whole number of one digit may be off by, 1 in for 25 mm."""
+FEWEST_SHOWN = 20
+"""Halves of its last place that a number behind = has at least, two digits: 32 kN for 31 955 N."""
+SLACK = Fraction(3, 1000)
+"""What a datum and its conversion may differ by: by a factor of three digits, 0.454 or 1.36."""
+_SPACED = re.compile(r"(?<=[0-9])(?:[ ~\u00a0\u2009\u202f]|\\,)(?=[0-9]{3}(?![0-9]))")
+ABOUT_GRAVITY = Fraction(4, 10**4)
+"""What 9.81 and 9.80665 differ by."""
+_OF_WEIGHT = {"kp", "kgf", "gn", "kgf/cm²", "kgf/cm^2", "kp/cm²", "kgf·m", "kgf m", "kp m", "kpm"}
+_WEIGHTS = ("lb", "lbs")
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A number as typed, half a unit of its last place, and its unit with what that is worth."""
+
+    value: Fraction
+    half: Fraction
+    unit: str
+    scale: Fraction
+
+
+def quantity_of(side: Side, document: ReadNotes) -> Quantity | None:
+    """Return the number and unit that a side consists of, None for other sides."""
+    has_number, words = written_unit(_SPACED.sub("", document.source(side.span)))
+    sign = sign_of_unit(words) if has_number and words else ""
+    if sign in ("g", "G") and isinstance(side.node, Product) and side.node.factors[-1] == Number(GRAVITY):
+        sign = "gn"
+    scale = scale_of(sign) if sign else None
+    number = _lone(side.node)
+    if scale is None or scale[1] or number is None:
+        return None
+    is_scaled = isinstance(side.node, Number | Negative)
+    factor = scale[0] if is_scaled else Fraction(1)
+    value = number.value / factor
+    if number.last_place is not None:
+        return Quantity(value, number.last_place / factor / 2, sign, scale[0])
+    if value.denominator != 1:
+        return None
+    digits = str(abs(value.numerator))
+    zeros = min(len(digits) - len(digits.rstrip("0")), max(len(digits) - FEWEST_DIGITS, 0))
+    half = Fraction(10**zeros, 2) if len(digits) >= FEWEST_DIGITS else ROUGHLY * abs(value)
+    return Quantity(value, half, sign, scale[0])
+
+
+def _lone(node: Formula) -> Number | None:
+    """Return the number of a side that is nothing else but a number and its unit."""
+    if isinstance(node, Negative):
+        inner = _lone(node.operand)
+        return None if inner is None else Number(-inner.value, inner.last_place)
+    if isinstance(node, Product) and len(node.factors) == 2:
+        number, unit = node.factors
+        return number if isinstance(number, Number) and isinstance(unit, Number) else None
+    return node if isinstance(node, Number) else None
+
+
+def decide_conversion(chain: Chain, k: int, document: ReadNotes) -> Decision | None:
+    """Return the decision on a quantity that is written in another unit; None for other relations.
+
+    Of units that differ by a power of ten the second number is the first one with fewer digits, or
+    nothing is said: 0.65 kg may be 654 g.
+    """
+    first, second = (quantity_of(side, document) for side in chain.sides[k : k + 2])
+    if chain.relations[k].sign not in "=≈" or not (first and second and first.value and second.value):
+        return None
+    scales = _scales(first, second)
+    if scales is None or first.unit == second.unit:
+        return None
+    ratio = scales[0] / scales[1]
+    exact = first.value * ratio
+    by_weight = ABOUT_GRAVITY * abs(exact) if {first.unit, second.unit} & _OF_WEIGHT else Fraction(0)
+    off = max(abs(exact - second.value) - by_weight, Fraction(0))
+    is_datum = k == 0 or (k == 1 and isinstance(chain.sides[0].node, Name))
+    # what is computed goes on with digits that are not shown
+    spread = Fraction(0) if is_datum or is_power_of_ten(ratio) else first.half * ratio
+    if off <= (second.half + spread) * (1 + Fraction(1, 10**9)):
+        is_short = is_power_of_ten(ratio) and abs(second.value) < FEWEST_SHOWN * second.half
+        is_short = is_short and chain.relations[k].sign == "="
+        return None if is_short else Decision(PROVED, order="the digits printed")
+    is_wrong = off > max(2 * second.half, SLACK * abs(exact)) + spread
+    if is_power_of_ten(ratio) or not is_wrong:
+        return None
+    reason = f"{float(first.value):g} {first.unit} is {float(exact):.6g} {second.unit}"
+    return Decision(
+        REFUTED, reason, witness={"left": f"{float(exact):.6g}", "right": f"{float(second.value):g}"}
+    )
+
+
+def _scales(first: Quantity, second: Quantity) -> tuple[Fraction, Fraction] | None:
+    """Return what two units are worth, lb a mass or a force as the other one; None where they differ."""
+    kinds = [_dimension(quantity) for quantity in (first, second)]
+    if None not in kinds:
+        return (first.scale, second.scale) if kinds[0] == kinds[1] else None
+    by_weight = [quantity.unit in _WEIGHTS for quantity in (first, second)]
+    scales = [first.scale, second.scale]
+    if any(by_weight) and not all(by_weight):
+        other = kinds[by_weight.index(False)]
+        if other == unit_of("N"):
+            scales[by_weight.index(True)] = POUND_FORCE
+        elif other != unit_of("kg"):
+            return None
+        return scales[0], scales[1]
+    return None
+
+
+def _dimension(quantity: Quantity) -> Dimension | None:
+    return None if quantity.unit in _WEIGHTS else unit_of(quantity.unit)
+
+
+def is_power_of_ten(ratio: Fraction) -> bool:
+    """Tell whether units differ by their prefixes only."""
+    power = round(math.log10(float(ratio)))
+    return ratio == Fraction(10) ** power

@@ -1,0 +1,408 @@
+"""Dimensions of formulas by the units their letters are declared with: F = m r in newtons cannot be.
+
+A letter has a dimension by the unit in its declaration ("force, N", "kg mm"), by its meaning (a crank
+radius is a length) or by the unit of the number it is. What has none is open, and so is everything it
+stands in: nothing is accused on a guess. Numbers that are put in may carry units in silence: a decimal,
+or a large number, is open too. A unit written at a number counts: 1 N is no joule, and 2 m + 3 s is
+nothing.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from symbalance.document import formula
+from symbalance.document.formula import Formula, Number, names
+from symbalance.document.letters import raised
+from symbalance.document.text_writer import formula_text
+from symbalance.document.wordlists import words
+from symbalance.notes.checking.declared.symbol_roles import FROM_MIDDLE, FROM_PIN, FROM_TOP, role_of
+from symbalance.notes.reading import siunitx
+from symbalance.notes.reading.numerals import sign_of_unit
+from symbalance.notes.reading.units import GRAVITY
+
+Dimension = tuple[Fraction, ...]
+"""Exponents of kg, m, s, K and A."""
+_BASE = ("kg", "m", "s", "K", "A")
+NONE: Dimension = (Fraction(0),) * len(_BASE)
+LARGEST_PLAIN = 64
+"""A whole number up to it is a factor of the formula; 1000 may be a change of unit."""
+
+
+def _dimension(kg: int = 0, m: int = 0, s: int = 0, kelvin: int = 0, ampere: int = 0) -> Dimension:
+    return tuple(Fraction(e) for e in (kg, m, s, kelvin, ampere))
+
+
+_UNITS: dict[str, Dimension] = {
+    "m": _dimension(m=1), "g": _dimension(kg=1), "s": _dimension(s=1), "K": _dimension(kelvin=1),
+    "A": _dimension(ampere=1), "N": _dimension(1, 1, -2), "J": _dimension(1, 2, -2),
+    "W": _dimension(1, 2, -3), "Pa": _dimension(1, -1, -2), "Hz": _dimension(s=-1),
+    "rad": NONE, "Nm": _dimension(1, 2, -2), "Ns": _dimension(1, 1, -1), "V": _dimension(1, 2, -3, 0, -1),
+}  # fmt: skip
+_WHOLE_UNITS: dict[str, Dimension] = {
+    "min": _dimension(s=1), "h": _dimension(s=1), "bar": _dimension(1, -1, -2), "rpm": _dimension(s=-1),
+    "rps": _dimension(s=-1), "rev": NONE, "r": NONE, "U": NONE, "deg": NONE, "°": NONE, "1": NONE,
+    "%": NONE, "t": _dimension(kg=1), "l": _dimension(m=3), "L": _dimension(m=3),
+    "Nmm": _dimension(1, 2, -2), "kNm": _dimension(1, 2, -2), "degrees": NONE, "radians": NONE,
+    **dict.fromkeys(words("gmm kgmm gcm kgcm"), _dimension(kg=1, m=1)),
+    "cc": _dimension(m=3), "ccm": _dimension(m=3), "inch": _dimension(m=1), "ft": _dimension(m=1),
+    "gn": _dimension(m=1, s=-2), "mi": _dimension(m=1), "slug": _dimension(kg=1),
+    "psi": _dimension(1, -1, -2),
+    "mph": _dimension(m=1, s=-1), "knot": _dimension(m=1, s=-1), "knots": _dimension(m=1, s=-1),
+    **dict.fromkeys(words("lbf kp kgf"), _dimension(1, 1, -2)),
+    **dict.fromkeys(words("hp bhp HP PS"), _dimension(1, 2, -3)),
+}  # fmt: skip
+_PREFIXES = ("", "k", "M", "G", "c", "d", "m", "u", "n")
+_PREFIXED = {p + unit: size for unit, size in _UNITS.items() for p in _PREFIXES}
+_BY_NAME = _PREFIXED | _WHOLE_UNITS
+_LENGTH, _SPEED, _ACCELERATION = _dimension(m=1), _dimension(m=1, s=-1), _dimension(m=1, s=-2)
+_ROLES: dict[str, Dimension] = {
+    "crank angle": NONE,
+    "rod angle": NONE,
+    "crank radius": _LENGTH,
+    "stroke": _LENGTH,
+    "rod length": _LENGTH,
+    "rod ratio l/r": NONE,
+    "rod ratio l/s": NONE,
+    "crank ratio r/l": NONE,
+    "angular speed": _dimension(s=-1),
+    "engine speed rpm": _dimension(s=-1),
+    "time": _dimension(s=1),
+    "reciprocating mass": _dimension(kg=1),
+    FROM_TOP: _LENGTH,
+    FROM_PIN: _LENGTH,
+    FROM_MIDDLE: _LENGTH,
+    "piston velocity": _SPEED,
+    "piston acceleration": _ACCELERATION,
+    "inertia force": _dimension(1, 1, -2),
+    "cylinder pitch": _LENGTH,
+    "integer": NONE,
+}
+_SIGNS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−µμ·⋅*", "0123456789--uu   ")
+_IN_BRACES = re.compile(r"\s*\{[^{}]*\}(?=.*[A-Za-z])", re.DOTALL)
+_PART = re.compile(r"([A-Za-z°%]+|1(?![0-9]))(?:\^?\(?(-?[0-9])\)?)?$")
+_WRITTEN_UNIT = re.compile(
+    r"\\(?:mathrm|text|textrm|mbox|unit|si|SI|qty|rm)(?![a-z])|\[[^\[\]A-Za-z]*+[A-Za-z][^\[\]]*+\]"
+    r"|[0-9](?:\s|~|\\[,;: ])*(?:mm|cm|km|kg|kN|MPa|GPa|rpm|kW|Hz|bar|rad|Nm)(?![A-Za-z_(^])"
+)
+
+
+_TYPED = re.compile(r"\\(?:SI|qty)\s*\{(?P<number>[^{}]*)\}\s*\{(?P<unit>[^{}]*)\}")
+_EXPONENT = re.compile(r"\^\s*\{\s*([-−]?[0-9])\s*\}")
+_SETTING = re.compile(r"\\(?:mathrm|text|textrm|mbox|unit|si|rm|cdot)(?![A-Za-z])|\\[,;:! ]|[~${}()\[\]]")
+_QUANTITY = re.compile(r"\s*(?P<number>[-+−]?[0-9][0-9.,]*)?\s*(?P<unit>\S.*?)?[\s.,;]*$", re.DOTALL)
+
+
+@dataclass(frozen=True, slots=True)
+class Mismatch:
+    """Two parts of a relation whose dimensions differ."""
+
+    what: str
+    left: Dimension
+    right: Dimension
+
+    @property
+    def reason(self) -> str:
+        """The mismatch in words."""
+        return f"dimensions: {self.what} {unit_text(self.left)}, not {unit_text(self.right)}"
+
+
+def unit_of(text: str) -> Dimension | None:
+    """Return the dimension of a unit as it is declared, None for what is no unit.
+
+    >>> unit_text(unit_of("kg mm")), unit_text(unit_of("N/mm^2")), unit_of("lever")
+    ('kg m', 'kg m⁻¹ s⁻²', None)
+    """
+    plain = re.sub(r"\s*/\s*", " / ", text.translate(_SIGNS).strip().strip("[]()"))
+    total, sign = list(NONE), 1
+    words = plain.split()
+    if not words or len(words) > 12:
+        return None
+    for word in words:
+        if word == "/":
+            sign = -1
+            continue
+        match = _PART.fullmatch(word)
+        size = match and _BY_NAME.get(match.group(1))
+        if not match or size is None:
+            return None
+        power = sign * int(match.group(2) or 1)
+        total = [a + power * b for a, b in zip(total, size, strict=True)]
+        sign = 1
+    return tuple(total)
+
+
+def unit_text(dimension: Dimension) -> str:
+    """Return a dimension as a product of base units, `1` for none."""
+    parts = [
+        unit + ("" if e == 1 else raised(str(e).replace("-", "−")))
+        for unit, e in zip(_BASE, dimension, strict=True)
+        if e
+    ]
+    return " ".join(parts) or "1"
+
+
+def declared_dimension(meaning: str) -> Dimension | None:
+    """Return the dimension a declaration states, by its unit or by its meaning; None if it is open.
+
+    >>> unit_text(declared_dimension("force, N")), declared_dimension("offset")
+    ('kg m s⁻²', None)
+    """
+    pieces = [piece.strip() for piece in meaning.split(",")]
+    bracketed = re.findall(r"[\[(]([^\])]*)[\])]", meaning)
+    role = _ROLES.get(role_of(meaning))
+    if role is not None:
+        return role
+    for piece in (*pieces, *bracketed, *(p.split(" in ")[-1] for p in pieces if " in " in p)):
+        dimension = unit_of(re.split(r"[:;]", piece)[0])
+        if dimension is not None:
+            return dimension
+    return None
+
+
+def written_unit(source: str) -> tuple[bool, str]:
+    r"""Return whether a number stands in a source, and the unit written behind it, "" for none.
+
+    >>> written_unit(r"5\,\mathrm{kg\,m/s^{2}}"), written_unit("$ mm")
+    ((True, 'kg m/s^2'), (False, 'mm'))
+    >>> written_unit(r"0{,}62\,\mathrm{kg}")
+    (True, 'kg')
+    """
+    source = source.replace("{,}", ",")  # no unit ", 62" behind 0
+    typed = _TYPED.search(source)
+    if typed is not None:
+        source = f"{typed['number']} {siunitx.unit_text(typed['unit']) or '?'}"
+    match = _QUANTITY.match(_SETTING.sub(" ", _EXPONENT.sub(r"^\1", source)))
+    if match is None:
+        return False, ""
+    return match["number"] is not None, " ".join((match["unit"] or "").split())
+
+
+class _MismatchError(Exception):
+    def __init__(self, mismatch: Mismatch) -> None:
+        super().__init__(mismatch)  # all that a copy is made of
+        self.mismatch = mismatch
+
+
+@dataclass(frozen=True)
+class Dimensions:
+    """The dimensions of a document's letters at a line; `values` are those defined on the way."""
+
+    symbols: Mapping[str, str]
+    values: Mapping[str, Formula]
+    text: str = ""
+    """The page, in which units stand at the places of their numbers."""
+
+    def mismatch(self, left: Formula, right: Formula, sources: tuple[str, str]) -> Mismatch | None:
+        """Return in which dimensions two sides differ, or a sum's terms; `sources` are their texts.
+
+        A side of numbers alone is compared with nothing: its unit may go without saying.
+        """
+        try:
+            first, second = (
+                None if is_open(node, source) and not self.is_of_units(node) else self.of(node)
+                for node, source in zip((left, right), sources, strict=True)
+            )
+        except _MismatchError as problem:
+            return problem.mismatch
+        if first is None or second is None:
+            return None
+        if first == second:
+            return self._turns(left, right)
+        return Mismatch("the left side is in", first, second)
+
+    def side(self, node: Formula, source: str) -> Dimension | None:
+        """Return the dimension of a side by its letters; None where it is open, or its terms differ."""
+        try:
+            return None if is_open(node, source) else self.of(node)
+        except _MismatchError:
+            return None
+
+    def _turns(self, left: Formula, right: Formula) -> Mismatch | None:
+        """Return that turns are set equal to radians: 50 Hz are no 50 rad/s."""
+        units = [self.unit_at(left), self.unit_at(right)]
+        if sorted(units) != ["Hz", "rad/s"]:
+            return None
+        return Mismatch("1 Hz is 2π rad/s: the left side is in", self.of(left) or NONE, NONE)
+
+    def of(self, node: Formula, depth: int = 0) -> Dimension | None:
+        """Return a formula's dimension, None where it is open; a sum of unlike terms is refused."""
+        if depth > 60:
+            return None
+        if isinstance(node, formula.Quotient) and (unit := self._unit_behind(node.denominator)):
+            return None if names(node) else unit_of(unit)
+        unit = self.unit_at(node)
+        if unit:
+            return unit_of(unit) or unit_of(sign_of_unit(unit) or unit)
+        rule = _RULES.get(type(node))
+        return None if rule is None else rule(self, node, depth + 1)
+
+    def _unit_behind(self, denominator: Formula) -> str:
+        r"""Return the unit behind a fraction, which is read with the number below: \frac{a}{50}\,kg."""
+        source = self.text[denominator.span[0] : denominator.span[1]] if self.text else ""
+        match = _IN_BRACES.match(source) if isinstance(denominator, Number) else None
+        return written_unit(f"0 {source[match.end() :]}")[1] if match else ""
+
+    def unit_at(self, node: Formula, *, alone: bool = False) -> str:
+        """Return the unit that stands at a number, or is what a factor was read from; "" for none."""
+        is_factor = isinstance(node, Number | formula.Quotient | formula.Product) and not names(node)
+        if not self.text or not is_factor:
+            return ""
+        has_number, unit = written_unit(self.text[node.span[0] : node.span[1]])
+        if unit in ("g", "G") and isinstance(node, Number) and node.value == GRAVITY:
+            unit = "gn"
+        if has_number and (alone or not isinstance(node, Number)):
+            return ""
+        is_unit = unit_of(unit) is not None if not isinstance(node, Number) else unit[:1].isalpha()
+        return unit if is_unit or (has_number and unit) else ""
+
+    def is_of_units(self, node: Formula) -> bool:
+        """Tell whether a side is of numbers with units written at them, and nothing else."""
+        return bool(self.text) and not names(node) and any(map(self.unit_at, formula.walk(node)))
+
+    def letter(self, name: str, depth: int) -> Dimension | None:
+        """Return a letter's dimension: declared, or that of its value, a number's by the unit at it."""
+        bare = name.rstrip("'")
+        meaning = self.symbols.get(name) or self.symbols.get(bare)
+        declared = None if meaning is None else declared_dimension(meaning)
+        value = self.values.get(name)
+        if declared is not None or value is None:
+            return declared
+        if not (self.is_of_units(value) or (meaning is None and names(value))):
+            return None
+        try:
+            return self.of(value, depth)
+        except _MismatchError:
+            return None  # said where it is defined
+
+
+def is_open(node: Formula, source: str) -> bool:
+    """Tell whether a side is only numbers, or writes units itself, which reading has made factors."""
+    return not names(node) or _WRITTEN_UNIT.search(source) is not None
+
+
+def _number(dimensions: Dimensions, node: Number, depth: int) -> Dimension | None:
+    is_plain = node.last_place is None and node.value.denominator <= LARGEST_PLAIN
+    return NONE if is_plain and abs(node.value.numerator) <= LARGEST_PLAIN else None
+
+
+def _sum(dimensions: Dimensions, node: formula.Sum, depth: int) -> Dimension | None:
+    first: tuple[Formula, Dimension] | None = None
+    for term in node.terms:
+        own = dimensions.of(term, depth)
+        if own is None or not (names(term) or dimensions.is_of_units(term)):
+            continue
+        if first is not None and own != first[1]:
+            texts = [formula_text(part, plain=True) for part in (first[0], term)]
+            what = f"{texts[1]} is added to {texts[0]}, which is in"
+            raise _MismatchError(Mismatch(what, first[1], own))
+        first = first or (term, own)
+    if first is None:
+        return None if any(names(term) for term in node.terms) else NONE
+    return first[1]
+
+
+def _product(dimensions: Dimensions, node: formula.Product, depth: int) -> Dimension | None:
+    factors = list(node.factors)
+    parts: list[tuple[Formula, int]] = []
+    for factor, after in zip(factors, [*factors[1:], None], strict=True):
+        # the letters of one macro have one span too, and each its own dimension
+        is_second = bool(parts) and bool(dimensions.text) and factor.span == parts[-1][0].span != (0, 0)
+        is_second = is_second and not names(factor) and not names(parts[-1][0])
+        is_counted = after is not None and bool(dimensions.unit_at(after, alone=True))
+        if not (is_second or (is_counted and isinstance(factor, Number))):
+            parts.append((factor, 1))  # of 40 and mm the unit alone has a dimension
+    return _combine(dimensions, parts, depth)
+
+
+def _quotient(dimensions: Dimensions, node: formula.Quotient, depth: int) -> Dimension | None:
+    return _combine(dimensions, [(node.numerator, 1), (node.denominator, -1)], depth)
+
+
+def _combine(dimensions: Dimensions, parts: list[tuple[Formula, int]], depth: int) -> Dimension | None:
+    total: Dimension | None = NONE
+    for part, sign in parts:
+        own = dimensions.of(part, depth)
+        if own is None or total is None:
+            total = None
+        else:
+            total = tuple(a + sign * b for a, b in zip(total, own, strict=True))
+    return total
+
+
+def _power(dimensions: Dimensions, node: formula.Power, depth: int) -> Dimension | None:
+    base = dimensions.of(node.base, depth)
+    behind = [unit for part in formula.walk(node.exponent) if (unit := dimensions.unit_at(part))]
+    if behind:  # 10^5 Pa: the unit is read with the exponent
+        return unit_of(behind[0]) if isinstance(node.base, Number) else None
+    exponent = dimensions.of(node.exponent, depth)
+    if exponent is not None and exponent != NONE:
+        text = formula_text(node.exponent, plain=True)
+        raise _MismatchError(Mismatch(f"the exponent {text} is in", exponent, NONE))
+    value = _rational(node.exponent)
+    if base is None or base == NONE or value is None:
+        return base if base == NONE else None
+    return tuple(e * value for e in base)
+
+
+def _rational(node: Formula) -> Fraction | None:
+    if isinstance(node, Number):
+        return node.value
+    if isinstance(node, formula.Negative):
+        inner = _rational(node.operand)
+        return None if inner is None else -inner
+    if isinstance(node, formula.Quotient):
+        above, below = _rational(node.numerator), _rational(node.denominator)
+        return above / below if above is not None and below else None
+    return None
+
+
+def _call(dimensions: Dimensions, node: formula.Call, depth: int) -> Dimension | None:
+    inner = dimensions.of(node.argument, depth)
+    if node.function in ("abs", "conj", "re", "im"):
+        return inner
+    if node.function == "sqrt":
+        return None if inner is None else tuple(e / 2 for e in inner)
+    if inner is not None and inner != NONE:
+        text = formula_text(node.argument, plain=True)
+        raise _MismatchError(Mismatch(f"{node.function} is taken of {text}, which is in", inner, NONE))
+    return NONE
+
+
+def _derivative(dimensions: Dimensions, node: formula.Derivative, depth: int) -> Dimension | None:
+    above, below = dimensions.of(node.expression, depth), dimensions.of(node.variable, depth)
+    if above is None or below is None:
+        return None
+    return tuple(a - node.order * b for a, b in zip(above, below, strict=True))
+
+
+def _summation(dimensions: Dimensions, node: formula.Summation, depth: int) -> Dimension | None:
+    return dimensions.of(node.body, depth)
+
+
+def _integral(dimensions: Dimensions, node: formula.Integral, depth: int) -> Dimension | None:
+    return _combine(dimensions, [(node.body, 1), (node.variable, 1)], depth)
+
+
+_RULES: dict[type, Callable[[Dimensions, Any, int], Dimension | None]] = {
+    formula.Number: _number,
+    formula.Name: lambda dimensions, node, depth: dimensions.letter(node.name, depth),
+    formula.Constant: lambda dimensions, node, depth: NONE,
+    formula.Sum: _sum,
+    formula.Product: _product,
+    formula.Quotient: _quotient,
+    formula.Negative: lambda dimensions, node, depth: dimensions.of(node.operand, depth),
+    formula.Power: _power,
+    formula.Call: _call,
+    formula.Derivative: _derivative,
+    formula.Summation: _summation,
+    formula.Integral: _integral,
+    formula.PlusMinus: lambda dimensions, node, depth: dimensions.of(node.operand, depth),
+    formula.Evaluation: lambda dimensions, node, depth: dimensions.of(node.expression, depth),
+    formula.Limit: lambda dimensions, node, depth: dimensions.of(node.body, depth),
+    formula.Extremum: lambda dimensions, node, depth: dimensions.of(node.body, depth),
+}

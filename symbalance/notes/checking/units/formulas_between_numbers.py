@@ -1,0 +1,227 @@
+"""Formulas between the numbers of quantities: F = 0.0000284 W R N² with lb, inches and rpm as typed.
+
+Such a formula has a constant that converts units. Put in as quantities its letters give nonsense, as
+numbers they give the number of the result. It is read so where that number is right to the digits
+printed and the constant does convert: with all units the formula has a pure factor, 1, 2, π or g.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import pairwise
+from itertools import product as combinations_of
+
+from symbalance.document.formula import (
+    Constant,
+    Formula,
+    Number,
+    Product,
+    Quotient,
+    children,
+    names,
+    walk,
+    with_children,
+)
+from symbalance.notes.algebra.domain import NoFormError
+from symbalance.notes.algebra.number_formulas import rational_node
+from symbalance.notes.checking.deciding.equality import PROVED, Decision
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
+from symbalance.notes.checking.deciding.numbers_put_in import without_unit
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.rounding import significant
+from symbalance.notes.checking.deciding.substitution import replace_part, substitute
+from symbalance.notes.checking.units.conversions import POUND, POUND_FORCE, quantity_of
+from symbalance.notes.checking.units.dimensions import written_unit
+from symbalance.notes.checking.units.own_units import is_per_minute
+from symbalance.notes.reading.equations import ReadNotes, Side
+from symbalance.notes.reading.numerals import sign_of_unit
+from symbalance.notes.reading.result_units import value_of
+from symbalance.notes.reading.units import scale_of
+
+BETWEEN_NUMBERS = "a formula between the numbers of quantities, whose constant converts their units"
+FEWEST_DIGITS = 3
+"""That a constant shows which converts units; a small one as 0.00034 two."""
+SMALL = Fraction(1, 100)
+LEAST_WHOLE = 75
+"""A whole constant that may convert: 75 kp m/s are 1 PS, 5252 and 33 000 stand in horsepower."""
+SAME = 1e-9
+LEAST_FAR, MOST_FAR = Fraction(1, 2), Fraction(5)
+"""Between these a constant is a factor of safety or of overbalance, as 1.05; it converts no units."""
+_PURE = tuple(
+    simple * math.pi**power * 9.80665**weight
+    for simple, power, weight in combinations_of(
+        (1, 2, 4, 8, 0.5, 0.25, 0.125), (-1, 0, 1, 2), (-1, 0, 1)
+    )
+)
+"""What a formula between quantities may have as its factor."""
+_ROUGH = 0.002
+"""What a pure factor may be off by, beside the digits of the constant and of the result: 32.2 for g."""
+_DIGITS = re.compile(r"[0-9]+(?:[.,][0-9]+)?")
+
+
+@dataclass(frozen=True, slots=True)
+class _Typed:
+    """A letter's number as typed, and what it is in metres, kilograms and radians per second."""
+
+    number: Number
+    exact: Formula
+
+
+def decide_between_numbers(
+    left: Side, right: Side, sign: str, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the proof that a formula has a result as a number in its unit; None where it has none."""
+    result = quantity_of(right, document)
+    measured = {id(number) for number in _with_units(left.node, document)}
+    constants = [number for number in _converting(left.node) if id(number) not in measured]
+    own = names(left.node)
+    typed = {name: _typed(name, document, knowledge) for name in own}
+    if result is None or not constants or not all(typed.values()):
+        return None
+    as_quantity = left.node
+    as_number = left.node if own else _as_typed(left.node, document)
+    if not own and as_number == left.node:
+        return None  # an arithmetic without units is what it is
+    try:
+        for name, pair in typed.items():
+            assert pair is not None
+            as_number = substitute(as_number, name, pair.number)
+            as_quantity = substitute(as_quantity, name, pair.exact)
+    except NoFormError:  # a derivative by the letter: it has no value
+        return None
+    printed = Number(result.value, 2 * result.half)
+    there = decide(Side((as_number,), left.span), Side((printed,), right.span), sign, knowledge)
+    if not there.is_proved:
+        return None
+    for constant in constants:
+        as_quantity = replace_part(as_quantity, constant, Number(Fraction(1)))
+    pure = value_of(as_quantity)
+    off = sum(_half(c) / abs(float(c.value)) for c in constants) + float(abs(result.half / result.value))
+    scales = [result.scale, POUND_FORCE] if result.scale == POUND else [result.scale]
+    for scale in scales if pure else ():
+        assert pure is not None
+        factor = abs(float(result.value * scale) / pure)
+        if any(abs(factor / one - 1) <= off + _ROUGH for one in _PURE):
+            return replace(
+                there, status=PROVED, assumptions=(*there.assumptions, BETWEEN_NUMBERS), reason=""
+            )
+    return None
+
+
+def puts_in_numbers(left: Side, right: Side, document: ReadNotes, knowledge: Knowledge) -> bool:
+    """Tell whether an arithmetic is such a formula with the letters' numbers put in: 120·3000/9550."""
+    typed = {name: _typed(name, document, knowledge) for name in names(left.node)}
+    if not typed or names(right.node) or not any(_converting(left.node)) or not all(typed.values()):
+        return False
+    node = left.node
+    try:
+        for name, pair in typed.items():
+            assert pair is not None
+            node = substitute(node, name, pair.number)
+    except NoFormError:
+        return False
+    first, second = value_of(node), value_of(without_unit(right.node))
+    return first is not None and second is not None and math.isclose(first, second, rel_tol=SAME)
+
+
+def converts(node: Formula) -> bool:
+    """Tell whether a formula has any constant that may convert units."""
+    return any(_converting(node))
+
+
+def may_convert(node: Formula) -> bool:
+    """Tell whether a formula has a constant that may convert units, and is no factor near 1."""
+    return any(not (LEAST_FAR < abs(number.value) < MOST_FAR) for number in _converting(node))
+
+
+def with_printed_results(knowledge: Knowledge, document: ReadNotes) -> Knowledge:
+    """Return what is known with the results of such formulas as printed: F = 1104 lb, a force."""
+    definitions = dict(knowledge.definitions)
+    for name, definition in knowledge.definitions.items():
+        rounded = definition.rounded
+        if rounded is None or not names(definition.node) or not any(_converting(definition.node)):
+            continue
+        result = quantity_of(Side((rounded,), rounded.span), document)
+        if result is not None:
+            scale = POUND_FORCE if result.scale == POUND else result.scale
+            node = Number(result.value * scale, 2 * result.half * scale, span=rounded.span)
+            definitions[name] = replace(definition, node=node, numeric=True, rounded=None)
+    return replace(knowledge, definitions=definitions)
+
+
+def _as_typed(node: Formula, document: ReadNotes) -> Formula:
+    """Return an arithmetic with its units left out: 85 lb-ft · 4000 rpm/5252 as 85 · 4000/5252."""
+    if isinstance(node, Product):
+        numbers = [part for part in node.factors if not _is_unit(part, document)]
+        factors = tuple(_as_typed(part, document) for part in numbers)
+        return factors[0] if len(factors) == 1 else replace(node, factors=factors)
+    parts = children(node)
+    return with_children(node, tuple(_as_typed(part, document) for part in parts)) if parts else node
+
+
+def _with_units(node: Formula, document: ReadNotes) -> Iterator[Formula]:
+    """Yield the numbers of a formula that have units behind them, and the units' own."""
+    for part in walk(node):
+        if isinstance(part, Product):
+            for factor, unit in pairwise(part.factors):
+                if _is_unit(unit, document):
+                    yield from (factor, *walk(unit))
+        if isinstance(part, Number) and document.source(part.span)[-1:].isalpha():
+            yield part
+
+
+def _is_unit(node: Formula, document: ReadNotes) -> bool:
+    """Tell whether a factor was read from the letters of a unit."""
+    is_factor = isinstance(node, Number | Quotient) and not names(node)
+    return is_factor and document.source(node.span).lstrip(" ~\\{,")[:1].isalpha()
+
+
+def _converting(node: Formula) -> Iterator[Number]:
+    """Yield the numbers of a formula that may convert units."""
+    for part in walk(node):
+        if not isinstance(part, Number):
+            continue
+        if part.last_place is not None:
+            is_small = abs(part.value) < SMALL and significant(part) == FEWEST_DIGITS - 1
+            if significant(part) >= FEWEST_DIGITS or is_small:
+                yield part
+        elif part.value.denominator == 1 and abs(part.value) >= LEAST_WHOLE:
+            yield part
+
+
+def _typed(name: str, document: ReadNotes, knowledge: Knowledge) -> _Typed | None:
+    """Return the number that a letter was given on the page, None where it has none."""
+    definition = knowledge.definitions.get(name)
+    node = _number_node(definition) if definition is not None else None
+    if node is None:
+        return None
+    source = document.source(node.span)
+    digits, (has_number, words) = _DIGITS.search(source), written_unit(source)
+    is_speed = not words and is_per_minute(document.text, node.span[1])
+    scale = scale_of(sign_of_unit(words)) if words else (Fraction(1, 30 if is_speed else 1), is_speed)
+    if digits is None or not has_number or scale is None:
+        return None
+    text = digits.group().replace(",", ".")
+    number = Number(
+        Fraction(text), Fraction(1, 10 ** len(text.partition(".")[2])) if "." in text else None
+    )
+    exact: Formula = Number(number.value * scale[0])
+    if scale[1]:
+        per_minute = Quotient(Constant("pi"), rational_node(1 / scale[0]))
+        exact = Quotient(Number(number.value), Quotient(Number(Fraction(1)), per_minute))
+    return _Typed(number, exact)
+
+
+def _number_node(definition: Definition) -> Formula | None:
+    """Return what gives a letter its number: its value, or its result as printed."""
+    if not names(definition.node):
+        return definition.node
+    return definition.rounded
+
+
+def _half(number: Number) -> float:
+    return 0.0 if number.last_place is None else float(number.last_place) / 2

@@ -1,0 +1,192 @@
+"""Revolutions per minute: what 6000 rpm is worth depends on the letter that takes it.
+
+The reader turns 6000 rpm into radians per second, which an angular speed wants. In `ω = 2πn` n counts
+revolutions per second, and n = 6000 min⁻¹ is 100; in `ω = 2πn/60` it is the number 6000. Both are usual,
+so a letter that is no angular speed is taken as the formulas of its own page use it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from fractions import Fraction
+
+from symbalance.document.formula import (
+    Constant,
+    Formula,
+    Name,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    children,
+    names,
+    walk,
+    with_children,
+)
+from symbalance.notes.checking.declared.symbol_roles import role_of
+from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+
+BETWEEN = r"(?:\s|[~$]|\\[,;: ]|\\(?:mathrm|text|textrm|unit|si)\s*\{|\}\{|</?[a-z]+>|&nbsp;){0,5}"
+PER_MINUTE = (
+    r"(?:rpm|r\.\s?p\.\s?m|(?:rev(?:olution)?s?|turns|tr|U|Umdr?\.?|Umdrehungen|1|tours)\s?(?:/|per|pro|par)\s?"
+    r"[Mm]in|min\s*\}?\s*(?:\^\s*\{?\s*[-−]\s*1|⁻¹|<sup>\s*[-−]\s*1)|\\rpm|\\per\\minute|回転)"
+)
+"""The unit of revolutions per minute, and what stands between it and its number."""
+_UNIT_BEHIND = re.compile(BETWEEN + PER_MINUTE)
+ROLE = "engine speed rpm"
+ANGULAR = "angular speed"
+_ANGULAR_LETTERS = ("omega", "Omega")
+_PER_MINUTE = Quotient(Constant("pi"), Number(Fraction(30)))
+_A_SIXTIETH = Number(Fraction(1, 60))
+_BY_NUMBER = {Number(Fraction(60)), Number(Fraction(30))}
+"""What a formula divides by whose speed is a number of revolutions per minute: 2πn/60, πn/30."""
+Symbols = Callable[[int], Mapping[str, str]]
+
+
+def with_speeds(document: ReadNotes, symbols_at: Symbols) -> ReadNotes:
+    """Return a page whose speeds in revolutions per minute are what their letters count."""
+    if not any(_has_unit(side) for chain in document.chains for side in chain.sides):
+        return document
+    numbers = {
+        name
+        for chain in document.chains
+        for side in chain.sides
+        if not _BY_NUMBER.isdisjoint(_typed_numbers(side.node))
+        for name in names(side.node)
+    } | {
+        chain.sides[0].node.name
+        for chain in document.chains
+        for side in chain.sides[1:]
+        if isinstance(chain.sides[0].node, Name) and not _BY_NUMBER.isdisjoint(_factors_above(side.node))
+    }
+    stems = {_stem(name) for name in numbers if _stem(name) not in _ANGULAR_LETTERS}
+    speeds = {
+        chain.sides[0].node.name
+        for chain in document.chains
+        if isinstance(chain.sides[0].node, Name) and any(map(_has_unit, chain.sides[1:]))
+    }
+    numbers |= {
+        name for name in speeds if _stem(name) in stems
+    }  # n_max beside n_m counts what that counts
+    chains = (_chain(chain, symbols_at(chain.lines[0]), numbers, document) for chain in document.chains)
+    return replace(document, chains=tuple(chains))
+
+
+def _chain(chain: Chain, symbols: Mapping[str, str], numbers: set[str], document: ReadNotes) -> Chain:
+    if not any(map(_has_unit, chain.sides)):
+        return chain
+    head = chain.sides[0].node
+    name = head.name if isinstance(head, Name) else None
+    role = role_of(symbols.get(name, "")) if name else ""
+    is_angular = role == ANGULAR or name in _ANGULAR_LETTERS
+    as_number = role == ROLE or (name in numbers and not is_angular)
+    is_speed = name is not None and not is_angular
+
+    def at_home(node: Formula) -> Formula:
+        if _is_quantity(node) and (is_angular or name is None):
+            return node
+        if _is_quantity(node) and is_speed:
+            return _without_unit(node, as_number)
+        if not _BY_NUMBER.isdisjoint(_divisors(node)):
+            return _without_units(node)
+        return _in_product(node, document)
+
+    sides = (replace(side, readings=tuple(map(at_home, side.readings))) for side in chain.sides)
+    return replace(chain, sides=tuple(sides))
+
+
+def _stem(name: str) -> str:
+    """Return a letter without its subscript and strokes: n of n_max."""
+    return name.partition("_")[0].rstrip("'0123456789")
+
+
+def is_per_minute(text: str, place: int) -> bool:
+    """Tell whether a unit of revolutions per minute stands at a place, behind a number."""
+    return _UNIT_BEHIND.match(text, place) is not None
+
+
+def divides_by_minute(node: Formula) -> bool:
+    """Tell whether a formula has the 60 or 30 that a number of revolutions per minute is divided by."""
+    return not _BY_NUMBER.isdisjoint(_typed_numbers(node))
+
+
+def is_angular_speed(name: str, symbols: Mapping[str, str]) -> bool:
+    """Tell whether a letter is an angular speed, by its meaning or by its usual letter."""
+    return role_of(symbols.get(name, "")) == ANGULAR or (name in _ANGULAR_LETTERS and name not in symbols)
+
+
+def _is_quantity(node: Formula) -> bool:
+    """Tell whether a side is a number with its unit and nothing else."""
+    return isinstance(node, Product) and len(node.factors) == 2 and _is_unit(node.factors[1])
+
+
+def _without_unit(node: Formula, as_number: bool) -> Formula:
+    assert isinstance(node, Product)
+    number, unit = node.factors
+    return (
+        number if as_number else Product((number, replace(_A_SIXTIETH, span=unit.span)), span=node.span)
+    )
+
+
+def _in_product(node: Formula, document: ReadNotes, with_pi: bool = False) -> Formula:
+    """Return a formula whose speeds are in revolutions per second where its factors say so.
+
+    2·π·6000 rpm has its own 2π, and 2·86 mm·5000 min⁻¹ counts strokes; (6000 rpm)² is an angular speed's.
+    """
+    if _is_unit(node):
+        is_frequency = with_pi or "rpm" not in document.source(node.span)
+        return replace(_A_SIXTIETH, span=node.span) if is_frequency else node
+    if isinstance(node, Power) or not (parts := children(node)):
+        return node
+    if isinstance(node, Product):
+        with_pi = with_pi or any(isinstance(part, Constant) and part.name == "pi" for part in parts)
+    return with_children(node, tuple(_in_product(part, document, with_pi) for part in parts))
+
+
+def _divisors(node: Formula) -> set[Formula]:
+    """Return the factors that anything in a formula is divided by: 60 of 4000 rpm · 2π/60."""
+    if isinstance(node, Quotient) and not _is_unit(node):
+        return _factors_above(node.denominator) | _divisors(node.numerator)
+    return {divisor for part in children(node) for divisor in _divisors(part)}
+
+
+def _without_units(node: Formula) -> Formula:
+    """Return a formula whose speeds are the numbers typed."""
+    if isinstance(node, Product):
+        factors = tuple(_without_units(part) for part in node.factors if not _is_unit(part))
+        return factors[0] if len(factors) == 1 else replace(node, factors=factors)
+    parts = children(node)
+    return with_children(node, tuple(map(_without_units, parts))) if parts else node
+
+
+def _has_unit(side: Side) -> bool:
+    return any(_is_unit(part) for node in side.readings for part in walk(node))
+
+
+def _is_unit(node: Formula) -> bool:
+    """Tell the factor of a unit from π/30 as an author writes it."""
+    return (
+        isinstance(node, Quotient)
+        and node == _PER_MINUTE
+        and node.numerator.span == node.denominator.span
+    )
+
+
+def _factors_above(node: Formula) -> set[Formula]:
+    """Return the factors of a product but those it is divided by: n = 60 f/q counts revolutions."""
+    if isinstance(node, Quotient) and not _is_unit(node):
+        return _factors_above(node.numerator)
+    if isinstance(node, Product):
+        return {factor for part in node.factors for factor in _factors_above(part)}
+    return {node}
+
+
+def _typed_numbers(node: Formula) -> set[Formula]:
+    """Return the whole numbers of a formula but those of units."""
+    if _is_unit(node):
+        return set()
+    if isinstance(node, Number):
+        return {node}
+    return {number for part in children(node) for number in _typed_numbers(part)}

@@ -1,0 +1,519 @@
+"""How far a premise in prose reaches: "Take r = 1" to the next heading, a caption to a blank line."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left, bisect_right
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import accumulate
+
+from symbalance.document.formula import Constant, Name, Number, names, walk
+from symbalance.document.letters import is_greek
+from symbalance.document.text_writer import formula_text
+from symbalance.notes.checking.words import case_words
+from symbalance.notes.checking.words.items import item_end
+from symbalance.notes.checking.words.value_groups import in_next_groups
+from symbalance.notes.reading.equations import Chain, ReadNotes
+
+_HEADING = re.compile(
+    r"#{1,6}\s|={2,6}\s*\S.*|<h[1-6]\b"
+    r"|\\(?:part|chapter|(?:sub){0,2}section|paragraph|subparagraph)\*?\s*[\[{]",
+    re.IGNORECASE,
+)
+_BLOCK = "p|h[1-6]|li|[ou]l|d[dtl]|blockquote|div|section|article|table|t[rdh]|pre|figure|hr"
+_BLOCK_BEGINS = re.compile(rf"\s*<(?:{_BLOCK})\b[^>]*>", re.IGNORECASE)
+_BLOCK_ENDS = re.compile(rf"</(?:{_BLOCK})>\s*$", re.IGNORECASE)
+_UNDERLINE = re.compile(r"(?:={3,}|-{3,})\s*$")
+_CAPTION = re.compile(
+    r"\s*(?:[*_]{0,2}(?:figure|fig\.|table|tab\.|abbildung|abb\.|bild|tabelle)\s*[\d.:a-z(]"
+    r"|[*_]{0,2}(?:caption|legende?|bildunterschrift)\s*:|図|表|!\[|\\caption\b)",
+    re.IGNORECASE,
+)
+_IN_BRACKETS = re.compile(r"\s*\([^()\n$]{1,40}\)\s*$")
+"""A line of its own in brackets is a remark on what it stands beside: (θ = 90°)."""
+_END = r"\s[^.;:!?\n$=]{0,30}$"
+_INTRODUCTION = re.compile(
+    r"(?<![A-Za-z])(?:take|for|if|assume|assuming|suppose|supposing|when|whenever|choose|at"
+    rf"|für|bei|falls|wenn|nimm|angenommen){_END}",
+    re.IGNORECASE,
+)
+_DATA = re.compile(
+    r"[\s*_#>]*(?:Data|Given|Gegeben|Daten|Angaben|Zahlenwerte|諸元|データ)[*_]{0,2}\s*[:：]",
+    re.IGNORECASE,
+)
+"""A list of what holds for the page: "piston with pin and rings m = 0.41 kg" is no case."""
+_NAMING = re.compile(
+    rf"(?<![A-Za-z])(?:let|with|put|set|setting|sei|seien|mit|setze|setzt man){_END}", re.IGNORECASE
+)
+"""Before a number a premise (let r = 1), before a formula the name of it (let P = m r ω²)."""
+_CONSEQUENCE = re.compile(
+    r"(?:(?<![A-Za-z\\])(?:therefore|hence|thus|then|dann|so(?!\s+(?:that|dass|daß|as)\b)|consequently|accordingly"
+    r"|it\s+follows(?:\s+that)?|(?:this|which)\s+implies|daher|folglich|somit|demnach|mithin"
+    r"|daraus\s+folgt|es\s+folgt|hieraus\s+folgt)(?![A-Za-z])"
+    r"|\\(?:Rightarrow|implies|Longrightarrow|therefore|Leftrightarrow|iff)(?![A-Za-z])|[⇒⟹⇔∴]"
+    r"|よって|したがって|従って|ゆえに|故に)[^.;:!?$=]{0,30}$",
+    re.IGNORECASE,
+)
+_CONDITION = re.compile(
+    r"(?:(?<![A-Za-z\\{])(?:where|when|whenever|if|setting|set|solve|solving|condition|equation|root|roots|extremum"
+    r"|extrema|maximum|minimum|wo|wenn|falls|setze|setzt|löse|Bedingung|Gleichung|Nullstellen?|Maximum)"
+    r"(?![A-Za-z])|条件|方程式|のとき)[^.;!?$=]{0,40}$",
+    re.IGNORECASE,
+)
+"""Before an equation that is to be solved, not claimed for all angles."""
+_ASIDE = re.compile(r"\([^()$=]*\)")
+_LINK = re.compile(
+    r"(?:[\s,;:.()、。，；：–—-]|\\(?:[,;: !]|quad|qquad|ldots|dots)|(?<![A-Za-zÀ-ÿ])(?:also|and|so"
+    r"|hence|thus|therefore"
+    r"|whence|ergo|which|this|that|it|we|one|you|i\.?\s?e\.?|is|are|to|say|be|by|in|other|words"
+    r"|means?|meaning|gives?|giving"
+    r"|yields?|yielding|get|obtain|have|had|find|finally|then|follows?|implies|imply|implying"
+    r"|equivalently|because|since|as|but|yet"
+    r"|namely|consequently|accordingly|results?|resulting|equals?|means|still|hereby|from|therefrom"
+    r"|damit|dann|d\.?\s?h\.?"
+    r"|das|dies|heißt|heisst|daher|folglich|somit|mithin|demnach|ist|da|weil|denn|aber|wir|man|also"
+    r"|ergibt|liefert|folgt"
+    r"|erhalten|erhält|bekommen|bedeutet|schließlich|nämlich|sich|wodurch|woraus|womit|donc|d'où|ce"
+    r"|qui|c'est|est|dire|à"
+    r"|donne|ainsi|alors|car|puisque|mais|on|obtient|luego|entonces|pues|porque|pero|quindi|dunque"
+    r"|perché|cioè|not"
+    r"|[mck]?m|kg|g|k?N|k?Nm|rpm|m/s|rad/s|1/s|s)"
+    r"(?![A-Za-zÀ-ÿ])|すなわち|つまり|だから|なので|より|から|ので|よって|したがって|従って|ゆえに|故に|である|となる|を得る|が|は)*$",
+    re.IGNORECASE,
+)
+"""Nothing but words that lead from one statement to what is the same or follows."""
+_NEW_CASE = re.compile(
+    r"(?<![A-Za-zÀ-ÿ\\])(?:for|at|case|cases|now|if|when|whenever|or|with|take|let|put|set|setting|suppose|supposing"
+    r"|assume|assuming|choose|another|second|third|fourth|next|instead|otherwise|else|elsewhere|while|whereas"
+    r"|respectively|resp|alternatively|again|later|once|new|use|changed?|becomes?|until|through|up|down|to|after|than|until|say"
+    r"|example|exercise|problem|variant|version|engine|one|either|both|values?|solutions?|roots?|between|vs"
+    r"|für|bei|im|am|fall|falls|fälle|wenn|nun|jetzt|oder|bzw|sei|seien|mit|setze|setzt|nimm|zweite[nrs]?|dritte[nrs]?"
+    r"|andere[nrs]?|sonst|dagegen|während|statt|anstelle|beispiel|aufgabe|variante|bis|zu|nach|danach|alternativ|neu|wird"
+    r"|lösung(?:en)?|nullstellen?|werte?|hingegen|erst|pour|si|ou|avec|maintenant|cas|sinon|puis|para|sea|con|ahora|caso"
+    r"|se|oppure)(?![A-Za-zÀ-ÿ])"
+    r"|の場合|のとき|の時|では|とする|とすると|または|あるいは|および|次に|今|いま|例|ならば|なら|まで|一方|他方|別|に対して|解"
+    r"|(?:^|[\s(])(?:[0-9]{1,2}|[a-z]|[ivx]{1,4})\)|\\(?:lor|vee|land|wedge|text|mathrm|to|rightarrow)(?![A-Za-z])",
+    re.IGNORECASE,
+)
+"""Between two values of a letter, what says that they belong to two cases."""
+_ARROW = re.compile(
+    r"\\(?:Rightarrow|implies|Longrightarrow|therefore|Leftrightarrow|iff)(?![A-Za-z])|[⇒⟹⇔∴]"
+)
+_OR = r"(?:or|oder|bzw\.?|ou|または|あるいは|\\(?:lor|vee)|\\(?:text|mathrm)\{\s*(?:or|oder)\s*\})"
+_OR_BEHIND = re.compile(r"(?:[\s$,})]|\\(?:[,;: ]|q?quad))*" + _OR + r"(?![A-Za-z])", re.IGNORECASE)
+_OR_BEFORE = re.compile(rf"(?<![A-Za-z]){_OR}(?:[\s$,]|\\(?:[,;: ]|q?quad))*$", re.IGNORECASE)
+_EQUIVALENT = re.compile(
+    r"(?:[\s,$]|\\(?:[,;: ]|q?quad))*(?:\\(?:Leftrightarrow|Longleftrightarrow|iff)(?![A-Za-z])|[⇔⟺]"
+    r"|<=>|if\s+and\s+only\s+if|iff|genau\s+dann,?\s+wenn|dann\s+und\s+nur\s+dann,?\s+wenn)"
+    r"(?:[\s,$]|\\(?:[,;: ]|q?quad))*",
+    re.IGNORECASE,
+)
+_CONVERSE = re.compile(
+    r"(?:[\s,$]|\\(?:[,;: ]|q?quad))*(?:\\(?:Leftarrow|Longleftarrow|impliedby)(?![A-Za-z])|[⇐⟸])[\s$,]*"
+)
+_DENIED = re.compile(
+    r"(?<![A-Za-z])(?:not|nicht|never|nie|kein|besides|apart\s+from|aside\s+from|except(?:\s+for|\s+at|\s+when)?"
+    r"|other\s+than|unless|außer|ausser|neben|abgesehen\s+von|ausgenommen)[\s$\\(]{0,4}(?:<[a-z]+>\s*)?$",
+    re.IGNORECASE,
+)
+_EXCEPT_BEHIND = re.compile(r"[\s$)\]}]{0,4}(?:以外|を除)")
+_SUPPOSED = re.compile(
+    r"(?<![A-Za-zÀ-ÿ])(?:would|wäre|wären|würde|würden|hätte)(?![A-Za-zÀ-ÿ])", re.IGNORECASE
+)
+_ROW_OR_ITEM = re.compile(r"\s*(?:\||[-*+•]\s|[0-9]{1,3}[.)]\s|\\item|<t[dr])")
+_SPLIT_CLAUSE = re.compile(r"(?<!bzw)(?<!resp)(?<!i\.e)(?<!d\.h)(?<!\bvs)[.!?]\s|;|[。；]|\n\s*\n")
+_DISPLAY = re.compile(r"\\(?:begin|end|label|tag)\{[^{}]*\}|^[^\\\s]*\}")
+_DISPLAY_LAST = re.compile(r"\s*(?:\\(?:begin|label|tag)\{[^{}]*\}\s*)+$")
+_CASE_BEHIND = re.compile(r"[\s$)\]]{0,4}(?:なら|のとき|の時|の場合|とすると|とすれば|では(?=[\s$]))")
+"""Behind a relation that is a case, in Japanese."""
+_WHEN_BEHIND = re.compile(r"[\s$)\]]{0,4}(?:なら|のとき|の時|の場合)")
+"""Behind one that is not claimed of all angles."""
+_TOP = r"(?:top|inner|upper|oberen?r?|inneren?)\s+(?:dead\s+cent(?:re|er)s?|Totpunkte?s?)|上死点"
+_BOTTOM = r"(?:bottom|outer|lower|unteren?r?|äußeren?)\s+(?:dead\s+cent(?:re|er)s?|Totpunkte?s?)|下死点"
+_SHORT_TOP, _SHORT_BOTTOM = r"(?<![A-Za-z])(?:TDC|OT)(?![A-Za-z])", r"(?<![A-Za-z])(?:BDC|UT)(?![A-Za-z])"
+_DEAD_CENTRE = re.compile(
+    rf"(?i:(?P<top>{_TOP})|(?P<bottom>{_BOTTOM}|(?:im|at\s+the|am)\s+(?:unteren|outer|lower|bottom)))"
+    rf"|(?P<short_top>{_SHORT_TOP})|(?P<short_bottom>{_SHORT_BOTTOM})"
+)
+_THERE = re.compile(r"[\s$)\]}\\,]{0,6}(?:there|here|dort|hier)(?![A-Za-zäöüß])")
+"""Words behind a relation by which it is meant at the place that its section named last."""
+_OPENING = " \t\n$\\([{&"
+"""What stands between a word and the formula that it introduces."""
+LONGEST_SENTENCE = 160
+"""Characters before a relation in which a dead centre may be named."""
+LONGEST_INTRODUCTION = 60
+"""Characters before a relation in which such a word is looked for."""
+
+
+@dataclass(frozen=True)
+class Sections:
+    """The headings and paragraphs of a document."""
+
+    document: ReadNotes
+
+    @cached_property
+    def _lines(self) -> list[str]:
+        return self.document.text.split("\n")
+
+    @cached_property
+    def _headings(self) -> list[int]:
+        """The lines, from 1, that begin a section."""
+        marked = [k for k, line in enumerate(self._lines, 1) if _HEADING.match(line.lstrip())]
+        underlined = [
+            k
+            for k in range(1, len(self._lines))
+            if _UNDERLINE.match(self._lines[k]) and self._lines[k - 1].strip()
+        ]
+        return sorted({*marked, *underlined})
+
+    def heading_above(self, line: int) -> str:
+        """Return the heading of the section that a line stands in, "" where there is none."""
+        above = [heading for heading in self._headings if heading <= line]
+        return self._lines[above[-1] - 1] if above else ""
+
+    @cached_property
+    def _paragraphs(self) -> list[tuple[int, int]]:
+        """The first and the last line of the paragraph of each line, from 1."""
+        starts, ends = [1], [len(self._lines)]
+        breaks = [self._is_break(line) for line in range(1, len(self._lines))]
+        for line, is_break in enumerate(breaks, 2):
+            is_first = is_break or not self._lines[line - 2].strip()
+            starts.append(line if is_first else starts[-1])
+        for line in range(len(breaks), 0, -1):
+            ends.append(line if breaks[line - 1] else ends[-1])
+        return list(zip(starts, reversed(ends), strict=True))
+
+    @cached_property
+    def _chain_ends(self) -> list[int]:
+        """The places behind the relations, in their order in the text."""
+        return sorted(chain.end for chain in self.document.chains)
+
+    @cached_property
+    def _by_start(self) -> tuple[list[int], list[Chain]]:
+        """The relations by where their first side begins, in the order of the text."""
+        chains = sorted(self.document.chains, key=lambda chain: chain.sides[0].span[0])
+        return [chain.sides[0].span[0] for chain in chains], chains
+
+    @cached_property
+    def _by_line(self) -> dict[int, list[Chain]]:
+        """The relations that begin on each line."""
+        chains: dict[int, list[Chain]] = {}
+        for chain in self.document.chains:
+            chains.setdefault(chain.lines[0], []).append(chain)
+        return chains
+
+    @cached_property
+    def _next_groups(self) -> dict[int, set[int]]:
+        """Where the relations of each line begin that take up the letters of a group before them."""
+        text = self.document.text
+        return {
+            line: {c.sides[0].span[0] for c in in_next_groups(text, chains)}
+            for line, chains in self._by_line.items()
+        }
+
+    def is_in_next_group(self, chain: Chain) -> bool:
+        """Tell whether a relation stands in a group of values behind another of the same letters."""
+        return chain.sides[0].span[0] in self._next_groups.get(chain.lines[0], ())
+
+    @cached_property
+    def _line_starts(self) -> list[int]:
+        """The place of each line's first character."""
+        return [0, *accumulate(len(line) + 1 for line in self._lines)]
+
+    @cached_property
+    def _engines(self) -> case_words.Mentions:
+        return case_words.Mentions(case_words.ENGINE, self.document.text)
+
+    @cached_property
+    def _problems(self) -> case_words.Mentions:
+        return case_words.Mentions(case_words.PROBLEM, self.document.text)
+
+    @cached_property
+    def _numbers_given(self) -> dict[int, dict[str, int]]:
+        """The letters that a paragraph gives a number, with the first line that does, by its start."""
+        numbers: dict[int, dict[str, int]] = {}
+        for chain in self.document.chains:
+            head, line = chain.sides[0].node, chain.lines[0]
+            if chain.relations and isinstance(head, Name) and not names(chain.sides[1].node):
+                own = numbers.setdefault(self.paragraph_start(line), {})
+                own[head.name] = min(line, own.get(head.name, line))
+        return numbers
+
+    def numbers_given_again(self, line: int) -> frozenset[str]:
+        """Return the letters that a line's own paragraph gives a number: with x = 15 once more."""
+        own = self._numbers_given.get(self.paragraph_start(line), {})
+        return frozenset(name for name, first in own.items() if first <= line)
+
+    def section_end(self, line: int) -> int:
+        """Return the last line of the section that a line stands in."""
+        place = bisect_right(self._headings, line)
+        return self._headings[place] - 1 if place < len(self._headings) else len(self._lines)
+
+    def paragraph_end(self, line: int) -> int:
+        """Return the last line of the paragraph that a line stands in."""
+        return self._paragraphs[line - 1][1]
+
+    def _is_break(self, line: int) -> bool:
+        """Tell whether a paragraph ends with a line: before a blank one, at an edge of an HTML block."""
+        above, below = self._lines[line - 1], self._lines[line]
+        return not below.strip() or bool(_BLOCK_BEGINS.match(below) or _BLOCK_ENDS.search(above))
+
+    def is_in_brackets(self, chain: Chain) -> bool:
+        """Tell whether a relation stands in brackets, as the condition of a formula: = 0 (N ≥ 2)."""
+        start, end = chain.sides[0].span[0], chain.end
+        before, after = self.document.text[:start].rstrip(" $"), self.document.text[end:].lstrip(" $")
+        return before[-1:] == "(" and after[:1] == ")"
+
+    def case_end(self, line: int) -> int:
+        """Return the last line of a case: its paragraph, and the displays that stand right below."""
+        end = self.paragraph_end(line)
+        while (following := self._next_text(end)) and _SET_OFF.match(self._lines[following - 1]):
+            end = self.paragraph_end(following)
+        return end
+
+    def moment_end(self, line: int) -> int:
+        """Return the last line of the item, or else the section, that looks at one crank angle."""
+        return min(self.section_end(line), item_end(self._lines, line))
+
+    def _next_text(self, line: int) -> int | None:
+        """Return the next line that is not blank."""
+        return next((k + 1 for k in range(line, len(self._lines)) if self._lines[k].strip()), None)
+
+    def premise_end(self, chain: Chain, *, is_number: bool) -> int | None:
+        """Return the last line that a relation reaches if its sentence makes it a premise, else None.
+
+        `is_number` tells whether it gives its letter a number.
+        """
+        line = chain.lines[0]
+        first = self._lines[self.paragraph_start(line) - 1]
+        if (chain.inline and _CAPTION.match(first)) or _IN_BRACKETS.match(first):
+            return self.paragraph_end(line)
+        start = chain.start
+        before = self.document.text[max(0, start - LONGEST_INTRODUCTION) : start]
+        before = re.split(r"\n\s*\n", before)[-1].rstrip(" \t\n$\\([")
+        if not chain.inline or _DATA.match(first):
+            return None
+        end = chain.end
+        is_case = _CASE_BEHIND.match(self.document.text, end) or _INTRODUCTION.search(before + " ")
+        if is_case and is_number and _is_place(chain):
+            if self.document.text[end : end + 4].lstrip(" $)").startswith(":"):
+                return self.paragraph_end(line)  # in UT, α = 180°: what its lines say
+            return self.moment_end(line)
+        is_premise = is_case or (is_number and _NAMING.search(before + " "))
+        return self.section_end(line) if is_premise else None
+
+    def is_consequence(self, chain: Chain) -> bool:
+        """Tell whether a relation is introduced as what follows: therefore, hence, ⇒."""
+        return _CONSEQUENCE.search(self._text_before(chain)) is not None
+
+    def starts_new_case(self, chain: Chain, earlier_line: int, name: str) -> bool | None:
+        """Tell whether words before a letter's other value say that it belongs to another case.
+
+        False where they say that it follows or is the same, or there are none; None where they may mean
+        either.
+        """
+        start = chain.start
+        row = self._lines[chain.lines[0] - 1]
+        text = self.document.text
+        if _ROW_OR_ITEM.match(row) or self.is_in_next_group(chain):
+            return True
+        before = [
+            other
+            for other in self._by_line.get(earlier_line, ())
+            if other is not chain and other.end <= start
+        ]
+        givers = [other for other in before if _gives(other, name)]
+        end = max((other.end for other in givers or before), default=None)
+        if end is None:
+            return True  # taken before what stands left of it: x² = 4 for x = 2
+        between = list(text[end:start])
+        starts, chains = self._by_start
+        for other in chains[bisect_left(starts, end) : bisect_right(starts, start)]:
+            first, last = other.sides[0].span[0], other.sides[-1].span[1]
+            if last <= start:
+                between[first - end : last - end] = " " * (last - first)
+        words = "".join(between).replace("$", " ").strip(_OPENING)
+        if self.is_consequence(chain):
+            return False
+        if words.lower() in ("and", "und", "et", "y", "e", "と"):
+            return True  # the roots are x = 1 and x = 2
+        if _LINK.fullmatch(words):
+            return None if ";" in words and any(c.isdigit() for c in text[end:start]) else False
+        clause = _SPLIT_CLAUSE.split(words)[-1]
+        return True if _NEW_CASE.search(clause) else None
+
+    def opens_case(self, chain: Chain) -> bool:
+        """Tell whether a relation is introduced as a case, which the next one ends: for x > 0."""
+        start = chain.start
+        return chain.inline and case_words.opens_case(self.document.text, start, chain.end)
+
+    def spoken_of_generally(
+        self, chain: Chain, letters: dict[str, bool], *, named: bool = False
+    ) -> frozenset[str]:
+        """Return the letters, given with whether each is an angle, of all of whose values it is claimed.
+
+        With `named`, those only that the words name: for every x, and not "in general".
+        """
+        if case_words.is_said_of_all_behind(self.document.text, chain.end):
+            return frozenset(letters)
+        start = chain.start
+        first = max(case_words.clause_start(self.document.text, start), self._end_before(start) or 0)
+        before = self.document.text[first:start]
+        written = {formula_text(Name(name), plain=True): is_angle for name, is_angle in letters.items()}
+        written |= letters | {f"\\{name}": is_angle for name, is_angle in letters.items()}
+        spoken = case_words.speaks_of_all(before, written, named=named)
+        own = {name: {name, f"\\{name}", formula_text(Name(name), plain=True)} for name in letters}
+        return frozenset(name for name, ways in own.items() if ways & spoken)
+
+    def _end_before(self, start: int) -> int | None:
+        """Return where the last relation ends that stands before a place, None where there is none."""
+        place = bisect_right(self._chain_ends, start)
+        return self._chain_ends[place - 1] if place else None
+
+    def stands_in_clause(self, position: int, chain: Chain) -> bool:
+        """Tell whether a place in the text is in the clause that a relation stands in."""
+        start = chain.start
+        return position >= case_words.clause_start(self.document.text, start)
+
+    def is_of_another_engine(self, chain: Chain, earlier_line: int) -> bool:
+        """Tell whether another engine, or another exercise, was named since a line."""
+        start = chain.start
+        earlier = self._start_of_line(earlier_line)
+        starts = self._by_start[0]
+        place = bisect_left(starts, min(start, self._start_of_line(earlier_line + 1)))
+        earlier = max(earlier, starts[place - 1] if place else 0)  # where the last one on its line begins
+        text = self.document.text
+        before, now = (
+            case_words.engine_of(self._engines.last_before(place)) for place in (earlier, start)
+        )
+        if before is not None and now is not None:
+            is_other = before[0] != now[0] or bool(before[1] and now[1] and before[1] != now[1])
+            if is_other:
+                return True
+        own_engine = case_words.engine_named(text[case_words.clause_start(text, start) : start], start)
+        if before is None and own_engine is not None and own_engine[0] > 1:
+            return True  # of one cylinder above, and here its own clause says: for an inline four
+        if self.same_section(earlier_line, chain.lines[0]):
+            return False
+        mentions = [self._problems.last_before(place) for place in (earlier, start)]
+        problems = ["" if mention is None else mention[1] for mention in mentions]
+        return problems[0] != problems[1] != ""
+
+    def _start_of_line(self, line: int) -> int:
+        return self._line_starts[line - 1]
+
+    def follows_at_once(self, chain: Chain) -> bool:
+        """Tell whether nothing but words such as "hence" stands behind the relation before."""
+        start = chain.start
+        end = self._end_before(start)
+        return end is not None and _LINK.fullmatch(self._words_between(end, start)) is not None
+
+    def is_one_of_several(self, chain: Chain) -> bool:
+        """Tell whether a relation stands beside an "or": x = 0 or x = 1."""
+        text, start = self.document.text, chain.start
+        before = text[max(0, start - 20) : start].rstrip(_OPENING)
+        return bool(_OR_BEHIND.match(text, chain.end) or _OR_BEFORE.search(before))
+
+    def is_equivalence(self, chain: Chain) -> bool:
+        """Tell whether a relation is said to be equivalent to the one before it: ⇔, if and only if."""
+        return _EQUIVALENT.fullmatch(self._between(chain)) is not None
+
+    def is_converse(self, chain: Chain) -> bool:
+        """Tell whether the relation before is said to follow from a relation: x² = 1 ⇐ x = 1."""
+        return _CONVERSE.fullmatch(self._between(chain)) is not None
+
+    def _between(self, chain: Chain) -> str:
+        start = chain.start
+        end = self._end_before(start)
+        return "" if end is None else self.document.text[end:start].strip(" \t\n$}")
+
+    def _words_between(self, end: int, start: int) -> str:
+        text = self.document.text[end:start].replace("$", " ")
+        return _ARROW.sub(" ", text).strip(_OPENING)
+
+    def is_denied(self, chain: Chain) -> bool:
+        """Tell whether a relation stands behind a "not", or as what is left out: besides ω = 0."""
+        start, end = chain.start, chain.end
+        before = self.document.text[max(0, start - LONGEST_INTRODUCTION) : start]
+        return bool(_DENIED.search(before) or _EXCEPT_BEHIND.match(self.document.text, end))
+
+    def is_supposed(self, chain: Chain) -> bool:
+        """Tell whether a relation is in the mood of what is not so: it would be, es wäre."""
+        start = chain.start
+        text = self.document.text
+        return _SUPPOSED.search(text[case_words.clause_start(text, start) : start]) is not None
+
+    def stands_next(self, chain: Chain, line: int) -> bool:
+        """Tell whether no other relation stands between a line and a relation below it."""
+        start = chain.start
+        starts, chains = self._by_start
+        first = bisect_left(starts, self._start_of_line(line + 1))
+        return not any(line < other.lines[0] for other in chains[first : bisect_left(starts, start)])
+
+    def is_condition(self, chain: Chain) -> bool:
+        """Tell whether a relation is introduced as an equation to be solved: where, condition, set."""
+        if _WHEN_BEHIND.match(self.document.text, chain.end):
+            return True
+        return _CONDITION.search(_ASIDE.sub(" ", self._text_before(chain))) is not None
+
+    def dead_centre(self, chain: Chain) -> bool | None:
+        """Return whether a relation's sentence names bottom dead centre, False for top, else None."""
+        named = dead_centre_named(self.sentence_before(chain))
+        if named is not None or _THERE.match(self.document.text, chain.end) is None:
+            return named
+        return dead_centre_named(self._section_before(chain))
+
+    def sentence_before(self, chain: Chain) -> str:
+        """Return what a relation's sentence says before it."""
+        text = self.document.text[max(0, chain.start - LONGEST_SENTENCE) : chain.start]
+        return re.split(r"[.;!?。]\s|\n\s*\n", text)[-1]
+
+    def _section_before(self, chain: Chain) -> str:
+        """Return the text of a relation's section before it, with its heading."""
+        line = chain.lines[0]
+        first = max((heading for heading in self._headings if heading <= line), default=1)
+        start = min(side.span[0] for side in chain.sides)
+        return self.document.text[self._start_of_line(first) : start]
+
+    def _text_before(self, chain: Chain) -> str:
+        """Return the words before a relation, without the marks that begin and end displays."""
+        start = chain.start
+        before = self.document.text[max(0, start - LONGEST_INTRODUCTION) : start]
+        return _DISPLAY.sub(".", _DISPLAY_LAST.sub("", before.rstrip(_OPENING))).rstrip(_OPENING)
+
+    def same_section(self, first: int, second: int) -> bool:
+        """Tell whether no heading stands between two lines."""
+        return self.section_end(min(first, second)) >= max(first, second)
+
+    def paragraph_start(self, line: int) -> int:
+        """Return the first line of the paragraph that a line stands in."""
+        return self._paragraphs[line - 1][0]
+
+
+def dead_centre_named(words: str) -> bool | None:
+    """Return whether words name bottom dead centre, False for top, None where they name neither.
+
+    >>> dead_centre_named("Massenkraft im OT:"), dead_centre_named("at the crank pin")
+    (False, None)
+    """
+    matches = list(_DEAD_CENTRE.finditer(words))
+    return None if not matches else bool((matches[-1].lastgroup or "").endswith("bottom"))
+
+
+def _is_place(chain: Chain) -> bool:
+    """Tell whether a relation puts an angle, by its Greek letter, at 0 or at so many degrees or π."""
+    letters = [side.node for side in chain.sides if isinstance(side.node, Name)]
+    values = [part for side in chain.sides for part in walk(side.node)]
+    is_angle = any(isinstance(part, Constant) and part.name == "pi" for part in values)
+    is_zero = any(isinstance(side.node, Number) and not side.node.value for side in chain.sides)
+    return any(is_greek(letter.name) for letter in letters) and (is_angle or is_zero)
+
+
+def _gives(chain: Chain, name: str) -> bool:
+    """Tell whether a letter is a side of a chain, alone."""
+    return any(isinstance(side.node, Name) and side.node.name == name for side in chain.sides)
+
+
+_SET_OFF = re.compile(r"\s*(?:\$\$|\\\[|\\begin\s*\{|```math|<math|\+\+\+\+|\[stem\])|\s{4}")
+"""How a display begins."""
