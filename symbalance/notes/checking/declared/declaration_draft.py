@@ -16,7 +16,9 @@ from symbalance.document.letters import plain_letter
 from symbalance.document.nodes import Code, Column, Document, Paragraph, Strong, Table, Words, blocks
 from symbalance.document.result import Result
 from symbalance.errors import SymbalanceError, visible
-from symbalance.notes.checking.declared.proposals import BindProposal, Proposals, ScopeProposal
+from symbalance.notes.checking.declared.proposals import Proposals
+from symbalance.notes.checking.declared.proposed_bindings import BindProposal
+from symbalance.notes.checking.declared.proposed_meanings import ScopeProposal
 from symbalance.notes.checking.declared.sidecar import PROPOSED
 from symbalance.notes.checking.declared.symbol_roles import KNOWN
 from symbalance.notes.reading import ReadingError, read_equation

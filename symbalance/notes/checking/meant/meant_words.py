@@ -14,7 +14,8 @@ from functools import cached_property
 
 from symbalance.document.formula import Formula, Name, Product, Quotient, names
 from symbalance.document.letters import plain_letter
-from symbalance.notes.checking.declared.proposals import Proposal, meanings_from_words
+from symbalance.notes.checking.declared.proposals import meanings_from_words
+from symbalance.notes.checking.declared.proposed_meanings import Proposal
 from symbalance.notes.checking.declared.role_phrases import (
     CONVENTIONS,
     MOVING_SECTIONS,
