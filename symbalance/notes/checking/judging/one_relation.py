@@ -18,6 +18,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.sign_of_letters import decide_with_signs
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.judging.appeals import appeal
+from symbalance.notes.checking.judging.letters_at_odds import unless_used_anew
 from symbalance.notes.checking.meant.engine_speeds import decide_speed
 from symbalance.notes.checking.meant.given_numbers import number_given
 from symbalance.notes.checking.motions.equations_of_motion import (
@@ -131,9 +132,12 @@ def _judge_step(
     if decision.is_proved and (by_quantity := wrong_as_quantity(chain, k, state.document, knowledge)):
         return by_quantity
     by_name = state.named.judge(chain, k, knowledge) if decision.status == UNDECIDED else None
-    return by_name or add_fix_of_relation(
+    if by_name is not None:
+        return by_name
+    verdict = add_fix_of_relation(
         state, describe(state.document, chain, k, decision), chain, k, against, decision, knowledge
     )
+    return unless_used_anew(state, chain, k, verdict, against, decision, knowledge)
 
 
 def _by_mean(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:

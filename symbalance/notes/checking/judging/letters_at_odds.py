@@ -1,0 +1,94 @@
+"""Letters that two lines give different formulas: by a slip, or as the page uses them anew.
+
+Pages call every engine's force F, and each bolt's diameter d. Where a letter alone is given another value
+than a line further up has for it, the line is wrong only if one small change makes it that value again;
+anything else may be another engine's, and is said to be at odds with the line above, not to be wrong.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from fractions import Fraction
+
+from symbalance.document.formula import Name, names
+from symbalance.notes.checking.deciding.descriptions import describe, printed_value
+from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.steps.relation_fixes import add_fix_of_relation
+from symbalance.notes.checking.verdicts import REFUTED, UNDECIDED, Fix, Verdict
+from symbalance.notes.checking.words.plain_formulas import plain_text
+from symbalance.notes.reading.equations import Chain, Side
+
+_NO_SLIP = ("value", "term", "phase")
+"""Kinds of corrections that put something else in the place of what is written."""
+MOST_APART = 20
+"""How many times larger or smaller a number may be that somebody worked out wrongly."""
+SAME_DIGITS = 0.005
+"""Of a power of ten: digits that agree to a per cent."""
+
+
+def unless_used_anew(
+    state: JudgingState,
+    chain: Chain,
+    k: int,
+    verdict: Verdict,
+    against: Side,
+    decision: Decision,
+    knowledge: Knowledge,
+) -> Verdict:
+    """Return a refuted verdict, or that its letter is at odds with a line above and may be used anew."""
+    head, line = chain.sides[0].node, chain.lines[0]
+    is_own = not k and chain.relations[0].sign == "=" and isinstance(head, Name)
+    if not is_own or verdict.verdict != REFUTED or decision.reason:
+        return verdict
+    earlier = knowledge.definitions.get(head.name)
+    if earlier is None or head.name in knowledge.meaning.values or earlier.line >= line:
+        return verdict
+    if state.sections.paragraph_start(line) <= earlier.line or _is_value(
+        state, chain, decision, knowledge
+    ):
+        return verdict
+    searched = verdict
+    if not knowledge.corrects:
+        searched = add_fix_of_relation(
+            state, verdict, chain, k, against, decision, replace(knowledge, corrects=True)
+        )
+    if searched.fix is not None and _is_slip(searched.fix):
+        return verdict
+    reason = (
+        f"not the {plain_text(head)} of line {earlier.line}, and no single slip lies between:"
+        " used anew, or wrong"
+    )
+    return describe(state.document, chain, k, replace(decision, status=UNDECIDED, reason=reason))
+
+
+def _is_value(state: JudgingState, chain: Chain, decision: Decision, knowledge: Knowledge) -> bool:
+    """Tell whether a line gives the value of a formula above: at an angle, or as one printed number.
+
+    A number of quite another size is no result of that formula: such a letter is another one's.
+    """
+    left, right = chain.sides[:2]
+    earlier = knowledge.definitions[left.node.name] if isinstance(left.node, Name) else None
+    formula = earlier and (earlier.formula if earlier.numeric else earlier.node)
+    if formula is None:
+        return False
+    angles = knowledge.angles & names(formula)
+    if angles and not angles & names(right.node):
+        return True
+    printed = printed_value(decision, state.document, right, left)
+    if printed is None:
+        return False
+    claim, value, _ = printed
+    size = abs(Fraction(claim.factor) * claim.mantissa)
+    if not size or not value:
+        return False
+    powers = math.log10(float(abs(value) / size))
+    is_shifted = abs(powers - round(powers)) < SAME_DIGITS  # 71.1 kN for 7.1057 kN
+    return is_shifted or abs(powers) < math.log10(MOST_APART)
+
+
+def _is_slip(fix: Fix) -> bool:
+    """Tell whether a correction undoes one small slip: a sign, a factor, an exponent, digits."""
+    return not any(kind.strip().startswith(_NO_SLIP) for kind in fix.kind.split(";"))
