@@ -2,9 +2,10 @@
 
 A lone decimal stands for all that is rounded to it, half a unit of its last place to either side. So does
 a decimal of three digits or more that a result is computed from, here or in a line before; shorter ones
-are data, taken as exact. A whole number is exact, unless it is the result of an arithmetic with decimals
-and has three digits. Among letters every coefficient is compared for itself, and may be off by what half
-a unit in the last place of each decimal in it brings.
+are data, taken as exact. A whole number is exact, unless it is the result of an arithmetic with decimals,
+or of a division that does not come out even, and has three digits, or two before a unit. Among letters
+every coefficient is compared for itself, and may be off by what half a unit in the last place of each
+number that is no datum brings.
 """
 
 from __future__ import annotations
@@ -41,6 +42,8 @@ APART = 1.9
 """Times that a decimal of one digit may not be off, though it is rounded to it."""
 LONG = 3
 """A decimal of this many digits on the way to a result may itself be rounded."""
+MEASURED = 2
+"""Digits of a whole number with a unit, at least, that is a result and rounded: 33° for 360°/11."""
 
 
 def decimals(node: Formula) -> list[Number]:
@@ -73,7 +76,9 @@ def agrees_as_printed(
     """
     typed_left, typed_right = left, right
     left, right = (with_decimals(node, values or {}) for node in (left, right))
-    if not decimals(left) and not decimals(right) and not (_is_result(left) or _is_result(right)):
+    has_coefficients = any(True for typed in (typed_left, typed_right) for _ in _coefficients(typed))
+    may_round = has_coefficients or _is_result(left) or _is_result(right)
+    if not decimals(left) and not decimals(right) and not may_round:
         return False
     first, second = form_of(left), form_of(right)
     if not letters(first) and not letters(second):
@@ -90,7 +95,7 @@ def agrees_as_printed(
             numbers = _number(value), _number(exact)
             unit = _unit(node, lone, numbers[0], form_of)
             typed = typed_left if other_side is left else typed_right
-            is_number = other is not None and _is_bare(other_side)
+            is_number = other is not None and _is_bare(other_side) and not _is_in_degrees(node)
             spread = 0 if is_number else _spread(other_side, typed, numbers[1], form_of, printed)
             return _is_rounded(lone, unit, *numbers, spread, generous)
         if not names(left) and not names(right) and (_is_bare(left) or _is_bare(right)):
@@ -104,9 +109,9 @@ def agrees_as_printed(
                 margin += _spread(node, typed, _number(form), form_of, printed)
         gap, size = abs(_number(first) - _number(second)), abs(_number(first))
         return gap <= margin * (1 + 1e-12) + (size * ROUGHLY if generous else 0) + size * _tiny()
-    if not decimals(left) and not decimals(right):
+    if not decimals(left) and not decimals(right) and not has_coefficients:
         return False
-    return _coefficients_agree(left, right, first, second, form_of)
+    return _coefficients_agree((left, right), (typed_left, typed_right), (first, second), form_of)
 
 
 def with_decimals(node: Formula, values: Mapping[str, Formula]) -> Formula:
@@ -152,21 +157,32 @@ def _is_finer(lone: Number, other: Number) -> bool:
     return lone.last_place < other.last_place
 
 
-def _as_printed(number: Number, other_side: Formula, exact: Form, generous: bool) -> Number | None:
-    """Return a whole number as the result it is, of decimals or of a number as 120π: to its units.
+def _as_printed(
+    number: Number, other_side: Formula, exact: Form, generous: bool, fewest: int = LONG
+) -> Number | None:
+    """Return a whole number as the result it is, of decimals, of 120π or of 7000/60: to its units.
 
     Its closing zeros are open behind three digits, 3550 for 3549.5, and all if `generous`.
     """
-    is_rounded = decimals(other_side) or exact.rational() is None
+    ratio = exact.rational()
+    is_divided = ratio is None or (ratio.denominator > 1 and _divides(other_side))
+    is_rounded = decimals(other_side) or is_divided
     if number.value.denominator != 1 or not number.value or not is_rounded:
         return None
     digits = str(abs(number.value.numerator))
-    if not generous and (not LONG <= len(digits) <= LONGEST or _is_bare(other_side)):
+    if not generous and (not fewest <= len(digits) <= LONGEST or _is_bare(other_side)):
         return None
     zeros = len(digits) - len(digits.rstrip("0"))
     if not generous:
-        zeros = min(zeros, len(digits) - LONG)
+        zeros = min(zeros, max(len(digits) - LONG, 0))
     return Number(number.value, Fraction(10**zeros))
+
+
+def _divides(node: Formula) -> bool:
+    """Tell whether an arithmetic of numbers holds a division, as typed: none that a unit brings."""
+    return any(
+        isinstance(part, formula.Quotient) and not _is_unit_factor(part) for part in formula.walk(node)
+    )
 
 
 def _lone_decimal(node: Formula, other_side: Formula, exact: Form, generous: bool) -> Number | None:
@@ -177,8 +193,8 @@ def _lone_decimal(node: Formula, other_side: Formula, exact: Form, generous: boo
         return node if node.last_place is not None else _as_printed(node, other_side, exact, generous)
     if (whole := _whole_before_unit(node)) is not None:
         turns = isinstance(node, formula.Product) and isinstance(node.factors[1], formula.Quotient)
-        own = exact.over(Form.constant(exact.domain, "pi")) if turns else exact  # of rpm: π/30 each
-        return _as_printed(whole, other_side, own, generous)
+        own = exact.over(Form.constant(exact.domain, "pi")) if turns else exact  # of rpm and °: π/30 or π/180 each
+        return _as_printed(whole, other_side, own, generous, MEASURED)
     numbers = decimals(node)
     if not isinstance(node, formula.Product) or len(numbers) != 1 or formula.names(node):
         return None
@@ -200,11 +216,19 @@ def _whole_before_unit(node: Formula) -> Number | None:
 
 
 def _is_unit_factor(node: Formula) -> bool:
-    """Tell the factor of a unit, 1/1000 of mm or π/30 of rpm, from a fraction as an author types it."""
+    """Tell the factor of a unit, 1/1000 of mm or π/180 of °, from a fraction as an author types it."""
     if isinstance(node, formula.Quotient):
-        is_turn = node == formula.Quotient(formula.Constant("pi"), Number(Fraction(30)))
+        is_turn = any(
+            node == formula.Quotient(formula.Constant("pi"), Number(Fraction(part))) for part in (30, 180)
+        )
         return is_turn and node.numerator.span == node.denominator.span
     return isinstance(node, Number) and node.last_place is None and node.value.denominator > 1
+
+
+def _is_in_degrees(node: Formula) -> bool:
+    """Tell whether a side is a number of degrees or turns: what it is in radians was rounded for itself."""
+    whole = node.operand if isinstance(node, Negative) else node
+    return isinstance(whole, formula.Product) and isinstance(whole.factors[-1], formula.Quotient)
 
 
 def _is_small(factor: Formula) -> bool:
@@ -273,22 +297,26 @@ def significant(number: Number) -> int:
 
 
 def _coefficients_agree(
-    left: Formula, right: Formula, first: Form, second: Form, form_of: Callable[[Formula], Form]
+    sides: tuple[Formula, Formula],
+    typed: tuple[Formula, Formula],
+    forms: tuple[Form, Form],
+    form_of: Callable[[Formula], Form],
 ) -> bool:
-    """Tell whether no coefficient is off by more than half a unit in each decimal's last place brings."""
+    """Tell whether no coefficient is off by more than half a unit in each rounded number's last place."""
+    first, second = forms
     if not (first.is_polynomial and second.is_polynomial):
         return False
     domain = first.domain
-    moved = [[form_of(node) for node in _moved(side)] for side in (left, right)]
+    moved = [[form_of(node) for node in _moved(*pair)] for pair in zip(sides, typed, strict=True)]
     if domain.radicals or domain.opaque:
         # a decimal within a root changes the root: no coefficient can be compared for itself
-        if any(significant(number) < SHORTEST for number in (*decimals(left), *decimals(right))):
+        if any(significant(number) < SHORTEST for side in sides for number in decimals(side)):
             return False  # 0.3 would be all between a quarter and 0.35
         return _values_agree(first, second, *moved)
     left_parts, right_parts = _parts(first), _parts(second)
     margins: dict[Any, Any] = {}
-    for forms, parts in zip(moved, (left_parts, right_parts), strict=True):
-        for parts_off in map(_parts, forms):
+    for changed, parts in zip(moved, (left_parts, right_parts), strict=True):
+        for parts_off in map(_parts, changed):
             if parts_off.keys() - parts.keys() and parts.keys() - parts_off.keys():
                 return False  # it stands in an angle, cos 628.3 t: moved, the wave is another one
             for key in {*parts, *parts_off}:
@@ -304,12 +332,49 @@ def _coefficients_agree(
     return True
 
 
-def _moved(side: Formula) -> Iterator[Formula]:
-    """Yield a side with each of its decimals off by half a unit of its last place, a letter's once."""
+def _moved(side: Formula, typed: Formula) -> Iterator[Formula]:
+    """Yield a side with each of its rounded numbers off by half a unit, a letter's once.
+
+    Data are exact as they are among numbers alone: the short decimals that letters stand for or that stand
+    beside such letters, and those in a product of numbers. A whole number of three digits before a letter is a coefficient, rounded.
+    """
+    factors = _factors_of_products(typed)
     for number in _distinct(side):
         assert number.last_place is not None
+        is_datum = side is not typed or id(number) in factors
+        if is_datum and significant(number) < LONG:
+            continue
         off_by_half = Number(number.value + number.last_place / 2, number.last_place)
         yield replace_part(side, number, off_by_half)
+    for number in _coefficients(typed):
+        if id(number) not in factors:
+            yield replace_part(side, number, Number(number.value + Fraction(1, 2)))
+
+
+def _coefficients(typed: Formula) -> Iterator[Number]:
+    """Yield the whole numbers of three digits that stand before letters: 1972 of 1972 cos α."""
+    for part in formula.walk(typed):
+        first = part.factors[0] if isinstance(part, formula.Product) and names(part) else None
+        if isinstance(first, Number) and first.last_place is None and first.value.denominator == 1:
+            if LONG <= len(str(abs(first.value.numerator)).rstrip("0")) <= LONGEST:
+                yield first
+
+
+def _factors_of_products(node: Formula) -> set[int]:
+    """Return the numbers, by identity, that stand in an arithmetic: 0.5 and 0.04 of 0.5·0.04·314² cos α."""
+    ids: set[int] = set()
+    for part in formula.walk(node):
+        if isinstance(part, formula.Product):
+            numbers = [
+                number
+                for factor in part.factors
+                if not names(factor)
+                for number in formula.walk(factor)
+                if isinstance(number, Number) and (number.last_place is not None or not _is_scale(number))
+            ]
+            if len(numbers) > 1:
+                ids |= {id(number) for number in numbers}
+    return ids
 
 
 def _values_agree(left: Form, right: Form, left_moved: list[Form], right_moved: list[Form]) -> bool:

@@ -58,7 +58,7 @@ from symbalance.notes.reading.units import Scale, scale_of
 
 RPM = Fraction(1, 30), True
 FEWEST_COUNTED, NEARLY_WHOLE = 10, Fraction(1, 100)
-"""Of a whole result with a unit: the least of two digits, and what it may be off by behind =."""
+"""Of a whole result with a unit: the least of two digits, and what closing zeros may hide behind =."""
 FEWEST_DIGITS = 3
 """That a factor of conversion, or a constant that a formula has for its units, is printed with."""
 _PI, _NEAR_PI = Fraction(355, 113), Fraction(1, 500)
@@ -197,14 +197,15 @@ def _rounded_in_its_unit(
 ) -> Decision | None:
     """Return the decision on 5401 N · 45 mm = 243 Nm: a whole result with a unit is rounded to its units.
 
-    It has two digits, and is off by a hundredth at most: 16 m/s for 15.7 wants ≈.
+    It has two digits, and its closing zeros are open to a hundredth: 16 m/s for 15.7, 1500 N for 1494.
     """
     left, right = chain.sides[k], chain.sides[k + 1]
     quantity = quantity_of(right, document)
     is_computed = not isinstance(left.node, Name | Number)
     if quantity is None or names(right.node) or not is_computed or abs(quantity.value) < FEWEST_COUNTED:
         return None
-    place = min(2 * quantity.half, 2 * NEARLY_WHOLE * abs(quantity.value)) * quantity.scale
+    open_by = max(2 * NEARLY_WHOLE * abs(quantity.value), Fraction(1))
+    place = min(2 * quantity.half, open_by) * quantity.scale
     rounded = Side((Number(quantity.value * quantity.scale, place),), right.span)
     if not names(left.node) and _is_wrong_by_letters(chain, k, rounded, knowledge):
         return None
