@@ -10,6 +10,7 @@ executed as code.
     row_vectors                     rows of values in brackets
     extremes_apart, scanned_letters β max and |M|_max; the letter l that is a 1 in a scan
     words_behind_numbers            what a number is said to be a multiple of
+    multiples_in_words              twice R, half of 88, das 1,17-fache, rの1.172倍 in signs
     continued_lines                 lines that begin with = and go on with the one above
     notebooks, numerals             cells as text; decimal commas, units in words, a scanner's letters
     ranges, joined_dollars          letters that run through values; formulas that dollars cut

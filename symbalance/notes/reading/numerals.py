@@ -90,6 +90,7 @@ _BEHIND_DOLLAR = re.compile(
 )
 """A unit behind the dollar or `\\)` that ends a formula: N m/rad as a whole, but m of `40$ m long`."""
 _NEARLY = re.compile(r"(?<=[\s\w)\]])(?:~=|=~|≈=|=≈)(?=[\s\w(√-])")
+_PLUS_MINUS = re.compile(r"(?<=[0-9A-Za-z)][ ])\+[ ]?/[ ]?[-−](?=[ ]?[0-9A-Za-z(])|(?<=[0-9)])\+/[-−](?=[0-9])")
 _OPENED = {
     "$": re.compile(r"\$[^$\n]*$"),
     "\\)": re.compile(r"\\\((?:(?!\\[()]).)*$"),
@@ -117,6 +118,7 @@ def with_plain_numerals(
     changes |= _scanned(text, is_letter, notes)
     changes |= _dashes(text, notes)
     changes |= {m.start(): (m.end(), "≈") for m in _NEARLY.finditer(text)}
+    changes |= {m.start(): (m.end(), "±") for m in _PLUS_MINUS.finditer(text)}
     changes |= _units_in_words(text)
     changes |= _crosses(text)
     changes |= _parts_of(text)
@@ -350,7 +352,30 @@ def _is_surely_decimal(match: re.Match[str], is_usual: bool) -> bool:
         return len(part) != 3 or whole.strip("0") == ""
     if whole.strip("0") == "" and len(part) > 1:
         return True
-    return len(part) != 3 and (is_usual or len(part) > 2)
+    return len(part) != 3 and (is_usual or len(part) > 2 or _is_one_number(match))
+
+
+_UNIT_BEHIND = re.compile(
+    r"(?:[ ~]|\\[,;: ])?(?:\\(?:mathrm|text|textrm)\{)?[ ]?"
+    r"(?P<unit>(?:[kMmcµ]?(?:N|Pa|W|J|m|g|s|Hz)|bar|rad|U|kp|PS|min)(?:[²³]|[ ·]?m)?(?:/(?:[mckM]?[msg]|min|mm|rad)[²³]?)?)"
+    r"(?![A-Za-z0-9_\u00c0-\u024f])"
+)
+_COMPUTED_BESIDE = re.compile(r"[ ~]?(?:[·⋅×*/±^]|\\(?:cdot|times|pm)(?![A-Za-z]))")
+_COMPUTED_BEFORE = re.compile(r"(?:[·⋅×*/±]|\\(?:cdot|times|pm))[ ~]?$")
+
+
+def _is_one_number(match: re.Match[str]) -> bool:
+    """Tell whether a comma stands within one number by its company: a unit, or a sign of multiplication.
+
+    30,2 kN and 42,5 ± 0,5 are no lists; i = 1,2 may be one, and so may 1,2 m without a sign before it.
+    """
+    text, start, end = match.string, match.start(), match.end()
+    before = text[max(start - 8, 0) : start]
+    if _COMPUTED_BESIDE.match(text, end) or _COMPUTED_BEFORE.search(before):
+        return True
+    unit = _UNIT_BEHIND.match(text, end)
+    is_stated = re.search(r"(?:[=≈<>+−-]|\\approx|\()[ ~]?$", before) is not None
+    return unit is not None and is_stated
 
 
 def _follows_formula(text: str, match: re.Match[str]) -> bool:

@@ -24,6 +24,7 @@ from symbalance.notes.reading.letter_e import means_letter, with_number_e
 from symbalance.notes.reading.macros import expand_macros
 from symbalance.notes.reading.mathml import is_mathml, mathml_text
 from symbalance.notes.reading.memberships import with_memberships
+from symbalance.notes.reading.multiples_in_words import with_multiples_in_signs
 from symbalance.notes.reading.numerals import with_plain_numerals
 from symbalance.notes.reading.operator_words import with_operator_words
 from symbalance.notes.reading.page_marks import with_page_marks
@@ -109,6 +110,7 @@ def prepare(
         with_row_vectors,
         with_extremes_of_bars,
         with_operator_words,
+        with_multiples_in_signs,
         with_systems,
         with_memberships,
         with_function_names,

@@ -42,6 +42,8 @@ APART = 1.9
 """Times that a decimal of one digit may not be off, though it is rounded to it."""
 LONG = 3
 """A decimal of this many digits on the way to a result may itself be rounded."""
+SHORT_WHOLE = 100
+"""A whole number below it has too few digits to be half a unit short."""
 MEASURED = 2
 """Digits of a whole number with a unit, at least, that is a result and rounded: 33° for 360°/11."""
 
@@ -94,6 +96,8 @@ def agrees_as_printed(
                 continue  # 1 knot is one knot, whatever it comes to in others
             numbers = _number(value), _number(exact)
             unit = _unit(node, lone, numbers[0], form_of)
+            if lone.last_place == 1 and abs(lone.value) < SHORT_WHOLE and abs(numbers[1]) > abs(numbers[0]):
+                unit *= 1 - 1e-9  # half of two digits is rounded up: 43.5 is 44
             typed = typed_left if other_side is left else typed_right
             is_number = other is not None and _is_bare(other_side) and not _is_in_degrees(node)
             spread = 0 if is_number else _spread(other_side, typed, numbers[1], form_of, printed)

@@ -61,6 +61,8 @@ FEWEST_COUNTED, NEARLY_WHOLE = 10, Fraction(1, 100)
 """Of a whole result with a unit: the least of two digits, and what closing zeros may hide behind =."""
 FEWEST_DIGITS = 3
 """That a factor of conversion, or a constant that a formula has for its units, is printed with."""
+_TIE = Fraction(1, 10**9)
+"""Half a unit of two digits is rounded up: half of 87 mm is no 43 mm."""
 _PI, _NEAR_PI = Fraction(355, 113), Fraction(1, 500)
 _SMALL = Fraction(1, 100)
 _LETTER = re.compile(r"[A-Za-z]")
@@ -206,7 +208,10 @@ def _rounded_in_its_unit(
         return None
     open_by = max(2 * NEARLY_WHOLE * abs(quantity.value), Fraction(1))
     place = min(2 * quantity.half, open_by) * quantity.scale
-    rounded = Side((Number(quantity.value * quantity.scale, place),), right.span)
+    value = quantity.value * quantity.scale
+    if place == quantity.scale and abs(quantity.value) < FEWEST_COUNTED**2:
+        value *= 1 - _TIE  # 43.5 is 44
+    rounded = Side((Number(value, place),), right.span)
     if not names(left.node) and _is_wrong_by_letters(chain, k, rounded, knowledge):
         return None
     return decide(left, rounded, chain.relations[k].sign, knowledge)
