@@ -17,6 +17,7 @@ executed as code.
     signs, units, letter_names      what signs and commands stand for; units; one name for each letter
     page_marks, function_names      what formats mark around formulas; other languages' names
     and_so_on, division_colons      + etc. for dots; 478 : 4 as a quotient
+    units_behind_waves              1.97 cos φ kN: the unit of a whole side
     greek_words, short_greek        lambda = r/l and cos(2*th) in plain text
     letter_e                        the offset e, told from the number
     lexer, parser                   one formula's text to tokens, and these to trees

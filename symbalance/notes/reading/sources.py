@@ -34,6 +34,7 @@ from symbalance.notes.reading.row_vectors import with_row_vectors
 from symbalance.notes.reading.scanned_letters import with_scanned_letters
 from symbalance.notes.reading.short_greek import with_short_greek
 from symbalance.notes.reading.systems_in_braces import with_systems
+from symbalance.notes.reading.units_behind_waves import with_units_of_waves
 
 CELL_END = "\ue000"
 """Stands between the cells of a table: no formula goes over it. (A sign that nobody types.)"""
@@ -126,6 +127,7 @@ def prepare(
     if kind == "plain":
         reader.apply_noted(with_scanned_letters(reader.text))
     reader.apply_noted(with_plain_numerals(reader.text, is_letter))
+    reader.apply(with_units_of_waves(reader.text, is_letter))
     if kind in ("tex", "markdown"):
         reader.apply(with_units_between_dollars(reader.text))
     reader.apply_noted(with_ranges(reader.text))

@@ -78,7 +78,11 @@ def agrees_as_printed(
     """
     typed_left, typed_right = left, right
     left, right = (with_decimals(node, values or {}) for node in (left, right))
-    has_coefficients = any(True for typed in (typed_left, typed_right) for _ in _coefficients(typed))
+    results = (
+        _coefficients(typed_left, typed_right, values or {}),
+        _coefficients(typed_right, typed_left, values or {}),
+    )
+    has_coefficients = any(results)
     may_round = has_coefficients or _is_result(left) or _is_result(right)
     if not decimals(left) and not decimals(right) and not may_round:
         return False
@@ -115,7 +119,13 @@ def agrees_as_printed(
         return gap <= margin * (1 + 1e-12) + (size * ROUGHLY if generous else 0) + size * _tiny()
     if not decimals(left) and not decimals(right) and not has_coefficients:
         return False
-    return _coefficients_agree((left, right), (typed_left, typed_right), (first, second), form_of)
+    if not (first.is_polynomial and second.is_polynomial):
+        return False
+    moved = [
+        [form_of(node) for node in _moved(*each)]
+        for each in zip((left, right), (typed_left, typed_right), results, strict=True)
+    ]
+    return _coefficients_agree((left, right), (first, second), moved)
 
 
 def with_decimals(node: Formula, values: Mapping[str, Formula]) -> Formula:
@@ -301,17 +311,14 @@ def significant(number: Number) -> int:
 
 
 def _coefficients_agree(
-    sides: tuple[Formula, Formula],
-    typed: tuple[Formula, Formula],
-    forms: tuple[Form, Form],
-    form_of: Callable[[Formula], Form],
+    sides: tuple[Formula, Formula], forms: tuple[Form, Form], moved: list[list[Form]]
 ) -> bool:
-    """Tell whether no coefficient is off by more than half a unit in each rounded number's last place."""
+    """Tell whether no coefficient is off by more than half a unit in each rounded number's last place.
+
+    `moved` are the forms of either side with one of its rounded numbers off by half a unit.
+    """
     first, second = forms
-    if not (first.is_polynomial and second.is_polynomial):
-        return False
     domain = first.domain
-    moved = [[form_of(node) for node in _moved(*pair)] for pair in zip(sides, typed, strict=True)]
     if domain.radicals or domain.opaque:
         # a decimal within a root changes the root: no coefficient can be compared for itself
         if any(significant(number) < SHORTEST for side in sides for number in decimals(side)):
@@ -336,11 +343,11 @@ def _coefficients_agree(
     return True
 
 
-def _moved(side: Formula, typed: Formula) -> Iterator[Formula]:
+def _moved(side: Formula, typed: Formula, coefficients: Collection[Number]) -> Iterator[Formula]:
     """Yield a side with each of its rounded numbers off by half a unit, a letter's once.
 
     Data are exact as they are among numbers alone: the short decimals that letters stand for or that stand
-    beside such letters, and those in a product of numbers. A whole number of three digits before a letter is a coefficient, rounded.
+    beside such letters, and those in a product of numbers. `coefficients` are whole numbers that are rounded.
     """
     factors = _factors_of_products(typed)
     for number in _distinct(side):
@@ -350,18 +357,37 @@ def _moved(side: Formula, typed: Formula) -> Iterator[Formula]:
             continue
         off_by_half = Number(number.value + number.last_place / 2, number.last_place)
         yield replace_part(side, number, off_by_half)
-    for number in _coefficients(typed):
-        if id(number) not in factors:
-            yield replace_part(side, number, Number(number.value + Fraction(1, 2)))
+    for number in coefficients:
+        yield replace_part(side, number, Number(number.value + Fraction(1, 2)))
 
 
-def _coefficients(typed: Formula) -> Iterator[Number]:
-    """Yield the whole numbers of three digits that stand before letters: 1972 of 1972 cos α."""
-    for part in formula.walk(typed):
-        first = part.factors[0] if isinstance(part, formula.Product) and names(part) else None
-        if isinstance(first, Number) and first.last_place is None and first.value.denominator == 1:
-            if LONG <= len(str(abs(first.value.numerator)).rstrip("0")) <= LONGEST:
-                yield first
+def _coefficients(typed: Formula, other: Formula, values: Mapping[str, Formula]) -> list[Number]:
+    """Return the whole numbers of three digits before letters, 1972 of 1972 cos α, that are results.
+
+    They are where the other side is computed: of letters with values, in a product or a quotient.
+    """
+    if _coefficients_typed(other) or not (
+        names(other) & values.keys() or _factors_of_products(other) or _divides(other)
+    ):
+        return []
+    factors = _factors_of_products(typed)
+    return [number for number in _coefficients_typed(typed) if id(number) not in factors]
+
+
+def _coefficients_typed(typed: Formula) -> list[Number]:
+    firsts = (
+        part.factors[0]
+        for part in formula.walk(typed)
+        if isinstance(part, formula.Product) and names(part)
+    )
+    return [
+        first
+        for first in firsts
+        if isinstance(first, Number)
+        and first.last_place is None
+        and first.value.denominator == 1
+        and LONG <= len(str(abs(first.value.numerator)).rstrip("0")) <= LONGEST
+    ]
 
 
 def _factors_of_products(node: Formula) -> set[int]:
