@@ -2,7 +2,8 @@
 
 English and German say them before what is multiplied, Japanese behind it: das 1,17-fache von R, half of
 88, rの1.172倍. Only what a relation stands next to is put into signs: in "the swing is 1.2 times R, or so"
-nothing is claimed. Beside a sum or a stroke it stays in words: twice a + b says two things.
+nothing is claimed. Beside a sum or a stroke it stays in words: twice a + b says two things. 1200 N + 12 %
+is 12 % more than 1200 N.
 """
 
 from __future__ import annotations
@@ -18,12 +19,23 @@ _LETTER = (
     r"(?:[A-Za-z\u03b1-\u03c9\u0394\u03a9](?:_\{[^{}\n]{1,12}\}|_[A-Za-z0-9]{1,6}|[\u2080-\u208e]{1,3})?(?:[²³]|\^[0-9])?)"
     r"(?![A-Za-z0-9_])"
 )
-_OPERAND = rf"(?:{_NUMBER}{_UNIT}|(?!(?:a|A|I)[ ][a-z]{{2}}){_LETTER}(?:[ ·]{_LETTER}(?![ ][a-z]{{2}})){{0,4}})"
+_OPERAND = (
+    rf"(?:{_NUMBER}{_UNIT}|(?!(?:a|A|I)[ ][a-z]{{2}}){_LETTER}(?:[ ·]{_LETTER}(?![ ][a-z]{{2}})){{0,4}})"
+)
+_Change = tuple[int, int, tuple[str | Span, ...]]
 _COUNTS = {
     "two": "2", "three": "3", "four": "4", "five": "5", "six": "6", "eight": "8", "ten": "10",
     "zwei": "2", "drei": "3", "vier": "4", "fünf": "5", "sechs": "6", "acht": "8", "zehn": "10",
 }  # fmt: skip
-_PARTS = {"third": "3", "quarter": "4", "fourth": "4", "fifth": "5", "sixth": "6", "eighth": "8", "tenth": "10"}
+_PARTS = {
+    "third": "3",
+    "quarter": "4",
+    "fourth": "4",
+    "fifth": "5",
+    "sixth": "6",
+    "eighth": "8",
+    "tenth": "10",
+}
 _TEILE = {"Drittel": "3", "Viertel": "4", "Fünftel": "5", "Sechstel": "6", "Achtel": "8", "Zehntel": "10"}
 _MULTIPLES = {"Doppelte": "2", "Zweifache": "2", "Dreifache": "3", "Vierfache": "4", "Fünffache": "5"}
 _COUNT = "|".join(_COUNTS)
@@ -45,6 +57,10 @@ _JAPANESE = re.compile(
     rf"(?<![A-Za-z0-9_.,])(?P<right>{_OPERAND})[ ]?の[ ]?(?:(?P<times>{_NUMBER})[ ]?倍|(?P<half>半分)"
     rf"|(?P<below>[0-9]{{1,3}})[ ]?分の[ ]?(?P<above>[0-9]{{1,3}})|(?P<share>{_NUMBER})[ ]?%)"
 )
+_SHARE_ADDED = re.compile(
+    rf"(?<![\w.,+−*/·×^-])(?P<whole>{_NUMBER}[ ~]?(?:[kMmc]?(?:N|Pa|W|J|m|g|s)|rpm|lb|kp|Hz)(?:[ ·]?m)?(?:/(?:s|mm|m)[²³]?)?)"
+    rf"[ ](?P<sign>[+−-])[ ](?P<share>{_NUMBER})[ ~]?%(?=[ ]*[=≈])"
+)
 _RELATION_BEFORE = re.compile(r"[=≈][ ~]*$")
 _RELATION_BEHIND = re.compile(r"[ ~]*[=≈]")
 _GOES_ON = re.compile(
@@ -62,7 +78,8 @@ def with_multiples_in_signs(text: str) -> Rewritten | None:
     >>> with_multiples_in_signs("It is 1.2 times R, or twice the swing.") is None
     True
     """
-    changes = sorted([*_before_their_operand(text), *_behind_their_operand(text)], key=lambda change: change[:2])
+    kinds = (_before_their_operand, _behind_their_operand, _shares_added)
+    changes = sorted((change for kind in kinds for change in kind(text)), key=lambda change: change[:2])
     if not changes:
         return None
     rewriter = Rewriter(text)
@@ -72,7 +89,7 @@ def with_multiples_in_signs(text: str) -> Rewritten | None:
     return rewriter.finish()
 
 
-def _before_their_operand(text: str) -> Iterator[tuple[int, int, tuple[str | Span, ...]]]:
+def _before_their_operand(text: str) -> Iterator[_Change]:
     for match in _MULTIPLE.finditer(text):
         if not _is_claimed(text, match):
             continue
@@ -100,7 +117,7 @@ def _factor(match: re.Match[str]) -> tuple[str | Span, ...]:
     return (_COUNTS[match["counted"]] if match["counted"] else "2",)
 
 
-def _behind_their_operand(text: str) -> Iterator[tuple[int, int, tuple[str | Span, ...]]]:
+def _behind_their_operand(text: str) -> Iterator[_Change]:
     for match in _JAPANESE.finditer(text) if "の" in text else ():
         if not _is_claimed(text, match):
             continue
@@ -114,9 +131,18 @@ def _behind_their_operand(text: str) -> Iterator[tuple[int, int, tuple[str | Spa
         yield match.end("right"), match.end(), (" × ", *factor, " ")
 
 
+def _shares_added(text: str) -> Iterator[_Change]:
+    for match in _SHARE_ADDED.finditer(text) if "%" in text else ():
+        sign = "+" if match["sign"] == "+" else "-"
+        yield match.end("whole"), match.end(), (f" × (1 {sign} ", match.span("share"), " %)")
+
+
 def _is_claimed(text: str, match: re.Match[str]) -> bool:
     """Tell whether a relation stands right before or behind a multiple, and no sum or stroke does."""
-    before, behind = text[max(match.start() - _BEFORE, 0) : match.start()], text[match.end() : match.end() + 16]
+    before, behind = (
+        text[max(match.start() - _BEFORE, 0) : match.start()],
+        text[match.end() : match.end() + 16],
+    )
     if _GOES_ON.match(behind) or "\n" in match.group():
         return False
     return _RELATION_BEFORE.search(before) is not None or _RELATION_BEHIND.match(behind) is not None

@@ -90,7 +90,9 @@ _BEHIND_DOLLAR = re.compile(
 )
 """A unit behind the dollar or `\\)` that ends a formula: N m/rad as a whole, but m of `40$ m long`."""
 _NEARLY = re.compile(r"(?<=[\s\w)\]])(?:~=|=~|≈=|=≈)(?=[\s\w(√-])")
-_PLUS_MINUS = re.compile(r"(?<=[0-9A-Za-z)][ ])\+[ ]?/[ ]?[-−](?=[ ]?[0-9A-Za-z(])|(?<=[0-9)])\+/[-−](?=[0-9])")
+_PLUS_MINUS = re.compile(
+    r"(?<=[0-9A-Za-z)][ ])\+[ ]?/[ ]?[-−](?=[ ]?[0-9A-Za-z(])|(?<=[0-9)])\+/[-−](?=[0-9])"
+)
 _OPENED = {
     "$": re.compile(r"\$[^$\n]*$"),
     "\\)": re.compile(r"\\\((?:(?!\\[()]).)*$"),

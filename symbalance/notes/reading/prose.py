@@ -270,7 +270,22 @@ def trim_segment(text: str, start: int, end: int, words: Vocabulary) -> tuple[in
         end -= len(match.group())
         if dash := _DASH_LAST.search(text[max(start, end - 4) : end]):
             end -= len(dash.group())  # "… - a known identity": the dash is the prose's too
-    return _within_brackets(text, start, end)
+    return _behind_quantity(text, *_within_brackets(text, start, end))
+
+
+_IN_BRACKETS = re.compile(
+    r"[0-9][0-9.,]*[ ~]?(?P<before>[^()=≈<>≤≥+*·×^\n]{0,40}?)(?P<gap>[\s,;]*)\((?P<inside>[^()\n]*)\)"
+)
+
+
+def _behind_quantity(text: str, start: int, end: int) -> tuple[int, int]:
+    """Return the span of the relation in brackets behind a number of the prose: 70 mm (r = 35 mm)."""
+    match = _IN_BRACKETS.fullmatch(text, start, end)
+    if match is None or signs.RELATION.search(match["inside"]) is None:
+        return start, end
+    if not match["gap"] and scale_of(match["before"]) is None:
+        return start, end  # 2 f(x = 3)
+    return match.span("inside")
 
 
 _SPACED_DASH = re.compile(r"(?<=[^\s=≈<>+\-*/·×(])\s+[–—](?=\s*$)")

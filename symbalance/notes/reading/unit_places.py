@@ -69,7 +69,9 @@ def with_units_of_divisors(tokens: Sequence[Token]) -> list[Token]:
         token = tokens[place]
         behind = tokens[place + 1 : place + 4]
         is_divisor = token.kind == "number" and token.scale is not None
-        is_divisor = is_divisor and (_ends_in_unit(done) or (_ends_in_letter(done) and _is_measured(token)))
+        is_divisor = is_divisor and (
+            _ends_in_unit(done) or (_ends_in_letter(done) and _is_measured(token))
+        )
         if is_divisor and [part.kind for part in behind] == ["open", "number", "close"]:
             opening = Token("open", "(", token.start, token.start)
             closing = Token("close", ")", behind[-1].end, behind[-1].end)

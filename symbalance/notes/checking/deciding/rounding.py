@@ -68,15 +68,18 @@ def agrees_as_printed(
     *,
     generous: bool = False,
     printed: Collection[float] = (),
+    counted: Collection[int] = (),
 ) -> bool:
     """Tell whether two sides agree to the last digits printed; `form_of` gives a side's form.
 
     A lone decimal may be off by half a unit of its last place, and by what the decimals bring that the
     other side is computed from, those of the letters' `values` too; by a whole unit towards zero if
     `generous` (cut off, not rounded). `printed` are the results that the page prints: one that is put in
-    stands for its interval, other numbers are data.
+    stands for its interval, other numbers are data; those that end at `counted` count things.
     """
     typed_left, typed_right = left, right
+    if not generous and any(_counts(side, counted) for side in (left, right)):
+        return False
     left, right = (with_decimals(node, values or {}) for node in (left, right))
     results = (
         _coefficients(typed_left, typed_right, values or {}),
@@ -100,7 +103,11 @@ def agrees_as_printed(
                 continue  # 1 knot is one knot, whatever it comes to in others
             numbers = _number(value), _number(exact)
             unit = _unit(node, lone, numbers[0], form_of)
-            if lone.last_place == 1 and abs(lone.value) < SHORT_WHOLE and abs(numbers[1]) > abs(numbers[0]):
+            if (
+                lone.last_place == 1
+                and abs(lone.value) < SHORT_WHOLE
+                and abs(numbers[1]) > abs(numbers[0])
+            ):
                 unit *= 1 - 1e-9  # half of two digits is rounded up: 43.5 is 44
             typed = typed_left if other_side is left else typed_right
             is_number = other is not None and _is_bare(other_side) and not _is_in_degrees(node)
@@ -156,6 +163,11 @@ def _is_bare(node: Formula) -> bool:
     return isinstance(node.operand if isinstance(node, Negative) else node, Number)
 
 
+def _counts(node: Formula, counted: Collection[int]) -> bool:
+    """Tell whether a side is a whole number of things."""
+    return isinstance(node, Number) and node.last_place is None and node.span[1] in counted
+
+
 def _is_result(node: Formula) -> bool:
     return _is_bare(node) or _whole_before_unit(node) is not None
 
@@ -207,7 +219,9 @@ def _lone_decimal(node: Formula, other_side: Formula, exact: Form, generous: boo
         return node if node.last_place is not None else _as_printed(node, other_side, exact, generous)
     if (whole := _whole_before_unit(node)) is not None:
         turns = isinstance(node, formula.Product) and isinstance(node.factors[1], formula.Quotient)
-        own = exact.over(Form.constant(exact.domain, "pi")) if turns else exact  # of rpm and °: π/30 or π/180 each
+        own = (
+            exact.over(Form.constant(exact.domain, "pi")) if turns else exact
+        )  # of rpm and °: π/30 or π/180 each
         return _as_printed(whole, other_side, own, generous, MEASURED)
     numbers = decimals(node)
     if not isinstance(node, formula.Product) or len(numbers) != 1 or formula.names(node):
