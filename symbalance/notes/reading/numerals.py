@@ -121,6 +121,7 @@ def with_plain_numerals(
     changes |= _dashes(text, notes)
     changes |= {m.start(): (m.end(), "≈") for m in _NEARLY.finditer(text)}
     changes |= {m.start(): (m.end(), "±") for m in _PLUS_MINUS.finditer(text)}
+    changes |= _powers_before_units(text)
     changes |= _units_in_words(text)
     changes |= _crosses(text)
     changes |= _parts_of(text)
@@ -300,6 +301,22 @@ def _parts_of(text: str) -> dict[int, tuple[int, str]]:
     return changes
 
 
+_POWER_BEFORE_UNIT = re.compile(
+    r"(?<![\w.,\\])(?P<digits>[0-9]{1,9}(?:[.,][0-9]{1,9})?)[eE](?P<sign>[-+]?)0?(?P<power>[0-9]{1,2})"
+    r"(?=[ ~](?P<unit>[A-Za-zµ]{1,4}(?:/[A-Za-z]{1,3}[²³]?)?)(?![A-Za-z0-9_]))"
+)
+
+
+def _powers_before_units(text: str) -> dict[int, tuple[int, str]]:
+    """Return the powers of ten of programs before a unit, 1.2e6 Pa, as those of print."""
+    changes: dict[int, tuple[int, str]] = {}
+    for match in _POWER_BEFORE_UNIT.finditer(text):
+        if scale_of(match["unit"]) is not None:
+            sign = match["sign"].strip("+")
+            changes[match.end("digits")] = (match.end(), f"·10^{{{sign}{match['power']}}}")
+    return changes
+
+
 def _small(digits: str) -> str:
     return "".join({**RAISED, **LOWERED}[digit] for digit in digits)
 
@@ -359,7 +376,8 @@ def _is_surely_decimal(match: re.Match[str], is_usual: bool) -> bool:
 
 _UNIT_BEHIND = re.compile(
     r"(?:[ ~]|\\[,;: ])?(?:\\(?:mathrm|text|textrm)\{)?[ ]?"
-    r"(?P<unit>(?:[kMmcµ]?(?:N|Pa|W|J|m|g|s|Hz)|bar|rad|U|kp|PS|min)(?:[²³]|[ ·]?m)?(?:/(?:[mckM]?[msg]|min|mm|rad)[²³]?)?)"
+    r"(?P<unit>(?:[kMmcµ]?(?:N|Pa|W|J|m|g|s|Hz)|bar|rad|U|kp|PS|min)(?:[²³]|[ ·]?m)?"
+    r"(?:/(?:[mckM]?[msg]|min|mm|rad)[²³]?)?)"
     r"(?![A-Za-z0-9_\u00c0-\u024f])"
 )
 _COMPUTED_BESIDE = re.compile(r"[ ~]?(?:[·⋅×*/±^]|\\(?:cdot|times|pm)(?![A-Za-z]))")

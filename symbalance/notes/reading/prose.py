@@ -265,6 +265,9 @@ def trim_segment(text: str, start: int, end: int, words: Vocabulary) -> tuple[in
     while start < end and (text[end - 1].isspace() or text[end - 1] in ",;'~&"):
         end -= 1
     end = _before_dash_of_prose(text, start, end)
+    clause = _CLAUSE_BEGUN.search(text, max(start, end - 12), end)
+    if clause and signs.RELATION.search(text, start, clause.start()):
+        end = clause.start()  # s = 88 mm; r is half the stroke
     match = _ARTICLE_LAST.search(text[max(start, end - 4) : end])
     if match and match.group(1) not in words.names and not _ENDS_OPEN.search(text, start, end - 1):
         end -= len(match.group())
@@ -288,6 +291,7 @@ def _behind_quantity(text: str, start: int, end: int) -> tuple[int, int]:
     return match.span("inside")
 
 
+_CLAUSE_BEGUN = re.compile(r";\s+[^\W\d_](?:_\w{1,4})?$")
 _SPACED_DASH = re.compile(r"(?<=[^\s=≈<>+\-*/·×(])\s+[–—](?=\s*$)")
 _FIRST_WORD = re.compile(r"\s*([^\W\d_]+)(?:[\s,]|$)")
 

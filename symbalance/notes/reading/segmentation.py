@@ -63,7 +63,7 @@ _WORDS_ALONE = re.compile(
 _LONG_WORD = re.compile(r"(?<!\\)\b(?<!\\)[A-Za-z]{4,}")
 _CJK = re.compile("[\u2e80-\u9fff\uac00-\ud7af\uf900-\ufaff]")
 _ROW_OF_TABLE = re.compile(r"[ \t]*\|")
-_QUANTITY_LAST = re.compile(r"(?<![\w.,])[0-9][0-9.,]*[ ~]?(?P<unit>[A-Za-zµ/²³·]{1,8})$")
+_QUANTITY_LAST = re.compile(r"(?<![A-Za-z0-9_.,])[0-9][0-9.,]*[ ~]?(?P<unit>[A-Za-zµ/²³·]{1,8})$")
 _QUANTITY_LENGTH = 32
 _RULE = re.compile(r"\s*([-=_*~#+])\1{2,}\s*")
 # Limits for text that is no derivation, so that its cost stays in proportion to its length.
@@ -298,7 +298,7 @@ class ItemFinder:
         return start + inner.start(1), start + inner.end(1)
 
     def _is_argument_of_word(self, place: int, start: int) -> bool:
-        """Tell f(x) with a word for f from brackets after a word and a space, or a unit: 0.5 kg(m = …)."""
+        """Tell f(x) with a word for f from brackets after a word and a space, or a unit, 5 kg(m = …)."""
         before = self.text[place - 1] if place > start else " "
         if self.text[place] not in "([" or not (before.isascii() and before.isalnum()):
             return False

@@ -12,9 +12,11 @@ from collections.abc import Callable
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.units import scale_of
 
+_FORCE = r"(?:[kMmc]?(?:N|Pa|W|J|m|g)|lbf?|kp)"
 _BEHIND = re.compile(
-    r"(?<=[A-Za-z\u03b1-\u03c9})])(?P<close>\$?)(?:[ ~]|\\[,;: ])(?:\\(?:mathrm|text|textrm)\{(?P<set>[A-Za-z/²³·\\ ]{1,12})\}"
-    r"|(?P<plain>(?:[kMmc]?(?:N|Pa|W|J|m|g)|lbf?|kp)(?:[·][mc]?m|[ ][mc]?m(?![A-Za-z])|m)?(?:/(?:s|mm|m|cm)[²³]?)?))"
+    r"(?<=[A-Za-z\u03b1-\u03c9})])(?P<close>\$?)(?:[ ~]|\\[,;: ])"
+    r"(?:\\(?:mathrm|text|textrm)\{(?P<set>[A-Za-z/²³·\\ ]{1,12})\}"
+    rf"|(?P<plain>{_FORCE}(?:[·][mc]?m|[ ][mc]?m(?![A-Za-z])|m)?(?:/(?:s|mm|m|cm)[²³]?)?))"
     r"(?=\$?[.,;:]?(?:\s|$)|[\u3001\u3002])",
     re.MULTILINE,
 )
@@ -22,7 +24,7 @@ _SIDE = re.compile(r"(?:[=≈]|\\approx(?![a-z]))(?P<side>(?:(?!\\approx)[^=≈<
 _RESULT = re.compile(r"[ ~]*[-−]?[ ]?\(?[ ]?[-−]?[0-9]")
 _WAVE = re.compile(r"(?:sin|cos)(?![a-z])")
 _UNIT_INSIDE = re.compile(
-    r"[0-9)][ ~]?(?:\\[,;: ])?(?:\\mathrm\{)?(?:[kMmc]?(?:N|Pa|W|J|m|g)|lbf?|kp)(?:m|/[a-z]{1,2}[²³]?)?(?![A-Za-z_])"
+    rf"[0-9)][ ~]?(?:\\[,;: ])?(?:\\mathrm\{{)?{_FORCE}(?:m|/[a-z]{{1,2}}[²³]?)?(?![A-Za-z_])"
 )
 _BEFORE = 240
 """Characters of a line looked at before a unit."""

@@ -89,50 +89,76 @@ def agrees_as_printed(
     may_round = has_coefficients or _is_result(left) or _is_result(right)
     if not decimals(left) and not decimals(right) and not may_round:
         return False
-    first, second = form_of(left), form_of(right)
-    if not letters(first) and not letters(second):
-        for node, value, exact, other_side in (
-            (right, second, first, left),
-            (left, first, second, right),
-        ):
-            lone = _lone_decimal(node, other_side, exact, generous)
-            other = _lone_decimal(other_side, node, value, generous)
-            if lone is None or (other is not None and _is_finer(lone, other)):
-                continue  # of two lone decimals the coarser one is the other, rounded
-            if node is left and other is not None and _is_one_of_a_unit(node, lone):
-                continue  # 1 knot is one knot, whatever it comes to in others
-            numbers = _number(value), _number(exact)
-            unit = _unit(node, lone, numbers[0], form_of)
-            if (
-                lone.last_place == 1
-                and abs(lone.value) < SHORT_WHOLE
-                and abs(numbers[1]) > abs(numbers[0])
-            ):
-                unit *= 1 - 1e-9  # half of two digits is rounded up: 43.5 is 44
-            typed = typed_left if other_side is left else typed_right
-            is_number = other is not None and _is_bare(other_side) and not _is_in_degrees(node)
-            spread = 0 if is_number else _spread(other_side, typed, numbers[1], form_of, printed)
-            return _is_rounded(lone, unit, *numbers, spread, generous)
-        if not names(left) and not names(right) and (_is_bare(left) or _is_bare(right)):
-            return False  # a whole number beside a decimal
-        pairs = ((typed_left, left, typed_right, first), (typed_right, right, typed_left, second))
-        margin: Any = 0
-        for typed, node, opposite, form in pairs:
-            if is_put_in(typed, opposite):
-                margin += margin_of_numbers(node, opposite, form_of, printed)
-            else:
-                margin += _spread(node, typed, _number(form), form_of, printed)
-        gap, size = abs(_number(first) - _number(second)), abs(_number(first))
-        return gap <= margin * (1 + 1e-12) + (size * ROUGHLY if generous else 0) + size * _tiny()
-    if not decimals(left) and not decimals(right) and not has_coefficients:
-        return False
-    if not (first.is_polynomial and second.is_polynomial):
+    forms = form_of(left), form_of(right)
+    if not any(map(letters, forms)):
+        by_result = _as_result(left, right, (typed_left, typed_right), forms, form_of, generous, printed)
+        if by_result is not None:
+            return by_result
+        return _within_margins(left, right, (typed_left, typed_right), forms, form_of, generous, printed)
+    is_exact = not decimals(left) and not decimals(right) and not has_coefficients
+    if is_exact or not all(form.is_polynomial for form in forms):
         return False
     moved = [
         [form_of(node) for node in _moved(*each)]
         for each in zip((left, right), (typed_left, typed_right), results, strict=True)
     ]
-    return _coefficients_agree((left, right), (first, second), moved)
+    return _coefficients_agree((left, right), forms, moved)
+
+
+def _as_result(
+    left: Formula,
+    right: Formula,
+    typed: tuple[Formula, Formula],
+    forms: tuple[Form, Form],
+    form_of: Callable[[Formula], Form],
+    generous: bool,
+    printed: Collection[float],
+) -> bool | None:
+    """Tell whether one side is the other, rounded to the decimal it consists of; None where none does."""
+    first, second = forms
+    for node, value, exact, other_side in ((right, second, first, left), (left, first, second, right)):
+        lone = _lone_decimal(node, other_side, exact, generous)
+        other = _lone_decimal(other_side, node, value, generous)
+        if lone is None or (other is not None and _is_finer(lone, other)):
+            continue  # of two lone decimals the coarser one is the other, rounded
+        if node is left and other is not None and _is_one_of_a_unit(node, lone):
+            continue  # 1 knot is one knot, whatever it comes to in others
+        numbers = _number(value), _number(exact)
+        unit = _unit(node, lone, numbers[0], form_of)
+        is_short = lone.last_place == 1 and abs(lone.value) < SHORT_WHOLE
+        if is_short and abs(numbers[1]) > abs(numbers[0]):
+            unit *= 1 - 1e-9  # half of two digits is rounded up: 43.5 is 44
+        is_number = other is not None and _is_bare(other_side) and not _is_in_degrees(node)
+        typed_side = typed[0] if other_side is left else typed[1]
+        spread = 0 if is_number else _spread(other_side, typed_side, numbers[1], form_of, printed)
+        return _is_rounded(lone, unit, *numbers, spread, generous)
+    return None
+
+
+def _within_margins(
+    left: Formula,
+    right: Formula,
+    typed: tuple[Formula, Formula],
+    forms: tuple[Form, Form],
+    form_of: Callable[[Formula], Form],
+    generous: bool,
+    printed: Collection[float],
+) -> bool:
+    """Tell whether two computed sides differ by no more than the rounded numbers in them bring."""
+    if not names(left) and not names(right) and (_is_bare(left) or _is_bare(right)):
+        return False  # a whole number beside a decimal
+    first, second = forms
+    margin: Any = 0
+    for typed_side, node, opposite, form in (
+        (typed[0], left, typed[1], first),
+        (typed[1], right, typed[0], second),
+    ):
+        if is_put_in(typed_side, opposite):
+            margin += margin_of_numbers(node, opposite, form_of, printed)
+        else:
+            margin += _spread(node, typed_side, _number(form), form_of, printed)
+    gap, size = abs(_number(first) - _number(second)), abs(_number(first))
+    return gap <= margin * (1 + 1e-12) + (size * ROUGHLY if generous else 0) + size * _tiny()
 
 
 def with_decimals(node: Formula, values: Mapping[str, Formula]) -> Formula:
@@ -254,7 +280,7 @@ def _is_unit_factor(node: Formula) -> bool:
 
 
 def _is_in_degrees(node: Formula) -> bool:
-    """Tell whether a side is a number of degrees or turns: what it is in radians was rounded for itself."""
+    """Tell whether a side is a number of degrees or turns: in radians it was rounded for itself."""
     whole = node.operand if isinstance(node, Negative) else node
     return isinstance(whole, formula.Product) and isinstance(whole.factors[-1], formula.Quotient)
 
@@ -360,8 +386,8 @@ def _coefficients_agree(
 def _moved(side: Formula, typed: Formula, coefficients: Collection[Number]) -> Iterator[Formula]:
     """Yield a side with each of its rounded numbers off by half a unit, a letter's once.
 
-    Data are exact as they are among numbers alone: the short decimals that letters stand for or that stand
-    beside such letters, and those in a product of numbers. `coefficients` are whole numbers that are rounded.
+    Data are exact as they are among numbers alone: the short decimals that letters stand for or that
+    stand beside them, and those in a product of numbers. `coefficients` are rounded whole numbers.
     """
     factors = _factors_of_products(typed)
     for number in _distinct(side):
@@ -381,7 +407,10 @@ def _coefficients(typed: Formula, other: Formula, values: Mapping[str, Formula])
     They are where the other side is computed: of letters with values, in a product or a quotient.
     """
     if _coefficients_typed(other) or not (
-        names(other) & values.keys() or _factors_of_products(other) or _divides(other)
+        names(other) & values.keys()
+        or _factors_of_products(other)
+        or _divides(other)
+        or formula.Constant("pi") in formula.walk(other)
     ):
         return []
     factors = _factors_of_products(typed)
@@ -391,8 +420,8 @@ def _coefficients(typed: Formula, other: Formula, values: Mapping[str, Formula])
 def _coefficients_typed(typed: Formula) -> list[Number]:
     firsts = (
         part.factors[0]
-        for part in formula.walk(typed)
-        if isinstance(part, formula.Product) and names(part)
+        for part in _outside_functions(typed)
+        if isinstance(part, formula.Product) and all(names(factor) for factor in part.factors[1:])
     )
     return [
         first
@@ -404,8 +433,18 @@ def _coefficients_typed(typed: Formula) -> list[Number]:
     ]
 
 
+def _outside_functions(node: Formula) -> Iterator[Formula]:
+    """Yield the parts of a formula, those of arguments and exponents left out: 628 t of cos 628 t."""
+    yield node
+    if isinstance(node, formula.Power):
+        yield from _outside_functions(node.base)
+    elif not isinstance(node, formula.Call):
+        for part in formula.children(node):
+            yield from _outside_functions(part)
+
+
 def _factors_of_products(node: Formula) -> set[int]:
-    """Return the numbers, by identity, that stand in an arithmetic: 0.5 and 0.04 of 0.5·0.04·314² cos α."""
+    """Return the numbers, by identity, of an arithmetic: 0.5 and 0.04 of 0.5·0.04·314² cos α."""
     ids: set[int] = set()
     for part in formula.walk(node):
         if isinstance(part, formula.Product):
