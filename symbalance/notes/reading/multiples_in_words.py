@@ -61,7 +61,7 @@ _SHARE_ADDED = re.compile(
     rf"(?<![\w.,+−*/·×^-])(?P<whole>{_NUMBER}[ ~]?{_FORCE}(?:[ ·]?m)?(?:/(?:s|mm|m)[²³]?)?)"
     rf"[ ](?P<sign>[+−-])[ ](?P<share>{_NUMBER})[ ~]?%(?=[ ]*[=≈])"
 )
-_RELATION_BEFORE = re.compile(r"[=≈][ ~]*$")
+_RELATION_BEFORE = re.compile(r"[=≈+−][ ~]*$")
 _RELATION_BEHIND = re.compile(r"[ ~]*[=≈]")
 _GOES_ON = re.compile(
     r"[ ~]*(?:[-+−*/·×^(²³]"
