@@ -621,7 +621,7 @@ _UNKNOWN_UNIT = re.compile(
 )
 _PART_OF = re.compile(r"(?:of|von|de)\b", re.IGNORECASE)
 _JOINED_BEFORE = re.compile(
-    r"(?:(?<=[0-9%)½¼¾²³}$])\s*(?:of|von|de)|\b(?:half|third|quarter|twice|doppelt)(?: of)?"
+    r"(?:(?<=[0-9%)½¼¾²³}$])\s*(?:of|von|de)|\b(?:(?:half|third|quarter) of|twice)"
     r"|(?:\b|\s)(?:plus|minus|times|mal|divided by|multiplied by|geteilt durch)"
     r"|(?:[0-9$)}\]²³%]|(?<![^\W_])[^\W_])\s+(?:over|durch))$",
     re.IGNORECASE,
