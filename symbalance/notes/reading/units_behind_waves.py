@@ -39,12 +39,15 @@ def with_units_of_waves(text: str, is_letter: Callable[[str, int], bool]) -> Rew
     if _WAVE.search(text) is None:
         return None
     rewriter = Rewriter(text)
+    of_page: dict[str, bool] = {}
     for match in _BEHIND.finditer(text):
         side = _SIDE.search(text[max(match.start() - _BEFORE, 0) : match.start()])
         unit = (match["set"] or match["plain"]).strip()
         if side is None or not _is_result(side["side"]) or scale_of(unit) is None:
             continue
-        if _is_of_page(text, unit) or is_letter(unit, text.count("\n", 0, match.start()) + 1):
+        if unit not in of_page:
+            of_page[unit] = _is_of_page(text, unit)
+        if of_page[unit] or is_letter(unit, text.count("\n", 0, match.start()) + 1):
             continue
         start = match.start() - len(side["side"])
         if start < rewriter.place:
