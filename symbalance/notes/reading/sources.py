@@ -24,6 +24,7 @@ from symbalance.notes.reading.letter_e import means_letter, with_number_e
 from symbalance.notes.reading.macros import expand_macros
 from symbalance.notes.reading.mathml import is_mathml, mathml_text
 from symbalance.notes.reading.memberships import with_memberships
+from symbalance.notes.reading.multiples_in_words import with_multiples_in_signs
 from symbalance.notes.reading.numerals import with_plain_numerals
 from symbalance.notes.reading.operator_words import with_operator_words
 from symbalance.notes.reading.page_marks import with_page_marks
@@ -33,6 +34,7 @@ from symbalance.notes.reading.row_vectors import with_row_vectors
 from symbalance.notes.reading.scanned_letters import with_scanned_letters
 from symbalance.notes.reading.short_greek import with_short_greek
 from symbalance.notes.reading.systems_in_braces import with_systems
+from symbalance.notes.reading.units_behind_waves import with_units_of_waves
 
 CELL_END = "\ue000"
 """Stands between the cells of a table: no formula goes over it. (A sign that nobody types.)"""
@@ -109,6 +111,7 @@ def prepare(
         with_row_vectors,
         with_extremes_of_bars,
         with_operator_words,
+        with_multiples_in_signs,
         with_systems,
         with_memberships,
         with_function_names,
@@ -124,6 +127,7 @@ def prepare(
     if kind == "plain":
         reader.apply_noted(with_scanned_letters(reader.text))
     reader.apply_noted(with_plain_numerals(reader.text, is_letter))
+    reader.apply(with_units_of_waves(reader.text, is_letter))
     if kind in ("tex", "markdown"):
         reader.apply(with_units_between_dollars(reader.text))
     reader.apply_noted(with_ranges(reader.text))

@@ -156,7 +156,9 @@ def _by_numbers(
         return Decision(
             PROVED, assumptions=(*level.assumptions, *assumptions), level=level, left=first, right=second
         )
-    if agrees_as_printed(left, right, evaluator.form, level.values, printed=knowledge.printed):
+    if agrees_as_printed(
+        left, right, evaluator.form, level.values, printed=knowledge.printed, counted=knowledge.counted
+    ):
         order = "the digits printed"
         return Decision(
             PROVED, order=order, assumptions=level.assumptions, level=level, left=first, right=second

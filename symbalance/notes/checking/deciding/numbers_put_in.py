@@ -77,6 +77,20 @@ def printed_results(document: ReadNotes) -> frozenset[float]:
     return frozenset(results)
 
 
+def counted_things(text: str) -> frozenset[int]:
+    """Return where the numbers end that words behind them count things with.
+
+    >>> sorted(counted_things("a gear of 143 teeth for 4 cylinders at 600 rpm"))
+    [13, 25]
+    """
+    return frozenset(match.end("number") for match in _COUNTED.finditer(text))
+
+
+_COUNTED = re.compile(
+    r"(?<![0-9.,])(?P<number>[0-9]{1,9})\$?[ ~]?\$?(?:firing |power |full |Zünd-?|volle )?"
+    r"(?:cylinders?|teeth|tooth|pulses?|firings?|throws?|pistons?|engines?|bolts?|balls?|pieces?|times"
+    r"|Zylinder|Zähnen?|Zündungen|Kolben|Kröpfungen|Stück|気筒|歯|個|本|回(?!転))"
+)
 _SIZE = re.compile(
     r"[0-9](?:\s|~|\$|\\[,;: ]|\\(?:mathrm|text|textrm)\{|\}\{|\\(?:milli|kilo|centi))*"
     r"(?:[kmcd]?m|k?g|m?s|inch|in|ft|lbs?|\\metre|\\meter|\\gram|\\second)[\s}$.,;]*$"

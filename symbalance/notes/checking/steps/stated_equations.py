@@ -8,7 +8,7 @@ from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.cases import NUMBERS_PUT_IN, decide_case, decide_with_ratio
 from symbalance.notes.checking.deciding.equality import Decision, decide_equality
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.numbers_put_in import paired
+from symbalance.notes.checking.deciding.numbers_put_in import paired, without_unit
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.page.solutions import NEAR
@@ -174,11 +174,15 @@ def _note_statement(
 def _numbers_of_letters(chain: Chain, k: int, knowledge: Knowledge) -> dict[str, Formula]:
     """Return the letters without values that an arithmetic gives numbers: M of M ω = 23.5·151.8.
 
-    None where no other letter has the number put in for it: the units are not sure then.
+    None where no other letter has the number put in for it, or where the arithmetic was read in the unit
+    of its result, m r = 0.74·38 = 28 kg mm: the units are not sure then.
     """
+    right = chain.sides[k + 1].node
+    if without_unit(right) is not right:
+        return {}
     numbers: dict[str, Formula] = {}
     is_sure = False
-    for part, number in paired(chain.sides[k].node, chain.sides[k + 1].node) or ():
+    for part, number in paired(chain.sides[k].node, right) or ():
         if decide_equality(part, number, knowledge).is_proved or _is_printed(part, number, knowledge):
             is_sure = True
         elif isinstance(part, Name) and not _has_value(part.name, knowledge):
