@@ -14,6 +14,7 @@ from fractions import Fraction
 from symbalance.document.formula import (
     Formula,
     Name,
+    Negative,
     Number,
     Sum,
     Summation,
@@ -29,9 +30,13 @@ from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
 
 NO_ANGLES = "a sum over cylinders whose crank angles the page does not list here: say them"
 _MOMENT = re.compile(r"moment|couple|torque|偶力|モーメント", re.IGNORECASE)
+_OF_CRANKS = frozenset({"alpha", "delta", "theta", "phi", "varphi"})
+"""Letters that Σ cos α_i is of cranks by, where only an engine's name says where these stand."""
+_INDICES = ("i", "j", "k", "n", "z")
 DEEPEST = 12
 """Letters that stand for others, one in the other."""
 Decide = Callable[[Formula, Formula], Decision]
@@ -54,13 +59,15 @@ def decide_over_cylinders(
     )
     for angles, theta in ways:
         try:
-            first, second = (_written_out(node, angles.nodes, knowledge, theta) for node in (left, right))
+            first, second = (_written_out(node, angles, knowledge, theta) for node in (left, right))
         except (NoFormError, TooLargeError) as problem:
             return Decision(UNDECIDED, str(problem))
         if first is left and second is right:
             break
         decision = decide(first, second)
         decision = replace(decision, assumptions=(*decision.assumptions, angles.text))
+        if angles.is_usual and not decision.is_proved:
+            decision = replace(decision, reason="; ".join(filter(None, (f"if {angles.text}", decision.reason))))
         if decision.is_proved:
             return decision
         last = decision if last is None or decision.status == UNDECIDED else last
@@ -94,7 +101,7 @@ def _is_without_index(node: Formula) -> bool:
 
 
 def _written_out(
-    node: Formula, angles: tuple[Formula, ...], knowledge: Knowledge, theta: Formula | None
+    node: Formula, angles: CrankAngles, knowledge: Knowledge, theta: Formula | None
 ) -> Formula:
     """Return a formula with its sums over cylinders as sums of terms, itself where there are none."""
     if isinstance(node, Summation):
@@ -107,9 +114,10 @@ def _written_out(
 
 
 def _terms(
-    node: Summation, angles: tuple[Formula, ...], knowledge: Knowledge, theta: Formula | None
+    node: Summation, angles: CrankAngles, knowledge: Knowledge, theta: Formula | None
 ) -> list[Formula] | None:
     """Return the terms of a sum, one a cylinder; None where it is not one over the listed angles."""
+    node = _with_index(node)
     if node.index is not None:
         return _indexed_terms(node, angles, knowledge, theta)
     if not isinstance(theta, Name) or any(_is_moment(name, knowledge) for name in names(node.body)):
@@ -117,16 +125,20 @@ def _terms(
     body = _in_angle(node.body, theta.name, knowledge)
     if theta.name not in names(body):
         return None
-    return [substitute(body, theta.name, Sum((theta, angle))) for angle in angles]
+    terms = [substitute(body, theta.name, Sum((theta, angle))) for angle in angles.nodes]
+    signs = angles.signs or (1,) * len(terms)
+    return [term if sign > 0 else Negative(term) for sign, term in zip(signs, terms, strict=True)]
 
 
 def _indexed_terms(
-    node: Summation, angles: tuple[Formula, ...], knowledge: Knowledge, theta: Formula | None
+    node: Summation, angles: CrankAngles, knowledge: Knowledge, theta: Formula | None
 ) -> list[Formula] | None:
     assert node.index is not None
     own = indexed_letters(node.body, node.index.name)
     is_one = len(own) == 1 and is_greek(own[0].split("_")[0])
     if not is_one or knowledge.knows(own[0]):
+        return None
+    if angles.is_usual and (angles.signs or own[0].split("_")[0] not in _OF_CRANKS):
         return None
     stem = own[0][: -len(node.index.name)]
     if any(name.startswith(stem) and name[len(stem) :].isdecimal() for name in knowledge.definitions):
@@ -135,16 +147,30 @@ def _indexed_terms(
         if node.lower is None or not isinstance(node.lower, Number):
             return None
         last = _number(node.upper, knowledge)
-        if last is None or last.value - node.lower.value + 1 != len(angles):
+        if last is None or last.value - node.lower.value + 1 != len(angles.degrees):
             return None
     # Σ cos θ_i is of whole angles; beside θ, in cos(θ + θ_i), they are those of the cranks
     is_beside = isinstance(theta, Name) and theta.name in names(node.body)
     is_whole_angle = isinstance(theta, Name) and own[0].split("_")[0] == theta.name and not is_beside
-    values = [Sum((theta, a)) if is_whole_angle and theta is not None else a for a in angles]
+    nodes = angles.nodes
+    values = [Sum((theta, a)) if is_whole_angle and theta is not None else a for a in nodes]
     first = node.lower.value if isinstance(node.lower, Number) else Fraction(1)
     bodies = [substitute(node.body, own[0], value) for value in values]
     numbers = [Number(first + place) for place in range(len(bodies))]
     return [substitute(b, node.index.name, n) for b, n in zip(bodies, numbers, strict=True)]
+
+
+def _with_index(node: Summation) -> Summation:
+    """Return a sum without an index with that of the angles in it: Σ cos 2α_i."""
+    if node.index is not None:
+        return node
+    indices = {
+        index
+        for name in names(node.body)
+        for stem, _, index in [name.rpartition("_")]
+        if index in _INDICES and is_greek(stem)
+    }
+    return replace(node, index=Name(next(iter(indices)))) if len(indices) == 1 else node
 
 
 def _is_moment(name: str, knowledge: Knowledge) -> bool:

@@ -35,6 +35,7 @@ from symbalance.notes.checking.premises.carried_values import CarriedValues
 from symbalance.notes.checking.premises.conditions_behind import equalities_behind, with_conditions
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.premises.system import Premise
+from symbalance.notes.checking.page.cranks_of_engines import CranksOfEngines
 from symbalance.notes.checking.words.crank_angles_listed import crank_angles, listed_at
 from symbalance.notes.checking.words.integer_words import integers_said
 from symbalance.notes.checking.words.sections import Sections
@@ -83,6 +84,7 @@ class JudgingState:
         self.given_numbers = GivenNumbers()
         self.speeds = speeds_of(self.document.text)
         self.crank_angles = crank_angles(self.document.text)
+        self.cranks_of_engines = CranksOfEngines(self.document.text, self.sections, self.sources)
         sides = [side.node for chain in self.document.chains for side in chain.sides]
         self.has_sums = any(isinstance(p, Summation | Integral) for node in sides for p in walk(node))
         self.orders = orders_in(sides) if self.has_sums else frozenset()
@@ -151,6 +153,10 @@ class JudgingState:
         start = min(side.span[0] for side in chain.sides)
         same_section = self.sections.same_section
         angles = listed_at(self.crank_angles, start, self.document.text, same_section)
+        if angles is None and any(
+            isinstance(part, Summation) for side in chain.sides for part in walk(side.node)
+        ):
+            angles = self.cranks_of_engines.at(start, chain.end, chain.lines[0])
         own = replace(knowledge, crank_angles=angles, own_ranges_from=chain.lines[0] - NEAR_RANGE)
         return with_conditions(chain, self.document, own)
 

@@ -80,6 +80,10 @@ class CrankAngles:
     is_by_firing: bool = False
     others: tuple[CrankAngles, ...] = ()
     """What else the words may say: the angles of a two-stroke engine."""
+    is_usual: bool = False
+    """Whether no list says them, but the name of an engine whose crankshaft is usual."""
+    signs: tuple[int, ...] = ()
+    """For engines with opposed cylinders: which way each one's force counts."""
 
     @property
     def nodes(self) -> tuple[Formula, ...]:
@@ -91,6 +95,9 @@ class CrankAngles:
     def text(self) -> str:
         """The angles as a condition of what rests on them."""
         angles = ", ".join(f"{_plain(angle)}°" for angle in self.degrees)
+        if self.is_usual:
+            opposed = ", the cylinders opposed" if self.signs else ""
+            return f"the cranks are at {angles}{opposed}, as is usual for the engine that line {self.line} names"
         where = "equal firing intervals" if self.is_by_firing else "the list"
         return f"the cranks are at {angles} ({where} of line {self.line})"
 
