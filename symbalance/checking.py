@@ -33,7 +33,9 @@ _INLINE = re.compile(
     rf"|直列\s*({_COUNT})\s*(?:気筒|シリンダ)"
     rf"|(?<![\w-])({_COUNT})[- ]?(?:cylinders?|throw)[- ](?:in-?line|straight)(?![A-Za-z])"
     rf"|(?<![\w-])({_COUNT})-?zylinder-?(?:reihenmotor|in\s+Reihe)"
-    rf"|flat-?(?:plane)?[- ]?crank[- ]({_COUNT})\b",
+    rf"|flat-?(?:plane)?[- ]?crank[- ]({_COUNT})\b"
+    rf"|in-?line\s+engine\s+with\s+({_COUNT})\s+cylinders|Reihenmotor\s+mit\s+({_COUNT})\s+Zylindern"
+    rf"|(?<![\w])({_COUNT})\s*気筒\s*直列",
     re.IGNORECASE,
 )
 _BOXER = re.compile(
