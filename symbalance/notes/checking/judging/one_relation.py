@@ -60,6 +60,7 @@ from symbalance.notes.checking.verdicts import (
     Verdict,
 )
 from symbalance.notes.checking.words.plain_formulas import plain_text
+from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
 from symbalance.notes.reading.equations import Chain, Relation, Side
 
 FOLLOWS = "follows from the side before, which is refuted"
@@ -261,7 +262,8 @@ def _as_meant(
     if outcome is None and definition.status in STATED:
         outcome = value_at_dead_centre(state, chain, k, knowledge)
     if outcome is None and definition.status in (DEFINITION, PREMISE):
-        outcome = state.named.judge(chain, k, knowledge)
+        outcome = state.named_orders.judge(chain, k, knowledge, _cranks_of(state, chain))
+        outcome = outcome or state.named.judge(chain, k, knowledge)
     name = chain.sides[k].node
     if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
         state.definitions.define(name.name, outcome.fix.node, chain)
@@ -269,6 +271,11 @@ def _as_meant(
     elif isinstance(outcome, Decision) and outcome.status == REFUTED and isinstance(name, Name):
         state.definitions.forget(name.name, chain.lines[0])
     return outcome or definition
+
+
+def _cranks_of(state: JudgingState, chain: Chain) -> CrankAngles | None:
+    start = min(side.span[0] for side in chain.sides)
+    return state.cranks_of_engines.at(start, chain.end, chain.lines[0])
 
 
 def _decide_step(

@@ -26,6 +26,7 @@ from symbalance.notes.checking.meant.given_numbers import GivenNumbers
 from symbalance.notes.checking.meant.meant_quantities import MeantQuantities
 from symbalance.notes.checking.meant.meant_words import MeantWords
 from symbalance.notes.checking.meant.motion_in_time import Motions, with_motions
+from symbalance.notes.checking.meant.named_orders import NamedOrders
 from symbalance.notes.checking.meant.named_quantities import NamedQuantities
 from symbalance.notes.checking.motions.equations_of_motion import EquationOfMotion
 from symbalance.notes.checking.motions.fourier_series import FourierSeries
@@ -76,6 +77,7 @@ class JudgingState:
             MeantWords(self.document, self.declarations, self.sections), self.sources
         )
         self.named = NamedQuantities(self.document, self.sections)
+        self.named_orders = NamedOrders(self.meant)
         self.small_letters = small_letters(self.document.text)
         self.counts = _counts(self.document)
         self.letters = {n for chain in self.document.chains for n in chain.letters}
