@@ -31,6 +31,7 @@ from symbalance.document.formula import (
     Power,
     Product,
     Sum,
+    Summation,
     names,
     walk,
 )
@@ -53,9 +54,11 @@ from symbalance.notes.checking.meant.meant_quantities import (
 from symbalance.notes.checking.meant.meant_words import NOBODY, USUAL_END
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
+from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Side
 
 FORCE, ACCELERATION, TORQUE = "inertia force", "piston acceleration", "inertia torque"
+COUPLE = "couple"
 HIGHEST = 8
 """Orders above are named by nobody."""
 _NUMBERS = {
@@ -72,8 +75,11 @@ _ORDER = re.compile(
     re.IGNORECASE,
 )
 _KINDS: Mapping[str, re.Pattern[str]] = {
-    TORQUE: re.compile(r"torque|(?:dreh|massen)?-?moment|harmonic of the (?:inertia )?torque|トルク", re.IGNORECASE),
-    FORCE: re.compile(r"forces?(?![A-Za-z])|kräfte|kraft(?![A-Za-z])|慣性力", re.IGNORECASE),
+    TORQUE: re.compile(r"torque|(?:massen)?drehmoment|トルク", re.IGNORECASE),
+    COUPLE: re.compile(r"couples?(?![A-Za-z])|moments?(?![A-Za-z])|momente?(?![A-Za-z])|偶力|モーメント", re.IGNORECASE),
+    FORCE: re.compile(
+        r"forces?(?![A-Za-z])|kräfte|kraft(?![A-Za-z])|慣性力|合力|釣り?合い?力", re.IGNORECASE
+    ),
     ACCELERATION: re.compile(r"acceleration|beschleunigung|加速度", re.IGNORECASE),
 }
 _ORDER_WORD = re.compile(
@@ -88,10 +94,17 @@ _OF_MORE = re.compile(
 )
 """Words for more or for less than what one cylinder's piston does: no factor is a slip beside them."""
 _FREE = re.compile(r"\bfree\b|freie|resultant|resultier|total|gesamt|\bsum\b|summe|合力|合計|全体|不?釣", re.IGNORECASE)
+_OF_ONE = re.compile(
+    r"\b(?:per|each|one|single)\b|\bje\b|\bpro\b|einzel|eines\s+zylinders|1\s?気筒|各|単気筒|一つ", re.IGNORECASE
+)
 _NOTHING = 1e-6
 _COEFFICIENT = re.compile(r"(?P<stem>[A-Za-z])_(?P<order>[1-9])")
 _FACTOR = re.compile(r"factor .*")
 _SINE = re.compile(r"(?:sin|cos) for (?:sin|cos)")
+
+
+Frame = tuple[Knowledge, Geometry, tuple[str, ...]]
+"""What is known with the letters that words explain, the crank of these, and what that assumes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,17 +143,23 @@ class NamedOrders:
         `angles` are the cranks of the engine that it is of, where one is named.
         """
         left, right = chain.sides[k].node, without_dots(chain.sides[k + 1].node)[0]
-        if k or not isinstance(left, Name) or chain.relations[0].sign not in "=≈":
+        if k or chain.relations[0].sign not in "=≈":
             return None
-        if left.name in knowledge.letters:
+        is_sum = isinstance(left, Summation) and left.index is None
+        head = left.body if isinstance(left, Summation) and is_sum else left
+        if not isinstance(head, Name) or knowledge.knows(head.name):
             return None
-        order = self._coefficient(left.name, right, chain) or self._named(left.name, chain)
+        if is_sum:
+            order = _summed(head.name) if angles is not None and angles.is_usual else None
+        else:
+            order = self._coefficient(head.name, right, chain) or self._named(head.name, chain)
         if order is None or order.number > HIGHEST:
             return None
-        if not names(right):
-            return self._vanishing(left.name, order, right, angles)
-        frame = self.meant.frame(left.name, right, chain, knowledge)
-        if frame is None:
+        frame = self.meant.frame(head.name, right, chain, knowledge)
+        balanced = self._balanced(order, angles)
+        if not names(right) or (balanced and all(balanced)):
+            return self._vanishing(head.name, order, chain.sides[1], angles, frame)
+        if order.kind == COUPLE or frame is None:
             return None
         try:
             return run_within(SEARCH, lambda: self._judge(chain, order, frame, angles), SHARE)
@@ -148,22 +167,44 @@ class NamedOrders:
             return None
 
     def _vanishing(
-        self, name: str, order: _Order, value: Formula, angles: CrankAngles | None
+        self, name: str, order: _Order, side: Side, angles: CrankAngles | None, frame: Frame | None
     ) -> Decision | None:
         """Decide whether a whole engine's order is 0, where a table's row or the words say that it is."""
-        is_zero = isinstance(value, Number) and not value.value
-        if not is_zero or order.kind != FORCE or order.is_coefficient or angles is None:
+        each = self._balanced(order, angles)
+        if not each or angles is None:
             return None
-        if not (order.is_of_engine and angles.is_usual):
+        is_zero = isinstance(side.node, Number) and not side.node.value
+        if not is_zero and (frame is None or any(isinstance(p, Summation) for p in walk(side.node))):
             return None
-        text = f"{plain_letter(name)} is order {order.number} of the whole engine's force ({NOBODY}; {order.source})"
-        each = [is_balanced(way, order.number) for way in (angles, *angles.others)]
-        if all(each):
+        if not is_zero and frame is not None:
+            value = decide(side, Side((Number(Fraction(0)),), side.span), "=", frame[0])
+            if value.status not in (PROVED, REFUTED):
+                return None
+            is_zero = value.is_proved
+        text = (
+            f"{plain_letter(name)} is order {order.number} of the whole engine's {order.kind}"
+            f" ({NOBODY}; {order.source})"
+        )
+        if is_zero and all(each):
             return Decision(PROVED, assumptions=(text, angles.text))
-        if any(each):
-            return None
-        reason = f"if {text}; if {angles.text}: the forces of order {order.number} do not cancel"
-        return Decision(REFUTED, reason)
+        if is_zero != any(each) and not (is_zero and order.kind == COUPLE and angles.signs):
+            what = "cancel" if any(each) else "do not cancel"
+            kind = "couples" if order.kind == COUPLE else "forces"
+            return Decision(REFUTED, f"if {text}; if {angles.text}: the {kind} of order {order.number} {what}")
+        return None
+
+    @staticmethod
+    def _balanced(order: _Order, angles: CrankAngles | None) -> list[bool]:
+        """Return whether a whole engine's order cancels, for each crank it may have; of others nothing."""
+        if order.kind not in (FORCE, COUPLE) or order.is_coefficient or angles is None:
+            return []
+        if not (order.is_of_engine and angles.is_usual):
+            return []
+        is_couple = order.kind == COUPLE
+        ways = (angles, *angles.others)
+        if is_couple and not angles.arms:
+            return []
+        return [is_balanced(way, order.number, with_arms=is_couple) for way in ways if way.arms or not is_couple]
 
     def _named(self, name: str, chain: Chain) -> _Order | None:
         """Return the order that the sentence before a relation names; None where it names none or two."""
@@ -182,7 +223,8 @@ class NamedOrders:
         if by_index != number:
             return None
         is_alone = not _OF_MORE.search(self.meant.words.document.text)
-        is_of_engine = bool(header) or _FREE.search(own) is not None
+        is_of_one = _OF_ONE.search(own) is not None
+        is_of_engine = (bool(header) or _FREE.search(own) is not None) and not is_of_one
         return _Order(number, kinds[0], own, is_alone=is_alone, is_of_engine=is_of_engine, is_in_row=bool(header))
 
     def _coefficient(self, name: str, value: Formula, chain: Chain) -> _Order | None:
@@ -209,7 +251,7 @@ class NamedOrders:
     ) -> Verdict | Decision | None:
         known, crank, assumptions = frame
         right = chain.sides[1]
-        name = plain_letter(chain.sides[0].node.name) if isinstance(chain.sides[0].node, Name) else ""
+        name = plain_text(chain.sides[0].node)
         what = "coefficient of " if order.is_coefficient else ""
         kind = order.kind or "piston's motion"
         text = f"{name} is {what}order {order.number} of the {kind} ({NOBODY}; {order.source})"
@@ -230,7 +272,9 @@ class NamedOrders:
         base = self._base(order, crank)
         if base is None:
             return
-        factors: list[tuple[Fraction, tuple[str, ...]]] = [(Fraction(1), ())]
+        factors: list[tuple[Fraction, tuple[str, ...]]] = []
+        if angles is None or not order.is_of_engine:
+            factors.append((Fraction(1), ()))
         if order.is_coefficient:
             factors += [(Fraction(1, order.number**p), ()) for p in (1, 2)]
         elif angles is not None and angles.is_usual and (total := _whole_sum(angles, order.number)):
@@ -307,7 +351,13 @@ class NamedOrders:
             yield Product((first, *wave)), "="
 
 
-Frame = tuple[Knowledge, Geometry, tuple[str, ...]]
+
+def _summed(name: str) -> _Order | None:
+    """Return the order of ΣF_2, the sum over all cylinders of a force whose index is its order."""
+    stem, _, index = name.rpartition("_")
+    number = {"1": 1, "I": 1, "2": 2, "II": 2, "4": 4, "IV": 4}.get(index, 0)
+    is_force = number and stem in ("F", "K", "P", "f")
+    return _Order(number, FORCE, f"Σ{name}", is_of_engine=True, is_in_row=True) if is_force else None
 
 
 def torque_terms(engines: Engines, order: int, power: int) -> dict[int, Fraction]:
@@ -333,10 +383,12 @@ def _whole_sum(angles: CrankAngles, order: int) -> int:
     return len(turns) if len(set(turns)) == 1 and not angles.signs else 0
 
 
-def is_balanced(angles: CrankAngles, order: int) -> bool:
-    """Tell whether the forces of an order cancel in an engine: Σ e^(i n δ) = 0."""
+def is_balanced(angles: CrankAngles, order: int, *, with_arms: bool = False) -> bool:
+    """Tell whether the forces of an order cancel in an engine, Σ e^(i n δ) = 0, or their couples."""
     signs = angles.signs or (1,) * len(angles.degrees)
-    waves = [s * rect(1, order * pi * float(d) / 180) for s, d in zip(signs, angles.degrees, strict=True)]
+    arms = angles.arms if with_arms else (Fraction(1),) * len(signs)
+    parts = zip(signs, arms, angles.degrees, strict=True)
+    waves = [float(s * a) * rect(1, order * pi * float(d) / 180) for s, a, d in parts]
     return abs(sum(waves)) < _NOTHING  # cranks at parts of a turn: what does not vanish is far above
 
 

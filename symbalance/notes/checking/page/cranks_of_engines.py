@@ -111,7 +111,7 @@ class CranksOfEngines:
             engine = self.sources.engines.engine(name, self.sources.folder)
         except SymbalanceError:
             return None  # named in prose, and no engine that is known: no fault of the page's
-        section = self._section(line)
+        section = self._section(line, self.text[first:last])
         if self._names_another(first, last, engine) or _UNUSUAL.search(section) or _PART.search(self.text[first:last]):
             return None
         return usual_cranks(engine, self.text.count("\n", 0, self._place(name, first)) + 1, self._place(name, first))
@@ -119,12 +119,16 @@ class CranksOfEngines:
     def _place(self, name: str, first: int) -> int:
         return next(place for place, own in self._mentions if own == name and place >= first)
 
-    def _section(self, line: int) -> str:
+    def _section(self, line: int, own: str) -> str:
+        """Return the section that a line stands in; of a table only the row that a relation is in."""
         first, end = line, self.sections.section_end(line)
         while first > 1 and self.sections.same_section(first - 1, line):
             first -= 1
         starts = [*self._line_starts, len(self.text)]
-        return self.text[starts[first - 1] : starts[min(end, len(starts) - 1)]]
+        section = self.text[starts[first - 1] : starts[min(end, len(starts) - 1)]]
+        if not _ROW.match(own):
+            return section
+        return "\n".join([own, *(row for row in section.split("\n") if not _ROW.match(row))])
 
     def _names_another(self, first: int, last: int, engine: KnownEngine | None) -> bool:
         """Tell whether words name an engine that is not the known one: other cylinders, or banks."""
@@ -152,4 +156,5 @@ def usual_cranks(engine: KnownEngine, line: int, place: int) -> CrankAngles | No
     if not is_boxer and count > _ONE_CRANK:
         even = tuple(Fraction(FULL_TURN * k, count) for k in range(count))
         others = (CrankAngles(even, line, place, is_usual=True),)
-    return CrankAngles(own, line, place, is_usual=True, signs=signs, others=others)
+    arms = tuple(c.station - engine.mean_station for c in engine.cylinders)
+    return CrankAngles(own, line, place, is_usual=True, signs=signs, others=others, arms=arms)

@@ -84,6 +84,8 @@ class CrankAngles:
     """Whether no list says them, but the name of an engine whose crankshaft is usual."""
     signs: tuple[int, ...] = ()
     """For engines with opposed cylinders: which way each one's force counts."""
+    arms: tuple[Fraction, ...] = ()
+    """The cylinders' places along the crank from the middle, where an engine's name says them."""
 
     @property
     def nodes(self) -> tuple[Formula, ...]:

@@ -286,6 +286,8 @@ class Sections:
         `is_number` tells whether it gives its letter a number.
         """
         line = chain.lines[0]
+        if line in self._engine_rows:
+            return line
         first = self._lines[self.paragraph_start(line) - 1]
         if (chain.inline and _CAPTION.match(first)) or _IN_BRACKETS.match(first):
             return self.paragraph_end(line)
@@ -302,6 +304,17 @@ class Sections:
             return self.moment_end(line)
         is_premise = is_case or (is_number and _NAMING.search(before + " "))
         return self.section_end(line) if is_premise else None
+
+    @cached_property
+    def _engine_rows(self) -> frozenset[int]:
+        """The lines, from 1, of rows that each name an engine: F_2 of one row is not that of the next."""
+        rows = {
+            number
+            for number, text in enumerate(self._lines, 1)
+            if text.lstrip().startswith("|")
+            and case_words.ENGINE.search(text.lstrip(" \t|").split("|", 1)[0])
+        }
+        return frozenset(n for n in rows if {n - 1, n + 1} & rows)
 
     def is_consequence(self, chain: Chain) -> bool:
         """Tell whether a relation is introduced as what follows: therefore, hence, ⇒."""
