@@ -39,7 +39,8 @@ _INLINE = re.compile(
     re.IGNORECASE,
 )
 _BOXER = re.compile(
-    rf"boxer[- ]({_COUNT})\b|(?<![\w-])flat[- ]({_COUNT})\b|({_COUNT})-?zylinder-?boxer|水平対向\s*({_COUNT})\s*気筒",
+    rf"boxer[- ]({_COUNT})\b|(?<![\w-])flat[- ]({_COUNT})\b|({_COUNT})-?zylinder-?boxer"
+    rf"|水平対向\s*({_COUNT})\s*気筒",
     re.IGNORECASE,
 )
 _VEE = re.compile(r"\bV-?([0-9]{1,2})(?![0-9])|V\s*型\s*([0-9]{1,2})\s*気筒")

@@ -80,7 +80,9 @@ def decide_over_cylinders(
             continue
         decision = replace(decision, assumptions=(*decision.assumptions, angles.text))
         if angles.is_usual and not decision.is_proved:
-            decision = replace(decision, reason="; ".join(filter(None, (f"if {angles.text}", decision.reason))))
+            decision = replace(
+                decision, reason="; ".join(filter(None, (f"if {angles.text}", decision.reason)))
+            )
         if decision.is_proved:
             return decision
         last = decision if last is None or decision.status == UNDECIDED else last
@@ -112,7 +114,9 @@ def _with_orders(
             values[body.name] = Product((Name(f"hat_{body.name}"), wave))
     if not values:
         return knowledge
-    return replace(knowledge, meaning=replace(knowledge.meaning, values={**knowledge.meaning.values, **values}))
+    return replace(
+        knowledge, meaning=replace(knowledge.meaning, values={**knowledge.meaning.values, **values})
+    )
 
 
 def _with_own_orders(node: Formula, known: Knowledge, knowledge: Knowledge) -> Formula:
@@ -183,7 +187,9 @@ def _turning_in_bodies(left: Formula, right: Formula, knowledge: Knowledge) -> N
             for call in walk(body)
             if isinstance(call, Call) and call.function in ("sin", "cos")
             for name in names(call.argument)
-            if is_greek(name) and name not in knowledge.letters
+            if is_greek(name)
+            and name not in knowledge.letters
+            and name.rpartition("_")[2] not in _INDICES
         }
     return Name(next(iter(turning))) if len(turning) == 1 and not turning & known else None
 
@@ -228,7 +234,9 @@ def _terms(
         return None  # the lever arms of the cylinders are not listed with their angles
     if angles.signs and isinstance(node.body, Name) and not knowledge.knows(node.body.name):
         return _opposed_terms(node.body, angles)
-    is_of_order = isinstance(node.body, Name) and f"hat_{node.body.name}" in _value_names(node.body, knowledge)
+    is_of_order = isinstance(node.body, Name) and f"hat_{node.body.name}" in _value_names(
+        node.body, knowledge
+    )
     theta = Name(_ANY_ANGLE) if is_of_order and theta is None else theta
     if not isinstance(theta, Name):
         return None
@@ -248,7 +256,8 @@ def _indexed_terms(
     is_one = len(own) == 1 and is_greek(own[0].split("_")[0])
     if not is_one or knowledge.knows(own[0]):
         return None
-    if angles.is_usual and (angles.signs or own[0].split("_")[0] not in _OF_CRANKS):
+    is_of_cranks = not angles.signs and own[0].split("_")[0] in _OF_CRANKS
+    if angles.is_usual and not (is_of_cranks and _turns_with(node.body, own[0])):
         return None
     stem = own[0][: -len(node.index.name)]
     if any(name.startswith(stem) and name[len(stem) :].isdecimal() for name in knowledge.definitions):
@@ -299,6 +308,34 @@ def _with_index(node: Summation) -> Summation:
         if index in _INDICES and is_greek(stem)
     }
     return replace(node, index=Name(next(iter(indices)))) if len(indices) == 1 else node
+
+
+def _turns_with(node: Formula, name: str) -> bool:
+    """Tell whether an angle stands only in sines and cosines of whole multiples: what a turn repeats."""
+    if isinstance(node, Call) and node.function in ("sin", "cos"):
+        return _whole_multiple(node.argument, name) is not None
+    if isinstance(node, Name):
+        return node.name != name
+    return all(_turns_with(part, name) for part in children(node))
+
+
+def _whole_multiple(node: Formula, name: str) -> Fraction | None:
+    """Return how many times an angle is in an argument, None where that is no whole number."""
+    if name not in names(node):
+        return Fraction(0)
+    if isinstance(node, Name):
+        return Fraction(1)
+    parts = [_whole_multiple(part, name) for part in children(node)]
+    if isinstance(node, Sum):
+        return Fraction(1) if all(part is not None for part in parts) else None
+    if isinstance(node, Negative):
+        return parts[0]
+    if isinstance(node, Product):
+        own = [p for p in node.factors if name in names(p)]
+        others = [p for p in node.factors if name not in names(p)]
+        is_whole = all(isinstance(p, Number) and p.value.denominator == 1 for p in others)
+        return _whole_multiple(own[0], name) if len(own) == 1 and is_whole else None
+    return None
 
 
 def _is_moment(name: str, knowledge: Knowledge) -> bool:

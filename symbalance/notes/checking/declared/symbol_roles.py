@@ -83,10 +83,16 @@ _CALLED_SMALL = re.compile(
     r"|(?<![A-Za-z])([A-Za-z]++)\s*=\s*(?:\\[td]?frac\s*\{?\s*r\s*\}?\s*\{?\s*l(?![A-Za-z])|r\s*/\s*l(?![A-Za-z\w])))"
 )
 _LETTER = r"\$?\s?\\?([A-Za-z]++(?:_\{?\w{1,8}+\}?)?)"
-_HIGHER = r"(?:higher|höhere[rn]?)\s+(?:powers|orders|terms|Potenzen|Ordnung(?:en)?|Glieder[n]?|Terme[n]?)"
-_FIRST = r"(?:first|lowest|leading|second|third|fourth|ersten?r?|niedrigste[rn]?|zweiten?r?|dritte[rn]?|vierte[rn]?)"
+_HIGHER = (
+    r"(?:higher|höhere[rn]?)\s+(?:powers|orders|terms|Potenzen|Ordnung(?:en)?|Glieder[n]?|Terme[n]?)"
+)
+_FIRST = (
+    r"(?:first|lowest|leading|second|third|fourth|ersten?r?|niedrigste[rn]?|zweiten?r?|dritte[rn]?"
+    r"|vierte[rn]?)"
+)
 _EXPANDED_IN = re.compile(
-    rf"(?:neglect|ignor|drop|omit|discard|vernachlässig)\w{{0,8}}\s+(?:of\s+|the\s+|all\s+|aller?\s+|die\s+|der\s+){{0,2}}{_HIGHER}\s+"
+    rf"(?:neglect|ignor|drop|omit|discard|vernachlässig)\w{{0,8}}\s+"
+    rf"(?:of\s+|the\s+|all\s+|aller?\s+|die\s+|der\s+){{0,2}}{_HIGHER}\s+"
     rf"(?:than\s+\w+\s+)?(?:of|in|von|als\s+\w+\s+in)\s+{_LETTER}"
     rf"|{_HIGHER}\s+(?:of|in|von)\s+{_LETTER}\$?\s+(?:are|is|can\s+be|may\s+be|werden|wird|sind)\s+"
     r"(?:neglect|ignor|drop|omit|vernachlässig)"

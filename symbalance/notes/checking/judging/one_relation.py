@@ -59,8 +59,8 @@ from symbalance.notes.checking.verdicts import (
     UNDECIDED,
     Verdict,
 )
-from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
+from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Relation, Side
 
 FOLLOWS = "follows from the side before, which is refuted"

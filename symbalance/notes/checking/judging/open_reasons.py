@@ -97,9 +97,7 @@ def _fix_rod_angle(
             state.definitions.fix(constraint, chain)
 
 
-def _summed_letters(
-    left: Formula, right: Formula, decision: Decision, knowledge: Knowledge
-) -> set[str]:
+def _summed_letters(left: Formula, right: Formula, decision: Decision, knowledge: Knowledge) -> set[str]:
     """Return the letters that a sum is of, whatever they mean: Σ cos(θ + δ_k) = 2 cos θ.
 
     Where it is said to be 0 or another number, no meaning of a letter in it could make it so.

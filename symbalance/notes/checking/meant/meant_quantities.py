@@ -367,9 +367,7 @@ class MeantQuantities:
             return verdict
         return None
 
-    def with_fix(
-        self, chain: Chain, k: int, left: Side, decision: Decision, known: Knowledge
-    ) -> Verdict:
+    def with_fix(self, chain: Chain, k: int, left: Side, decision: Decision, known: Knowledge) -> Verdict:
         """Return a refutation with the change that would make the formula the quantity."""
         right = chain.sides[k + 1]
 

@@ -4,12 +4,12 @@ The first formula of such a letter is a definition, and true of any letter. Wher
 the inertia force, the acceleration or the inertia torque, or where the page has a series with A_n cos nθ,
 it says more:
 
-    it is that order, its amplitude or its coefficient, of one cylinder or of the engine named    conditional
-    it differs by one slip that no other convention makes right                                   refuted
-    anything else                                                                                 a definition
+    it is that order, its amplitude or its coefficient, of one cylinder or of the engine   conditional
+    it differs by one slip that no other convention makes right                            refuted
+    anything else                                                                          a definition
 
-Authors part in the sign of a force and in what a coefficient is divided by (n or n², as of the velocity or
-the displacement): what one of these makes right is right.
+Authors part in the sign of a force and in what a coefficient is divided by (n or n², as of the velocity
+or the displacement): what one of these makes right is right.
 """
 
 from __future__ import annotations
@@ -26,7 +26,6 @@ from symbalance.document.formula import (
     Call,
     Formula,
     Name,
-    Negative,
     Number,
     Power,
     Product,
@@ -69,14 +68,14 @@ _NUMBERS = {
     6: r"sixth|6th|sechste[rsnm]?|6\.|VI\.|[六6]\s?次",
 }
 _ORDER = re.compile(
-    "|".join(
-        rf"(?P<n{n}>(?<![A-Za-z0-9.]){pattern})" for n, pattern in _NUMBERS.items()
-    ),
+    "|".join(rf"(?P<n{n}>(?<![A-Za-z0-9.]){pattern})" for n, pattern in _NUMBERS.items()),
     re.IGNORECASE,
 )
 _KINDS: Mapping[str, re.Pattern[str]] = {
     TORQUE: re.compile(r"torque|(?:massen)?drehmoment|トルク", re.IGNORECASE),
-    COUPLE: re.compile(r"couples?(?![A-Za-z])|moments?(?![A-Za-z])|momente?(?![A-Za-z])|偶力|モーメント", re.IGNORECASE),
+    COUPLE: re.compile(
+        r"couples?(?![A-Za-z])|moments?(?![A-Za-z])|momente?(?![A-Za-z])|偶力|モーメント", re.IGNORECASE
+    ),
     FORCE: re.compile(
         r"forces?(?![A-Za-z])|kräfte|kraft(?![A-Za-z])|慣性力|合力|釣り?合い?力", re.IGNORECASE
     ),
@@ -93,13 +92,22 @@ _OF_MORE = re.compile(
     re.IGNORECASE,
 )
 """Words for more or for less than what one cylinder's piston does: no factor is a slip beside them."""
-_FREE = re.compile(r"\bfree\b|freie|resultant|resultier|total|gesamt|\bsum\b|summe|合力|合計|全体|不?釣", re.IGNORECASE)
+_IN_A_CASE = re.compile(
+    r"\b(?:at|when|if|where|double[ds]?|twice|times|speed|wenn|falls|bei|im|am|doppelt\w*|verdoppel\w*|drehzahl"
+    r"|left|remain\w*|rest|leaves|bleib\w*)\b|のとき|の場合|倍|残",
+    re.IGNORECASE,
+)
+"""Words for a case in which an order is another than in general."""
+_FREE = re.compile(
+    r"\bfree\b|freie|resultant|resultier|total|gesamt|\bsum\b|summe|合力|合計|全体|不?釣", re.IGNORECASE
+)
 _OF_ONE = re.compile(
-    r"\b(?:per|each|one|single)\b|\bje\b|\bpro\b|einzel|eines\s+zylinders|1\s?気筒|各|単気筒|一つ", re.IGNORECASE
+    r"\b(?:per|each|one|single)\b|\bje\b|\bpro\b|einzel|eines\s+zylinders|1\s?気筒|各|単気筒|一つ",
+    re.IGNORECASE,
 )
 _NOTHING = 1e-6
 _COEFFICIENT = re.compile(r"(?P<stem>[A-Za-z])_(?P<order>[1-9])")
-_FACTOR = re.compile(r"factor .*")
+_FACTOR = re.compile(r"(?:factor|number misprinted) .*")
 _SINE = re.compile(r"(?:sin|cos) for (?:sin|cos)")
 
 
@@ -117,6 +125,8 @@ class _Order:
     is_coefficient: bool = False
     is_alone: bool = True
     """Whether the words speak of one cylinder's piston only."""
+    series: frozenset[str] = frozenset()
+    """The letters of the series that a coefficient stands in."""
     is_of_engine: bool = False
     """Whether they speak of what is free of the whole engine."""
     is_in_row: bool = False
@@ -142,29 +152,43 @@ class NamedOrders:
 
         `angles` are the cranks of the engine that it is of, where one is named.
         """
-        left, right = chain.sides[k].node, without_dots(chain.sides[k + 1].node)[0]
-        if k or chain.relations[0].sign not in "=≈":
-            return None
-        is_sum = isinstance(left, Summation) and left.index is None
-        head = left.body if isinstance(left, Summation) and is_sum else left
-        if not isinstance(head, Name) or knowledge.knows(head.name):
-            return None
-        if is_sum:
-            order = _summed(head.name) if angles is not None and angles.is_usual else None
-        else:
-            order = self._coefficient(head.name, right, chain) or self._named(head.name, chain)
-        if order is None or order.number > HIGHEST:
+        right = without_dots(chain.sides[k + 1].node)[0]
+        head = self._head(chain, k, knowledge)
+        order = None if head is None else self._order_of(head, chain, right, angles)
+        if head is None or order is None or order.number > HIGHEST:
             return None
         frame = self.meant.frame(head.name, right, chain, knowledge)
         balanced = self._balanced(order, angles)
         if not names(right) or (balanced and all(balanced)):
             return self._vanishing(head.name, order, chain.sides[1], angles, frame)
-        if order.kind == COUPLE or frame is None:
+        return None if frame is None else self._within_budget(chain, order, frame, angles)
+
+    def _within_budget(
+        self, chain: Chain, order: _Order, frame: Frame, angles: CrankAngles | None
+    ) -> Verdict | Decision | None:
+        if order.kind == COUPLE:
             return None
         try:
             return run_within(SEARCH, lambda: self._judge(chain, order, frame, angles), SHARE)
         except OverBudgetError:
             return None
+
+    @staticmethod
+    def _head(chain: Chain, k: int, knowledge: Knowledge) -> Name | None:
+        """Return the letter that a relation gives a formula, or whose sum over all cylinders it gives."""
+        left = chain.sides[k].node
+        is_sum = isinstance(left, Summation) and left.index is None
+        head = left.body if isinstance(left, Summation) and is_sum else left
+        if k or not isinstance(head, Name) or chain.relations[0].sign not in "=≈":
+            return None
+        return None if head.name in knowledge.letters or (is_sum and knowledge.knows(head.name)) else head
+
+    def _order_of(
+        self, head: Name, chain: Chain, value: Formula, angles: CrankAngles | None
+    ) -> _Order | None:
+        if isinstance(chain.sides[0].node, Summation):
+            return _summed(head.name) if angles is not None and angles.is_usual else None
+        return self._coefficient(head.name, value, chain) or self._named(head.name, chain)
 
     def _vanishing(
         self, name: str, order: _Order, side: Side, angles: CrankAngles | None, frame: Frame | None
@@ -190,12 +214,14 @@ class NamedOrders:
         if is_zero != any(each) and not (is_zero and order.kind == COUPLE and angles.signs):
             what = "cancel" if any(each) else "do not cancel"
             kind = "couples" if order.kind == COUPLE else "forces"
-            return Decision(REFUTED, f"if {text}; if {angles.text}: the {kind} of order {order.number} {what}")
+            return Decision(
+                REFUTED, f"if {text}; if {angles.text}: the {kind} of order {order.number} {what}"
+            )
         return None
 
     @staticmethod
     def _balanced(order: _Order, angles: CrankAngles | None) -> list[bool]:
-        """Return whether a whole engine's order cancels, for each crank it may have; of others nothing."""
+        """Return whether a whole engine's order cancels, for each crank it may have; else nothing."""
         if order.kind not in (FORCE, COUPLE) or order.is_coefficient or angles is None:
             return []
         if not (order.is_of_engine and angles.is_usual):
@@ -204,7 +230,11 @@ class NamedOrders:
         ways = (angles, *angles.others)
         if is_couple and not angles.arms:
             return []
-        return [is_balanced(way, order.number, with_arms=is_couple) for way in ways if way.arms or not is_couple]
+        return [
+            is_balanced(way, order.number, with_arms=is_couple)
+            for way in ways
+            if way.arms or not is_couple
+        ]
 
     def _named(self, name: str, chain: Chain) -> _Order | None:
         """Return the order that the sentence before a relation names; None where it names none or two."""
@@ -222,10 +252,12 @@ class NamedOrders:
         by_index = roman.get(index) or (int(index) if index.isdecimal() else number)
         if by_index != number:
             return None
-        is_alone = not _OF_MORE.search(self.meant.words.document.text)
+        is_alone = not _OF_MORE.search(self.meant.words.document.text) and not _IN_A_CASE.search(own)
         is_of_one = _OF_ONE.search(own) is not None
         is_of_engine = (bool(header) or _FREE.search(own) is not None) and not is_of_one
-        return _Order(number, kinds[0], own, is_alone=is_alone, is_of_engine=is_of_engine, is_in_row=bool(header))
+        return _Order(
+            number, kinds[0], own, is_alone=is_alone, is_of_engine=is_of_engine, is_in_row=bool(header)
+        )
 
     def _coefficient(self, name: str, value: Formula, chain: Chain) -> _Order | None:
         """Return the order of A_n, if a series on the page has A_n cos nθ, and A_n no angle in it."""
@@ -239,7 +271,8 @@ class NamedOrders:
                     sentence = self.meant.words.before(other)
                     kinds = [kind for kind, pattern in _KINDS.items() if pattern.search(sentence)]
                     kind = kinds[0] if len(kinds) == 1 else ""
-                    return _Order(number, kind, sentence, is_coefficient=True)
+                    letters = frozenset(names(side.node))
+                    return _Order(number, kind, sentence, is_coefficient=True, series=letters)
         own = self.meant.words.sentence_before(chain)
         kinds = [kind for kind, pattern in _KINDS.items() if pattern.search(own)]
         if len(kinds) == 1 and re.search(r"coefficient|koeffizient|beiwert|係数", own, re.IGNORECASE):
@@ -269,7 +302,8 @@ class NamedOrders:
         self, order: _Order, crank: Geometry, value: Formula, angles: CrankAngles | None
     ) -> Iterator[tuple[Formula, tuple[str, ...]]]:
         """Yield what an order may be by one of the conventions, and what it rests on."""
-        base = self._base(order, crank)
+        has_sizes = bool(names(crank.omega) & names(value))
+        base = self._base(order, crank, with_sizes=has_sizes)
         if base is None:
             return
         factors: list[tuple[Fraction, tuple[str, ...]]] = []
@@ -281,7 +315,10 @@ class NamedOrders:
             factors.append((Fraction(total), (angles.text,)))
         for factor, more in factors:
             for sign in (1, -1):
-                yield Product((rational_node(factor * sign), base, *self._wave(order, crank, value))), more
+                yield (
+                    Product((rational_node(factor * sign), base, *self._wave(order, crank, value))),
+                    more,
+                )
 
     def _wave(self, order: _Order, crank: Geometry, value: Formula) -> tuple[Formula, ...]:
         if order.is_coefficient or not any(isinstance(part, Call) for part in walk(value)):
@@ -289,10 +326,12 @@ class NamedOrders:
         function = "sin" if order.kind == TORQUE else "cos"
         return (Call(function, Product((Number(Fraction(order.number)), crank.theta))),)
 
-    def _base(self, order: _Order, crank: Geometry, *, is_first: bool = False) -> Formula | None:
+    def _base(
+        self, order: _Order, crank: Geometry, *, is_first: bool = False, with_sizes: bool = False
+    ) -> Formula | None:
         """Return the amplitude of an order, or its coefficient, as a series in the rod ratio.
 
-        With `is_first` it is the first term of the series.
+        With `is_first` it is the first term of the series, with `with_sizes` a coefficient in units.
         """
         engines, power = self.meant.sources.engines, far_power(order.number)
         if order.kind == TORQUE:
@@ -306,7 +345,7 @@ class NamedOrders:
             return None
         lowest = min(terms)
         series = series_node({lowest: terms[lowest]} if is_first else terms, crank.ratio)
-        return series if order.is_coefficient else Product((series, *sizes))
+        return series if order.is_coefficient and not with_sizes else Product((series, *sizes))
 
     def _with_slip(
         self, chain: Chain, order: _Order, texts: tuple[str, ...], frame: Frame, factor: int
@@ -316,6 +355,8 @@ class NamedOrders:
         right = chain.sides[1]
         usual = [t for t in assumptions if t.endswith(USUAL_END) and t not in self.meant.shown]
         is_guess = any(word in text for text in usual for word in ("ratio", "length"))
+        if order.series and not order.series & names(crank.omega):
+            return None  # in a unit of its own
         is_alone = order.is_alone or (order.is_in_row and factor > 1)
         if not order.kind or not is_alone or is_guess or crank.small is None:
             return None
@@ -338,9 +379,7 @@ class NamedOrders:
                     verdicts.append(verdict)
         return min(verdicts, key=lambda v: len(v.fix.text) if v.fix else 0, default=None)
 
-    def _standard(
-        self, order: _Order, crank: Geometry, value: Formula
-    ) -> Iterator[tuple[Formula, str]]:
+    def _standard(self, order: _Order, crank: Geometry, value: Formula) -> Iterator[tuple[Formula, str]]:
         """Yield an order as a series, and its first term alone for a formula that is but one term."""
         wave = self._wave(order, crank, value)
         if (base := self._base(order, crank)) is None:
@@ -349,7 +388,6 @@ class NamedOrders:
         first = self._base(order, crank, is_first=True)
         if first is not None and not any(isinstance(part, Sum) for part in walk(value)):
             yield Product((first, *wave)), "="
-
 
 
 def _summed(name: str) -> _Order | None:
@@ -408,7 +446,7 @@ def _multiple(node: Formula) -> int:
     """Return n of nθ, 0 for another formula."""
     if isinstance(node, Name):
         return 1
-    if isinstance(node, Product) and len(node.factors) == 2 and isinstance(node.factors[1], Name):  # noqa: PLR2004
+    if isinstance(node, Product) and len(node.factors) == 2 and isinstance(node.factors[1], Name):
         first = node.factors[0]
         if isinstance(first, Number) and first.value.denominator == 1:
             return int(first.value)
@@ -421,9 +459,9 @@ def _is_cut_short(decision: Decision, order: _Order) -> bool:
 
 
 def _may_be_meant(kind: str, order: _Order, value: Formula) -> bool:
-    """Tell whether a slip may be another convention: the factor of a lone coefficient, an angle's origin."""
+    """Tell whether a slip may be another convention: a lone coefficient's factor, an angle's origin."""
     terms = [part for part in walk(value) if isinstance(part, Power | Name)]
-    is_lone = order.is_coefficient and len(terms) <= 2  # noqa: PLR2004
+    is_lone = order.is_coefficient and len(terms) <= 2
     if _FACTOR.fullmatch(kind):
         return is_lone
     return bool(_SINE.fullmatch(kind)) and order.number % 2 == 1

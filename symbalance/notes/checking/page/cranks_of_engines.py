@@ -24,6 +24,8 @@ _UNUSUAL = re.compile(
     r"|cross[\s-]?plane|クロスプレーン|T-?plane|big[\s-]?bang|uneven|odd[\s-]?fire|ungleich|不等|位相|挟み角"
     r"|(?:90|120|270|360)\s*(?:°|\^\s*\\?\{?\\circ\}?|degrees?|Grad|度)[\s-]*"
     r"(?:crank|Kurbel|Kröpf|クランク|twin)"
+    r"|right\s+angles?|rechte[nrm]?\s+Winkel|rechtwinklig|直角"
+    r"|(?:pins?|throws?|cranks?|kröpfungen|hubzapfen)\s+(?:are\s+|is\s+|sind\s+)?(?:set\s+|placed\s+|versetzt\s+)?(?:at|um)\b"
     r"|balanc(?:er|ing)|balance\s+shaft|lanchester|ausgleichs|gegengewicht|counter-?weight|バランサ|バランスシャフト"
     r"|カウンタ|釣合い?おもり|opposed[\s-]piston|gegenkolben|radial|sternmotor|星[型形]",
     re.IGNORECASE,
@@ -31,12 +33,13 @@ _UNUSUAL = re.compile(
 """Words for a crankshaft that is not the usual one, or for more that acts than pistons."""
 _PART = re.compile(
     r"\b(?:pairs?|half|halves|outer|inner|middle|front|rear|other|single|each|per)\b"
+    r"|bearing|\bgas\b|\brods?\b|bolt|lager|gaskr|pleuel|軸受|ガス"
     r"|cylinders?\s+[0-9]\s*(?:,|and|&|to|–|-)|\bone\s+(?:bank|cylinder)"
     r"|paar|hälfte|äußere|innere|vordere|hintere|mittlere|\bje\b|jede[rsnm]?\b|einzel"
     r"|zylinder\s+[0-9]\s*(?:,|und|bis|–|-)|1\s*気筒あたり|片側|半分|外側|内側|中央|一対|各",
     re.IGNORECASE,
 )
-"""Words for a part of an engine's cylinders, over which a sum may go."""
+"""Words for a part of an engine's cylinders, over which a sum may go, or for other forces."""
 _BANKS = re.compile(
     r"(?<![A-Za-z])(?:V|W|VR)[-\s]?(?:[0-9]{1,2}(?![0-9])|engine|twin|motor|型)|(?<![A-Za-z])bank"
     r"|Gabelmotor|バンク",
@@ -92,7 +95,10 @@ class CranksOfEngines:
             line_end = self.text.find("\n", end)
             yield line_start, len(self.text) if line_end < 0 else line_end
             return
-        yield (before[-1] if before else floor), (behind.start() if behind else min(len(self.text), end + _LONGEST))
+        yield (
+            (before[-1] if before else floor),
+            (behind.start() if behind else min(len(self.text), end + _LONGEST)),
+        )
         starts = self._line_starts
         yield starts[self.sections.paragraph_start(line) - 1], start
         first = line
@@ -112,9 +118,15 @@ class CranksOfEngines:
         except SymbalanceError:
             return None  # named in prose, and no engine that is known: no fault of the page's
         section = self._section(line, self.text[first:last])
-        if self._names_another(first, last, engine) or _UNUSUAL.search(section) or _PART.search(self.text[first:last]):
+        if (
+            self._names_another(first, last, engine)
+            or _UNUSUAL.search(section)
+            or _PART.search(self.text[first:last])
+        ):
             return None
-        return usual_cranks(engine, self.text.count("\n", 0, self._place(name, first)) + 1, self._place(name, first))
+        return usual_cranks(
+            engine, self.text.count("\n", 0, self._place(name, first)) + 1, self._place(name, first)
+        )
 
     def _place(self, name: str, first: int) -> int:
         return next(place for place, own in self._mentions if own == name and place >= first)
@@ -134,7 +146,9 @@ class CranksOfEngines:
         """Tell whether words name an engine that is not the known one: other cylinders, or banks."""
         words = self.text[first:last]
         count = None if engine is None else len(engine.cylinders)
-        others = [named[0] for m in ENGINE.finditer(words) if (named := engine_of(m)) and named[0] != count]
+        others = [
+            named[0] for m in ENGINE.finditer(words) if (named := engine_of(m)) and named[0] != count
+        ]
         return bool(others) or _BANKS.search(words) is not None
 
 
@@ -145,7 +159,7 @@ def usual_cranks(engine: KnownEngine, line: int, place: int) -> CrankAngles | No
     """
     count = len(engine.cylinders)
     axes = [cylinder.bank.turns for cylinder in engine.cylinders]
-    is_boxer = len(set(axes)) == 2 and abs(axes[0] - axes[-1]) == Fraction(1, 2)  # noqa: PLR2004
+    is_boxer = len(set(axes)) == 2 and abs(axes[0] - axes[-1]) == Fraction(1, 2)
     if len(set(axes)) > 1 and not is_boxer:
         return None
     if not is_boxer and count < FEWEST:

@@ -30,13 +30,13 @@ from symbalance.notes.checking.meant.named_orders import NamedOrders
 from symbalance.notes.checking.meant.named_quantities import NamedQuantities
 from symbalance.notes.checking.motions.equations_of_motion import EquationOfMotion
 from symbalance.notes.checking.motions.fourier_series import FourierSeries
+from symbalance.notes.checking.page.cranks_of_engines import CranksOfEngines
 from symbalance.notes.checking.page.solutions import turned_letters
 from symbalance.notes.checking.premises import constraints
 from symbalance.notes.checking.premises.carried_values import CarriedValues
 from symbalance.notes.checking.premises.conditions_behind import equalities_behind, with_conditions
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.premises.system import Premise
-from symbalance.notes.checking.page.cranks_of_engines import CranksOfEngines
 from symbalance.notes.checking.words.crank_angles_listed import crank_angles, listed_at
 from symbalance.notes.checking.words.integer_words import integers_said
 from symbalance.notes.checking.words.sections import Sections

@@ -99,7 +99,8 @@ class CrankAngles:
         angles = ", ".join(f"{_plain(angle)}°" for angle in self.degrees)
         if self.is_usual:
             opposed = ", the cylinders opposed" if self.signs else ""
-            return f"the cranks are at {angles}{opposed}, as is usual for the engine that line {self.line} names"
+            usual = f"as is usual for the engine that line {self.line} names"
+            return f"the cranks are at {angles}{opposed}, {usual}"
         where = "equal firing intervals" if self.is_by_firing else "the list"
         return f"the cranks are at {angles} ({where} of line {self.line})"
 
