@@ -59,7 +59,6 @@ from symbalance.notes.checking.verdicts import (
     UNDECIDED,
     Verdict,
 )
-from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Relation, Side
 
@@ -97,7 +96,7 @@ def _judge_equality(
 ) -> Verdict | Decision:
     """Return the verdict on a relation = or ≈: a definition, a step, or something given."""
     if isinstance(chain.sides[k].node, Summation):
-        of_engine = state.named_orders.judge(chain, k, knowledge, knowledge.crank_angles)
+        of_engine = state.named_orders.judge(chain, k, knowledge, state.cranks_of)
         if of_engine is not None:
             return of_engine
     definition = _demanded(chain.relations[k]) or as_balance_solution(state, chain, k)
@@ -266,7 +265,7 @@ def _as_meant(
     if outcome is None and definition.status in STATED:
         outcome = value_at_dead_centre(state, chain, k, knowledge)
     if outcome is None and definition.status in (DEFINITION, PREMISE):
-        outcome = state.named_orders.judge(chain, k, knowledge, _cranks_of(state, chain))
+        outcome = state.named_orders.judge(chain, k, knowledge, state.cranks_of)
         outcome = outcome or state.named.judge(chain, k, knowledge)
     name = chain.sides[k].node
     if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
@@ -275,11 +274,6 @@ def _as_meant(
     elif isinstance(outcome, Decision) and outcome.status == REFUTED and isinstance(name, Name):
         state.definitions.forget(name.name, chain.lines[0])
     return outcome or definition
-
-
-def _cranks_of(state: JudgingState, chain: Chain) -> CrankAngles | None:
-    start = min(side.span[0] for side in chain.sides)
-    return state.cranks_of_engines.at(start, chain.end, chain.lines[0])
 
 
 def _decide_step(

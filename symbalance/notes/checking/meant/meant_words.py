@@ -181,15 +181,19 @@ class MeantWords:
     def header_of_column(self, chain: Chain) -> str:
         """Return the head of the column of a table that a relation stands in, "" outside of tables."""
         text, start = self.document.text, min(side.span[0] for side in chain.sides)
-        lines = text[: text.find("\n", start) if "\n" in text[start:] else len(text)].split("\n")
-        if not lines[-1].lstrip().startswith("|"):
+        own = text[text.rfind("\n", 0, start) + 1 : start]
+        if not own.lstrip().startswith("|"):
             return ""
-        column = text[text.rfind("\n", 0, start) + 1 : start].count("|")
-        first = len(lines)
-        while first > 1 and lines[first - 2].lstrip().startswith("|"):
+        row = first = text.count("\n", 0, start)
+        lines = self._lines
+        while first and lines[first - 1].lstrip().startswith("|"):
             first -= 1
-        cells = lines[first - 1].split("|")
-        return cells[column] if first < len(lines) and column < len(cells) else ""
+        cells, column = lines[first].split("|"), own.count("|")
+        return cells[column] if first < row and column < len(cells) else ""
+
+    @cached_property
+    def _lines(self) -> list[str]:
+        return self.document.text.split("\n")
 
     def named(self, name: str, chain: Chain) -> Named | None:
         """Return what words say of the letter that a relation defines; None where they say nothing."""

@@ -16,9 +16,10 @@ from __future__ import annotations
 
 import re
 from cmath import rect
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property
 from math import pi
 
 from symbalance.budgets import OverBudgetError, run_within
@@ -39,7 +40,7 @@ from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
-from symbalance.notes.checking.declared.engines import Engines
+from symbalance.notes.checking.declared.engines import Engines, NoEngines
 from symbalance.notes.checking.declared.geometry import Geometry, square
 from symbalance.notes.checking.declared.symbols import far_power, series_node
 from symbalance.notes.checking.meant.meant_quantities import (
@@ -145,18 +146,32 @@ class NamedOrders:
 
     meant: MeantQuantities
 
+    @cached_property
+    def _speaks_of_more(self) -> bool:
+        """Tell whether the page speaks of more or less than one cylinder's piston."""
+        return _OF_MORE.search(self.meant.words.document.text) is not None
+
     def judge(
-        self, chain: Chain, k: int, knowledge: Knowledge, angles: CrankAngles | None = None
+        self,
+        chain: Chain,
+        k: int,
+        knowledge: Knowledge,
+        cranks: Callable[[Chain], CrankAngles | None],
     ) -> Verdict | Decision | None:
         """Return the verdict on a relation that defines a letter, if it is an order by its words.
 
-        `angles` are the cranks of the engine that it is of, where one is named.
+        `cranks` gives the cranks of the engine that a relation is of, where one is named.
         """
         right = without_dots(chain.sides[k + 1].node)[0]
         head = self._head(chain, k, knowledge)
-        order = None if head is None else self._order_of(head, chain, right, angles)
+        order = None if head is None else self._order_of(head, chain, right)
         if head is None or order is None or order.number > HIGHEST:
             return None
+        angles = cranks(chain)
+        if isinstance(chain.sides[0].node, Summation) and (angles is None or not angles.is_usual):
+            return None
+        if isinstance(self.meant.sources.engines, NoEngines):
+            return None  # nobody is at hand who knows a slider-crank's series
         frame = self.meant.frame(head.name, right, chain, knowledge)
         balanced = self._balanced(order, angles)
         if not names(right) or (balanced and all(balanced)):
@@ -183,11 +198,9 @@ class NamedOrders:
             return None
         return None if head.name in knowledge.letters or (is_sum and knowledge.knows(head.name)) else head
 
-    def _order_of(
-        self, head: Name, chain: Chain, value: Formula, angles: CrankAngles | None
-    ) -> _Order | None:
+    def _order_of(self, head: Name, chain: Chain, value: Formula) -> _Order | None:
         if isinstance(chain.sides[0].node, Summation):
-            return _summed(head.name) if angles is not None and angles.is_usual else None
+            return _summed(head.name)
         return self._coefficient(head.name, value, chain) or self._named(head.name, chain)
 
     def _vanishing(
@@ -252,7 +265,7 @@ class NamedOrders:
         by_index = roman.get(index) or (int(index) if index.isdecimal() else number)
         if by_index != number:
             return None
-        is_alone = not _OF_MORE.search(self.meant.words.document.text) and not _IN_A_CASE.search(own)
+        is_alone = not self._speaks_of_more and not _IN_A_CASE.search(own)
         is_of_one = _OF_ONE.search(own) is not None
         is_of_engine = (bool(header) or _FREE.search(own) is not None) and not is_of_one
         return _Order(

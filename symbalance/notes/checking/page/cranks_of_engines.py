@@ -101,10 +101,7 @@ class CranksOfEngines:
         )
         starts = self._line_starts
         yield starts[self.sections.paragraph_start(line) - 1], start
-        first = line
-        while first > 1 and self.sections.same_section(first - 1, line):
-            first -= 1
-        yield starts[first - 1], start
+        yield starts[self.sections.section_start(line) - 1], start
         yield 0, min(starts[min(_TITLE, len(starts) - 1)], start)
 
     @cached_property
@@ -133,9 +130,7 @@ class CranksOfEngines:
 
     def _section(self, line: int, own: str) -> str:
         """Return the section that a line stands in; of a table only the row that a relation is in."""
-        first, end = line, self.sections.section_end(line)
-        while first > 1 and self.sections.same_section(first - 1, line):
-            first -= 1
+        first, end = self.sections.section_start(line), self.sections.section_end(line)
         starts = [*self._line_starts, len(self.text)]
         section = self.text[starts[first - 1] : starts[min(end, len(starts) - 1)]]
         if not _ROW.match(own):

@@ -37,7 +37,7 @@ from symbalance.notes.checking.premises.carried_values import CarriedValues
 from symbalance.notes.checking.premises.conditions_behind import equalities_behind, with_conditions
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.premises.system import Premise
-from symbalance.notes.checking.words.crank_angles_listed import crank_angles, listed_at
+from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
 from symbalance.notes.checking.words.integer_words import integers_said
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading import ReadingError, read_equation
@@ -158,9 +158,14 @@ class JudgingState:
         if angles is None and any(
             isinstance(part, Summation) for side in chain.sides for part in walk(side.node)
         ):
-            angles = self.cranks_of_engines.at(start, chain.end, chain.lines[0])
+            angles = self.cranks_of(chain)
         own = replace(knowledge, crank_angles=angles, own_ranges_from=chain.lines[0] - NEAR_RANGE)
         return with_conditions(chain, self.document, own)
+
+    def cranks_of(self, chain: Chain) -> CrankAngles | None:
+        """Return the usual cranks of the engine that words say a relation is of."""
+        start = min(side.span[0] for side in chain.sides)
+        return self.cranks_of_engines.at(start, chain.end, chain.lines[0])
 
     def assumptions(self, line: int, letters: frozenset[str]) -> tuple[Assumption, ...]:
         """Return the assumptions at a line, each solved for a letter."""

@@ -245,6 +245,11 @@ class Sections:
         own = self._numbers_given.get(self.paragraph_start(line), {})
         return frozenset(name for name, first in own.items() if first <= line)
 
+    def section_start(self, line: int) -> int:
+        """Return the line of the heading that a line stands under, 1 where there is none."""
+        above = bisect_right(self._headings, line)
+        return self._headings[above - 1] if above else 1
+
     def section_end(self, line: int) -> int:
         """Return the last line of the section that a line stands in."""
         place = bisect_right(self._headings, line)
