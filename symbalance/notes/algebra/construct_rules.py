@@ -101,14 +101,25 @@ def turning_letter(evaluator: FormEvaluator, form: Form, what: str) -> str:
     """Return the letter that a construct binds without naming it: the angle, or the only one there is."""
     candidates = letters(form)
     angles = {name for rates in evaluator.meaning.rates.values() for name in rates}
+    turned = _letters_within_angles(form)
     for group in (
         [name for name in candidates if name in angles],
+        [name for name in candidates if name in turned],
         [name for name in candidates if is_greek(name) and name not in evaluator.meaning.constant],
         candidates,
     ):
         if len(group) == 1:
             return group[0]
     raise NoFormError(f"{what} that does not say in which letter it is taken")
+
+
+def _letters_within_angles(form: Form) -> set[str]:
+    """Return the letters that a sine or a cosine is taken of: φ in cos φ + λ cos 2φ, and not λ."""
+    generators = form.domain.generators
+    places = {place for part in (form.numerator, form.denominator) for m in part for place, _ in m}
+    waves = [generators[place].content for place in places if generators[place].kind == "exponential"]
+    inner = [generators[place] for wave in waves for place, _ in wave]
+    return {generator.content for generator in inner if generator.kind == "symbol"}
 
 
 # Integrals ----------------------------------------------------------------------------------------

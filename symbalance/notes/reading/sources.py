@@ -28,6 +28,7 @@ from symbalance.notes.reading.multiples_in_words import with_multiples_in_signs
 from symbalance.notes.reading.numerals import with_plain_numerals
 from symbalance.notes.reading.operator_words import with_operator_words
 from symbalance.notes.reading.page_marks import with_page_marks
+from symbalance.notes.reading.places_in_brackets import with_places
 from symbalance.notes.reading.ranges import with_ranges
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.row_vectors import with_row_vectors
@@ -116,6 +117,7 @@ def prepare(
         with_memberships,
         with_function_names,
         with_dots,
+        with_places,
         with_divisions,
     ):
         reader.apply(rewrite(reader.text))

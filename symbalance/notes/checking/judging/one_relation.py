@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symbalance.document.formula import Constant, Formula, Name, Number, names
+from symbalance.document.formula import Constant, Formula, Name, Number, Summation, names
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import (
     Decision,
@@ -96,6 +96,10 @@ def _judge_equality(
     state: JudgingState, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
 ) -> Verdict | Decision:
     """Return the verdict on a relation = or ≈: a definition, a step, or something given."""
+    if isinstance(chain.sides[k].node, Summation):
+        of_engine = state.named_orders.judge(chain, k, knowledge, state.cranks_of)
+        if of_engine is not None:
+            return of_engine
     definition = _demanded(chain.relations[k]) or as_balance_solution(state, chain, k)
     definition = definition or as_equation_for_angle(state, chain, k, knowledge)
     definition = definition or as_proved_solution(state, chain, k)
@@ -265,7 +269,8 @@ def _as_meant(
     if outcome is None and definition.status in STATED:
         outcome = value_at_dead_centre(state, chain, k, knowledge)
     if outcome is None and definition.status in (DEFINITION, PREMISE):
-        outcome = state.named.judge(chain, k, knowledge)
+        outcome = state.named_orders.judge(chain, k, knowledge, state.cranks_of)
+        outcome = outcome or state.named.judge(chain, k, knowledge)
     name = chain.sides[k].node
     if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
         state.definitions.define(name.name, outcome.fix.node, chain)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import replace
 
-from symbalance.document.formula import Formula, Name, names
+from symbalance.document.formula import Formula, Name, Summation, names, walk
 from symbalance.document.letters import plain_letter
+from symbalance.notes.algebra.harmonics import components
+from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -63,7 +66,9 @@ def unless_open(
         if refutation is not None and not letter:
             return refutation
         reason = f"{letter} stands on one side only: declare what it means" if letter else UNKNOWN_SMALL
-    elif letter := _one_sided_letter(state, decision, line, knowledge):
+    elif letter := _one_sided_letter(
+        state, decision, line, knowledge, _summed_letters(left, right, decision, knowledge)
+    ):
         reason = f"{letter} stands on one side only: declare what it means"
     elif chain.relations[k].sign == "=":
         reason = _missing_meaning(state, left, right, line, knowledge)
@@ -92,7 +97,30 @@ def _fix_rod_angle(
             state.definitions.fix(constraint, chain)
 
 
-def _one_sided_letter(state: JudgingState, decision: Decision, line: int, knowledge: Knowledge) -> str:
+def _summed_letters(left: Formula, right: Formula, decision: Decision, knowledge: Knowledge) -> set[str]:
+    """Return the letters that a sum is of, whatever they mean: Σ cos(θ + δ_k) = 2 cos θ.
+
+    Where it is said to be 0 or another number, no meaning of a letter in it could make it so.
+    """
+    sums = [part for node in (left, right) for part in walk(node) if isinstance(part, Summation)]
+    if not sums:
+        return set()
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    bodies = {name for each in sums for name in names_behind(each.body, values)}
+    if names(right):
+        return bodies & names(right)
+    form = decision.left
+    products = set() if form is None else {key.letters for key in components(form.domain, form.numerator)}
+    return bodies if len(products) <= 1 else set()  # in m r ω² λ nothing cancels, in F + G it may
+
+
+def _one_sided_letter(
+    state: JudgingState,
+    decision: Decision,
+    line: int,
+    knowledge: Knowledge,
+    but: Collection[str] = (),
+) -> str:
     """Return a letter whose meaning may make a refuted relation true, as it stands on one side only.
 
     x = r (1 - cos u) is wrong of any u but of the crank angle, which u may be; dx/dt = v is of any x
@@ -107,6 +135,7 @@ def _one_sided_letter(state: JudgingState, decision: Decision, line: int, knowle
             *state.general,
             *knowledge.universal,
             *decision.left.domain.integer,
+            *but,
         }
         if is_open and not knowledge.knows(name):
             return f"{plain_text(Name(name))} is not declared and"

@@ -5,7 +5,17 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Cases, Formula, Name, Negative, Number, Sum, names
+from symbalance.document.formula import (
+    Call,
+    Cases,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Sum,
+    names,
+    walk,
+)
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.algebra.tree_values import letters_behind, names_behind, sample_trees
@@ -34,9 +44,14 @@ def define_anew(
 ) -> Decision | None:
     """Return the decision on another value of a defined letter: a new case, a condition, or None."""
     earlier, line = knowledge.definitions[name], chain.lines[0]
-    if not k and _is_of_new_letters(definitions, name, value, chain, knowledge):
+    other = ""
+    if not k and _is_at_another_place(definitions, name, value, chain, knowledge):
+        other = f"at another place than in line {earlier.line}"
+    elif not k and _is_of_new_letters(definitions, name, value, chain, knowledge):
+        other = f"anew: of other letters than in line {earlier.line}"
+    if other:
         definitions.define(name, without_dots(value)[0], chain)
-        return Decision(DEFINITION, f"anew: of other letters than in line {earlier.line}")
+        return Decision(DEFINITION, other)
     by_premises = decide_by_premises(definitions, Premise(Name(name), value, line), knowledge)
     if by_premises is not None:
         outside = outside_range(definitions, name, value, line, knowledge)
@@ -65,6 +80,22 @@ def define_anew(
     if is_put_in or not _new_case(earlier, value, chain.relations[k].sign, knowledge):
         return None
     return _define_case_anew(definitions, name, value, earlier, chain, knowledge)
+
+
+def _is_at_another_place(
+    definitions: Definitions, name: str, value: Formula, chain: Chain, knowledge: Knowledge
+) -> bool:
+    """Tell whether two values of a letter are each at a place of its own: a at TDC, then a at BDC.
+
+    Only of values in which nothing turns: what is so at every angle is so at both.
+    """
+    earlier = knowledge.definitions[name].node
+    turning = names(knowledge.crank.theta) if knowledge.crank is not None else frozenset[str]()
+    for node in (earlier, value):
+        waves = any(isinstance(p, Call) and p.function in ("sin", "cos") for p in walk(node))
+        if waves or not names(node) or turning.intersection(_letters_behind([node], knowledge)):
+            return False
+    return definitions.sections.is_at_another_place(chain, name)
 
 
 def _each_has_own_letters(earlier: Formula, value: Formula, knowledge: Knowledge) -> bool:

@@ -136,6 +136,13 @@ _DEAD_CENTRE = re.compile(
     rf"(?i:(?P<top>{_TOP})|(?P<bottom>{_BOTTOM}|(?:im|at\s+the|am)\s+(?:unteren|outer|lower|bottom)))"
     rf"|(?P<short_top>{_SHORT_TOP})|(?P<short_bottom>{_SHORT_BOTTOM})"
 )
+_PLACE = re.compile(
+    rf"({_TOP}|{_SHORT_TOP})|({_BOTTOM}|{_SHORT_BOTTOM})"
+    r"|(?<![A-Za-z])(?:at|for|bei|für)\s+(?:an?\s+angle\s+of\s+)?(?:\$?\\?[a-zθφα]{1,8}\s?=\s?)?\$?"
+    r"([0-9]{1,3})\s?\$?(?:°|\^\{?\\circ|degrees?|Grad)|([0-9]{1,3})\s?(?:°|度)\$?(?:では|のとき)",
+    re.IGNORECASE,
+)
+"""Where a value is taken: at a dead centre, or at an angle."""
 _THERE = re.compile(r"[\s$)\]}\\,]{0,6}(?:there|here|dort|hier)(?![A-Za-zäöüß])")
 """Words behind a relation by which it is meant at the place that its section named last."""
 _OPENING = " \t\n$\\([{&"
@@ -245,6 +252,11 @@ class Sections:
         own = self._numbers_given.get(self.paragraph_start(line), {})
         return frozenset(name for name, first in own.items() if first <= line)
 
+    def section_start(self, line: int) -> int:
+        """Return the line of the heading that a line stands under, 1 where there is none."""
+        above = bisect_right(self._headings, line)
+        return self._headings[above - 1] if above else 1
+
     def section_end(self, line: int) -> int:
         """Return the last line of the section that a line stands in."""
         place = bisect_right(self._headings, line)
@@ -286,6 +298,8 @@ class Sections:
         `is_number` tells whether it gives its letter a number.
         """
         line = chain.lines[0]
+        if line in self._engine_rows:
+            return line
         first = self._lines[self.paragraph_start(line) - 1]
         if (chain.inline and _CAPTION.match(first)) or _IN_BRACKETS.match(first):
             return self.paragraph_end(line)
@@ -302,6 +316,17 @@ class Sections:
             return self.moment_end(line)
         is_premise = is_case or (is_number and _NAMING.search(before + " "))
         return self.section_end(line) if is_premise else None
+
+    @cached_property
+    def _engine_rows(self) -> frozenset[int]:
+        """The lines, from 1, of rows that each name an engine: F_2 of one row is not that of the next."""
+        rows = {
+            number
+            for number, text in enumerate(self._lines, 1)
+            if text.lstrip().startswith("|")
+            and case_words.ENGINE.search(text.lstrip(" \t|").split("|", 1)[0])
+        }
+        return frozenset(n for n in rows if {n - 1, n + 1} & rows)
 
     def is_consequence(self, chain: Chain) -> bool:
         """Tell whether a relation is introduced as what follows: therefore, hence, ⇒."""
@@ -469,6 +494,18 @@ class Sections:
         text = self.document.text[max(0, chain.start - LONGEST_SENTENCE) : chain.start]
         return re.split(r"[.;!?。]\s|\n\s*\n", text)[-1]
 
+    def is_at_another_place(self, chain: Chain, name: str) -> bool:
+        """Tell whether words place a letter's value elsewhere than its last one: at 0°, then at 180°."""
+        starts, chains = self._by_start
+        before = chains[: bisect_left(starts, chain.sides[0].span[0])]
+        last = next((c for c in reversed(before) if c.sides[0].node == Name(name)), None)
+        if last is None or chain.start - last.end > LONGEST_SENTENCE:
+            return False
+        text = self.document.text
+        here = _last_place(text[last.end : chain.start])
+        there = _last_place(text[max(0, last.start - LONGEST_INTRODUCTION) : last.start])
+        return here is not None and there is not None and here != there
+
     def _section_before(self, chain: Chain) -> str:
         """Return the text of a relation's section before it, with its heading."""
         line = chain.lines[0]
@@ -489,6 +526,16 @@ class Sections:
     def paragraph_start(self, line: int) -> int:
         """Return the first line of the paragraph that a line stands in."""
         return self._paragraphs[line - 1][0]
+
+
+def _last_place(words: str) -> int | None:
+    """Return the angle in degrees at which words place a value last, None where they name none."""
+    last = None
+    for match in _PLACE.finditer(words):
+        last = match
+    if last is None:
+        return None
+    return 0 if last[1] else 180 if last[2] else int(last[3] or last[4])
 
 
 def dead_centre_named(words: str) -> bool | None:
