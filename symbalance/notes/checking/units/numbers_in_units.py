@@ -51,6 +51,7 @@ from symbalance.notes.checking.units.formulas_between_numbers import (
     with_printed_results,
 )
 from symbalance.notes.checking.units.own_units import is_per_minute
+from symbalance.notes.checking.units.printed_units import decide_by_printed_units
 from symbalance.notes.checking.units.units_behind import decide_as_counted
 from symbalance.notes.checking.units.unrounded_numbers import decide_unrounded
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
@@ -88,6 +89,8 @@ def decide_in_units(
     in_two_units = decide_conversion(chain, k, document)
     if in_two_units is not None:
         return in_two_units if in_two_units.is_proved else decision
+    if decision == decide_by_printed_units(chain, k, document, knowledge):
+        return decision
     for meant in (
         _put_in_bare, _term_by_term, _rounded_in_its_unit, _between_numbers, _in_unit_of_result,
         _converted, _of_weights, decide_as_counted, _with_numbers_of_units, _with_frequencies,
