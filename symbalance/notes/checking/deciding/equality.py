@@ -39,6 +39,8 @@ class Decision:
     """The order through which two sides were compared, None for an exact comparison."""
     of_matrices: bool = False
     """Whether the sides are matrices, whose products do not commute."""
+    expanded_in: str = ""
+    """The letter in which both sides are cut off."""
     further: tuple[Form, ...] = ()
     """The exact side cut off one and two orders later: what a repaired side may come to."""
 
@@ -156,7 +158,8 @@ def _by_numbers(
         return Decision(
             PROVED, assumptions=(*level.assumptions, *assumptions), level=level, left=first, right=second
         )
-    if agrees_as_printed(left, right, evaluator.form, level.values, printed=knowledge.printed):
+    rounded = {"printed": knowledge.printed, "rounded": knowledge.rounded}
+    if agrees_as_printed(left, right, evaluator.form, level.values, **rounded):
         order = "the digits printed"
         return Decision(
             PROVED, order=order, assumptions=level.assumptions, level=level, left=first, right=second

@@ -18,7 +18,9 @@ from typing import Any
 from symbalance.document import formula
 from symbalance.document.formula import Formula, Name, Negative, Number, Product, names
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.algebra.values import Valuation, letters
 from symbalance.notes.checking.deciding.substitution import replace_part
 from symbalance.notes.reading.equations import ReadNotes
@@ -34,6 +36,7 @@ MOST_ZEROS = 40
 _SCALES = (1.0, 1e-3, 1e3, 1e-6, 1e6)
 """A value in mm, kN or MPa is put in as it is typed."""
 _ROUNDING = 1 + 1e-9
+_EXACTLY = 1e-9
 _DEGREES = (15, 18, 22.5, 30, 36, 40, 45, 360 / 7, 54, 60, 72, 75)
 _EXACT = (
     *(math.sqrt(n) for n in (2, 3, 5, 6, 7, 10)),
@@ -75,6 +78,31 @@ def printed_results(document: ReadNotes) -> frozenset[float]:
             if isinstance(node, Number) and not is_given and significant_digits(node) >= LONG:
                 results.add(abs(float(node.value)))
     return frozenset(results)
+
+
+def _number_of(node: Formula) -> Number | None:
+    """Return the number that a side is, without its sign and its unit; None of an arithmetic."""
+    node = node.operand if isinstance(node, Negative) else node
+    node = node.factors[0] if isinstance(node, Product) and len(node.factors) == 2 else node
+    return node if isinstance(node, Number) else None
+
+
+def rounded_results(document: ReadNotes) -> frozenset[float]:
+    """Return the whole numbers of three digits that a page prints for what is none: 0.045·314.2² = 4442."""
+    results, exact = set[float](), set[float]()
+    for chain in document.chains:
+        for before, side in pairwise(chain.sides):
+            number = _number_of(side.node)
+            if number is None or names(before.node) or isinstance(before.node, Number):
+                continue
+            if number.value.denominator > 1 or not number.value or (number.last_place or 1) < 1:
+                continue
+            points = sample_trees([before.node, side.node], SymbolValue(), 1)
+            size = abs(float(number.value))
+            gap = abs(points[0][1][0] / points[0][1][1] - 1) if points else 0
+            if significant_digits(number) >= LONG and gap <= _ROUNDING / 2 / size:
+                (results if gap > _EXACTLY else exact).add(size)
+    return frozenset(results - exact)
 
 
 _SIZE = re.compile(

@@ -63,14 +63,17 @@ def agrees_as_printed(
     *,
     generous: bool = False,
     printed: Collection[float] = (),
+    rounded: Collection[float] = (),
 ) -> bool:
     """Tell whether two sides agree to the last digits printed; `form_of` gives a side's form.
 
     A lone decimal may be off by half a unit of its last place, and by what the decimals bring that the
     other side is computed from, those of the letters' `values` too; by a whole unit towards zero if
     `generous` (cut off, not rounded). `printed` are the results that the page prints: one that is put in
-    stands for its interval, other numbers are data.
+    stands for its interval, other numbers are data. `rounded` are those of them that are whole numbers
+    and stand for one that is not.
     """
+    left, right = (_with_results_open(node, rounded) for node in (left, right))
     typed_left, typed_right = left, right
     left, right = (with_decimals(node, values or {}) for node in (left, right))
     if not decimals(left) and not decimals(right) and not (_is_result(left) or _is_result(right)):
@@ -107,6 +110,19 @@ def agrees_as_printed(
     if not decimals(left) and not decimals(right):
         return False
     return _coefficients_agree(left, right, first, second, form_of)
+
+
+def _with_results_open(node: Formula, rounded: Collection[float]) -> Formula:
+    """Return an arithmetic whose whole numbers are open to their units where the page rounded to them.
+
+    Behind a = 0.045·314.16² = 4441 the author goes on with 4441.4: 4441·1.3 = 5774 is right.
+    """
+    if _is_result(node):
+        return node
+    for part in [*formula.walk(node)]:
+        if isinstance(part, Number) and part.last_place is None and abs(float(part.value)) in rounded:
+            node = replace_part(node, part, Number(part.value, Fraction(1), span=part.span))
+    return node
 
 
 def with_decimals(node: Formula, values: Mapping[str, Formula]) -> Formula:

@@ -37,6 +37,9 @@ def define_anew(
     if not k and _is_of_new_letters(definitions, name, value, chain, knowledge):
         definitions.define(name, without_dots(value)[0], chain)
         return Decision(DEFINITION, f"anew: of other letters than in line {earlier.line}")
+    if not k and _is_of_another_exercise(definitions, name, value, chain, knowledge):
+        definitions.define(name, without_dots(value)[0], chain)
+        return Decision(DEFINITION, f"anew: not what line {earlier.line} has")
     by_premises = decide_by_premises(definitions, Premise(Name(name), value, line), knowledge)
     if by_premises is not None:
         outside = outside_range(definitions, name, value, line, knowledge)
@@ -103,6 +106,29 @@ def _is_of_new_letters(
     return last is not None and used.isdisjoint(own)
 
 
+def _is_of_another_exercise(
+    definitions: Definitions, name: str, value: Formula, chain: Chain, knowledge: Knowledge
+) -> bool:
+    """Tell whether a letter with a number has a formula of a new letter, and another number, elsewhere.
+
+    The couple M = 485 N m of exercise 6 is not the torque M = P/ω = 40000/314 = 127 N m of exercise 10.
+    """
+    earlier, sections = knowledge.definitions[name], definitions.sections
+    if not earlier.numeric or sections.same_exercise(earlier.line, chain.lines[0]):
+        return False
+    is_new = any(n not in knowledge.definitions and not knowledge.has_meaning(n) for n in names(value))
+    if not is_new or sections.is_consequence(chain):
+        return False
+    numbers = [side.node for side in chain.sides[2:] if not names(side.node)]
+    points = sample_trees([earlier.node, numbers[-1]], SymbolValue(), 1) if numbers else []
+    return bool(points) and _is_far(*points[0][1])
+
+
+def _is_far(old: complex, new: complex) -> bool:
+    """Tell whether a second value is no slip of the first."""
+    return abs(old - new) > NEARLY * max(abs(old), abs(new))
+
+
 def _is_anew(definitions: Definitions, earlier: Definition, chain: Chain) -> bool:
     """Tell whether a second formula of a letter is of another engine, or in another exercise."""
     is_tied = definitions.sections.is_consequence(chain)
@@ -138,8 +164,7 @@ def _new_case(earlier: Definition, value: Formula, sign: str, knowledge: Knowled
     points = sample_trees([earlier.node, value], SymbolValue(), 1)
     if not points:
         return True
-    old_value, new_value = points[0][1]
-    return abs(old_value - new_value) > NEARLY * max(abs(old_value), abs(new_value))
+    return _is_far(*points[0][1])
 
 
 def _has_number_put_in(

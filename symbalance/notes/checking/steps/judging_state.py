@@ -10,7 +10,7 @@ from symbalance.errors import SymbalanceError
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.inequalities import sample_ranges
 from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
-from symbalance.notes.checking.deciding.numbers_put_in import printed_results
+from symbalance.notes.checking.deciding.numbers_put_in import printed_results, rounded_results
 from symbalance.notes.checking.deciding.whole_numbers import may_count, orders_in
 from symbalance.notes.checking.declared.engines import Sources
 from symbalance.notes.checking.declared.sidecar import Declarations
@@ -79,6 +79,7 @@ class JudgingState:
         self.counts = _counts(self.document)
         self.letters = {n for chain in self.document.chains for n in chain.letters}
         self.printed = printed_results(self.document)
+        self.rounded = rounded_results(self.document)
         self.wrong_numbers = CarriedValues()
         self.given_numbers = GivenNumbers()
         self.speeds = speeds_of(self.document.text)
@@ -139,6 +140,7 @@ class JudgingState:
             corrects=self.corrects,
             ranges=tuple(ranges),
             printed=self.printed,
+            rounded=self.rounded,
             has_sums=self.has_sums,
             orders=self.orders,
             small=frozenset(n for n, text in symbols.items() if SMALL_WORD.search(text))

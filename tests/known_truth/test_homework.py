@@ -1,0 +1,104 @@
+"""Students' answers to an exercise on balancing: right ones are not accused, slips are named as a teacher would."""
+
+from __future__ import annotations
+
+import pytest
+
+from symbalance.checking import check
+
+BAD = {"refuted", "contradiction", "undecided", "unreadable"}
+
+RIGHT = {
+    "m is the page's mass, not a metre": r"""
+Let $r = 45$ mm be the crank radius, $m = 0.7$ kg. The counterweight at $r_c = 60$ mm is
+$$m_c = \frac{(1.2 + 0.5\,m)\,r}{r_c} = \frac{(1.2+0.35)\cdot45}{60} = 1.1625\ \mathrm{kg}$$
+""",
+    "velocity and acceleration are named together": r"""
+Kolbengeschwindigkeit und Kolbenbeschleunigung:
+$$v \approx r\omega\left(\sin\varphi+\frac{\lambda}{2}\sin2\varphi\right)$$
+""",
+    "an angular acceleration is no acceleration": r"""
+The shaft has $J = 0.2$ kg m² and $M = 50$ N m. Die Winkelbeschleunigung ist
+$$\beta = \frac{M}{J}$$
+""",
+    "a letter is another size in another exercise": """
+6. couple of the three
+   M = √3 · 3109 N · 0.09 m = 484.6 N m
+   ω = 2π · 3000/60 = 314.2 rad/s
+10. mean torque of the engine
+   M = P/ω = 40000/314.2 = 127.3 N m
+""",
+    "a rounded result is put in": """
+r ω^2 = 0.045·314.16^2 = 4441 m/s^2
+a_max = 4441·1.3 = 5774 m/s^2
+""",
+}
+WRONG = {
+    "a mass in a sum, and its value": r"""
+Let $r = 45$ mm be the crank radius, $m = 0.7$ kg. The counterweight at $r_c = 60$ mm is
+$$m_c = \frac{(1.2 + 0.5\,m)\,r}{r_c} = \frac{(1.2+0.35)\cdot45}{60} = 1.2625\ \mathrm{kg}$$
+""",
+    "metres in a sum": r"$m = 0.7$ kg, $a = (0.3\,m + 0.5\,m) = 0.9\ \mathrm{m}$",
+    "the torque of another exercise": """
+6. couple of the three
+   M = √3 · 3109 N · 0.09 m = 484.6 N m
+10. mean torque of the engine
+   M = P/ω = 40000/314.2 = 172.3 N m
+""",
+    "a rounded result is put in": """
+r ω^2 = 0.045·314.16^2 = 4441 m/s^2
+a_max = 4441·1.3 = 5776 m/s^2
+""",
+    "an exact result is put in": """
+u = 12·34 = 408
+w = 408·10 = 4083
+""",
+    "an exact result that was rounded elsewhere": """
+u = 0.5·816 = 408
+v = 0.5·817 = 408
+w = 408·10 = 4083
+""",
+    "a velocity that is an acceleration": r"""
+Die Kolbenbeschleunigung ist $r = 45$ mm, $\omega = 300$ rad/s, und
+$$a = r\omega = 13.5\ \mathrm{m/s^2}$$
+""",
+}
+
+
+@pytest.mark.parametrize("page", RIGHT.values(), ids=RIGHT)
+def test_a_right_answer_is_not_accused(page: str) -> None:
+    assert not [v for v in check(page).verdicts if v.verdict in BAD]
+
+
+@pytest.mark.parametrize("page", WRONG.values(), ids=WRONG)
+def test_a_wrong_answer_does_not_pass(page: str) -> None:
+    assert [v for v in check(page).verdicts if v.verdict in BAD]
+
+
+MOTION = r"""
+Let $r$ be the crank radius, $l$ the length of the connecting rod, $\lambda = r/l$ and $\theta$ the crank angle.
+The displacement of the piston from top dead centre is
+$$x = r(1-\cos\theta) + l\left(1-\sqrt{1-\lambda^2\sin^2\theta}\right)$$
+"""
+SLIPS = {
+    r"$$x \approx r\left[1-\cos\theta+\tfrac{\lambda}{2}(1-\cos2\theta)\right]$$": ("{2}", "4"),
+    r"$$x \approx r\left[1-\cos\theta+\frac{\lambda}{4}(1+\cos2\theta)\right]$$": (
+        r"\cos2\theta",
+        "-cos 2θ",
+    ),
+    r"$$x \approx r\left(1-\cos\theta+\frac{\lambda}{4}\sin^2\theta\right)$$": ("{4}", "2"),
+    "With $\\theta = \\omega t$ the acceleration is\n"
+    r"$$\ddot x \approx r\omega^2(\cos\theta - \lambda\cos2\theta)$$": (
+        r"- \lambda\cos2\theta",
+        "λ cos 2θ",
+    ),
+}
+
+
+@pytest.mark.parametrize("slip", SLIPS)
+@pytest.mark.parametrize("sizes", ["", "$r = 45$ mm, $l = 150$ mm.\n"])
+def test_a_slip_in_the_second_order_is_mended_in_its_small_letter(slip: str, sizes: str) -> None:
+    verdict = check(sizes + MOTION + slip).verdicts[-1]
+    assert verdict.verdict == "refuted"
+    assert verdict.fix is not None
+    assert [(each.source, each.should) for each in verdict.fix.faults] == [SLIPS[slip]]
