@@ -93,8 +93,8 @@ def decide_agreement(
         if decision.is_proved:
             return decision
         best = decision
-        if decision.status == REFUTED and _is_small(decision.expanded_in, knowledge):
-            clear = clear or decision
+        if clear is None and _is_clear(decision, knowledge):
+            clear = decision
     if not decimals(left) and not decimals(right):
         best = refuted_by_formulas(
             best, levels, lambda level: _at_level(left, right, knowledge, level, through, is_loose)
@@ -104,10 +104,16 @@ def decide_agreement(
     return clear if clear is not None and best.status == REFUTED and not is_loose else best
 
 
-def _is_small(letter: str, knowledge: Knowledge) -> bool:
-    """Tell whether a letter is the small one: a refutation by its powers is what a reader can follow."""
-    usual = knowledge.crank.small if knowledge.crank else None
-    return letter in knowledge.small or (usual is not None and letter == usual[0])
+def _is_clear(decision: Decision, knowledge: Knowledge) -> bool:
+    """Tell whether a refutation is by the powers of the small letter, and all letters stand on the right.
+
+    That is what a reader can follow: r²/l beside λ, and x beside what it is, say less.
+    """
+    if decision.status != REFUTED or decision.left is None or decision.right is None:
+        return False
+    letter, usual = decision.expanded_in, knowledge.crank.small if knowledge.crank else None
+    is_small = letter in knowledge.small or (usual is not None and letter == usual[0])
+    return is_small and {*values.letters(decision.left)} <= {*values.letters(decision.right)}
 
 
 def _at_level(
