@@ -102,3 +102,62 @@ def test_a_slip_in_the_second_order_is_mended_in_its_small_letter(slip: str, siz
     assert verdict.verdict == "refuted"
     assert verdict.fix is not None
     assert [(each.source, each.should) for each in verdict.fix.faults] == [SLIPS[slip]]
+
+
+GIVEN = (
+    "$P = 40$ kW, $n = 3000$ rpm, $F = 500$ N, $s = 20$ mm, $A = 20$ mm², $m = 0.7$ kg, $r = 45$ mm\n\n"
+    r"$$\omega = \frac{2\pi n}{60} = \frac{2\pi\cdot 3000}{60} = 314.2\ \mathrm{rad/s}$$"
+    "\n\n"
+)
+RESULTS = {
+    r"$$M = \frac{P}{\omega} = \frac{40000}{314.2} = 127.3\ UNIT$$": r"\mathrm{N\,m}",
+    r"$$K = m r\omega^2 = 0.7\cdot 0.045\cdot 314.2^2 = 3110\ UNIT$$": r"\mathrm{N}",
+    r"$$W = F s = 500\cdot 0.02 = 10\ UNIT$$": r"\mathrm{J}",
+    r"$$\sigma = \frac{F}{A} = \frac{500}{20} = 25\ UNIT$$": r"\mathrm{N/mm^2}",
+    r"$$a = r\omega^2 = 0.045\cdot 314.2^2 = 4442\ UNIT$$": r"\mathrm{m/s^2}",
+}
+
+
+@pytest.mark.parametrize("line", RESULTS)
+def test_a_result_behind_numbers_is_in_the_unit_of_its_formula(line: str) -> None:
+    right = RESULTS[line]
+    assert not [v for v in check(GIVEN + line.replace("UNIT", right)).verdicts if v.verdict in BAD]
+    for unit in {r"\mathrm{kg}", r"\mathrm{W}", *RESULTS.values()} - {right}:
+        last = check(GIVEN + line.replace("UNIT", unit)).verdicts[-1]
+        is_of_its_size = {unit, right} == {r"\mathrm{N\,m}", r"\mathrm{J}"}
+        assert (last.verdict in BAD) is not is_of_its_size, (unit, last)
+
+
+NUMBERS = {
+    r"$F = 4\cdot 0.3\cdot0.7\cdot4442 = 3731\ \mathrm{kN}$": ("unit: N, not kN", "3731 N"),
+    r"$a = 0.045\cdot 314.2^2\cdot 1.3 = 57750\ \mathrm{m/s^2}$": ("ten times too large", "5775 m/s²"),
+    r"$a = 0.045\cdot 314.2^2\cdot 1.3 = 5775000\ \mathrm{m/s^2}$": (
+        "a thousand times too large",
+        "5775 m/s²",
+    ),
+    r"$m = 0.6-0.4 = 0.3\ \mathrm{kg}$": ("miscalculated", "0.2 kg"),
+    r"$r = 45$ mm, $\omega = 314.16$ rad/s, $b = r\omega^2 = 0.045\cdot 314.16^2 = 4441\ \mathrm{mm/s^2}$": (
+        "unit: m/s², not mm/s²",
+        "4441 m/s²",
+    ),
+    "$\\cos\\theta - \\cos(\\theta-240°) = \\sqrt3\\cos(\\theta+30°)$": (
+        "sign in the argument of cos",
+        "-30°",
+    ),
+}
+
+
+@pytest.mark.parametrize("page", NUMBERS)
+def test_the_slip_in_a_number_is_named(page: str) -> None:
+    (wrong,) = [v for v in check(page).verdicts if v.verdict == "refuted"]
+    assert wrong.fix is not None
+    assert (wrong.fix.words, wrong.fix.faults[0].should) == NUMBERS[page]
+
+
+def test_an_angle_makes_no_number_true() -> None:
+    page = MOTION + (
+        "With $\\theta = \\omega t$ and $\\omega = 314.16$ rad/s, $r = 45$ mm, $\\lambda = 0.3$"
+        " the largest acceleration is at TDC:\n"
+        r"$$a_{max} = r\omega^2(1+\lambda) = 0.045\cdot 314.16^2\cdot 1.3 = 5774\ \mathrm{mm/s^2}$$"
+    )
+    assert check(page).verdicts[-1].verdict == "refuted"

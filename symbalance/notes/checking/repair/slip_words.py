@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from symbalance.document import formula
-from symbalance.document.formula import Formula, Negative, Product, Quotient, Sum
+from symbalance.document.formula import Call, Formula, Negative, Product, Quotient, Sum
 from symbalance.document.text_writer import formula_text
 
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
@@ -23,10 +23,14 @@ def slip_words(kind: str, side: Formula, changes: tuple[tuple[Formula, Formula],
     ('sign of the second term', 'cos, not sin')
     """
     if match := _MISPRINTED.fullmatch(kind):
-        return f"{match[1]}, not {match[2]}"
+        return f"{match[1]}, not {match[2]}" if match[1] != "1" else f"{match[2]} is too much"
     if match := _INSTEAD.fullmatch(kind):
         return f"{match[1]}, not {match[2]}"
     (old, new), *others = changes
+    if kind == "value" and not formula.names(side):
+        return "miscalculated"
+    if kind == "sign" and not others and (function := _function_around(old, side)):
+        return f"sign in the argument of {function}"
     if kind == "factor" and not others:
         factor = _factor(old, new)
         if factor is None:
@@ -36,6 +40,20 @@ def slip_words(kind: str, side: Formula, changes: tuple[tuple[Formula, Formula],
         term = _term_with(old, side)
         return f"{kind} of the {_ORDINALS[term]} term" if term is not None else kind
     return kind
+
+
+def _function_around(part: Formula, side: Formula) -> str:
+    """Return the function whose argument holds a part that is not all of it, "" for none."""
+    return next(
+        (
+            call.function
+            for call in formula.walk(side)
+            if isinstance(call, Call)
+            and call.argument is not part
+            and any(each is part for each in formula.walk(call.argument))
+        ),
+        "",
+    )
 
 
 def _factor(old: Formula, new: Formula) -> Formula | None:

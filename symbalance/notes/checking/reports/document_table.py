@@ -232,7 +232,9 @@ def _error(entry: Mapping[str, Any]) -> tuple[tuple[Any, ...], Words]:
     relation = " ".join(f"{entry.get('left', '')} {entry.get('sign', '')} {entry['source']}".split())
     wrong = entry["wrong"]
     if not wrong:
-        return (verdict, relation), (f"{verdict}: ", Code(_one_line(relation)))
+        reason = "" if verdict == REFUTED else str(entry["reason"] or "").partition(";")[0]
+        words = (f"{verdict}: ", Code(_one_line(relation)), f" ({reason})" if reason else "")
+        return (verdict, relation), words
     change = tuple((each["source"], each["should"]) for each in wrong)
     is_whole = wrong[0]["source"].strip() == entry["source"].strip()
     first = wrong[0]
@@ -240,7 +242,7 @@ def _error(entry: Mapping[str, Any]) -> tuple[tuple[Any, ...], Words]:
     more = f" (and {len(wrong) - 1} more)" if len(wrong) > 1 else ""
     words: Words = (
         Code(_one_line(relation)),
-        f": {entry['fix_kind']}, for ",
+        f": {entry['slip'] or entry['fix_kind']}, for ",
         piece,
         " put ",
         Code(_one_line(first["should"])),
