@@ -41,6 +41,8 @@ def define_anew(
         definitions.define(name, without_dots(value)[0], chain)
         return Decision(DEFINITION, f"anew: not what line {earlier.line} has")
     by_premises = decide_by_premises(definitions, Premise(Name(name), value, line), knowledge)
+    if by_premises is not None and _is_wrong_solution(earlier, value, by_premises, chain, k, knowledge):
+        return None  # judged as a step: what it should be says more than that it cannot be
     if by_premises is not None:
         outside = outside_range(definitions, name, value, line, knowledge)
         if by_premises.status == PREMISE and outside is None:
@@ -104,6 +106,19 @@ def _is_of_new_letters(
     earlier = [c for c in above if last is None or c.sides[0].span[0] < last]
     used = frozenset[str]().union(*(c.letters for c in earlier))
     return last is not None and used.isdisjoint(own)
+
+
+def _is_wrong_solution(
+    earlier: Definition, value: Formula, by_premises: Decision, chain: Chain, k: int, knowledge: Knowledge
+) -> bool:
+    """Tell whether an equation was solved for a letter, and a formula is not what it comes to."""
+    is_refused = by_premises.status in (CONTRADICTION, UNDECIDED)
+    if not is_refused or not earlier.solved or earlier.numeric or not names(value):
+        return False
+    if isinstance(value, Name) or not names(earlier.node) or earlier.alternatives:
+        return False
+    bare, sign = without_dots(value)[0], chain.relations[k].sign
+    return decide(lone_side(earlier.node), lone_side(bare), sign, knowledge).status == REFUTED
 
 
 def _is_of_another_exercise(

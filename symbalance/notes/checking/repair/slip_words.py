@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import re
+from fractions import Fraction
+from math import prod
 
 from symbalance.document import formula
-from symbalance.document.formula import Call, Formula, Negative, Product, Quotient, Sum
+from symbalance.document.formula import Call, Formula, Negative, Number, Product, Quotient, Sum
 from symbalance.document.text_writer import formula_text
+from symbalance.notes.algebra.number_formulas import rational_node
 
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
 _MISPRINTED = re.compile(r"number misprinted \((\S+) for (\S+)\)")
@@ -62,7 +65,20 @@ def _factor(old: Formula, new: Formula) -> Formula | None:
         return new.factors[0]
     if isinstance(new, Product) and isinstance(old, Product) and new.factors[1:] == old.factors:
         return new.factors[0]
-    return None
+    before, after = _number_in(old), _number_in(new)
+    return rational_node(after / before) if before and after and after != before else None
+
+
+def _number_in(node: Formula) -> Fraction:
+    """Return the number that stands in front of a formula: 1/2 in λ m r/(2 r_A)."""
+    if isinstance(node, Number):
+        return node.value
+    if isinstance(node, Negative):
+        return -_number_in(node.operand)
+    if isinstance(node, Quotient):
+        below = _number_in(node.denominator)
+        return _number_in(node.numerator) / below if below else Fraction(0)
+    return prod(map(_number_in, node.factors)) if isinstance(node, Product) else Fraction(1)
 
 
 def _term_with(part: Formula, side: Formula) -> int | None:
