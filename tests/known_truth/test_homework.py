@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 
 from symbalance.checking import check
+from symbalance.notes.checking.declared.engines import NoEngines
+from symbalance.notes.checking.declared.proposals import propose
 
 BAD = {"refuted", "contradiction", "undecided", "unreadable"}
 
@@ -161,3 +163,48 @@ def test_an_angle_makes_no_number_true() -> None:
         r"$$a_{max} = r\omega^2(1+\lambda) = 0.045\cdot 314.16^2\cdot 1.3 = 5774\ \mathrm{mm/s^2}$$"
     )
     assert check(page).verdicts[-1].verdict == "refuted"
+
+
+LETTERS_TOLD = {
+    "page.html": r"<p>\(r\) is the crank radius, \(l\) the rod length and \(\lambda = r/l\).</p>",
+    "page.md": r"$r$ crank radius, $l$ rod length, $\lambda = r/l$",
+    "seite.md": r"$r$ Kurbelradius, $l$ Pleuellänge, $\lambda = r/l$",
+    "頁.md": r"クランク半径 $r = 45$ mm、連接棒の長さ $l = 150$ mm、$\lambda = r/l$ とする。",
+}
+
+
+@pytest.mark.parametrize("name", LETTERS_TOLD)
+def test_a_list_of_letters_tells_what_they_mean(name: str) -> None:
+    proposed = propose(LETTERS_TOLD[name], name, lambda line: (), NoEngines()).meanings
+    assert {letter: each.meaning for letter, each in proposed.items()} == {
+        "r": "crank radius",
+        "l": "rod length",
+        "lambda": "crank ratio r/l",
+    }
+
+
+def test_a_phrase_between_two_letters_is_not_of_both() -> None:
+    page = r"At $\theta$ crank radius $r$ and rod meet: $x = r\cos\theta$"
+    proposed = propose(page, "page.md", lambda line: (), NoEngines()).meanings
+    assert "theta" not in proposed or proposed["theta"].meaning != "crank radius"
+
+
+SHAFTS = "$m = 0.7$ kg, $r = 45$ mm, $l = 150$ mm, $\\lambda = r/l = 0.3$, $r_b = 15$ mm.\n\n"
+BALANCE = r"$$2 m_b r_b (2\omega)^2 = 4\lambda m r\omega^2$$" + "\n\n"
+SOLVED = {
+    r"$$m_b = \frac{\lambda m r}{4 r_b}$$": "λ m r/(2 r_b)",
+    r"$$m_b = \frac{\lambda m r}{r_b}$$": "λ m r/(2 r_b)",
+    r"$$m_b r_b = \lambda m r$$": "1/2 λ m r",
+}
+
+
+@pytest.mark.parametrize("line", SOLVED)
+@pytest.mark.parametrize("sizes", ["", SHAFTS])
+def test_a_wrong_solution_says_what_it_should_be(line: str, sizes: str) -> None:
+    wrong = check(sizes + BALANCE + line).verdicts[-1]
+    assert wrong.verdict == "refuted"
+    assert wrong.fix is not None
+    assert wrong.fix.text == SOLVED[line]
+    right = {r"$$m_b = \frac{\lambda m r}{2 r_b}$$", r"$$m_b r_b = \frac{1}{2}\lambda m r$$"}
+    for page in right:
+        assert check(sizes + BALANCE + page).verdicts[-1].verdict not in BAD

@@ -201,13 +201,16 @@ _AFTER = re.compile(
     r"(?:(?:is|are|be|by|called|denoted|given|with|mit|ist|sei|heißt|bezeichnet|als|を|が|は)[\s$\\({]*){0,2}"
 )
 _BEFORE = re.compile(
-    r"[\s$)}\]）」]*(?:(?:\([^()]{0,12}\)|（[^（）]{0,12}）)\s*)?"
+    r"[\s$\\)}\]）」]*(?:(?:\([^()]{0,12}\)|（[^（）]{0,12}）)\s*)?"
     r"(?:[:：=]\s*(?:[lrs]/[lrs]\s*)?[\u3040-\u9fff]{0,8}"
     r"|(?:is|are|be|being|denotes|means|stands\s+for|ist|sei|bezeichnet)\b|,\s*(?=the\b|der\b|die\b|das\b)"
     r"|は[^、。は]{0,14}|が[^、。は]{0,20}|を|…|\.{2,3}|[-–—])[\s$]*"
     r"(?:(?:the|a|an|der|die|das|den|its|one|half)\s+)?"
 )
-_OF_LIST = re.compile(r"[\s$)]{1,3}(?:the|der|die|das|den)\s+")
+_OF_LIST = re.compile(r"[\s$\\)]{1,4}(?:the|der|die|das|den)\s+")
+_BARE = re.compile(r"\$ |\\\) ")
+_LISTED = re.compile(r"(?:^|[,;:(]|\*)\s*(?:\$|\\\()\s*\\?$")
+_LIST_GOES_ON = re.compile(r"\s*(?:[,;.)]|$)")
 _COUNTED = re.compile(
     r"(?<![A-Za-z\\])\$?([NnkKzij])\$?"
     r"(?:気筒|次の?(?:慣性|成分|$)|[- ]cylinders?\b|[- ]?th\b| Zylinder|-te\b)"
@@ -228,8 +231,11 @@ def _gap_is_naming(line: str, start: int, end: int, first: int, last: int) -> bo
         return False
     # "R is the crank radius, L the length of the rod": of a list each but the first goes without "is"
     is_in_list = line[:first].rstrip(" $\\(").endswith((",", ";", "and", "und", "with", "where", "mit"))
-    return _BEFORE.fullmatch(line, last, start) is not None or (
-        is_in_list and _OF_LIST.fullmatch(line, last, start) is not None
+    is_of_list = is_in_list and _OF_LIST.fullmatch(line, last, start) is not None
+    return is_of_list or _BEFORE.fullmatch(line, last, start) is not None or (
+        _BARE.fullmatch(line, last, start) is not None  # "$r$ crank radius, $l$ rod length"
+        and _LISTED.search(line[:first]) is not None
+        and _LIST_GOES_ON.match(line, end) is not None
     )
 
 
