@@ -208,3 +208,11 @@ def test_a_wrong_solution_says_what_it_should_be(line: str, sizes: str) -> None:
     right = {r"$$m_b = \frac{\lambda m r}{2 r_b}$$", r"$$m_b r_b = \frac{1}{2}\lambda m r$$"}
     for page in right:
         assert check(sizes + BALANCE + page).verdicts[-1].verdict not in BAD
+
+
+def test_an_exponent_lost_in_a_series_is_named() -> None:
+    page = MOTION + r"$$\sqrt{1-\lambda^2\sin^2\psi} \approx 1 - \frac{\lambda}{2}\sin^2\psi$$"
+    wrong = check(page).verdicts[-1]
+    assert wrong.verdict == "refuted"
+    assert wrong.fix is not None
+    assert wrong.fix.words == "exponent of the second term"
