@@ -1,4 +1,4 @@
-"""Students' answers to an exercise on balancing: right ones are not accused, slips are named as a teacher would."""
+"""Students' answers to an exercise on balancing: right ones are not accused, slips are named."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def test_a_wrong_answer_does_not_pass(page: str) -> None:
 
 
 MOTION = r"""
-Let $r$ be the crank radius, $l$ the length of the connecting rod, $\lambda = r/l$ and $\theta$ the crank angle.
+Let $r$ be the crank radius, $l$ the rod length, $\lambda = r/l$ and $\theta$ the crank angle.
 The displacement of the piston from top dead centre is
 $$x = r(1-\cos\theta) + l\left(1-\sqrt{1-\lambda^2\sin^2\theta}\right)$$
 """
@@ -138,7 +138,8 @@ NUMBERS = {
         "5775 m/s²",
     ),
     r"$m = 0.6-0.4 = 0.3\ \mathrm{kg}$": ("miscalculated", "0.2 kg"),
-    r"$r = 45$ mm, $\omega = 314.16$ rad/s, $b = r\omega^2 = 0.045\cdot 314.16^2 = 4441\ \mathrm{mm/s^2}$": (
+    r"$r = 45$ mm, $\omega = 314.16$ rad/s, "
+    r"$b = r\omega^2 = 0.045\cdot 314.16^2 = 4441\ \mathrm{mm/s^2}$": (
         "unit: m/s², not mm/s²",
         "4441 m/s²",
     ),

@@ -346,11 +346,10 @@ class _PlainUnit:
     def is_unit(self, names: Collection[str]) -> bool:
         """Tell whether the word is a unit where these letters are declared."""
         long_parts = [part for part in self.parts if len(part) > 1]
-        if self.parts[0] == "us" or any(part in names for part in long_parts):
+        is_own = self.parts[0] == "us" or self._is_own_letter_in_brackets()
+        if is_own or any(part in names for part in long_parts):
             return False
         is_letters = self._is_declared(names)
-        if self._is_own_letter_in_brackets():
-            return False
         if len(self.word) == 1 and not is_letters and self.word in explained_letters(self.text):
             is_letters = True
         if self.word.startswith("1/") or re.search(r"\^\{?\(?[-−]|⁻", self.word):

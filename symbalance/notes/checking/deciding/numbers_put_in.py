@@ -88,7 +88,7 @@ def _number_of(node: Formula) -> Number | None:
 
 
 def rounded_results(document: ReadNotes) -> frozenset[float]:
-    """Return the whole numbers of three digits that a page prints for what is none: 0.045·314.2² = 4442."""
+    """Return the whole numbers that a page prints for what is none: 0.045·314.2² = 4442."""
     results, exact = set[float](), set[float]()
     for chain in document.chains:
         for before, side in pairwise(chain.sides):

@@ -232,10 +232,14 @@ def _gap_is_naming(line: str, start: int, end: int, first: int, last: int) -> bo
     # "R is the crank radius, L the length of the rod": of a list each but the first goes without "is"
     is_in_list = line[:first].rstrip(" $\\(").endswith((",", ";", "and", "und", "with", "where", "mit"))
     is_of_list = is_in_list and _OF_LIST.fullmatch(line, last, start) is not None
-    return is_of_list or _BEFORE.fullmatch(line, last, start) is not None or (
-        _BARE.fullmatch(line, last, start) is not None  # "$r$ crank radius, $l$ rod length"
-        and _LISTED.search(line[:first]) is not None
-        and _LIST_GOES_ON.match(line, end) is not None
+    return (
+        is_of_list
+        or _BEFORE.fullmatch(line, last, start) is not None
+        or (
+            _BARE.fullmatch(line, last, start) is not None  # "$r$ crank radius, $l$ rod length"
+            and _LISTED.search(line[:first]) is not None
+            and _LIST_GOES_ON.match(line, end) is not None
+        )
     )
 
 

@@ -34,20 +34,17 @@ def define_anew(
 ) -> Decision | None:
     """Return the decision on another value of a defined letter: a new case, a condition, or None."""
     earlier, line = knowledge.definitions[name], chain.lines[0]
-    if not k and _is_of_new_letters(definitions, name, value, chain, knowledge):
+    anew = "" if k else _anew_by_its_letters(definitions, name, value, chain, knowledge)
+    if anew:
         definitions.define(name, without_dots(value)[0], chain)
-        return Decision(DEFINITION, f"anew: of other letters than in line {earlier.line}")
-    if not k and _is_of_another_exercise(definitions, name, value, chain, knowledge):
-        definitions.define(name, without_dots(value)[0], chain)
-        return Decision(DEFINITION, f"anew: not what line {earlier.line} has")
+        return Decision(DEFINITION, anew)
     by_premises = decide_by_premises(definitions, Premise(Name(name), value, line), knowledge)
-    if by_premises is not None and _is_wrong_solution(earlier, value, by_premises, chain, k, knowledge):
-        return None  # judged as a step: what it should be says more than that it cannot be
     if by_premises is not None:
         outside = outside_range(definitions, name, value, line, knowledge)
         if by_premises.status == PREMISE and outside is None:
             definitions.define(name, value, chain)
-        return outside or by_premises
+        is_slip = _is_wrong_solution(earlier, value, by_premises, chain, k, knowledge)
+        return None if is_slip else outside or by_premises  # a step says what it should be
     if earlier.solved and _each_has_own_letters(earlier.node, value, knowledge):
         contradiction = outside_range(definitions, name, value, line, knowledge)
         if contradiction is None:
@@ -76,6 +73,17 @@ def _each_has_own_letters(earlier: Formula, value: Formula, knowledge: Knowledge
     """Tell whether a second value fixes another letter: F_1 = -F_2, then F_1 = cos θ; or is a number."""
     first, second = (set(_letters_behind([node], knowledge)) for node in (earlier, value))
     return not second or bool(first - second and second - first)
+
+
+def _anew_by_its_letters(
+    definitions: Definitions, name: str, value: Formula, chain: Chain, knowledge: Knowledge
+) -> str:
+    """Return why a formula is that of another thing with the same letter, "" if it is not."""
+    line = knowledge.definitions[name].line
+    if _is_of_new_letters(definitions, name, value, chain, knowledge):
+        return f"anew: of other letters than in line {line}"
+    is_elsewhere = _is_of_another_exercise(definitions, name, value, chain, knowledge)
+    return f"anew: not what line {line} has" if is_elsewhere else ""
 
 
 def _is_of_new_letters(

@@ -458,7 +458,8 @@ def _integers(
                     kind = f"number misprinted ({swap})" if abs(value) != abs(part.value) else "sign"
                     penalty = 0.6 if value.denominator > 12 or abs(value) > 20 * abs(part.value) else 0
                     cost = (1.1 if simple else 1.4) + (0.05 if inverse else 0) + penalty
-                    cost += NOT_REDUCED if _could_be_reduced(part, value, parents) else 0
+                    if names(case.node) and _could_be_reduced(part, value, parents):
+                        cost += NOT_REDUCED  # of numbers put in, 100/150 stands as they are
                     if part.last_place:
                         new, kind = _decimal(Fraction(value), part.last_place), "value"
                     elif inverse and not simple:

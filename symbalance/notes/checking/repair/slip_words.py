@@ -25,24 +25,24 @@ def slip_words(kind: str, side: Formula, changes: tuple[tuple[Formula, Formula],
     >>> slip_words("sign", Sum((x, y)), ((y, y.operand),)), slip_words("cos for sin", x, ((x, y),))
     ('sign of the second term', 'cos, not sin')
     """
-    if match := _MISPRINTED.fullmatch(kind):
+    if match := _MISPRINTED.fullmatch(kind) or _INSTEAD.fullmatch(kind):
         return f"{match[1]}, not {match[2]}" if match[1] != "1" else f"{match[2]} is too much"
-    if match := _INSTEAD.fullmatch(kind):
-        return f"{match[1]}, not {match[2]}"
     (old, new), *others = changes
     if kind == "value" and not formula.names(side):
         return "miscalculated"
-    if kind == "sign" and not others and (function := _function_around(old, side)):
-        return f"sign in the argument of {function}"
     if kind == "factor" and not others:
         factor = _factor(old, new)
-        if factor is None:
-            return "a factor"
-        return f"factor {formula_text(factor, plain=True)} is missing"
-    if kind in _OF_A_TERM and not others:
-        term = _term_with(old, side)
-        return f"{kind} of the {_ORDINALS[term]} term" if term is not None else kind
-    return kind
+        return f"factor {formula_text(factor, plain=True)} is missing" if factor else "a factor"
+    return f"{kind}{_place(kind, old, side)}" if kind in _OF_A_TERM and not others else kind
+
+
+def _place(kind: str, part: Formula, side: Formula) -> str:
+    """Return where in a side a slip stands: in an argument, in the second term; "" where it is plain."""
+    function = _function_around(part, side) if kind == "sign" else ""
+    if function:
+        return f" in the argument of {function}"
+    term = _term_with(part, side)
+    return "" if term is None else f" of the {_ORDINALS[term]} term"
 
 
 def _function_around(part: Formula, side: Formula) -> str:

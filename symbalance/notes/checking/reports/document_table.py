@@ -149,7 +149,7 @@ class DocumentTable(Result):
         )
 
     def _copies(self) -> list[Words]:
-        """Return which documents have the same relations on the same lines: one is a copy of the other."""
+        """Return which documents have the same relations on the same lines, as copies have."""
         alike: dict[str, list[str]] = {}
         for row, name in zip(self.rows, _short_names(self.rows), strict=True):
             entries = [(e["line"], e["link"], e.get("left"), e["source"]) for e in _entries(row)]

@@ -189,7 +189,7 @@ def _line(verdict: Verdict, sides: Sides, text: str) -> SourceLine:
 
 
 def _source(verdict: Verdict, sides: Sides, text: str) -> str:
-    """Return what is shown of a relation: its right side; of one that is wrong both, if they are short."""
+    """Return the side of a relation that is shown: the right one; of a wrong relation both, if short."""
     chain, k = sides.get(verdict.span, (None, 0))
     if verdict.verdict not in FAILING or chain is None or not k:
         return verdict.source

@@ -31,7 +31,8 @@ _CAPTION = re.compile(
     re.IGNORECASE,
 )
 _NUMBERED = re.compile(
-    r" {0,3}(?:[*_]{1,2})?(?:(?:Q|Ex|Aufgabe|Exercise|Problem|Question|Task|Part|Teil|問題?)\.? ?)?[0-9]{1,2}[.):]"
+    r" {0,3}(?:[*_]{1,2})?(?:(?:Q|Ex|Aufgabe|Exercise|Problem|Question|Task|Part|Teil|問題?)\.? ?)?"
+    r"[0-9]{1,2}[.):]"
 )
 """A line that begins a numbered exercise or answer."""
 _IN_BRACKETS = re.compile(r"\s*\([^()\n$]{1,40}\)\s*$")
