@@ -217,3 +217,9 @@ def test_an_exponent_lost_in_a_series_is_named() -> None:
     assert wrong.verdict == "refuted"
     assert wrong.fix is not None
     assert wrong.fix.words == "exponent of the second term"
+
+
+def test_of_two_motions_named_a_letter_is_its_usual_one() -> None:
+    page = "Kolbengeschwindigkeit und Kolbenbeschleunigung:\n$$v = r\\omega\\sin\\varphi$$"
+    proposed = propose(page, "seite.md", lambda line: (), NoEngines()).meanings
+    assert proposed["v"].meaning == "piston velocity"

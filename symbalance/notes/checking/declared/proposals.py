@@ -335,8 +335,10 @@ class _Roles:
             return
         letter = self._letter_alone_on_the_left(self.lines[follows])
         roles = [role for role in roles if role.end <= after.start() and role.may_name(letter)]
-        if letter and roles and not self.introduced.get(letter) and roles[-1].role != RATIO:
-            self._add(letter, roles[-1].role, number, _quotation(line, roles[-1].start, roles[-1].end))
+        usual = [role for role in roles if USUAL["crank"].get(letter) == role.role]
+        named = (usual or roles)[-1:]  # of "velocity and acceleration:" v is the velocity
+        if letter and named and not self.introduced.get(letter) and named[0].role != RATIO:
+            self._add(letter, named[0].role, number, _quotation(line, named[0].start, named[0].end))
 
     def _letter_alone_on_the_left(self, line: str) -> str:
         match = _LEFT_ALONE.match(line.strip().lstrip("$&").strip())
