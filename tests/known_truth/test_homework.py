@@ -223,3 +223,17 @@ def test_of_two_motions_named_a_letter_is_its_usual_one() -> None:
     page = "Kolbengeschwindigkeit und Kolbenbeschleunigung:\n$$v = r\\omega\\sin\\varphi$$"
     proposed = propose(page, "seite.md", lambda line: (), NoEngines()).meanings
     assert proposed["v"].meaning == "piston velocity"
+
+
+PUT_IN = {
+    r"$m = 0.6$ kg, $l = 150$ mm, $a = 50$ mm, "
+    r"$m_A = m\frac{l-a}{l} = 0.6\cdot\frac{50}{150} = 0.2$ kg": ("{50}", "100"),
+    r"$n = 3000$ min$^{-1}$, $q = \frac{\pi n}{60} = \frac{\pi\cdot3000}{30}$": ("{30}", "60"),
+}
+
+
+@pytest.mark.parametrize("page", PUT_IN)
+def test_of_numbers_put_in_the_one_that_no_letter_has_is_wrong(page: str) -> None:
+    wrong = next(v for v in check(page).verdicts if v.verdict == "refuted")
+    assert wrong.fix is not None
+    assert [(each.source, each.should) for each in wrong.fix.faults] == [PUT_IN[page]]
