@@ -164,6 +164,11 @@ _OF_GRAVITY = re.compile(
 )
 
 
+_LETTER_SET = re.compile(r"(?<![\w\\{^./·*+\-−])(?<![\w\\{^./·*+\-−] )([A-Za-z])(?: ?&)? ?=(?!=)")
+_SUM_BEFORE = re.compile(r"[(\[][^()\[\]\n=]*[+\-−] ?[0-9][0-9.,{}]*(?: |~|\\[,;: ])*$")
+_CLOSED = re.compile(r"(?: |\\right)*[)\]]")
+
+
 @lru_cache(maxsize=8)
 def speaks_of_grams(text: str) -> bool:
     """Tell whether a text weighs in grams, and has no g for the acceleration of gravity.
@@ -230,6 +235,12 @@ def explained_letters(text: str) -> frozenset[str]:
     ['N', 'W']
     """
     return frozenset(m["first"] or m["second"] or m["third"] for m in _EXPLAINED.finditer(text))
+
+
+@lru_cache(maxsize=8)
+def _letters_with_values(text: str) -> frozenset[str]:
+    """Return the single letters that a text sets equal to something: m = 0.7 kg, but not F_m = 3 N."""
+    return frozenset(match[1] for match in _LETTER_SET.finditer(text))
 
 
 def unit_set_at(text: str, place: int, end: int) -> tuple[str, int] | None:
@@ -335,7 +346,8 @@ class _PlainUnit:
     def is_unit(self, names: Collection[str]) -> bool:
         """Tell whether the word is a unit where these letters are declared."""
         long_parts = [part for part in self.parts if len(part) > 1]
-        if self.parts[0] == "us" or any(part in names for part in long_parts):
+        is_own = self.parts[0] == "us" or self._is_own_letter_in_brackets()
+        if is_own or any(part in names for part in long_parts):
             return False
         is_letters = self._is_declared(names)
         if len(self.word) == 1 and not is_letters and self.word in explained_letters(self.text):
@@ -350,6 +362,17 @@ class _PlainUnit:
             return self._is_gram_or_multiple_of_g()
         is_big = self.word in "NJWK" and self.spaced
         return (is_big or self._is_measured()) and not self._goes_on()
+
+    def _is_own_letter_in_brackets(self) -> bool:
+        """Tell whether a letter of the page ends a sum in brackets: (m_r + 0.5 m) where m = 0.7 kg.
+
+        Of units, each term would have one, or the bracket one behind it.
+        """
+        if len(self.word) > 1 or self.word not in _letters_with_values(self.text):
+            return False
+        opened = _SUM_BEFORE.search(self.text[max(self.place - 80, 0) : self.place])
+        closed = _CLOSED.match(self.text, self.stop, self.end)
+        return opened is not None and closed is not None and not _UNIT_AROUND.search(opened[0])
 
     def _fills_braces(self) -> bool:
         """Tell whether a count and a letter are all of a group: the 4m^2 of \\frac{b^2}{4m^2}."""

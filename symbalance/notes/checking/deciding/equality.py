@@ -39,6 +39,8 @@ class Decision:
     """The order through which two sides were compared, None for an exact comparison."""
     of_matrices: bool = False
     """Whether the sides are matrices, whose products do not commute."""
+    expanded_in: str = ""
+    """The letter in which both sides are cut off."""
     further: tuple[Form, ...] = ()
     """The exact side cut off one and two orders later: what a repaired side may come to."""
 

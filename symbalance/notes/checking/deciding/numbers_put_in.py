@@ -34,6 +34,7 @@ MOST_ZEROS = 40
 _SCALES = (1.0, 1e-3, 1e3, 1e-6, 1e6)
 """A value in mm, kN or MPa is put in as it is typed."""
 _ROUNDING = 1 + 1e-9
+_EXACTLY = 1e-9
 _DEGREES = (15, 18, 22.5, 30, 36, 40, 45, 360 / 7, 54, 60, 72, 75)
 _EXACT = (
     *(math.sqrt(n) for n in (2, 3, 5, 6, 7, 10)),

@@ -369,7 +369,8 @@ class Judge:
         """Return for each two readings of two sides where their units differ, None where they do not."""
         values = {name: d.node for name, d in knowledge.definitions.items()}
         symbols = self.declarations.symbols_at(chain.lines[0])
-        dimensions = Dimensions(symbols, values, self.document.text)
+        rounded = {n: d.rounded for n, d in knowledge.definitions.items() if d.rounded is not None}
+        dimensions = Dimensions(symbols, values, self.document.text, rounded)
         left, right = chain.sides[against], chain.sides[k + 1]
         sources = (self.document.source(left.span), self.document.source(right.span))
         return {
@@ -389,6 +390,8 @@ class Judge:
             lettered += [
                 n for n, head in heads if isinstance(head, Name) and _has_dimension(head, symbols)
             ]
+            formulas = (n for n in range(against - 1, 0, -1) if names(chain.sides[n].node))
+            lettered += [n for n in formulas if n not in lettered][:1]  # m r ω² = 0.7·0.045·314² = 3110 J
         for place in lettered:
             mismatches = list(self._mismatches(chain, k, place, knowledge).values())
             if all(mismatches) and mismatches[0] is not None:

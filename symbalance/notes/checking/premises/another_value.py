@@ -44,11 +44,7 @@ def define_anew(
 ) -> Decision | None:
     """Return the decision on another value of a defined letter: a new case, a condition, or None."""
     earlier, line = knowledge.definitions[name], chain.lines[0]
-    other = ""
-    if not k and _is_at_another_place(definitions, name, value, chain, knowledge):
-        other = f"at another place than in line {earlier.line}"
-    elif not k and _is_of_new_letters(definitions, name, value, chain, knowledge):
-        other = f"anew: of other letters than in line {earlier.line}"
+    other = "" if k else _anew_at_its_place(definitions, name, value, chain, knowledge)
     if other:
         definitions.define(name, without_dots(value)[0], chain)
         return Decision(DEFINITION, other)
@@ -57,7 +53,8 @@ def define_anew(
         outside = outside_range(definitions, name, value, line, knowledge)
         if by_premises.status == PREMISE and outside is None:
             definitions.define(name, value, chain)
-        return outside or by_premises
+        is_slip = _is_wrong_solution(earlier, value, by_premises, chain, k, knowledge)
+        return None if is_slip else outside or by_premises  # a step says what it should be
     if earlier.solved and _each_has_own_letters(earlier.node, value, knowledge):
         contradiction = outside_range(definitions, name, value, line, knowledge)
         if contradiction is None:
@@ -104,6 +101,19 @@ def _each_has_own_letters(earlier: Formula, value: Formula, knowledge: Knowledge
     return not second or bool(first - second and second - first)
 
 
+def _anew_at_its_place(
+    definitions: Definitions, name: str, value: Formula, chain: Chain, knowledge: Knowledge
+) -> str:
+    """Return why a formula is that of another thing with the same letter, "" if it is not."""
+    line = knowledge.definitions[name].line
+    if _is_at_another_place(definitions, name, value, chain, knowledge):
+        return f"at another place than in line {line}"
+    if _is_of_new_letters(definitions, name, value, chain, knowledge):
+        return f"anew: of other letters than in line {line}"
+    is_elsewhere = _is_of_another_exercise(definitions, name, value, chain, knowledge)
+    return f"anew: not what line {line} has" if is_elsewhere else ""
+
+
 def _is_of_new_letters(
     definitions: Definitions, name: str, value: Formula, chain: Chain, knowledge: Knowledge
 ) -> bool:
@@ -132,6 +142,42 @@ def _is_of_new_letters(
     earlier = [c for c in above if last is None or c.sides[0].span[0] < last]
     used = frozenset[str]().union(*(c.letters for c in earlier))
     return last is not None and used.isdisjoint(own)
+
+
+def _is_wrong_solution(
+    earlier: Definition, value: Formula, by_premises: Decision, chain: Chain, k: int, knowledge: Knowledge
+) -> bool:
+    """Tell whether an equation was solved for a letter, and a formula is not what it comes to."""
+    is_refused = by_premises.status in (CONTRADICTION, UNDECIDED)
+    if not is_refused or not earlier.solved or earlier.numeric or not names(value):
+        return False
+    if isinstance(value, Name) or not names(earlier.node) or earlier.alternatives:
+        return False
+    bare, sign = without_dots(value)[0], chain.relations[k].sign
+    return decide(lone_side(earlier.node), lone_side(bare), sign, knowledge).status == REFUTED
+
+
+def _is_of_another_exercise(
+    definitions: Definitions, name: str, value: Formula, chain: Chain, knowledge: Knowledge
+) -> bool:
+    """Tell whether a letter with a number has a formula of a new letter, and another number, elsewhere.
+
+    The couple M = 485 N m of exercise 6 is not the torque M = P/ω = 40000/314 = 127 N m of exercise 10.
+    """
+    earlier, sections = knowledge.definitions[name], definitions.sections
+    if not earlier.numeric or sections.same_exercise(earlier.line, chain.lines[0]):
+        return False
+    is_new = any(n not in knowledge.definitions and not knowledge.has_meaning(n) for n in names(value))
+    if not is_new or sections.is_consequence(chain):
+        return False
+    numbers = [side.node for side in chain.sides[2:] if not names(side.node)]
+    points = sample_trees([earlier.node, numbers[-1]], SymbolValue(), 1) if numbers else []
+    return bool(points) and _is_far(*points[0][1])
+
+
+def _is_far(old: complex, new: complex) -> bool:
+    """Tell whether a second value is no slip of the first."""
+    return abs(old - new) > NEARLY * max(abs(old), abs(new))
 
 
 def _is_anew(definitions: Definitions, earlier: Definition, chain: Chain) -> bool:
@@ -169,8 +215,7 @@ def _new_case(earlier: Definition, value: Formula, sign: str, knowledge: Knowled
     points = sample_trees([earlier.node, value], SymbolValue(), 1)
     if not points:
         return True
-    old_value, new_value = points[0][1]
-    return abs(old_value - new_value) > NEARLY * max(abs(old_value), abs(new_value))
+    return _is_far(*points[0][1])
 
 
 def _has_number_put_in(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import names
+from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
@@ -34,7 +35,7 @@ def unless_given(
     if not state.general:
         as_statement = (fix_matrix if of_matrices else fix_letter)(state, chain, k, knowledge)
         if as_statement is not None:
-            return as_statement
+            return _with_what_it_should_be(state, chain, k, as_statement, decision, knowledge)
     sign = chain.relations[k].sign
     decision, is_open = _with_premises(state, against, right, sign, decision, knowledge)
     if is_open and not of_matrices:
@@ -62,12 +63,37 @@ def _following(
     statement = state.definitions.premise_of(chain, k)
     by_premises = decide_by_premises(state.definitions, statement, knowledge)
     if by_premises is not None and by_premises.status != PREMISE:
-        return by_premises
+        return _with_what_it_should_be(state, chain, k, by_premises, decision, knowledge)
     if by_all.status != REFUTED:
         return by_all
     reason = f"does not follow from {lines_of(premises)}"
     is_whole = bool(names(right.node)) and any(statement.names <= p.names for p in premises)
     return replace(by_all, status=REFUTED if is_whole else UNDECIDED, reason=by_all.reason or reason)
+
+
+def _with_what_it_should_be(
+    state: JudgingState,
+    chain: Chain,
+    k: int,
+    as_statement: Decision,
+    decision: Decision,
+    knowledge: Knowledge,
+) -> Decision:
+    """Return a contradiction between formulas as the refutation that it is, which can be mended.
+
+    After 8 m_b r_b ω² = 4 λ m r ω² the line m_b r_b = λ m r is wrong by a factor 1/2.
+    """
+    left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
+    if as_statement.status != CONTRADICTION or not names(left.node) or not names(right.node):
+        return as_statement
+    formulas = {n: d for n, d in knowledge.definitions.items() if names(d.node)}
+    general = replace(knowledge, definitions=formulas)  # without the example's numbers
+    step, is_open = _with_premises(state, left, right, sign, decision, general)
+    if is_open or step.status != REFUTED or step.left is None or step.right is None:
+        return as_statement
+    if not letters(step.left) or {*letters(step.left)} != {*letters(step.right)}:
+        return as_statement
+    return replace(step, reason=as_statement.reason)
 
 
 def _with_premises(

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
@@ -196,6 +196,8 @@ class Dimensions:
     values: Mapping[str, Formula]
     text: str = ""
     """The page, in which units stand at the places of their numbers."""
+    rounded: Mapping[str, Formula] = field(default_factory=dict)
+    """The results that the page prints for letters: 314.2 rad/s for 2π·3000/60."""
 
     def mismatch(self, left: Formula, right: Formula, sources: tuple[str, str]) -> Mismatch | None:
         """Return in which dimensions two sides differ, or a sum's terms; `sources` are their texts.
@@ -272,10 +274,12 @@ class Dimensions:
         value = self.values.get(name)
         if declared is not None or value is None:
             return declared
-        if not (self.is_of_units(value) or (meaning is None and names(value))):
+        result = self.rounded.get(name)
+        nodes = [node for node in (value, result) if node is not None and self.is_of_units(node)]
+        if not nodes and not (meaning is None and names(value)):
             return None
         try:
-            return self.of(value, depth)
+            return self.of(nodes[0] if nodes else value, depth)
         except _MismatchError:
             return None  # said where it is defined
 

@@ -30,6 +30,11 @@ _CAPTION = re.compile(
     r"|[*_]{0,2}(?:caption|legende?|bildunterschrift)\s*:|図|表|!\[|\\caption\b)",
     re.IGNORECASE,
 )
+_NUMBERED = re.compile(
+    r" {0,3}(?:[*_]{1,2})?(?:(?:Q|Ex|Aufgabe|Exercise|Problem|Question|Task|Part|Teil|問題?)\.? ?)?"
+    r"[0-9]{1,2}[.):]"
+)
+"""A line that begins a numbered exercise or answer."""
 _IN_BRACKETS = re.compile(r"\s*\([^()\n$]{1,40}\)\s*$")
 """A line of its own in brackets is a remark on what it stands beside: (θ = 90°)."""
 _END = r"\s[^.;:!?\n$=]{0,30}$"
@@ -522,6 +527,12 @@ class Sections:
     def same_section(self, first: int, second: int) -> bool:
         """Tell whether no heading stands between two lines."""
         return self.section_end(min(first, second)) >= max(first, second)
+
+    def same_exercise(self, first: int, second: int) -> bool:
+        """Tell whether neither a heading nor a numbered line begins between two lines: "10. Torque"."""
+        low, high = sorted((first, second))
+        numbered = any(_NUMBERED.match(line) for line in self._lines[low:high])
+        return self.same_section(first, second) and not numbered
 
     def paragraph_start(self, line: int) -> int:
         """Return the first line of the paragraph that a line stands in."""
