@@ -18,6 +18,7 @@ executed as code.
     and_so_on, division_colons      + etc. for dots; 478 : 4 as a quotient
     greek_words, short_greek        lambda = r/l and cos(2*th) in plain text
     letter_e                        the offset e, told from the number
+    letter_i                        the order i, told from the imaginary unit
     lexer, parser                   one formula's text to tokens, and these to trees
     prose, segmentation             where in a text mathematics stands
     document, result_units          a whole text to its chains; units that stand at a result only
