@@ -208,7 +208,7 @@ def _at(evaluator: FormEvaluator, letter: formula.Formula, place: formula.Formul
     if not moving and letters(form) and all(n in meaning.constant for n in letters(form)):
         return form
     if not moving and _is_plain_number(place):
-        raise NoFormError("a value at a place, of which the page does not say in which letter it is taken")
+        raise NoFormError("a value at a place, and the page does not say of which letter")
     name = moving[0] if len(moving) == 1 else turning_letter(evaluator, form, "a value at a place")
     return value_at(evaluator, letter, name, _as_angle(evaluator, name, place))
 

@@ -42,6 +42,7 @@ from symbalance.notes.checking.steps.open_cases import (
 )
 from symbalance.notes.checking.steps.series_relations import judge_series
 from symbalance.notes.checking.units.dimensions import Dimensions, Mismatch, declared_dimension, unit_text
+from symbalance.notes.checking.units.formulas_between_numbers import BETWEEN_NUMBERS
 from symbalance.notes.checking.units.own_units import with_speeds
 from symbalance.notes.checking.verdicts import (
     CONDITION,
@@ -168,6 +169,8 @@ class Judge:
             head = chain.sides[0].node
             if k and verdict.reason.endswith(NO_VALUES_HERE) and isinstance(head, Name):
                 self.state.definitions.define(head.name, chain.sides[k + 1].node, chain)  # F = Σ F_i = …
+            if not k and BETWEEN_NUMBERS in verdict.assumption and isinstance(head, Name):
+                self.state.definitions.define(head.name, chain.sides[1].node, chain)
             self.state.given_numbers.note(chain, k, verdict)
             if verdict.is_unjudged:
                 self.state.not_judged |= dict.fromkeys(_lone_letters(chain, k), relation.line)

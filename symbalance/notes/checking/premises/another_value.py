@@ -50,7 +50,8 @@ def define_anew(
         return contradiction or Decision(PREMISE, f"beside line {earlier.line}")
     is_numbered = name.endswith(")") and not definitions.sections.same_section(earlier.line, line)
     reason = ""
-    if is_numbered or (names(earlier.node) and names(value) and _is_anew(definitions, earlier, chain)):
+    of_letters = names(earlier.node if earlier.formula is None else earlier.formula)
+    if is_numbered or (of_letters and names(value) and _is_anew(definitions, earlier, chain)):
         reason = f"anew: in line {earlier.line} it was another one's"
     elif _is_exact_form(name, value, earlier, chain, k, knowledge):
         reason = f"exactly what line {earlier.line} has approximately"
@@ -62,7 +63,9 @@ def define_anew(
         turning = _turning_behind(name, earlier.node, knowledge)
         definitions.open_conditions |= dict.fromkeys(turning, condition)  # c ≈ 0.25, so θ ≈ 75.5°
     is_put_in = not names(value) and _has_number_put_in(definitions, earlier, line, knowledge)
-    if is_put_in or not _new_case(earlier, value, chain.relations[k].sign, knowledge):
+    is_datum = not k and not names(value) and definitions.sections.is_in_list_of_data(chain, earlier.line)
+    is_datum = is_datum and earlier.numeric and earlier.formula is None
+    if not is_datum and (is_put_in or not _new_case(earlier, value, chain.relations[k].sign, knowledge)):
         return None
     return _define_case_anew(definitions, name, value, earlier, chain, knowledge)
 

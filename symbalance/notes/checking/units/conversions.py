@@ -33,7 +33,7 @@ ABOUT_GRAVITY = Fraction(4, 10**4)
 _OF_WEIGHT = {"kp", "kgf", "gn", "kgf/cm²", "kgf/cm^2", "kp/cm²", "kgf·m", "kgf m", "kp m", "kpm"}
 _WEIGHTS = ("lb", "lbs", "ton")
 TONS = (2240 * POUND, 2000 * POUND, Fraction(1000))
-"""What a ton is, in kg: the long, the short and the metric one. An author says which by what he converts."""
+"""What a ton is, in kg: the long, the short and the metric one. A conversion says which."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,9 +18,13 @@ from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _HEADING = re.compile(
     r"#{1,6}\s|={2,6}\s*\S.*|<h[1-6]\b"
-    r"|\\(?:part|chapter|(?:sub){0,2}section|paragraph|subparagraph)\*?\s*[\[{]",
+    r"|\\(?:part|chapter|(?:sub){0,2}section|paragraph|subparagraph)\*?\s*[\[{]"
+    r"|(?:§\s?|art(?:icle|ikel|\.)\s)?[0-9]{1,3}\.?\s+[^\W\d_][^.=\n]{2,80}\.\s?(?:--|[—–])",
     re.IGNORECASE,
 )
+"""Headings; those of old books stand in the line, "34. Hammer blow.--Let the fraction …"."""
+FEWEST_DATA = 2
+"""Letters that get their first numbers beside one that has another one before, in data of an example."""
 _BLOCK = "p|h[1-6]|li|[ou]l|d[dtl]|blockquote|div|section|article|table|t[rdh]|pre|figure|hr"
 _BLOCK_BEGINS = re.compile(rf"\s*<(?:{_BLOCK})\b[^>]*>", re.IGNORECASE)
 _BLOCK_ENDS = re.compile(rf"</(?:{_BLOCK})>\s*$", re.IGNORECASE)
@@ -244,6 +248,24 @@ class Sections:
         """Return the letters that a line's own paragraph gives a number: with x = 15 once more."""
         own = self._numbers_given.get(self.paragraph_start(line), {})
         return frozenset(name for name, first in own.items() if first <= line)
+
+    def is_in_list_of_data(self, chain: Chain, earlier_line: int) -> bool:
+        """Tell whether a relation stands among the data of an example of its own, in another section.
+
+        Some numbers are given there, to letters that had none in the earlier line's section.
+        """
+        line = chain.lines[0]
+        if self.same_section(earlier_line, line):
+            return False
+        own = self._numbers_given.get(self.paragraph_start(line), {})
+        first = max((heading for heading in self._headings if heading <= earlier_line), default=1)
+        there = {
+            name
+            for start, numbers in self._numbers_given.items()
+            if first <= start <= self.section_end(earlier_line)
+            for name in numbers
+        }
+        return len(own.keys() - there) >= FEWEST_DATA
 
     def section_end(self, line: int) -> int:
         """Return the last line of the section that a line stands in."""
