@@ -35,6 +35,7 @@ from symbalance.notes.checking.premises.carried_values import CarriedValues
 from symbalance.notes.checking.premises.conditions_behind import equalities_behind, with_conditions
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.premises.system import Premise
+from symbalance.notes.checking.steps.printed_results import PrintedResults
 from symbalance.notes.checking.words.crank_angles_listed import crank_angles, listed_at
 from symbalance.notes.checking.words.integer_words import integers_said
 from symbalance.notes.checking.words.sections import Sections
@@ -81,6 +82,7 @@ class JudgingState:
         self.printed = printed_results(self.document)
         self.wrong_numbers = CarriedValues()
         self.given_numbers = GivenNumbers()
+        self.results = PrintedResults()
         self.speeds = speeds_of(self.document.text)
         self.crank_angles = crank_angles(self.document.text)
         sides = [side.node for chain in self.document.chains for side in chain.sides]

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symbalance.document.formula import names
+from symbalance.document.formula import Name, Number, names
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.premises.leftover_premises import decide_with_sizes
 from symbalance.notes.checking.premises.premise_branches import decide_on_branches
 from symbalance.notes.checking.premises.premise_decisions import decide_by_premises, must_follow
@@ -36,12 +37,24 @@ def unless_given(
         if as_statement is not None:
             return as_statement
     sign = chain.relations[k].sign
+    if _is_of_known_numbers(left, right, decision, knowledge):
+        return decision
     decision, is_open = _with_premises(state, against, right, sign, decision, knowledge)
     if is_open and not of_matrices:
         refuted = replace(decision, status=REFUTED)
         case = unless_stated(state, chain, k, against, refuted, knowledge)
         return case if case.status in (*STATED, CONTRADICTION) else decision
     return decision
+
+
+def _is_of_known_numbers(left: Side, right: Side, decision: Decision, knowledge: Knowledge) -> bool:
+    """Tell whether a result is refuted by letters that all have numbers: nothing can be added."""
+    if decision.status != REFUTED or not names(left.node) or names(right.node):
+        return False
+    is_another_number = isinstance(left.node, Name) and isinstance(right.node, Number)
+    if names(left.node) & knowledge.angles or is_another_number:
+        return False
+    return number_of(left.node, knowledge) is not None
 
 
 def _following(

@@ -222,6 +222,13 @@ class Dimensions:
         except _MismatchError:
             return None
 
+    def of_numbers(self, node: Formula) -> Dimension | None:
+        """Return the dimension of a side of numbers with units at them, None for any other."""
+        try:
+            return self.of(node) if self.is_of_units(node) else None
+        except _MismatchError:
+            return None
+
     def _turns(self, left: Formula, right: Formula) -> Mismatch | None:
         """Return that turns are set equal to radians: 50 Hz are no 50 rad/s."""
         units = [self.unit_at(left), self.unit_at(right)]
