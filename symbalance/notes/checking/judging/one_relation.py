@@ -95,7 +95,9 @@ def _judge_equality(
     state: JudgingState, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
 ) -> Verdict | Decision:
     """Return the verdict on a relation = or ≈: a definition, a step, or something given."""
-    definition = _demanded(chain.relations[k]) or as_balance_solution(state, chain, k)
+    definition = (
+        _demanded(chain.relations[k]) or _denied(state, chain) or as_balance_solution(state, chain, k)
+    )
     definition = definition or as_equation_for_angle(state, chain, k, knowledge)
     definition = definition or as_proved_solution(state, chain, k)
     definition = definition or decide_solved_wave(state, chain, k, knowledge)
@@ -219,6 +221,14 @@ def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
 def _demanded(relation: Relation) -> Decision | None:
     """Return that a relation with an exclamation mark above only demands something."""
     return Decision(CONDITION, "demanded, to be solved") if relation.is_demanded else None
+
+
+def _denied(state: JudgingState, chain: Chain) -> Decision | None:
+    """Return that a relation is a condition of which the words below say that it fails."""
+    is_one = len(chain.relations) == 1 and chain.relations[0].sign == "="
+    if not is_one or not (names(chain.sides[0].node) and names(chain.sides[1].node)):
+        return None
+    return Decision(CONDITION, "said to fail") if state.sections.is_said_to_fail(chain) else None
 
 
 def _define(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:

@@ -13,6 +13,7 @@ from symbalance.notes.checking.deciding.equality import Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.premises.definitions import Definitions
+from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.verdicts import PREMISE
 from symbalance.notes.checking.words.plain_formulas import lone_side
 from symbalance.notes.reading.equations import Chain
@@ -60,6 +61,8 @@ def define_measured(
         or not names(earlier.node)
         or not is_measured(definitions, chain)
     ):
+        return None
+    if number_of(earlier.node, knowledge) is None:
         return None
     if decide(lone_side(earlier.node), lone_side(value), chain.relations[0].sign, knowledge).is_proved:
         return None

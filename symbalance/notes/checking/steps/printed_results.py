@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from symbalance.document.formula import Formula, Name, Number, names
+from symbalance.document.formula import Formula, Name, Negative, Number, Product, names
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -18,6 +18,23 @@ from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.words.plain_formulas import lone_side
 from symbalance.notes.reading.equations import Chain
+
+
+def is_lone_number(node: Formula) -> bool:
+    """Tell whether a side is one number with its unit, and no arithmetic."""
+    if isinstance(node, Negative):
+        return is_lone_number(node.operand)
+    if isinstance(node, Product) and not names(node):
+        number, *units = node.factors
+        return isinstance(number, Number) and all(_is_factor(unit) for unit in units)
+    return isinstance(node, Number)
+
+
+def _is_factor(node: Formula) -> bool:
+    """Tell whether a factor behind a number is a unit's or a power of ten."""
+    if not isinstance(node, Number) or node.value.denominator > 1:
+        return not isinstance(node, Number) or node.last_place is None
+    return set(str(node.value)) <= {"1", "0"}
 
 
 @dataclass
@@ -35,7 +52,7 @@ class PrintedResults:
     def decide(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
         """Return the decision on a number by those of the letters beside it; None where one has none."""
         left, right = chain.sides[k].node, chain.sides[k + 1]
-        if names(right.node) or isinstance(left, Name | Number) or not names(left):
+        if isinstance(left, Name) or not names(left) or not is_lone_number(right.node):
             return None
         for name in sorted(names(left)):
             value = self._number(name, knowledge)

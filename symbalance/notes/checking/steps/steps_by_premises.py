@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symbalance.document.formula import Name, Number, names
+from symbalance.document.formula import Name, names
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
@@ -17,6 +17,7 @@ from symbalance.notes.checking.premises.solved_premises import concerns, solve_p
 from symbalance.notes.checking.premises.system import Premise, implied, lines_of
 from symbalance.notes.checking.premises.witness_angles import refuted_at_angles
 from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.steps.printed_results import is_lone_number
 from symbalance.notes.checking.steps.stated_equations import fix_letter, unless_stated
 from symbalance.notes.checking.steps.stated_matrices import fix_matrix
 from symbalance.notes.checking.verdicts import CONTRADICTION, PREMISE, REFUTED, STATED, UNDECIDED
@@ -51,8 +52,11 @@ def _is_of_known_numbers(left: Side, right: Side, decision: Decision, knowledge:
     """Tell whether a result is refuted by letters that all have numbers: nothing can be added."""
     if decision.status != REFUTED or not names(left.node) or names(right.node):
         return False
-    is_another_number = isinstance(left.node, Name) and isinstance(right.node, Number)
-    if names(left.node) & knowledge.angles or is_another_number:
+    if (
+        names(left.node) & knowledge.angles
+        or isinstance(left.node, Name)
+        or not is_lone_number(right.node)
+    ):
         return False
     return number_of(left.node, knowledge) is not None
 

@@ -66,6 +66,14 @@ _CONDITION = re.compile(
     re.IGNORECASE,
 )
 """Before an equation that is to be solved, not claimed for all angles."""
+_FAILS = re.compile(
+    r"(?:(?<![A-Za-z])(?:third|fourth|last|latter|this|it|which|dritte|vierte|letzte|letztere|diese|sie)"
+    r"(?![A-Za-z])[^.;\n=$]{0,40}(?<![A-Za-z])(?:fails|(?:is|are)\s+(?:in\s+general\s+)?not\s+(?:satisfied|fulfilled|met)"
+    r"|cannot\s+be\s+(?:satisfied|fulfilled|met)|ist\s+(?:im\s+Allgemeinen\s+)?nicht\s+(?:erfüllt|erfüllbar|zu\s+erfüllen)"
+    r"|nicht\s+erfüllt\s+werden)(?![A-Za-z])|(?:第三|三つ目|最後)の?(?:条件|式)[^。\n]{0,20}(?:満た(?:さない|せない)|成り立たない))",
+    re.IGNORECASE,
+)
+"""Behind an equation that words name, and say not to hold."""
 _ASIDE = re.compile(r"\([^()$=]*\)")
 _LINK = re.compile(
     r"(?:[\s,;:.()、。，；：–—-]|\\(?:[,;: !]|quad|qquad|ldots|dots)|(?<![A-Za-zÀ-ÿ])(?:also|and|so"
@@ -472,6 +480,19 @@ class Sections:
         starts, chains = self._by_start
         first = bisect_left(starts, self._start_of_line(line + 1))
         return not any(line < other.lines[0] for other in chains[first : bisect_left(starts, start)])
+
+    def is_said_to_fail(self, chain: Chain) -> bool:
+        """Tell whether the words right below a relation say that it fails: the third one."""
+        following = self._by_start[0]
+        place = bisect_right(following, chain.sides[0].span[0])
+        end = following[place] if place < len(following) else len(self.document.text)
+        end = min(
+            end, chain.end + LONGEST_INTRODUCTION, self._end_of_line(self.section_end(chain.lines[0]))
+        )
+        return _FAILS.search(self.document.text, chain.end, end) is not None
+
+    def _end_of_line(self, line: int) -> int:
+        return self._line_starts[line] if line < len(self._line_starts) else len(self.document.text)
 
     def is_condition(self, chain: Chain) -> bool:
         """Tell whether a relation is introduced as an equation to be solved: where, condition, set."""
