@@ -35,6 +35,7 @@ from symbalance.notes.checking.premises.letter_values import define_letter
 from symbalance.notes.checking.premises.rough_letters import decide_roughly
 from symbalance.notes.checking.steps.angle_equations import as_equation_for_angle
 from symbalance.notes.checking.steps.dead_centres import value_at_dead_centre
+from symbalance.notes.checking.steps.gravity import decide_with_gravity
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.mean_piston_speed import mean_piston_speed
 from symbalance.notes.checking.steps.open_cases import case_of_a_letter
@@ -119,7 +120,9 @@ def _judge_step(
     left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
     decision, against = _decide_step(state, chain, k, sound, bad, knowledge)
     decision = _with_signs(state, left, right, sign, decision, knowledge)
-    is_settled = is_of_another_size(left.node, right.node, decision)  # nothing else can be meant
+    by_gravity = decide_with_gravity(chain, k, decision, state.document.text, knowledge)
+    decision = by_gravity or decision
+    is_settled = by_gravity is not None or is_of_another_size(left.node, right.node, decision)
     if decision.status in (REFUTED, UNDECIDED) and not is_settled:
         below = None if k else solution_below(state.sections, chain, knowledge)
         solved = _by_mean(state, chain, k, knowledge) or as_solved(state, chain, below, knowledge)
