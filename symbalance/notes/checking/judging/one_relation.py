@@ -38,6 +38,8 @@ from symbalance.notes.checking.steps.dead_centres import value_at_dead_centre
 from symbalance.notes.checking.steps.gravity import decide_with_gravity
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.mean_piston_speed import mean_piston_speed
+from symbalance.notes.checking.steps.much_larger import PLAIN, decide_much_larger, decide_where_larger
+from symbalance.notes.checking.steps.named_roots import as_named_root
 from symbalance.notes.checking.steps.open_cases import case_of_a_letter
 from symbalance.notes.checking.steps.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.steps.solved_balances import as_balance_solution
@@ -75,12 +77,8 @@ def judge_relation(
     of_matrices = is_of_matrices(left.node, right.node, knowledge)
     if of_matrices and (fault := no_relation_of_matrices(relation.sign, left, right, knowledge)):
         return Decision(UNDECIDED, fault)
-    if relation.sign in SATISFIED_BY:
-        if case_of_a_letter(state, chain, k, knowledge):
-            return Decision(RANGE, "a case, whatever value the letter has above")
-        decision = decide_inequality(chain, k, knowledge)
-        state.definitions.note_range(chain, k, decision)
-        return decision
+    if relation.sign in PLAIN or relation.sign in SATISFIED_BY:
+        return _judge_inequality(state, chain, k, knowledge)
     is_equality = relation.sign == "=" and not of_matrices
     if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):
         reason = f"true of the number {name}; here {name} is declared as a letter"
@@ -92,6 +90,20 @@ def judge_relation(
     return _judge_equality(state, chain, k, sound, bad, knowledge)
 
 
+def _judge_inequality(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision:
+    """Return the decision on <, >, ≤, ≥, ≠, ≪ or ≫."""
+    if chain.relations[k].sign in PLAIN:
+        decision = decide_much_larger(chain, k, knowledge)
+        if decision.status == RANGE:
+            state.much_larger.append(chain)
+        return decision
+    if case_of_a_letter(state, chain, k, knowledge):
+        return Decision(RANGE, "a case, whatever value the letter has above")
+    decision = decide_inequality(chain, k, knowledge)
+    state.definitions.note_range(chain, k, decision)
+    return decision
+
+
 def _judge_equality(
     state: JudgingState, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
 ) -> Verdict | Decision:
@@ -101,6 +113,7 @@ def _judge_equality(
     )
     definition = definition or as_equation_for_angle(state, chain, k, knowledge)
     definition = definition or as_proved_solution(state, chain, k)
+    definition = definition or as_named_root(state, chain, k, knowledge)
     definition = definition or decide_solved_wave(state, chain, k, knowledge)
     definition = definition or _define(state, chain, k, knowledge)
     definition = definition or decide_for_values(state.document, chain, k, knowledge)
@@ -120,9 +133,10 @@ def _judge_step(
     left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
     decision, against = _decide_step(state, chain, k, sound, bad, knowledge)
     decision = _with_signs(state, left, right, sign, decision, knowledge)
-    by_gravity = decide_with_gravity(chain, k, decision, state.document.text, knowledge)
-    decision = by_gravity or decision
-    is_settled = by_gravity is not None or is_of_another_size(left.node, right.node, decision)
+    by_special = decide_with_gravity(chain, k, decision, state.document.text, knowledge)
+    by_special = by_special or decide_where_larger(state, chain, k, decision, knowledge)
+    decision = by_special or decision
+    is_settled = by_special is not None or is_of_another_size(left.node, right.node, decision)
     if decision.status in (REFUTED, UNDECIDED) and not is_settled:
         below = None if k else solution_below(state.sections, chain, knowledge)
         solved = _by_mean(state, chain, k, knowledge) or as_solved(state, chain, below, knowledge)

@@ -1,8 +1,8 @@
 """The acceleration of gravity where no line gives it: T = 2π √(J/(m g b)) = 0.791 s with 9.81 m/s².
 
-Pages seldom define g. Beside a mass, or below a weight, it is that of gravity, in metres or, where the page
-has them, in feet: W N² (2π/60)²/g is 0.00034 W N² with 32.2. What is right with one of its usual values
-holds with that; a number that none of them gives is wrong.
+Pages seldom define g. Beside a mass, or below a weight, it is that of gravity, in metres or, where the
+page has them, in feet: W N² (2π/60)²/g is 0.00034 W N² with 32.2. What is right with
+one of its usual values holds with that; a number that none of them gives is wrong.
 """
 
 from __future__ import annotations

@@ -83,6 +83,8 @@ class JudgingState:
         self.wrong_numbers = CarriedValues()
         self.given_numbers = GivenNumbers()
         self.results = PrintedResults()
+        self.much_larger: list[Chain] = []
+        """Relations ≫ and ≪ between letters that the page has stated."""
         self.speeds = speeds_of(self.document.text)
         self.crank_angles = crank_angles(self.document.text)
         sides = [side.node for chain in self.document.chains for side in chain.sides]

@@ -141,6 +141,14 @@ _CASE_BEHIND = re.compile(r"[\s$)\]]{0,4}(?:なら|のとき|の時|の場合|�
 """Behind a relation that is a case, in Japanese."""
 _WHEN_BEHIND = re.compile(r"[\s$)\]]{0,4}(?:なら|のとき|の時|の場合)")
 """Behind one that is not claimed of all angles."""
+_ROOTS_BEHIND = re.compile(
+    r"[\s$)\]\\,.;]{0,12}(?:(?:which|it|this|and|mit|with|und|hat|has|have|die|der|das|the|den)\s+){1,3}"
+    r"(?:(?:the|two|three|four|die|den|zwei|drei|vier|following|real|positive)\s+){0,3}"
+    r"(?:roots?|solutions?|zeros|Wurzeln?|Lösung(?:en)?|Nullstellen?)(?![A-Za-z])"
+    r"|[\s$)\]\\]{0,6}の(?:根|解)|[\s$)\]\\]{0,6}を(?:解く|満たす)",
+    re.IGNORECASE,
+)
+"""Behind one whose roots are named next."""
 _TOP = r"(?:top|inner|upper|oberen?r?|inneren?)\s+(?:dead\s+cent(?:re|er)s?|Totpunkte?s?)|上死点"
 _BOTTOM = r"(?:bottom|outer|lower|unteren?r?|äußeren?)\s+(?:dead\s+cent(?:re|er)s?|Totpunkte?s?)|下死点"
 _SHORT_TOP, _SHORT_BOTTOM = r"(?<![A-Za-z])(?:TDC|OT)(?![A-Za-z])", r"(?<![A-Za-z])(?:BDC|UT)(?![A-Za-z])"
@@ -496,7 +504,7 @@ class Sections:
 
     def is_condition(self, chain: Chain) -> bool:
         """Tell whether a relation is introduced as an equation to be solved: where, condition, set."""
-        if _WHEN_BEHIND.match(self.document.text, chain.end):
+        if any(words.match(self.document.text, chain.end) for words in (_WHEN_BEHIND, _ROOTS_BEHIND)):
             return True
         return _CONDITION.search(_ASIDE.sub(" ", self._text_before(chain))) is not None
 
