@@ -46,7 +46,7 @@ from symbalance.notes.checking.steps.solved_balances import as_balance_solution
 from symbalance.notes.checking.steps.solved_below import as_proved_solution, as_solved
 from symbalance.notes.checking.steps.solved_waves import decide_solved_wave
 from symbalance.notes.checking.steps.stated_matrices import no_relation_of_matrices
-from symbalance.notes.checking.steps.steps_by_premises import unless_given
+from symbalance.notes.checking.steps.steps_by_premises import unless_given, with_premises
 from symbalance.notes.checking.units.conversions import decide_conversion
 from symbalance.notes.checking.units.numbers_in_units import decide_after_units_left_out
 from symbalance.notes.checking.units.printed_units import decide_by_printed_units
@@ -140,7 +140,14 @@ def _judge_step(
     if decision.status in (REFUTED, UNDECIDED) and not is_settled:
         below = None if k else solution_below(state.sections, chain, knowledge)
         solved = _by_mean(state, chain, k, knowledge) or as_solved(state, chain, below, knowledge)
+        refuted = replace(decision, status=REFUTED)
         decision = solved or unless_given(state, chain, k, against, decision, knowledge)
+
+        def by_premises(first: Side, second: Side, _: Decision, known: Knowledge) -> Decision:
+            return with_premises(state, first, second, "=", refuted, known)[0]
+
+        text = state.document.text
+        decision = decide_with_gravity(chain, k, decision, text, knowledge, by_premises) or decision
     if decision.status in STATED:
         return value_at_dead_centre(state, chain, k, knowledge) or decision
     if decision.status == CONTRADICTION:

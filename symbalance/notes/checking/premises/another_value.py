@@ -5,7 +5,17 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Cases, Formula, Name, Negative, Number, Sum, names
+from symbalance.document.formula import (
+    Cases,
+    Formula,
+    Integral,
+    Name,
+    Negative,
+    Number,
+    Product,
+    Sum,
+    names,
+)
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.algebra.tree_values import letters_behind, names_behind, sample_trees
@@ -38,12 +48,13 @@ def define_anew(
         definitions.define(name, without_dots(value)[0], chain)
         return Decision(DEFINITION, f"anew: of other letters than in line {earlier.line}")
     by_premises = decide_by_premises(definitions, Premise(Name(name), value, line), knowledge)
-    if by_premises is not None:
+    is_apart = _is_of_another_section(definitions, earlier, value, chain, knowledge)
+    if by_premises is not None and not is_apart:
         outside = outside_range(definitions, name, value, line, knowledge)
         if by_premises.status == PREMISE and outside is None:
             definitions.define(name, value, chain)
         return outside or by_premises
-    if earlier.solved and _each_has_own_letters(earlier.node, value, knowledge):
+    if earlier.solved and not is_apart and _each_has_own_letters(earlier.node, value, knowledge):
         contradiction = outside_range(definitions, name, value, line, knowledge)
         if contradiction is None:
             definitions.define(name, without_dots(value)[0], chain)
@@ -65,7 +76,9 @@ def define_anew(
     is_put_in = not names(value) and _has_number_put_in(definitions, earlier, line, knowledge)
     is_datum = not k and not names(value) and definitions.sections.is_in_list_of_data(chain, earlier.line)
     is_datum = is_datum and earlier.numeric and earlier.formula is None
-    if not is_datum and (is_put_in or not _new_case(earlier, value, chain.relations[k].sign, knowledge)):
+    if not (is_datum or is_apart) and (
+        is_put_in or not _new_case(earlier, value, chain.relations[k].sign, knowledge)
+    ):
         return None
     return _define_case_anew(definitions, name, value, earlier, chain, knowledge)
 
@@ -134,15 +147,31 @@ def _new_case(earlier: Definition, value: Formula, sign: str, knowledge: Knowled
     old = Side((earlier.node,), (0, 0))
     if sign == "≈" or decide(old, Side((value,), (0, 0)), sign, knowledge).is_proved:
         return False
-    if names(earlier.node) and names(value):
+    is_area = _is_integral_with_a_number(value, knowledge)
+    if names(earlier.node) and names(value) and not is_area:
         return isinstance(value, Name)
-    if names(earlier.node) or names(value):
+    if names(earlier.node) or (names(value) and not is_area):
         return not _comes_to_a_number(earlier.node, knowledge)
     points = sample_trees([earlier.node, value], SymbolValue(), 1)
     if not points:
         return True
     old_value, new_value = points[0][1]
     return abs(old_value - new_value) > NEARLY * max(abs(old_value), abs(new_value))
+
+
+def _is_integral_with_a_number(value: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a value is an integral that comes to a number: ∫ 340 sin 2θ dθ from 0 to π/2."""
+    bare = value.factors[-1] if isinstance(value, Product) else value
+    return isinstance(bare, Integral) and _comes_to_a_number(value, knowledge)
+
+
+def _is_of_another_section(
+    definitions: Definitions, earlier: Definition, value: Formula, chain: Chain, knowledge: Knowledge
+) -> bool:
+    """Tell whether an integral gives a letter its number in a section after that of its other value."""
+    if not _is_integral_with_a_number(value, knowledge):
+        return False
+    return not definitions.sections.same_section(earlier.line, chain.lines[0])
 
 
 def _has_number_put_in(

@@ -8,17 +8,18 @@ one of its usual values holds with that; a number that none of them gives is wro
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.formula import Formula, Name, Number, Product, Quotient, names, walk
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import letters
-from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision, is_of_another_size
+from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.steps.printed_results import is_lone_number
-from symbalance.notes.reading.equations import Chain
+from symbalance.notes.reading.equations import Chain, Side
 
 GRAVITIES = ("9.81", "9.80665", "9.8", "9.807", "10", "32.2", "32.17", "32.16", "32.174", "386", "386.4")
 """Its usual values, in m/s², ft/s² and in/s²."""
@@ -27,32 +28,42 @@ METRIC = ("9.81", "9.80665")
 _WEIGHT = re.compile(r"[WGPQ](?:_.*)?$|[mM](?:_.*)?[0-9]?$")
 
 
+Decide = Callable[[Side, Side, Decision, Knowledge], Decision]
+"""Returns the decision on two sides by what is known, after another decision."""
+
+
+def by_definitions(left: Side, right: Side, decision: Decision, knowledge: Knowledge) -> Decision:
+    """Return the decision on two sides by the letters' values alone."""
+    return decide(left, right, "=", knowledge)
+
+
 def decide_with_gravity(
-    chain: Chain, k: int, decision: Decision, text: str, knowledge: Knowledge
+    chain: Chain,
+    k: int,
+    decision: Decision,
+    text: str,
+    knowledge: Knowledge,
+    decide_with: Decide = by_definitions,
 ) -> Decision | None:
     """Return the decision on a relation that is open but for g, with the g that is meant."""
     if decision.status not in (REFUTED, UNDECIDED) or not _stands_open(chain, k, knowledge):
         return None
     left, right = chain.sides[k], chain.sides[k + 1]
     last: Decision | None = None
-    is_said = False
     for size in GRAVITIES:
         is_printed = re.search(rf"(?<![0-9.,]){re.escape(size).replace('[.]', '[.,]')}(?![0-9])", text)
         if size not in METRIC and not is_printed:
             continue
-        is_said = is_said or is_printed is not None
         value = Number(Fraction(size))
         known = knowledge.with_definition("g", Definition(value, chain.lines[0], numeric=True))
-        last = decide(left, right, chain.relations[k].sign, known)
+        last = decide_with(left, right, decision, known)
         if last.is_proved:
             unit = "ft/s²" if value.value > 30 else "m/s²"
             return replace(last, assumptions=(*last.assumptions, f"g = {size} {unit}"))
     if last is None or last.status != REFUTED or last.left is None:
         return None
     is_number = is_lone_number(right.node) and not letters(last.left)
-    if is_number or (is_said and is_of_another_size(left.node, right.node, last)):
-        return replace(last, reason="with no usual value of g")
-    return None
+    return replace(last, reason="with no usual value of g") if is_number else None
 
 
 def _stands_open(chain: Chain, k: int, knowledge: Knowledge) -> bool:

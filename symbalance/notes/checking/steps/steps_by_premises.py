@@ -40,7 +40,7 @@ def unless_given(
     sign = chain.relations[k].sign
     if _is_of_known_numbers(left, right, decision, knowledge):
         return decision
-    decision, is_open = _with_premises(state, against, right, sign, decision, knowledge)
+    decision, is_open = with_premises(state, against, right, sign, decision, knowledge)
     if is_open and not of_matrices:
         refuted = replace(decision, status=REFUTED)
         case = unless_stated(state, chain, k, against, refuted, knowledge)
@@ -75,7 +75,7 @@ def _following(
     rest on what stands in words.
     """
     left, right = chain.sides[k], chain.sides[k + 1]
-    by_all, _ = _with_premises(state, left, right, "=", decision, knowledge)
+    by_all, _ = with_premises(state, left, right, "=", decision, knowledge)
     statement = state.definitions.premise_of(chain, k)
     by_premises = decide_by_premises(state.definitions, statement, knowledge)
     if by_premises is not None and by_premises.status != PREMISE:
@@ -87,7 +87,7 @@ def _following(
     return replace(by_all, status=REFUTED if is_whole else UNDECIDED, reason=by_all.reason or reason)
 
 
-def _with_premises(
+def with_premises(
     state: JudgingState, left: Side, right: Side, sign: str, decision: Decision, knowledge: Knowledge
 ) -> tuple[Decision, bool]:
     """Return the decision with the premises solved together: a witness must satisfy them all.
