@@ -32,6 +32,7 @@ from symbalance.notes.checking.motions.mean_values import decide_by_mean
 from symbalance.notes.checking.page.solutions import solution_below
 from symbalance.notes.checking.premises.constraints import Constraint
 from symbalance.notes.checking.premises.letter_values import define_letter
+from symbalance.notes.checking.premises.measured_values import MEASURED
 from symbalance.notes.checking.premises.rough_letters import decide_roughly
 from symbalance.notes.checking.steps.angle_equations import as_equation_for_angle
 from symbalance.notes.checking.steps.dead_centres import value_at_dead_centre
@@ -272,6 +273,7 @@ def _define(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> 
         if by_speed is not None and chain.relations[0].sign == "=":
             return by_speed
     is_given = definition is not None and definition.status in (PREMISE, DEFINITION)
+    is_given = is_given and not (definition and definition.reason.startswith(MEASURED))
     if pair is None or not is_given or pair[0] in knowledge.meaning.values or sections.opens_case(chain):
         return definition
     first = sections.paragraph_start(line)

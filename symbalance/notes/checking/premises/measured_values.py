@@ -18,6 +18,8 @@ from symbalance.notes.checking.verdicts import PREMISE
 from symbalance.notes.checking.words.plain_formulas import lone_side
 from symbalance.notes.reading.equations import Chain
 
+MEASURED = "measured"
+"""What the reason of such a number begins with."""
 _WORDS = (
     r"(?:measured|measuring|measurements?|weighed|weighing|experiments?|experimentally|data\s?sheet"
     r"|(?:from|in|by|on)\s+(?:an?\s+|the\s+)?(?:[a-z]+\s+)?tests?"
@@ -68,4 +70,4 @@ def define_measured(
         return None
     definitions.lapse(name)
     definitions.define(name, without_dots(value)[0], chain)
-    return Decision(PREMISE, f"measured, beside what line {earlier.line} gives")
+    return Decision(PREMISE, f"{MEASURED}, beside what line {earlier.line} gives")
