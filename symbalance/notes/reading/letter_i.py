@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 
-_I = r"(?:\$|\\\()?\s*(?<![A-Za-z0-9\\_^{}.'’])i(?![A-Za-z0-9_^'’(]|\s*\()"
+_I = r"(?:\$|\\\()?[ ]{0,2}(?<![A-Za-z0-9\\_^{}.'’])i(?![A-Za-z0-9_^'’(]|\s*\()"
 _COUNTED = (
     r"(?:cylinders?|harmonics?|vibrations?|oscillations?|impulses?|pulses?|firings?|cranks?|throws?|teeth|blades?"
     r"|Zylindern?|Schwingungen|Zündungen|Kröpfungen|Impulsen?|Zähnen?|次|気筒|個)"
