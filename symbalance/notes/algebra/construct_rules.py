@@ -218,8 +218,19 @@ def _at(evaluator: FormEvaluator, letter: formula.Formula, place: formula.Formul
         raise NoFormError(f"{plain_letter(unused[0])} at a place, its value not put in")
     if not moving and letters(form) and all(n in meaning.constant for n in letters(form)):
         return form
+    if not moving and _is_plain_number(place):
+        raise NoFormError("a value at a place, and the page does not say of which letter")
     name = moving[0] if len(moving) == 1 else turning_letter(evaluator, form, "a value at a place")
     return value_at(evaluator, letter, name, _as_angle(evaluator, name, place))
+
+
+def _is_plain_number(place: formula.Formula) -> bool:
+    """Tell whether a place is a number that is no angle as people write it: 3000, and not 0 or π/2."""
+    return isinstance(place, formula.Number) and abs(place.value) > _LARGEST_ANGLE
+
+
+_LARGEST_ANGLE = 7
+"""A place beyond it, a little over 2π, is no angle in radians."""
 
 
 def _as_angle(evaluator: FormEvaluator, name: str, place: formula.Formula) -> formula.Formula:

@@ -20,6 +20,7 @@ executed as code.
     units_behind_waves              1.97 cos φ kN: the unit of a whole side
     greek_words, short_greek        lambda = r/l and cos(2*th) in plain text
     letter_e                        the offset e, told from the number
+    letter_i                        the order i, told from the imaginary unit
     lexer, parser                   one formula's text to tokens, and these to trees
     prose, segmentation             where in a text mathematics stands
     document, result_units          a whole text to its chains; units that stand at a result only

@@ -45,7 +45,9 @@ _OPERAND_AFTER = re.compile(r"[\w(\[\\√½¼¾|{]")
 _FOOT_POUND = r"(?:(?:foot|feet|ft)(?:[ .·‐‑-]){0,2}(?:pounds?|lbs?f?\.?))"
 _SPELLED = (
     ("mm", "millimet(?:er|re)s?"), ("cm", "centimet(?:er|re)s?|Zentimeter"), ("km", "kilomet(?:er|re)s?"),
-    ("m", "met(?:er|re)s?|Meter"), ("kg", "kilogram(?:me)?s?|Kilogramm"), ("g", "gram(?:me)?s?|Gramm"),
+    ("dm^3", "lit(?:er|re)s?|Litern?"), ("ml", "millilit(?:er|re)s?|Millilitern?"), ("bar", "bars"),
+    ("Mg", "metric tons?|tonnes?|Tonnen?"), ("ton", "(?:long |short )?tons?"),
+    ("m", "met(?:er|re)s?|Metern?"), ("kg", "kilogram(?:me)?s?|Kilogramm"), ("g", "gram(?:me)?s?|Gramm"),
     ("ms", "milliseconds?|Millisekunden?"), ("s", "seconds?|Sekunden?"), ("min", "minutes?|Minuten?"),
     ("kN", "kilonewtons?"), ("N", "newtons?"), ("Nm", "newton[ -]?met(?:er|re)s?|Newtonmeter"),
     ("Hz", "hertz"), ("W", "watts?"), ("kW", "kilowatts?"), ("J", "joules?"), ("rad", "radians?|Radiant"),
@@ -450,8 +452,8 @@ def _units_in_words(text: str) -> dict[int, tuple[int, str]]:
             changes[end + 1] = (match.end(), "")
         changes[match.start()] = (end, _unit_sign(unit, bool(dollars)) + dollars)
     for match in _BEHIND_DOLLAR.finditer(text):
-        if match["unit"] in ("l", "L") and is_of_volume(text, match.start()):
-            changes[match.start()] = (match.end(), _unit_sign("dm^3", True) + match["mark"])
+        if match["unit"].split()[0] in ("l", "L") and is_of_volume(text, match.start()):
+            changes[match.start()] = (match.start("unit") + 1, _unit_sign("dm^3", True) + match["mark"])
             continue
         unit = _unit_behind(match["unit"], text[match.end() :][:1])
         if unit and _closes(text, match.start(), match["mark"]):

@@ -21,6 +21,7 @@ from symbalance.notes.reading.function_names import with_function_names
 from symbalance.notes.reading.greek_words import with_greek_words
 from symbalance.notes.reading.joined_dollars import with_joined_dollars, with_units_between_dollars
 from symbalance.notes.reading.letter_e import means_letter, with_number_e
+from symbalance.notes.reading.letter_i import counts_by_i
 from symbalance.notes.reading.macros import expand_macros
 from symbalance.notes.reading.mathml import is_mathml, mathml_text
 from symbalance.notes.reading.memberships import with_memberships
@@ -103,8 +104,9 @@ def prepare(
         reader.apply(_rewritten(reader.text, rules))
     macros = expand_macros(reader.text)
     reader.apply(macros.source)
-    own_letters = frozenset({"e"} if means_letter(reader.text) else ())
-    if own_letters:
+    own_letters = frozenset({"i"} if counts_by_i(reader.text) else ())
+    if means_letter(reader.text):
+        own_letters |= {"e"}
         reader.apply(with_number_e(reader.text))
     if kind in ("tex", "markdown"):
         reader.apply(with_joined_dollars(reader.text))

@@ -323,8 +323,9 @@ def _spread(
     own = {id(part) for part in formula.walk(typed)}
     for number in _distinct(node):
         assert number.last_place is not None
-        is_open = id(number) not in own or may_be_rounded(number, printed)
-        if significant(number) >= LONG and is_open:
+        is_rounded = may_be_rounded(number, printed)
+        is_open = significant(number) >= LONG and id(number) not in own
+        if is_open or is_rounded:
             off_by_half = Number(number.value + number.last_place / 2, number.last_place)
             total += abs(_number(form_of(replace_part(node, number, off_by_half))) - value)
     return total

@@ -175,6 +175,12 @@ def readable_letters(symbols: Mapping[str, str]) -> frozenset[str]:
 
 _THE = r"(?:the |an? |its )?"
 _ROD = rf"{_THE}(?:connecting[- ]rod|conrod|rod)"
+_AXIS = (
+    rf"(?:{_THE}(?:cylinder|bore|piston|stroke)(?:'s)?[- ](?:axis|cent(?:re|er)[- ]?line|line)"
+    rf"|{_THE}line of stroke|{_THE}axis of {_THE}cylinder|{_THE}vertical|{_THE}cylinder)"
+)
+_TO_AXIS = rf"(?: (?:to|with|against|from|and) {_AXIS})?"
+_PLEUEL = r"(?:des pleuels|der pleuelstange|der schubstange)"
 _CRANK = rf"{_THE}crank(?:[- ]?shaft)?"
 _SHAFT = rf"(?:{_CRANK}|{_THE}engine(?:'s crankshaft)?)"
 _OF_ONE = r"(?: (?:of|per|in) (?:one|each|a|the|single) ?(?:piston|cylinder)| per (?:cylinder|piston))?"
@@ -200,9 +206,16 @@ _WORDINGS = tuple(
             r"pleuell(?:ä|ae)nge|l(?:ä|ae)nge de[rs] pleuel(?:stange|s)|schubstangenl(?:ä|ae)nge",
         ),
         ("rod length", r"(?:コンロッド|連接棒|連桿)の?長さ"),
-        ("rod angle", rf"(?:angle|inclination|obliquity) of {_ROD}|(?:connecting[- ]rod|conrod) angle"),
-        ("rod angle", r"pleuel(?:stangen)?winkel|schwenkwinkel"),
-        ("rod angle", r"(?:コンロッド|連接棒|連桿)の?(?:角度?|傾き)"),
+        ("rod angle", rf"(?:angle|inclination|obliquity|swing) of {_ROD}{_TO_AXIS}"),
+        ("rod angle", rf"(?:connecting[- ]rod|con-?rod|rod) (?:angle|inclination|obliquity){_TO_AXIS}"),
+        ("rod angle", rf"angle between {_ROD} and {_AXIS}"),
+        ("rod angle", r"pleuel(?:stangen)?winkel|schwenkwinkel(?: (?:des pleuels|der pleuelstange))?"),
+        (
+            "rod angle",
+            rf"(?:neigung|auslenkung|neigungswinkel|winkel) {_PLEUEL}"
+            r"(?: (?:gegen|zur)(?: die)? zylinderachse)?",
+        ),
+        ("rod angle", r"(?:コンロッド|連接棒|連桿)の?(?:傾き|傾斜)?(?:角度?|傾き)"),
         ("stroke", rf"piston stroke|stroke of {_THE}piston|kolbenhub|(?:ピストン)?(?:ストローク|行程)"),
         ("piston velocity", rf"velocity of {_THE}piston|kolbengeschwindigkeit|ピストンの?速度"),
         ("piston acceleration", rf"acceleration of {_THE}piston|kolbenbeschleunigung|ピストンの?加速度"),

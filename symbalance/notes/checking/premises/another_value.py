@@ -9,9 +9,11 @@ from symbalance.document.formula import (
     Call,
     Cases,
     Formula,
+    Integral,
     Name,
     Negative,
     Number,
+    Product,
     Sum,
     names,
     walk,
@@ -49,20 +51,22 @@ def define_anew(
         definitions.define(name, without_dots(value)[0], chain)
         return Decision(DEFINITION, other)
     by_premises = decide_by_premises(definitions, Premise(Name(name), value, line), knowledge)
-    if by_premises is not None:
+    is_apart = _is_of_another_section(definitions, earlier, value, chain, knowledge)
+    if by_premises is not None and not is_apart:
         outside = outside_range(definitions, name, value, line, knowledge)
         if by_premises.status == PREMISE and outside is None:
             definitions.define(name, value, chain)
         is_slip = _is_wrong_solution(earlier, value, by_premises, chain, k, knowledge)
         return None if is_slip else outside or by_premises  # a step says what it should be
-    if earlier.solved and _each_has_own_letters(earlier.node, value, knowledge):
+    if earlier.solved and not is_apart and _each_has_own_letters(earlier.node, value, knowledge):
         contradiction = outside_range(definitions, name, value, line, knowledge)
         if contradiction is None:
             definitions.define(name, without_dots(value)[0], chain)
         return contradiction or Decision(PREMISE, f"beside line {earlier.line}")
     is_numbered = name.endswith(")") and not definitions.sections.same_section(earlier.line, line)
     reason = ""
-    if is_numbered or (names(earlier.node) and names(value) and _is_anew(definitions, earlier, chain)):
+    of_letters = names(earlier.node if earlier.formula is None else earlier.formula)
+    if is_numbered or (of_letters and names(value) and _is_anew(definitions, earlier, chain)):
         reason = f"anew: in line {earlier.line} it was another one's"
     elif _is_exact_form(name, value, earlier, chain, k, knowledge):
         reason = f"exactly what line {earlier.line} has approximately"
@@ -74,7 +78,11 @@ def define_anew(
         turning = _turning_behind(name, earlier.node, knowledge)
         definitions.open_conditions |= dict.fromkeys(turning, condition)  # c ≈ 0.25, so θ ≈ 75.5°
     is_put_in = not names(value) and _has_number_put_in(definitions, earlier, line, knowledge)
-    if is_put_in or not _new_case(earlier, value, chain.relations[k].sign, knowledge):
+    is_datum = not k and not names(value) and definitions.sections.is_in_list_of_data(chain, earlier.line)
+    is_datum = is_datum and earlier.numeric and earlier.formula is None
+    if not (is_datum or is_apart) and (
+        is_put_in or not _new_case(earlier, value, chain.relations[k].sign, knowledge)
+    ):
         return None
     return _define_case_anew(definitions, name, value, earlier, chain, knowledge)
 
@@ -208,14 +216,30 @@ def _new_case(earlier: Definition, value: Formula, sign: str, knowledge: Knowled
     old = Side((earlier.node,), (0, 0))
     if sign == "≈" or decide(old, Side((value,), (0, 0)), sign, knowledge).is_proved:
         return False
-    if names(earlier.node) and names(value):
+    is_area = _is_integral_with_a_number(value, knowledge)
+    if names(earlier.node) and names(value) and not is_area:
         return isinstance(value, Name)
-    if names(earlier.node) or names(value):
+    if names(earlier.node) or (names(value) and not is_area):
         return not _comes_to_a_number(earlier.node, knowledge)
     points = sample_trees([earlier.node, value], SymbolValue(), 1)
     if not points:
         return True
     return _is_far(*points[0][1])
+
+
+def _is_integral_with_a_number(value: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a value is an integral that comes to a number: ∫ 340 sin 2θ dθ from 0 to π/2."""
+    bare = value.factors[-1] if isinstance(value, Product) else value
+    return isinstance(bare, Integral) and _comes_to_a_number(value, knowledge)
+
+
+def _is_of_another_section(
+    definitions: Definitions, earlier: Definition, value: Formula, chain: Chain, knowledge: Knowledge
+) -> bool:
+    """Tell whether an integral gives a letter its number in a section after that of its other value."""
+    if not _is_integral_with_a_number(value, knowledge):
+        return False
+    return not definitions.sections.same_section(earlier.line, chain.lines[0])
 
 
 def _has_number_put_in(

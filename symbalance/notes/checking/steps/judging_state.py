@@ -40,6 +40,7 @@ from symbalance.notes.checking.premises.carried_values import CarriedValues
 from symbalance.notes.checking.premises.conditions_behind import equalities_behind, with_conditions
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.premises.system import Premise
+from symbalance.notes.checking.steps.printed_results import PrintedResults
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
 from symbalance.notes.checking.words.integer_words import integers_said
 from symbalance.notes.checking.words.sections import Sections
@@ -88,6 +89,9 @@ class JudgingState:
         self.counted = counted_things(self.document.text)
         self.wrong_numbers = CarriedValues()
         self.given_numbers = GivenNumbers()
+        self.results = PrintedResults()
+        self.much_larger: list[Chain] = []
+        """Relations ≫ and ≪ between letters that the page has stated."""
         self.speeds = speeds_of(self.document.text)
         self.crank_angles = crank_angles(self.document.text)
         self.cranks_of_engines = CranksOfEngines(self.document.text, self.sections, self.sources)

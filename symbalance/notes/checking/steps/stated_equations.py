@@ -147,6 +147,8 @@ def unless_stated(
 ) -> Decision:
     """Return the decision on a refuted relation that may be a premise, a condition or a case."""
     is_solved = is_to_be_solved(state, chain, k)
+    if not is_solved and (by_results := state.results.decide(chain, k, knowledge)) is not None:
+        return by_results
     case = decide_case(chain, k, decision, knowledge, is_solved=is_solved)
     if case is not None and case.status in STATED and chain.relations[k].sign == "=":
         case = _note_statement(state, chain, k, case, knowledge)

@@ -46,6 +46,7 @@ from symbalance.notes.checking.units.conversions import (
 from symbalance.notes.checking.units.dimensions import unit_of, written_unit
 from symbalance.notes.checking.units.formulas_between_numbers import (
     decide_between_numbers,
+    decide_numbers_put_in,
     may_convert,
     puts_in_numbers,
     with_printed_results,
@@ -254,6 +255,7 @@ def _between_numbers(chain: Chain, k: int, document: ReadNotes, knowledge: Knowl
     there = decide_between_numbers(left, right, chain.relations[k].sign, document, knowledge)
     if there is None and puts_in_numbers(left, right, document, knowledge):
         there = Decision(PROVED, UNITS_LEFT_OUT)
+    there = there or decide_numbers_put_in(left, right, document, knowledge)
     printed = with_printed_results(knowledge, document)
     if there is not None or printed.definitions == knowledge.definitions:
         return there

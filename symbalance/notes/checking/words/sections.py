@@ -18,9 +18,13 @@ from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _HEADING = re.compile(
     r"#{1,6}\s|={2,6}\s*\S.*|<h[1-6]\b"
-    r"|\\(?:part|chapter|(?:sub){0,2}section|paragraph|subparagraph)\*?\s*[\[{]",
+    r"|\\(?:part|chapter|(?:sub){0,2}section|paragraph|subparagraph)\*?\s*[\[{]"
+    r"|(?:§\s?|art(?:icle|ikel|\.)\s)?[0-9]{1,3}\.?\s+[^\W\d_][^.=\n]{2,80}\.\s?(?:--|[—–])",
     re.IGNORECASE,
 )
+"""Headings; those of old books stand in the line, "34. Hammer blow.--Let the fraction …"."""
+FEWEST_DATA = 2
+"""Letters that get their first numbers beside one that has another one before, in data of an example."""
 _BLOCK = "p|h[1-6]|li|[ou]l|d[dtl]|blockquote|div|section|article|table|t[rdh]|pre|figure|hr"
 _BLOCK_BEGINS = re.compile(rf"\s*<(?:{_BLOCK})\b[^>]*>", re.IGNORECASE)
 _BLOCK_ENDS = re.compile(rf"</(?:{_BLOCK})>\s*$", re.IGNORECASE)
@@ -67,6 +71,14 @@ _CONDITION = re.compile(
     re.IGNORECASE,
 )
 """Before an equation that is to be solved, not claimed for all angles."""
+_FAILS = re.compile(
+    r"(?:(?<![A-Za-z])(?:third|fourth|last|latter|this|it|which|dritte|vierte|letzte|letztere|diese|sie)"
+    r"(?![A-Za-z])[^.;\n=$]{0,40}(?<![A-Za-z])(?:fails|(?:is|are)\s+(?:in\s+general\s+)?not\s+(?:satisfied|fulfilled|met)"
+    r"|cannot\s+be\s+(?:satisfied|fulfilled|met)|ist\s+(?:im\s+Allgemeinen\s+)?nicht\s+(?:erfüllt|erfüllbar|zu\s+erfüllen)"
+    r"|nicht\s+erfüllt\s+werden)(?![A-Za-z])|(?:第三|三つ目|最後)の?(?:条件|式)[^。\n]{0,20}(?:満た(?:さない|せない)|成り立たない))",
+    re.IGNORECASE,
+)
+"""Behind an equation that words name, and say not to hold."""
 _ASIDE = re.compile(r"\([^()$=]*\)")
 _LINK = re.compile(
     r"(?:[\s,;:.()、。，；：–—-]|\\(?:[,;: !]|quad|qquad|ldots|dots)|(?<![A-Za-zÀ-ÿ])(?:also|and|so"
@@ -134,6 +146,14 @@ _CASE_BEHIND = re.compile(r"[\s$)\]]{0,4}(?:なら|のとき|の時|の場合|�
 """Behind a relation that is a case, in Japanese."""
 _WHEN_BEHIND = re.compile(r"[\s$)\]]{0,4}(?:なら|のとき|の時|の場合)")
 """Behind one that is not claimed of all angles."""
+_ROOTS_BEHIND = re.compile(
+    r"[\s$)\]\\,.;]{0,12}(?:(?:which|it|this|and|mit|with|und|hat|has|have|die|der|das|the|den)\s+){1,3}"
+    r"(?:(?:the|two|three|four|die|den|zwei|drei|vier|following|real|positive)\s+){0,3}"
+    r"(?:roots?|solutions?|zeros|Wurzeln?|Lösung(?:en)?|Nullstellen?)(?![A-Za-z])"
+    r"|[\s$)\]\\]{0,6}の(?:根|解)|[\s$)\]\\]{0,6}を(?:解く|満たす)",
+    re.IGNORECASE,
+)
+"""Behind one whose roots are named next."""
 _TOP = r"(?:top|inner|upper|oberen?r?|inneren?)\s+(?:dead\s+cent(?:re|er)s?|Totpunkte?s?)|上死点"
 _BOTTOM = r"(?:bottom|outer|lower|unteren?r?|äußeren?)\s+(?:dead\s+cent(?:re|er)s?|Totpunkte?s?)|下死点"
 _SHORT_TOP, _SHORT_BOTTOM = r"(?<![A-Za-z])(?:TDC|OT)(?![A-Za-z])", r"(?<![A-Za-z])(?:BDC|UT)(?![A-Za-z])"
@@ -261,6 +281,24 @@ class Sections:
         """Return the line of the heading that a line stands under, 1 where there is none."""
         above = bisect_right(self._headings, line)
         return self._headings[above - 1] if above else 1
+
+    def is_in_list_of_data(self, chain: Chain, earlier_line: int) -> bool:
+        """Tell whether a relation stands among the data of an example of its own, in another section.
+
+        Some numbers are given there, to letters that had none in the earlier line's section.
+        """
+        line = chain.lines[0]
+        if self.same_section(earlier_line, line):
+            return False
+        own = self._numbers_given.get(self.paragraph_start(line), {})
+        first = max((heading for heading in self._headings if heading <= earlier_line), default=1)
+        there = {
+            name
+            for start, numbers in self._numbers_given.items()
+            if first <= start <= self.section_end(earlier_line)
+            for name in numbers
+        }
+        return len(own.keys() - there) >= FEWEST_DATA
 
     def section_end(self, line: int) -> int:
         """Return the last line of the section that a line stands in."""
@@ -481,9 +519,22 @@ class Sections:
         first = bisect_left(starts, self._start_of_line(line + 1))
         return not any(line < other.lines[0] for other in chains[first : bisect_left(starts, start)])
 
+    def is_said_to_fail(self, chain: Chain) -> bool:
+        """Tell whether the words right below a relation say that it fails: the third one."""
+        following = self._by_start[0]
+        place = bisect_right(following, chain.sides[0].span[0])
+        end = following[place] if place < len(following) else len(self.document.text)
+        end = min(
+            end, chain.end + LONGEST_INTRODUCTION, self._end_of_line(self.section_end(chain.lines[0]))
+        )
+        return _FAILS.search(self.document.text, chain.end, end) is not None
+
+    def _end_of_line(self, line: int) -> int:
+        return self._line_starts[line] if line < len(self._line_starts) else len(self.document.text)
+
     def is_condition(self, chain: Chain) -> bool:
         """Tell whether a relation is introduced as an equation to be solved: where, condition, set."""
-        if _WHEN_BEHIND.match(self.document.text, chain.end):
+        if any(words.match(self.document.text, chain.end) for words in (_WHEN_BEHIND, _ROOTS_BEHIND)):
             return True
         return _CONDITION.search(_ASIDE.sub(" ", self._text_before(chain))) is not None
 
