@@ -62,7 +62,11 @@ def define_anew(
         turning = _turning_behind(name, earlier.node, knowledge)
         definitions.open_conditions |= dict.fromkeys(turning, condition)  # c ≈ 0.25, so θ ≈ 75.5°
     is_put_in = not names(value) and _has_number_put_in(definitions, earlier, line, knowledge)
-    if is_put_in or not _new_case(earlier, value, chain.relations[k].sign, knowledge):
+    is_apart = not definitions.sections.same_section(earlier.line, line)
+    is_called_case = is_apart and definitions.sections.opens_case(chain)
+    if is_put_in or not _new_case(
+        earlier, value, chain.relations[k].sign, knowledge, is_called_case=is_called_case
+    ):
         return None
     return _define_case_anew(definitions, name, value, earlier, chain, knowledge)
 
@@ -123,10 +127,13 @@ def _is_exact_form(
     )
 
 
-def _new_case(earlier: Definition, value: Formula, sign: str, knowledge: Knowledge) -> bool:
+def _new_case(
+    earlier: Definition, value: Formula, sign: str, knowledge: Knowledge, *, is_called_case: bool
+) -> bool:
     """Tell whether another value of a letter starts a new case, and is not a slip.
 
-    It does between lone letters or numbers (θ = 0, then θ = π/2), unless two numbers nearly agree.
+    It does between lone letters or numbers (θ = 0, then θ = π/2), unless two numbers nearly agree and no
+    words in another section call the second a case (for n = 4, after n = 3.6).
     """
     old = Side((earlier.node,), (0, 0))
     if sign == "≈" or decide(old, Side((value,), (0, 0)), sign, knowledge).is_proved:
@@ -136,7 +143,7 @@ def _new_case(earlier: Definition, value: Formula, sign: str, knowledge: Knowled
     if names(earlier.node) or names(value):
         return not _comes_to_a_number(earlier.node, knowledge)
     points = sample_trees([earlier.node, value], SymbolValue(), 1)
-    if not points:
+    if not points or is_called_case:
         return True
     old_value, new_value = points[0][1]
     return abs(old_value - new_value) > NEARLY * max(abs(old_value), abs(new_value))

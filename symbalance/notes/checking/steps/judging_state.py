@@ -34,6 +34,7 @@ from symbalance.notes.checking.premises import constraints
 from symbalance.notes.checking.premises.carried_values import CarriedValues
 from symbalance.notes.checking.premises.conditions_behind import equalities_behind, with_conditions
 from symbalance.notes.checking.premises.definitions import Definitions
+from symbalance.notes.checking.premises.rounded_values import values_put_in
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.words.crank_angles_listed import crank_angles, listed_at
 from symbalance.notes.checking.words.integer_words import integers_said
@@ -151,7 +152,9 @@ class JudgingState:
         start = min(side.span[0] for side in chain.sides)
         same_section = self.sections.same_section
         angles = listed_at(self.crank_angles, start, self.document.text, same_section)
-        own = replace(knowledge, crank_angles=angles, own_ranges_from=chain.lines[0] - NEAR_RANGE)
+        printed = knowledge.printed | values_put_in(chain, knowledge)
+        first = chain.lines[0] - NEAR_RANGE
+        own = replace(knowledge, crank_angles=angles, own_ranges_from=first, printed=printed)
         return with_conditions(chain, self.document, own)
 
     def assumptions(self, line: int, letters: frozenset[str]) -> tuple[Assumption, ...]:

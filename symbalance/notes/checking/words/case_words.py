@@ -52,7 +52,9 @@ _COUNTS = {
 _NUMBER = "|".join(sorted((*_COUNTS, r"[0-9]{1,2}"), key=len, reverse=True))
 ENGINE = re.compile(
     rf"(?<![A-Za-z0-9.,])(?P<before>{_NUMBER})[-\s]?(?:cylinders?|throws?|cranks|cyl|zylinder|シリンダ|気筒)"
-    rf"|(?<![A-Za-z])(?P<kind>inline|straight|flat|boxer|reihen|直列|水平対向|V型|V|W)[-\s]?(?P<behind>{_NUMBER})(?![0-9.,]*[0-9A-Za-z])",
+    rf"|(?<![A-Za-z])(?P<kind>inline|straight|flat|boxer|reihen|直列|水平対向|V型|V|W)[-\s]?(?P<behind>{_NUMBER})(?![0-9.,]*[0-9A-Za-z])"
+    r"|(?<![A-Za-z])(?:(?P<noun>twin|triple)s|(?:parallel|vertical|inline|straight|flat|boxer|V)[-\s](?P<alone>twin|triple))"
+    r"(?![A-Za-z-])",
     re.IGNORECASE,
 )
 PROBLEM = re.compile(
@@ -166,5 +168,14 @@ def engine_of(last: re.Match[str] | None) -> tuple[int, str] | None:
     """Return the cylinders of the engine that a mention names, and its kind if said."""
     if last is None:
         return None
-    number = (last["before"] or last["behind"]).lower()
+    number = (last["before"] or last["behind"] or last["noun"] or last["alone"]).lower()
     return _COUNTS.get(number) or int(number), (last["kind"] or "").lower()
+
+
+def is_other_engine(before: tuple[int, str], now: tuple[int, str]) -> bool:
+    """Tell whether two engines, as they are named, are not the same: other cylinders or another kind.
+
+    >>> is_other_engine((2, "v"), (2, "")), is_other_engine((2, ""), (4, "flat"))
+    (False, True)
+    """
+    return before[0] != now[0] or bool(before[1] and now[1] and before[1] != now[1])

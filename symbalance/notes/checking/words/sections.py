@@ -17,7 +17,7 @@ from symbalance.notes.checking.words.value_groups import in_next_groups
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _HEADING = re.compile(
-    r"#{1,6}\s|={2,6}\s*\S.*|<h[1-6]\b"
+    r"#{1,6}\s|={2,6}\s*\S.*|<h[1-6]\b|-{2,6}\s+[^\s-][^\n-]{0,80}\s-{2,6}\s*$"
     r"|\\(?:part|chapter|(?:sub){0,2}section|paragraph|subparagraph)\*?\s*[\[{]",
     re.IGNORECASE,
 )
@@ -377,7 +377,14 @@ class Sections:
         return position >= case_words.clause_start(self.document.text, start)
 
     def is_of_another_engine(self, chain: Chain, earlier_line: int) -> bool:
-        """Tell whether another engine, or another exercise, was named since a line."""
+        """Tell whether another engine, or another exercise, was named since a line.
+
+        What the headings of the two sections name goes before what stands between: four cylinders are
+        spoken of as two and two.
+        """
+        by_headings = self._headings_name_other_engines(chain.lines[0], earlier_line)
+        if by_headings:
+            return True
         start = chain.start
         earlier = self._start_of_line(earlier_line)
         starts = self._by_start[0]
@@ -388,8 +395,7 @@ class Sections:
             case_words.engine_of(self._engines.last_before(place)) for place in (earlier, start)
         )
         if before is not None and now is not None:
-            is_other = before[0] != now[0] or bool(before[1] and now[1] and before[1] != now[1])
-            if is_other:
+            if by_headings is None and case_words.is_other_engine(before, now):
                 return True
         own_engine = case_words.engine_named(text[case_words.clause_start(text, start) : start], start)
         if before is None and own_engine is not None and own_engine[0] > 1:
@@ -399,6 +405,18 @@ class Sections:
         mentions = [self._problems.last_before(place) for place in (earlier, start)]
         problems = ["" if mention is None else mention[1] for mention in mentions]
         return problems[0] != problems[1] != ""
+
+    def _headings_name_other_engines(self, line: int, earlier_line: int) -> bool | None:
+        """Tell whether two lines stand under headings that name different engines; None if one names none."""
+        if self.same_section(earlier_line, line):
+            return None
+        before, now = (
+            case_words.engine_of(case_words.ENGINE.search(self.heading_above(n)[: case_words.REACH]))
+            for n in (earlier_line, line)
+        )
+        if now is None or before is None:
+            return None
+        return case_words.is_other_engine(before, now)
 
     def _start_of_line(self, line: int) -> int:
         return self._line_starts[line - 1]
