@@ -34,6 +34,7 @@ from symbalance.notes.checking.premises.constraints import Constraint
 from symbalance.notes.checking.premises.letter_values import define_letter
 from symbalance.notes.checking.premises.rough_letters import decide_roughly
 from symbalance.notes.checking.steps.angle_equations import as_equation_for_angle
+from symbalance.notes.checking.steps.another_engine import as_new_extreme
 from symbalance.notes.checking.steps.dead_centres import value_at_dead_centre
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.mean_piston_speed import mean_piston_speed
@@ -97,6 +98,7 @@ def _judge_equality(
     """Return the verdict on a relation = or ≈: a definition, a step, or something given."""
     definition = _demanded(chain.relations[k]) or as_balance_solution(state, chain, k)
     definition = definition or as_equation_for_angle(state, chain, k, knowledge)
+    definition = definition or as_new_extreme(state, chain, k, knowledge)
     definition = definition or as_proved_solution(state, chain, k)
     definition = definition or decide_solved_wave(state, chain, k, knowledge)
     definition = definition or _define(state, chain, k, knowledge)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Cases, Formula, Name, Negative, Number, Sum, names
+from symbalance.document.formula import Cases, Formula, Name, Negative, Number, Product, Sum, names
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.algebra.tree_values import letters_behind, names_behind, sample_trees
@@ -20,6 +20,7 @@ from symbalance.notes.checking.premises.impossible_values import outside_range
 from symbalance.notes.checking.premises.premise_decisions import decide_by_premises
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.verdicts import CONDITION, CONTRADICTION, DEFINITION, PREMISE
+from symbalance.notes.checking.words.case_words import numbers_of_several
 from symbalance.notes.checking.words.plain_formulas import lone_side, plain_text
 from symbalance.notes.reading.equations import Chain, Side
 
@@ -54,6 +55,9 @@ def define_anew(
         reason = f"anew: in line {earlier.line} it was another one's"
     elif _is_exact_form(name, value, earlier, chain, k, knowledge):
         reason = f"exactly what line {earlier.line} has approximately"
+    elif times := _times_the_earlier(value, earlier, chain, k, definitions, knowledge):
+        definitions.define(name, without_dots(value)[0], chain)
+        return Decision(PREMISE, f"{times} times that of line {earlier.line}, by the words before")
     if reason:
         definitions.define(name, without_dots(value)[0], chain)
         return Decision(DEFINITION, reason)
@@ -111,6 +115,23 @@ def _is_anew(definitions: Definitions, earlier: Definition, chain: Chain) -> boo
     """Tell whether a second formula of a letter is of another engine, or in another exercise."""
     is_tied = definitions.sections.is_consequence(chain)
     return not is_tied and definitions.sections.is_of_another_engine(chain, earlier.line)
+
+
+def _times_the_earlier(
+    value: Formula, earlier: Definition, chain: Chain, k: int, definitions: Definitions, knowledge: Knowledge
+) -> int:
+    """Return how many times its earlier formula a letter is now, where words say so; 0 for none.
+
+    Both pistons go up together: F = 2 m r ω² (cos θ + λ cos 2θ), after the F of one piston.
+    """
+    if k or not names(value) or not names(earlier.node):
+        return 0
+    numbers = numbers_of_several(definitions.sections.sentence_leading_to(chain))
+    for number in sorted(numbers):
+        several = Product((Number(Fraction(number)), earlier.node))
+        if decide(lone_side(several), lone_side(value), "=", knowledge).is_proved:
+            return number
+    return 0
 
 
 def _is_exact_form(

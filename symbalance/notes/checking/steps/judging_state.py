@@ -40,7 +40,7 @@ from symbalance.notes.checking.words.crank_angles_listed import crank_angles, li
 from symbalance.notes.checking.words.integer_words import integers_said
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading import ReadingError, read_equation
-from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
 ANGLES = ("crank angle", "rod angle", "time", "integer")
 _COUNT = re.compile(r"\bnumber of|\bcount\b|integer|anzahl|zahl\b|気筒数|シリンダ数", re.IGNORECASE)
@@ -97,6 +97,8 @@ class JudgingState:
         """Letters that a relation may define which was not judged, with its line."""
         self.solutions: dict[int, tuple[Premise, Decision]] = {}
         """Where an equation's solution stands: the equation, and whether the solution satisfies it."""
+        self.extremes: dict[tuple[str, str], tuple[Side, int]] = {}
+        """Largest and smallest values of quantities without a formula, each with the line it stands on."""
         self.balances: set[int] = set()
         """Places of the solutions of balances, which are wrong where they do not satisfy them."""
         self.wrong_angles: dict[int, Decision] = {}

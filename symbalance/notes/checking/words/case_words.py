@@ -124,6 +124,33 @@ def speaks_of_all(before: str, letters: dict[str, bool], *, named: bool = False)
     return spoken
 
 
+_TIMES = {
+    "both": 2, "pair": 2, "double": 2, "doubles": 2, "doubled": 2, "twice": 2, "triples": 3, "trebles": 3,
+    "threefold": 3, "fourfold": 4, "beide": 2, "beiden": 2, "doppelt": 2, "doppelte": 2, "verdoppelt": 2,
+    "verdoppeln": 2, "zweifach": 2, "dreifach": 3, "dreifache": 3, "vierfach": 4, "vierfache": 4,
+    "両": 2, "2倍": 2, "二倍": 2, "3倍": 3, "4倍": 4, "6倍": 6, "倍": 2,
+}  # fmt: skip
+_HOW_MANY = re.compile(
+    rf"(?<![A-Za-zäöü])(?P<all>{'|'.join(sorted((w for w in {**_COUNTS, **_TIMES} if w.isascii() or w[0] < '⺀'), key=len, reverse=True))})(?![A-Za-zäöü])"
+    r"|(?P<digits>(?<![0-9.,])[0-9]{1,2})\s?(?:cylinders?|pistons?|cranks|forces|Zylinder|Kolben|Kräfte|気筒|ピストン|倍)"
+    r"|(?P<signs>両|[二2]倍|[346]倍|倍)",
+    re.IGNORECASE,
+)
+
+
+def numbers_of_several(words: str) -> frozenset[int]:
+    """Return how many things words speak of together: both pistons, all four forces, doubled.
+
+    >>> sorted(numbers_of_several("both pistons go up together, as in all four cylinders"))
+    [2, 4]
+    """
+    numbers = set[int]()
+    for match in _HOW_MANY.finditer(words):
+        word = (match["all"] or match["signs"] or "").lower().replace("2", "二")
+        numbers.add(int(match["digits"]) if match["digits"] else {**_COUNTS, **_TIMES}.get(word, 1))
+    return frozenset(numbers - {1})
+
+
 class Mentions:
     """The places of a text where a pattern occurs, to find the last one before another place."""
 

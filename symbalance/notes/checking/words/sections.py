@@ -62,6 +62,13 @@ _CONDITION = re.compile(
     re.IGNORECASE,
 )
 """Before an equation that is to be solved, not claimed for all angles."""
+_AT_AN_ANGLE = re.compile(
+    r"(?:(?<![A-Za-z])(?:at|near|to|towards|until|past|before|after)\s+(?:the|an|that|this|one)\s+(?:crank\s+)?"
+    r"(?:angles?|positions?)(?![A-Za-z])"
+    r"|(?<![A-Za-z])(?:beim|im|nahe\s+dem|bei\s+(?:dem|der|einem|einer))\s+(?:Kurbel)?(?:[Ww]inkel|[Ss]tellung)(?![a-z])"
+    r"|(?:角度?|位置)(?:は|で|では|において|の近く))[^.;!?$=]{0,90}$"
+)
+"""Before an equation that says at which angle something is: near the angle at which …, tan A ≈ l/r."""
 _ASIDE = re.compile(r"\([^()$=]*\)")
 _LINK = re.compile(
     r"(?:[\s,;:.()、。，；：–—-]|\\(?:[,;: !]|quad|qquad|ldots|dots)|(?<![A-Za-zÀ-ÿ])(?:also|and|so"
@@ -473,7 +480,11 @@ class Sections:
         """Tell whether a relation is introduced as an equation to be solved: where, condition, set."""
         if _WHEN_BEHIND.match(self.document.text, chain.end):
             return True
-        return _CONDITION.search(_ASIDE.sub(" ", self._text_before(chain))) is not None
+        before = _ASIDE.sub(" ", self._text_before(chain))
+        if _CONDITION.search(before) is not None:
+            return True
+        sentence = self.sentence_leading_to(chain)
+        return not self.is_consequence(chain) and _AT_AN_ANGLE.search(sentence) is not None
 
     def dead_centre(self, chain: Chain) -> bool | None:
         """Return whether a relation's sentence names bottom dead centre, False for top, else None."""
@@ -486,6 +497,12 @@ class Sections:
         """Return what a relation's sentence says before it."""
         text = self.document.text[max(0, chain.start - LONGEST_SENTENCE) : chain.start]
         return re.split(r"[.;!?。]\s|\n\s*\n", text)[-1]
+
+    def sentence_leading_to(self, chain: Chain) -> str:
+        """Return the sentence before a relation, be it that of the paragraph above a display."""
+        text = self.document.text[max(0, chain.start - LONGEST_SENTENCE) : chain.start]
+        text = _DISPLAY_LAST.sub("", text.rstrip(_OPENING)).rstrip(_OPENING)
+        return re.split(r"[.;!?]\s|[。；]|\n\s*\n", text)[-1]
 
     def _section_before(self, chain: Chain) -> str:
         """Return the text of a relation's section before it, with its heading."""
