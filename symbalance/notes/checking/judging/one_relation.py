@@ -263,7 +263,7 @@ def _as_meant(
     if outcome is None and definition.status in STATED:
         outcome = value_at_dead_centre(state, chain, k, knowledge)
     if outcome is None and definition.status in (DEFINITION, PREMISE):
-        outcome = state.named.judge(chain, k, knowledge)
+        outcome = state.named.judge(chain, k, knowledge) or state.harmonics.judge(chain, k, knowledge)
     name = chain.sides[k].node
     if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
         state.definitions.define(name.name, outcome.fix.node, chain)

@@ -23,6 +23,7 @@ from symbalance.notes.checking.declared.symbol_roles import (
 from symbalance.notes.checking.declared.symbols import meaning_of
 from symbalance.notes.checking.meant.engine_speeds import speeds_of
 from symbalance.notes.checking.meant.given_numbers import GivenNumbers
+from symbalance.notes.checking.meant.harmonic_coefficients import HarmonicCoefficients
 from symbalance.notes.checking.meant.meant_quantities import MeantQuantities
 from symbalance.notes.checking.meant.meant_words import MeantWords
 from symbalance.notes.checking.meant.motion_in_time import Motions, with_motions
@@ -76,6 +77,7 @@ class JudgingState:
             MeantWords(self.document, self.declarations, self.sections), self.sources
         )
         self.named = NamedQuantities(self.document, self.sections)
+        self.harmonics = HarmonicCoefficients(self.sections)
         self.small_letters = small_letters(self.document.text)
         self.counts = _counts(self.document)
         self.letters = {n for chain in self.document.chains for n in chain.letters}
