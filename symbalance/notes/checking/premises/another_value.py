@@ -55,6 +55,9 @@ def define_anew(
         reason = f"anew: in line {earlier.line} it was another one's"
     elif _is_exact_form(name, value, earlier, chain, k, knowledge):
         reason = f"exactly what line {earlier.line} has approximately"
+    elif new := _general_letter(value, chain, k, definitions, knowledge):
+        definitions.define(name, without_dots(value)[0], chain)
+        return Decision(PREMISE, f"anew: for any {plain_text(Name(new))}, by the words before")
     elif times := _times_the_earlier(value, earlier, chain, k, definitions, knowledge):
         definitions.define(name, without_dots(value)[0], chain)
         return Decision(PREMISE, f"{times} times that of line {earlier.line}, by the words before")
@@ -115,6 +118,24 @@ def _is_anew(definitions: Definitions, earlier: Definition, chain: Chain) -> boo
     """Tell whether a second formula of a letter is of another engine, or in another exercise."""
     is_tied = definitions.sections.is_consequence(chain)
     return not is_tied and definitions.sections.is_of_another_engine(chain, earlier.line)
+
+
+def _general_letter(
+    value: Formula, chain: Chain, k: int, definitions: Definitions, knowledge: Knowledge
+) -> str:
+    """Return the letter that a formula is general in: for a bank angle 2γ, after the one for 90°; or "".
+
+    The letter has not stood on the page before its paragraph, nobody has declared it, and the words before
+    name it as any: for a, for any, in general.
+    """
+    if k or not names(value):
+        return ""
+    line, sections = chain.lines[0], definitions.sections
+    before = definitions.letters_before(line)
+    for letter in sorted(names(value) - before - knowledge.meanings.keys()):
+        if not knowledge.has_meaning(letter) and sections.is_introduced_as_any(chain, letter):
+            return letter
+    return ""
 
 
 def _times_the_earlier(

@@ -7,7 +7,12 @@ what is said of the largest value is new, as F_max = … would be, and a second 
 
 from __future__ import annotations
 
+from dataclasses import replace
+from fractions import Fraction
+
 from symbalance.document.formula import Call, Extremum, Formula, Name, Negative, names
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.evaluation import FormEvaluator
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.steps.judging_state import JudgingState
@@ -26,14 +31,46 @@ def leave_engine(state: JudgingState, chain: Chain) -> bool:
     line = chain.lines[0]
     if not name or name in state.declarations.symbols_at(line):
         return False
+    knowledge, claim = state.knowledge(line), chain.sides[1].node
     lines = [
         entry.definition.line
         for entry in state.definitions.values.get(name, ())
         if state.sections.is_of_another_engine(chain, entry.definition.line)
+        and not _is_of_another_order(entry.definition.node, claim, knowledge)
     ]
     for earlier in lines:
         state.definitions.forget(name, earlier)
     return bool(lines)
+
+
+def _is_of_another_order(node: Formula, claim: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a quantity goes with one power of the rod's ratio and what is said of it with another.
+
+    A couple of the second order has 1/n in every engine: 4.98 m r ω² a is none where all terms of the
+    formula are times 1/n. Of sums of several orders nothing is said.
+    """
+    powers = [_power_of_ratio(each, knowledge) for each in (node, claim)]
+    return None not in powers and powers[0] != powers[1]
+
+
+def _power_of_ratio(node: Formula, knowledge: Knowledge) -> Fraction | None:
+    """Return the power of r/l or l/r that all terms of a formula have in common; None where they differ."""
+    if knowledge.crank is None or knowledge.crank.small is None:
+        return None
+    values = {n: d.node for n, d in knowledge.definitions.items() if not d.numeric}
+    meaning = replace(knowledge.meaning, values={**values, **knowledge.meaning.values})
+    domain = meaning.domain()
+    try:
+        form = FormEvaluator(domain, meaning).form(node)
+    except (NoFormError, TooLargeError):
+        return None
+    small = domain.symbol(knowledge.crank.small[0])
+    if domain.opaque or not form.numerator:
+        return None
+    powers = [{dict(m).get(small, 0) for m in part} for part in (form.numerator, form.denominator)]
+    if any(len(each) != 1 for each in powers):
+        return None
+    return Fraction(powers[0].pop()) - Fraction(powers[1].pop())
 
 
 def as_new_extreme(

@@ -62,6 +62,12 @@ _CONDITION = re.compile(
     re.IGNORECASE,
 )
 """Before an equation that is to be solved, not claimed for all angles."""
+_ANY = (
+    r"(?<![A-Za-z])(?:for|with|at)\s+(?:an?|any|every|all|arbitrary|general)(?![A-Za-z])|in\s+general|general(?:ly)?(?![A-Za-z])"
+    r"|(?<![A-Za-z])(?:für|bei|mit)\s+(?:eine[nmrs]?|jede[nmrs]?|beliebige[nmrs]?|alle[nmrs]?|allgemeine[nmrs]?)(?![A-Za-z])"
+    r"|(?<![A-Za-z])(?:allgemein|beliebige[nmrs]?)(?![A-Za-z])|任意の|一般(?:に|の)"
+)
+"""Words before a letter of which a formula is said for every value: for a bank angle 2γ."""
 _AT_AN_ANGLE = re.compile(
     r"(?:(?<![A-Za-z])(?:at|near|to|towards|until|past|before|after)\s+(?:the|an|that|this|one)\s+(?:crank\s+)?"
     r"(?:angles?|positions?)(?![A-Za-z])"
@@ -497,6 +503,20 @@ class Sections:
         """Return what a relation's sentence says before it."""
         text = self.document.text[max(0, chain.start - LONGEST_SENTENCE) : chain.start]
         return re.split(r"[.;!?。]\s|\n\s*\n", text)[-1]
+
+    def is_introduced_as_any(self, chain: Chain, name: str) -> bool:
+        """Tell whether the words of a relation's paragraph name a letter as any: for a bank angle 2γ."""
+        line = chain.lines[0]
+        first = self.paragraph_start(line)
+        while first > 1 and _SET_OFF.match(self._lines[first - 1]):  # the words above a display
+            above = next((n for n in range(first - 1, 0, -1) if self._lines[n - 1].strip()), 0)
+            if not above:
+                break
+            first = self.paragraph_start(above)
+        begin = max(self._start_of_line(first), chain.start - 4 * LONGEST_SENTENCE)
+        ways = "|".join(re.escape(way) for way in {f"\\{name}", name, formula_text(Name(name), plain=True)})
+        pattern = rf"(?:{_ANY})[^.;!?。；=\n]{{0,60}}?(?<![A-Za-z\\])(?:{ways})(?![A-Za-z0-9_])"
+        return re.search(pattern, self.document.text[begin : chain.start], re.IGNORECASE) is not None
 
     def sentence_leading_to(self, chain: Chain) -> str:
         """Return the sentence before a relation, be it that of the paragraph above a display."""
