@@ -32,8 +32,8 @@ from symbalance.notes.checking.declared.symbols import motions_of
 from symbalance.notes.checking.judging.judge import Judge
 from symbalance.notes.checking.page.expanded_sums import with_expanded_sums
 from symbalance.notes.checking.page.letters_anew import with_letters_anew
-from symbalance.notes.checking.page.signs_of_motions import with_signs_of_motions
 from symbalance.notes.checking.page.page_data import data_of
+from symbalance.notes.checking.page.signs_of_motions import with_signs_of_motions
 from symbalance.notes.checking.page.sums_by_rule import with_sums_by_rule
 from symbalance.notes.checking.page.time_letters import with_time
 from symbalance.notes.checking.page.whole_letters import with_whole_letters

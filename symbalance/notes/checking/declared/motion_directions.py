@@ -1,8 +1,8 @@
 """The direction in which a declared motion counts as positive: "piston velocity, away from the crank".
 
-The formulas of `geometry` count a velocity and an acceleration towards the crank, as from top dead centre,
-and the inertia force away from it. A declaration that names the other direction gives its letter the
-other sign; one that names none has the sign of the formulas.
+The formulas of `geometry` count a velocity and an acceleration towards the crank, as from top dead
+centre, and the inertia force away from it. A declaration that names the other direction gives its letter
+the other sign; one that names none has the sign of the formulas.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def direction_of(text: str) -> int:
 
 
 def directed(text: str, node: Formula) -> Formula:
-    """Return the formula of a declared motion, with the other sign where its text names that direction."""
+    """Return a declared motion's formula, with the other sign where its text names that direction."""
     role, direction = role_of(text), direction_of(text)
     if role not in DIRECTED or not direction:
         return node

@@ -118,7 +118,7 @@ class Scope:
     assumptions: tuple[str, ...] = ()
     proposed: bool = False
     by_page: bool = False
-    """Whether the page's own words made it: then it is of its letters alone, and not of all that stands there."""
+    """Whether the page's own words made it: it is of its letters alone, not of all that stands there."""
 
     def confines(self, letters: Set[str]) -> bool:
         """Tell whether what is defined in its lines, of these letters, holds nowhere else.

@@ -173,8 +173,8 @@ _WORDINGS = tuple(
         (
             "rod angle",
             rf"(?:angle|inclination) (?:between|of) {_ROD} (?:and|to|against|with) "
-            rf"{_THE}(?:(?:cylinder|bore|piston)(?: (?:axis|line|cent(?:re|er)[- ]?line))?|(?:cent(?:re|er)[- ]?line|axis)"
-            rf"(?: of {_THE}(?:cylinder|bore))?)",
+            rf"{_THE}(?:(?:cylinder|bore|piston)(?: (?:axis|line|cent(?:re|er)[- ]?line))?"
+            rf"|(?:cent(?:re|er)[- ]?line|axis)(?: of {_THE}(?:cylinder|bore))?)",
         ),
         ("rod angle", r"pleuel(?:stangen)?winkel|schwenkwinkel"),
         (
@@ -182,7 +182,10 @@ _WORDINGS = tuple(
             r"winkel zwischen (?:dem )?(?:pleuel|der (?:pleuel|schub)stange|pleuelstange|schubstange)"
             r" und (?:der )?(?:zylinder|bohrungs)(?:achse|mitte)",
         ),
-        ("rod angle", r"(?:コンロッド|連接棒|連桿)と(?:シリンダー?|気筒)(?:の?(?:中心)?(?:軸|線)|軸線|中心線)?の?なす角度?"),
+        (
+            "rod angle",
+            r"(?:コンロッド|連接棒|連桿)と(?:シリンダー?|気筒)(?:の?(?:中心)?(?:軸|線)|軸線|中心線)?の?なす角度?",
+        ),
         ("rod angle", r"(?:コンロッド|連接棒|連桿)の?(?:角度?|傾き)"),
         ("stroke", rf"piston stroke|stroke of {_THE}piston|kolbenhub|(?:ピストン)?(?:ストローク|行程)"),
         ("piston velocity", rf"velocity of {_THE}piston|kolbengeschwindigkeit|ピストンの?速度"),
@@ -195,7 +198,8 @@ _WORDINGS = tuple(
         ),
         (
             FROM_PIN,
-            r"abstand (?:des kolben(?:s|bolzens)|kolbenbolzen) (?:von|über) der kurbelwellen(?:achse|mitte)"
+            r"abstand (?:des kolben(?:s|bolzens)|kolbenbolzen)"
+            r" (?:von|über) der kurbelwellen(?:achse|mitte)"
             r"|クランク(?:軸|中心)(?:の?中心)?から(?:の)?ピストン(?:ピン)?(?:まで)?の?(?:距離|高さ|位置)",
         ),
         (FROM_TOP, rf"displacement of {_THE}piston from (?:tdc|(?:the )?top dead cent(?:re|er))"),
@@ -208,12 +212,15 @@ _WORDINGS = tuple(
         (
             "rod ratio l/r",
             rf"(?:(?:rod )?ratio (?:[a-z] ?= ?)?\(?l/r\)?,? (?:of {_ROD_SIZE} (?:to|and) {_CRANK_SIZE})"
-            rf"|ratio of {_ROD_SIZE} (?:to|and) {_CRANK_SIZE}(?: \(?l/r\)?)?|{_ROD} to crank ratio \(?l/r\)?)",
+            rf"|ratio of {_ROD_SIZE} (?:to|and) {_CRANK_SIZE}(?: \(?l/r\)?)?"
+            rf"|{_ROD} to crank ratio \(?l/r\)?)",
         ),
         (
             "crank ratio r/l",
-            rf"(?:(?:rod |crank )?ratio (?:[a-zλρ] ?= ?)?\(?r/l\)?,? (?:of {_CRANK_SIZE} (?:to|and) {_ROD_SIZE})"
-            rf"|ratio of {_CRANK_SIZE} (?:to|and) {_ROD_SIZE}(?: \(?r/l\)?)?|crank to {_ROD} ratio \(?r/l\)?)",
+            rf"(?:(?:rod |crank )?ratio (?:[a-zλρ] ?= ?)?\(?r/l\)?,?"
+            rf" (?:of {_CRANK_SIZE} (?:to|and) {_ROD_SIZE})"
+            rf"|ratio of {_CRANK_SIZE} (?:to|and) {_ROD_SIZE}(?: \(?r/l\)?)?"
+            rf"|crank to {_ROD} ratio \(?r/l\)?)",
         ),
         ("crank ratio r/l", rf"{_RATIO_GERMAN} \(?r/l\)?"),
         ("rod ratio l/r", rf"{_RATIO_GERMAN} \(?l/r\)?"),

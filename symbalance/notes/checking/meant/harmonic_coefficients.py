@@ -12,7 +12,7 @@ velocity or the displacement, so that nothing is refuted before one coefficient 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import comb
 
@@ -40,7 +40,7 @@ _RATIOS = frozenset({"lambda", "rho", "epsilon", "n", "kappa", "mu", "q", "nu", 
 
 @dataclass
 class HarmonicCoefficients:
-    """Judges the coefficients of one page; which letters have agreed with the acceleration's is its state."""
+    """Judges the coefficients of one page; which letters have agreed so far is its state."""
 
     sections: Sections
     agreed: dict[tuple[str, str], int] = field(default_factory=dict)
@@ -55,43 +55,33 @@ class HarmonicCoefficients:
             return None
         (ratio,) = own
         order, terms = int(match["order"]), _terms(right, ratio)
-        if ratio not in _RATIOS or not terms or chain.relations[0].sign not in "=≈":
+        key, is_rough = (match["stem"], ratio), chain.relations[0].sign in "=≈"
+        directions = {power > 0 for power in terms}
+        if ratio not in _RATIOS or not is_rough or len(directions) != 1 or 0 in terms:
             return None
-        is_inverse = all(power < 0 for power in terms)
-        if not is_inverse and not all(power > 0 for power in terms):
-            return None
+        first, is_inverse = min(terms, key=abs), directions == {False}
         series = coefficients(order, max(map(abs, terms)))
-        first = min(terms, key=abs)
-        known = series.get(abs(first))
-        key = match["stem"], ratio
-        if known is None or abs(first) != order - 1:
-            return None
-        sign = terms[first] / known
+        sign = terms[first] / series[order - 1] if abs(first) == order - 1 else Fraction(0)
         is_leading = abs(sign) == 1
-        if not is_leading and key not in self.agreed:
-            return None
-        if not self._is_said(chain) and key not in self.agreed:
+        is_said = key in self.agreed or (is_leading and self._is_said(chain))
+        if not sign or not is_said:
             return None
         target = _series_node(series, ratio, -1 if is_inverse else 1, -1 if sign < 0 else 1)
         side = chain.sides[k + 1]
         bare = Knowledge(SymbolValue(positive=frozenset(own)), corrects=knowledge.corrects)
         decision = decide(Side((target,), chain.sides[k].span), Side((right,), side.span), "=", bare)
-        text = (
-            f"{plain_letter(left.name)} is the coefficient of cos {order}θ in the piston's acceleration"
-            f" over r ω² ({NOBODY}; {'its formula says so' if is_leading else f'as in line {self.agreed[key]}'})"
-        )
+        source = "its formula says so" if is_leading else f"as in line {self.agreed[key]}"
+        what = f"the coefficient of cos {order}θ in the piston's acceleration over r ω²"
+        text = f"{plain_letter(left.name)} is {what} ({NOBODY}; {source})"
         if decision.is_proved:
             self.agreed.setdefault(key, chain.lines[0])
             through = f"{plain_letter(ratio)}^{max(map(abs, terms))}"
             return Decision(PROVED, order=through, assumptions=(text,))
-        if decision.status != REFUTED:
-            return None
-        return Decision(
-            REFUTED, f"if {text}", left=decision.left, right=decision.right, witness=decision.witness
-        )
+        refuted = replace(decision, reason=f"if {text}", assumptions=())
+        return refuted if decision.status == REFUTED else None
 
     def _is_said(self, chain: Chain) -> bool:
-        """Tell whether the sentence or the section's heading speaks of harmonics or their coefficients."""
+        """Tell whether the sentence or its section's heading speaks of harmonics."""
         words = self.sections.sentence_leading_to(chain) + self.sections.heading_above(chain.lines[0])
         return _WORDS.search(words) is not None
 
@@ -113,7 +103,7 @@ def coefficients(order: int, highest: int) -> dict[int, Fraction]:
 
 
 def _terms(node: Formula, ratio: str) -> dict[int, Fraction]:
-    """Return the coefficients of a polynomial in one letter by its powers; none where it is another form."""
+    """Return the coefficients of a polynomial in one letter by its powers; none of another form."""
     try:
         form = FormEvaluator(Domain(), SymbolValue()).form(node)
     except (NoFormError, TooLargeError):

@@ -208,7 +208,9 @@ class MeantQuantities:
             return None
         match = phrase.search(words)
         text = match[0] if match else ""
-        return Meant(role, f"{plain_letter(base)} is the {role} ({NOBODY}; taken from the words “{text}”)")
+        return Meant(
+            role, f"{plain_letter(base)} is the {role} ({NOBODY}; taken from the words “{text}”)"
+        )
 
     def rod_angle(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
         """Return the proof of what fixes an angle that is the rod's: sin β = (r/l) sin θ."""

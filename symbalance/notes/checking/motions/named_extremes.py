@@ -36,7 +36,7 @@ def base_of_largest(name: str) -> str:
 
 
 def decide_named_extreme(chain: Chain, knowledge: Knowledge) -> Decision | None:
-    """Decide what a line says of the largest value of a letter with a formula; None where it says nothing.
+    """Decide what a line says of the largest value of a letter with a formula; None for nothing.
 
     It is decided only where the claim has no letter that the formula has not: a force per area has.
     """
@@ -45,17 +45,15 @@ def decide_named_extreme(chain: Chain, knowledge: Knowledge) -> Decision | None:
     definition = knowledge.definitions.get(base)
     if not isinstance(head.node, Name) or definition is None or knowledge.has_meaning(head.node.name):
         return None
-    if definition.numeric or definition.assumption or not names(right.node):
-        return None
     values = {n: d.node for n, d in knowledge.definitions.items()} | dict(knowledge.meaning.values)
     theta = theta_name(knowledge)
     behind = {*letters_behind(definition.node, values)}
-    if theta not in behind or not {*letters_behind(right.node, values)} <= behind - {theta}:
+    inside, own = {*names_behind(definition.node, values)}, names(right.node)
+    is_formula = not (definition.numeric or definition.assumption) and theta in behind
+    if not is_formula or not own or not own <= inside - {theta}:
         return None
-    if any(_has_branches(values.get(name)) for name in names_behind(definition.node, values)):
+    if _has_branches(definition.node) or any(_has_branches(values.get(name)) for name in inside):
         return None  # of a root the sizes have to be those of an engine
-    if _has_branches(definition.node):
-        return None
     positive = knowledge.meaning.positive | behind - {theta}  # masses, lengths, speeds: all sizes
     knowledge = replace(knowledge, meaning=replace(knowledge.meaning, positive=positive))
     span = head.span
@@ -84,5 +82,6 @@ def _at_its_place(motion: Formula, right: Side, knowledge: Knowledge) -> Decisio
 
 def _has_branches(node: Formula | None) -> bool:
     return node is not None and any(
-        isinstance(part, Call) and part.function in ("sqrt", "asin", "acos", "atan") for part in walk(node)
+        isinstance(part, Call) and part.function in ("sqrt", "asin", "acos", "atan")
+        for part in walk(node)
     )

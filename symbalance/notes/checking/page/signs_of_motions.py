@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symbalance.document.formula import Derivative, Formula, Name, names
+from symbalance.document.formula import Formula, Name, names
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.declared.motion_directions import AWAY, direction_of
@@ -25,9 +25,7 @@ _MOST = 12
 """Formulas of one letter that are looked at."""
 
 
-def with_signs_of_motions(
-    page: ReadNotes, declarations: Declarations
-) -> tuple[ReadNotes, Declarations]:
+def with_signs_of_motions(page: ReadNotes, declarations: Declarations) -> tuple[ReadNotes, Declarations]:
     """Return a page and its declarations with the direction of each motion that the page counts upwards.
 
     Only where a letter is declared the height above the crank, and none the way from top dead centre.
@@ -36,7 +34,9 @@ def with_signs_of_motions(
     roles = {role_of(text) for text in symbols.values()}
     if FROM_TOP in roles or not roles & {FROM_PIN, FROM_MIDDLE}:
         return page, declarations
-    open_letters = [n for n, text in symbols.items() if role_of(text) in _MOTIONS and not direction_of(text)]
+    open_letters = [
+        n for n, text in symbols.items() if role_of(text) in _MOTIONS and not direction_of(text)
+    ]
     if not open_letters:
         return page, declarations
     meaning, changed, notes = meaning_of(symbols)[0], dict(symbols), list[str]()
@@ -50,7 +50,9 @@ def with_signs_of_motions(
 
 def _upward_lines(name: str, page: ReadNotes, meaning: SymbolValue) -> list[int]:
     """Return the lines that give a letter the negative of its quantity, if no fewer than give it that."""
-    formulas = [(node, chain.lines[0]) for chain in page.chains for node in _formulas(name, chain)][:_MOST]
+    formulas = [(node, chain.lines[0]) for chain in page.chains for node in _formulas(name, chain)][
+        :_MOST
+    ]
     signs = [(_sign(name, node, meaning), line) for node, line in formulas]
     upward = [line for sign, line in signs if sign < 0]
     return upward if len(upward) >= sum(sign > 0 for sign, _ in signs) else []
@@ -71,5 +73,3 @@ def _sign(name: str, node: Formula, meaning: SymbolValue) -> int:
         if rows and all(abs(own - sign * value) <= _NEAR * scale for own, value in rows):
             return sign
     return 0
-
-

@@ -49,7 +49,7 @@ class _Rule:
 
 
 def with_sums_by_rule(page: ReadNotes) -> ReadNotes:
-    """Return a page whose sums over letters with a rule have the rule's bounds, and its number of terms."""
+    """Return a page whose sums over letters with a rule have its bounds and its number of terms."""
     if not any(isinstance(part, Summation) for chain in page.chains for part in _parts_of(chain)):
         return page
     rules = _rules(page)
@@ -101,9 +101,10 @@ def _run(page: ReadNotes, index: str) -> tuple[int, str] | None:
         return int(match["first"] or match["least"]), match["last"] or match["most"]
     sums = (part for chain in page.chains for part in _parts_of(chain) if isinstance(part, Summation))
     for part in sums:
-        if part.index is not None and part.index.name == index and isinstance(part.upper, Name):
-            if isinstance(part.lower, Number) and part.lower.value in (0, 1):
-                return int(part.lower.value), part.upper.name
+        is_over = part.index is not None and part.index.name == index
+        lower, upper = part.lower, part.upper
+        if is_over and isinstance(upper, Name) and isinstance(lower, Number) and lower.value in (0, 1):
+            return int(lower.value), upper.name
     return None
 
 
@@ -138,13 +139,14 @@ def _sum_written(node: Summation, rules: Mapping[str, _Rule], beside: frozenset[
     if not own or len({(rule.index, rule.first, rule.last) for rule in own}) > 1:
         return node
     index, first, last = own[0].index, own[0].first, own[0].last
-    if node.index is not None and node.index.name != index:
-        return node
-    if any(name not in rules for name in indexed_letters(node.body, index)):
+    is_over_another = node.index is not None and node.index.name != index
+    if is_over_another or any(name not in rules for name in indexed_letters(node.body, index)):
         return node
     if node.lower is None and node.upper is None:
         lower = Number(Fraction(first), span=node.span)
-        return replace(node, index=Name(index, span=node.span), lower=lower, upper=Name(last, span=node.span))
+        return replace(
+            node, index=Name(index, span=node.span), lower=lower, upper=Name(last, span=node.span)
+        )
     ends = [end.value if isinstance(end, Number) else None for end in (node.lower, node.upper)]
     if ends[0] != first or ends[1] is None or last in beside | names(node.body):
         return node

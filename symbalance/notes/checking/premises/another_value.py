@@ -55,15 +55,10 @@ def define_anew(
         reason = f"anew: in line {earlier.line} it was another one's"
     elif _is_exact_form(name, value, earlier, chain, k, knowledge):
         reason = f"exactly what line {earlier.line} has approximately"
-    elif new := _general_letter(value, chain, k, definitions, knowledge):
+    by_words = "" if reason else _said_by_words(value, earlier, chain, k, definitions, knowledge)
+    if reason or by_words:
         definitions.define(name, without_dots(value)[0], chain)
-        return Decision(PREMISE, f"anew: for any {plain_text(Name(new))}, by the words before")
-    elif times := _times_the_earlier(value, earlier, chain, k, definitions, knowledge):
-        definitions.define(name, without_dots(value)[0], chain)
-        return Decision(PREMISE, f"{times} times that of line {earlier.line}, by the words before")
-    if reason:
-        definitions.define(name, without_dots(value)[0], chain)
-        return Decision(DEFINITION, reason)
+        return Decision(DEFINITION, reason) if reason else Decision(PREMISE, by_words)
     if chain.relations[k].sign == "≈" and not k and names(earlier.node) and not names(value):
         condition = Premise(earlier.node, value, line, definitions.sections.case_end(line))
         turning = _turning_behind(name, earlier.node, knowledge)
@@ -120,13 +115,29 @@ def _is_anew(definitions: Definitions, earlier: Definition, chain: Chain) -> boo
     return not is_tied and definitions.sections.is_of_another_engine(chain, earlier.line)
 
 
+def _said_by_words(
+    value: Formula,
+    earlier: Definition,
+    chain: Chain,
+    k: int,
+    definitions: Definitions,
+    knowledge: Knowledge,
+) -> str:
+    """Return what words before a second formula say of it: general, or of several; "" for nothing."""
+    if new := _general_letter(value, chain, k, definitions, knowledge):
+        return f"anew: for any {plain_text(Name(new))}, by the words before"
+    if times := _times_the_earlier(value, earlier, chain, k, definitions, knowledge):
+        return f"{times} times that of line {earlier.line}, by the words before"
+    return ""
+
+
 def _general_letter(
     value: Formula, chain: Chain, k: int, definitions: Definitions, knowledge: Knowledge
 ) -> str:
     """Return the letter that a formula is general in: for a bank angle 2γ, after the one for 90°; or "".
 
-    The letter has not stood on the page before its paragraph, nobody has declared it, and the words before
-    name it as any: for a, for any, in general.
+    The letter has not stood on the page before its paragraph, nobody has declared it, and the words
+    before name it as any: for a, for any, in general.
     """
     if k or not names(value):
         return ""
@@ -139,7 +150,12 @@ def _general_letter(
 
 
 def _times_the_earlier(
-    value: Formula, earlier: Definition, chain: Chain, k: int, definitions: Definitions, knowledge: Knowledge
+    value: Formula,
+    earlier: Definition,
+    chain: Chain,
+    k: int,
+    definitions: Definitions,
+    knowledge: Knowledge,
 ) -> int:
     """Return how many times its earlier formula a letter is now, where words say so; 0 for none.
 

@@ -17,7 +17,7 @@ _CLOSE = 1e-9
 
 
 def values_put_in(chain: Chain, knowledge: Knowledge) -> frozenset[float]:
-    """Return the decimals of a chain's arithmetic that are values of its first side's letters, rounded."""
+    """Return the decimals of a chain's arithmetic that are its first side's letters, rounded."""
     letters_put_in = names(chain.sides[0].node)
     rows = [side.node for side in chain.sides[1:] if not names(side.node)]
     typed = {

@@ -54,7 +54,7 @@ def _is_of_another_order(node: Formula, claim: Formula, knowledge: Knowledge) ->
 
 
 def _power_of_ratio(node: Formula, knowledge: Knowledge) -> Fraction | None:
-    """Return the power of r/l or l/r that all terms of a formula have in common; None where they differ."""
+    """Return the power of the rod's ratio that all terms of a formula have; None where they differ."""
     if knowledge.crank is None or knowledge.crank.small is None:
         return None
     values = {n: d.node for n, d in knowledge.definitions.items() if not d.numeric}
@@ -73,10 +73,8 @@ def _power_of_ratio(node: Formula, knowledge: Knowledge) -> Fraction | None:
     return Fraction(powers[0].pop()) - Fraction(powers[1].pop())
 
 
-def as_new_extreme(
-    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
-) -> Decision | None:
-    """Return that a relation says how large a quantity gets of which no formula is known; None for others."""
+def as_new_extreme(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return that a relation says how large a quantity without a formula gets; None for others."""
     name, right = _measured(chain.sides[0].node), chain.sides[1]
     is_new = name and not knowledge.has_meaning(name) and name not in names(right.node)
     if k or not is_new or not isinstance(chain.sides[0].node, Extremum):

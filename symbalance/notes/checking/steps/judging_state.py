@@ -100,7 +100,7 @@ class JudgingState:
         self.solutions: dict[int, tuple[Premise, Decision]] = {}
         """Where an equation's solution stands: the equation, and whether the solution satisfies it."""
         self.extremes: dict[tuple[str, str], tuple[Side, int]] = {}
-        """Largest and smallest values of quantities without a formula, each with the line it stands on."""
+        """Largest and smallest values of quantities without a formula, each with its line."""
         self.balances: set[int] = set()
         """Places of the solutions of balances, which are wrong where they do not satisfy them."""
         self.wrong_angles: dict[int, Decision] = {}

@@ -13,8 +13,8 @@ from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.meant.meant_extremes import decide_meant_extreme
 from symbalance.notes.checking.motions.extreme_sizes import decide_largest_size
-from symbalance.notes.checking.motions.named_extremes import base_of_largest, decide_named_extreme
 from symbalance.notes.checking.motions.extremes import decide_extreme, decide_place
+from symbalance.notes.checking.motions.named_extremes import base_of_largest, decide_named_extreme
 from symbalance.notes.checking.motions.series_coefficients import (
     coefficient_values,
     decide_coefficient,
@@ -27,7 +27,6 @@ from symbalance.notes.checking.verdicts import PREMISE, REFUTED, UNDECIDED, Verd
 from symbalance.notes.checking.words.case_words import numbers_of_several
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Side
-
 
 _OF_ALL = re.compile(
     r"(?<![A-Za-z])(?:all|total|whole|together|sum|per|each|mean|average|allowed|permissible|limit|zusammen|gesamt\w*"

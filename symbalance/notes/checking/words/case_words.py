@@ -130,9 +130,17 @@ _TIMES = {
     "verdoppeln": 2, "zweifach": 2, "dreifach": 3, "dreifache": 3, "vierfach": 4, "vierfache": 4,
     "両": 2, "2倍": 2, "二倍": 2, "3倍": 3, "4倍": 4, "6倍": 6, "倍": 2,
 }  # fmt: skip
+_LATIN_NUMBERS = "|".join(
+    sorted(
+        (word for word in {**_COUNTS, **_TIMES} if word[0] < "\u2e80" and word[0].isalpha()),
+        key=len,
+        reverse=True,
+    )
+)
 _HOW_MANY = re.compile(
-    rf"(?<![A-Za-zäöü])(?P<all>{'|'.join(sorted((w for w in {**_COUNTS, **_TIMES} if w.isascii() or w[0] < '⺀'), key=len, reverse=True))})(?![A-Za-zäöü])"
-    r"|(?P<digits>(?<![0-9.,])[0-9]{1,2})\s?(?:cylinders?|pistons?|cranks|forces|Zylinder|Kolben|Kräfte|気筒|ピストン|倍)"
+    rf"(?<![A-Za-zäöü])(?P<all>{_LATIN_NUMBERS})(?![A-Za-zäöü])"
+    r"|(?P<digits>(?<![0-9.,])[0-9]{1,2})\s?"
+    r"(?:cylinders?|pistons?|cranks|forces|Zylinder|Kolben|Kräfte|気筒|ピストン|倍)"
     r"|(?P<signs>両|[二2]倍|[346]倍|倍)",
     re.IGNORECASE,
 )
@@ -199,10 +207,12 @@ def engine_of(last: re.Match[str] | None) -> tuple[int, str] | None:
     return _COUNTS.get(number) or int(number), (last["kind"] or "").lower()
 
 
-def is_other_engine(before: tuple[int, str], now: tuple[int, str]) -> bool:
-    """Tell whether two engines, as they are named, are not the same: other cylinders or another kind.
+def is_other_engine(before: tuple[int, str] | None, now: tuple[int, str] | None) -> bool:
+    """Tell whether two engines that are both named are not the same: other cylinders or another kind.
 
     >>> is_other_engine((2, "v"), (2, "")), is_other_engine((2, ""), (4, "flat"))
     (False, True)
     """
+    if before is None or now is None:
+        return False
     return before[0] != now[0] or bool(before[1] and now[1] and before[1] != now[1])

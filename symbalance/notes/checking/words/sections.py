@@ -407,9 +407,8 @@ class Sections:
         before, now = (
             case_words.engine_of(self._engines.last_before(place)) for place in (earlier, start)
         )
-        if before is not None and now is not None:
-            if by_headings is None and case_words.is_other_engine(before, now):
-                return True
+        if by_headings is None and case_words.is_other_engine(before, now):
+            return True
         own_engine = case_words.engine_named(text[case_words.clause_start(text, start) : start], start)
         if before is None and own_engine is not None and own_engine[0] > 1:
             return True  # of one cylinder above, and here its own clause says: for an inline four
@@ -420,7 +419,7 @@ class Sections:
         return problems[0] != problems[1] != ""
 
     def _headings_name_other_engines(self, line: int, earlier_line: int) -> bool | None:
-        """Tell whether two lines stand under headings that name different engines; None if one names none."""
+        """Tell whether two lines' headings name different engines; None if one names none."""
         if self.same_section(earlier_line, line):
             return None
         before, now = (
@@ -514,7 +513,9 @@ class Sections:
                 break
             first = self.paragraph_start(above)
         begin = max(self._start_of_line(first), chain.start - 4 * LONGEST_SENTENCE)
-        ways = "|".join(re.escape(way) for way in {f"\\{name}", name, formula_text(Name(name), plain=True)})
+        ways = "|".join(
+            re.escape(way) for way in {f"\\{name}", name, formula_text(Name(name), plain=True)}
+        )
         pattern = rf"(?:{_ANY})[^.;!?。；=\n]{{0,60}}?(?<![A-Za-z\\])(?:{ways})(?![A-Za-z0-9_])"
         return re.search(pattern, self.document.text[begin : chain.start], re.IGNORECASE) is not None
 
