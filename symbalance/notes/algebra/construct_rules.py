@@ -205,7 +205,14 @@ def _evaluation(evaluator: FormEvaluator, node: formula.Evaluation) -> Form:
 
 
 def _at(evaluator: FormEvaluator, letter: formula.Formula, place: formula.Formula) -> Form:
-    """Return x(π), ẍ(0): what a letter, known as a function of an angle, or its derivative is there."""
+    """Return x(π), ẍ(0): what a letter, known as a function of an angle, or its derivative is there.
+
+    A case in which the angle has a value, at θ = 0, says nothing of x(π).
+    """
+    for angle in {angle for rates in evaluator.meaning.rates.values() for angle in rates}:
+        value = evaluator.meaning.values.get(angle)
+        if value is not None and not formula.names(value):
+            evaluator = evaluator.freeing(angle)
     form, meaning = evaluator.form(letter), evaluator.meaning
     name = letter.name if isinstance(letter, formula.Name) else ""
     if name and form.equals(Form.letter(form.domain, name)):

@@ -33,6 +33,8 @@ from symbalance.notes.checking.judging.judge import Judge
 from symbalance.notes.checking.page.expanded_sums import with_expanded_sums
 from symbalance.notes.checking.page.letters_anew import with_letters_anew
 from symbalance.notes.checking.page.page_data import data_of
+from symbalance.notes.checking.page.signs_of_motions import with_signs_of_motions
+from symbalance.notes.checking.page.sums_by_rule import with_sums_by_rule
 from symbalance.notes.checking.page.time_letters import with_time
 from symbalance.notes.checking.page.whole_letters import with_whole_letters
 from symbalance.notes.checking.reports.written_assumptions import with_written_assumptions
@@ -117,7 +119,9 @@ def check(
     page = run_within(budget, partial(read_document, text, name, letters, motions))
     page = with_bare_degrees(page, only_named=True)
     page, declarations = with_letters_anew(page, declarations.without_idle(page_letters(page)))
+    page, declarations = with_signs_of_motions(page, declarations)
     declarations = with_whole_letters(page, with_time(page, declarations))
+    page = with_sums_by_rule(page)
     page = with_expanded_sums(page, data_of(page, declarations.symbols_at))
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
     sources = Sources(provider, beside)

@@ -21,7 +21,7 @@ from symbalance.notes.reading.continued_lines import goes_on_below, goes_on_from
 from symbalance.notes.reading.differentials import with_differentials
 from symbalance.notes.reading.equations import Chain, Passed, ReadNotes, Relation, Side, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
-from symbalance.notes.reading.free_letters import is_plain
+from symbalance.notes.reading.free_letters import is_plain, with_real_letters
 from symbalance.notes.reading.letter_names import matching_brace
 from symbalance.notes.reading.lexer import AT, CLOSER, LONGEST_ANNOTATED, LONGEST_EQUATION, Token, lex
 from symbalance.notes.reading.parser import is_extreme, other_form, read_tokens
@@ -480,6 +480,7 @@ class Assembler:
             value_of,
         )
         sides = with_rounded_results(sides, draft.sides, [sign.value for sign in draft.signs])
+        sides = with_real_letters(sides, [sign.value for sign in draft.signs])
         draft.notes.extend(note for note in notes if note not in draft.notes)
         for letter in free or ():
             self.free_letters.setdefault(letter, draft.item.first_line)

@@ -10,8 +10,9 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Sequence
 
-from symbalance.document.formula import Call, Derivative, Formula, Name, Summation, names, walk
+from symbalance.document.formula import Call, Constant, Derivative, Formula, Name, Summation, names, walk
 from symbalance.document.letters import ACCENTS, GREEK_SIGN, TIME_DOTS
+from symbalance.notes.reading.equations import Side
 from symbalance.notes.reading.lexer import Token
 from symbalance.notes.reading.units import scale_of
 
@@ -101,3 +102,19 @@ def _is_indexed(name: str, total: Summation) -> bool:
     if re.search(carried, name):
         return False  # F_k summed over k from 1 to 4 is F_1 + F_2 + F_3 + F_4
     return total.index.name in subscripts or not subscripts.isdisjoint(_INDICES)
+
+
+def with_real_letters(sides: Sequence[Side | None], signs: Sequence[str]) -> list[Side | None]:
+    """Return the sides of a chain, an i that is compared in size as a letter: 1 ≤ i ≤ N."""
+    if not set(signs) & _ORDERED:
+        return list(sides)
+    return [_with_real_letter(side) for side in sides]
+
+
+_ORDERED = frozenset({"<", ">", "≤", "≥"})
+
+
+def _with_real_letter(side: Side | None) -> Side | None:
+    if side is None or side.node != Constant("i"):
+        return side
+    return Side((Name("i", span=side.node.span),), side.span)

@@ -11,6 +11,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 Span = tuple[int, int]
+_OPENING, _CLOSING = ("\\(", "\\[", "$"), ("\\)", "\\]", "$")
+"""What marks of formulas become: each stands for its own mark, not for the formula between."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,7 +119,7 @@ class Rewriter:
         done = start
         for text in texts:
             if isinstance(text, str):
-                self.pieces.append(Piece(text, start, end, False))
+                self.pieces.append(Piece(text, *_stretch(text, texts, done, start, end), False))
             elif text[0] >= done:
                 self._add_lines(done, text[0], start, end)
                 self.pieces += self._argument(*text, True)
@@ -147,3 +149,13 @@ class Rewriter:
         self._keep(len(self.text))
         self.place = len(self.text)
         return rewritten(self.pieces)
+
+
+def _stretch(text: str, texts: tuple[str | Span, ...], done: int, start: int, end: int) -> Span:
+    """Return the stretch that a text put in stands for: all that is replaced, or a formula's mark."""
+    inner = [span for span in texts if not isinstance(span, str)]
+    if len(inner) != 1:
+        return start, end
+    if done == start and text in _OPENING:
+        return start, inner[0][0]
+    return (inner[0][1], end) if done == inner[0][1] and text in _CLOSING else (start, end)

@@ -627,6 +627,14 @@ _JOINED_BEFORE = re.compile(
     re.IGNORECASE,
 )
 _BOUNDS_BEFORE = re.compile(r"\b(?:from|von|de)\s+\S{1,12}\s+(?:to|bis|à)$", re.IGNORECASE)
+_CHANGE_BEFORE = re.compile(
+    r"\b(?:up|down|rises?|rose|falls?|fell|drops?|dropped|grows?|grew|sinks?|sank|increases?"
+    r"|increased|decreases?|decreased|reduces?|reduced|lowers?|lowered|raised?|raises|changes?|changed|halved|doubled"
+    r"|shrinks?|shrank|steigt|sinkt|fällt|wächst|verringert|erhöht|reduziert|monte|baisse|tombe)"
+    r"(?:\s+(?!over|sum)[^\W\d_]+){0,2}\s+(?:from|von|de)\s+\S{1,12}\s+(?:to|bis|à)$",
+    re.IGNORECASE,
+)
+"""A change between two values, the second of which begins a relation: down from 2 to √2 ≈ 1.41."""
 _OPERATION = re.compile(r"[+\-−–*×·⋅∙/÷^±∓!]|\\(?:cdot|times|div|pm|mp|over)(?![A-Za-z])|\*\*")
 
 
@@ -688,7 +696,8 @@ def _doubt_before(start: int, before: str) -> ReadingError | None:
         word = re.search(r"\w+$", before[: operation.start(2)].rstrip())
         what = f"a formula that begins in words: {word.group() if word else ''} {operation[2]}"
         return ReadingError(start, what, "declare the word, or write the relation in signs")
-    joined = _JOINED_BEFORE.search(before) or _BOUNDS_BEFORE.search(before)
+    joined = _JOINED_BEFORE.search(before)
+    joined = joined or (not _CHANGE_BEFORE.search(before) and _BOUNDS_BEFORE.search(before)) or None
     if joined:
         what = f"a formula that begins in words: {joined.group()}"
         return ReadingError(start, what, "write the relation in signs")

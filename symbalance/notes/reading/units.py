@@ -43,6 +43,17 @@ _UNITS["G"] = Fraction(1)
 GRAVITY = Fraction(980665, 10**5)
 """What a multiple of g, 888 g of an acceleration, multiplies its number by."""
 _UNITS["gn"] = GRAVITY
+_SPELLED = {
+    "litre litres liter liters Liter Litern": Fraction(1, 1000),
+    "newton newtons Newton": Fraction(1),
+    "kilonewton kilonewtons Kilonewton": Fraction(1000),
+    "millimetre millimetres millimeter millimeters Millimeter": Fraction(1, 1000),
+    "centimetre centimetres centimeter centimeters Zentimeter": Fraction(1, 100),
+    "metre metres meter meters Meter": Fraction(1),
+    "kilogram kilograms kilogramme kilogrammes Kilogramm": Fraction(1),
+    "gram grams gramme grammes Gramm": Fraction(1, 1000),
+}  # fmt: skip
+_UNITS |= {word: scale for spelled, scale in _SPELLED.items() for word in words(spelled)}
 _UNITS |= {p + "g": scale / 1000 for p, scale in _PREFIXES.items()}
 USUAL_SCALES = tuple(
     sorted(

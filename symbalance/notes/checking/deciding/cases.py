@@ -191,7 +191,11 @@ def _is_of_an_angle(left: Formula, right: Formula, knowledge: Knowledge) -> bool
     if not isinstance(left, Call) or left.function not in ("sin", "cos", "tan") or not names(right):
         return False
     own = names(left)
-    if len(own) != 1 or not own <= knowledge.angles or own & (knowledge.definitions.keys() | names(right)):
+    if (
+        len(own) != 1
+        or not own <= knowledge.angles
+        or own & (knowledge.definitions.keys() | names(right))
+    ):
         return False  # cos 2θ = cos²θ + sin²θ is an identity, and wrong
     try:
         sizes = letters(knowledge.evaluator(list(knowledge.levels(left, right))[-1]).form(right))

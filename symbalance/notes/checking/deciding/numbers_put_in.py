@@ -226,10 +226,12 @@ def _values_of_parts(node: Formula, form_of: Callable[[Formula], Form]) -> Itera
         if names(part):
             yield from _size(part, form_of)
         if isinstance(part, formula.Product | formula.Quotient) and names(part):
-            factors = [f for f in _factors(part) if not isinstance(f, Number)][:MOST_FACTORS]
+            every = list(_factors(part))
+            factors = [f for f in every if not isinstance(f, Number)][:MOST_FACTORS]
             sizes = [next(_size(f, form_of), None) for f in factors]
             known = [size for size in sizes if size is not None]
-            for count in range(2, len(known)):
+            has_count = len(factors) < len(every)  # of 4 λ m r ω² all letters together are a part
+            for count in range(2, len(known) + has_count):
                 for chosen in combinations(known, count):
                     yield math.prod(chosen)
 

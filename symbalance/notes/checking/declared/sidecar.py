@@ -117,6 +117,17 @@ class Scope:
     symbols: Mapping[str, str] = field(default_factory=dict)
     assumptions: tuple[str, ...] = ()
     proposed: bool = False
+    by_page: bool = False
+    """Whether the page's own words made it: it is of its letters alone, not of all that stands there."""
+
+    def confines(self, letters: Set[str]) -> bool:
+        """Tell whether what is defined in its lines, of these letters, holds nowhere else.
+
+        A page that says k = 1, …, N in one section counts with k there; all else it gives stays given.
+        """
+        if not self.by_page:
+            return True
+        return any(n in self.symbols and self.symbols[n] != "integer" for n in letters)
 
     def holds(self, line: int) -> bool:
         """Tell whether a line lies in the scope."""
@@ -233,6 +244,10 @@ class Declarations:
     def owner(self, letter: str, line: int) -> int:
         """Return the number of the last scope that declares a letter at a line, -1 for [symbols]."""
         return max((k for k in self.scope_at(line) if letter in self.scopes[k].symbols), default=-1)
+
+    def scopes_of(self, letters: Set[str], line: int) -> tuple[int, ...]:
+        """Return the numbers of the scopes that what a line says of letters does not reach out of."""
+        return tuple(k for k in self.scope_at(line) if self.scopes[k].confines(letters))
 
     def scope_at(self, line: int) -> tuple[int, ...]:
         """Return the numbers of the scopes a line lies in: what tells two places' letters apart."""

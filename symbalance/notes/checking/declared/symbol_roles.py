@@ -185,6 +185,8 @@ _CRANK = rf"{_THE}crank(?:[- ]?shaft)?"
 _SHAFT = rf"(?:{_CRANK}|{_THE}engine(?:'s crankshaft)?)"
 _OF_ONE = r"(?: (?:of|per|in) (?:one|each|a|the|single) ?(?:piston|cylinder)| per (?:cylinder|piston))?"
 _RATIO_GERMAN = r"(?:schubstangen|pleuelstangen|pleuel)verh(?:ä|ae)ltnis"
+_ROD_SIZE = rf"(?:{_ROD}(?: length)?|(?:the )?length of {_ROD})"
+_CRANK_SIZE = rf"(?:{_CRANK}(?: radius)?|(?:the )?radius of {_CRANK})"
 _WORDINGS = tuple(
     (role, re.compile(pattern))
     for role, pattern in (
@@ -209,11 +211,26 @@ _WORDINGS = tuple(
         ("rod angle", rf"(?:angle|inclination|obliquity|swing) of {_ROD}{_TO_AXIS}"),
         ("rod angle", rf"(?:connecting[- ]rod|con-?rod|rod) (?:angle|inclination|obliquity){_TO_AXIS}"),
         ("rod angle", rf"angle between {_ROD} and {_AXIS}"),
+        (
+            "rod angle",
+            rf"(?:angle|inclination) (?:between|of) {_ROD} (?:and|to|against|with) "
+            rf"{_THE}(?:(?:cylinder|bore|piston)(?: (?:axis|line|cent(?:re|er)[- ]?line))?"
+            rf"|(?:cent(?:re|er)[- ]?line|axis)(?: of {_THE}(?:cylinder|bore))?)",
+        ),
         ("rod angle", r"pleuel(?:stangen)?winkel|schwenkwinkel(?: (?:des pleuels|der pleuelstange))?"),
         (
             "rod angle",
             rf"(?:neigung|auslenkung|neigungswinkel|winkel) {_PLEUEL}"
             r"(?: (?:gegen|zur)(?: die)? zylinderachse)?",
+        ),
+        (
+            "rod angle",
+            r"winkel zwischen (?:dem )?(?:pleuel|der (?:pleuel|schub)stange|pleuelstange|schubstange)"
+            r" und (?:der )?(?:zylinder|bohrungs)(?:achse|mitte)",
+        ),
+        (
+            "rod angle",
+            r"(?:コンロッド|連接棒|連桿)と(?:シリンダー?|気筒)(?:の?(?:中心)?(?:軸|線)|軸線|中心線)?の?なす角度?",
         ),
         ("rod angle", r"(?:コンロッド|連接棒|連桿)の?(?:傾き|傾斜)?(?:角度?|傾き)"),
         ("stroke", rf"piston stroke|stroke of {_THE}piston|kolbenhub|(?:ピストン)?(?:ストローク|行程)"),
@@ -221,8 +238,15 @@ _WORDINGS = tuple(
         ("piston acceleration", rf"acceleration of {_THE}piston|kolbenbeschleunigung|ピストンの?加速度"),
         (
             FROM_PIN,
-            rf"(?:piston position|height of {_THE}(?:piston|gudgeon|wrist)[- ]pin)"
-            r" (?:above|from) the crank(?:shaft)? (?:axis|centre|center)",
+            rf"(?:piston(?:[- ]pin)? (?:position|height)"
+            rf"|(?:height|distance|position) of {_THE}(?:piston|(?:piston|gudgeon|wrist)[- ]pin))"
+            rf" (?:above|from) {_THE}crank(?:shaft)?(?:'s)? (?:axis|cent(?:re|er)(?:[- ]?line)?)",
+        ),
+        (
+            FROM_PIN,
+            r"abstand (?:des kolben(?:s|bolzens)|kolbenbolzen)"
+            r" (?:von|über) der kurbelwellen(?:achse|mitte)"
+            r"|クランク(?:軸|中心)(?:の?中心)?から(?:の)?ピストン(?:ピン)?(?:まで)?の?(?:距離|高さ|位置)",
         ),
         (FROM_TOP, rf"displacement of {_THE}piston from (?:tdc|(?:the )?top dead cent(?:re|er))"),
         (FROM_TOP, r"kolbenweg ab (?:dem )?(?:ot|oberen totpunkt)|上死点からの(?:ピストンの?)?変位"),
@@ -230,6 +254,19 @@ _WORDINGS = tuple(
         (
             "reciprocating mass",
             r"oszillierende masse(?: (?:je|pro|eines) (?:zylinders?|kolbens?))?|往復(?:部の?)?質量",
+        ),
+        (
+            "rod ratio l/r",
+            rf"(?:(?:rod )?ratio (?:[a-z] ?= ?)?\(?l/r\)?,? (?:of {_ROD_SIZE} (?:to|and) {_CRANK_SIZE})"
+            rf"|ratio of {_ROD_SIZE} (?:to|and) {_CRANK_SIZE}(?: \(?l/r\)?)?"
+            rf"|{_ROD} to crank ratio \(?l/r\)?)",
+        ),
+        (
+            "crank ratio r/l",
+            rf"(?:(?:rod |crank )?ratio (?:[a-zλρ] ?= ?)?\(?r/l\)?,?"
+            rf" (?:of {_CRANK_SIZE} (?:to|and) {_ROD_SIZE})"
+            rf"|ratio of {_CRANK_SIZE} (?:to|and) {_ROD_SIZE}(?: \(?r/l\)?)?"
+            rf"|crank to {_ROD} ratio \(?r/l\)?)",
         ),
         ("crank ratio r/l", rf"{_RATIO_GERMAN} \(?r/l\)?"),
         ("rod ratio l/r", rf"{_RATIO_GERMAN} \(?l/r\)?"),

@@ -23,6 +23,7 @@ from symbalance.notes.algebra.matrix_letters import kinds_of
 from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.checking.declared.engines import Engines, NoEngines
 from symbalance.notes.checking.declared.geometry import Geometry, geometry, two
+from symbalance.notes.checking.declared.motion_directions import directed
 from symbalance.notes.checking.declared.symbol_roles import (
     CONSTANT,
     CONSTANT_WORD,
@@ -82,7 +83,7 @@ def meaning_of(
     for meaning, node in stands_for.items():
         for name in letters.get(meaning, []):
             if name not in base:
-                values[name] = node
+                values[name] = directed(symbols[name], node)
     for name in [n for m in MOVING for n in letters.get(m, ())]:
         for order in (1, 2):
             derivative = name + "'" * order

@@ -29,6 +29,7 @@ from symbalance.notes.checking.page.letters_of_sections import numbers_of_this_s
 from symbalance.notes.checking.page.page_data import data_of
 from symbalance.notes.checking.page.quotations import Quotations
 from symbalance.notes.checking.steps.angle_equations import lines_of_angles
+from symbalance.notes.checking.steps.another_engine import leave_engine
 from symbalance.notes.checking.steps.another_place import leave_place
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
@@ -237,7 +238,9 @@ class Judge:
             end_cases(self.state.definitions, left, start)
             return verdict
         verdict = self._link_in_scope(chain, k, sound, bad)
-        if verdict.verdict in (REFUTED, CONTRADICTION) and leave_place(self.state, chain):
+        if verdict.verdict in (REFUTED, CONTRADICTION) and (
+            leave_place(self.state, chain) or (not k and leave_engine(self.state, chain))
+        ):
             return self._link_in_scope(chain, k, sound, bad)
         if verdict.verdict == CONTRADICTION and (
             others := cases_replaced_by(self.state.definitions, chain)

@@ -36,6 +36,7 @@ from symbalance.notes.checking.premises.letter_values import define_letter
 from symbalance.notes.checking.premises.measured_values import MEASURED
 from symbalance.notes.checking.premises.rough_letters import decide_roughly
 from symbalance.notes.checking.steps.angle_equations import as_equation_for_angle
+from symbalance.notes.checking.steps.another_engine import as_new_extreme
 from symbalance.notes.checking.steps.dead_centres import value_at_dead_centre
 from symbalance.notes.checking.steps.gravity import decide_with_gravity
 from symbalance.notes.checking.steps.judging_state import JudgingState
@@ -118,6 +119,7 @@ def _judge_equality(
         _demanded(chain.relations[k]) or _denied(state, chain) or as_balance_solution(state, chain, k)
     )
     definition = definition or as_equation_for_angle(state, chain, k, knowledge)
+    definition = definition or as_new_extreme(state, chain, k, knowledge)
     definition = definition or as_proved_solution(state, chain, k)
     definition = definition or as_named_root(state, chain, k, knowledge)
     definition = definition or decide_solved_wave(state, chain, k, knowledge)
@@ -307,6 +309,7 @@ def _as_meant(
     if outcome is None and definition.status in (DEFINITION, PREMISE):
         outcome = state.named_orders.judge(chain, k, knowledge, state.cranks_of)
         outcome = outcome or state.named.judge(chain, k, knowledge)
+        outcome = outcome or state.harmonics.judge(chain, k, knowledge)
     name = chain.sides[k].node
     if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
         state.definitions.define(name.name, outcome.fix.node, chain)

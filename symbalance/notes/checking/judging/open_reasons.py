@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symbalance.document.formula import Formula, Name, Summation, names, walk
+from symbalance.document.formula import Formula, Name, Quotient, Summation, names, walk
 from symbalance.document.letters import plain_letter
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.harmonics import components
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import letters
@@ -133,11 +134,41 @@ def _one_sided_letter(
             *knowledge.universal,
             *decision.left.domain.integer,
         }
-        if is_open and name not in both and not knowledge.knows(name):
+        is_open = is_open and name not in both and not knowledge.knows(name)
+        if is_open and not _differs_whatever(name, decision, knowledge):
             return f"{plain_text(Name(name))} is not declared and"
         if "/d" in name:  # the derivative of what no line defines
             return name
     return ""
+
+
+def _differs_whatever(name: str, decision: Decision, knowledge: Knowledge) -> bool:
+    """Tell whether sides differ whatever length a letter is that a ratio brings in: the l of λ = r/l.
+
+    A ratio of two lengths stands still. Where some wave of the difference has one power of it alone,
+    nothing that it may be takes that wave away.
+    """
+    ratios = [d.node for d in knowledge.definitions.values() if isinstance(d.node, Quotient)]
+    is_size = any(
+        isinstance(node.numerator, Name)
+        and isinstance(node.denominator, Name)
+        and name in (node.numerator.name, node.denominator.name)
+        for node in ratios
+    )
+    if not is_size or decision.left is None or decision.right is None:
+        return False
+    try:
+        gap = decision.left.minus(decision.right)
+    except (NoFormError, TooLargeError):
+        return False
+    domain = gap.domain
+    if domain.opaque or domain.radicals:
+        return False
+    letter = domain.symbol(name)
+    waves: dict[object, set[object]] = {}
+    for key in components(domain, gap.numerator):
+        waves.setdefault((key.function, key.angle), set()).add(dict(key.letters).get(letter, 0))
+    return len(waves) > 1 and any(len(powers) == 1 for powers in waves.values())
 
 
 def _missing_meaning(

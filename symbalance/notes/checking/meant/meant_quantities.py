@@ -70,6 +70,16 @@ _EITHER_SIGN = ("piston velocity", "piston acceleration", "inertia force", FROM_
 """Quantities that have the other sign where the other direction is the positive one."""
 _USUAL_MOTIONS = {"v": "piston velocity", "a": "piston acceleration"}
 """What letters mean beside a displacement, on any page."""
+_PEAK = re.compile(r"(?:_max|_peak|_top)$|^hat_")
+_MOTION_WORDS = (
+    ("piston velocity", re.compile(
+        r"piston (?:speed|velocity)|(?:speed|velocity) of the piston|Kolbengeschwindigkeit"
+        r"|Geschwindigkeit des Kolbens|ピストンの?速度|ピストンの?最高速度", re.IGNORECASE)),
+    ("piston acceleration", re.compile(
+        r"piston(?:'s)? acceleration|acceleration of the piston|Kolbenbeschleunigung"
+        r"|Beschleunigung des Kolbens|ピストンの?加速度", re.IGNORECASE)),
+)  # fmt: skip
+"""Words of a paragraph by which v_max is the largest velocity of the piston."""
 ONE_SLIP = re.compile(
     r"sign|(?:sin|cos|tan) for (?:sin|cos|tan)|exponent|order|number misprinted .*"
     r"|factor -?[0-9/]+|rod ratio (?:inverted|of the other convention) .*|\S+ missing"
@@ -168,9 +178,9 @@ class MeantQuantities:
 
         That is one which was taken to be a quantity before: x of dot_x_max, a of a_max.
         """
-        base = name.rpartition("_")[0] or name
+        base = name.removeprefix("hat_") if name.startswith("hat_") else name.rpartition("_")[0] or name
         base = base.removeprefix("hat_").removeprefix("ddot_").removeprefix("dot_")
-        meant = self.taken.get(base)
+        meant = self.taken.get(base) or self._peak(name, base, chain)
         if meant is None or base in knowledge.letters:
             return
         frame = self.frame(name, chain.sides[1].node, chain, knowledge)
@@ -183,6 +193,24 @@ class MeantQuantities:
             others = {n: d for n, d in known.definitions.items() if n != base}
             moving = replace(known, meaning=meaning, moving=frozenset({base}), definitions=others)
             yield moving, (meant.assumption, *assumptions)
+
+    def _peak(self, name: str, base: str, chain: Chain) -> Meant | None:
+        """Return what the letter of a largest value is of by words: the peak is v_max, of piston speeds.
+
+        The mean piston speed has v too, and nothing of a crank angle in it.
+        """
+        if base not in _USUAL_MOTIONS or name == base or not _PEAK.search(name):
+            return None
+        role = _USUAL_MOTIONS[base]
+        words = self.words.paragraph(chain)
+        phrase = next((w for r, w in _MOTION_WORDS if r == role and w.search(words)), None)
+        if phrase is None:
+            return None
+        match = phrase.search(words)
+        text = match[0] if match else ""
+        return Meant(
+            role, f"{plain_letter(base)} is the {role} ({NOBODY}; taken from the words “{text}”)"
+        )
 
     def rod_angle(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
         """Return the proof of what fixes an angle that is the rod's: sin β = (r/l) sin θ."""

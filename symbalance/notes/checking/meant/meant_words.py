@@ -199,6 +199,12 @@ class MeantWords:
     def _lines(self) -> list[str]:
         return self.document.text.split("\n")
 
+    def paragraph(self, chain: Chain) -> str:
+        """Return the paragraph of a relation up to its end, with what stands before a display."""
+        text, end = self.document.text, chain.end
+        first = max(text.rfind("\n\n", 0, max(chain.start - 2, 0)), chain.start - 4 * LONGEST_WORDS, 0)
+        return text[first:end]
+
     def named(self, name: str, chain: Chain) -> Named | None:
         """Return what words say of the letter that a relation defines; None where they say nothing."""
         own = self._without_letters_told(self.before(chain))

@@ -8,6 +8,7 @@ holds within the error that is named.
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -21,6 +22,7 @@ from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECID
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide_at_value
 from symbalance.notes.checking.words.case_words import opens_case
+from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
 _PLACES = {"OT": 0, "TDC": 0, "top": 0, "UT": 1, "BDC": 1, "bot": 1, "bottom": 1}
@@ -30,6 +32,11 @@ GRID = 120
 NEAR, FAR = 0.005, 0.08
 """Relative errors: below the first ≈ is right, above the second no approximation is meant."""
 POINTS = 3
+_LONG_RODS = Fraction(10), Fraction(20)
+"""Rods by which the order of an error is told, in cranks."""
+_LEAST, _HALF = 0.02, (1.7, 2.4)
+"""An error of the first order with the shorter of them, at least, and how much larger it is there."""
+NOTHING: Mapping[str, Fraction] = {}
 BY_NUMBERS = "relative error"
 _LINK = re.compile(r"[\s$,:)}\]°]*(?:(?!(?:and|und|et|while|or)\b)[^\W\d_]+\s+){0,4}[\s$({\[\\]*")
 _AT = re.compile(r"[\s$,)}\]]*(?:\(|[^\W\d_]+\s+){1,3}[\s$({\[\\]*")
@@ -157,9 +164,12 @@ def _if_extreme(
 
 
 def values_over_turn(
-    motion: Formula, claim: Formula, knowledge: Knowledge
+    motion: Formula, claim: Formula, knowledge: Knowledge, fixed: Mapping[str, Fraction] = NOTHING
 ) -> list[tuple[Point, list[Any], Any]]:
-    """Return points of the letters, with the motion's values over a turn and the claim's there."""
+    """Return points of the letters, with the motion's values over a turn and the claim's there.
+
+    The letters `fixed` have these values at every point.
+    """
     level = list(knowledge.levels(motion, claim))[-1]
     meaning = replace(knowledge.meaning, values=level.values)
     theta = theta_name(knowledge)
@@ -168,6 +178,7 @@ def values_over_turn(
     derivatives: DerivativeForms = {}  # the same forms at every point
     for seed in range(POINTS if open_letters else 1):
         point = random_point(sorted(open_letters), meaning.domain(), seed)
+        point |= {name: value for name, value in fixed.items() if name in point}
         try:
             turn = [
                 TreeValues(meaning, {**point, theta: Fraction(44, 7) * k / GRID}, derivatives)
@@ -216,4 +227,32 @@ def _by_numbers(motion: Formula, claim: Formula, which: str, knowledge: Knowledg
         witness = {n: f"{float(v):.6g}" for n, v in point.items()}
         witness |= {"left": digits(context().mpf(extreme), 6), "right": digits(context().mpf(claimed), 6)}
         return Decision(REFUTED, "not the largest value of a turn", witness=witness)
+    if which == "max" and (letter := _differs_at_first_order(motion, claim, knowledge)):
+        witness = {n: f"{float(v):.6g}" for n, v in point.items()}
+        witness |= {"left": digits(context().mpf(extreme), 6), "right": digits(context().mpf(claimed), 6)}
+        reason = f"differs from the largest value at the first order of {plain_text(Name(letter))}"
+        return Decision(REFUTED, reason, witness=witness)
     return Decision(UNDECIDED, f"off by up to {worst} of the extreme: say ≈, and in which letter")
+
+
+def _differs_at_first_order(motion: Formula, claim: Formula, knowledge: Knowledge) -> str:
+    """Return the small letter by which a claim is off in proportion, v_max = r ω (1 + λ/2); "" for none.
+
+    Where the rod is twice as long the error is half as large; of a term that is left out or wrong at the
+    second order it is a quarter.
+    """
+    if knowledge.crank is None or knowledge.crank.small is None:
+        return ""
+    name, sign = knowledge.crank.small
+    errors: list[list[Any]] = []
+    for size in _LONG_RODS:
+        fixed = {name: size if sign < 0 else 1 / size}
+        rows = values_over_turn(motion, claim, knowledge, fixed)
+        if not rows or any(name not in point for point, _, _ in rows):
+            return ""
+        errors.append([abs(claimed - max(turn)) / max(map(abs, turn)) for _, turn, claimed in rows])
+    if len(errors[0]) != len(errors[1]):
+        return ""
+    pairs = zip(*errors, strict=True)
+    is_first = all(first > _LEAST and _HALF[0] < first / second < _HALF[1] for first, second in pairs)
+    return name if is_first else ""

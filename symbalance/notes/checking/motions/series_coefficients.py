@@ -47,7 +47,7 @@ from symbalance.notes.algebra.sums import at_index, indexed_letters
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import context, letters, sample
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision, without_dots
-from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, Level
 from symbalance.notes.checking.deciding.order_agreement import decide_agreement
 from symbalance.notes.checking.deciding.relations import MEANT_ROUGHLY, decide
 from symbalance.notes.checking.deciding.remainders import has_remainder
@@ -139,12 +139,11 @@ def _are_coefficients(values: Mapping[str, Formula], in_use: Collection[str], *,
 def decide_coefficient(left: Side, right: Side, sign: str, knowledge: Knowledge) -> Decision:
     """Decide what a line says of a coefficient: a series as far as it is written, a form, or a number.
 
-    Letters that a line before gave numbers stay letters in a series.
+    Letters that a line before gave numbers stay letters in a series, with the formulas they had.
     """
     is_number = not names(right.node) and not has_remainder(right.node)
     if not is_number:
-        lettered = {n: d for n, d in knowledge.definitions.items() if not d.numeric}
-        knowledge = replace(knowledge, definitions=lettered)
+        knowledge = replace(knowledge, definitions=_lettered(knowledge.definitions))
     elif open_letters := _open_letters(left.node, right.node, knowledge):
         texts = " and ".join(formula_text(Name(n), plain=True) for n in open_letters)
         return Decision(UNDECIDED, f"a number that depends on {texts}, which has none here")
@@ -161,6 +160,17 @@ def decide_coefficient(left: Side, right: Side, sign: str, knowledge: Knowledge)
         if by_series.through is not None:
             return by_series
     return decision
+
+
+def _lettered(definitions: Mapping[str, Definition]) -> dict[str, Definition]:
+    """Return definitions without the numbers among them; n = l/r stays where n = 3.6 came after it."""
+    formulas = {n: d if not d.numeric else _formula_before(d) for n, d in definitions.items()}
+    return {n: d for n, d in formulas.items() if d is not None}
+
+
+def _formula_before(definition: Definition) -> Definition | None:
+    node = definition.formula
+    return None if node is None else replace(definition, node=node, numeric=False, assumption="")
 
 
 def _by_series(left: Side, right: Side, sign: str, knowledge: Knowledge) -> Decision | None:

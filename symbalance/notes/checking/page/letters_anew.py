@@ -38,7 +38,7 @@ def with_letters_anew(page: ReadNotes, declarations: Declarations) -> tuple[Read
             if any(scope.holds(line) and name in scope.symbols for scope in scopes):
                 continue
             first, last = _reach(page, sections, chain, name)
-            scopes.append(Scope(first, last, {name: f"used anew here, {unit}"}))
+            scopes.append(Scope(first, last, {name: f"used anew here, {unit}"}, by_page=True))
             kind = role_of(symbols[name])
             notes.append(f"{name} is declared {kind}; in lines {first} to {last} it is in {unit}")
     if not scopes:

@@ -42,6 +42,8 @@ _MARKUP = re.compile(
     r"|\*\*|~|&nbsp;",
     re.IGNORECASE,
 )
+_STEM = re.compile(r"(?:stem|latexmath|asciimath):[a-z,]{0,20}\[([^][\n]{1,60})\]|:math:`([^`\n]{1,60})`")
+"""A formula as AsciiDoc and reStructuredText mark it."""
 _SUBSCRIPT = re.compile(r"<sub>([^<]{1,12})</sub>", re.IGNORECASE)
 _MARKED_LETTER = re.compile(r"(?P<words>[^$]*?)\$(?P<letter>[^$=]{1,40})\$(?P<unit>[^$]{0,20})")
 _UNIT_BESIDE = re.compile(
@@ -226,13 +228,13 @@ def _as_chain(name: str, letter: Span, node: Formula, value: Span, line: int) ->
 
 def _bare(text: str) -> str:
     """Return a cell without markup."""
-    text = _SUBSCRIPT.sub(r"_{\1}", text)
+    text = _STEM.sub(r"\1\2", _SUBSCRIPT.sub(r"_{\1}", text))
     return " ".join(_MARKUP.sub(" ", text.replace("{,}", ",")).split())
 
 
 def _formula_marks(text: str) -> str:
     r"""Return a cell with one kind of marks around its formulas: <math>, \( \), '' and <i> as dollars."""
-    text = _SUBSCRIPT.sub(r"_{\1}", text)
+    text = _STEM.sub(r"$\1\2$", _SUBSCRIPT.sub(r"_{\1}", text))
     text = re.sub(r"</?(?:math|i|em|var)\b[^>]*>|\\[()]|'{2,3}", "$", text)
     return re.sub(r"(?<=\w)\$(_\{[^}]*\})", r"\1$", text)  # <i>m</i><sub>1</sub>
 

@@ -71,7 +71,7 @@ def with_whole_letters(page: ReadNotes, declarations: Declarations) -> Declarati
         ):
             continue
         if not _is_broken(page, name, first, last):
-            scopes.append(Scope(first, last, {name: "integer"}))
+            scopes.append(Scope(first, last, {name: "integer"}, by_page=True))
     return replace(declarations, scopes=(*declarations.scopes, *scopes)) if scopes else declarations
 
 

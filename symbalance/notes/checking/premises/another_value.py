@@ -32,6 +32,7 @@ from symbalance.notes.checking.premises.impossible_values import outside_range
 from symbalance.notes.checking.premises.premise_decisions import decide_by_premises
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.verdicts import CONDITION, CONTRADICTION, DEFINITION, PREMISE
+from symbalance.notes.checking.words.case_words import numbers_of_several
 from symbalance.notes.checking.words.plain_formulas import lone_side, plain_text
 from symbalance.notes.reading.equations import Chain, Side
 
@@ -70,18 +71,22 @@ def define_anew(
         reason = f"anew: in line {earlier.line} it was another one's"
     elif _is_exact_form(name, value, earlier, chain, k, knowledge):
         reason = f"exactly what line {earlier.line} has approximately"
-    if reason:
+    by_words = "" if reason else _said_by_words(value, earlier, chain, k, definitions, knowledge)
+    if reason or by_words:
         definitions.define(name, without_dots(value)[0], chain)
-        return Decision(DEFINITION, reason)
+        return Decision(DEFINITION, reason) if reason else Decision(PREMISE, by_words)
     if chain.relations[k].sign == "≈" and not k and names(earlier.node) and not names(value):
         condition = Premise(earlier.node, value, line, definitions.sections.case_end(line))
         turning = _turning_behind(name, earlier.node, knowledge)
         definitions.open_conditions |= dict.fromkeys(turning, condition)  # c ≈ 0.25, so θ ≈ 75.5°
     is_put_in = not names(value) and _has_number_put_in(definitions, earlier, line, knowledge)
+    is_called_case = not definitions.sections.same_section(earlier.line, line)
+    is_called_case = is_called_case and definitions.sections.opens_case(chain)
     is_datum = not k and not names(value) and definitions.sections.is_in_list_of_data(chain, earlier.line)
     is_datum = is_datum and earlier.numeric and earlier.formula is None
+    sign = chain.relations[k].sign
     if not (is_datum or is_apart) and (
-        is_put_in or not _new_case(earlier, value, chain.relations[k].sign, knowledge)
+        is_put_in or not _new_case(earlier, value, sign, knowledge, is_called_case=is_called_case)
     ):
         return None
     return _define_case_anew(definitions, name, value, earlier, chain, knowledge)
@@ -194,6 +199,62 @@ def _is_anew(definitions: Definitions, earlier: Definition, chain: Chain) -> boo
     return not is_tied and definitions.sections.is_of_another_engine(chain, earlier.line)
 
 
+def _said_by_words(
+    value: Formula,
+    earlier: Definition,
+    chain: Chain,
+    k: int,
+    definitions: Definitions,
+    knowledge: Knowledge,
+) -> str:
+    """Return what words before a second formula say of it: general, or of several; "" for nothing."""
+    if new := _general_letter(value, chain, k, definitions, knowledge):
+        return f"anew: for any {plain_text(Name(new))}, by the words before"
+    if times := _times_the_earlier(value, earlier, chain, k, definitions, knowledge):
+        return f"{times} times that of line {earlier.line}, by the words before"
+    return ""
+
+
+def _general_letter(
+    value: Formula, chain: Chain, k: int, definitions: Definitions, knowledge: Knowledge
+) -> str:
+    """Return the letter that a formula is general in: for a bank angle 2γ, after the one for 90°; or "".
+
+    The letter has not stood on the page before its paragraph, nobody has declared it, and the words
+    before name it as any: for a, for any, in general.
+    """
+    if k or not names(value):
+        return ""
+    line, sections = chain.lines[0], definitions.sections
+    before = definitions.letters_before(line)
+    for letter in sorted(names(value) - before - knowledge.meanings.keys()):
+        if not knowledge.has_meaning(letter) and sections.is_introduced_as_any(chain, letter):
+            return letter
+    return ""
+
+
+def _times_the_earlier(
+    value: Formula,
+    earlier: Definition,
+    chain: Chain,
+    k: int,
+    definitions: Definitions,
+    knowledge: Knowledge,
+) -> int:
+    """Return how many times its earlier formula a letter is now, where words say so; 0 for none.
+
+    Both pistons go up together: F = 2 m r ω² (cos θ + λ cos 2θ), after the F of one piston.
+    """
+    if k or not names(value) or not names(earlier.node):
+        return 0
+    numbers = numbers_of_several(definitions.sections.sentence_leading_to(chain))
+    for number in sorted(numbers):
+        several = Product((Number(Fraction(number)), earlier.node))
+        if decide(lone_side(several), lone_side(value), "=", knowledge).is_proved:
+            return number
+    return 0
+
+
 def _is_exact_form(
     name: str, value: Formula, earlier: Definition, chain: Chain, k: int, knowledge: Knowledge
 ) -> bool:
@@ -208,10 +269,13 @@ def _is_exact_form(
     )
 
 
-def _new_case(earlier: Definition, value: Formula, sign: str, knowledge: Knowledge) -> bool:
+def _new_case(
+    earlier: Definition, value: Formula, sign: str, knowledge: Knowledge, *, is_called_case: bool
+) -> bool:
     """Tell whether another value of a letter starts a new case, and is not a slip.
 
-    It does between lone letters or numbers (θ = 0, then θ = π/2), unless two numbers nearly agree.
+    It does between lone letters or numbers (θ = 0, then θ = π/2), unless two numbers nearly agree and no
+    words in another section call the second a case (for n = 4, after n = 3.6).
     """
     old = Side((earlier.node,), (0, 0))
     if sign == "≈" or decide(old, Side((value,), (0, 0)), sign, knowledge).is_proved:
@@ -222,7 +286,7 @@ def _new_case(earlier: Definition, value: Formula, sign: str, knowledge: Knowled
     if names(earlier.node) or (names(value) and not is_area):
         return not _comes_to_a_number(earlier.node, knowledge)
     points = sample_trees([earlier.node, value], SymbolValue(), 1)
-    if not points:
+    if not points or is_called_case:
         return True
     return _is_far(*points[0][1])
 

@@ -101,7 +101,7 @@ class Definitions:
         if is_zero and name in self.letters_before(line):
             last = min(last or self.sections.section_end(line), self.sections.section_end(line))
         end = min((n for n in (end, last) if n is not None), default=None)
-        self._add(name, Entry(definition, self.declarations.scope_at(line), end))
+        self._add(name, Entry(definition, self.declarations.scopes_of({name, *names(node)}, line), end))
         self._note_case(chain, frozenset({name}))
         return last_line is not None
 
@@ -117,7 +117,7 @@ class Definitions:
             branch=constraint.branch if constraint.alternatives else "",
             is_rod_angle=is_rod_angle,
         )
-        scopes = self.declarations.scope_at(line)
+        scopes = self.declarations.scopes_of({constraint.name, *names(node)}, line)
         last_line = self.sections.premise_end(chain, is_number=not names(node))
         self._add(constraint.name, Entry(definition, scopes, last_line))
 
@@ -137,7 +137,8 @@ class Definitions:
         line = chain.lines[0]
         for name, node in values.items():
             definition = Definition(node, line, is_coefficient=True)
-            self._add(name, Entry(definition, self.declarations.scope_at(line)))
+            scopes = self.declarations.scopes_of({name, *names(node)}, line)
+            self._add(name, Entry(definition, scopes))
 
     def coefficients(self) -> dict[str, list[Entry]]:
         """Return the letters that series have as their coefficients."""
@@ -284,7 +285,7 @@ class Definitions:
         declared = self.declarations
         if not declared.scopes:
             return True
-        return set(declared.scope_at(own_line)) <= set(declared.scope_at(line)) and all(
+        return set(declared.scopes_of(letters_of_it, own_line)) <= set(declared.scope_at(line)) and all(
             declared.owner(name, own_line) == declared.owner(name, line) for name in letters_of_it
         )
 

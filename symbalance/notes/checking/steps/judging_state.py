@@ -26,6 +26,7 @@ from symbalance.notes.checking.declared.symbol_roles import (
 from symbalance.notes.checking.declared.symbols import meaning_of
 from symbalance.notes.checking.meant.engine_speeds import speeds_of
 from symbalance.notes.checking.meant.given_numbers import GivenNumbers
+from symbalance.notes.checking.meant.harmonic_coefficients import HarmonicCoefficients
 from symbalance.notes.checking.meant.meant_quantities import MeantQuantities
 from symbalance.notes.checking.meant.meant_words import MeantWords
 from symbalance.notes.checking.meant.motion_in_time import Motions, with_motions
@@ -39,13 +40,14 @@ from symbalance.notes.checking.premises import constraints
 from symbalance.notes.checking.premises.carried_values import CarriedValues
 from symbalance.notes.checking.premises.conditions_behind import equalities_behind, with_conditions
 from symbalance.notes.checking.premises.definitions import Definitions
+from symbalance.notes.checking.premises.rounded_values import values_put_in
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.printed_results import PrintedResults
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
 from symbalance.notes.checking.words.integer_words import integers_said
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading import ReadingError, read_equation
-from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
 ANGLES = ("crank angle", "rod angle", "time", "integer")
 _COUNT = re.compile(r"\bnumber of|\bcount\b|integer|anzahl|zahl\b|気筒数|シリンダ数", re.IGNORECASE)
@@ -82,6 +84,7 @@ class JudgingState:
         )
         self.named = NamedQuantities(self.document, self.sections)
         self.named_orders = NamedOrders(self.meant)
+        self.harmonics = HarmonicCoefficients(self.sections)
         self.small_letters = small_letters(self.document.text)
         self.counts = _counts(self.document)
         self.letters = {n for chain in self.document.chains for n in chain.letters}
@@ -108,6 +111,8 @@ class JudgingState:
         """Letters that a relation may define which was not judged, with its line."""
         self.solutions: dict[int, tuple[Premise, Decision]] = {}
         """Where an equation's solution stands: the equation, and whether the solution satisfies it."""
+        self.extremes: dict[tuple[str, str], tuple[Side, int]] = {}
+        """Largest and smallest values of quantities without a formula, each with its line."""
         self.balances: set[int] = set()
         """Places of the solutions of balances, which are wrong where they do not satisfy them."""
         self.wrong_angles: dict[int, Decision] = {}
@@ -168,7 +173,9 @@ class JudgingState:
             isinstance(part, Summation) for side in chain.sides for part in walk(side.node)
         ):
             angles = self.cranks_of(chain)
-        own = replace(knowledge, crank_angles=angles, own_ranges_from=chain.lines[0] - NEAR_RANGE)
+        printed = knowledge.printed | values_put_in(chain, knowledge)
+        first = chain.lines[0] - NEAR_RANGE
+        own = replace(knowledge, crank_angles=angles, own_ranges_from=first, printed=printed)
         return with_conditions(chain, self.document, own)
 
     def cranks_of(self, chain: Chain) -> CrankAngles | None:

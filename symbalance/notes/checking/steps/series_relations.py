@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 from symbalance.document.formula import Name, names
@@ -13,6 +14,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.meant.meant_extremes import decide_meant_extreme
 from symbalance.notes.checking.motions.extreme_sizes import decide_largest_size
 from symbalance.notes.checking.motions.extremes import decide_extreme, decide_place
+from symbalance.notes.checking.motions.named_extremes import base_of_largest, decide_named_extreme
 from symbalance.notes.checking.motions.series_coefficients import (
     coefficient_values,
     decide_coefficient,
@@ -22,8 +24,16 @@ from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.letters_below import with_letters_below
 from symbalance.notes.checking.steps.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.verdicts import PREMISE, REFUTED, UNDECIDED, Verdict
+from symbalance.notes.checking.words.case_words import numbers_of_several
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Side
+
+_OF_ALL = re.compile(
+    r"(?<![A-Za-z])(?:all|total|whole|together|sum|per|each|mean|average|allowed|permissible|limit|zusammen|gesamt\w*"
+    r"|alle[nr]?|Summe|je|zulässig\w*|mittler\w*)(?![A-Za-z])|合計|全体|許容|平均|各",
+    re.IGNORECASE,
+)
+"""Words with which a largest value is of something else than the formula before it."""
 
 
 def judge_series(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | None:
@@ -39,6 +49,7 @@ def judge_series(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
             extreme = decide_place(extreme, chain, state.document, knowledge)
         else:
             extreme = decide_meant_extreme(state.meant, chain, state.document, knowledge)
+            extreme = extreme or _extreme_of_formula(state, chain, knowledge)
         if extreme is not None and isinstance(name, Name):
             state.definitions.define(name.name, value, chain)
             return describe(state.document, chain, k, extreme)
@@ -50,6 +61,20 @@ def judge_series(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
     return add_fix_of_relation(
         state, verdict, chain, k, left, decision, replace(knowledge, definitions=others)
     )
+
+
+def _extreme_of_formula(state: JudgingState, chain: Chain, knowledge: Knowledge) -> Decision | None:
+    """Decide the largest value of a letter with a formula in the same section, of the same engine."""
+    head = chain.sides[0].node
+    definition = knowledge.definitions.get(base_of_largest(head.name)) if isinstance(head, Name) else None
+    if definition is None or not state.sections.same_section(definition.line, chain.lines[0]):
+        return None
+    words = state.sections.sentence_leading_to(chain)
+    if state.sections.is_of_another_engine(chain, definition.line) or numbers_of_several(words):
+        return None
+    if _OF_ALL.search(words):
+        return None
+    return decide_named_extreme(chain, knowledge)
 
 
 def _by_coefficients(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:

@@ -53,7 +53,9 @@ _NUMBER = "|".join(sorted((*_COUNTS, r"[0-9]{1,2}"), key=len, reverse=True))
 ENGINE = re.compile(
     rf"(?<![A-Za-z0-9.,])(?P<before>{_NUMBER})[-\s]?(?:cylinders?|throws?|cranks|cyl|zylinder|シリンダ|気筒)"
     rf"|(?<![A-Za-z])(?P<kind>in-?line|straight|flat|boxer|reihen|直列|水平対向|V型|V|W)[-\s]?(?P<behind>{_NUMBER})"
-    r"(?:(?=-?zylinder)|(?![0-9.,]*[0-9A-Za-z]))",
+    r"(?:(?=-?zylinder)|(?![0-9.,]*[0-9A-Za-z]))"
+    r"|(?<![A-Za-z])(?:(?P<noun>twin|triple)s|(?:parallel|vertical|inline|straight|flat|boxer|V)[-\s](?P<alone>twin|triple))"
+    r"(?![A-Za-z-])",
     re.IGNORECASE,
 )
 PROBLEM = re.compile(
@@ -123,6 +125,41 @@ def speaks_of_all(before: str, letters: dict[str, bool], *, named: bool = False)
     return spoken
 
 
+_TIMES = {
+    "both": 2, "pair": 2, "double": 2, "doubles": 2, "doubled": 2, "twice": 2, "triples": 3, "trebles": 3,
+    "threefold": 3, "fourfold": 4, "beide": 2, "beiden": 2, "doppelt": 2, "doppelte": 2, "verdoppelt": 2,
+    "verdoppeln": 2, "zweifach": 2, "dreifach": 3, "dreifache": 3, "vierfach": 4, "vierfache": 4,
+    "両": 2, "2倍": 2, "二倍": 2, "3倍": 3, "4倍": 4, "6倍": 6, "倍": 2,
+}  # fmt: skip
+_LATIN_NUMBERS = "|".join(
+    sorted(
+        (word for word in {**_COUNTS, **_TIMES} if word[0] < "\u2e80" and word[0].isalpha()),
+        key=len,
+        reverse=True,
+    )
+)
+_HOW_MANY = re.compile(
+    rf"(?<![A-Za-zäöü])(?P<all>{_LATIN_NUMBERS})(?![A-Za-zäöü])"
+    r"|(?P<digits>(?<![0-9.,])[0-9]{1,2})\s?"
+    r"(?:cylinders?|pistons?|cranks|forces|Zylinder|Kolben|Kräfte|気筒|ピストン|倍)"
+    r"|(?P<signs>両|[二2]倍|[346]倍|倍)",
+    re.IGNORECASE,
+)
+
+
+def numbers_of_several(words: str) -> frozenset[int]:
+    """Return how many things words speak of together: both pistons, all four forces, doubled.
+
+    >>> sorted(numbers_of_several("both pistons go up together, as in all four cylinders"))
+    [2, 4]
+    """
+    numbers = set[int]()
+    for match in _HOW_MANY.finditer(words):
+        word = (match["all"] or match["signs"] or "").lower().replace("2", "二")
+        numbers.add(int(match["digits"]) if match["digits"] else {**_COUNTS, **_TIMES}.get(word, 1))
+    return frozenset(numbers - {1})
+
+
 class Mentions:
     """The places of a text where a pattern occurs, to find the last one before another place."""
 
@@ -167,5 +204,16 @@ def engine_of(last: re.Match[str] | None) -> tuple[int, str] | None:
     """Return the cylinders of the engine that a mention names, and its kind if said."""
     if last is None:
         return None
-    number = (last["before"] or last["behind"]).lower()
+    number = (last["before"] or last["behind"] or last["noun"] or last["alone"]).lower()
     return _COUNTS.get(number) or int(number), (last["kind"] or "").lower()
+
+
+def is_other_engine(before: tuple[int, str] | None, now: tuple[int, str] | None) -> bool:
+    """Tell whether two engines that are both named are not the same: other cylinders or another kind.
+
+    >>> is_other_engine((2, "v"), (2, "")), is_other_engine((2, ""), (4, "flat"))
+    (False, True)
+    """
+    if before is None or now is None:
+        return False
+    return before[0] != now[0] or bool(before[1] and now[1] and before[1] != now[1])

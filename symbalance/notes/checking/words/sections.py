@@ -17,7 +17,7 @@ from symbalance.notes.checking.words.value_groups import in_next_groups
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _HEADING = re.compile(
-    r"#{1,6}\s|={2,6}\s*\S.*|<h[1-6]\b"
+    r"#{1,6}\s|={2,6}\s*\S.*|<h[1-6]\b|-{2,6}\s+[^\s-][^\n-]{0,80}\s-{2,6}\s*$"
     r"|\\(?:part|chapter|(?:sub){0,2}section|paragraph|subparagraph)\*?\s*[\[{]"
     r"|(?:§\s?|art(?:icle|ikel|\.)\s)?[0-9]{1,3}\.?\s+[^\W\d_][^.=\n]{2,80}\.\s?(?:--|[—–])",
     re.IGNORECASE,
@@ -79,6 +79,19 @@ _FAILS = re.compile(
     re.IGNORECASE,
 )
 """Behind an equation that words name, and say not to hold."""
+_ANY = (
+    r"(?<![A-Za-z])(?:for|with|at)\s+(?:an?|any|every|all|arbitrary|general)(?![A-Za-z])|in\s+general|general(?:ly)?(?![A-Za-z])"
+    r"|(?<![A-Za-z])(?:für|bei|mit)\s+(?:eine[nmrs]?|jede[nmrs]?|beliebige[nmrs]?|alle[nmrs]?|allgemeine[nmrs]?)(?![A-Za-z])"
+    r"|(?<![A-Za-z])(?:allgemein|beliebige[nmrs]?)(?![A-Za-z])|任意の|一般(?:に|の)"
+)
+"""Words before a letter of which a formula is said for every value: for a bank angle 2γ."""
+_AT_AN_ANGLE = re.compile(
+    r"(?:(?<![A-Za-z])(?:at|near|to|towards|until|past|before|after)\s+(?:the|an|that|this|one)\s+(?:crank\s+)?"
+    r"(?:angles?|positions?)(?![A-Za-z])"
+    r"|(?<![A-Za-z])(?:beim|im|nahe\s+dem|bei\s+(?:dem|der|einem|einer))\s+(?:Kurbel)?(?:[Ww]inkel|[Ss]tellung)(?![a-z])"
+    r"|(?:角度?|位置)(?:は|で|では|において|の近く))[^.;!?$=]{0,90}$"
+)
+"""Before an equation that says at which angle something is: near the angle at which …, tan A ≈ l/r."""
 _ASIDE = re.compile(r"\([^()$=]*\)")
 _LINK = re.compile(
     r"(?:[\s,;:.()、。，；：–—-]|\\(?:[,;: !]|quad|qquad|ldots|dots)|(?<![A-Za-zÀ-ÿ])(?:also|and|so"
@@ -445,7 +458,14 @@ class Sections:
         return position >= case_words.clause_start(self.document.text, start)
 
     def is_of_another_engine(self, chain: Chain, earlier_line: int) -> bool:
-        """Tell whether another engine, or another exercise, was named since a line."""
+        """Tell whether another engine, or another exercise, was named since a line.
+
+        What the headings of the two sections name goes before what stands between: four cylinders are
+        spoken of as two and two.
+        """
+        by_headings = self._headings_name_other_engines(chain.lines[0], earlier_line)
+        if by_headings:
+            return True
         start = chain.start
         earlier = self._start_of_line(earlier_line)
         starts = self._by_start[0]
@@ -455,10 +475,8 @@ class Sections:
         before, now = (
             case_words.engine_of(self._engines.last_before(place)) for place in (earlier, start)
         )
-        if before is not None and now is not None:
-            is_other = before[0] != now[0] or bool(before[1] and now[1] and before[1] != now[1])
-            if is_other:
-                return True
+        if by_headings is None and case_words.is_other_engine(before, now):
+            return True
         own_engine = case_words.engine_named(text[case_words.clause_start(text, start) : start], start)
         if before is None and own_engine is not None and own_engine[0] > 1:
             return True  # of one cylinder above, and here its own clause says: for an inline four
@@ -467,6 +485,18 @@ class Sections:
         mentions = [self._problems.last_before(place) for place in (earlier, start)]
         problems = ["" if mention is None else mention[1] for mention in mentions]
         return problems[0] != problems[1] != ""
+
+    def _headings_name_other_engines(self, line: int, earlier_line: int) -> bool | None:
+        """Tell whether two lines' headings name different engines; None if one names none."""
+        if self.same_section(earlier_line, line):
+            return None
+        before, now = (
+            case_words.engine_of(case_words.ENGINE.search(self.heading_above(n)[: case_words.REACH]))
+            for n in (earlier_line, line)
+        )
+        if now is None or before is None:
+            return None
+        return case_words.is_other_engine(before, now)
 
     def _start_of_line(self, line: int) -> int:
         return self._line_starts[line - 1]
@@ -536,7 +566,11 @@ class Sections:
         """Tell whether a relation is introduced as an equation to be solved: where, condition, set."""
         if any(words.match(self.document.text, chain.end) for words in (_WHEN_BEHIND, _ROOTS_BEHIND)):
             return True
-        return _CONDITION.search(_ASIDE.sub(" ", self._text_before(chain))) is not None
+        before = _ASIDE.sub(" ", self._text_before(chain))
+        if _CONDITION.search(before) is not None:
+            return True
+        sentence = self.sentence_leading_to(chain)
+        return not self.is_consequence(chain) and _AT_AN_ANGLE.search(sentence) is not None
 
     def dead_centre(self, chain: Chain) -> bool | None:
         """Return whether a relation's sentence names bottom dead centre, False for top, else None."""
@@ -561,6 +595,28 @@ class Sections:
         here = _last_place(text[last.end : chain.start])
         there = _last_place(text[max(0, last.start - LONGEST_INTRODUCTION) : last.start])
         return here is not None and there is not None and here != there
+
+    def is_introduced_as_any(self, chain: Chain, name: str) -> bool:
+        """Tell whether the words of a relation's paragraph name a letter as any: for a bank angle 2γ."""
+        line = chain.lines[0]
+        first = self.paragraph_start(line)
+        while first > 1 and _SET_OFF.match(self._lines[first - 1]):  # the words above a display
+            above = next((n for n in range(first - 1, 0, -1) if self._lines[n - 1].strip()), 0)
+            if not above:
+                break
+            first = self.paragraph_start(above)
+        begin = max(self._start_of_line(first), chain.start - 4 * LONGEST_SENTENCE)
+        ways = "|".join(
+            re.escape(way) for way in {f"\\{name}", name, formula_text(Name(name), plain=True)}
+        )
+        pattern = rf"(?:{_ANY})[^.;!?。；=\n]{{0,60}}?(?<![A-Za-z\\])(?:{ways})(?![A-Za-z0-9_])"
+        return re.search(pattern, self.document.text[begin : chain.start], re.IGNORECASE) is not None
+
+    def sentence_leading_to(self, chain: Chain) -> str:
+        """Return the sentence before a relation, be it that of the paragraph above a display."""
+        text = self.document.text[max(0, chain.start - LONGEST_SENTENCE) : chain.start]
+        text = _DISPLAY_LAST.sub("", text.rstrip(_OPENING)).rstrip(_OPENING)
+        return re.split(r"[.;!?]\s|[。；]|\n\s*\n", text)[-1]
 
     def _section_before(self, chain: Chain) -> str:
         """Return the text of a relation's section before it, with its heading."""

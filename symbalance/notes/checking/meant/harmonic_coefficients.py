@@ -1,0 +1,131 @@
+"""Coefficients of the harmonics of the piston's acceleration, by number: A_4 ≈ -λ³/4, A_6 ≈ 9 λ⁵/128.
+
+Of x = r (1 - cos θ) + l (1 - √(1 - λ² sin²θ)) the acceleration over r ω² is cos θ + Σ A_n cos nθ, with
+
+    A_2j = (8 j²/λ) Σ_{k ≥ j} (-1)^(j+k) C(1/2, k) C(2k, k - j) (λ/2)^(2k),     λ = r/l
+
+and what a page writes of its A_n, cut off anywhere, says by its first term whether it means these. From
+then on a wrong one is refuted: a page may count with other signs, and it may mean the harmonics of the
+velocity or the displacement, so that nothing is refuted before one coefficient has agreed.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from math import comb
+
+from symbalance.document.formula import Formula, Name, Number, Power, Product, Quotient, Sum, names
+from symbalance.document.letters import plain_letter
+from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
+from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
+from symbalance.notes.algebra.number_formulas import rational_node
+from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision, without_dots
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.meant.meant_words import NOBODY
+from symbalance.notes.checking.words.sections import Sections
+from symbalance.notes.reading.equations import Chain, Side
+
+_NAME = re.compile(r"(?P<stem>.+)_(?P<order>[2468]|10|12)")
+_WORDS = re.compile(
+    r"coefficient|harmonic|\borders?\b|\bterms?\b|series|Koeffizient|Beiwert|Harmonische|Ordnung|Reihe"
+    r"|係数|[2468二四六八]\s*次|高調波|級数",
+    re.IGNORECASE,
+)
+_RATIOS = frozenset({"lambda", "rho", "epsilon", "n", "kappa", "mu", "q", "nu", "k"})
+"""Letters of r/l or l/r on most pages."""
+
+
+@dataclass
+class HarmonicCoefficients:
+    """Judges the coefficients of one page; which letters have agreed so far is its state."""
+
+    sections: Sections
+    agreed: dict[tuple[str, str], int] = field(default_factory=dict)
+    """Stems and ratios of which a coefficient has agreed, with the line."""
+
+    def judge(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+        """Return the decision on a relation that gives such a coefficient its series; None for others."""
+        left, right = chain.sides[k].node, without_dots(chain.sides[k + 1].node)[0]
+        match = _NAME.fullmatch(left.name) if isinstance(left, Name) and not k else None
+        own = names(right)
+        if match is None or not isinstance(left, Name) or len(own) != 1 or knowledge.knows(left.name):
+            return None
+        (ratio,) = own
+        order, terms = int(match["order"]), _terms(right, ratio)
+        key, is_rough = (match["stem"], ratio), chain.relations[0].sign in "=≈"
+        directions = {power > 0 for power in terms}
+        if ratio not in _RATIOS or not is_rough or len(directions) != 1 or 0 in terms:
+            return None
+        first, is_inverse = min(terms, key=abs), directions == {False}
+        series = coefficients(order, max(map(abs, terms)))
+        sign = terms[first] / series[order - 1] if abs(first) == order - 1 else Fraction(0)
+        is_leading = abs(sign) == 1
+        is_said = key in self.agreed or (is_leading and self._is_said(chain))
+        if not sign or not is_said:
+            return None
+        target = _series_node(series, ratio, -1 if is_inverse else 1, -1 if sign < 0 else 1)
+        side = chain.sides[k + 1]
+        bare = Knowledge(SymbolValue(positive=frozenset(own)), corrects=knowledge.corrects)
+        decision = decide(Side((target,), chain.sides[k].span), Side((right,), side.span), "=", bare)
+        source = "its formula says so" if is_leading else f"as in line {self.agreed[key]}"
+        what = f"the coefficient of cos {order}θ in the piston's acceleration over r ω²"
+        text = f"{plain_letter(left.name)} is {what} ({NOBODY}; {source})"
+        if decision.is_proved:
+            self.agreed.setdefault(key, chain.lines[0])
+            through = f"{plain_letter(ratio)}^{max(map(abs, terms))}"
+            return Decision(PROVED, order=through, assumptions=(text,))
+        refuted = replace(decision, reason=f"if {text}", assumptions=())
+        return refuted if decision.status == REFUTED else None
+
+    def _is_said(self, chain: Chain) -> bool:
+        """Tell whether the sentence or its section's heading speaks of harmonics."""
+        words = self.sections.sentence_leading_to(chain) + self.sections.heading_above(chain.lines[0])
+        return _WORDS.search(words) is not None
+
+
+def coefficients(order: int, highest: int) -> dict[int, Fraction]:
+    """Return the coefficient of cos nθ in the acceleration over r ω², by powers of r/l up to a highest.
+
+    >>> coefficients(2, 3), coefficients(6, 5)
+    ({1: Fraction(1, 1), 3: Fraction(1, 4)}, {5: Fraction(9, 128)})
+    """
+    j, series = order // 2, dict[int, Fraction]()
+    binomial = Fraction(1)  # of 1/2 over k
+    for k in range(1, highest // 2 + 2):
+        binomial *= (Fraction(1, 2) - (k - 1)) / k
+        power = 2 * k - 1
+        if k >= j and power <= highest:
+            series[power] = 8 * j**2 * (-1) ** (j + k) * binomial * comb(2 * k, k - j) / Fraction(4) ** k
+    return series
+
+
+def _terms(node: Formula, ratio: str) -> dict[int, Fraction]:
+    """Return the coefficients of a polynomial in one letter by its powers; none of another form."""
+    try:
+        form = FormEvaluator(Domain(), SymbolValue()).form(node)
+    except (NoFormError, TooLargeError):
+        return {}
+    if len(form.denominator) != 1 or form.domain.radicals or form.domain.opaque:
+        return {}
+    symbol = form.domain.symbol(ratio)
+    ((below, divisor),) = form.denominator.items()
+    terms: dict[int, Fraction] = {}
+    for monomial, coefficient in form.numerator.items():
+        power = Fraction(dict(monomial).get(symbol, 0)) - Fraction(dict(below).get(symbol, 0))
+        if {g for g, _ in (*monomial, *below)} - {symbol} or power.denominator != 1:
+            return {}
+        terms[int(power)] = Fraction(coefficient) / Fraction(divisor)
+    return terms
+
+
+def _series_node(series: dict[int, Fraction], ratio: str, direction: int, sign: int) -> Formula:
+    """Return a series in r/l, or in l/r where the direction is -1, through its highest power."""
+    terms: list[Formula] = []
+    for power, coefficient in sorted(series.items()):
+        raised = Power(Name(ratio), Number(Fraction(power)))
+        number = rational_node(sign * coefficient)
+        terms.append(Product((number, raised)) if direction > 0 else Quotient(number, raised))
+    return terms[0] if len(terms) == 1 else Sum(tuple(terms))

@@ -1,0 +1,102 @@
+"""Quantities of another engine: max C_P of the five cylinders, where C_P was that of the three.
+
+A page that goes on to another engine may speak of the largest value of a force or a couple without a
+formula of its own for it. The formula above is of the engine before, and no statement is refuted by it:
+what is said of the largest value is new, as F_max = … would be, and a second value is not.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+from symbalance.document.formula import Call, Extremum, Formula, Name, Negative, names
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.evaluation import FormEvaluator
+from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.verdicts import DEFINITION
+from symbalance.notes.checking.words.plain_formulas import plain_text
+from symbalance.notes.reading.equations import Chain
+
+
+def leave_engine(state: JudgingState, chain: Chain) -> bool:
+    """Forget the formula of a quantity of the engine before; tell whether there was one.
+
+    The quantity is what a relation begins with, its largest value or its size; one that is declared is
+    the same on the whole page.
+    """
+    name = _measured(chain.sides[0].node)
+    line = chain.lines[0]
+    if not name or name in state.declarations.symbols_at(line):
+        return False
+    knowledge, claim = state.knowledge(line), chain.sides[1].node
+    lines = [
+        entry.definition.line
+        for entry in state.definitions.values.get(name, ())
+        if state.sections.is_of_another_engine(chain, entry.definition.line)
+        and not _is_of_another_order(entry.definition.node, claim, knowledge)
+    ]
+    for earlier in lines:
+        state.definitions.forget(name, earlier)
+    return bool(lines)
+
+
+def _is_of_another_order(node: Formula, claim: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a quantity goes with one power of the rod's ratio and what is said of it with another.
+
+    A couple of the second order has 1/n in every engine: 4.98 m r ω² a is none where all terms of the
+    formula are times 1/n. Of sums of several orders nothing is said.
+    """
+    powers = [_power_of_ratio(each, knowledge) for each in (node, claim)]
+    return None not in powers and powers[0] != powers[1]
+
+
+def _power_of_ratio(node: Formula, knowledge: Knowledge) -> Fraction | None:
+    """Return the power of the rod's ratio that all terms of a formula have; None where they differ."""
+    if knowledge.crank is None or knowledge.crank.small is None:
+        return None
+    values = {n: d.node for n, d in knowledge.definitions.items() if not d.numeric}
+    meaning = replace(knowledge.meaning, values={**values, **knowledge.meaning.values})
+    domain = meaning.domain()
+    try:
+        form = FormEvaluator(domain, meaning).form(node)
+    except (NoFormError, TooLargeError):
+        return None
+    small = domain.symbol(knowledge.crank.small[0])
+    if domain.opaque or not form.numerator:
+        return None
+    powers = [{dict(m).get(small, 0) for m in part} for part in (form.numerator, form.denominator)]
+    if any(len(each) != 1 for each in powers):
+        return None
+    return Fraction(powers[0].pop()) - Fraction(powers[1].pop())
+
+
+def as_new_extreme(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return that a relation says how large a quantity without a formula gets; None for others."""
+    name, right = _measured(chain.sides[0].node), chain.sides[1]
+    is_new = name and not knowledge.has_meaning(name) and name not in names(right.node)
+    if k or not is_new or not isinstance(chain.sides[0].node, Extremum):
+        return None
+    key = (chain.sides[0].node.function, name)
+    earlier = state.extremes.setdefault(key, (right, chain.lines[0]))
+    if earlier[0] is not right and state.sections.same_section(earlier[1], chain.lines[0]):
+        return None
+    state.extremes[key] = (right, chain.lines[0])
+    text = f"the {'largest' if key[0] == 'max' else 'smallest'} value of {plain_text(Name(name))}"
+    return Decision(DEFINITION, f"{text}, of which no formula stands above")
+
+
+def _measured(node: Formula) -> str:
+    """Return the letter of max F, |F| and -max F; "" for anything else."""
+    if isinstance(node, Negative):
+        return _measured(node.operand)
+    inner: Formula | None = None
+    if isinstance(node, Extremum):
+        inner = node.body
+    elif isinstance(node, Call) and node.function == "abs":
+        inner = node.argument
+    if isinstance(inner, Call) and inner.function == "abs":
+        inner = inner.argument
+    return inner.name if isinstance(inner, Name) else ""
