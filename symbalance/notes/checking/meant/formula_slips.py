@@ -78,7 +78,9 @@ def _ratio_of(
 def slip_of(target: Formula, claim: Formula, slips: tuple[str, ...], may_be_part: bool) -> str:
     """Return the kind of the one slip by which a claim differs from a formula; "" for none."""
     ratios = _ratio_of(target, claim)
-    is_finite = all(isfinite(ratio) and ratio for ratio in ratios)
+    if not _is_finite(ratios):
+        ratios = _ratio_of(target, claim, SMALL, 100)
+    is_finite = _is_finite(ratios)
     if is_finite and all(isclose(ratio, ratios[0], rel_tol=_EXACT) for ratio in ratios):
         return _slip_by_factor(target, ratios[0], slips, may_be_part)
     if "edit" in slips and any(agrees(each, claim) for each in single_edits(target)):
@@ -98,6 +100,10 @@ def slip_of(target: Formula, claim: Formula, slips: tuple[str, ...], may_be_part
         if allowed in slips and test():
             return kind
     return next((kind for kind in ("term", "power of a term") if kind in slips), "")
+
+
+def _is_finite(ratios: tuple[float, ...]) -> bool:
+    return all(isfinite(ratio) and ratio for ratio in ratios)
 
 
 def _slip_by_factor(target: Formula, ratio: float, slips: tuple[str, ...], may_be_part: bool) -> str:

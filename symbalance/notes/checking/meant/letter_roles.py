@@ -91,17 +91,17 @@ class LetterRoles:
             self._named[letter] = frozenset(roles), is_other
         return self._named[letter]
 
+    def is_multiplied(self, letter: str) -> bool:
+        """Tell whether words name a multiple of a letter, a length 2l: then a factor may be meant."""
+        multiple = rf"[^\W\d_]{{3,}}\s[\s$\\(]{{0,4}}\d+\s*{_sign_of(letter)}"
+        return re.search(multiple, self.text) is not None
+
     def words_before(self, letter: str) -> list[str]:
         """Return the few words before each place where a letter stands in the text, or what it is said
         to be behind it.
         """
         if letter not in self._before:
-            stem, _, index = letter.partition("_")
-            signs = {stem, plain_letter(stem), "\\" + stem}
-            tail = rf"_?\{{?{re.escape(index)}\}}?" if index else r"(?!_)"
-            pattern = (
-                rf"(?<![^\W_])(?<!\\)(?:{'|'.join(map(re.escape, sorted(signs)))}){tail}(?![A-Za-z])"
-            )
+            pattern = rf"(?<![^\W_])(?<!\\){_sign_of(letter)}"
             phrases = []
             for match in re.finditer(pattern, self.text):
                 words = _TAGS.sub("", self.text[max(0, match.start() - 60) : match.start()])
@@ -111,6 +111,14 @@ class LetterRoles:
                     phrases.append(follows[1])
             self._before[letter] = [words.replace("\n", " ") for words in phrases]
         return self._before[letter]
+
+
+def _sign_of(letter: str) -> str:
+    """Return a pattern for a letter as a page may write it: \\omega_0, ω_{0}."""
+    stem, _, index = letter.partition("_")
+    signs = {stem, plain_letter(stem), "\\" + stem}
+    tail = rf"_?\{{?{re.escape(index)}\}}?" if index else r"(?!_)"
+    return rf"(?:{'|'.join(map(re.escape, sorted(signs)))}){tail}(?![A-Za-z])"
 
 
 def ends_with(words: re.Pattern[str], text: str) -> bool:

@@ -73,6 +73,11 @@ _PART = re.compile(
     re.IGNORECASE,
 )
 """Words that make of a quantity a part or a multiple of it: no factor in it is a slip."""
+_SETTING = re.compile(
+    r"\b(?:on|between|auf|zwischen|in) (?:two|zwei) \w+|\b(?:at )?both ends|\bbeidseitig|両端",
+    re.IGNORECASE,
+)
+"""Words with a number that make nothing a part: a shaft on two bearings."""
 _DENIED = re.compile(
     r"\bnot\b|\binstead\b|\bwrong|mistak|confus|unlike|\bnicht\b|\bstatt\b|anstelle|falsch"
     r"|verwechs|ではない|でなく"
@@ -84,7 +89,8 @@ _DENIED = re.compile(
 """Words with which a formula may be named that is not the standard one."""
 _ROUGHLY = re.compile(r"approximat|roughly|näherung|近似", re.IGNORECASE)
 _FROM_ELSEWHERE = re.compile(
-    r"\b(?:from|von|vom|ab|gegen|against|aus)\b[^.\n]{0,30}?(?:bottom|outer dead|lower dead|\bBDC\b|vertical|horizontal"
+    r"\b(?:from|von|vom|ab|gegen|against|aus)\b[^.\n]{0,30}?(?:bottom|outer dead|lower dead|\bBDC\b"
+    r"|vertical|horizontal"
     r"|perpendicular|unteren? totp|\bUT\b|äußeren totp|senkrecht|waagrecht|vertikal|lotrecht)"
     r"|(?:下死点|水平|鉛直|垂直)[^。\n]{0,10}から",
     re.IGNORECASE,
@@ -103,7 +109,8 @@ _COPULA = re.compile(
     r"|then|becomes|equals|ist|sind|beträgt|wird|wellen?|der|die|das|eines?r?|also|folgt|so|begin"
     r"|equation"
     r"|align|display|style|displaystyle)\b"
-    r"|\b(?:in|over|along|for|auf|über)\s+(?:an?|the|its|der|die)\s+(?:length|länge)(?:\s+of)?\s+\$?[lL]\b"
+    r"|\b(?:in|over|along|for|auf|über)\s+(?:an?|the|its|der|die)\s+(?:length"
+    r"|länge)(?:\s+of)?\s+\$?[lL]\b"
     r"|[はがを、とすると軸丸実中の])*",
     re.IGNORECASE,
 )
@@ -356,13 +363,20 @@ class NamedQuantities:
         others += self._targets(quantity.approximate, claim, name, named, knowledge)
         if any(agrees(other, claim) for other in others) or decimals(claim):
             return None
-        may_be_part = _PART.search(named.sentence) is not None or _has_own_convention(claim, knowledge)
-        may_be_part = may_be_part and "part" not in quantity.slips
+        is_scaled = any(self.roles.is_multiplied(n) for n in names(claim))
+        is_in_words = _PART.search(_SETTING.sub("", named.sentence)) is not None
+        may_be_part = is_in_words or _has_own_convention(claim, knowledge)
+        may_be_part = is_scaled or (may_be_part and "part" not in quantity.slips)
         mistakes = self._targets(quantity.mistakes, claim, name, named, knowledge)
         is_mistake = any(agrees(each, claim) for each in mistakes)
         for target in targets:
             kind = slip_of(target, claim, quantity.slips, may_be_part)
-            if not kind and is_mistake and not (may_be_part and is_multiple(target, claim)):
+            if (
+                not kind
+                and is_mistake
+                and not (may_be_part and is_multiple(target, claim))
+                and not is_scaled
+            ):
                 kind = "another formula"
             if not kind:
                 continue

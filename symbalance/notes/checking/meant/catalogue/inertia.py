@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbalance.notes.checking.meant.catalogue.strength import HOLLOW
+from symbalance.document.formula import number
 from symbalance.notes.checking.meant.catalogue.roles import (
     PI,
     Quantity,
@@ -30,7 +30,7 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     width,
     words,
 )
-
+from symbalance.notes.checking.meant.catalogue.strength import HOLLOW
 
 INERTIA: tuple[Quantity, ...] = (
     Quantity(
@@ -83,7 +83,8 @@ INERTIA: tuple[Quantity, ...] = (
     ),
     Quantity(
         "moment of inertia of a hollow cylinder about its axis", letters("J I Theta"),
-        words(r"hollow\s+cylinder", r"annular\s+dis[ck]", r"thick\s+ring", r"hohlzylinder", r"kreisring(?:scheibe)?",
+        words(r"hollow\s+cylinder", r"annular\s+dis[ck]", r"thick\s+ring", r"hohlzylinder",
+        r"kreisring(?:scheibe)?",
               r"ringscheibe", r"中空円[筒柱板]", r"円環"),
         (mass * (outer_radius**2 + inner_radius**2) / 2, mass * (outer**2 + inner**2) / 8),
         ("factor", "edit"),
@@ -101,11 +102,12 @@ INERTIA: tuple[Quantity, ...] = (
         "radius of gyration", letters("k i r rho"),
         words(r"radius\s+of\s+gyration", r"trägheits(?:radius|halbmesser)", r"(?:慣性|回転)半径"),
         (root(inertia / mass),), ("power", "root"),
-        others=(root(section / area), diameter / root(8), radius / root(2)),
+        others=(root(section / area), diameter / root(number(8)), radius / root(number(2))),
     ),
     Quantity(
         "mass of a round disc", letters("m M"),
-        words(r"mass\s+of\s+(?:the|a)\s+(?:\w+\s+)?dis[ck]", r"masse\s+(?:der|einer)\s+(?:voll|kreis)?scheibe",
+        words(r"mass\s+of\s+(?:the|a)\s+(?:\w+\s+)?dis[ck]",
+        r"masse\s+(?:der|einer)\s+(?:voll|kreis)?scheibe",
               r"円板の質量"),
         (PI * density * diameter**2 * width / 4, PI * density * radius**2 * width,
          PI * density * diameter**2 * height / 4, PI * density * radius**2 * height),
@@ -115,14 +117,16 @@ INERTIA: tuple[Quantity, ...] = (
         "centre part of a rod in three masses", letters("Delta_J J I Delta_I Theta"),
         words(r"(?:correction|correcting)\s+(?:moment|couple|inertia|term)(?:\s+of\s+inertia)?",
               r"(?:difference|error|defect)\s+(?:of|in)\s+(?:the\s+)?moments?\s+of\s+inertia",
-              r"korrektur(?:moment|trägheitsmoment|glied)", r"zusatzträgheitsmoment", r"(?:慣性モーメントの)?補正(?:量|項)?"),
+              r"korrektur(?:moment|trägheitsmoment|glied)", r"zusatzträgheitsmoment",
+              r"(?:慣性モーメントの)?補正(?:量|項)?"),
         (mass * (gyration**2 - near * far), mass * (near * far - gyration**2),
          central - mass * near * far, mass * near * far - central),
         ("edit",), unless=words(r"about the (?:pin|end)|um den zapfen"),
     ),
     Quantity(
         "part of a rod's mass at one end", letters("m M"),
-        words(r"(?:rotating|reciprocating|oscillating)\s+(?:part|share|portion)\s+of\s+(?:the|its)\s+(?:connecting[- ])?rod",
+        words(r"(?:rotating|reciprocating|oscillating)\s+(?:part|share|portion)\s+of\s+(?:the"
+        r"|its)\s+(?:connecting[- ])?rod",
               r"(?:rotierender|oszillierender)\s+(?:pleuel)?(?:massen)?anteil(?:\s+(?:des|der)\s+\w+)?",
               r"連接棒の(?:回転|往復)(?:部分の)?質量"),
         (mass * near / rod, mass * far / rod, mass * (rod - near) / rod, mass * (rod - far) / rod,

@@ -1,8 +1,8 @@
 """What letters stand for in the standard formulas, and what is known of a quantity.
 
-Letters in the formulas are the names of roles; `ROLES` tells which letters stand for a role on most pages,
-and which words name it. Where two roles share their letters, a subscript parts them: F_g is the force of
-the gas, F_s that of the rod.
+Letters in the formulas are the names of roles; `ROLES` tells which letters stand for a role on most
+pages, and which words name it. Where two roles share their letters, a subscript parts them: F_g is the
+force of the gas, F_s that of the rod.
 """
 
 from __future__ import annotations
@@ -31,9 +31,9 @@ class Role:
 class Quantity:
     """A quantity with its standard formulas, in roles.
 
-    The words that name it stand in the sentence of its formula (`phrases`); with the usual letter those of
-    `context`, in the sentence or its heading, are enough. A formula is refuted if it has one of the `slips`,
-    or is one of the `mistakes`, and is none of `others`, which the same words may mean.
+    The words that name it stand in the sentence of its formula or in its heading (`phrases`); with the
+    usual letter those of `context` are enough. A formula is refuted if it has one of the `slips`, or is
+    one of the `mistakes`, and is none of `others`, which the same words may mean.
     """
 
     name: str
@@ -43,7 +43,8 @@ class Quantity:
     formulas: tuple[Formula, ...]
     slips: tuple[str, ...] = ("factor", "power")
     """What one may get wrong: "factor" (of a formula with a number), "bare factor", "power", "root",
-    "turn" (2π), "minus", "term", and "edit": a sign, a function, an exponent or a number anywhere within. With "part", words of
+    "turn" (2π), "minus", "term", and "edit": a sign, a function,
+    an exponent or a number anywhere within. With "part", words of
     a part (each, half) excuse no factor."""
     mistakes: tuple[Formula, ...] = ()
     """Formulas that are wrong by whatever convention."""
@@ -130,34 +131,42 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("gravity", "g", r"gravity|erdbeschleunigung|重力加速度"),
     ("weight", "W G w", r"weight|gewicht|重量"),
     ("rod_angle", "beta phi varphi psi gamma delta", r"rod angle|obliquity|inclination(?: of the"
-     r" (?:connecting )?rod)?|angle of the (?:connecting )?rod|(?:pleuel|stangen|schwenk|pleuelstangen)winkel"
+     r" (?:connecting )?rod)?|angle of the (?:connecting )?rod|(?:pleuel|stangen|schwenk"
+     r"|pleuelstangen)winkel"
      r"|(?:連接棒|コンロッド)の?(?:傾き|傾斜|揺動)?角"),
     ("crank_angle", "theta vartheta alpha phi varphi", r"crank ?angle|angle of the crank|crank rotation"
      r"|kurbelwinkel|クランク(?:回転)?角度?"),
     ("any_force", "F P S Q N K Z",
-     r"(?<!piston )(?<!gas )(?<!rod )(?:forces?|loads?)|(?<!gas)(?<!kolben)(?<!stangen)(?<!pleuel)kraft|力",
+     r"(?<!piston )(?<!gas )(?<!rod )(?:forces?|loads?)"
+     r"|(?<!gas)(?<!kolben)(?<!stangen)(?<!pleuel)kraft|力",
      "", "s S st St cr c l pl rod g G p K k gas kol Gas Kol"),
     ("piston_force", "F P Q K", r"(?:piston|gas)\s+(?:force|load|effort|thrust)|force on the piston"
      r"|(?:kolben|gas)-?kraft|(?:ピストン|ガス)力", "g G p K k gas kol Gas Kol"),
-    ("rod_force", "F S Q", r"(?:rod|stangen|pleuel)\w*[ -]*(?:force|thrust|load|kraft)|force (?:in|of|along)"
+    ("rod_force", "F S Q", r"(?:rod|stangen|pleuel)\w*[ -]*(?:force|thrust|load|kraft)|force (?:in|of"
+    r"|along)"
      r" the (?:connecting )?rod|(?:連接棒|コンロッド)(?:の)?(?:軸)?力", "s S st St cr c l pl rod"),
     ("rod", "l L ell", r"length|rod|lang|länge|pleuel|stange|長さ?|連接棒|コンロッド"),
     ("ratio", "lambda rho varepsilon epsilon", r"ratio|verhältnis|比"),
     ("volume", "V", r"volume|displacement|hubraum|hubvolumen|容積|排気量"),
-    ("clearance", "V", r"clearance(?: volume)?|compression (?:volume|space)|(?:kompressions|verdichtungs|brenn)"
+    ("clearance", "V", r"clearance(?: volume)?|compression (?:volume|space)|(?:kompressions"
+    r"|verdichtungs|brenn)"
      r"(?:raum|volumen)|(?:すきま|隙間|燃焼室)容積", "c k K C 0 cl comp v V"),
-    ("swept", "V", r"swept(?: volume)?|displacement|hubraum|hubvolumen|行程容積|排気量", "h H s S d D st hub"),
-    ("total_volume", "V", r"total volume|whole volume|gesamtvolumen|全容積", "", "c k K C 0 cl comp v V h H s S hub"),
+    ("swept", "V", r"swept(?: volume)?|displacement|hubraum|hubvolumen|行程容積|排気量",
+    "h H s S d D st hub"),
+    ("total_volume", "V", r"total volume|whole volume|gesamtvolumen|全容積", "",
+    "c k K C 0 cl comp v V h H s S hub"),
     ("unbalance", "U", r"unbalance|imbalance|unwucht|不釣り?合い量?"),
     ("slenderness", "lambda", r"ratio|verhältnis|比"),
-    ("compression", "epsilon varepsilon r R kappa", r"compression ratio|verdichtung(?:sverhältnis)?|圧縮比"),
+    ("compression", "epsilon varepsilon r R kappa", r"compression ratio|verdichtung(?:sverhältnis)?"
+    r"|圧縮比"),
     ("efficiency", "eta", r"efficiency|wirkungsgrad|効率"),
     ("width", "b B w", r"width|breadth|breite|幅"),
     ("height", "h H", r"height|depth|höhe|高さ"),
     ("wall", "t s delta", r"thickness|wanddicke|wandstärke|dicke|肉厚|厚さ"),
     ("line_load", "q w p", r"loads?|last|荷重|per (?:unit )?length"),
     ("young", "E", r"modulus|elasticity|young|elastizitätsmodul|e-modul|ヤング率|縦弾性係数"),
-    ("first_rate", "c k C K", r"stiffness|rates?|constants?|steifigkeiten|springs?|federn?|ばね定数?", "1 a A I"),
+    ("first_rate", "c k C K", r"stiffness|rates?|constants?|steifigkeiten|springs?|federn?"
+    r"|ばね定数?", "1 a A I"),
     ("second_rate", "c k C K", r"stiffness|rates?|constants?|steifigkeiten|springs?|federn?|ばね定数?",
      "2 b B II"),
     ("own_length", "l L ell", r"length|länge|長さ?", "1 2 3 a b"),
@@ -167,12 +176,15 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("density", "rho varrho gamma", r"density|dichte|密度"),
     ("own_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?|慣性モーメント",
      "1 2 a b A B"),
-    ("other_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?|慣性モーメント",
+    ("other_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?"
+    r"|慣性モーメント",
      "1 2 a b A B"),
-    ("decay", "delta sigma alpha", r"decay(?: constant| rate)?|abklingkonstante|abklingkoeffizient|減衰定数"),
+    ("decay", "delta sigma alpha", r"decay(?: constant| rate)?|abklingkonstante|abklingkoeffizient"
+    r"|減衰定数"),
     ("damping", "d c b r k", r"damping(?: constant| coefficient)?|dämpfungs(?:konstante|koeffizient)"
      r"|dämpfung|減衰係数|dashpot"),
-    ("damping_ratio", "D zeta xi vartheta theta", r"damping(?: ratio| factor)?|dämpfungs(?:grad|maß)|lehr\w*"
+    ("damping_ratio", "D zeta xi vartheta theta", r"damping(?: ratio| factor)?|dämpfungs(?:grad|maß)"
+    r"|lehr\w*"
      r"|減衰比"),
     ("tuning", "eta r beta nu", r"(?:frequency )?ratio|tuning|abstimmung|frequenzverhältnis|振動数比"),
     ("decrement", "Lambda delta vartheta theta", r"decrement|dekrement|減衰率"),
@@ -185,7 +197,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("far", "b d", r"distances?|abständen?|abstand|距離"),
     ("share", "beta b c k kappa epsilon x alpha", r"factor|fraction|share|balance|anteil|grad|割合|率"
      r"|proportion"),
-    ("rotating", "m M", r"(?:rotating|revolving)(?: mass)?|rotierende(?:n)?(?: masse)?|回転(?:部分の)?質量",
+    ("rotating", "m M", r"(?:rotating|revolving)(?: mass)?|rotierende(?:n)?(?: masse)?"
+    r"|回転(?:部分の)?質量",
      "r R rot Rot d dreh k K"),
     ("reciprocating", "m M", r"(?:reciprocating|oscillating)(?: mass)?|oszillierende(?:n)?(?: masse)?"
      r"|hin- und hergehende(?:n)?(?: masse)?|往復(?:部分の)?質量", "o O osz Osz osc h H rec p P"),
@@ -209,12 +222,15 @@ OTHER_LENGTHS = words(
 """Words for lengths that play no part here, whatever their letter."""
 (
     diameter, outer, inner, radius, crank, bending, torque, force, pressure, area, modulus, section,
-    shear, length, stress, shearing, stiffness, mass, inertia, second_section, first_inertia, second_inertia, omega,
+    shear, length, stress, shearing, stiffness, mass, inertia, second_section, first_inertia,
+    second_inertia, omega,
     omega_high, omega_low, rotation, frequency, stroke, cylinders, velocity, fluctuation, swing,
     power, shift, central, gravity, weight, rod_angle, crank_angle, any_force, piston_force,
-    rod_force, rod, ratio, volume, clearance, swept, total_volume, unbalance, slenderness, compression, efficiency, width, height, wall,
+    rod_force, rod, ratio, volume, clearance, swept, total_volume, unbalance, slenderness,
+    compression, efficiency, width, height, wall,
     line_load, young, first_rate, second_rate, own_length, own_diameter, first_length,
-    first_diameter, density, own_inertia, other_inertia, decay, damping, damping_ratio, tuning, decrement, order, static_deflection, period,
+    first_diameter, density, own_inertia, other_inertia, decay, damping, damping_ratio, tuning,
+    decrement, order, static_deflection, period,
     arm, gyration, near, far, share, rotating, reciprocating, pin, arm_of_weight, kinetic,
     eccentricity, unbalanced, outer_radius, inner_radius,
 ) = map(Name, ROLES)  # fmt: skip

@@ -1,4 +1,4 @@
-"""Sections, stresses, beams and springs: section moduli, bending moments, stiffnesses, equivalent lengths."""
+"""Strength of shafts and beams: sections, stresses, bending moments, stiffnesses, equivalent lengths."""
 
 from __future__ import annotations
 
@@ -124,6 +124,16 @@ _TORSIONAL_RATE = words(
     r"ばね定数",
 )
 _BORED = words(r"hollow|\bbored\b|tubular|\btubes?\b|hohl|rohr\b|ringquerschnitt|中空|円管|パイプ")
+_SERIES = words(
+    r"(?:springs|connected|shafts|arranged|rates)\s+in\s+series", r"series\s+(?:stiffness|connection)",
+    r"reihenschaltung", r"in\s+reihe(?:\s+geschaltet\w*)?", r"hintereinander\w*",
+    r"直列(?:ばね|接続|結合)?",
+)  # fmt: skip
+_PARALLEL = words(
+    r"(?:springs|connected|shafts|arranged|rates)\s+in\s+parallel",
+    r"parallel\s+(?:springs|stiffness|connection)",
+    r"parallelschaltung", r"parallel\s+geschaltet\w*", r"並列(?:ばね|接続|結合)?",
+)  # fmt: skip
 _NO_ANNULUS = words(
     r"rectang|square (?:section|bar|shaft)|ellip|hexagon|thin[- ]walled|dünnwandig|薄肉|rechteck|vierkant"
     r"|sechskant|profil|\bsolid|\bvoll|中実", _NOTCH,
@@ -136,15 +146,18 @@ _CANTILEVER = words(
     r"cantilever|kragarm|kragträger|freiträger|einseitig eingespannt|片持ち?|overhang|fliegend"
 )
 _SUPPORTED = words(
-    r"simply[- ]supported|on two (?:supports|bearings)|between two (?:supports|bearings)|supported at both"
-    r" ends|zwei (?:stützen|lagern?)|beidseitig gelagert|beiderseits gelagert|zweifach gelagert|単純支持|両端支持"
+    r"simply[- ]supported|on two (?:supports|bearings)|between two (?:supports|bearings)"
+    r"|supported at both"
+    r" ends|zwei (?:stützen|lagern?)|beidseitig gelagert|beiderseits gelagert|zweifach gelagert"
+    r"|単純支持|両端支持"
 )
 _FIXED = words(r"fixed at both ends|built[- ]in at both|clamped at both|beidseitig eingespannt|両端固定")
 _MIDDLE = words(r"middle|mid-?span|cent(?:re|er)|central(?:ly)?|mittig|\bmitte|中央")
 _END_LOAD = words(r"\bend\b|\btip\b|\bende\b|先端|自由端|free end|an der spitze")
 _UNIFORM = words(r"uniform|evenly|gleichm|streckenlast|gleichstreckenlast|等分布|distributed|verteilt")
 _OTHER_BEAM = words(
-    r"fixed at both|built[- ]in at both|clamped at both|beidseitig eingespannt|両端固定|one (?:end )?fixed|propped"
+    r"fixed at both|built[- ]in at both|clamped at both|beidseitig eingespannt|両端固定"
+    r"|one (?:end )?fixed|propped"
     r"|quarter|viertel|at a distance|im abstand|continuous|durchlauf|three bearings|drei lager"
 )
 _BENDING_MOMENT = words(
@@ -153,7 +166,8 @@ _BENDING_MOMENT = words(
 )  # fmt: skip
 _DEFLECTION = words(r"deflection", r"durchbiegung", r"たわみ量?")
 _BENDING_RATE = words(
-    r"(?:bending |lateral |transverse )?stiffness", r"spring\s+(?:rate|constant)", r"biegefedersteifigkeit",
+    r"(?:bending |lateral |transverse )?stiffness", r"spring\s+(?:rate|constant)",
+    r"biegefedersteifigkeit",
     r"biegesteifigkeit", r"federkonstante", r"(?:曲げ)?ばね定数",
 )  # fmt: skip
 
@@ -272,9 +286,12 @@ STRENGTH: tuple[Quantity, ...] = (
         only=_BORED, unless=_NO_ANNULUS,
     ),
     Quantity(
-        "section modulus of a hollow round section in bending", letters("W Z S"), _BENDING_MODULUS,
+        "section modulus of a hollow round section in bending", letters("W Z S"),
+        words(_BENDING_MODULUS.pattern, r"section\s+modulus", r"widerstandsmoment", r"断面係数"),
         (PI * _ANNULUS / (32 * outer),), ("factor", "power", "edit"),
-        mistakes=(PI * (outer**3 - inner**3) / 32, PI * _ANNULUS / (32 * inner)),
+        others=(PI * _ANNULUS / (16 * outer),),
+        mistakes=(PI * (outer**3 - inner**3) / 16, PI * (outer**3 - inner**3) / 32,
+        PI * _ANNULUS / (32 * inner)),
         only=_BORED, unless=words(_NO_ANNULUS.pattern, r"polar|極|torsion|ねじり"),
     ),
     Quantity(
@@ -301,7 +318,8 @@ STRENGTH: tuple[Quantity, ...] = (
         (root(stress**2 + 4 * shearing**2),), ("root", "term"),
         mistakes=(root(stress**2 + 3 * shearing**2), root(stress**2 + 2 * shearing**2)),
         others=(root(stress**2 + 4 * shearing**2) / 2, root(stress**2 / 4 + shearing**2)),
-        only=words(r"tresca|guest\b|maximum shear(?:ing)? stress|schubspannungshypothese|最大せん断応力説|トレスカ"),
+        only=words(r"tresca|guest\b|maximum shear(?:ing)? stress|schubspannungshypothese"
+        r"|最大せん断応力説|トレスカ"),
         unless=words(r"von mises|gestaltänderung|distortion|ミーゼス|rankine|normalspannungs"),
     ),
     Quantity(
@@ -334,12 +352,14 @@ STRENGTH: tuple[Quantity, ...] = (
         (pressure * diameter / (2 * wall), pressure * radius / wall), ("power",),
         mistakes=(pressure * diameter / (4 * wall), pressure * diameter / wall,
                   pressure * radius / (2 * wall)),
-        unless=words(r"spher|kugel|球|thick-walled|dickwandig|厚肉|rotating|joint|efficiency|centrifugal"),
+        unless=words(r"spher|kugel|球|thick-walled|dickwandig|厚肉|rotating|joint|efficiency"
+        r"|centrifugal"),
     ),
     Quantity(
         "bending moment of a cantilever with a load at its end", letters("M"), _BENDING_MOMENT,
         (force * length,), ("bare factor", "power"), only=both(_CANTILEVER, _END_LOAD),
-        unless=words(_OTHER_BEAM.pattern, r"uniform|gleichm|streckenlast|等分布|middle|mitte|中央"),
+        unless=words(_OTHER_BEAM.pattern, r"uniform|gleichm|streckenlast|等分布|\bmid|\bhalf|\bhalb"
+        r"|middle|mitte|中央"),
     ),
     Quantity(
         "bending moment of a cantilever with a uniform load", letters("M"), _BENDING_MOMENT,
@@ -349,12 +369,15 @@ STRENGTH: tuple[Quantity, ...] = (
     Quantity(
         "bending moment of a simply supported beam loaded in the middle", letters("M"), _BENDING_MOMENT,
         (force * length / 4,), only=both(_SUPPORTED, _MIDDLE),
-        unless=words(_OTHER_BEAM.pattern, _UNIFORM.pattern, r"cantilever|kragarm|einseitig|片持ち?"),
+        unless=words(r"reaction|auflager|反力|\bhalf\b|\bhalb|半分|each bearing",
+        _OTHER_BEAM.pattern, _UNIFORM.pattern, r"clamped|built[- ]in|\bfixed|eingespannt|固定"
+        r"|cantilever|kragarm|einseitig|片持ち?"),
     ),
     Quantity(
         "bending moment of a simply supported beam with a uniform load", letters("M"), _BENDING_MOMENT,
         (line_load * length**2 / 8, force * length / 8), only=both(_SUPPORTED, _UNIFORM),
-        unless=words(_OTHER_BEAM.pattern, r"cantilever|kragarm|triang|dreieck|三角|片持ち?"),
+        unless=words(_OTHER_BEAM.pattern, r"clamped|built[- ]in|\bfixed|eingespannt|固定|cantilever"
+        r"|kragarm|triang|dreieck|三角|片持ち?"),
     ),
     Quantity(
         "bending moment of a beam fixed at both ends and loaded in the middle", letters("M"),
@@ -364,17 +387,19 @@ STRENGTH: tuple[Quantity, ...] = (
     Quantity(
         "deflection of a cantilever with a load at its end", letters("f w y delta v"), _DEFLECTION,
         (force * length**3 / (3 * young * section),), only=both(_CANTILEVER, _END_LOAD),
-        unless=words(_OTHER_BEAM.pattern, _UNIFORM.pattern, r"middle|mitte|中央"),
+        unless=words(_OTHER_BEAM.pattern, _UNIFORM.pattern, r"\bmid|\bhalf|\bhalb|middle|mitte|中央"),
     ),
     Quantity(
         "deflection of a simply supported beam loaded in the middle", letters("f w y delta v"),
         _DEFLECTION, (force * length**3 / (48 * young * section),), only=both(_SUPPORTED, _MIDDLE),
-        unless=words(_OTHER_BEAM.pattern, _UNIFORM.pattern, r"cantilever|kragarm|片持ち?"),
+        unless=words(_OTHER_BEAM.pattern, _UNIFORM.pattern, r"clamped|built[- ]in|\bfixed|eingespannt"
+        r"|固定|cantilever|kragarm|片持ち?"),
     ),
     Quantity(
         "bending stiffness of a simply supported shaft in its middle", letters("c k C K"), _BENDING_RATE,
         (48 * young * section / length**3,), only=both(_SUPPORTED, _MIDDLE),
-        unless=words(_OTHER_BEAM.pattern, _UNIFORM.pattern, r"cantilever|kragarm|片持ち?"),
+        unless=words(_OTHER_BEAM.pattern, _UNIFORM.pattern, r"clamped|built[- ]in|\bfixed|eingespannt"
+        r"|固定|cantilever|kragarm|片持ち?"),
     ),
     Quantity(
         "bending stiffness of a cantilever at its end", letters("c k C K"), _BENDING_RATE,
@@ -396,25 +421,20 @@ STRENGTH: tuple[Quantity, ...] = (
     ),
     Quantity(
         "stiffness of springs in series", letters("c k C K"),
-        words(r"springs\s+in\s+series", r"series\s+(?:stiffness|connection)", r"(?:connected|shafts|arranged)"
-              r"\s+in\s+series",
-              r"reihenschaltung", r"in\s+reihe(?:\s+geschaltet\w*)?", r"hintereinander\w*",
-              r"直列(?:ばね|接続|結合)?"),
+        words(_BENDING_RATE.pattern, _SERIES.pattern),
         (first_rate * second_rate / (first_rate + second_rate), 1 / (1 / first_rate + 1 / second_rate)),
         ("bare factor", "edit"),
         mistakes=(first_rate + second_rate, 1 / first_rate + 1 / second_rate,
                   (first_rate + second_rate) / (first_rate * second_rate)),
-        unless=words(r"parallel|並列|complian|nachgiebig|flexibil"),
+        only=_SERIES, unless=words(r"parallel|並列|complian|nachgiebig|flexibil"),
     ),
     Quantity(
         "stiffness of springs in parallel", letters("c k C K"),
-        words(r"springs\s+in\s+parallel", r"parallel\s+(?:springs|stiffness|connection)", r"parallelschaltung",
-              r"parallel\s+geschaltet\w*", r"(?:connected|arranged)\s+in\s+parallel",
-              r"並列(?:ばね|接続|結合)?"),
+        words(_BENDING_RATE.pattern, _PARALLEL.pattern),
         (first_rate + second_rate,), ("bare factor",),
         mistakes=(first_rate * second_rate / (first_rate + second_rate), first_rate - second_rate,
                   1 / (1 / first_rate + 1 / second_rate)),
-        unless=words(r"series|reihe|hintereinander|直列|complian|nachgiebig|flexibil"),
+        only=_PARALLEL, unless=words(r"series|reihe|hintereinander|直列|complian|nachgiebig|flexibil"),
     ),
     Quantity(
         "equivalent length of a shaft", letters("l L ell"),

@@ -81,10 +81,13 @@ VIBRATION: tuple[Quantity, ...] = (
         mistakes=(root(2 * stiffness / inertia), root(stiffness / (2 * inertia)),
                   root(stiffness / (3 * inertia)), root(3 * stiffness / (2 * inertia))),
         only=words(r"three\s+(?:equal|identical|like)\s+(?:dis[ck]s?|inertias|masses|rotors|flywheels)",
-                   r"drei\s+gleichen?[nr]?\s+(?:scheiben|massen|drehmassen|schwungmassen|schwungscheiben)",
-                   r"(?:等しい|同じ|同一の)(?:3|三|３)[つ個枚]?の?(?:円板|慣性)", r"(?:3|三|３)[つ個枚]の(?:等しい|同じ|同一の)"
+                   r"drei\s+gleichen?[nr]?\s+(?:scheiben|massen|drehmassen|schwungmassen"
+                   r"|schwungscheiben)",
+                   r"(?:等しい|同じ|同一の)(?:3|三|３)[つ個枚]?の?(?:円板|慣性)",
+                   r"(?:3|三|３)[つ個枚]の(?:等しい|同じ|同一の)"
                    r"(?:円板|慣性)"),
-        unless=words(r"fixed|clamped|eingespannt|固定|wall|einspannung|half|halb|damp|gedämpf|four|vier|middle"
+        unless=words(r"fixed|clamped|eingespannt|固定|wall|einspannung|half|halb|damp|gedämpf|four"
+        r"|vier|middle"
                      r" (?:one|dis[ck]) is|doppelt|twice"),
     ),
     Quantity(
@@ -98,11 +101,13 @@ VIBRATION: tuple[Quantity, ...] = (
         "damped natural angular frequency", letters("omega Omega w p"),
         words(r"damped\s+(?:natural\s+)?(?:angular\s+|circular\s+)?frequency",
               r"frequency\s+of\s+(?:the\s+)?damped\s+(?:vibration|oscillation)s?",
-              r"gedämpfte\s+eigen(?:kreis)?frequenz", r"eigen(?:kreis)?frequenz\s+der\s+gedämpften\s+schwingung",
+              r"gedämpfte\s+eigen(?:kreis)?frequenz",
+              r"eigen(?:kreis)?frequenz\s+der\s+gedämpften\s+schwingung",
               r"減衰固有(?:角|円)?振動数"),
         (omega * root(1 - damping_ratio**2), root(omega**2 - decay**2)), ("edit", "root"),
         mistakes=(omega * (1 - damping_ratio), omega * root(1 - 2 * damping_ratio**2)),
-        unless=words(r"undamped|ungedämpft|非減衰|resonan|peak|hysteretic|structural|loss factor|verlustfaktor"),
+        unless=words(r"undamped|ungedämpft|非減衰|resonan|peak|hysteretic|structural|loss factor"
+        r"|verlustfaktor"),
     ),
     Quantity(
         "damping ratio", letters("D zeta xi vartheta theta"),
@@ -118,7 +123,8 @@ VIBRATION: tuple[Quantity, ...] = (
         "critical damping", letters("d c b r k"),
         words(r"critical\s+damping(?:\s+(?:constant|coefficient))?", r"kritische\s+dämpfung\w*",
               r"臨界減衰(?:係数)?"),
-        (2 * root(mass * stiffness), 2 * mass * omega, 2 * root(inertia * stiffness), 2 * inertia * omega),
+        (2 * root(mass * stiffness), 2 * mass * omega, 2 * root(inertia * stiffness),
+        2 * inertia * omega),
         ("factor", "power", "root"),
     ),
     Quantity(
@@ -131,7 +137,8 @@ VIBRATION: tuple[Quantity, ...] = (
     Quantity(
         "magnification of a forced vibration", letters("V M alpha mu beta Q R"),
         words(r"magnification(?:\s+(?:factor|function))?", r"(?:dynamic\s+)?amplification(?:\s+factor)?",
-              r"vergrößerungs(?:funktion|faktor)", r"überhöhung(?:sfaktor)?", r"(?:振幅|動的)倍率", r"応答倍率"),
+              r"vergrößerungs(?:funktion|faktor)", r"überhöhung(?:sfaktor)?", r"(?:振幅|動的)倍率",
+              r"応答倍率"),
         (1 / root((1 - tuning**2) ** 2 + 4 * damping_ratio**2 * tuning**2),
          1 / root((1 - tuning**2) ** 2 + (2 * damping_ratio * tuning) ** 2), 1 / (1 - tuning**2)),
         ("edit",),
@@ -140,7 +147,8 @@ VIBRATION: tuple[Quantity, ...] = (
                 tuning**2 / root((1 - tuning**2) ** 2 + 4 * damping_ratio**2 * tuning**2),
                 root(1 + 4 * damping_ratio**2 * tuning**2)
                 / root((1 - tuning**2) ** 2 + 4 * damping_ratio**2 * tuning**2)),
-        unless=words(r"at resonance|in resonanz|bei resonanz|共振時|unbalance|unwucht|不釣合い|base|fußpunkt|基礎"
+        unless=words(r"at resonance|in resonanz|bei resonanz|共振時|unbalance|unwucht|不釣合い|base"
+        r"|fußpunkt|基礎"
                      r"|transmiss|loss factor|hysteretic"),
     ),
     Quantity(
@@ -161,7 +169,8 @@ VIBRATION: tuple[Quantity, ...] = (
         mistakes=(30 * omega * order / PI, 60 * frequency * order, frequency * order, omega * order,
                   omega * order / (2 * PI), 60 * order / frequency, 60 * omega / order,
                   30 * PI * omega / order, 60 * PI * omega / order),
-        unless=words(r"whirl|biegekritisch|per\s+cycle|je\s+arbeitsspiel|per\s+two\s+(?:turns|revolutions)|gear"),
+        unless=words(r"whirl|biegekritisch|per\s+cycle|je\s+arbeitsspiel|per\s+two\s+(?:turns"
+        r"|revolutions)|gear"),
     ),
     Quantity(
         "distance of the node of two discs", letters("a l x s L"),
@@ -175,25 +184,31 @@ VIBRATION: tuple[Quantity, ...] = (
     ),
     Quantity(
         "period of a simple pendulum", letters("T tau"),
-        words(r"(?:period|time)\s+of\s+(?:swing\s+of\s+)?(?:the|a)\s+(?:simple\s+|mathematical\s+)pendulum",
-              r"schwingungsdauer\s+(?:des|eines)\s+(?:mathematischen\s+|faden)pendels", r"単振り子の周期"),
+        words(r"(?:period|time)\s+of\s+(?:swing\s+of\s+)?(?:the|a)\s+(?:simple\s+"
+        r"|mathematical\s+)pendulum",
+              r"schwingungsdauer\s+(?:des|eines)\s+(?:mathematischen\s+|faden)pendels",
+              r"単振り子の周期"),
         (2 * PI * root(length / gravity),), ("turn", "root", "power", "factor"),
         unless=words(r"half|halbe|半|compound|physical|physisch|beat"),
     ),
     Quantity(
         "period of a compound pendulum", letters("T tau"),
-        words(r"(?:period|time)\s+of\s+(?:swing|(?:the|a)\s+(?:swing|oscillation|pendulum)|the\s+(?:compound|physical)"
+        words(r"(?:period|time)\s+of\s+(?:swing|(?:the|a)\s+(?:swing|oscillation|pendulum)"
+        r"|the\s+(?:compound|physical)"
               r"\s+pendulum)", r"pendelzeit", r"schwingungsdauer\s+des\s+(?:physischen\s+)?pendels",
               r"(?:物理|複|実体)振り子の周期", r"振り子の周期"),
         (2 * PI * root(inertia / (mass * gravity * arm)), 2 * PI * root(length / gravity),
          2 * PI * root((gyration**2 + arm**2) / (gravity * arm))),
-        ("turn", "root", "power", "factor"), unless=words(r"half|halbe|半|bifilar|trifilar|\bfilar|torsion"),
+        ("turn", "root", "power", "factor"), unless=words(r"half|halbe|半|bifilar|trifilar|\bfilar"
+        r"|torsion"),
     ),
     Quantity(
         "moment of inertia from a pendulum's period", letters("J I Theta"),
-        words(r"(?:moment\s+of\s+)?inertia\s+(?:about|round)\s+(?:the|its)\s+(?:point|axis|axle|knife edge)\s+of"
+        words(r"(?:moment\s+of\s+)?inertia\s+(?:about|round)\s+(?:the|its)\s+(?:point|axis|axle"
+        r"|knife edge)\s+of"
               r"\s+(?:suspension|support|swing)",
-              r"trägheitsmoment\s+um\s+(?:den\s+aufhängepunkt|die\s+(?:pendel|aufhänge)achse|die\s+schneide)",
+              r"trägheitsmoment\s+um\s+(?:den\s+aufhängepunkt|die\s+(?:pendel|aufhänge)achse"
+              r"|die\s+schneide)",
               r"支点まわりの慣性モーメント"),
         (mass * gravity * arm * period**2 / (4 * PI**2), central + mass * arm**2),
         ("factor", "turn", "power"), unless=words(r"half|halbe|半|bifilar|trifilar"),

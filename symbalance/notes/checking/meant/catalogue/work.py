@@ -33,11 +33,14 @@ from symbalance.notes.checking.meant.catalogue.roles import (
 _FOUR = words(r"four[- ]stroke|4[- ]stroke|viertakt|4-takt|4ストローク|4サイクル|四サイクル")
 _TWO = words(r"two[- ]stroke|2[- ]stroke|zweitakt|2-takt|2ストローク|2サイクル|二サイクル")
 _CYCLES = (
-    r"working strokes|power strokes|cycles per|arbeitsspiele? (?:je|pro)|explosions|firings|camshaft|nockenwelle"
+    r"working strokes|power strokes|cycles per|arbeitsspiele? (?:je|pro)|explosions|firings|camshaft"
+    r"|nockenwelle"
     r"|仕事回数"
 )
+_PER_TURN = r"per (?:turn|revolution)|je umdrehung|pro umdrehung|1回転"
 _MEAN_TORQUE = words(
-    r"(?:mean|average)\s+(?:engine\s+)?torque", r"\btorque", r"mittleres?\s+(?:dreh)?moment", r"dreh-?moment",
+    r"(?:mean|average)\s+(?:engine\s+)?torque", r"\btorque", r"mittleres?\s+(?:dreh)?moment",
+    r"dreh-?moment",
     r"平均トルク", r"トルク",
 )  # fmt: skip
 _MEAN_PRESSURE = words(
@@ -46,7 +49,8 @@ _MEAN_PRESSURE = words(
     r"mitteldruck", r"(?:正味|図示)?平均有効圧力?",
 )  # fmt: skip
 _POWER = words(
-    r"(?:indicated\s+|brake\s+|effective\s+)(?<!horse)\bpower\b", r"(?<!horse)\bpower\b(?!\s+(?:stroke|cycle))",
+    r"(?:indicated\s+|brake\s+|effective\s+)(?<!horse)\bpower\b",
+    r"(?<!horse)\bpower\b(?!\s+(?:stroke|cycle))",
     r"(?:innen|nutz|motor)?leistung", r"(?:正味|図示)?(?:出力|動力)",
 )  # fmt: skip
 _IRREGULARITY = words(
@@ -103,26 +107,28 @@ WORK: tuple[Quantity, ...] = (
         (pressure * volume / (4 * PI), pressure * volume * cylinders / (4 * PI),
          pressure * volume * efficiency / (4 * PI), pressure * volume * cylinders * efficiency / (4 * PI),
          power / omega, power / (2 * PI * rotation)),
-        ("factor", "turn", "power"), only=_FOUR, unless=_TWO, is_told_once=True,
+        ("factor", "turn", "power"), only=_FOUR, unless=words(_TWO.pattern, _PER_TURN), is_told_once=True,
     ),
     Quantity(
         "mean torque of a two-stroke engine", letters("T M"), _MEAN_TORQUE,
         (pressure * volume / (2 * PI), pressure * volume * cylinders / (2 * PI),
          pressure * volume * efficiency / (2 * PI), pressure * volume * cylinders * efficiency / (2 * PI),
          power / omega, power / (2 * PI * rotation)),
-        ("factor", "turn", "power"), only=_TWO, unless=_FOUR, is_told_once=True,
+        ("factor", "turn", "power"), only=_TWO, unless=words(_FOUR.pattern, _PER_TURN), is_told_once=True,
     ),
     Quantity(
         "mean effective pressure of a four-stroke engine", letters("p P"), _MEAN_PRESSURE,
-        (4 * PI * torque / volume, 4 * PI * torque / (volume * cylinders), 2 * power / (volume * rotation),
+        (4 * PI * torque / volume, 4 * PI * torque / (volume * cylinders),
+        2 * power / (volume * rotation),
          2 * power / (volume * rotation * cylinders), 120 * power / (volume * rotation)),
-        ("factor", "turn", "power"), only=_FOUR, unless=_TWO, is_told_once=True,
+        ("factor", "turn", "power"), only=_FOUR, unless=words(_TWO.pattern, _PER_TURN), is_told_once=True,
     ),
     Quantity(
         "mean effective pressure of a two-stroke engine", letters("p P"), _MEAN_PRESSURE,
         (2 * PI * torque / volume, 2 * PI * torque / (volume * cylinders), power / (volume * rotation),
          power / (volume * rotation * cylinders), 60 * power / (volume * rotation)),
-        ("bare factor", "turn", "power"), only=_TWO, unless=_FOUR, is_told_once=True,
+        ("bare factor", "turn", "power"), only=_TWO, unless=words(_FOUR.pattern, _PER_TURN),
+        is_told_once=True,
     ),
     Quantity(
         "mean effective pressure by the work of a cycle", letters("p P"), _MEAN_PRESSURE,
@@ -133,7 +139,8 @@ WORK: tuple[Quantity, ...] = (
         "power of a four-stroke engine", letters("P N"), _POWER,
         (pressure * volume * rotation / 2, pressure * volume * rotation * cylinders / 2,
          pressure * volume * rotation / 120, pressure * volume * rotation * cylinders / 120,
-         pressure * volume * rotation * efficiency / 2, pressure * volume * rotation * cylinders * efficiency / 2,
+         pressure * volume * rotation * efficiency / 2,
+         pressure * volume * rotation * cylinders * efficiency / 2,
          pressure * volume * omega / (4 * PI),
          pressure * area * stroke * rotation / 2, pressure * area * stroke * rotation * cylinders / 2),
         ("factor", "turn", "power"), only=_FOUR, unless=words(_TWO.pattern, _CYCLES), is_told_once=True,
@@ -151,7 +158,8 @@ WORK: tuple[Quantity, ...] = (
     Quantity(
         "fluctuation of energy of one harmonic", letters("Delta_E E W Delta_W A"),
         words(r"(?:maximum\s+)?fluctuation\s+of\s+energy", r"energy\s+(?:fluctuation|swing|variation)",
-              r"energieschwankung", r"arbeitsüberschuss", r"überschussarbeit", r"エネルギー?(?:の)?変動(?:量)?", r"変動エネルギー?"),
+              r"energieschwankung", r"arbeitsüberschuss", r"überschussarbeit",
+              r"エネルギー?(?:の)?変動(?:量)?", r"変動エネルギー?"),
         (2 * torque / order,), ("power",), mistakes=(2 * torque * order, torque * order),
         others=(torque / order,), unless=words(r"mean torque|mittlere|平均|two harmonics"),
     ),
@@ -165,6 +173,7 @@ WORK: tuple[Quantity, ...] = (
         "work of a turn", letters("W A E"),
         words(r"work\s+(?:of|in|per|during)\s+(?:one|a|each)\s+(?:turn|revolution)",
               r"arbeit\s+(?:je|pro|einer)\s+umdrehung", r"1回転(?:あたり|当たり)?の仕事"),
-        (2 * PI * torque,), ("turn", "factor"), mistakes=(PI * torque, 4 * PI * torque),
+        (2 * PI * torque,), ("turn", "factor"), unless=words(r"cycle|arbeitsspiel|サイクル|friction"
+        r"|reibung"), mistakes=(PI * torque, 4 * PI * torque),
     ),
 )  # fmt: skip
