@@ -181,6 +181,20 @@ class NamedQuantities:
         except OverBudgetError:
             return None  # a definition, as it stands
 
+    def of_another(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
+        """Return the verdict on a letter's formula where its clause names it of something else.
+
+        That is of another engine or shaft than in the clause before: it has another value then.
+        """
+        left = chain.sides[0].node
+        if k or not isinstance(left, Name) or knowledge.meanings.get(left.name):
+            return None
+        stem = left.name.partition("_")[0]
+        is_another = any(
+            not named.is_other for named in self._by_clause(left.name, chain, stem, _Places("", "", ""))
+        )
+        return self.judge(chain, k, knowledge) if is_another else None
+
     def _judge(
         self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge
     ) -> Verdict | Decision | None:
@@ -260,6 +274,7 @@ class NamedQuantities:
             yield from by_meaning
             return
         by_phrase = list(self._by_phrases(before, stem, places, sentence))
+        by_phrase = by_phrase or list(self._by_clause(name, chain, stem, places))
         by_phrase = by_phrase or list(self._by_words_behind(chain, stem, places, sentence))
         by_phrase = by_phrase or list(self._by_letter(name, stem, places, sentence))
         if by_phrase:
@@ -279,6 +294,29 @@ class NamedQuantities:
             if match is not None:
                 wider = replace(places, around=f"{around} {heading}")
                 yield _named(quantity, match[0].strip(), wider, sentence)
+
+    def _by_clause(self, name: str, chain: Chain, stem: str, places: _Places) -> Iterator[_Named]:
+        """Yield what a letter was named in the clause before: the torque is T = …, of the other T = …
+
+        Only the words of its own clause qualify it then.
+        """
+        start = min(side.span[0] for side in chain.sides)
+        above = [
+            other
+            for other in self.document.chains
+            if other.relations and max(side.span[1] for side in other.sides) <= start
+        ]
+        if not above or above[-1].sides[0].node != Name(name):
+            return
+        end = max(side.span[1] for side in above[-1].sides)
+        clause = self.document.text[end:start]
+        if len(clause) > SENTENCE or _SENTENCE_END.search(clause) or not _NO_LETTER.sub("", clause):
+            return
+        _, before, _ = self._texts(above[-1])
+        own = replace(places, around=clause, heading="", page="")
+        for named in self._by_phrases(before, stem, own, clause):
+            if named.quantity.only is not None and named.quantity.only.search(clause) is not None:
+                yield named
 
     def _by_words_behind(
         self, chain: Chain, stem: str, places: _Places, sentence: str

@@ -105,8 +105,9 @@ BALANCE: tuple[Quantity, ...] = (
                 share * mass * pin / (2 * arm_of_weight),
                 (rotating + reciprocating) * pin / arm_of_weight),
         mistakes=((share * rotating + reciprocating) * pin / arm_of_weight,),
-        unless=words(r"balance shaft|ausgleichswelle|バランサ|counter-?rotat|lanchester|moment|plane"
-        r"|ebene|couple|twice|doppelt"),
+        unless=words(r"balance shaft|ausgleichswelle|バランサ|counter-?rotat|lanchester"
+        r"|\bmoments? (?:about|balanc)|momenten"
+        r"|\bplanes?\b|\bebenen?\b|\bcouple|twice|doppelt"),
     ),
     Quantity(
         "mass of each of two counter-rotating weights at twice the crank's speed", letters("m M"),
@@ -118,7 +119,7 @@ BALANCE: tuple[Quantity, ...] = (
         only=both(words(r"single[- ]cylinder|one[- ]cylinder|einzylinder|単気筒"),
         words(r"each|jede|1つ|それぞれ|各"),
                   words(r"twice|double|doppelt|2倍")),
-        unless=words(r"four|vier|4|both|zusammen|together|合計"),
+        unless=words(r"four|vier|4気筒|both|zusammen|together|合計"),
     ),
     Quantity(
         "mass of each of two counter-rotating weights at the crank's speed", letters("m M"), _BALANCER,
@@ -155,7 +156,7 @@ BALANCE: tuple[Quantity, ...] = (
         mistakes=(cylinders * mass * pin * omega**2,),
         only=words(r"radial(?:\s+engine)?|\bstar\b|sternmotor|星形"),
         unless=words(r"articulated|slave|nebenpleuel|副連接棒|counterweight|gegengewicht|second|zweite"
-        r"|2次|rotating mass|bank|row"),
+        r"|2次|rotating mass|\bbanks?\b|\brows?\b"),
     ),
     Quantity(
         "resultant first-order force of a V-twin at 90°", letters("F P R Z"),

@@ -170,7 +170,8 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         ("edit",),
         mistakes=(piston_force * COS_BOTH / COS_ROD, piston_force * SIN_BOTH),
         others=(any_force * SIN_BOTH, any_force * COS_BOTH),
-        unless=words(_OFFSET, r"gear|belt|inertia of"), turns=True, only=_ENGINE, is_told_once=True,
+        unless=words(_OFFSET, r"\bgears?\b|\bbelt|inertia of"), turns=True, only=_ENGINE,
+        is_told_once=True,
     ),
     Quantity(
         "radial force at the crank pin", letters("F R P Z Q"),
@@ -207,7 +208,8 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
                      any_force * pin * (SIN_CRANK + DOUBLE / (2 * slenderness))),
         others=(any_force * pin * SIN_BOTH, any_force * pin * COS_BOTH, any_force * pin * SIN_ROD,
                 any_force * pin * SIN_CRANK, any_force * pin * COS_CRANK),
-        unless=words(_OFFSET, r"gear|getriebe|歯車|inertia torque|massendrehmoment|damp|dämpf|friction"
+        unless=words(_OFFSET, r"gear|getriebe|歯車|inertia torque|massendrehmoment|damp(?!f)|dämpf"
+        r"|friction"
                      r"|reibung|synchron|gravity|schwerkraft"),
         turns=True, only=_ENGINE, is_told_once=True,
     ),
@@ -215,7 +217,7 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         "stroke of a crank", letters("s S H L h"),
         words(r"(?:piston\s+)?stroke", r"(?:kolben)?hub(?![a-zäöü])", r"行程", r"ストローク"),
         (2 * pin,), ("bare factor", "power"), only=words(r"crank|kurbel|クランク"),
-        unless=words(_OFFSET, r"eccentric|exzenter|half|halb|volume|volumen|strokes|opposed|ratio"),
+        unless=words(_OFFSET, r"eccentric|exzenter|half|\bhalb|volume|volumen|strokes|opposed|ratio"),
     ),
     Quantity(
         "compression ratio", letters("epsilon varepsilon r R kappa"),
