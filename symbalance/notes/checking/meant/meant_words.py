@@ -73,8 +73,10 @@ _DIMENSIONS: Mapping[str, str] = {
     "torque": r"(?<![A-Za-z])(?:torques?|moments?|couples?)(?![A-Za-z])"
     r"|[Mm]oment(?![A-Za-z])|トルク|モーメント|偶力",
     "stress": r"(?<![A-Za-z])stress(?:es)?(?![A-Za-z])|[Ss]pannung(?![A-Za-z])|応力",
-    "velocity": r"(?<![A-Za-z])velocity(?![A-Za-z])|(?<![a-z])[Gg]eschwindigkeit(?![A-Za-z])",
-    "acceleration": r"(?<![A-Za-z])acceleration(?![A-Za-z])|[Bb]eschleunigung(?![A-Za-z])|加速度",
+    "velocity": r"(?<![A-Za-z])(?<!angular\s)(?<!rotational\s)velocity(?![A-Za-z])"
+    r"|(?<![a-z])[Gg]eschwindigkeit(?![A-Za-z])",
+    "acceleration": r"(?<![A-Za-z])(?<!angular\s)(?<!rotational\s)acceleration(?![A-Za-z])"
+    r"|(?<![Ww]inkel)[Bb]eschleunigung(?![A-Za-z])|(?<!角)加速度",
 }
 _UNITS = {"force": "N", "torque": "N m", "stress": "Pa", "velocity": "m/s", "acceleration": "m/s^2"}
 _KIND = re.compile("|".join(f"(?P<{kind}>{pattern})" for kind, pattern in _DIMENSIONS.items()))

@@ -265,15 +265,18 @@ class NamedQuantities:
         declared = knowledge.meanings.get(name, "")
         sentence, before, around = self._texts(chain)
         heading = self.sections.heading_above(chain.lines[0])
-        places = _Places(around, heading, self.document.text)
+        told = " ".join(knowledge.meanings.values())
+        places = _Places(around, heading, f"{self.document.text} {told}")
         by_meaning = [
             replace(named, is_declared=True)
-            for named in self._by_phrases(declared, stem, replace(places, page=""), declared)
+            for named in self._by_phrases(declared, stem, places, declared)
         ]
-        if by_meaning or (declared and not UNITS_ONLY.fullmatch(declared)):
-            yield from by_meaning
-            return
         by_phrase = list(self._by_phrases(before, stem, places, sentence))
+        if by_meaning or (declared and not UNITS_ONLY.fullmatch(declared)):
+            words = {named.words.casefold() for named in by_meaning}
+            is_closer = any(w in named.words.casefold() for w in words for named in by_phrase)
+            yield from by_phrase if is_closer else by_meaning  # a bending section modulus
+            return
         by_phrase = by_phrase or list(self._by_clause(name, chain, stem, places))
         by_phrase = by_phrase or list(self._by_words_behind(chain, stem, places, sentence))
         by_phrase = by_phrase or list(self._by_letter(name, stem, places, sentence))
