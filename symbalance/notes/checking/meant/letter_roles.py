@@ -93,7 +93,7 @@ class LetterRoles:
 
     def is_multiplied(self, letter: str) -> bool:
         """Tell whether words name a multiple of a letter, a length 2l: then a factor may be meant."""
-        multiple = rf"[^\W\d_]{{3,}}\s[\s$\\(]{{0,4}}\d+\s*{_sign_of(letter)}"
+        multiple = rf"(?<=[^\W\d_]{{3}})\s[\s$\\(]{{0,4}}\d{{1,9}}\s?{_sign_of(letter)}"
         return re.search(multiple, self.text) is not None
 
     def words_before(self, letter: str) -> list[str]:

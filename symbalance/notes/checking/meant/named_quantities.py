@@ -14,6 +14,7 @@ letter that words call something else, or any formula that the same words may me
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -304,18 +305,13 @@ class NamedQuantities:
         Only the words of its own clause qualify it then.
         """
         start = min(side.span[0] for side in chain.sides)
-        above = [
-            other
-            for other in self.document.chains
-            if other.relations and max(side.span[1] for side in other.sides) <= start
-        ]
-        if not above or above[-1].sides[0].node != Name(name):
+        end, above = self._chain_before(start)
+        if above is None or above.sides[0].node != Name(name):
             return
-        end = max(side.span[1] for side in above[-1].sides)
         clause = self.document.text[end:start]
         if len(clause) > SENTENCE or _SENTENCE_END.search(clause) or not _NO_LETTER.sub("", clause):
             return
-        _, before, _ = self._texts(above[-1])
+        _, before, _ = self._texts(above)
         own = replace(places, around=clause, heading="", page="")
         for named in self._by_phrases(before, stem, own, clause):
             if named.quantity.only is not None and named.quantity.only.search(clause) is not None:
@@ -369,16 +365,25 @@ class NamedQuantities:
                 rest = sentence.replace(words[start:end], "")
                 yield _named(quantity, words[start:end].strip(), places, rest)
 
+    @cached_property
+    def _ends(self) -> list[tuple[int, Chain]]:
+        """The ends of the document's relations, in order."""
+        chains = [chain for chain in self.document.chains if chain.relations]
+        ends = [(max(side.span[1] for side in chain.sides), chain) for chain in chains]
+        return sorted(ends, key=lambda pair: pair[0])
+
+    def _chain_before(self, start: int) -> tuple[int, Chain | None]:
+        """Return the last chain before a place with its end; 0 and None for the first."""
+        place = bisect_right(self._ends, start, key=lambda pair: pair[0])
+        return self._ends[place - 1] if place else (0, None)
+
     def _texts(self, chain: Chain) -> tuple[str, str, str]:
         """Return a relation's sentence, what of it stands right before, and what is around."""
         text, start = self.document.text, min(side.span[0] for side in chain.sides)
         end = max(side.span[1] for side in chain.sides)
         words = _OPENING.sub("", text[max(0, start - PARAGRAPH) : start])
         sentence = _SENTENCE_END.split(words[-SENTENCE:])[-1]
-        ends = [
-            max(side.span[1] for side in other.sides) for other in self.document.chains if other.relations
-        ]
-        first = max([0, *(e for e in ends if e <= start)])
+        first = max(0, self._chain_before(start)[0])
         last = max(0, start - PARAGRAPH) + len(words)
         before = sentence[-(last - first) :] if last - first < len(sentence) else sentence
         before = before if last > first else ""
