@@ -98,8 +98,9 @@ _FROM_ELSEWHERE = re.compile(
 )
 """Words for another place where an angle begins: a sine is a cosine there."""
 _BEHIND = re.compile(
-    r"[\s$`\\)\]},.]{0,8}(?:\(|(?:is|as|being|ist|als|gives|denotes)\s+)(?:(?:the|die|der|das|its)\s+)?"
+    r"[\s$`\\)\]},.]{0,8}(?:\(|(?:is|as|being|for|ist|als|für|gives|denotes)\s+)(?:(?:the|die|der|das|its)\s+)?"
 )
+_AND = re.compile(r"[\s$,;\\()\[\]]*(?:and|und|bzw\.?|、|および)?[\s$,;\\()\[\]]*")
 _NO_LETTER = re.compile(r"[\W\d_]+|\\[a-zA-Z]+")
 BARE = 24
 """Letters in the words before a formula that its heading names: "so that", "With these"."""
@@ -302,19 +303,26 @@ class NamedQuantities:
     def _by_clause(self, name: str, chain: Chain, stem: str, places: _Places) -> Iterator[_Named]:
         """Yield what a letter was named in the clause before: the torque is T = …, of the other T = …
 
-        Only the words of its own clause qualify it then.
+        Only the words of its own clause qualify it then; without any, as in ω_1 = … and ω_2 = …, those
+        of the sentence.
         """
         start = min(side.span[0] for side in chain.sides)
         end, above = self._chain_before(start)
-        if above is None or above.sides[0].node != Name(name):
+        head = above.sides[0].node if above is not None else None
+        if above is None or not isinstance(head, Name):
             return
         clause = self.document.text[end:start]
-        if len(clause) > SENTENCE or _SENTENCE_END.search(clause) or not _NO_LETTER.sub("", clause):
+        if len(clause) > SENTENCE or _SENTENCE_END.search(clause):
             return
-        _, before, _ = self._texts(above)
-        own = replace(places, around=clause, heading="", page="")
+        sentence, before, _ = self._texts(above)
+        if _AND.fullmatch(clause) and head.name.partition("_")[0] == stem:
+            own = replace(places, around=sentence)
+        elif head == Name(name) and _NO_LETTER.sub("", clause):
+            own = replace(places, around=clause, heading="", page="")
+        else:
+            return
         for named in self._by_phrases(before, stem, own, clause):
-            if named.quantity.only is not None and named.quantity.only.search(clause) is not None:
+            if named.quantity.only is not None and named.quantity.only.search(own.around) is not None:
                 yield named
 
     def _by_words_behind(

@@ -207,6 +207,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|半径|distance|abstand|距離|arm"),
     ("kinetic", "E T K W U E_k E_kin", r"energy|energie|エネルギー?"),
     ("eccentricity", "e a s r", r"eccentricity|exzentrizität|偏心量?|radius|halbmesser|半径|shift"),
+    ("balance_mass", "B m M", r"mass(?:es)?|masse|weights?|gewicht|質量|おもり"),
     ("unbalanced", "m M u", r"mass|masse|質量"),
     ("outer_radius", "R r", r"outer|outside|external|außen(?:radius)?|外半径"),
     ("inner_radius", "r R", r"inner|inside|internal|innen(?:radius)?|内半径"),
@@ -232,5 +233,5 @@ OTHER_LENGTHS = words(
     first_diameter, density, own_inertia, other_inertia, decay, damping, damping_ratio, tuning,
     decrement, order, static_deflection, period,
     arm, gyration, near, far, share, rotating, reciprocating, pin, arm_of_weight, kinetic,
-    eccentricity, unbalanced, outer_radius, inner_radius,
+    eccentricity, balance_mass, unbalanced, outer_radius, inner_radius,
 ) = map(Name, ROLES)  # fmt: skip

@@ -111,7 +111,7 @@ _BENDING_MODULUS = words(
     r"section\s+modulus\s+against\s+bending",
     r"(?:axiales?n?|biege-?)\s*widerstandsmoment",
     r"widerstandsmoment gegen biegung",
-    r"曲げ断面係数",
+    r"曲げ(?:に対する|の)?断面係数",
 )
 _TORSIONAL_RATE = words(
     r"torsional\s+(?:stiffness|spring\s+(?:rate|constant))",
