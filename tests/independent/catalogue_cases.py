@@ -335,6 +335,7 @@ WHEEL = {
     "unbalance": F(3, 100), "unbalanced": F(3, 10), "eccentricity": F(1, 10),
 }  # fmt: skip
 TURNED = -mpf(0.6) * mpf(3.5) * R * W**2 * mp.expj(T)  # a counterweight opposite to the crank
+BALANCED = {**WHEEL, "balance_mass": MASS * SHARE * CRANK / LEVER}
 LEFT = mpf(3.5) * R * W**2 * mp.cos(T) + TURNED
 NEEDED = (2 + mpf(0.6) * 3) * R
 SECOND = mpf(3.5) * R**2 / L * W**2  # the second order's amplitude, to the first power of λ
@@ -348,7 +349,8 @@ def star(cylinders, step, angle):
 
 BALANCE = {
     "hammer blow": [
-        (WHEEL, abs(TURNED.imag)), (WHEEL, abs(TURNED)), ({**WHEEL, "mass": MASS * SHARE}, abs(TURNED)),
+        (BALANCED, abs(TURNED)), (BALANCED, abs(TURNED.imag)), (WHEEL, abs(TURNED.imag)), (WHEEL,
+        abs(TURNED)), ({**WHEEL, "mass": MASS * SHARE}, abs(TURNED)),
         ({**WHEEL, "mass": MASS * SHARE}, abs(TURNED.imag)),
     ],
     "residual force along the line of stroke": [(WHEEL, LEFT.real)],
