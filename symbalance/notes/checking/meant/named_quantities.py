@@ -17,6 +17,7 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from functools import cached_property
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
@@ -318,11 +319,11 @@ class NamedQuantities:
         if _AND.fullmatch(clause) and head.name.partition("_")[0] == stem:
             own = replace(places, around=sentence)
         elif head == Name(name) and _NO_LETTER.sub("", clause):
-            own = replace(places, around=clause, heading="", page="")
+            own = _Places(clause, sentence, "")  # what the sentence says, its own clause may deny
         else:
             return
         for named in self._by_phrases(before, stem, own, clause):
-            if named.quantity.only is not None and named.quantity.only.search(own.around) is not None:
+            if named.quantity.only is not None and not named.is_other:
                 yield named
 
     def _by_words_behind(
@@ -417,6 +418,8 @@ class NamedQuantities:
         others += self._targets(quantity.approximate, claim, name, named, knowledge)
         if any(agrees(other, claim) for other in others) or decimals(claim):
             return None
+        if _has_complement(claim, knowledge):
+            return None
         is_scaled = any(self.roles.is_multiplied(n) for n in names(claim))
         is_in_words = _PART.search(_SETTING.sub("", named.sentence)) is not None
         may_be_part = is_in_words or _has_own_convention(claim, knowledge)
@@ -484,3 +487,9 @@ def _has_own_convention(claim: Formula, knowledge: Knowledge) -> bool:
         and any(isinstance(part, Number) and part.value != 1 for part in each)
         for each in parts
     )
+
+
+def _has_complement(claim: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether the page defines a letter as what another leaves: k = 1 - β, a share the other way."""
+    own = [knowledge.definitions[n].node for n in names(claim) if n in knowledge.definitions]
+    return any(isinstance(node, Sum) and Number(Fraction(1)) in node.terms for node in own)
