@@ -11,7 +11,8 @@ from mpmath import mp, mpf
 from symbalance.document.formula import Formula, names
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.algebra.tree_values import TreeValues
-from symbalance.notes.checking.meant.known_formulas import QUANTITIES, Quantity
+from symbalance.notes.checking.meant.catalogue import QUANTITIES, Quantity
+from tests.independent.catalogue_cases import CASES as OTHER_CASES
 
 F = Fraction
 R, INNER = F(2, 100), F(1, 100)
@@ -238,6 +239,7 @@ CASES = {
     "circumferential speed": [(MOVING, circle_motion(1))],
     "firing interval of a four-stroke engine": [(ENGINE, 2 * 2 * mp.pi / 6)],
     "firing interval of a two-stroke engine": [(ENGINE, 2 * mp.pi / 6)],
+    **OTHER_CASES,
 }
 
 
@@ -267,7 +269,17 @@ def test_a_formula_that_may_be_meant_is_another_one():
         "omega_low": F(118),
     }
     for quantity in QUANTITIES:
-        for other in quantity.others:
-            known = {name: numbers.get(name, F(3, 7)) for name in names(other)}
+        for other in (*quantity.others, *quantity.mistakes):
+            known = {
+                name: numbers.get(name, F(3 + sum(map(ord, name)) % 97, 131)) for name in names(other)
+            }
             same = [n for n in quantity.formulas if n != other and names(n) == names(other)]
             assert all(abs(value(node, known) / value(other, known) - 1) > 1e-9 for node in same), other
+
+
+def test_a_rough_formula_is_near_where_the_rod_is_long():
+    rough = [(quantity, node) for quantity in QUANTITIES for node in quantity.approximate]
+    assert len(rough) >= 8
+    for quantity, node in rough:
+        (numbers, expected), *_ = CASES[quantity.name]
+        assert abs(abs(value(node, numbers) / expected) - 1) < 0.1, node

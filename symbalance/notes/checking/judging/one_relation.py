@@ -164,7 +164,9 @@ def _judge_step(
         decision = appeal(state, chain, k, against, decision, knowledge)
     if decision.is_proved and (by_quantity := wrong_as_quantity(chain, k, state.document, knowledge)):
         return by_quantity
-    by_name = state.named.judge(chain, k, knowledge) if decision.status == UNDECIDED else None
+    by_name = state.named.of_another(chain, k, knowledge)
+    if by_name is None and decision.status == UNDECIDED:
+        by_name = state.named.judge(chain, k, knowledge)
     if by_name is not None:
         return by_name
     verdict = add_fix_of_relation(

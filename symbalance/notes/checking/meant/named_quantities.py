@@ -14,11 +14,11 @@ letter that words call something else, or any formula that the same words may me
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from bisect import bisect_right
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import permutations
-from math import isclose, isfinite, log2, pi
+from functools import cached_property
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
 from symbalance.document.formula import (
@@ -27,22 +27,19 @@ from symbalance.document.formula import (
     Name,
     Number,
     Sum,
-    children,
     names,
     walk,
-    with_children,
 )
 from symbalance.document.letters import plain_letter
-from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import SymbolValue
-from symbalance.notes.algebra.tree_values import TreeValues
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
-from symbalance.notes.checking.deciding.substitution import substitute
-from symbalance.notes.checking.meant.known_formulas import OTHER_LENGTHS, QUANTITIES, ROLES, Quantity
+from symbalance.notes.checking.meant.catalogue import QUANTITIES, Quantity
+from symbalance.notes.checking.meant.formula_slips import agrees, is_multiple, slip_of
+from symbalance.notes.checking.meant.letter_roles import UNITS_ONLY, LetterRoles, ends_with
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
 from symbalance.notes.checking.verdicts import Verdict
@@ -53,11 +50,6 @@ SEARCH, SHARE = Budget(4), 0.6
 """What this may take, and of what is left of the relation's budget: a definition stays one without it."""
 SENTENCE, PARAGRAPH, AFTER = 220, 500, 60
 """Characters that are looked through: before a formula for its name, and around for another shape."""
-POINTS = ((3, 7, 11, 13, 17), (5, 2, 19, 23, 29), (31, 37, 41, 43, 47))
-"""Values of a formula's letters at which two formulas are compared, in tenths."""
-_EXACT = 1e-9
-_FACTORS = frozenset({1, 2, 3, 4, 6, 8, 9, 16, 32, 64})
-"""Numerators and denominators of a factor that is a slip: 5, 12, 60, 1000 may be a change of units."""
 _ONE_TERM = re.compile(r"order|exponent|number misprinted .*|sign|factor -?[0-9/]+")
 _SENTENCE_END = re.compile(r"[.;!?](?:\s|$)|[。；]|\n\s*\n|<p\b|<li\b|\\item|\\section|\n#|\n\|")
 _BLANK = re.compile(r"\n\s*\n")
@@ -83,42 +75,45 @@ _PART = re.compile(
     re.IGNORECASE,
 )
 """Words that make of a quantity a part or a multiple of it: no factor in it is a slip."""
+_SETTING = re.compile(
+    r"\b(?:on|between|auf|zwischen|in) (?:two|zwei) \w+|\b(?:at )?both ends|\bbeidseitig|両端",
+    re.IGNORECASE,
+)
+"""Words with a number that make nothing a part: a shaft on two bearings."""
 _DENIED = re.compile(
     r"\bnot\b|\binstead\b|\bwrong|mistak|confus|unlike|\bnicht\b|\bstatt\b|anstelle|falsch"
     r"|verwechs|ではない|でなく"
-    r"|誤り|間違|another book|older|approximat|roughly|näherung|近似|empiric|faustformel"
+    r"|誤り|間違|another book|older|empiric|faustformel"
     r"|rule of thumb|経験"
     r"|squared\b|square of|quadrat\b|quadrate?s?\s+de[rs]|[2二]乗",
     re.IGNORECASE,
 )
 """Words with which a formula may be named that is not the standard one."""
-_UNITS_ONLY = re.compile(r"variable|positive|constant|[^\w]*|[A-Za-z°µ%/^*·0-9² ³⁴⁻¹-]{0,9}")
-_NO_ROLE = frozenset(
-    {"i", "a", "o", "m", "in", "out", "inner", "outer", "innen", "aussen", "außen", "mid"}
+_ROUGHLY = re.compile(r"approximat|roughly|näherung|近似", re.IGNORECASE)
+_FROM_ELSEWHERE = re.compile(
+    r"\b(?:from|von|vom|ab|gegen|against|aus)\b[^.\n]{0,30}?(?:bottom|outer dead|lower dead|\bBDC\b"
+    r"|vertical|horizontal"
+    r"|perpendicular|unteren? totp|\bUT\b|äußeren totp|senkrecht|waagrecht|vertikal|lotrecht)"
+    r"|(?:下死点|水平|鉛直|垂直)[^。\n]{0,10}から",
+    re.IGNORECASE,
 )
-"""Subscripts of a diameter or a radius that is one of two."""
-_OUTER, _INNER = (frozenset(text.split()) for text in ("a o e out outer", "i in inner innen"))
-_OF_TWO = {"outer": (_OUTER, _INNER), "inner": (_INNER, _OUTER)}
-"""Subscripts of the two diameters of a hollow section; without one D is the larger."""
-_TAGS = re.compile(r"<[^>]*>|\\(?:mathrm|text|it|rm|bf)\b|[${}()\\*_`|\[\]~]")
-_LINKS = re.compile(
-    r"(?:\s|,|:|=|\bof\b|\bthe\b|\bis\b|\ba\b|\bby\b|\bvon\b|\bist\b|\bder\b|\bdie\b|\bdes\b|\bmit\b"
-    r"|\band\b|\bund\b|[をがはのと、])+$",
-    re.I,
+"""Words for another place where an angle begins: a sine is a cosine there."""
+_BEHIND = re.compile(
+    r"[\s$`\\)\]},.]{0,8}(?:\(|(?:is|as|being|for|ist|als|für|gives|denotes)\s+)(?:(?:the|die|der|das|its)\s+)?"
 )
-_IS = re.compile(
-    r"\s*(?:be|is|denotes|being|sei|ist|bezeichnet)\s+(?:the|a|der|die|das)\s+"
-    r"((?:[\w-]+ ){0,2}?[\w-]+)(?= of\b| der\b| des\b|[,.;]|\s*$)",
-    re.I,
-)
-"""What a letter is said to be behind it: d is the distance of the supports."""
+_AND = re.compile(r"[\s$,;\\()\[\]]*(?:and|und|bzw\.?|、|および)?[\s$,;\\()\[\]]*")
+_NO_LETTER = re.compile(r"[\W\d_]+|\\[a-zA-Z]+")
+BARE = 24
+"""Letters in the words before a formula that its heading names: "so that", "With these"."""
+_FUNCTIONS = ("sqrt", "sin", "cos", "tan")
 _COPULA = re.compile(
     r"(?:\s|[:,=$({\[\\|*_`~—-]|<[^>]*>|\b(?:is|are|of|the|a|an|this|section|shaft|solid|round"
     r"|circular|given|by"
     r"|then|becomes|equals|ist|sind|beträgt|wird|wellen?|der|die|das|eines?r?|also|folgt|so|begin"
     r"|equation"
     r"|align|display|style|displaystyle)\b"
-    r"|\b(?:in|over|along|for|auf|über)\s+(?:an?|the|its|der|die)\s+(?:length|länge)(?:\s+of)?\s+\$?[lL]\b"
+    r"|\b(?:in|over|along|for|auf|über)\s+(?:an?|the|its|der|die)\s+(?:length"
+    r"|länge)(?:\s+of)?\s+\$?[lL]\b"
     r"|[はがを、とすると軸丸実中の])*",
     re.IGNORECASE,
 )
@@ -143,6 +138,20 @@ class _Named:
         every = self.quantity.formulas
         return tuple(node for node in every if "outer" in names(node)) if self.is_other else every
 
+    def formulas_for(self, sign: str) -> tuple[Formula, ...]:
+        """Return those that a relation of some sign may confirm: a rough one only with ≈."""
+        is_rough = sign == "≈" and not self.is_other
+        return (*self.formulas, *self.quantity.approximate) if is_rough else self.formulas
+
+
+@dataclass(frozen=True, slots=True)
+class _Places:
+    """Where words may stand that qualify a quantity: around its formula, in the heading, on the page."""
+
+    around: str
+    heading: str
+    page: str
+
 
 @dataclass
 class NamedQuantities:
@@ -150,8 +159,16 @@ class NamedQuantities:
 
     document: ReadNotes
     sections: Sections
-    _said: dict[str, str] = field(default_factory=dict)
-    """The words right before each letter, wherever it stands."""
+
+    @cached_property
+    def roles(self) -> LetterRoles:
+        """The roles that the letters of the document may have."""
+        return LetterRoles(self.document.text)
+
+    @cached_property
+    def counts_from_elsewhere(self) -> bool:
+        """Tell whether an angle is counted from somewhere else than the top dead centre."""
+        return _FROM_ELSEWHERE.search(self.document.text) is not None
 
     def judge(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
         """Return the verdict on a relation that gives a named quantity a formula; None for others."""
@@ -160,12 +177,26 @@ class NamedQuantities:
         own = names(right)
         if not is_plain or not isinstance(left, Name) or not 1 <= len(own) <= 5 or left.name in own:
             return None
-        if any(isinstance(part, Call) and part.function != "sqrt" for part in walk(right)):
+        if any(isinstance(part, Call) and part.function not in _FUNCTIONS for part in walk(right)):
             return None
         try:
             return run_within(SEARCH, lambda: self._judge(chain, left.name, right, knowledge), SHARE)
         except OverBudgetError:
             return None  # a definition, as it stands
+
+    def of_another(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
+        """Return the verdict on a letter's formula where its clause names it of something else.
+
+        That is of another engine or shaft than in the clause before: it has another value then.
+        """
+        left = chain.sides[0].node
+        if k or not isinstance(left, Name) or knowledge.meanings.get(left.name):
+            return None
+        stem = left.name.partition("_")[0]
+        is_another = any(
+            not named.is_other for named in self._by_clause(left.name, chain, stem, _Places("", "", ""))
+        )
+        return self.judge(chain, k, knowledge) if is_another else None
 
     def _judge(
         self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge
@@ -173,23 +204,46 @@ class NamedQuantities:
         known = Knowledge(SymbolValue(positive=frozenset(names(claim))), corrects=True)
         side = chain.sides[1]
         candidates = list(self._named(name, chain, knowledge))
+        sign = chain.relations[0].sign
         pairs = [
             (named, target)
             for named in candidates
-            for target in self._targets(named.formulas, claim, knowledge)
+            for target in self._targets(named.formulas_for(sign), claim, name, named, knowledge)
         ]
         for named, target in pairs:
-            decision = decide(Side((target,), side.span), side, chain.relations[0].sign, known)
+            if not decimals(claim) and not agrees(target, claim):
+                continue  # a proof costs more than a comparison
+            decision = decide(Side((target,), side.span), side, sign, known)
+            is_rough = target in self._targets(named.quantity.approximate, claim, name, named, knowledge)
             if decision.is_proved and not decision.order:
                 signs = {f"{n} ≥ 0" for n in names(claim)}
                 signs |= {f"{plain_letter(n)} ≥ 0" for n in names(claim)}
                 rest = [text for text in decision.assumptions if text not in signs]
+                rest += ["the rod is long"] if is_rough else []
                 return replace(decision, assumptions=(self._text(name, named), *rest))
-        plain = [named for named in candidates if not named.is_other]
-        if len({named.quantity.name for named in plain}) != 1:
+        fitting = {named.quantity.name: named for named in candidates if not named.is_other}
+        if len(fitting) > 1:  # words that name several: by the letters of their formulas
+            fitting = {n: each for n, each in fitting.items() if any(p is each for p, _ in pairs)}
+        if len(fitting) != 1:
             return None
-        targets = [target for named, target in pairs if named is plain[0]]
-        return self._with_slip(chain, name, claim, plain[0], targets, known, knowledge)
+        (named,) = fitting.values()
+        if named.quantity.turns and self.counts_from_elsewhere:
+            return None
+        targets = [target for each, target in pairs if each is named]
+        targets += self._targets(named.quantity.approximate, claim, name, named, knowledge)
+        return self._with_slip(chain, name, claim, named, targets, known, knowledge)
+
+    def _targets(
+        self,
+        formulas: tuple[Formula, ...],
+        claim: Formula,
+        name: str,
+        named: _Named,
+        knowledge: Knowledge,
+    ) -> list[Formula]:
+        """Return the formulas of a quantity in the letters of a claim."""
+        together = named.quantity.together
+        return list(self.roles.targets(formulas, claim, knowledge.meanings, together, name))
 
     def _text(self, name: str, named: _Named) -> str:
         source = f"{NOBODY}; taken from the words “{named.words}”"
@@ -199,36 +253,105 @@ class NamedQuantities:
     # What words name
 
     def _named(self, name: str, chain: Chain, knowledge: Knowledge) -> Iterator[_Named]:
-        """Yield the quantities that a letter may be, by its declared meaning or the words before it."""
+        """Yield the quantities that a letter may be, by its declared meaning or the words around it."""
+        sentence, _, _ = self._texts(chain)
+        is_rough = chain.relations[0].sign == "≈" and _ROUGHLY.search(sentence) is not None
+        if _DENIED.search(sentence) or (_ROUGHLY.search(sentence) and not is_rough):
+            return
+        for named in self._every_named(name, chain, knowledge):
+            if not is_rough or named.quantity.approximate:
+                yield named
+
+    def _every_named(self, name: str, chain: Chain, knowledge: Knowledge) -> Iterator[_Named]:
         stem, _, index = name.removeprefix("Delta_").partition("_")
         stem = f"Delta_{stem}" if name.startswith("Delta_") else stem
         declared = knowledge.meanings.get(name, "")
         sentence, before, around = self._texts(chain)
-        if _DENIED.search(sentence):
-            return
+        heading = self.sections.heading_above(chain.lines[0])
+        told = " ".join(knowledge.meanings.values())
+        places = _Places(around, heading, f"{self.document.text} {told}")
         by_meaning = [
             replace(named, is_declared=True)
-            for named in self._by_phrases(declared, stem, around, declared)
+            for named in self._by_phrases(declared, stem, places, declared)
         ]
-        if by_meaning or (declared and not _UNITS_ONLY.fullmatch(declared)):
-            yield from by_meaning
+        by_phrase = list(self._by_phrases(before, stem, places, sentence))
+        if by_meaning or (declared and not UNITS_ONLY.fullmatch(declared)):
+            words = {named.words.casefold() for named in by_meaning}
+            is_closer = any(w in named.words.casefold() for w in words for named in by_phrase)
+            yield from by_phrase if is_closer else by_meaning  # a bending section modulus
             return
-        by_phrase = list(self._by_phrases(before, stem, around, sentence))
+        by_phrase = by_phrase or list(self._by_clause(name, chain, stem, places))
+        by_phrase = by_phrase or list(self._by_words_behind(chain, stem, places, sentence))
+        by_phrase = by_phrase or list(self._by_letter(name, stem, places, sentence))
         if by_phrase:
             yield from by_phrase
             return
-        heading = self.sections.heading_above(chain.lines[0])
+        is_bare = len(_NO_LETTER.sub("", before)) <= BARE
         for quantity in QUANTITIES:
-            if quantity.context is None or stem not in quantity.letters:
+            if stem not in quantity.letters:
                 continue
-            if quantity.indices and index not in quantity.indices:
+            title = quantity.phrases.search(heading) if is_bare else None
+            if title is not None:
+                yield _named(quantity, title[0].strip(), places, sentence)
+                continue
+            if quantity.context is None or (quantity.indices and index not in quantity.indices):
                 continue
             match = quantity.context.search(before) or quantity.context.search(heading)
             if match is not None:
-                all_around = f"{around} {heading}"
-                yield _named(quantity, match[0].strip(), all_around, sentence)
+                wider = replace(places, around=f"{around} {heading}")
+                yield _named(quantity, match[0].strip(), wider, sentence)
 
-    def _by_phrases(self, words: str, stem: str, around: str, sentence: str) -> Iterator[_Named]:
+    def _by_clause(self, name: str, chain: Chain, stem: str, places: _Places) -> Iterator[_Named]:
+        """Yield what a letter was named in the clause before: the torque is T = …, of the other T = …
+
+        Only the words of its own clause qualify it then; without any, as in ω_1 = … and ω_2 = …, those
+        of the sentence.
+        """
+        start = min(side.span[0] for side in chain.sides)
+        end, above = self._chain_before(start)
+        head = above.sides[0].node if above is not None else None
+        if above is None or not isinstance(head, Name):
+            return
+        clause = self.document.text[end:start]
+        if len(clause) > SENTENCE or _SENTENCE_END.search(clause):
+            return
+        sentence, before, _ = self._texts(above)
+        if _AND.fullmatch(clause) and head.name.partition("_")[0] == stem:
+            own = replace(places, around=sentence)
+        elif head == Name(name) and _NO_LETTER.sub("", clause):
+            own = _Places(clause, sentence, "")  # what the sentence says, its own clause may deny
+        else:
+            return
+        for named in self._by_phrases(before, stem, own, clause):
+            if named.quantity.only is not None and not named.is_other:
+                yield named
+
+    def _by_words_behind(
+        self, chain: Chain, stem: str, places: _Places, sentence: str
+    ) -> Iterator[_Named]:
+        """Yield the quantities that words right behind a formula name: σ = M/W is the bending stress."""
+        end = max(side.span[1] for side in chain.sides)
+        link = _BEHIND.match(self.document.text, end)
+        if link is None:
+            return
+        matches = [
+            (match.end(), quantity, match[0])
+            for quantity in QUANTITIES
+            if stem in quantity.letters
+            and (match := quantity.phrases.match(self.document.text, link.end())) is not None
+        ]
+        last = max((stop for stop, _, _ in matches), default=0)
+        for stop, quantity, words in matches:
+            if stop == last:
+                yield _named(quantity, words, places, sentence.replace(words, ""))
+
+    def _by_letter(self, name: str, stem: str, places: _Places, sentence: str) -> Iterator[_Named]:
+        """Yield the quantities that words right before a letter name anywhere on the page."""
+        for words in dict.fromkeys(self.roles.words_before(name)):
+            named = list(self._by_phrases(words, stem, places, sentence))
+            yield from (each for each in named if ends_with(each.quantity.phrases, words))
+
+    def _by_phrases(self, words: str, stem: str, places: _Places, sentence: str) -> Iterator[_Named]:
         """Yield the quantities that words name, those with the letter's usual use first of all."""
         matches = [
             (match.start(), match.end(), quantity)
@@ -249,7 +372,19 @@ class NamedQuantities:
         for start, end, quantity in usual:
             if end == last:
                 rest = sentence.replace(words[start:end], "")
-                yield _named(quantity, words[start:end].strip(), around, rest)
+                yield _named(quantity, words[start:end].strip(), places, rest)
+
+    @cached_property
+    def _ends(self) -> list[tuple[int, Chain]]:
+        """The ends of the document's relations, in order."""
+        chains = [chain for chain in self.document.chains if chain.relations]
+        ends = [(max(side.span[1] for side in chain.sides), chain) for chain in chains]
+        return sorted(ends, key=lambda pair: pair[0])
+
+    def _chain_before(self, start: int) -> tuple[int, Chain | None]:
+        """Return the last chain before a place with its end; 0 and None for the first."""
+        place = bisect_right(self._ends, start, key=lambda pair: pair[0])
+        return self._ends[place - 1] if place else (0, None)
 
     def _texts(self, chain: Chain) -> tuple[str, str, str]:
         """Return a relation's sentence, what of it stands right before, and what is around."""
@@ -257,64 +392,13 @@ class NamedQuantities:
         end = max(side.span[1] for side in chain.sides)
         words = _OPENING.sub("", text[max(0, start - PARAGRAPH) : start])
         sentence = _SENTENCE_END.split(words[-SENTENCE:])[-1]
-        ends = [
-            max(side.span[1] for side in other.sides) for other in self.document.chains if other.relations
-        ]
-        first = max([0, *(e for e in ends if e <= start)])
+        first = max(0, self._chain_before(start)[0])
         last = max(0, start - PARAGRAPH) + len(words)
         before = sentence[-(last - first) :] if last - first < len(sentence) else sentence
         before = before if last > first else ""
         paragraphs = " ".join(_BLANK.split(words)[-2:])
         after = _SENTENCE_END.split(text[end : end + AFTER])[0]
         return f"{sentence} {after}", before, f"{paragraphs} {after}"
-
-    # Which letters play which roles
-
-    def _targets(
-        self, formulas: tuple[Formula, ...], claim: Formula, knowledge: Knowledge
-    ) -> Iterator[Formula]:
-        """Yield the formulas in the letters of a claim, each letter in a role that it may have."""
-        own = sorted(names(claim))
-        for node in formulas:
-            roles = sorted(names(node))
-            if len(roles) != len(own):
-                continue
-            for order in permutations(own):
-                pairs = list(zip(roles, order, strict=True))
-                if all(self._may_be(letter, role, knowledge) for role, letter in pairs):
-                    yield _renamed(node, dict(pairs))
-
-    def _may_be(self, letter: str, role: str, knowledge: Knowledge) -> bool:
-        """Tell whether a letter may play a role: by its meaning, the words before it, or as is usual."""
-        declared = knowledge.meanings.get(letter, "")
-        if declared and any(each.words.search(declared) for each in ROLES.values()):
-            return ROLES[role].words.search(declared) is not None
-        if declared and not _UNITS_ONLY.fullmatch(declared):
-            return False
-        before = self._words_before(letter)
-        roles = {name for name, each in ROLES.items() if any(_ends_with(each.words, w) for w in before)}
-        is_other = any(_ends_with(OTHER_LENGTHS, w) for w in before)
-        return role in roles if roles else not is_other and _is_usual(letter, role)
-
-    def _words_before(self, letter: str) -> list[str]:
-        """Return the few words before each place where a letter stands in the text."""
-        if letter not in self._said:
-            stem, _, index = letter.partition("_")
-            signs = {stem, plain_letter(stem), "\\" + stem}
-            tail = rf"_?\{{?{re.escape(index)}\}}?" if index else r"(?!_)"
-            pattern = (
-                rf"(?<![^\W_])(?<!\\)(?:{'|'.join(map(re.escape, sorted(signs)))}){tail}(?![A-Za-z])"
-            )
-            text = self.document.text
-            places = [m.start() for m in re.finditer(pattern, text)]
-            tails = (_TAGS.sub("", text[max(0, start - 60) : start]) for start in places)
-            phrases = [_LINKS.sub("", tail)[-30:] for tail in tails]
-            for match in re.finditer(pattern, text):
-                follows = _IS.match(_TAGS.sub("", text[match.end() : match.end() + 60]))
-                if follows is not None:
-                    phrases.append(follows[1])
-            self._said[letter] = "\n".join(words.replace("\n", " ") for words in phrases)
-        return self._said[letter].split("\n")
 
     # What is wrong
 
@@ -330,12 +414,27 @@ class NamedQuantities:
     ) -> Verdict | None:
         """Return that a formula is wrong by one slip, with the standard one; None where that is open."""
         quantity = named.quantity
-        others = self._targets(quantity.others, claim, knowledge)
-        if any(_ratio_of(other, claim) == (1.0,) * len(POINTS) for other in others) or decimals(claim):
+        others = self._targets(quantity.others, claim, name, named, knowledge)
+        others += self._targets(quantity.approximate, claim, name, named, knowledge)
+        if any(agrees(other, claim) for other in others) or decimals(claim):
             return None
-        may_be_part = _PART.search(named.sentence) is not None or _has_own_convention(claim, knowledge)
+        if _has_complement(claim, knowledge):
+            return None
+        is_scaled = any(self.roles.is_multiplied(n) for n in names(claim))
+        is_in_words = _PART.search(_SETTING.sub("", named.sentence)) is not None
+        may_be_part = is_in_words or _has_own_convention(claim, knowledge)
+        may_be_part = is_scaled or (may_be_part and "part" not in quantity.slips)
+        mistakes = self._targets(quantity.mistakes, claim, name, named, knowledge)
+        is_mistake = any(agrees(each, claim) for each in mistakes)
         for target in targets:
-            kind = _slip(target, claim, quantity.slips, may_be_part)
+            kind = slip_of(target, claim, quantity.slips, may_be_part)
+            if (
+                not kind
+                and is_mistake
+                and not (may_be_part and is_multiple(target, claim))
+                and not is_scaled
+            ):
+                kind = "another formula"
             if not kind:
                 continue
             side = chain.sides[1]
@@ -366,22 +465,16 @@ class NamedQuantities:
         return add_fix(verdict, self.document, side, decision, known, proves)
 
 
-def _named(quantity: Quantity, words: str, around: str, sentence: str) -> _Named:
-    is_other = quantity.unless is not None and quantity.unless.search(around) is not None
-    is_other |= quantity.only is not None and not quantity.only.search(f"{around} {words}")
-    return _Named(quantity, words, around, sentence, is_other)
-
-
-def _is_usual(letter: str, role: str) -> bool:
-    """Tell whether a letter of which no words say anything stands for a role on most pages."""
-    stem, _, index = letter.partition("_")
-    stem = letter if letter.startswith("Delta_") else stem
-    if role in _OF_TWO:
-        own, other = _OF_TWO[role]
-        return index in own or (stem == ("D" if role == "outer" else "d") and index not in other)
-    if role in ("diameter", "radius", "crank") and index in _NO_ROLE:
-        return False
-    return stem.rstrip("'") in ROLES[role].letters
+def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> _Named:
+    """Return a quantity that words name, and whether other words near make another one of it."""
+    near = f"{places.around} {places.heading}" if quantity.only else places.around
+    is_other = quantity.unless is not None and quantity.unless.search(places.around) is not None
+    if quantity.only is not None and not quantity.only.search(f"{near} {words}"):
+        told = quantity.is_told_once and quantity.only.search(places.page) is not None
+        is_other |= not told or (
+            quantity.unless is not None and quantity.unless.search(places.page) is not None
+        )
+    return _Named(quantity, words, places.around, sentence, is_other)
 
 
 def _has_own_convention(claim: Formula, knowledge: Knowledge) -> bool:
@@ -396,139 +489,7 @@ def _has_own_convention(claim: Formula, knowledge: Knowledge) -> bool:
     )
 
 
-def _ends_with(words: re.Pattern[str], text: str) -> bool:
-    """Tell whether a text ends with one of the words."""
-    return any(match.end() == len(text) for match in words.finditer(text))
-
-
-def _renamed(node: Formula, letters: Mapping[str, str]) -> Formula:
-    """Return a formula with its roles replaced by letters, all at once."""
-    for role in letters:
-        node = substitute(node, role, Name(f" {role}"))
-    for role, letter in letters.items():
-        node = substitute(node, f" {role}", Name(letter))
-    return node
-
-
-# Which slip
-
-
-def _values(node: Formula, point: Mapping[str, Fraction]) -> float:
-    """Return a formula's value at a point; NaN where it has none."""
-    try:
-        value = TreeValues(SymbolValue(), dict(point)).value(node)
-    except (NoFormError, TooLargeError, ZeroDivisionError, ValueError, KeyError, TypeError):
-        return float("nan")
-    return float(value.real) if abs(value.imag) <= _EXACT * abs(value) else float("nan")
-
-
-def _points(letters: list[str]) -> list[dict[str, Fraction]]:
-    return [{n: Fraction(row[k], 10) for k, n in enumerate(letters)} for row in POINTS]
-
-
-def _ratio_of(target: Formula, claim: Formula) -> tuple[float, ...]:
-    """Return the claim over the target at each point, 1.0 where they agree to the last digits."""
-    letters = sorted(names(target) | names(claim))
-    ratios = []
-    for point in _points(letters):
-        below = _values(target, point)
-        ratio = _values(claim, point) / below if below else float("nan")
-        ratios.append(1.0 if isclose(ratio, 1, rel_tol=_EXACT) else ratio)
-    return tuple(ratios)
-
-
-def _slip(target: Formula, claim: Formula, slips: tuple[str, ...], may_be_part: bool) -> str:
-    """Return the kind of the one slip by which a claim differs from a formula; "" for none."""
-    ratios = _ratio_of(target, claim)
-    if not all(isfinite(ratio) and ratio for ratio in ratios):
-        return "term" if "term" in slips else ""  # σ² - 3 τ² below a root
-    if all(isclose(ratio, ratios[0], rel_tol=_EXACT) for ratio in ratios):
-        return _slip_by_factor(target, ratios[0], slips, may_be_part)
-    letters = sorted(names(claim))
-    tests = {
-        "root missing": ("root", lambda: _agrees(_with_roots(target, lambda node: node), claim)),
-        "fraction inverted": ("root", lambda: _agrees(_with_roots(target, _inverse_root), claim)),
-        "exponent": ("power", lambda: _is_other_power(target, claim, letters)),
-        "sign": ("minus", lambda: _is_sum_for_difference(target, claim)),
-    }
-    for kind, (allowed, test) in tests.items():
-        if allowed in slips and test():
-            return kind
-    return next((kind for kind in ("term", "power of a term") if kind in slips), "")
-
-
-def _slip_by_factor(target: Formula, ratio: float, slips: tuple[str, ...], may_be_part: bool) -> str:
-    """Return the kind of a slip that is a factor; "" where that may be right."""
-    if ratio <= 0 or ratio == 1:
-        return ""
-    if "turn" in slips and any(isclose(ratio, (2 * pi) ** n, rel_tol=_EXACT) for n in (1, -1, 2, -2)):
-        return "factor 2π"
-    is_told = "bare factor" in slips or ("factor" in slips and _has_number(target))
-    return "factor" if is_told and not may_be_part and _is_slip_factor(ratio) else ""
-
-
-def _inverse_root(radicand: Formula) -> Formula:
-    return Call("sqrt", 1 / radicand)
-
-
-def _with_roots(node: Formula, change: Callable[[Formula], Formula]) -> Formula:
-    """Return a formula with each of its roots made another formula of what is below it."""
-    if isinstance(node, Call) and node.function == "sqrt":
-        return change(node.argument)
-    parts = children(node)
-    return with_children(node, tuple(_with_roots(part, change) for part in parts)) if parts else node
-
-
-def _agrees(target: Formula, claim: Formula) -> bool:
-    return _ratio_of(target, claim) == (1.0,) * len(POINTS)
-
-
-def _has_number(node: Formula) -> bool:
-    """Tell whether a formula has a factor of its own: 32/π of 32 M/(π d³), none of M/W."""
-    values = {name: Number(Fraction(1)) for name in names(node)}
-    for name, value in values.items():
-        node = substitute(node, name, value)
-    return not isclose(_values(node, {}), 1)
-
-
-def _is_slip_factor(ratio: float) -> bool:
-    """Tell whether a factor is one that is forgotten or taken from a neighbouring formula: ½, 4, π."""
-    for factor in (1.0, pi, 1 / pi):
-        value = ratio / factor
-        near = Fraction(value).limit_denominator(64)
-        if near and isclose(float(near), value, rel_tol=_EXACT):
-            return {near.numerator, near.denominator} <= _FACTORS
-    return False
-
-
-def _is_other_power(target: Formula, claim: Formula, letters: list[str]) -> bool:
-    """Tell whether a claim has another exponent at one letter, or two letters exchanged."""
-    quotient = claim / target
-    exponents: dict[str, float] = {}
-    for letter in letters:
-        doubled = substitute(quotient, letter, 2 * Name(letter))
-        steps = [ratio for ratio in _ratio_of(quotient, doubled) if isfinite(ratio) and ratio > 0]
-        if len(steps) != len(POINTS) or not all(isclose(s, steps[0], rel_tol=_EXACT) for s in steps):
-            return False
-        exponent = log2(steps[0])
-        if abs(exponent) > _EXACT:
-            exponents[letter] = exponent
-    halves = {letter: round(2 * exponent) for letter, exponent in exponents.items()}
-    if not halves or any(abs(e) > 4 for e in halves.values()):
-        return False
-    rest = quotient
-    for letter, half in halves.items():
-        rest = rest / Name(letter) ** Fraction(half, 2)
-    if not _agrees(Number(Fraction(1)), rest):
-        return False
-    is_exchange = len(halves) == 2 and not sum(halves.values())
-    return len(halves) == 1 or (is_exchange and _is_exchanged(target, claim, [*halves]))
-
-
-def _is_exchanged(target: Formula, claim: Formula, pair: list[str]) -> bool:
-    return _agrees(_renamed(target, {pair[0]: pair[1], pair[1]: pair[0]}), claim)
-
-
-def _is_sum_for_difference(target: Formula, claim: Formula) -> bool:
-    """Tell whether a claim has the other sign at one of its letters: (ω₁ + ω₂)/ω."""
-    return any(_agrees(target, substitute(claim, n, -Name(n))) for n in sorted(names(claim)))
+def _has_complement(claim: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether the page defines a letter as what another leaves: k = 1 - β, a share the other way."""
+    own = [knowledge.definitions[n].node for n in names(claim) if n in knowledge.definitions]
+    return any(isinstance(node, Sum) and Number(Fraction(1)) in node.terms for node in own)

@@ -1,0 +1,26 @@
+"""Standard formulas of engines and shafts, by the words that name them: the bending stress is M/W.
+
+What is here is elementary and can be derived; `tests/independent/test_known_formulas.py` does so for each
+formula by a route of its own (integrals over the section, eigenvalues, the path of a piston).
+
+    roles         letters and what they stand for, what is known of a quantity
+    strength      sections, stresses, beams, springs
+    vibration     natural frequencies, damping, magnification, critical speeds
+    inertia       moments of inertia, the masses of a rod
+    crank_drive   forces, torque, speeds and volumes of one cylinder
+    work          mean torque, power, flywheels
+    balance       counterweights, what they leave, resultants
+"""
+
+from symbalance.notes.checking.meant.catalogue.balance import BALANCE
+from symbalance.notes.checking.meant.catalogue.crank_drive import CRANK_DRIVE
+from symbalance.notes.checking.meant.catalogue.inertia import INERTIA
+from symbalance.notes.checking.meant.catalogue.roles import OTHER_LENGTHS as OTHER_LENGTHS
+from symbalance.notes.checking.meant.catalogue.roles import ROLES as ROLES
+from symbalance.notes.checking.meant.catalogue.roles import Quantity as Quantity
+from symbalance.notes.checking.meant.catalogue.strength import STRENGTH
+from symbalance.notes.checking.meant.catalogue.vibration import VIBRATION
+from symbalance.notes.checking.meant.catalogue.work import WORK
+
+QUANTITIES = (*STRENGTH, *VIBRATION, *INERTIA, *CRANK_DRIVE, *WORK, *BALANCE)
+"""All quantities, each name once."""

@@ -1,0 +1,178 @@
+"""Balance: centrifugal forces, counterweights and what they leave, unbalance, resultants of engines."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from symbalance.document.formula import Number
+from symbalance.notes.checking.meant.catalogue.crank_drive import COS_CRANK, SIN_CRANK
+from symbalance.notes.checking.meant.catalogue.roles import (
+    Quantity,
+    arm_of_weight,
+    balance_mass,
+    cylinders,
+    eccentricity,
+    gravity,
+    letters,
+    mass,
+    omega,
+    pin,
+    radius,
+    ratio,
+    reciprocating,
+    rod,
+    root,
+    rotating,
+    share,
+    unbalance,
+    unbalanced,
+    velocity,
+    weight,
+    words,
+)
+from symbalance.notes.checking.meant.catalogue.strength import both
+
+_BALANCER = words(
+    r"(?:counter-?rotating|contra-?rotating|opposite(?:ly)?\s+rotating"
+    r"|balance[rs]?)\s+(?:balance\s+)?(?:weights?|mass(?:es)?|shafts?)",
+    r"gegenläufige[nr]?\s+(?:ausgleichs)?(?:massen|gewichte)", r"ausgleichswellen?",
+    r"(?:逆回転|反対回転)(?:する)?(?:おもり|錘|質量)", r"バランサ(?:軸|質量)?",
+)  # fmt: skip
+
+
+BALANCE: tuple[Quantity, ...] = (
+    Quantity(
+        "centrifugal force", letters("F Z C P K"),
+        words(r"centrifugal\s+forces?", r"centripetal\s+force", r"flieh-?kraft", r"zentrifugalkraft",
+               r"zentripetalkraft", r"遠心力", r"向心力"),
+        (mass * radius * omega**2, mass * velocity**2 / radius, weight * radius * omega**2 / gravity),
+        slips=("power",),
+    ),
+    Quantity(
+        "hammer blow", letters("F Q B P H V"),
+        words(r"hammer\s?blow", r"hammerschlag", r"ハンマーブロー", r"(?:槌打|つち打ち)(?:力)?"),
+        (share * mass * pin * omega**2 * SIN_CRANK, share * mass * pin * omega**2, mass * pin * omega**2,
+         mass * pin * omega**2 * SIN_CRANK,
+         balance_mass * arm_of_weight * omega**2, balance_mass * arm_of_weight * omega**2 * SIN_CRANK),
+        ("edit",), others=((1 - share) * mass * pin * omega**2,),
+        mistakes=(balance_mass * arm_of_weight * omega**2 * COS_CRANK,
+                  share * mass * pin * omega**2 * COS_CRANK, mass * pin * omega**2 * COS_CRANK,
+                  (1 - share) * mass * pin * omega**2 * SIN_CRANK),
+        unless=words(r"tractive|zug(?:kraft|schwank)|けん引|牽引|swaying|schlinger"), turns=True,
+    ),
+    Quantity(
+        "residual force along the line of stroke", letters("F R P X"),
+        words(r"(?:residual|remaining|unbalanced|resultant|rest)\s+(?:primary\s+"
+        r"|inertia\s+)?force\s+(?:along|in)"
+              r"\s+(?:the\s+)?(?:line|direction)\s+of\s+(?:the\s+)?stroke",
+              r"(?:residual|remaining|unbalanced)\s+(?:primary\s+"
+              r"|inertia\s+)?force\s+along\s+the\s+(?:cylinder(?:\s+axis)?|stroke|bore)",
+              r"restkraft\s+in\s+(?:zylinder|hub)(?:achs)?richtung",
+              r"(?:行程|シリンダ軸)方向の(?:残留力|不釣合い力|不つりあい力)"),
+        ((1 - share) * mass * pin * omega**2 * COS_CRANK,), ("edit",),
+        mistakes=(share * mass * pin * omega**2 * COS_CRANK, share * mass * pin * omega**2 * SIN_CRANK,
+                  (1 + share) * mass * pin * omega**2 * COS_CRANK),
+        unless=words(r"\boverbalance|unbalanced (?:fraction|share|part|portion)"
+        r"|fraction (?:that is )?(?:left|unbalanced)|restanteil|second|zweite|2次|share left"
+        r"|remains unbalanced is"), turns=True,
+    ),
+    Quantity(
+        "residual force across the line of stroke", letters("F R P Y Q"),
+        words(r"(?:residual|remaining|unbalanced|resultant)\s+(?:primary\s+"
+        r"|inertia\s+)?force\s+(?:perpendicular|at\s+right\s+angles"
+              r"|normal|transverse)\s+to\s+(?:it|(?:the\s+)?(?:line|direction)\s+of\s+(?:the\s+)?stroke)",
+              r"(?:residual|remaining|unbalanced)\s+(?:primary\s+"
+              r"|inertia\s+)?force\s+across(?:\s+(?:it|the\s+(?:cylinder|stroke|bore)))?",
+              r"restkraft\s+quer(?:\s+zur\s+(?:zylinder|hub)(?:achse|richtung))?",
+              r"(?:行程|シリンダ軸)に(?:垂直|直角)な(?:方向の)?(?:残留力|不釣合い力|不つりあい力)"),
+        (share * mass * pin * omega**2 * SIN_CRANK, -share * mass * pin * omega**2 * SIN_CRANK),
+        ("edit",),
+        mistakes=((1 - share) * mass * pin * omega**2 * SIN_CRANK,
+        share * mass * pin * omega**2 * COS_CRANK),
+        unless=words(r"\boverbalance|unbalanced (?:fraction|share|part|portion)"
+        r"|fraction (?:that is )?(?:left|unbalanced)|restanteil|second|zweite|2次|share left"
+        r"|remains unbalanced is"), turns=True,
+    ),
+    Quantity(
+        "counterweight", letters("m M B G"),
+        words(r"(?:mass\s+of\s+the\s+)?(?:counter-?weight|counterbalance|balance\s+(?:weight"
+        r"|mass))(?:\s+mass)?",
+              r"(?:masse\s+des\s+)?gegengewichts?(?:masse)?", r"ausgleichsmasse",
+              r"(?:釣り?合い?|つりあい)(?:おもり|錘|質量)(?:の質量)?",
+              r"カウンタ(?:ー)?ウェイト(?:の質量)?"),
+        ((rotating + share * reciprocating) * pin / arm_of_weight, share * mass * pin / arm_of_weight,
+         mass * pin / arm_of_weight, (rotating + reciprocating / 2) * pin / arm_of_weight),
+        ("edit", "power"),
+        others=((rotating + share * reciprocating) * pin / (2 * arm_of_weight),
+        mass * pin / (2 * arm_of_weight),
+                share * mass * pin / (2 * arm_of_weight),
+                (rotating + reciprocating) * pin / arm_of_weight),
+        mistakes=((share * rotating + reciprocating) * pin / arm_of_weight,),
+        unless=words(r"balance shaft|ausgleichswelle|バランサ|counter-?rotat|lanchester"
+        r"|\bmoments? (?:about|balanc)|momenten"
+        r"|\bplanes?\b|\bebenen?\b|\bcouple|twice|doppelt"),
+    ),
+    Quantity(
+        "mass of each of two counter-rotating weights at twice the crank's speed", letters("m M"),
+        _BALANCER,
+        (mass * pin * ratio / (8 * arm_of_weight), mass * pin**2 / (8 * rod * arm_of_weight)),
+        ("edit", "part"),
+        mistakes=(mass * pin * ratio / (2 * arm_of_weight), mass * pin * ratio / (4 * arm_of_weight),
+                  mass * pin * ratio / (16 * arm_of_weight), mass * pin * ratio / arm_of_weight),
+        only=both(words(r"single[- ]cylinder|one[- ]cylinder|einzylinder|単気筒"),
+        words(r"each|jede|1つ|それぞれ|各"),
+                  words(r"twice|double|doppelt|2倍")),
+        unless=words(r"four|vier|4気筒|both|zusammen|together|合計"),
+    ),
+    Quantity(
+        "mass of each of two counter-rotating weights at the crank's speed", letters("m M"), _BALANCER,
+        (mass * pin / (2 * arm_of_weight),), ("power", "part"),
+        others=(mass * pin / (4 * arm_of_weight),),
+        mistakes=(mass * pin / arm_of_weight,),
+        only=both(words(r"single[- ]cylinder|one[- ]cylinder|einzylinder|単気筒"),
+        words(r"each|jede|1つ|それぞれ|各")),
+        unless=words(r"twice|double|doppelt|2倍|four|vier|both|together|zusammen"
+        r"|crank (?:itself )?carries|half"),
+    ),
+    Quantity(
+        "unbalance", letters("U"),
+        words(r"(?<!permissible )(?<!specific )(?<!residual )(?:static\s+)?(?:unbalance|imbalance)",
+        r"(?<!rest)unwucht(?!kraft|güte)",
+              r"不釣り?合い量?(?!力)"),
+        (unbalanced * eccentricity,), ("power",), unless=words(r"couple|force|kraft|dynamic|moment|力"),
+    ),
+    Quantity(
+        "centrifugal force of an unbalance", letters("F Z"),
+        words(r"unbalance\s+force", r"(?:centrifugal\s+)?force\s+of\s+(?:the|an)\s+unbalance",
+        r"unwuchtkraft", r"不釣り?合い力"),
+        (unbalance * omega**2, unbalanced * eccentricity * omega**2), ("power",),
+        unless=words(r"transmi|residual"),
+    ),
+    Quantity(
+        "resultant first-order force of a radial engine", letters("F P R Z"),
+        words(r"(?:resultant|primary|first[- ]order)\s+(?:of\s+the\s+)?(?:primary\s+|first[- ]order\s+"
+        r"|inertia\s+)?forces?",
+              r"resultierende\s+(?:massenkraft|kraft)?(?:\s*(?:1\.|erster)\s+ordnung)?",
+              r"massenkraft\s+(?:1\.|erster)\s+ordnung",
+              r"(?:一|1)次(?:の)?(?:慣性力の)?(?:合力|慣性力)"),
+        (cylinders * mass * pin * omega**2 / 2,), ("factor", "power"),
+        mistakes=(cylinders * mass * pin * omega**2,),
+        only=words(r"radial(?:\s+engine)?|\bstar\b|sternmotor|星形"),
+        unless=words(r"articulated|slave|nebenpleuel|副連接棒|counterweight|gegengewicht|second|zweite"
+        r"|2次|rotating mass|\bbanks?\b|\brows?\b"),
+    ),
+    Quantity(
+        "resultant first-order force of a V-twin at 90°", letters("F P R Z"),
+        words(r"(?:resultant|primary|first[- ]order)\s+(?:of\s+the\s+)?(?:primary\s+|first[- ]order\s+"
+        r"|inertia\s+)?forces?",
+              r"resultierende\s+(?:massenkraft|kraft)?(?:\s*(?:1\.|erster)\s+ordnung)?",
+              r"massenkraft\s+(?:1\.|erster)\s+ordnung",
+              r"(?:一|1)次(?:の)?(?:慣性力の)?(?:合力|慣性力)"),
+        (mass * pin * omega**2,), ("bare factor", "power", "part"),
+        mistakes=(root(Number(Fraction(2))) * mass * pin * omega**2,),
+        only=both(words(r"90\s*(?:°|\\?deg|\^|\\\\circ|-degree| degree|\s*grad|度)"),
+        words(r"V-?twin|\bV\b|V2|V-2|V-engine|V-motor|V形|V型")),
+        unless=words(r"both|together|beide|zusammen|合計|two pistons|zwei kolben|second|zweite|2次"
+        r"|four|vier|six|eight|cylinder(?:s)? (?:is|alone)|each|per cylinder|one cylinder|一つの"),
+    ),
+)  # fmt: skip

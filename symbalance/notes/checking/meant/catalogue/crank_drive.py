@@ -1,0 +1,310 @@
+"""The crank drive: piston, side and rod forces, crank-pin forces and torque, speeds and volumes."""
+
+from __future__ import annotations
+
+from symbalance.document.formula import Call
+from symbalance.notes.checking.meant.catalogue.roles import (
+    PI,
+    Quantity,
+    any_force,
+    area,
+    clearance,
+    compression,
+    crank,
+    crank_angle,
+    cylinders,
+    diameter,
+    letters,
+    omega,
+    pin,
+    piston_force,
+    power,
+    pressure,
+    radius,
+    ratio,
+    rod,
+    rod_angle,
+    rod_force,
+    root,
+    rotation,
+    slenderness,
+    stroke,
+    swept,
+    torque,
+    total_volume,
+    words,
+)
+
+TAN_ROD, SIN_ROD, COS_ROD = (Call(name, rod_angle) for name in ("tan", "sin", "cos"))
+SIN_CRANK, COS_CRANK = Call("sin", crank_angle), Call("cos", crank_angle)
+SIN_BOTH, COS_BOTH = (Call(name, crank_angle + rod_angle) for name in ("sin", "cos"))
+DOUBLE = Call("sin", 2 * crank_angle)
+_OFFSET = r"offset|desax|geschränkt|オフセット"
+_ENGINE = words(
+    r"crank|piston|\brod\b|cylinder|engine|gas force|kurbel|kolben|pleuel|stange|gaskraft|motor"
+    r"|ピストン|クランク|連接棒|コンロッド|機関"
+)
+
+
+CRANK_DRIVE: tuple[Quantity, ...] = (
+    Quantity(
+        "mean piston speed", letters("v c V u C S"),
+        words(r"mean\s+(?:piston\s+)?speed(?:\s+of\s+the\s+piston)?",
+        r"mean\s+(?:piston\s+)?velocity(?:\s+of\s+the\s+piston)?",
+               r"average\s+piston\s+(?:speed|velocity)", r"mittlere\s+kolbengeschwindigkeit",
+               r"平均ピストン(?:速度|スピード)", r"ピストン(?:の)?平均速度"),
+        (2 * stroke * rotation, stroke * rotation / 30, 4 * crank * rotation, crank * rotation / 15,
+         stroke * omega / PI, 2 * crank * omega / PI),
+        unless=words(r"strokes? per|hübe|doppelh|mean square|quadrat|crank ?pin|rim|umfang|circumf"
+        r"|周速|\bgas|luft"
+                      r"|half[- ]stroke"),
+        only=words(r"piston|kolben|ピストン"),
+    ),
+    Quantity(
+        "swept volume", letters("V Q"),
+        words(r"swept\s+volume", r"(?:piston|engine|cylinder)\s+displacement",
+        r"displacement\s+volume",
+               r"cubic\s+capacity", r"hubraum", r"hubvolumen", r"行程容積", r"総?排気量"),
+        (PI * diameter**2 * stroke / 4, PI * diameter**2 * stroke * cylinders / 4,
+         PI * diameter**2 * crank / 2, PI * diameter**2 * crank * cylinders / 2, area * stroke,
+         area * stroke * cylinders, 2 * area * crank),
+        others=(PI * radius**2 * stroke,),
+        unless=words(r"clearance|compression volume|kompressionsraum|隙間容積|opposed"
+        r"|gegenkolben|対向"),
+    ),
+    Quantity(
+        "piston area", letters("A S F"),
+        words(r"piston\s+area", r"area\s+of\s+the\s+piston", r"bore\s+area",
+        r"kolben(?:fläche|querschnitt)",
+               r"ピストン(?:の)?(?:断?面積|受圧面積)", r"受圧面積"),
+        (PI * diameter**2 / 4, PI * radius**2), unless=words(r"ring|piston rod|kolbenstange"
+        r"|ピストンロッド"
+        r"|rod side"),
+    ),
+    Quantity(
+        "gas force", letters("F P K"),
+        words(r"gas\s+(?:force|load)", r"force\s+of\s+the\s+gas", r"gaskraft", r"kolbenkraft",
+        r"ガス力",
+               r"ガス圧力?(?:による)?力"),
+        (PI * diameter**2 * pressure / 4, PI * radius**2 * pressure, area * pressure),
+        unless=words(r"side|seiten|inertia|massenkraft|difference|differenz|under ?side|crankcase"),
+    ),
+    Quantity(
+        "circumferential speed", letters("v u V"),
+        words(r"(?:circumferential|peripheral|rim|tip)\s+(?:speed|velocity)",
+        r"umfangsgeschwindigkeit", r"周速度?",
+               r"crank-?pin\s+(?:speed|velocity)"),
+        (radius * omega, diameter * omega / 2, PI * diameter * rotation, 2 * PI * radius * rotation,
+         PI * diameter * rotation / 60, PI * radius * rotation / 30),
+        unless=words(r"relative|rolling|gear|belt|planet|gleit"),
+    ),
+    Quantity(
+        "firing interval of a four-stroke engine",
+        letters("alpha phi varphi theta psi Delta_phi Delta_varphi beta Delta_theta"),
+        words(r"firing\s+(?:interval|spacing)", r"zündabstand", r"zündfolgeabstand",
+        r"(?:点火|爆発|着火)間隔"),
+        (4 * PI / cylinders,), others=(),
+        unless=words(r"two[- ]stroke|2[- ]stroke|zweitakt|2-takt|2ストローク|2サイクル|uneven|ungleich"
+        r"|irregular|不等"
+                      r"|odd|per\s+bank|in\s+one\s+bank|je bank|crank\s?pins?|throws?|kröpf"
+                      r"|hubzapfen|ピン"),
+        only=words(r"four[- ]stroke|4[- ]stroke|viertakt|4-takt|4ストローク|4サイクル|四サイクル"),
+        slips=("factor",),
+    ),
+    Quantity(
+        "firing interval of a two-stroke engine",
+        letters("alpha phi varphi theta psi Delta_phi Delta_varphi beta Delta_theta"),
+        words(r"firing\s+(?:interval|spacing)", r"zündabstand", r"zündfolgeabstand",
+        r"(?:点火|爆発|着火)間隔"),
+        (2 * PI / cylinders,),
+        unless=words(r"four[- ]stroke|4[- ]stroke|viertakt|4-takt|4ストローク|4サイクル"
+        r"|四サイクル|uneven|ungleich"
+                      r"|irregular|不等|odd|per\s+bank|je bank|double[- ]acting|doppeltwirk|複動"),
+        only=words(r"two[- ]stroke|2[- ]stroke|zweitakt|2-takt|2ストローク|2サイクル|二サイクル"),
+        slips=("factor",),
+    ),
+    Quantity(
+        "side force on the cylinder wall", letters("N F S Q R"),
+        words(r"(?:side|lateral|normal|wall|piston\s+side)\s+(?:force|thrust)", r"side[- ]thrust",
+              r"thrust\s+on\s+the\s+(?:cylinder\s+)?(?:wall|liner)",
+              r"force\s+(?:on|against)\s+the\s+(?:cylinder\s+)?wall",
+              r"(?:kolben)?(?:seiten|normal|führungs|gleitbahn)(?:druck)?kraft",
+              r"(?:側圧|側方力|サイドスラスト|スラスト力)"),
+        (piston_force * TAN_ROD, any_force * TAN_ROD, rod_force * SIN_ROD,
+        piston_force * SIN_ROD / COS_ROD,
+         any_force * SIN_ROD / COS_ROD, piston_force * ratio * SIN_CRANK / COS_ROD,
+         any_force * ratio * SIN_CRANK / root(1 - ratio**2 * SIN_CRANK**2),
+         piston_force * ratio * SIN_CRANK / root(1 - ratio**2 * SIN_CRANK**2)),
+        ("edit",),
+        mistakes=(piston_force / TAN_ROD, piston_force * COS_ROD, piston_force * SIN_ROD,
+        rod_force * TAN_ROD,
+                  rod_force * COS_ROD, piston_force * ratio * COS_CRANK),
+        others=(any_force * SIN_ROD,),
+        approximate=(piston_force * ratio * SIN_CRANK, any_force * ratio * SIN_CRANK),
+        unless=words(_OFFSET, r"crosshead guide angle|bearing|friction|reibung|摩擦"),
+        turns=True, only=_ENGINE, is_told_once=True,
+    ),
+    Quantity(
+        "force in the connecting rod", letters("F S Q P R"),
+        words(r"(?:connecting[- ]?)?rod\s+(?:force|thrust|load)",
+              r"(?:force|thrust)\s+(?:in|of|along|on)\s+the\s+(?:connecting[- ])?rod",
+              r"(?:pleuel|stangen|pleuelstangen|schubstangen)-?(?:stangen)?kraft",
+              r"(?:連接棒|コンロッド)(?:の|に(?:働|作用)く)?(?:軸)?力"),
+        (piston_force / COS_ROD, any_force / COS_ROD,
+         any_force / root(1 - ratio**2 * SIN_CRANK**2), piston_force / root(1 - ratio**2 * SIN_CRANK**2)),
+        ("edit",),
+        mistakes=(piston_force * COS_ROD, piston_force / SIN_ROD, piston_force * TAN_ROD,
+        piston_force * SIN_ROD),
+        others=(any_force / SIN_ROD, any_force * COS_ROD, any_force / TAN_ROD),
+        unless=words(r"component|komponente|分力|成分|projection|inertia force of the rod|offset"
+        r"|geschränkt"),
+        turns=True, only=_ENGINE, is_told_once=True,
+    ),
+    Quantity(
+        "tangential force at the crank pin", letters("F T P Q"),
+        words(r"(?:tangential|turning|crank)\s+(?:force|effort)(?:\s+(?:at|on)\s+the\s+crank[- ]?pin)?",
+              r"(?:tangential|dreh|umfangs)kraft", r"(?:接線|回転)力"),
+        (piston_force * SIN_BOTH / COS_ROD, any_force * SIN_BOTH / COS_ROD, rod_force * SIN_BOTH,
+         any_force * (SIN_CRANK + COS_CRANK * TAN_ROD),
+         piston_force * (SIN_CRANK + COS_CRANK * TAN_ROD), torque / pin),
+        ("edit",),
+        mistakes=(piston_force * COS_BOTH / COS_ROD, piston_force * SIN_BOTH),
+        others=(any_force * SIN_BOTH, any_force * COS_BOTH),
+        unless=words(_OFFSET, r"\bgears?\b|\bbelt|inertia of"), turns=True, only=_ENGINE,
+        is_told_once=True,
+    ),
+    Quantity(
+        "radial force at the crank pin", letters("F R P Z Q"),
+        words(r"radial\s+(?:crank\s+)?(?:force|component|thrust)(?:\s+(?:at"
+        r"|on)\s+the\s+crank[- ]?pin)?", r"(?:radial|kurbelarm)kraft",
+              r"(?:半径|法線)(?:方向の?)?力"),
+        (piston_force * COS_BOTH / COS_ROD, any_force * COS_BOTH / COS_ROD, rod_force * COS_BOTH,
+         any_force * (COS_CRANK - SIN_CRANK * TAN_ROD),
+         piston_force * (COS_CRANK - SIN_CRANK * TAN_ROD), -piston_force * COS_BOTH / COS_ROD,
+         -any_force * COS_BOTH / COS_ROD),
+        ("edit",),
+        mistakes=(piston_force * SIN_BOTH / COS_ROD, piston_force * COS_BOTH),
+        others=(any_force * SIN_BOTH,),
+        unless=words(_OFFSET, r"bearing clearance|magnet|gear"), turns=True, only=_ENGINE,
+        is_told_once=True,
+    ),
+    Quantity(
+        "torque of a crank", letters("M T Q"),
+        words(r"(?:turning|crank(?:ing|shaft)?|engine|driving)\s+(?:moment|torque)", r"\btorque",
+        r"(?:kurbel|motor)?dreh-?moment",
+              r"(?:回転|クランク)(?:モーメント|トルク)", r"トルク"),
+        (piston_force * pin * SIN_BOTH / COS_ROD, any_force * pin * SIN_BOTH / COS_ROD,
+         any_force * pin * (SIN_CRANK + COS_CRANK * TAN_ROD),
+         piston_force * pin * (SIN_CRANK + COS_CRANK * TAN_ROD),
+         rod_force * pin * SIN_BOTH, power / omega, power / (2 * PI * rotation),
+         60 * power / (2 * PI * rotation)),
+        ("edit",),
+        mistakes=(piston_force * pin * COS_BOTH / COS_ROD, any_force * pin * COS_BOTH / COS_ROD,
+        power * omega,
+                  power / rotation, 2 * PI * power / rotation, 2 * PI * power * rotation,
+                  any_force * pin * (SIN_CRANK + ratio * DOUBLE)),
+        approximate=(any_force * pin * (SIN_CRANK + ratio * DOUBLE / 2),
+                     piston_force * pin * (SIN_CRANK + ratio * DOUBLE / 2),
+                     any_force * pin * (SIN_CRANK + DOUBLE / (2 * slenderness))),
+        others=(any_force * pin * SIN_BOTH, any_force * pin * COS_BOTH, any_force * pin * SIN_ROD,
+                any_force * pin * SIN_CRANK, any_force * pin * COS_CRANK),
+        unless=words(_OFFSET, r"gear|getriebe|歯車|inertia torque|massendrehmoment|damp(?!f)|dämpf"
+        r"|friction"
+                     r"|reibung|synchron|gravity|schwerkraft"),
+        turns=True, only=_ENGINE, is_told_once=True,
+    ),
+    Quantity(
+        "stroke of a crank", letters("s S H L h"),
+        words(r"(?:piston\s+)?stroke", r"(?:kolben)?hub(?![a-zäöü])", r"行程", r"ストローク"),
+        (2 * pin,), ("bare factor", "power"), only=words(r"crank|kurbel|クランク"),
+        unless=words(_OFFSET, r"eccentric|exzenter|half|\bhalb|volume|volumen|strokes|opposed|ratio"),
+    ),
+    Quantity(
+        "compression ratio", letters("epsilon varepsilon r R kappa"),
+        words(r"compression\s+ratio", r"verdichtungsverhältnis", r"圧縮比"),
+        ((swept + clearance) / clearance, 1 + swept / clearance), ("edit",),
+        mistakes=(swept / clearance, clearance / (swept + clearance), (swept + clearance) / swept,
+                  (swept - clearance) / clearance, swept / (swept + clearance)),
+        others=(total_volume / clearance,), unless=words(r"effective|total volume|pressure|druckverh"
+        r"|圧力比|whole volume|gesamtvolumen|V_max"
+                      r"|largest volume|volume at bottom|bottom dead|BDC"),
+    ),
+    Quantity(
+        "clearance volume", letters("V"),
+        words(r"clearance\s+volume", r"(?:kompressions|verdichtungs)(?:raum|volumen)",
+        r"(?:すきま|隙間|燃焼室)容積"),
+        (swept / (compression - 1),), ("edit",),
+        mistakes=(swept / compression, swept / (compression + 1), swept * (compression - 1)),
+        others=(total_volume / compression,), unless=words(r"total|gesamt|全容積|whole|bottom"),
+    ),
+    Quantity(
+        "largest piston speed", letters("v dot_x V c u"),
+        words(r"(?:largest|greatest|maximum|peak|highest|max\.)\s+(?:piston\s+)?(?:speed"
+        r"|velocity)(?:\s+of\s+the\s+piston)?",
+              r"(?:größte|maximale|höchste)\s+kolbengeschwindigkeit",
+              r"(?:最大ピストン速度|ピストンの?最大速度)"),
+        (), ("edit",), mistakes=(pin * omega * (1 + ratio),),
+        approximate=(pin * omega * (1 + ratio**2 / 2), pin * omega * root(1 + ratio**2), pin * omega,
+                     pin * omega * (1 + pin**2 / (2 * rod**2)),
+                     pin * omega * (1 + 1 / (2 * slenderness**2)),
+                     pin * omega * root(1 + pin**2 / rod**2)), only=words(r"piston|kolben|ピストン"),
+        unless=words(_OFFSET, r"l\s*/\s*r|mean|mittlere|平均"),
+    ),
+    Quantity(
+        "largest piston acceleration", letters("a ddot_x b"),
+        words(r"(?:largest|greatest|maximum|peak|highest"
+        r"|max\.)\s+(?:piston\s+)?acceleration(?:\s+of\s+the\s+piston)?",
+              r"(?:größte|maximale|höchste)\s+(?:kolben)?beschleunigung", r"最大(?:ピストン)?加速度",
+              r"(?:piston\s+)?acceleration\s+(?:at|in)\s+(?:the\s+)?(?:top|inner"
+              r"|upper)\s+dead\s+cent(?:re|er)",
+              r"(?:kolben)?beschleunigung\s+im\s+(?:OT|oberen\s+totpunkt)",
+              r"上死点(?:で|に)の(?:ピストンの?)?加速度"),
+        (pin * omega**2 * (1 + ratio), pin * omega**2 * (1 + 1 / slenderness),
+        pin * omega**2 * (1 + pin / rod),
+         -pin * omega**2 * (1 + ratio), -pin * omega**2 * (1 + pin / rod)),
+        ("edit",), mistakes=(pin * omega**2 * (1 - ratio), pin * omega * (1 + ratio)),
+        unless=words(_OFFSET, r"inner|crank end|away from|bottom|lower|outer|unteren|\bUT\b|下死点"
+        r"|smallest|kleinste|first order"
+                     r"|erste[rn]? ordnung|l\s*/\s*r|simple harmonic"),
+    ),
+    Quantity(
+        "piston acceleration at the bottom dead centre", letters("a ddot_x b"),
+        words(r"(?:piston\s+)?acceleration\s+(?:at|in)\s+(?:the\s+)?(?:bottom|outer"
+        r"|lower)\s+dead\s+cent(?:re|er)",
+              r"(?:kolben)?beschleunigung\s+im\s+(?:UT|unteren\s+totpunkt)",
+              r"下死点(?:で|に)の(?:ピストンの?)?加速度"),
+        (pin * omega**2 * (1 - ratio), -pin * omega**2 * (1 - ratio), pin * omega**2 * (1 - pin / rod),
+         -pin * omega**2 * (1 - pin / rod), pin * omega**2 * (ratio - 1),
+         pin * omega**2 * (1 - 1 / slenderness)),
+        ("edit",), mistakes=(pin * omega**2 * (1 + ratio), -pin * omega**2 * (1 + ratio)),
+        unless=words(_OFFSET, r"top|inner|outer|crank end|upper|oberen|\bOT\b|上死点"),
+    ),
+    Quantity(
+        "angular velocity of the rod", letters("omega Omega dot_phi dot_varphi dot_beta dot_psi"),
+        words(r"angular\s+(?:velocity|speed)\s+of\s+the\s+(?:connecting[- ])?rod",
+              r"(?:rod|connecting[- ]rod)(?:'s)?\s+angular\s+(?:velocity|speed)",
+              r"winkelgeschwindigkeit\s+(?:des\s+pleuels|der\s+(?:pleuel)?stange|der\s+pleuelstange)",
+              r"(?:連接棒|コンロッド)の(?:揺動)?角速度"),
+        (ratio * omega * COS_CRANK / COS_ROD,
+         ratio * omega * COS_CRANK / root(1 - ratio**2 * SIN_CRANK**2),
+         -ratio * omega * COS_CRANK / COS_ROD,
+         pin * omega * COS_CRANK / (rod * COS_ROD), -pin * omega * COS_CRANK / (rod * COS_ROD)),
+        ("edit",), approximate=(ratio * omega * COS_CRANK, -ratio * omega * COS_CRANK), turns=True,
+        only=_ENGINE, is_told_once=True,
+        unless=words(_OFFSET, r"articulated|neben"),
+    ),
+    Quantity(
+        "angular acceleration of the rod",
+        letters("alpha epsilon ddot_phi ddot_varphi ddot_beta ddot_psi"),
+        words(r"angular\s+acceleration\s+of\s+the\s+(?:connecting[- ])?rod",
+              r"(?:rod|connecting[- ]rod)(?:'s)?\s+angular\s+acceleration",
+              r"winkelbeschleunigung\s+(?:des\s+pleuels|der\s+(?:pleuel)?stange|der\s+pleuelstange)",
+              r"(?:連接棒|コンロッド)の角加速度"),
+        (-ratio * omega**2 * SIN_CRANK * (1 - ratio**2) / root(1 - ratio**2 * SIN_CRANK**2) ** 3,
+         ratio * omega**2 * SIN_CRANK * (1 - ratio**2) / root(1 - ratio**2 * SIN_CRANK**2) ** 3,
+         -ratio * omega**2 * SIN_CRANK * (1 - ratio**2) / COS_ROD**3,
+         ratio * omega**2 * SIN_CRANK * (1 - ratio**2) / COS_ROD**3),
+        ("edit",), approximate=(-ratio * omega**2 * SIN_CRANK, ratio * omega**2 * SIN_CRANK),
+        turns=True, unless=words(_OFFSET, r"articulated|neben"),
+    ),
+)  # fmt: skip

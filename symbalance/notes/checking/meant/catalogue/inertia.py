@@ -1,0 +1,137 @@
+"""Moments of inertia of discs, rings and rods, and the masses that stand for a connecting rod."""
+
+from __future__ import annotations
+
+from symbalance.document.formula import number
+from symbalance.notes.checking.meant.catalogue.roles import (
+    PI,
+    Quantity,
+    area,
+    central,
+    density,
+    diameter,
+    far,
+    gyration,
+    height,
+    inertia,
+    inner,
+    inner_radius,
+    length,
+    letters,
+    mass,
+    near,
+    outer,
+    outer_radius,
+    radius,
+    rod,
+    root,
+    section,
+    shift,
+    width,
+    words,
+)
+from symbalance.notes.checking.meant.catalogue.strength import HOLLOW
+
+INERTIA: tuple[Quantity, ...] = (
+    Quantity(
+        "moment of inertia of a disc about its axis", letters("J I Theta"),
+        words(r"\b(?:solid\s+)?dis[ck]\b", r"solid\s+cylinder",
+        r"(?:voll|kreis|schwung)?scheibe\b", r"vollzylinder",
+               r"円板", r"円盤"),
+        (mass * radius**2 / 2, mass * diameter**2 / 8),
+        others=(mass * radius**2 / 4, mass * diameter**2 / 16, 3 * mass * radius**2 / 2,
+                3 * mass * diameter**2 / 8),
+        unless=words(HOLLOW, r"pulley|riemenscheibe|プーリ",
+        r"\brims?\b|hoop|kranz|リング|円環|リム|two dis[ck]|dis[ck]s|scheiben\b"
+        r"|about (?:a|its) "
+                      r"diameter|durchmesserachse|直径軸|直径まわり|直径を軸|tapered|kegel"
+                      r"|\bpins?\b|zapfen"
+                      r"|gyration"
+                      r"|trägheitsradius|回転半径|edge|point on"),
+    ),
+    Quantity(
+        "moment of inertia of a thin ring about its axis", letters("J I Theta"),
+        words(r"thin\s+(?:ring|rim|hoop)", r"\bhoop\b", r"dünner?n?\s+(?:ring|kranz|reifen)",
+        r"薄い(?:円環|リング)",
+               r"細い(?:円環|リング)"),
+        (mass * radius**2, mass * diameter**2 / 4),
+        others=(mass * radius**2 / 2, mass * diameter**2 / 8, 2 * mass * radius**2),
+        unless=words(r"dis[ck]|scheibe|円板|diameter of|about (?:a|its) diameter|thick|dick(?!e)"
+        r"|hollow|hohl"),
+    ),
+    Quantity(
+        "moment of inertia of a thin rod about its centre", letters("J I Theta"),
+        words(r"(?:thin|slender|uniform)\s+(?:rod|bar)\s+about\s+(?:its|the)\s+(?:cent(?:re|er)"
+        r"|middle|centroid)",
+               r"(?:dünner|schlanker)\s+stab(?:es)?\s+um\s+(?:seine\s+mitte|den\s+schwerpunkt)",
+               r"細い棒の(?:重心|中心)まわりの慣性モーメント"),
+        (mass * length**2 / 12,), others=(mass * length**2 / 3,), unless=words(r"\bend\b|\bende\b|端"
+        r"|half|halb"),
+    ),
+    Quantity(
+        "moment of inertia of a thin rod about its end", letters("J I Theta"),
+        words(r"(?:thin|slender|uniform)\s+(?:rod|bar)\s+about\s+(?:its|the|one)\s+end",
+               r"(?:dünner|schlanker)\s+stab(?:es)?\s+um\s+(?:sein|ein|das)\s+ende",
+               r"細い棒の(?:一)?端まわりの慣性モーメント"),
+        (mass * length**2 / 3,), others=(mass * length**2 / 12,),
+        unless=words(r"cent(?:re|er)|middle|mitte|schwerpunkt|重心|中心|half|halb"),
+    ),
+    Quantity(
+        "moment of inertia about a parallel axis", letters("J I Theta"),
+        words(r"parallel[- ]axis", r"steiner(?:scher?)?(?:\s+satz)?", r"平行軸(?:の定理)?"),
+        (central + mass * shift**2,), slips=("power of a term",), others=(central - mass * shift**2,),
+    ),
+    Quantity(
+        "moment of inertia of a hollow cylinder about its axis", letters("J I Theta"),
+        words(r"hollow\s+cylinder", r"annular\s+dis[ck]", r"thick\s+ring", r"hohlzylinder",
+        r"kreisring(?:scheibe)?",
+              r"ringscheibe", r"中空円[筒柱板]", r"円環"),
+        (mass * (outer_radius**2 + inner_radius**2) / 2, mass * (outer**2 + inner**2) / 8),
+        ("factor", "edit"),
+        mistakes=(mass * (outer_radius**2 - inner_radius**2) / 2, mass * (outer**2 - inner**2) / 8),
+        others=(mass * (outer_radius**2 + inner_radius**2) / 4, mass * (outer**2 + inner**2) / 16),
+        unless=words(r"about (?:a|its) diameter|durchmesserachse|直径|thin|dünn|薄|density|dichte|密度"),
+    ),
+    Quantity(
+        "moment of inertia by the radius of gyration", letters("J I Theta"),
+        words(r"radius\s+of\s+gyration", r"trägheits(?:radius|halbmesser)", r"(?:慣性|回転)半径"),
+        (mass * gyration**2,), ("power",),
+        unless=words(r"area|fläche|断面|parallel|steiner|平行軸"),
+    ),
+    Quantity(
+        "radius of gyration", letters("k i r rho"),
+        words(r"radius\s+of\s+gyration", r"trägheits(?:radius|halbmesser)", r"(?:慣性|回転)半径"),
+        (root(inertia / mass),), ("power", "root"),
+        others=(root(section / area), diameter / root(number(8)), radius / root(number(2))),
+    ),
+    Quantity(
+        "mass of a round disc", letters("m M"),
+        words(r"mass\s+of\s+(?:the|a)\s+(?:\w+\s+)?dis[ck]",
+        r"masse\s+(?:der|einer)\s+(?:voll|kreis)?scheibe",
+              r"円板の質量"),
+        (PI * density * diameter**2 * width / 4, PI * density * radius**2 * width,
+         PI * density * diameter**2 * height / 4, PI * density * radius**2 * height),
+        ("factor", "power"), unless=words(HOLLOW, r"\brims?\b|kranz|cone|kegel"),
+    ),
+    Quantity(
+        "centre part of a rod in three masses", letters("Delta_J J I Delta_I Theta"),
+        words(r"(?:correction|correcting)\s+(?:moment|couple|inertia|term)(?:\s+of\s+inertia)?",
+              r"(?:difference|error|defect)\s+(?:of|in)\s+(?:the\s+)?moments?\s+of\s+inertia",
+              r"korrektur(?:moment|trägheitsmoment|glied)", r"zusatzträgheitsmoment",
+              r"(?:慣性モーメントの)?補正(?:量|項)?"),
+        (mass * (gyration**2 - near * far), mass * (near * far - gyration**2),
+         central - mass * near * far, mass * near * far - central),
+        ("edit",), unless=words(r"about the (?:pin|end)|um den zapfen"),
+    ),
+    Quantity(
+        "part of a rod's mass at one end", letters("m M"),
+        words(r"(?:rotating|reciprocating|oscillating)\s+(?:part|share|portion)\s+of\s+(?:the"
+        r"|its)\s+(?:connecting[- ])?rod",
+              r"(?:rotierender|oszillierender)\s+(?:pleuel)?(?:massen)?anteil(?:\s+(?:des|der)\s+\w+)?",
+              r"連接棒の(?:回転|往復)(?:部分の)?質量"),
+        (mass * near / rod, mass * far / rod, mass * (rod - near) / rod, mass * (rod - far) / rod,
+         mass * near / (near + far), mass * far / (near + far)),
+        ("edit",), others=(mass * near / far, mass * far / near),
+        unless=words(r"percussion|stoßmittelpunkt|打撃|statistic"),
+    ),
+)  # fmt: skip

@@ -1,0 +1,237 @@
+"""What letters stand for in the standard formulas, and what is known of a quantity.
+
+Letters in the formulas are the names of roles; `ROLES` tells which letters stand for a role on most
+pages, and which words name it. Where two roles share their letters, a subscript parts them: F_g is the
+force of the gas, F_s that of the rod.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from symbalance.document.formula import Call, Constant, Formula, Name
+
+
+@dataclass(frozen=True, slots=True)
+class Role:
+    """What a letter in a known formula stands for: its usual letters, and the words that name it."""
+
+    letters: frozenset[str]
+    """Letters, with a subscript where only that one is usual: b, r_g."""
+    words: re.Pattern[str]
+    indices: frozenset[str] = frozenset()
+    """Subscripts of which a letter needs one, where no words name it."""
+    others: frozenset[str] = frozenset()
+    """Subscripts with which a letter stands for something else."""
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A quantity with its standard formulas, in roles.
+
+    The words that name it stand in the sentence of its formula or in its heading (`phrases`); with the
+    usual letter those of `context` are enough. A formula is refuted if it has one of the `slips`, or is
+    one of the `mistakes`, and is none of `others`, which the same words may mean.
+    """
+
+    name: str
+    letters: frozenset[str]
+    """The usual letters of the quantity itself."""
+    phrases: re.Pattern[str]
+    formulas: tuple[Formula, ...]
+    slips: tuple[str, ...] = ("factor", "power")
+    """What one may get wrong: "factor" (of a formula with a number), "bare factor", "power", "root",
+    "turn" (2π), "minus", "term", and "edit": a sign, a function,
+    an exponent or a number anywhere within. With "part", words of
+    a part (each, half) excuse no factor."""
+    mistakes: tuple[Formula, ...] = ()
+    """Formulas that are wrong by whatever convention."""
+    context: re.Pattern[str] | None = None
+    approximate: tuple[Formula, ...] = ()
+    """Formulas that hold roughly, where the rod is long: right with ≈, open with =."""
+    others: tuple[Formula, ...] = ()
+    """Formulas that the same words may mean: never refuted."""
+    unless: re.Pattern[str] | None = None
+    """Words of the paragraph with which another formula may be right."""
+    indices: frozenset[str] = frozenset()
+    """Subscripts of which one has to stand at the letter where only the context names the quantity."""
+    only: re.Pattern[str] | None = None
+    """Words of the paragraph or its heading without which the formula is compared but never refuted."""
+    is_told_once: bool = False
+    """Whether those words may stand anywhere on the page, if none of `unless` does."""
+    together: tuple[tuple[str, str], ...] = ()
+    """Roles whose letters have the same subscript, l_2 and d_2; "" is the quantity itself."""
+    turns: bool = False
+    """Whether the angle has to be counted from the line of stroke, at the top, for a refutation."""
+
+
+def words(*patterns: str) -> re.Pattern[str]:
+    """Return a pattern for words in any case."""
+    return re.compile("|".join(patterns), re.IGNORECASE)
+
+
+def letters(text: str) -> frozenset[str]:
+    """Return the letters, or subscripts, of a list."""
+    return frozenset(text.split())
+
+
+def root(node: Formula) -> Formula:
+    """Return the square root of a formula."""
+    return Call("sqrt", node)
+
+
+PI = Constant("pi")
+_ENTRIES: tuple[tuple[str, ...], ...] = (
+    ("diameter", "d D", r"diameters?|durchmessers?|(?<!半)径|\bbore|bohrung|ボア"),
+    ("outer", "d D", r"outer|outside|external|außen(?:durchmesser)?|aussendurchmesser|外径"),
+    ("inner", "d D", r"inner|inside|internal|innen(?:durchmesser)?|内径|\bbore"),
+    ("radius", "r R", r"radi(?:us|i)|halbmesser|半径|crank throw"),
+    ("crank", "r R", r"radi(?:us|i)|halbmesser|半径|crank throw|crank length"),
+    ("bending", "M", r"(?<!trägheits)(?<!widerstands)(?<!flächen)moments?(?! of)|曲げモーメント"),
+    ("torque", "T M", r"(?<!trägheits)(?<!widerstands)(?<!flächen)moments?(?! of)|torques?|トルク"
+     r"|ねじりモーメント"),
+    ("force", "F P", r"forces?|loads?|kraft|last|力|荷重"),
+    ("pressure", "p P", r"pressure|druck|圧力?"),
+    ("area", "A S F", r"area|fläche|面積"),
+    ("modulus", "W Z S", r"section modulus|widerstandsmoment|断面係数"),
+    ("section", "I J", r"second moment|moment of (?:inertia|area)|polar moment|trägheitsmoment"
+     r"|断面二次|inertia"),
+    ("shear", "G C N", r"shear modulus|modulus of rigidity|rigidity|schubmodul|gleitmodul"
+     r"|横弾性係数|せん断弾性係数|剛性率"),
+    ("length", "l L ell", r"length|lang|länge|長さ?"),
+    ("stress", "sigma", r"stress|spannung|応力"),
+    ("shearing", "tau", r"stress|spannung|応力"),
+    ("stiffness", "c k C K", r"stiffness|spring (?:rate|constant)|rate|constant|steifigkeit"
+     r"|federkonstante|federrate|feder|spring|ばね定数?|剛性|こわさ"),
+    ("mass", "m M", r"mass(?:es)?|masse|質量|weight|gewicht"),
+    ("inertia", "J I Theta", r"inertia|trägheitsmoment|massenträgheit|drehmasse|schwungmasse"
+     r"|慣性モーメント|flywheel|schwungrad|rotor|円板|dis[ck]s?|scheiben?"),
+    ("second_section", "I J", r"second moment|moment of (?:inertia|area)|polar moment|trägheitsmoment"
+     r"|断面二次|inertia", "1 2 3 a b"),
+    ("first_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?"
+    r"|慣性モーメント"),
+    ("second_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?"
+    r"|慣性モーメント"),
+    ("omega", "omega Omega w", r"angular (?:speed|velocity|frequency)|speed|winkelgeschwindigkeit"
+     r"|kreisfrequenz|角速度|角振動数"),
+    ("omega_high", "omega Omega", r"speed|velocity|winkelgeschwindigkeit|角速度"),
+    ("omega_low", "omega Omega", r"speed|velocity|winkelgeschwindigkeit|角速度"),
+    ("rotation", "n N f", r"speed|rpm|revolutions|drehzahl|回転数|回転速度|frequency"),
+    ("frequency", "f nu", r"frequency|frequenz|振動数|周波数"),
+    ("stroke", "s S H L", r"stroke|hub|行程|ストローク"),
+    ("cylinders", "z Z i N n k", r"cylinders|zylinder(?:zahl)?|気筒数?|シリンダ数?"),
+    ("velocity", "v u V", r"speed|velocity|geschwindigkeit|速度"),
+    ("fluctuation", "delta", r"irregularity|fluctuation|ungleichförmigkeit(?:sgrad)?|変動率|steadiness"),
+    ("swing", "Delta_E E W Delta_W A", r"energy|arbeit|energie|エネルギ|swing|fluctuation"),
+    ("power", "P N L", r"power|leistung|動力|出力"),
+    ("shift", "a e d s", r"distance|abstand|eccentricity|距離|offset"),
+    ("central", "J I Theta", r"inertia|trägheitsmoment|慣性モーメント"),
+    ("gravity", "g", r"gravity|erdbeschleunigung|重力加速度"),
+    ("weight", "W G w", r"weight|gewicht|重量"),
+    ("rod_angle", "beta phi varphi psi gamma delta", r"rod angle|obliquity|inclination(?: of the"
+     r" (?:connecting )?rod)?|angle of the (?:connecting )?rod|(?:pleuel|stangen|schwenk"
+     r"|pleuelstangen)winkel"
+     r"|(?:連接棒|コンロッド)の?(?:傾き|傾斜|揺動)?角"),
+    ("crank_angle", "theta vartheta alpha phi varphi", r"crank ?angle|angle of the crank|crank rotation"
+     r"|kurbelwinkel|クランク(?:回転)?角度?"),
+    ("any_force", "F P S Q N K Z",
+     r"(?<!piston )(?<!gas )(?<!rod )(?:forces?|loads?)"
+     r"|(?<!gas)(?<!kolben)(?<!stangen)(?<!pleuel)kraft|力",
+     "", "s S st St cr c l pl rod g G p K k gas kol Gas Kol"),
+    ("piston_force", "F P Q K", r"(?:piston|gas)\s+(?:force|load|effort|thrust)|force on the piston"
+     r"|(?:kolben|gas)-?kraft|(?:ピストン|ガス)力", "g G p K k gas kol Gas Kol"),
+    ("rod_force", "F S Q", r"(?:rod|stangen|pleuel)\w*[ -]*(?:force|thrust|load|kraft)|force (?:in|of"
+    r"|along)"
+     r" the (?:connecting )?rod|(?:連接棒|コンロッド)(?:の)?(?:軸)?力", "s S st St cr c l pl rod"),
+    ("rod", "l L ell", r"length|rod|lang|länge|pleuel|stange|長さ?|連接棒|コンロッド"),
+    ("ratio", "lambda rho varepsilon epsilon", r"ratio|verhältnis|比"),
+    ("volume", "V", r"volume|displacement|hubraum|hubvolumen|容積|排気量"),
+    ("clearance", "V", r"clearance(?: volume)?|compression (?:volume|space)|(?:kompressions"
+    r"|verdichtungs|brenn)"
+     r"(?:raum|volumen)|(?:すきま|隙間|燃焼室)容積", "c k K C 0 cl comp v V"),
+    ("swept", "V", r"swept(?: volume)?|displacement|hubraum|hubvolumen|行程容積|排気量",
+    "h H s S d D st hub"),
+    ("total_volume", "V", r"total volume|whole volume|gesamtvolumen|全容積", "",
+    "c k K C 0 cl comp v V h H s S hub"),
+    ("unbalance", "U", r"unbalance|imbalance|unwucht|不釣り?合い量?"),
+    ("slenderness", "lambda", r"ratio|verhältnis|比"),
+    ("compression", "epsilon varepsilon r R kappa", r"compression ratio|verdichtung(?:sverhältnis)?"
+    r"|圧縮比"),
+    ("efficiency", "eta", r"efficiency|wirkungsgrad|効率"),
+    ("width", "b B w", r"width|breadth|breite|幅"),
+    ("height", "h H", r"height|depth|höhe|高さ"),
+    ("wall", "t s delta", r"thickness|wanddicke|wandstärke|dicke|肉厚|厚さ"),
+    ("line_load", "q w p", r"loads?|last|荷重|per (?:unit )?length"),
+    ("young", "E", r"modulus|elasticity|young|elastizitätsmodul|e-modul|ヤング率|縦弾性係数"),
+    ("first_rate", "c k C K", r"stiffness|rates?|constants?|steifigkeiten|springs?|federn?"
+    r"|ばね定数?", "1 a A I"),
+    ("second_rate", "c k C K", r"stiffness|rates?|constants?|steifigkeiten|springs?|federn?|ばね定数?",
+     "2 b B II"),
+    ("own_length", "l L ell", r"length|länge|長さ?", "1 2 3 a b"),
+    ("own_diameter", "d D", r"diameters?|durchmesser|径", "1 2 3 a b"),
+    ("first_length", "l L ell", r"lengths?|längen?|長さ?", "1 a"),
+    ("first_diameter", "d D", r"diameters?|durchmesser|径", "1 a"),
+    ("density", "rho varrho gamma", r"density|dichte|密度"),
+    ("own_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?|慣性モーメント",
+     "1 2 a b A B"),
+    ("other_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?"
+    r"|慣性モーメント",
+     "1 2 a b A B"),
+    ("decay", "delta sigma alpha", r"decay(?: constant| rate)?|abklingkonstante|abklingkoeffizient"
+    r"|減衰定数"),
+    ("damping", "d c b r k", r"damping(?: constant| coefficient)?|dämpfungs(?:konstante|koeffizient)"
+     r"|dämpfung|減衰係数|dashpot"),
+    ("damping_ratio", "D zeta xi vartheta theta", r"damping(?: ratio| factor)?|dämpfungs(?:grad|maß)"
+    r"|lehr\w*"
+     r"|減衰比"),
+    ("tuning", "eta r beta nu", r"(?:frequency )?ratio|tuning|abstimmung|frequenzverhältnis|振動数比"),
+    ("decrement", "Lambda delta vartheta theta", r"decrement|dekrement|減衰率"),
+    ("order", "i k n nu j x z m", r"\border|ordnung|ordnungszahl|次数?|harmonic|per (?:turn|revolution)"),
+    ("static_deflection", "delta f y x s w", r"deflection|durchsenkung|durchbiegung|einsenkung|たわみ"),
+    ("period", "T tau", r"period|time|dauer|zeit|周期"),
+    ("arm", "s h a d e L l", r"distance|abstand|距離|length|länge|長さ"),
+    ("gyration", "k i r rho", r"gyration|trägheitsradius|trägheitshalbmesser|回転半径"),
+    ("near", "a c", r"distances?|abständen?|abstand|距離"),
+    ("far", "b d", r"distances?|abständen?|abstand|距離"),
+    ("share", "beta b c k kappa epsilon x alpha", r"factor|fraction|share|balance|anteil|grad|割合|率"
+     r"|proportion"),
+    ("rotating", "m M", r"(?:rotating|revolving)(?: mass)?|rotierende(?:n)?(?: masse)?"
+    r"|回転(?:部分の)?質量",
+     "r R rot Rot d dreh k K"),
+    ("reciprocating", "m M", r"(?:reciprocating|oscillating)(?: mass)?|oszillierende(?:n)?(?: masse)?"
+     r"|hin- und hergehende(?:n)?(?: masse)?|往復(?:部分の)?質量", "o O osz Osz osc h H rec p P"),
+    ("pin", "r R", r"radi(?:us|i)|halbmesser|半径|crank throw|crank length", "", "g G b B c w cw A"),
+    ("arm_of_weight", "b e rho R r_g r_G r_b r_c r_w r_cw r_B R_g R_b R_c r_A", r"radi(?:us|i)|halbmesser"
+     r"|半径|distance|abstand|距離|arm"),
+    ("kinetic", "E T K W U E_k E_kin", r"energy|energie|エネルギー?"),
+    ("eccentricity", "e a s r", r"eccentricity|exzentrizität|偏心量?|radius|halbmesser|半径|shift"),
+    ("balance_mass", "B m M", r"mass(?:es)?|masse|weights?|gewicht|質量|おもり"),
+    ("unbalanced", "m M u", r"mass|masse|質量"),
+    ("outer_radius", "R r", r"outer|outside|external|außen(?:radius)?|外半径"),
+    ("inner_radius", "r R", r"inner|inside|internal|innen(?:radius)?|内半径"),
+)  # fmt: skip
+ROLES: Mapping[str, Role] = {
+    name: Role(letters(usual), words(phrase), *map(letters, indices))
+    for name, usual, phrase, *indices in _ENTRIES
+}
+OTHER_LENGTHS = words(
+    r"distance|abstand|spacing|\bpitch|\barm|hebelarm|width|breite|thickness|dicke|height|höhe|depth"
+    r"|距離|間隔|幅|厚さ|高さ|eccentricity|strokes? per"
+)
+"""Words for lengths that play no part here, whatever their letter."""
+(
+    diameter, outer, inner, radius, crank, bending, torque, force, pressure, area, modulus, section,
+    shear, length, stress, shearing, stiffness, mass, inertia, second_section, first_inertia,
+    second_inertia, omega,
+    omega_high, omega_low, rotation, frequency, stroke, cylinders, velocity, fluctuation, swing,
+    power, shift, central, gravity, weight, rod_angle, crank_angle, any_force, piston_force,
+    rod_force, rod, ratio, volume, clearance, swept, total_volume, unbalance, slenderness,
+    compression, efficiency, width, height, wall,
+    line_load, young, first_rate, second_rate, own_length, own_diameter, first_length,
+    first_diameter, density, own_inertia, other_inertia, decay, damping, damping_ratio, tuning,
+    decrement, order, static_deflection, period,
+    arm, gyration, near, far, share, rotating, reciprocating, pin, arm_of_weight, kinetic,
+    eccentricity, balance_mass, unbalanced, outer_radius, inner_radius,
+) = map(Name, ROLES)  # fmt: skip

@@ -1,0 +1,451 @@
+"""Strength of shafts and beams: sections, stresses, bending moments, stiffnesses, equivalent lengths."""
+
+from __future__ import annotations
+
+import re
+
+from symbalance.notes.checking.meant.catalogue.roles import (
+    PI,
+    Quantity,
+    area,
+    bending,
+    diameter,
+    first_diameter,
+    first_length,
+    first_rate,
+    force,
+    height,
+    inner,
+    inner_radius,
+    length,
+    letters,
+    line_load,
+    modulus,
+    outer,
+    outer_radius,
+    own_diameter,
+    own_length,
+    pressure,
+    radius,
+    root,
+    second_rate,
+    second_section,
+    section,
+    shear,
+    shearing,
+    stiffness,
+    stress,
+    torque,
+    wall,
+    width,
+    words,
+    young,
+)
+
+HOLLOW = (
+    r"hollow|\bbored\b|drilled|\bholes?\b|perforat|bohrung|gelocht|穴|\btubes?\b|tubular"
+    r"|\bpipes?\b|annul|\brings?\b|thin[- ]walled|rectang|square (?:section"
+    r"|bar|shaft)"
+    r"|ellip|hexagon|\bI-beam|\bprofile|hohl|rohr|ringquerschnitt|dünnwandig|rechteck|vierkant"
+    r"|quadratisch"
+    r"|sechskant|profil|中空|円管|パイプ|矩形|長方形|角材|角形|楕円|薄肉"
+)
+_NOTCH = (
+    r"notch|fillet|concentration|kerb|切り?欠|応力集中|plastic|plastisch|塑性|semicirc|halbkreis|quarter"
+)
+_SOLID = words(HOLLOW, _NOTCH)
+_ANNULUS = outer**4 - inner**4
+
+_SECTION_AXIAL = (
+    PI * diameter**4 / 64, PI * radius**4 / 4, PI * (outer**4 - inner**4) / 64,
+)  # fmt: skip
+_SECTION_POLAR = (
+    PI * diameter**4 / 32, PI * radius**4 / 2, PI * (outer**4 - inner**4) / 32,
+)  # fmt: skip
+_MODULUS_AXIAL = (
+    PI * diameter**3 / 32, PI * radius**3 / 4, 2 * section / diameter, section / radius,
+    PI * _ANNULUS / (32 * outer),
+)  # fmt: skip
+_MODULUS_POLAR = (
+    PI * diameter**3 / 16, PI * radius**3 / 2, 2 * section / diameter, section / radius,
+    PI * _ANNULUS / (16 * outer),
+)  # fmt: skip
+_BENDING_STRESS = words(r"bending\s+stress(?:es)?", r"flexural\s+stress", r"biegespannung", r"曲げ応力")
+_EQUIVALENT = words(
+    r"(?:equivalent|reduced)\s+stress",
+    r"von[- ]mises(?:\s+stress)?",
+    r"vergleichsspannung",
+    r"ミーゼス(?:の)?(?:相当)?応力",
+    r"相当応力",
+    r"gestaltänderung\w*",
+    r"distortion energy",
+)
+_POLAR_MOMENT = words(
+    r"polar\s+(?:second\s+)?moment(?:\s+of\s+(?:area|inertia|the\s+section))?",
+    r"polares?n?\s+(?:flächen)?(?:trägheits)?moment",
+    r"(?:polar\w* )?torsions(?:flächen)?trägheitsmoment",
+    r"断面二次極モーメント",
+    r"極断面二次モーメント",
+    r"断面極二次モーメント",
+)
+_AREA_MOMENT = words(
+    r"second\s+moment\s+of\s+area",
+    r"area\s+moment(?:\s+of\s+inertia)?",
+    r"flächenträgheitsmoment",
+    r"flächenmoment 2",
+    r"断面二次モーメント",
+)
+_POLAR_MODULUS = words(
+    r"polar\s+section\s+modulus",
+    r"section\s+modulus\s+(?:in|for|of)\s+torsion",
+    r"(?:torsional|torsion)\s+(?:section\s+)?modulus",
+    r"(?:polares?n?|torsions-?)\s*widerstandsmoment",
+    r"widerstandsmoment gegen (?:torsion|verdreh\w*)",
+    r"極断面係数",
+    r"ねじり断面係数",
+)
+_BENDING_MODULUS = words(
+    r"axial\s+section\s+modulus",
+    r"section\s+modulus\s+(?:in|for|of)\s+bending",
+    r"bending\s+(?:section\s+)?modulus",
+    r"section\s+modulus\s+against\s+bending",
+    r"(?:axiales?n?|biege-?)\s*widerstandsmoment",
+    r"widerstandsmoment gegen biegung",
+    r"曲げ(?:に対する|の)?断面係数",
+)
+_TORSIONAL_RATE = words(
+    r"torsional\s+(?:stiffness|spring\s+(?:rate|constant))",
+    r"\bstiffness",
+    r"spring\s+(?:rate|constant)",
+    r"(?:dreh|torsions)(?:feder)?(?:steifigkeit|konstante|rate)",
+    r"drehfeder\w*",
+    r"federkonstante",
+    r"ねじり(?:剛性|こわさ|ばね定数)",
+    r"ばね定数",
+)
+_BORED = words(r"hollow|\bbored\b|tubular|\btubes?\b|hohl|rohr\b|ringquerschnitt|中空|円管|パイプ")
+_SERIES = words(
+    r"(?:springs|connected|shafts|arranged|rates)\s+in\s+series", r"series\s+(?:stiffness|connection)",
+    r"reihenschaltung", r"in\s+reihe(?:\s+geschaltet\w*)?", r"hintereinander\w*",
+    r"直列(?:ばね|接続|結合)?",
+)  # fmt: skip
+_PARALLEL = words(
+    r"(?:springs|connected|shafts|arranged|rates)\s+in\s+parallel",
+    r"parallel\s+(?:springs|stiffness|connection)",
+    r"parallelschaltung", r"parallel\s+geschaltet\w*", r"並列(?:ばね|接続|結合)?",
+)  # fmt: skip
+_NO_ANNULUS = words(
+    r"rectang|square (?:section|bar|shaft)|ellip|hexagon|thin[- ]walled|dünnwandig|薄肉|rechteck|vierkant"
+    r"|sechskant|profil|\bsolid|\bvoll|中実", _NOTCH,
+)  # fmt: skip
+_RECTANGLE = words(r"rectang|rechteck|長方形|矩形|角材|角形断面|flat bar|flachstab")
+_NOT_RECTANGLE = (
+    r"hollow|hohl|中空|\bround|circular|kreis|\brund|円形|丸棒|torsion|polar|composite|profil"
+)
+_CANTILEVER = words(
+    r"cantilever|kragarm|kragträger|freiträger|einseitig eingespannt|片持ち?|overhang|fliegend"
+)
+_SUPPORTED = words(
+    r"simply[- ]supported|on two (?:supports|bearings)|between two (?:supports|bearings)"
+    r"|supported at both"
+    r" ends|zwei (?:stützen|lagern?)|beidseitig gelagert|beiderseits gelagert|zweifach gelagert"
+    r"|単純支持|両端支持"
+)
+_FIXED = words(r"fixed at both ends|built[- ]in at both|clamped at both|beidseitig eingespannt|両端固定")
+_MIDDLE = words(r"middle|mid-?span|cent(?:re|er)|central(?:ly)?|mittig|\bmitte|中央")
+_END_LOAD = words(r"\bend\b|\btip\b|\bende\b|先端|自由端|free end|an der spitze")
+_UNIFORM = words(r"uniform|evenly|gleichm|streckenlast|gleichstreckenlast|等分布|distributed|verteilt")
+_OTHER_BEAM = words(
+    r"fixed at both|built[- ]in at both|clamped at both|beidseitig eingespannt|両端固定"
+    r"|one (?:end )?fixed|propped"
+    r"|quarter|viertel|at a distance|im abstand|continuous|durchlauf|three bearings|drei lager"
+)
+_BENDING_MOMENT = words(
+    r"(?:largest |greatest |maximum |max\. )?bending\s+moment", r"(?:größte[sn]? )?biegemoment",
+    r"(?:最大)?曲げモーメント",
+)  # fmt: skip
+_DEFLECTION = words(r"deflection", r"durchbiegung", r"たわみ量?")
+_BENDING_RATE = words(
+    r"(?:bending |lateral |transverse )?stiffness", r"spring\s+(?:rate|constant)",
+    r"biegefedersteifigkeit",
+    r"biegesteifigkeit", r"federkonstante", r"(?:曲げ)?ばね定数",
+)  # fmt: skip
+
+
+def both(*patterns: re.Pattern[str]) -> re.Pattern[str]:
+    """Return a pattern for texts in which each of some patterns is."""
+    ahead = "".join(rf"(?=.*?(?:{each.pattern}))" for each in patterns)
+    return re.compile(rf"\A{ahead}", re.IGNORECASE | re.DOTALL)
+
+
+STRENGTH: tuple[Quantity, ...] = (
+    Quantity(
+        "torsional stress of a round shaft", letters("tau"),
+        words(r"(?:torsion|twist|shear)\w*\s+stress(?:es)?", r"(?:torsions|schub|verdreh)spannung",
+               r"(?:ねじり|せん断|剪断)応力"),
+        (16 * torque / (PI * diameter**3), 2 * torque / (PI * radius**3), torque / modulus,
+         torque * diameter / (2 * section), torque * radius / section,
+         16 * torque * outer / (PI * _ANNULUS)),
+        context=words(r"torsion|twist|verdreh|drill"
+        r"|ねじり"), unless=words(HOLLOW, _NOTCH, r"\bspring|feder|ばね"),
+    ),
+    Quantity(
+        "bending stress of a round bar", letters("sigma"),
+        _BENDING_STRESS,
+        (32 * bending / (PI * diameter**3), 4 * bending / (PI * radius**3), bending / modulus,
+         bending * diameter / (2 * section), bending * radius / section,
+         32 * bending * outer / (PI * _ANNULUS)),
+        context=words(r"\bbending", r"\bbiegung", r"auf biegung", r"曲げ"),
+        unless=words(HOLLOW, _NOTCH, r"equivalent|vergleich|相当|combined|von mises|tresca"),
+    ),
+    Quantity(
+        "equivalent stress by von Mises", letters("sigma"),
+        _EQUIVALENT,
+        (root(stress**2 + 3 * shearing**2),), slips=("root", "term"),
+        others=(root(stress**2 + 4 * shearing**2),
+                stress / 2 + root(stress**2 + 4 * shearing**2) / 2),
+        unless=words(r"tresca|guest|maximum shear|schubspannungshypothese|最大せん断|rankine"
+        r"|normalspannungs"
+                      r"|トレスカ|\bSH\b|principal|haupt|主応力|saint.venant|bach|anstreng"),
+    ),
+    Quantity(
+        "polar second moment of area of a round section", letters("J I"),
+        _POLAR_MOMENT,
+        _SECTION_POLAR, context=words(r"torsion|twist|verdreh|drehschwing|ねじり"),
+        unless=words(HOLLOW, _NOTCH, r"\bmass\b|massenträg|flywheel"
+        r"|schwungrad"), indices=letters("p t P T pol"),
+    ),
+    Quantity(
+        "axial second moment of area of a round section", letters("I J"),
+        words(r"axial\s+(?:second\s+)?moment(?:\s+of\s+(?:area|inertia))?",
+        r"(?:axiales?n?|äquatoriales?n?)\s+"
+               r"(?:flächen)?(?:trägheits)?moment", r"second moment of area (?:for|in) bending",
+               r"(?:second\s+)?moment of (?:area|inertia)\s+about (?:a|its|the) diameter"),
+        _SECTION_AXIAL, context=words(r"bending|biegung|曲げ"),
+        unless=words(HOLLOW, _NOTCH, r"polar|極|\bmass"
+        r"|massenträg"), indices=letters("a b x y z ax eq"),
+    ),
+    Quantity(
+        "second moment of area of a round section", letters("I J"),
+        _AREA_MOMENT,
+        _SECTION_AXIAL, others=_SECTION_POLAR,
+        unless=words(HOLLOW, _NOTCH, r"polar|極|torsion|ねじり"),
+    ),
+    Quantity(
+        "polar section modulus of a round section", letters("W Z"),
+        _POLAR_MODULUS,
+        _MODULUS_POLAR, unless=_SOLID, context=words(r"torsion|ねじり"),
+        indices=letters("p t P T pol"),
+    ),
+    Quantity(
+        "section modulus of a round section in bending", letters("W Z S"),
+        _BENDING_MODULUS,
+        _MODULUS_AXIAL, context=words(r"bending|biegung|曲げ"),
+        unless=words(HOLLOW, _NOTCH, r"polar|torsion|極|ねじり"), indices=letters("a b x y z ax"),
+    ),
+    Quantity(
+        "section modulus of a round section", letters("W Z S"),
+        words(r"section\s+modulus", r"widerstandsmoment", r"断面係数"),
+        _MODULUS_AXIAL, others=_MODULUS_POLAR, unless=words(HOLLOW, _NOTCH, r"polar|torsion|極"
+        r"|ねじり"),
+    ),
+    Quantity(
+        "torsional stiffness of a round shaft", letters("c k C K"),
+        _TORSIONAL_RATE,
+        (shear * section / length, PI * shear * diameter**4 / (32 * length),
+         PI * shear * radius**4 / (2 * length)),
+        context=words(r"torsion|drehschwing|ねじり"),
+        unless=words(HOLLOW, r"\bhelical|coil|schraubenfeder|コイル|parallel|series|reihe"
+        r"|hintereinander|並列|直列"
+                      r"|bending|biegung|曲げ"),
+    ),
+    Quantity(
+        "angle of twist of a round shaft", letters("phi varphi theta vartheta psi"),
+        words(r"angle\s+of\s+twist", r"twist\s+angle", r"verdreh(?:ungs)?winkel", r"drillwinkel",
+        r"ねじれ角"),
+        (torque * length / (shear * section), 32 * torque * length / (PI * shear * diameter**4),
+         2 * torque * length / (PI * shear * radius**4), torque / stiffness),
+        unless=words(HOLLOW, r"per\s+(?:unit\s+)?length|je länge|比ねじれ|単位長"),
+    ),
+    Quantity(
+        "polar second moment of area of a hollow round section", letters("J I"), _POLAR_MOMENT,
+        (PI * _ANNULUS / 32, PI * (outer_radius**4 - inner_radius**4) / 2), ("factor", "power", "edit"),
+        context=words(r"torsion|verdreh|ねじり"), only=_BORED, unless=_NO_ANNULUS,
+        indices=letters("p t P T pol"),
+    ),
+    Quantity(
+        "second moment of area of a hollow round section", letters("I J"), _AREA_MOMENT,
+        (PI * _ANNULUS / 64, PI * (outer_radius**4 - inner_radius**4) / 4), ("factor", "power", "edit"),
+        others=(PI * _ANNULUS / 32, PI * (outer_radius**4 - inner_radius**4) / 2),
+        only=_BORED, unless=words(_NO_ANNULUS.pattern, r"polar|極|torsion|ねじり"),
+    ),
+    Quantity(
+        "polar section modulus of a hollow round section", letters("W Z"), _POLAR_MODULUS,
+        (PI * _ANNULUS / (16 * outer),), ("factor", "power", "edit"),
+        mistakes=(PI * (outer**3 - inner**3) / 16, PI * _ANNULUS / (16 * inner)),
+        only=_BORED, unless=_NO_ANNULUS,
+    ),
+    Quantity(
+        "section modulus of a hollow round section in bending", letters("W Z S"),
+        words(_BENDING_MODULUS.pattern, r"section\s+modulus", r"widerstandsmoment", r"断面係数"),
+        (PI * _ANNULUS / (32 * outer),), ("factor", "power", "edit"),
+        others=(PI * _ANNULUS / (16 * outer),),
+        mistakes=(PI * (outer**3 - inner**3) / 16, PI * (outer**3 - inner**3) / 32,
+        PI * _ANNULUS / (32 * inner)),
+        only=_BORED, unless=words(_NO_ANNULUS.pattern, r"polar|極|torsion|ねじり"),
+    ),
+    Quantity(
+        "second moment of area of a rectangle", letters("I J"), _AREA_MOMENT,
+        (width * height**3 / 12,), ("factor", "power"),
+        others=(height * width**3 / 12, width * height**3 / 3, height * width**3 / 3),
+        only=_RECTANGLE, unless=words(_NOT_RECTANGLE, r"\bbase\b|grundlinie|底辺"),
+    ),
+    Quantity(
+        "section modulus of a rectangle", letters("W Z S"),
+        words(_BENDING_MODULUS.pattern, r"section\s+modulus", r"widerstandsmoment", r"断面係数"),
+        (width * height**2 / 6,), ("factor", "power"), others=(height * width**2 / 6,),
+        only=_RECTANGLE, unless=words(_NOT_RECTANGLE, r"plastic|plastisch|塑性"),
+    ),
+    Quantity(
+        "bending stress of a rectangular bar", letters("sigma"), _BENDING_STRESS,
+        (6 * bending / (width * height**2),), ("factor", "power"),
+        others=(6 * bending / (height * width**2),),
+        only=_RECTANGLE, unless=words(_NOT_RECTANGLE, r"equivalent|vergleich|相当|plasti"),
+    ),
+    Quantity(
+        "equivalent stress by Tresca", letters("sigma"),
+        words(_EQUIVALENT.pattern, r"tresca(?:\s+stress)?", r"トレスカ(?:の)?(?:相当)?応力"),
+        (root(stress**2 + 4 * shearing**2),), ("root", "term"),
+        mistakes=(root(stress**2 + 3 * shearing**2), root(stress**2 + 2 * shearing**2)),
+        others=(root(stress**2 + 4 * shearing**2) / 2, root(stress**2 / 4 + shearing**2)),
+        only=words(r"tresca|guest\b|maximum shear(?:ing)? stress|schubspannungshypothese"
+        r"|最大せん断応力説|トレスカ"),
+        unless=words(r"von mises|gestaltänderung|distortion|ミーゼス|rankine|normalspannungs"),
+    ),
+    Quantity(
+        "equivalent twisting moment", letters("T M"),
+        words(r"equivalent\s+(?:twisting|torsional)\s+moment", r"equivalent\s+torque",
+              r"相当ねじりモーメント"),
+        (root(bending**2 + torque**2),), ("root", "term"),
+        mistakes=(bending + torque,), others=(root(bending**2 + 3 * torque**2 / 4),
+                                              root(4 * bending**2 / 3 + torque**2)),
+    ),
+    Quantity(
+        "equivalent bending moment", letters("M"),
+        words(r"equivalent\s+bending\s+moment", r"ideelles?\s+biegemoment", r"相当曲げモーメント"),
+        ((bending + root(bending**2 + torque**2)) / 2,), ("factor", "edit"),
+        others=(root(bending**2 + 3 * torque**2 / 4), root(bending**2 + torque**2),
+                3 * bending / 8 + 5 * root(bending**2 + torque**2) / 8),
+        unless=words(r"von mises|gestaltänderung|distortion|ミーゼス"),
+    ),
+    Quantity(
+        "direct stress in a round bar", letters("sigma"),
+        words(r"(?:tensile|compressive|direct|axial)\s+stress", r"(?:zug|druck)spannung",
+              r"(?:引張り?|圧縮|引っ張り)応力"),
+        (4 * force / (PI * diameter**2), force / area, force / (PI * radius**2)),
+        unless=words(HOLLOW, _NOTCH, r"bending|biege|曲げ|thread|gewinde|ねじ|bolts|schrauben|thermal"),
+    ),
+    Quantity(
+        "hoop stress of a thin cylinder", letters("sigma"),
+        words(r"hoop\s+stress", r"circumferential\s+stress", r"(?:umfangs|tangential)spannung",
+              r"(?:フープ|円周|周方向)応力"),
+        (pressure * diameter / (2 * wall), pressure * radius / wall), ("power",),
+        mistakes=(pressure * diameter / (4 * wall), pressure * diameter / wall,
+                  pressure * radius / (2 * wall)),
+        unless=words(r"spher|kugel|球|thick-walled|dickwandig|厚肉|rotating|joint|efficiency"
+        r"|centrifugal"),
+    ),
+    Quantity(
+        "bending moment of a cantilever with a load at its end", letters("M"), _BENDING_MOMENT,
+        (force * length,), ("bare factor", "power"), only=both(_CANTILEVER, _END_LOAD),
+        unless=words(_OTHER_BEAM.pattern, r"uniform|gleichm|streckenlast|等分布|\bmid|\bhalf|\bhalb"
+        r"|middle|mitte|中央"),
+    ),
+    Quantity(
+        "bending moment of a cantilever with a uniform load", letters("M"), _BENDING_MOMENT,
+        (line_load * length**2 / 2, force * length / 2), only=both(_CANTILEVER, _UNIFORM),
+        unless=words(_OTHER_BEAM.pattern, r"triang|dreieck|三角"),
+    ),
+    Quantity(
+        "bending moment of a simply supported beam loaded in the middle", letters("M"), _BENDING_MOMENT,
+        (force * length / 4,), only=both(_SUPPORTED, _MIDDLE),
+        unless=words(r"reaction|auflager|反力|\bhalf\b|\bhalb|半分|each bearing",
+        _OTHER_BEAM.pattern, _UNIFORM.pattern, r"clamped|built[- ]in|\bfixed|eingespannt|固定"
+        r"|cantilever|kragarm|einseitig|片持ち?"),
+    ),
+    Quantity(
+        "bending moment of a simply supported beam with a uniform load", letters("M"), _BENDING_MOMENT,
+        (line_load * length**2 / 8, force * length / 8), only=both(_SUPPORTED, _UNIFORM),
+        unless=words(_OTHER_BEAM.pattern, r"clamped|built[- ]in|\bfixed|eingespannt|固定|cantilever"
+        r"|kragarm|triang|dreieck|三角|片持ち?"),
+    ),
+    Quantity(
+        "bending moment of a beam fixed at both ends and loaded in the middle", letters("M"),
+        _BENDING_MOMENT, (force * length / 8,), only=both(_FIXED, _MIDDLE),
+        unless=words(_UNIFORM.pattern, _SUPPORTED.pattern),
+    ),
+    Quantity(
+        "deflection of a cantilever with a load at its end", letters("f w y delta v"), _DEFLECTION,
+        (force * length**3 / (3 * young * section),), only=both(_CANTILEVER, _END_LOAD),
+        unless=words(_OTHER_BEAM.pattern, _UNIFORM.pattern, r"\bmid|\bhalf|\bhalb|middle|mitte|中央"),
+    ),
+    Quantity(
+        "deflection of a simply supported beam loaded in the middle", letters("f w y delta v"),
+        _DEFLECTION, (force * length**3 / (48 * young * section),), only=both(_SUPPORTED, _MIDDLE),
+        unless=words(_OTHER_BEAM.pattern, _UNIFORM.pattern, r"clamped|built[- ]in|\bfixed|eingespannt"
+        r"|固定|cantilever|kragarm|片持ち?"),
+    ),
+    Quantity(
+        "bending stiffness of a simply supported shaft in its middle", letters("c k C K"), _BENDING_RATE,
+        (48 * young * section / length**3,), only=both(_SUPPORTED, _MIDDLE),
+        unless=words(_OTHER_BEAM.pattern, _UNIFORM.pattern, r"clamped|built[- ]in|\bfixed|eingespannt"
+        r"|固定|cantilever|kragarm|片持ち?"),
+    ),
+    Quantity(
+        "bending stiffness of a cantilever at its end", letters("c k C K"), _BENDING_RATE,
+        (3 * young * section / length**3,), only=_CANTILEVER,
+        unless=words(_OTHER_BEAM.pattern, _UNIFORM.pattern, r"middle|mitte|中央|parallel|two"),
+    ),
+    Quantity(
+        "bearing pressure", letters("p"),
+        words(r"bearing\s+pressure", r"flächenpressung", r"(?:軸受)?面圧", r"軸受圧力"),
+        (force / (diameter * width), force / (diameter * length), force / (2 * radius * width)),
+        ("power",), mistakes=(force / (PI * diameter * width), force / (PI * diameter * length),
+                              4 * force / (PI * diameter**2)),
+        unless=words(r"hertz|ヘルツ|line contact|linienberührung|thrust|axial|spurlager|スラスト|collar"),
+    ),
+    Quantity(
+        "torsional stiffness of a hollow shaft", letters("c k C K"), _TORSIONAL_RATE,
+        (PI * shear * _ANNULUS / (32 * length),), ("factor", "power", "edit"),
+        only=_BORED, unless=words(_NO_ANNULUS.pattern, r"bending|biegung|parallel|series|reihe"),
+    ),
+    Quantity(
+        "stiffness of springs in series", letters("c k C K"),
+        words(_BENDING_RATE.pattern, _SERIES.pattern),
+        (first_rate * second_rate / (first_rate + second_rate), 1 / (1 / first_rate + 1 / second_rate)),
+        ("bare factor", "edit"),
+        mistakes=(first_rate + second_rate, 1 / first_rate + 1 / second_rate,
+                  (first_rate + second_rate) / (first_rate * second_rate)),
+        only=_SERIES, unless=words(r"parallel|並列|complian|nachgiebig|flexibil"),
+    ),
+    Quantity(
+        "stiffness of springs in parallel", letters("c k C K"),
+        words(_BENDING_RATE.pattern, _PARALLEL.pattern),
+        (first_rate + second_rate,), ("bare factor",),
+        mistakes=(first_rate * second_rate / (first_rate + second_rate), first_rate - second_rate,
+                  1 / (1 / first_rate + 1 / second_rate)),
+        only=_PARALLEL, unless=words(r"series|reihe|hintereinander|直列|complian|nachgiebig|flexibil"),
+    ),
+    Quantity(
+        "equivalent length of a shaft", letters("l L ell"),
+        words(r"(?:equivalent|reduced)\s+length", r"reduzierte\s+(?:wellen)?länge", r"ersatzlänge",
+              r"(?:相当|換算|等価)(?:軸)?長さ?"),
+        (own_length * (diameter / own_diameter) ** 4, length * (diameter / own_diameter) ** 4,
+         first_length + own_length * (first_diameter / own_diameter) ** 4,
+         own_length * section / second_section, length * section / second_section),
+        ("power", "edit", "exchange"),
+        together=(("own_length", "own_diameter"), ("first_length", "first_diameter"),
+                  ("own_length", "second_section")),
+        unless=words(r"pendul|pendel|振り子|buckling|knick|座屈|bending|biegung|曲げ"),
+    ),
+)  # fmt: skip

@@ -1,0 +1,179 @@
+"""Work and torque: mean torques and pressures, power, energy of a flywheel and its fluctuation."""
+
+from __future__ import annotations
+
+from symbalance.notes.checking.meant.catalogue.roles import (
+    PI,
+    Quantity,
+    area,
+    cylinders,
+    efficiency,
+    fluctuation,
+    force,
+    inertia,
+    kinetic,
+    letters,
+    mass,
+    omega,
+    omega_high,
+    omega_low,
+    order,
+    power,
+    pressure,
+    radius,
+    rotation,
+    stroke,
+    swing,
+    torque,
+    velocity,
+    volume,
+    words,
+)
+
+_FOUR = words(r"four[- ]stroke|4[- ]stroke|viertakt|4-takt|4ストローク|4サイクル|四サイクル")
+_TWO = words(r"two[- ]stroke|2[- ]stroke|zweitakt|2-takt|2ストローク|2サイクル|二サイクル")
+_CYCLES = (
+    r"working strokes|power strokes|cycles per|arbeitsspiele? (?:je|pro)|explosions|firings|camshaft"
+    r"|nockenwelle"
+    r"|仕事回数"
+)
+_PER_TURN = r"per (?:turn|revolution)|je umdrehung|pro umdrehung|1回転"
+_MEAN_TORQUE = words(
+    r"(?:mean|average)\s+(?:engine\s+)?torque", r"\btorque", r"mittleres?\s+(?:dreh)?moment",
+    r"dreh-?moment",
+    r"平均トルク", r"トルク",
+)  # fmt: skip
+_MEAN_PRESSURE = words(
+    r"(?:brake\s+|indicated\s+)?mean\s+(?:effective\s+)?pressure", r"\b[bi]?mep\b",
+    r"mittlerer?\s+(?:effektiver?\s+|indizierter?\s+)?(?:arbeits|kolben|nutz|innen)?druck",
+    r"mitteldruck", r"(?:正味|図示)?平均有効圧力?",
+)  # fmt: skip
+_POWER = words(
+    r"(?:indicated\s+|brake\s+|effective\s+)(?<!horse)\bpower\b",
+    r"(?<!horse)\bpower\b(?!\s+(?:stroke|cycle))",
+    r"(?:innen|nutz|motor)?leistung", r"(?:正味|図示)?(?:出力|動力)",
+)  # fmt: skip
+_IRREGULARITY = words(
+    r"(?:degree|coefficient)\s+of\s+(?:irregularity|fluctuation|speed fluctuation"
+    r"|cyclic\s+irregularity)",
+    r"cyclic\s+irregularity",
+    r"ungleichförmigkeits?(?:grad)?",
+    r"(?:速度)?変動率",
+    r"回転不整率",
+)
+
+
+WORK: tuple[Quantity, ...] = (
+    Quantity(
+        "power", letters("P N"),
+        words(r"(?<!horse)\bpower\b(?!\s+(?:stroke|series|of\s+[a-z]\b|cycle|law))",
+        r"\bleistung", r"動力", r"出力"),
+        (torque * omega, 2 * PI * rotation * torque, PI * rotation * torque / 30, force * velocity,
+         swing * rotation, swing * rotation / 60),
+        slips=("power", "turn"), unless=words(r"indicated|indiziert|図示|loss|verlust|損失|specific"),
+    ),
+    Quantity(
+        "kinetic energy", letters("E T K W U"),
+        words(r"kinetic\s+energy", r"rotational\s+energy",
+        r"(?:kinetische|rotations|bewegungs)-?\s*energie",
+               r"運動エネルギー?"),
+        (mass * velocity**2 / 2, inertia * omega**2 / 2, mass * radius**2 * omega**2 / 2),
+        unless=words(r"change|fluctuation|swing|schwankung|änderung|変動|rolling|rollen|dis[ck]\b"
+        r"|scheibe|円板|rod|stab|棒"),
+    ),
+    Quantity(
+        "fluctuation of energy", letters("Delta_E E W Delta_W A"),
+        words(r"(?:maximum\s+)?fluctuation\s+of\s+energy", r"energy\s+(?:fluctuation|swing|variation)",
+               r"swing\s+of\s+energy", r"energieschwankung", r"arbeitsüberschuss", r"überschussarbeit",
+               r"エネルギー?(?:の)?変動(?:量)?", r"変動エネルギー?"),
+        (inertia * omega**2 * fluctuation, mass * radius**2 * omega**2 * fluctuation),
+        slips=("bare factor", "power"), unless=words(r"±|plus or minus|amplitude|ausschlag|振幅"),
+    ),
+    Quantity(
+        "moment of inertia of the flywheel", letters("J I Theta"),
+        words(r"fly-?wheel", r"schwungrad\w*", r"はずみ車", r"フライホイール"),
+        (swing / (omega**2 * fluctuation),), slips=("bare factor", "power"),
+        unless=words(r"±|plus or minus|amplitude|ausschlag|振幅"),
+    ),
+    Quantity(
+        "degree of irregularity", letters("delta C epsilon"),
+        _IRREGULARITY,
+        ((omega_high - omega_low) / omega, swing / (inertia * omega**2)),
+        slips=("bare factor", "power", "minus"), others=((omega_high - omega_low) / (2 * omega),),
+        unless=words(r"±|plus or minus|amplitude|ausschlag|振幅|half|halb"),
+    ),
+    Quantity(
+        "mean torque of a four-stroke engine", letters("T M"), _MEAN_TORQUE,
+        (pressure * volume / (4 * PI), pressure * volume * cylinders / (4 * PI),
+         pressure * volume * efficiency / (4 * PI), pressure * volume * cylinders * efficiency / (4 * PI),
+         power / omega, power / (2 * PI * rotation)),
+        ("factor", "turn", "power"), only=_FOUR, unless=words(_TWO.pattern, _PER_TURN), is_told_once=True,
+    ),
+    Quantity(
+        "mean torque of a two-stroke engine", letters("T M"), _MEAN_TORQUE,
+        (pressure * volume / (2 * PI), pressure * volume * cylinders / (2 * PI),
+         pressure * volume * efficiency / (2 * PI), pressure * volume * cylinders * efficiency / (2 * PI),
+         power / omega, power / (2 * PI * rotation)),
+        ("factor", "turn", "power"), only=_TWO, unless=words(_FOUR.pattern, _PER_TURN), is_told_once=True,
+    ),
+    Quantity(
+        "mean effective pressure of a four-stroke engine", letters("p P"), _MEAN_PRESSURE,
+        (4 * PI * torque / volume, 4 * PI * torque / (volume * cylinders),
+        2 * power / (volume * rotation),
+         2 * power / (volume * rotation * cylinders), 120 * power / (volume * rotation)),
+        ("factor", "turn", "power"), only=_FOUR, unless=words(_TWO.pattern, _PER_TURN), is_told_once=True,
+    ),
+    Quantity(
+        "mean effective pressure of a two-stroke engine", letters("p P"), _MEAN_PRESSURE,
+        (2 * PI * torque / volume, 2 * PI * torque / (volume * cylinders), power / (volume * rotation),
+         power / (volume * rotation * cylinders), 60 * power / (volume * rotation)),
+        ("bare factor", "turn", "power"), only=_TWO, unless=words(_FOUR.pattern, _PER_TURN),
+        is_told_once=True,
+    ),
+    Quantity(
+        "mean effective pressure by the work of a cycle", letters("p P"), _MEAN_PRESSURE,
+        (swing / volume,), ("power",),
+        unless=words(r"per (?:turn|revolution)|je umdrehung"),
+    ),
+    Quantity(
+        "power of a four-stroke engine", letters("P N"), _POWER,
+        (pressure * volume * rotation / 2, pressure * volume * rotation * cylinders / 2,
+         pressure * volume * rotation / 120, pressure * volume * rotation * cylinders / 120,
+         pressure * volume * rotation * efficiency / 2,
+         pressure * volume * rotation * cylinders * efficiency / 2,
+         pressure * volume * omega / (4 * PI),
+         pressure * area * stroke * rotation / 2, pressure * area * stroke * rotation * cylinders / 2),
+        ("factor", "turn", "power"), only=_FOUR, unless=words(_TWO.pattern, _CYCLES), is_told_once=True,
+    ),
+    Quantity(
+        "power of a two-stroke engine", letters("P N"), _POWER,
+        (pressure * volume * rotation, pressure * volume * rotation * cylinders,
+         pressure * volume * rotation / 60, pressure * volume * rotation * cylinders / 60,
+         pressure * volume * rotation * efficiency, pressure * volume * rotation * cylinders * efficiency,
+         pressure * volume * omega / (2 * PI),
+         pressure * area * stroke * rotation, pressure * area * stroke * rotation * cylinders),
+        ("bare factor", "turn", "power"), only=_TWO,
+        unless=words(_FOUR.pattern, _CYCLES, r"double[- ]acting|doppeltwirk|複動"), is_told_once=True,
+    ),
+    Quantity(
+        "fluctuation of energy of one harmonic", letters("Delta_E E W Delta_W A"),
+        words(r"(?:maximum\s+)?fluctuation\s+of\s+energy", r"energy\s+(?:fluctuation|swing|variation)",
+              r"energieschwankung", r"arbeitsüberschuss", r"überschussarbeit",
+              r"エネルギー?(?:の)?変動(?:量)?", r"変動エネルギー?"),
+        (2 * torque / order,), ("power",), mistakes=(2 * torque * order, torque * order),
+        others=(torque / order,), unless=words(r"mean torque|mittlere|平均|two harmonics"),
+    ),
+    Quantity(
+        "coefficient of fluctuation by the energy", letters("delta C epsilon"), _IRREGULARITY,
+        (swing / (2 * kinetic), 2 * torque / (order * inertia * omega**2)), ("power",),
+        mistakes=(2 * swing / kinetic,), others=(torque / (order * inertia * omega**2), swing / kinetic),
+        unless=words(r"±|plus or minus|amplitude|ausschlag|振幅|half|halb"),
+    ),
+    Quantity(
+        "work of a turn", letters("W A E"),
+        words(r"work\s+(?:of|in|per|during)\s+(?:one|a|each)\s+(?:turn|revolution)",
+              r"arbeit\s+(?:je|pro|einer)\s+umdrehung", r"1回転(?:あたり|当たり)?の仕事"),
+        (2 * PI * torque,), ("turn", "factor"), unless=words(r"cycle|arbeitsspiel|サイクル|friction"
+        r"|reibung"), mistakes=(PI * torque, 4 * PI * torque),
+    ),
+)  # fmt: skip

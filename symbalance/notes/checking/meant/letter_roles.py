@@ -1,0 +1,171 @@
+"""Which letters of a page may stand for which roles of a standard formula.
+
+By its declared meaning, else by the words right before it anywhere on the page, else as is usual for the
+letter and its subscript: F_g is the force of the gas.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+from symbalance.document.formula import Formula, Name, names
+from symbalance.document.letters import plain_letter
+from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.meant.catalogue import OTHER_LENGTHS, ROLES
+
+UNITS_ONLY = re.compile(r"variable|positive|constant|[^\w]*|[A-Za-z°µ%/^*·0-9² ³⁴⁻¹-]{0,9}")
+"""Declarations that say nothing of what a letter is."""
+_NO_ROLE = frozenset(
+    {"i", "a", "o", "m", "in", "out", "inner", "outer", "innen", "aussen", "außen", "mid"}
+)
+"""Subscripts of a diameter or a radius that is one of two."""
+_OUTER, _INNER = (frozenset(text.split()) for text in ("a o e out outer", "i in inner innen"))
+_OF_TWO = {"outer": (_OUTER, _INNER, "D"), "inner": (_INNER, _OUTER, "d"),
+           "outer_radius": (_OUTER, _INNER, "R"), "inner_radius": (_INNER, _OUTER, "r")}  # fmt: skip
+"""Subscripts of the two diameters of a hollow section; without one D is the larger."""
+_TAGS = re.compile(r"<[^>]*>|\\(?:mathrm|text|it|rm|bf)\b|[${}()\\*_`|\[\]~]")
+_LINKS = re.compile(
+    r"(?:\s|,|:|=|\bof\b|\bthe\b|\bis\b|\ba\b|\bby\b|\bvon\b|\bist\b|\bder\b|\bdie\b|\bdes\b|\bmit\b"
+    r"|\band\b|\bund\b|[をがはのと、])+$",
+    re.I,
+)
+_IS = re.compile(
+    r"\s*(?:be|is|denotes|being|sei|ist|bezeichnet)\s+(?:the|a|der|die|das)\s+"
+    r"((?:[\w-]+ ){0,3}?[\w-]+)(?= of\b| der\b| des\b|[,.;]|\s*$)",
+    re.I,
+)
+"""What a letter is said to be behind it: d is the distance of the supports."""
+
+
+@dataclass
+class LetterRoles:
+    """The roles that the letters of one page may have."""
+
+    text: str
+    _before: dict[str, list[str]] = field(default_factory=dict)
+    _named: dict[str, tuple[frozenset[str], bool]] = field(default_factory=dict)
+
+    def targets(
+        self,
+        formulas: tuple[Formula, ...],
+        claim: Formula,
+        meanings: Mapping[str, str],
+        together: tuple[tuple[str, str], ...] = (),
+        head: str = "",
+    ) -> Iterator[Formula]:
+        """Yield the formulas in the letters of a claim, each letter in a role that it may have.
+
+        Roles that go together have letters of one subscript; "" is the letter that the claim is of.
+        """
+        own = sorted(names(claim))
+        for node in formulas:
+            roles = sorted(names(node))
+            if len(roles) != len(own):
+                continue
+            open_to = [[n for n in own if self.may_be(n, role, meanings)] for role in roles]
+            for letters in _assignments(open_to):
+                pairs = dict(zip(roles, letters, strict=True))
+                if all(_is_of_one_index(pairs, head, *pair) for pair in together):
+                    yield renamed(node, pairs)
+
+    def may_be(self, letter: str, role: str, meanings: Mapping[str, str]) -> bool:
+        """Tell whether a letter may play a role: by its meaning, the words before it, or as is usual."""
+        declared = meanings.get(letter, "")
+        if declared and any(each.words.search(declared) for each in ROLES.values()):
+            return ROLES[role].words.search(declared) is not None
+        if declared and not UNITS_ONLY.fullmatch(declared):
+            return False
+        roles, is_other = self._roles_named(letter)
+        return role in roles if roles else not is_other and _is_usual(letter, role)
+
+    def _roles_named(self, letter: str) -> tuple[frozenset[str], bool]:
+        """Return the roles that words before a letter name, and whether they name another length."""
+        if letter not in self._named:
+            before = set(self.words_before(letter))
+            roles = {
+                name for name, each in ROLES.items() if any(ends_with(each.words, w) for w in before)
+            }
+            is_other = any(ends_with(OTHER_LENGTHS, w) for w in before)
+            self._named[letter] = frozenset(roles), is_other
+        return self._named[letter]
+
+    def is_multiplied(self, letter: str) -> bool:
+        """Tell whether words name a multiple of a letter, a length 2l: then a factor may be meant."""
+        multiple = rf"(?<=[^\W\d_]{{3}})\s[\s$\\(]{{0,4}}\d{{1,9}}\s?{_sign_of(letter)}"
+        return re.search(multiple, self.text) is not None
+
+    def words_before(self, letter: str) -> list[str]:
+        """Return the few words before each place where a letter stands in the text, or what it is said
+        to be behind it.
+        """
+        if letter not in self._before:
+            pattern = rf"(?<![^\W_])(?<!\\){_sign_of(letter)}"
+            phrases = []
+            for match in re.finditer(pattern, self.text):
+                words = _TAGS.sub("", self.text[max(0, match.start() - 60) : match.start()])
+                phrases.append(_LINKS.sub("", words)[-30:])
+                follows = _IS.match(_TAGS.sub("", self.text[match.end() : match.end() + 60]))
+                if follows is not None:
+                    phrases.append(follows[1])
+            self._before[letter] = [words.replace("\n", " ") for words in phrases]
+        return self._before[letter]
+
+
+def _sign_of(letter: str) -> str:
+    """Return a pattern for a letter as a page may write it: \\omega_0, ω_{0}."""
+    stem, _, index = letter.partition("_")
+    signs = {stem, plain_letter(stem), "\\" + stem}
+    tail = rf"_?\{{?{re.escape(index)}\}}?" if index else r"(?!_)"
+    return rf"(?:{'|'.join(map(re.escape, sorted(signs)))}){tail}(?![A-Za-z])"
+
+
+def ends_with(words: re.Pattern[str], text: str) -> bool:
+    """Tell whether a text ends with one of the words."""
+    return any(match.end() == len(text) for match in words.finditer(text))
+
+
+def renamed(node: Formula, letters: Mapping[str, str]) -> Formula:
+    """Return a formula with its roles replaced by letters, all at once."""
+    for role in letters:
+        node = substitute(node, role, Name(f" {role}"))
+    for role, letter in letters.items():
+        node = substitute(node, f" {role}", Name(letter))
+    return node
+
+
+def _assignments(open_to: list[list[str]]) -> Iterator[tuple[str, ...]]:
+    """Yield the ways to give each role a letter of its own."""
+    if not open_to:
+        yield ()
+        return
+    for letter in open_to[0]:
+        rest = [[n for n in each if n != letter] for each in open_to[1:]]
+        for others in _assignments(rest):
+            yield (letter, *others)
+
+
+def _is_of_one_index(pairs: Mapping[str, str], head: str, first: str, second: str) -> bool:
+    """Tell whether two roles have letters of one subscript, if a formula has both."""
+    if second not in pairs or (first and first not in pairs):
+        return True
+    index = (pairs[first] if first else head).partition("_")[2]
+    return pairs[second].partition("_")[2] == index or (not first and index not in ("1", "2", "a", "b"))
+
+
+def _is_usual(letter: str, role: str) -> bool:
+    """Tell whether a letter of which no words say anything stands for a role on most pages."""
+    stem, _, index = letter.partition("_")
+    stem = letter if letter.startswith("Delta_") else stem
+    if role in _OF_TWO:
+        own, other, alone = _OF_TWO[role]
+        return index in own or (stem == alone and index not in other)
+    if role in ("diameter", "radius", "crank") and index in _NO_ROLE:
+        return False
+    usual = ROLES[role]
+    if index and letter in usual.letters:
+        return True
+    if index in usual.others or (usual.indices and index not in usual.indices):
+        return False
+    return stem.rstrip("'") in usual.letters
