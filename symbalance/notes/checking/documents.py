@@ -30,6 +30,7 @@ from symbalance.notes.checking.declared.sidecar import (
 from symbalance.notes.checking.declared.symbol_roles import readable_letters
 from symbalance.notes.checking.declared.symbols import motions_of
 from symbalance.notes.checking.judging.judge import Judge
+from symbalance.notes.checking.page.continued_sums import with_continued_sums
 from symbalance.notes.checking.page.expanded_sums import with_expanded_sums
 from symbalance.notes.checking.page.letters_anew import with_letters_anew
 from symbalance.notes.checking.page.page_data import data_of
@@ -116,6 +117,7 @@ def check(
     page = with_bare_degrees(page, only_named=True)
     page, declarations = with_letters_anew(page, declarations.without_idle(page_letters(page)))
     declarations = with_whole_letters(page, with_time(page, declarations))
+    page = with_continued_sums(page)
     page = with_expanded_sums(page, data_of(page, declarations.symbols_at))
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
     sources = Sources(provider, beside)

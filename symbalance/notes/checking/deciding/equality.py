@@ -14,6 +14,7 @@ from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
 from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.open_sums import goes_on_within
 from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
 from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals
@@ -238,7 +239,7 @@ def _up_to_sign(left: Formula, right: Formula, first: Form, second: Form) -> str
 
 def without_dots(node: Formula) -> tuple[Formula, bool]:
     """Return a formula without the dots at the end of its sums, and whether there were any."""
-    if isinstance(node, formula.Sum):
+    if isinstance(node, formula.Sum) and not goes_on_within(node):
         terms = tuple(t for t in node.terms if not isinstance(t, formula.Dots))
         if not terms and node.terms:  # dots alone are no number: a sum of no terms would be 0
             return node.terms[0], True
