@@ -22,7 +22,8 @@ _OTHER: dict[str, Fraction] = {
     "min": Fraction(60), "h": Fraction(3600), "bar": Fraction(10**5), "K": Fraction(1),
     "cc": Fraction(1, 10**6), "ccm": Fraction(1, 10**6), "oz": Fraction(45359237, 16 * 10**8),
     "Nmm": Fraction(1, 1000), "kNmm": Fraction(1), "gmm": Fraction(1, 10**6), "kgmm": Fraction(1, 1000),
-    "ml": Fraction(1, 10**6), "cl": Fraction(1, 10**5), "kWh": Fraction(36 * 10**5),
+    "mbar": Fraction(100), "hPa": Fraction(100), "daN": Fraction(10), "Ncm": Fraction(1, 100),
+    "Wh": Fraction(3600), "ml": Fraction(1, 10**6), "cl": Fraction(1, 10**5), "kWh": Fraction(36 * 10**5),
     "gcm": Fraction(1, 10**5), "kgcm": Fraction(1, 100),
     "sec": Fraction(1), "ft": Fraction(3048, 10**4), "lb": Fraction(45359237, 10**8),
     "lbs": Fraction(45359237, 10**8), "lbf": Fraction(44482216152605, 10**13),
@@ -66,6 +67,7 @@ _PRESSURES = {
 }
 """Pounds on an area are forces, though a pound is a mass elsewhere."""
 _TURNS |= {"rps": Fraction(2), "rev/s": Fraction(2)}
+_ANGLES = {"deg": Fraction(1, 180)}
 _PLAIN_SURE = word_set("mm cm km kg cc ccm oz rpm kW kHz Hz kN Nm rad lbs lb ft psi kgf mph")
 
 _MOST_PARTS, _LONGEST = 6, 100
@@ -189,8 +191,8 @@ def scale_of(unit: str) -> Scale | None:
     plain = _plain(unit)
     if len(plain) > _LONGEST:
         return None
-    if plain in _TURNS:
-        return _TURNS[plain], True
+    if plain in _TURNS or plain in _ANGLES:
+        return _TURNS.get(plain) or _ANGLES[plain], True
     if plain in _PRESSURES:
         return _PRESSURES[plain], False
     scale, place, power = Fraction(1), 0, 1
@@ -232,13 +234,17 @@ def explained_letters(text: str) -> frozenset[str]:
     return frozenset(m["first"] or m["second"] or m["third"] for m in _EXPLAINED.finditer(text))
 
 
+_SET_ALONE = {"l": "dm^3", "L": "dm^3", "t": "Mg"}
+"""Litres and tonnes, letters elsewhere: read where they are set upright behind a number."""
+
+
 def unit_set_at(text: str, place: int, end: int) -> tuple[str, int] | None:
     """Return the unit in \\mathrm{ } and its kin at a place, and where it ends; None if none begins."""
     match = _SET.match(text, place, end)
     if not match:
         return None
-    if match["word"] in ("l", "L") and text[max(place - 8, 0) : place].rstrip("\\,;: ~")[-1:].isdecimal():
-        return "dm^3", match.end()
+    if match["word"] in _SET_ALONE and text[max(place - 8, 0) : place].rstrip("\\,;: ~")[-1:].isdecimal():
+        return _SET_ALONE[match["word"]], match.end()
     stop = match.end()
     for _ in range(_MOST_PARTS):
         more = _MORE.match(text, stop, end)

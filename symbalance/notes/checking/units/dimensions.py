@@ -53,6 +53,8 @@ _WHOLE_UNITS: dict[str, Dimension] = {
     "gn": _dimension(m=1, s=-2), "mi": _dimension(m=1), "slug": _dimension(kg=1),
     "psi": _dimension(1, -1, -2),
     "mph": _dimension(m=1, s=-1), "knot": _dimension(m=1, s=-1), "knots": _dimension(m=1, s=-1),
+    "mbar": _dimension(1, -1, -2), "hPa": _dimension(1, -1, -2), "daN": _dimension(1, 1, -2),
+    "Ncm": _dimension(1, 2, -2), "Wh": _dimension(1, 2, -2), "kWh": _dimension(1, 2, -2),
     **dict.fromkeys(words("lbf kp kgf"), _dimension(1, 1, -2)),
     **dict.fromkeys(words("hp bhp HP PS"), _dimension(1, 2, -3)),
 }  # fmt: skip
