@@ -1,7 +1,7 @@
 r"""What stands at a brace without a relation: \underbrace{x + x}_{2x} says that x + x = 2x.
 
-A name is a name, \underbrace{m r ω²}_{F}, and words are words. A whole number may be the value, the number
-of the term, or how many terms there are: it is not guessed which.
+A name is a name, \underbrace{m r ω²}_{F}, and words are words. A whole number may be the value, the
+number of the term, or how many terms there are: it is not guessed which.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ _NUMBERED = re.compile(r"\}\s*[_^]\s*\{\s*(?P<number>[0-9])\s*\}")
 
 
 def numbers_its_braces(text: str) -> bool:
-    r"""Tell whether the braces of an equation are numbered from 1, \underbrace{a}_{1} + \underbrace{b}_{2}."""
+    r"""Tell whether the braces of an equation are numbered from 1, {a}_{1} + {b}_{2}."""
     numbers = [int(match["number"]) for match in _NUMBERED.finditer(text)]
     return len(numbers) > 1 and numbers == list(range(1, len(numbers) + 1))
 
@@ -43,7 +43,7 @@ def with_equality_at_brace(
 
 
 def _is_computed(tokens: Sequence[Token], letters: Collection[str]) -> bool:
-    """Tell whether a label is a formula: with an operation, or in the letters that the brace is around."""
+    """Tell whether a label is a formula: with an operation, or in the letters at the brace."""
     kinds = {token.kind for token in tokens}
     if not kinds <= {"number", "name", "op", "function", "open", "close", "sup", "cmd"}:
         return False

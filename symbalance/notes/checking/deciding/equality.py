@@ -154,9 +154,8 @@ def _by_numbers(
         )
     same = [_close(*pair) for _, pair in points]
     if all(same) and (assumptions := _same_square(left, right, first, second)) is not None:
-        return Decision(
-            PROVED, assumptions=(*level.assumptions, *assumptions), level=level, left=first, right=second
-        )
+        assumptions = _with_signs_of_roots(level, first, *assumptions)
+        return Decision(PROVED, assumptions=assumptions, level=level, left=first, right=second)
     if agrees_as_printed(left, right, evaluator.form, level.values, printed=knowledge.printed):
         order = "the digits printed"
         return Decision(
@@ -168,9 +167,8 @@ def _by_numbers(
         )
     assumption = _up_to_sign(left, right, first, second) if any(same) else ""
     if assumption:
-        return Decision(
-            PROVED, assumptions=(*level.assumptions, assumption), level=level, left=first, right=second
-        )
+        assumptions = _with_signs_of_roots(level, first, assumption)
+        return Decision(PROVED, assumptions=assumptions, level=level, left=first, right=second)
     point, pair = points[same.index(False)]
     witness = _witness(point, pair)
     return Decision(REFUTED, level=level, left=first, right=second, witness=witness)
@@ -215,7 +213,14 @@ def _same_square(left: Formula, right: Formula, first: Form, second: Form) -> tu
     bare = [node for node in (left, right) if not _is_root(node)]
     if numbers or not bare:
         return ()
-    return (f"{formula_text(bare[0], plain=True)} ≥ 0",)
+    is_turned = any(isinstance(n, formula.Negative) and _is_root(n.operand) for n in (left, right))
+    other = next((n for n in bare if not isinstance(n, formula.Negative)), bare[0])
+    return (f"{formula_text(other, plain=True)} {'≤' if is_turned else '≥'} 0",)
+
+
+def _with_signs_of_roots(level: Level, form: Form, *assumptions: str) -> tuple[str, ...]:
+    """Return what a comparison of squares rests on: |a| |b| in them is a b where neither is negative."""
+    return tuple(dict.fromkeys((*level.assumptions, *form.domain.assumptions, *assumptions)))
 
 
 def _is_root(node: Formula) -> bool:

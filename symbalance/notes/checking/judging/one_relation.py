@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Constant, Formula, Name, Number, names
+from symbalance.notes.checking.deciding.denied_conditions import decide_within_ranges
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import (
     Decision,
@@ -318,7 +319,8 @@ def _with_signs(
     """Return the decision with the signs that are stated; |x| = x is not so for every x."""
     if not is_of_matrices(left.node, right.node, knowledge):
         decision = decide_with_signs(left, right, sign, decision, knowledge)
-    texts = {f"{plain_text(Name(name))} ≥ 0" for name in state.general}
+        decision = decide_within_ranges(left, right, decision, knowledge, state.general)
+    texts = {f"{plain_text(Name(name))} ≠ 0" for name in state.general}
     least = [text for text in decision.assumptions if text in texts]
     if not least or not decision.is_proved:
         return decision

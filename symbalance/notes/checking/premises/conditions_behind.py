@@ -20,7 +20,7 @@ from symbalance.document.formula import (
     walk,
 )
 from symbalance.notes.algebra.special_values import ANY_WHOLE
-from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY
+from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, sample_ranges
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, StatedRange
 from symbalance.notes.checking.deciding.whole_numbers import orders_in
 from symbalance.notes.checking.words.plain_formulas import plain_text
@@ -148,6 +148,8 @@ def with_conditions(chain: Chain, document: ReadNotes, knowledge: Knowledge) -> 
     meaning = knowledge.meaning
     if conditions.values:
         meaning = replace(meaning, integer=meaning.integer | {ANY_WHOLE})
+    drawn = sample_ranges(conditions.ranges)
+    meaning = replace(meaning, ranges={**meaning.ranges, **drawn})
     return replace(
         knowledge, meaning=meaning, ranges=(*conditions.ranges, *others), definitions=definitions
     )
