@@ -40,7 +40,7 @@ def doubt_of_words_set(text: str, start: int, end: int, limit: int) -> ReadingEr
 
     >>> text = r"2 \cdot 3 = 6\,\text{daX}"
     >>> print(doubt_of_words_set(text, 0, 13, len(text)))
-    at character 13: a unit that is not known: daX; give the value in SI units
+    at character 14: a unit that is not known: daX; give the value in SI units
     >>> doubt_of_words_set(r"2 \cdot 3 = 6\,\text{cylinders}", 0, 13, 31)
     """
     if not text[end - 1 : end].isdecimal() or (match := _SET.match(text, end, limit)) is None:

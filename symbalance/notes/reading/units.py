@@ -238,6 +238,27 @@ _SET_ALONE = {"l": "dm^3", "L": "dm^3", "t": "Mg"}
 """Litres and tonnes, letters elsewhere: read where they are set upright behind a number."""
 
 
+_TO = r"\\(?:to|rightarrow|geq?|leq?|in)(?![A-Za-z])"
+_NUMERATOR = r"(?:[0-9]|\{[^{}]{0,30}[0-9][^{}]{0,30}\})"
+_IN_FORMULAS = re.compile(
+    rf"(?<![0-9][ ~])(?<![0-9])(?<!\bin )\$(?P<lone>[{_UNIT_LETTERS}])\$(?<![0-9]\$\s\$.\$)"
+    rf"|(?<![\w\\])(?<![0-9][ ~])(?P<tending>[{_UNIT_LETTERS}])[ ]?{_TO}"
+    rf"|\\[dt]?frac[ ]?{_NUMERATOR}[ ]?\{{?[ ]?(?P<below>[{_UNIT_LETTERS}])(?=[\s}}$+)=]|$)"
+    rf"|\^(?:\{{[0-9]?)?(?P<bound>[{_UNIT_LETTERS}])(?=[\s}}+$)-])"
+)
+_LONE_SIZE = re.compile(r"(?:=|≈|\\approx(?![A-Za-z]))[ ]?[-−]?[0-9.,]+$")
+
+
+@lru_cache(maxsize=8)
+def letters_in_formulas(text: str) -> frozenset[str]:
+    r"""Return the letters of units that formulas use as letters: $N$, N \to \infty, 1/N, a sum to N.
+
+    >>> sorted(letters_in_formulas(r"the $N$ cylinders, \frac{3}{K}, \mathrm{W}, 3 N, $5$ $m$"))
+    ['K', 'N']
+    """
+    return frozenset(letter for m in _IN_FORMULAS.finditer(text) for letter in m.groups() if letter)
+
+
 def unit_set_at(text: str, place: int, end: int) -> tuple[str, int] | None:
     """Return the unit in \\mathrm{ } and its kin at a place, and where it ends; None if none begins."""
     match = _SET.match(text, place, end)
@@ -341,7 +362,8 @@ class _PlainUnit:
     def is_unit(self, names: Collection[str]) -> bool:
         """Tell whether the word is a unit where these letters are declared."""
         long_parts = [part for part in self.parts if len(part) > 1]
-        if self.parts[0] == "us" or any(part in names for part in long_parts):
+        is_letter = self.parts[0] == "us" or any(part in names for part in long_parts)
+        if is_letter or self._is_letter_of_formulas():
             return False
         is_letters = self._is_declared(names)
         if len(self.word) == 1 and not is_letters and self.word in explained_letters(self.text):
@@ -356,6 +378,16 @@ class _PlainUnit:
             return self._is_gram_or_multiple_of_g()
         is_big = self.word in "NJWK" and self.spaced
         return (is_big or self._is_measured()) and not self._goes_on()
+
+    def _is_letter_of_formulas(self) -> bool:
+        """Tell whether 2N is twice a letter of the page's formulas: no value that is all of a side."""
+        if self.spaced or len(self.parts) > 1 or self.parts[0] not in letters_in_formulas(self.text):
+            return False
+        before = self.text[max(self.place - 20, 0) : self.place]
+        is_last = re.match(
+            r"[ ]?(?:[.,;]?[ \n]|[.,;]?$|\$|\\[,;]|\\\\)", self.text[self.stop : self.end + 1]
+        )
+        return _LONE_SIZE.search(before) is None or is_last is None
 
     def _fills_braces(self) -> bool:
         """Tell whether a count and a letter are all of a group: the 4m^2 of \\frac{b^2}{4m^2}."""
