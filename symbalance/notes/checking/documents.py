@@ -33,6 +33,7 @@ from symbalance.notes.checking.judging.judge import Judge
 from symbalance.notes.checking.page.continued_sums import with_continued_sums
 from symbalance.notes.checking.page.expanded_sums import with_expanded_sums
 from symbalance.notes.checking.page.letters_anew import with_letters_anew
+from symbalance.notes.checking.page.matrix_words import with_matrix_letters
 from symbalance.notes.checking.page.page_data import data_of
 from symbalance.notes.checking.page.time_letters import with_time
 from symbalance.notes.checking.page.whole_letters import with_whole_letters
@@ -116,6 +117,7 @@ def check(
     page = run_within(budget, partial(read_document, text, name, letters, motions))
     page = with_bare_degrees(page, only_named=True)
     page, declarations = with_letters_anew(page, declarations.without_idle(page_letters(page)))
+    declarations = with_matrix_letters(page, declarations)
     declarations = with_whole_letters(page, with_time(page, declarations))
     page = with_continued_sums(page)
     page = with_expanded_sums(page, data_of(page, declarations.symbols_at))

@@ -47,7 +47,7 @@ def decide_within_ranges(
     points = list(_points(left.node, right.node, stated, knowledge, own & {*general}))
     failing = [(point, pair) for point, pair in points if not _is_close(*pair)]
     if stated and len(failing) == len(points) >= FEWEST:
-        texts = " and ".join(f"{r.text} of line {r.line}" for r in stated)
+        texts = " and ".join(dict.fromkeys(f"{r.text} of line {r.line}" for r in stated))
         return _refuted(decision, failing[0], f"not for {texts}: it holds if {condition}")
     if own & {*general} and failing:
         return _refuted(decision, failing[0], f"said of all values, but it holds if {condition}")

@@ -18,6 +18,7 @@ from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.sign_of_letters import decide_with_signs
 from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.deciding.values_in_ranges import decide_where_values
 from symbalance.notes.checking.judging.appeals import appeal
 from symbalance.notes.checking.judging.letters_at_odds import unless_used_anew
 from symbalance.notes.checking.meant.engine_speeds import decide_speed
@@ -32,6 +33,7 @@ from symbalance.notes.checking.motions.listed_values import decide_for_values
 from symbalance.notes.checking.motions.matrix_equations_of_motion import rows_of_motion
 from symbalance.notes.checking.motions.mean_values import decide_by_mean
 from symbalance.notes.checking.page.solutions import solution_below
+from symbalance.notes.checking.premises.conditions_behind import values_behind
 from symbalance.notes.checking.premises.constraints import Constraint
 from symbalance.notes.checking.premises.letter_values import define_letter
 from symbalance.notes.checking.premises.rough_letters import decide_roughly
@@ -40,6 +42,7 @@ from symbalance.notes.checking.steps.dead_centres import value_at_dead_centre
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.mean_piston_speed import mean_piston_speed
 from symbalance.notes.checking.steps.open_cases import case_of_a_letter
+from symbalance.notes.checking.steps.products_of_vectors import decide_products_of_vectors
 from symbalance.notes.checking.steps.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.steps.solved_balances import as_balance_solution
 from symbalance.notes.checking.steps.solved_below import as_proved_solution, as_solved
@@ -86,11 +89,20 @@ def judge_relation(
     if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):
         reason = f"true of the number {name}; here {name} is declared as a letter"
         return Decision(UNDECIDED, reason)
-    kinds = (_by_rows_of_motion,) if of_matrices else (_by_fourier, _by_motion) if is_equality else ()
+    unjudged = decide_products_of_vectors(chain, k, state.document, knowledge)
+    kinds = (
+        ()
+        if unjudged
+        else (_by_rows_of_motion,)
+        if of_matrices
+        else (_by_fourier, _by_motion)
+        if is_equality
+        else ()
+    )
     for by_kind in kinds:
         if (decision := by_kind(state, chain, k, knowledge)) is not None:
             return decision
-    return _judge_equality(state, chain, k, sound, bad, knowledge)
+    return unjudged or _judge_equality(state, chain, k, sound, bad, knowledge)
 
 
 def _judge_equality(
@@ -116,9 +128,9 @@ def _judge_step(
     state: JudgingState, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
 ) -> Verdict | Decision:
     """Return the verdict on a relation that is no definition, as a step or as what is given."""
-    left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
+    left, right = chain.sides[k], chain.sides[k + 1]
     decision, against = _decide_step(state, chain, k, sound, bad, knowledge)
-    decision = _with_signs(state, left, right, sign, decision, knowledge)
+    decision = _with_signs(state, chain, k, decision, knowledge)
     is_settled = is_of_another_size(left.node, right.node, decision)  # nothing else can be meant
     if decision.status in (REFUTED, UNDECIDED) and not is_settled:
         below = None if k else solution_below(state.sections, chain, knowledge)
@@ -314,12 +326,15 @@ def _is_fixed(name: str, knowledge: Knowledge) -> bool:
 
 
 def _with_signs(
-    state: JudgingState, left: Side, right: Side, sign: str, decision: Decision, knowledge: Knowledge
+    state: JudgingState, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
 ) -> Decision:
     """Return the decision with the signs that are stated; |x| = x is not so for every x."""
+    left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
     if not is_of_matrices(left.node, right.node, knowledge):
         decision = decide_with_signs(left, right, sign, decision, knowledge)
         decision = decide_within_ranges(left, right, decision, knowledge, state.general)
+        places = values_behind(chain, state.document)
+        decision = decide_where_values(left, right, decision, knowledge, state.general, places)
     texts = {f"{plain_text(Name(name))} ≠ 0" for name in state.general}
     least = [text for text in decision.assumptions if text in texts]
     if not least or not decision.is_proved:

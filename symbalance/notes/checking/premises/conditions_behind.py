@@ -93,6 +93,22 @@ def equalities_behind(document: ReadNotes) -> frozenset[int]:
     return frozenset(behind)
 
 
+def values_behind(chain: Chain, document: ReadNotes) -> list[tuple[str, Formula]]:
+    """Return the values that a relation is said for by the words right behind it: x/x = 1 for x = 0."""
+    opened = _BEHIND.match(document.text, max(side.span[1] for side in chain.sides))
+    if opened is None:
+        return []
+    return [
+        (other.sides[0].node.name, other.sides[1].node)
+        for other in document.chains
+        if other.sides[0].span[0] == opened.end()
+        and len(other.sides) == 2
+        and other.relations[0].sign == "="
+        and isinstance(other.sides[0].node, Name)
+        and not names(other.sides[1].node)
+    ]
+
+
 def _counts(chain: Chain) -> frozenset[str]:
     """Return the letters of a relation's sums and integrals that may be whole numbers."""
     nodes = [side.node for side in chain.sides]
