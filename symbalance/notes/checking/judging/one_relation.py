@@ -77,7 +77,12 @@ def judge_relation(
     relation = chain.relations[k]
     left, right = chain.sides[k], chain.sides[k + 1]
     of_matrices = is_of_matrices(left.node, right.node, knowledge)
-    if of_matrices and (fault := no_relation_of_matrices(relation.sign, left, right, knowledge)):
+    unjudged = decide_products_of_vectors(chain, k, state.document, knowledge)
+    if (
+        of_matrices
+        and not unjudged
+        and (fault := no_relation_of_matrices(relation.sign, left, right, knowledge))
+    ):
         return Decision(UNDECIDED, fault)
     if relation.sign in SATISFIED_BY:
         if case_of_a_letter(state, chain, k, knowledge):
@@ -89,17 +94,8 @@ def judge_relation(
     if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):
         reason = f"true of the number {name}; here {name} is declared as a letter"
         return Decision(UNDECIDED, reason)
-    unjudged = decide_products_of_vectors(chain, k, state.document, knowledge)
-    kinds = (
-        ()
-        if unjudged
-        else (_by_rows_of_motion,)
-        if of_matrices
-        else (_by_fourier, _by_motion)
-        if is_equality
-        else ()
-    )
-    for by_kind in kinds:
+    kinds = (_by_rows_of_motion,) if of_matrices else (_by_fourier, _by_motion) if is_equality else ()
+    for by_kind in kinds if unjudged is None else ():
         if (decision := by_kind(state, chain, k, knowledge)) is not None:
             return decision
     return unjudged or _judge_equality(state, chain, k, sound, bad, knowledge)
