@@ -36,8 +36,15 @@ def decide_products_of_vectors(
 ) -> Decision | None:
     """Return that a relation with a product of vectors is not judged; None where there is none."""
     left, right = chain.sides[k], chain.sides[k + 1]
-    if _is_open_determinant(left.node, knowledge) and right.node == Number(Fraction(0)):
-        return Decision(CONDITION, "a determinant that is to vanish")
+    if _is_open_determinant(left.node, knowledge):
+        if right.node == Number(Fraction(0)):
+            return Decision(CONDITION, "a determinant that is to vanish")
+        if (
+            isinstance(left.node, Apply)
+            and isinstance(left.node.arguments[0], Name)
+            and not names(right.node)
+        ):
+            return Decision(CONDITION, "the value of a determinant")
     sources = [document.source(side.span) for side in (left, right)]
     is_cross = any(_CROSS.search(source) for source in sources)
     of_matrices = is_of_matrices(left.node, right.node, knowledge)
@@ -50,6 +57,8 @@ def decide_products_of_vectors(
 def _is_open_determinant(node: Formula, knowledge: Knowledge) -> bool:
     """Tell whether a formula is the determinant of letters without values."""
     if not isinstance(node, Apply) or node.function != "det" or not names(node):
+        return False
+    if not names(node).isdisjoint(knowledge.meaning.kinds.identities):
         return False
     parts = walk(node.arguments[0])
     values = (knowledge.definitions[n].node for n in names(node) if n in knowledge.definitions)
