@@ -25,11 +25,22 @@ if TYPE_CHECKING:
 VALUE_DIGITS = 30
 _COUNTS = {
     "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "eight": 8, "zwei": 2, "drei": 3, "vier": 4,
-    "fünf": 5, "sechs": 6, "acht": 8,
+    "fünf": 5, "sechs": 6, "acht": 8, "二": 2, "三": 3, "四": 4, "五": 5, "六": 6, "八": 8, "twin": 2,
 }  # fmt: skip
 _COUNT = "|".join(("[0-9]{1,2}", *_COUNTS))
 _INLINE = re.compile(
-    rf"(?:in-?line|straight)[- ]?({_COUNT})\b|Reihen({_COUNT})zylinder|直列\s*([0-9]{{1,2}})\s*気筒",
+    rf"(?:in-?line|straight)[- ]?({_COUNT})\b|Reihen-?({_COUNT})(?:-?zylinder|(?![\w-]))"
+    rf"|直列\s*({_COUNT})\s*(?:気筒|シリンダ)"
+    rf"|(?<![\w-])({_COUNT})[- ]?(?:cylinders?|throw)[- ](?:in-?line|straight)(?![A-Za-z])"
+    rf"|(?<![\w-])({_COUNT})-?zylinder-?(?:reihenmotor|in\s+Reihe)"
+    rf"|flat-?(?:plane)?[- ]?crank[- ]({_COUNT})\b"
+    rf"|in-?line\s+engine\s+with\s+({_COUNT})\s+cylinders|Reihenmotor\s+mit\s+({_COUNT})\s+Zylindern"
+    rf"|(?<![\w])({_COUNT})\s*気筒\s*直列",
+    re.IGNORECASE,
+)
+_BOXER = re.compile(
+    rf"boxer[- ]({_COUNT})\b|(?<![\w-])flat[- ]({_COUNT})\b|({_COUNT})-?zylinder-?boxer"
+    rf"|水平対向\s*({_COUNT})\s*気筒",
     re.IGNORECASE,
 )
 _VEE = re.compile(r"\bV-?([0-9]{1,2})(?![0-9])|V\s*型\s*([0-9]{1,2})\s*気筒")
@@ -178,10 +189,11 @@ def _by_name(text: str, known: frozenset[str]) -> Iterator[tuple[int, str]]:
 
 def _by_arrangement(text: str, known: frozenset[str]) -> Iterator[tuple[int, str]]:
     """Yield the plain presets of the arrangements that a text names: "V12" with its angle near it."""
-    for match in _INLINE.finditer(text):
-        name = f"inline-{_count(next(group for group in match.groups() if group))}"
-        if name in known:
-            yield match.start(), name
+    for kind, pattern in (("inline", _INLINE), ("boxer", _BOXER)):
+        for match in pattern.finditer(text):
+            name = f"{kind}-{_count(next(group for group in match.groups() if group))}"
+            if name in known:
+                yield match.start(), name
     for match in _VEE.finditer(text):
         around = text[max(0, match.start() - 40) : match.end() + _NEAR]
         angles = {f"v{match[1] or match[2]}-{angle}" for angle in _BANK_ANGLE.findall(around)} & known

@@ -21,11 +21,16 @@ from symbalance.cli.output import for_terminal, medium_of_several, printed, show
 from symbalance.errors import SymbalanceError
 from symbalance.jobs.running import Job, JobOutcome, run_jobs
 from symbalance.jobs.store import JSON, Codec, Store, key_of
-from symbalance.notes.checking.documents import COURSE, IN_FOLDERS
+from symbalance.notes.checking.documents import COURSE, IN_FOLDERS, WEB_PAGES
 from symbalance.notes.checking.reports.document_table import DocumentRow, DocumentTable
 from symbalance.text.files import STANDARD_INPUT
 
 MOST_DOCUMENTS = 10_000
+HANDED_IN = (".pdf", ".docx", ".doc", ".odt", ".rtf", ".pages", ".djvu")
+"""Documents that are no text: what stands in them is not checked, and that is said."""
+MOST_NAMED = 8
+REPORT_SIGN, HEAD = b"<style>\n.symbalance{", 4096
+"""What stands in the first bytes of a web page of ours."""
 
 
 def check_several(options: argparse.Namespace) -> int:
@@ -41,6 +46,7 @@ def check_several(options: argparse.Namespace) -> int:
     form = medium_of_several(options)
     folder = None if options.output in (None, "-") else output_folder(options.output)
     documents = _documents(options.documents, folder)
+    _say_what_is_no_text(options.documents, documents)
     reports: list[Path] = []
     if folder is not None:
         reports = report_paths(folder, _names(documents), form, documents)
@@ -109,9 +115,40 @@ def _inside(folder: Path, output: Path | None) -> list[Path]:
         documents += [
             Path(place, name)
             for name in names
-            if name.endswith(IN_FOLDERS) and not name.startswith(".") and Path(place, name).is_file()
+            if name.casefold().endswith((*IN_FOLDERS, *WEB_PAGES))
+            and not name.startswith(".")
+            and Path(place, name).is_file()
+            and not _is_report(Path(place, name))
         ]
     return sorted(documents, key=_reading_order)
+
+
+def _is_report(path: Path) -> bool:
+    """Tell whether a web page is a report of this program, and no notes."""
+    if not path.name.casefold().endswith(WEB_PAGES):
+        return False
+    try:
+        with path.open("rb") as file:
+            return REPORT_SIGN in file.read(HEAD).replace(b"\r\n", b"\n")
+    except OSError:
+        return False  # said where it is read
+
+
+def _say_what_is_no_text(named: list[str], documents: list[Path]) -> None:
+    """Say which documents of a folder are left out: a PDF without the notes it was made from."""
+    taken = {path.with_suffix("") for path in documents}
+    left = sorted(
+        str(path)
+        for name in named
+        if os.path.isdir(name)
+        for path in Path(name).rglob("*")
+        if path.name.casefold().endswith(HANDED_IN)
+        and path.with_suffix("") not in taken
+        and not any(part.startswith(".") for part in path.relative_to(name).parts)
+    )
+    if left:
+        shown = ", ".join(left[:MOST_NAMED]) + (", …" if len(left) > MOST_NAMED else "")
+        say(f"symbalance: not checked, as they are no text: {shown}")
 
 
 def _reading_order(path: Path) -> tuple[list[str], str]:

@@ -71,7 +71,7 @@ class LatexWriter(FormulaWriter):
 
     dots_sign = "\\cdots"
     plus_minus = {1: r"\pm ", -1: r"\mp "}  # noqa: RUF012 - a table
-    relations = {"≈": r"\approx", "≤": r"\leq", "≥": r"\geq", "≠": r"\neq"}  # noqa: RUF012 - a table
+    relations = {"≈": r"\approx", "≤": r"\leq", "≥": r"\geq", "≠": r"\neq", "≪": r"\ll", "≫": r"\gg"}  # noqa: RUF012 - a table
 
     def __init__(self) -> None:
         super().__init__()

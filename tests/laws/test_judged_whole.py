@@ -61,10 +61,24 @@ def test_a_formula_in_dollars_is_not_cut_at_the_dollar(tail):
     assert verdict.verdict == "unreadable"
 
 
-@pytest.mark.parametrize("head", ["Masse + ", "Kraft · ", "7 times ", "3 % of "])
+@pytest.mark.parametrize("head", ["Masse + ", "Kraft · ", "7 times 3 + ", "twice ", "half of "])
 def test_what_stands_before_is_not_cut_off(head):
-    verdicts = [v.verdict for v in check(f"Nun ist {head}x = x\n", LETTERS).verdicts]
+    verdicts = [v.verdict for v in check(f"Nun ist {head}x + y = x + y\n", LETTERS).verdicts]
     assert verdicts == ["unreadable"]
+
+
+@pytest.mark.parametrize(
+    ("relation", "verdict"),
+    [
+        ("7 times x = 6x + x", "holds"),
+        ("7 times x = 6x + y", "refuted"),
+        ("7 times q = 8·q + 1 − q", "refuted"),
+        ("3 % of x = 0.03 x", "holds"),
+        ("twice x = x + x", "holds"),
+    ],
+)
+def test_a_multiple_in_words_is_a_part_of_its_relation(relation, verdict):
+    assert [v.verdict for v in check(f"Nun ist {relation}\n", LETTERS).verdicts] == [verdict]
 
 
 @pytest.mark.parametrize(

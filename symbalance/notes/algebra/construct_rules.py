@@ -101,14 +101,25 @@ def turning_letter(evaluator: FormEvaluator, form: Form, what: str) -> str:
     """Return the letter that a construct binds without naming it: the angle, or the only one there is."""
     candidates = letters(form)
     angles = {name for rates in evaluator.meaning.rates.values() for name in rates}
+    turned = _letters_within_angles(form)
     for group in (
         [name for name in candidates if name in angles],
+        [name for name in candidates if name in turned],
         [name for name in candidates if is_greek(name) and name not in evaluator.meaning.constant],
         candidates,
     ):
         if len(group) == 1:
             return group[0]
     raise NoFormError(f"{what} that does not say in which letter it is taken")
+
+
+def _letters_within_angles(form: Form) -> set[str]:
+    """Return the letters that a sine or a cosine is taken of: φ in cos φ + λ cos 2φ, and not λ."""
+    generators = form.domain.generators
+    places = {place for part in (form.numerator, form.denominator) for m in part for place, _ in m}
+    waves = [generators[place].content for place in places if generators[place].kind == "exponential"]
+    inner = [generators[place] for wave in waves for place, _ in wave]
+    return {generator.content for generator in inner if generator.kind == "symbol"}
 
 
 # Integrals ----------------------------------------------------------------------------------------
@@ -207,8 +218,19 @@ def _at(evaluator: FormEvaluator, letter: formula.Formula, place: formula.Formul
         raise NoFormError(f"{plain_letter(unused[0])} at a place, its value not put in")
     if not moving and letters(form) and all(n in meaning.constant for n in letters(form)):
         return form
+    if not moving and _is_plain_number(place):
+        raise NoFormError("a value at a place, and the page does not say of which letter")
     name = moving[0] if len(moving) == 1 else turning_letter(evaluator, form, "a value at a place")
     return value_at(evaluator, letter, name, _as_angle(evaluator, name, place))
+
+
+def _is_plain_number(place: formula.Formula) -> bool:
+    """Tell whether a place is a number that is no angle as people write it: 3000, and not 0 or π/2."""
+    return isinstance(place, formula.Number) and abs(place.value) > _LARGEST_ANGLE
+
+
+_LARGEST_ANGLE = 7
+"""A place beyond it, a little over 2π, is no angle in radians."""
 
 
 def _as_angle(evaluator: FormEvaluator, name: str, place: formula.Formula) -> formula.Formula:

@@ -64,8 +64,10 @@ IN_FOLDERS = (
     ".rst",
     ".org",
 )
-"""What is taken for notes in a folder; web pages only by their names, as reports are web pages too."""
-SUFFIXES = (*IN_FOLDERS, ".mediawiki", ".asciidoc", ".rest", ".html", ".htm", ".xhtml")
+"""What is taken for notes in a folder."""
+WEB_PAGES = (".html", ".htm", ".xhtml")
+"""Notes too, in a folder those that are no reports of ours."""
+SUFFIXES = (*IN_FOLDERS, ".mediawiki", ".asciidoc", ".rest", *WEB_PAGES)
 COURSE = "symbols.toml"
 """The file that declares letters for every document of its folder."""
 

@@ -10,14 +10,17 @@ executed as code.
     row_vectors                     rows of values in brackets
     extremes_apart, scanned_letters β max and |M|_max; the letter l that is a 1 in a scan
     words_behind_numbers            what a number is said to be a multiple of
+    multiples_in_words              twice R, half of 88, das 1,17-fache, rの1.172倍 in signs
     continued_lines                 lines that begin with = and go on with the one above
     notebooks, numerals             cells as text; decimal commas, units in words, a scanner's letters
     ranges, joined_dollars          letters that run through values; formulas that dollars cut
     signs, units, letter_names      what signs and commands stand for; units; one name for each letter
     page_marks, function_names      what formats mark around formulas; other languages' names
     and_so_on, division_colons      + etc. for dots; 478 : 4 as a quotient
+    units_behind_waves              1.97 cos φ kN: the unit of a whole side
     greek_words, short_greek        lambda = r/l and cos(2*th) in plain text
     letter_e                        the offset e, told from the number
+    letter_i                        the order i, told from the imaginary unit
     lexer, parser                   one formula's text to tokens, and these to trees
     prose, segmentation             where in a text mathematics stands
     document, result_units          a whole text to its chains; units that stand at a result only

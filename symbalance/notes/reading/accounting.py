@@ -39,9 +39,7 @@ _MEASURED_WORD = re.compile(r"[0-9]\s?[^\W\d_]+\s*$")
 _SETTING = re.compile(r"\\([A-Za-z]+)\s*$")
 _BETWEEN_NUMBERS = r"(?<=[0-9)])(?:\s*(?:=>|⇒|<<|>>)\s*(?=[-−(]?[0-9]))"
 """An arrow from number to number: between relations it says what follows from what, here it claims."""
-_SIGN = re.compile(
-    rf"==|:=|<=(?!>)|>=|!=|∝|\\propto(?![A-Za-z])|[≪≫]|{_BETWEEN_NUMBERS}|{RELATION.pattern}"
-)
+_SIGN = re.compile(rf"==|:=|<=(?!>)|>=|!=|∝|\\propto(?![A-Za-z])|{_BETWEEN_NUMBERS}|{RELATION.pattern}")
 _WORD = r"[^\W\d_][\w'’]*(?:-[^\W\d_]{2}[\w'’]*)*"
 _BEFORE = re.compile(rf"({_WORD}|\S)\s*$")
 _AFTER = re.compile(rf"\s*({_WORD}|\S)")
@@ -49,7 +47,7 @@ _CONSTANT = re.compile(
     r"(?:=|≈|\\approx)\s*(?:\\(?:text|mathrm|mbox|textrm|textit|operatorname)\s*\{\s*)?[ckCK]onst"
     r"(?:ant|\.)?(?![A-Za-z])"
 )
-_SIZE = re.compile(rf"[≪≫]|{_BETWEEN_NUMBERS}")
+_SIZE = re.compile(_BETWEEN_NUMBERS)
 _END_OF_SENTENCE = re.compile(rf"[\n{CELL_END}]|[.;:!?。](?=\s)")
 _ASSIGNED = re.compile(r"^[\w.-]*[A-Za-z][\w.-]+=(?:[\"'\w./#%-]*[A-Za-z\"'][\"'\w./#%-]*)$")
 
@@ -175,8 +173,6 @@ class Account:
             "a setting of TeX": self._is_setting(place),
             "a blank to be filled in": self._is_blank(place),
             "an option or attribute": self._is_option(place) and _is_word(before, names),
-            "said to be small beside another": self.text[place] in "≪≫"
-            and not (before[:1].isdecimal() and after[:1].isdecimal()),
             "words on both sides": _is_word(before, names) and _is_word(after, names),
             "the value of a word that is no declared letter": is_value
             and _is_word(before, names)

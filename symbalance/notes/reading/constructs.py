@@ -351,12 +351,30 @@ def read_place(parser: Parser, letter: Name, first: int) -> Formula | None:
     inside = parser.tokens[start:stop]
     if stop >= len(parser.tokens) or parser.tokens[stop].value != ")" or not _is_a_number(parser, inside):
         return None
-    if parser.choose() == 1:
+    if not _has_other_place(parser, start, stop) and parser.choose() == 1:
         return None
     opener = parser.take()
     place = parser.expression()
     parser.expect_close(opener)
     return Apply("at", (letter, place), span=parser.span_since(first))
+
+
+def _has_other_place(parser: Parser, start: int, stop: int) -> bool:
+    """Tell whether a letter stands at two places of a side, F(3000)/F(6500): nobody writes products so.
+
+    `start` and `stop` are the tokens within the first place's brackets; the letter stands before them.
+    """
+    tokens = parser.tokens
+    name, inside = tokens[start - 2], [token.value for token in tokens[start:stop]]
+    for n, token in enumerate(tokens[:-3]):
+        is_same = token.kind == name.kind and token.value == name.value
+        if not is_same or tokens[n + 1].value != "(" or tokens[n + 1].start != token.end:
+            continue
+        close = next((m for m in range(n + 2, len(tokens)) if tokens[m].kind in ("open", "close")), n + 2)
+        other = [token.value for token in tokens[n + 2 : close]]
+        if tokens[close].value == ")" and other != inside and _is_a_number(parser, tokens[n + 2 : close]):
+            return True
+    return False
 
 
 def read_place_of_derivative(parser: Parser, node: Derivative, first: int) -> Formula:

@@ -16,6 +16,12 @@ from symbalance.notes.reading.sources import CELL_END
 _MARKS = rf"\s$`*_{CELL_END}"
 _OPENING = re.compile(rf"(?:[{_MARKS}&>]|\\\[|\\\(|\\displaystyle(?![A-Za-z])|\\begin\{{[a-z]+\*?\}})*")
 _ENDED = re.compile(rf"(?:[{_MARKS},;&]|\\\]|\\\)|\\\\|\\end\{{[a-z]+\*?\}})*\Z")
+_BETWEEN = re.compile(rf"(?:[{_MARKS},;&]|\\[][()]|\\\\|\\(?:end|begin)\{{[a-z]+\*?\}})*")
+"""Marks between the end of a formula and a sign that goes on with it."""
+_SHORT_UNIT = re.compile(r"(?<![A-Za-z])(?:lbs?|ft|in|oz|sec|min|hrs?|cwt|sq|cu|r\.?p\.?m|h\.?p|deg)$")
+"""Units that are written with a point behind, which ends no sentence there."""
+MOST_LINE_ENDS = 2
+"""Ends of lines between a formula and the = that goes on with it: one empty line."""
 _EMPTY = re.compile(r"(?:[ \t]*\n){3,}")
 
 
@@ -48,11 +54,19 @@ def goes_on_below(text: str, end: int) -> bool:
 
 
 def goes_on_from(text: str, end: int, start: int) -> bool:
-    """Tell whether nothing but marks and at most one line's end stands between two formulas."""
+    r"""Tell whether nothing but marks and at most one empty line stands between two formulas.
+
+    The point of a unit is no end: P = 9842 lbs. and below it = 4.39 tons.
+
+    >>> goes_on_from("P = 9842 lbs.\n  = 4.39 t", 12, 16), goes_on_from("P = 9842.\n  = 4.39 t", 8, 12)
+    (True, False)
+    """
     between = text[end:start]
+    if between[:1] == "." and _SHORT_UNIT.search(text, max(end - 12, 0), end):
+        between = between[1:]
     if (edge := _CELL_EDGE.match(between)) is not None:
         between = between[edge.end() :]
-    return between.count("\n") <= 1 and _ENDED.fullmatch(between) is not None
+    return between.count("\n") <= MOST_LINE_ENDS and _BETWEEN.fullmatch(between) is not None
 
 
 def is_first_side(text: str, start: int, end: int) -> bool:

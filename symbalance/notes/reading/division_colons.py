@@ -27,6 +27,7 @@ _RELATION_BEFORE = re.compile(r"(?:[=≈]|\\approx)[ ~]*$")
 _GOES_ON = re.compile(
     r"[ ~]*(?:\\[,;: ])?(?:[A-Za-z]{1,3}[ ]*)?(?:[=≈+−·×*/]|\\(?:approx|cdot|times)|-[ ])"
 )
+_RATIO_BEHIND = re.compile(rf"[ ~]*[=≈][ ~]*{_NUMBER}(?:[ ]:[ ]|:){_NUMBER}(?![\w:])")
 _TIME = re.compile(r"[0-9]{1,2}:[0-5][0-9]")
 _LABEL = re.compile(
     r"(?:\b(?:[Aa]bb|[Ff]ig|[Tt]ab|[Gg]l|[Ee]q|[Nn]r|[Nn]o|[Kk]ap|[Cc]h|[Ss]ec|[Bb]sp|[Aa]ufg|[Ss]|[Pp])\.?"
@@ -68,9 +69,10 @@ def _divides(text: str, match: re.Match[str]) -> bool:
         return True
     if _GOES_ON.match(text, match.end()) is None:
         return False
-    if _SIGN_BEFORE.search(before):
-        return True
-    if match["colon"] == ":" or _LABEL.search(before.rpartition("\n")[2]):
-        return False
+    is_behind_sign = _SIGN_BEFORE.search(before) is not None
+    if is_behind_sign or _LABEL.search(before.rpartition("\n")[2]):
+        return is_behind_sign
+    if match["colon"] == ":":
+        return _RATIO_BEHIND.match(text, match.end()) is not None
     is_measured = _MEASURED.search(match["first"]) is not None
     return is_measured or (len(match["first"]) > 1 and _WORD_BEFORE.search(before) is None)

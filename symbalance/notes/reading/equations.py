@@ -8,7 +8,7 @@ from functools import cached_property
 from symbalance.document.formula import Formula, Span, names
 from symbalance.notes.reading.notebooks import SUFFIX, cell_place
 
-RELATIONS = ("=", "≈", "<", ">", "≤", "≥", "≡", "≠")
+RELATIONS = ("=", "≈", "<", ">", "≤", "≥", "≡", "≠", "≪", "≫")
 
 
 @dataclass(frozen=True, slots=True)

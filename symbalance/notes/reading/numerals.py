@@ -45,7 +45,9 @@ _OPERAND_AFTER = re.compile(r"[\w(\[\\√½¼¾|{]")
 _FOOT_POUND = r"(?:(?:foot|feet|ft)(?:[ .·‐‑-]){0,2}(?:pounds?|lbs?f?\.?))"
 _SPELLED = (
     ("mm", "millimet(?:er|re)s?"), ("cm", "centimet(?:er|re)s?|Zentimeter"), ("km", "kilomet(?:er|re)s?"),
-    ("m", "met(?:er|re)s?|Meter"), ("kg", "kilogram(?:me)?s?|Kilogramm"), ("g", "gram(?:me)?s?|Gramm"),
+    ("dm^3", "lit(?:er|re)s?|Litern?"), ("ml", "millilit(?:er|re)s?|Millilitern?"), ("bar", "bars"),
+    ("Mg", "metric tons?|tonnes?|Tonnen?"), ("ton", "(?:long |short )?tons?"),
+    ("m", "met(?:er|re)s?|Metern?"), ("kg", "kilogram(?:me)?s?|Kilogramm"), ("g", "gram(?:me)?s?|Gramm"),
     ("ms", "milliseconds?|Millisekunden?"), ("s", "seconds?|Sekunden?"), ("min", "minutes?|Minuten?"),
     ("kN", "kilonewtons?"), ("N", "newtons?"), ("Nm", "newton[ -]?met(?:er|re)s?|Newtonmeter"),
     ("Hz", "hertz"), ("W", "watts?"), ("kW", "kilowatts?"), ("J", "joules?"), ("rad", "radians?|Radiant"),
@@ -90,6 +92,9 @@ _BEHIND_DOLLAR = re.compile(
 )
 """A unit behind the dollar or `\\)` that ends a formula: N m/rad as a whole, but m of `40$ m long`."""
 _NEARLY = re.compile(r"(?<=[\s\w)\]])(?:~=|=~|≈=|=≈)(?=[\s\w(√-])")
+_PLUS_MINUS = re.compile(
+    r"(?<=[0-9A-Za-z)][ ])\+[ ]?/[ ]?[-−](?=[ ]?[0-9A-Za-z(])|(?<=[0-9)])\+/[-−](?=[0-9])"
+)
 _OPENED = {
     "$": re.compile(r"\$[^$\n]*$"),
     "\\)": re.compile(r"\\\((?:(?!\\[()]).)*$"),
@@ -117,6 +122,8 @@ def with_plain_numerals(
     changes |= _scanned(text, is_letter, notes)
     changes |= _dashes(text, notes)
     changes |= {m.start(): (m.end(), "≈") for m in _NEARLY.finditer(text)}
+    changes |= {m.start(): (m.end(), "±") for m in _PLUS_MINUS.finditer(text)}
+    changes |= _powers_before_units(text)
     changes |= _units_in_words(text)
     changes |= _crosses(text)
     changes |= _parts_of(text)
@@ -296,6 +303,22 @@ def _parts_of(text: str) -> dict[int, tuple[int, str]]:
     return changes
 
 
+_POWER_BEFORE_UNIT = re.compile(
+    r"(?<![\w.,\\])(?P<digits>[0-9]{1,9}(?:[.,][0-9]{1,9})?)[eE](?P<sign>[-+]?)0?(?P<power>[0-9]{1,2})"
+    r"(?=[ ~](?P<unit>[A-Za-zµ]{1,4}(?:/[A-Za-z]{1,3}[²³]?)?)(?![A-Za-z0-9_]))"
+)
+
+
+def _powers_before_units(text: str) -> dict[int, tuple[int, str]]:
+    """Return the powers of ten of programs before a unit, 1.2e6 Pa, as those of print."""
+    changes: dict[int, tuple[int, str]] = {}
+    for match in _POWER_BEFORE_UNIT.finditer(text):
+        if scale_of(match["unit"]) is not None:
+            sign = match["sign"].strip("+")
+            changes[match.end("digits")] = (match.end(), f"·10^{{{sign}{match['power']}}}")
+    return changes
+
+
 def _small(digits: str) -> str:
     return "".join({**RAISED, **LOWERED}[digit] for digit in digits)
 
@@ -350,7 +373,31 @@ def _is_surely_decimal(match: re.Match[str], is_usual: bool) -> bool:
         return len(part) != 3 or whole.strip("0") == ""
     if whole.strip("0") == "" and len(part) > 1:
         return True
-    return len(part) != 3 and (is_usual or len(part) > 2)
+    return len(part) != 3 and (is_usual or len(part) > 2 or _is_one_number(match))
+
+
+_UNIT_BEHIND = re.compile(
+    r"(?:[ ~]|\\[,;: ])?(?:\\(?:mathrm|text|textrm)\{)?[ ]?"
+    r"(?P<unit>(?:[kMmcµ]?(?:N|Pa|W|J|m|g|s|Hz)|bar|rad|U|kp|PS|min)(?:[²³]|[ ·]?m)?"
+    r"(?:/(?:[mckM]?[msg]|min|mm|rad)[²³]?)?)"
+    r"(?![A-Za-z0-9_\u00c0-\u024f])"
+)
+_COMPUTED_BESIDE = re.compile(r"[ ~]?(?:[·⋅×*/±^]|\\(?:cdot|times|pm)(?![A-Za-z]))")
+_COMPUTED_BEFORE = re.compile(r"(?:[·⋅×*/±]|\\(?:cdot|times|pm))[ ~]?$")
+
+
+def _is_one_number(match: re.Match[str]) -> bool:
+    """Tell whether a comma stands within one number by its company: a unit, or a sign of multiplication.
+
+    30,2 kN and 42,5 ± 0,5 are no lists; i = 1,2 may be one, and so may 1,2 m without a sign before it.
+    """
+    text, start, end = match.string, match.start(), match.end()
+    before = text[max(start - 8, 0) : start]
+    if _COMPUTED_BESIDE.match(text, end) or _COMPUTED_BEFORE.search(before):
+        return True
+    unit = _UNIT_BEHIND.match(text, end)
+    is_stated = re.search(r"(?:[=≈<>+−-]|\\approx|\()[ ~]?$", before) is not None
+    return unit is not None and is_stated
 
 
 def _follows_formula(text: str, match: re.Match[str]) -> bool:
@@ -405,8 +452,8 @@ def _units_in_words(text: str) -> dict[int, tuple[int, str]]:
             changes[end + 1] = (match.end(), "")
         changes[match.start()] = (end, _unit_sign(unit, bool(dollars)) + dollars)
     for match in _BEHIND_DOLLAR.finditer(text):
-        if match["unit"] in ("l", "L") and is_of_volume(text, match.start()):
-            changes[match.start()] = (match.end(), _unit_sign("dm^3", True) + match["mark"])
+        if match["unit"].split()[0] in ("l", "L") and is_of_volume(text, match.start()):
+            changes[match.start()] = (match.start("unit") + 1, _unit_sign("dm^3", True) + match["mark"])
             continue
         unit = _unit_behind(match["unit"], text[match.end() :][:1])
         if unit and _closes(text, match.start(), match["mark"]):

@@ -258,7 +258,8 @@ class Parser:
             return Name(run_on, span=span)
         if name == "pi":
             return Constant("pi", span=span)
-        if name == "i" or (name == "j" and self.exponentials):
+        is_own = name == "i" and name in self.page_letters
+        if not is_own and (name == "i" or (name == "j" and self.exponentials)):
             return Constant("i", span=span)
         if self.takes_free_letters and may_be_free(
             name, self.tokens, span[0], self.place, self.page_letters
@@ -707,7 +708,9 @@ class Parser:
         if accent == "vec" and name not in self.names and bare in self.names:
             name = bare
             self.note(f"vector {bare} read as {bare}")
-        return self.letter(name, self.span_since(first))
+        letter = self.letter(name, self.span_since(first))
+        place = constructs.read_place(self, letter, first) if isinstance(letter, Name) else None
+        return place or letter
 
     def _accented_difference(self, token: Token) -> Formula:
         """Read \\Delta \\tilde{K}, one letter as ΔK is."""

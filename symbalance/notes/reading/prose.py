@@ -265,14 +265,33 @@ def trim_segment(text: str, start: int, end: int, words: Vocabulary) -> tuple[in
     while start < end and (text[end - 1].isspace() or text[end - 1] in ",;'~&"):
         end -= 1
     end = _before_dash_of_prose(text, start, end)
+    clause = _CLAUSE_BEGUN.search(text, max(start, end - 12), end)
+    if clause and signs.RELATION.search(text, start, clause.start()):
+        end = clause.start()  # s = 88 mm; r is half the stroke
     match = _ARTICLE_LAST.search(text[max(start, end - 4) : end])
     if match and match.group(1) not in words.names and not _ENDS_OPEN.search(text, start, end - 1):
         end -= len(match.group())
         if dash := _DASH_LAST.search(text[max(start, end - 4) : end]):
             end -= len(dash.group())  # "… - a known identity": the dash is the prose's too
-    return _within_brackets(text, start, end)
+    return _behind_quantity(text, *_within_brackets(text, start, end))
 
 
+_IN_BRACKETS = re.compile(
+    r"[0-9][0-9.,]*[ ~]?(?P<before>[^()=≈<>≤≥+*·×^\n]{0,40}?)(?P<gap>[\s,;]*)\((?P<inside>[^()\n]*)\)"
+)
+
+
+def _behind_quantity(text: str, start: int, end: int) -> tuple[int, int]:
+    """Return the span of the relation in brackets behind a number of the prose: 70 mm (r = 35 mm)."""
+    match = _IN_BRACKETS.fullmatch(text, start, end)
+    if match is None or signs.RELATION.search(match["inside"]) is None:
+        return start, end
+    if not match["gap"] and scale_of(match["before"]) is None:
+        return start, end  # 2 f(x = 3)
+    return match.span("inside")
+
+
+_CLAUSE_BEGUN = re.compile(r";\s+[^\W\d_](?:_\w{1,4})?$")
 _SPACED_DASH = re.compile(r"(?<=[^\s=≈<>+\-*/·×(])\s+[–—](?=\s*$)")
 _FIRST_WORD = re.compile(r"\s*([^\W\d_]+)(?:[\s,]|$)")
 

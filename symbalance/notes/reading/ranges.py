@@ -37,6 +37,9 @@ _LIST = re.compile(
 )
 _OPERATOR_BEFORE = re.compile(r"(?:[-+−*/·×^=<>≤≥≈]|\\(?:cdot|times|pm|sum|prod|int|lim)|[_^]\s*\{)\s*$")
 _LONGEST_BEFORE = 12
+_DEGREES = re.compile(r"(?:\s?°|\^\\circ|\^\{\\circ\})$")
+_INDEXED = re.compile(r"[^_]+_\{?[ijkn]\}?")
+_PAIR = 2
 _LENGTHS = frozenset(("mm", "cm", "m"))
 """Units between which a list of values may change."""
 _PROGRAM = re.compile(r"^(`{3,}+|~{3,}+)[^\n]*+\n.*?^\1", re.MULTILINE | re.DOTALL)
@@ -88,10 +91,17 @@ def _listed(match: re.Match[str]) -> str | None:
     rest = match["rest"]
     values = [match["first"], *re.findall(_NUMBER, rest)]
     plain = [value.replace("−", "-").replace("{,}", ".") for value in values]
-    if not all(re.fullmatch(r"-?[0-9.]+", value) for value in plain):
+    bare = [_DEGREES.sub("", value) for value in plain]
+    if not all(re.fullmatch(r"-?[0-9.]+", value) for value in bare):
         return None
-    sizes = [float(value) for value in plain]
-    if sizes != sorted(sizes) or len(set(sizes)) < len(sizes):
+    if _INDEXED.fullmatch(match["letter"]) and not match["dots"]:  # one value for each k
+        sized = sorted(zip(map(float, bare), plain, strict=True))
+        sign = "°" if any(value != part for value, part in zip(plain, bare, strict=True)) else ""
+        lowest, highest = (f"{_DEGREES.sub('', each[1])}{sign}" for each in (sized[0], sized[-1]))
+        is_list = sign and len(values) > _PAIR and lowest != highest
+        return f"{lowest} ≤ {match['letter']} ≤ {highest}" if is_list else None
+    sizes = [float(value) for value in plain] if bare == plain else []
+    if not sizes or sizes != sorted(sizes) or len(set(sizes)) < len(sizes):
         return None
     units = [unit.group() for unit in re.finditer(_UNIT, (match["one"] or "") + rest)]
     if len({re.sub(r"\\[,;: ]|[~\s]", "", unit) for unit in units}) > 1:

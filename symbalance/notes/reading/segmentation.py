@@ -64,6 +64,8 @@ _WORDS_ALONE = re.compile(
 _LONG_WORD = re.compile(r"(?<!\\)\b(?<!\\)[A-Za-z]{4,}")
 _CJK = re.compile("[\u2e80-\u9fff\uac00-\ud7af\uf900-\ufaff]")
 _ROW_OF_TABLE = re.compile(r"[ \t]*\|")
+_QUANTITY_LAST = re.compile(r"(?<![A-Za-z0-9_.,])[0-9][0-9.,]*[ ~]?(?P<unit>[A-Za-zµ/²³·]{1,8})$")
+_QUANTITY_LENGTH = 32
 _RULE = re.compile(r"\s*([-=_*~#+])\1{2,}\s*")
 # Limits for text that is no derivation, so that its cost stays in proportion to its length.
 LONGEST_LINE = 20_000
@@ -297,9 +299,12 @@ class ItemFinder:
         return start + inner.start(1), start + inner.end(1)
 
     def _is_argument_of_word(self, place: int, start: int) -> bool:
-        """Tell f(x) with a word for f from brackets after a word and a space."""
+        """Tell f(x) with a word for f from brackets after a word and a space, or a unit, 5 kg(m = …)."""
         before = self.text[place - 1] if place > start else " "
-        return self.text[place] in "([" and before.isascii() and before.isalnum()
+        if self.text[place] not in "([" or not (before.isascii() and before.isalnum()):
+            return False
+        quantity = _QUANTITY_LAST.search(self.text, max(start, place - _QUANTITY_LENGTH), place)
+        return quantity is None or scale_of(quantity["unit"]) is None
 
     def _items_of_segment(
         self, span: tuple[int, int], line: int, lenient: bool, words: Vocabulary
@@ -620,7 +625,7 @@ _UNKNOWN_UNIT = re.compile(
 )
 _PART_OF = re.compile(r"(?:of|von|de)\b", re.IGNORECASE)
 _JOINED_BEFORE = re.compile(
-    r"(?:(?<=[0-9%)½¼¾²³}$])\s*(?:of|von|de)|\b(?:half|third|quarter|twice) (?:of )?"
+    r"(?:(?<=[0-9%)½¼¾²³}$])\s*(?:of|von|de)|\b(?:(?:half|third|quarter) of|twice)"
     r"|(?:\b|\s)(?:plus|minus|times|mal|divided by|multiplied by|geteilt durch)"
     r"|(?:[0-9$)}\]²³%]|(?<![^\W_])[^\W_])\s+(?:over|durch))$",
     re.IGNORECASE,

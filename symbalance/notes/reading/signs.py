@@ -9,7 +9,7 @@ from symbalance.document.wordlists import word_set, words
 RELATION_SIGNS = {
     "=": "=", "＝": "=", "≈": "≈", "≒": "≈", "≃": "≈", "≅": "≈", "≐": "≈", "∼": "≈", "≑": "≈", "<": "<",
     ">": ">", "≤": "≤", "≥": "≥", "≦": "≤", "≧": "≥", "⩽": "≤", "⩾": "≥", "≡": "≡", "≜": "=", "≔": "=",
-    "≠": "≠",
+    "≠": "≠", "≪": "≪", "≫": "≫",
 }  # fmt: skip
 
 RELATION_COMMANDS = {
@@ -18,7 +18,7 @@ RELATION_COMMANDS = {
     **dict.fromkeys(words("geq ge geqq geqslant"), "≥"),
     **dict.fromkeys(words("triangleq coloneqq coloneq colonequals eqqcolon eqcolon equalscolon"), "="),
     **dict.fromkeys(words("eq defeq shallbe"), "="),
-    "lt": "<", "gt": ">", "equiv": "≡", "neq": "≠", "ne": "≠",
+    "lt": "<", "gt": ">", "equiv": "≡", "neq": "≠", "ne": "≠", "ll": "≪", "gg": "≫",
 }  # fmt: skip
 
 OPERATOR_SIGNS = {

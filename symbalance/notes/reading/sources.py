@@ -21,18 +21,22 @@ from symbalance.notes.reading.function_names import with_function_names
 from symbalance.notes.reading.greek_words import with_greek_words
 from symbalance.notes.reading.joined_dollars import with_joined_dollars, with_units_between_dollars
 from symbalance.notes.reading.letter_e import means_letter, with_number_e
+from symbalance.notes.reading.letter_i import counts_by_i
 from symbalance.notes.reading.macros import expand_macros
 from symbalance.notes.reading.mathml import is_mathml, mathml_text
 from symbalance.notes.reading.memberships import with_memberships
+from symbalance.notes.reading.multiples_in_words import with_multiples_in_signs
 from symbalance.notes.reading.numerals import with_plain_numerals
 from symbalance.notes.reading.operator_words import with_operator_words
 from symbalance.notes.reading.page_marks import with_page_marks
+from symbalance.notes.reading.places_in_brackets import with_places
 from symbalance.notes.reading.ranges import with_ranges
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.row_vectors import with_row_vectors
 from symbalance.notes.reading.scanned_letters import with_scanned_letters
 from symbalance.notes.reading.short_greek import with_short_greek
 from symbalance.notes.reading.systems_in_braces import with_systems
+from symbalance.notes.reading.units_behind_waves import with_units_of_waves
 
 CELL_END = "\ue000"
 """Stands between the cells of a table: no formula goes over it. (A sign that nobody types.)"""
@@ -100,8 +104,9 @@ def prepare(
         reader.apply(_rewritten(reader.text, rules))
     macros = expand_macros(reader.text)
     reader.apply(macros.source)
-    own_letters = frozenset({"e"} if means_letter(reader.text) else ())
-    if own_letters:
+    own_letters = frozenset({"i"} if counts_by_i(reader.text) else ())
+    if means_letter(reader.text):
+        own_letters |= {"e"}
         reader.apply(with_number_e(reader.text))
     if kind in ("tex", "markdown"):
         reader.apply(with_joined_dollars(reader.text))
@@ -109,10 +114,12 @@ def prepare(
         with_row_vectors,
         with_extremes_of_bars,
         with_operator_words,
+        with_multiples_in_signs,
         with_systems,
         with_memberships,
         with_function_names,
         with_dots,
+        with_places,
         with_divisions,
     ):
         reader.apply(rewrite(reader.text))
@@ -124,6 +131,7 @@ def prepare(
     if kind == "plain":
         reader.apply_noted(with_scanned_letters(reader.text))
     reader.apply_noted(with_plain_numerals(reader.text, is_letter))
+    reader.apply(with_units_of_waves(reader.text, is_letter))
     if kind in ("tex", "markdown"):
         reader.apply(with_units_between_dollars(reader.text))
     reader.apply_noted(with_ranges(reader.text))

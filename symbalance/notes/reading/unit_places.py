@@ -17,6 +17,8 @@ from symbalance.notes.reading.equations import Side
 from symbalance.notes.reading.lexer import Token
 
 _DIGITS = re.compile(r"[0-9](?:[0-9.,{}  ]*[0-9])?")
+_LONG = 3
+"""Digits of a whole number that is measured, not a factor."""
 _CLOSE = 0.005
 """Of a number printed: what it is rounded by."""
 
@@ -58,14 +60,18 @@ def with_unit_of_whole(
 def with_units_of_divisors(tokens: Sequence[Token]) -> list[Token]:
     """Return a side's tokens with a divisor's unit beside it: 120 N/4 mm is divided by millimetres.
 
-    Only where what is divided has its own unit: in π·8²/4 cm³ the unit is that of the whole.
+    Only where what is divided has its own unit: in π·8²/4 cm³ the unit is that of the whole. A letter has
+    one, U/31.5 mm, where the divisor is measured: s/2 mm is half a stroke.
     """
     done: list[Token] = []
     place = 0
     while place < len(tokens):
         token = tokens[place]
         behind = tokens[place + 1 : place + 4]
-        is_divisor = token.kind == "number" and token.scale is not None and _ends_in_unit(done)
+        is_divisor = token.kind == "number" and token.scale is not None
+        is_divisor = is_divisor and (
+            _ends_in_unit(done) or (_ends_in_letter(done) and _is_measured(token))
+        )
         if is_divisor and [part.kind for part in behind] == ["open", "number", "close"]:
             opening = Token("open", "(", token.start, token.start)
             closing = Token("close", ")", behind[-1].end, behind[-1].end)
@@ -85,6 +91,18 @@ def _ends_in_unit(tokens: Sequence[Token]) -> bool:
     if before.kind == "number":
         return before.scale is not None
     return before.kind == "close" and len(tokens) > 4 and tokens[-5].scale is not None
+
+
+def _ends_in_letter(tokens: Sequence[Token]) -> bool:
+    """Tell whether a side begins with a letter and a stroke, nothing else."""
+    is_lone = len(tokens) == 2 and tokens[1].is_op("/")
+    return is_lone and tokens[0].kind == "name" and tokens[0].value != "pi"
+
+
+def _is_measured(token: Token) -> bool:
+    """Tell a number as a measurement gives it from the 2, 60 or 1000 of a formula."""
+    digits = str(token.number.numerator).rstrip("0")
+    return token.place is not None or (token.number.denominator == 1 and len(digits) >= _LONG)
 
 
 def _lone_unit_at_end(tokens: Sequence[Token], text: str) -> tuple[int, Token, Formula] | None:

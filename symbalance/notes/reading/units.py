@@ -27,11 +27,12 @@ _OTHER: dict[str, Fraction] = {
     "gcm": Fraction(1, 10**5), "kgcm": Fraction(1, 100),
     "sec": Fraction(1), "ft": Fraction(3048, 10**4), "lb": Fraction(45359237, 10**8),
     "lbs": Fraction(45359237, 10**8), "lbf": Fraction(44482216152605, 10**13),
-    "inch": Fraction(254, 10**4),
+    "inch": Fraction(254, 10**4), "ton": 2240 * Fraction(45359237, 10**8),
     "kp": Fraction(980665, 10**5), "kgf": Fraction(980665, 10**5), "PS": Fraction(73549875, 10**5),
     "psi": Fraction(44482216152605, 10**13) / Fraction(254, 10**4) ** 2, "mph": Fraction(44704, 10**5),
     "mi": Fraction(1609344, 1000), "knot": Fraction(1852, 3600), "knots": Fraction(1852, 3600),
     }  # fmt: skip
+"""A ton is the long one of 2240 lb; where a page converts one, the short and the metric ton count too."""
 _OTHER["slug"] = _OTHER["lbf"] / _OTHER["ft"]
 _HORSEPOWER = 550 * _OTHER["ft"] * _OTHER["lbf"]
 _OTHER |= dict.fromkeys(words("hp bhp HP"), _HORSEPOWER)
@@ -166,6 +167,11 @@ _OF_GRAVITY = re.compile(
 )
 
 
+_LETTER_SET = re.compile(r"(?<![\w\\{^./·*+\-−])(?<![\w\\{^./·*+\-−] )([A-Za-z])(?: ?&)? ?=(?!=)")
+_SUM_BEFORE = re.compile(r"[(\[][^()\[\]\n=]*[+\-−] ?[0-9][0-9.,{}]*(?: |~|\\[,;: ])*$")
+_CLOSED = re.compile(r"(?: |\\right)*[)\]]")
+
+
 @lru_cache(maxsize=8)
 def speaks_of_grams(text: str) -> bool:
     """Tell whether a text weighs in grams, and has no g for the acceleration of gravity.
@@ -257,6 +263,12 @@ def letters_in_formulas(text: str) -> frozenset[str]:
     ['K', 'N']
     """
     return frozenset(letter for m in _IN_FORMULAS.finditer(text) for letter in m.groups() if letter)
+
+
+@lru_cache(maxsize=8)
+def _letters_with_values(text: str) -> frozenset[str]:
+    """Return the single letters that a text sets equal to something: m = 0.7 kg, but not F_m = 3 N."""
+    return frozenset(match[1] for match in _LETTER_SET.finditer(text))
 
 
 def unit_set_at(text: str, place: int, end: int) -> tuple[str, int] | None:
@@ -362,8 +374,10 @@ class _PlainUnit:
     def is_unit(self, names: Collection[str]) -> bool:
         """Tell whether the word is a unit where these letters are declared."""
         long_parts = [part for part in self.parts if len(part) > 1]
-        is_letter = self.parts[0] == "us" or any(part in names for part in long_parts)
-        if is_letter or self._is_letter_of_formulas():
+        is_own = (
+            self.parts[0] == "us" or self._is_own_letter_in_brackets() or self._is_letter_of_formulas()
+        )
+        if is_own or any(part in names for part in long_parts):
             return False
         is_letters = self._is_declared(names)
         if len(self.word) == 1 and not is_letters and self.word in explained_letters(self.text):
@@ -388,6 +402,17 @@ class _PlainUnit:
             r"[ ]?(?:[.,;]?[ \n]|[.,;]?$|\$|\\[,;]|\\\\)", self.text[self.stop : self.end + 1]
         )
         return _LONE_SIZE.search(before) is None or is_last is None
+
+    def _is_own_letter_in_brackets(self) -> bool:
+        """Tell whether a letter of the page ends a sum in brackets: (m_r + 0.5 m) where m = 0.7 kg.
+
+        Of units, each term would have one, or the bracket one behind it.
+        """
+        if len(self.word) > 1 or self.word not in _letters_with_values(self.text):
+            return False
+        opened = _SUM_BEFORE.search(self.text[max(self.place - 80, 0) : self.place])
+        closed = _CLOSED.match(self.text, self.stop, self.end)
+        return opened is not None and closed is not None and not _UNIT_AROUND.search(opened[0])
 
     def _fills_braces(self) -> bool:
         """Tell whether a count and a letter are all of a group: the 4m^2 of \\frac{b^2}{4m^2}."""

@@ -2,6 +2,7 @@
 
     √3 ≈ 1.732 times the first          7200/1800 = 4 times that of one cylinder
     1/4 = 25 % of the first order       √2 ≈ 1.414 mal so groß
+    6/2 = 3 times per revolution        6/2 = 3 mal pro Umdrehung
 
 Both sides are numbers, so the relation is whole without the words. With a letter on a side it is not: F =
 4 times that of one cylinder gives F no value of 4. So it is with 2 + 3 = 5 times the mass, which goes on.
@@ -20,7 +21,16 @@ _NAMED = (
     r"|higher|lower|more|less|faster|slower|longer|shorter|stronger|weaker|so|wie|größer|kleiner|jene[rsmn]?"
     r"|celle|celui|plus|moins)"
 )
-_MULTIPLE = re.compile(rf"(?:times|mal|fois)\s+(?=(?:[^\W\d_]+\s+)??{_NAMED}\b)", re.IGNORECASE)
+_SPAN = (
+    r"(?:per|each|every|pro|je|jede[nrs]?|par|an?|one|in|within|during|im|während|de[rsm]|the)\s+"
+    r"(?:(?:an?|one|each|every|the|eine[mnrs]?|jede[mnrs]?|de[rmns]|full|whole|single|complete|ganzen?|vollen?)\s+){0,3}"
+    r"(?:rev(?:olution)?s?\.?|turns?|rotations?|cycles?|strokes?|seconds?|sec\.?|s|minutes?|min\.?|hours?|days?|period"
+    r"|Umdrehung(?:en)?|Kurbelumdrehung|Umlauf|Arbeitsspiel|Spiel|Takt|Hub|Sekunde|Minute|Stunde|Periode|tour|cycle|seconde)"
+)
+"""In what span of time something happens so many times: per revolution, in one cycle."""
+_MULTIPLE = re.compile(
+    rf"(?:times|mal|fois)\s+(?:(?=(?:[^\W\d_]+\s+)??{_NAMED}\b)|(?={_SPAN}(?![A-Za-z])))", re.IGNORECASE
+)
 _SHARE = re.compile(rf"(?:of|von|de)\s+(?={_NAMED}\b)", re.IGNORECASE)
 _COMPUTED = re.compile(
     r"\b(?:root|square|squared|cube|cubed|sum|difference|product|quotient|ratio|reciprocal|inverse|sine|cosine"

@@ -167,6 +167,8 @@ def _kind_of_statement(
     free = set() if refutation.left is None else set(letters(refutation.left))
     if is_alone and _is_balance_of_unknowns(left, right, knowledge):
         return PREMISE, ""
+    if not k and _is_of_an_angle(left, right, knowledge):
+        return CONDITION, "an equation for an angle"
     if names(right) or not names(left) or not free or _is_of_shifted_waves(left):
         return "", ""
     if free & knowledge.angles:
@@ -182,6 +184,24 @@ def _kind_of_statement(
         return (PREMISE, NUMBERS_PUT_IN) if is_arithmetic and paired(left, right) else (CONDITION, "")
     numeric_letters = {n for n, d in knowledge.definitions.items() if d.numeric}
     return ("", "") if is_zero or names(left) <= numeric_letters else (PREMISE, NUMBERS_PUT_IN)
+
+
+def _is_of_an_angle(left: Formula, right: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a wave of one crank angle is equal to sizes that do not turn: cos θ = −1/(4λ)."""
+    if not isinstance(left, Call) or left.function not in ("sin", "cos", "tan") or not names(right):
+        return False
+    own = names(left)
+    if (
+        len(own) != 1
+        or not own <= knowledge.angles
+        or own & (knowledge.definitions.keys() | names(right))
+    ):
+        return False  # cos 2θ = cos²θ + sin²θ is an identity, and wrong
+    try:
+        sizes = letters(knowledge.evaluator(list(knowledge.levels(left, right))[-1]).form(right))
+    except (NoFormError, TooLargeError):
+        return False
+    return is_simple(left.argument) and not knowledge.angles & {*sizes}
 
 
 def _is_of_shifted_waves(node: Formula) -> bool:

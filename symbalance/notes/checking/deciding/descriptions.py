@@ -65,6 +65,8 @@ SHARE = 0.5
 """At most, of what is left of the relation's budget: the verdict and its correction need the rest."""
 LARGEST_VALUE = Fraction(10) ** 60
 """Of a number that is put right in its digits."""
+PREFIXES, NEARLY_SAME = (1e3, 1e6, 1e-3, 1e-6), 0.005
+"""Of a unit that is wrong where the digits are right: 0.3·4442 = 1333 kN wants 1333 N."""
 REAL = 1e-25
 """Relative: an imaginary part that is only rounded."""
 SHORT_VALUE = 8
@@ -147,7 +149,9 @@ def printed_value(
         except (NoFormError, TooLargeError):
             bare = None
         plain = claim.without_scale()
-        if bare and nearer(bare / plain.size, exact / claimed):
+        ratio = exact / claimed
+        is_of_prefix = any(abs(ratio * size - 1) < NEARLY_SAME for size in PREFIXES)
+        if bare and nearer(bare / plain.size, ratio) and not is_of_prefix:
             return plain, bare, True
     return claim, exact, False
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
 
 from symbalance.document import formula
-from symbalance.document.formula import Formula
+from symbalance.document.formula import Formula, Number
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
@@ -17,7 +17,9 @@ from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.open_sums import goes_on_within
 from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
+from symbalance.notes.checking.deciding.numbers_put_in import may_be_rounded
 from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals
+from symbalance.notes.checking.deciding.substitution import replace_part
 
 NOISE = values.DIGITS - 5
 """Places behind the point at which a number is what computing leaves of 0: a sum of roots of unity."""
@@ -40,6 +42,8 @@ class Decision:
     """The order through which two sides were compared, None for an exact comparison."""
     of_matrices: bool = False
     """Whether the sides are matrices, whose products do not commute."""
+    expanded_in: str = ""
+    """The letter in which both sides are cut off."""
     further: tuple[Form, ...] = ()
     """The exact side cut off one and two orders later: what a repaired side may come to."""
 
@@ -114,20 +118,50 @@ def _at_level(left: Formula, right: Formula, knowledge: Knowledge, level: Level)
             )
         return _by_numbers(left, right, evaluator, (first, second), level, knowledge)
     except NoFormError as problem:
-        return _by_trees(left, right, evaluator.meaning, level, f"no normal form: {problem}")
+        reason = f"no normal form: {problem}"
     except TooLargeError as problem:
-        return _by_trees(left, right, evaluator.meaning, level, f"too large for a normal form: {problem}")
+        reason = f"too large for a normal form: {problem}"
+    return _by_trees(left, right, evaluator.meaning, level, reason, knowledge.printed)
 
 
-def _by_trees(left: Formula, right: Formula, meaning: SymbolValue, level: Level, reason: str) -> Decision:
-    """Return what points in numbers say of two formulas that have no forms: refuted or undecided."""
+def _by_trees(
+    left: Formula,
+    right: Formula,
+    meaning: SymbolValue,
+    level: Level,
+    reason: str,
+    printed: Collection[float],
+) -> Decision:
+    """Return what points in numbers say of two formulas that have no forms: refuted or undecided.
+
+    Two numbers may differ by what the results among the numbers typed are rounded by.
+    """
     points = sample_trees([left, right], meaning)
+    if points and not points[0][0] and _agree_as_typed(left, right, meaning, points[0][1], printed):
+        return Decision(PROVED, order="the digits printed", assumptions=level.assumptions, level=level)
     for point, pair in points:
         if not _close(*pair):
             return Decision(REFUTED, reason, level=level, witness=_witness(point, pair))
     if points:
         return Decision(UNDECIDED, f"equal at {len(points)} points tried; {reason}", level=level)
     return Decision(UNDECIDED, reason, level=level)
+
+
+def _agree_as_typed(
+    left: Formula, right: Formula, meaning: SymbolValue, pair: Sequence[Any], printed: Collection[float]
+) -> bool:
+    """Tell whether two numbers differ by no more than the rounding of the results they are typed with."""
+    margin: Any = 0
+    for node, value in zip((left, right), pair, strict=True):
+        for number in decimals(node):
+            if number.last_place is None or not may_be_rounded(number, printed):
+                continue
+            moved = replace_part(node, number, Number(number.value + number.last_place / 2))
+            there = sample_trees([moved], meaning, 1)
+            if not there:
+                return False
+            margin += abs(there[0][1][0] - value)
+    return bool(margin) and abs(pair[0] - pair[1]) <= margin
 
 
 def _by_numbers(
@@ -156,7 +190,9 @@ def _by_numbers(
     if all(same) and (assumptions := _same_square(left, right, first, second)) is not None:
         assumptions = _with_signs_of_roots(level, first, *assumptions)
         return Decision(PROVED, assumptions=assumptions, level=level, left=first, right=second)
-    if agrees_as_printed(left, right, evaluator.form, level.values, printed=knowledge.printed):
+    if agrees_as_printed(
+        left, right, evaluator.form, level.values, printed=knowledge.printed, counted=knowledge.counted
+    ):
         order = "the digits printed"
         return Decision(
             PROVED, order=order, assumptions=level.assumptions, level=level, left=first, right=second

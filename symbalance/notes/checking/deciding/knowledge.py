@@ -103,6 +103,8 @@ class Knowledge:
     ranges: tuple[StatedRange, ...] = ()
     printed: frozenset[float] = frozenset()
     """The numbers that the page prints as results: put in elsewhere they are rounded."""
+    counted: frozenset[int] = frozenset()
+    """Where numbers end that the page's words count things with, 4 cylinders: they are exact."""
     crank_angles: CrankAngles | None = None
     """The angles of the cylinders that the page lists: what a sum without an index goes over."""
     own_ranges_from: int = 0

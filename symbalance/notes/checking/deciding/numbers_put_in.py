@@ -27,6 +27,8 @@ LONG = 3
 """A decimal of this many digits on the way to a result may itself be rounded."""
 SHORTEST = 2
 """Digits from which on a whole number behind ≈ is meant to the last of them."""
+SHORT, SMALL = 2, 0.01
+"""Digits of a small constant that a formula was left with, 0.00034: its zeros are none."""
 LONGER = 5
 """A term of a sum with this many digits is a result."""
 MOST_FACTORS = 8
@@ -36,6 +38,7 @@ MOST_ZEROS = 40
 _SCALES = (1.0, 1e-3, 1e3, 1e-6, 1e6)
 """A value in mm, kN or MPa is put in as it is typed."""
 _ROUNDING = 1 + 1e-9
+_EXACTLY = 1e-9
 _DEGREES = (15, 18, 22.5, 30, 36, 40, 45, 360 / 7, 54, 60, 72, 75)
 _EXACT = (
     *(math.sqrt(n) for n in (2, 3, 5, 6, 7, 10)),
@@ -60,12 +63,15 @@ def significant_digits(number: Number) -> int:
 def printed_results(document: ReadNotes) -> frozenset[float]:
     """Return the numbers that a page prints as results: behind a relation, but for the sizes it gives.
 
-    A length, a mass or a time that a letter is set equal to is data.
+    A length, a mass or a time that a letter is set equal to is data. The constant of a formula that a
+    page computes, W R N² (2π/60)²/g = 0.00034 W R N², is a result too.
     """
     results: set[float] = set()
     for chain in document.chains:
         for k, side in enumerate(chain.sides[1:], 1):
             node = side.node.operand if isinstance(side.node, Negative) else side.node
+            if (constant := _computed_constant(chain.sides[k - 1].node, node)) is not None:
+                results.add(abs(float(constant.value)))
             node = node.factors[0] if isinstance(node, Product) and not names(node) else node
             is_given = (
                 k == 1
@@ -79,6 +85,41 @@ def printed_results(document: ReadNotes) -> frozenset[float]:
     return frozenset(results)
 
 
+def counted_things(text: str) -> frozenset[int]:
+    """Return where the numbers end that words behind them count things with.
+
+    >>> sorted(counted_things("a gear of 143 teeth for 4 cylinders at 600 rpm"))
+    [13, 25]
+    """
+    return frozenset(match.end("number") for match in _COUNTED.finditer(text))
+
+
+_COUNTED = re.compile(
+    r"(?<![0-9.,])(?P<number>[0-9]{1,9})\$?[ ~]?\$?(?:firing |power |full |Zünd-?|volle )?"
+    r"(?:cylinders?|teeth|tooth|pulses?|firings?|throws?|pistons?|engines?|bolts?|balls?|pieces?|times"
+    r"|Zylinder|Zähnen?|Zündungen|Kolben|Kröpfungen|Stück|気筒|歯|個|本|回(?!転))"
+)
+
+
+def _computed_constant(before: Formula, node: Formula) -> Number | None:
+    """Return the decimal that a formula begins with, where the one before it has none."""
+    first = next(iter(_leading(node)), None)
+    if first is None or first.last_place is None or not (names(node) and names(before)):
+        return None
+    is_computed = not isinstance(before, Name) and not any(
+        isinstance(part, Number) and part.last_place is not None for part in formula.walk(before)
+    )
+    return first if is_computed and significant_digits(first) >= SHORT else None
+
+
+def _leading(node: Formula) -> Iterator[Number]:
+    """Yield the number that a product or quotient begins with."""
+    while isinstance(node, formula.Quotient | Product):
+        node = node.numerator if isinstance(node, formula.Quotient) else node.factors[0]
+    if isinstance(node, Number):
+        yield node
+
+
 _SIZE = re.compile(
     r"[0-9](?:\s|~|\$|\\[,;: ]|\\(?:mathrm|text|textrm)\{|\}\{|\\(?:milli|kilo|centi))*"
     r"(?:[kmcd]?m|k?g|m?s|inch|in|ft|lbs?|\\metre|\\meter|\\gram|\\second)[\s}$.,;]*$"
@@ -87,9 +128,10 @@ _SIZE = re.compile(
 
 def may_be_rounded(number: Number, printed: Collection[float]) -> bool:
     """Tell whether a number in an arithmetic has more digits than it shows: a result, or √3/2."""
-    if significant_digits(number) < LONG:
-        return False
     value, half = abs(float(number.value)), _half(number)
+    if significant_digits(number) < LONG:
+        is_constant = value < SMALL and significant_digits(number) == SHORT
+        return is_constant and number.last_place is not None and value in printed
     if any(_is_same(value, other) for other in printed):
         return True
     return number.last_place is not None and any(abs(c - value) <= half * _ROUNDING for c in _CONSTANTS)

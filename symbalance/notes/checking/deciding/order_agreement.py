@@ -86,17 +86,34 @@ def decide_agreement(
     if exact.is_proved and through is None:
         return exact
     best, levels = exact, list(knowledge.levels(left, right))
+    clear: Decision | None = None
     is_loose = loose or right_is_cut or left_is_cut
     for level in levels:
         decision = _at_level(left, right, knowledge, level, through, is_loose)
         if decision.is_proved:
             return decision
         best = decision
+        if clear is None and _is_clear(decision, knowledge):
+            clear = decision
     if not decimals(left) and not decimals(right):
         best = refuted_by_formulas(
             best, levels, lambda level: _at_level(left, right, knowledge, level, through, is_loose)
         )
-    return exact if best.reason == NO_LETTER and exact.status == REFUTED else best
+    if best.reason == NO_LETTER and exact.status == REFUTED:
+        best = exact
+    return clear if clear is not None and best.status == REFUTED and not is_loose else best
+
+
+def _is_clear(decision: Decision, knowledge: Knowledge) -> bool:
+    """Tell whether a refutation is by the powers of the small letter, and all letters stand on the right.
+
+    That is what a reader can follow: r²/l beside λ, and x beside what it is, say less.
+    """
+    if decision.status != REFUTED or decision.left is None or decision.right is None:
+        return False
+    letter, usual = decision.expanded_in, knowledge.crank.small if knowledge.crank else None
+    is_small = letter in knowledge.small or (usual is not None and letter == usual[0])
+    return is_small and {*values.letters(decision.left)} <= {*values.letters(decision.right)}
 
 
 def _at_level(
@@ -177,13 +194,17 @@ def _as_numbers(
 def _candidates(
     first: Form, second: Form, knowledge: Knowledge, through: int | None
 ) -> Iterator[SmallLetter]:
+    """Yield the letters in which a side may be cut off, the one that is called small first.
+
+    The first refutation is the one that is shown: by the powers of λ, not by those of the r before all.
+    """
     letters = values.letters(first) + values.letters(second)
     usual = knowledge.crank.small if knowledge.crank else None
     if usual is not None and usual[0] in letters:
         order = _order_kept(first, second, *usual)
         if order is not None or through is not None:
             yield SmallLetter(*usual, order if through is None else through)  # type: ignore[arg-type]
-    for letter in dict.fromkeys(letters):
+    for letter in sorted(dict.fromkeys(letters), key=lambda letter: letter not in knowledge.small):
         for sign in (1, -1):
             order = _order_kept(first, second, letter, sign)
             if order and (usual is None or letter != usual[0]):
@@ -262,6 +283,7 @@ def agreement_through(
         right=right_form,
         witness=witness,
         through=small.order,
+        expanded_in=small.letter,
         further=further,
     )
 

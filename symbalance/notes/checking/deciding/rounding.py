@@ -2,9 +2,10 @@
 
 A lone decimal stands for all that is rounded to it, half a unit of its last place to either side. So does
 a decimal of three digits or more that a result is computed from, here or in a line before; shorter ones
-are data, taken as exact. A whole number is exact, unless it is the result of an arithmetic with decimals
-and has three digits. Among letters every coefficient is compared for itself, and may be off by what half
-a unit in the last place of each decimal in it brings.
+are data, taken as exact. A whole number is exact, unless it is the result of an arithmetic with decimals,
+or of a division that does not come out even, and has three digits, or two before a unit. Among letters
+every coefficient is compared for itself, and may be off by what half a unit in the last place of each
+number that is no datum brings.
 """
 
 from __future__ import annotations
@@ -41,6 +42,10 @@ APART = 1.9
 """Times that a decimal of one digit may not be off, though it is rounded to it."""
 LONG = 3
 """A decimal of this many digits on the way to a result may itself be rounded."""
+SHORT_WHOLE = 100
+"""A whole number below it has too few digits to be half a unit short."""
+MEASURED = 2
+"""Digits of a whole number with a unit, at least, that is a result and rounded: 33° for 360°/11."""
 
 
 def decimals(node: Formula) -> list[Number]:
@@ -63,50 +68,97 @@ def agrees_as_printed(
     *,
     generous: bool = False,
     printed: Collection[float] = (),
+    counted: Collection[int] = (),
 ) -> bool:
     """Tell whether two sides agree to the last digits printed; `form_of` gives a side's form.
 
     A lone decimal may be off by half a unit of its last place, and by what the decimals bring that the
     other side is computed from, those of the letters' `values` too; by a whole unit towards zero if
     `generous` (cut off, not rounded). `printed` are the results that the page prints: one that is put in
-    stands for its interval, other numbers are data.
+    stands for its interval, other numbers are data; those that end at `counted` count things.
     """
     typed_left, typed_right = left, right
+    if not generous and any(_counts(side, counted) for side in (left, right)):
+        return False
     left, right = (with_decimals(node, values or {}) for node in (left, right))
-    if not decimals(left) and not decimals(right) and not (_is_result(left) or _is_result(right)):
+    results = (
+        _coefficients(typed_left, typed_right, values or {}),
+        _coefficients(typed_right, typed_left, values or {}),
+    )
+    has_coefficients = any(results)
+    may_round = has_coefficients or _is_result(left) or _is_result(right)
+    if not decimals(left) and not decimals(right) and not may_round:
         return False
-    first, second = form_of(left), form_of(right)
-    if not letters(first) and not letters(second):
-        for node, value, exact, other_side in (
-            (right, second, first, left),
-            (left, first, second, right),
-        ):
-            lone = _lone_decimal(node, other_side, exact, generous)
-            other = _lone_decimal(other_side, node, value, generous)
-            if lone is None or (other is not None and _is_finer(lone, other)):
-                continue  # of two lone decimals the coarser one is the other, rounded
-            if node is left and other is not None and _is_one_of_a_unit(node, lone):
-                continue  # 1 knot is one knot, whatever it comes to in others
-            numbers = _number(value), _number(exact)
-            unit = _unit(node, lone, numbers[0], form_of)
-            typed = typed_left if other_side is left else typed_right
-            is_number = other is not None and _is_bare(other_side)
-            spread = 0 if is_number else _spread(other_side, typed, numbers[1], form_of, printed)
-            return _is_rounded(lone, unit, *numbers, spread, generous)
-        if not names(left) and not names(right) and (_is_bare(left) or _is_bare(right)):
-            return False  # a whole number beside a decimal
-        pairs = ((typed_left, left, typed_right, first), (typed_right, right, typed_left, second))
-        margin: Any = 0
-        for typed, node, opposite, form in pairs:
-            if is_put_in(typed, opposite):
-                margin += margin_of_numbers(node, opposite, form_of, printed)
-            else:
-                margin += _spread(node, typed, _number(form), form_of, printed)
-        gap, size = abs(_number(first) - _number(second)), abs(_number(first))
-        return gap <= margin * (1 + 1e-12) + (size * ROUGHLY if generous else 0) + size * _tiny()
-    if not decimals(left) and not decimals(right):
+    forms = form_of(left), form_of(right)
+    if not any(map(letters, forms)):
+        by_result = _as_result(left, right, (typed_left, typed_right), forms, form_of, generous, printed)
+        if by_result is not None:
+            return by_result
+        return _within_margins(left, right, (typed_left, typed_right), forms, form_of, generous, printed)
+    is_exact = not decimals(left) and not decimals(right) and not has_coefficients
+    if is_exact or not all(form.is_polynomial for form in forms):
         return False
-    return _coefficients_agree(left, right, first, second, form_of)
+    moved = [
+        [form_of(node) for node in _moved(*each)]
+        for each in zip((left, right), (typed_left, typed_right), results, strict=True)
+    ]
+    return _coefficients_agree((left, right), forms, moved)
+
+
+def _as_result(
+    left: Formula,
+    right: Formula,
+    typed: tuple[Formula, Formula],
+    forms: tuple[Form, Form],
+    form_of: Callable[[Formula], Form],
+    generous: bool,
+    printed: Collection[float],
+) -> bool | None:
+    """Tell whether one side is the other, rounded to the decimal it consists of; None where none does."""
+    first, second = forms
+    for node, value, exact, other_side in ((right, second, first, left), (left, first, second, right)):
+        lone = _lone_decimal(node, other_side, exact, generous)
+        other = _lone_decimal(other_side, node, value, generous)
+        if lone is None or (other is not None and _is_finer(lone, other)):
+            continue  # of two lone decimals the coarser one is the other, rounded
+        if node is left and other is not None and _is_one_of_a_unit(node, lone):
+            continue  # 1 knot is one knot, whatever it comes to in others
+        numbers = _number(value), _number(exact)
+        unit = _unit(node, lone, numbers[0], form_of)
+        is_short = lone.last_place == 1 and abs(lone.value) < SHORT_WHOLE
+        if is_short and abs(numbers[1]) > abs(numbers[0]):
+            unit *= 1 - 1e-9  # half of two digits is rounded up: 43.5 is 44
+        is_number = other is not None and _is_bare(other_side) and not _is_in_degrees(node)
+        typed_side = typed[0] if other_side is left else typed[1]
+        spread = 0 if is_number else _spread(other_side, typed_side, numbers[1], form_of, printed)
+        return _is_rounded(lone, unit, *numbers, spread, generous)
+    return None
+
+
+def _within_margins(
+    left: Formula,
+    right: Formula,
+    typed: tuple[Formula, Formula],
+    forms: tuple[Form, Form],
+    form_of: Callable[[Formula], Form],
+    generous: bool,
+    printed: Collection[float],
+) -> bool:
+    """Tell whether two computed sides differ by no more than the rounded numbers in them bring."""
+    if not names(left) and not names(right) and (_is_bare(left) or _is_bare(right)):
+        return False  # a whole number beside a decimal
+    first, second = forms
+    margin: Any = 0
+    for typed_side, node, opposite, form in (
+        (typed[0], left, typed[1], first),
+        (typed[1], right, typed[0], second),
+    ):
+        if is_put_in(typed_side, opposite):
+            margin += margin_of_numbers(node, opposite, form_of, printed)
+        else:
+            margin += _spread(node, typed_side, _number(form), form_of, printed)
+    gap, size = abs(_number(first) - _number(second)), abs(_number(first))
+    return gap <= margin * (1 + 1e-12) + (size * ROUGHLY if generous else 0) + size * _tiny()
 
 
 def with_decimals(node: Formula, values: Mapping[str, Formula]) -> Formula:
@@ -137,6 +189,11 @@ def _is_bare(node: Formula) -> bool:
     return isinstance(node.operand if isinstance(node, Negative) else node, Number)
 
 
+def _counts(node: Formula, counted: Collection[int]) -> bool:
+    """Tell whether a side is a whole number of things."""
+    return isinstance(node, Number) and node.last_place is None and node.span[1] in counted
+
+
 def _is_result(node: Formula) -> bool:
     return _is_bare(node) or _whole_before_unit(node) is not None
 
@@ -152,21 +209,32 @@ def _is_finer(lone: Number, other: Number) -> bool:
     return lone.last_place < other.last_place
 
 
-def _as_printed(number: Number, other_side: Formula, exact: Form, generous: bool) -> Number | None:
-    """Return a whole number as the result it is, of decimals or of a number as 120π: to its units.
+def _as_printed(
+    number: Number, other_side: Formula, exact: Form, generous: bool, fewest: int = LONG
+) -> Number | None:
+    """Return a whole number as the result it is, of decimals, of 120π or of 7000/60: to its units.
 
     Its closing zeros are open behind three digits, 3550 for 3549.5, and all if `generous`.
     """
-    is_rounded = decimals(other_side) or exact.rational() is None
+    ratio = exact.rational()
+    is_divided = ratio is None or (ratio.denominator > 1 and _divides(other_side))
+    is_rounded = decimals(other_side) or is_divided
     if number.value.denominator != 1 or not number.value or not is_rounded:
         return None
     digits = str(abs(number.value.numerator))
-    if not generous and (not LONG <= len(digits) <= LONGEST or _is_bare(other_side)):
+    if not generous and (not fewest <= len(digits) <= LONGEST or _is_bare(other_side)):
         return None
     zeros = len(digits) - len(digits.rstrip("0"))
     if not generous:
-        zeros = min(zeros, len(digits) - LONG)
+        zeros = min(zeros, max(len(digits) - LONG, 0))
     return Number(number.value, Fraction(10**zeros))
+
+
+def _divides(node: Formula) -> bool:
+    """Tell whether an arithmetic of numbers holds a division, as typed: none that a unit brings."""
+    return any(
+        isinstance(part, formula.Quotient) and not _is_unit_factor(part) for part in formula.walk(node)
+    )
 
 
 def _lone_decimal(node: Formula, other_side: Formula, exact: Form, generous: bool) -> Number | None:
@@ -177,8 +245,10 @@ def _lone_decimal(node: Formula, other_side: Formula, exact: Form, generous: boo
         return node if node.last_place is not None else _as_printed(node, other_side, exact, generous)
     if (whole := _whole_before_unit(node)) is not None:
         turns = isinstance(node, formula.Product) and isinstance(node.factors[1], formula.Quotient)
-        own = exact.over(Form.constant(exact.domain, "pi")) if turns else exact  # of rpm: π/30 each
-        return _as_printed(whole, other_side, own, generous)
+        own = (
+            exact.over(Form.constant(exact.domain, "pi")) if turns else exact
+        )  # of rpm and °: π/30 or π/180 each
+        return _as_printed(whole, other_side, own, generous, MEASURED)
     numbers = decimals(node)
     if not isinstance(node, formula.Product) or len(numbers) != 1 or formula.names(node):
         return None
@@ -200,11 +270,19 @@ def _whole_before_unit(node: Formula) -> Number | None:
 
 
 def _is_unit_factor(node: Formula) -> bool:
-    """Tell the factor of a unit, 1/1000 of mm or π/30 of rpm, from a fraction as an author types it."""
+    """Tell the factor of a unit, 1/1000 of mm or π/180 of °, from a fraction as an author types it."""
     if isinstance(node, formula.Quotient):
-        is_turn = node == formula.Quotient(formula.Constant("pi"), Number(Fraction(30)))
+        is_turn = any(
+            node == formula.Quotient(formula.Constant("pi"), Number(Fraction(part))) for part in (30, 180)
+        )
         return is_turn and node.numerator.span == node.denominator.span
     return isinstance(node, Number) and node.last_place is None and node.value.denominator > 1
+
+
+def _is_in_degrees(node: Formula) -> bool:
+    """Tell whether a side is a number of degrees or turns: in radians it was rounded for itself."""
+    whole = node.operand if isinstance(node, Negative) else node
+    return isinstance(whole, formula.Product) and isinstance(whole.factors[-1], formula.Quotient)
 
 
 def _is_small(factor: Formula) -> bool:
@@ -245,8 +323,9 @@ def _spread(
     own = {id(part) for part in formula.walk(typed)}
     for number in _distinct(node):
         assert number.last_place is not None
-        is_open = id(number) not in own or may_be_rounded(number, printed)
-        if significant(number) >= LONG and is_open:
+        is_rounded = may_be_rounded(number, printed)
+        is_open = significant(number) >= LONG and id(number) not in own
+        if is_open or is_rounded:
             off_by_half = Number(number.value + number.last_place / 2, number.last_place)
             total += abs(_number(form_of(replace_part(node, number, off_by_half))) - value)
     return total
@@ -273,22 +352,23 @@ def significant(number: Number) -> int:
 
 
 def _coefficients_agree(
-    left: Formula, right: Formula, first: Form, second: Form, form_of: Callable[[Formula], Form]
+    sides: tuple[Formula, Formula], forms: tuple[Form, Form], moved: list[list[Form]]
 ) -> bool:
-    """Tell whether no coefficient is off by more than half a unit in each decimal's last place brings."""
-    if not (first.is_polynomial and second.is_polynomial):
-        return False
+    """Tell whether no coefficient is off by more than half a unit in each rounded number's last place.
+
+    `moved` are the forms of either side with one of its rounded numbers off by half a unit.
+    """
+    first, second = forms
     domain = first.domain
-    moved = [[form_of(node) for node in _moved(side)] for side in (left, right)]
     if domain.radicals or domain.opaque:
         # a decimal within a root changes the root: no coefficient can be compared for itself
-        if any(significant(number) < SHORTEST for number in (*decimals(left), *decimals(right))):
+        if any(significant(number) < SHORTEST for side in sides for number in decimals(side)):
             return False  # 0.3 would be all between a quarter and 0.35
         return _values_agree(first, second, *moved)
     left_parts, right_parts = _parts(first), _parts(second)
     margins: dict[Any, Any] = {}
-    for forms, parts in zip(moved, (left_parts, right_parts), strict=True):
-        for parts_off in map(_parts, forms):
+    for changed, parts in zip(moved, (left_parts, right_parts), strict=True):
+        for parts_off in map(_parts, changed):
             if parts_off.keys() - parts.keys() and parts.keys() - parts_off.keys():
                 return False  # it stands in an angle, cos 628.3 t: moved, the wave is another one
             for key in {*parts, *parts_off}:
@@ -304,12 +384,81 @@ def _coefficients_agree(
     return True
 
 
-def _moved(side: Formula) -> Iterator[Formula]:
-    """Yield a side with each of its decimals off by half a unit of its last place, a letter's once."""
+def _moved(side: Formula, typed: Formula, coefficients: Collection[Number]) -> Iterator[Formula]:
+    """Yield a side with each of its rounded numbers off by half a unit, a letter's once.
+
+    Data are exact as they are among numbers alone: the short decimals that letters stand for or that
+    stand beside them, and those in a product of numbers. `coefficients` are rounded whole numbers.
+    """
+    factors = _factors_of_products(typed)
     for number in _distinct(side):
         assert number.last_place is not None
+        is_datum = side is not typed or id(number) in factors
+        if is_datum and significant(number) < LONG:
+            continue
         off_by_half = Number(number.value + number.last_place / 2, number.last_place)
         yield replace_part(side, number, off_by_half)
+    for number in coefficients:
+        yield replace_part(side, number, Number(number.value + Fraction(1, 2)))
+
+
+def _coefficients(typed: Formula, other: Formula, values: Mapping[str, Formula]) -> list[Number]:
+    """Return the whole numbers of three digits before letters, 1972 of 1972 cos α, that are results.
+
+    They are where the other side is computed: of letters with values, in a product or a quotient.
+    """
+    if _coefficients_typed(other) or not (
+        names(other) & values.keys()
+        or _factors_of_products(other)
+        or _divides(other)
+        or formula.Constant("pi") in formula.walk(other)
+    ):
+        return []
+    factors = _factors_of_products(typed)
+    return [number for number in _coefficients_typed(typed) if id(number) not in factors]
+
+
+def _coefficients_typed(typed: Formula) -> list[Number]:
+    firsts = (
+        part.factors[0]
+        for part in _outside_functions(typed)
+        if isinstance(part, formula.Product) and all(names(factor) for factor in part.factors[1:])
+    )
+    return [
+        first
+        for first in firsts
+        if isinstance(first, Number)
+        and first.last_place is None
+        and first.value.denominator == 1
+        and LONG <= len(str(abs(first.value.numerator)).rstrip("0")) <= LONGEST
+    ]
+
+
+def _outside_functions(node: Formula) -> Iterator[Formula]:
+    """Yield the parts of a formula, those of arguments and exponents left out: 628 t of cos 628 t."""
+    yield node
+    if isinstance(node, formula.Power):
+        yield from _outside_functions(node.base)
+    elif not isinstance(node, formula.Call):
+        for part in formula.children(node):
+            yield from _outside_functions(part)
+
+
+def _factors_of_products(node: Formula) -> set[int]:
+    """Return the numbers, by identity, of an arithmetic: 0.5 and 0.04 of 0.5·0.04·314² cos α."""
+    ids: set[int] = set()
+    for part in formula.walk(node):
+        if isinstance(part, formula.Product):
+            numbers = [
+                number
+                for factor in part.factors
+                if not names(factor)
+                for number in formula.walk(factor)
+                if isinstance(number, Number) and (number.last_place is not None or not _is_scale(number))
+            ]
+            if len(numbers) > 1:
+                ids |= {id(number) for number in numbers}
+    return ids
 
 
 def _values_agree(left: Form, right: Form, left_moved: list[Form], right_moved: list[Form]) -> bool:

@@ -12,9 +12,12 @@ from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.formula import (
+    Call,
     Formula,
     Name,
+    Negative,
     Number,
+    Product,
     Sum,
     Summation,
     children,
@@ -29,9 +32,17 @@ from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
 
 NO_ANGLES = "a sum over cylinders whose crank angles the page does not list here: say them"
+NO_BODY = "a sum over cylinders of what no line gives for one of them"
 _MOMENT = re.compile(r"moment|couple|torque|偶力|モーメント", re.IGNORECASE)
+_OF_CRANKS = frozenset({"alpha", "delta", "theta", "phi", "varphi"})
+"""Letters that Σ cos α_i is of cranks by, where only an engine's name says where these stand."""
+_FORCES = frozenset("FKPf")
+_ORDERS = {"1": 1, "I": 1, "2": 2, "II": 2, "4": 4, "IV": 4, "6": 6, "VI": 6}
+_ANY_ANGLE = "theta"
+_INDICES = ("i", "j", "k", "n", "z")
 DEEPEST = 12
 """Letters that stand for others, one in the other."""
 Decide = Callable[[Formula, Formula], Decision]
@@ -44,6 +55,7 @@ def decide_over_cylinders(
 
     Where the words leave two sets of angles open, it is refuted only if it is false for both.
     """
+    left, right = (_with_bounds(node, knowledge) for node in (left, right))
     is_open = any(_is_without_index(part) for node in (left, right) for part in walk(node))
     listed = knowledge.crank_angles
     last: Decision | None = None
@@ -53,14 +65,24 @@ def decide_over_cylinders(
         else [(a, t) for a in (listed, *listed.others) for t in _angles_at(left, right, knowledge)]
     )
     for angles, theta in ways:
+        known = _with_orders(left, right, angles, knowledge, theta)
         try:
-            first, second = (_written_out(node, angles.nodes, knowledge, theta) for node in (left, right))
+            first, second = (
+                _with_own_orders(_written_out(node, angles, known, theta), known, knowledge)
+                for node in (left, right)
+            )
         except (NoFormError, TooLargeError) as problem:
             return Decision(UNDECIDED, str(problem))
         if first is left and second is right:
             break
         decision = decide(first, second)
+        if known is not knowledge and not _is_settled_of_any_size(decision, first, second, decide):
+            continue
         decision = replace(decision, assumptions=(*decision.assumptions, angles.text))
+        if angles.is_usual and not decision.is_proved:
+            decision = replace(
+                decision, reason="; ".join(filter(None, (f"if {angles.text}", decision.reason)))
+            )
         if decision.is_proved:
             return decision
         last = decision if last is None or decision.status == UNDECIDED else last
@@ -68,7 +90,49 @@ def decide_over_cylinders(
         return last
     decision = decide(left, right)
     is_unsaid = is_open and decision.status == UNDECIDED
-    return replace(decision, reason=NO_ANGLES) if is_unsaid else decision
+    reason = NO_ANGLES if listed is None else f"{NO_BODY} ({listed.text})"
+    return replace(decision, reason=reason) if is_unsaid else decision
+
+
+def _with_orders(
+    left: Formula, right: Formula, angles: CrankAngles, knowledge: Knowledge, theta: Formula | None
+) -> Knowledge:
+    """Return what is known with the forces of an order that no line defines: F_2 is some F cos 2θ.
+
+    Only where an engine's name says the cranks, of letters that a sum without an index goes over.
+    """
+    if not angles.is_usual:
+        return knowledge
+    angle = theta.name if isinstance(theta, Name) else _ANY_ANGLE
+    values: dict[str, Formula] = {}
+    for part in (p for node in (left, right) for p in walk(node)):
+        body = part.body if isinstance(part, Summation) and part.index is None else None
+        stem, _, index = body.name.rpartition("_") if isinstance(body, Name) else ("", "", "")
+        is_force = stem in _FORCES and index in _ORDERS
+        if is_force and isinstance(body, Name) and not knowledge.knows(body.name):
+            wave = Call("cos", Product((Number(Fraction(_ORDERS[index])), Name(angle))))
+            values[body.name] = Product((Name(f"hat_{body.name}"), wave))
+    if not values:
+        return knowledge
+    return replace(
+        knowledge, meaning=replace(knowledge.meaning, values={**knowledge.meaning.values, **values})
+    )
+
+
+def _with_own_orders(node: Formula, known: Knowledge, knowledge: Knowledge) -> Formula:
+    """Return a formula with the forces of an order that no line defines written out: 4 F_2."""
+    for name in sorted(names(node)) if known is not knowledge else ():
+        if name in known.meaning.values and name not in knowledge.meaning.values:
+            node = substitute(node, name, known.meaning.values[name])
+    return node
+
+
+def _is_settled_of_any_size(decision: Decision, first: Formula, second: Formula, decide: Decide) -> bool:
+    """Tell whether a decision stands whatever the size of the forces: what is 0 is so of any."""
+    zero = Number(Fraction(0))
+    if decision.is_proved or second == zero:
+        return True
+    return decide(first, zero).is_proved or decide(second, zero).is_proved
 
 
 def _angles_at(left: Formula, right: Formula, knowledge: Knowledge) -> list[Formula | None]:
@@ -76,6 +140,8 @@ def _angles_at(left: Formula, right: Formula, knowledge: Knowledge) -> list[Form
 
     Where none is declared, θ_i of a sum may be θ + δ_i, of a letter θ that is free, or δ_i alone.
     """
+    if (own := _turning_in_bodies(left, right, knowledge)) is not None:
+        return [own]
     if knowledge.crank is not None and knowledge.crank.theta is not None:
         return [knowledge.crank.theta]
     stems = {
@@ -89,12 +155,63 @@ def _angles_at(left: Formula, right: Formula, knowledge: Knowledge) -> list[Form
     return [*map(Name, wholes[:1]), None]
 
 
+def _with_bounds(node: Formula, knowledge: Knowledge) -> Formula:
+    """Return a formula, its sums over k alone with the bounds that the page says: k = 1, 2, 3."""
+    parts = tuple(_with_bounds(part, knowledge) for part in children(node))
+    node = with_children(node, parts) if parts else node
+    if not isinstance(node, Summation) or node.index is None or node.lower or node.upper:
+        return node
+    lower, upper = set[Formula](), set[Formula]()
+    for stated in knowledge.ranges:
+        if stated.sign == "≤" and stated.right == node.index and isinstance(stated.left, Number):
+            lower.add(stated.left)
+        if stated.sign == "≤" and stated.left == node.index and isinstance(stated.right, Number):
+            upper.add(stated.right)
+    is_one = len(lower) == len(upper) == 1
+    return replace(node, lower=lower.pop(), upper=upper.pop()) if is_one else node
+
+
+def _turning_in_bodies(left: Formula, right: Formula, knowledge: Knowledge) -> Name | None:
+    """Return the one free letter that what is summed turns with, where it is not the crank angle known.
+
+    On a page that declares nothing, φ of F_1 = m r ω² cos φ.
+    """
+    known = names(knowledge.crank.theta) if knowledge.crank is not None else frozenset[str]()
+    turning: set[str] = set()
+    for part in (p for node in (left, right) for p in walk(node)):
+        if not isinstance(part, Summation) or part.index is not None or not names(part.body):
+            continue
+        body = _with_values(part.body, knowledge)
+        turning |= {
+            name
+            for call in walk(body)
+            if isinstance(call, Call) and call.function in ("sin", "cos")
+            for name in names(call.argument)
+            if is_greek(name)
+            and name not in knowledge.letters
+            and name.rpartition("_")[2] not in _INDICES
+        }
+    return Name(next(iter(turning))) if len(turning) == 1 and not turning & known else None
+
+
+def _with_values(node: Formula, knowledge: Knowledge) -> Formula:
+    """Return a formula with the values of its letters put in, as deep as they go."""
+    values = {n: d.node for n, d in knowledge.definitions.items()}
+    for _ in range(DEEPEST):
+        own = [name for name in sorted(names(node)) if name in values and name not in names(values[name])]
+        if not own:
+            break
+        for name in own:
+            node = substitute(node, name, values[name])
+    return node
+
+
 def _is_without_index(node: Formula) -> bool:
     return isinstance(node, Summation) and (node.index is None or node.upper is None)
 
 
 def _written_out(
-    node: Formula, angles: tuple[Formula, ...], knowledge: Knowledge, theta: Formula | None
+    node: Formula, angles: CrankAngles, knowledge: Knowledge, theta: Formula | None
 ) -> Formula:
     """Return a formula with its sums over cylinders as sums of terms, itself where there are none."""
     if isinstance(node, Summation):
@@ -107,26 +224,40 @@ def _written_out(
 
 
 def _terms(
-    node: Summation, angles: tuple[Formula, ...], knowledge: Knowledge, theta: Formula | None
+    node: Summation, angles: CrankAngles, knowledge: Knowledge, theta: Formula | None
 ) -> list[Formula] | None:
     """Return the terms of a sum, one a cylinder; None where it is not one over the listed angles."""
+    node = _with_index(node)
     if node.index is not None:
         return _indexed_terms(node, angles, knowledge, theta)
-    if not isinstance(theta, Name) or any(_is_moment(name, knowledge) for name in names(node.body)):
+    if any(_is_moment(name, knowledge) for name in names(node.body)):
         return None  # the lever arms of the cylinders are not listed with their angles
+    if angles.signs and isinstance(node.body, Name) and not knowledge.knows(node.body.name):
+        return _opposed_terms(node.body, angles)
+    is_of_order = isinstance(node.body, Name) and f"hat_{node.body.name}" in _value_names(
+        node.body, knowledge
+    )
+    theta = Name(_ANY_ANGLE) if is_of_order and theta is None else theta
+    if not isinstance(theta, Name):
+        return None
     body = _in_angle(node.body, theta.name, knowledge)
     if theta.name not in names(body):
         return None
-    return [substitute(body, theta.name, Sum((theta, angle))) for angle in angles]
+    terms = [substitute(body, theta.name, Sum((theta, angle))) for angle in angles.nodes]
+    signs = angles.signs or (1,) * len(terms)
+    return [term if sign > 0 else Negative(term) for sign, term in zip(signs, terms, strict=True)]
 
 
 def _indexed_terms(
-    node: Summation, angles: tuple[Formula, ...], knowledge: Knowledge, theta: Formula | None
+    node: Summation, angles: CrankAngles, knowledge: Knowledge, theta: Formula | None
 ) -> list[Formula] | None:
     assert node.index is not None
     own = indexed_letters(node.body, node.index.name)
     is_one = len(own) == 1 and is_greek(own[0].split("_")[0])
     if not is_one or knowledge.knows(own[0]):
+        return None
+    is_of_cranks = not angles.signs and own[0].split("_")[0] in _OF_CRANKS
+    if angles.is_usual and not (is_of_cranks and _turns_with(node.body, own[0])):
         return None
     stem = own[0][: -len(node.index.name)]
     if any(name.startswith(stem) and name[len(stem) :].isdecimal() for name in knowledge.definitions):
@@ -135,16 +266,76 @@ def _indexed_terms(
         if node.lower is None or not isinstance(node.lower, Number):
             return None
         last = _number(node.upper, knowledge)
-        if last is None or last.value - node.lower.value + 1 != len(angles):
+        if last is None or last.value - node.lower.value + 1 != len(angles.degrees):
             return None
     # Σ cos θ_i is of whole angles; beside θ, in cos(θ + θ_i), they are those of the cranks
     is_beside = isinstance(theta, Name) and theta.name in names(node.body)
     is_whole_angle = isinstance(theta, Name) and own[0].split("_")[0] == theta.name and not is_beside
-    values = [Sum((theta, a)) if is_whole_angle and theta is not None else a for a in angles]
+    nodes = angles.nodes
+    values = [Sum((theta, a)) if is_whole_angle and theta is not None else a for a in nodes]
     first = node.lower.value if isinstance(node.lower, Number) else Fraction(1)
     bodies = [substitute(node.body, own[0], value) for value in values]
     numbers = [Number(first + place) for place in range(len(bodies))]
     return [substitute(b, node.index.name, n) for b, n in zip(bodies, numbers, strict=True)]
+
+
+def _opposed_terms(body: Name, angles: CrankAngles) -> list[Formula] | None:
+    """Return forces of which nothing is known, one a cylinder: those at one crank angle are alike.
+
+    None where they do not all cancel, since nothing else is known of them.
+    """
+    if body.name.split("_")[0] not in _FORCES:
+        return None
+    sums: dict[Fraction, int] = {}
+    for degrees, sign in zip(angles.degrees, angles.signs, strict=True):
+        sums[degrees] = sums.get(degrees, 0) + sign
+    return None if any(sums.values()) else [Number(Fraction(0))]
+
+
+def _value_names(node: Name, knowledge: Knowledge) -> frozenset[str] | set[str]:
+    value = knowledge.meaning.values.get(node.name)
+    return names(value) if value is not None else set()
+
+
+def _with_index(node: Summation) -> Summation:
+    """Return a sum without an index with that of the angles in it: Σ cos 2α_i."""
+    if node.index is not None:
+        return node
+    indices = {
+        index
+        for name in names(node.body)
+        for stem, _, index in [name.rpartition("_")]
+        if index in _INDICES and is_greek(stem)
+    }
+    return replace(node, index=Name(next(iter(indices)))) if len(indices) == 1 else node
+
+
+def _turns_with(node: Formula, name: str) -> bool:
+    """Tell whether an angle stands only in sines and cosines of whole multiples: what a turn repeats."""
+    if isinstance(node, Call) and node.function in ("sin", "cos"):
+        return _whole_multiple(node.argument, name) is not None
+    if isinstance(node, Name):
+        return node.name != name
+    return all(_turns_with(part, name) for part in children(node))
+
+
+def _whole_multiple(node: Formula, name: str) -> Fraction | None:
+    """Return how many times an angle is in an argument, None where that is no whole number."""
+    if name not in names(node):
+        return Fraction(0)
+    if isinstance(node, Name):
+        return Fraction(1)
+    parts = [_whole_multiple(part, name) for part in children(node)]
+    if isinstance(node, Sum):
+        return Fraction(1) if all(part is not None for part in parts) else None
+    if isinstance(node, Negative):
+        return parts[0]
+    if isinstance(node, Product):
+        own = [p for p in node.factors if name in names(p)]
+        others = [p for p in node.factors if name not in names(p)]
+        is_whole = all(isinstance(p, Number) and p.value.denominator == 1 for p in others)
+        return _whole_multiple(own[0], name) if len(own) == 1 and is_whole else None
+    return None
 
 
 def _is_moment(name: str, knowledge: Knowledge) -> bool:

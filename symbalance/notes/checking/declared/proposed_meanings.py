@@ -49,13 +49,16 @@ _AFTER = re.compile(
     r"(?:(?:is|are|be|by|called|denoted|given|with|mit|ist|sei|heißt|bezeichnet|als|を|が|は)[\s$\\({]*){0,2}"
 )
 _BEFORE = re.compile(
-    r"[\s$)}\]）」]*(?:(?:\([^()]{0,12}\)|（[^（）]{0,12}）)\s*)?"
+    r"[\s$\\)}\]）」]*(?:(?:\([^()]{0,12}\)|（[^（）]{0,12}）)\s*)?"
     r"(?:[:：=]\s*(?:[lrs]/[lrs]\s*)?[\u3040-\u9fff]{0,8}"
     r"|(?:is|are|be|being|denotes|means|stands\s+for|ist|sei|bezeichnet)\b|,\s*(?=the\b|der\b|die\b|das\b)"
     r"|は[^、。は]{0,14}|が[^、。は]{0,20}|を|…|\.{2,3}|[-–—])[\s$]*"
     r"(?:(?:the|a|an|der|die|das|den|its|one|half)\s+)?"
 )
-_OF_LIST = re.compile(r"[\s$)]{1,3}(?:the|der|die|das|den)\s+")
+_OF_LIST = re.compile(r"[\s$\\)]{1,4}(?:the|der|die|das|den)\s+")
+_BARE = re.compile(r"\$ |\\\) ")
+_LISTED = re.compile(r"(?:^|[,;:(]|\*)\s*(?:\$|\\\()\s*\\?$")
+_LIST_GOES_ON = re.compile(r"\s*(?:[,;.)]|$)")
 _COUNTED = re.compile(
     r"(?<![A-Za-z\\])\$?([NnkKzij])\$?"
     r"(?:気筒|次の?(?:慣性|成分|$)|[- ]cylinders?\b|[- ]?th\b| Zylinder|-te\b)"
@@ -98,8 +101,15 @@ def gap_is_naming(line: str, start: int, end: int, first: int, last: int) -> boo
         return False
     # "R is the crank radius, L the length of the rod": of a list each but the first goes without "is"
     is_in_list = line[:first].rstrip(" $\\(").endswith((",", ";", "and", "und", "with", "where", "mit"))
-    return _BEFORE.fullmatch(line, last, start) is not None or (
-        is_in_list and _OF_LIST.fullmatch(line, last, start) is not None
+    is_of_list = is_in_list and _OF_LIST.fullmatch(line, last, start) is not None
+    return (
+        is_of_list
+        or _BEFORE.fullmatch(line, last, start) is not None
+        or (
+            _BARE.fullmatch(line, last, start) is not None  # "$r$ crank radius, $l$ rod length"
+            and _LISTED.search(line[:first]) is not None
+            and _LIST_GOES_ON.match(line, end) is not None
+        )
     )
 
 
@@ -195,8 +205,10 @@ class MeaningsFromWords:
             return
         letter = self._letter_alone_on_the_left(self.lines[follows])
         roles = [role for role in roles if role.end <= after.start() and role.may_name(letter)]
-        if letter and roles and not self.introduced.get(letter) and roles[-1].role != RATIO:
-            self._add(letter, roles[-1].role, number, words_around(line, roles[-1].start, roles[-1].end))
+        usual = [role for role in roles if USUAL["crank"].get(letter) == role.role]
+        named = (usual or roles)[-1:]  # of "velocity and acceleration:" v is the velocity
+        if letter and named and not self.introduced.get(letter) and named[0].role != RATIO:
+            self._add(letter, named[0].role, number, words_around(line, named[0].start, named[0].end))
 
     def _letter_alone_on_the_left(self, line: str) -> str:
         match = _LEFT_ALONE.match(line.strip().lstrip("$&").strip())

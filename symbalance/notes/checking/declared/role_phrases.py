@@ -30,7 +30,8 @@ PHRASES: Mapping[str, tuple[str, ...]] = {
         "connecting rod angle", "connecting-rod angle", "conrod angle", "rod angle",
         "angle of the connecting rod", "angle of the rod", "inclination of the rod", "Pleuelwinkel",
         "Schwenkwinkel", "Pleuelstangenwinkel", "Auslenkung der Pleuelstange", "コンロッドがなす角度",
-        "コンロッドのなす角", "コンロッドの傾き", "コンロッド角", "連桿角",
+        "コンロッドのなす角", "コンロッドの傾き", "コンロッド角", "連桿角", "連接棒の傾き",
+        "連接棒の角度",
     ),
     "crank radius": (
         "crank radius", "radius of the crank", "crank of radius", "Kurbel mit dem Radius",
@@ -46,6 +47,7 @@ PHRASES: Mapping[str, tuple[str, ...]] = {
         "connecting rod of length", "length of the conrod", "Pleuellänge", "Länge der Pleuelstange",
         "Länge des Pleuels", "Pleuelstangenlänge", "Schubstangenlänge", "コンロッドの長さ",
         "コンロッド長さ", "コンロッド長", "連桿の長さ", "連桿長",
+        "連接棒の長さ", "連接棒長さ", "連接棒長",
     ),
     RATIO: (
         "rod ratio", "rod-stroke ratio", "rod to crank ratio", "crank ratio", "ratio of crank to rod",

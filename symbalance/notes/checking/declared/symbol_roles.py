@@ -82,21 +82,54 @@ _CALLED_SMALL = re.compile(
     r"|(?<![A-Za-z])([A-Za-z]++)\$?\s*は\s*(?:十分に?|非常に)?小さ"
     r"|(?<![A-Za-z])([A-Za-z]++)\s*=\s*(?:\\[td]?frac\s*\{?\s*r\s*\}?\s*\{?\s*l(?![A-Za-z])|r\s*/\s*l(?![A-Za-z\w])))"
 )
+_LETTER = r"\$?\s?\\?([A-Za-z]++(?:_\{?\w{1,8}+\}?)?)"
+_HIGHER = (
+    r"(?:higher|höhere[rn]?)\s+(?:powers|orders|terms|Potenzen|Ordnung(?:en)?|Glieder[n]?|Terme[n]?)"
+)
+_FIRST = (
+    r"(?:first|lowest|leading|second|third|fourth|ersten?r?|niedrigste[rn]?|zweiten?r?|dritte[rn]?"
+    r"|vierte[rn]?)"
+)
+_EXPANDED_IN = re.compile(
+    rf"(?:neglect|ignor|drop|omit|discard|vernachlässig)\w{{0,8}}\s+"
+    rf"(?:of\s+|the\s+|all\s+|aller?\s+|die\s+|der\s+){{0,2}}{_HIGHER}\s+"
+    rf"(?:than\s+\w+\s+)?(?:of|in|von|als\s+\w+\s+in)\s+{_LETTER}"
+    rf"|{_HIGHER}\s+(?:of|in|von)\s+{_LETTER}\$?\s+(?:are|is|can\s+be|may\s+be|werden|wird|sind)\s+"
+    r"(?:neglect|ignor|drop|omit|vernachlässig)"
+    rf"|(?:to|up\s+to|in|bis\s+zur?|bis)\s+(?:the\s+)?{_FIRST}\s+(?:order|power|Ordnung|Potenz)\s+(?:in|of|von)\s+{_LETTER}"
+    rf"|(?<![A-Za-z\\])\\?([A-Za-z]++)\$?\s*の\s*(?:\$?[0-9一二三四]\$?\s*次(?:より高次|以上)?|高次)\s*の?\s*"
+    r"(?:項|べき|冪|まで|の近似)"
+    rf"|(?<![A-Za-z\\])\\?([A-Za-z]++)\$?\s*[がは]\s*(?:\$?1\$?\s*(?:に比べ|より|と比べ)\w{{0,3}}?\s*)?(?:十分に?|非常に|充分に?)?\s*小さ"
+    rf"|(?<![A-Za-z])(?:wenn|falls|da|weil)\s+{_LETTER}\$?\s+(?:sehr\s+|hinreichend\s+)?klein"
+    rf"|(?<![A-Za-z\\])\\?([A-Za-z]++)\$?\s+(?:is|being|ist)\s+(?:much\s+smaller\s+than|small\s+compared\s+(?:with|to)"
+    r"|(?:sehr\s+)?viel\s+kleiner\s+als|klein\s+gegen)\s+(?:\$?1|unity|one|eins)",
+    re.IGNORECASE,
+)
+"""Words by which a formula is expanded in a letter: "neglecting higher powers of λ", "λ の高次の項"."""
 
 
 def small_letters(text: str) -> frozenset[str]:
     """Return the letters that a text calls small: "for small x", "ε ≪ 1", or the ratio λ = r/l.
 
-    >>> sorted(small_letters(r"for small $\\varphi$ and $x \\ll 1$"))
-    ['varphi', 'x']
+    Those whose higher powers it neglects are such too.
+
+    >>> sorted(small_letters(r"for small $\\varphi$ and $x \\ll 1$, to first order in $\\mu$"))
+    ['mu', 'varphi', 'x']
     """
-    text = re.sub(r"[ερλφβδ]", lambda sign: GREEK_NAMES[sign.group()], text)
+    text = re.sub(r"[ερλφβδμκ]", lambda sign: GREEK_NAMES[sign.group()], text)
     return frozenset(
-        n.replace("{", "").replace("}", "") for m in _CALLED_SMALL.finditer(text) for n in m.groups() if n
+        n.replace("{", "").replace("}", "")
+        for pattern in (_CALLED_SMALL, _EXPANDED_IN)
+        for m in pattern.finditer(text)
+        for n in m.groups()
+        if n
     )
 
 
-GREEK_NAMES = {"ε": "epsilon", "ρ": "rho", "λ": "lambda", "φ": "phi", "β": "beta", "δ": "delta"}
+GREEK_NAMES = {
+    "ε": "epsilon", "ρ": "rho", "λ": "lambda", "φ": "phi", "β": "beta", "δ": "delta",
+    "μ": "mu", "κ": "kappa",
+}  # fmt: skip
 HARMONIC = re.compile(r"A_\d{1,3}$")
 RANGES = {
     "crank angle": (10, 620),
@@ -142,6 +175,12 @@ def readable_letters(symbols: Mapping[str, str]) -> frozenset[str]:
 
 _THE = r"(?:the |an? |its )?"
 _ROD = rf"{_THE}(?:connecting[- ]rod|conrod|rod)"
+_AXIS = (
+    rf"(?:{_THE}(?:cylinder|bore|piston|stroke)(?:'s)?[- ](?:axis|cent(?:re|er)[- ]?line|line)"
+    rf"|{_THE}line of stroke|{_THE}axis of {_THE}cylinder|{_THE}vertical|{_THE}cylinder)"
+)
+_TO_AXIS = rf"(?: (?:to|with|against|from|and) {_AXIS})?"
+_PLEUEL = r"(?:des pleuels|der pleuelstange|der schubstange)"
 _CRANK = rf"{_THE}crank(?:[- ]?shaft)?"
 _SHAFT = rf"(?:{_CRANK}|{_THE}engine(?:'s crankshaft)?)"
 _OF_ONE = r"(?: (?:of|per|in) (?:one|each|a|the|single) ?(?:piston|cylinder)| per (?:cylinder|piston))?"
@@ -167,9 +206,16 @@ _WORDINGS = tuple(
             r"pleuell(?:ä|ae)nge|l(?:ä|ae)nge de[rs] pleuel(?:stange|s)|schubstangenl(?:ä|ae)nge",
         ),
         ("rod length", r"(?:コンロッド|連接棒|連桿)の?長さ"),
-        ("rod angle", rf"(?:angle|inclination|obliquity) of {_ROD}|(?:connecting[- ]rod|conrod) angle"),
-        ("rod angle", r"pleuel(?:stangen)?winkel|schwenkwinkel"),
-        ("rod angle", r"(?:コンロッド|連接棒|連桿)の?(?:角度?|傾き)"),
+        ("rod angle", rf"(?:angle|inclination|obliquity|swing) of {_ROD}{_TO_AXIS}"),
+        ("rod angle", rf"(?:connecting[- ]rod|con-?rod|rod) (?:angle|inclination|obliquity){_TO_AXIS}"),
+        ("rod angle", rf"angle between {_ROD} and {_AXIS}"),
+        ("rod angle", r"pleuel(?:stangen)?winkel|schwenkwinkel(?: (?:des pleuels|der pleuelstange))?"),
+        (
+            "rod angle",
+            rf"(?:neigung|auslenkung|neigungswinkel|winkel) {_PLEUEL}"
+            r"(?: (?:gegen|zur)(?: die)? zylinderachse)?",
+        ),
+        ("rod angle", r"(?:コンロッド|連接棒|連桿)の?(?:傾き|傾斜)?(?:角度?|傾き)"),
         ("stroke", rf"piston stroke|stroke of {_THE}piston|kolbenhub|(?:ピストン)?(?:ストローク|行程)"),
         ("piston velocity", rf"velocity of {_THE}piston|kolbengeschwindigkeit|ピストンの?速度"),
         ("piston acceleration", rf"acceleration of {_THE}piston|kolbenbeschleunigung|ピストンの?加速度"),

@@ -64,9 +64,12 @@ def _at_stated_angle(
     """Return the proof of a relation at an angle its sentence names: at top dead centre, where θ = 0.
 
     An angle stays free where a line gives it a number; a relation without it may be meant there. One
-    that is wrong there too is refuted there, where its line gives the angle.
+    that is wrong there too is refuted there, where its line gives the angle. Between numbers no angle
+    counts: what refutes them is the formula before, or its unit.
     """
     left, right, line = chain.sides[k], chain.sides[k + 1], chain.lines[0]
+    if not names(left.node) and not names(right.node):
+        return decision
     angles: list[tuple[str, Formula]] = []
     for name in sorted(knowledge.angles):
         definition = knowledge.definitions.get(name)

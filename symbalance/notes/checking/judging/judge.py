@@ -42,7 +42,9 @@ from symbalance.notes.checking.steps.open_cases import (
 )
 from symbalance.notes.checking.steps.series_relations import judge_series
 from symbalance.notes.checking.units.dimensions import Dimensions, Mismatch, declared_dimension, unit_text
+from symbalance.notes.checking.units.formulas_between_numbers import BETWEEN_NUMBERS
 from symbalance.notes.checking.units.own_units import with_speeds
+from symbalance.notes.checking.units.rates_by_name import rate_dimension
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONTRADICTION,
@@ -168,9 +170,13 @@ class Judge:
             head = chain.sides[0].node
             if k and verdict.reason.endswith(NO_VALUES_HERE) and isinstance(head, Name):
                 self.state.definitions.define(head.name, chain.sides[k + 1].node, chain)  # F = Σ F_i = …
+            if not k and BETWEEN_NUMBERS in verdict.assumption and isinstance(head, Name):
+                self.state.definitions.define(head.name, chain.sides[1].node, chain)
             self.state.given_numbers.note(chain, k, verdict)
             if verdict.is_unjudged:
                 self.state.not_judged |= dict.fromkeys(_lone_letters(chain, k), relation.line)
+            if verdict.verdict in PROVED_WORDS:
+                self.state.results.note(chain, k)
             if k and verdict.verdict in PROVED_WORDS and isinstance(chain.sides[0].node, Name):
                 self.state.definitions.round(chain.sides[0].node.name, chain, chain.sides[k + 1].node)
             bad = verdict.verdict == REFUTED or (bad and verdict.reason == FOLLOWS)
@@ -369,7 +375,8 @@ class Judge:
         """Return for each two readings of two sides where their units differ, None where they do not."""
         values = {name: d.node for name, d in knowledge.definitions.items()}
         symbols = self.declarations.symbols_at(chain.lines[0])
-        dimensions = Dimensions(symbols, values, self.document.text)
+        rounded = {n: d.rounded for n, d in knowledge.definitions.items() if d.rounded is not None}
+        dimensions = Dimensions(symbols, values, self.document.text, rounded)
         left, right = chain.sides[against], chain.sides[k + 1]
         sources = (self.document.source(left.span), self.document.source(right.span))
         return {
@@ -382,6 +389,8 @@ class Judge:
         unlike = [unlike_terms(node) for node in chain.sides[k + 1].readings]
         if all(unlike) and chain.relations[k].sign in "=≈":
             return Decision(REFUTED, unlike[0])
+        if (of_rate := self._unlike_rate(chain, k)) is not None:
+            return of_rate
         lettered = [against]
         if against and not names(chain.sides[against].node):  # m = 0.44 + 0.18 = 0.62 m is no mass
             symbols = self.declarations.symbols_at(chain.lines[0])
@@ -389,12 +398,24 @@ class Judge:
             lettered += [
                 n for n, head in heads if isinstance(head, Name) and _has_dimension(head, symbols)
             ]
+            formulas = (n for n in range(against - 1, 0, -1) if names(chain.sides[n].node))
+            lettered += [n for n in formulas if n not in lettered][:1]  # m r ω² = 0.7·0.045·314² = 3110 J
         for place in lettered:
             mismatches = list(self._mismatches(chain, k, place, knowledge).values())
             if all(mismatches) and mismatches[0] is not None:
                 witness = {"left": unit_text(mismatches[0].left), "right": unit_text(mismatches[0].right)}
                 return Decision(REFUTED, mismatches[0].reason, witness=witness)
         return None
+
+    def _unlike_rate(self, chain: Chain, k: int) -> Decision | None:
+        """Refute a result in a unit that the rate at the head of its chain cannot have: ω̇ in rad/s."""
+        expected, right = rate_dimension(chain.sides[0].node), chain.sides[k + 1].node
+        own = None if expected is None else Dimensions({}, {}, self.document.text).of_numbers(right)
+        if expected is None or own is None or own == expected:
+            return None
+        mismatch = Mismatch("the left side is in", expected, own)
+        witness = {"left": unit_text(expected), "right": unit_text(own)}
+        return Decision(REFUTED, mismatch.reason, witness=witness)
 
 
 def _has_dimension(letter: Name, symbols: Mapping[str, str]) -> bool:

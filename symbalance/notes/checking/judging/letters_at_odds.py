@@ -40,8 +40,9 @@ def unless_used_anew(
 ) -> Verdict:
     """Return a refuted verdict, or that its letter is at odds with a line above and may be used anew."""
     head, line = chain.sides[0].node, chain.lines[0]
-    is_own = not k and chain.relations[0].sign == "=" and isinstance(head, Name)
-    if not is_own or verdict.verdict != REFUTED or decision.reason:
+    if k or chain.relations[0].sign != "=" or not isinstance(head, Name):
+        return verdict
+    if verdict.verdict != REFUTED or decision.reason:
         return verdict
     earlier = knowledge.definitions.get(head.name)
     if earlier is None or head.name in knowledge.meaning.values or earlier.line >= line:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symbalance.document.formula import Constant, Formula, Name, Number, names
+from symbalance.document.formula import Constant, Formula, Name, Number, Summation, names
 from symbalance.notes.checking.deciding.denied_conditions import decide_within_ranges
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import (
@@ -36,11 +36,15 @@ from symbalance.notes.checking.page.solutions import solution_below
 from symbalance.notes.checking.premises.conditions_behind import values_behind
 from symbalance.notes.checking.premises.constraints import Constraint
 from symbalance.notes.checking.premises.letter_values import define_letter
+from symbalance.notes.checking.premises.measured_values import MEASURED
 from symbalance.notes.checking.premises.rough_letters import decide_roughly
 from symbalance.notes.checking.steps.angle_equations import as_equation_for_angle
 from symbalance.notes.checking.steps.dead_centres import value_at_dead_centre
+from symbalance.notes.checking.steps.gravity import decide_with_gravity
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.mean_piston_speed import mean_piston_speed
+from symbalance.notes.checking.steps.much_larger import PLAIN, decide_much_larger, decide_where_larger
+from symbalance.notes.checking.steps.named_roots import as_named_root
 from symbalance.notes.checking.steps.open_cases import case_of_a_letter
 from symbalance.notes.checking.steps.products_of_vectors import decide_products_of_vectors
 from symbalance.notes.checking.steps.relation_fixes import add_fix_of_relation
@@ -48,7 +52,7 @@ from symbalance.notes.checking.steps.solved_balances import as_balance_solution
 from symbalance.notes.checking.steps.solved_below import as_proved_solution, as_solved
 from symbalance.notes.checking.steps.solved_waves import decide_solved_wave
 from symbalance.notes.checking.steps.stated_matrices import no_relation_of_matrices
-from symbalance.notes.checking.steps.steps_by_premises import unless_given
+from symbalance.notes.checking.steps.steps_by_premises import unless_given, with_premises
 from symbalance.notes.checking.units.conversions import decide_conversion
 from symbalance.notes.checking.units.numbers_in_units import decide_after_units_left_out
 from symbalance.notes.checking.units.printed_units import decide_by_printed_units
@@ -84,12 +88,8 @@ def judge_relation(
         and (fault := no_relation_of_matrices(relation.sign, left, right, knowledge))
     ):
         return Decision(UNDECIDED, fault)
-    if relation.sign in SATISFIED_BY:
-        if case_of_a_letter(state, chain, k, knowledge):
-            return Decision(RANGE, "a case, whatever value the letter has above")
-        decision = decide_inequality(chain, k, knowledge)
-        state.definitions.note_range(chain, k, decision)
-        return decision
+    if relation.sign in PLAIN or relation.sign in SATISFIED_BY:
+        return _judge_inequality(state, chain, k, knowledge)
     is_equality = relation.sign == "=" and not of_matrices
     if is_equality and (name := _meant_as_number(left.node, right.node, knowledge)):
         reason = f"true of the number {name}; here {name} is declared as a letter"
@@ -101,13 +101,34 @@ def judge_relation(
     return unjudged or _judge_equality(state, chain, k, sound, bad, knowledge)
 
 
+def _judge_inequality(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision:
+    """Return the decision on <, >, ≤, ≥, ≠, ≪ or ≫."""
+    if chain.relations[k].sign in PLAIN:
+        decision = decide_much_larger(chain, k, knowledge)
+        if decision.status == RANGE:
+            state.much_larger.append(chain)
+        return decision
+    if case_of_a_letter(state, chain, k, knowledge):
+        return Decision(RANGE, "a case, whatever value the letter has above")
+    decision = decide_inequality(chain, k, knowledge)
+    state.definitions.note_range(chain, k, decision)
+    return decision
+
+
 def _judge_equality(
     state: JudgingState, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
 ) -> Verdict | Decision:
     """Return the verdict on a relation = or ≈: a definition, a step, or something given."""
-    definition = _demanded(chain.relations[k]) or as_balance_solution(state, chain, k)
+    if isinstance(chain.sides[k].node, Summation):
+        of_engine = state.named_orders.judge(chain, k, knowledge, state.cranks_of)
+        if of_engine is not None:
+            return of_engine
+    definition = (
+        _demanded(chain.relations[k]) or _denied(state, chain) or as_balance_solution(state, chain, k)
+    )
     definition = definition or as_equation_for_angle(state, chain, k, knowledge)
     definition = definition or as_proved_solution(state, chain, k)
+    definition = definition or as_named_root(state, chain, k, knowledge)
     definition = definition or decide_solved_wave(state, chain, k, knowledge)
     definition = definition or _define(state, chain, k, knowledge)
     definition = definition or decide_for_values(state.document, chain, k, knowledge)
@@ -127,11 +148,21 @@ def _judge_step(
     left, right = chain.sides[k], chain.sides[k + 1]
     decision, against = _decide_step(state, chain, k, sound, bad, knowledge)
     decision = _with_signs(state, chain, k, decision, knowledge)
-    is_settled = is_of_another_size(left.node, right.node, decision)  # nothing else can be meant
+    by_special = decide_with_gravity(chain, k, decision, state.document.text, knowledge)
+    by_special = by_special or decide_where_larger(state, chain, k, decision, knowledge)
+    decision = by_special or decision
+    is_settled = by_special is not None or is_of_another_size(left.node, right.node, decision)
     if decision.status in (REFUTED, UNDECIDED) and not is_settled:
         below = None if k else solution_below(state.sections, chain, knowledge)
         solved = _by_mean(state, chain, k, knowledge) or as_solved(state, chain, below, knowledge)
+        refuted = replace(decision, status=REFUTED)
         decision = solved or unless_given(state, chain, k, against, decision, knowledge)
+
+        def by_premises(first: Side, second: Side, _: Decision, known: Knowledge) -> Decision:
+            return with_premises(state, first, second, "=", refuted, known)[0]
+
+        text = state.document.text
+        decision = decide_with_gravity(chain, k, decision, text, knowledge, by_premises) or decision
     if decision.status in STATED:
         return value_at_dead_centre(state, chain, k, knowledge) or decision
     if decision.status == CONTRADICTION:
@@ -234,6 +265,14 @@ def _demanded(relation: Relation) -> Decision | None:
     return Decision(CONDITION, "demanded, to be solved") if relation.is_demanded else None
 
 
+def _denied(state: JudgingState, chain: Chain) -> Decision | None:
+    """Return that a relation is a condition of which the words below say that it fails."""
+    is_one = len(chain.relations) == 1 and chain.relations[0].sign == "="
+    if not is_one or not (names(chain.sides[0].node) and names(chain.sides[1].node)):
+        return None
+    return Decision(CONDITION, "said to fail") if state.sections.is_said_to_fail(chain) else None
+
+
 def _define(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
     """Return the decision on a relation that gives a letter its value; None for other relations.
 
@@ -251,6 +290,7 @@ def _define(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> 
         if by_speed is not None and chain.relations[0].sign == "=":
             return by_speed
     is_given = definition is not None and definition.status in (PREMISE, DEFINITION)
+    is_given = is_given and not (definition and definition.reason.startswith(MEASURED))
     if pair is None or not is_given or pair[0] in knowledge.meaning.values or sections.opens_case(chain):
         return definition
     first = sections.paragraph_start(line)
@@ -274,7 +314,8 @@ def _as_meant(
     if outcome is None and definition.status in STATED:
         outcome = value_at_dead_centre(state, chain, k, knowledge)
     if outcome is None and definition.status in (DEFINITION, PREMISE):
-        outcome = state.named.judge(chain, k, knowledge)
+        outcome = state.named_orders.judge(chain, k, knowledge, state.cranks_of)
+        outcome = outcome or state.named.judge(chain, k, knowledge)
     name = chain.sides[k].node
     if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
         state.definitions.define(name.name, outcome.fix.node, chain)

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symbalance.document.formula import Formula, Name, names
+from symbalance.document.formula import Formula, Name, Summation, names, walk
 from symbalance.document.letters import plain_letter
+from symbalance.notes.algebra.harmonics import components
+from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -59,11 +61,11 @@ def unless_open(
         and not letters_here & knowledge.small
     ):
         refutation = refuted_in_small_letter(chain, k, knowledge)
-        letter = _one_sided_letter(state, decision, line, knowledge) if refutation else ""
+        letter = _one_sided_letter(state, decision, chain, k, knowledge) if refutation else ""
         if refutation is not None and not letter:
             return refutation
         reason = f"{letter} stands on one side only: declare what it means" if letter else UNKNOWN_SMALL
-    elif letter := _one_sided_letter(state, decision, line, knowledge):
+    elif letter := _one_sided_letter(state, decision, chain, k, knowledge):
         reason = f"{letter} stands on one side only: declare what it means"
     elif chain.relations[k].sign == "=":
         reason = _missing_meaning(state, left, right, line, knowledge)
@@ -92,14 +94,37 @@ def _fix_rod_angle(
             state.definitions.fix(constraint, chain)
 
 
-def _one_sided_letter(state: JudgingState, decision: Decision, line: int, knowledge: Knowledge) -> str:
+def _summed_letters(left: Formula, right: Formula, decision: Decision, knowledge: Knowledge) -> set[str]:
+    """Return the letters that a sum is of, whatever they mean: Σ cos(θ + δ_k) = 2 cos θ.
+
+    Where it is said to be 0 or another number, no meaning of a letter in it could make it so.
+    """
+    sums = [part for node in (left, right) for part in walk(node) if isinstance(part, Summation)]
+    if not sums:
+        return set()
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    bodies = {name for each in sums for name in names_behind(each.body, values)}
+    if names(right):
+        return bodies & names(right)
+    form = decision.left
+    products = set() if form is None else {key.letters for key in components(form.domain, form.numerator)}
+    return bodies if len(products) <= 1 else set()  # in m r ω² λ nothing cancels, in F + G it may
+
+
+def _one_sided_letter(
+    state: JudgingState, decision: Decision, chain: Chain, k: int, knowledge: Knowledge
+) -> str:
     """Return a letter whose meaning may make a refuted relation true, as it stands on one side only.
 
     x = r (1 - cos u) is wrong of any u but of the crank angle, which u may be; dx/dt = v is of any x
-    but the one whose speed v is.
+    but the one whose speed v is. Of a series the letter may stand in what is cut off, as φ does in
+    √(1 - λ² sin²φ) ≈ 1 - λ/2 sin²φ: it is written on both sides.
     """
     if decision.left is None or decision.right is None:
         return ""
+    line, left, right = chain.lines[0], chain.sides[k].node, chain.sides[k + 1].node
+    both = names(left) & names(right) if decision.expanded_in else set[str]()
+    both |= _summed_letters(left, right, decision, knowledge)
     free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
     free -= state.motions.letters(line)
     for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
@@ -108,7 +133,7 @@ def _one_sided_letter(state: JudgingState, decision: Decision, line: int, knowle
             *knowledge.universal,
             *decision.left.domain.integer,
         }
-        if is_open and not knowledge.knows(name):
+        if is_open and name not in both and not knowledge.knows(name):
             return f"{plain_text(Name(name))} is not declared and"
         if "/d" in name:  # the derivative of what no line defines
             return name

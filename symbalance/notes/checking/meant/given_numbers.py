@@ -23,6 +23,7 @@ from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.premises.impossible_values import number_of
+from symbalance.notes.checking.units.formulas_between_numbers import may_convert
 from symbalance.notes.checking.verdicts import CONDITION, DEFINITION, PREMISE, UNDECIDED, Verdict
 from symbalance.notes.reading.equations import Chain
 
@@ -40,6 +41,11 @@ class GivenEquation:
     right: Formula
     line: int
     is_sure: bool
+
+    @property
+    def converts_units(self) -> bool:
+        """Whether it is between the numbers of quantities, and the quantities do not satisfy it."""
+        return may_convert(self.left) or may_convert(self.right)
 
     @property
     def text(self) -> str:
@@ -83,7 +89,7 @@ class GivenNumbers:
             is_solution = _has_root(equation, name, near, known)
             if is_solution:
                 proof = proof or equation
-            elif is_solution is False and equation.is_sure:
+            elif is_solution is False and equation.is_sure and not equation.converts_units:
                 is_near = equation.line >= first or self._has_number_there(equation, first, known)
                 if is_near and _has_root(equation, name, far, known) is False:
                     wrong = wrong or equation

@@ -70,7 +70,7 @@ _EITHER_SIGN = ("piston velocity", "piston acceleration", "inertia force", FROM_
 """Quantities that have the other sign where the other direction is the positive one."""
 _USUAL_MOTIONS = {"v": "piston velocity", "a": "piston acceleration"}
 """What letters mean beside a displacement, on any page."""
-_ONE_SLIP = re.compile(
+ONE_SLIP = re.compile(
     r"sign|(?:sin|cos|tan) for (?:sin|cos|tan)|exponent|order|number misprinted .*"
     r"|factor -?[0-9/]+|rod ratio (?:inverted|of the other convention) .*|\S+ missing"
 )
@@ -111,7 +111,7 @@ class MeantQuantities:
         mismatch = self._by_dimensions(name, value, chain, knowledge)
         if mismatch is not None:
             return mismatch
-        frame = self._frame(name, value, chain, knowledge)
+        frame = self.frame(name, value, chain, knowledge)
         if frame is None:
             return None
         named = self.words.named(name, chain) or self._by_company(name)
@@ -153,7 +153,7 @@ class MeantQuantities:
         meant = self.taken.get(name)
         if meant is None or name in knowledge.letters or not names(value):
             return None
-        frame = self._frame(name, value, chain, knowledge)
+        frame = self.frame(name, value, chain, knowledge)
         if frame is None:
             return None
         decision = self._agreeing(chain, k, name, Named(meant.role, ""), frame)
@@ -173,7 +173,7 @@ class MeantQuantities:
         meant = self.taken.get(base)
         if meant is None or base in knowledge.letters:
             return
-        frame = self._frame(name, chain.sides[1].node, chain, knowledge)
+        frame = self.frame(name, chain.sides[1].node, chain, knowledge)
         if frame is None:
             return
         known, crank, assumptions = frame
@@ -194,7 +194,7 @@ class MeantQuantities:
                 name = part.argument.name
                 if name in knowledge.letters or part.function not in ("sin", "cos", "tan"):
                     continue
-                frame = self._frame(name, Sum((left.node, right.node)), chain, knowledge)
+                frame = self.frame(name, Sum((left.node, right.node)), chain, knowledge)
                 if frame is None or knowledge.crank is None:
                     continue
                 known, crank, assumptions = frame
@@ -211,7 +211,7 @@ class MeantQuantities:
                     return replace(decision, assumptions=(text, *assumptions, *decision.assumptions))
         return None
 
-    def _frame(self, name: str, value: Formula, chain: Chain, knowledge: Knowledge) -> _Frame | None:
+    def frame(self, name: str, value: Formula, chain: Chain, knowledge: Knowledge) -> _Frame | None:
         """Return what is known with the letters that the words explain, the crank, and what that assumes.
 
         None where a letter of the formula is neither declared, nor explained, nor defined by such.
@@ -282,7 +282,7 @@ class MeantQuantities:
             if not _is_near(target, right, known, crank):
                 continue
             decision = decide(Side((target,), right.span), right, chain.relations[k].sign, known)
-            if not decision.is_proved or _is_first_order(decision) or _rests_on_more(decision):
+            if not decision.is_proved or _is_first_order(decision) or rests_on_more(decision):
                 continue
             where = "" if place is None else f" at {'bottom' if place else 'top'} dead centre"
             source = named.source if named else Named("", "").source
@@ -357,19 +357,17 @@ class MeantQuantities:
                 continue
             text = f"{plain_letter(name)} is the {role} ({NOBODY}; {named.source})"
             decision = replace(decision, reason="; ".join((f"if {text}", *assumptions)))
-            verdict = self._with_fix(chain, k, left, decision, known)
+            verdict = self.with_fix(chain, k, left, decision, known)
             fix = verdict.fix
-            if fix is None or len(fix.faults) != 1 or fix.of_left or not _ONE_SLIP.fullmatch(fix.kind):
+            if fix is None or len(fix.faults) != 1 or fix.of_left or not ONE_SLIP.fullmatch(fix.kind):
                 continue
-            if self._is_negated_throughout(right.node, fix.node):
+            if is_only_negated(right.node, fix.node):
                 continue
             self.taken[name] = Meant(role, text)
             return verdict
         return None
 
-    def _with_fix(
-        self, chain: Chain, k: int, left: Side, decision: Decision, known: Knowledge
-    ) -> Verdict:
+    def with_fix(self, chain: Chain, k: int, left: Side, decision: Decision, known: Knowledge) -> Verdict:
         """Return a refutation with the change that would make the formula the quantity."""
         right = chain.sides[k + 1]
 
@@ -380,11 +378,6 @@ class MeantQuantities:
         document = self.words.document
         verdict = describe(document, chain, k, decision)
         return add_fix(verdict, document, right, decision, replace(known, corrects=True), proves)
-
-    @staticmethod
-    def _is_negated_throughout(node: Formula, fixed: Formula) -> bool:
-        """Tell whether a fix only changes the direction."""
-        return fixed == Negative(node) or node == Negative(fixed)
 
     def _from_bottom(self, chain: Chain, k: int, named: Named, known: Knowledge, crank: Geometry) -> bool:
         """Tell whether a formula is right where the crank angle is counted from bottom dead centre."""
@@ -512,5 +505,11 @@ def _is_first_order(decision: Decision) -> bool:
     return decision.through is not None and decision.through < 1
 
 
-def _rests_on_more(decision: Decision) -> bool:
+def is_only_negated(node: Formula, fixed: Formula) -> bool:
+    """Tell whether a fix only changes the direction."""
+    return fixed == Negative(node) or node == Negative(fixed)
+
+
+def rests_on_more(decision: Decision) -> bool:
+    """Tell whether a proof assumes which letter is small, which nobody has said."""
     return any(text.endswith((" is small", " is large")) for text in decision.assumptions)

@@ -73,12 +73,17 @@ _DIMENSIONS: Mapping[str, str] = {
     "torque": r"(?<![A-Za-z])(?:torques?|moments?|couples?)(?![A-Za-z])"
     r"|[Mm]oment(?![A-Za-z])|トルク|モーメント|偶力",
     "stress": r"(?<![A-Za-z])stress(?:es)?(?![A-Za-z])|[Ss]pannung(?![A-Za-z])|応力",
-    "velocity": r"(?<![A-Za-z])velocity(?![A-Za-z])|(?<![a-z])[Gg]eschwindigkeit(?![A-Za-z])",
-    "acceleration": r"(?<![A-Za-z])acceleration(?![A-Za-z])|[Bb]eschleunigung(?![A-Za-z])|加速度",
+    "velocity": r"(?<![A-Za-z])(?<!angular\s)(?<!rotational\s)velocity(?![A-Za-z])"
+    r"|(?<!inkel)(?<!reh)[Gg]eschwindigkeit(?![A-Za-z])",
+    "acceleration": r"(?<![A-Za-z])(?<!angular\s)(?<!rotational\s)acceleration(?![A-Za-z])"
+    r"|(?<!inkel)(?<!reh)[Bb]eschleunigung(?![A-Za-z])|(?<!角)加速度",
 }
+"""Words for a kind of size; what turns (angular acceleration, Winkelgeschwindigkeit) is none of them."""
 _UNITS = {"force": "N", "torque": "N m", "stress": "Pa", "velocity": "m/s", "acceleration": "m/s^2"}
 _KIND = re.compile("|".join(f"(?P<{kind}>{pattern})" for kind, pattern in _DIMENSIONS.items()))
-_SENTENCE = re.compile(r"[.;!?]\s|[。；]|\n\s*\n(?=.*[.;!?。]\s)|<p\b|<li\b|\\item")
+_SENTENCE = re.compile(
+    r"[;!?]\s|\.\s(?!(?:und\s|bzw\.\s|oder\s)?(?:[IVX0-9]{1,3}\.\s)?(?:Ordnung|Harmonische))|[。；]|\n\s*\n(?=.*[.;!?。]\s)|<p\b|<li\b|\\item"
+)
 _BOTTOM = re.compile(
     r"bottom dead|lower dead|outer dead|\bBDC\b|\bUT\b|unteren? Totpunkt|下死点|crank[- ]end",
     re.IGNORECASE,
@@ -171,6 +176,28 @@ class MeantWords:
         ends = [max(s.span[1] for s in other.sides) for other in self.document.chains]
         first = max([start - LONGEST_WORDS, 0, *(end for end in ends if end <= start)])
         return _SENTENCE.split(text[first:start])[-1]
+
+    def sentence_before(self, chain: Chain) -> str:
+        """Return the sentence before a relation, other relations in it included."""
+        start = min(side.span[0] for side in chain.sides)
+        return _SENTENCE.split(self.document.text[max(0, start - 2 * LONGEST_WORDS) : start])[-1]
+
+    def header_of_column(self, chain: Chain) -> str:
+        """Return the head of the column of a table that a relation stands in, "" outside of tables."""
+        text, start = self.document.text, min(side.span[0] for side in chain.sides)
+        own = text[text.rfind("\n", 0, start) + 1 : start]
+        if not own.lstrip().startswith("|"):
+            return ""
+        row = first = text.count("\n", 0, start)
+        lines = self._lines
+        while first and lines[first - 1].lstrip().startswith("|"):
+            first -= 1
+        cells, column = lines[first].split("|"), own.count("|")
+        return cells[column] if first < row and column < len(cells) else ""
+
+    @cached_property
+    def _lines(self) -> list[str]:
+        return self.document.text.split("\n")
 
     def named(self, name: str, chain: Chain) -> Named | None:
         """Return what words say of the letter that a relation defines; None where they say nothing."""

@@ -8,10 +8,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 from symbalance.document.formula import Formula, Name, Negative, Number, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError
+from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision, decide_equality
 from symbalance.notes.checking.deciding.implications import point_text, range_that_fails, solution_lost
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY
@@ -84,9 +86,11 @@ def _range_after_range(
 ) -> Decision:
     own, earlier = _stated(chain), _stated(before)
     given = [r for r in knowledge.ranges if r.line <= chain.lines[0] and not _same(r, own)]
-    if not any(_same(r, earlier) for r in given):
+    witness = _fails_by_formula(own, earlier, knowledge)
+    is_stated = any(_same(r, earlier) for r in given)
+    if not is_stated and witness is None:
         return decision
-    witness = range_that_fails(own, given, knowledge)
+    witness = witness or range_that_fails(own, given, knowledge)
     if witness is not None:
         return Decision(REFUTED, f"does not follow from {earlier.text}", witness=witness)
     if sections.is_equivalence(chain):
@@ -95,6 +99,27 @@ def _range_after_range(
         if witness is not None:
             return Decision(REFUTED, _not_from_it(earlier), witness=witness)
     return decision
+
+
+def _fails_by_formula(own: StatedRange, earlier: StatedRange, knowledge: Knowledge) -> Any:
+    """Return a point at which ΔJ < 0 and not k² < a b, where the page has ΔJ = m (k² − a b); or None.
+
+    Letters stand for their formulas, not for the numbers of an example, and sizes are positive.
+    """
+    head = earlier.left
+    if not isinstance(head, Name) or names(earlier.right) or head.name not in knowledge.formulas:
+        return None
+    formulas = {name: d.node for name, d in knowledge.formulas.items()}
+    behind = {*names_behind(head, formulas)}
+    stated = names(own.left) | names(own.right)
+    if not stated <= behind or head.name in stated or (behind | stated) & knowledge.angles:
+        return None
+    definitions = {n: d for n, d in knowledge.formulas.items() if n in behind}
+    meaning = replace(knowledge.meaning, positive=knowledge.meaning.positive | (behind - {head.name}))
+    zero = Number(Fraction(0))
+    sizes = [StatedRange(Name(n), ">", zero, 0) for n in sorted(behind - {head.name})]
+    known = replace(knowledge, definitions=definitions, meaning=meaning)
+    return range_that_fails(own, [earlier, *sizes], known)
 
 
 def _same(one: StatedRange, other: StatedRange) -> bool:

@@ -5,7 +5,19 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Cases, Formula, Name, Negative, Number, Sum, names
+from symbalance.document.formula import (
+    Call,
+    Cases,
+    Formula,
+    Integral,
+    Name,
+    Negative,
+    Number,
+    Product,
+    Sum,
+    names,
+    walk,
+)
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.algebra.tree_values import letters_behind, names_behind, sample_trees
@@ -34,23 +46,27 @@ def define_anew(
 ) -> Decision | None:
     """Return the decision on another value of a defined letter: a new case, a condition, or None."""
     earlier, line = knowledge.definitions[name], chain.lines[0]
-    if not k and _is_of_new_letters(definitions, name, value, chain, knowledge):
+    other = "" if k else _anew_at_its_place(definitions, name, value, chain, knowledge)
+    if other:
         definitions.define(name, without_dots(value)[0], chain)
-        return Decision(DEFINITION, f"anew: of other letters than in line {earlier.line}")
+        return Decision(DEFINITION, other)
     by_premises = decide_by_premises(definitions, Premise(Name(name), value, line), knowledge)
-    if by_premises is not None:
+    is_apart = _is_of_another_section(definitions, earlier, value, chain, knowledge)
+    if by_premises is not None and not is_apart:
         outside = outside_range(definitions, name, value, line, knowledge)
         if by_premises.status == PREMISE and outside is None:
             definitions.define(name, value, chain)
-        return outside or by_premises
-    if earlier.solved and _each_has_own_letters(earlier.node, value, knowledge):
+        is_slip = _is_wrong_solution(earlier, value, by_premises, chain, k, knowledge)
+        return None if is_slip else outside or by_premises  # a step says what it should be
+    if earlier.solved and not is_apart and _each_has_own_letters(earlier.node, value, knowledge):
         contradiction = outside_range(definitions, name, value, line, knowledge)
         if contradiction is None:
             definitions.define(name, without_dots(value)[0], chain)
         return contradiction or Decision(PREMISE, f"beside line {earlier.line}")
     is_numbered = name.endswith(")") and not definitions.sections.same_section(earlier.line, line)
     reason = ""
-    if is_numbered or (names(earlier.node) and names(value) and _is_anew(definitions, earlier, chain)):
+    of_letters = names(earlier.node if earlier.formula is None else earlier.formula)
+    if is_numbered or (of_letters and names(value) and _is_anew(definitions, earlier, chain)):
         reason = f"anew: in line {earlier.line} it was another one's"
     elif _is_exact_form(name, value, earlier, chain, k, knowledge):
         reason = f"exactly what line {earlier.line} has approximately"
@@ -62,15 +78,48 @@ def define_anew(
         turning = _turning_behind(name, earlier.node, knowledge)
         definitions.open_conditions |= dict.fromkeys(turning, condition)  # c ≈ 0.25, so θ ≈ 75.5°
     is_put_in = not names(value) and _has_number_put_in(definitions, earlier, line, knowledge)
-    if is_put_in or not _new_case(earlier, value, chain.relations[k].sign, knowledge):
+    is_datum = not k and not names(value) and definitions.sections.is_in_list_of_data(chain, earlier.line)
+    is_datum = is_datum and earlier.numeric and earlier.formula is None
+    if not (is_datum or is_apart) and (
+        is_put_in or not _new_case(earlier, value, chain.relations[k].sign, knowledge)
+    ):
         return None
     return _define_case_anew(definitions, name, value, earlier, chain, knowledge)
+
+
+def _is_at_another_place(
+    definitions: Definitions, name: str, value: Formula, chain: Chain, knowledge: Knowledge
+) -> bool:
+    """Tell whether two values of a letter are each at a place of its own: a at TDC, then a at BDC.
+
+    Only of values in which nothing turns: what is so at every angle is so at both.
+    """
+    earlier = knowledge.definitions[name].node
+    turning = names(knowledge.crank.theta) if knowledge.crank is not None else frozenset[str]()
+    for node in (earlier, value):
+        waves = any(isinstance(p, Call) and p.function in ("sin", "cos") for p in walk(node))
+        if waves or not names(node) or turning.intersection(_letters_behind([node], knowledge)):
+            return False
+    return definitions.sections.is_at_another_place(chain, name)
 
 
 def _each_has_own_letters(earlier: Formula, value: Formula, knowledge: Knowledge) -> bool:
     """Tell whether a second value fixes another letter: F_1 = -F_2, then F_1 = cos θ; or is a number."""
     first, second = (set(_letters_behind([node], knowledge)) for node in (earlier, value))
     return not second or bool(first - second and second - first)
+
+
+def _anew_at_its_place(
+    definitions: Definitions, name: str, value: Formula, chain: Chain, knowledge: Knowledge
+) -> str:
+    """Return why a formula is that of another thing with the same letter, "" if it is not."""
+    line = knowledge.definitions[name].line
+    if _is_at_another_place(definitions, name, value, chain, knowledge):
+        return f"at another place than in line {line}"
+    if _is_of_new_letters(definitions, name, value, chain, knowledge):
+        return f"anew: of other letters than in line {line}"
+    is_elsewhere = _is_of_another_exercise(definitions, name, value, chain, knowledge)
+    return f"anew: not what line {line} has" if is_elsewhere else ""
 
 
 def _is_of_new_letters(
@@ -103,6 +152,42 @@ def _is_of_new_letters(
     return last is not None and used.isdisjoint(own)
 
 
+def _is_wrong_solution(
+    earlier: Definition, value: Formula, by_premises: Decision, chain: Chain, k: int, knowledge: Knowledge
+) -> bool:
+    """Tell whether an equation was solved for a letter, and a formula is not what it comes to."""
+    is_refused = by_premises.status in (CONTRADICTION, UNDECIDED)
+    if not is_refused or not earlier.solved or earlier.numeric or not names(value):
+        return False
+    if isinstance(value, Name) or not names(earlier.node) or earlier.alternatives:
+        return False
+    bare, sign = without_dots(value)[0], chain.relations[k].sign
+    return decide(lone_side(earlier.node), lone_side(bare), sign, knowledge).status == REFUTED
+
+
+def _is_of_another_exercise(
+    definitions: Definitions, name: str, value: Formula, chain: Chain, knowledge: Knowledge
+) -> bool:
+    """Tell whether a letter with a number has a formula of a new letter, and another number, elsewhere.
+
+    The couple M = 485 N m of exercise 6 is not the torque M = P/ω = 40000/314 = 127 N m of exercise 10.
+    """
+    earlier, sections = knowledge.definitions[name], definitions.sections
+    if not earlier.numeric or sections.same_exercise(earlier.line, chain.lines[0]):
+        return False
+    is_new = any(n not in knowledge.definitions and not knowledge.has_meaning(n) for n in names(value))
+    if not is_new or sections.is_consequence(chain):
+        return False
+    numbers = [side.node for side in chain.sides[2:] if not names(side.node)]
+    points = sample_trees([earlier.node, numbers[-1]], SymbolValue(), 1) if numbers else []
+    return bool(points) and _is_far(*points[0][1])
+
+
+def _is_far(old: complex, new: complex) -> bool:
+    """Tell whether a second value is no slip of the first."""
+    return abs(old - new) > NEARLY * max(abs(old), abs(new))
+
+
 def _is_anew(definitions: Definitions, earlier: Definition, chain: Chain) -> bool:
     """Tell whether a second formula of a letter is of another engine, or in another exercise."""
     is_tied = definitions.sections.is_consequence(chain)
@@ -131,15 +216,30 @@ def _new_case(earlier: Definition, value: Formula, sign: str, knowledge: Knowled
     old = Side((earlier.node,), (0, 0))
     if sign == "≈" or decide(old, Side((value,), (0, 0)), sign, knowledge).is_proved:
         return False
-    if names(earlier.node) and names(value):
+    is_area = _is_integral_with_a_number(value, knowledge)
+    if names(earlier.node) and names(value) and not is_area:
         return isinstance(value, Name)
-    if names(earlier.node) or names(value):
+    if names(earlier.node) or (names(value) and not is_area):
         return not _comes_to_a_number(earlier.node, knowledge)
     points = sample_trees([earlier.node, value], SymbolValue(), 1)
     if not points:
         return True
-    old_value, new_value = points[0][1]
-    return abs(old_value - new_value) > NEARLY * max(abs(old_value), abs(new_value))
+    return _is_far(*points[0][1])
+
+
+def _is_integral_with_a_number(value: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a value is an integral that comes to a number: ∫ 340 sin 2θ dθ from 0 to π/2."""
+    bare = value.factors[-1] if isinstance(value, Product) else value
+    return isinstance(bare, Integral) and _comes_to_a_number(value, knowledge)
+
+
+def _is_of_another_section(
+    definitions: Definitions, earlier: Definition, value: Formula, chain: Chain, knowledge: Knowledge
+) -> bool:
+    """Tell whether an integral gives a letter its number in a section after that of its other value."""
+    if not _is_integral_with_a_number(value, knowledge):
+        return False
+    return not definitions.sections.same_section(earlier.line, chain.lines[0])
 
 
 def _has_number_put_in(

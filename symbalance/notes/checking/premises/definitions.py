@@ -127,6 +127,11 @@ class Definitions:
         if entries:
             self.values[name] = entries
 
+    def lapse(self, name: str) -> None:
+        """Forget the formulas that fix a letter and the equations they came from: it is measured now."""
+        self.values.pop(name, None)
+        self.premises = [p for p in self.premises if p.fixes != name and p.right != Name(name)]
+
     def fix_coefficients(self, values: Mapping[str, Formula], chain: Chain) -> None:
         """Define the letters that a series has as its coefficients."""
         line = chain.lines[0]

@@ -27,6 +27,7 @@ from symbalance.notes.checking.premises.impossible_values import (
     outside_range,
     refuse_value,
 )
+from symbalance.notes.checking.premises.measured_values import define_measured
 from symbalance.notes.checking.premises.premise_decisions import decide_by_premises, must_follow
 from symbalance.notes.checking.premises.sizes_by_number import define_size
 from symbalance.notes.checking.premises.system import Premise
@@ -52,8 +53,10 @@ def define_letter(
     if is_of_point or name in knowledge.meaning.kinds.identities:
         return None  # min x = r claims something
     outside = outside_meaning(name, value, knowledge, is_result=is_result)
-    if outside is not None and chain.relations[k].sign == "=":
-        return outside
+    outside = outside if chain.relations[k].sign == "=" else None
+    stated = outside or define_measured(definitions, name, value, chain, k, knowledge)
+    if stated is not None:
+        return stated
     if name in knowledge.meaning.values:
         contradiction = _against_law(definitions, name, value, chain, knowledge)
         return contradiction or define_size(definitions, name, value, chain, knowledge)

@@ -66,6 +66,8 @@ ROUNDED = Fraction(1, 10**9)
 """Relative: a whole number is the value itself, but for the rounding of π."""
 SHORT_DENOMINATOR = 100
 """Of a fraction that is put for a whole number."""
+PUT_IN = 0.06
+"""What a change of a number costs more that the page gives a letter: it is seldom typed wrong again."""
 NOT_REDUCED = 0.15
 """What 2/(2λ) costs more than 1/λ, where either is right."""
 LONGEST_NUMBER = 10**7
@@ -458,12 +460,22 @@ def _integers(
                     kind = f"number misprinted ({swap})" if abs(value) != abs(part.value) else "sign"
                     penalty = 0.6 if value.denominator > 12 or abs(value) > 20 * abs(part.value) else 0
                     cost = (1.1 if simple else 1.4) + (0.05 if inverse else 0) + penalty
-                    cost += NOT_REDUCED if _could_be_reduced(part, value, parents) else 0
+                    if names(case.node) and _could_be_reduced(part, value, parents):
+                        cost += NOT_REDUCED  # of numbers put in, 100/150 stands as they are
+                    cost += PUT_IN if not names(case.node) and _is_datum(part, case) else 0
                     if part.last_place:
                         new, kind = _decimal(Fraction(value), part.last_place), "value"
                     elif inverse and not simple:
                         continue  # a fraction below a bar is no slip of the pen
                     yield Edit(kind, cost, part, new)
+
+
+def _is_datum(part: Number, case: Case) -> bool:
+    """Tell whether a number is one that the page gives a letter: the 150 of l = 150 mm."""
+    nodes = [d.node for d in case.knowledge.definitions.values() if not names(d.node)]
+    first = (next((n for n in formula.walk(node) if isinstance(n, Number)), None) for node in nodes)
+    sizes = (1, Fraction(1000), Fraction(1, 1000))
+    return any(n is not None and abs(n.value) * size == abs(part.value) for n in first for size in sizes)
 
 
 def _could_be_reduced(part: Formula, value: Fraction, parents: dict[int, Formula]) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
@@ -43,6 +44,8 @@ LONGEST = 28
 """Characters of a name in the table, which has no room for more."""
 MOST_ERRORS, MOST_PLACES = 60, 8
 """Errors in the table, and documents named of each; the JSON has all."""
+FEWEST_ALIKE = 5
+"""Relations that two documents share, of which they say nothing else, for one to be a copy."""
 LONGEST_PIECE = 44
 """Characters of a formula in the table of errors."""
 WRONG = (REFUTED, UNDECIDED, UNREADABLE)
@@ -108,12 +111,13 @@ class DocumentTable(Result):
             ("exit", "0 nothing wrong, 1 not to be relied on, 2 not checked, 3 a fault of symbalance"),
         )
         table = Table("", tuple(Column(head) for head in heads), rows)
-        undeclared = self._undeclared()
+        undeclared, copies = self._undeclared(), self._copies()
         return Document(
             self.summary(),
             blocks(
                 Paragraph(undeclared) if undeclared else None,
                 table,
+                *map(Paragraph, copies),
                 self._errors(),
                 Heading("Not checked") if problems else None,
                 tuple(Paragraph(words) for words in problems),
@@ -143,6 +147,19 @@ class DocumentTable(Result):
             Code("symbalance check FOLDER/ --declare -o FOLDER/symbols.toml"),
             ", and confirm what it proposes.",
         )
+
+    def _copies(self) -> list[Words]:
+        """Return which documents have the same relations on the same lines, as copies have."""
+        alike: dict[str, list[str]] = {}
+        for row, name in zip(self.rows, _short_names(self.rows), strict=True):
+            entries = [(e["line"], e["link"], e.get("left"), e["source"]) for e in _entries(row)]
+            if len(entries) >= FEWEST_ALIKE:
+                alike.setdefault(repr(entries), []).append(name)
+        return [
+            (Strong("The same relations on the same lines: "), ", ".join(names), ".")
+            for names in alike.values()
+            if len(names) > 1
+        ]
 
     def _errors(self) -> Table | None:
         """Return what is wrong in them, the commonest first, and who has it on which line."""
@@ -194,6 +211,11 @@ class DocumentTable(Result):
         ]
 
 
+_LETTERLESS = re.compile(r"\\[A-Za-z]+")
+_SET = re.compile(r"\s|\$|\\(?:left|right|[bB]ig[lr]?)(?![A-Za-z])|\\[,;:! ]|(?<=\\)[dt](?=frac)")
+"""What only sets a formula: x has the same error with \\left( and without."""
+
+
 def line_anchor(place: str) -> str:
     """Return the anchor of the line at a place such as 22.2 or, in a notebook, 3:2."""
     return "line-" + place.replace(".", "-").replace(":", "-")
@@ -220,7 +242,7 @@ def _problem(row: DocumentRow) -> str:
 def _error(entry: Mapping[str, Any]) -> tuple[tuple[Any, ...], Words]:
     """Return what makes two errors the same, and the error in words: what stands, what should.
 
-    A number alone is a different error in another line; a piece of a formula is the same in each.
+    A number alone is a different error in another formula; a piece in letters is the same in each.
     """
     verdict = entry["verdict"]
     if verdict == UNREADABLE:
@@ -232,7 +254,9 @@ def _error(entry: Mapping[str, Any]) -> tuple[tuple[Any, ...], Words]:
     relation = " ".join(f"{entry.get('left', '')} {entry.get('sign', '')} {entry['source']}".split())
     wrong = entry["wrong"]
     if not wrong:
-        return (verdict, relation), (f"{verdict}: ", Code(_one_line(relation)))
+        reason = "" if verdict == REFUTED else str(entry["reason"] or "").partition(";")[0]
+        words = (f"{verdict}: ", Code(_one_line(relation)), f" ({reason})" if reason else "")
+        return (verdict, relation), words
     change = tuple((each["source"], each["should"]) for each in wrong)
     is_whole = wrong[0]["source"].strip() == entry["source"].strip()
     first = wrong[0]
@@ -240,13 +264,15 @@ def _error(entry: Mapping[str, Any]) -> tuple[tuple[Any, ...], Words]:
     more = f" (and {len(wrong) - 1} more)" if len(wrong) > 1 else ""
     words: Words = (
         Code(_one_line(relation)),
-        f": {entry['fix_kind']}, for ",
+        f": {entry['slip'] or entry['fix_kind']}, for ",
         piece,
         " put ",
         Code(_one_line(first["should"])),
         more,
     )
-    return (verdict, entry["fix_kind"], change, relation if is_whole else ""), words
+    is_alike = not is_whole and any(each.isalpha() for each in _LETTERLESS.sub("", first["source"]))
+    side = "" if is_alike else _SET.sub("", entry["source"])
+    return (verdict, entry["fix_kind"], change, relation if is_whole else side), words
 
 
 def _one_line(text: str) -> str:

@@ -49,6 +49,8 @@ from symbalance.notes.checking.verdicts import (
 
 LONGEST_SOURCE = 600
 """Characters of a relation that are shown; the rest is in the JSON."""
+LONGEST_BOTH = 200
+"""Of both sides of a relation that is wrong, of which a reader wants to see what is set equal."""
 LONGEST_PIECE = 60
 """Of a wrong piece, which stands within a sentence."""
 
@@ -177,13 +179,23 @@ def _line(verdict: Verdict, sides: Sides, text: str) -> SourceLine:
     """Return a verdict as a line of a report; of the page's `text` its units are as they were typed."""
     return SourceLine(
         place(verdict),
-        one_line(verdict.source, LONGEST_SOURCE),
+        one_line(_source(verdict, sides, text), LONGEST_SOURCE),
         verdict_words(verdict),
         verdict.verdict in FAILING,
         tuple(_notes(verdict)),
         _formulas(verdict, text),
         typeset(verdict, sides, text),
     )
+
+
+def _source(verdict: Verdict, sides: Sides, text: str) -> str:
+    """Return the side of a relation that is shown: the right one; of a wrong relation both, if short."""
+    chain, k = sides.get(verdict.span, (None, 0))
+    if verdict.verdict not in FAILING or chain is None or not k:
+        return verdict.source
+    left = text[slice(*chain.sides[k - 1].span)].strip().strip("&$ ")
+    whole = f"{left} {chain.relations[k - 1].sign} {verdict.source}"
+    return whole if left and len(whole) <= LONGEST_BOTH else verdict.source
 
 
 def _notes(verdict: Verdict) -> Iterable[Words]:

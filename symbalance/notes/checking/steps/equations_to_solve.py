@@ -12,9 +12,10 @@ from symbalance.notes.reading.equations import Chain
 def is_to_be_solved(state: JudgingState, chain: Chain, k: int) -> bool:
     """Tell whether an equation is to be solved: by the words before it, or by a value right below.
 
-    cos θ + λ cos 2θ = 0 may be a claim; behind "where", or with θ = 76° next, it is none.
+    cos θ + λ cos 2θ = 0 may be a claim; behind "where", or with θ = 76° next, it is none. Numbers may
+    follow what the equation says: where cos θ = −1/(4λ) = −0.833.
     """
-    if len(chain.relations) != 1:
+    if len(chain.relations) != 1 and (k or any(names(side.node) for side in chain.sides[2:])):
         return False
     own = names(chain.sides[k].node) | names(chain.sides[k + 1].node)
     if _is_solved_next(state, chain, own):

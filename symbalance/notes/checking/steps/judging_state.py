@@ -10,7 +10,10 @@ from symbalance.errors import SymbalanceError
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.inequalities import sample_ranges
 from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
-from symbalance.notes.checking.deciding.numbers_put_in import printed_results
+from symbalance.notes.checking.deciding.numbers_put_in import (
+    counted_things,
+    printed_results,
+)
 from symbalance.notes.checking.deciding.whole_numbers import may_count, orders_in
 from symbalance.notes.checking.declared.engines import Sources
 from symbalance.notes.checking.declared.sidecar import Declarations
@@ -26,16 +29,19 @@ from symbalance.notes.checking.meant.given_numbers import GivenNumbers
 from symbalance.notes.checking.meant.meant_quantities import MeantQuantities
 from symbalance.notes.checking.meant.meant_words import MeantWords
 from symbalance.notes.checking.meant.motion_in_time import Motions, with_motions
+from symbalance.notes.checking.meant.named_orders import NamedOrders
 from symbalance.notes.checking.meant.named_quantities import NamedQuantities
 from symbalance.notes.checking.motions.equations_of_motion import EquationOfMotion
 from symbalance.notes.checking.motions.fourier_series import FourierSeries
+from symbalance.notes.checking.page.cranks_of_engines import CranksOfEngines
 from symbalance.notes.checking.page.solutions import turned_letters
 from symbalance.notes.checking.premises import constraints
 from symbalance.notes.checking.premises.carried_values import CarriedValues
 from symbalance.notes.checking.premises.conditions_behind import equalities_behind, with_conditions
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.premises.system import Premise
-from symbalance.notes.checking.words.crank_angles_listed import crank_angles, listed_at
+from symbalance.notes.checking.steps.printed_results import PrintedResults
+from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
 from symbalance.notes.checking.words.integer_words import integers_said
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading import ReadingError, read_equation
@@ -75,14 +81,20 @@ class JudgingState:
             MeantWords(self.document, self.declarations, self.sections), self.sources
         )
         self.named = NamedQuantities(self.document, self.sections)
+        self.named_orders = NamedOrders(self.meant)
         self.small_letters = small_letters(self.document.text)
         self.counts = _counts(self.document)
         self.letters = {n for chain in self.document.chains for n in chain.letters}
         self.printed = printed_results(self.document)
+        self.counted = counted_things(self.document.text)
         self.wrong_numbers = CarriedValues()
         self.given_numbers = GivenNumbers()
+        self.results = PrintedResults()
+        self.much_larger: list[Chain] = []
+        """Relations ≫ and ≪ between letters that the page has stated."""
         self.speeds = speeds_of(self.document.text)
         self.crank_angles = crank_angles(self.document.text)
+        self.cranks_of_engines = CranksOfEngines(self.document.text, self.sections, self.sources)
         sides = [side.node for chain in self.document.chains for side in chain.sides]
         self.has_sums = any(isinstance(p, Summation | Integral) for node in sides for p in walk(node))
         self.orders = orders_in(sides) if self.has_sums else frozenset()
@@ -139,6 +151,7 @@ class JudgingState:
             corrects=self.corrects,
             ranges=tuple(ranges),
             printed=self.printed,
+            counted=self.counted,
             has_sums=self.has_sums,
             orders=self.orders,
             small=frozenset(n for n, text in symbols.items() if SMALL_WORD.search(text))
@@ -151,8 +164,17 @@ class JudgingState:
         start = min(side.span[0] for side in chain.sides)
         same_section = self.sections.same_section
         angles = listed_at(self.crank_angles, start, self.document.text, same_section)
+        if angles is None and any(
+            isinstance(part, Summation) for side in chain.sides for part in walk(side.node)
+        ):
+            angles = self.cranks_of(chain)
         own = replace(knowledge, crank_angles=angles, own_ranges_from=chain.lines[0] - NEAR_RANGE)
         return with_conditions(chain, self.document, own)
+
+    def cranks_of(self, chain: Chain) -> CrankAngles | None:
+        """Return the usual cranks of the engine that words say a relation is of."""
+        start = min(side.span[0] for side in chain.sides)
+        return self.cranks_of_engines.at(start, chain.end, chain.lines[0])
 
     def assumptions(self, line: int, letters: frozenset[str]) -> tuple[Assumption, ...]:
         """Return the assumptions at a line, each solved for a letter."""

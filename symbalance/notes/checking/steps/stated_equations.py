@@ -8,7 +8,7 @@ from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.cases import NUMBERS_PUT_IN, decide_case, decide_with_ratio
 from symbalance.notes.checking.deciding.equality import Decision, decide_equality
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.numbers_put_in import paired
+from symbalance.notes.checking.deciding.numbers_put_in import paired, without_unit
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.page.solutions import NEAR
@@ -147,6 +147,8 @@ def unless_stated(
 ) -> Decision:
     """Return the decision on a refuted relation that may be a premise, a condition or a case."""
     is_solved = is_to_be_solved(state, chain, k)
+    if not is_solved and (by_results := state.results.decide(chain, k, knowledge)) is not None:
+        return by_results
     case = decide_case(chain, k, decision, knowledge, is_solved=is_solved)
     if case is not None and case.status in STATED and chain.relations[k].sign == "=":
         case = _note_statement(state, chain, k, case, knowledge)
@@ -174,11 +176,15 @@ def _note_statement(
 def _numbers_of_letters(chain: Chain, k: int, knowledge: Knowledge) -> dict[str, Formula]:
     """Return the letters without values that an arithmetic gives numbers: M of M ω = 23.5·151.8.
 
-    None where no other letter has the number put in for it: the units are not sure then.
+    None where no other letter has the number put in for it, or where the arithmetic was read in the unit
+    of its result, m r = 0.74·38 = 28 kg mm: the units are not sure then.
     """
+    right = chain.sides[k + 1].node
+    if without_unit(right) is not right:
+        return {}
     numbers: dict[str, Formula] = {}
     is_sure = False
-    for part, number in paired(chain.sides[k].node, chain.sides[k + 1].node) or ():
+    for part, number in paired(chain.sides[k].node, right) or ():
         if decide_equality(part, number, knowledge).is_proved or _is_printed(part, number, knowledge):
             is_sure = True
         elif isinstance(part, Name) and not _has_value(part.name, knowledge):

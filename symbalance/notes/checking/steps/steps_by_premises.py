@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symbalance.document.formula import names
+from symbalance.document.formula import Name, names
+from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.premises.leftover_premises import decide_with_sizes
 from symbalance.notes.checking.premises.premise_branches import decide_on_branches
 from symbalance.notes.checking.premises.premise_decisions import decide_by_premises, must_follow
@@ -16,6 +18,7 @@ from symbalance.notes.checking.premises.solved_premises import concerns, solve_p
 from symbalance.notes.checking.premises.system import Premise, implied, lines_of
 from symbalance.notes.checking.premises.witness_angles import refuted_at_angles
 from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.steps.printed_results import is_lone_number
 from symbalance.notes.checking.steps.stated_equations import fix_letter, unless_stated
 from symbalance.notes.checking.steps.stated_matrices import fix_matrix
 from symbalance.notes.checking.verdicts import CONTRADICTION, PREMISE, REFUTED, STATED, UNDECIDED
@@ -34,14 +37,29 @@ def unless_given(
     if not state.general:
         as_statement = (fix_matrix if of_matrices else fix_letter)(state, chain, k, knowledge)
         if as_statement is not None:
-            return as_statement
+            return _with_what_it_should_be(state, chain, k, as_statement, decision, knowledge)
     sign = chain.relations[k].sign
-    decision, is_open = _with_premises(state, against, right, sign, decision, knowledge)
+    if _is_of_known_numbers(left, right, decision, knowledge):
+        return decision
+    decision, is_open = with_premises(state, against, right, sign, decision, knowledge)
     if is_open and not of_matrices:
         refuted = replace(decision, status=REFUTED)
         case = unless_stated(state, chain, k, against, refuted, knowledge)
         return case if case.status in (*STATED, CONTRADICTION) else decision
     return decision
+
+
+def _is_of_known_numbers(left: Side, right: Side, decision: Decision, knowledge: Knowledge) -> bool:
+    """Tell whether a result is refuted by letters that all have numbers: nothing can be added."""
+    if decision.status != REFUTED or not names(left.node) or names(right.node):
+        return False
+    if (
+        names(left.node) & knowledge.angles
+        or isinstance(left.node, Name)
+        or not is_lone_number(right.node)
+    ):
+        return False
+    return number_of(left.node, knowledge) is not None
 
 
 def _following(
@@ -58,11 +76,11 @@ def _following(
     rest on what stands in words.
     """
     left, right = chain.sides[k], chain.sides[k + 1]
-    by_all, _ = _with_premises(state, left, right, "=", decision, knowledge)
+    by_all, _ = with_premises(state, left, right, "=", decision, knowledge)
     statement = state.definitions.premise_of(chain, k)
     by_premises = decide_by_premises(state.definitions, statement, knowledge)
     if by_premises is not None and by_premises.status != PREMISE:
-        return by_premises
+        return _with_what_it_should_be(state, chain, k, by_premises, decision, knowledge)
     if by_all.status != REFUTED:
         return by_all
     reason = f"does not follow from {lines_of(premises)}"
@@ -70,7 +88,32 @@ def _following(
     return replace(by_all, status=REFUTED if is_whole else UNDECIDED, reason=by_all.reason or reason)
 
 
-def _with_premises(
+def _with_what_it_should_be(
+    state: JudgingState,
+    chain: Chain,
+    k: int,
+    as_statement: Decision,
+    decision: Decision,
+    knowledge: Knowledge,
+) -> Decision:
+    """Return a contradiction between formulas as the refutation that it is, which can be mended.
+
+    After 8 m_b r_b ω² = 4 λ m r ω² the line m_b r_b = λ m r is wrong by a factor 1/2.
+    """
+    left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
+    if as_statement.status != CONTRADICTION or not names(left.node) or not names(right.node):
+        return as_statement
+    formulas = {n: d for n, d in knowledge.definitions.items() if names(d.node)}
+    general = replace(knowledge, definitions=formulas)  # without the example's numbers
+    step, is_open = with_premises(state, left, right, sign, decision, general)
+    if is_open or step.status != REFUTED or step.left is None or step.right is None:
+        return as_statement
+    if not letters(step.left) or {*letters(step.left)} != {*letters(step.right)}:
+        return as_statement
+    return replace(step, reason=as_statement.reason)
+
+
+def with_premises(
     state: JudgingState, left: Side, right: Side, sign: str, decision: Decision, knowledge: Knowledge
 ) -> tuple[Decision, bool]:
     """Return the decision with the premises solved together: a witness must satisfy them all.

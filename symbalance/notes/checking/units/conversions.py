@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from symbalance.document.formula import Formula, Name, Negative, Number, Product
@@ -31,7 +31,9 @@ _SPACED = re.compile(r"(?<=[0-9])(?:[ ~\u00a0\u2009\u202f]|\\,)(?=[0-9]{3}(?![0-
 ABOUT_GRAVITY = Fraction(4, 10**4)
 """What 9.81 and 9.80665 differ by."""
 _OF_WEIGHT = {"kp", "kgf", "gn", "kgf/cm²", "kgf/cm^2", "kp/cm²", "kgf·m", "kgf m", "kp m", "kpm"}
-_WEIGHTS = ("lb", "lbs")
+_WEIGHTS = ("lb", "lbs", "ton")
+TONS = (2240 * POUND, 2000 * POUND, Fraction(1000))
+"""What a ton is, in kg: the long, the short and the metric one. A conversion says which."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +89,26 @@ def decide_conversion(chain: Chain, k: int, document: ReadNotes) -> Decision | N
     first, second = (quantity_of(side, document) for side in chain.sides[k : k + 2])
     if chain.relations[k].sign not in "=≈" or not (first and second and first.value and second.value):
         return None
+    decisions = [_decide(chain, k, *pair) for pair in _with_every_ton(first, second)]
+    proved = (d for d in decisions if d is not None and d.is_proved)
+    return next(proved, None if None in decisions else decisions[0])
+
+
+def _with_every_ton(first: Quantity, second: Quantity) -> list[tuple[Quantity, Quantity]]:
+    """Return two quantities with a ton among them as each of the tons that there are."""
+    if "ton" not in (first.unit, second.unit):
+        return [(first, second)]
+    return [
+        (
+            replace(first, scale=ton) if first.unit == "ton" else first,
+            replace(second, scale=ton) if second.unit == "ton" else second,
+        )
+        for ton in TONS
+    ]
+
+
+def _decide(chain: Chain, k: int, first: Quantity, second: Quantity) -> Decision | None:
+    """Return the decision on a quantity in two units of known size."""
     scales = _scales(first, second)
     if scales is None or first.unit == second.unit:
         return None
@@ -117,10 +139,12 @@ def _scales(first: Quantity, second: Quantity) -> tuple[Fraction, Fraction] | No
         return (first.scale, second.scale) if kinds[0] == kinds[1] else None
     by_weight = [quantity.unit in _WEIGHTS for quantity in (first, second)]
     scales = [first.scale, second.scale]
-    if any(by_weight) and not all(by_weight):
+    if all(by_weight):
+        return scales[0], scales[1]
+    if any(by_weight):
         other = kinds[by_weight.index(False)]
         if other == unit_of("N"):
-            scales[by_weight.index(True)] = POUND_FORCE
+            scales[by_weight.index(True)] *= POUND_FORCE / POUND
         elif other != unit_of("kg"):
             return None
         return scales[0], scales[1]

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
@@ -84,6 +84,19 @@ _ROLES: dict[str, Dimension] = {
     "cylinder pitch": _LENGTH,
     "integer": NONE,
 }
+_NO_SIZE = r"(?!ratio|relative|specific|reduced|dimensionless|number|half|mean|wave)"
+_BY_WORDS = tuple(
+    (size, re.compile(pattern, re.IGNORECASE))
+    for size, pattern in (
+        (_LENGTH, rf"(?:{_NO_SIZE}[a-z-]+ ){{0,2}}diameter|(?:shaft|spring|pendulum|total) length"),
+        (_LENGTH, r"[a-zäöüß]*durchmesser(?: der welle)?|(?:wellen|feder)länge"),
+        (_dimension(m=4), r"(?:polar )?(?:second moment of area|area moment of inertia)"),
+        (_dimension(m=4), r"(?:polares )?flächenträgheitsmoment|断面二次(?:極)?モーメント"),
+        (_dimension(m=3), r"(?:(?:polar|torsional|bending) )?section modulus|widerstandsmoment|断面係数"),
+        (_dimension(1, -1, -2), r"(?:shear|young's|elastic) modulus|schubmodul|elastizitätsmodul"),
+    )
+)
+"""Sizes by the words that declare them, where no unit stands behind."""
 _SIGNS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−µμ·⋅*", "0123456789--uu   ")
 _IN_BRACES = re.compile(r"\s*\{[^{}]*\}(?=.*[A-Za-z])", re.DOTALL)
 _PART = re.compile(r"([A-Za-z°%]+|1(?![0-9]))(?:\^?\(?(-?[0-9])\)?)?$")
@@ -165,7 +178,7 @@ def declared_dimension(meaning: str) -> Dimension | None:
         dimension = unit_of(re.split(r"[:;]", piece)[0])
         if dimension is not None:
             return dimension
-    return None
+    return next((size for size, words_of_it in _BY_WORDS if words_of_it.fullmatch(pieces[0])), None)
 
 
 def written_unit(source: str) -> tuple[bool, str]:
@@ -203,6 +216,8 @@ class Dimensions:
     values: Mapping[str, Formula]
     text: str = ""
     """The page, in which units stand at the places of their numbers."""
+    rounded: Mapping[str, Formula] = field(default_factory=dict)
+    """The results that the page prints for letters: 314.2 rad/s for 2π·3000/60."""
 
     def mismatch(self, left: Formula, right: Formula, sources: tuple[str, str]) -> Mismatch | None:
         """Return in which dimensions two sides differ, or a sum's terms; `sources` are their texts.
@@ -226,6 +241,13 @@ class Dimensions:
         """Return the dimension of a side by its letters; None where it is open, or its terms differ."""
         try:
             return None if is_open(node, source) else self.of(node)
+        except _MismatchError:
+            return None
+
+    def of_numbers(self, node: Formula) -> Dimension | None:
+        """Return the dimension of a side of numbers with units at them, None for any other."""
+        try:
+            return self.of(node) if self.is_of_units(node) else None
         except _MismatchError:
             return None
 
@@ -279,10 +301,12 @@ class Dimensions:
         value = self.values.get(name)
         if declared is not None or value is None:
             return declared
-        if not (self.is_of_units(value) or (meaning is None and names(value))):
+        result = self.rounded.get(name)
+        nodes = [node for node in (value, result) if node is not None and self.is_of_units(node)]
+        if not nodes and not (meaning is None and names(value)):
             return None
         try:
-            return self.of(value, depth)
+            return self.of(nodes[0] if nodes else value, depth)
         except _MismatchError:
             return None  # said where it is defined
 

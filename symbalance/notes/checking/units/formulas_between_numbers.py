@@ -128,6 +128,87 @@ def puts_in_numbers(left: Side, right: Side, document: ReadNotes, knowledge: Kno
     return first is not None and second is not None and math.isclose(first, second, rel_tol=SAME)
 
 
+def decide_numbers_put_in(
+    left: Side, right: Side, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the proof that an arithmetic has the numbers of a letter's formula: N = 28·60/6.5 in feet.
+
+    It may be off by what the constants of the formulas are rounded by. None where nothing converts units.
+    """
+    if not names(left.node) or names(right.node) or isinstance(right.node, Number):
+        return None
+    nodes = _formulas_behind(left.node, knowledge)
+    if not any(may_convert(node) for node in nodes):
+        return None
+    put_in = _as_typed(without_unit(right.node), document)
+    if isinstance(put_in, Number) or (second := value_of(put_in)) is None:
+        return None
+    for chosen in _numbers_behind(nodes, document, knowledge):
+        node = _with_numbers(left.node, chosen, knowledge)
+        first = None if node is None else value_of(node)
+        if first is not None and math.isclose(first, second, rel_tol=_OF_CONSTANTS):
+            order = "" if math.isclose(first, second, rel_tol=SAME) else "the digits of its constants"
+            return Decision(PROVED, order=order, assumptions=(BETWEEN_NUMBERS,))
+    return None
+
+
+_OF_CONSTANTS = 0.002
+"""What constants of three digits, 28.0 for 88/π, put a result off by."""
+_DEEPEST = 12
+"""Formulas that rest on formulas, one in the other."""
+_MOST_CHOICES = 64
+"""Ways to take the numbers of letters that have two, 8 tons = 17920 lb."""
+
+
+def _formulas_behind(node: Formula, knowledge: Knowledge) -> list[Formula]:
+    """Return a formula and the formulas of its letters, and of theirs."""
+    nodes, reached = [node], set[str]()
+    for each in nodes:
+        for name in sorted(names(each) - reached):
+            reached.add(name)
+            definition = knowledge.definitions.get(name)
+            if definition is not None and names(definition.node):
+                nodes.append(definition.node)
+    return nodes
+
+
+def _numbers_behind(
+    nodes: list[Formula], document: ReadNotes, knowledge: Knowledge
+) -> Iterator[dict[str, Number]]:
+    """Yield the numbers as typed of all letters with numbers in some formulas; some have two."""
+    choices: dict[str, list[Number]] = {}
+    for name in sorted({n for node in nodes for n in names(node)}):
+        definition = knowledge.definitions.get(name)
+        if definition is None or names(definition.node):
+            continue
+        for node in (definition.node, definition.rounded):
+            if node is not None and (typed := _typed_node(node, document)) is not None:
+                choices.setdefault(name, []).append(typed.number)
+    if math.prod(len(own) for own in choices.values()) > _MOST_CHOICES:
+        return
+    for chosen in combinations_of(*choices.values()):
+        yield dict(zip(choices, chosen, strict=True))
+
+
+def _with_numbers(node: Formula, numbers: dict[str, Number], knowledge: Knowledge) -> Formula | None:
+    """Return a formula with numbers for its letters, None where one has none."""
+    for _ in range(_DEEPEST):
+        own = sorted(names(node))
+        if not own:
+            return node
+        for name in own:
+            definition = knowledge.definitions.get(name)
+            if name not in numbers and (definition is None or not names(definition.node)):
+                return None
+            value = numbers.get(name) or (definition.node if definition is not None else None)
+            assert value is not None
+            try:
+                node = substitute(node, name, value)
+            except NoFormError:  # a derivative by the letter: it has no value
+                return None
+    return None
+
+
 def converts(node: Formula) -> bool:
     """Tell whether a formula has any constant that may convert units."""
     return any(_converting(node))
@@ -197,7 +278,15 @@ def _typed(name: str, document: ReadNotes, knowledge: Knowledge) -> _Typed | Non
     """Return the number that a letter was given on the page, None where it has none."""
     definition = knowledge.definitions.get(name)
     node = _number_node(definition) if definition is not None else None
-    if node is None:
+    return None if node is None else _typed_node(node, document)
+
+
+def _typed_node(node: Formula, document: ReadNotes) -> _Typed | None:
+    """Return the number and unit that a formula consists of, None for an arithmetic."""
+    is_lone = isinstance(node, Number) or (
+        isinstance(node, Product) and len(node.factors) == 2 and isinstance(node.factors[0], Number)
+    )
+    if not is_lone and any(isinstance(part, Product | Quotient) for part in children(node)):
         return None
     source = document.source(node.span)
     digits, (has_number, words) = _DIGITS.search(source), written_unit(source)

@@ -46,21 +46,26 @@ from symbalance.notes.checking.units.conversions import (
 from symbalance.notes.checking.units.dimensions import unit_of, written_unit
 from symbalance.notes.checking.units.formulas_between_numbers import (
     decide_between_numbers,
+    decide_numbers_put_in,
     may_convert,
     puts_in_numbers,
     with_printed_results,
 )
 from symbalance.notes.checking.units.own_units import is_per_minute
+from symbalance.notes.checking.units.printed_units import decide_by_printed_units
 from symbalance.notes.checking.units.units_behind import decide_as_counted
+from symbalance.notes.checking.units.unrounded_numbers import decide_unrounded
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.numerals import unit_in_words
 from symbalance.notes.reading.units import Scale, scale_of
 
 RPM = Fraction(1, 30), True
 FEWEST_COUNTED, NEARLY_WHOLE = 10, Fraction(1, 100)
-"""Of a whole result with a unit: the least of two digits, and what it may be off by behind =."""
+"""Of a whole result with a unit: the least of two digits, and what closing zeros may hide behind =."""
 FEWEST_DIGITS = 3
 """That a factor of conversion, or a constant that a formula has for its units, is printed with."""
+_TIE = Fraction(1, 10**9)
+"""Half a unit of two digits is rounded up: half of 87 mm is no 43 mm."""
 _PI, _NEAR_PI = Fraction(355, 113), Fraction(1, 500)
 _SMALL = Fraction(1, 100)
 _LETTER = re.compile(r"[A-Za-z]")
@@ -85,10 +90,12 @@ def decide_in_units(
     in_two_units = decide_conversion(chain, k, document)
     if in_two_units is not None:
         return in_two_units if in_two_units.is_proved else decision
+    if decision == decide_by_printed_units(chain, k, document, knowledge):
+        return decision
     for meant in (
         _put_in_bare, _term_by_term, _rounded_in_its_unit, _between_numbers, _in_unit_of_result,
         _converted, _of_weights, decide_as_counted, _with_numbers_of_units, _with_frequencies,
-        _in_unit_behind, _by_the_minute,
+        _in_unit_behind, _by_the_minute, decide_unrounded,
     ):  # fmt: skip
         there = meant(chain, k, document, knowledge)
         if there is not None and (there.is_proved or meant is _converted):
@@ -197,15 +204,19 @@ def _rounded_in_its_unit(
 ) -> Decision | None:
     """Return the decision on 5401 N · 45 mm = 243 Nm: a whole result with a unit is rounded to its units.
 
-    It has two digits, and is off by a hundredth at most: 16 m/s for 15.7 wants ≈.
+    It has two digits, and its closing zeros are open to a hundredth: 16 m/s for 15.7, 1500 N for 1494.
     """
     left, right = chain.sides[k], chain.sides[k + 1]
     quantity = quantity_of(right, document)
     is_computed = not isinstance(left.node, Name | Number)
     if quantity is None or names(right.node) or not is_computed or abs(quantity.value) < FEWEST_COUNTED:
         return None
-    place = min(2 * quantity.half, 2 * NEARLY_WHOLE * abs(quantity.value)) * quantity.scale
-    rounded = Side((Number(quantity.value * quantity.scale, place),), right.span)
+    open_by = max(2 * NEARLY_WHOLE * abs(quantity.value), Fraction(1))
+    place = min(2 * quantity.half, open_by) * quantity.scale
+    value = quantity.value * quantity.scale
+    if place == quantity.scale and abs(quantity.value) < FEWEST_COUNTED**2:
+        value *= 1 - _TIE  # 43.5 is 44
+    rounded = Side((Number(value, place),), right.span)
     if not names(left.node) and _is_wrong_by_letters(chain, k, rounded, knowledge):
         return None
     return decide(left, rounded, chain.relations[k].sign, knowledge)
@@ -244,6 +255,7 @@ def _between_numbers(chain: Chain, k: int, document: ReadNotes, knowledge: Knowl
     there = decide_between_numbers(left, right, chain.relations[k].sign, document, knowledge)
     if there is None and puts_in_numbers(left, right, document, knowledge):
         there = Decision(PROVED, UNITS_LEFT_OUT)
+    there = there or decide_numbers_put_in(left, right, document, knowledge)
     printed = with_printed_results(knowledge, document)
     if there is not None or printed.definitions == knowledge.definitions:
         return there

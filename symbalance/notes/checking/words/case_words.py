@@ -65,7 +65,8 @@ _COUNTS = {
 _NUMBER = "|".join(sorted((*_COUNTS, r"[0-9]{1,2}"), key=len, reverse=True))
 ENGINE = re.compile(
     rf"(?<![A-Za-z0-9.,])(?P<before>{_NUMBER})[-\s]?(?:cylinders?|throws?|cranks|cyl|zylinder|シリンダ|気筒)"
-    rf"|(?<![A-Za-z])(?P<kind>inline|straight|flat|boxer|reihen|直列|水平対向|V型|V|W)[-\s]?(?P<behind>{_NUMBER})(?![0-9.,]*[0-9A-Za-z])",
+    rf"|(?<![A-Za-z])(?P<kind>in-?line|straight|flat|boxer|reihen|直列|水平対向|V型|V|W)[-\s]?(?P<behind>{_NUMBER})"
+    r"(?:(?=-?zylinder)|(?![0-9.,]*[0-9A-Za-z]))",
     re.IGNORECASE,
 )
 PROBLEM = re.compile(

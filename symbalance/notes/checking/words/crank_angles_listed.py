@@ -80,6 +80,12 @@ class CrankAngles:
     is_by_firing: bool = False
     others: tuple[CrankAngles, ...] = ()
     """What else the words may say: the angles of a two-stroke engine."""
+    is_usual: bool = False
+    """Whether no list says them, but the name of an engine whose crankshaft is usual."""
+    signs: tuple[int, ...] = ()
+    """For engines with opposed cylinders: which way each one's force counts."""
+    arms: tuple[Fraction, ...] = ()
+    """The cylinders' places along the crank from the middle, where an engine's name says them."""
 
     @property
     def nodes(self) -> tuple[Formula, ...]:
@@ -91,6 +97,10 @@ class CrankAngles:
     def text(self) -> str:
         """The angles as a condition of what rests on them."""
         angles = ", ".join(f"{_plain(angle)}°" for angle in self.degrees)
+        if self.is_usual:
+            opposed = ", the cylinders opposed" if self.signs else ""
+            usual = f"as is usual for the engine that line {self.line} names"
+            return f"the cranks are at {angles}{opposed}, {usual}"
         where = "equal firing intervals" if self.is_by_firing else "the list"
         return f"the cranks are at {angles} ({where} of line {self.line})"
 

@@ -18,9 +18,13 @@ from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _HEADING = re.compile(
     r"#{1,6}\s|={2,6}\s*\S.*|<h[1-6]\b"
-    r"|\\(?:part|chapter|(?:sub){0,2}section|paragraph|subparagraph)\*?\s*[\[{]",
+    r"|\\(?:part|chapter|(?:sub){0,2}section|paragraph|subparagraph)\*?\s*[\[{]"
+    r"|(?:§\s?|art(?:icle|ikel|\.)\s)?[0-9]{1,3}\.?\s+[^\W\d_][^.=\n]{2,80}\.\s?(?:--|[—–])",
     re.IGNORECASE,
 )
+"""Headings; those of old books stand in the line, "34. Hammer blow.--Let the fraction …"."""
+FEWEST_DATA = 2
+"""Letters that get their first numbers beside one that has another one before, in data of an example."""
 _BLOCK = "p|h[1-6]|li|[ou]l|d[dtl]|blockquote|div|section|article|table|t[rdh]|pre|figure|hr"
 _BLOCK_BEGINS = re.compile(rf"\s*<(?:{_BLOCK})\b[^>]*>", re.IGNORECASE)
 _BLOCK_ENDS = re.compile(rf"</(?:{_BLOCK})>\s*$", re.IGNORECASE)
@@ -30,6 +34,11 @@ _CAPTION = re.compile(
     r"|[*_]{0,2}(?:caption|legende?|bildunterschrift)\s*:|図|表|!\[|\\caption\b)",
     re.IGNORECASE,
 )
+_NUMBERED = re.compile(
+    r" {0,3}(?:[*_]{1,2})?(?:(?:Q|Ex|Aufgabe|Exercise|Problem|Question|Task|Part|Teil|問題?)\.? ?)?"
+    r"[0-9]{1,2}[.):]"
+)
+"""A line that begins a numbered exercise or answer."""
 _IN_BRACKETS = re.compile(r"\s*\([^()\n$]{1,40}\)\s*$")
 """A line of its own in brackets is a remark on what it stands beside: (θ = 90°)."""
 _END = r"\s[^.;:!?\n$=]{0,30}$"
@@ -62,6 +71,14 @@ _CONDITION = re.compile(
     re.IGNORECASE,
 )
 """Before an equation that is to be solved, not claimed for all angles."""
+_FAILS = re.compile(
+    r"(?:(?<![A-Za-z])(?:third|fourth|last|latter|this|it|which|dritte|vierte|letzte|letztere|diese|sie)"
+    r"(?![A-Za-z])[^.;\n=$]{0,40}(?<![A-Za-z])(?:fails|(?:is|are)\s+(?:in\s+general\s+)?not\s+(?:satisfied|fulfilled|met)"
+    r"|cannot\s+be\s+(?:satisfied|fulfilled|met)|ist\s+(?:im\s+Allgemeinen\s+)?nicht\s+(?:erfüllt|erfüllbar|zu\s+erfüllen)"
+    r"|nicht\s+erfüllt\s+werden)(?![A-Za-z])|(?:第三|三つ目|最後)の?(?:条件|式)[^。\n]{0,20}(?:満た(?:さない|せない)|成り立たない))",
+    re.IGNORECASE,
+)
+"""Behind an equation that words name, and say not to hold."""
 _ASIDE = re.compile(r"\([^()$=]*\)")
 _LINK = re.compile(
     r"(?:[\s,;:.()、。，；：–—-]|\\(?:[,;: !]|quad|qquad|ldots|dots)|(?<![A-Za-zÀ-ÿ])(?:also|and|so"
@@ -129,6 +146,14 @@ _CASE_BEHIND = re.compile(r"[\s$)\]]{0,4}(?:なら|のとき|の時|の場合|�
 """Behind a relation that is a case, in Japanese."""
 _WHEN_BEHIND = re.compile(r"[\s$)\]]{0,4}(?:なら|のとき|の時|の場合)")
 """Behind one that is not claimed of all angles."""
+_ROOTS_BEHIND = re.compile(
+    r"[\s$)\]\\,.;]{0,12}(?:(?:which|it|this|and|mit|with|und|hat|has|have|die|der|das|the|den)\s+){1,3}"
+    r"(?:(?:the|two|three|four|die|den|zwei|drei|vier|following|real|positive)\s+){0,3}"
+    r"(?:roots?|solutions?|zeros|Wurzeln?|Lösung(?:en)?|Nullstellen?)(?![A-Za-z])"
+    r"|[\s$)\]\\]{0,6}の(?:根|解)|[\s$)\]\\]{0,6}を(?:解く|満たす)",
+    re.IGNORECASE,
+)
+"""Behind one whose roots are named next."""
 _TOP = r"(?:top|inner|upper|oberen?r?|inneren?)\s+(?:dead\s+cent(?:re|er)s?|Totpunkte?s?)|上死点"
 _BOTTOM = r"(?:bottom|outer|lower|unteren?r?|äußeren?)\s+(?:dead\s+cent(?:re|er)s?|Totpunkte?s?)|下死点"
 _SHORT_TOP, _SHORT_BOTTOM = r"(?<![A-Za-z])(?:TDC|OT)(?![A-Za-z])", r"(?<![A-Za-z])(?:BDC|UT)(?![A-Za-z])"
@@ -136,6 +161,13 @@ _DEAD_CENTRE = re.compile(
     rf"(?i:(?P<top>{_TOP})|(?P<bottom>{_BOTTOM}|(?:im|at\s+the|am)\s+(?:unteren|outer|lower|bottom)))"
     rf"|(?P<short_top>{_SHORT_TOP})|(?P<short_bottom>{_SHORT_BOTTOM})"
 )
+_PLACE = re.compile(
+    rf"({_TOP}|{_SHORT_TOP})|({_BOTTOM}|{_SHORT_BOTTOM})"
+    r"|(?<![A-Za-z])(?:at|for|bei|für)\s+(?:an?\s+angle\s+of\s+)?(?:\$?\\?[a-zθφα]{1,8}\s?=\s?)?\$?"
+    r"([0-9]{1,3})\s?\$?(?:°|\^\{?\\circ|degrees?|Grad)|([0-9]{1,3})\s?(?:°|度)\$?(?:では|のとき)",
+    re.IGNORECASE,
+)
+"""Where a value is taken: at a dead centre, or at an angle."""
 _THERE = re.compile(r"[\s$)\]}\\,]{0,6}(?:there|here|dort|hier)(?![A-Za-zäöüß])")
 """Words behind a relation by which it is meant at the place that its section named last."""
 _OPENING = " \t\n$\\([{&"
@@ -245,6 +277,29 @@ class Sections:
         own = self._numbers_given.get(self.paragraph_start(line), {})
         return frozenset(name for name, first in own.items() if first <= line)
 
+    def section_start(self, line: int) -> int:
+        """Return the line of the heading that a line stands under, 1 where there is none."""
+        above = bisect_right(self._headings, line)
+        return self._headings[above - 1] if above else 1
+
+    def is_in_list_of_data(self, chain: Chain, earlier_line: int) -> bool:
+        """Tell whether a relation stands among the data of an example of its own, in another section.
+
+        Some numbers are given there, to letters that had none in the earlier line's section.
+        """
+        line = chain.lines[0]
+        if self.same_section(earlier_line, line):
+            return False
+        own = self._numbers_given.get(self.paragraph_start(line), {})
+        first = max((heading for heading in self._headings if heading <= earlier_line), default=1)
+        there = {
+            name
+            for start, numbers in self._numbers_given.items()
+            if first <= start <= self.section_end(earlier_line)
+            for name in numbers
+        }
+        return len(own.keys() - there) >= FEWEST_DATA
+
     def section_end(self, line: int) -> int:
         """Return the last line of the section that a line stands in."""
         place = bisect_right(self._headings, line)
@@ -286,6 +341,8 @@ class Sections:
         `is_number` tells whether it gives its letter a number.
         """
         line = chain.lines[0]
+        if line in self._engine_rows:
+            return line
         first = self._lines[self.paragraph_start(line) - 1]
         if (chain.inline and _CAPTION.match(first)) or _IN_BRACKETS.match(first):
             return self.paragraph_end(line)
@@ -302,6 +359,17 @@ class Sections:
             return self.moment_end(line)
         is_premise = is_case or (is_number and _NAMING.search(before + " "))
         return self.section_end(line) if is_premise else None
+
+    @cached_property
+    def _engine_rows(self) -> frozenset[int]:
+        """The lines, from 1, of rows that each name an engine: F_2 of one row is not that of the next."""
+        rows = {
+            number
+            for number, text in enumerate(self._lines, 1)
+            if text.lstrip().startswith("|")
+            and case_words.ENGINE.search(text.lstrip(" \t|").split("|", 1)[0])
+        }
+        return frozenset(n for n in rows if {n - 1, n + 1} & rows)
 
     def is_consequence(self, chain: Chain) -> bool:
         """Tell whether a relation is introduced as what follows: therefore, hence, ⇒."""
@@ -463,9 +531,22 @@ class Sections:
         first = bisect_left(starts, self._start_of_line(line + 1))
         return not any(line < other.lines[0] for other in chains[first : bisect_left(starts, start)])
 
+    def is_said_to_fail(self, chain: Chain) -> bool:
+        """Tell whether the words right below a relation say that it fails: the third one."""
+        following = self._by_start[0]
+        place = bisect_right(following, chain.sides[0].span[0])
+        end = following[place] if place < len(following) else len(self.document.text)
+        end = min(
+            end, chain.end + LONGEST_INTRODUCTION, self._end_of_line(self.section_end(chain.lines[0]))
+        )
+        return _FAILS.search(self.document.text, chain.end, end) is not None
+
+    def _end_of_line(self, line: int) -> int:
+        return self._line_starts[line] if line < len(self._line_starts) else len(self.document.text)
+
     def is_condition(self, chain: Chain) -> bool:
         """Tell whether a relation is introduced as an equation to be solved: where, condition, set."""
-        if _WHEN_BEHIND.match(self.document.text, chain.end):
+        if any(words.match(self.document.text, chain.end) for words in (_WHEN_BEHIND, _ROOTS_BEHIND)):
             return True
         return _CONDITION.search(_ASIDE.sub(" ", self._text_before(chain))) is not None
 
@@ -480,6 +561,18 @@ class Sections:
         """Return what a relation's sentence says before it."""
         text = self.document.text[max(0, chain.start - LONGEST_SENTENCE) : chain.start]
         return re.split(r"[.;!?。]\s|\n\s*\n", text)[-1]
+
+    def is_at_another_place(self, chain: Chain, name: str) -> bool:
+        """Tell whether words place a letter's value elsewhere than its last one: at 0°, then at 180°."""
+        starts, chains = self._by_start
+        before = chains[: bisect_left(starts, chain.sides[0].span[0])]
+        last = next((c for c in reversed(before) if c.sides[0].node == Name(name)), None)
+        if last is None or chain.start - last.end > LONGEST_SENTENCE:
+            return False
+        text = self.document.text
+        here = _last_place(text[last.end : chain.start])
+        there = _last_place(text[max(0, last.start - LONGEST_INTRODUCTION) : last.start])
+        return here is not None and there is not None and here != there
 
     def _section_before(self, chain: Chain) -> str:
         """Return the text of a relation's section before it, with its heading."""
@@ -498,9 +591,25 @@ class Sections:
         """Tell whether no heading stands between two lines."""
         return self.section_end(min(first, second)) >= max(first, second)
 
+    def same_exercise(self, first: int, second: int) -> bool:
+        """Tell whether neither a heading nor a numbered line begins between two lines: "10. Torque"."""
+        low, high = sorted((first, second))
+        numbered = any(_NUMBERED.match(line) for line in self._lines[low:high])
+        return self.same_section(first, second) and not numbered
+
     def paragraph_start(self, line: int) -> int:
         """Return the first line of the paragraph that a line stands in."""
         return self._paragraphs[line - 1][0]
+
+
+def _last_place(words: str) -> int | None:
+    """Return the angle in degrees at which words place a value last, None where they name none."""
+    last = None
+    for match in _PLACE.finditer(words):
+        last = match
+    if last is None:
+        return None
+    return 0 if last[1] else 180 if last[2] else int(last[3] or last[4])
 
 
 def dead_centre_named(words: str) -> bool | None:

@@ -86,6 +86,13 @@ class WrittenNumber:
         return max(first - exponent_of(self.place) + 1, LEAST_DIGITS)
 
     @property
+    def counted(self) -> int:
+        """The significant digits without the closing zeros of a whole number."""
+        if self.place is not None or self.mantissa.denominator > 1:
+            return self.digits
+        return max(len(str(abs(self.mantissa.numerator)).rstrip("0")), LEAST_DIGITS)
+
+    @property
     def node(self) -> Formula:
         """The formula that it is."""
         value = Number(
@@ -119,6 +126,16 @@ class WrittenNumber:
             return self.node
         number = Decimal(f"{_plain_digits(abs(self.mantissa), self.place)}e{self.power}")
         return Negative(number) if self.mantissa < 0 else number
+
+    def at_its_place(self, value: Fraction) -> WrittenNumber | None:
+        """Return a value that ends where the decimal typed does, in its unit: 0.2, not 0.20, for 0.3."""
+        if self.place is None or self.of_pi or not value:
+            return None
+        own = value / self.scale / Fraction(10) ** (self.power or 0)
+        places = own / self.place
+        if places.denominator > 1 or self.power is not None or own == self.mantissa:
+            return None
+        return self._with(own, self.place, self.power)
 
     def with_value(self, value: Fraction, digits: int) -> WrittenNumber:
         """Return another value in the same unit, with so many significant digits."""
@@ -167,6 +184,7 @@ def _candidates(source: str) -> Iterator[WrittenNumber]:
     if not text:
         return
     unit = _UNIT_SHOWN.sub("", text["unit"]).strip(" .,;:") if text["unit"] else ""
+    unit = re.sub(r"\s*\\cdot(?![A-Za-z])\s*", " ", unit)
     unit = re.sub(r"\^(-?[0-9]+)", lambda match: match[1].translate(_TO_RAISED), unit)
     power = int(text["power"].replace("−", "-")) if text["power"] else None
     if abs(power or 0) > MOST_POWER or len(text["digits"]) > 30:
@@ -256,7 +274,10 @@ def corrected(claim: WrittenNumber, value: Fraction) -> Iterator[tuple[str, Writ
         other = claim.in_unit(unit, scale)
         if _agrees(ratio, float(scale / claim.scale), claim):
             yield f"unit: {unit}, not {claim.unit}", other
-    for digits in range(claim.digits, MOST_DIGITS + 1):
+    words = _words_of_factor(ratio, claim)
+    if (number := claim.at_its_place(value)) is not None:
+        yield _words(ratio, claim, number), number
+    for digits in range(claim.digits if not words else claim.counted, MOST_DIGITS + 1):
         number = claim.with_value(value, digits)
         if (number.mantissa, number.power) != (claim.mantissa, claim.power):
             yield _words(ratio, claim, number), number
@@ -296,11 +317,19 @@ _FACTORS = {
 }
 
 
+def _words_of_factor(ratio: float, claim: WrittenNumber) -> str:
+    """Return which factor is wrong, "" for none; the closing zeros of 57750 for 5775.2 count as none."""
+    bare = replace(claim, mantissa=claim.mantissa / 10 ** (claim.digits - claim.counted))
+    for words, factor in _FACTORS.items():
+        if _agrees(ratio, factor, bare if "times" in words and claim.place is None else claim):
+            return words
+    return ""
+
+
 def _words(ratio: float, claim: WrittenNumber, number: WrittenNumber) -> str:
     """Return what is wrong: the sign, a power of ten, a factor 2, two digits; else "value"."""
-    for words, factor in _FACTORS.items():
-        if _agrees(ratio, factor, claim):
-            return words
+    if words := _words_of_factor(ratio, claim):
+        return words
     mine, right = (
         re.sub("[^0-9]", "", _plain_digits(abs(each.mantissa), each.place)).strip("0")
         for each in (claim, number)

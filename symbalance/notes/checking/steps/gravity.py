@@ -1,0 +1,88 @@
+"""The acceleration of gravity where no line gives it: T = 2π √(J/(m g b)) = 0.791 s with 9.81 m/s².
+
+Pages seldom define g. Beside a mass, or below a weight, it is that of gravity, in metres or, where the
+page has them, in feet: W N² (2π/60)²/g is 0.00034 W N² with 32.2. What is right with
+one of its usual values holds with that; a number that none of them gives is wrong.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+
+from symbalance.document.formula import Formula, Name, Number, Product, Quotient, names, walk
+from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.values import letters
+from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.steps.printed_results import is_lone_number
+from symbalance.notes.reading.equations import Chain, Side
+
+GRAVITIES = ("9.81", "9.80665", "9.8", "9.807", "10", "32.2", "32.17", "32.16", "32.174", "386", "386.4")
+"""Its usual values, in m/s², ft/s² and in/s²."""
+METRIC = ("9.81", "9.80665")
+"""Those that need not be said."""
+_WEIGHT = re.compile(r"[WGPQ](?:_.*)?$|[mM](?:_.*)?[0-9]?$")
+
+
+Decide = Callable[[Side, Side, Decision, Knowledge], Decision]
+"""Returns the decision on two sides by what is known, after another decision."""
+
+
+def by_definitions(left: Side, right: Side, decision: Decision, knowledge: Knowledge) -> Decision:
+    """Return the decision on two sides by the letters' values alone."""
+    return decide(left, right, "=", knowledge)
+
+
+def decide_with_gravity(
+    chain: Chain,
+    k: int,
+    decision: Decision,
+    text: str,
+    knowledge: Knowledge,
+    decide_with: Decide = by_definitions,
+) -> Decision | None:
+    """Return the decision on a relation that is open but for g, with the g that is meant."""
+    if decision.status not in (REFUTED, UNDECIDED) or not _stands_open(chain, k, knowledge):
+        return None
+    left, right = chain.sides[k], chain.sides[k + 1]
+    last: Decision | None = None
+    for size in GRAVITIES:
+        is_printed = re.search(rf"(?<![0-9.,]){re.escape(size).replace('[.]', '[.,]')}(?![0-9])", text)
+        if size not in METRIC and not is_printed:
+            continue
+        value = Number(Fraction(size))
+        known = knowledge.with_definition("g", Definition(value, chain.lines[0], numeric=True))
+        last = decide_with(left, right, decision, known)
+        if last.is_proved:
+            unit = "ft/s²" if value.value > 30 else "m/s²"
+            return replace(last, assumptions=(*last.assumptions, f"g = {size} {unit}"))
+    if last is None or last.status != REFUTED or last.left is None:
+        return None
+    is_number = is_lone_number(right.node) and not letters(last.left)
+    return replace(last, reason="with no usual value of g") if is_number else None
+
+
+def _stands_open(chain: Chain, k: int, knowledge: Knowledge) -> bool:
+    """Tell whether g stands behind a relation, has no value there, and goes with a mass or a weight."""
+    if knowledge.knows("g") or "g" in knowledge.meanings:
+        return False
+    values = {n: d.node for n, d in knowledge.definitions.items()} | dict(knowledge.meaning.values)
+    sides = [chain.sides[n].node for n in (k, k + 1)]
+    behind = {n for node in sides for n in (*names(node), *names_behind(node, values))}
+    nodes = [*sides, *(values[n] for n in sorted(behind) if n in values)]
+    return "g" in behind and any(_is_of_gravity(part) for node in nodes for part in walk(node))
+
+
+def _is_of_gravity(part: Formula) -> bool:
+    """Tell whether a product has a mass beside g, or a quotient a weight above it."""
+    if isinstance(part, Quotient):
+        below = part.denominator
+        is_below = below == Name("g") or (isinstance(below, Product) and Name("g") in below.factors)
+        return is_below and any(_WEIGHT.match(name) for name in names(part.numerator))
+    if not isinstance(part, Product) or Name("g") not in part.factors:
+        return False
+    return any(isinstance(f, Name) and _WEIGHT.match(f.name) for f in part.factors)

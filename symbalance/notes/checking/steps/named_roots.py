@@ -1,0 +1,77 @@
+"""Roots of an equation that stand below it: "with the roots ω_I = √(k/J), ω_II = √(3k/J)".
+
+Each root's letter is the unknown with a subscript of its own. Nothing else on the page says what it is,
+and put into the equation it satisfies it, or it is no root.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from symbalance.document.formula import Name, names
+from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.words.plain_formulas import lone_side
+from symbalance.notes.reading.equations import Chain
+
+FARTHEST = 400
+"""Characters between an equation and its last root."""
+_ROOTS = re.compile(
+    r"(?<![A-Za-z])(?:roots?|solutions?|eigenvalues?|zeros|Wurzeln?|Lösung(?:en)?|Nullstellen?|Eigenwerte?|racines?)(?![A-Za-z])|根|解",
+    re.IGNORECASE,
+)
+_NONE = re.compile(r"(?<![A-Za-z])(?:of|other|another|square|cube|von|approximate\w*)\s*$", re.IGNORECASE)
+
+
+def as_named_root(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on a root of the equation above by that equation; None for other relations."""
+    head, value = chain.sides[0].node, chain.sides[1].node
+    if k or chain.relations[0].sign != "=" or not isinstance(head, Name) or "_" not in head.name:
+        return None
+    unknown = head.name.partition("_")[0]
+    equation = _equation_above(state, chain, unknown)
+    if equation is None or not names(value) or unknown in names(value) or head.name in names(value):
+        return None
+    sides = [side.node for side in equation.sides]
+    if head.name in names(sides[0]) | names(sides[1]) or not names(value) <= names(sides[0]) | names(
+        sides[1]
+    ):
+        return None
+    left, right = (lone_side(substitute(node, unknown, value)) for node in sides)
+    formulas = {
+        n: d
+        for n, d in knowledge.definitions.items()
+        if n not in (unknown, head.name) and not d.numeric and not d.solved
+    }
+    decision = decide(left, right, "=", replace(knowledge, definitions=formulas))
+    if decision.is_proved:
+        state.definitions.define(head.name, value, chain)
+        return Decision(PROVED, f"satisfies line {equation.lines[0]}", assumptions=decision.assumptions)
+    if decision.status == REFUTED:
+        return Decision(REFUTED, f"does not satisfy line {equation.lines[0]}", witness=decision.witness)
+    return None
+
+
+def _equation_above(state: JudgingState, chain: Chain, unknown: str) -> Chain | None:
+    """Return the equation in an unknown whose roots the words before a relation name, None for none."""
+    text, start = state.document.text, chain.sides[0].span[0]
+    above = [c for c in state.document.chains if c.end <= start and start - c.end < FARTHEST]
+    above.sort(key=lambda c: c.sides[0].span[0], reverse=True)
+    for other in above:
+        is_root = isinstance(other.sides[0].node, Name) and other.sides[0].node.name.startswith(
+            f"{unknown}_"
+        )
+        if is_root:
+            continue
+        own = names(other.sides[0].node) | names(other.sides[-1].node)
+        if len(other.sides) != 2 or other.relations[0].sign != "=" or unknown not in own:
+            return None
+        if isinstance(other.sides[0].node, Name):
+            return None
+        named = _ROOTS.search(text, other.end, start)
+        return other if named and not _NONE.search(text, other.end, named.start()) else None
+    return None

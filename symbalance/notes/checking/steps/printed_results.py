@@ -1,0 +1,74 @@
+"""Numbers that a page has computed for its letters: F_I = m r ω² = 6.79 kN, and ½ F_I = 3.40 kN below.
+
+A datum behind a letter may be out of reach where the letter is used, as one that was given "with" a
+number in another section. What the page printed for the letter itself still stands, as long as nothing
+behind the letter has another number since.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from symbalance.document.formula import Formula, Name, Negative, Number, Product, names
+from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.checking.deciding.equality import REFUTED, Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.premises.impossible_values import number_of
+from symbalance.notes.checking.words.plain_formulas import lone_side
+from symbalance.notes.reading.equations import Chain
+
+
+def is_lone_number(node: Formula) -> bool:
+    """Tell whether a side is one number with its unit, and no arithmetic."""
+    if isinstance(node, Negative):
+        return is_lone_number(node.operand)
+    if isinstance(node, Product) and not names(node):
+        number, *units = node.factors
+        return isinstance(number, Number) and all(_is_factor(unit) for unit in units)
+    return isinstance(node, Number)
+
+
+def _is_factor(node: Formula) -> bool:
+    """Tell whether a factor behind a number is a unit's or a power of ten."""
+    if not isinstance(node, Number) or node.value.denominator > 1:
+        return not isinstance(node, Number) or node.last_place is None
+    return set(str(node.value)) <= {"1", "0"}
+
+
+@dataclass
+class PrintedResults:
+    """The last number that a page has proved for each of its letters, with its line."""
+
+    numbers: dict[str, tuple[int, Formula]] = field(default_factory=dict)
+
+    def note(self, chain: Chain, k: int) -> None:
+        """Note the number of a letter that a proved relation gives at the end of its chain."""
+        head, value = chain.sides[0].node, chain.sides[k + 1].node
+        if isinstance(head, Name) and not names(value):
+            self.numbers[head.name] = (chain.lines[0], value)
+
+    def decide(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+        """Return the decision on a number by those of the letters beside it; None where one has none."""
+        left, right = chain.sides[k].node, chain.sides[k + 1]
+        if isinstance(left, Name) or not names(left) or not is_lone_number(right.node):
+            return None
+        for name in sorted(names(left)):
+            value = self._number(name, knowledge)
+            if value is not None:
+                left = substitute(left, name, value)
+            elif number_of(Name(name), knowledge) is None:
+                return None
+        decision = decide(lone_side(left), right, chain.relations[k].sign, knowledge)
+        return decision if decision.is_proved or decision.status == REFUTED else None
+
+    def _number(self, name: str, knowledge: Knowledge) -> Formula | None:
+        """Return what the page has printed for a letter, None if it stands for something else since."""
+        line, value = self.numbers.get(name, (0, None))
+        if value is None or name in knowledge.angles | knowledge.universal:
+            return None
+        values = {n: d.node for n, d in knowledge.definitions.items()} | dict(knowledge.meaning.values)
+        behind = {name, *names_behind(Name(name), values)}
+        newer = any(n in knowledge.definitions and knowledge.definitions[n].line > line for n in behind)
+        return None if newer or behind & knowledge.angles else value
