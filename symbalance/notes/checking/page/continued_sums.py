@@ -229,6 +229,8 @@ def _simple(node: Formula) -> Formula:
         return _NOTHING if _NOTHING in factors else _joined(Product, factors, _ONE)
     if isinstance(node, Sum):
         return _joined(Sum, parts, _NOTHING)
+    if isinstance(node, Power) and parts[1] == _NOTHING:
+        return _ONE
     is_whole = isinstance(node, Quotient | Power) and parts[1] == _ONE
     if is_whole or (isinstance(node, Quotient) and parts[0] == _NOTHING):
         return parts[0]
