@@ -13,6 +13,7 @@ from symbalance.notes.algebra.derivatives import differentiate
 from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.matrix_letters import Kinds
+from symbalance.notes.algebra.open_sums import NOT_CONTINUED, goes_on_within
 from symbalance.notes.algebra.polynomials import MOST_WORK
 from symbalance.notes.algebra.roots import root, unit
 from symbalance.notes.algebra.sums import at_index, indexed_letters
@@ -175,6 +176,8 @@ def _constant(evaluator: FormEvaluator, node: formula.Constant) -> Form:
 
 
 def _sum(evaluator: FormEvaluator, node: formula.Sum) -> Form:
+    if goes_on_within(node):
+        raise NoFormError(NOT_CONTINUED)
     total = Form.number(evaluator.domain, 0)
     terms = [term for term in node.terms if not isinstance(term, formula.Dots)]
     for term in terms or node.terms:  # of dots alone: not the number 0

@@ -116,6 +116,8 @@ class MatrixEvaluator:
         if node.function == "transpose":
             return self.transposed(self.value(node.arguments[0]))
         if node.function == "det":
+            if not holds_matrices(node.arguments[0], self.kinds):
+                raise NoFormError("the determinant of what is not said to be a matrix")
             return self.determinant(self.value(node.arguments[0]))
         letter = node.arguments[0]
         if node.function == "at" and isinstance(letter, Name) and letter.name in self.kinds.letters:

@@ -11,6 +11,7 @@ from symbalance.document.formula import Formula
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue, complex_parts
 from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.open_sums import NOT_CONTINUED, goes_on_within
 from symbalance.notes.algebra.sums import indexed_letters
 from symbalance.notes.algebra.tree_constructs import CONSTRUCTS
 from symbalance.notes.algebra.values import DIGITS, Point, Valuation, context, random_point
@@ -174,6 +175,8 @@ def _constant(at: TreeValues, node: formula.Constant) -> Any:
 
 
 def _sum(at: TreeValues, node: formula.Sum) -> Any:
+    if goes_on_within(node):
+        raise NoFormError(NOT_CONTINUED)
     terms = [t for t in node.terms if not isinstance(t, formula.Dots)]
     return at.mp.fsum(at.value(t) for t in terms or node.terms)  # of dots alone: not the number 0
 

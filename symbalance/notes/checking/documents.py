@@ -30,8 +30,10 @@ from symbalance.notes.checking.declared.sidecar import (
 from symbalance.notes.checking.declared.symbol_roles import readable_letters
 from symbalance.notes.checking.declared.symbols import motions_of
 from symbalance.notes.checking.judging.judge import Judge
+from symbalance.notes.checking.page.continued_sums import with_continued_sums
 from symbalance.notes.checking.page.expanded_sums import with_expanded_sums
 from symbalance.notes.checking.page.letters_anew import with_letters_anew
+from symbalance.notes.checking.page.matrix_words import with_matrix_letters
 from symbalance.notes.checking.page.page_data import data_of
 from symbalance.notes.checking.page.signs_of_motions import with_signs_of_motions
 from symbalance.notes.checking.page.sums_by_rule import with_sums_by_rule
@@ -120,8 +122,9 @@ def check(
     page = with_bare_degrees(page, only_named=True)
     page, declarations = with_letters_anew(page, declarations.without_idle(page_letters(page)))
     page, declarations = with_signs_of_motions(page, declarations)
+    declarations = with_matrix_letters(page, declarations)
     declarations = with_whole_letters(page, with_time(page, declarations))
-    page = with_sums_by_rule(page)
+    page = with_continued_sums(with_sums_by_rule(page))
     page = with_expanded_sums(page, data_of(page, declarations.symbols_at))
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
     sources = Sources(provider, beside)

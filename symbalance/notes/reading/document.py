@@ -17,6 +17,11 @@ from typing import NamedTuple
 from symbalance.document.formula import Formula, children, with_children
 from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek, plain_letter
 from symbalance.notes.reading.accounting import Account
+from symbalance.notes.reading.brace_labels import (
+    COUNT_OR_VALUE,
+    numbers_its_braces,
+    with_equality_at_brace,
+)
 from symbalance.notes.reading.continued_lines import goes_on_below, goes_on_from
 from symbalance.notes.reading.differentials import with_differentials
 from symbalance.notes.reading.equations import Chain, Passed, ReadNotes, Relation, Side, Unreadable
@@ -276,11 +281,18 @@ class Assembler:
                     item, start=match.end(), end=end, aside=True, doubt=None, head=None, tag=""
                 )
                 note = lex(self.text, mark.end(), end, names, self._setting(item))
-                if not note or note[0].kind != "rel" or len(note) < 2:
+                if not note:
                     continue
                 body = lex(self.text, match.end(), after - 1, names, self._setting(item))
+                is_numbered = numbers_its_braces(self.text[item.start : item.end])
+                note = with_equality_at_brace(body, note, is_numbered=is_numbered)
+                if note[0].kind != "rel" or len(note) < 2:
+                    continue
             except ReadingError as failure:
-                if relation_at_start(self.text[failure.offset : failure.offset + 20].lstrip("_^{ ")):
+                is_number = failure.what == COUNT_OR_VALUE
+                if is_number or relation_at_start(
+                    self.text[failure.offset : failure.offset + 20].lstrip("_^{ ")
+                ):
                     self._report(failure, (match.start(), item.end))
                 continue
             result.append((part, [*body, *note]))

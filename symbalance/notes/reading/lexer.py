@@ -55,6 +55,8 @@ _RELATION = re.compile(r"==|:=|<=|>=|!=")
 _TWO_SIGNS = {"==": "=", ":=": "=", "<=": "≤", ">=": "≥", "!=": "≠"}
 _RUN = re.compile(r"[A-Za-z]+")
 _DIGITS = re.compile(r"[0-9]+")
+PERCENT = "%"
+"""The value of the factor that a percent sign is read as, to tell it from a centimetre's."""
 LONGEST_ANNOTATED = 2000  # characters under one \underbrace
 _COMMAND = re.compile(r"\\([A-Za-z]+)\*?")
 _FONT_WORD = re.compile(r"\s*\{\s*([A-Za-z0-9]+)\s*\}")
@@ -386,6 +388,7 @@ class Lexer:
         if not self.is_behind_number():
             raise ReadingError(self.place, *signs.REFUSED_SIGNS["%"])
         self.add_factor("%", (Fraction(1, 100), False), stop)
+        self.tokens[-2] = replace(self.tokens[-2], value=PERCENT)
 
     def _tilde(self) -> None:
         around = self.text[max(self.place - 1, 0) : self.place + 2]

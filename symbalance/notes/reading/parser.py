@@ -282,6 +282,7 @@ class Parser:
         terms = [self._first_term()]
         while (token := self.current) is not None:
             if token.kind == "dots":
+                self._refuse_dots_of_product(terms[-1])
                 terms.append(self._dots())
             elif token.is_op("+-±∓"):
                 terms.append(self._signed_term())
@@ -290,6 +291,14 @@ class Parser:
             else:
                 break
         return terms[0] if len(terms) == 1 else Sum(tuple(terms), span=self.span_since(first))
+
+    def _refuse_dots_of_product(self, before: Formula) -> None:
+        """Refuse 1·2⋯5 and 2·4⋯2n: dots between factors, which no sign sets apart from them."""
+        behind = self.peek(1)
+        is_followed = behind is not None and (behind.kind in ("number", "name") or behind.value == "(")
+        signs = [token for token in self.tokens[: self.place] if token.is_op("*")]
+        if is_followed and isinstance(before, Product) and signs:
+            raise ReadingError(self.offset, "dots within a product are not read", "write the factors")
 
     def _first_term(self) -> Formula:
         if self.at("dots"):

@@ -26,11 +26,12 @@ from symbalance.document.formula import (
     walk,
 )
 from symbalance.notes.reading.equations import Side
-from symbalance.notes.reading.lexer import Token
+from symbalance.notes.reading.lexer import PERCENT, Token
 
 _CLOSE = 0.005  # of the number printed: a rounded result is nearer than that, another unit is not
 _NEAR = 0.25  # of the number printed: a slip in its digits, seldom another unit
 _PREFIX = 1000
+_HUNDRED = 100
 _FUNCTIONS = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "tan": math.tan}
 
 
@@ -51,6 +52,8 @@ def in_unit_of_result(
             value = value_of(other.node)
             if value is None or not _is_meant(value, printed, _size(factor)):
                 break
+            if _is_percentage(tokens[place]) and not _is_of_hundreds(other.node):
+                break
             is_prefix = _size(factor) in (1e3, 1e6, 1e9)
             if is_prefix and abs(printed) >= _PREFIX:
                 break  # 1800 kN for 1800 N is a slip that is made: who computes in kN has 1.8
@@ -58,6 +61,18 @@ def in_unit_of_result(
             done[before] = replace(other, readings=readings)
             notes = ["numbers before a result are in its unit"]
     return done, notes
+
+
+def _is_percentage(tokens: Sequence[Token]) -> bool:
+    return any(token.kind == "number" and token.value == PERCENT for token in tokens)
+
+
+def _is_of_hundreds(node: Formula) -> bool:
+    """Tell whether an arithmetic comes to hundredths: 12/15 · 100 = 80 %, 100 - 20 = 80 %, not 12/15."""
+    if isinstance(node, Sum):
+        return all(abs(value_of(term) or 0) >= 1 for term in node.terms)
+    numbers = [part for part in walk(node) if isinstance(part, Number)]
+    return any(abs(number.value) == _HUNDRED for number in numbers)
 
 
 def with_rounded_results(

@@ -19,6 +19,7 @@ from symbalance.notes.reading.continued_lines import goes_on_below, is_first_sid
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.lexer import Vocabulary, vocabulary
 from symbalance.notes.reading.prose import line_rules, parts_at_lone_brackets, segments, trim_segment
+from symbalance.notes.reading.set_words import doubt_of_words_set
 from symbalance.notes.reading.signs import CELLS, ENVIRONMENTS, RELATION, relation_at_start
 from symbalance.notes.reading.sources import CELL_END, Source
 from symbalance.notes.reading.units import (
@@ -539,6 +540,9 @@ def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Pa
         if len(spans) > 1:
             doubts = _doubts(text, spans)
             spans = [span for span in spans if has_any_relation(text, *span)] or spans[:1]
+        for span in spans:
+            if span not in doubts and (doubt := doubt_of_words_set(text, *span, last)):
+                doubts[span] = doubt
         for place, span in enumerate(spans):
             last_tag = tag if place == len(spans) - 1 else ""
             aside = place > 0 and _explains(text[spans[0][1] : span[0]])

@@ -22,7 +22,8 @@ _OTHER: dict[str, Fraction] = {
     "min": Fraction(60), "h": Fraction(3600), "bar": Fraction(10**5), "K": Fraction(1),
     "cc": Fraction(1, 10**6), "ccm": Fraction(1, 10**6), "oz": Fraction(45359237, 16 * 10**8),
     "Nmm": Fraction(1, 1000), "kNmm": Fraction(1), "gmm": Fraction(1, 10**6), "kgmm": Fraction(1, 1000),
-    "ml": Fraction(1, 10**6), "cl": Fraction(1, 10**5), "kWh": Fraction(36 * 10**5),
+    "mbar": Fraction(100), "hPa": Fraction(100), "daN": Fraction(10), "Ncm": Fraction(1, 100),
+    "Wh": Fraction(3600), "ml": Fraction(1, 10**6), "cl": Fraction(1, 10**5), "kWh": Fraction(36 * 10**5),
     "gcm": Fraction(1, 10**5), "kgcm": Fraction(1, 100),
     "sec": Fraction(1), "ft": Fraction(3048, 10**4), "lb": Fraction(45359237, 10**8),
     "lbs": Fraction(45359237, 10**8), "lbf": Fraction(44482216152605, 10**13),
@@ -78,6 +79,7 @@ _PRESSURES = {
 }
 """Pounds on an area are forces, though a pound is a mass elsewhere."""
 _TURNS |= {"rps": Fraction(2), "rev/s": Fraction(2)}
+_ANGLES = {"deg": Fraction(1, 180)}
 _PLAIN_SURE = word_set("mm cm km kg cc ccm oz rpm kW kHz Hz kN Nm rad lbs lb ft psi kgf mph")
 
 _MOST_PARTS, _LONGEST = 6, 100
@@ -206,8 +208,8 @@ def scale_of(unit: str) -> Scale | None:
     plain = _plain(unit)
     if len(plain) > _LONGEST:
         return None
-    if plain in _TURNS:
-        return _TURNS[plain], True
+    if plain in _TURNS or plain in _ANGLES:
+        return _TURNS.get(plain) or _ANGLES[plain], True
     if plain in _PRESSURES:
         return _PRESSURES[plain], False
     scale, place, power = Fraction(1), 0, 1
@@ -249,6 +251,31 @@ def explained_letters(text: str) -> frozenset[str]:
     return frozenset(m["first"] or m["second"] or m["third"] for m in _EXPLAINED.finditer(text))
 
 
+_SET_ALONE = {"l": "dm^3", "L": "dm^3", "t": "Mg"}
+"""Litres and tonnes, letters elsewhere: read where they are set upright behind a number."""
+
+
+_TO = r"\\(?:to|rightarrow|geq?|leq?|in)(?![A-Za-z])"
+_NUMERATOR = r"(?:[0-9]|\{[^{}]{0,30}[0-9][^{}]{0,30}\})"
+_IN_FORMULAS = re.compile(
+    rf"(?<![0-9][ ~])(?<![0-9])(?<!\bin )\$(?P<lone>[{_UNIT_LETTERS}])\$(?<![0-9]\$\s\$.\$)"
+    rf"|(?<![\w\\])(?<![0-9][ ~])(?P<tending>[{_UNIT_LETTERS}])[ ]?{_TO}"
+    rf"|\\[dt]?frac[ ]?{_NUMERATOR}[ ]?\{{?[ ]?(?P<below>[{_UNIT_LETTERS}])(?=[\s}}$+)=]|$)"
+    rf"|\^(?:\{{[0-9]?)?(?P<bound>[{_UNIT_LETTERS}])(?=[\s}}+$)-])"
+)
+_LONE_SIZE = re.compile(r"(?:=|≈|\\approx(?![A-Za-z]))[ ]?[-−]?[0-9.,]+$")
+
+
+@lru_cache(maxsize=8)
+def letters_in_formulas(text: str) -> frozenset[str]:
+    r"""Return the letters of units that formulas use as letters: $N$, N \to \infty, 1/N, a sum to N.
+
+    >>> sorted(letters_in_formulas(r"the $N$ cylinders, \frac{3}{K}, \mathrm{W}, 3 N, $5$ $m$"))
+    ['K', 'N']
+    """
+    return frozenset(letter for m in _IN_FORMULAS.finditer(text) for letter in m.groups() if letter)
+
+
 @lru_cache(maxsize=8)
 def _letters_with_values(text: str) -> frozenset[str]:
     """Return the single letters that a text sets equal to something: m = 0.7 kg, but not F_m = 3 N."""
@@ -260,8 +287,8 @@ def unit_set_at(text: str, place: int, end: int) -> tuple[str, int] | None:
     match = _SET.match(text, place, end)
     if not match:
         return None
-    if match["word"] in ("l", "L") and text[max(place - 8, 0) : place].rstrip("\\,;: ~")[-1:].isdecimal():
-        return "dm^3", match.end()
+    if match["word"] in _SET_ALONE and text[max(place - 8, 0) : place].rstrip("\\,;: ~")[-1:].isdecimal():
+        return _SET_ALONE[match["word"]], match.end()
     stop = match.end()
     for _ in range(_MOST_PARTS):
         more = _MORE.match(text, stop, end)
@@ -358,7 +385,9 @@ class _PlainUnit:
     def is_unit(self, names: Collection[str]) -> bool:
         """Tell whether the word is a unit where these letters are declared."""
         long_parts = [part for part in self.parts if len(part) > 1]
-        is_own = self.parts[0] == "us" or self._is_own_letter_in_brackets()
+        is_own = (
+            self.parts[0] == "us" or self._is_own_letter_in_brackets() or self._is_letter_of_formulas()
+        )
         if is_own or any(part in names for part in long_parts):
             return False
         is_letters = self._is_declared(names)
@@ -374,6 +403,16 @@ class _PlainUnit:
             return self._is_gram_or_multiple_of_g()
         is_big = self.word in "NJWK" and self.spaced
         return (is_big or self._is_measured()) and not self._goes_on()
+
+    def _is_letter_of_formulas(self) -> bool:
+        """Tell whether 2N is twice a letter of the page's formulas: no value that is all of a side."""
+        if self.spaced or len(self.parts) > 1 or self.parts[0] not in letters_in_formulas(self.text):
+            return False
+        before = self.text[max(self.place - 20, 0) : self.place]
+        is_last = re.match(
+            r"[ ]?(?:[.,;]?[ \n]|[.,;]?$|\$|\\[,;]|\\\\)", self.text[self.stop : self.end + 1]
+        )
+        return _LONE_SIZE.search(before) is None or is_last is None
 
     def _is_own_letter_in_brackets(self) -> bool:
         """Tell whether a letter of the page ends a sum in brackets: (m_r + 0.5 m) where m = 0.7 kg.

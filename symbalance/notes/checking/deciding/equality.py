@@ -14,6 +14,7 @@ from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
 from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.open_sums import goes_on_within
 from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
 from symbalance.notes.checking.deciding.numbers_put_in import may_be_rounded
@@ -187,9 +188,8 @@ def _by_numbers(
         )
     same = [_close(*pair) for _, pair in points]
     if all(same) and (assumptions := _same_square(left, right, first, second)) is not None:
-        return Decision(
-            PROVED, assumptions=(*level.assumptions, *assumptions), level=level, left=first, right=second
-        )
+        assumptions = _with_signs_of_roots(level, first, *assumptions)
+        return Decision(PROVED, assumptions=assumptions, level=level, left=first, right=second)
     if agrees_as_printed(
         left, right, evaluator.form, level.values, printed=knowledge.printed, counted=knowledge.counted
     ):
@@ -203,9 +203,8 @@ def _by_numbers(
         )
     assumption = _up_to_sign(left, right, first, second) if any(same) else ""
     if assumption:
-        return Decision(
-            PROVED, assumptions=(*level.assumptions, assumption), level=level, left=first, right=second
-        )
+        assumptions = _with_signs_of_roots(level, first, assumption)
+        return Decision(PROVED, assumptions=assumptions, level=level, left=first, right=second)
     point, pair = points[same.index(False)]
     witness = _witness(point, pair)
     return Decision(REFUTED, level=level, left=first, right=second, witness=witness)
@@ -250,7 +249,14 @@ def _same_square(left: Formula, right: Formula, first: Form, second: Form) -> tu
     bare = [node for node in (left, right) if not _is_root(node)]
     if numbers or not bare:
         return ()
-    return (f"{formula_text(bare[0], plain=True)} ≥ 0",)
+    is_turned = any(isinstance(n, formula.Negative) and _is_root(n.operand) for n in (left, right))
+    other = next((n for n in bare if not isinstance(n, formula.Negative)), bare[0])
+    return (f"{formula_text(other, plain=True)} {'≤' if is_turned else '≥'} 0",)
+
+
+def _with_signs_of_roots(level: Level, form: Form, *assumptions: str) -> tuple[str, ...]:
+    """Return what a comparison of squares rests on: |a| |b| in them is a b where neither is negative."""
+    return tuple(dict.fromkeys((*level.assumptions, *form.domain.assumptions, *assumptions)))
 
 
 def _is_root(node: Formula) -> bool:
@@ -274,7 +280,7 @@ def _up_to_sign(left: Formula, right: Formula, first: Form, second: Form) -> str
 
 def without_dots(node: Formula) -> tuple[Formula, bool]:
     """Return a formula without the dots at the end of its sums, and whether there were any."""
-    if isinstance(node, formula.Sum):
+    if isinstance(node, formula.Sum) and not goes_on_within(node):
         terms = tuple(t for t in node.terms if not isinstance(t, formula.Dots))
         if not terms and node.terms:  # dots alone are no number: a sum of no terms would be 0
             return node.terms[0], True

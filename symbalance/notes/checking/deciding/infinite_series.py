@@ -44,10 +44,11 @@ TERM_BY_TERM = "term by term"
 
 def has_infinite_sum(*nodes: Formula) -> bool:
     """Tell whether a sum over an index without end stands in formulas."""
-    return any(_is_infinite(part) for node in nodes for part in walk(node))
+    return any(is_infinite(part) for node in nodes for part in walk(node))
 
 
-def _is_infinite(node: Formula) -> bool:
+def is_infinite(node: Formula) -> bool:
+    """Tell whether a formula is a sum over an index without end."""
     return isinstance(node, Summation) and node.index is not None and node.upper == INFINITY
 
 
@@ -107,7 +108,7 @@ def _without_remainders(node: Formula) -> Formula:
 
 def _highest_power(node: Formula) -> int:
     """Return the highest power that is written as a number outside sums without end."""
-    if _is_infinite(node):
+    if is_infinite(node):
         return 0
     own = 0
     if isinstance(node, Power) and isinstance(node.exponent, Number):
@@ -117,7 +118,7 @@ def _highest_power(node: Formula) -> int:
 
 def _written_out(node: Formula, highest: int, knowledge: Knowledge, level: Level) -> Formula:
     """Return a formula with the terms of its sums without end written out, and O( ) of the next."""
-    if not isinstance(node, Summation) or not _is_infinite(node):
+    if not isinstance(node, Summation) or not is_infinite(node):
         parts = children(node)
         if not parts:
             return node

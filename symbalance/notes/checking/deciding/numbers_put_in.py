@@ -25,6 +25,8 @@ from symbalance.notes.reading.equations import ReadNotes
 
 LONG = 3
 """A decimal of this many digits on the way to a result may itself be rounded."""
+SHORTEST = 2
+"""Digits from which on a whole number behind ≈ is meant to the last of them."""
 SHORT, SMALL = 2, 0.01
 """Digits of a small constant that a formula was left with, 0.00034: its zeros are none."""
 LONGER = 5
@@ -148,14 +150,52 @@ def _half(number: Number) -> float:
     return 10.0**zeros / 2
 
 
-def precision(node: Formula) -> float:
-    """Return how closely a whole number is meant behind ≈, by the digits that count: 2130 to 10 in it.
+def agrees_to_its_digits(left: Formula, right: Formula, values: tuple[Any, Any]) -> bool:
+    """Tell whether two numbers agree as closely as a whole one behind ≈ is meant: 2130 to 10 in it.
 
-    Of other formulas, and numbers of one digit, 1: nothing is said.
+    It is rounded, to half of that, or cut off; up to a whole one it may be off where letters, or numbers
+    of three digits, are put in, which may be rounded too. Of two whole numbers the coarser one is the
+    other, rounded: 997 ≈ 1000. A formula, and a number of one digit, say nothing.
     """
-    if not isinstance(node, Number) or node.value.denominator != 1 or significant_digits(node) < LONG:
+    pairs = ((left, values[0], right, values[1]), (right, values[1], left, values[0]))
+    printed = [
+        (_precision(number), *pair) for pair in pairs if (number := _whole_number(pair[0])) is not None
+    ]
+    if not printed:
+        return True
+    share, _, own, other_side, other = max(printed, key=lambda entry: entry[0])
+    gap, unit = abs(own - other), share * abs(own)
+    is_cut_off = abs(own) <= abs(other)
+    return gap <= unit * (1 if is_cut_off or _may_rest_on_rounded(other_side) else 0.5) * _ROUNDING
+
+
+def _may_rest_on_rounded(node: Formula) -> bool:
+    """Tell whether letters stand in an arithmetic, or numbers that may be results."""
+    numbers = (part for part in formula.walk(node) if isinstance(part, Number))
+    return bool(names(node)) or any(significant_digits(number) >= LONG for number in numbers)
+
+
+def _precision(number: Number) -> float:
+    if significant_digits(number) < SHORTEST or not number.value:
         return 1.0
-    return 2 * _half(node) / abs(float(node.value))
+    return 2 * _half(number) / abs(float(number.value))
+
+
+def _whole_number(node: Formula) -> Number | None:
+    """Return the whole number that a side is, before a unit or a power of ten; None for other sides."""
+    if isinstance(node, Negative):
+        return _whole_number(node.operand)
+    if isinstance(node, Product) and len(node.factors) == 2 and _is_scale(node.factors[1]):
+        node = node.factors[0]
+    is_whole = isinstance(node, Number) and node.last_place is None and node.value.denominator == 1
+    return node if is_whole and isinstance(node, Number) else None
+
+
+def _is_scale(node: Formula) -> bool:
+    """Tell whether a factor is that of a unit, 1/1000 or π/30, or a power of ten."""
+    if isinstance(node, Number):
+        return node.value.denominator > 1 or str(node.value.numerator).rstrip("0") == "1"
+    return _exponent_of_ten(node) is not None or (isinstance(node, formula.Quotient) and not names(node))
 
 
 def margin_of_numbers(

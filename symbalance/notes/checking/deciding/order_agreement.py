@@ -33,7 +33,7 @@ from symbalance.notes.checking.deciding.equality import (
     without_dots,
 )
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
-from symbalance.notes.checking.deciding.numbers_put_in import precision
+from symbalance.notes.checking.deciding.numbers_put_in import agrees_to_its_digits
 from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals
 
 HIGHEST_ORDER = 40
@@ -43,7 +43,7 @@ HIGHEST_NAMED = 26
 NO_LETTER = "no letter in which one side is a cut-off series"
 IS_SMALL, IS_LARGE = " is small", " is large"
 ROUGH = Fraction(1, 20)
-"""Relative error that ≈ between two numbers without decimals may have."""
+"""Relative error that ≈ between two numbers without decimals may have, if they have no two digits."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,7 +179,9 @@ def _as_numbers(
         )
         order = "the digits printed"
     else:
-        fits = relative_error <= min(float(ROUGH), *map(precision, (left, right)))
+        fits = relative_error <= float(ROUGH) and agrees_to_its_digits(
+            left, right, (left_value, right_value)
+        )
         order = f"relative error {digits(relative_error, 2)}"
     if fits:
         return Decision(

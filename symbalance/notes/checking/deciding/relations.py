@@ -21,6 +21,7 @@ from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.construct_rules import may_fail
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.harmonics import polynomial_node
+from symbalance.notes.algebra.open_sums import NUMBERS_WITHOUT_END, has_open_numbers
 from symbalance.notes.algebra.sums import NO_EQUAL_TERMS, indexed_letters
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.branches import decide_branches, has_branches
@@ -315,6 +316,9 @@ def _decide_reading(
         decision = decide_agreement(
             left, right, knowledge, through=through, loose=left_is_cut or right_is_cut
         )
+        is_of_open = has_open_numbers(left) or has_open_numbers(right)
+        if decision.status == REFUTED and is_of_open:
+            decision = Decision(UNDECIDED, NUMBERS_WITHOUT_END)
         is_plain = sign == "≈" and through is None and not (left_is_cut or right_is_cut)
         jointly = is_plain and not decision.is_proved and decide_jointly(left, right, knowledge)
         return jointly or decision

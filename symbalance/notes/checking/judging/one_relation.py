@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Constant, Formula, Name, Number, Summation, names
+from symbalance.notes.checking.deciding.denied_conditions import decide_within_ranges
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import (
     Decision,
@@ -17,6 +18,7 @@ from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.sign_of_letters import decide_with_signs
 from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.deciding.values_in_ranges import decide_where_values
 from symbalance.notes.checking.judging.appeals import appeal
 from symbalance.notes.checking.judging.letters_at_odds import unless_used_anew
 from symbalance.notes.checking.meant.engine_speeds import decide_speed
@@ -31,6 +33,7 @@ from symbalance.notes.checking.motions.listed_values import decide_for_values
 from symbalance.notes.checking.motions.matrix_equations_of_motion import rows_of_motion
 from symbalance.notes.checking.motions.mean_values import decide_by_mean
 from symbalance.notes.checking.page.solutions import solution_below
+from symbalance.notes.checking.premises.conditions_behind import values_behind
 from symbalance.notes.checking.premises.constraints import Constraint
 from symbalance.notes.checking.premises.letter_values import define_letter
 from symbalance.notes.checking.premises.measured_values import MEASURED
@@ -44,6 +47,7 @@ from symbalance.notes.checking.steps.mean_piston_speed import mean_piston_speed
 from symbalance.notes.checking.steps.much_larger import PLAIN, decide_much_larger, decide_where_larger
 from symbalance.notes.checking.steps.named_roots import as_named_root
 from symbalance.notes.checking.steps.open_cases import case_of_a_letter
+from symbalance.notes.checking.steps.products_of_vectors import decide_products_of_vectors
 from symbalance.notes.checking.steps.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.steps.solved_balances import as_balance_solution
 from symbalance.notes.checking.steps.solved_below import as_proved_solution, as_solved
@@ -78,7 +82,12 @@ def judge_relation(
     relation = chain.relations[k]
     left, right = chain.sides[k], chain.sides[k + 1]
     of_matrices = is_of_matrices(left.node, right.node, knowledge)
-    if of_matrices and (fault := no_relation_of_matrices(relation.sign, left, right, knowledge)):
+    unjudged = decide_products_of_vectors(chain, k, state.document, knowledge)
+    if (
+        of_matrices
+        and not unjudged
+        and (fault := no_relation_of_matrices(relation.sign, left, right, knowledge))
+    ):
         return Decision(UNDECIDED, fault)
     if relation.sign in PLAIN or relation.sign in SATISFIED_BY:
         return _judge_inequality(state, chain, k, knowledge)
@@ -87,10 +96,10 @@ def judge_relation(
         reason = f"true of the number {name}; here {name} is declared as a letter"
         return Decision(UNDECIDED, reason)
     kinds = (_by_rows_of_motion,) if of_matrices else (_by_fourier, _by_motion) if is_equality else ()
-    for by_kind in kinds:
+    for by_kind in kinds if unjudged is None else ():
         if (decision := by_kind(state, chain, k, knowledge)) is not None:
             return decision
-    return _judge_equality(state, chain, k, sound, bad, knowledge)
+    return unjudged or _judge_equality(state, chain, k, sound, bad, knowledge)
 
 
 def _judge_inequality(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision:
@@ -138,9 +147,9 @@ def _judge_step(
     state: JudgingState, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
 ) -> Verdict | Decision:
     """Return the verdict on a relation that is no definition, as a step or as what is given."""
-    left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
+    left, right = chain.sides[k], chain.sides[k + 1]
     decision, against = _decide_step(state, chain, k, sound, bad, knowledge)
-    decision = _with_signs(state, left, right, sign, decision, knowledge)
+    decision = _with_signs(state, chain, k, decision, knowledge)
     by_special = decide_with_gravity(chain, k, decision, state.document.text, knowledge)
     by_special = by_special or decide_where_larger(state, chain, k, decision, knowledge)
     decision = by_special or decision
@@ -359,12 +368,16 @@ def _is_fixed(name: str, knowledge: Knowledge) -> bool:
 
 
 def _with_signs(
-    state: JudgingState, left: Side, right: Side, sign: str, decision: Decision, knowledge: Knowledge
+    state: JudgingState, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
 ) -> Decision:
     """Return the decision with the signs that are stated; |x| = x is not so for every x."""
+    left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
     if not is_of_matrices(left.node, right.node, knowledge):
         decision = decide_with_signs(left, right, sign, decision, knowledge)
-    texts = {f"{plain_text(Name(name))} ≥ 0" for name in state.general}
+        decision = decide_within_ranges(left, right, decision, knowledge, state.general)
+        places = values_behind(chain, state.document)
+        decision = decide_where_values(left, right, decision, knowledge, state.general, places)
+    texts = {f"{plain_text(Name(name))} ≠ 0" for name in state.general}
     least = [text for text in decision.assumptions if text in texts]
     if not least or not decision.is_proved:
         return decision

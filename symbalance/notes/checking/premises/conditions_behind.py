@@ -9,18 +9,20 @@ from __future__ import annotations
 import re
 from collections.abc import Collection
 from dataclasses import dataclass, replace
+from fractions import Fraction
 
 from symbalance.document.formula import (
     Formula,
     Name,
     Number,
     Product,
+    Sum,
     Summation,
     names,
     walk,
 )
 from symbalance.notes.algebra.special_values import ANY_WHOLE
-from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY
+from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, sample_ranges
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, StatedRange
 from symbalance.notes.checking.deciding.whole_numbers import orders_in
 from symbalance.notes.checking.words.plain_formulas import plain_text
@@ -39,6 +41,15 @@ _MULTIPLE = re.compile(
     rf"(?:multiple\s+of|Vielfaches\s+von){_LETTER.format('second')}"
     rf"|{_LETTER.format('divisor')}(?:\\mid(?![a-z])|divides|teilt|∣){_LETTER.format('divided')}"
 )
+_KIND = r"(?:odd|even|ungerade[nsrm]?|gerade[nsrm]?)"
+_INTEGERS = r"(?:integers?\s+|numbers?\s+|ganze\s+|Zahlen\s+)?"
+_OF_KIND = (
+    rf"(?<![A-Za-z]){_KIND}\s+{_INTEGERS}\$?(?P<letter>\\?[A-Za-z])(?![A-Za-z])\$?"
+    rf"|(?<![A-Za-z])(?P<subject>[a-zA-Z])\$?\s+(?:is\s+|ist\s+)?{_KIND}(?![A-Za-z])"
+)
+_PARITY = re.compile(rf"(?:{_OF_KIND})[\s$:,({{]*$")
+_PARITY_BEHIND = re.compile(rf"[\s$,(]{{0,6}}(?:{_WORDS})\s+(?:all\s+|alle\s+)?\$?(?:{_OF_KIND})")
+_CLAUSES = re.compile(r"[.;!?]\s|[;\n]")
 _NEAR = 60
 """Characters behind a relation in which such words begin."""
 
@@ -80,6 +91,22 @@ def conditions_behind(chain: Chain, document: ReadNotes) -> Conditions:
     return Conditions(tuple(ranges), tuple(values))
 
 
+def _parities(chain: Chain, document: ReadNotes) -> list[tuple[str, Formula, str]]:
+    """Return the letters that the words right before or behind a relation say to be odd or even."""
+    start, end = chain.start, chain.end
+    before = _CLAUSES.split(document.text[max(start - _NEAR, 0) : start])[-1]
+    behind = _PARITY_BEHIND.match(document.text, end)
+    values: list[tuple[str, Formula, str]] = []
+    for match in filter(None, (behind, _PARITY.search(before))):
+        name = (match["letter"] or match["subject"]).lstrip("\\")
+        is_odd = match.group().lower().find("odd") >= 0 or "ungerad" in match.group()
+        twice: Formula = Product((Number(Fraction(2)), Name(ANY_WHOLE)))
+        if name in chain.letters:
+            value = Sum((twice, Number(Fraction(1)))) if is_odd else twice
+            values.append((name, value, f"{plain_text(Name(name))} is {'odd' if is_odd else 'even'}"))
+    return values[:1]
+
+
 def equalities_behind(document: ReadNotes) -> frozenset[int]:
     """Return where the equations begin that are conditions of the relation before: (m = n), (N = 3)."""
     heads = {c.sides[0].span[0]: c for c in document.chains if len(c.sides) == 2}
@@ -91,6 +118,22 @@ def equalities_behind(document: ReadNotes) -> frozenset[int]:
         if head is not None and _is_equality(head, counts):
             behind.add(head.sides[0].span[0])
     return frozenset(behind)
+
+
+def values_behind(chain: Chain, document: ReadNotes) -> list[tuple[str, Formula]]:
+    """Return the values that a relation is said for by the words right behind it: x/x = 1 for x = 0."""
+    opened = _BEHIND.match(document.text, max(side.span[1] for side in chain.sides))
+    if opened is None:
+        return []
+    return [
+        (other.sides[0].node.name, other.sides[1].node)
+        for other in document.chains
+        if other.sides[0].span[0] == opened.end()
+        and len(other.sides) == 2
+        and other.relations[0].sign == "="
+        and isinstance(other.sides[0].node, Name)
+        and not names(other.sides[1].node)
+    ]
 
 
 def _counts(chain: Chain) -> frozenset[str]:
@@ -132,6 +175,7 @@ def _multiples(text: str, own: Collection[str]) -> list[tuple[str, Formula, str]
 def with_conditions(chain: Chain, document: ReadNotes, knowledge: Knowledge) -> Knowledge:
     """Return what is known with the conditions right behind a relation, instead of others on its line."""
     conditions = conditions_behind(chain, document)
+    conditions = replace(conditions, values=(*conditions.values, *_parities(chain, document)))
     if conditions == Conditions():
         return knowledge
     letters = {name for r in conditions.ranges for name in names(r.left) | names(r.right)}
@@ -148,6 +192,8 @@ def with_conditions(chain: Chain, document: ReadNotes, knowledge: Knowledge) -> 
     meaning = knowledge.meaning
     if conditions.values:
         meaning = replace(meaning, integer=meaning.integer | {ANY_WHOLE})
+    drawn = sample_ranges(conditions.ranges)
+    meaning = replace(meaning, ranges={**meaning.ranges, **drawn})
     return replace(
         knowledge, meaning=meaning, ranges=(*conditions.ranges, *others), definitions=definitions
     )

@@ -53,6 +53,8 @@ _WHOLE_UNITS: dict[str, Dimension] = {
     "gn": _dimension(m=1, s=-2), "mi": _dimension(m=1), "slug": _dimension(kg=1),
     "psi": _dimension(1, -1, -2),
     "mph": _dimension(m=1, s=-1), "knot": _dimension(m=1, s=-1), "knots": _dimension(m=1, s=-1),
+    "mbar": _dimension(1, -1, -2), "hPa": _dimension(1, -1, -2), "daN": _dimension(1, 1, -2),
+    "Ncm": _dimension(1, 2, -2), "Wh": _dimension(1, 2, -2), "kWh": _dimension(1, 2, -2),
     **dict.fromkeys(words("lbf kp kgf"), _dimension(1, 1, -2)),
     **dict.fromkeys(words("hp bhp HP PS"), _dimension(1, 2, -3)),
 }  # fmt: skip
@@ -106,6 +108,8 @@ _WRITTEN_UNIT = re.compile(
 
 _TYPED = re.compile(r"\\(?:SI|qty)\s*\{(?P<number>[^{}]*)\}\s*\{(?P<unit>[^{}]*)\}")
 _EXPONENT = re.compile(r"\^\s*\{\s*([-−]?[0-9])\s*\}")
+_BEFORE_EXPONENT = re.compile(r"(?<=[A-Za-z]) +\^")
+"""The space that the brace around a unit leaves before its exponent, \\mathrm{s}^{-1}."""
 _SETTING = re.compile(r"\\(?:mathrm|text|textrm|mbox|unit|si|rm|cdot)(?![A-Za-z])|\\[,;:! ]|[~${}()\[\]]")
 _QUANTITY = re.compile(r"\s*(?P<number>[-+−]?[0-9][0-9.,]*)?\s*(?P<unit>\S.*?)?[\s.,;]*$", re.DOTALL)
 
@@ -184,12 +188,15 @@ def written_unit(source: str) -> tuple[bool, str]:
     ((True, 'kg m/s^2'), (False, 'mm'))
     >>> written_unit(r"0{,}62\,\mathrm{kg}")
     (True, 'kg')
+    >>> written_unit(r"314\,\mathrm{s}^{-1}"), written_unit(r"5\,\text{kg m}^2")
+    ((True, 's^-1'), (True, 'kg m^2'))
     """
     source = source.replace("{,}", ",")  # no unit ", 62" behind 0
     typed = _TYPED.search(source)
     if typed is not None:
         source = f"{typed['number']} {siunitx.unit_text(typed['unit']) or '?'}"
-    match = _QUANTITY.match(_SETTING.sub(" ", _EXPONENT.sub(r"^\1", source)))
+    plain = _BEFORE_EXPONENT.sub("^", _SETTING.sub(" ", _EXPONENT.sub(r"^\1", source)))
+    match = _QUANTITY.match(plain)
     if match is None:
         return False, ""
     return match["number"] is not None, " ".join((match["unit"] or "").split())

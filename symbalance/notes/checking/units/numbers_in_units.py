@@ -377,7 +377,9 @@ def _converted(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) 
         return None
     own = units[0].value if units else Fraction(1)
     ratio = own / target[0]
-    factor = next((f for f, power in _factors(left.node) if _agrees(f, ratio**power)), None)
+    own_unit = units[0] if units else None  # no factor beside it: 5 kN = 5 N converts nothing
+    factors = ((f, power) for f, power in _factors(left.node) if f is not own_unit)
+    factor = next((f for f, power in factors if _agrees(f, ratio**power)), None)
     if factor is None or ratio == 1:
         return None
     bare = _with_scale(left.node, units[0] if units else None, target[0])

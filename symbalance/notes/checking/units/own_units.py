@@ -8,7 +8,7 @@ so a letter that is no angular speed is taken as the formulas of its own page us
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
@@ -70,31 +70,98 @@ def with_speeds(document: ReadNotes, symbols_at: Symbols) -> ReadNotes:
     numbers |= {
         name for name in speeds if _stem(name) in stems
     }  # n_max beside n_m counts what that counts
-    chains = (_chain(chain, symbols_at(chain.lines[0]), numbers, document) for chain in document.chains)
+    chains = (
+        _chain(chain, symbols_at(chain.lines[0]), numbers, speeds, document) for chain in document.chains
+    )
     return replace(document, chains=tuple(chains))
 
 
-def _chain(chain: Chain, symbols: Mapping[str, str], numbers: set[str], document: ReadNotes) -> Chain:
+def _chain(
+    chain: Chain, symbols: Mapping[str, str], numbers: set[str], speeds: set[str], document: ReadNotes
+) -> Chain:
     if not any(map(_has_unit, chain.sides)):
         return chain
     head = chain.sides[0].node
     name = head.name if isinstance(head, Name) else None
     role = role_of(symbols.get(name, "")) if name else ""
     is_angular = role == ANGULAR or name in _ANGULAR_LETTERS
-    as_number = role == ROLE or (name in numbers and not is_angular)
-    is_speed = name is not None and not is_angular
+    counted = _speeds_in(chain, speeds) if name is None else set()
+    as_number = role == ROLE or (name in numbers and not is_angular) or bool(counted & numbers)
+    text = document.text[chain.start : chain.end + _UNIT_LENGTH]
+    by_second = name is None and (bool(counted) or _HERTZ.search(text) is not None)
+    is_speed = (name is not None and not is_angular) or by_second
 
     def at_home(node: Formula) -> Formula:
-        if _is_quantity(node) and (is_angular or name is None):
+        if _is_quantity(node) and not is_speed:
             return node
-        if _is_quantity(node) and is_speed:
+        if _is_quantity(node):
             return _without_unit(node, as_number)
         if not _BY_NUMBER.isdisjoint(_divisors(node)):
             return _without_units(node)
+        if is_speed and _is_of_speeds(node, document):
+            return _without_units(node) if as_number else _by_the_second(node)
         return _in_product(node, document)
 
-    sides = (replace(side, readings=tuple(map(at_home, side.readings))) for side in chain.sides)
+    def with_counted(node: Formula) -> tuple[Formula, ...]:
+        """Return a speed as radians, and as turns: of s⁻¹ alone nobody can tell which it is."""
+        is_open = name is None and not is_speed and _PER_SECOND.search(text) is not None
+        return (at_home(node), _by_the_second(node)) if is_open and _has_speed(node) else (at_home(node),)
+
+    sides = (
+        replace(side, readings=tuple(r for node in side.readings for r in with_counted(node)))
+        for side in chain.sides
+    )
     return replace(chain, sides=tuple(sides))
+
+
+_HERTZ = re.compile(r"(?<![A-Za-z])[kM]?Hz(?![A-Za-z])")
+_PER_SECOND = re.compile(
+    r"(?<![A-Za-z])s\s*\}?\s*(?:⁻¹|\^\s*\{?\s*[-−]\s*1)|(?<![A-Za-z0-9])1\s*/\s*s(?![A-Za-z])"
+)
+_UNIT_LENGTH = 8
+"""Characters of a unit behind the last side of a chain."""
+_SIGNS = re.compile(
+    r"\\(?:cdot|times|[dt]?frac|left|right|mathrm|text|textrm|unit|si|SI|qty)(?![A-Za-z])"
+)
+_LETTER = re.compile(r"[^\W\d_]")
+
+
+def _speeds_in(chain: Chain, speeds: set[str]) -> set[str]:
+    """Return the letters of a chain that are speeds in revolutions per minute, if nothing turns them."""
+    parts = [part for side in chain.sides for part in _outside_units(side.node)]
+    own = {part.name for part in parts if isinstance(part, Name)}
+    turns = any(isinstance(part, Constant) and part.name == "pi" for part in parts)
+    is_angular = any(_stem(name) in _ANGULAR_LETTERS for name in own)
+    return set() if is_angular or turns else own & speeds
+
+
+def _outside_units(node: Formula) -> Iterator[Formula]:
+    """Yield the parts of a formula but those of the units of speeds, π/30 of rpm."""
+    if not _is_unit(node):
+        yield node
+        for part in children(node):
+            yield from _outside_units(part)
+
+
+def _is_of_speeds(node: Formula, document: ReadNotes) -> bool:
+    """Tell whether a side is an arithmetic of speeds and numbers: 2 · 3000 rpm, 3000 rpm - 2900 rpm."""
+    is_power = any(isinstance(part, Power) and _has_speed(part) for part in walk(node))
+    if not _has_speed(node) or is_power or names(node):
+        return False
+    bare = _SIGNS.sub(" ", _UNIT_BEHIND.sub(" ", document.source(node.span)))
+    return _LETTER.search(bare) is None and "°" not in bare
+
+
+def _has_speed(node: Formula) -> bool:
+    return any(_is_unit(part) for part in walk(node))
+
+
+def _by_the_second(node: Formula) -> Formula:
+    """Return a formula whose speeds are in revolutions per second."""
+    if _is_unit(node):
+        return replace(_A_SIXTIETH, span=node.span)
+    parts = children(node)
+    return with_children(node, tuple(map(_by_the_second, parts))) if parts else node
 
 
 def _stem(name: str) -> str:

@@ -37,10 +37,23 @@ _ALWAYS_BEHIND = re.compile(
 )
 _OF_ALL = (
     r"(?<![A-Za-zÀ-ÿ\\])(?:(?:for\s+|at\s+)?(?:all|every|any|arbitrary|each)|für\s+(?:alle|jede[nsrm]?|beliebige[nsrm]?)|beliebige[snrm]?)"
-    r"(?:\s+other)?\s+(?:(?:real|values?|angles?|crank\s+angles?|Werte?|Winkel|(?:Kurbel)?[Ww]inkel|of)\s+){0,3}"
+    r"(?:\s+other)?\s+(?:(?:real|integers?|whole|natural|complex|numbers?|reellen?|ganzen?|natürlichen?|Zahlen?|values?"
+    r"|angles?|crank\s+angles?|Werte?|Winkel|(?:Kurbel)?[Ww]inkel|of)\s+){0,3}"
     r"|(?:任意の|すべての|全ての|あらゆる)\s*"
 )
 _ALL = re.compile(_OF_ALL, re.IGNORECASE)
+_FOR_ALL_BEHIND = re.compile(
+    r"[\s$)}\]\\,]{0,6}(?:\\text\s*\{\s*)?(?:(?:holds?|is\s+true|gilt|is\s+valid|valid)\s+)?"
+    r"(?=(?:for|für)\s+(?:all|every|any|arbitrary|each|alle|jede[nsrm]?|beliebige[nsrm]?)\s)",
+    re.IGNORECASE,
+)
+_OF_ANY_SIGN = re.compile(
+    r"(?<![A-Za-z])(?:(?:any|either|arbitrary|both)\s+signs?|beliebige[nrs]?\s+Vorzeichens?"
+    r"|(?:positive\s+or\s+negative|positiv\s+oder\s+negativ|positive[nrsm]?\s+oder\s+negative[nrsm]?))(?![A-Za-z])",
+    re.IGNORECASE,
+)
+_FARTHEST_BEHIND = 80
+"""Characters behind a relation in which such words name their letters."""
 _ANGLE_WORD = r"(?:crank\s+)?(?:angles?|positions?)|(?:Kurbel)?[Ww]inkel|Stellungen?|クランク角|角度?"
 _COUNTS = {
     "single": 1, "one": 1, "two": 2, "twin": 2, "three": 3, "triple": 3, "four": 4, "five": 5, "six": 6,
@@ -96,6 +109,24 @@ def is_said_of_all_behind(text: str, end: int) -> bool:
     (True, False)
     """
     return _ALWAYS_BEHIND.match(text, end) is not None
+
+
+def words_of_all_behind(text: str, end: int, stop: int) -> str:
+    """Return the words right behind a relation, before `stop`, that begin with "for all"; "" for others.
+
+    >>> words_of_all_behind("x = x for all real x. Here y", 5, 99)
+    'for all real x'
+    """
+    match = _FOR_ALL_BEHIND.match(text, end)
+    if match is None:
+        return ""
+    stop = min(stop, match.end() + _FARTHEST_BEHIND)
+    return _CLAUSE.split(text[match.end() : stop], maxsplit=1)[0]
+
+
+def is_of_any_sign(words: str) -> bool:
+    """Tell whether words say that numbers may be positive or negative."""
+    return _OF_ANY_SIGN.search(words) is not None
 
 
 def clause_start(text: str, start: int) -> int:

@@ -443,9 +443,21 @@ class Sections:
         before = self.document.text[first:start]
         written = {formula_text(Name(name), plain=True): is_angle for name, is_angle in letters.items()}
         written |= letters | {f"\\{name}": is_angle for name, is_angle in letters.items()}
+        behind = case_words.words_of_all_behind(
+            self.document.text, chain.end, self._start_behind(chain.end)
+        )
         spoken = case_words.speaks_of_all(before, written, named=named)
+        spoken |= case_words.speaks_of_all(behind, written, named=True)
+        if case_words.is_of_any_sign(before):
+            return frozenset(letters)
         own = {name: {name, f"\\{name}", formula_text(Name(name), plain=True)} for name in letters}
         return frozenset(name for name, ways in own.items() if ways & spoken)
+
+    def _start_behind(self, end: int) -> int:
+        """Return where the next relation begins behind a place, or the text ends."""
+        starts = self._by_start[0]
+        place = bisect_left(starts, end)
+        return starts[place] if place < len(starts) else len(self.document.text)
 
     def _end_before(self, start: int) -> int | None:
         """Return where the last relation ends that stands before a place, None where there is none."""
