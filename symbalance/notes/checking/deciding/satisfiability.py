@@ -74,9 +74,7 @@ def survey(
         pair = difference.pair(point)
         if pair is None or (where is not None and not where(point)):
             continue
-        gap = pair[0] - pair[1]
-        scale = max(abs(pair[0]), abs(pair[1]))
-        sign = 0 if abs(gap) <= scale * context().mpf(10) ** -25 else (1 if gap > 0 else -1)
+        gap, sign = pair[0] - pair[1], _sign(*pair)
         examples.setdefault(sign, (point, *pair))
         counts[sign] = counts.get(sign, 0) + 1
         if is_generic:
@@ -84,6 +82,57 @@ def survey(
         values.append((point, gap))
     has_root = 0 in counts or (roots and _has_root(difference, values))
     return Survey(examples, counts, generic, has_root)
+
+
+def failing_point(
+    left: Formula, right: Formula, meaning: SymbolValue, satisfied_by: Sequence[int], where: Callable[[Point], bool]
+) -> tuple[Point, Any, Any] | None:
+    """Return a point at which left - right has none of some signs, with both values; None where none is.
+
+    `where` chooses points. Such points are looked for beyond those tried: from the nearest of them by steps that are halved.
+    """
+    difference = _Difference(left, right, meaning)
+    values: list[tuple[Point, Any]] = []
+    for point, _ in _points(difference.letters, meaning):
+        pair = difference.pair(point)
+        if pair is None or not where(point):
+            continue
+        if _sign(*pair) not in satisfied_by:
+            return (point, *pair)
+        values.append((point, pair[0] - pair[1]))
+    outward = -1 if 1 in satisfied_by else 1
+    for start, gap in sorted(values, key=_size)[:3]:
+        point = _climbed(difference, start, gap, outward)
+        pair = difference.pair(point)
+        if pair is not None and _sign(*pair) not in satisfied_by and where(point):
+            return (point, *pair)
+    return None
+
+
+def _sign(left: Any, right: Any) -> int:
+    """Return the sign of left - right, 0 where they agree to 25 digits."""
+    gap, scale = left - right, max(abs(left), abs(right))
+    return 0 if abs(gap) <= scale * context().mpf(10) ** -25 else (1 if gap > 0 else -1)
+
+
+def _climbed(difference: _Difference, start: Point, gap: Any, outward: int) -> Point:
+    """Return a point near another at which (left - right) times `outward` is largest around there."""
+    point, best, step = dict(start), gap * outward, Fraction(1)
+    while step > Fraction(1, 2**24):
+        is_better = False
+        for name in [n for n in point if n not in difference.meaning.integer]:
+            for change in (step, -step):
+                value = point[name] + change
+                if name in difference.meaning.positive and value <= 0:
+                    continue
+                there = difference.gap({**point, name: value})
+                if there is not None and there * outward > best:
+                    point, best, is_better = {**point, name: value}, there * outward, True
+        if not is_better:
+            step /= 2
+        elif max(map(abs, point.values())) > FARTHEST**3:
+            return point
+    return point
 
 
 class _Difference:

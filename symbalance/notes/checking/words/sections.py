@@ -62,6 +62,13 @@ _CONDITION = re.compile(
     re.IGNORECASE,
 )
 """Before an equation that is to be solved, not claimed for all angles."""
+_CONSTANT = re.compile(
+    r"(?<![A-Za-z])(?:is|are|stays?|remains?|ist|sind|bleibt|bleiben)\s+(?:always\s+|stets\s+|immer\s+)?"
+    r"(?:constant|konstant|(?:independent\s+of|unabhängig\s+vo[nm])\s[^.;:!?=\n]{1,30})\s*[:,]$"
+    r"|(?:一定|よらない)[^.;:!?。=\n]{0,6}[:：、]$",
+    re.IGNORECASE,
+)
+"""Before an equation whose left side is said to have its value everywhere."""
 _ASIDE = re.compile(r"\([^()$=]*\)")
 _LINK = re.compile(
     r"(?:[\s,;:.()、。，；：–—-]|\\(?:[,;: !]|quad|qquad|ldots|dots)|(?<![A-Za-zÀ-ÿ])(?:also|and|so"
@@ -363,6 +370,7 @@ class Sections:
         written = {formula_text(Name(name), plain=True): is_angle for name, is_angle in letters.items()}
         written |= letters | {f"\\{name}": is_angle for name, is_angle in letters.items()}
         spoken = case_words.speaks_of_all(before, written, named=named)
+        spoken |= case_words.spoken_of_behind(self.document.text, chain.end)
         own = {name: {name, f"\\{name}", formula_text(Name(name), plain=True)} for name in letters}
         return frozenset(name for name, ways in own.items() if ways & spoken)
 
@@ -456,6 +464,10 @@ class Sections:
         if _WHEN_BEHIND.match(self.document.text, chain.end):
             return True
         return _CONDITION.search(_ASIDE.sub(" ", self._text_before(chain))) is not None
+
+    def is_said_to_be_constant(self, chain: Chain) -> bool:
+        """Tell whether the words right before a relation say that its left side is constant."""
+        return _CONSTANT.search(self._text_before(chain).rstrip()) is not None
 
     def dead_centre(self, chain: Chain) -> bool | None:
         """Return whether a relation's sentence names bottom dead centre, False for top, else None."""
