@@ -31,6 +31,7 @@ from symbalance.notes.checking.motions.fourier_series import as_fourier_series, 
 from symbalance.notes.checking.motions.listed_values import decide_for_values
 from symbalance.notes.checking.motions.matrix_equations_of_motion import rows_of_motion
 from symbalance.notes.checking.motions.mean_values import decide_by_mean
+from symbalance.notes.checking.motions.solutions_of_motion import decide_motion_solution
 from symbalance.notes.checking.page.solutions import solution_below
 from symbalance.notes.checking.premises.constraints import Constraint
 from symbalance.notes.checking.premises.letter_values import define_letter
@@ -207,11 +208,13 @@ def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
     above = state.equations_of_motion
     if equation is None:
         here = [e for e in above if state.sections.same_section(e.line, chain.lines[0])]
-        by_frequency = decide_natural_frequency(chain, k, here, knowledge)
+        by_motion = decide_natural_frequency(chain, k, here, knowledge)
         head = chain.sides[0].node
-        if by_frequency is not None and by_frequency.is_proved and isinstance(head, Name):
+        words = state.sections.sentence_before(chain) if here else ""
+        by_motion = by_motion or decide_motion_solution(chain, k, here, words, knowledge)
+        if by_motion is not None and by_motion.is_proved and isinstance(head, Name):
             state.definitions.define(head.name, chain.sides[1].node, chain)
-        return by_frequency
+        return by_motion
     last = above[-1].line if above else 0
     follows = bool(above) and state.sections.stands_next(chain, last)
     follows = follows and state.sections.follows_at_once(chain)

@@ -15,6 +15,7 @@ from symbalance.notes.checking.page.solutions import NEAR
 from symbalance.notes.checking.premises import constraints
 from symbalance.notes.checking.premises.constraints import Constraint
 from symbalance.notes.checking.premises.premise_decisions import decide_by_premises
+from symbalance.notes.checking.steps.derived_equations import decide_derived
 from symbalance.notes.checking.steps.equations_to_solve import is_to_be_solved
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.rod_branches import is_rod_angle
@@ -133,6 +134,10 @@ def _fix(
         sides = [form for form in (as_step.left, as_step.right) if form is not None]
         if as_step.status == REFUTED and sides and all(constraint.name not in letters(f) for f in sides):
             return as_step  # the letter cancels: nothing is fixed
+        is_following = by_premises is not None and by_premises.is_proved
+        derived = decide_derived(state, chain, k, as_step, is_following)
+        if derived is not None:
+            return derived
         state.definitions.note_premise(chain, k)
         return Decision(DEFINITION, f"read as what fixes {constraint.name}, with an equation before")
     is_rods = bool(constraint.alternatives) and is_rod_angle(state, constraint, chain, knowledge)
