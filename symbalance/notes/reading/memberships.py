@@ -1,4 +1,7 @@
-r"""Sets that letters run over beside a formula, `k \in \mathbb{Z}`, `\forall\theta`: no part of it."""
+r"""Sets that letters run over: beside a formula, `k \in \mathbb{Z}`, no part of it; below an operator one.
+
+Below a sum or a product a set of successive whole numbers is put as its bounds, any other stays.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +9,8 @@ import re
 
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 
-_LETTER = r"(?:\\[a-z]{2,10}(?![A-Za-z])|(?<![\w\\])[^\W\d_](?![^\W\d_]))(?:_\{?\w{1,3}\}?)?"
+_OPERATOR = r"(?:sum|prod|int|oint|max|min|lim|sup|inf|bigcup|bigcap|left|limits|frac|mathrm|text)"
+_LETTER = rf"(?:\\(?!{_OPERATOR}(?![A-Za-z]))[a-z]{{2,10}}(?![A-Za-z])|(?<![\w\\])[^\W\d_](?![^\W\d_]))(?:_(?:\{{\w{{1,3}}\}}|\w{{1,3}}))?"
 _LETTERS = rf"{_LETTER}(?:\s*,\s*{_LETTER}){{0,3}}"
 _NUMBERS = (
     r"(?:\\mathbb\s*(?:\{\s*[NZRQC]\s*\}|[NZRQC])|\\(?:NN?|ZZ?|RR?|QQ?|CC)(?![A-Za-z])|[ℕℤℝℚℂ])"
@@ -21,6 +25,17 @@ _BESIDE = re.compile(
     rf"\(\s*(?:{_EVERY})?{_MEMBER}\s*\)|(?:{_EVERY})?{_MEMBER}(?:\s*:(?!=))?|{_EVERY}{_LETTERS}(?:\s*:(?!=))?"
 )
 
+_LIST_FIRST = re.compile(rf"(?:{_LETTER}\s*,\s*){{1,3}}")
+_SEPARATED = re.compile(r"(?:[$,;:.(]|\\q?quad|\\[,;: ]|[A-Za-z]{2})$")
+"""What stands before a list of letters: a mark, a gap or a word."""
+LONGEST = 40
+"""Characters before a set in which the subscript begins that it stands in."""
+_BELOW = re.compile(r"_\s*\{[^{}$\n]*$")
+_OF_SUM = re.compile(r"\\(?:sum|prod)(?:\s*\\limits)?\s*_\s*\{\s*$")
+_SUCCESSIVE = re.compile(
+    rf"(?P<letter>{_LETTER})\s*(?:\\in(?![A-Za-z])|∈)\s*\\\{{\s*(?P<numbers>-?[0-9]{{1,4}}(?:\s*,\s*-?[0-9]{{1,4}}){{0,60}})\s*\\\}}"
+)
+
 
 def with_memberships(text: str) -> Rewritten | None:
     r"""Return a text without what says over which set a letter runs, None where nothing does.
@@ -32,5 +47,29 @@ def with_memberships(text: str) -> Rewritten | None:
         return None
     rewriter = Rewriter(text)
     for match in _BESIDE.finditer(text):
-        rewriter.replace(*match.span(), " ")
+        if not _BELOW.search(text, max(match.start() - LONGEST, 0), match.start()):
+            rewriter.replace(_begin(text, match), match.end(), " ")
+        elif (bounds := _bounds(text, match)) is not None:
+            rewriter.replace(match.start(), match.end() + 1, *bounds)
     return rewriter.finish()
+
+
+def _begin(text: str, match: re.Match[str]) -> int:
+    r"""Return where the letters begin that are said to be of a set: of a_k, k \in S behind a sum k alone."""
+    listed = _LIST_FIRST.match(match[0])
+    before = text[max(match.start() - 10, 0) : match.start()].rstrip()
+    if listed is None or not before or _SEPARATED.search(before):
+        return match.start()
+    return match.start() + listed.end()
+
+
+def _bounds(text: str, match: re.Match[str]) -> tuple[str | tuple[int, int], ...] | None:
+    r"""Return `k=1}^{3}` for `k \in \{1,2,3\}}` below a sum or a product, None for any other set."""
+    listed = _SUCCESSIVE.fullmatch(match[0])
+    if listed is None or not text.startswith("}", match.end()) or not _OF_SUM.search(text, 0, match.start()):
+        return None
+    numbers = [int(number) for number in re.split(r"\s*,\s*", listed["numbers"])]
+    if numbers != list(range(numbers[0], numbers[0] + len(numbers))):
+        return None
+    start = match.start()
+    return ((start + listed.start("letter"), start + listed.end("letter")), f"={numbers[0]}}}^{{{numbers[-1]}}}")
