@@ -33,6 +33,7 @@ from symbalance.notes.reading.row_vectors import with_row_vectors
 from symbalance.notes.reading.scanned_letters import with_scanned_letters
 from symbalance.notes.reading.short_greek import with_short_greek
 from symbalance.notes.reading.systems_in_braces import with_systems
+from symbalance.notes.reading.times_in_parts import with_times_in_one
 
 CELL_END = "\ue000"
 """Stands between the cells of a table: no formula goes over it. (A sign that nobody types.)"""
@@ -114,6 +115,7 @@ def prepare(
         with_function_names,
         with_dots,
         with_divisions,
+        with_times_in_one,
     ):
         reader.apply(rewrite(reader.text))
     if kind != "tex":

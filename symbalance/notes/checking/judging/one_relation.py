@@ -51,6 +51,7 @@ from symbalance.notes.checking.units.conversions import decide_conversion
 from symbalance.notes.checking.units.numbers_in_units import decide_after_units_left_out
 from symbalance.notes.checking.units.printed_units import decide_by_printed_units
 from symbalance.notes.checking.units.speeds_as_numbers import put_in_for_angular_speed, wrong_as_quantity
+from symbalance.notes.checking.units.temperatures import decide_temperature
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONTRADICTION,
@@ -99,7 +100,8 @@ def _judge_equality(
     state: JudgingState, chain: Chain, k: int, sound: int, bad: bool, knowledge: Knowledge
 ) -> Verdict | Decision:
     """Return the verdict on a relation = or ≈: a definition, a step, or something given."""
-    definition = _demanded(chain.relations[k]) or as_balance_solution(state, chain, k)
+    by_scale = decide_temperature(chain, k, state.document)
+    definition = by_scale or _demanded(chain.relations[k]) or as_balance_solution(state, chain, k)
     definition = definition or as_equation_for_angle(state, chain, k, knowledge)
     definition = definition or as_proved_solution(state, chain, k)
     definition = definition or decide_solved_wave(state, chain, k, knowledge)
