@@ -17,7 +17,7 @@ from symbalance.document.wordlists import word_set
 from symbalance.notes.reading.equations import Passed, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.prose import is_function_of_letter
-from symbalance.notes.reading.signs import REFUSED, RELATION
+from symbalance.notes.reading.signs import REFUSED, RELATION, UNREAD_RELATIONS
 from symbalance.notes.reading.sources import CELL_END
 from symbalance.notes.reading.units import is_unit_of_letter
 
@@ -40,7 +40,8 @@ _SETTING = re.compile(r"\\([A-Za-z]+)\s*$")
 _BETWEEN_NUMBERS = r"(?<=[0-9)])(?:\s*(?:=>|⇒|<<|>>)\s*(?=[-−(]?[0-9]))"
 """An arrow from number to number: between relations it says what follows from what, here it claims."""
 _SIGN = re.compile(
-    rf"==|:=|<=(?!>)|>=|!=|∝|\\propto(?![A-Za-z])|[≪≫]|{_BETWEEN_NUMBERS}|{RELATION.pattern}"
+    rf"==|:=|<=(?!>)|>=|!=|∝|\\propto(?![A-Za-z])|[≪≫]|\\(?:ll|gg)(?![A-Za-z])|{_BETWEEN_NUMBERS}|{RELATION.pattern}"
+    rf"|{UNREAD_RELATIONS.pattern}"
 )
 _WORD = r"[^\W\d_][\w'’]*(?:-[^\W\d_]{2}[\w'’]*)*"
 _BEFORE = re.compile(rf"({_WORD}|\S)\s*$")
@@ -49,7 +50,8 @@ _CONSTANT = re.compile(
     r"(?:=|≈|\\approx)\s*(?:\\(?:text|mathrm|mbox|textrm|textit|operatorname)\s*\{\s*)?[ckCK]onst"
     r"(?:ant|\.)?(?![A-Za-z])"
 )
-_SIZE = re.compile(rf"[≪≫]|{_BETWEEN_NUMBERS}")
+_SMALL_BESIDE = re.compile(r"[≪≫]|\\(?:ll|gg)(?![A-Za-z])")
+_SIZE = re.compile(rf"{_SMALL_BESIDE.pattern}|{_BETWEEN_NUMBERS}")
 _END_OF_SENTENCE = re.compile(rf"[\n{CELL_END}]|[.;:!?。](?=\s)")
 _ASSIGNED = re.compile(r"^[\w.-]*[A-Za-z][\w.-]+=(?:[\"'\w./#%-]*[A-Za-z\"'][\"'\w./#%-]*)$")
 
@@ -130,6 +132,8 @@ class Account:
             return Passed(line, column, why, span)
         if self.text.startswith(("∝", "\\propto"), place):
             return Unreadable(line, column, *REFUSED["propto"], span)
+        if (unread := UNREAD_RELATIONS.match(self.text, place)) is not None:
+            return Unreadable(line, column, f"{unread[0]} is not read", "write =, ≈, < or >", span)
         if (size := _SIZE.match(self.text, place)) is not None:
             return Unreadable(line, column, f"{size[0].strip()} between numbers", "write =, < or >", span)
         failure = next((f for (a, b), f in self.refused if a <= place < b), None)
@@ -175,7 +179,7 @@ class Account:
             "a setting of TeX": self._is_setting(place),
             "a blank to be filled in": self._is_blank(place),
             "an option or attribute": self._is_option(place) and _is_word(before, names),
-            "said to be small beside another": self.text[place] in "≪≫"
+            "said to be small beside another": _SMALL_BESIDE.match(self.text, place)
             and not (before[:1].isdecimal() and after[:1].isdecimal()),
             "words on both sides": _is_word(before, names) and _is_word(after, names),
             "the value of a word that is no declared letter": is_value
