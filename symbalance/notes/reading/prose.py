@@ -72,6 +72,9 @@ _DERIVATIVE = re.compile(
     r"|(?:(?<=d/)|(?<=d[A-Za-zα-ωϕ]/)|(?<=d[²³]/)|(?<=d[²³][A-Za-zα-ωϕ]/)|(?<=d\^[23]/)"
     r"|(?<=d\^[23][A-Za-zα-ωϕ]/))d[A-Za-z]?(?![A-Za-z])"
 )
+_DIFFERENTIAL = re.compile(r"d[a-zA-Z]")
+_INTEGRAL = re.compile(r"[∫∮][^=≈<>≤≥\n]*$")
+"""What stands before the dx of an integral in plain text."""
 _LONGEST_FUNCTION = 20
 LONGEST_RUN = 2
 """Letters that are read as a product behind a function's bracket without being letters of the page."""
@@ -174,6 +177,8 @@ def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules)
         if _DERIVATIVE.match(text, piece.start(), end) or (
             is_run and is_behind_function(text, piece.start())
         ):
+            return True
+        if _DIFFERENTIAL.fullmatch(sign) and _INTEGRAL.search(text, max(piece.start() - 80, 0), piece.start()):
             return True
         own = _OWN_FUNCTION.match(text, piece.start(), end)
         return line.is_mathematical(sign) or (own is not None and own.group() == sign)
