@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from symbalance.document.formula import Formula, Name, Sum, names
+from dataclasses import replace
+
+from symbalance.document.formula import Formula, Name, Number, Product, Sum, names
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.cases import NUMBERS_PUT_IN, decide_case, decide_with_ratio
@@ -19,6 +21,7 @@ from symbalance.notes.checking.steps.derived_equations import decide_derived
 from symbalance.notes.checking.steps.equations_to_solve import is_to_be_solved
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.rod_branches import is_rod_angle
+from symbalance.notes.checking.units.conversions import quantity_of
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONTRADICTION,
@@ -154,13 +157,28 @@ def unless_stated(
 ) -> Decision:
     """Return the decision on a refuted relation that may be a premise, a condition or a case."""
     is_solved = is_to_be_solved(state, chain, k)
-    case = decide_case(chain, k, decision, knowledge, is_solved=is_solved)
+    whole = _with_quantity_whole(state, chain, k)
+    case = decide_case(whole, k, decision, knowledge, is_solved=is_solved)
     if case is not None and case.status in STATED and chain.relations[k].sign == "=":
         case = _note_statement(state, chain, k, case, knowledge)
     if case is not None and case.status != REFUTED:
         return case
     with_ratio = decide_with_ratio(against.node, chain.sides[k + 1].node, knowledge)
     return with_ratio or case or decision
+
+
+def _with_quantity_whole(state: JudgingState, chain: Chain, k: int) -> Chain:
+    """Return a chain with a number and its unit as one number: 1600 cm³ puts nothing in for z and V_h."""
+    right = chain.sides[k + 1]
+    node = right.node
+    if not isinstance(node, Product) or quantity_of(right, state.document) is None:
+        return chain
+    number, unit = node.factors
+    if not isinstance(number, Number) or not isinstance(unit, Number):
+        return chain
+    place = None if number.last_place is None else number.last_place * unit.value
+    whole = replace(right, readings=(Number(number.value * unit.value, place, span=node.span),))
+    return replace(chain, sides=(*chain.sides[: k + 1], whole, *chain.sides[k + 2 :]))
 
 
 def _note_statement(
