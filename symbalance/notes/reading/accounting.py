@@ -130,12 +130,8 @@ class Account:
         why = self._why_no_mathematics(place, span, names)
         if why:
             return Passed(line, column, why, span)
-        if self.text.startswith(("∝", "\\propto"), place):
-            return Unreadable(line, column, *REFUSED["propto"], span)
-        if (unread := UNREAD_RELATIONS.match(self.text, place)) is not None:
-            return Unreadable(line, column, f"{unread[0]} is not read", "write =, ≈, < or >", span)
-        if (size := _SIZE.match(self.text, place)) is not None:
-            return Unreadable(line, column, f"{size[0].strip()} between numbers", "write =, < or >", span)
+        if (reason := self._unread_sign(place)) is not None:
+            return Unreadable(line, column, *reason, span)
         failure = next((f for (a, b), f in self.refused if a <= place < b), None)
         if failure is not None:
             line, column = line_of(failure.offset if span[0] <= failure.offset < span[1] else place)
@@ -147,6 +143,15 @@ class Account:
             return Unreadable(line, column, undeclared.what, undeclared.remedy, span)
         what = "a relation in prose whose sides are not clear"
         return Unreadable(line, column, what, "write it between dollars", span)
+
+    def _unread_sign(self, place: int) -> tuple[str, str] | None:
+        """Return why a relation sign is never judged and what to write for it, None for others."""
+        if self.text.startswith(("∝", "\\propto"), place):
+            return REFUSED["propto"]
+        if (unread := UNREAD_RELATIONS.match(self.text, place)) is not None:
+            return f"{unread[0]} is not read", "write =, ≈, < or >"
+        size = _SIZE.match(self.text, place)
+        return None if size is None else (f"{size[0].strip()} between numbers", "write =, < or >")
 
     def _clause(self, place: int) -> tuple[int, int]:
         """Return the part of a line that a sign stands in."""

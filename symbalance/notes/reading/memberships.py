@@ -1,4 +1,4 @@
-r"""Sets that letters run over: beside a formula, `k \in \mathbb{Z}`, no part of it; below an operator one.
+r"""Sets that letters run over: beside a formula, k \in \mathbb{Z}, no part of it; below a sum one.
 
 Below a sum or a product a set of successive whole numbers is put as its bounds, any other stays.
 """
@@ -10,7 +10,10 @@ import re
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 
 _OPERATOR = r"(?:sum|prod|int|oint|max|min|lim|sup|inf|bigcup|bigcap|left|limits|frac|mathrm|text)"
-_LETTER = rf"(?:\\(?!{_OPERATOR}(?![A-Za-z]))[a-z]{{2,10}}(?![A-Za-z])|(?<![\w\\])[^\W\d_](?![^\W\d_]))(?:_(?:\{{\w{{1,3}}\}}|\w{{1,3}}))?"
+_LETTER = (
+    rf"(?:\\(?!{_OPERATOR}(?![A-Za-z]))[a-z]{{2,10}}(?![A-Za-z])|(?<![\w\\])[^\W\d_](?![^\W\d_]))"
+    r"(?:_(?:\{\w{1,3}\}|\w{1,3}))?"
+)
 _LETTERS = rf"{_LETTER}(?:\s*,\s*{_LETTER}){{0,3}}"
 _NUMBERS = (
     r"(?:\\mathbb\s*(?:\{\s*[NZRQC]\s*\}|[NZRQC])|\\(?:NN?|ZZ?|RR?|QQ?|CC)(?![A-Za-z])|[ℕℤℝℚℂ])"
@@ -55,7 +58,7 @@ def with_memberships(text: str) -> Rewritten | None:
 
 
 def _begin(text: str, match: re.Match[str]) -> int:
-    r"""Return where the letters begin that are said to be of a set: of a_k, k \in S behind a sum k alone."""
+    r"""Return where the letters of a set begin: of a_k, k \in S behind a sum that is k alone."""
     listed = _LIST_FIRST.match(match[0])
     before = text[max(match.start() - 10, 0) : match.start()].rstrip()
     if listed is None or not before or _SEPARATED.search(before):
@@ -66,10 +69,17 @@ def _begin(text: str, match: re.Match[str]) -> int:
 def _bounds(text: str, match: re.Match[str]) -> tuple[str | tuple[int, int], ...] | None:
     r"""Return `k=1}^{3}` for `k \in \{1,2,3\}}` below a sum or a product, None for any other set."""
     listed = _SUCCESSIVE.fullmatch(match[0])
-    if listed is None or not text.startswith("}", match.end()) or not _OF_SUM.search(text, 0, match.start()):
+    if (
+        listed is None
+        or not text.startswith("}", match.end())
+        or not _OF_SUM.search(text, 0, match.start())
+    ):
         return None
     numbers = [int(number) for number in re.split(r"\s*,\s*", listed["numbers"])]
     if numbers != list(range(numbers[0], numbers[0] + len(numbers))):
         return None
     start = match.start()
-    return ((start + listed.start("letter"), start + listed.end("letter")), f"={numbers[0]}}}^{{{numbers[-1]}}}")
+    return (
+        (start + listed.start("letter"), start + listed.end("letter")),
+        f"={numbers[0]}}}^{{{numbers[-1]}}}",
+    )

@@ -1,7 +1,7 @@
 """Jupyter notebooks as text: the cells one below the other, each below a line that names it.
 
-Markdown cells and those that begin with %%latex stand as they are, code in fences, so that it is passed over as program code; what a
-program printed is left out: nobody wrote it. A line of the text is so a line of a cell.
+Markdown cells and those of %%latex stand as they are, code in fences, to be passed over as program
+code; what a program printed is left out: nobody wrote it. A line of the text is so a line of a cell.
 """
 
 from __future__ import annotations

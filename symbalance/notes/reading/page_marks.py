@@ -120,7 +120,9 @@ _WORD = (
 )  # fmt: skip
 _ORG = (
     _mark(r"^[ \t]*#\+begin_(src|example)\b.*?^[ \t]*#\+end_\1[ \t]*$", _blank),
-    _mark(r"^[ \t]*#\+(?:CAPTION|TITLE|SUBTITLE)(?:\[[^\]\n]*\])?:([^\n]*)$", lambda m: (m.span(1), " ;")),
+    _mark(
+        r"^[ \t]*#\+(?:CAPTION|TITLE|SUBTITLE)(?:\[[^\]\n]*\])?:([^\n]*)$", lambda m: (m.span(1), " ;")
+    ),
     _mark(r"^[ \t]*#\+caption:([^\n]*)$", lambda m: (m.span(1), " ;")),
     _mark(r"^[ \t]*#\+[A-Za-z_]+:[^\n]*$", _blank),
     _mark(r"^[ \t]*:PROPERTIES:.*?:END:[ \t]*$", _blank),

@@ -321,8 +321,11 @@ def _template(match: re.Match[str]) -> Texts:
 _MATH_BEGINS = re.compile(r"<math[\s>]", re.IGNORECASE)
 _NUMBERED_ARGUMENT = re.compile(r"\s*[0-9]\s*=")
 """{{math|1=a = b}}: with its number an argument may hold an equals sign."""
-_SHOWN = frozenset(words("math mvar nowrap nobr bigmath nobold center quote blockquote cquote indent big small bold em strong")
-    + ["block indent"]
+_SHOWN = frozenset(
+    [
+        *words("math mvar nowrap nobr bigmath nobold center quote blockquote cquote indent big small"),
+        *("bold", "em", "strong", "block indent"),
+    ]
 )
 _WIKI_ROW = re.compile(r"\|\||!!")
 

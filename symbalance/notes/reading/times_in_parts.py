@@ -11,7 +11,9 @@ _GAP = r"(?:[ \t\u00a0\u202f]|\\[,;: ]|~){0,4}"
 
 
 def _unit(letters: str) -> str:
-    return rf"(?:\\(?:mathrm|text|textrm|mbox)\s?\{{\s?(?:{letters})\s?\}}|(?:{letters})(?![A-Za-z0-9_^(]))"
+    return (
+        rf"(?:\\(?:mathrm|text|textrm|mbox)\s?\{{\s?(?:{letters})\s?\}}|(?:{letters})(?![A-Za-z0-9_^(]))"
+    )
 
 
 _TIME = re.compile(

@@ -41,7 +41,7 @@ _ZERO = Number(Fraction(0))
 def decide_claimed(
     chain: Chain, k: int, decision: Decision, general: frozenset[str], knowledge: Knowledge
 ) -> Decision:
-    """Return the decision on an inequality that would be a range, as one claimed of all values of letters.
+    """Return the decision on an inequality that would be a range, as one claimed of all values.
 
     `general` are the letters of all of whose values it is claimed. Where none of them stands in it, or
     one that nobody declared decides (a x² > 0 for all x), it says where that one lies; so does a letter
@@ -66,7 +66,9 @@ def decide_claimed(
         failures.append(failing_point(left, right, there, SATISFIED_BY[sign], where))
     if failures and all(failures):
         point, first, second = next(f for f in failures if f is not None)
-        return Decision(REFUTED, "said of all values", level=level, witness=witness_of(point, first, second))
+        return Decision(
+            REFUTED, "said of all values", level=level, witness=witness_of(point, first, second)
+        )
     if others <= knowledge.meanings.keys():
         reason = "for some values of its other letters only" if any(failures) else "not proved"
         return Decision(UNDECIDED, f"said of all values: {reason}", level=level)
@@ -171,7 +173,7 @@ def _is_sum_of_squares(domain: Domain, polynomial: Polynomial, *, strictly: bool
         factors = [place[g] for g, e in monomial for _ in range(int(e)) if e in (1, 2)]
         if len(factors) != sum(e for _, e in monomial) or len(factors) > 2:
             return False
-        a, b = ([0, 0] + factors)[-2:]
+        a, b = [0, 0, *factors][-2:]
         rows[a][b] += Fraction(coefficient) / 2
         rows[b][a] += Fraction(coefficient) / 2
     return _is_positive_definite(rows) if strictly else _is_semidefinite(rows)

@@ -49,7 +49,7 @@ def decide_as_complex(
 
 
 def _agree_as_printed(left: Formula, right: Formula, knowledge: Knowledge) -> bool:
-    """Tell whether two complex numbers differ by no more than the halves of their decimals' last places."""
+    """Tell whether two complex numbers differ by half a unit of their decimals' last places at most."""
     printed = {id(number): number for node in (left, right) for number in decimals(node)}
     gap = _gap(left, right, knowledge)
     if gap is None or not printed or not any(_is_complex(node, knowledge) for node in (left, right)):

@@ -85,11 +85,16 @@ def survey(
 
 
 def failing_point(
-    left: Formula, right: Formula, meaning: SymbolValue, satisfied_by: Sequence[int], where: Callable[[Point], bool]
+    left: Formula,
+    right: Formula,
+    meaning: SymbolValue,
+    satisfied_by: Sequence[int],
+    where: Callable[[Point], bool],
 ) -> tuple[Point, Any, Any] | None:
     """Return a point at which left - right has none of some signs, with both values; None where none is.
 
-    `where` chooses points. Such points are looked for beyond those tried: from the nearest of them by steps that are halved.
+    `where` chooses points. Such points are looked for beyond those tried: from the nearest of them by
+    steps that are halved.
     """
     difference = _Difference(left, right, meaning)
     values: list[tuple[Point, Any]] = []

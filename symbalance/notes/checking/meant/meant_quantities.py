@@ -225,7 +225,8 @@ class MeantQuantities:
     ) -> _Frame | None:
         """Return what is known with the letters that the words explain, the crank, and what that assumes.
 
-        `ratio` is what the crank's ratio is taken for where no words say it: the two are as usual. None where a letter of the formula is neither declared, nor explained, nor defined by such.
+        `ratio` is what the crank's ratio is taken for where no words say it: both are
+        usual. None where a letter of the formula is neither declared, nor explained, nor defined by such.
         """
         line = chain.lines[0]
         declared, proposed = self.words.sizes(line)
@@ -345,8 +346,8 @@ class MeantQuantities:
         """Return that a formula is wrong by one slip, of the quantity that words name; else None.
 
         The second order has to be there, since r ω² cos θ alone is a first order. Where no words say what
-        the lengths of the crank and their ratio are, it is undecided: λ may be another ratio. Where an angle may be counted from the bottom dead centre,
-        nothing is said of what is right so.
+        the lengths of the crank and their ratio are, it is undecided: λ may be another ratio. Where
+        an angle may be counted from the bottom dead centre, nothing is said of what is right so.
         """
         known, crank, assumptions = frame
         right = chain.sides[k + 1]
@@ -355,14 +356,10 @@ class MeantQuantities:
         turns = names(crank.theta) | {crank.time}
         guessed = [text for text in assumptions if text.endswith(USUAL_END) and text not in self.shown]
         is_guess = any(not _OF_TURNING.search(text) for text in guessed)
-        if not turns & names(right.node):
-            return None
         behind = names_behind(right.node, {n: d.node for n, d in known.definitions.items()})
-        if crank.small[0] not in behind and not any(
-            crank.small[0] in names(crank.length) for _ in behind
-        ):
-            return None
-        if self._from_bottom(chain, k, named, known, crank):
+        is_of_ratio = crank.small[0] in behind or (behind and crank.small[0] in names(crank.length))
+        is_open = not turns & names(right.node) or not is_of_ratio
+        if is_open or self._from_bottom(chain, k, named, known, crank):
             return None
         for role, target in self._targets(named, crank, None):
             left = Side((target,), chain.sides[k].span)

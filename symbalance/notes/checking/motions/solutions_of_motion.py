@@ -18,8 +18,7 @@ from symbalance.notes.checking.motions.equations_of_motion import EquationOfMoti
 from symbalance.notes.reading.equations import Chain
 
 _SOLUTION = re.compile(
-    r"(?<![A-Za-zÀ-ÿ])(?:(?:particular|general|steady[- ]state|stationary)?\s*solution|solved\s+by|solves|satisfied\s+by"
-    r"|(?:allgemeine|partikuläre|stationäre)?\s*Lösung|gelöst\s+durch|löst)(?![A-Za-zÀ-ÿ])|解",
+    r"(?<![A-Za-zÀ-ÿ])(?:solution|solved\s+by|solves|satisfied\s+by|Lösung|gelöst\s+durch|löst)(?![A-Za-zÀ-ÿ])|解",
     re.IGNORECASE,
 )
 _TRIED = re.compile(
@@ -48,7 +47,9 @@ def decide_motion_solution(
     there = replace(knowledge, definitions={**knowledge.definitions, head.name: solution})
     decision = decide_equality(_left_side(equation), Number(Fraction(0)), there)
     if decision.is_proved:
-        return Decision(PROVED, f"solves {equation.text} of line {equation.line}", assumptions=decision.assumptions)
+        return Decision(
+            PROVED, f"solves {equation.text} of line {equation.line}", assumptions=decision.assumptions
+        )
     if decision.status != REFUTED:
         return None
     free = {n for form in (decision.left, decision.right) if form is not None for n in letters(form)}

@@ -30,7 +30,8 @@ _DERIVED = re.compile(
     re.IGNORECASE,
 )
 _GIVEN = re.compile(
-    r"(?<![A-Za-zÀ-ÿ])(?:with|from|using|by|since|because|as|mit|aus|wegen|da|avec|de)[\s$\\(\[]*$", re.IGNORECASE
+    r"(?<![A-Za-zÀ-ÿ])(?:with|from|using|by|since|because|as|mit|aus|wegen|da|avec|de)[\s$\\(\[]*$",
+    re.IGNORECASE,
 )
 _ONLY_MARKS = re.compile(r"[\s$.:,)\]\\]*(?:we\s+have|is|gilt|ist|wird)?[\s$.:,(\[\\]*")
 
@@ -68,7 +69,9 @@ def _letters(*nodes: Formula) -> frozenset[str]:
 
 
 def _free(decision: Decision) -> frozenset[str]:
-    return frozenset(n for form in (decision.left, decision.right) if form is not None for n in letters(form))
+    return frozenset(
+        n for form in (decision.left, decision.right) if form is not None for n in letters(form)
+    )
 
 
 def _turned_letters(chain: Chain, k: int) -> frozenset[str]:
@@ -79,7 +82,7 @@ def _turned_letters(chain: Chain, k: int) -> frozenset[str]:
 
 
 def _is_said_to_follow(state: JudgingState, chain: Chain, premise: Premise) -> bool:
-    """Tell whether words lead from an equation to one of its letters: hence, gives, with …:, differentiating."""
+    """Tell whether words lead from an equation to one of its letters: hence, gives, with …:"""
     text, start = state.document.text, chain.start
     before = [c for c in state.document.chains if c.relations and c.end <= start]
     last = max(before, key=lambda c: c.end, default=None)
@@ -89,6 +92,8 @@ def _is_said_to_follow(state: JudgingState, chain: Chain, premise: Premise) -> b
     if _DERIVED.search(between):
         return True
     is_next = premise.line in last.lines
-    return is_next and _ONLY_MARKS.fullmatch(between) is not None and bool(
-        _GIVEN.search(text[max(0, last.start - LONGEST) : last.start])
+    return (
+        is_next
+        and _ONLY_MARKS.fullmatch(between) is not None
+        and bool(_GIVEN.search(text[max(0, last.start - LONGEST) : last.start]))
     )

@@ -44,7 +44,7 @@ def fix_letter(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
     constraint = constraints.constraint_of(chain, k, in_use, used, knowledge)
     if constraint is None or _is_rough_for(state, constraint.name, chain, k):
         return None
-    if constraint.name in state.general or not names(constraint.node) and state.general:
+    if constraint.name in state.general or (state.general and not names(constraint.node)):
         return None  # sin β = λ sin θ for all θ fixes β, and tan x = 1 for all x nothing
     return _fix(state, constraint, chain, k, knowledge)
 

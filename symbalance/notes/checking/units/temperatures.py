@@ -13,14 +13,15 @@ from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECID
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _DEGREE = r"(?:°|\^\s?\\circ|\^\s?\{\s?\\circ\s?\}|\\degree)"
-_SCALE = rf"{_DEGREE}\s?(?:\\[,;: ]|\{{\s?\}})?\s?(?:\\(?:mathrm|text|rm|textrm)\s?\{{?\s?)?(?P<degrees>[CF])"
+_SCALE = (
+    rf"{_DEGREE}\s?(?:\\[,;: ]|\{{\s?\}})?\s?(?:\\(?:mathrm|text|rm|textrm)\s?\{{?\s?)?(?P<degrees>[CF])"
+)
 _TEMPERATURE = re.compile(
     r"\s*(?P<number>[-−]?[0-9]{1,6}(?:[.,][0-9]{1,6})?)(?:\s|\\[,;: ]|~|\$){0,4}"
     rf"(?:{_SCALE}|(?:\\(?:mathrm|text|textrm)\s?\{{\s?)?(?P<kelvin>K))[\s}}$]*"
 )
 _ZEROS = {"C": Fraction("273.15"), "F": Fraction("459.67"), "K": Fraction(0)}
 _STEPS = {"C": Fraction(1), "F": Fraction(5, 9), "K": Fraction(1)}
-_OF_DEGREES = re.compile(rf"[0-9)\s]\s?(?:\\[,;: ])?\s?{_SCALE}")
 
 
 def decide_temperature(chain: Chain, k: int, document: ReadNotes) -> Decision | None:
@@ -28,10 +29,7 @@ def decide_temperature(chain: Chain, k: int, document: ReadNotes) -> Decision | 
     sides = chain.sides[k : k + 2]
     if chain.relations[k].sign not in "=≈" or isinstance(sides[0].node, Name):
         return None
-    sources = [document.source(side.span) for side in sides]
-    if not any(_OF_DEGREES.search(source) for source in sources):
-        return None
-    first, second = (_TEMPERATURE.fullmatch(source) for source in sources)
+    first, second = (_TEMPERATURE.fullmatch(document.source(side.span)) for side in sides)
     if first is None or second is None:
         return None
     scales = [match["degrees"] or match["kelvin"] for match in (first, second)]
@@ -52,7 +50,9 @@ def decide_temperature(chain: Chain, k: int, document: ReadNotes) -> Decision | 
     if off < 2 * place and place == 1:
         return Decision(UNDECIDED, "the scales differ by 273.15, and one of them is rounded")
     words = f"{float(numbers[0]):g} on its scale is {float(exact):g} on the other one"
-    return Decision(REFUTED, words, witness={"left": f"{float(exact):g}", "right": f"{float(numbers[1]):g}"})
+    return Decision(
+        REFUTED, words, witness={"left": f"{float(exact):g}", "right": f"{float(numbers[1]):g}"}
+    )
 
 
 def _last_place(number: str) -> Fraction:

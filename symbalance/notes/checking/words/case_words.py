@@ -43,7 +43,8 @@ _OF_ALL = (
 _ALL = re.compile(_OF_ALL, re.IGNORECASE)
 _ANGLE_WORD = r"(?:crank\s+)?(?:angles?|positions?)|(?:Kurbel)?[Ww]inkel|Stellungen?|クランク角|角度?"
 _ALL_BEHIND = re.compile(
-    r"(?:[\s$)}\],]|\\[,;: ]|\\q?quad(?![A-Za-z])){0,8}(?:\\text\s*\{\s*)?(?:(?:holds?|is\s+true|gilt|is\s+valid)\s+)?"
+    r"(?:[\s$)}\],]|\\[,;: ]|\\q?quad(?![A-Za-z])){0,8}(?:\\text\s*\{\s*)?"
+    r"(?:(?:holds?|is\s+true|gilt|is\s+valid)\s+)?"
     r"(?:(?:for\s+(?:all|every|any|each|arbitrary)|für\s+(?:alle|jede[nrsm]?|beliebige[nsrm]?))"
     r"(?:\s+(?:real|values?\s+of|numbers?|angles?|reellen?|Werte?(?:\s+von)?|Winkel)){0,3}|\\forall(?![A-Za-z])|∀)"
     r"(?P<letters>[^.;:!?\n]{0,40})",
