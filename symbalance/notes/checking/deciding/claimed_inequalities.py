@@ -31,19 +31,27 @@ from symbalance.notes.checking.deciding.inequalities import (
 from symbalance.notes.checking.deciding.knowledge import Knowledge, StatedRange
 from symbalance.notes.checking.deciding.satisfiability import failing_point, sign_at, survey
 from symbalance.notes.checking.verdicts import RANGE
-from symbalance.notes.reading.equations import Chain
+from symbalance.notes.reading.equations import Chain, ReadNotes
 
+NEAR = 3
+"""Lines before a claim in which a range may be that of its letters."""
 DRAWS = 5
 """Values of the letters that are not spoken of, for each of which the claim has to fail."""
 _ZERO = Number(Fraction(0))
 
 
 def decide_claimed(
-    chain: Chain, k: int, decision: Decision, general: frozenset[str], knowledge: Knowledge
+    chain: Chain,
+    k: int,
+    decision: Decision,
+    general: frozenset[str],
+    near: tuple[StatedRange, ...],
+    knowledge: Knowledge,
 ) -> Decision:
     """Return the decision on an inequality that would be a range, as one claimed of all values.
 
-    `general` are the letters of all of whose values it is claimed. Where none of them stands in it, or
+    `general` are the letters of all of whose values it is claimed, `near` the ranges that stand before
+    it: for 0 < x < π, sin x > 0 for all x. Where none of them stands in it, or
     one that nobody declared decides (a x² > 0 for all x), it says where that one lies; so does a letter
     between numbers: for all x, 0 < x < 1.
     """
@@ -62,17 +70,32 @@ def decide_claimed(
     failures: list[tuple[Point, Any, Any] | None] = []
     for values in _draws(sorted(others), left, right, meaning):
         there = replace(meaning, values={**meaning.values, **values})
-        where = _within(knowledge.ranges, own, there)
+        where = _within((*knowledge.ranges, *near), own, there)
         failures.append(failing_point(left, right, there, SATISFIED_BY[sign], where))
     if failures and all(failures):
         point, first, second = next(f for f in failures if f is not None)
         return Decision(
             REFUTED, "said of all values", level=level, witness=witness_of(point, first, second)
         )
-    if others <= knowledge.meanings.keys():
+    ranges = (*knowledge.ranges, *near)
+    is_within = any(own & (names(r.left) | names(r.right)) for r in ranges) and not any(failures)
+    if others <= knowledge.meanings.keys() and not is_within:
         reason = "for some values of its other letters only" if any(failures) else "not proved"
         return Decision(UNDECIDED, f"said of all values: {reason}", level=level)
     return decision
+
+
+def ranges_near(document: ReadNotes, chain: Chain) -> tuple[StatedRange, ...]:
+    """Return the ranges of letters that stand in the lines before a relation, of a case or not."""
+    first, start = chain.lines[0] - NEAR, chain.start
+    before = [c for c in document.chains if first <= c.lines[0] <= chain.lines[-1] and c.end <= start]
+    stated = [
+        StatedRange(c.sides[n].node, relation.sign, c.sides[n + 1].node, c.lines[0])
+        for c in before
+        for n, relation in enumerate(c.relations)
+        if relation.sign in SATISFIED_BY
+    ]
+    return tuple(each for each in stated if lone_letter(each) is not None)
 
 
 def _within(

@@ -24,6 +24,8 @@ STEPS = 70
 """Of a bisection: 2^-70 of a bracket is below what 20 digits show."""
 FARTHEST = Fraction(20)
 """Of the search for a root without a change of sign: at 10^3, e^-x would count as 0."""
+MOST_STEPS = 40
+"""From a point to one at which an inequality fails: with half steps between, to 10^-6."""
 VANISHES = 1e-12
 """Beside the values around it."""
 _PI = Fraction(355, 113)
@@ -107,9 +109,9 @@ def failing_point(
         values.append((point, pair[0] - pair[1]))
     outward = -1 if 1 in satisfied_by else 1
     for start, gap in sorted(values, key=_size)[:3]:
-        point = _climbed(difference, start, gap, outward)
+        point = _climbed(difference, start, gap, outward, where)
         pair = difference.pair(point)
-        if pair is not None and _sign(*pair) not in satisfied_by and where(point):
+        if pair is not None and _sign(*pair) not in satisfied_by:
             return (point, *pair)
     return None
 
@@ -120,23 +122,22 @@ def _sign(left: Any, right: Any) -> int:
     return 0 if abs(gap) <= scale * context().mpf(10) ** -25 else (1 if gap > 0 else -1)
 
 
-def _climbed(difference: _Difference, start: Point, gap: Any, outward: int) -> Point:
+def _climbed(
+    difference: _Difference, start: Point, gap: Any, outward: int, where: Callable[[Point], bool]
+) -> Point:
     """Return a point near another at which (left - right) times `outward` is largest around there."""
     point, best, step = dict(start), gap * outward, Fraction(1)
-    while step > Fraction(1, 2**24):
-        is_better = False
+    for _ in range(MOST_STEPS):
+        better: Point | None = None
         for name in [n for n in point if n not in difference.meaning.integer]:
             for change in (step, -step):
-                value = point[name] + change
-                if name in difference.meaning.positive and value <= 0:
-                    continue
-                there = difference.gap({**point, name: value})
-                if there is not None and there * outward > best:
-                    point, best, is_better = {**point, name: value}, there * outward, True
-        if not is_better:
+                there = {**point, name: point[name] + change}
+                value = difference.gap(there) if abs(there[name]) <= FARTHEST and where(there) else None
+                if value is not None and value * outward > best:
+                    better, best = there, value * outward
+        if better is None:
             step /= 2
-        elif max(map(abs, point.values())) > FARTHEST**3:
-            return point
+        point = better or point
     return point
 
 

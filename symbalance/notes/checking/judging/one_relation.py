@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Constant, Formula, Name, Number, names
-from symbalance.notes.checking.deciding.claimed_inequalities import decide_claimed
+from symbalance.notes.checking.deciding.claimed_inequalities import decide_claimed, ranges_near
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import (
     Decision,
@@ -82,7 +82,8 @@ def judge_relation(
         if case_of_a_letter(state, chain, k, knowledge):
             return Decision(RANGE, "a case, whatever value the letter has above")
         decision = decide_inequality(chain, k, knowledge)
-        decision = decide_claimed(chain, k, decision, state.general, knowledge)
+        near = ranges_near(state.document, chain)
+        decision = decide_claimed(chain, k, decision, state.general, near, knowledge)
         state.definitions.note_range(chain, k, decision)
         return decision
     is_equality = relation.sign == "=" and not of_matrices

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 
 from symbalance.document.formula import Formula, Name, Number, Product, Sum, names
 from symbalance.notes.algebra.tree_values import names_behind
@@ -44,7 +45,9 @@ def fix_letter(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
     constraint = constraints.constraint_of(chain, k, in_use, used, knowledge)
     if constraint is None or _is_rough_for(state, constraint.name, chain, k):
         return None
-    if constraint.name in state.general or (state.general and not names(constraint.node)):
+    is_balance = chain.sides[k + 1].node == Number(Fraction(0))  # A cos θ + B sin θ = 0 fixes A and B
+    is_claim = constraint.name in state.general or is_balance or not names(constraint.node)
+    if state.general and is_claim:
         return None  # sin β = λ sin θ for all θ fixes β, and tan x = 1 for all x nothing
     return _fix(state, constraint, chain, k, knowledge)
 

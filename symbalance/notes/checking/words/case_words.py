@@ -55,6 +55,8 @@ _LETTER_OF_LIST = re.compile(
     r"(?:[\s$,{}()]|\\[,;]|(?<![A-Za-z])(?:and|und|et)(?![A-Za-z])|\\text(?![A-Za-z]))*"
     r"(?P<letter>\\?[^\W\d_]+(?:_(?:\{\w{1,8}\}|\w))?)(?![A-Za-z0-9_])"
 )
+_COUNTING = frozenset("ijknNK")
+"""Letters that usually count: cos 2πk = 1 for all k speaks of whole numbers."""
 _RESTRICTED = re.compile(
     r"[\s$)}]*(?:\\(?:in|geq?|leq?|gt|lt|ne|neq|not)(?![A-Za-z])|[=<>≤≥≠∈]"
     r"|(?:in|with|between|from|except|but|other|such|mit|zwischen|außer|von)(?![A-Za-z]))"
@@ -130,7 +132,8 @@ def spoken_of_behind(text: str, end: int) -> frozenset[str]:
         letter = listed["letter"].replace("{", "").replace("}", "")
         if letter[0] != "\\" and len(letter.partition("_")[0]) > 1:
             break
-        letters.append(letter.lstrip("\\"))
+        if letter[:1] not in _COUNTING:
+            letters.append(letter.lstrip("\\"))
         place = listed.end()
     return frozenset() if not letters or _RESTRICTED.match(words, place) else frozenset(letters)
 
