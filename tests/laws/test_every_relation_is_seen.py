@@ -4,6 +4,7 @@ The signs are counted by a plain scan that knows nothing of the reader: it strip
 address or program code, and the bounds of sums, and counts.
 """
 
+import json
 import re
 import tomllib
 from pathlib import Path
@@ -143,3 +144,49 @@ def test_what_is_no_mathematics_is_counted_and_says_why(tmp_path):
         "the value of a word that is no declared letter",
     ]
     assert data["counts"]["not_mathematics"] == data["seen"] == 3
+
+
+SHOWN_CELL = {"cell_type": "code", "metadata": {}, "source": ["%%latex\n$2+2=5$"], "outputs": []}
+FIRST_CELL = {"cell_type": "markdown", "metadata": {}, "source": ["$1=1$"]}
+NOTEBOOK = {"cells": [FIRST_CELL, SHOWN_CELL], "metadata": {}, "nbformat": 4, "nbformat_minor": 4}
+
+
+@pytest.mark.parametrize(
+    ("text", "suffix"),
+    [
+        ("<math>1=1</math>\n\n{{NumBlk|:|<math>2+2=5</math>|1}}\n", ".wiki"),
+        ("<math>1=1</math>\n\n{{Equation box 1|equation=<math>2+2=5</math>}}\n", ".wiki"),
+        ("<math>1=1</math>\n\n{{quote|2+2=5}}\n", ".wiki"),
+        ("\\title{$2+2=5$}\\begin{document}\\maketitle $1=1$\n\\end{document}\n", ".tex"),
+        ("$1=1$\n#+CAPTION: $2+2=5$\n", ".org"),
+        ("$1=1$\n#+TITLE: $2+2=5$\n", ".org"),
+        ('<p>1=1</p><img src="a.png" class="tex" alt="2+2=5">\n', ".html"),
+        ('<p>1=1</p><img alt="2+2=5" src="https://example.org/latex.php?x=1">\n', ".html"),
+        (json.dumps(NOTEBOOK), ".ipynb"),
+        ("$1=1$ and $$ 2+2 \\text{ equals } 5 $$\n", ".md"),
+        ("1=1, and ∫₀¹ x dx = 1.\n", ".md"),
+    ],
+)
+def test_a_relation_that_a_format_wraps_is_judged(text, suffix, tmp_path):
+    page = tmp_path / f"page{suffix}"
+    page.write_text(text, encoding="utf-8")
+    report = check(page)
+    assert sorted(v.verdict for v in report.verdicts) == ["holds", "refuted"]
+    assert report.relation_count == 2
+
+
+@pytest.mark.parametrize("sign", ["≙", "⪆", "≳", "≢", "\\gtrsim", "\\nleq", "\\asymp", "≫", "\\ll"])
+def test_a_relation_sign_that_is_not_judged_is_reported(sign, tmp_path):
+    page = tmp_path / "page.md"
+    page.write_text(f"$1=1$ and $2 {sign} 7$.\n", encoding="utf-8")
+    report = check(page)
+    assert sorted(v.verdict for v in report.verdicts) == ["holds", "unreadable"]
+    assert report.relation_count == 2
+
+
+def test_a_letter_said_to_be_small_claims_nothing(tmp_path):
+    page = tmp_path / "page.md"
+    page.write_text("Here $x \\ll y$ and $1=1$.\n", encoding="utf-8")
+    assert [entry["why"] for entry in check(page, LETTERS).data()["not_mathematics"]] == [
+        "said to be small beside another"
+    ]

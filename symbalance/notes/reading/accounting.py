@@ -17,7 +17,7 @@ from symbalance.document.wordlists import word_set
 from symbalance.notes.reading.equations import Passed, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.prose import is_function_of_letter
-from symbalance.notes.reading.signs import REFUSED, RELATION
+from symbalance.notes.reading.signs import REFUSED, RELATION, UNREAD_RELATIONS
 from symbalance.notes.reading.sources import CELL_END
 from symbalance.notes.reading.units import is_unit_of_letter
 
@@ -39,7 +39,10 @@ _MEASURED_WORD = re.compile(r"[0-9]\s?[^\W\d_]+\s*$")
 _SETTING = re.compile(r"\\([A-Za-z]+)\s*$")
 _BETWEEN_NUMBERS = r"(?<=[0-9)])(?:\s*(?:=>|⇒|<<|>>)\s*(?=[-−(]?[0-9]))"
 """An arrow from number to number: between relations it says what follows from what, here it claims."""
-_SIGN = re.compile(rf"==|:=|<=(?!>)|>=|!=|∝|\\propto(?![A-Za-z])|{_BETWEEN_NUMBERS}|{RELATION.pattern}")
+_SIGN = re.compile(
+    rf"==|:=|<=(?!>)|>=|!=|∝|\\propto(?![A-Za-z])|{_BETWEEN_NUMBERS}|{RELATION.pattern}"
+    rf"|{UNREAD_RELATIONS.pattern}"
+)
 _WORD = r"[^\W\d_][\w'’]*(?:-[^\W\d_]{2}[\w'’]*)*"
 _BEFORE = re.compile(rf"({_WORD}|\S)\s*$")
 _AFTER = re.compile(rf"\s*({_WORD}|\S)")
@@ -126,10 +129,8 @@ class Account:
         why = self._why_no_mathematics(place, span, names)
         if why:
             return Passed(line, column, why, span)
-        if self.text.startswith(("∝", "\\propto"), place):
-            return Unreadable(line, column, *REFUSED["propto"], span)
-        if (size := _SIZE.match(self.text, place)) is not None:
-            return Unreadable(line, column, f"{size[0].strip()} between numbers", "write =, < or >", span)
+        if (reason := self._unread_sign(place)) is not None:
+            return Unreadable(line, column, *reason, span)
         failure = next((f for (a, b), f in self.refused if a <= place < b), None)
         if failure is not None:
             line, column = line_of(failure.offset if span[0] <= failure.offset < span[1] else place)
@@ -141,6 +142,15 @@ class Account:
             return Unreadable(line, column, undeclared.what, undeclared.remedy, span)
         what = "a relation in prose whose sides are not clear"
         return Unreadable(line, column, what, "write it between dollars", span)
+
+    def _unread_sign(self, place: int) -> tuple[str, str] | None:
+        """Return why a relation sign is never judged and what to write for it, None for others."""
+        if self.text.startswith(("∝", "\\propto"), place):
+            return REFUSED["propto"]
+        if (unread := UNREAD_RELATIONS.match(self.text, place)) is not None:
+            return f"{unread[0]} is not read", "write =, ≈, < or >"
+        size = _SIZE.match(self.text, place)
+        return None if size is None else (f"{size[0].strip()} between numbers", "write =, < or >")
 
     def _clause(self, place: int) -> tuple[int, int]:
         """Return the part of a line that a sign stands in."""

@@ -646,12 +646,22 @@ class Lexer:
             self._add("function", FUNCTION_WORDS[match.group(1)], match.end())
         elif match and match.group(1)[0].isalpha() and self._is_one_letter(match.group(1)):
             self._letter(match.group(1), match.end())
-        elif match and name == "operatorname":
+        elif match and (name == "operatorname" or self._is_unknown_function(match)):
             raise ReadingError(
                 self.place, f"unknown function {match.group(1)}", "write what it stands for"
             )
         else:
             self.place = stop
+
+    def _is_unknown_function(self, word: re.Match[str]) -> bool:
+        """Tell whether a word of no letters of the page stands before a bracket: \\mathrm{sgn}(x)."""
+        letters, after = word.group(1), self.text[word.end() : min(word.end() + 6, self.end)]
+        return (
+            len(letters) > 2
+            and letters.isalpha()
+            and after.lstrip().startswith(("(", "\\left("))
+            and not all(letter in self.words.names for letter in letters)
+        )
 
     def _is_one_letter(self, word: str) -> bool:
         return len(word) == 1 or word in self.words.names or word[1:].isdecimal()

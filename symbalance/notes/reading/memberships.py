@@ -1,6 +1,6 @@
-r"""Sets that letters run over beside a formula, `k \in \mathbb{Z}`, `\forall\theta`: no part of it.
+r"""Sets that letters run over: beside a formula, k \in \mathbb{Z}, no part of it; below a sum one.
 
-The index of a sum is a part of it: `\sum_{k\in\{1,2,3\}}` runs from 1 to 3.
+Below a sum or a product a set of successive whole numbers is put as its bounds, any other stays.
 """
 
 from __future__ import annotations
@@ -9,7 +9,11 @@ import re
 
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 
-_LETTER = r"(?:\\[a-z]{2,10}(?![A-Za-z])|(?<![\w\\])[^\W\d_](?![^\W\d_]))(?:_(?:\{\w{1,3}\}|\w{1,3}))?"
+_OPERATOR = r"(?:sum|prod|int|oint|max|min|lim|sup|inf|bigcup|bigcap|left|limits|frac|mathrm|text)"
+_LETTER = (
+    rf"(?:\\(?!{_OPERATOR}(?![A-Za-z]))[a-z]{{2,10}}(?![A-Za-z])|(?<![\w\\])[^\W\d_](?![^\W\d_]))"
+    r"(?:_(?:\{\w{1,3}\}|\w{1,3}))?"
+)
 _LETTERS = rf"{_LETTER}(?:\s*,\s*{_LETTER}){{0,3}}"
 _NUMBERS = (
     r"(?:\\mathbb\s*(?:\{\s*[NZRQC]\s*\}|[NZRQC])|\\(?:NN?|ZZ?|RR?|QQ?|CC)(?![A-Za-z])|[ℕℤℝℚℂ])"
@@ -24,13 +28,16 @@ _BESIDE = re.compile(
     rf"\(\s*(?:{_EVERY})?{_MEMBER}\s*\)|(?:{_EVERY})?{_MEMBER}(?:\s*:(?!=))?|{_EVERY}{_LETTERS}(?:\s*:(?!=))?"
 )
 
-_OPEN_INDEX = re.compile(r"_\s*\{(?:\\substack\s*\{)?[^{}=]*$")
-_NEAREST = 40
-"""Characters before a membership in which the index that holds it opens."""
-_INDEX = re.compile(
-    rf"_\s*\{{\s*(?P<letter>{_LETTER})\s*(?:\\in(?![A-Za-z])|∈)\s*\\\{{(?P<listed>[^{{}}$\n=]{{1,60}})\\\}}\s*\}}(?!\s*\^)"
+_LIST_FIRST = re.compile(rf"(?:{_LETTER}\s*,\s*){{1,3}}")
+_SEPARATED = re.compile(r"(?:[$,;:.(]|\\q?quad|\\[,;: ]|[A-Za-z]{2})$")
+"""What stands before a list of letters: a mark, a gap or a word."""
+LONGEST = 40
+"""Characters before a set in which the subscript begins that it stands in."""
+_BELOW = re.compile(r"_\s*\{[^{}$\n]*$")
+_OF_SUM = re.compile(r"\\(?:sum|prod)(?:\s*\\limits)?\s*_\s*\{\s*$")
+_BOUNDED = re.compile(
+    rf"(?P<letter>{_LETTER})\s*(?:\\in(?![A-Za-z])|∈)\s*\\\{{\s*(?P<listed>[^{{}}$\n=]{{1,60}})\s*\\\}}"
 )
-"""The index of a sum over a list, \\sum_{k\\in\\{1,2,3\\}}."""
 _DOTS = re.compile(r"\\[lc]?dots|\.\.\.|…|⋯")
 _WHOLE = re.compile(r"-?[0-9]{1,4}")
 
@@ -45,19 +52,40 @@ def with_memberships(text: str) -> Rewritten | None:
         return None
     rewriter = Rewriter(text)
     for match in _BESIDE.finditer(text):
-        if _OPEN_INDEX.search(text, max(match.start() - _NEAREST, 0), match.start()) is None:
-            rewriter.replace(*match.span(), " ")
-    for match in _INDEX.finditer(text):
-        if (bounds := _bounds(match["listed"])) is not None:
-            first, last = bounds
-            rewriter.replace(*match.span(), f"_{{{match['letter']}={first}}}^{{{last}}}")
+        if not _BELOW.search(text, max(match.start() - LONGEST, 0), match.start()):
+            rewriter.replace(_begin(text, match), match.end(), " ")
+        elif (bounds := _bounds(text, match)) is not None:
+            rewriter.replace(match.start(), match.end() + 1, *bounds)
     return rewriter.finish()
 
 
-def _bounds(listed: str) -> tuple[str, str] | None:
+def _begin(text: str, match: re.Match[str]) -> int:
+    r"""Return where the letters of a set begin: of a_k, k \in S behind a sum that is k alone."""
+    listed = _LIST_FIRST.match(match[0])
+    before = text[max(match.start() - 10, 0) : match.start()].rstrip()
+    if listed is None or not before or _SEPARATED.search(before):
+        return match.start()
+    return match.start() + listed.end()
+
+
+def _bounds(text: str, match: re.Match[str]) -> tuple[str | tuple[int, int], ...] | None:
+    r"""Return `k=1}^{3}` for `k \in \{1,2,3\}}` below a sum or a product, None for any other set."""
+    below = _BOUNDED.fullmatch(match[0])
+    ends = _ends(below["listed"]) if below is not None else None
+    is_whole = text.startswith("}", match.end()) and _OF_SUM.search(text, 0, match.start())
+    if below is None or ends is None or not is_whole:
+        return None
+    start, (first, last) = match.start(), ends
+    return (
+        (start + below.start("letter"), start + below.end("letter")),
+        f"={first}}}^{{{last}}}",
+    )
+
+
+def _ends(listed: str) -> tuple[str, str] | None:
     r"""Return where whole numbers that follow one another begin and end, None for other lists.
 
-    >>> _bounds("1,2,3"), _bounds(r"0, \dots, N-1"), _bounds("1, 3, 5")
+    >>> _ends("1,2,3"), _ends(r"0, \dots, N-1"), _ends("1, 3, 5")
     (('1', '3'), ('0', 'N-1'), None)
     """
     entries = [entry.strip() for entry in listed.split(",")]

@@ -1,7 +1,7 @@
 """Jupyter notebooks as text: the cells one below the other, each below a line that names it.
 
-Markdown cells stand as they are, code in fences, so that it is passed over as program code; what a
-program printed is left out: nobody wrote it. A line of the text is so a line of a cell.
+Markdown cells and those of %%latex stand as they are, code in fences, to be passed over as program
+code; what a program printed is left out: nobody wrote it. A line of the text is so a line of a cell.
 """
 
 from __future__ import annotations
@@ -15,6 +15,8 @@ from symbalance.errors import SymbalanceError
 SUFFIX = ".ipynb"
 MOST_CELLS = 10_000
 _HEAD = re.compile(r"<!-- cell ([0-9]{1,6}): [a-z]+ -->$")
+_SHOWN = re.compile(r"\s*%%(?:latex|markdown|html)\b")
+"""How a cell begins whose text Jupyter shows as it stands."""
 _FENCE = re.compile(r"`{3,}")
 
 
@@ -63,6 +65,9 @@ def _cell_text(cell: Any, number: int, name: str) -> str:
     head = f"<!-- cell {number}: {re.sub('[^a-z]', '', kind.lower()) or 'other'} -->"
     if kind == "markdown":
         return f"{head}\n{source}"
+    if _SHOWN.match(source):
+        shown = source.partition("\n")[2]
+        return f"{head}\n\n{shown}"
     fence = max(["```", *_FENCE.findall(source)], key=len)
     fence += "`" if fence in source else ""
     return f"{head}\n{fence}code\n{source}\n{fence}"

@@ -65,6 +65,17 @@ _SLIDES = (
     _mark(rf"(\\(?:item|pause|onslide|column|note|frame|begin\s*\{{[A-Za-z]+\*?\}})\s*){_OVERLAY}",
           _first_group),
 )  # fmt: skip
+_IN_FRACTION = r"\{((?:[^{}$]|\^\{[^{}]{1,4}\}){1,30})\}"
+_UPRIGHT_FRACTION = _mark(  # the unit \mathrm{\frac{m}{s^2}} is \frac{\mathrm{m}}{\mathrm{s^2}}
+    rf"\\(mathrm|mathsf|text|textrm|mbox|rm)\s?\{{\s?\$?\\([dt]?frac)\s?{_IN_FRACTION}\s?{_IN_FRACTION}\s?\$?\}}",
+    lambda m: ("\\", m.span(2), "{\\mathrm{", m.span(3), "}}{\\mathrm{", m.span(4), "}}"),
+)
+_EQUALS_IN_WORDS = _mark(
+    r"\\(?:text|textrm|mbox|mathrm|hbox)\s?\{\s*(?:is\s+equal\s+to|is\s+exactly|equals|ist\s+gleich|gleich|est\s+égal\s+à)"
+    r"\s*\}",
+    lambda m: (" = ",),
+)
+_EVERYWHERE = (_UPRIGHT_FRACTION, _EQUALS_IN_WORDS)
 _TEX = (
     *_SLIDES,
     _mark(  # units with a raised digit in dollars, \mbox{m/s$^2$}
@@ -109,6 +120,10 @@ _WORD = (
 )  # fmt: skip
 _ORG = (
     _mark(r"^[ \t]*#\+begin_(src|example)\b.*?^[ \t]*#\+end_\1[ \t]*$", _blank),
+    _mark(
+        r"^[ \t]*#\+(?:CAPTION|TITLE|SUBTITLE)(?:\[[^\]\n]*\])?:([^\n]*)$", lambda m: (m.span(1), " ;")
+    ),
+    _mark(r"^[ \t]*#\+caption:([^\n]*)$", lambda m: (m.span(1), " ;")),
     _mark(r"^[ \t]*#\+[A-Za-z_]+:[^\n]*$", _blank),
     _mark(r"^[ \t]*:PROPERTIES:.*?:END:[ \t]*$", _blank),
     _mark(r"^[ \t]*[-+][ \t]+(?:(?!::)[^\n$\\=]){1,60}::(?=\s)", _blank),
@@ -144,7 +159,7 @@ def with_page_marks(text: str, kind: str, ending: str = "") -> Rewritten | None:
     'Here \\(a = b\\).'
     """
     result = _without_second_copies(text) if kind == "html" else None
-    for marks in (*_BY_KIND.get(kind, ()), *_BY_ENDING.get(ending, ())):
+    for marks in (_EVERYWHERE, *_BY_KIND.get(kind, ()), *_BY_ENDING.get(ending, ())):
         for mark in marks:
             done = _without(result.text if result else text, mark)
             result = done.after(result) if done else result

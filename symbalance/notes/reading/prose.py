@@ -72,6 +72,10 @@ _DERIVATIVE = re.compile(
     r"|(?:(?<=d/)|(?<=d[A-Za-zα-ωϕ]/)|(?<=d[²³]/)|(?<=d[²³][A-Za-zα-ωϕ]/)|(?<=d\^[23]/)"
     r"|(?<=d\^[23][A-Za-zα-ωϕ]/))d[A-Za-z]?(?![A-Za-z])"
 )
+_DIFFERENTIAL = re.compile(r"d[a-zA-Z]")
+_INTEGRAL = re.compile(r"[∫∮][^=≈<>≤≥\n]*$")
+"""What stands before the dx of an integral in plain text."""
+_LONGEST_INTEGRAL = 80
 _LONGEST_FUNCTION = 20
 LONGEST_RUN = 2
 """Letters that are read as a product behind a function's bracket without being letters of the page."""
@@ -171,9 +175,9 @@ def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules)
     kind, sign = piece.lastgroup, piece.group()
     if kind == "word":
         is_run = len(sign) == LONGEST_RUN and sign not in _PLAIN_WORDS
-        if _DERIVATIVE.match(text, piece.start(), end) or (
-            is_run and is_behind_function(text, piece.start())
-        ):
+        is_in_function = is_run and is_behind_function(text, piece.start())
+        is_derivative = _DERIVATIVE.match(text, piece.start(), end) is not None
+        if is_derivative or is_in_function or _is_differential(sign, text, piece.start()):
             return True
         own = _OWN_FUNCTION.match(text, piece.start(), end)
         return line.is_mathematical(sign) or (own is not None and own.group() == sign)
@@ -186,6 +190,12 @@ def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules)
         unit = unit_set_at(text, piece.start(), end) if behind else None
         return unit is not None and scale_of(unit[0]) is not None
     return kind != "abbreviation"
+
+
+def _is_differential(sign: str, text: str, place: int) -> bool:
+    """Tell whether a word is the dx of an integral, whose sign stands before it."""
+    before = max(place - _LONGEST_INTEGRAL, 0)
+    return bool(_DIFFERENTIAL.fullmatch(sign) and _INTEGRAL.search(text, before, place))
 
 
 def is_behind_function(text: str, place: int) -> bool:

@@ -125,6 +125,14 @@ REFUSED: dict[str, tuple[str, str]] = {
     **dict.fromkeys(words("in subset cup cap land lor forall exists"), ("sets are not read", "")),
 }  # fmt: skip
 
+UNREAD_RELATIONS = re.compile(
+    "[≙≘≚≛≝≞≟≊∽≍≎≏≢≣≨≩≭≮≯≰≱≲≳≴≵≶≷≺≻≼≽≾≿⋍⋖⋗⋘⋙⋚⋛⩰⩵⪅⪆⪇⪈⪉⪊⪋⪌⪍⪎⪕⪖⪝⪞⪯⪰≁≄≇≉]"
+    r"|\\(?:gtrsim|lesssim|gtrapprox|lessapprox|asymp|nless|ngtr|nleq|ngeq|nleqslant|ngeqslant|bumpeq|Bumpeq"
+    r"|risingdotseq|circeq|prec|succ|preceq|succeq|ncong|nsim|gneqq?|lneqq?|lessgtr|gtrless|lesseqgtr|gtreqless"
+    r"|backsimeq|backsim|eqcirc|thickapprox|thicksim)(?![A-Za-z])"
+)
+"""Relations that are counted and not judged: about what they claim people differ, or they are rare."""
+
 REFUSED_SIGNS = {
     "→": REFUSED["to"], "⇒": REFUSED["to"], "←": REFUSED["to"], "↔": REFUSED["to"], "⇔": REFUSED["to"],
     "∴": REFUSED["to"], "∵": REFUSED["to"], "∝": REFUSED["propto"],

@@ -36,6 +36,7 @@ from symbalance.notes.reading.row_vectors import with_row_vectors
 from symbalance.notes.reading.scanned_letters import with_scanned_letters
 from symbalance.notes.reading.short_greek import with_short_greek
 from symbalance.notes.reading.systems_in_braces import with_systems
+from symbalance.notes.reading.times_in_parts import with_times_in_one
 from symbalance.notes.reading.units_behind_waves import with_units_of_waves
 
 CELL_END = "\ue000"
@@ -121,6 +122,7 @@ def prepare(
         with_dots,
         with_places,
         with_divisions,
+        with_times_in_one,
     ):
         reader.apply(rewrite(reader.text))
     if kind != "tex":
@@ -239,6 +241,26 @@ def _raised(left: str, right: str) -> Callable[[re.Match[str]], Texts]:
     return write
 
 
+_ALTERNATIVE = re.compile(r"\salt\s*=\s*(?:\"([^\"]*)\"|'([^']*)')", re.IGNORECASE)
+_OF_FORMULA = re.compile(
+    r"\sclass\s*=\s*[\"'][^\"']*(?<![\w-])(?:tex|latex|math|mathtex|ql-img-\w+-equation)(?![\w-])"
+    r"|\ssrc\s*=\s*[\"'][^\"']*(?:latex|mathtex|codecogs|/math/)",
+    re.IGNORECASE,
+)
+
+
+def _picture(match: re.Match[str]) -> Texts:
+    """A picture of a formula holds its TeX as what is read aloud; any other picture is a gap."""
+    alternative = _ALTERNATIVE.search(match[0])
+    if alternative is None or not _OF_FORMULA.search(match[0]):
+        return (CELL_END,)
+    number = 1 if alternative[1] is not None else 2
+    inside, start = alternative[number].strip(" $"), match.start()
+    if "&" in inside or inside != alternative[number]:
+        return ("\\(", unescape(inside), "\\)")
+    return ("\\(", (start + alternative.start(number), start + alternative.end(number)), "\\)")
+
+
 _STACKED = _rule(
     r"<sup(?:\s[^<>]*)?>([0-9]{1,4})</sup\s*>\s*(?:/|&frasl;|⁄)\s*<sub(?:\s[^<>]*)?>([0-9]{1,4})</sub\s*>",
     lambda match: ("(", match.span(1), "/", match.span(2), ")"),
@@ -258,6 +280,7 @@ _BLOCK_TAGS = "|".join(
 )
 _INLINE_TAG = _rule(rf"</?(?:{_INLINE_TAGS})(?:\s[^<>]*)?/?>", lambda match: ("",))
 _BLOCK_TAG = _rule(rf"</?(?:{_BLOCK_TAGS})(?:\s[^<>]*)?/?>|<!doctype[^<>]*>|<\?xml[^<>]*>", _gap)
+_PICTURE = _rule(r"<img\s[^<>]*>", _picture)
 _ENTITY = _rule(r"&(?:[a-z]{2,8}[0-9]{0,2}|#[0-9]{1,6}|#x[0-9a-f]{1,5});", _entity)
 _GITLAB = _rule(r"\$`([^`\n]{1,2000})`\$", _inside(1, "\\(", "\\)"))
 _DOUBLE_BACKSLASH = (
@@ -290,6 +313,11 @@ def _script(match: re.Match[str]) -> Texts:
 
 def _template(match: re.Match[str]) -> Texts:
     """{{math|x = 1}} shows its argument, other templates are markup."""
+    if _MATH_BEGINS.search(match[1]):  # an equation with its number: {{NumBlk|:|<math>a = b</math>|1}}
+        texts: list[str | Span] = [CELL_END]
+        for element in _MATH.pattern.finditer(match.string, *match.span(1)):
+            texts += [*_math_element(element), CELL_END]
+        return tuple(texts)
     name, _, inside = match[1].partition("|")
     if name.strip().lower() not in _SHOWN or not inside:
         return (" ",)
@@ -298,9 +326,15 @@ def _template(match: re.Match[str]) -> Texts:
     return (" ", (start + (numbered.end() if numbered else 0), match.end(1)), " ")
 
 
+_MATH_BEGINS = re.compile(r"<math[\s>]", re.IGNORECASE)
 _NUMBERED_ARGUMENT = re.compile(r"\s*[0-9]\s*=")
 """{{math|1=a = b}}: with its number an argument may hold an equals sign."""
-_SHOWN = frozenset(words("math mvar nowrap nobr bigmath nobold center"))
+_SHOWN = frozenset(
+    [
+        *words("math mvar nowrap nobr bigmath nobold center quote blockquote cquote indent big small"),
+        *("bold", "em", "strong", "block indent"),
+    ]
+)
 _WIKI_ROW = re.compile(r"\|\||!!")
 
 
@@ -355,7 +389,7 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
     "tex": (_TEX_DISPLAYS,),
     "markdown": (_TEX_DISPLAYS, (
         _FENCED, _COMMENT, _GITLAB, *_DOUBLE_BACKSLASH, *_DISPLAYED, _MATH, _STACKED, _RAISED, _LOWERED,
-        _INLINE_TAG, _BLOCK_TAG, _ENTITY,
+        _INLINE_TAG, _PICTURE, _BLOCK_TAG, _ENTITY,
         _rule(r"(?<=\])\([^()\s]{0,400}[.#/][^()\s]{0,400}[?&][^()\s]{0,400}=[^()\s]{0,400}\)", _blank),
     ),),
     "wiki": ((
@@ -370,7 +404,7 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
     ), (
         _MATH, *_DISPLAYED, _STACKED, _RAISED, _LOWERED,
         _rule(r"<ref(?:\s[^<>]*)?/>|<ref(?:\s[^<>]*)?>|</ref>", _gap),
-        _INLINE_TAG, _BLOCK_TAG, _ENTITY,
+        _INLINE_TAG, _PICTURE, _BLOCK_TAG, _ENTITY,
         _rule(r"\{\{([^{}]{1,2000})\}\}", _template),
         _rule(r"\[\[(?:[^][|\n]*\|)*([^][|\n]*)\]\]", _inside(1, " ", " ")),
         _rule(r"\[https?://[^\s\]]+", _blank),
@@ -381,7 +415,7 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
         _rule(r"<script(?:\s[^<>]*)?>(?:(?!<script).)*?</script\s*>", _script),
         _rule(r"<(?P<hidden>style|noscript|head)(?:\s[^<>]*)?>(?:(?!<(?P=hidden)[\s>]).)*?"
               r"</(?P=hidden)\s*>", _blank),
-        _MATH, _STACKED, _RAISED, _LOWERED, _INLINE_TAG, _BLOCK_TAG, _ENTITY,
+        _MATH, _STACKED, _RAISED, _LOWERED, _INLINE_TAG, _PICTURE, _BLOCK_TAG, _ENTITY,
     ), (_CELL_WITH_RELATION,)),
     "asciidoc": ((
         _rule(r"^////$.*?^////$|^//(?!/)[^\n]*", _blank),
@@ -414,6 +448,9 @@ _ADDRESS = re.compile(
 )
 _RULE_OF_SIGNS = re.compile(r"^[ \t]*(?:={2,}|~{3,})[ \t]*$", re.MULTILINE)
 _QUOTED = re.compile(r"^[ ]{0,3}(?:>[ ]?)+", re.MULTILINE)
+_TITLE = re.compile(
+    r"\\(?:title|subtitle)\s*(?:\[[^\[\]]{0,200}\])?\s*\{((?:[^{}]|\{(?:[^{}]|\{[^{}]{0,80}\}){0,80}\}){1,400})\}"
+)
 _OPTIONS = re.compile(r"(?<=[A-Za-z}*])\[\s*[a-z-]{2,20}\s*=[^\[\]\n$]{0,200}\]")
 _FENCE = re.compile(r"[ ]{0,3}(`{3,}|~{3,})\s*([A-Za-z]*)")
 _BOLD = re.compile(r"(?<![\w)*])\*\*(?=[^\s*])([^*\n]{1,300})(?<=\S)\*\*(?![\w(*])")
@@ -443,13 +480,21 @@ def mask_code_of_tex(text: str) -> str:
     return _VERB.sub(lambda m: blank(m.group()), text)
 
 
+def _shown_of_preamble(text: str) -> str:
+    """Return a preamble in which only its title stands, which the page shows."""
+    shown = list(blank(text))
+    for match in _TITLE.finditer(text):
+        shown[match.start(1) : match.end(1)] = match[1]
+    return "".join(shown)
+
+
 def mask_tex(text: str) -> str:
     """Blank comments, verbatim, the preamble and what follows the end."""
     text = _OPTIONS.sub(lambda m: blank(m.group()), mask_code_of_tex(text))
     begin = text.find("\\begin{document}")
     if begin >= 0:
         begin += len("\\begin{document}")
-        text = blank(text[:begin]) + text[begin:]
+        text = _shown_of_preamble(text[:begin]) + text[begin:]
     end = text.find("\\end{document}")
     return text if end < 0 else text[:end] + blank(text[end:])
 

@@ -44,7 +44,7 @@ def decide_within_ranges(
     stated = [r for r in knowledge.ranges if names(r.left) | names(r.right) <= own]
     stated = [r for r in stated if r.sign in SATISFIED_BY and names(r.left) | names(r.right)]
     condition = next(text for text in decision.assumptions if _is_of_sign(text))
-    points = list(_points(left.node, right.node, stated, knowledge, own & {*general}))
+    points = list(_points(left.node, right.node, stated, knowledge, own & general))
     failing = [(point, pair) for point, pair in points if not _is_close(*pair)]
     if stated and len(failing) == len(points) >= FEWEST:
         texts = " and ".join(dict.fromkeys(f"{r.text} of line {r.line}" for r in stated))
@@ -67,7 +67,11 @@ def _is_of_sign(text: str) -> bool:
 
 
 def _points(
-    left: Formula, right: Formula, stated: list[StatedRange], knowledge: Knowledge, general: set[str]
+    left: Formula,
+    right: Formula,
+    stated: list[StatedRange],
+    knowledge: Knowledge,
+    general: frozenset[str],
 ) -> Iterator[tuple[Mapping[str, Fraction], tuple[Any, Any]]]:
     """Yield points within the ranges, with the values of both sides."""
     level = list(knowledge.levels(left, right))[-1]

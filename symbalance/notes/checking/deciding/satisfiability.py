@@ -24,6 +24,8 @@ STEPS = 70
 """Of a bisection: 2^-70 of a bracket is below what 20 digits show."""
 FARTHEST = Fraction(20)
 """Of the search for a root without a change of sign: at 10^3, e^-x would count as 0."""
+MOST_STEPS = 40
+"""From a point to one at which an inequality fails: with half steps between, to 10^-6."""
 VANISHES = 1e-12
 """Beside the values around it."""
 _PI = Fraction(355, 113)
@@ -74,9 +76,7 @@ def survey(
         pair = difference.pair(point)
         if pair is None or (where is not None and not where(point)):
             continue
-        gap = pair[0] - pair[1]
-        scale = max(abs(pair[0]), abs(pair[1]))
-        sign = 0 if abs(gap) <= scale * context().mpf(10) ** -25 else (1 if gap > 0 else -1)
+        gap, sign = pair[0] - pair[1], _sign(*pair)
         examples.setdefault(sign, (point, *pair))
         counts[sign] = counts.get(sign, 0) + 1
         if is_generic:
@@ -84,6 +84,61 @@ def survey(
         values.append((point, gap))
     has_root = 0 in counts or (roots and _has_root(difference, values))
     return Survey(examples, counts, generic, has_root)
+
+
+def failing_point(
+    left: Formula,
+    right: Formula,
+    meaning: SymbolValue,
+    satisfied_by: Sequence[int],
+    where: Callable[[Point], bool],
+) -> tuple[Point, Any, Any] | None:
+    """Return a point at which left - right has none of some signs, with both values; None where none is.
+
+    `where` chooses points. Such points are looked for beyond those tried: from the nearest of them by
+    steps that are halved.
+    """
+    difference = _Difference(left, right, meaning)
+    values: list[tuple[Point, Any]] = []
+    for point, _ in _points(difference.letters, meaning):
+        pair = difference.pair(point)
+        if pair is None or not where(point):
+            continue
+        if _sign(*pair) not in satisfied_by:
+            return (point, *pair)
+        values.append((point, pair[0] - pair[1]))
+    outward = -1 if 1 in satisfied_by else 1
+    for start, gap in sorted(values, key=_size)[:3]:
+        point = _climbed(difference, start, gap, outward, where)
+        pair = difference.pair(point)
+        if pair is not None and _sign(*pair) not in satisfied_by:
+            return (point, *pair)
+    return None
+
+
+def _sign(left: Any, right: Any) -> int:
+    """Return the sign of left - right, 0 where they agree to 25 digits."""
+    gap, scale = left - right, max(abs(left), abs(right))
+    return 0 if abs(gap) <= scale * context().mpf(10) ** -25 else (1 if gap > 0 else -1)
+
+
+def _climbed(
+    difference: _Difference, start: Point, gap: Any, outward: int, where: Callable[[Point], bool]
+) -> Point:
+    """Return a point near another at which (left - right) times `outward` is largest around there."""
+    point, best, step = dict(start), gap * outward, Fraction(1)
+    for _ in range(MOST_STEPS):
+        better: Point | None = None
+        for name in [n for n in point if n not in difference.meaning.integer]:
+            for change in (step, -step):
+                there = {**point, name: point[name] + change}
+                value = difference.gap(there) if abs(there[name]) <= FARTHEST and where(there) else None
+                if value is not None and value * outward > best:
+                    better, best = there, value * outward
+        if better is None:
+            step /= 2
+        point = better or point
+    return point
 
 
 class _Difference:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Formula, Name, names
+from symbalance.notes.checking.deciding.complex_numbers import decide_as_complex
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
@@ -30,6 +31,9 @@ def appeal(
     of_matrices = is_of_matrices(chain.sides[k].node, chain.sides[k + 1].node, knowledge)
     # cases and conditions are of numbers
     may_state = not of_matrices and not must_follow(state.definitions, chain, k) and not state.general
+    if not of_matrices:
+        sides = chain.sides[k], chain.sides[k + 1]
+        decision = decide_as_complex(*sides, chain.relations[k].sign, decision, knowledge)
     if decision.status == REFUTED and may_state:
         decision = unless_stated(state, chain, k, against, decision, knowledge)
     if decision.status == REFUTED:

@@ -19,6 +19,7 @@ from symbalance.notes.checking.deciding.relations import NO_VALUES_HERE, decide
 from symbalance.notes.checking.deciding.remainders import is_remainder
 from symbalance.notes.checking.declared.engines import Sources
 from symbalance.notes.checking.declared.sidecar import Binding, Declarations
+from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.judging.judging_order import chains_in_turn, number_verdicts
 from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
 from symbalance.notes.checking.meant.motion_in_time import with_rates_of_rates
@@ -225,9 +226,12 @@ class Judge:
         )
         left = cases_left_by(self.state.definitions, chain, angles)
         start = min(side.span[0] for side in chain.sides)
-        own = chain.letters
-        spoken = dict.fromkeys(own, False)
+        symbols = self.state.declarations.symbols_at(chain.lines[0])
+        turning = {name for name, text in symbols.items() if role_of(text) == "crank angle"}
+        spoken = {name: name in turning for name in chain.letters | turning}
         self.state.general = self.state.sections.spoken_of_generally(chain, spoken, named=True)
+        if self._is_of_all_values(chain, k):
+            self.state.general |= _turned(chain.sides[k].node)
         examples = lines_of_numbers(self.state.definitions, self.state.general)
         if left or examples:
             free = frozenset(name for case in left for name in case.letters)
@@ -248,6 +252,13 @@ class Judge:
             end_cases(self.state.definitions, others, start)
             return self._link_in_scope(chain, k, sound, bad)
         return verdict
+
+    def _is_of_all_values(self, chain: Chain, k: int) -> bool:
+        """Tell whether a relation says that two sides are identical, or that one is constant."""
+        if any(isinstance(chain.sides[n].node, Name) for n in (k, k + 1)):
+            return False
+        is_identity = chain.relations[k].sign == "≡"
+        return is_identity or (not k and self.state.sections.is_said_to_be_constant(chain))
 
     def _link_in_scope(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on a relation by what is in scope there; a case that is past may be left."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Constant, Formula, Name, Number, Summation, names
+from symbalance.notes.checking.deciding.claimed_inequalities import decide_claimed, ranges_near
 from symbalance.notes.checking.deciding.denied_conditions import decide_within_ranges
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import (
@@ -32,6 +33,7 @@ from symbalance.notes.checking.motions.fourier_series import as_fourier_series, 
 from symbalance.notes.checking.motions.listed_values import decide_for_values
 from symbalance.notes.checking.motions.matrix_equations_of_motion import rows_of_motion
 from symbalance.notes.checking.motions.mean_values import decide_by_mean
+from symbalance.notes.checking.motions.solutions_of_motion import decide_motion_solution
 from symbalance.notes.checking.page.solutions import solution_below
 from symbalance.notes.checking.premises.conditions_behind import values_behind
 from symbalance.notes.checking.premises.constraints import Constraint
@@ -58,6 +60,7 @@ from symbalance.notes.checking.units.conversions import decide_conversion
 from symbalance.notes.checking.units.numbers_in_units import decide_after_units_left_out
 from symbalance.notes.checking.units.printed_units import decide_by_printed_units
 from symbalance.notes.checking.units.speeds_as_numbers import put_in_for_angular_speed, wrong_as_quantity
+from symbalance.notes.checking.units.temperatures import decide_temperature
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONTRADICTION,
@@ -112,6 +115,8 @@ def _judge_inequality(state: JudgingState, chain: Chain, k: int, knowledge: Know
     if case_of_a_letter(state, chain, k, knowledge):
         return Decision(RANGE, "a case, whatever value the letter has above")
     decision = decide_inequality(chain, k, knowledge)
+    near = ranges_near(state.document, chain)
+    decision = decide_claimed(chain, k, decision, state.general, near, knowledge)
     state.definitions.note_range(chain, k, decision)
     return decision
 
@@ -124,9 +129,8 @@ def _judge_equality(
         of_engine = state.named_orders.judge(chain, k, knowledge, state.cranks_of)
         if of_engine is not None:
             return of_engine
-    definition = (
-        _demanded(chain.relations[k]) or _denied(state, chain) or as_balance_solution(state, chain, k)
-    )
+    definition = decide_temperature(chain, k, state.document) or _demanded(chain.relations[k])
+    definition = definition or _denied(state, chain) or as_balance_solution(state, chain, k)
     definition = definition or as_equation_for_angle(state, chain, k, knowledge)
     definition = definition or as_new_extreme(state, chain, k, knowledge)
     definition = definition or as_proved_solution(state, chain, k)
@@ -249,11 +253,13 @@ def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
     above = state.equations_of_motion
     if equation is None:
         here = [e for e in above if state.sections.same_section(e.line, chain.lines[0])]
-        by_frequency = decide_natural_frequency(chain, k, here, knowledge)
+        by_motion = decide_natural_frequency(chain, k, here, knowledge)
         head = chain.sides[0].node
-        if by_frequency is not None and by_frequency.is_proved and isinstance(head, Name):
+        words = state.sections.sentence_before(chain) if here else ""
+        by_motion = by_motion or decide_motion_solution(chain, k, here, words, knowledge)
+        if by_motion is not None and by_motion.is_proved and isinstance(head, Name):
             state.definitions.define(head.name, chain.sides[1].node, chain)
-        return by_frequency
+        return by_motion
     last = above[-1].line if above else 0
     follows = bool(above) and state.sections.stands_next(chain, last)
     follows = follows and state.sections.follows_at_once(chain)

@@ -38,12 +38,13 @@ from symbalance.document.letters import plain_letter
 from symbalance.notes.algebra.tree_values import NO_VALUE, TreeValues, letters_behind, names_behind
 from symbalance.notes.algebra.values import random_point
 from symbalance.notes.checking.deciding.descriptions import describe
-from symbalance.notes.checking.deciding.equality import REFUTED, Decision, without_dots
+from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.declared.engines import Sources
 from symbalance.notes.checking.declared.geometry import Geometry, two
+from symbalance.notes.checking.declared.role_phrases import CONVENTIONS
 from symbalance.notes.checking.declared.symbol_roles import FROM_MIDDLE, FROM_PIN, FROM_TOP, role_of
 from symbalance.notes.checking.declared.symbols import meaning_of
 from symbalance.notes.checking.meant.meant_words import (
@@ -87,6 +88,11 @@ ONE_SLIP = re.compile(
 """The kinds of a change that leaves all terms and only puts one thing in them right."""
 
 
+_OF_RATIO = re.compile(rf" is the (?:rod|crank) ratio [lr]/[lrs], {USUAL_END}")
+_OF_TURNING = re.compile(r" is the (?:angular speed|crank angle|time), ")
+"""Letters that a formula shows by themselves: what is squared before a wave, and what turns in it."""
+
+
 @dataclass(frozen=True, slots=True)
 class Meant:
     """What a letter is taken to be, and the assumption that says so."""
@@ -125,15 +131,18 @@ class MeantQuantities:
         if frame is None:
             return None
         named = self.words.named(name, chain) or self._by_company(name)
+        frames = [frame]
+        if named is not None and named.role and any(_OF_RATIO.search(text) for text in frame.assumptions):
+            frames.append(self.frame(name, value, chain, knowledge, ratio=CONVENTIONS["r/l"]) or frame)
+
+        def verdict() -> Verdict | Decision | None:
+            for each in frames:
+                if (agreeing := self._agreeing(chain, k, name, named, each)) is not None:
+                    return agreeing
+            return self._with_slip(chain, k, name, named, frames[-1])
+
         try:
-            return run_within(
-                SEARCH,
-                lambda: (
-                    self._agreeing(chain, k, name, named, frame)
-                    or self._with_slip(chain, k, name, named, frame)
-                ),
-                SHARE,
-            )
+            return run_within(SEARCH, verdict, SHARE)
         except OverBudgetError as problem:
             reason = (
                 f"whether it is a quantity of the slider-crank was not decided within {problem.spent}"
@@ -239,16 +248,21 @@ class MeantQuantities:
                     return replace(decision, assumptions=(text, *assumptions, *decision.assumptions))
         return None
 
-    def frame(self, name: str, value: Formula, chain: Chain, knowledge: Knowledge) -> _Frame | None:
+    def frame(
+        self, name: str, value: Formula, chain: Chain, knowledge: Knowledge, ratio: str = ""
+    ) -> _Frame | None:
         """Return what is known with the letters that the words explain, the crank, and what that assumes.
 
-        None where a letter of the formula is neither declared, nor explained, nor defined by such.
+        `ratio` is what the crank's ratio is taken for where no words say it: both are
+        usual. None where a letter of the formula is neither declared, nor explained, nor defined by such.
         """
         line = chain.lines[0]
         declared, proposed = self.words.sizes(line)
         # of an offset crank, sin β = λ sin θ - δ, no angle is the rod's without its own formula
         is_fixed = knowledge.definitions
         proposed = {n: m for n, m in proposed.items() if m != "rod angle" or n not in is_fixed}
+        guessed = {n: ratio for n, m in proposed.items() if ratio and m in CONVENTIONS.values()}
+        proposed |= guessed
         symbols = {**declared, **proposed}
         symbols.pop(name, None)
         if "t" in names(value) and "t" not in symbols and "time" not in map(role_of, symbols.values()):
@@ -359,24 +373,21 @@ class MeantQuantities:
     ) -> Verdict | None:
         """Return that a formula is wrong by one slip, of the quantity that words name; else None.
 
-        The second order has to be there, since r ω² cos θ alone is a first order, and the words have to
-        say what the letters of the crank are. Where an angle may be counted from the bottom dead centre,
-        nothing is said of what is right so.
+        The second order has to be there, since r ω² cos θ alone is a first order. Where no words say what
+        the lengths of the crank and their ratio are, it is undecided: λ may be another ratio. Where
+        an angle may be counted from the bottom dead centre, nothing is said of what is right so.
         """
         known, crank, assumptions = frame
         right = chain.sides[k + 1]
         if named is None or not named.role or named.is_largest or crank.small is None:
             return None
         turns = names(crank.theta) | {crank.time}
-        is_guess = any(text.endswith(USUAL_END) and text not in self.shown for text in assumptions)
-        if is_guess or not turns & names(right.node):
-            return None
+        guessed = [text for text in assumptions if text.endswith(USUAL_END) and text not in self.shown]
+        is_guess = any(not _OF_TURNING.search(text) for text in guessed)
         behind = names_behind(right.node, {n: d.node for n, d in known.definitions.items()})
-        if crank.small[0] not in behind and not any(
-            crank.small[0] in names(crank.length) for _ in behind
-        ):
-            return None
-        if self._from_bottom(chain, k, named, known, crank):
+        is_of_ratio = crank.small[0] in behind or (behind and crank.small[0] in names(crank.length))
+        is_open = not turns & names(right.node) or not is_of_ratio
+        if is_open or self._from_bottom(chain, k, named, known, crank):
             return None
         for role, target in self._targets(named, crank, None):
             left = Side((target,), chain.sides[k].span)
@@ -391,6 +402,10 @@ class MeantQuantities:
                 continue
             if is_only_negated(right.node, fix.node):
                 continue
+            if is_guess:
+                reason = f"{decision.reason}; the usual formula has {fix.text}"
+                undecided = replace(decision, status=UNDECIDED, reason=reason, witness={})
+                return describe(self.words.document, chain, k, undecided)
             self.taken[name] = Meant(role, text)
             return verdict
         return None

@@ -191,7 +191,14 @@ def _lone_derivative(left: Formula, right: Formula, knowledge: Knowledge) -> str
     is_known = is_known or name == left.variable.name  # dx/dx is 1
     lower = (derivative_name(replace(left, order=order)) for order in range(1, left.order))
     is_known = is_known or any(map(knowledge.knows, lower))  # of a velocity that is known
-    return "" if is_known else derivative_name(left)
+    return "" if is_known or _is_behind(left, right, knowledge) else derivative_name(left)
+
+
+def _is_behind(derivative: Derivative, value: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a value comes down to a derivative that it would give: J/M after M = J φ̈."""
+    values = {name: d.node for name, d in knowledge.definitions.items() if not d.numeric}
+    behind = [values[name] for name in names_behind(value, values) if name in values]
+    return any(part == derivative for node in behind for part in formula.walk(node))
 
 
 def size_of(left: Formula, right: Formula, name: str, knowledge: Knowledge) -> Formula | None:

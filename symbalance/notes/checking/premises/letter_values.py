@@ -18,6 +18,7 @@ from symbalance.notes.algebra.evaluation import FormEvaluator
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import Decision, without_dots
+from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.premises.another_value import define_anew
 from symbalance.notes.checking.premises.condition_solutions import decide_solution, refute_solution
@@ -42,7 +43,7 @@ def define_letter(
     definitions: Definitions, chain: Chain, k: int, knowledge: Knowledge
 ) -> Decision | None:
     """Return the decision on a relation that gives a letter its value, after defining it."""
-    pair = _letter_defined(definitions, chain, k)
+    pair = _letter_defined(definitions, chain, k) or _letter_within(chain, k, knowledge)
     if pair is None or knowledge.assumes(pair[0]):
         return None
     name, value = pair
@@ -77,6 +78,15 @@ def _letter_defined(definitions: Definitions, chain: Chain, k: int) -> tuple[str
     if isinstance(right, Name) and right.name not in names(left) | definitions.letters_in_use:
         return right.name, left
     return None
+
+
+def _letter_within(chain: Chain, k: int, knowledge: Knowledge) -> tuple[str, Formula] | None:
+    """Return the letter that a chain gives its value behind an inequality, and the value: 3 > y = 2."""
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    if not k or chain.relations[k - 1].sign not in SATISFIED_BY or not isinstance(left, Name):
+        return None
+    is_open = not knowledge.knows(left.name) and left.name not in names(right)
+    return (left.name, right) if is_open else None
 
 
 def _is_at_a_point(value: Formula) -> bool:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from symbalance.document.formula import Formula, Name, Sum, names
+from dataclasses import replace
+from fractions import Fraction
+
+from symbalance.document.formula import Formula, Name, Number, Product, Sum, names
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.cases import NUMBERS_PUT_IN, decide_case, decide_with_ratio
@@ -15,9 +18,11 @@ from symbalance.notes.checking.page.solutions import NEAR
 from symbalance.notes.checking.premises import constraints
 from symbalance.notes.checking.premises.constraints import Constraint
 from symbalance.notes.checking.premises.premise_decisions import decide_by_premises
+from symbalance.notes.checking.steps.derived_equations import decide_derived
 from symbalance.notes.checking.steps.equations_to_solve import is_to_be_solved
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.rod_branches import is_rod_angle
+from symbalance.notes.checking.units.conversions import quantity_of
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONTRADICTION,
@@ -40,6 +45,10 @@ def fix_letter(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
     constraint = constraints.constraint_of(chain, k, in_use, used, knowledge)
     if constraint is None or _is_rough_for(state, constraint.name, chain, k):
         return None
+    is_balance = chain.sides[k + 1].node == Number(Fraction(0))  # A cos θ + B sin θ = 0 fixes A and B
+    is_claim = constraint.name in state.general or is_balance or not names(constraint.node)
+    if state.general and is_claim:
+        return None  # sin β = λ sin θ for all θ fixes β, and tan x = 1 for all x nothing
     return _fix(state, constraint, chain, k, knowledge)
 
 
@@ -131,6 +140,10 @@ def _fix(
         sides = [form for form in (as_step.left, as_step.right) if form is not None]
         if as_step.status == REFUTED and sides and all(constraint.name not in letters(f) for f in sides):
             return as_step  # the letter cancels: nothing is fixed
+        is_following = by_premises is not None and by_premises.is_proved
+        derived = decide_derived(state, chain, k, as_step, is_following)
+        if derived is not None:
+            return derived
         state.definitions.note_premise(chain, k)
         return Decision(DEFINITION, f"read as what fixes {constraint.name}, with an equation before")
     is_rods = bool(constraint.alternatives) and is_rod_angle(state, constraint, chain, knowledge)
@@ -149,13 +162,28 @@ def unless_stated(
     is_solved = is_to_be_solved(state, chain, k)
     if not is_solved and (by_results := state.results.decide(chain, k, knowledge)) is not None:
         return by_results
-    case = decide_case(chain, k, decision, knowledge, is_solved=is_solved)
+    whole = _with_quantity_whole(state, chain, k)
+    case = decide_case(whole, k, decision, knowledge, is_solved=is_solved)
     if case is not None and case.status in STATED and chain.relations[k].sign == "=":
         case = _note_statement(state, chain, k, case, knowledge)
     if case is not None and case.status != REFUTED:
         return case
     with_ratio = decide_with_ratio(against.node, chain.sides[k + 1].node, knowledge)
     return with_ratio or case or decision
+
+
+def _with_quantity_whole(state: JudgingState, chain: Chain, k: int) -> Chain:
+    """Return a chain with a number and its unit as one number: 1600 cm³ puts nothing in for z and V_h."""
+    right = chain.sides[k + 1]
+    node = right.node
+    if not isinstance(node, Product) or quantity_of(right, state.document) is None:
+        return chain
+    number, unit = node.factors
+    if not isinstance(number, Number) or not isinstance(unit, Number):
+        return chain
+    place = None if number.last_place is None else number.last_place * unit.value
+    whole = replace(right, readings=(Number(number.value * unit.value, place, span=node.span),))
+    return replace(chain, sides=(*chain.sides[: k + 1], whole, *chain.sides[k + 2 :]))
 
 
 def _note_statement(

@@ -34,7 +34,7 @@ def unless_given(
     premises = [] if of_matrices else must_follow(state.definitions, chain, k)
     if premises:
         return _following(state, chain, k, premises, decision, knowledge)
-    if not state.general:
+    if not of_matrices or not state.general:
         as_statement = (fix_matrix if of_matrices else fix_letter)(state, chain, k, knowledge)
         if as_statement is not None:
             return _with_what_it_should_be(state, chain, k, as_statement, decision, knowledge)

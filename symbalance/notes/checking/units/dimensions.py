@@ -110,6 +110,8 @@ _TYPED = re.compile(r"\\(?:SI|qty)\s*\{(?P<number>[^{}]*)\}\s*\{(?P<unit>[^{}]*)
 _EXPONENT = re.compile(r"\^\s*\{\s*([-−]?[0-9])\s*\}")
 _BEFORE_EXPONENT = re.compile(r"(?<=[A-Za-z]) +\^")
 """The space that the brace around a unit leaves before its exponent, \\mathrm{s}^{-1}."""
+_IN_FRACTION = r"\{((?:[^{}]|\{[^{}]{0,30}\}){1,60})\}"
+_FRACTION = re.compile(rf"\\[dt]?frac\s?{_IN_FRACTION}\s?{_IN_FRACTION}")
 _SETTING = re.compile(r"\\(?:mathrm|text|textrm|mbox|unit|si|rm|cdot)(?![A-Za-z])|\\[,;:! ]|[~${}()\[\]]")
 _QUANTITY = re.compile(r"\s*(?P<number>[-+−]?[0-9][0-9.,]*)?\s*(?P<unit>\S.*?)?[\s.,;]*$", re.DOTALL)
 
@@ -190,8 +192,12 @@ def written_unit(source: str) -> tuple[bool, str]:
     (True, 'kg')
     >>> written_unit(r"314\,\mathrm{s}^{-1}"), written_unit(r"5\,\text{kg m}^2")
     ((True, 's^-1'), (True, 'kg m^2'))
+    >>> written_unit(r"2\,\mathrm{\frac{kg\,m}{s^{2}}}")
+    (True, 'kg m/s^2')
     """
     source = source.replace("{,}", ",")  # no unit ", 62" behind 0
+    if "frac" in source:
+        source = _FRACTION.sub(_with_stroke, _EXPONENT.sub(r"^\1", source))
     typed = _TYPED.search(source)
     if typed is not None:
         source = f"{typed['number']} {siunitx.unit_text(typed['unit']) or '?'}"
@@ -200,6 +206,14 @@ def written_unit(source: str) -> tuple[bool, str]:
     if match is None:
         return False, ""
     return match["number"] is not None, " ".join((match["unit"] or "").split())
+
+
+def _with_stroke(match: re.Match[str]) -> str:
+    """Return a fraction of units with a stroke before each unit below: kg/m/s."""
+    above, below = (_SETTING.sub(" ", part).split() for part in match.groups())
+    if any(part[:1].isdecimal() for part in (*above, *below)):
+        return match[0]  # a fraction of numbers
+    return f" {' '.join(above)}" + "".join(f"/{part}" for part in below)
 
 
 class _MismatchError(Exception):

@@ -252,6 +252,10 @@ def _by_frequencies(
 def _between_numbers(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
     """Return the decision on a formula whose constant converts units, or on numbers put into a result."""
     left, right = chain.sides[k], chain.sides[k + 1]
+    above = knowledge.definitions.get(left.node.name) if isinstance(left.node, Name) else None
+    if above is not None:  # P = M n/9550, and below M = 100 Nm, n = 3000 rpm: P = 31.4 kW
+        node = above.node if above.formula is None else above.formula
+        left = replace(left, readings=(node,)) if names(node) else left
     there = decide_between_numbers(left, right, chain.relations[k].sign, document, knowledge)
     if there is None and puts_in_numbers(left, right, document, knowledge):
         there = Decision(PROVED, UNITS_LEFT_OUT)

@@ -55,6 +55,26 @@ _OF_ANY_SIGN = re.compile(
 _FARTHEST_BEHIND = 80
 """Characters behind a relation in which such words name their letters."""
 _ANGLE_WORD = r"(?:crank\s+)?(?:angles?|positions?)|(?:Kurbel)?[Ww]inkel|Stellungen?|クランク角|角度?"
+_ALL_BEHIND = re.compile(
+    r"(?:[\s$)}\],]|\\[,;: ]|\\q?quad(?![A-Za-z])){0,8}(?:\\text\s*\{\s*)?"
+    r"(?:(?:holds?|is\s+true|gilt|is\s+valid)\s+)?"
+    r"(?:(?:for\s+(?:all|every|any|each|arbitrary)|für\s+(?:alle|jede[nrsm]?|beliebige[nsrm]?))"
+    r"(?:\s+(?:real|values?\s+of|numbers?|angles?|reellen?|Werte?(?:\s+von)?|Winkel)){0,3}|\\forall(?![A-Za-z])|∀)"
+    r"(?P<letters>[^.;:!?\n]{0,40})",
+    re.IGNORECASE,
+)
+"""Behind a relation, of which letters' values it is claimed."""
+_LETTER_OF_LIST = re.compile(
+    r"(?:[\s$,{}()]|\\[,;]|(?<![A-Za-z])(?:and|und|et)(?![A-Za-z])|\\text(?![A-Za-z]))*"
+    r"(?P<letter>\\?[^\W\d_]+(?:_(?:\{\w{1,8}\}|\w))?)(?![A-Za-z0-9_])"
+)
+_COUNTING = frozenset("ijknNK")
+"""Letters that usually count: cos 2πk = 1 for all k speaks of whole numbers."""
+_RESTRICTED = re.compile(
+    r"[\s$)}]*(?:\\(?:in|geq?|leq?|gt|lt|ne|neq|not)(?![A-Za-z])|[=<>≤≥≠∈]"
+    r"|(?:in|with|between|from|except|but|other|such|mit|zwischen|außer|von)(?![A-Za-z]))"
+)
+"""What says that not all values of a letter are meant: for all x > 0, for all θ in the first quadrant."""
 _COUNTS = {
     "single": 1, "one": 1, "two": 2, "twin": 2, "three": 3, "triple": 3, "four": 4, "five": 5, "six": 6,
     "seven": 7, "eight": 8, "nine": 9, "ten": 10, "twelve": 12, "sixteen": 16,
@@ -127,6 +147,29 @@ def words_of_all_behind(text: str, end: int, stop: int) -> str:
 def is_of_any_sign(words: str) -> bool:
     """Tell whether words say that numbers may be positive or negative."""
     return _OF_ANY_SIGN.search(words) is not None
+
+
+def spoken_of_behind(text: str, end: int) -> frozenset[str]:
+    r"""Return the letters of all of whose values a relation is claimed by the words right behind it.
+
+    >>> sorted(spoken_of_behind("a b = b a for all real $a$ and $b$.", 9))
+    ['a', 'b']
+    >>> spoken_of_behind("x > 1 for all x > 2", 5), spoken_of_behind("x > 1 for all such x", 5)
+    (frozenset(), frozenset())
+    """
+    match = _ALL_BEHIND.match(text, end)
+    if match is None:
+        return frozenset()
+    letters: list[str] = []
+    words, place = match["letters"], 0
+    while not _RESTRICTED.match(words, place) and (listed := _LETTER_OF_LIST.match(words, place)):
+        letter = listed["letter"].replace("{", "").replace("}", "")
+        if letter[0] != "\\" and len(letter.partition("_")[0]) > 1:
+            break
+        if letter[:1] not in _COUNTING:
+            letters.append(letter.lstrip("\\"))
+        place = listed.end()
+    return frozenset() if not letters or _RESTRICTED.match(words, place) else frozenset(letters)
 
 
 def clause_start(text: str, start: int) -> int:

@@ -92,6 +92,13 @@ _AT_AN_ANGLE = re.compile(
     r"|(?:角度?|位置)(?:は|で|では|において|の近く))[^.;!?$=]{0,90}$"
 )
 """Before an equation that says at which angle something is: near the angle at which …, tan A ≈ l/r."""
+_CONSTANT = re.compile(
+    r"(?<![A-Za-z])(?:is|are|stays?|remains?|ist|sind|bleibt|bleiben)\s+(?:always\s+|stets\s+|immer\s+)?"
+    r"(?:constant|konstant|(?:independent\s+of|unabhängig\s+vo[nm])\s[^.;:!?=\n]{1,30})\s*[:,]$"
+    r"|(?:一定|よらない)[^.;:!?。=\n]{0,6}[:：、]$",
+    re.IGNORECASE,
+)
+"""Before an equation whose left side is said to have its value everywhere."""
 _ASIDE = re.compile(r"\([^()$=]*\)")
 _LINK = re.compile(
     r"(?:[\s,;:.()、。，；：–—-]|\\(?:[,;: !]|quad|qquad|ldots|dots)|(?<![A-Za-zÀ-ÿ])(?:also|and|so"
@@ -450,6 +457,7 @@ class Sections:
         spoken |= case_words.speaks_of_all(behind, written, named=True)
         if case_words.is_of_any_sign(before):
             return frozenset(letters)
+        spoken |= case_words.spoken_of_behind(self.document.text, chain.end)
         own = {name: {name, f"\\{name}", formula_text(Name(name), plain=True)} for name in letters}
         return frozenset(name for name, ways in own.items() if ways & spoken)
 
@@ -583,6 +591,10 @@ class Sections:
             return True
         sentence = self.sentence_leading_to(chain)
         return not self.is_consequence(chain) and _AT_AN_ANGLE.search(sentence) is not None
+
+    def is_said_to_be_constant(self, chain: Chain) -> bool:
+        """Tell whether the words right before a relation say that its left side is constant."""
+        return _CONSTANT.search(self._text_before(chain).rstrip()) is not None
 
     def dead_centre(self, chain: Chain) -> bool | None:
         """Return whether a relation's sentence names bottom dead centre, False for top, else None."""

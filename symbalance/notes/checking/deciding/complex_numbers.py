@@ -1,0 +1,79 @@
+"""Complex numbers as engineers write them: 3 + 4i = 5 e^{i 53.13°} to the digits printed, and j for i."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+from symbalance.document.formula import Constant, Formula, Number, names
+from symbalance.notes.algebra.domain import NoFormError
+from symbalance.notes.algebra.tree_values import NO_VALUE, TreeValues
+from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.rounding import decimals
+from symbalance.notes.checking.deciding.substitution import replace_part, substitute
+from symbalance.notes.reading.equations import Side
+
+SMALLEST = 1e-12
+"""Beside the size of a number, what counts as no imaginary part."""
+_UNIT = "j"
+
+
+def decide_as_complex(
+    left: Side, right: Side, sign: str, decision: Decision, knowledge: Knowledge
+) -> Decision:
+    """Return the proof of a refuted relation as one of complex numbers, else the decision as it is.
+
+    A letter j that nobody declared nor defined may be the imaginary unit: that is assumed then.
+    """
+    if decision.status != REFUTED or sign not in "=≈":
+        return decision
+    own = names(left.node) | names(right.node)
+    if not own:
+        agrees = _agree_as_printed(left.node, right.node, knowledge)
+        return Decision(PROVED, order="the digits printed") if agrees else decision
+    if _UNIT not in own or _UNIT in knowledge.meanings or knowledge.has_meaning(_UNIT):
+        return decision
+    try:
+        sides = [
+            replace(side, readings=tuple(substitute(n, _UNIT, Constant("i")) for n in side.readings))
+            for side in (left, right)
+        ]
+    except NoFormError:
+        return decision
+    there = decide(sides[0], sides[1], sign, knowledge)
+    assumption = f"{_UNIT} is the imaginary unit"
+    return replace(there, assumptions=(*there.assumptions, assumption)) if there.is_proved else decision
+
+
+def _agree_as_printed(left: Formula, right: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether two complex numbers differ by half a unit of their decimals' last places at most."""
+    printed = {id(number): number for node in (left, right) for number in decimals(node)}
+    gap = _gap(left, right, knowledge)
+    if gap is None or not printed or not any(_is_complex(node, knowledge) for node in (left, right)):
+        return False
+    margin = 0.0
+    for number in printed.values():
+        assert number.last_place is not None
+        off = Number(number.value + number.last_place / 2, number.last_place)
+        moved = _gap(replace_part(left, number, off), replace_part(right, number, off), knowledge)
+        if moved is None:
+            return False
+        margin += float(abs(moved - gap))
+    return bool(abs(gap) <= margin * (1 + Fraction(1, 10**9)))
+
+
+def _gap(left: Formula, right: Formula, knowledge: Knowledge) -> Any:
+    """Return left - right, None where one has no value."""
+    values = TreeValues(knowledge.meaning, {})
+    try:
+        return values.value(left) - values.value(right)
+    except NO_VALUE:
+        return None
+
+
+def _is_complex(node: Formula, knowledge: Knowledge) -> bool:
+    value = TreeValues(knowledge.meaning, {}).value(node)
+    return bool(abs(value.imag) > abs(value) * SMALLEST)

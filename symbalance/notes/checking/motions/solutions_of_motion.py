@@ -1,0 +1,67 @@
+"""Solutions of equations of motion, put back: m ẍ + k x = F cos Ωt is solved by F cos Ωt/(k - m Ω²).
+
+Words have to say that a motion is the solution: with other letters it may be one that is tried.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+from symbalance.document.formula import Derivative, Formula, Name, Number, Product, Sum, names
+from symbalance.notes.algebra.values import letters
+from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision, decide_equality
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
+from symbalance.notes.checking.motions.equations_of_motion import EquationOfMotion
+from symbalance.notes.reading.equations import Chain
+
+_SOLUTION = re.compile(
+    r"(?<![A-Za-zÀ-ÿ])(?:solution|solved\s+by|solves|satisfied\s+by|Lösung|gelöst\s+durch|löst)(?![A-Za-zÀ-ÿ])|解",
+    re.IGNORECASE,
+)
+_TRIED = re.compile(
+    r"(?<![A-Za-zÀ-ÿ])(?:tr(?:y|ies|ied|ial)|assum\w*|ansatz|guess\w*|look\w*|sought|seek|approx\w*|form|suppos\w*|not"
+    r"|Lösungsansatz|gesucht\w*|angenommen|angenähert|Näherung\w*|nicht|kein\w*)(?![A-Za-zÀ-ÿ])|仮定|近似",
+    re.IGNORECASE,
+)
+_TIME = Name("t")
+
+
+def decide_motion_solution(
+    chain: Chain, k: int, equations: Sequence[EquationOfMotion], words: str, knowledge: Knowledge
+) -> Decision | None:
+    """Return whether a motion satisfies the equation above that `words` say it solves, None for others.
+
+    One with a letter that the equation lacks, an amplitude that is to be chosen, is proved or left open.
+    """
+    head, value = chain.sides[k].node, chain.sides[k + 1].node
+    if k or not isinstance(head, Name) or chain.relations[0].sign != "=" or head.name in names(value):
+        return None
+    own = [equation for equation in equations if equation.moving == {head.name}]
+    if not own or not _SOLUTION.search(words) or _TRIED.search(words):
+        return None
+    equation = own[-1]
+    solution = Definition(value, chain.lines[0])
+    there = replace(knowledge, definitions={**knowledge.definitions, head.name: solution})
+    decision = decide_equality(_left_side(equation), Number(Fraction(0)), there)
+    if decision.is_proved:
+        return Decision(
+            PROVED, f"solves {equation.text} of line {equation.line}", assumptions=decision.assumptions
+        )
+    if decision.status != REFUTED:
+        return None
+    free = {n for form in (decision.left, decision.right) if form is not None for n in letters(form)}
+    if not free <= equation.letters | names(equation.rest) | {_TIME.name}:
+        return None
+    return replace(decision, reason=f"does not satisfy {equation.text} of line {equation.line}")
+
+
+def _left_side(equation: EquationOfMotion) -> Formula:
+    """Return an equation's terms, which are to be zero together."""
+    terms = (
+        Product((factor, Derivative(Name(name), _TIME, order) if order else Name(name)))
+        for (name, order), factor in equation.factors.items()
+    )
+    return Sum((*terms, equation.rest))
