@@ -1,4 +1,4 @@
-"""A letter that two paragraphs give different formulas: wrong by a slip, or another engine's."""
+"""A letter that two sections give different formulas: wrong by a slip, or another engine's."""
 
 import pytest
 
@@ -6,7 +6,7 @@ from symbalance.checking import check
 
 OTHER = """The single has $F = m r ω² \\cos θ$ at any crank angle θ.
 
-Some words on crankshafts and what they are made of.
+# Another rig
 
 The rig of the second chapter has $F = {right}$ in its bearing.
 """

@@ -44,7 +44,7 @@ def decide_within_ranges(
     stated = [r for r in knowledge.ranges if names(r.left) | names(r.right) <= own]
     stated = [r for r in stated if r.sign in SATISFIED_BY and names(r.left) | names(r.right)]
     condition = next(text for text in decision.assumptions if _is_of_sign(text))
-    points = list(_points(left.node, right.node, stated, knowledge, own & general))
+    points = list(_points(left.node, right.node, stated, knowledge, own.intersection(general)))
     failing = [(point, pair) for point, pair in points if not _is_close(*pair)]
     if stated and len(failing) == len(points) >= FEWEST:
         texts = " and ".join(dict.fromkeys(f"{r.text} of line {r.line}" for r in stated))

@@ -1,8 +1,9 @@
 """Letters that two lines give different formulas: by a slip, or as the page uses them anew.
 
-Pages call every engine's force F, and each bolt's diameter d. Where a letter alone is given another value
-than a line further up has for it, the line is wrong only if one small change makes it that value again;
-anything else may be another engine's, and is said to be at odds with the line above, not to be wrong.
+Pages call every engine's force F, and each bolt's diameter d. Where a letter alone is given another
+value than a line of another section has for it, the line is wrong only if one small change makes it that
+value again; anything else may be another engine's, and is said to be at odds with the line above, not to
+be wrong.
 """
 
 from __future__ import annotations
@@ -23,6 +24,8 @@ from symbalance.notes.reading.equations import Chain, Side
 
 _NO_SLIP = ("value", "term", "phase")
 """Kinds of corrections that put something else in the place of what is written."""
+FAR = 25
+"""Lines within a section: a letter further up may be another one's."""
 MOST_APART = 20
 """How many times larger or smaller a number may be that somebody worked out wrongly."""
 SAME_DIGITS = 0.005
@@ -38,7 +41,7 @@ def unless_used_anew(
     decision: Decision,
     knowledge: Knowledge,
 ) -> Verdict:
-    """Return a refuted verdict, or that its letter is at odds with a line above and may be used anew."""
+    """Return a refuted verdict, or that its letter may be used anew: another section has it otherwise."""
     head, line = chain.sides[0].node, chain.lines[0]
     if k or chain.relations[0].sign != "=" or not isinstance(head, Name):
         return verdict
@@ -47,9 +50,8 @@ def unless_used_anew(
     earlier = knowledge.definitions.get(head.name)
     if earlier is None or head.name in knowledge.meaning.values or earlier.line >= line:
         return verdict
-    if state.sections.paragraph_start(line) <= earlier.line or _is_value(
-        state, chain, decision, knowledge
-    ):
+    is_near = state.sections.same_section(earlier.line, line) and line - earlier.line <= FAR
+    if is_near or _is_value(state, chain, decision, knowledge):
         return verdict
     searched = verdict
     if not knowledge.corrects:
