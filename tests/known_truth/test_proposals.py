@@ -88,7 +88,7 @@ def test_a_drafted_file_is_read_and_proposes_the_same(name, tmp_path):
     assert {role_of(t) for t in declared.accepted().symbols.values()} >= set(PAGES[name][1].values())
 
 
-WRONG_BY_ITS_WORDS = "crank radius r, stroke s\n\n$$s = 3 r$$\n"
+WRONG_BY_ITS_WORDS = "crank radius r, rod length l, crank ratio λ\n\n$$2 λ = r/l$$\n"
 
 
 def test_nothing_proposed_is_believed(tmp_path):
@@ -97,11 +97,11 @@ def test_nothing_proposed_is_believed(tmp_path):
     sidecar.write_text(sidecar_draft(page).toml(), encoding="utf-8")
     unconfirmed = check(page)
     assert unconfirmed.verdicts[0].verdict != "refuted"
-    assert "2 proposals wait" in unconfirmed.data()["remarks"][0]
+    assert "3 proposals wait" in unconfirmed.data()["remarks"][0]
     accepted = check(page, accept_proposals=True)
     assert accepted.verdicts[0].verdict == "refuted"
     assert accepted.data()["remarks"] == [
-        "Not confirmed: 2 proposed declarations taken as they are, by --accept-proposals."
+        "Not confirmed: 3 proposed declarations taken as they are, by --accept-proposals."
     ]
     sidecar.write_text(sidecar.read_text(encoding="utf-8").replace('"? ', '"'), encoding="utf-8")
     confirmed = check(page)
