@@ -161,7 +161,7 @@ def test_no_fault_in_judging_a_chain_loses_the_report(broken, verdicts, tmp_path
     links = reported(capsys, path)
     assert [link["verdict"] for link in links] == verdicts
     told = [link for link in links if "fault of symbalance" in f"{link['reason']} {link.get('notes')}"]
-    assert len(told) == (2 if broken != "judging.assertions.side_verdict" else 1)
+    assert len(told) == (2 if broken != "judging.judge.assertions.side_verdict" else 1)
 
 
 @pytest.mark.parametrize("broken", ["missing_equation", "span_of", "piece_verdict"])

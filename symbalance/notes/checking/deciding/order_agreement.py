@@ -113,7 +113,8 @@ def _is_clear(decision: Decision, knowledge: Knowledge) -> bool:
         return False
     letter, usual = decision.expanded_in, knowledge.crank.small if knowledge.crank else None
     is_small = letter in knowledge.small or (usual is not None and letter == usual[0])
-    return is_small and {*values.letters(decision.left)} <= {*values.letters(decision.right)}
+    own = {*values.letters(decision.left)}  # none where the other side hides its powers: 0 beside F q
+    return is_small and bool(own) and own <= {*values.letters(decision.right)}
 
 
 def _at_level(

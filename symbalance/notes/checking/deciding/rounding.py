@@ -435,10 +435,12 @@ def _coefficients_typed(typed: Formula) -> list[Number]:
 
 
 def _outside_functions(node: Formula) -> Iterator[Formula]:
-    """Yield the parts of a formula, those of arguments and exponents left out: 628 t of cos 628 t."""
+    """Yield the parts of a formula, but no arguments, exponents and denominators: 628 t of cos 628 t."""
     yield node
     if isinstance(node, formula.Power):
         yield from _outside_functions(node.base)
+    elif isinstance(node, formula.Quotient):
+        yield from _outside_functions(node.numerator)
     elif not isinstance(node, formula.Call):
         for part in formula.children(node):
             yield from _outside_functions(part)
