@@ -29,7 +29,7 @@ from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.premises.impossible_values import outside_range
-from symbalance.notes.checking.premises.premise_decisions import decide_by_premises
+from symbalance.notes.checking.premises.premise_decisions import FAR, decide_by_premises
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.verdicts import CONDITION, CONTRADICTION, DEFINITION, PREMISE
 from symbalance.notes.checking.words.case_words import numbers_of_several
@@ -409,7 +409,7 @@ def refuse_case(
     is_excluded = is_case is not True and _excludes(earlier.node, value, knowledge)
     if not is_excluded or _is_another_solution(definitions, name, value, line, knowledge):
         return None
-    if is_case is None:
+    if is_case is None or line - earlier.line > FAR:
         reason = f"not {text} of line {earlier.line}, and no words say that it is another case"
         return Decision(UNDECIDED, reason)
     return Decision(CONTRADICTION, f"contradicts {text} of line {earlier.line}")

@@ -27,6 +27,9 @@ from symbalance.notes.checking.verdicts import CONTRADICTION, PREMISE
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
 
+FAR = 4
+"""Lines: what does not fit an equation further up may be another engine's, or a new example's."""
+
 
 def decide_by_premises(
     definitions: Definitions, statement: Premise, knowledge: Knowledge
@@ -100,6 +103,9 @@ def _refusal_by(
         others = [p for p in after.contradiction if p is not statement]
         if not others and after.residue is not None and letters(after.residue):
             return None  # of a motion, at some angle
+        if others and statement.line - max(p.line for p in others) > FAR:
+            reason = f"does not fit {lines_of(others)}: another case, or wrong"
+            return Decision(UNDECIDED, reason)
         reason = f"contradicts {lines_of(others)}" if others else "contradicts what is known"
         return Decision(CONTRADICTION, reason)
     zero = [name for name in after.vanishing if name not in before.vanishing]
