@@ -12,7 +12,7 @@ import math
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Name, names
+from symbalance.document.formula import Name, Number, names
 from symbalance.notes.checking.deciding.descriptions import describe, printed_value
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -22,10 +22,10 @@ from symbalance.notes.checking.verdicts import REFUTED, UNDECIDED, Fix, Verdict
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Side
 
-_NO_SLIP = ("value", "term", "phase")
+_NO_SLIP = ("value", "miscalculated", "term", "phase")
 """Kinds of corrections that put something else in the place of what is written."""
-FAR = 25
-"""Lines within a section: a letter further up may be another one's."""
+FAR, NEAR = 25, 2
+"""Lines within a section: a letter further up may be another one's, sooner where one of them vanishes."""
 MOST_APART = 20
 """How many times larger or smaller a number may be that somebody worked out wrongly."""
 SAME_DIGITS = 0.005
@@ -50,7 +50,8 @@ def unless_used_anew(
     earlier = knowledge.definitions.get(head.name)
     if earlier is None or head.name in knowledge.meaning.values or earlier.line >= line:
         return verdict
-    is_near = state.sections.same_section(earlier.line, line) and line - earlier.line <= FAR
+    apart = NEAR if _is_nothing(chain, decision) else FAR
+    is_near = state.sections.same_section(earlier.line, line) and line - earlier.line <= apart
     if is_near or _is_value(state, chain, decision, knowledge):
         return verdict
     searched = verdict
@@ -65,6 +66,12 @@ def unless_used_anew(
         " used anew, or wrong"
     )
     return describe(state.document, chain, k, replace(decision, status=UNDECIDED, reason=reason))
+
+
+def _is_nothing(chain: Chain, decision: Decision) -> bool:
+    """Tell whether one of two values of a letter is 0: F_2 = 0 of one engine, 4 λ m r ω² of the next."""
+    is_zero = isinstance(chain.sides[1].node, Number) and not chain.sides[1].node.value
+    return is_zero or (decision.left is not None and decision.left.is_zero())
 
 
 def _is_value(state: JudgingState, chain: Chain, decision: Decision, knowledge: Knowledge) -> bool:
