@@ -12,10 +12,11 @@ import math
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Name, Number, names
+from symbalance.document.formula import Call, Name, Number, names, walk
 from symbalance.notes.checking.deciding.descriptions import describe, printed_value
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.page.solutions import WAVES
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.verdicts import REFUTED, UNDECIDED, Fix, Verdict
@@ -84,8 +85,9 @@ def _is_value(state: JudgingState, chain: Chain, decision: Decision, knowledge: 
     formula = earlier and (earlier.formula if earlier.numeric else earlier.node)
     if formula is None:
         return False
-    angles = knowledge.angles & names(formula)
-    if angles and not angles & names(right.node):
+    waves = [part for part in walk(formula) if isinstance(part, Call) and part.function in WAVES]
+    turning = {name for wave in waves for name in names(wave.argument)}
+    if turning and not turning & names(right.node):
         return True
     printed = printed_value(decision, state.document, right, left)
     if printed is None:
