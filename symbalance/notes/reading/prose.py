@@ -132,12 +132,13 @@ def segments(text: str, start: int, end: int, line: LineRules) -> list[tuple[int
 
 
 _SPEED_FIRST = re.compile(
-    r"\s*[0-9][0-9.,]*[ \u00a0\u2009\u202f]?(?P<unit>[A-Za-z/.]{3,6})\s+(?=[^\W\d_])"
+    r"\s*[0-9][0-9.,]*[ \u00a0\u2009\u202f]?(?P<unit>[A-Za-z/.]{3,6})\s+"
+    r"(?=[^\W\d_]|[0-9][0-9.,]*[ ]?[*·×⋅∙])"
 )
 
 
 def _after_speed(text: str, start: int, end: int) -> int:
-    """Return where a formula begins behind words and the speed they end in: at 9000 rpm rω² = …"""
+    """Return where a formula begins behind words and the speed they end in: at 9000 rpm rω² = …, 4·0.5 = 2"""
     speed = _SPEED_FIRST.match(text, start, end)
     scale = scale_of(speed["unit"]) if speed else None
     return speed.end() if speed and scale is not None and scale[1] else start

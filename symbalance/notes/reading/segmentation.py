@@ -622,6 +622,7 @@ _WRITE_WHOLE = "write it whole, between dollars"
 _UNKNOWN_UNIT = re.compile(
     r"(?<=[0-9])\s?(?:°C|°F|dB|oz|slugs?|cps|HP|CV|ch|kcal|cal|dyn|erg|t|[kM]?V|mA|kWh|l|L|cl|ml)"
     r"(?![\w(^])(?=[\s.,;)]|$)"
+    r"|(?<=[0-9]\$)\s?(?:t[ ·]?m|tf|Mp)(?![\w(^])(?=[\s.,;)]|$)"
 )
 _PART_OF = re.compile(r"(?:of|von|de)\b", re.IGNORECASE)
 _JOINED_BEFORE = re.compile(

@@ -30,8 +30,9 @@ from symbalance.notes.checking.page.letters_of_sections import numbers_of_this_s
 from symbalance.notes.checking.page.page_data import data_of
 from symbalance.notes.checking.page.quotations import Quotations
 from symbalance.notes.checking.steps.angle_equations import lines_of_angles
-from symbalance.notes.checking.steps.another_engine import leave_engine
+from symbalance.notes.checking.steps.another_engine import leave_cranks, leave_engine
 from symbalance.notes.checking.steps.another_place import leave_place
+from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
 from symbalance.notes.checking.steps.open_cases import (
@@ -243,9 +244,14 @@ class Judge:
             return verdict
         verdict = self._link_in_scope(chain, k, sound, bad)
         if verdict.verdict in (REFUTED, CONTRADICTION) and (
-            leave_place(self.state, chain) or (not k and leave_engine(self.state, chain))
+            leave_place(self.state, chain)
+            or leave_engine(self.state, chain, k)
+            or leave_cranks(self.state, chain, k)
         ):
             return self._link_in_scope(chain, k, sound, bad)
+        if verdict.verdict == REFUTED and (changing := changing_letters(self.state, chain, k)):
+            with without_numbers(self.state, changing):
+                return self._link_in_scope(chain, k, sound, bad)
         if verdict.verdict == CONTRADICTION and (
             others := cases_replaced_by(self.state.definitions, chain)
         ):
