@@ -628,7 +628,7 @@ _PART_OF = re.compile(r"(?:of|von|de)\b", re.IGNORECASE)
 _JOINED_BEFORE = re.compile(
     r"(?:(?<=[0-9%)½¼¾²³}$])\s*(?:of|von|de)|\b(?:(?:half|third|quarter) of|twice)"
     r"|(?:\b|\s)(?:plus|minus|times|mal|divided by|multiplied by|geteilt durch)"
-    r"|(?:[0-9$)}\]²³%]|(?<![^\W_])[^\W_])\s+(?:over|durch))$",
+    r"|(?:[0-9$)}\]²³%]|(?<![^\W_])d?[^\W_])\s+(?:over|durch|über))$",
     re.IGNORECASE,
 )
 _BOUNDS_BEFORE = re.compile(r"\b(?:from|von|de)\s+\S{1,12}\s+(?:to|bis|à)$", re.IGNORECASE)

@@ -43,10 +43,12 @@ def _is_multiple_of_angle(chain: Chain) -> bool:
 
 
 def _is_condition_on(premise: Premise, angles: set[str]) -> bool:
-    """Tell whether an equation fixes an angle: one in its sine or cosine, or its value."""
+    """Tell whether an equation fixes an angle: one in its sine or cosine, or its value, or that of 2θ."""
     turning = _turning(premise.left) | _turning(premise.right)
     lone = {side.name for side in (premise.left, premise.right) if isinstance(side, Name)}
-    return len(turning & angles) == 1 == len(turning) or bool(lone & angles)
+    own = names(premise.left) | names(premise.right)
+    is_multiple = len(own) == 1 and own <= angles
+    return len(turning & angles) == 1 == len(turning) or bool(lone & angles) or is_multiple
 
 
 def _turning(node: Formula) -> set[str]:

@@ -33,8 +33,10 @@ def changing_letters(state: JudgingState, chain: Chain, k: int) -> frozenset[str
     if not k and isinstance(left, Name) and names(right):
         before = state.document.text[max(chain.start - 80, 0) : chain.start]
         letters |= {left.name} if _RESONANCE.search(before) else set()
-    known = state.knowledge(chain.lines[0]).definitions
-    return frozenset(n for n in letters if n in known and known[n].numeric)
+    knowledge = state.knowledge(chain.lines[0])
+    known, crank = knowledge.definitions, knowledge.crank
+    steady = names(crank.omega) if crank is not None else frozenset[str]()
+    return frozenset(n for n in letters if n in steady or (n in known and known[n].numeric))
 
 
 @contextmanager
