@@ -74,7 +74,7 @@ def _is_printed_with(side: Side, size: float, text: str) -> bool:
         if not isinstance(part, Number) or part.span is None or abs(part.value) < _HUNDRED:
             continue
         digits = re.escape(text[part.span[0] : part.span[1]].strip())
-        unit = rf"[ ~$]{{0,3}}(?:\\[,;a-z]{{1,7}}\{{?)?{prefix}(?:N|W|J|Pa)"
+        unit = rf"(?:[ ~$]|\\[,;: ]|\\[a-z]{{4,7}}\{{){{0,4}}{prefix}(?:N|W|J|Pa)"
         if digits and re.search(rf"(?<![0-9.,]){digits}{unit}", text[:start]):
             return True
     return False

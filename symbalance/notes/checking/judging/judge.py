@@ -32,8 +32,8 @@ from symbalance.notes.checking.page.page_data import data_of
 from symbalance.notes.checking.page.quotations import Quotations
 from symbalance.notes.checking.steps.angle_equations import lines_of_angles
 from symbalance.notes.checking.steps.another_engine import leave_cranks, leave_engine
-from symbalance.notes.checking.steps.another_place import leave_place
-from symbalance.notes.checking.steps.another_body import leave_body, leave_quotation
+from symbalance.notes.checking.steps.another_place import is_multiple_of_angle, leave_place
+from symbalance.notes.checking.steps.another_body import leave_body, leave_choice, leave_quotation
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
@@ -248,6 +248,7 @@ class Judge:
         if verdict.verdict in (REFUTED, CONTRADICTION) and (
             leave_place(self.state, chain)
             or leave_body(self.state, chain, k)
+            or leave_choice(self.state, chain, k)
             or leave_quotation(self.state, chain, k, self.quotations.is_quoted)
             or leave_engine(self.state, chain, k)
             or leave_cranks(self.state, chain, k)
@@ -269,8 +270,13 @@ class Judge:
         return verdict
 
     def _anew(self, chain: Chain, k: int) -> Verdict | None:
-        """Define F_2 of F_1 = F_2 = 0 anew, where nothing is known of it any more; None for others."""
+        """Define F_2 of F_1 = F_2 = 0 anew, where nothing is known of it any more; None for others.
+
+        What gives 2θ another value (largest at 2θ = 127°) is a condition on another place.
+        """
         left, right, line = chain.sides[k].node, chain.sides[k + 1].node, chain.lines[0]
+        if is_multiple_of_angle(chain):
+            return describe(self.document, chain, k, Decision(CONDITION, "at another angle"))
         if not k or not isinstance(left, Name) or names(right):
             return None
         if self.state.definitions.values.get(left.name):

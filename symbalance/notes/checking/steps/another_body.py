@@ -21,6 +21,25 @@ _DENIES = re.compile(
 )
 
 
+_CHOICE = re.compile(
+    r"(?<![A-Za-z])(?:partial|compromise|practical|usual|common|alternative|teilweise|übliche?|praktische?)"
+    r"(?:\s+(?:solution|choice|value|design|arrangement|Lösung|Wahl|Wert)){0,2}\s+(?:is\s+|ist\s+)?$",
+    re.IGNORECASE,
+)
+"""Before a value that is chosen in the place of what a condition would ask for."""
+
+
+def leave_choice(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Forget what a condition gives a letter, where words say that another value is chosen."""
+    head = chain.sides[0].node
+    before = state.document.text[max(chain.start - 60, 0) : chain.start]
+    if k or not isinstance(head, Name) or not _CHOICE.search(before):
+        return False
+    lines = {e.definition.line for e in state.definitions.values.get(head.name, ())}
+    lines |= {p.line for p in state.definitions.premises if p.left == head}
+    return any([_leave_line(state, head.name, line) for line in sorted(lines)])
+
+
 def leave_body(state: JudgingState, chain: Chain, k: int) -> bool:
     """Forget the formula that a letter has of another body; tell whether there was one."""
     head = chain.sides[0].node

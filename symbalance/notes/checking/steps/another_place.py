@@ -17,7 +17,7 @@ _TURNING = ("sin", "cos", "tan")
 def leave_place(state: JudgingState, chain: Chain) -> bool:
     """Forget what fixed the angle of a new condition in a paragraph above; tell whether anything did."""
     sections, definitions = state.sections, state.definitions
-    is_angle = _is_multiple_of_angle(chain) and sections.opens_case(chain)
+    is_angle = is_multiple_of_angle(chain) and sections.opens_case(chain)
     if len(chain.relations) != 1 or not (is_angle or sections.is_condition(chain)):
         return False
     first = sections.paragraph_start(chain.lines[0])
@@ -34,7 +34,7 @@ def leave_place(state: JudgingState, chain: Chain) -> bool:
     return True
 
 
-def _is_multiple_of_angle(chain: Chain) -> bool:
+def is_multiple_of_angle(chain: Chain) -> bool:
     """Tell whether a relation gives a multiple of an angle a value: at 2θ = 126.87°."""
     left, right = chain.sides[0].node, chain.sides[-1].node
     factors = left.factors if isinstance(left, Product) else ()
