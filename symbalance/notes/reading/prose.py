@@ -138,7 +138,7 @@ _SPEED_FIRST = re.compile(
 
 
 def _after_speed(text: str, start: int, end: int) -> int:
-    """Return where a formula begins behind words and the speed they end in: at 9000 rpm rω² = …, 4·0.5 = 2"""
+    """Return where a formula begins behind words and the speed they end in: at 9000 rpm rω² = …"""
     speed = _SPEED_FIRST.match(text, start, end)
     scale = scale_of(speed["unit"]) if speed else None
     return speed.end() if speed and scale is not None and scale[1] else start

@@ -68,7 +68,7 @@ def in_unit_of_result(
 
 
 def _is_printed_with(side: Side, size: float, text: str) -> bool:
-    """Tell whether a number of an arithmetic stands above with a unit of the prefix: 572 kN, then 3·572."""
+    """Tell whether a number of an arithmetic stands above with such a unit: 572 kN, then 3·572."""
     start, prefix = side.span[0], {1e3: "k", 1e6: "M", 1e9: "G"}[size]
     for part in walk(side.node):
         if not isinstance(part, Number) or part.span is None or abs(part.value) < _HUNDRED:

@@ -31,9 +31,9 @@ from symbalance.notes.checking.page.letters_of_sections import numbers_of_this_s
 from symbalance.notes.checking.page.page_data import data_of
 from symbalance.notes.checking.page.quotations import Quotations
 from symbalance.notes.checking.steps.angle_equations import lines_of_angles
+from symbalance.notes.checking.steps.another_body import leave_body, leave_choice, leave_quotation
 from symbalance.notes.checking.steps.another_engine import leave_cranks, leave_engine
 from symbalance.notes.checking.steps.another_place import is_multiple_of_angle, leave_place
-from symbalance.notes.checking.steps.another_body import leave_body, leave_choice, leave_quotation
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
@@ -259,7 +259,9 @@ class Judge:
                 verdict = self._link_in_scope(chain, k, sound, bad)
             if verdict.verdict == REFUTED:
                 shown = ", ".join(sorted(map(plain_letter, changing)))
-                reason = f"{shown} is taken as constant above, and this is about another one or its change"
+                reason = (
+                    f"{shown} is taken as constant above, and this is about another one or its change"
+                )
                 verdict = describe(self.document, chain, k, Decision(UNDECIDED, reason))
             return verdict
         if verdict.verdict == CONTRADICTION and (

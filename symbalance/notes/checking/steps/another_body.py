@@ -37,7 +37,8 @@ def leave_choice(state: JudgingState, chain: Chain, k: int) -> bool:
         return False
     lines = {e.definition.line for e in state.definitions.values.get(head.name, ())}
     lines |= {p.line for p in state.definitions.premises if p.left == head}
-    return any([_leave_line(state, head.name, line) for line in sorted(lines)])
+    known = [_leave_line(state, head.name, line) for line in sorted(lines)]
+    return any(known)
 
 
 def leave_body(state: JudgingState, chain: Chain, k: int) -> bool:

@@ -21,7 +21,9 @@ def leave_place(state: JudgingState, chain: Chain) -> bool:
     if len(chain.relations) != 1 or not (is_angle or sections.is_condition(chain)):
         return False
     first = sections.paragraph_start(chain.lines[0])
-    angles = {name for side in chain.sides for name in (names(side.node) if is_angle else _turning(side.node))}
+    angles = {
+        name for side in chain.sides for name in (names(side.node) if is_angle else _turning(side.node))
+    }
     fixing = [p for p in definitions.premises if p.line < first and _is_condition_on(p, angles)]
     fixed = {name for premise in fixing for name in premise.names & angles}
     if not fixed:

@@ -28,7 +28,9 @@ def changing_letters(state: JudgingState, chain: Chain, k: int) -> frozenset[str
     letters = {
         part.expression.name
         for part in walk(left)
-        if isinstance(part, Derivative) and isinstance(part.expression, Name) and part.variable.name == "t"
+        if isinstance(part, Derivative)
+        and isinstance(part.expression, Name)
+        and part.variable.name == "t"
     }
     if not k and isinstance(left, Name) and names(right):
         before = state.document.text[max(chain.start - 80, 0) : chain.start]

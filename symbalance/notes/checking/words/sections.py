@@ -622,7 +622,7 @@ class Sections:
         return here is not None and there is not None and here != there
 
     def is_of_another_body(self, chain: Chain, name: str) -> bool:
-        """Tell whether a letter's formula is that of a ring, say, where its last one was that of a disc."""
+        """Tell whether a letter's formula is that of a ring, say, and its last one that of a disc."""
         starts, chains = self._by_start
         before = chains[: bisect_left(starts, chain.sides[0].span[0])]
         last = next((c for c in reversed(before) if c.sides[0].node == Name(name)), None)
