@@ -483,7 +483,7 @@ class Assembler:
                 continue
             draft.notes.extend(note for note in notes if note not in draft.notes)
             sides[-1] = as_printed(Side(readings, (tokens[0].start, tokens[-1].end)), tokens)
-        sides, notes = in_unit_of_result(sides, draft.sides)
+        sides, notes = in_unit_of_result(sides, draft.sides, self.text)
         sides = with_unit_of_whole(
             sides,
             draft.sides,

@@ -34,6 +34,8 @@ _ORDER = re.compile(
 """The (1) of F_{(1)} and F_{osc,(2)}, the order of a force."""
 LONGEST_SUBSCRIPT = 80
 """Longer runs of letters are no subscript; the limit keeps the search for a declared one short."""
+EXTREMES = ("max", "min", "sup", "inf", "lim")
+"""Words that are one subscript, behind an underscore too: ω_min is no ω_m times i n."""
 
 
 def canonical_name(text: str) -> str:
@@ -170,6 +172,8 @@ def _bare_subscript(
         run = match.group()[:LONGEST_SUBSCRIPT]
         if len(run) > 1 and text[start + len(run) : min(start + len(run) + 1, end)] == "_":
             run = run[:-1]  # a_zm_o is a_z m_o
+        if run in EXTREMES:
+            return run, start + len(run)
         lengths = range(len(run), 0, -1) if names is not None else ()
         whole = (n for n in lengths if not (run[n - 1 : n].isdecimal() and run[n : n + 1].isdecimal()))
         length = next(
@@ -202,7 +206,7 @@ def subscript_name(text: str, offset: int) -> str:
     orders = {place for match in _ORDER.finditer(text) for place in range(*match.span())}
     for match in re.finditer(r"\\([A-Za-z]+)|\\[,;: !]|(.)", text, re.DOTALL):
         command, sign = match.group(1), match.group(2)
-        if command in GREEK_SIGN or command in ("max", "min", "sup", "inf", "lim"):
+        if command in GREEK_SIGN or command in EXTREMES:
             pieces.append(command)
         elif command in FONTS or command in WORDS or (sign and sign in "{} \n"):
             continue

@@ -26,6 +26,7 @@ from symbalance.document.letters import (
 from symbalance.notes.reading import signs
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.letter_names import (
+    EXTREMES,
     matching_brace,
     may_be_letters,
     subscript_at,
@@ -906,6 +907,8 @@ class Vocabulary:
         if "_" in word and after.isascii() and after.isalpha():
             rest = _RUN.match(text, stop, end)
             if rest is not None and not may_be_letters(rest.group(), self.names):
+                return False
+            if rest is not None and word.rpartition("_")[2] + rest.group() in EXTREMES:
                 return False
         return word in self.names or (len(word) > 1 and (after in "_'′" or after in LOWERED))
 

@@ -132,7 +132,8 @@ def segments(text: str, start: int, end: int, line: LineRules) -> list[tuple[int
 
 
 _SPEED_FIRST = re.compile(
-    r"\s*[0-9][0-9.,]*[ \u00a0\u2009\u202f]?(?P<unit>[A-Za-z/.]{3,6})\s+(?=[^\W\d_])"
+    r"\s*[0-9][0-9.,]*[ \u00a0\u2009\u202f]?(?P<unit>[A-Za-z/.]{3,6})\s+"
+    r"(?=[^\W\d_]|[0-9][0-9.,]*[ ]?[*·×⋅∙])"
 )
 
 

@@ -9,6 +9,7 @@ a computation of bare numbers comes to is measured, and rounded too: 8600/9 = 95
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -36,9 +37,12 @@ _FUNCTIONS = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "tan": math.t
 
 
 def in_unit_of_result(
-    sides: Sequence[Side | None], tokens: Sequence[Sequence[Token]]
+    sides: Sequence[Side | None], tokens: Sequence[Sequence[Token]], text: str = ""
 ) -> tuple[list[Side | None], list[str]]:
-    """Return the sides of a chain, bare numbers before a result in the result's unit, and what to say."""
+    """Return the sides of a chain, bare numbers before a result in the result's unit, and what to say.
+
+    `text` is the page: 572 in a product is in kN where "572 kN" stands above.
+    """
     done, notes = list(sides), []
     for place, side in enumerate(sides):
         unit = _unit_of(tokens[place]) if side is not None else None
@@ -55,12 +59,25 @@ def in_unit_of_result(
             if _is_percentage(tokens[place]) and not _is_of_hundreds(other.node):
                 break
             is_prefix = _size(factor) in (1e3, 1e6, 1e9)
-            if is_prefix and abs(printed) >= _PREFIX:
+            if is_prefix and abs(printed) >= _PREFIX and not _is_printed_with(other, _size(factor), text):
                 break  # 1800 kN for 1800 N is a slip that is made: who computes in kN has 1.8
             readings = tuple(Product((reading, factor), span=reading.span) for reading in other.readings)
             done[before] = replace(other, readings=readings)
             notes = ["numbers before a result are in its unit"]
     return done, notes
+
+
+def _is_printed_with(side: Side, size: float, text: str) -> bool:
+    """Tell whether a number of an arithmetic stands above with such a unit: 572 kN, then 3·572."""
+    start, prefix = side.span[0], {1e3: "k", 1e6: "M", 1e9: "G"}[size]
+    for part in walk(side.node):
+        if not isinstance(part, Number) or part.span is None or abs(part.value) < _HUNDRED:
+            continue
+        digits = re.escape(text[part.span[0] : part.span[1]].strip())
+        unit = rf"(?:[ ~$]|\\[,;: ]|\\[a-z]{{4,7}}\{{){{0,4}}{prefix}(?:N|W|J|Pa)"
+        if digits and re.search(rf"(?<![0-9.,]){digits}{unit}", text[:start]):
+            return True
+    return False
 
 
 def _is_percentage(tokens: Sequence[Token]) -> bool:

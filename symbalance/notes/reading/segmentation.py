@@ -622,12 +622,13 @@ _WRITE_WHOLE = "write it whole, between dollars"
 _UNKNOWN_UNIT = re.compile(
     r"(?<=[0-9])\s?(?:°C|°F|dB|oz|slugs?|cps|HP|CV|ch|kcal|cal|dyn|erg|t|[kM]?V|mA|kWh|l|L|cl|ml)"
     r"(?![\w(^])(?=[\s.,;)]|$)"
+    r"|(?<=[0-9]\$)\s?(?:t[ ·]?m|tf|Mp)(?![\w(^])(?=[\s.,;)]|$)"
 )
 _PART_OF = re.compile(r"(?:of|von|de)\b", re.IGNORECASE)
 _JOINED_BEFORE = re.compile(
     r"(?:(?<=[0-9%)½¼¾²³}$])\s*(?:of|von|de)|\b(?:(?:half|third|quarter) of|twice)"
     r"|(?:\b|\s)(?:plus|minus|times|mal|divided by|multiplied by|geteilt durch)"
-    r"|(?:[0-9$)}\]²³%]|(?<![^\W_])[^\W_])\s+(?:over|durch))$",
+    r"|(?:[0-9$)}\]²³%]|(?<![^\W_])d?[^\W_])\s+(?:over|durch|über))$",
     re.IGNORECASE,
 )
 _BOUNDS_BEFORE = re.compile(r"\b(?:from|von|de)\s+\S{1,12}\s+(?:to|bis|à)$", re.IGNORECASE)

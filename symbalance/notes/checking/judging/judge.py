@@ -9,6 +9,7 @@ from itertools import product
 
 from symbalance.budgets import Budget
 from symbalance.document.formula import Call, Formula, Name, names, walk
+from symbalance.document.letters import plain_letter
 from symbalance.errors import SymbalanceError
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.descriptions import describe, unreadable_verdict, with_fault
@@ -30,8 +31,10 @@ from symbalance.notes.checking.page.letters_of_sections import numbers_of_this_s
 from symbalance.notes.checking.page.page_data import data_of
 from symbalance.notes.checking.page.quotations import Quotations
 from symbalance.notes.checking.steps.angle_equations import lines_of_angles
-from symbalance.notes.checking.steps.another_engine import leave_engine
-from symbalance.notes.checking.steps.another_place import leave_place
+from symbalance.notes.checking.steps.another_body import leave_body, leave_choice, leave_quotation
+from symbalance.notes.checking.steps.another_engine import leave_cranks, leave_engine
+from symbalance.notes.checking.steps.another_place import is_multiple_of_angle, leave_place
+from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
 from symbalance.notes.checking.steps.open_cases import (
@@ -243,15 +246,46 @@ class Judge:
             return verdict
         verdict = self._link_in_scope(chain, k, sound, bad)
         if verdict.verdict in (REFUTED, CONTRADICTION) and (
-            leave_place(self.state, chain) or (not k and leave_engine(self.state, chain))
+            leave_place(self.state, chain)
+            or leave_body(self.state, chain, k)
+            or leave_choice(self.state, chain, k)
+            or leave_quotation(self.state, chain, k, self.quotations.is_quoted)
+            or leave_engine(self.state, chain, k)
+            or leave_cranks(self.state, chain, k)
         ):
-            return self._link_in_scope(chain, k, sound, bad)
+            return self._anew(chain, k) or self._link_in_scope(chain, k, sound, bad)
+        if verdict.verdict == REFUTED and (changing := changing_letters(self.state, chain, k)):
+            with without_numbers(self.state, changing):
+                verdict = self._link_in_scope(chain, k, sound, bad)
+            if verdict.verdict == REFUTED:
+                shown = ", ".join(sorted(map(plain_letter, changing)))
+                reason = (
+                    f"{shown} is taken as constant above, and this is about another one or its change"
+                )
+                verdict = describe(self.document, chain, k, Decision(UNDECIDED, reason))
+            return verdict
         if verdict.verdict == CONTRADICTION and (
             others := cases_replaced_by(self.state.definitions, chain)
         ):
             end_cases(self.state.definitions, others, start)
             return self._link_in_scope(chain, k, sound, bad)
         return verdict
+
+    def _anew(self, chain: Chain, k: int) -> Verdict | None:
+        """Define F_2 of F_1 = F_2 = 0 anew, where nothing is known of it any more; None for others.
+
+        What gives 2θ another value (largest at 2θ = 127°) is a condition on another place.
+        """
+        left, right, line = chain.sides[k].node, chain.sides[k + 1].node, chain.lines[0]
+        if is_multiple_of_angle(chain):
+            return describe(self.document, chain, k, Decision(CONDITION, "at another angle"))
+        if not k or not isinstance(left, Name) or names(right):
+            return None
+        if self.state.definitions.values.get(left.name):
+            return None
+        self.state.definitions.define(left.name, right, chain)
+        anew = Decision(DEFINITION, f"anew: above line {line} it was another one's")
+        return describe(self.document, chain, k, anew)
 
     def _is_of_all_values(self, chain: Chain, k: int) -> bool:
         """Tell whether a relation says that two sides are identical, or that one is constant."""

@@ -60,6 +60,11 @@ _OTHER = re.compile(
 _LARGEST = re.compile(
     r"\bmax|greatest|largest|größte|maximal|最大|peak|\bmin|smallest|kleinste|最小", re.IGNORECASE
 )
+_CLAUSE_DONE = re.compile(
+    r"(?:(?:で|と)(?:あり|なり)|(?:する|ある|なる)(?:が|から|ので))[,，、]"
+    r"|[,，](?=\s+(?:and|while|whereas|but|und|während|aber|et|mais)\s)"
+)
+"""Behind a statement of its own, whose words say nothing of what follows: 偶力は零であり、F = 0."""
 _NO_UNIT = re.compile(
     r"per\b|\bje\b|\bpro\b|proportional|specific|spezifisch|bezogen|relative|unit|of\s+inertia|Trägheits"
     r"|Widerstands|Flächen|moments?\s+of\s+(?:area|resistance)|慣性モーメント|断面|momentum|ratio|Verhältnis|比"
@@ -247,7 +252,7 @@ class MeantWords:
 
     def unit_named(self, chain: Chain) -> tuple[str, Dimension] | None:
         """Return the kind of size that the sentence before a relation names, with its dimension."""
-        own = self.before(chain)
+        own = _CLAUSE_DONE.split(self.before(chain))[-1]
         kinds = {match.lastgroup or "": match[0] for match in _KIND.finditer(own)}
         if len(kinds) != 1 or _NO_UNIT.search(own):
             return None

@@ -44,7 +44,8 @@ class Quotations:
                 spans.append(span)
         return spans
 
-    def _is_quoted(self, place: int) -> bool:
+    def is_quoted(self, place: int) -> bool:
+        """Tell whether a place of the text is quoted from above or from another's letter."""
         before = bisect_right(self._spans, place, key=lambda span: span[0]) - 1
         return before >= 0 and place < self._spans[before][1]
 
@@ -56,7 +57,7 @@ class Quotations:
 
     def verdicts(self, chain: Chain) -> list[Verdict] | None:
         """Return the verdicts on a chain that quotes a wrong one above, None for any other."""
-        if not chain.relations or not self._is_quoted(chain.sides[0].span[0]):
+        if not chain.relations or not self.is_quoted(chain.sides[0].span[0]):
             return None
         repeated = [self._repeated(chain, k) for k in range(len(chain.relations))]
         above = [verdict for verdict in repeated if verdict is not None]

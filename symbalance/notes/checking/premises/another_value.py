@@ -123,6 +123,8 @@ def _anew_at_its_place(
         return f"at another place than in line {line}"
     if _is_of_new_letters(definitions, name, value, chain, knowledge):
         return f"anew: of other letters than in line {line}"
+    if names(value) and definitions.sections.is_of_another_body(chain, name):
+        return f"of another body than in line {line}"
     is_elsewhere = _is_of_another_exercise(definitions, name, value, chain, knowledge)
     return f"anew: not what line {line} has" if is_elsewhere else ""
 

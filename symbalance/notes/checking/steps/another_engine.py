@@ -2,7 +2,8 @@
 
 A page that goes on to another engine may speak of the largest value of a force or a couple without a
 formula of its own for it. The formula above is of the engine before, and no statement is refuted by it:
-what is said of the largest value is new, as F_max = … would be, and a second value is not.
+what is said of the largest value is new, as F_max = … would be, and a second value is not. Nor is one by
+the formula of the same engine with its cranks at other angles.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.formula import Call, Extremum, Formula, Name, Negative, names
+from symbalance.document.letters import is_greek
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator
 from symbalance.notes.checking.deciding.equality import Decision
@@ -21,17 +23,17 @@ from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
 
 
-def leave_engine(state: JudgingState, chain: Chain) -> bool:
+def leave_engine(state: JudgingState, chain: Chain, k: int) -> bool:
     """Forget the formula of a quantity of the engine before; tell whether there was one.
 
-    The quantity is what a relation begins with, its largest value or its size; one that is declared is
-    the same on the whole page.
+    The quantity is what a relation begins with, its largest value or its size, or F_2 of F_1 = F_2 = 0;
+    one that is declared is the same on the whole page.
     """
-    name = _measured(chain.sides[0].node)
-    line = chain.lines[0]
+    left, line = chain.sides[k].node, chain.lines[0]
+    name = left.name if k and isinstance(left, Name) else "" if k else _measured(left)
     if not name or name in state.declarations.symbols_at(line):
         return False
-    knowledge, claim = state.knowledge(line), chain.sides[1].node
+    knowledge, claim = state.knowledge(line), chain.sides[k + 1].node
     lines = [
         entry.definition.line
         for entry in state.definitions.values.get(name, ())
@@ -41,6 +43,49 @@ def leave_engine(state: JudgingState, chain: Chain) -> bool:
     for earlier in lines:
         state.definitions.forget(name, earlier)
     return bool(lines)
+
+
+def leave_cranks(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Forget the formula that a letter has at other crank angles; tell whether there was one.
+
+    F_1 = 0 stands below δ_2 = 180°; where the sentence before another F_1 says δ_2 = 360°, it is of
+    other cranks. In a formula that holds the letter of the angle itself, its value is only put in.
+    """
+    left, line = chain.sides[k].node, chain.lines[0]
+    if not isinstance(left, Name) or left.name in state.declarations.symbols_at(line):
+        return False
+    given = {c.sides[0].node: c for c in state.document.chains if _gives_crank(c) and _is_above(c, chain)}
+    lines = []
+    for entry in state.definitions.values.get(left.name, ()):
+        earlier, own = entry.definition.line, names(entry.definition.node)
+        cranks = (c for c in given.values() if c.lines[0] > earlier and c.lines[0] == line)
+        if any(_has_other_value(state, c, earlier) and not c.letters & own for c in cranks):
+            lines.append(earlier)
+    for earlier in lines:
+        state.definitions.forget(left.name, earlier)
+    return bool(lines)
+
+
+def _is_above(crank: Chain, chain: Chain) -> bool:
+    return crank.sides[0].span[0] < chain.sides[0].span[0]
+
+
+def _gives_crank(chain: Chain) -> bool:
+    """Tell whether a relation gives the angle of one crank: δ_2 = 180°."""
+    head = chain.sides[0].node
+    if len(chain.sides) != 2 or not isinstance(head, Name) or names(chain.sides[1].node):
+        return False
+    base, _, index = head.name.partition("_")
+    return is_greek(base) and index.isdecimal() and chain.relations[0].sign == "="
+
+
+def _has_other_value(state: JudgingState, crank: Chain, last: int) -> bool:
+    """Tell whether a line up to another one gave a crank's angle otherwise."""
+    head, value = crank.sides[0].node, crank.sides[1].node
+    return any(
+        c.lines[0] <= last and _gives_crank(c) and c.sides[0].node == head and c.sides[1].node != value
+        for c in state.document.chains
+    )
 
 
 def _is_of_another_order(node: Formula, claim: Formula, knowledge: Knowledge) -> bool:

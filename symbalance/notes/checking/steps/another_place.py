@@ -6,7 +6,7 @@ not to be satisfied together with the first: it is about another angle, and what
 
 from __future__ import annotations
 
-from symbalance.document.formula import Call, Formula, Name, names, walk
+from symbalance.document.formula import Call, Formula, Name, Number, Product, names, walk
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain
@@ -17,10 +17,13 @@ _TURNING = ("sin", "cos", "tan")
 def leave_place(state: JudgingState, chain: Chain) -> bool:
     """Forget what fixed the angle of a new condition in a paragraph above; tell whether anything did."""
     sections, definitions = state.sections, state.definitions
-    if len(chain.relations) != 1 or not sections.is_condition(chain):
+    is_angle = is_multiple_of_angle(chain) and sections.opens_case(chain)
+    if len(chain.relations) != 1 or not (is_angle or sections.is_condition(chain)):
         return False
     first = sections.paragraph_start(chain.lines[0])
-    angles = {name for side in chain.sides for name in _turning(side.node)}
+    angles = {
+        name for side in chain.sides for name in (names(side.node) if is_angle else _turning(side.node))
+    }
     fixing = [p for p in definitions.premises if p.line < first and _is_condition_on(p, angles)]
     fixed = {name for premise in fixing for name in premise.names & angles}
     if not fixed:
@@ -33,11 +36,21 @@ def leave_place(state: JudgingState, chain: Chain) -> bool:
     return True
 
 
+def is_multiple_of_angle(chain: Chain) -> bool:
+    """Tell whether a relation gives a multiple of an angle a value: at 2θ = 126.87°."""
+    left, right = chain.sides[0].node, chain.sides[-1].node
+    factors = left.factors if isinstance(left, Product) else ()
+    is_multiple = len(factors) == 2 and isinstance(factors[0], Number) and isinstance(factors[1], Name)
+    return is_multiple and not names(right)
+
+
 def _is_condition_on(premise: Premise, angles: set[str]) -> bool:
-    """Tell whether an equation fixes an angle: one in its sine or cosine, or its value."""
+    """Tell whether an equation fixes an angle: one in its sine or cosine, or its value, or that of 2θ."""
     turning = _turning(premise.left) | _turning(premise.right)
     lone = {side.name for side in (premise.left, premise.right) if isinstance(side, Name)}
-    return len(turning & angles) == 1 == len(turning) or bool(lone & angles)
+    own = names(premise.left) | names(premise.right)
+    is_multiple = len(own) == 1 and own <= angles
+    return len(turning & angles) == 1 == len(turning) or bool(lone & angles) or is_multiple
 
 
 def _turning(node: Formula) -> set[str]:

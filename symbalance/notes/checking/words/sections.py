@@ -12,6 +12,7 @@ from symbalance.document.formula import Constant, Name, Number, names, walk
 from symbalance.document.letters import is_greek
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.words import case_words
+from symbalance.notes.checking.words.bodies_named import body_named
 from symbalance.notes.checking.words.items import item_end
 from symbalance.notes.checking.words.value_groups import in_next_groups
 from symbalance.notes.reading.equations import Chain, ReadNotes
@@ -619,6 +620,15 @@ class Sections:
         here = _last_place(text[last.end : chain.start])
         there = _last_place(text[max(0, last.start - LONGEST_INTRODUCTION) : last.start])
         return here is not None and there is not None and here != there
+
+    def is_of_another_body(self, chain: Chain, name: str) -> bool:
+        """Tell whether a letter's formula is that of a ring, say, and its last one that of a disc."""
+        starts, chains = self._by_start
+        before = chains[: bisect_left(starts, chain.sides[0].span[0])]
+        last = next((c for c in reversed(before) if c.sides[0].node == Name(name)), None)
+        here = body_named(self.document.text, chain.start)
+        there = "" if last is None else body_named(self.document.text, last.start)
+        return here != "" != there and here.rstrip("s") != there.rstrip("s")
 
     def is_introduced_as_any(self, chain: Chain, name: str) -> bool:
         """Tell whether the words of a relation's paragraph name a letter as any: for a bank angle 2γ."""

@@ -1,0 +1,82 @@
+"""Formulas of another body, J of a disc and of a rim, or of another writer, whom an answer corrects.
+
+"disc: J = m R²/2; thin rim: J ≈ m R²" lists what is usual for each: neither is said of the wheel at hand.
+What a mail quotes, and the answer denies ("No, you lost a factor"), binds the answer in nothing.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from symbalance.document.formula import Name, names
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.reading.equations import Chain
+
+_DENIES = re.compile(
+    r"(?<![A-Za-z])(?:no[,.!]|wrong|not\s+(?:right|correct|quite)|mistaken?|error|slip|lost|forgot(?:ten)?|missing"
+    r"|should\s+(?:be|read)|nein|falsch|nicht\s+(?:richtig|ganz)|stimmt\s+nicht|fehl(?:t|er)|vergessen)(?![A-Za-z])"
+    r"|違|誤|間違|忘れ",
+    re.IGNORECASE,
+)
+
+
+_CHOICE = re.compile(
+    r"(?<![A-Za-z])(?:partial|compromise|practical|usual|common|alternative|teilweise|übliche?|praktische?)"
+    r"(?:\s+(?:solution|choice|value|design|arrangement|Lösung|Wahl|Wert)){0,2}\s+(?:is\s+|ist\s+)?$",
+    re.IGNORECASE,
+)
+"""Before a value that is chosen in the place of what a condition would ask for."""
+
+
+def leave_choice(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Forget what a condition gives a letter, where words say that another value is chosen."""
+    head = chain.sides[0].node
+    before = state.document.text[max(chain.start - 60, 0) : chain.start]
+    if k or not isinstance(head, Name) or not _CHOICE.search(before):
+        return False
+    lines = {e.definition.line for e in state.definitions.values.get(head.name, ())}
+    lines |= {p.line for p in state.definitions.premises if p.left == head}
+    known = [_leave_line(state, head.name, line) for line in sorted(lines)]
+    return any(known)
+
+
+def leave_body(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Forget the formula that a letter has of another body; tell whether there was one."""
+    head = chain.sides[0].node
+    if k or not isinstance(head, Name) or not names(chain.sides[1].node):
+        return False
+    if not state.sections.is_of_another_body(chain, head.name):
+        return False
+    return _leave_line(state, head.name, _last_above(state, chain, head).lines[0])
+
+
+def leave_quotation(state: JudgingState, chain: Chain, k: int, is_quoted: Callable[[int], bool]) -> bool:
+    """Forget the formula that quoted words give a letter, where the answer denies it; tell if it does."""
+    head = chain.sides[0].node
+    if k or not isinstance(head, Name) or is_quoted(chain.start):
+        return False
+    quoted = [c for c in state.document.chains if c.sides[0].node == head and c.start < chain.start]
+    last = max(quoted, key=lambda c: c.start, default=None)
+    if last is None or not is_quoted(last.start):
+        return False
+    between = state.document.text[last.end : chain.start]
+    return _DENIES.search(between) is not None and _leave_line(state, head.name, last.lines[0])
+
+
+def _last_above(state: JudgingState, chain: Chain, head: Name) -> Chain:
+    above = (c for c in state.document.chains if c.sides[0].node == head and c.start < chain.start)
+    return max(above, key=lambda c: c.start)
+
+
+def _leave_line(state: JudgingState, name: str, line: int) -> bool:
+    """Forget what a line says a letter is, as its value and as an equation; tell if it said anything."""
+    definitions = state.definitions
+    premises = [p for p in definitions.premises if p.line != line or p.left != Name(name)]
+    lines = [e.definition.line for e in definitions.values.get(name, ())]
+    is_known = line in lines or len(premises) < len(definitions.premises)
+    for other, entries in list(definitions.values.items()):
+        if any(e.definition.line == line and (other == name or e.definition.solved) for e in entries):
+            definitions.forget(other, line)
+    definitions.premises = premises
+    return is_known
