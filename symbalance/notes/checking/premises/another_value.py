@@ -47,6 +47,10 @@ def define_anew(
 ) -> Decision | None:
     """Return the decision on another value of a defined letter: a new case, a condition, or None."""
     earlier, line = knowledge.definitions[name], chain.lines[0]
+    case_end = None if k else _end_of_listed_case(definitions, earlier, chain)
+    if case_end is not None:
+        definitions.define(name, without_dots(value)[0], chain, case_end)
+        return Decision(DEFINITION, f"another case than in line {earlier.line}")
     other = "" if k else _anew_at_its_place(definitions, name, value, chain, knowledge)
     if other:
         definitions.define(name, without_dots(value)[0], chain)
@@ -90,6 +94,23 @@ def define_anew(
     ):
         return None
     return _define_case_anew(definitions, name, value, earlier, chain, knowledge)
+
+
+def _end_of_listed_case(definitions: Definitions, earlier: Definition, chain: Chain) -> int | None:
+    """Return where an item of a list of cases ends whose formula another item has otherwise; or None."""
+    sections = definitions.sections
+    if sections.is_consequence(chain):
+        return None
+    own = sections.item_of_cases(chain.lines[0], chain.sides[0].span[0])
+    places = [
+        item
+        for other in sections.document.chains
+        if other.lines[0] == earlier.line and other.sides[0].node == chain.sides[0].node
+        if (item := sections.item_of_cases(earlier.line, other.sides[0].span[0])) is not None
+    ]
+    is_case = own is not None and any(first == own[0] for first, last in places)
+    is_other = own is not None and all(last < chain.lines[0] for first, last in places)
+    return own[1] if own is not None and is_case and is_other else None
 
 
 def _is_at_another_place(

@@ -13,6 +13,7 @@ from symbalance.document.letters import is_greek
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.words import case_words
 from symbalance.notes.checking.words.items import item_end
+from symbalance.notes.checking.words.listed_cases import item_of_cases
 from symbalance.notes.checking.words.value_groups import in_next_groups
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
@@ -350,6 +351,10 @@ class Sections:
     def moment_end(self, line: int) -> int:
         """Return the last line of the item, or else the section, that looks at one crank angle."""
         return min(self.section_end(line), item_end(self._lines, line))
+
+    def item_of_cases(self, line: int, start: int) -> tuple[int, int] | None:
+        """Return the list of cases and the end of its item that a formula at a place of a line opens."""
+        return item_of_cases(self._lines, line, start - self._start_of_line(line))
 
     def _next_text(self, line: int) -> int | None:
         """Return the next line that is not blank."""
