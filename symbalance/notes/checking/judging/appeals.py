@@ -80,6 +80,7 @@ def _at_stated_angle(
         if definition is None or not definition.numeric:
             continue
         is_here = state.sections.paragraph_start(line) <= definition.line
+        is_here = is_here or state.sections.looks_back(chain, definition.line)
         if is_here or line <= state.sections.case_end(definition.line):
             angles.append((name, definition.node))
     if (at_centre := angle_there(state, chain, k, knowledge)) is not None:
@@ -90,6 +91,10 @@ def _at_stated_angle(
             continue
         assumption = f"{plain_text(Name(name))} = {plain_text(value)}"
         there = decide_at_value(left, right, chain.relations[k].sign, knowledge, name, value)
+        if not there.is_proved and not names(right.node):
+            by_printed = _with_printed(knowledge)
+            there_printed = decide_at_value(left, right, chain.relations[k].sign, by_printed, name, value)
+            there = there_printed if there_printed.is_proved else there
         if there.is_proved:
             return replace(there, assumptions=(*there.assumptions, assumption))
         own = knowledge.definitions.get(name)
@@ -97,3 +102,12 @@ def _at_stated_angle(
         if there.status == REFUTED and is_stated and name not in names(left.node):
             refuted_there = replace(there, reason=there.reason or f"at {assumption}")
     return refuted_there
+
+
+def _with_printed(knowledge: Knowledge) -> Knowledge:
+    """Return what is known with the results of formulas as the page prints them: λ = r/l = 0.29."""
+    definitions = {
+        name: d if d.rounded is None else replace(d, node=d.rounded, numeric=True)
+        for name, d in knowledge.definitions.items()
+    }
+    return replace(knowledge, definitions=definitions)

@@ -93,6 +93,12 @@ _AT_AN_ANGLE = re.compile(
     r"|(?:角度?|位置)(?:は|で|では|において|の近く))[^.;!?$=]{0,90}$"
 )
 """Before an equation that says at which angle something is: near the angle at which …, tan A ≈ l/r."""
+_PLACE_ABOVE = re.compile(
+    r"(?<![A-Za-z])(?:(?<!is )(?<!are )there|dort|(?:at|in)\s+(?:this|that)\s+(?:angle|position|point|place)"
+    r"|in\s+dieser\s+Stellung|an\s+dieser\s+Stelle|bei\s+diesem\s+Winkel)[^.;!?=\n]{0,12}$|そこで[^。\n=]{0,12}$",
+    re.IGNORECASE,
+)
+"""Before a relation that is said of the place named above: the speed there is v = r ω."""
 _CONSTANT = re.compile(
     r"(?<![A-Za-z])(?:is|are|stays?|remains?|ist|sind|bleibt|bleiben)\s+(?:always\s+|stets\s+|immer\s+)?"
     r"(?:constant|konstant|(?:independent\s+of|unabhängig\s+vo[nm])\s[^.;:!?=\n]{1,30})\s*[:,]$"
@@ -596,6 +602,14 @@ class Sections:
             return True
         sentence = self.sentence_leading_to(chain)
         return not self.is_consequence(chain) and _AT_AN_ANGLE.search(sentence) is not None
+
+    def looks_back(self, chain: Chain, line: int) -> bool:
+        """Tell whether a relation is said of a place that the paragraph before names: the speed there."""
+        start = self.paragraph_start(chain.lines[0])
+        above = next((n for n in range(start - 1, 0, -1) if self._lines[n - 1].strip()), 0)
+        if not above or not self.paragraph_start(above) <= line < start:
+            return False
+        return self.same_section(line, start) and _PLACE_ABOVE.search(self.sentence_before(chain)) is not None
 
     def is_said_to_be_constant(self, chain: Chain) -> bool:
         """Tell whether the words right before a relation say that its left side is constant."""
