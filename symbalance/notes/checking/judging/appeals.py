@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symbalance.document.formula import Formula, Name, names
+from symbalance.document.formula import Formula, Name, Number, names
 from symbalance.notes.checking.deciding.complex_numbers import decide_as_complex
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import decide, decide_at_value
+from symbalance.notes.checking.deciding.rounding import decimals, significant
 from symbalance.notes.checking.judging.open_reasons import unless_open
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.premises.premise_decisions import must_follow
@@ -22,6 +23,9 @@ from symbalance.notes.checking.units.numbers_in_units import decide_in_units
 from symbalance.notes.checking.verdicts import REFUTED
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Side
+
+FEWEST_DIGITS = 2
+"""Of a number that stands for a letter where numbers are put in."""
 
 
 def appeal(
@@ -92,7 +96,7 @@ def _at_stated_angle(
         assumption = f"{plain_text(Name(name))} = {plain_text(value)}"
         there = decide_at_value(left, right, chain.relations[k].sign, knowledge, name, value)
         if not there.is_proved and not names(right.node):
-            by_printed = _with_printed(knowledge)
+            by_printed = _with_numbers_of(right.node, knowledge)
             there_printed = decide_at_value(left, right, chain.relations[k].sign, by_printed, name, value)
             there = there_printed if there_printed.is_proved else there
         if there.is_proved:
@@ -104,10 +108,14 @@ def _at_stated_angle(
     return refuted_there
 
 
-def _with_printed(knowledge: Knowledge) -> Knowledge:
-    """Return what is known with the results of formulas as the page prints them: λ = r/l = 0.29."""
-    definitions = {
-        name: d if d.rounded is None else replace(d, node=d.rounded, numeric=True)
-        for name, d in knowledge.definitions.items()
-    }
+def _with_numbers_of(right: Formula, knowledge: Knowledge) -> Knowledge:
+    """Return what is known with letters at the digits that an arithmetic puts in: λ = 0.2903 as 0.29."""
+    put_in = [n for n in decimals(right) if significant(n) >= FEWEST_DIGITS and n.last_place is not None]
+    definitions = dict(knowledge.definitions)
+    for name, definition in knowledge.definitions.items():
+        value = None if name in knowledge.angles else number_of(definition.node, knowledge)
+        for number in put_in if value is not None else ():
+            assert value is not None and number.last_place is not None
+            if abs(float(value) - float(number.value)) <= float(number.last_place) / 2:
+                definitions[name] = replace(definition, node=Number(number.value), numeric=True)
     return replace(knowledge, definitions=definitions)
