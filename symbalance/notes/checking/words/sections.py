@@ -93,6 +93,16 @@ _AT_AN_ANGLE = re.compile(
     r"|(?:角度?|位置)(?:は|で|では|において|の近く))[^.;!?$=]{0,90}$"
 )
 """Before an equation that says at which angle something is: near the angle at which …, tan A ≈ l/r."""
+_CHOSEN = re.compile(
+    r"(?<![A-Za-z])(?:(?:I|we)\s+(?:shall\s+|will\s+)?(?:take|choose|took|chose)|(?:nehme|wähle)n?\s+(?:ich|wir))$"
+)
+"""Before a number that is the author's choice, whatever an equation above gives."""
+_FOR_ONE = re.compile(
+    r"(?<![A-Za-z])(?:(?:for|with|at)\s+an?|(?:für|bei|mit)\s+eine[mnr]?)\s+[^\W\d_][\w-]{2,30}"
+    r"(?:\s+[^\W\d_][\w-]{1,30}){0,2}$",
+    re.IGNORECASE,
+)
+"""Before a number of one that is looked at as an example: for a speed n = 4200."""
 _PLACE_ABOVE = re.compile(
     r"(?<![A-Za-z])(?:(?<!is )(?<!are )there|dort|(?:at|in)\s+(?:this|that)\s+(?:angle|position|point|place)"
     r"|in\s+dieser\s+Stellung|an\s+dieser\s+Stelle|bei\s+diesem\s+Winkel)[^.;!?=\n]{0,12}$|そこで[^。\n=]{0,12}$",
@@ -610,6 +620,16 @@ class Sections:
         if not above or not self.paragraph_start(above) <= line < start:
             return False
         return self.same_section(line, start) and _PLACE_ABOVE.search(self.sentence_before(chain)) is not None
+
+    def is_chosen(self, chain: Chain, earlier_line: int) -> bool:
+        """Tell whether words give a number as another one: I take k = 0.62; below, for a speed n = 4200."""
+        before = self.document.text[max(0, chain.start - LONGEST_INTRODUCTION) : chain.start].rstrip(" $")
+        if len(chain.relations) != 1 or not chain.inline:
+            return False
+        if _CHOSEN.search(before) is not None:
+            return True
+        is_below = self.paragraph_start(chain.lines[0]) > earlier_line
+        return is_below and _FOR_ONE.search(before) is not None
 
     def is_said_to_be_constant(self, chain: Chain) -> bool:
         """Tell whether the words right before a relation say that its left side is constant."""
