@@ -198,7 +198,10 @@ def _is_diameter(name: _Name, plain: str) -> bool:
         return False
     own, other = rf"{spelling}(?![A-Za-z])", r"(?<![A-Za-z\\_])[Dd](?:[²³⁴]|\^\d)?"
     between = r"[ \t]*(?:[-−+,]|(?<=[ \t])(?:and|und|et|y|e))[ \t\n]*"
-    return re.search(rf"{other}{between}{own}|(?<![A-Za-z]){own}{between}{other}(?![A-Za-z_])", plain) is not None
+    return (
+        re.search(rf"{other}{between}{own}|(?<![A-Za-z]){own}{between}{other}(?![A-Za-z_])", plain)
+        is not None
+    )
 
 
 def _has_other_meaning(spelling: str) -> bool:

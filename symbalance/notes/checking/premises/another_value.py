@@ -48,7 +48,11 @@ def define_anew(
     """Return the decision on another value of a defined letter: a new case, a condition, or None."""
     earlier, line = knowledge.definitions[name], chain.lines[0]
     is_chosen = not k and not names(value) and definitions.sections.is_chosen(chain, earlier.line)
-    if is_chosen and name not in knowledge.angles and outside_range(definitions, name, value, line, knowledge) is None:
+    if (
+        is_chosen
+        and name not in knowledge.angles
+        and outside_range(definitions, name, value, line, knowledge) is None
+    ):
         definitions.define(name, without_dots(value)[0], chain)
         return Decision(PREMISE, f"chosen: line {earlier.line} had another value")
     case_end = None if k else _end_of_listed_case(definitions, earlier, chain)

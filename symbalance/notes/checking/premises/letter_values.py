@@ -65,7 +65,12 @@ def define_letter(
     is_settled = solution is not None or _may_be_wrong(definitions, name, value, chain, k, knowledge)
     decision = solution if is_settled else _define(definitions, name, value, chain, k, knowledge)
     is_refused = decision is not None and decision.status == CONTRADICTION
-    if is_refused and not k and not names(value) and definitions.sections.is_chosen(chain, chain.lines[0]):
+    if (
+        is_refused
+        and not k
+        and not names(value)
+        and definitions.sections.is_chosen(chain, chain.lines[0])
+    ):
         definitions.define(name, value, chain)
         return Decision(PREMISE, "chosen, whatever the equations above give")
     return decision

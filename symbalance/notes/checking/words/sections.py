@@ -619,7 +619,10 @@ class Sections:
         above = next((n for n in range(start - 1, 0, -1) if self._lines[n - 1].strip()), 0)
         if not above or not self.paragraph_start(above) <= line < start:
             return False
-        return self.same_section(line, start) and _PLACE_ABOVE.search(self.sentence_before(chain)) is not None
+        return (
+            self.same_section(line, start)
+            and _PLACE_ABOVE.search(self.sentence_before(chain)) is not None
+        )
 
     def is_chosen(self, chain: Chain, earlier_line: int) -> bool:
         """Tell whether words give a number as another one: I take k = 0.62; below, for a speed n = 4200."""
