@@ -27,7 +27,7 @@ SAME = 1e-9
 def decide_rounded_wholes(
     chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge
 ) -> Decision | None:
-    """Return the proof of numbers put in for a formula whose whole numbers are rounded, or of their result."""
+    """Return the proof of numbers put in whose whole numbers are rounded, or of their result."""
     k -= bool(k) and not names(chain.sides[k].node)
     if k + 2 >= len(chain.sides) or not names(chain.sides[k].node) or names(chain.sides[k + 1].node):
         return None

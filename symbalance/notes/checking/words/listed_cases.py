@@ -1,4 +1,4 @@
-"""Cases in a list: "Three cases are looked at", then an item for each, 1. idling: F = A, 2. full load: F = B.
+"""Cases in a list: "Three cases are looked at", then an item for each, 1. idling: F = A, 2. load: F = B.
 
 A letter has a value of its own in each item, and none of them is said of the others.
 """
@@ -12,7 +12,8 @@ FARTHEST = 4
 """Lines between the words that announce cases and the first item."""
 _ITEM = re.compile(r"(?P<indent>[ \t]*)(?:(?P<number>#|[0-9]{1,2}|[a-h])[.)]|(?P<bullet>[-*+•]))[ \t]+")
 _CASES = re.compile(
-    r"(?<![A-Za-z])(?:(?:load[ -]?|special[ -]?)?cases|(?:Last|Sonder|Betriebs)?fälle|cas|casi|casos)(?![A-Za-z])|場合",
+    r"(?<![A-Za-z])(?:(?:load[ -]?|special[ -]?)?cases|(?:Last|Sonder|Betriebs)?fälle|cas|casi|casos)"
+    r"(?![A-Za-z])|場合",
     re.IGNORECASE,
 )
 _LABEL = re.compile(r"[^=$`\\\n]{4,120}:[ \t]*(?::math:)?[$`\\]*$")

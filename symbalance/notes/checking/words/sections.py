@@ -104,7 +104,8 @@ _FOR_ONE = re.compile(
 )
 """Before a number of one that is looked at as an example: for a speed n = 4200."""
 _PLACE_ABOVE = re.compile(
-    r"(?<![A-Za-z])(?:(?<!is )(?<!are )there|dort|(?:at|in)\s+(?:this|that)\s+(?:angle|position|point|place)"
+    r"(?<![A-Za-z])(?:(?<!is )(?<!are )there|dort"
+    r"|(?:at|in)\s+(?:this|that)\s+(?:angle|position|point|place)"
     r"|in\s+dieser\s+Stellung|an\s+dieser\s+Stelle|bei\s+diesem\s+Winkel)[^.;!?=\n]{0,12}$|そこで[^。\n=]{0,12}$",
     re.IGNORECASE,
 )
@@ -625,7 +626,7 @@ class Sections:
         )
 
     def is_chosen(self, chain: Chain, earlier_line: int) -> bool:
-        """Tell whether words give a number as another one: I take k = 0.62; below, for a speed n = 4200."""
+        """Tell whether words give a number as another one: I take k = 0.62; for a speed n = 4200."""
         before = self.document.text[max(0, chain.start - LONGEST_INTRODUCTION) : chain.start].rstrip(" $")
         if len(chain.relations) != 1 or not chain.inline:
             return False
