@@ -3,8 +3,9 @@
 Without TeX a subscript is typed on the line. Whether `ωm` is one letter or ω times m, the page itself
 says: it is one where it stands alone left of = and one of its letters is no letter of the page, where
 what it is defined by belongs to its first letter (ωm = (ω1 + ω2)/2), or where the page writes every
-product with a sign. Each name is then read so throughout, as ω_{m}, and a note says it; a note also
-says which ones are products although they stand alone.
+product with a sign, or where a d with a subscript has its partner beside it (D and di). Each name is
+then read so throughout, as ω_{m}, and a note says it; a note also says which ones are products although
+they stand alone.
 """
 
 from __future__ import annotations
@@ -36,6 +37,7 @@ _BEFORE = re.compile(
     r"|[\u2e80-\u9fff])[ \t]*$"
 )
 _VALUE = re.compile(r"[ \t]*[=≈≒≃](?P<value>[^\n=≈≒≃<>,;、。]{1,200})")
+_NUMBER_GIVEN = re.compile(r"[ \t]*[=≈≒≃][ \t]*[0-9]+(?:[.,][0-9]+)?(?![0-9]*[ \t]*[·*×/+−^-])")
 _OPERATOR = "·*×/+²³^"
 _ALONE = re.compile(
     "|".join(
@@ -106,6 +108,7 @@ def with_compound_names(
             return letter in known or letter in _TIMES or is_letter(NAME_OF_SIGN.get(letter, letter), at)
 
         is_product = all(map(is_known, name.spelling)) and name.suffix not in _EXTREMES
+        is_product = is_product and not _is_diameter(name, plain)
         if is_declared or not is_product or name.is_defined_by_kin or has_signs:
             names.append(name)
         else:
@@ -165,8 +168,10 @@ def _candidates(plain: str, is_letter: Callable[[str, int], bool]) -> list[_Name
 def _may_be_name(name: _Name, plain: str) -> bool:
     """Tell whether a spelling may be a letter and its subscript by its look, and is no word or unit."""
     spelling = name.spelling
-    if _has_other_meaning(spelling) or (name.base in "dδ∂Δ∆" and len(name.suffix) == 1):
+    if _has_other_meaning(spelling):
         return False
+    if name.base in "dδ∂Δ∆" and len(name.suffix) == 1:
+        return _is_diameter(name, plain)
     if name.base in _GREEK or name.suffix in _EXTREMES:
         return True
     is_long = len(spelling) > 2
@@ -177,6 +182,26 @@ def _may_be_name(name: _Name, plain: str) -> bool:
     uses = list(_uses(name, plain))
     enough = 1 if not is_long or name.is_defined_by_kin else 2
     return len(uses) >= enough and all(_stands_in_formula(plain, *span) for span in uses)
+
+
+def _is_diameter(name: _Name, plain: str) -> bool:
+    """Tell whether di is a letter and no differential: it has a number, and D or d stands beside it.
+
+    It has none where it is divided by or stands behind an integral.
+    """
+    spelling = name.spelling
+    if name.base != "d" or len(spelling) != 2 or "∫" in plain:
+        return False
+    if not _NUMBER_GIVEN.match(plain, name.place + len(spelling)):
+        return False
+    if re.search(rf"/[ \t]?{spelling}(?![A-Za-z])", plain):
+        return False
+    own, other = rf"{spelling}(?![A-Za-z])", r"(?<![A-Za-z\\_])[Dd](?:[²³⁴]|\^\d)?"
+    between = r"[ \t]*(?:[-−+,]|(?<=[ \t])(?:and|und|et|y|e))[ \t\n]*"
+    return (
+        re.search(rf"{other}{between}{own}|(?<![A-Za-z]){own}{between}{other}(?![A-Za-z_])", plain)
+        is not None
+    )
 
 
 def _has_other_meaning(spelling: str) -> bool:

@@ -24,7 +24,7 @@ _OTHER: dict[str, Fraction] = {
     "Nmm": Fraction(1, 1000), "kNmm": Fraction(1), "gmm": Fraction(1, 10**6), "kgmm": Fraction(1, 1000),
     "mbar": Fraction(100), "hPa": Fraction(100), "daN": Fraction(10), "Ncm": Fraction(1, 100),
     "Wh": Fraction(3600), "ml": Fraction(1, 10**6), "cl": Fraction(1, 10**5), "kWh": Fraction(36 * 10**5),
-    "gcm": Fraction(1, 10**5), "kgcm": Fraction(1, 100),
+    "gcm": Fraction(1, 10**5), "kgcm": Fraction(1, 100), "mkg": Fraction(1), "cmkg": Fraction(1, 100),
     "sec": Fraction(1), "ft": Fraction(3048, 10**4), "lb": Fraction(45359237, 10**8),
     "lbs": Fraction(45359237, 10**8), "lbf": Fraction(44482216152605, 10**13),
     "inch": Fraction(254, 10**4), "ton": 2240 * Fraction(45359237, 10**8),

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, names
+from symbalance.document.formula import Formula, Name, Number, Product, names
 from symbalance.notes.checking.deciding.complex_numbers import decide_as_complex
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import decide, decide_at_value
+from symbalance.notes.checking.deciding.rounding import decimals, significant
 from symbalance.notes.checking.judging.open_reasons import unless_open
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.premises.premise_decisions import must_follow
@@ -22,6 +24,9 @@ from symbalance.notes.checking.units.numbers_in_units import decide_in_units
 from symbalance.notes.checking.verdicts import REFUTED
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Side
+
+FEWEST_DIGITS = 2
+"""Of a number that stands for a letter where numbers are put in."""
 
 
 def appeal(
@@ -40,7 +45,7 @@ def appeal(
         decision = decide_in_units(chain, k, decision, state.document, knowledge)
     if decision.status == REFUTED:
         decision = _with_wrong_results(state, chain, k, against, decision, knowledge)
-    for mend in (_at_stated_angle, with_letters_below, at_rough_angle, unless_open):
+    for mend in (_at_stated_angle, _with_sign_of_values, with_letters_below, at_rough_angle, unless_open):
         if decision.status == REFUTED:
             decision = mend(state, chain, k, decision, knowledge)
     return decision
@@ -80,6 +85,7 @@ def _at_stated_angle(
         if definition is None or not definition.numeric:
             continue
         is_here = state.sections.paragraph_start(line) <= definition.line
+        is_here = is_here or state.sections.looks_back(chain, definition.line)
         if is_here or line <= state.sections.case_end(definition.line):
             angles.append((name, definition.node))
     if (at_centre := angle_there(state, chain, k, knowledge)) is not None:
@@ -90,6 +96,10 @@ def _at_stated_angle(
             continue
         assumption = f"{plain_text(Name(name))} = {plain_text(value)}"
         there = decide_at_value(left, right, chain.relations[k].sign, knowledge, name, value)
+        if not there.is_proved and not names(right.node):
+            by_printed = _with_numbers_of(right.node, knowledge)
+            there_printed = decide_at_value(left, right, chain.relations[k].sign, by_printed, name, value)
+            there = there_printed if there_printed.is_proved else there
         if there.is_proved:
             return replace(there, assumptions=(*there.assumptions, assumption))
         own = knowledge.definitions.get(name)
@@ -97,3 +107,49 @@ def _at_stated_angle(
         if there.status == REFUTED and is_stated and name not in names(left.node):
             refuted_there = replace(there, reason=there.reason or f"at {assumption}")
     return refuted_there
+
+
+def _with_sign_of_values(
+    state: JudgingState, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
+) -> Decision:
+    """Return the proof of √(1 - k)² = 1 - k where the page has k = 0.5 and 0.65, and no value above 1.
+
+    The squares are the same for every k, the sides where the letter has one of the page's numbers.
+    """
+    left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
+    given = {
+        name: values
+        for name in sorted(names(right.node) - knowledge.definitions.keys() - knowledge.angles)
+        if (values := _numbers_given(state, name))
+    }
+    if sign != "=" or len(given) != 1:
+        return decision
+    squares = (Side((Product((side.node, side.node)),), side.span) for side in (left, right))
+    if not decide(*squares, sign, knowledge).is_proved:
+        return decision
+    ((name, values),) = given.items()
+    there = [decide_at_value(left, right, sign, knowledge, name, Number(value)) for value in values]
+    proofs = [each for each in there if each.is_proved]
+    if not proofs or any(each.status == REFUTED for each in there):
+        return decision
+    return replace(proofs[0], assumptions=(*proofs[0].assumptions, f"{plain_text(right.node)} ≥ 0"))
+
+
+def _numbers_given(state: JudgingState, name: str) -> list[Fraction]:
+    """Return the numbers that the page has given a letter so far."""
+    nodes = [entry.definition.node for entry in state.definitions.values.get(name, [])]
+    return [node.value for node in nodes if isinstance(node, Number)]
+
+
+def _with_numbers_of(right: Formula, knowledge: Knowledge) -> Knowledge:
+    """Return what is known with letters at the digits that an arithmetic puts in: λ = 0.2903 as 0.29."""
+    put_in = [n for n in decimals(right) if significant(n) >= FEWEST_DIGITS and n.last_place is not None]
+    definitions = dict(knowledge.definitions)
+    for name, definition in knowledge.definitions.items():
+        value = None if name in knowledge.angles else number_of(definition.node, knowledge)
+        for number in put_in if value is not None else ():
+            assert value is not None
+            assert number.last_place is not None
+            if abs(float(value) - float(number.value)) <= float(number.last_place) / 2:
+                definitions[name] = replace(definition, node=Number(number.value), numeric=True)
+    return replace(knowledge, definitions=definitions)

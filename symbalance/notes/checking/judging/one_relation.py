@@ -47,7 +47,7 @@ from symbalance.notes.checking.steps.gravity import decide_with_gravity
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.mean_piston_speed import mean_piston_speed
 from symbalance.notes.checking.steps.much_larger import PLAIN, decide_much_larger, decide_where_larger
-from symbalance.notes.checking.steps.named_roots import as_named_root
+from symbalance.notes.checking.steps.named_roots import as_named_root, as_one_solution
 from symbalance.notes.checking.steps.open_cases import case_of_a_letter
 from symbalance.notes.checking.steps.products_of_vectors import decide_products_of_vectors
 from symbalance.notes.checking.steps.relation_fixes import add_fix_of_relation
@@ -135,6 +135,7 @@ def _judge_equality(
     definition = definition or as_new_extreme(state, chain, k, knowledge)
     definition = definition or as_proved_solution(state, chain, k)
     definition = definition or as_named_root(state, chain, k, knowledge)
+    definition = definition or as_one_solution(state, chain, k)
     definition = definition or decide_solved_wave(state, chain, k, knowledge)
     definition = definition or _define(state, chain, k, knowledge)
     definition = definition or decide_for_values(state.document, chain, k, knowledge)

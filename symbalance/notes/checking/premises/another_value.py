@@ -46,6 +46,13 @@ def define_anew(
     definitions: Definitions, name: str, value: Formula, chain: Chain, k: int, knowledge: Knowledge
 ) -> Decision | None:
     """Return the decision on another value of a defined letter: a new case, a condition, or None."""
+    by_case = None if k else _of_its_own_case(definitions, name, value, chain, knowledge)
+    return by_case or _define_anew(definitions, name, value, chain, k, knowledge)
+
+
+def _define_anew(
+    definitions: Definitions, name: str, value: Formula, chain: Chain, k: int, knowledge: Knowledge
+) -> Decision | None:
     earlier, line = knowledge.definitions[name], chain.lines[0]
     other = "" if k else _anew_at_its_place(definitions, name, value, chain, knowledge)
     if other:
@@ -90,6 +97,41 @@ def define_anew(
     ):
         return None
     return _define_case_anew(definitions, name, value, earlier, chain, knowledge)
+
+
+def _of_its_own_case(
+    definitions: Definitions, name: str, value: Formula, chain: Chain, knowledge: Knowledge
+) -> Decision | None:
+    """Define a number that is chosen, or a formula of a listed case, and return what it is."""
+    earlier, line = knowledge.definitions[name], chain.lines[0]
+    is_chosen = not names(value) and definitions.sections.is_chosen(chain, earlier.line)
+    if is_chosen and name not in knowledge.angles:
+        if outside_range(definitions, name, value, line, knowledge) is not None:
+            return None
+        definitions.define(name, without_dots(value)[0], chain)
+        return Decision(PREMISE, f"chosen: line {earlier.line} had another value")
+    case_end = _end_of_listed_case(definitions, earlier, chain)
+    if case_end is None:
+        return None
+    definitions.define(name, without_dots(value)[0], chain, case_end)
+    return Decision(DEFINITION, f"another case than in line {earlier.line}")
+
+
+def _end_of_listed_case(definitions: Definitions, earlier: Definition, chain: Chain) -> int | None:
+    """Return where an item of a list of cases ends whose formula another item has otherwise; or None."""
+    sections = definitions.sections
+    if sections.is_consequence(chain):
+        return None
+    own = sections.item_of_cases(chain.lines[0], chain.sides[0].span[0])
+    places = [
+        item
+        for other in sections.document.chains
+        if other.lines[0] == earlier.line and other.sides[0].node == chain.sides[0].node
+        if (item := sections.item_of_cases(earlier.line, other.sides[0].span[0])) is not None
+    ]
+    is_case = own is not None and any(first == own[0] for first, last in places)
+    is_other = own is not None and all(last < chain.lines[0] for first, last in places)
+    return own[1] if own is not None and is_case and is_other else None
 
 
 def _is_at_another_place(

@@ -43,6 +43,20 @@ def define_letter(
     definitions: Definitions, chain: Chain, k: int, knowledge: Knowledge
 ) -> Decision | None:
     """Return the decision on a relation that gives a letter its value, after defining it."""
+    decision = _define_letter(definitions, chain, k, knowledge)
+    head, value = chain.sides[0].node, chain.sides[k + 1].node
+    is_refused = decision is not None and decision.status == CONTRADICTION and not k
+    if not is_refused or not isinstance(head, Name) or names(value):
+        return decision
+    if not definitions.sections.is_chosen(chain, chain.lines[0]):
+        return decision
+    definitions.define(head.name, value, chain)
+    return Decision(PREMISE, "chosen, whatever the equations above give")
+
+
+def _define_letter(
+    definitions: Definitions, chain: Chain, k: int, knowledge: Knowledge
+) -> Decision | None:
     pair = _letter_defined(definitions, chain, k) or _letter_within(chain, k, knowledge)
     if pair is None or knowledge.assumes(pair[0]):
         return None

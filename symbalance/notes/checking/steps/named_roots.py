@@ -1,7 +1,8 @@
 """Roots of an equation that stand below it: "with the roots ω_I = √(k/J), ω_II = √(3k/J)".
 
 Each root's letter is the unknown with a subscript of its own. Nothing else on the page says what it is,
-and put into the equation it satisfies it, or it is no root.
+and put into the equation it satisfies it, or it is no root. One solution of several, "the solution ω = 0
+is the rigid rotation; the other is", gives the unknown no value for the lines below.
 """
 
 from __future__ import annotations
@@ -20,8 +21,16 @@ from symbalance.notes.reading.equations import Chain
 
 FARTHEST = 400
 """Characters between an equation and its last root."""
+_NEAR = 160
+"""Characters before and behind a formula that name it a solution."""
 _ROOTS = re.compile(
     r"(?<![A-Za-z])(?:roots?|solutions?|eigenvalues?|zeros|Wurzeln?|Lösung(?:en)?|Nullstellen?|Eigenwerte?|racines?)(?![A-Za-z])|根|解",
+    re.IGNORECASE,
+)
+_LEADING = re.compile(rf"(?:{_ROOTS.pattern})[ \t\n]*[$:`\\(]*$", re.IGNORECASE)
+"""One of those words right before a formula."""
+_ANOTHER = re.compile(
+    r"(?<![A-Za-z])(?:the\s+(?:other|second)|die\s+(?:andere|zweite)|l['’]autre|another)(?![A-Za-z])|他の|もう一つ",
     re.IGNORECASE,
 )
 _NONE = re.compile(r"(?<![A-Za-z])(?:of|other|another|square|cube|von|approximate\w*)\s*$", re.IGNORECASE)
@@ -53,6 +62,33 @@ def as_named_root(state: JudgingState, chain: Chain, k: int, knowledge: Knowledg
         return Decision(PROVED, f"satisfies line {equation.lines[0]}", assumptions=decision.assumptions)
     if decision.status == REFUTED:
         return Decision(REFUTED, f"does not satisfy line {equation.lines[0]}", witness=decision.witness)
+    return None
+
+
+def as_one_solution(state: JudgingState, chain: Chain, k: int) -> Decision | None:
+    """Return the proof that a number solves the equation above, one solution of several; else None.
+
+    The equation alone proves it, whatever else its letters are; the number is the unknown's nowhere else.
+    """
+    head, value = chain.sides[0].node, chain.sides[1].node
+    is_given = len(chain.relations) == 1 and chain.relations[k].sign == "=" and isinstance(head, Name)
+    if not is_given or not isinstance(head, Name) or names(value):
+        return None
+    text, start = state.document.text, chain.sides[0].span[0]
+    is_named = _LEADING.search(text, max(start - _NEAR, 0), start) is not None
+    if not is_named or not _ANOTHER.search(text, chain.end, chain.end + _NEAR):
+        return None
+    above = [c for c in state.document.chains if c.end <= start and start - c.end < FARTHEST]
+    for other in sorted(above, key=lambda c: c.end, reverse=True):
+        if head.name not in names(other.sides[0].node) | names(other.sides[-1].node):
+            continue
+        sides = [side.node for side in (other.sides[0], other.sides[-1])]
+        if Name(head.name) in sides:
+            return None
+        left, right = (lone_side(substitute(node, head.name, value)) for node in sides)
+        decision = decide(left, right, "=", Knowledge())
+        is_solution = decision.is_proved and not decision.assumptions
+        return Decision(PROVED, f"satisfies line {other.lines[0]}") if is_solution else None
     return None
 
 

@@ -9,7 +9,7 @@ from symbalance.document.formula import Formula, Name, Number, Product, Sum, nam
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.cases import NUMBERS_PUT_IN, decide_case, decide_with_ratio
-from symbalance.notes.checking.deciding.equality import Decision, decide_equality
+from symbalance.notes.checking.deciding.equality import REFUTED, Decision, decide_equality
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import paired, without_unit
 from symbalance.notes.checking.deciding.relations import decide
@@ -28,7 +28,6 @@ from symbalance.notes.checking.verdicts import (
     CONTRADICTION,
     DEFINITION,
     PREMISE,
-    REFUTED,
     STATED,
 )
 from symbalance.notes.reading.equations import Chain, Side
@@ -194,6 +193,8 @@ def _note_statement(
         for name, number in numbers.items():
             state.definitions.define(name, number, chain)
         return case
+    if case.reason.startswith(NUMBERS_PUT_IN) and _is_in_other_units(chain, k, knowledge):
+        return case
     by_premises = decide_by_premises(state.definitions, state.definitions.premise_of(chain, k), knowledge)
     if by_premises is not None and by_premises.status != PREMISE:
         return by_premises
@@ -220,6 +221,16 @@ def _numbers_of_letters(chain: Chain, k: int, knowledge: Knowledge) -> dict[str,
         else:
             return {}
     return numbers if is_sure else {}
+
+
+def _is_in_other_units(chain: Chain, k: int, knowledge: Knowledge) -> bool:
+    """Tell whether a number put in is a letter's value in a unit left out, 75 for n = 4500 min⁻¹.
+
+    The numbers beside it are then no values of their letters.
+    """
+    pairs = paired(chain.sides[k].node, chain.sides[k + 1].node) or ()
+    decisions = (decide_equality(part, number, knowledge) for part, number in pairs)
+    return any(d.status == REFUTED and d.left is not None and not letters(d.left) for d in decisions)
 
 
 def _is_printed(part: Formula, number: Formula, knowledge: Knowledge) -> bool:

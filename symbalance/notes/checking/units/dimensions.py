@@ -48,7 +48,7 @@ _WHOLE_UNITS: dict[str, Dimension] = {
     "rps": _dimension(s=-1), "rev": NONE, "r": NONE, "U": NONE, "deg": NONE, "°": NONE, "1": NONE,
     "%": NONE, "t": _dimension(kg=1), "l": _dimension(m=3), "L": _dimension(m=3),
     "Nmm": _dimension(1, 2, -2), "kNm": _dimension(1, 2, -2), "degrees": NONE, "radians": NONE,
-    **dict.fromkeys(words("gmm kgmm gcm kgcm"), _dimension(kg=1, m=1)),
+    **dict.fromkeys(words("gmm kgmm gcm kgcm mkg cmkg"), _dimension(kg=1, m=1)),
     "cc": _dimension(m=3), "ccm": _dimension(m=3), "inch": _dimension(m=1), "ft": _dimension(m=1),
     "gn": _dimension(m=1, s=-2), "mi": _dimension(m=1), "slug": _dimension(kg=1),
     "psi": _dimension(1, -1, -2),

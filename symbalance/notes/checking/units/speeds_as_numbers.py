@@ -15,6 +15,7 @@ from math import pi
 from symbalance.document.formula import Constant, Formula, Name, Number, Product, Quotient, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import paired
@@ -64,6 +65,8 @@ def wrong_as_quantity(chain: Chain, k: int, document: ReadNotes, knowledge: Know
     ]
     if not decisions or any(decision.status != REFUTED for decision in decisions):
         return None
+    if any(decision.left is not None and letters(decision.left) for decision in decisions):
+        return None  # a letter without a number may be anything
     text = formula_text(Name(speeds[0]), plain=True)
     return replace(decisions[0], reason=f"{text} is in revolutions per minute, and nothing converts it")
 

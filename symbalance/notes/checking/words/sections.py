@@ -14,6 +14,7 @@ from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.words import case_words
 from symbalance.notes.checking.words.bodies_named import body_named
 from symbalance.notes.checking.words.items import item_end
+from symbalance.notes.checking.words.listed_cases import item_of_cases
 from symbalance.notes.checking.words.value_groups import in_next_groups
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
@@ -93,6 +94,23 @@ _AT_AN_ANGLE = re.compile(
     r"|(?:角度?|位置)(?:は|で|では|において|の近く))[^.;!?$=]{0,90}$"
 )
 """Before an equation that says at which angle something is: near the angle at which …, tan A ≈ l/r."""
+_CHOSEN = re.compile(
+    r"(?<![A-Za-z])(?:(?:I|we)\s+(?:shall\s+|will\s+)?(?:take|choose|took|chose)|(?:nehme|wähle)n?\s+(?:ich|wir))$"
+)
+"""Before a number that is the author's choice, whatever an equation above gives."""
+_FOR_ONE = re.compile(
+    r"(?<![A-Za-z])(?:(?:for|with|at)\s+an?|(?:für|bei|mit)\s+eine[mnr]?)\s+[^\W\d_][\w-]{2,30}"
+    r"(?:\s+[^\W\d_][\w-]{1,30}){0,2}$",
+    re.IGNORECASE,
+)
+"""Before a number of one that is looked at as an example: for a speed n = 4200."""
+_PLACE_ABOVE = re.compile(
+    r"(?<![A-Za-z])(?:(?<!is )(?<!are )there|dort"
+    r"|(?:at|in)\s+(?:this|that)\s+(?:angle|position|point|place)"
+    r"|in\s+dieser\s+Stellung|an\s+dieser\s+Stelle|bei\s+diesem\s+Winkel)[^.;!?=\n]{0,12}$|そこで[^。\n=]{0,12}$",
+    re.IGNORECASE,
+)
+"""Before a relation that is said of the place named above: the speed there is v = r ω."""
 _CONSTANT = re.compile(
     r"(?<![A-Za-z])(?:is|are|stays?|remains?|ist|sind|bleibt|bleiben)\s+(?:always\s+|stets\s+|immer\s+)?"
     r"(?:constant|konstant|(?:independent\s+of|unabhängig\s+vo[nm])\s[^.;:!?=\n]{1,30})\s*[:,]$"
@@ -352,6 +370,10 @@ class Sections:
         """Return the last line of the item, or else the section, that looks at one crank angle."""
         return min(self.section_end(line), item_end(self._lines, line))
 
+    def item_of_cases(self, line: int, start: int) -> tuple[int, int] | None:
+        """Return the list of cases and the end of its item that a formula at a place of a line opens."""
+        return item_of_cases(self._lines, line, start - self._start_of_line(line))
+
     def _next_text(self, line: int) -> int | None:
         """Return the next line that is not blank."""
         return next((k + 1 for k in range(line, len(self._lines)) if self._lines[k].strip()), None)
@@ -592,6 +614,27 @@ class Sections:
             return True
         sentence = self.sentence_leading_to(chain)
         return not self.is_consequence(chain) and _AT_AN_ANGLE.search(sentence) is not None
+
+    def looks_back(self, chain: Chain, line: int) -> bool:
+        """Tell whether a relation is said of a place that the paragraph before names: the speed there."""
+        start = self.paragraph_start(chain.lines[0])
+        above = next((n for n in range(start - 1, 0, -1) if self._lines[n - 1].strip()), 0)
+        if not above or not self.paragraph_start(above) <= line < start:
+            return False
+        return (
+            self.same_section(line, start)
+            and _PLACE_ABOVE.search(self.sentence_before(chain)) is not None
+        )
+
+    def is_chosen(self, chain: Chain, earlier_line: int) -> bool:
+        """Tell whether words give a number as another one: I take k = 0.62; for a speed n = 4200."""
+        before = self.document.text[max(0, chain.start - LONGEST_INTRODUCTION) : chain.start].rstrip(" $")
+        if len(chain.relations) != 1 or not chain.inline:
+            return False
+        if _CHOSEN.search(before) is not None:
+            return True
+        is_below = self.paragraph_start(chain.lines[0]) > earlier_line
+        return is_below and _FOR_ONE.search(before) is not None
 
     def is_said_to_be_constant(self, chain: Chain) -> bool:
         """Tell whether the words right before a relation say that its left side is constant."""
