@@ -22,6 +22,7 @@ from symbalance.notes.checking.declared.sidecar import Binding, Declarations
 from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.judging.judging_order import chains_in_turn, number_verdicts
 from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
+from symbalance.notes.checking.judging.unknown_crank_angle import unless_angle_unknown
 from symbalance.notes.checking.meant.motion_in_time import with_rates_of_rates
 from symbalance.notes.checking.page import assertions
 from symbalance.notes.checking.page.consequences import decide_consequence
@@ -215,7 +216,11 @@ class Judge:
         return self.guard.verdict(verdict, chain.sides[index].span, line)
 
     def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
-        """Return the verdict on the k-th relation of a chain.
+        """Return the verdict on the k-th relation of a chain."""
+        return unless_angle_unknown(self.state, chain, k, self._link_by_cases(chain, k, sound, bad))
+
+    def _link_by_cases(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
+        """Return the verdict on the k-th relation of a chain, whatever its letters are declared to be.
 
         What is said of all values does not rest on a case before, and one case takes another's place.
         """
