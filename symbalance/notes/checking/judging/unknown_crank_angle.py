@@ -1,8 +1,8 @@
 """Nothing is accused by an angle of the crank that no letter of a page is declared to be.
 
-The geometry of a slider-crank is written in θ. Where a page counts its angle by another letter and nobody
-says that it is the crank's, a declared β = arcsin(λ sin θ) is of an angle that stands nowhere on the page,
-and everything true of the page's own angle would differ from it.
+The geometry of a slider-crank is written in θ. Where a page counts its angle by another letter and
+nobody says that it is the crank's, a declared β = arcsin(λ sin θ) is of an angle that stands nowhere on
+the page, and everything true of the page's own angle would differ from it.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from symbalance.notes.reading.equations import Chain
 
 
 def unless_angle_unknown(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
-    """Return a verdict; a refutation by a crank angle that nobody declared is undecided, with the reason."""
+    """Return a verdict; a refutation by a crank angle that nobody declared is undecided instead."""
     if verdict.verdict not in (REFUTED, CONTRADICTION):
         return verdict
     angle = _undeclared_angle(state, chain.lines[0])
