@@ -31,7 +31,7 @@ from symbalance.notes.checking.page.letters_of_sections import numbers_of_this_s
 from symbalance.notes.checking.page.page_data import data_of
 from symbalance.notes.checking.page.quotations import Quotations
 from symbalance.notes.checking.steps.angle_equations import lines_of_angles
-from symbalance.notes.checking.steps.another_engine import leave_engine
+from symbalance.notes.checking.steps.another_engine import leave_engine, leave_premises
 from symbalance.notes.checking.steps.another_place import leave_place
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
@@ -250,6 +250,8 @@ class Judge:
         if verdict.verdict in (REFUTED, CONTRADICTION) and (
             leave_place(self.state, chain) or (not k and leave_engine(self.state, chain))
         ):
+            return self._link_in_scope(chain, k, sound, bad)
+        if verdict.verdict == CONTRADICTION and leave_premises(self.state, chain):
             return self._link_in_scope(chain, k, sound, bad)
         if verdict.verdict == CONTRADICTION and (
             others := cases_replaced_by(self.state.definitions, chain)
