@@ -251,7 +251,10 @@ class Judge:
             leave_place(self.state, chain) or (not k and leave_engine(self.state, chain))
         ):
             return self._link_in_scope(chain, k, sound, bad)
-        if verdict.verdict == CONTRADICTION and leave_premises(self.state, chain):
+        contradicts = verdict.verdict == CONTRADICTION or (
+            verdict.verdict == REFUTED and verdict.reason.startswith("contradicts")
+        )
+        if contradicts and leave_premises(self.state, chain):
             return self._link_in_scope(chain, k, sound, bad)
         if verdict.verdict == CONTRADICTION and (
             others := cases_replaced_by(self.state.definitions, chain)
