@@ -203,16 +203,23 @@ def margin_of_numbers(
     other: Formula,
     form_of: Callable[[Formula], Form],
     printed: Collection[float],
+    meaning: Formula | None = None,
 ) -> Any:
-    """Return how far a side of numbers may be off, put in for the letters of the other side."""
+    """Return how far a side of numbers may be off, put in for the letters of the other side.
+
+    `meaning` is the formula of a letter that the other side consists of: numbers of three digits or more
+    may be put in for its parts.
+    """
     whole = _value(put_in, form_of)
+    parts_behind = [] if meaning is None else list(_values_of_parts(meaning, form_of))
     parts = list(_values_of_parts(other, form_of))
     total: Any = 0
     for number, scale in _typed(put_in):
         size = Number(number.value * scale, number.last_place * scale if number.last_place else None)
         half, value = _half(number) * float(scale), abs(float(size.value))
-        is_part = any(abs(part * unit - value) <= half * _ROUNDING for part in parts for unit in _SCALES)
-        is_exact = any(_is_same(value, part) for part in parts)
+        own = parts + (parts_behind if significant_digits(number) >= LONG else [])
+        is_part = any(abs(part * unit - value) <= half * _ROUNDING for part in own for unit in _SCALES)
+        is_exact = any(_is_same(value, part) for part in own)
         # 204.84 mm - 114.72 mm: as many digits as these are results, not data
         is_long = number.last_place is not None and significant_digits(number) >= LONGER
         is_term = is_long and isinstance(put_in, formula.Sum)

@@ -94,7 +94,9 @@ def agrees_as_printed(
         by_result = _as_result(left, right, (typed_left, typed_right), forms, form_of, generous, printed)
         if by_result is not None:
             return by_result
-        return _within_margins(left, right, (typed_left, typed_right), forms, form_of, generous, printed)
+        typed = typed_left, typed_right
+        meanings = tuple(_formula_of(node, values or {}) for node in typed)
+        return _within_margins(left, right, typed, forms, form_of, generous, printed, meanings)
     is_exact = not decimals(left) and not decimals(right) and not has_coefficients
     if is_exact or not all(form.is_polynomial for form in forms):
         return False
@@ -143,22 +145,29 @@ def _within_margins(
     form_of: Callable[[Formula], Form],
     generous: bool,
     printed: Collection[float],
+    meanings: tuple[Formula | None, ...],
 ) -> bool:
     """Tell whether two computed sides differ by no more than the rounded numbers in them bring."""
     if not names(left) and not names(right) and (_is_bare(left) or _is_bare(right)):
         return False  # a whole number beside a decimal
     first, second = forms
     margin: Any = 0
-    for typed_side, node, opposite, form in (
-        (typed[0], left, typed[1], first),
-        (typed[1], right, typed[0], second),
+    for typed_side, node, opposite, form, meaning in (
+        (typed[0], left, typed[1], first, meanings[1]),
+        (typed[1], right, typed[0], second, meanings[0]),
     ):
         if is_put_in(typed_side, opposite):
-            margin += margin_of_numbers(node, opposite, form_of, printed)
+            margin += margin_of_numbers(node, opposite, form_of, printed, meaning)
         else:
             margin += _spread(node, typed_side, _number(form), form_of, printed)
     gap, size = abs(_number(first) - _number(second)), abs(_number(first))
     return gap <= margin * (1 + 1e-12) + (size * ROUGHLY if generous else 0) + size * _tiny()
+
+
+def _formula_of(node: Formula, values: Mapping[str, Formula]) -> Formula | None:
+    """Return the formula of the letter that a side consists of, None for other sides."""
+    value = values.get(node.name) if isinstance(node, formula.Name) else None
+    return value if value is not None and names(value) else None
 
 
 def with_decimals(node: Formula, values: Mapping[str, Formula]) -> Formula:

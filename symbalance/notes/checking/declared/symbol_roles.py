@@ -187,6 +187,24 @@ _OF_ONE = r"(?: (?:of|per|in) (?:one|each|a|the|single) ?(?:piston|cylinder)| pe
 _RATIO_GERMAN = r"(?:schubstangen|pleuelstangen|pleuel)verh(?:ä|ae)ltnis"
 _ROD_SIZE = rf"(?:{_ROD}(?: length)?|(?:the )?length of {_ROD})"
 _CRANK_SIZE = rf"(?:{_CRANK}(?: radius)?|(?:the )?radius of {_CRANK})"
+_TOP = (
+    r"(?:tdc|t\.d\.c\.|(?:the )?(?:top|upper) dead[- ](?:cent(?:re|er)|point)|(?:the )?top dead position)"
+)
+_OBEN = r"(?:(?:dem |vom )?(?:ot|o\.t\.|oberen totpunkt)|zünd-?ot)"
+_COUNTED = r"(?:(?:measured|counted|reckoned|taken) )?"
+_GEZAEHLT = r"(?:(?:gemessen|gezählt) )?"
+_FROM_THE_TOP = re.compile(
+    rf"(?P<angle>.{{1,60}}?),? \(?{_COUNTED}(?:from|after|past|relative to) {_TOP}\)?"
+    rf"|(?P<winkel>.{{1,60}}?),? \(?{_GEZAEHLT}(?:ab|nach|von|vom) {_OBEN}(?: aus| an)?"
+    rf"(?: (?:gemessen|gezählt))?\)?"
+    r"|上死点(?:から|を基準と(?:した|する))(?:測った|測定した|計った|数えた|の)?(?P<kaku>.{1,30})"
+    r"|(?P<kakudo>.{1,30}?)[(（]上死点(?:から|基準)(?:の角度|測定)?[)）]"
+)
+"""An angle with the place it is counted from, where that is the one from which every formula counts."""
+_SOME_ANGLE = re.compile(
+    r"(?:the )?(?:rotation |turning )?angle(?: of rotation)?|(?:dreh)?winkel|回転角度?|角度"
+)
+"""What only the crank's angle can be where it is counted from the top dead centre."""
 _WORDINGS = tuple(
     (role, re.compile(pattern))
     for role, pattern in (
@@ -281,6 +299,8 @@ def role_of(text: str) -> str:
 
     >>> role_of("Crank radius, half the stroke"), role_of("angular velocity of the crankshaft")
     ('crank radius', 'angular speed')
+    >>> role_of("crank angle from top dead centre"), role_of("crank angle from bottom dead centre")
+    ('crank angle', 'crank angle from bottom dead centre')
     """
     head = text.split(",", maxsplit=1)[0].strip()
     return _known_role(head) or head
@@ -293,7 +313,21 @@ def _known_role(head: str) -> str:
     role = ALIASES.get(role, role)
     if role in KNOWN:
         return role
-    return next((known for known, wording in _WORDINGS if wording.fullmatch(role)), "")
+    known = next((known for known, wording in _WORDINGS if wording.fullmatch(role)), "")
+    return known or _counted_from_the_top(role)
+
+
+def _counted_from_the_top(role: str) -> str:
+    """Return "crank angle" for one that words count from top dead centre, "" for anything else.
+
+    Counted from the bottom it is another angle, of which no formula here is true.
+    """
+    match = _FROM_THE_TOP.fullmatch(role)
+    if match is None:
+        return ""
+    angle = next(part for part in match.groups() if part)
+    is_of_the_crank = _SOME_ANGLE.fullmatch(angle) or _known_role(angle) == "crank angle"
+    return "crank angle" if is_of_the_crank else ""
 
 
 SIMILAR = 0.7

@@ -124,8 +124,8 @@ def _with_sign_of_values(
     }
     if sign != "=" or len(given) != 1:
         return decision
-    squares = (Side((Product((side.node, side.node)),), side.span) for side in (left, right))
-    if not decide(*squares, sign, knowledge).is_proved:
+    first, second = (Side((Product((side.node, side.node)),), side.span) for side in (left, right))
+    if not decide(first, second, sign, knowledge).is_proved:
         return decision
     ((name, values),) = given.items()
     there = [decide_at_value(left, right, sign, knowledge, name, Number(value)) for value in values]

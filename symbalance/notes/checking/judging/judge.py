@@ -23,6 +23,7 @@ from symbalance.notes.checking.declared.sidecar import Binding, Declarations
 from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.judging.judging_order import chains_in_turn, number_verdicts
 from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
+from symbalance.notes.checking.judging.unknown_crank_angle import unless_angle_unknown
 from symbalance.notes.checking.meant.motion_in_time import with_rates_of_rates
 from symbalance.notes.checking.page import assertions
 from symbalance.notes.checking.page.consequences import decide_consequence
@@ -32,7 +33,7 @@ from symbalance.notes.checking.page.page_data import data_of
 from symbalance.notes.checking.page.quotations import Quotations
 from symbalance.notes.checking.steps.angle_equations import lines_of_angles
 from symbalance.notes.checking.steps.another_body import leave_body, leave_choice, leave_quotation
-from symbalance.notes.checking.steps.another_engine import leave_cranks, leave_engine
+from symbalance.notes.checking.steps.another_engine import leave_cranks, leave_engine, leave_premises
 from symbalance.notes.checking.steps.another_place import is_multiple_of_angle, leave_place
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.judging_state import JudgingState
@@ -218,7 +219,11 @@ class Judge:
         return self.guard.verdict(verdict, chain.sides[index].span, line)
 
     def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
-        """Return the verdict on the k-th relation of a chain.
+        """Return the verdict on the k-th relation of a chain."""
+        return unless_angle_unknown(self.state, chain, k, self._link_by_cases(chain, k, sound, bad))
+
+    def _link_by_cases(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
+        """Return the verdict on the k-th relation of a chain, whatever its letters are declared to be.
 
         What is said of all values does not rest on a case before, and one case takes another's place.
         """
@@ -254,22 +259,31 @@ class Judge:
             or leave_cranks(self.state, chain, k)
         ):
             return self._anew(chain, k) or self._link_in_scope(chain, k, sound, bad)
+        contradicts = verdict.verdict == CONTRADICTION or (
+            verdict.verdict == REFUTED and (verdict.reason or "").startswith("contradicts")
+        )
+        if contradicts and leave_premises(self.state, chain):
+            return self._link_in_scope(chain, k, sound, bad)
         if verdict.verdict == REFUTED and (changing := changing_letters(self.state, chain, k)):
-            with without_numbers(self.state, changing):
-                verdict = self._link_in_scope(chain, k, sound, bad)
-            if verdict.verdict == REFUTED:
-                shown = ", ".join(sorted(map(plain_letter, changing)))
-                reason = (
-                    f"{shown} is taken as constant above, and this is about another one or its change"
-                )
-                verdict = describe(self.document, chain, k, Decision(UNDECIDED, reason))
-            return verdict
+            return self._without_constant(chain, k, sound, bad, changing)
         if verdict.verdict == CONTRADICTION and (
             others := cases_replaced_by(self.state.definitions, chain)
         ):
             end_cases(self.state.definitions, others, start)
             return self._link_in_scope(chain, k, sound, bad)
         return verdict
+
+    def _without_constant(
+        self, chain: Chain, k: int, sound: int, bad: bool, changing: frozenset[str]
+    ) -> Verdict:
+        """Return the verdict on a relation without the numbers of letters that it lets change."""
+        with without_numbers(self.state, changing):
+            verdict = self._link_in_scope(chain, k, sound, bad)
+        if verdict.verdict != REFUTED:
+            return verdict
+        shown = ", ".join(sorted(map(plain_letter, changing)))
+        reason = f"{shown} is taken as constant above, and this is about another one or its change"
+        return describe(self.document, chain, k, Decision(UNDECIDED, reason))
 
     def _anew(self, chain: Chain, k: int) -> Verdict | None:
         """Define F_2 of F_1 = F_2 = 0 anew, where nothing is known of it any more; None for others.

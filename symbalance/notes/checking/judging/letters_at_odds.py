@@ -72,7 +72,7 @@ def unless_used_anew(
 def _is_nothing(chain: Chain, decision: Decision) -> bool:
     """Tell whether one of two values of a letter is 0: F_2 = 0 of one engine, 4 λ m r ω² of the next."""
     is_zero = isinstance(chain.sides[1].node, Number) and not chain.sides[1].node.value
-    return is_zero or (decision.left is not None and decision.left.is_zero())
+    return is_zero or (decision.left is not None and decision.left.is_zero() is True)
 
 
 def _is_value(state: JudgingState, chain: Chain, decision: Decision, knowledge: Knowledge) -> bool:

@@ -134,12 +134,20 @@ def _one_sided_letter(
             *knowledge.universal,
             *decision.left.domain.integer,
         }
+        is_open = is_open or _stands_nowhere(state, name, line, knowledge)
         is_open = is_open and name not in both and not knowledge.knows(name)
         if is_open and not _differs_whatever(name, decision, knowledge):
             return f"{plain_text(Name(name))} is not declared and"
         if "/d" in name:  # the derivative of what no line defines
             return name
     return ""
+
+
+def _stands_nowhere(state: JudgingState, name: str, line: int, knowledge: Knowledge) -> bool:
+    """Tell whether only a rule for any index brings a letter in: the A_5 of B_5, after B_n = n² A_n."""
+    stem, _, index = name.rpartition("_")
+    is_member = bool(stem) and index.isdigit() and name not in state.letters
+    return is_member and name not in state.declarations.symbols_at(line) and not knowledge.measures(name)
 
 
 def _differs_whatever(name: str, decision: Decision, knowledge: Knowledge) -> bool:

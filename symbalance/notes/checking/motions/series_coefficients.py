@@ -137,6 +137,15 @@ def _are_coefficients(values: Mapping[str, Formula], in_use: Collection[str], *,
 
 
 def decide_coefficient(left: Side, right: Side, sign: str, knowledge: Knowledge) -> Decision:
+    """Decide what a line says of a coefficient; a mean that no numbers come near refutes nothing."""
+    decision = _decide_coefficient(left, right, sign, knowledge)
+    form = decision.left if decision.status == REFUTED else None
+    if form is None or not form.domain.opaque or sample([form], 1):
+        return decision
+    return Decision(UNDECIDED, "a mean over a turn that numbers do not come near")
+
+
+def _decide_coefficient(left: Side, right: Side, sign: str, knowledge: Knowledge) -> Decision:
     """Decide what a line says of a coefficient: a series as far as it is written, a form, or a number.
 
     Letters that a line before gave numbers stay letters in a series, with the formulas they had.

@@ -239,8 +239,10 @@ def _is_far(old: complex, new: complex) -> bool:
 
 def _is_anew(definitions: Definitions, earlier: Definition, chain: Chain) -> bool:
     """Tell whether a second formula of a letter is of another engine, or in another exercise."""
-    is_tied = definitions.sections.is_consequence(chain)
-    return not is_tied and definitions.sections.is_of_another_engine(chain, earlier.line)
+    sections = definitions.sections
+    if sections.headings_name_other_engines(chain.lines[0], earlier.line):
+        return True  # what "so" ties it to stands in its own section
+    return not sections.is_consequence(chain) and sections.is_of_another_engine(chain, earlier.line)
 
 
 def _said_by_words(

@@ -21,6 +21,7 @@ from symbalance.notes.checking.deciding.equality import Decision, without_dots
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.premises.another_value import define_anew
+from symbalance.notes.checking.premises.cases_of_angles import ANOTHER_ANGLE, case_of_angle
 from symbalance.notes.checking.premises.condition_solutions import decide_solution, refute_solution
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.premises.impossible_values import (
@@ -178,7 +179,12 @@ def _define_first(
     """Return the decision on a letter's first value, which premises and ranges may contradict."""
     bare, line = without_dots(value)[0], chain.lines[0]
     by_premises = decide_by_premises(definitions, Premise(Name(name), bare, line), knowledge)
+    if by_premises is not None and by_premises.status == CONTRADICTION:
+        by_premises = case_of_angle(definitions, name, bare, chain) or by_premises
     if by_premises is not None and by_premises.status not in STATED:
+        return by_premises
+    if by_premises is not None and by_premises.reason == ANOTHER_ANGLE:
+        definitions.define(name, bare, chain, definitions.sections.case_end(line))
         return by_premises
     contradiction = outside_range(definitions, name, bare, line, knowledge)
     if contradiction is not None:

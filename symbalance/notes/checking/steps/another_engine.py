@@ -88,6 +88,21 @@ def _has_other_value(state: JudgingState, crank: Chain, last: int) -> bool:
     )
 
 
+def leave_premises(state: JudgingState, chain: Chain) -> bool:
+    """Forget equations of another engine's section that fix an undeclared letter here; tell of any.
+
+    The balance mass of the V-twin, m_c r_c = m r, is not that of the V8 below its own heading.
+    """
+    line = chain.lines[0]
+    own = chain.letters - set(state.declarations.symbols_at(line))
+    other = state.sections.headings_name_other_engines
+    premises = [p for p in state.definitions.premises_at(line) if p.fixes in own and other(line, p.line)]
+    for premise in premises:
+        state.definitions.forget(premise.fixes, premise.line)
+        state.definitions.premises.remove(premise)
+    return bool(premises)
+
+
 def _is_of_another_order(node: Formula, claim: Formula, knowledge: Knowledge) -> bool:
     """Tell whether a quantity goes with one power of the rod's ratio and what is said of it with another.
 

@@ -506,7 +506,7 @@ class Sections:
         What the headings of the two sections name goes before what stands between: four cylinders are
         spoken of as two and two.
         """
-        by_headings = self._headings_name_other_engines(chain.lines[0], earlier_line)
+        by_headings = self.headings_name_other_engines(chain.lines[0], earlier_line)
         if by_headings:
             return True
         start = chain.start
@@ -529,7 +529,7 @@ class Sections:
         problems = ["" if mention is None else mention[1] for mention in mentions]
         return problems[0] != problems[1] != ""
 
-    def _headings_name_other_engines(self, line: int, earlier_line: int) -> bool | None:
+    def headings_name_other_engines(self, line: int, earlier_line: int) -> bool | None:
         """Tell whether two lines' headings name different engines; None if one names none."""
         if self.same_section(earlier_line, line):
             return None
