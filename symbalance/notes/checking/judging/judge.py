@@ -260,7 +260,8 @@ class Judge:
         ):
             return self._anew(chain, k) or self._link_in_scope(chain, k, sound, bad)
         contradicts = verdict.verdict == CONTRADICTION or (
-            verdict.verdict == REFUTED and (verdict.reason or "").startswith("contradicts")
+            verdict.verdict in (REFUTED, UNDECIDED)
+            and (verdict.reason or "").startswith(("contradicts", "does not fit"))
         )
         if contradicts and leave_premises(self.state, chain):
             return self._link_in_scope(chain, k, sound, bad)
