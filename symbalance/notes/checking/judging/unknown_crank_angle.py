@@ -78,17 +78,20 @@ def _rests_on(angle: str, state: JudgingState, chain: Chain, k: int, verdict: Ve
     """Tell whether a relation's sides, or the series that fixed a letter in them, come to an angle."""
     decision = verdict.decision
     forms = [] if decision is None else [f for f in (decision.left, decision.right) if f is not None]
-    if any(angle in letters(form) for form in forms):
-        return True
+    return any(angle in letters(form) for form in forms) or angle in names_rested_on(state, chain, k)
+
+
+def names_rested_on(state: JudgingState, chain: Chain, k: int) -> set[str]:
+    """Return the letters of a relation, those in their values, and those of the series that fixed one."""
     knowledge = state.knowledge(chain.lines[0])
     definitions = knowledge.definitions
     values = {**{n: d.node for n, d in definitions.items()}, **knowledge.meaning.values}
     sides = (chain.sides[k].node, chain.sides[k + 1].node)
-    behind = {name for side in sides for name in names_behind(side, values)}
+    behind = {name for side in sides for name in (*names(side), *names_behind(side, values))}
     rows = {definitions[n].line for n in behind if n in definitions and definitions[n].is_coefficient}
     series = (c for c in state.document.chains if rows.intersection(c.lines))
     behind |= {
         name for c in series for side in c.sides for own in names(side.node)
-        for name in names_behind(Name(own), values)
+        for name in (own, *names_behind(Name(own), values))
     }  # fmt: skip
-    return angle in behind
+    return behind

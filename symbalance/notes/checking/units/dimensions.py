@@ -110,6 +110,8 @@ _TYPED = re.compile(r"\\(?:SI|qty)\s*\{(?P<number>[^{}]*)\}\s*\{(?P<unit>[^{}]*)
 _EXPONENT = re.compile(r"\^\s*\{\s*([-−]?[0-9])\s*\}")
 _BEFORE_EXPONENT = re.compile(r"(?<=[A-Za-z]) +\^")
 """The space that the brace around a unit leaves before its exponent, \\mathrm{s}^{-1}."""
+_BRACKET_BEHIND = re.compile(r"\)(?P<unit>[^()]{1,60})$")
+"""The end of a sum in brackets, with its unit."""
 _IN_FRACTION = r"\{((?:[^{}]|\{[^{}]{0,30}\}){1,60})\}"
 _FRACTION = re.compile(rf"\\[dt]?frac\s?{_IN_FRACTION}\s?{_IN_FRACTION}")
 _SETTING = re.compile(r"\\(?:mathrm|text|textrm|mbox|unit|si|rm|cdot)(?![A-Za-z])|\\[,;:! ]|[~${}()\[\]]")
@@ -290,6 +292,14 @@ class Dimensions:
         match = _IN_BRACES.match(source) if isinstance(denominator, Number) else None
         return written_unit(f"0 {source[match.end() :]}")[1] if match else ""
 
+    def behind_bracket(self, node: Formula) -> Dimension | None:
+        r"""Return the dimension of a sum of numbers by the unit behind its bracket: (0.9 + 0.3)\,kg."""
+        match = _BRACKET_BEHIND.search(self.text[node.span[0] : node.span[1]])
+        if match is None:
+            return NONE
+        _, unit = written_unit(f"0 {match['unit']}")
+        return unit_of(unit) if unit else NONE
+
     def unit_at(self, node: Formula, *, alone: bool = False) -> str:
         """Return the unit that stands at a number, or is what a factor was read from; "" for none."""
         is_factor = isinstance(node, Number | formula.Quotient | formula.Product) and not names(node)
@@ -347,7 +357,7 @@ def _sum(dimensions: Dimensions, node: formula.Sum, depth: int) -> Dimension | N
             raise _MismatchError(Mismatch(what, first[1], own))
         first = first or (term, own)
     if first is None:
-        return None if any(names(term) for term in node.terms) else NONE
+        return None if any(names(term) for term in node.terms) else dimensions.behind_bracket(node)
     return first[1]
 
 
