@@ -18,8 +18,8 @@ from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
 
 _OFFSET = re.compile(
-    r"(?:(?<![a-z])offset of (?:the )?(?:cylinder|crank|piston|bore|gudgeon|wrist)"
-    r"|(?:cylinder|crank|piston|pin|bore)(?:'s| axis)? offset|eccentricity of the (?:cylinder|slider)"
+    r"(?:(?<![a-z])offset of (?:the )?(?:cylinder axis|cylinder(?!s)|crank|piston|bore|gudgeon|wrist)"
+    r"|(?:crank|piston|pin|bore|cylinder axis) offset|eccentricity of the (?:cylinder|slider)"
     r"|desachsierung|schränkung|オフセット)",
     re.IGNORECASE,
 )
@@ -34,7 +34,8 @@ def unless_offset(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -
     offset = next((name for name, text in symbols.items() if _OFFSET.search(text)), "")
     if not offset:
         return verdict
-    moved = {name for name, text in symbols.items() if _is_of_centred(text)}
+    given = state.knowledge(chain.lines[0]).definitions.keys()
+    moved = {name for name, text in symbols.items() if _is_of_centred(text)} - given
     if moved.isdisjoint(name.rstrip("'") for name in names_rested_on(state, chain, k)):
         return verdict
     reason = (
