@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from symbalance.document.formula import Formula, Span, names
@@ -25,6 +26,10 @@ class Side:
     def node(self) -> Formula:
         """The usual reading."""
         return self.readings[0]
+
+    def changed(self, change: Callable[[Formula], Formula]) -> Side:
+        """Return the side with each of its readings changed."""
+        return replace(self, readings=tuple(map(change, self.readings)))
 
 
 @dataclass(frozen=True, slots=True)

@@ -146,7 +146,7 @@ def _whole_result(tokens: Sequence[Token]) -> tuple[Number | None, Fraction]:
 def as_printed(side: Side, tokens: Sequence[Token]) -> Side:
     """Return a side that is one decimal times a power of ten or a unit as the number that these make."""
     units = {token.scale for token in tokens if token.scale}
-    return replace(side, readings=tuple(_one_number(node, units) for node in side.readings))
+    return side.changed(lambda node: _one_number(node, units))
 
 
 def _one_number(node: Formula, units: Collection[Fraction]) -> Formula:

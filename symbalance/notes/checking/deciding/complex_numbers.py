@@ -38,8 +38,7 @@ def decide_as_complex(
         return decision
     try:
         sides = [
-            replace(side, readings=tuple(substitute(n, _UNIT, Constant("i")) for n in side.readings))
-            for side in (left, right)
+            side.changed(lambda node: substitute(node, _UNIT, Constant("i"))) for side in (left, right)
         ]
     except NoFormError:
         return decision

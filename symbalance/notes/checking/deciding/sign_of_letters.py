@@ -70,7 +70,7 @@ def decide_with_signs(
 
 
 def _mapped(side: Side, change: Callable[[Formula], Formula]) -> Side:
-    return replace(side, readings=tuple(change(node) for node in side.readings))
+    return side.changed(change)
 
 
 def _below_zero(stated: Any) -> str:

@@ -23,9 +23,8 @@ from symbalance.document.formula import (
     walk,
     with_children,
 )
-from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import SymbolValue
-from symbalance.notes.algebra.tree_values import TreeValues
+from symbalance.notes.algebra.tree_values import NO_VALUE, TreeValues
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.meant.letter_roles import renamed
 
@@ -51,7 +50,7 @@ def _values(node: Formula, point: Mapping[str, Fraction]) -> float:
     """Return a formula's value at a point; NaN where it has none."""
     try:
         value = TreeValues(SymbolValue(), dict(point)).value(node)
-    except (NoFormError, TooLargeError, ZeroDivisionError, ValueError, KeyError, TypeError):
+    except NO_VALUE:
         return float("nan")
     return float(value.real) if abs(value.imag) <= _EXACT * abs(value) else float("nan")
 

@@ -15,8 +15,7 @@ from typing import Any
 
 from symbalance.document.formula import Constant, Derivative, Formula, Name, Negative, Number, names
 from symbalance.document.text_writer import formula_text
-from symbalance.notes.algebra.domain import NoFormError, TooLargeError
-from symbalance.notes.algebra.tree_values import DerivativeForms, TreeValues, letters_behind
+from symbalance.notes.algebra.tree_values import NO_VALUE, DerivativeForms, TreeValues, letters_behind
 from symbalance.notes.algebra.values import Point, context, random_point
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision, digits
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -187,7 +186,7 @@ def values_over_turn(
                 for k in range(GRID)
             ]
             rows.append((point, turn, TreeValues(meaning, point).value(claim).real))
-        except (NoFormError, TooLargeError, ZeroDivisionError, ValueError, KeyError, TypeError):
+        except NO_VALUE:
             continue
     return rows
 

@@ -96,4 +96,4 @@ def decide_for_values(page: ReadNotes, chain: Chain, k: int, knowledge: Knowledg
 
 
 def _at(side: Side, letter: str, value: Formula) -> Side:
-    return replace(side, readings=tuple(substitute(node, letter, value) for node in side.readings))
+    return side.changed(lambda node: substitute(node, letter, value))

@@ -55,7 +55,7 @@ def with_continued_sums(page: ReadNotes) -> ReadNotes:
         return page
 
     def expanded(side: Side) -> Side:
-        return replace(side, readings=tuple(map(_expanded, side.readings)))
+        return side.changed(_expanded)
 
     chains = (replace(c, sides=tuple(map(expanded, c.sides))) for c in page.chains)
     return replace(page, chains=tuple(chains))

@@ -57,10 +57,7 @@ def with_expanded_sums(page: ReadNotes, data: Iterable[Chain] = ()) -> ReadNotes
 
     def expanded(chain: Chain) -> Chain:
         line = chain.lines[0]
-        sides = tuple(
-            replace(side, readings=tuple(_expanded(node, values, line) for node in side.readings))
-            for side in chain.sides
-        )
+        sides = tuple(side.changed(lambda node: _expanded(node, values, line)) for side in chain.sides)
         return replace(chain, sides=sides)
 
     return replace(page, chains=tuple(map(expanded, page.chains)))

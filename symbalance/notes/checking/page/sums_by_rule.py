@@ -61,10 +61,7 @@ def with_sums_by_rule(page: ReadNotes) -> ReadNotes:
         own = {name: rule for name, rule in rules.items() if rule.line < line}
         if not own:
             return chain
-        sides = tuple(
-            replace(side, readings=tuple(_written(node, own, beside) for node in side.readings))
-            for side in chain.sides
-        )
+        sides = tuple(side.changed(lambda node: _written(node, own, beside)) for side in chain.sides)
         return replace(chain, sides=sides)
 
     return replace(page, chains=tuple(map(written, page.chains)))

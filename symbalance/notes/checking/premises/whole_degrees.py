@@ -8,8 +8,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.formula import Name, Number, Product
-from symbalance.notes.algebra.domain import NoFormError, TooLargeError
-from symbalance.notes.algebra.tree_values import TreeValues
+from symbalance.notes.algebra.tree_values import NO_VALUE, TreeValues
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.premises.system import Premise, lines_of
@@ -48,7 +47,7 @@ def _is_satisfied_near(premise: Premise, name: str, degrees: Fraction, knowledge
         try:
             at = TreeValues(meaning, point)
             gap = at.value(premise.left) - at.value(premise.right)
-        except (NoFormError, TooLargeError, ZeroDivisionError, ValueError, KeyError, TypeError):
+        except NO_VALUE:
             return False  # another letter is open
         gaps.append(float(gap.real))
     return gaps[0] * gaps[2] <= 0 and abs(gaps[1]) <= max(abs(gaps[0]), abs(gaps[2]))

@@ -59,10 +59,7 @@ def as_solved_in_words(
 def _decide_with(left: Side, right: Side, name: str, value: Formula, knowledge: Knowledge) -> Decision:
     """Decide whether two sides are equal with a value put in for a letter."""
     try:
-        sides = [
-            replace(side, readings=tuple(substitute(node, name, value) for node in side.readings))
-            for side in (left, right)
-        ]
+        sides = [side.changed(lambda node: substitute(node, name, value)) for side in (left, right)]
     except NoFormError as problem:
         return Decision(UNDECIDED, str(problem))
     return decide_solution(sides[0], sides[1], knowledge)

@@ -91,7 +91,7 @@ def decide_as_counted(chain: Chain, k: int, document: ReadNotes, knowledge: Know
 
 
 def _as_counted(side: Side, scales: Mapping[str, Fraction]) -> Side:
-    return replace(side, readings=tuple(_divided(node, scales) for node in side.readings))
+    return side.changed(lambda node: _divided(node, scales))
 
 
 def _divided(node: Formula, scales: Mapping[str, Fraction]) -> Formula:
