@@ -268,8 +268,8 @@ class NamedQuantities:
         declared = knowledge.meanings.get(name, "")
         sentence, before, around = self._texts(chain)
         heading = self.sections.heading_above(chain.lines[0])
-        told = " ".join(knowledge.meanings.values())
-        places = _Places(around, heading, f"{self.document.text} {told}")
+        meanings = " ".join(knowledge.meanings.values())
+        places = _Places(around, heading, f"{self.document.text} {meanings}")
         by_meaning = [
             replace(named, is_declared=True)
             for named in self._by_phrases(declared, stem, places, declared)
@@ -470,8 +470,8 @@ def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> _N
     near = f"{places.around} {places.heading}" if quantity.only else places.around
     is_other = quantity.unless is not None and quantity.unless.search(places.around) is not None
     if quantity.only is not None and not quantity.only.search(f"{near} {words}"):
-        told = quantity.is_told_once and quantity.only.search(places.page) is not None
-        is_other |= not told or (
+        is_on_page = quantity.is_told_once and quantity.only.search(places.page) is not None
+        is_other |= not is_on_page or (
             quantity.unless is not None and quantity.unless.search(places.page) is not None
         )
     return _Named(quantity, words, places.around, sentence, is_other)
