@@ -10,7 +10,13 @@ from symbalance.notes.checking import check
 from symbalance.notes.checking.verdicts import CONDITIONAL, DEFINITION, FAILING, PREMISE, REFUTED, Verdict
 from tests import TESTS
 
-LINES = tomllib.loads((TESTS / "laws" / "named_quantities.toml").read_text(encoding="utf-8"))
+LAWS = TESTS / "laws"
+FILES = [LAWS / "named_quantities.toml", *sorted((LAWS / "fields").glob("*.toml"))]
+TABLES = [tomllib.loads(file.read_text(encoding="utf-8")) for file in FILES]
+LINES = {
+    kind: [line for table in TABLES for line in table.get(kind, [])]
+    for kind in ("right", "wrong", "open", "rightly")
+}
 
 
 def last_verdict(page: str, symbols: dict[str, str] | None = None) -> Verdict:

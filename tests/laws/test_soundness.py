@@ -29,7 +29,11 @@ from symbalance.notes.checking.verdicts import (
 )
 from tests import TESTS
 
-GROUPS = tomllib.loads((TESTS / "laws" / "false_relations.toml").read_text(encoding="utf-8"))["group"]
+LAWS = TESTS / "laws"
+FILES = [LAWS / "false_relations.toml", *sorted((LAWS / "fields").glob("*.toml"))]
+GROUPS = [
+    group for file in FILES for group in tomllib.loads(file.read_text(encoding="utf-8")).get("group", [])
+]
 KINDS = [group["kind"] for group in GROUPS]
 
 
