@@ -36,6 +36,7 @@ from symbalance.notes.reading.row_vectors import with_row_vectors
 from symbalance.notes.reading.scanned_letters import with_scanned_letters
 from symbalance.notes.reading.short_greek import with_short_greek
 from symbalance.notes.reading.systems_in_braces import with_systems
+from symbalance.notes.reading.templates import formula_of_template, stands_in_formula
 from symbalance.notes.reading.times_in_parts import with_times_in_one
 from symbalance.notes.reading.units_behind_waves import with_units_of_waves
 
@@ -319,13 +320,16 @@ def _template(match: re.Match[str]) -> Texts:
             texts += [*_math_element(element), CELL_END]
         return tuple(texts)
     name, _, inside = match[1].partition("|")
+    if (formula := formula_of_template(match)) is not None:
+        return formula
     if name.strip().lower() not in _SHOWN or not inside:
-        return (" ",)
+        return (" \\template ",) if stands_in_formula(match) else (" ",)
     start = match.start(1) + len(name) + 1
     numbered = _NUMBERED_ARGUMENT.match(inside)
     return (" ", (start + (numbered.end() if numbered else 0), match.end(1)), " ")
 
 
+_TEMPLATE = _rule(r"\{\{([^{}]{1,2000})\}\}", _template)
 _MATH_BEGINS = re.compile(r"<math[\s>]", re.IGNORECASE)
 _NUMBERED_ARGUMENT = re.compile(r"\s*[0-9]\s*=")
 """{{math|1=a = b}}: with its number an argument may hold an equals sign."""
@@ -399,13 +403,13 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
         Rule(_MATH.pattern, lambda match: None), *_DISPLAYED,
         _rule(r"\{\{\s*=\s*\}\}", lambda match: ("=",)),
         _rule(r"^(?P<heading>={2,6})(?P<title>[^=\n](?:[^\n]*?[^=\n])?)(?P=heading)[ \t]*$", _heading),
+        _TEMPLATE,
         _rule(r"^[ \t]*(?:\{\||\|\}|\|-|\|\+)[^\n]*$", _blank),
         _rule(r"^[ \t]*([|!])(?![|}+-])([^\n]*)$", _wiki_row),
-    ), (
+    ), (Rule(_MATH.pattern, lambda match: None), *_DISPLAYED, _TEMPLATE), (
         _MATH, *_DISPLAYED, _STACKED, _RAISED, _LOWERED,
         _rule(r"<ref(?:\s[^<>]*)?/>|<ref(?:\s[^<>]*)?>|</ref>", _gap),
         _INLINE_TAG, _PICTURE, _BLOCK_TAG, _ENTITY,
-        _rule(r"\{\{([^{}]{1,2000})\}\}", _template),
         _rule(r"\[\[(?:[^][|\n]*\|)*([^][|\n]*)\]\]", _inside(1, " ", " ")),
         _rule(r"\[https?://[^\s\]]+", _blank),
         _rule(r"^[:;]+|'{2,5}", _blank),

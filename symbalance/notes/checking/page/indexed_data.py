@@ -65,6 +65,11 @@ class Cell(Protocol):
 
 def rows_of_values(page: ReadNotes, used: Collection[str]) -> Iterator[Chain]:
     """Yield the values of z_1, z_2, … for each row z = (…) of a page that uses z_1 or z_k."""
+    rows = {
+        c.sides[0].node.name
+        for c in page.chains
+        if isinstance(c.sides[0].node, Name) and isinstance(c.sides[-1].node, Matrix)
+    }
     for chain in page.chains:
         head, value = chain.sides[0].node, chain.sides[-1].node
         is_row = isinstance(value, Matrix) and (len(value.rows) == 1 or len(value.rows[0]) == 1)
@@ -73,6 +78,8 @@ def rows_of_values(page: ReadNotes, used: Collection[str]) -> Iterator[Chain]:
         entries = [entry for row in value.rows for entry in row]
         stem = f"{head.name}_"
         numbers = {int(n[len(stem) :]) for n in used if n.startswith(stem) and n[len(stem) :].isdecimal()}
+        if any(f"{stem}{number}" in rows for number in numbers):
+            continue  # F = (2, 6) beside F_1 = (3, 4) is their sum, and F_1 no entry of it
         is_indexed = any((m := _INDEX.fullmatch(name)) and m["stem"] == stem for name in used)
         if not is_indexed and not numbers:
             continue

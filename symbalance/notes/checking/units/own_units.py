@@ -86,9 +86,12 @@ def _chain(
     role = role_of(symbols.get(name, "")) if name else ""
     is_angular = role == ANGULAR or name in _ANGULAR_LETTERS
     counted = _speeds_in(chain, speeds) if name is None else set()
-    as_number = role == ROLE or (name in numbers and not is_angular) or bool(counted & numbers)
+    by_minute = name is None and any(map(_is_of_sixty, chain.sides))
+    as_number = (
+        role == ROLE or (name in numbers and not is_angular) or bool(counted & numbers) or by_minute
+    )
     text = document.text[chain.start : chain.end + _UNIT_LENGTH]
-    by_second = name is None and (bool(counted) or _HERTZ.search(text) is not None)
+    by_second = name is None and (by_minute or bool(counted) or _HERTZ.search(text) is not None)
     is_speed = (name is not None and not is_angular) or by_second
 
     def at_home(node: Formula) -> Formula:
@@ -112,6 +115,11 @@ def _chain(
         for side in chain.sides
     )
     return replace(chain, sides=tuple(sides))
+
+
+def _is_of_sixty(side: Side) -> bool:
+    """Tell whether a side is sixty times what letters say of a second: 60 f in revolutions per minute."""
+    return bool(names(side.node)) and Number(Fraction(60)) in _factors_above(side.node)
 
 
 _HERTZ = re.compile(r"(?<![A-Za-z])[kM]?Hz(?![A-Za-z])")
