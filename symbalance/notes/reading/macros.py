@@ -17,6 +17,7 @@ from symbalance.notes.reading import differential_signs, siunitx
 from symbalance.notes.reading.physics_macros import PHYSICS
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.signs import RELATION
+from symbalance.notes.reading.underlined_letters import is_underlined_letter
 
 # A macro in its own body doubles the text every round: rounds and growth are both bounded.
 MOST_ROUNDS = 30
@@ -477,7 +478,10 @@ _WITH_PLACE_BELOW = ("\\max", "\\min", "\\lim", "\\sup", "\\inf", "\\sum")
 
 
 def _framed(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Span], int] | None:
-    """Return what is underlined as what is boxed: a relation, or a part of one."""
+    """Return what is underlined as what is boxed, a relation or a part of one; a phasor's letter stays."""
+    command = text.rfind("\\", 0, place)
+    if is_underlined_letter(text, command):
+        return None
     parts = _arguments(text, place, pairs, 1)
     return (["\\boxed{", parts[0][0], "}"], parts[1]) if parts else None
 

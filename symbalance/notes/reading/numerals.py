@@ -28,6 +28,10 @@ _GROUPED = re.compile(
 )
 _POINT = re.compile(_APART + r"([0-9]{1,12})\.([0-9]{1,15})(?![0-9A-Za-z]|\.[0-9])")
 _POINTED = re.compile(_APART + r"([1-9][0-9]{0,2})((?:\.[0-9]{3})+)(?![0-9A-Za-z]|\.[0-9])")
+_POINTED_WITH_COMMA = re.compile(
+    _APART + r"(?<!_\{)([1-9][0-9]{0,2}(?:\.[0-9]{3}){1,4}),([0-9]{1,6})(?![0-9A-Za-z]|[.,][0-9])"
+)
+"""4.663,5 has points between thousands and a decimal comma, whatever the rest of the page has."""
 _LANGUAGES = re.compile(
     r"\b(?:und|der|die|das|ist|mit|für|wird|bei|les|des|est|avec|pour|donc|los|las|para|con|della|per|che"
     r"|het|een|voor|och|med|jest|oraz|dla)\b"
@@ -119,6 +123,12 @@ def with_plain_numerals(
     notes: list[str] = []
     commas = _commas(text, notes)
     changes |= commas
+    both = {
+        m.start(): (m.end(), f"{m[1].replace('.', '')}.{m[2]}")
+        for m in _POINTED_WITH_COMMA.finditer(text)
+    }
+    _note(notes, "points between thousands", both, text)
+    changes |= both
     changes |= _scanned(text, is_letter, notes)
     changes |= _dashes(text, notes)
     changes |= {m.start(): (m.end(), "≈") for m in _NEARLY.finditer(text)}
@@ -151,11 +161,12 @@ def with_plain_numerals(
 def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
     """Return the numbers with a comma as they are read, by their places."""
     matches = [match for match in _COMMA.finditer(text) if not _is_pair(text, match)]
+    both = [match for match in _POINTED_WITH_COMMA.finditer(text)]
     grouped = [match for match in _GROUPED.finditer(text) if not _is_pair(text, match)]
-    if not matches and not grouped:
+    if not matches and not grouped and not both:
         return {}
     is_usual = len(_LANGUAGES.findall(text)) >= FEWEST_WORDS
-    sure = [match for match in matches if _is_surely_decimal(match, is_usual)]
+    sure = [*(match for match in matches if _is_surely_decimal(match, is_usual)), *both]
     points = [match for match in _POINT.finditer(text) if len(match[2]) != 3 or match[1] == "0"]
     changes: dict[int, tuple[int, str]] = {}
     if sure and len(sure) >= len(points):
@@ -166,7 +177,9 @@ def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
         _note(notes, "points between thousands", {m.start(): changes[m.start()] for m in thousands}, text)
         return changes
     zeros = {
-        m.start(): (m.end(), f"{m[1]}.{m[3]}") for m in sure if m[1].strip("0") == "" and len(m[3]) > 1
+        m.start(): (m.end(), f"{m[1]}.{m[3]}")
+        for m in sure
+        if m not in both and m[1].strip("0") == "" and len(m[3]) > 1
     }
     if zeros:  # 0,5 · 0,04 among points
         zeros |= {

@@ -111,6 +111,15 @@ _REMARKS = (
     _mark(r"^={2,}[ \t]+([^\n=]*?)[ \t]+={2,}[ \t]*$", _first_group),
 )
 """What people put beside a line, and the signs by which e-mail quotes."""
+_FORUM = (
+    _mark(r"\[(?:tex|latex|math|itex|katex)\]([^\[\]]{0,400}(?:\[[^\[\]]{0,40}\][^\[\]]{0,400}){0,8})\[/(?:tex|latex|math|itex|katex)\]",
+          _in_dollars),
+    _mark(r"\[sub\]([^\[\]\n]{1,40})\[/sub\]", lambda m: ("_{", m.span(1), "}")),
+    _mark(r"\[sup\]([^\[\]\n]{1,40})\[/sup\]", lambda m: ("^{", m.span(1), "}")),
+    _mark(r"\[/?(?:code|pre|list|table|td|tr|th|center|left|right|indent|spoiler|\*)(?:=[^\]\n]{0,40})?\]", lambda m: ("\ue000",)),
+    _mark(r"\[(b|i|u|s|size|color|colour|font|highlight)(?:=[^\]\n]{0,40})?\]([^\[\]\n]{1,300})\[/\1\]", lambda m: (m.span(2),)),
+)  # fmt: skip
+"""The marks of a forum's posts, [b]F = 3[/b] and x[sub]1[/sub]."""
 _WORD = (
     _mark(r"<!\[[^\]<>]{1,80}\]>", _blank),
     _mark(r"</?(?:o|v|w|u[0-9]|st[0-9]):[A-Za-z]+[^<>]*>", lambda m: ("",)),
@@ -145,7 +154,7 @@ _BY_KIND = {
     "tex": (_TEX,),
     "markdown": (_TEX[len(_SLIDES) :], _MARKDOWN),
     "html": (_WORD,),
-    "plain": (_REMARKS,),
+    "plain": (_REMARKS, _FORUM),
 }
 _BY_ENDING = {".org": (_ORG,), ".rst": (_REST,), ".rest": (_REST,)}
 

@@ -41,7 +41,7 @@ _EXPLAINED = re.compile(
 _DEFINED = re.compile(r"(?<![A-Za-z\\_^{\"'.])([A-Za-z])(?:_\w{1,4})?[ \t]*=(?![=>])")
 _PHRASE = re.compile(
     r"(?:^|[.;:,(。、：|\ue000]|(?<=[.;:,])\s|[-*•]\s)\s*(?:(?:The|the|Die|Der|Das|die|der|das|A|An|Our)\s+)?"
-    r"(?P<words>[^\W\d_][\w'’-]+(?:[ ][^\W\d_][\w'’-]*){0,4})\s*$",
+    r"(?P<words>[^\W\d_][\w'’-]+(?:[ ]{1,2}[^\W\d_][\w'’-]*){0,6})\s*$",
     re.MULTILINE,
 )
 _VERBS = word_set(

@@ -19,9 +19,11 @@ from symbalance.notes.reading.division_colons import with_divisions
 from symbalance.notes.reading.extremes_apart import with_extremes_apart, with_extremes_of_bars
 from symbalance.notes.reading.function_names import with_function_names
 from symbalance.notes.reading.greek_words import with_greek_words
+from symbalance.notes.reading.imaginary_j import with_imaginary_j
 from symbalance.notes.reading.joined_dollars import with_joined_dollars, with_units_between_dollars
 from symbalance.notes.reading.letter_e import means_letter, with_number_e
 from symbalance.notes.reading.letter_i import counts_by_i
+from symbalance.notes.reading.letters_in_braces import with_letters_unbraced
 from symbalance.notes.reading.macros import expand_macros
 from symbalance.notes.reading.mathml import is_mathml, mathml_text
 from symbalance.notes.reading.memberships import with_memberships
@@ -30,6 +32,7 @@ from symbalance.notes.reading.numerals import with_plain_numerals
 from symbalance.notes.reading.operator_words import with_operator_words
 from symbalance.notes.reading.page_marks import with_page_marks
 from symbalance.notes.reading.places_in_brackets import with_places
+from symbalance.notes.reading.pointed_words import with_points_left_out
 from symbalance.notes.reading.ranges import with_ranges
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.row_vectors import with_row_vectors
@@ -113,6 +116,8 @@ def prepare(
     if kind in ("tex", "markdown"):
         reader.apply(with_joined_dollars(reader.text))
     for rewrite in (
+        with_letters_unbraced,
+        with_imaginary_j,
         with_row_vectors,
         with_extremes_of_bars,
         with_operator_words,
@@ -132,6 +137,7 @@ def prepare(
         reader.apply(with_extremes_apart(reader.text))
         reader.apply_noted(with_compound_names(reader.text, is_letter))
     if kind == "plain":
+        reader.apply(with_points_left_out(reader.text))
         reader.apply_noted(with_scanned_letters(reader.text))
     reader.apply_noted(with_plain_numerals(reader.text, is_letter))
     reader.apply(with_units_of_waves(reader.text, is_letter))

@@ -100,11 +100,14 @@ def instances_of_rules(page: ReadNotes, used: Collection[str]) -> Iterator[Chain
         if match is None or match["index"].isdecimal() or len(chain.sides) < 2:
             continue
         stem, index, value = match["stem"], match["index"], chain.sides[1].node
-        if chain.relations[0].sign != "=" or not _holds_index(value, index) or not _runs(page, index):
+        if chain.relations[0].sign != "=" or not _holds_index(value, index):
+            continue
+        is_numbered = _is_numbered(value, index, heads)
+        if not (is_numbered or _runs(page, index)):
             continue
         for name in sorted(used):
             number = name[len(stem) :]
-            if name.startswith(stem) and number.isdecimal() and name not in heads:
+            if name.startswith(stem) and number.isdecimal() and (is_numbered or name not in heads):
                 at_number = at_index(value, index, int(number))
                 try:
                     node = substitute(at_number, index, Number(Fraction(int(number))))
@@ -115,6 +118,12 @@ def instances_of_rules(page: ReadNotes, used: Collection[str]) -> Iterator[Chain
 
 def _holds_index(value: Formula, index: str) -> bool:
     return any(name == index or name.endswith(f"_{index}") for name in names(value))
+
+
+def _is_numbered(value: Formula, index: str, heads: set[str]) -> bool:
+    """Tell whether a page gives every letter with an index its values by number: φ_1, φ_2 for φ_k."""
+    stems = [name[: -len(index)] for name in names(value) if name.endswith(f"_{index}")]
+    return bool(stems) and all(f"{stem}1" in heads and f"{stem}2" in heads for stem in stems)
 
 
 def _runs(page: ReadNotes, index: str) -> bool:
