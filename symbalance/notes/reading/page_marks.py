@@ -75,7 +75,11 @@ _EQUALS_IN_WORDS = _mark(
     r"\s*\}",
     lambda m: (" = ",),
 )
-_EVERYWHERE = (_UPRIGHT_FRACTION, _EQUALS_IN_WORDS)
+_MICRO = _mark(  # 27.8\,\mu\text{s}
+    r"(?<=[0-9])((?:\\[,;: ]|[ ~]){0,3})\\mu\s?\\(?:text|textrm|mathrm|mbox|rm)\s?\{\s?([A-Za-z]{1,3})\s?\}",
+    lambda m: (m.span(1), "\\mathrm{u", m.span(2), "}"),
+)
+_EVERYWHERE = (_UPRIGHT_FRACTION, _EQUALS_IN_WORDS, _MICRO)
 _TEX = (
     *_SLIDES,
     _mark(  # units with a raised digit in dollars, \mbox{m/s$^2$}
@@ -86,6 +90,12 @@ _TEX = (
         r"(?:(?<=\s)|(?<=quad)|(?<=[;,~]))[(（]\s*(\\(?:mbox|text|textrm|textit|hbox)\s*\{[^{}$]*\})\s*[)）]"
         + _END_OF_ROW,
         lambda m: ("\\quad", m.span(1)),
+    ),
+    _mark(r"\\(?=(?:short)?intertext\s*\{)", lambda m: (" \\\\ \\",)),
+    _mark(  # (\text{for all }\theta) behind an equation
+        r"((?:\\q?quad|\\[,;: ]|~)\s*)[(（]\s*(\\(?:mbox|text|textrm|textit|hbox)\s*\{[^{}$]*\})"
+        r"[^()=<>≈$\n\\]{0,20}(?:\\(?!leq?|geq?|approx|neq?|in)[a-z]{2,10}[^()=<>≈$\n\\]{0,10}){0,3}[)）]",
+        lambda m: (m.span(1), m.span(2)),
     ),
     _mark(r"\\mathop\s*\{\s*\}\s*(?:\\!)?\s*(?=\\mathrm|\{?\\mathrm)", _blank),
     _mark(  # f\colon\mathbb R\to\mathbb R says from where to where, and claims nothing

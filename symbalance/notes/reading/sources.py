@@ -24,7 +24,9 @@ from symbalance.notes.reading.joined_dollars import with_joined_dollars, with_un
 from symbalance.notes.reading.letter_e import means_letter, with_number_e
 from symbalance.notes.reading.letter_i import counts_by_i
 from symbalance.notes.reading.letters_in_braces import with_letters_unbraced
+from symbalance.notes.reading.listed_letters import with_bounds_of_each
 from symbalance.notes.reading.macros import expand_macros
+from symbalance.notes.reading.marked_letters import with_marked_letters
 from symbalance.notes.reading.mathml import is_mathml, mathml_text
 from symbalance.notes.reading.memberships import with_memberships
 from symbalance.notes.reading.multiples_in_words import with_multiples_in_signs
@@ -117,7 +119,9 @@ def prepare(
         reader.apply(with_joined_dollars(reader.text))
     for rewrite in (
         with_letters_unbraced,
+        with_marked_letters,
         with_imaginary_j,
+        with_bounds_of_each,
         with_row_vectors,
         with_extremes_of_bars,
         with_operator_words,
