@@ -43,6 +43,11 @@ _BRACE = re.compile(r"\\.|[{}]", re.DOTALL)
 _SIGN = re.compile(r"\\(?:[A-Za-z@]+|.)", re.DOTALL)
 _EMPTY = re.compile(r"\{\s*\}")
 
+_WHOLE_FUNCTION = re.compile(
+    r"\s*\\(?:sin|cos|tan|cot|sec|csc|sinh|cosh|tanh|exp|ln|log)(?![A-Za-z])(?!\s*\^)\s*[^\s]"
+)
+_POWER_BEHIND = re.compile(r"\s?\^")
+
 LEFT_ALONE = word_set("section subsection thesection theequation maketitle item labelenumi")
 """Commands of layout whose redefinition changes no formula."""
 
@@ -288,6 +293,12 @@ class Round:
             self.refusals.setdefault(origin, _endless(name))
             return match.end()
         self.room -= max(growth, 0)
+        if (
+            macro is not None
+            and _WHOLE_FUNCTION.match(macro.body)
+            and _POWER_BEHIND.match(self.text, end)
+        ):
+            texts = ["{", *texts, "}"]  # \\C^2 is the square of the whole \\cos\\theta
         first = texts[0] if texts else ""
         first = first if isinstance(first, str) else self.text[slice(*first)]
         before = self.text[max(match.start() - LONGEST_COMMAND, 0) : match.start()]

@@ -138,6 +138,7 @@ def with_plain_numerals(
     changes |= _crosses(text)
     changes |= _parts_of(text)
     changes |= {m.start(): (m.end(), f"({m[1]} + {m[2]})") for m in _MIXED.finditer(text)}
+    changes |= _mixed_and_inches(text)
     changes |= {
         m.start(): (m.end(), f"({_small(m[1])}/{_small(m[2])})") for m in _SMALL_FRACTION.finditer(text)
     }
@@ -284,6 +285,14 @@ _MIXED = re.compile(
     r"(?=[ -]?(?:in|inch|inches|ft|lbs?)(?![A-Za-z]))"
 )
 """One and a half inches as a workshop writes them, 1 1/2 in."""
+_MIXED_SIGN = re.compile(
+    r"(?<![\w.,])(?P<whole>[1-9][0-9]?)(?P<part>[½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞])"
+    r"(?=[ -]?(?:ft|feet|lbs?|cm|mm|m|kg|miles?|hours?|turns?)(?![A-Za-z])|(?P<inch>[ -]?(?:in|inch|inches)(?![A-Za-z])|[\"″]))"
+)
+_INCH_SIGN = re.compile(r"(?<=[0-9])(?<![′'][0-9])(?<![′'][0-9]{2})[\"″](?=[\s.,;:)=<>≈+×x*/-]|$)")
+_OPENED_QUOTE = re.compile(r"(?:^|[\s(\[=])[\"″](?=\w)|[A-Za-z.,!?][\"″]", re.MULTILINE)
+"""A page that quotes with the same sign has no inches in it."""
+
 _PER_MILLE = re.compile(
     r"(?<![\w.,])(?P<whole>[0-9]{1,6})(?:(?P<point>[.,])(?P<rest>[0-9]{1,6}))?(?:[ ~]|\\[,;: ])?"
     r"(?:‰|\\permil(?![a-z]))"
@@ -341,6 +350,18 @@ _ENDING = re.compile(
 )
 _RAISED_POINT = re.compile(r"(?<![\w.,·])[0-9O]{1,6}·[0-9O]{1,6}(?![A-Za-z0-9_·])")
 _SPACED_POINT = re.compile(r"[\w)] ?· |(?<=[^\W\dO])·|·(?=[^\W\dO])")
+
+
+def _mixed_and_inches(text: str) -> dict[int, tuple[int, str]]:
+    """Return 3½ in as a sum of two numbers, and the inches of 5.8" on a page that quotes nothing so."""
+    changes: dict[int, tuple[int, str]] = {}
+    for match in _MIXED_SIGN.finditer(text):
+        unit = " inch" if match["inch"] else ""
+        end = match.end("inch") if match["inch"] else match.end()
+        changes[match.start()] = end, f"({match['whole']} + {match['part']}){unit}"
+    if _OPENED_QUOTE.search(text) is None:
+        changes |= {m.start(): (m.end(), " inch") for m in _INCH_SIGN.finditer(text)}
+    return changes
 
 
 def _accents(text: str) -> dict[int, tuple[int, str]]:

@@ -79,7 +79,8 @@ _MICRO = _mark(  # 27.8\,\mu\text{s}
     r"(?<=[0-9])((?:\\[,;: ]|[ ~]){0,3})\\mu\s?\\(?:text|textrm|mathrm|mbox|rm)\s?\{\s?([A-Za-z]{1,3})\s?\}",
     lambda m: (m.span(1), "\\mathrm{u", m.span(2), "}"),
 )
-_EVERYWHERE = (_UPRIGHT_FRACTION, _EQUALS_IN_WORDS, _MICRO)
+_KERN = _mark(r"\\m?(?:kern|skip)\s?[-+]?[0-9.]{1,8}\s?(?:mu|pt|em|ex|mm)(?![A-Za-z])", _blank)
+_EVERYWHERE = (_UPRIGHT_FRACTION, _EQUALS_IN_WORDS, _MICRO, _KERN)
 _TEX = (
     *_SLIDES,
     _mark(  # units with a raised digit in dollars, \mbox{m/s$^2$}
@@ -115,7 +116,7 @@ _REMARKS = (
     _mark(r"(?<=\s)[:;]-[)(DP](?=\s|$)", _blank),
     _mark(r"(?<=[\w)])[ \t]+<-+[ \t]*(?=[A-Za-z!?])[^\n=<>0-9]*$", _blank),
     _mark(  # and above another line that is quoted, or alone, a line without words: > 3 x, >
-        r"^(?:>[ ]?)+(?!=)(?=[^\n]*(?:[^\W\d_]{2}|[=≈])|[^\n]*\n>(?!=)|[ \t]*$)", _blank
+        r"^[ ]{0,4}(?:>[ ]?)+(?!=)(?=[^\n]*(?:[^\W\d_]{2}|[=≈])|[^\n]*\n>(?!=)|[ \t]*$)", _blank
     ),
     _mark(r"\[/?quote\b[^\]\n]{0,60}\]", lambda m: (" ; ",)),
     _mark(r"^={2,}[ \t]+([^\n=]*?)[ \t]+={2,}[ \t]*$", _first_group),

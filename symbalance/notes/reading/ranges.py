@@ -98,7 +98,11 @@ def _stands_first(text: str, match: re.Match[str]) -> bool:
 
 def _turned_through(match: re.Match[str], plain: list[str], bare: list[str]) -> str | None:
     """Return a list of angles in degrees as the range that holds them, None for fewer than three."""
-    if not all(re.fullmatch(r"-?[0-9.]+", value) for value in bare) or len(bare) <= _PAIR or match["dots"]:
+    if (
+        not all(re.fullmatch(r"-?[0-9.]+", value) for value in bare)
+        or len(bare) <= _PAIR
+        or match["dots"]
+    ):
         return None
     sized = sorted(zip(map(float, bare), plain, strict=True))
     return f"{sized[0][1]} ≤ {match['letter']} ≤ {sized[-1][1]}" if sized[0][0] < sized[-1][0] else None

@@ -14,6 +14,7 @@ from html import unescape
 
 from symbalance.document.wordlists import words
 from symbalance.notes.reading.and_so_on import with_dots
+from symbalance.notes.reading.ascii_math import with_ascii_math
 from symbalance.notes.reading.compound_names import with_compound_names
 from symbalance.notes.reading.division_colons import with_divisions
 from symbalance.notes.reading.extremes_apart import with_extremes_apart, with_extremes_of_bars
@@ -40,7 +41,8 @@ from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.row_vectors import with_row_vectors
 from symbalance.notes.reading.scanned_letters import with_scanned_letters
 from symbalance.notes.reading.short_greek import with_short_greek
-from symbalance.notes.reading.systems_in_braces import with_systems
+from symbalance.notes.reading.systems_in_braces import with_rows_of_relations, with_systems
+from symbalance.notes.reading.tables_of_quantities import with_equations_of_tables
 from symbalance.notes.reading.templates import formula_of_template, stands_in_formula
 from symbalance.notes.reading.times_in_parts import with_times_in_one
 from symbalance.notes.reading.units_behind_waves import with_units_of_waves
@@ -109,6 +111,8 @@ def prepare(
     reader.apply(with_page_marks(reader.text, kind, suffix))
     for rules in _RULES.get(kind, ()):
         reader.apply(_rewritten(reader.text, rules))
+    if kind == "asciidoc":
+        reader.apply(with_ascii_math(reader.text))
     macros = expand_macros(reader.text)
     reader.apply(macros.source)
     own_letters = frozenset({"i"} if counts_by_i(reader.text) else ())
@@ -116,6 +120,7 @@ def prepare(
         own_letters |= {"e"}
         reader.apply(with_number_e(reader.text))
     if kind in ("tex", "markdown"):
+        reader.apply(with_equations_of_tables(reader.text, kind))
         reader.apply(with_joined_dollars(reader.text))
     for rewrite in (
         with_letters_unbraced,
@@ -126,6 +131,7 @@ def prepare(
         with_extremes_of_bars,
         with_operator_words,
         with_multiples_in_signs,
+        with_rows_of_relations,
         with_systems,
         with_memberships,
         with_function_names,

@@ -296,9 +296,10 @@ class Dimensions:
 
     def behind_bracket(self, node: Formula) -> Dimension | None:
         r"""Return the dimension of a sum of numbers by the unit behind its bracket: (0.9 + 0.3)\,kg."""
-        match = _BRACKET_BEHIND.search(self.text[node.span[0] : node.span[1]])
+        source = self.text[node.span[0] : node.span[1]]
+        match = _BRACKET_BEHIND.search(source)
         if match is None:
-            return NONE
+            return NONE if re.search("[-+−]", source) else None  # 3½ in: its unit is not the sum's
         _, unit = written_unit(f"0 {match['unit']}")
         return unit_of(unit) if unit else NONE
 
