@@ -69,6 +69,8 @@ def _divides(text: str, match: re.Match[str]) -> bool:
         return True
     if _GOES_ON.match(text, match.end()) is None:
         return False
+    if before.endswith(("$", "\\(")):
+        return True  # no label stands in a formula: $8:2 = 4$
     is_behind_sign = _SIGN_BEFORE.search(before) is not None
     if is_behind_sign or _LABEL.search(before.rpartition("\n")[2]):
         return is_behind_sign

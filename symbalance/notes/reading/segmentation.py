@@ -691,7 +691,19 @@ def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingE
         return _cut(place, behind)
     line_begin = text.rfind("\n", 0, start) + 1
     before = text[max(line_begin, start - _MARGIN) : start].rpartition(CELL_END)[2].rstrip()
-    return _doubt_before(start, before)
+    return _doubt_of_place(text, start, end, before) or _doubt_before(start, before)
+
+
+_NUMBER_FIRST = re.compile(r"[0-9][0-9.,]*[ ]?(?:°|deg\b)?[ ]?=")
+_PLACE_BEFORE = re.compile(r"[^\W\d_]{2,}[ ](?:at|for|bei|für|à|pour)$")
+
+
+def _doubt_of_place(text: str, start: int, end: int, before: str) -> ReadingError | None:
+    """Return why "drop at 90 = 7.5 - 5.8" gives no number another value: the words are its side."""
+    if _NUMBER_FIRST.match(text, start, end) is None or _PLACE_BEFORE.search(before) is None:
+        return None
+    what = f"a formula that begins in words: {before.rpartition(' ')[2]}"
+    return ReadingError(start, what, "write a letter for what has the value")
 
 
 def _doubt_before(start: int, before: str) -> ReadingError | None:
