@@ -1,7 +1,7 @@
 r"""The imaginary unit written j, on a page that says so: j² = −1, j = \sqrt{-1}, the imaginary unit j.
 
-Elsewhere j is imaginary in a power of e only. A subscript j stays a subscript; a page that counts by i
-keeps its j.
+Elsewhere j is imaginary in a power of e only. A subscript j stays a subscript; a page that counts by i,
+or gives j another value, keeps its j.
 """
 
 from __future__ import annotations
@@ -22,6 +22,9 @@ _IN_SUBSCRIPT = re.compile(r"_\{[^{}]*$")
 _I_COUNTS = re.compile(
     r"(?:\\sum|\\prod|Σ|∑)\s?(?:\\limits)?\s?_\s?\{?\s?i(?![A-Za-z])|_\{?[a-z]?i\}?(?![A-Za-z])"
 )
+_J_COUNTS = re.compile(
+    r"(?<![A-Za-z\\_{])j\s?(?:=\s?(?![-−+\s]*(?:\\sqrt|√|sqrt|e|\\mathrm\{e))|\\in(?![a-z])|∈|\\?[<>≤≥]|\\[lg]eq?(?![a-z]))"
+)
 _AROUND = 16
 
 
@@ -33,7 +36,7 @@ def with_imaginary_j(text: str) -> Rewritten | None:
     >>> with_imaginary_j("$Z = 3 + 4j$, $j = 1, 2$") is None
     True
     """
-    if _SAYS_SO.search(text) is None or _I_COUNTS.search(text) is not None:
+    if _SAYS_SO.search(text) is None or _I_COUNTS.search(text) or _J_COUNTS.search(text):
         return None
     rewriter, changed = Rewriter(text), False
     for match in _J.finditer(text):

@@ -7,8 +7,9 @@ from __future__ import annotations
 
 import re
 
-from symbalance.document.letters import ACCENTS, FONTS, GREEK_SIGN, TIME_DOTS
+from symbalance.document.letters import ACCENTS, FONTS, FUNCTION_WORDS, GREEK_SIGN, TIME_DOTS
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.notes.reading.signs import OPERATOR_COMMANDS, RELATION_COMMANDS, SPACE_COMMANDS
 
 _GREEK = "|".join(sorted(GREEK_SIGN, key=len, reverse=True))
 _LETTER = rf"(?:[A-Za-z]|\\(?:{_GREEK})(?![A-Za-z])\s?)"
@@ -18,7 +19,10 @@ _BRACED = re.compile(
     rf"(?P<frame>\\boxed\s?)?\{{\s?(?:{_FONT})?(?P<letter>(?:{_ACCENT})?(?:{_LETTER}|\{{{_LETTER}\}}))\s?\}}"
     r"(?=\s?(?:_|'|\\prime))"
 )
-_COMMAND_BEFORE = re.compile(r"(?:\\[A-Za-z]+\*?|[}\]_^])\s*$|\\[A-Za-z]+\s?[0-9]$")
+_COMMAND_BEFORE = re.compile(r"(?:\\(?P<command>[A-Za-z]+)\*?|[}\]_^])\s*$|\\[A-Za-z]+\s?[0-9]$")
+_WITHOUT_ARGUMENT = frozenset(
+    (*OPERATOR_COMMANDS, *RELATION_COMMANDS, *SPACE_COMMANDS, *GREEK_SIGN, *FUNCTION_WORDS, "left", "sum")
+)
 _AROUND = 24
 
 
@@ -33,7 +37,8 @@ def with_letters_unbraced(text: str) -> Rewritten | None:
     rewriter, changed = Rewriter(text), False
     for match in _BRACED.finditer(text):
         before = text[max(match.start() - _AROUND, 0) : match.start()]
-        if not match["frame"] and _COMMAND_BEFORE.search(before):
+        command = _COMMAND_BEFORE.search(before)
+        if not match["frame"] and command and command["command"] not in _WITHOUT_ARGUMENT:
             continue
         rewriter.replace(*match.span(), match["letter"])
         changed = True

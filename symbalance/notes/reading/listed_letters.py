@@ -1,4 +1,4 @@
-r"""Letters in a row before one bound, m, n \\ge 1: each of them has it."""
+r"""Letters in a row before one bound, m, n \ge 1: each of them has it."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ _SEPARATED = re.compile(r"(?:[$(;:\n]|\\q?quad|\\[,;: (]|^|[A-Za-z]{2,}\}?|[ï¼Œã
 def with_bounds_of_each(text: str) -> Rewritten | None:
     r"""Return a text with such a bound for each letter, None where there are none.
 
-    >>> with_bounds_of_each(r"for $m,n\\ge1$.").text
-    'for $m\\\\ge1, n\\\\ge1$.'
+    >>> with_bounds_of_each(r"for $m,n\ge1$.").text
+    'for $m\\ge1, n\\ge1$.'
     >>> with_bounds_of_each("$F = m, n > 1$") is None
     True
     """

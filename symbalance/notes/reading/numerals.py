@@ -189,6 +189,8 @@ def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
             if m[1] == "0" and _BEFORE_OPERATION.match(text, m.end())
         }
     _note(notes, "decimal commas", zeros, text)
+    if not points and not is_usual:  # 3,900/2,883 = 1.353 has both, and no words of a decimal comma
+        points = [match for match in _POINT.finditer(text) if _follows_formula(text, match)]
     if points and not zeros:
         changes = {m.start(): (m.end(), m[1] + m[2].replace(",", "")) for m in grouped}
         _note(notes, "commas between thousands", changes, text)

@@ -80,7 +80,15 @@ _MICRO = _mark(  # 27.8\,\mu\text{s}
     lambda m: (m.span(1), "\\mathrm{u", m.span(2), "}"),
 )
 _KERN = _mark(r"\\m?(?:kern|skip)\s?[-+]?[0-9.]{1,8}\s?(?:mu|pt|em|ex|mm)(?![A-Za-z])", _blank)
-_EVERYWHERE = (_UPRIGHT_FRACTION, _EQUALS_IN_WORDS, _MICRO, _KERN)
+_WORDS_OF_ROWS = (
+    _mark(r"\\(?=(?:short)?intertext\s*\{)", lambda m: (" \\\\ \\",)),
+    _mark(  # (\text{for all }\theta) behind an equation
+        r"((?:\\q?quad|\\[,;: ]|~)\s*)[(（]\s*(\\(?:mbox|text|textrm|textit|hbox)\s*\{[^{}$]*\})"
+        r"[^()=<>≈$\n\\]{0,20}(?:\\(?!leq?|geq?|approx|neq?|in)[a-z]{2,10}[^()=<>≈$\n\\]{0,10}){0,3}[)）]",
+        lambda m: (m.span(1), m.span(2)),
+    ),
+)
+_EVERYWHERE = (*_WORDS_OF_ROWS, _UPRIGHT_FRACTION, _EQUALS_IN_WORDS, _MICRO, _KERN)
 _TEX = (
     *_SLIDES,
     _mark(  # units with a raised digit in dollars, \mbox{m/s$^2$}
@@ -91,12 +99,6 @@ _TEX = (
         r"(?:(?<=\s)|(?<=quad)|(?<=[;,~]))[(（]\s*(\\(?:mbox|text|textrm|textit|hbox)\s*\{[^{}$]*\})\s*[)）]"
         + _END_OF_ROW,
         lambda m: ("\\quad", m.span(1)),
-    ),
-    _mark(r"\\(?=(?:short)?intertext\s*\{)", lambda m: (" \\\\ \\",)),
-    _mark(  # (\text{for all }\theta) behind an equation
-        r"((?:\\q?quad|\\[,;: ]|~)\s*)[(（]\s*(\\(?:mbox|text|textrm|textit|hbox)\s*\{[^{}$]*\})"
-        r"[^()=<>≈$\n\\]{0,20}(?:\\(?!leq?|geq?|approx|neq?|in)[a-z]{2,10}[^()=<>≈$\n\\]{0,10}){0,3}[)）]",
-        lambda m: (m.span(1), m.span(2)),
     ),
     _mark(r"\\mathop\s*\{\s*\}\s*(?:\\!)?\s*(?=\\mathrm|\{?\\mathrm)", _blank),
     _mark(  # f\colon\mathbb R\to\mathbb R says from where to where, and claims nothing

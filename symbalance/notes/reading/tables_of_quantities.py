@@ -65,7 +65,7 @@ def with_equations_of_tables(text: str, kind: str) -> Rewritten | None:
                 start = row.start("first") + len(first) - 1
             else:  # F_1 | $\\cos\\theta$
                 rewriter.replace(row.start("first"), row.start("first"), " $")
-        rewriter.replace(start, end, " = ")
+        rewriter.replace(start, end, "=")
     return rewriter.finish()
 
 

@@ -72,7 +72,9 @@ def with_speeds(document: ReadNotes, symbols_at: Symbols) -> ReadNotes:
     }  # n_max beside n_m counts what that counts
     chains = (
         _with_turns_by_the_second(
-            _chain(chain, symbols_at(chain.lines[0]), numbers, speeds, document), numbers & speeds, document
+            _chain(chain, symbols_at(chain.lines[0]), numbers, speeds, document),
+            numbers & speeds,
+            document,
         )
         for chain in document.chains
     )
