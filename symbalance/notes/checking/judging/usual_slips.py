@@ -38,13 +38,13 @@ POINTS = 3
 
 def is_slip(fix: Fix | None, decision: Decision, *, is_datum: bool) -> bool:
     """Tell whether one small slip lies between two sides: a sign, a factor, an exponent, digits."""
-    if is_datum:
-        return fix is not None and _MISPRINT.search(fix.words) is not None
     ratio = ratio_of_sides(decision)
-    if ratio is not None and is_usual_factor(ratio):
+    if ratio is not None and not is_datum and is_usual_factor(ratio):
         return True
-    if fix is None or (isinstance(fix.node, Number) and not fix.node.value):
+    if fix is None:
         return False
+    if is_datum or isinstance(fix.node, Number):  # another number stands for any other
+        return _MISPRINT.search(fix.words) is not None
     kinds = [kind.strip() for kind in fix.kind.split(";")]
     if any(kind.startswith("factor") for kind in kinds):  # by one with letters a side becomes anything
         return kinds != ["factor"] and ratio is None
