@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 
-from symbalance.document.formula import Number
+from symbalance.document.formula import names
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.checking.deciding.equality import Decision
@@ -43,7 +43,7 @@ def is_slip(fix: Fix | None, decision: Decision, *, is_datum: bool) -> bool:
         return True
     if fix is None:
         return False
-    if is_datum or isinstance(fix.node, Number):  # another number stands for any other
+    if is_datum or not names(fix.node):  # another number stands for any other
         return _MISPRINT.search(fix.words) is not None
     kinds = [kind.strip() for kind in fix.kind.split(";")]
     if any(kind.startswith("factor") for kind in kinds):  # by one with letters a side becomes anything
