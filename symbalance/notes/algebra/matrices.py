@@ -129,7 +129,7 @@ class MatrixEvaluator:
         return self._scalar(node)
 
     def _call(self, node: formula.Call) -> Value:
-        """Return the length of a vector of which every entry is known; other functions have no matrices."""
+        """Return the length of a vector whose entries are known; other functions are of no matrix."""
         if node.function != "abs" or not holds_matrices(node.argument, self.kinds):
             return self._scalar(node)
         value = self.value(node.argument)

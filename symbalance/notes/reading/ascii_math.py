@@ -12,8 +12,9 @@ from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 
 _FORMULA = re.compile(r"\\\((?P<inline>[^\\$]{1,2000}?)\\\)|\\\[(?P<display>[^\\$]{1,4000}?)\\\]")
 _SIGNS = {"xx": "\\times ", "oo": "\\infty ", "pm": "\\pm ", "approx": "\\approx "}
+_NAMES = "|".join(sorted((*GREEK_SIGN, *_SIGNS), key=len, reverse=True))
 _WORD = re.compile(
-    rf"(?<![A-Za-z\\])(?P<word>{'|'.join(sorted((*GREEK_SIGN, *_SIGNS), key=len, reverse=True))})(?![A-Za-z])"
+    rf"(?<![A-Za-z\\])(?P<word>{_NAMES})(?![A-Za-z])"
     r"|(?P<implies>=>)|(?P<below><=)|(?P<above>>=)|(?P<near>~~)|(?P<times>\*\*?)"
 )
 _MARKS = {

@@ -489,7 +489,7 @@ _WITH_PLACE_BELOW = ("\\max", "\\min", "\\lim", "\\sup", "\\inf", "\\sum")
 
 
 def _framed(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Span], int] | None:
-    """Return what is underlined as what is boxed, a relation or a part of one; a phasor's letter stays."""
+    """Return what is underlined as what is boxed, a relation or a part; a phasor's letter stays."""
     command = text.rfind("\\", 0, place)
     if is_underlined_letter(text, command):
         return None

@@ -116,16 +116,21 @@ def _factor(match: re.Match[str]) -> tuple[str | Span, ...]:
             return (match.span(name),)
     if match["share"]:
         return (match.span("share"), " %")
-    if match["half"]:
-        return ("(1/2)",)
-    if match["part"] or match["teil"]:
-        below = _PARTS[match["part"]] if match["part"] else _TEILE[match["teil"]]
-        return (f"({_COUNTS.get((match['count'] or match['zahl']).lower(), '1')}/{below})",)
-    if match["tens"]:
-        return (f"{_TENS[match['tens'].lower()]} %",)
+    if part := _part(match):
+        return (part,)
     if match["named"]:
         return (_MULTIPLES[match["named"]],)
     return (_COUNTS[match["counted"]] if match["counted"] else "2",)
+
+
+def _part(match: re.Match[str]) -> str:
+    """Return a half, two thirds or twenty percent in signs, "" for a multiple."""
+    if match["half"]:
+        return "(1/2)"
+    if match["part"] or match["teil"]:
+        below = _PARTS[match["part"]] if match["part"] else _TEILE[match["teil"]]
+        return f"({_COUNTS.get((match['count'] or match['zahl']).lower(), '1')}/{below})"
+    return f"{_TENS[match['tens'].lower()]} %" if match["tens"] else ""
 
 
 def _behind_their_operand(text: str) -> Iterator[_Change]:

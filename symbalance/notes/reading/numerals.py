@@ -162,7 +162,7 @@ def with_plain_numerals(
 def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
     """Return the numbers with a comma as they are read, by their places."""
     matches = [match for match in _COMMA.finditer(text) if not _is_pair(text, match)]
-    both = [match for match in _POINTED_WITH_COMMA.finditer(text)]
+    both = list(_POINTED_WITH_COMMA.finditer(text))
     grouped = [match for match in _GROUPED.finditer(text) if not _is_pair(text, match)]
     if not matches and not grouped and not both:
         return {}
@@ -289,7 +289,8 @@ _MIXED = re.compile(
 """One and a half inches as a workshop writes them, 1 1/2 in."""
 _MIXED_SIGN = re.compile(
     r"(?<![\w.,])(?P<whole>[1-9][0-9]?)(?P<part>[½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞])"
-    r"(?=[ -]?(?:ft|feet|lbs?|cm|mm|m|kg|miles?|hours?|turns?)(?![A-Za-z])|(?P<inch>[ -]?(?:in|inch|inches)(?![A-Za-z])|[\"″]))"
+    r"(?=[ -]?(?:ft|feet|lbs?|cm|mm|m|kg|miles?|hours?|turns?)(?![A-Za-z])"
+    r"|(?P<inch>[ -]?(?:in|inch|inches)(?![A-Za-z])|[\"″]))"
 )
 _INCH_SIGN = re.compile(r"(?<=[0-9])(?<![′'][0-9])(?<![′'][0-9]{2})[\"″](?=[\s.,;:)=<>≈+×x*/-]|$)")
 _OPENED_QUOTE = re.compile(r"(?:^|[\s(\[=])[\"″](?=\w)|[A-Za-z.,!?][\"″]", re.MULTILINE)

@@ -76,7 +76,8 @@ _EQUALS_IN_WORDS = _mark(
     lambda m: (" = ",),
 )
 _MICRO = _mark(  # 27.8\,\mu\text{s}
-    r"(?<=[0-9])((?:\\[,;: ]|[ ~]){0,3})\\mu\s?\\(?:text|textrm|mathrm|mbox|rm)\s?\{\s?([A-Za-z]{1,3})\s?\}",
+    r"(?<=[0-9])((?:\\[,;: ]|[ ~]){0,3})\\mu\s?\\(?:text|textrm|mathrm|mbox|rm)\s?"
+    r"\{\s?([A-Za-z]{1,3})\s?\}",
     lambda m: (m.span(1), "\\mathrm{u", m.span(2), "}"),
 )
 _KERN = _mark(r"\\m?(?:kern|skip)\s?[-+]?[0-9.]{1,8}\s?(?:mu|pt|em|ex|mm)(?![A-Za-z])", _blank)
@@ -125,13 +126,22 @@ _REMARKS = (
 )
 """What people put beside a line, and the signs by which e-mail quotes."""
 _FORUM = (
-    _mark(r"\[(?:tex|latex|math|itex|katex)\]([^\[\]]{0,400}(?:\[[^\[\]]{0,40}\][^\[\]]{0,400}){0,8})\[/(?:tex|latex|math|itex|katex)\]",
-          _in_dollars),
+    _mark(
+        r"\[(?:tex|latex|math|itex|katex)\]([^\[\]]{0,400}(?:\[[^\[\]]{0,40}\][^\[\]]{0,400}){0,8})"
+        r"\[/(?:tex|latex|math|itex|katex)\]",
+        _in_dollars,
+    ),
     _mark(r"\[sub\]([^\[\]\n]{1,40})\[/sub\]", lambda m: ("_{", m.span(1), "}")),
     _mark(r"\[sup\]([^\[\]\n]{1,40})\[/sup\]", lambda m: ("^{", m.span(1), "}")),
-    _mark(r"\[/?(?:code|pre|list|table|td|tr|th|center|left|right|indent|spoiler|\*)(?:=[^\]\n]{0,40})?\]", lambda m: ("\ue000",)),
-    _mark(r"\[(b|i|u|s|size|color|colour|font|highlight)(?:=[^\]\n]{0,40})?\]([^\[\]\n]{1,300})\[/\1\]", lambda m: (m.span(2),)),
-)  # fmt: skip
+    _mark(
+        r"\[/?(?:code|pre|list|table|td|tr|th|center|left|right|indent|spoiler|\*)(?:=[^\]\n]{0,40})?\]",
+        lambda m: ("\ue000",),
+    ),
+    _mark(
+        r"\[(b|i|u|s|size|color|colour|font|highlight)(?:=[^\]\n]{0,40})?\]([^\[\]\n]{1,300})\[/\1\]",
+        lambda m: (m.span(2),),
+    ),
+)
 """The marks of a forum's posts, [b]F = 3[/b] and x[sub]1[/sub]."""
 _WORD = (
     _mark(r"<!\[[^\]<>]{1,80}\]>", _blank),

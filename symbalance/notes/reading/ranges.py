@@ -129,11 +129,20 @@ def _listed(match: re.Match[str]) -> str | None:
     values = [match["first"], *re.findall(_NUMBER, rest)]
     plain = [value.replace("−", "-").replace("{,}", ".") for value in values]
     bare = [_DEGREES.sub("", value) for value in plain]
-    if all(b != p or b == "0" for b, p in zip(bare, plain, strict=True)) and bare != plain:
-        plain = [p if p != "0" else "0°" for p in plain]  # 0, 120°, 240°
-        return _turned_through(match, plain, bare)
+    if (
+        bare != plain
+        and "0" in plain
+        and all(b != p or b == "0" for b, p in zip(bare, plain, strict=True))
+    ):
+        return _turned_through(match, [p if p != "0" else "0°" for p in plain], bare)  # 0, 120°, 240°
     if not all(re.fullmatch(r"-?[0-9.]+", value) for value in bare):
         return None
+    return _plain_list(match, values, plain, bare)
+
+
+def _plain_list(match: re.Match[str], values: list[str], plain: list[str], bare: list[str]) -> str | None:
+    """Return a list of numbers with or without degrees as the range that holds them."""
+    rest = match["rest"]
     if _INDEXED.fullmatch(match["letter"]) and not match["dots"]:  # one value for each k
         sized = sorted(zip(map(float, bare), plain, strict=True))
         sign = "°" if any(value != part for value, part in zip(plain, bare, strict=True)) else ""

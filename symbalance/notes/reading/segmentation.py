@@ -626,8 +626,9 @@ _UNKNOWN_UNIT = re.compile(
 )
 _PART_OF = re.compile(r"(?:of|von|de)\b", re.IGNORECASE)
 _JOINED_BEFORE = re.compile(
-    r"(?:(?<=[0-9%)½¼¾²³}$])\s*(?:of|von|de)|\b(?:twice|(?:half|halves|quarters?|(?:thir|four|fif|six|seven|eigh|nin|ten)(?:d|th)s?|per ?cent|squared?|cube|root"
-    r"|reciprocal) of|(?:[^\W\d_]{2,8}tel|Prozent|Hälfte|Quadrat|Kehrwert) von)"
+    r"(?:(?<=[0-9%)½¼¾²³}$])\s*(?:of|von|de)|\b(?:twice|(?:half|halves|quarters?"
+    r"|(?:thir|four|fif|six|seven|eigh|nin|ten)(?:d|th)s?|per ?cent|squared?|cube|root|reciprocal) of"
+    r"|(?:[^\W\d_]{2,8}tel|Prozent|Hälfte|Quadrat|Kehrwert) von)"
     r"|(?:\b|\s)(?:plus|minus|times|mal|divided by|multiplied by|geteilt durch)"
     r"|(?:[0-9$)}\]²³%]|(?<![^\W_])d?[^\W_])\s+(?:over|durch|über))$",
     re.IGNORECASE,

@@ -49,7 +49,8 @@ def with_systems(text: str) -> Rewritten | None:
 
 
 _ARRAY = re.compile(
-    r"\\begin\s?\{array\}\s?(?:\[[a-z]\]\s?)?\{[rlc@{}\\,;!. ]{2,24}\}(?P<rows>(?:(?!\\begin|\\end).){1,4000}?)\\end\s?\{array\}",
+    r"\\begin\s?\{array\}\s?(?:\[[a-z]\]\s?)?\{[rlc@{}\\,;!. ]{2,24}\}"
+    r"(?P<rows>(?:(?!\\begin|\\end).){1,4000}?)\\end\s?\{array\}",
     re.DOTALL,
 )
 _RIGHT_BRACE = re.compile(

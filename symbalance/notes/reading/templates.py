@@ -10,7 +10,12 @@ import re
 from symbalance.notes.reading.rewriting import Span
 
 _FRACTIONS = ("frac", "sfrac", "tfrac", "dfrac", "fraction", "bruch")
-_ROOTS = ("sqrt", "radic", "root", "wurzel")
+_AROUND_ARGUMENT = {
+    **dict.fromkeys(("sqrt", "radic", "root", "wurzel"), (" √(", ") ")),
+    "sup": ("^{", "}"),
+    "sub": ("_{", "}"),
+    "abs": (" |", "| "),
+}
 _SIGNS = {
     "pi": "π",
     "=": "=",
@@ -28,26 +33,25 @@ _OPERATION_BEHIND = re.compile(r"[ '_]*(?:[=≈+−*/·×^)]|&(?:minus|middot|ti
 
 def formula_of_template(match: re.Match[str]) -> tuple[str | Span, ...] | None:
     """Return a template that is a part of a formula as one, None for any other."""
-    parts = _arguments(match)
-    name = match.string[slice(*parts[0])].strip().lower()
-    values = parts[1:]
+    first, *values = _arguments(match)
+    name = match.string[slice(*first)].strip().lower()
     if name in _SIGNS and not values:
         return (_SIGNS[name],)
-    if name in _FRACTIONS and len(values) == 1:
-        return (" (1/(", values[0], ")) ")
-    if name in _FRACTIONS and len(values) == 2:
-        return (" ((", values[0], ")/(", values[1], ")) ")
-    if name in _FRACTIONS and len(values) == 3:
-        return (" (", values[0], " + (", values[1], ")/(", values[2], ")) ")
-    if name in _ROOTS and len(values) == 1:
-        return (" √(", values[0], ") ")
-    if name == "sup" and len(values) == 1:
-        return ("^{", values[0], "}")
-    if name == "sub" and len(values) == 1:
-        return ("_{", values[0], "}")
-    if name == "abs" and len(values) == 1:
-        return (" |", values[0], "| ")
+    if name in _FRACTIONS and len(values) in (1, 2, 3):
+        return _fraction(values)
+    if name in _AROUND_ARGUMENT and len(values) == 1:
+        left, right = _AROUND_ARGUMENT[name]
+        return (left, values[0], right)
     return None
+
+
+def _fraction(values: list[Span]) -> tuple[str | Span, ...]:
+    """Return {{frac|2}} as a half, {{frac|3|2}} as 3/2, {{frac|1|3|2}} as one and 3/2."""
+    if len(values) == 1:
+        return (" (1/(", values[0], ")) ")
+    if len(values) == 2:
+        return (" ((", values[0], ")/(", values[1], ")) ")
+    return (" (", values[0], " + (", values[1], ")/(", values[2], ")) ")
 
 
 def stands_in_formula(match: re.Match[str]) -> bool:

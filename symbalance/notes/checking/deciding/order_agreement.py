@@ -111,7 +111,7 @@ _LIKE_THEIR_ARGUMENT = ("sin", "tan", "asin", "atan", "sinh", "tanh")
 
 
 def _begin_alike(left: Formula, right: Formula, knowledge: Knowledge) -> bool:
-    """Tell whether two functions of a letter that is called small are both nearly the letter: tan β ≈ sin β."""
+    """Tell whether two functions of a letter called small are both nearly it: tan β ≈ sin β."""
     are_calls = isinstance(left, Call) and isinstance(right, Call) and left.argument == right.argument
     if not are_calls or not isinstance(left, Call) or not isinstance(right, Call):
         return False

@@ -33,11 +33,11 @@ def decide_consequence(
     """
     follows = sections.is_consequence(chain) and sections.follows_at_once(chain)
     is_converse = sections.is_converse(chain)
-    before = _before(document, chain) if follows or is_converse else None
+    # a rate follows from how a quantity is defined, not from one of its values
+    is_rate = any(isinstance(part, Derivative) for side in chain.sides for part in walk(side.node))
+    before = _before(document, chain) if (follows or is_converse) and not is_rate else None
     if before is None or len(before.relations) != 1 or len(chain.relations) != 1:
         return decision
-    if any(isinstance(part, Derivative) for side in chain.sides for part in walk(side.node)):
-        return decision  # a rate follows from how a quantity is defined, not from one of its values
     if is_converse:
         return _converse(before, chain, decision, knowledge)
     sign, first = chain.relations[0].sign, before.relations[0].sign

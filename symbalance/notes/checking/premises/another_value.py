@@ -451,9 +451,8 @@ def refuse_case(
     In prose a new case is said to be one, or stands in a section of its own.
     """
     line, text = chain.lines[0], f"{plain_text(Name(name))} = {plain_text(earlier.node)}"
-    if name in knowledge.angles or definitions.is_stale(name, knowledge):
-        return None
-    if _are_times_of_angles(earlier.node, value):
+    is_moment = name in knowledge.angles or _are_times_of_angles(earlier.node, value)
+    if is_moment or definitions.is_stale(name, knowledge):
         return None
     if definitions.sections.premise_end(chain, is_number=not names(value)) is not None:
         return None

@@ -115,7 +115,8 @@ _BRACKET_BEHIND = re.compile(r"(?:\\right\s?|\\[bB]igg?r\s?)?\)(?P<unit>[^()]{1,
 _IN_FRACTION = r"\{((?:[^{}]|\{[^{}]{0,30}\}){1,60})\}"
 _FRACTION = re.compile(rf"\\[dt]?frac\s?{_IN_FRACTION}\s?{_IN_FRACTION}")
 _SETTING = re.compile(
-    r"\\(?:mathrm|text|textrm|mbox|unit|si|rm|cdot|left|right|[bB]igg?[lr]?)(?![A-Za-z])|\\[,;:! ]|[~${}()\[\]]"
+    r"\\(?:mathrm|text|textrm|mbox|unit|si|rm|cdot|left|right|[bB]igg?[lr]?)(?![A-Za-z])"
+    r"|\\[,;:! ]|[~${}()\[\]]"
 )
 _QUANTITY = re.compile(r"\s*(?P<number>[-+−]?[0-9][0-9.,]*)?\s*(?P<unit>\S.*?)?[\s.,;]*$", re.DOTALL)
 

@@ -1,7 +1,7 @@
 """Turns and radians in one chain: 50 Hz = 314 rad/s says how fast something turns, in both ways.
 
-A turn is 2π radians. What follows a letter is in that letter's unit: in ω = 314 rad/s = 50 Hz the hertz are
-turned into radians, elsewhere the radians into turns. 50 Hz = 50 rad/s is as false as before.
+A turn is 2π radians. What follows a letter is in that letter's unit: in ω = 314 rad/s = 50 Hz the hertz
+are turned into radians, elsewhere the radians into turns. 50 Hz = 50 rad/s is as false as before.
 """
 
 from __future__ import annotations
