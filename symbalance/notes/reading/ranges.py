@@ -45,6 +45,7 @@ _OPERATOR_BEFORE = re.compile(r"(?:[-+−*/·×^=<>≤≥≈]|\\(?:cdot|times|pm
 _LONGEST_BEFORE = 12
 _DEGREES = re.compile(r"(?:\s?°|\^\\circ|\^\{\\circ\})$")
 _INDEXED = re.compile(r"[^_]+_\{?[ijkn]\}?")
+_NUMBERED = re.compile(r"_\{?[0-9]+\}?$|[₀-₉]$")
 _PAIR = 2
 _LENGTHS = frozenset(("mm", "cm", "m"))
 """Units between which a list of values may change."""
@@ -104,6 +105,9 @@ def _turned_through(match: re.Match[str], plain: list[str], bare: list[str]) -> 
         or match["dots"]
     ):
         return None
+    before = match.string[max(match.start() - _LONGEST_BEFORE, 0) : match.start()].rstrip()
+    if _NUMBERED.search(match["letter"]) or before.endswith((",", "dots", "…")):
+        return None  # δ_1, …, δ_5 = 0°, 144°, …: a value for each
     sized = sorted(zip(map(float, bare), plain, strict=True))
     return f"{sized[0][1]} ≤ {match['letter']} ≤ {sized[-1][1]}" if sized[0][0] < sized[-1][0] else None
 
