@@ -80,6 +80,12 @@ PAGES = [
         "\\newcommand{\\ii}{\\mathrm{i}\\mkern1mu}\n$(1+\\ii)^2 = 2\\ii$, $(1+\\ii)^2 = -2\\ii$",
         [YES, NO],
     ),
+    (
+        "thousands behind a dollar",
+        ".md",
+        "$F$ = 14 500 N, $p$ = 1 200 000 Pa = 12 bar = 13 bar",
+        [GIVEN, GIVEN, YES, NO],
+    ),
     ("an arrow between two numbers", ".txt", "x = 3 => 2", ["unreadable", GIVEN]),
 ]
 
