@@ -318,9 +318,12 @@ def _as_meant(
 
     One that is wrong by a slip is mended for the lines that follow.
     """
-    if definition.status == DEFINITION:
+    outcome: Verdict | Decision | None = None
+    if definition.status in (DEFINITION, PREMISE):
+        outcome = state.engine_resultants.judge(chain, k, knowledge)
+    if outcome is None and definition.status == DEFINITION:
         outcome = state.meant.judge(chain, k, knowledge)
-    else:
+    elif outcome is None:
         outcome = state.meant.again(chain, k, knowledge)
     if outcome is None and definition.status in STATED:
         outcome = value_at_dead_centre(state, chain, k, knowledge)
