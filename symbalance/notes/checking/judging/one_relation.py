@@ -180,7 +180,8 @@ def _judge_step(
         return by_quantity
     by_name = state.named.of_another(chain, k, knowledge)
     if by_name is None and decision.status == UNDECIDED:
-        by_name = state.named.judge(chain, k, knowledge)
+        by_name = state.engine_resultants.judge(chain, k, knowledge)
+        by_name = by_name or state.named.judge(chain, k, knowledge)
     if by_name is not None:
         return by_name
     verdict = add_fix_of_relation(

@@ -27,6 +27,7 @@ from symbalance.document.formula import (
     Product,
     Quotient,
     names,
+    walk,
 )
 from symbalance.document.letters import plain_letter
 from symbalance.notes.algebra.evaluation import SymbolValue
@@ -82,10 +83,10 @@ _FORCE = re.compile(
 _TORQUE = re.compile(r"torque|drehmoment|トルク|of\s+inertia\b(?!\s+(?:force|couple))|trägheitsm", re.IGNORECASE)
 _ROTATING = re.compile(r"rotating|revolving|rotierend|umlaufend|回転(?:部分|質量)|tournant|rotante|rotativ", re.IGNORECASE)
 _PART = re.compile(
-    r"\b(?:pairs?|half|halves|halved|outer|inner|middle|front|rear|single|each|every|per|both|either|component|twice|thrice"
+    r"\b(?:pairs?|half|halves|halved|outer|inner|middle|front|rear|single|each(?!\s+(?:crank\s?)?(?:pin|throw))|every|per|both|either|component|twice|thrice"
     r"|times|double[ds]?|mean|average|rms|gas|rods?|bearings?|ratio|left\s+over|residual|component\w*|per\s*cent)\b|%"
     r"|\b(?:one|a|two|three|another)\s+(?:cylinder|piston|crank|bank|throw)s?\b|cylinders?\s+[0-9]|pistons?\s+[0-9]"
-    r"|balanc(?:er|ing|ed|es|e\s+(?:shaft|weight|mass))|lanchester|counter-?(?:weight|balance|rotat)|ausgleich|gegengewicht"
+    r"|(?<!un)balanc(?:er|ing|ed|es|e\s+(?:shaft|weight|mass))|lanchester|counter-?(?:weight|balance|rotat)|ausgleich|gegengewicht"
     r"|paar|hälfte|halbe|äußere|innere|vordere|hintere|mittlere|\bje\b|jede[rsnm]?\b|einzel|eines\s+zylinders|restlich"
     r"|verbleibend|doppelte|zylinder\s+[0-9]|pleuel|lager\b|gaskr|komponente|restkraft|restmoment"
     r"|chaque|chacun|demi|moitié|équilibr|contrepoids|cada|mitad|contrapes|equilibr|ciascun|metà|każd|połow"
@@ -132,6 +133,10 @@ _AMPLITUDES = frozenset("F P S Q K Z C R X T f p".split())
 _ANGLES = frozenset("theta varphi phi vartheta alpha psi beta gamma".split())
 _RATIOS = frozenset({"lambda", "lam"})
 _MOST = 400
+_OPENING = re.compile(
+    r"(?:\s|\$|\\\[|\\\(|\\begin\{[a-z]+\*?\}|\\displaystyle|&|</?(?:p|div|math|span|li)\b[^<>]{0,40}>|`|>)+$"
+)
+"""What stands between words and the formula that is set off from them."""
 _SENTENCE_END = re.compile(r"[.!?]\s+(?![IVX0-9]{1,3}\.|Ordnung|order)|[。；;]|\n\s*\n|\n#|\n\s*(?:[-*+]|[0-9]+[.)])\s|\n\s*\||\n(?=[^\n]*:\s*\n)|\\item|<li|<p\b")
 
 
@@ -143,6 +148,8 @@ class _Claim:
     order: int
     kind: str
     words: str
+    own: str
+    """The words between the relations before and behind."""
     sentence: str
     around: str
     is_rotating: bool = False
@@ -177,12 +184,15 @@ _BY_MEANING = {
     "crank radius": "radius", "rod length": "rod", "angular speed": "speed", "reciprocating mass": "mass",
     "rotating mass": "mass", "rod ratio l/r": "inverse", "crank ratio r/l": "ratio",
 }  # fmt: skip
+_MASS_OF_ONE = re.compile(r"mass\w*\s+(?:of|per|je|pro|d.un|eines|einer)\s+(?:\w+\s+){0,3}(?:cylinder|piston|zylinders?|kolbens?)", re.IGNORECASE)
+_SUMMED = re.compile(r"\\sum|Σ|∑|_\{?[ijk]\b")
+_IS = re.compile(r"\s*(?:is|being|denotes|be|ist|sei|bezeichnet|jest|oznacza|est|étant|es|è|は|を|\(|:|the\b)", re.IGNORECASE)
 _KINDS = {"ratio": "exponent", "mass": "exponent", "speed": "exponent", "radius": "exponent", "wave": "order"}
 _IN_A_CASE = re.compile(
     r"\b(?:if|when|where|speed|wenn|falls|doubles?|doubled|increas\w*|grows?)\b|のとき|の場合|same\s+as|compared|vergl|than\b|wie\s+beim",
     re.IGNORECASE,
 )
-_OF_ANOTHER = re.compile(r"\b(?:divided|per\s+unit|relative|bezogen|ratio|normali[sz]ed|squared?)\b|比", re.IGNORECASE)
+_OF_ANOTHER = re.compile(r"\b(?:divided|per\s+unit|relative|bezogen\s+auf\s+\$|ratio|normali[sz]ed|squared?)\b|比", re.IGNORECASE)
 
 
 @dataclass
@@ -211,6 +221,7 @@ class EngineResultants:
     def judge(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
         """Return the verdict on a relation that gives a letter a formula; None for others."""
         head = chain.sides[0].node
+        head = head.argument if isinstance(head, Call) and head.function == "abs" else head
         if k or not isinstance(head, Name) or chain.relations[0].sign not in "=≈":
             return None
         if head.name in knowledge.letters or not self._engines.mentions:
@@ -233,13 +244,16 @@ class EngineResultants:
 
     def _claim(self, name: str, chain: Chain) -> _Claim | None:
         start, end = min(s.span[0] for s in chain.sides), chain.end
-        before, behind, sentence = self._words_around(chain, start, end)
+        before, behind, sentence, own = self._words_around(chain, start, end)
         heading = self.sections.heading_above(chain.lines[0])
         order, said = 0, ""
-        for words in (before, behind, heading):
+        title = self._text[: self._line_starts[1]]
+        for words in (before, behind, heading, title):
             if _ORDER_WORD.search(words) and (order := _order_in(words, name)):
                 said = words
                 break
+        if not order:
+            order, said = self._order_otherwise(name, chain, before, sentence)
         kind = next((k for w in (before, behind, said) if (k := _kind_in(w, name))), "")
         is_rotating = _ROTATING.search(before) is not None
         if is_rotating and not order:
@@ -252,10 +266,25 @@ class EngineResultants:
             return None
         paragraph = self._text[self._line_starts[self.sections.paragraph_start(chain.lines[0]) - 1] : end]
         around = f"{heading} {paragraph} {sentence}"
-        return _Claim(engine, order, kind, _plain(said), sentence, around, is_rotating)
+        return _Claim(engine, order, kind, _plain(said), own, sentence, around, is_rotating)
 
-    def _words_around(self, chain: Chain, start: int, end: int) -> tuple[str, str, str]:
-        """Return the words before a formula, behind it, and its whole sentence."""
+    def _order_otherwise(self, name: str, chain: Chain, before: str, sentence: str) -> tuple[int, str]:
+        """Return the order that an index or the formula's own wave says, where it is of the whole engine."""
+        if not _WHOLE.search(sentence) and not _WHOLE.search(before):
+            return 0, ""
+        waves = [p for p in walk(chain.sides[1].node) if isinstance(p, Call) and p.function in ("cos", "sin")]
+        number = _wave(waves[0])[0] if len(waves) == 1 else 0
+        if number in _POWERS and not _index(name):
+            return number, before
+        stem, index = name.partition("_")[0], _index(name)
+        heads = {c.sides[0].node.name for c in self.words.document.chains if isinstance(c.sides[0].node, Name)}
+        indices = {_index(n) for n in heads if n.partition("_")[0] == stem}
+        is_order = index in (1, 2) and indices <= {1, 2, 4, 6} and (_COUPLE.search(before) or _FORCE.search(before))
+        return (index, before) if is_order else (0, "")
+
+    def _words_around(self, chain: Chain, start: int, end: int) -> tuple[str, str, str, str]:
+        """Return the clause before a formula, words behind it, its sentence, and what of it is its own."""
+        start = self._opening(start)
         first, last = self._sentence(start, end)
         others = [c for c in self.words.document.chains if c is not chain and c.relations]
         earlier = max((c.end for c in others if first <= c.end <= start), default=first)
@@ -265,7 +294,14 @@ class EngineResultants:
         before = next((c for c in clause[:0:-1] if _ORDER_WORD.search(c)), before)
         if header := self.words.header_of_column(chain):
             before = f"{header} {self._row_label(start)} {before}"
-        return before, self._text[end : min(later, end + 90)], self._text[first:last]
+        behind, own = self._text[end : min(later, end + 90)], self._text[earlier:start]
+        return before, behind, self._text[first:last], f"{own} {behind}"
+
+    def _opening(self, start: int) -> int:
+        """Return where the words end that a formula is set off from, by a line of its own or by signs."""
+        floor = max(0, start - _MOST)
+        bare = _OPENING.sub("", self._text[floor:start])
+        return start if bare.endswith((".", "!", "?", "。")) else floor + len(bare)
 
     def _row_label(self, start: int) -> str:
         """Return what the first cell of a table's row says, as an order where its column is of orders."""
@@ -314,13 +350,14 @@ class EngineResultants:
         """Return a product with the letters put in that the page has defined as products."""
         for name in [*product.powers]:
             definition = knowledge.definitions.get(name)
-            if definition is None or definition.numeric or name == head or not names(definition.node):
+            is_size = self._role(name, self._letter_roles(knowledge), None) not in ("base", "arm", "other")
+            if definition is None or definition.numeric or is_size or not names(definition.node):
                 continue
             try:
                 value = product_of(definition.node)
             except NoProductError:
                 continue
-            if value.wave is not None or head in value.powers or set(value.powers) <= _RODS | _RADII:
+            if value.wave is not None or head in value.powers:
                 continue
             power = product.powers[name]
             rest = {n: p for n, p in product.powers.items() if n != name}
@@ -345,9 +382,9 @@ class EngineResultants:
             slips.append("factor")
         if not slips:
             return Decision(PROVED, assumptions=(self._assumption(name, claim), *self._conditions(claim, parts)))
-        if len(slips) != 1 or not self._may_accuse(claim, parts, product, slips[0], sizes, float(first)):
+        if len(slips) != 1 or not self._may_accuse(chain, knowledge, claim, parts, product, slips[0], sizes, float(first)):
             return None
-        return self._refuted(chain, name, claim, parts, slips[0], sizes[0] * float(first), knowledge)
+        return self._refuted(chain, name, claim, parts, slips[0], sizes[0] * float(first) / number)
 
     def _assumption(self, name: str, claim: _Claim) -> str:
         of = "rotating " if claim.is_rotating else ""
@@ -413,18 +450,18 @@ class EngineResultants:
         meanings = {n: p.meaning for n, p in self.words.proposals.items() if p.words}
         return {**meanings, **knowledge.meanings}
 
-    def _role(self, name: str, roles: Mapping[str, str], claim: _Claim) -> str:
+    def _role(self, name: str, roles: Mapping[str, str], claim: _Claim | None) -> str:
         stem, _, index = name.partition("_")
         meaning = roles.get(name, "")
-        before = self._roles.words_before(name)
-        if any(_ends(_PITCH_WORDS, w) for w in before) or _PITCH_WORDS.search(meaning):
+        if self._pitch_words(name) or _PITCH_WORDS.search(meaning):
             return "arm"
         for words, role in _BY_MEANING.items():
             if meaning.startswith(words):
                 return role
         if stem in _RATIOS:
             return "ratio"
-        if claim.order > 1 and stem in ("A", "B", "C", "a", "b", "c", "alpha", "beta") and index == str(claim.order):
+        is_couple = claim is not None and claim.kind == COUPLE
+        if claim is not None and claim.order > 1 and stem in ("A", "B", "C", "a", "b", "c", "alpha", "beta") and index == str(claim.order):
             return "coefficient"
         if stem in _MASSES:
             return "mass"
@@ -436,9 +473,20 @@ class EngineResultants:
             return "rod"
         if name == "n":
             return "inverse"
-        if stem in _AMPLITUDES and not (stem == "p" and claim.kind == COUPLE):
+        if stem in _AMPLITUDES and not (stem == "p" and is_couple):
             return "base"
-        return "arm" if claim.kind == COUPLE and stem in _ARMS else "other"
+        return "arm" if is_couple and stem in _ARMS else "other"
+
+    def _pitch_words(self, name: str) -> list[str]:
+        """Return the words that call a letter the distance of cylinders, before or behind it."""
+        before = [w for w in self._roles.words_before(name) if _ends(_PITCH_WORDS, w)]
+        sign = re.escape(plain_letter(name))
+        behind = re.compile(rf"(?<![\\A-Za-z_]){sign}(?![A-Za-z_])\s?\$?\s?(?P<words>[^$;.\n=]{{0,50}})")
+        return before + [
+            m["words"]
+            for m in behind.finditer(self._text)
+            if _IS.match(m["words"]) and _PITCH_WORDS.search(m["words"])
+        ]
 
     # What is wrong
 
@@ -459,6 +507,8 @@ class EngineResultants:
 
     def _may_accuse(
         self,
+        chain: Chain,
+        knowledge: Knowledge,
         claim: _Claim,
         parts: _Parts,
         product: ProductOfPowers,
@@ -471,11 +521,12 @@ class EngineResultants:
             return False
         if slip != "factor":
             return not _OF_ANOTHER.search(claim.sentence)
-        if len(sizes) != 1 or _PART.search(claim.sentence) or _TOTAL_MASS.search(self._text):
+        own = claim.own.replace(claim.engine.words, "")
+        if len(sizes) != 1 or _PART.search(own) or _TOTAL_MASS.search(self._text):
             return False
         number, size = abs(product.number) / first, sizes[0]
         if _same(number, 1, product.rounding) and claim.kind == FORCE:
-            return self._is_of_all(claim)
+            return self._is_of_all(chain, claim, knowledge)
         if claim.kind == FORCE or not size:
             return bool(size) or not _same(number, 1, product.rounding)
         if claim.engine.is_boxer and len(claim.engine.stars[0].degrees) > 2:
@@ -483,15 +534,47 @@ class EngineResultants:
         count = len(claim.engine.stars[0].degrees)
         scales = (2.0, 0.5, count - 1.0, 1 / (count - 1.0), (count - 1) / 2, 2 / (count - 1.0))
         is_scaled = any(_same(number, size * scale, product.rounding) for scale in scales)
-        before = self._roles.words_before(parts.arm)
-        is_pitch = any(_ends(_PITCH_WORDS, w) and not _FAR_APART.search(w) for w in before)
+        is_pitch = any(not _FAR_APART.search(w) for w in self._pitch_words(parts.arm))
         return not is_scaled or (is_pitch and not _FAR_APART.search(claim.around))
 
-    def _is_of_all(self, claim: _Claim) -> bool:
-        """Tell whether one cylinder's amplitude is said to be the whole engine's."""
-        if _OF_ONE.search(self._text) or re.search(r"\\sum|Σ|∑|_\{?[ijk]\b", self._text):
+    def _is_of_all(self, chain: Chain, claim: _Claim, knowledge: Knowledge) -> bool:
+        """Tell whether one cylinder's amplitude is said to be the whole engine's.
+
+        The words say so, or another line of the section is the whole engine's: then a formula of one
+        cylinder would be told apart. Where the letter is used further on, it may be one cylinder's.
+        """
+        if _OF_ONE.search(_MASS_OF_ONE.sub("", self._text)) or _SUMMED.search(self._text):
             return False
-        return _WHOLE.search(claim.sentence) is not None or _WHOLE.search(claim.around) is not None
+        head = chain.sides[0].node
+        others = [c for c in self.words.document.chains if c is not chain and c.relations]
+        if any(isinstance(head, Name) and head.name in names(s.node) for c in others for s in c.sides[1:]):
+            return False
+        near = [c for c in others if self.sections.same_section(c.lines[0], chain.lines[0])]
+        amounts = [self._amount(c, claim.engine, knowledge) for c in near]
+        if any(of == (claim.order, claim.kind) and is_all for of, is_all in amounts):
+            return False
+        is_said = _WHOLE.search(claim.sentence) is not None or _WHOLE.search(claim.around) is not None
+        return is_said or any(is_all for _, is_all in amounts)
+
+    def _amount(
+        self, chain: Chain, engine: NamedEngine, knowledge: Knowledge
+    ) -> tuple[tuple[int, str], bool]:
+        """Return the order and kind of another formula, and whether it is the whole engine's and not one cylinder's."""
+        head, value = chain.sides[0].node, chain.sides[1].node
+        claim = self._claim(head.name, chain) if isinstance(head, Name) else None
+        if claim is None or claim.engine.key != engine.key or not claim.engine.stars:
+            return (0, ""), False
+        sizes = claim.sizes()
+        if not names(value):
+            is_zero = isinstance(value, Number) and not value.value
+            return (claim.order, claim.kind), is_zero and not any(sizes)
+        try:
+            number = abs(self._expanded(product_of(value), "", knowledge).number)
+        except NoProductError:
+            return (0, ""), False
+        firsts = (1.0, float(_FIRST_TERMS[claim.order]))
+        is_all = any(_same(number, size * first) for size in sizes for first in firsts)
+        return (claim.order, claim.kind), is_all and (claim.kind == COUPLE or not _same(number, 1))
 
     def _refuted(
         self,
@@ -500,12 +583,11 @@ class EngineResultants:
         claim: _Claim,
         parts: _Parts,
         slip: str,
-        number: float,
-        knowledge: Knowledge,
+        factor: float,
     ) -> Verdict | None:
         side = chain.sides[1]
         own = product_of(without_dots(side.node)[0])
-        target = self._mended(own, parts, slip, number, claim)
+        target = self._mended(own, parts, slip, factor, claim)
         if target is None:
             return None
         known = Knowledge(SymbolValue(positive=frozenset(names(side.node))), corrects=True)
@@ -518,15 +600,12 @@ class EngineResultants:
         return replace(verdict, fix=fix_of(repair, self.words.document, side))
 
     def _mended(
-        self, own: ProductOfPowers, parts: _Parts, slip: str, number: float, claim: _Claim
+        self, own: ProductOfPowers, parts: _Parts, slip: str, ratio: float, claim: _Claim
     ) -> Formula | None:
         """Return a claim with its one slip put right, in its own letters."""
         powers, factor, wave = dict(own.powers), abs(own.number), own.wave
         if slip == "factor":
-            is_own = set(own.powers) == set(parts.powers)
-            if not is_own:
-                return None
-            factor = number
+            factor *= ratio
         elif slip == "ratio":
             name = parts.letter.get("ratio") or ("lambda" if "rod" not in parts.letter else "")
             if name:
