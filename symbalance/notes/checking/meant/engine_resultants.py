@@ -521,8 +521,9 @@ class EngineResultants:
             return False
         if slip != "factor":
             return not _OF_ANOTHER.search(claim.sentence)
-        own = claim.own.replace(claim.engine.words, "")
-        if len(sizes) != 1 or _PART.search(own) or _TOTAL_MASS.search(self._text):
+        own = f"{claim.words} {claim.own}".replace(claim.engine.words, "")
+        is_part = _PART.search(own) or _OF_ONE.search(own)
+        if len(sizes) != 1 or is_part or not self._is_told(parts.letter.get("base", "")) or _TOTAL_MASS.search(self._text):
             return False
         number, size = abs(product.number) / first, sizes[0]
         if _same(number, 1, product.rounding) and claim.kind == FORCE:
@@ -536,6 +537,14 @@ class EngineResultants:
         is_scaled = any(_same(number, size * scale, product.rounding) for scale in scales)
         is_pitch = any(not _FAR_APART.search(w) for w in self._pitch_words(parts.arm))
         return not is_scaled or (is_pitch and not _FAR_APART.search(claim.around))
+
+    def _is_told(self, base: str) -> bool:
+        """Tell whether a letter for an amplitude is said to be one cylinder's; also where there is none."""
+        if not base:
+            return True
+        sign = re.compile(rf"(?<![\\A-Za-z_]){re.escape(plain_letter(base))}(?![A-Za-z])")
+        places = [m.start() for m in sign.finditer(self._text)]
+        return any(_OF_ONE.search(self._text, max(0, place - 80), place + 80) for place in places)
 
     def _is_of_all(self, chain: Chain, claim: _Claim, knowledge: Knowledge) -> bool:
         """Tell whether one cylinder's amplitude is said to be the whole engine's.

@@ -85,7 +85,11 @@ _ORDER_LIST = re.compile(
     re.IGNORECASE,
 )
 _TWO_STROKE = re.compile(
-    r"(?:two|2)[\s-]?stroke|(?:zwei|2)[\s-]?takt|2\s?(?:サイクル|ストローク)|deux\s+temps|dos\s+tiempos|due\s+tempi",
+    r"(?:two|2)[\s-]?stroke(?!s)|(?:zwei|2)[\s-]?takt|2\s?(?:サイクル|ストローク)|deux\s+temps|dos\s+tiempos|due\s+tempi",
+    re.IGNORECASE,
+)
+_FOUR_STROKE = re.compile(
+    r"(?:four|4)[\s-]?stroke(?!s)|(?:vier|4)[\s-]?takt|4\s?(?:サイクル|ストローク)|quatre\s+temps|cuatro\s+tiempos|quattro\s+tempi",
     re.IGNORECASE,
 )
 _INLINE = {
@@ -189,6 +193,22 @@ class EnginesInWords:
         """Return an engine with the cranks that it may have, by the words around: a section's or a page's."""
         around = f"{heading}\n{self.text[first:last]}"
         return replace(engine, stars=_stars_of(engine, around))
+
+
+def is_another_engine(before: NamedEngine, now: NamedEngine) -> bool:
+    """Tell whether two mentions are of two engines: other cylinders, opposed ones, a twin of another crank."""
+    is_other_twin = bool(before.turn and now.turn and before.turn != now.turn)
+    return before.cylinders != now.cylinders or before.is_boxer != now.is_boxer or is_other_twin
+
+
+def cycle_named(words: str) -> int:
+    """Return 2 or 4 where words name engines of that many strokes, 0 where they name none or both.
+
+    >>> cycle_named("for a two-stroke engine"), cycle_named("Viertakt"), cycle_named("two strokes")
+    (2, 4, 0)
+    """
+    cycles = {2 if _TWO_STROKE.search(words) else 0, 4 if _FOUR_STROKE.search(words) else 0} - {0}
+    return cycles.pop() if len(cycles) == 1 else 0
 
 
 def _stars_of(engine: NamedEngine, around: str) -> tuple[CrankStar, ...]:

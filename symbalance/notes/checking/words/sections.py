@@ -12,6 +12,12 @@ from symbalance.document.formula import Constant, Name, Number, names, walk
 from symbalance.document.letters import is_greek
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.words import case_words
+from symbalance.notes.checking.words.engines_in_words import (
+    EnginesInWords,
+    NamedEngine,
+    cycle_named,
+    is_another_engine,
+)
 from symbalance.notes.checking.words.bodies_named import body_named
 from symbalance.notes.checking.words.items import item_end
 from symbalance.notes.checking.words.listed_cases import item_of_cases
@@ -514,6 +520,11 @@ class Sections:
         starts = self._by_start[0]
         place = bisect_left(starts, min(start, self._start_of_line(earlier_line + 1)))
         earlier = max(earlier, starts[place - 1] if place else 0)  # where the last one on its line begins
+        if self._names_another_cycle(start, earlier):
+            return True
+        pair = [self._named_in_paragraph(place) for place in (earlier, start)]
+        if pair[0] is not None and pair[1] is not None and is_another_engine(*pair):
+            return True
         text = self.document.text
         before, now = (
             case_words.engine_of(self._engines.last_before(place)) for place in (earlier, start)
@@ -528,6 +539,24 @@ class Sections:
         mentions = [self._problems.last_before(place) for place in (earlier, start)]
         problems = ["" if mention is None else mention[1] for mention in mentions]
         return problems[0] != problems[1] != ""
+
+    def _named_in_paragraph(self, place: int) -> NamedEngine | None:
+        """Return the engine that the paragraph of a place names last before it."""
+        line = self.document.line_of(place)
+        named = self._named_engines.between(self._start_of_line(self.paragraph_start(line)), place)
+        return named[-1] if named else None
+
+    @cached_property
+    def _named_engines(self) -> EnginesInWords:
+        return EnginesInWords(self.document.text)
+
+    def _names_another_cycle(self, start: int, earlier: int) -> bool:
+        """Tell whether a relation's clause is of two-stroke engines and an earlier one of four-stroke ones."""
+        text = self.document.text
+        before, now = (
+            cycle_named(text[case_words.clause_start(text, place) : place]) for place in (earlier, start)
+        )
+        return bool(before and now and before != now)
 
     def headings_name_other_engines(self, line: int, earlier_line: int) -> bool | None:
         """Tell whether two lines' headings name different engines; None if one names none."""
