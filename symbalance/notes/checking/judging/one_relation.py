@@ -35,6 +35,7 @@ from symbalance.notes.checking.motions.matrix_equations_of_motion import rows_of
 from symbalance.notes.checking.motions.mean_values import decide_by_mean
 from symbalance.notes.checking.motions.solutions_of_motion import decide_motion_solution
 from symbalance.notes.checking.page.solutions import solution_below
+from symbalance.notes.checking.meant.firing_intervals import decide_firing_interval
 from symbalance.notes.checking.premises.conditions_behind import values_behind
 from symbalance.notes.checking.premises.constraints import Constraint
 from symbalance.notes.checking.premises.letter_values import define_letter
@@ -322,6 +323,7 @@ def _as_meant(
     outcome: Verdict | Decision | None = None
     if definition.status in (DEFINITION, PREMISE):
         outcome = state.engine_resultants.judge(chain, k, knowledge)
+        outcome = outcome or decide_firing_interval(state.engine_resultants, chain, k)
     if outcome is None and definition.status == DEFINITION:
         outcome = state.meant.judge(chain, k, knowledge)
     elif outcome is None:

@@ -40,6 +40,7 @@ from symbalance.notes.checking.meant.products import NoProductError, ProductOfPo
 from symbalance.notes.checking.repair.fixes import Repair, fix_of
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.verdicts import Verdict
+from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
 from symbalance.notes.checking.words.engines_in_words import CrankStar, EnginesInWords, NamedEngine
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, Side
@@ -184,6 +185,12 @@ _BY_MEANING = {
     "crank radius": "radius", "rod length": "rod", "angular speed": "speed", "reciprocating mass": "mass",
     "rotating mass": "mass", "rod ratio l/r": "inverse", "crank ratio r/l": "ratio",
 }  # fmt: skip
+_BEHIND_PITCH = re.compile(
+    r"(?:[\s,(:]|\b(?:of|the|two|between|neighbou?ring|adjacent|cylinders?|bores?|cent(?:re|er)s?|throws?|pins?|der|den|des|zweier"
+    r"|benachbarter|zylindern?|kröpfungen|de|des|du|la|le|les|entre|tra|i|dei|degli|cilindri|cilindros|cylindres?|dos|os|el|van|cilinders)\b"
+    r"|[をはがのと])*",
+    re.IGNORECASE,
+)
 _MASS_OF_ONE = re.compile(r"mass\w*\s+(?:of|per|je|pro|d.un|eines|einer)\s+(?:\w+\s+){0,3}(?:cylinder|piston|zylinders?|kolbens?)", re.IGNORECASE)
 _SUMMED = re.compile(r"\\sum|Σ|∑|_\{?[ijk]\b")
 _IS = re.compile(r"\s*(?:is|being|denotes|be|ist|sei|bezeichnet|jest|oznacza|est|étant|es|è|は|を|\(|:|the\b)", re.IGNORECASE)
@@ -205,6 +212,10 @@ class EngineResultants:
     @cached_property
     def _engines(self) -> EnginesInWords:
         return EnginesInWords(self._text)
+
+    @cached_property
+    def _crank_lists(self) -> list[CrankAngles]:
+        return crank_angles(self._text)
 
     @property
     def _text(self) -> str:
@@ -241,6 +252,20 @@ class EngineResultants:
             return None
 
     # What the words say
+
+    def engine_of(self, chain: Chain) -> NamedEngine | None:
+        """Return the engine that a relation is of, None where words name none or several."""
+        return self._engine(chain, min(s.span[0] for s in chain.sides), chain.end)
+
+    def sentence(self, chain: Chain) -> str:
+        """Return the sentence that a relation stands in, with what stands before a display."""
+        first, last = self._sentence(self._opening(min(s.span[0] for s in chain.sides)), chain.end)
+        return self._text[first:last]
+
+    def section(self, chain: Chain) -> str:
+        """Return the section that a relation stands in."""
+        first, last = (f(chain.lines[0]) for f in (self.sections.section_start, self.sections.section_end))
+        return self._text[self._line_starts[first - 1] : self._line_starts[min(last, len(self._line_starts) - 1)]]
 
     def _claim(self, name: str, chain: Chain) -> _Claim | None:
         start, end = min(s.span[0] for s in chain.sides), chain.end
@@ -340,8 +365,13 @@ class EngineResultants:
             engine = _only_one(named)
             if engine is None or (number > 2 and _only_one(self._engines.between(0, start)) is None):
                 return None
-            heading = self._text[section:heading_end]
-            return self._engines.with_stars(engine, section, section_end, heading)
+            title = "" if number < 4 and section > 0 else self._text[:title_end]
+            around = f"{title}\n{self._text[section:heading_end]}"
+            engine = self._engines.with_stars(engine, section, section_end, around)
+            listed = listed_at(self._crank_lists, start, self._text, self.sections.same_section)
+            if listed is None or listed.is_by_firing or len(listed.degrees) != engine.cylinders or engine.is_boxer:
+                return engine
+            return replace(engine, stars=(CrankStar(listed.degrees),))
         return None
 
     # What it should be
@@ -721,9 +751,9 @@ def _wave(wave: Call) -> tuple[int, str]:
 
 
 def _ends(pattern: re.Pattern[str], text: str) -> bool:
-    """Tell whether words end with a phrase, but for a few small words."""
-    matches = [m.end() for m in pattern.finditer(text)]
-    return bool(matches) and re.fullmatch(r"[\s,(]*(?:\w{1,3}\s*|between\s+\w+\s*|neighbour\w*\s*|cylinders?\s*|bores?\s*|der\s+|den\s+|zylindern?\s*|cylindres\s*)*", text[matches[-1] :]) is not None
+    """Tell whether words end with a phrase, but for a few that may follow it: the spacing of the cylinders."""
+    last = max((m.end() for m in pattern.finditer(text)), default=None)
+    return last is not None and _BEHIND_PITCH.fullmatch(text[last:]) is not None
 
 
 def _plain(words: str) -> str:

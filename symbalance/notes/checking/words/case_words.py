@@ -16,6 +16,12 @@ _CASE = re.compile(
     re.IGNORECASE,
 )
 _CASE_BEHIND = re.compile(r"[\s$)\]}\\,]{0,6}(?:なら|のとき|の時|の場合)")
+_EXCEPTION = re.compile(
+    r"[\s$)}\],\\]{0,6}(?:unless|except(?:\s+(?:if|when|where|for))?|save\s+(?:when|for)|but\s+for"
+    r"|außer(?:\s+(?:wenn|für|bei|falls))?|es\s+sei\s+denn|sofern\s+nicht|wenn\s+nicht|falls\s+nicht|sauf(?:\s+(?:si|pour))?"
+    r"|salvo|a\s+meno\s+che|excepto|if\s+\S{1,12}\s+is\s+(?:not|no)\s)(?![A-Za-z])|[\s$)}\]、]{0,6}(?:ただし|を除)",
+    re.IGNORECASE,
+)
 _TAG = re.compile(r"</?[A-Za-z][^<>]*>")
 _BETWEEN = re.compile(r"[\s$,)}\]°]*(?:[^\W\d_]+\s+){1,3}[\s$({\[\\]*")
 _PLACE_BEHIND = re.compile(r"[$)}\]°]{0,4}\.?,?\s[\s$]{0,4}(?:at|for|bei|für|pour)\s[\s$({\[\\]{0,6}")
@@ -129,6 +135,15 @@ def is_said_of_all_behind(text: str, end: int) -> bool:
     (True, False)
     """
     return _ALWAYS_BEHIND.match(text, end) is not None
+
+
+def has_exception_behind(text: str, end: int) -> bool:
+    """Tell whether words right behind a relation name cases in which it does not hold.
+
+    >>> has_exception_behind("S = 0 unless k is a multiple of five", 5), has_exception_behind("S = 0, k = 5", 5)
+    (True, False)
+    """
+    return _EXCEPTION.match(text, end) is not None
 
 
 def words_of_all_behind(text: str, end: int, stop: int) -> str:

@@ -38,7 +38,7 @@ _MACHINE = r"(?:engines?|motor\w*|moteurs?|machine|maschine|silnik|двигат�
 _MENTION = re.compile(
     rf"(?<![A-Za-z0-9.,])(?P<line>Reihen|Boxer|Parallel)?[-\s]?(?P<count>{_ANY})[-\s]?(?:{_ONE_OF_MANY})"
     rf"|{_MACHINE}(?P<many>{_ANY})[-\s]?(?:{_SEVERAL})"
-    r"|(?<![A-Za-z])(?P<kind>in-?line|straight|flat|boxer|reihen|直列|並列|水平対向)"
+    r"|(?<![A-Za-z])(?P<kind>in-?line|straight|flat|boxer|cross-?plane|flat-plane|reihen|直列|並列|水平対向)"
     rf"[-\s]?(?P<behind>{_ANY}(?<!one))(?![0-9A-Za-z])(?![.,][0-9])"
     r"|(?<![A-Za-z])(?P<row>three|four|five|six|eight)[-\s]in[-\s]line"
     r"|(?<![A-Za-z0-9_\\{$])(?P<code>[RIL])-?(?P<coded>[2-68])(?![0-9A-Za-z_}]|\s*[=^(*/]|[.,][0-9])"
@@ -60,6 +60,7 @@ _ODD = re.compile(
     r"|rechtwinklig|right\s+angles?|直角",
     re.IGNORECASE,
 )
+_CROSSPLANE = re.compile(r"cross[\s-]?plane|クロスプレーン", re.IGNORECASE)
 _FLAT = re.compile(
     r"flat[\s-](?:plane\s+)?crank|flat[\s-]plane|single[\s-]plane|ebene?n?\s+Kurbelwelle|180\s*-?\s*(?:°|\^|deg)",
     re.IGNORECASE,
@@ -109,7 +110,7 @@ _FIVE, _FULL = 5, 360
 class CrankStar:
     """Where an engine's cranks are, in degrees, and which way each cylinder points."""
 
-    degrees: tuple[int, ...]
+    degrees: tuple[int | Fraction, ...]
     signs: tuple[int, ...] = ()
     """For opposed cylinders: which way each one's force counts."""
 
@@ -125,14 +126,14 @@ class CrankStar:
     def _size(self, order: int, arms: list[Fraction]) -> float:
         signs = self.signs or (1,) * len(self.degrees)
         parts = zip(signs, arms, self.degrees, strict=True)
-        size = abs(sum(rect(float(s * a), order * pi * d / 180) for s, a, d in parts))
+        size = abs(sum(rect(float(s * a), order * pi * float(d) / 180) for s, a, d in parts))
         return 0.0 if size < _NOTHING else size
 
     @property
     def text(self) -> str:
         """The angles for an assumption."""
         opposed = ", the cylinders opposed" if self.signs else ""
-        return ", ".join(f"{d}°" for d in self.degrees) + opposed
+        return ", ".join(f"{float(d):g}°" for d in self.degrees) + opposed
 
 
 @dataclass(frozen=True, slots=True)
@@ -201,6 +202,12 @@ def is_another_engine(before: NamedEngine, now: NamedEngine) -> bool:
     return before.cylinders != now.cylinders or before.is_boxer != now.is_boxer or is_other_twin
 
 
+def last_cycle(words: str) -> int:
+    """Return 2 or 4, whichever strokes of an engine words name last; 0 for none."""
+    last = {n: max((m.end() for m in p.finditer(words)), default=0) for n, p in ((2, _TWO_STROKE), (4, _FOUR_STROKE))}
+    return max(last, key=lambda n: last[n]) if any(last.values()) else 0
+
+
 def cycle_named(words: str) -> int:
     """Return 2 or 4 where words name engines of that many strokes, 0 where they name none or both.
 
@@ -224,6 +231,8 @@ def _stars_of(engine: NamedEngine, around: str) -> tuple[CrankStar, ...]:
         turn = engine.turn or _turn_told(around)
         turn = turn or (180 if _AGAINST.search(around) else 360 if _TOGETHER.search(around) else 0)
         return (CrankStar((0, turn % _FULL)),) if turn else ()
+    if count == 4 and _CROSSPLANE.search(around) and not _FLAT.search(around):
+        return (CrankStar((0, 90, 270, 180)),)
     if _ODD.search(around) or (_TWO_STROKE.search(around) and count > 3):
         return ()
     if count == 3 and _FLAT.search(around):

@@ -17,6 +17,7 @@ from symbalance.notes.checking.words.engines_in_words import (
     NamedEngine,
     cycle_named,
     is_another_engine,
+    last_cycle,
 )
 from symbalance.notes.checking.words.bodies_named import body_named
 from symbalance.notes.checking.words.items import item_end
@@ -553,9 +554,9 @@ class Sections:
     def _names_another_cycle(self, start: int, earlier: int) -> bool:
         """Tell whether a relation's clause is of two-stroke engines and an earlier one of four-stroke ones."""
         text = self.document.text
-        before, now = (
-            cycle_named(text[case_words.clause_start(text, place) : place]) for place in (earlier, start)
-        )
+        first = self._start_of_line(self.paragraph_start(self.document.line_of(earlier)))
+        before = last_cycle(text[first:earlier])
+        now = cycle_named(text[case_words.clause_start(text, start) : start])
         return bool(before and now and before != now)
 
     def headings_name_other_engines(self, line: int, earlier_line: int) -> bool | None:

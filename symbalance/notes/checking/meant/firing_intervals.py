@@ -1,0 +1,72 @@
+"""Firing intervals of engines that words name, as numbers: "the straight six fires every 720°/5" is wrong.
+
+An engine whose cranks are even fires at equal intervals of two turns over its cylinders, of one turn if
+it is a two-stroke. Of a twin, of banks and of uneven firing nothing is said.
+"""
+
+from __future__ import annotations
+
+import re
+from math import isclose, pi
+
+from symbalance.document.formula import Formula, Name, names
+from symbalance.document.letters import plain_letter
+from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision, without_dots
+from symbalance.notes.checking.meant.engine_resultants import EngineResultants
+from symbalance.notes.checking.meant.meant_words import NOBODY
+from symbalance.notes.checking.meant.products import NoProductError, product_of
+from symbalance.notes.checking.words.engines_in_words import NamedEngine, last_cycle
+from symbalance.notes.reading.equations import Chain
+
+_INTERVAL = re.compile(
+    r"(?:firing|ignition|explosion)\s+(?:interval|spacing|distance)|intervals?\s+between\s+(?:two\s+)?(?:firings|ignitions)"
+    r"|zünd(?:folge)?abst[aä]nd|zündintervall|(?:点火|爆発|着火)間隔|intervalle\s+d.allumage|intervalo\s+de\s+encendido"
+    r"|intervallo\s+(?:di|tra\s+le)\s+accension|ontstekingsinterval|odstęp\s+zapłon|tändintervall|fires?\s+every",
+    re.IGNORECASE,
+)
+_UNEVEN = re.compile(
+    r"uneven|ungleich|irregular|unregelmäßig|不等|\bodd|per\s+bank|je\s+bank|cross-?plane|big[\s-]?bang|クロスプレーン"
+    r"|camshaft|nockenwelle|カム|split|between\s+cylinders?\s+[0-9]",
+    re.IGNORECASE,
+)
+_FEWEST = 3
+
+
+def decide_firing_interval(resultants: EngineResultants, chain: Chain, k: int) -> Decision | None:
+    """Return the decision on a number for the firing interval of a named engine; None for others."""
+    head, value = chain.sides[0].node, without_dots(chain.sides[1].node)[0]
+    if k or not isinstance(head, Name) or names(value) or chain.relations[0].sign not in "=≈":
+        return None
+    words = resultants.sentence(chain)
+    match = _INTERVAL.search(words)
+    engine = None if match is None else resultants.engine_of(chain)
+    if match is None or engine is None or engine.cylinders < _FEWEST or _UNEVEN.search(resultants.section(chain)):
+        return None
+    size = _angle(value)
+    if size is None:
+        return None
+    cycle = last_cycle(words) or last_cycle(resultants.section(chain))
+    text = (
+        f"{plain_letter(head.name)} is the firing interval of {engine.cylinders} cylinders"
+        f" ({NOBODY}; taken from the words “{match[0]}” and “{engine.words}”)"
+    )
+    for strokes in (4, 2):
+        if isclose(size, _even(engine, strokes), rel_tol=1e-3) and cycle in (0, strokes):
+            return Decision(PROVED, assumptions=(text, f"the engine is a {strokes}-stroke with even firing"))
+    if not cycle and isclose(size, _even(engine, 2), rel_tol=1e-3):
+        return None
+    turns = f"{_even(engine, cycle or 4) * 180 / pi:.6g}°"
+    return Decision(REFUTED, f"if {text}: with even firing it is {turns}")
+
+
+def _even(engine: NamedEngine, strokes: int) -> float:
+    return strokes * pi / engine.cylinders
+
+
+def _angle(value: Formula) -> float | None:
+    """Return an angle in radians, None for what is none."""
+    try:
+        size = product_of(value).number
+    except NoProductError:
+        return None
+    return size if 0 < size < 4 * pi else None
