@@ -521,7 +521,7 @@ class Sections:
         starts = self._by_start[0]
         place = bisect_left(starts, min(start, self._start_of_line(earlier_line + 1)))
         earlier = max(earlier, starts[place - 1] if place else 0)  # where the last one on its line begins
-        if self._names_another_cycle(start, earlier):
+        if self.names_another_cycle(chain, earlier_line):
             return True
         pair = [self._named_in_paragraph(place) for place in (earlier, start)]
         if pair[0] is not None and pair[1] is not None and is_another_engine(*pair):
@@ -551,12 +551,13 @@ class Sections:
     def _named_engines(self) -> EnginesInWords:
         return EnginesInWords(self.document.text)
 
-    def _names_another_cycle(self, start: int, earlier: int) -> bool:
-        """Tell whether a relation's clause is of two-stroke engines and an earlier one of four-stroke ones."""
-        text = self.document.text
-        first = self._start_of_line(self.paragraph_start(self.document.line_of(earlier)))
-        before = last_cycle(text[first:earlier])
-        now = cycle_named(text[case_words.clause_start(text, start) : start])
+    def names_another_cycle(self, chain: Chain, earlier_line: int) -> bool:
+        """Tell whether a relation's clause is of two-stroke engines and an earlier line of four-stroke ones."""
+        text, start = self.document.text, chain.start
+        first = self._start_of_line(self.paragraph_start(earlier_line))
+        clause = case_words.clause_start(text, start)
+        before = last_cycle(text[first:clause])
+        now = cycle_named(text[clause:start])
         return bool(before and now and before != now)
 
     def headings_name_other_engines(self, line: int, earlier_line: int) -> bool | None:
