@@ -35,7 +35,10 @@ from symbalance.notes.checking.motions.matrix_equations_of_motion import rows_of
 from symbalance.notes.checking.motions.mean_values import decide_by_mean
 from symbalance.notes.checking.motions.solutions_of_motion import decide_motion_solution
 from symbalance.notes.checking.page.solutions import solution_below
-from symbalance.notes.checking.meant.firing_intervals import decide_firing_interval
+from symbalance.notes.checking.meant.firing_intervals import (
+    decide_firing_interval,
+    refute_repeated_interval,
+)
 from symbalance.notes.checking.premises.conditions_behind import values_behind
 from symbalance.notes.checking.premises.constraints import Constraint
 from symbalance.notes.checking.premises.letter_values import define_letter
@@ -179,7 +182,8 @@ def _judge_step(
         decision = appeal(state, chain, k, against, decision, knowledge)
     if decision.is_proved and (by_quantity := wrong_as_quantity(chain, k, state.document, knowledge)):
         return by_quantity
-    by_name = state.named.of_another(chain, k, knowledge)
+    by_name: Verdict | Decision | None = refute_repeated_interval(state.engine_resultants, chain, k)
+    by_name = by_name or state.named.of_another(chain, k, knowledge)
     if by_name is None and decision.status == UNDECIDED:
         by_name = state.engine_resultants.judge(chain, k, knowledge)
         by_name = by_name or state.named.judge(chain, k, knowledge)

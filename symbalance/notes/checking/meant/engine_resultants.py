@@ -109,7 +109,8 @@ _OF_ONE = re.compile(
 )
 _WHOLE = re.compile(
     r"\bfree\b|freie|resultant|resultier|\btotal|gesamt|\bsum\b|summe|合力|合計|全体|whole|engine'?s\b|add\s+up|altogether"
-    r"|remain|surviv|bleib|resultante|totale|risultant|libre|\bliber|wypadkow|together|zusammen|insgesamt",
+    r"|remain|surviv|bleib|resultante|totale|risultant|libre|\bliber|wypadkow|together|zusammen|insgesamt"
+    r"|of\s+the\s+(?:whole\s+)?engine|of\s+the\s+motor|des\s+(?:ganzen\s+)?motors|du\s+moteur|del\s+motore?|エンジン",
     re.IGNORECASE,
 )
 _TOTAL_MASS = re.compile(
@@ -191,10 +192,14 @@ _BEHIND_PITCH = re.compile(
     r"|[をはがのと])*",
     re.IGNORECASE,
 )
-_MASS_OF_ONE = re.compile(r"mass\w*\s+(?:of|per|je|pro|d.un|eines|einer)\s+(?:\w+\s+){0,3}(?:cylinder|piston|zylinders?|kolbens?)", re.IGNORECASE)
+_MASS_OF_ONE = re.compile(
+    r"(?:mass|kg|reciprocating|oszillierend|masse)[^.;:,\n]{0,30}?\s(?:of|per|je|pro|d.un|par|por|eines|einer)\s+(?:\w+\s+){0,3}(?:cylind\w+|piston|zylinders?|kolbens?)"
+    r"|1\s?気筒(?:あたり|分)?の(?:往復|運動)(?:部分の)?質量",
+    re.IGNORECASE,
+)
 _SUMMED = re.compile(r"\\sum|Σ|∑|_\{?[ijk]\b")
 _IS = re.compile(r"\s*(?:is|being|denotes|be|ist|sei|bezeichnet|jest|oznacza|est|étant|es|è|は|を|\(|:|the\b)", re.IGNORECASE)
-_KINDS = {"ratio": "exponent", "mass": "exponent", "speed": "exponent", "radius": "exponent", "wave": "order"}
+_KINDS = {"ratio": "exponent", "rod": "exponent", "mass": "exponent", "speed": "exponent", "radius": "exponent", "wave": "order"}
 _IN_A_CASE = re.compile(
     r"\b(?:if|when|where|speed|wenn|falls|doubles?|doubled|increas\w*|grows?)\b|のとき|の場合|same\s+as|compared|vergl|than\b|wie\s+beim",
     re.IGNORECASE,
@@ -339,6 +344,11 @@ class EngineResultants:
         is_number = label.strip(" $.") in ("1", "2", "4", "6")
         return f"order {label.strip(' $.')}" if is_number and _ORDER_WORD.search(head) else label
 
+    def _row(self, start: int) -> str:
+        """Return the first cell of a table's row, "" outside of tables."""
+        own = self._text[self._text.rfind("\n", 0, start) + 1 : start]
+        return own.split("|")[1] if own.lstrip().startswith("|") and own.count("|") > 1 else ""
+
     def _sentence(self, start: int, end: int) -> tuple[int, int]:
         floor = max(0, start - _MOST)
         ends = [m.end() for m in _SENTENCE_END.finditer(self._text, floor, start)]
@@ -367,7 +377,8 @@ class EngineResultants:
                 return None
             title = "" if number < 4 and section > 0 else self._text[:title_end]
             around = f"{title}\n{self._text[section:heading_end]}"
-            engine = self._engines.with_stars(engine, section, section_end, around)
+            near = self._row(start) or self._text[slice(*self._sentence(start, end))]
+            engine = self._engines.with_stars(engine, section, section_end, around, near)
             listed = listed_at(self._crank_lists, start, self._text, self.sections.same_section)
             if listed is None or listed.is_by_firing or len(listed.degrees) != engine.cylinders or engine.is_boxer:
                 return engine
@@ -447,15 +458,17 @@ class EngineResultants:
         slips: list[str] = []
         of_ratio = power.get("ratio", 0) - power.get("inverse", 0) - power.get("rod", 0)
         has_inertia = {"mass", "radius", "speed"} & power.keys()
+        expected = Fraction(0 if "coefficient" in power else _POWERS[claim.order])
         if has_inertia and "base" not in power:
             extra = -power.get("rod", Fraction(0))
+            if extra and "ratio" not in power and extra != expected == power.get("radius", 0) - 1:
+                slips, extra, of_ratio = ["rod"], expected, expected
             wanted = {"mass": Fraction(1), "speed": Fraction(2), "radius": 1 + extra}
             if not {"mass", "radius", "speed"} <= power.keys():
                 return None
             slips += [role for role, e in wanted.items() if power[role] != e]
         elif "base" not in power or power["base"] != 1 or has_inertia:
             return None
-        expected = Fraction(0 if "coefficient" in power else _POWERS[claim.order])
         has_amplitude = "coefficient" in power or claim.is_rotating
         if "base" in power:
             index = _index(letter["base"])
@@ -658,7 +671,7 @@ class EngineResultants:
             turned = angle if claim.order == 1 else Product((Number(Fraction(claim.order)), angle))
             wave = Call(wave.function, turned)
         else:
-            wanted = {"mass": 1, "speed": 2, "radius": 1 - parts.powers.get(parts.letter.get("rod", ""), 0)}
+            wanted = {"rod": -_POWERS[claim.order], "mass": 1, "speed": 2, "radius": 1 - parts.powers.get(parts.letter.get("rod", ""), 0)}
             powers[parts.letter[slip]] = Fraction(wanted[slip])
         factors = [_number_node(factor)] if not _same(factor, 1) else []
         factors += [Name(n) if p == 1 else Name(n) ** p for n, p in powers.items() if p > 0]

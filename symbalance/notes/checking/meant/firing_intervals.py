@@ -21,7 +21,7 @@ from symbalance.notes.reading.equations import Chain
 _INTERVAL = re.compile(
     r"(?:firing|ignition|explosion)\s+(?:interval|spacing|distance)|intervals?\s+between\s+(?:two\s+)?(?:firings|ignitions)"
     r"|zünd(?:folge)?abst[aä]nd|zündintervall|(?:点火|爆発|着火)間隔|intervalle\s+d.allumage|intervalo\s+de\s+encendido"
-    r"|intervallo\s+(?:di|tra\s+le)\s+accension|ontstekingsinterval|odstęp\s+zapłon|tändintervall|fires?\s+every",
+    r"|intervallo\s+(?:di|tra\s+le)\s+accension|ontstekingsinterval|odstęp\s+zapłon|tändintervall|(?:fires?|ignites?|fired|zündet)\s[^.;:=]{0,30}?(?:every|intervals?|alle\s|abständen)",
     re.IGNORECASE,
 )
 _UNEVEN = re.compile(
@@ -30,6 +30,14 @@ _UNEVEN = re.compile(
     re.IGNORECASE,
 )
 _FEWEST = 3
+
+
+def refute_repeated_interval(resultants: EngineResultants, chain: Chain, k: int) -> Decision | None:
+    """Return the refutation of a number that a letter has above too, where its own clause names the strokes."""
+    if not last_cycle(resultants.sentence(chain)):
+        return None
+    decision = decide_firing_interval(resultants, chain, k)
+    return decision if decision is not None and decision.status == REFUTED else None
 
 
 def decide_firing_interval(resultants: EngineResultants, chain: Chain, k: int) -> Decision | None:

@@ -42,10 +42,11 @@ _MENTION = re.compile(
     rf"[-\s]?(?P<behind>{_ANY}(?<!one))(?![0-9A-Za-z])(?![.,][0-9])"
     r"|(?<![A-Za-z])(?P<row>three|four|five|six|eight)[-\s]in[-\s]line"
     r"|(?<![A-Za-z0-9_\\{$])(?P<code>[RIL])-?(?P<coded>[2-68])(?![0-9A-Za-z_}]|\s*[=^(*/]|[.,][0-9])"
+    r"|^[\s>*_#|-]{0,6}(?:the\s+)?(?P<label>three|four|five|six|eight)s?(?=\W{0,3}[:|])"
     r"|(?<![A-Za-z])(?P<noun>twins?|triples?)(?![A-Za-z])"
     r"|(?<![A-Za-z])(?:an?|the|of|our|this|as|old|every)\s+(?:[a-z-]+\s)?(?P<bare>three|four|five|six|eight|single)"
-    r"(?=\s*(?:[.,:;)!?*—–]|\n|$)|\s(?:has|have|is|shows|with|vibrates?|at|shakes?|again|runs|needs|turns?|fires?|by|and)\b)",
-    re.IGNORECASE,
+    r"(?=\s*(?:[.,:;)!?*—–]|\n|$)|\s(?:has|have|is|shows|with|vibrates?|at|shakes?|produces|gives|suffers|generates|again|runs|needs|turns?|fires?|by|and)\b)",
+    re.IGNORECASE | re.MULTILINE,
 )
 _BANKS = re.compile(
     r"(?<![A-Za-z])(?:V|W|VR)[-\s]?(?:[0-9]{1,2}(?![0-9])|engine|twin|motor|型|four|six|eight)"
@@ -175,7 +176,7 @@ class EnginesInWords:
 
     def _named(self, match: re.Match[str]) -> NamedEngine | None:
         words = match["count"] or match["many"] or match["behind"] or match["coded"]
-        words = words or match["noun"] or match["bare"] or match["row"]
+        words = words or match["noun"] or match["bare"] or match["row"] or match["label"]
         start, end = match.span()
         near = self.text[max(0, start - 3) : end + 1]
         if _BANKS.search(self.text, max(0, start - 12), end):
@@ -190,8 +191,15 @@ class EnginesInWords:
         turn = _turn_told(self.text[max(lines[0], start - 40) : end + 40]) if count == 2 else 0
         return NamedEngine(start, match[0].strip(), count, is_boxer, turn=turn)
 
-    def with_stars(self, engine: NamedEngine, first: int, last: int, heading: str) -> NamedEngine:
-        """Return an engine with the cranks that it may have, by the words around: a section's or a page's."""
+    def with_stars(
+        self, engine: NamedEngine, first: int, last: int, heading: str, near: str
+    ) -> NamedEngine:
+        """Return an engine with the cranks that it may have, by the words around: a section's or a page's.
+
+        A twin's angle may stand in the words `near` a formula alone: in a sentence, or in a table's row.
+        """
+        if engine.cylinders == 2 and not engine.turn and (turn := _turn_told(near)):
+            engine = replace(engine, turn=turn)
         around = f"{heading}\n{self.text[first:last]}"
         return replace(engine, stars=_stars_of(engine, around))
 

@@ -523,6 +523,8 @@ class Sections:
         earlier = max(earlier, starts[place - 1] if place else 0)  # where the last one on its line begins
         if self.names_another_cycle(chain, earlier_line):
             return True
+        if self._is_in_another_row(chain, earlier_line):
+            return True
         pair = [self._named_in_paragraph(place) for place in (earlier, start)]
         if pair[0] is not None and pair[1] is not None and is_another_engine(*pair):
             return True
@@ -550,6 +552,23 @@ class Sections:
     @cached_property
     def _named_engines(self) -> EnginesInWords:
         return EnginesInWords(self.document.text)
+
+    def _is_in_another_row(self, chain: Chain, earlier_line: int) -> bool:
+        """Tell whether two lines are rows of one table with a case in their first cells, and a letter
+        has its formula in the same column of both.
+        """
+        line = chain.lines[0]
+        rows = [self._lines[n - 1] for n in (earlier_line, line)]
+        between = self._lines[earlier_line - 1 : line]
+        if earlier_line >= line or not all(row.lstrip().startswith("|") for row in between):
+            return False
+        first, second = (row.split("|")[1].strip() for row in rows)
+        start = self._start_of_line(line)
+        column = self.document.text[start : chain.start].count("|")
+        cells = rows[0].split("|")
+        own = self.document.text[chain.sides[0].span[0] : chain.sides[0].span[1]].strip()
+        has_same = column < len(cells) and cells[column].strip(" $").startswith(own)
+        return has_same and column > 1 and first != second and "=" not in first + second
 
     def names_another_cycle(self, chain: Chain, earlier_line: int) -> bool:
         """Tell whether a relation's clause is of two-stroke engines and an earlier line of four-stroke ones."""
