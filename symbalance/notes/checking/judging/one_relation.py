@@ -182,8 +182,7 @@ def _judge_step(
         decision = appeal(state, chain, k, against, decision, knowledge)
     if decision.is_proved and (by_quantity := wrong_as_quantity(chain, k, state.document, knowledge)):
         return by_quantity
-    by_name: Verdict | Decision | None = refute_repeated_interval(state.engine_resultants, chain, k)
-    by_name = by_name or state.named.of_another(chain, k, knowledge)
+    by_name = state.named.of_another(chain, k, knowledge)
     if by_name is None and decision.status == UNDECIDED:
         by_name = state.engine_resultants.judge(chain, k, knowledge)
         by_name = by_name or state.named.judge(chain, k, knowledge)
@@ -325,6 +324,8 @@ def _as_meant(
     One that is wrong by a slip is mended for the lines that follow.
     """
     outcome: Verdict | Decision | None = None
+    if definition.is_proved:
+        outcome = refute_repeated_interval(state.engine_resultants, chain, k)
     if definition.status in (DEFINITION, PREMISE):
         outcome = state.engine_resultants.judge(chain, k, knowledge)
         outcome = outcome or decide_firing_interval(state.engine_resultants, chain, k)

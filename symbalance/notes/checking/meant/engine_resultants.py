@@ -192,6 +192,11 @@ _BEHIND_PITCH = re.compile(
     r"|[をはがのと])*",
     re.IGNORECASE,
 )
+_VECTORS = re.compile(
+    r"(?:sum|resultant|summe|合計)[^.;=]{0,40}(?:vectors|phasors|zeiger|vektoren|ベクトル)|(?:vector|phasor|zeiger|ベクトル)[\s-]?(?:sum|summe|和)",
+    re.IGNORECASE,
+)
+_WEIGHTED = re.compile(r"weighted|lever|moment|couple|gewichtet|hebel|mass|偶力|モーメント", re.IGNORECASE)
 _MASS_OF_ONE = re.compile(
     r"(?:mass|kg|reciprocating|oszillierend|masse)[^.;:,\n]{0,30}?\s(?:of|per|je|pro|d.un|par|por|eines|einer)\s+(?:\w+\s+){0,3}(?:cylind\w+|piston|zylinders?|kolbens?)"
     r"|1\s?気筒(?:あたり|分)?の(?:往復|運動)(?:部分の)?質量",
@@ -288,6 +293,7 @@ class EngineResultants:
         is_rotating = _ROTATING.search(before) is not None
         if is_rotating and not order:
             order, said = 1, before
+        kind = kind or (FORCE if _VECTORS.search(sentence) else "")
         kind = kind or _kind_by_letter(name) or _kind_in(heading, name)
         if not order or not kind or _TORQUE.search(f"{before} {said}") or not _fits_index(name, order):
             return None
@@ -534,6 +540,8 @@ class EngineResultants:
     # What is wrong
 
     def _vanishing(self, name: str, claim: _Claim, value: Formula) -> Decision | None:
+        if _VECTORS.search(claim.sentence):
+            return self._phasor_sum(name, claim, value)
         if not isinstance(value, Number) or value.value or _PART.search(claim.sentence):
             return None
         sizes = claim.sizes()
@@ -543,6 +551,22 @@ class EngineResultants:
             reason = "; ".join((f"if {self._assumption(name, claim)}", *self._star(claim)))
             return Decision(REFUTED, f"{reason}: the {claim.kind}s of order {claim.order} do not cancel")
         return None
+
+    def _phasor_sum(self, name: str, claim: _Claim, value: Formula) -> Decision | None:
+        """Return the decision on a number for the sum of the unit phasors of an order."""
+        sizes = sorted({star.force(claim.order) for star in claim.engine.stars})
+        try:
+            product = product_of(value)
+        except NoProductError:
+            return None
+        number = abs(product.number)
+        text = f"{plain_letter(name)} is the sum of the cranks' unit vectors of order {claim.order}"
+        text = f"{text} ({NOBODY}; taken from the words “{claim.words}”)"
+        if any(_same(number, size, product.rounding) or number == size == 0 for size in sizes):
+            return Decision(PROVED, assumptions=(text, *self._star(claim)))
+        if len(sizes) != 1 or _PART.search(claim.own) or _WEIGHTED.search(claim.sentence):
+            return None
+        return Decision(REFUTED, "; ".join((f"if {text}", *self._star(claim))) + f": it is {sizes[0]:.5g}")
 
     @staticmethod
     def _star(claim: _Claim) -> Iterator[str]:

@@ -29,6 +29,7 @@ _UNEVEN = re.compile(
     r"|camshaft|nockenwelle|カム|split|between\s+cylinders?\s+[0-9]",
     re.IGNORECASE,
 )
+_OTHER_ANGLE = re.compile(r"crank|throw|offset|angle|bank|winkel|kröpf|\bpins?\b|lead|vor\b|クランク|角", re.IGNORECASE)
 _FEWEST = 3
 
 
@@ -46,7 +47,8 @@ def decide_firing_interval(resultants: EngineResultants, chain: Chain, k: int) -
     if k or not isinstance(head, Name) or names(value) or chain.relations[0].sign not in "=≈":
         return None
     words = resultants.sentence(chain)
-    match = _INTERVAL.search(words)
+    heading = resultants.sections.heading_above(chain.lines[0])
+    match = _INTERVAL.search(words) or (None if _OTHER_ANGLE.search(words) else _INTERVAL.search(heading))
     engine = None if match is None else resultants.engine_of(chain)
     if match is None or engine is None or engine.cylinders < _FEWEST or _UNEVEN.search(resultants.section(chain)):
         return None

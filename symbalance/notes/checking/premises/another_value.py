@@ -58,9 +58,9 @@ def _define_anew(
     if other:
         definitions.define(name, without_dots(value)[0], chain)
         return Decision(DEFINITION, other)
-    if names(value) and definitions.sections.names_another_cycle(chain, earlier.line):
+    if names(value) and definitions.sections.names_another_case(chain, earlier.line):
         definitions.define(name, without_dots(value)[0], chain)
-        return Decision(DEFINITION, f"anew: in line {earlier.line} it was of engines of other strokes")
+        return Decision(DEFINITION, f"anew: in line {earlier.line} it was of another engine")
     by_premises = decide_by_premises(definitions, Premise(Name(name), value, line), knowledge)
     is_apart = _is_of_another_section(definitions, earlier, value, chain, knowledge)
     if by_premises is not None and not is_apart:

@@ -37,6 +37,7 @@ _SEVERAL = r"cylinders|zylindern?|cylindres|cilindros|cilindri|cilinders|cylindr
 _MACHINE = r"(?:engines?|motor\w*|moteurs?|machine|maschine|silnik|двигатель)\W+(?:\w+\W+){0,2}?"
 _MENTION = re.compile(
     rf"(?<![A-Za-z0-9.,])(?P<line>Reihen|Boxer|Parallel)?[-\s]?(?P<count>{_ANY})[-\s]?(?:{_ONE_OF_MANY})"
+    rf"|(?<![A-Za-z])(?:une?|le|du|el|del|il|um|o)\s+(?P<latin>{_ANY})[-\s](?:cylindres|cilindros|cilindri)"
     rf"|{_MACHINE}(?P<many>{_ANY})[-\s]?(?:{_SEVERAL})"
     r"|(?<![A-Za-z])(?P<kind>in-?line|straight|flat|boxer|cross-?plane|flat-plane|reihen|直列|並列|水平対向)"
     rf"[-\s]?(?P<behind>{_ANY}(?<!one))(?![0-9A-Za-z])(?![.,][0-9])"
@@ -86,6 +87,10 @@ _ORDER_LIST = re.compile(
     r"|点火順序|着火順序|fires?)[^0-9\n]{0,24}(?P<list>[1-9](?:\s?[-–—,→]\s?[1-9]){2,7})",
     re.IGNORECASE,
 )
+_BARE_LIST = re.compile(
+    r"(?:cranks?|throws?|pins?|kröpfung(?:en)?|kurbeln)\s+(?:(?:are\s+)?at\s+|bei\s+)?(?P<list>0(?:\s?[-–/]\s?[0-9]{1,3}){1,7})(?![0-9])",
+    re.IGNORECASE,
+)
 _TWO_STROKE = re.compile(
     r"(?:two|2)[\s-]?stroke(?!s)|(?:zwei|2)[\s-]?takt|2\s?(?:サイクル|ストローク)|deux\s+temps|dos\s+tiempos|due\s+tempi",
     re.IGNORECASE,
@@ -105,6 +110,7 @@ _INLINE = {
 _OPPOSED = {2: (0, 0), 4: (0, 0, 180, 180), 6: (0, 0, 240, 240, 120, 120)}
 """Boxers: where each crank is, counted from its own cylinder's axis; the banks take turns."""
 _FIVE, _FULL = 5, 360
+_FEWEST_DEGREES = 45
 
 
 @dataclass(frozen=True, slots=True)
@@ -176,7 +182,7 @@ class EnginesInWords:
 
     def _named(self, match: re.Match[str]) -> NamedEngine | None:
         words = match["count"] or match["many"] or match["behind"] or match["coded"]
-        words = words or match["noun"] or match["bare"] or match["row"] or match["label"]
+        words = words or match["noun"] or match["bare"] or match["row"] or match["label"] or match["latin"]
         start, end = match.span()
         near = self.text[max(0, start - 3) : end + 1]
         if _BANKS.search(self.text, max(0, start - 12), end):
@@ -232,6 +238,9 @@ def _stars_of(engine: NamedEngine, around: str) -> tuple[CrankStar, ...]:
         degrees = _OPPOSED.get(count)
         signs = tuple((-1) ** k for k in range(count))
         return () if degrees is None or _ODD.search(around) else (CrankStar(degrees, signs),)
+    listed = {tuple(map(int, re.findall("[0-9]+", m["list"]))) for m in _BARE_LIST.finditer(around)}
+    if len(listed) == 1 and len(degrees := next(iter(listed))) == count and max(degrees) >= _FEWEST_DEGREES:
+        return (CrankStar(degrees),)
     fired = _by_firing_order(around, count)
     if fired is not None:
         return (fired,)

@@ -521,12 +521,7 @@ class Sections:
         starts = self._by_start[0]
         place = bisect_left(starts, min(start, self._start_of_line(earlier_line + 1)))
         earlier = max(earlier, starts[place - 1] if place else 0)  # where the last one on its line begins
-        if self.names_another_cycle(chain, earlier_line):
-            return True
-        if self._is_in_another_row(chain, earlier_line):
-            return True
-        pair = [self._named_in_paragraph(place) for place in (earlier, start)]
-        if pair[0] is not None and pair[1] is not None and is_another_engine(*pair):
+        if self.names_another_case(chain, earlier_line):
             return True
         text = self.document.text
         before, now = (
@@ -570,7 +565,18 @@ class Sections:
         has_same = column < len(cells) and cells[column].strip(" $").startswith(own)
         return has_same and column > 1 and first != second and "=" not in first + second
 
-    def names_another_cycle(self, chain: Chain, earlier_line: int) -> bool:
+    def names_another_case(self, chain: Chain, earlier_line: int) -> bool:
+        """Tell whether a relation's own words name other strokes, another engine, or another row's case."""
+        if self._names_another_cycle(chain, earlier_line) or self._is_in_another_row(chain, earlier_line):
+            return True
+        end = self._start_of_line(earlier_line + 1) if earlier_line < len(self._lines) else chain.start
+        starts = self._by_start[0]
+        place = bisect_left(starts, min(chain.start, end))
+        earlier = max(self._start_of_line(earlier_line), starts[place - 1] if place else 0)
+        before, now = (self._named_in_paragraph(place) for place in (earlier, chain.start))
+        return before is not None and now is not None and is_another_engine(before, now)
+
+    def _names_another_cycle(self, chain: Chain, earlier_line: int) -> bool:
         """Tell whether a relation's clause is of two-stroke engines and an earlier line of four-stroke ones."""
         text, start = self.document.text, chain.start
         first = self._start_of_line(self.paragraph_start(earlier_line))
