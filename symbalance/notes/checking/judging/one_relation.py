@@ -182,7 +182,10 @@ def _judge_step(
         decision = appeal(state, chain, k, against, decision, knowledge)
     if decision.is_proved and (by_quantity := wrong_as_quantity(chain, k, state.document, knowledge)):
         return by_quantity
-    by_name = state.named.of_another(chain, k, knowledge)
+    by_name: Verdict | Decision | None = None
+    if decision.is_proved:
+        by_name = refute_repeated_interval(state.engine_resultants, chain, k)
+    by_name = by_name or state.named.of_another(chain, k, knowledge)
     if by_name is None and decision.status == UNDECIDED:
         by_name = state.engine_resultants.judge(chain, k, knowledge)
         by_name = by_name or state.named.judge(chain, k, knowledge)

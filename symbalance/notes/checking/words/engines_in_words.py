@@ -43,7 +43,7 @@ _MENTION = re.compile(
     rf"[-\s]?(?P<behind>{_ANY}(?<!one))(?![0-9A-Za-z])(?![.,][0-9])"
     r"|(?<![A-Za-z])(?P<row>three|four|five|six|eight)[-\s]in[-\s]line"
     r"|(?<![A-Za-z0-9_\\{$])(?P<code>[RIL])-?(?P<coded>[2-68])(?![0-9A-Za-z_}]|\s*[=^(*/]|[.,][0-9])"
-    r"|^[\s>*_#|-]{0,6}(?:the\s+)?(?P<label>three|four|five|six|eight)s?(?=\W{0,3}[:|])"
+    r"|^[ \t>*_#|-]{0,6}(?:the\s+)?(?P<label>three|four|five|six|eight)s?(?=\W{0,3}[:|])"
     r"|(?<![A-Za-z])(?P<noun>twins?|triples?)(?![A-Za-z])"
     r"|(?<![A-Za-z])(?:an?|the|of|our|this|as|old|every)\s+(?:[a-z-]+\s)?(?P<bare>three|four|five|six|eight|single)"
     r"(?=\s*(?:[.,:;)!?*—–]|\n|$)|\s(?:has|have|is|shows|with|vibrates?|at|shakes?|produces|gives|suffers|generates|again|runs|needs|turns?|fires?|by|and)\b)",
@@ -151,6 +151,7 @@ class NamedEngine:
     words: str
     cylinders: int
     is_boxer: bool = False
+    has_banks: bool = False
     stars: tuple[CrankStar, ...] = ()
     """The cranks that the name leaves open; none where it says too little."""
     turn: int = 0
@@ -169,12 +170,21 @@ class EnginesInWords:
     text: str
 
     def __post_init__(self) -> None:
-        self.mentions = [named for m in _MENTION.finditer(self.text) if (named := self._named(m))]
+        named = [named for m in _MENTION.finditer(self.text) if (named := self._named(m))]
+        vees = [NamedEngine(m.start(), m[0], 0, has_banks=True) for m in _BANKS.finditer(self.text)]
+        self.mentions = named
+        self.every = sorted([*named, *vees], key=lambda engine: engine.place)
         self._places = [named.place for named in self.mentions]
+        self._all_places = [named.place for named in self.every]
 
     def between(self, first: int, last: int) -> list[NamedEngine]:
         """Return the engines that are named in a part of the text."""
         return self.mentions[bisect_left(self._places, first) : bisect_left(self._places, last)]
+
+    def last_before(self, first: int, last: int) -> NamedEngine | None:
+        """Return the engine that a part of the text names last, one with banks too; None for none."""
+        place = bisect_left(self._all_places, last)
+        return self.every[place - 1] if place and self._all_places[place - 1] >= first else None
 
     def has_banks(self, first: int, last: int) -> bool:
         """Tell whether a part of the text speaks of an engine whose cylinders are in banks."""
@@ -213,7 +223,8 @@ class EnginesInWords:
 def is_another_engine(before: NamedEngine, now: NamedEngine) -> bool:
     """Tell whether two mentions are of two engines: other cylinders, opposed ones, a twin of another crank."""
     is_other_twin = bool(before.turn and now.turn and before.turn != now.turn)
-    return before.cylinders != now.cylinders or before.is_boxer != now.is_boxer or is_other_twin
+    is_other_kind = before.is_boxer != now.is_boxer or before.has_banks != now.has_banks
+    return before.cylinders != now.cylinders or is_other_kind or is_other_twin
 
 
 def last_cycle(words: str) -> int:

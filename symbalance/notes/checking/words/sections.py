@@ -541,8 +541,7 @@ class Sections:
     def _named_in_paragraph(self, place: int) -> NamedEngine | None:
         """Return the engine that the paragraph of a place names last before it."""
         line = self.document.line_of(place)
-        named = self._named_engines.between(self._start_of_line(self.paragraph_start(line)), place)
-        return named[-1] if named else None
+        return self._named_engines.last_before(self._start_of_line(self.paragraph_start(line)), place)
 
     @cached_property
     def _named_engines(self) -> EnginesInWords:
