@@ -37,8 +37,10 @@ from symbalance.notes.checking.motions.solutions_of_motion import decide_motion_
 from symbalance.notes.checking.page.solutions import solution_below
 from symbalance.notes.checking.meant.firing_intervals import (
     decide_firing_interval,
+    decide_order_frequency,
     refute_repeated_interval,
 )
+from symbalance.notes.checking.meant.lever_arms import refute_lever_arm
 from symbalance.notes.checking.premises.conditions_behind import values_behind
 from symbalance.notes.checking.premises.constraints import Constraint
 from symbalance.notes.checking.premises.letter_values import define_letter
@@ -332,6 +334,8 @@ def _as_meant(
     if definition.status in (DEFINITION, PREMISE):
         outcome = state.engine_resultants.judge(chain, k, knowledge)
         outcome = outcome or decide_firing_interval(state.engine_resultants, chain, k)
+        outcome = outcome or decide_order_frequency(state.engine_resultants, chain, k)
+        outcome = outcome or refute_lever_arm(state.engine_resultants, chain, k)
     if outcome is None and definition.status == DEFINITION:
         outcome = state.meant.judge(chain, k, knowledge)
     elif outcome is None:

@@ -272,6 +272,15 @@ class EngineResultants:
         first, last = self._sentence(self._opening(min(s.span[0] for s in chain.sides)), chain.end)
         return self._text[first:last]
 
+    def orders_before(self, chain: Chain) -> set[int]:
+        """Return the orders that the sentence of a relation names before it, or the one before that."""
+        start = self._opening(min(s.span[0] for s in chain.sides))
+        first, _ = self._sentence(start, chain.end)
+        for words in (self._text[first:start], self._text[self._sentence(max(first - 2, 0), first)[0] : start]):
+            if _ORDER_WORD.search(words) and (orders := {int((m.lastgroup or "n0")[1:]) for m in _ORDER.finditer(words)}):
+                return orders & {1, 2, 4, 6} if 3 not in orders else set()
+        return set()
+
     def section(self, chain: Chain) -> str:
         """Return the section that a relation stands in."""
         first, last = (f(chain.lines[0]) for f in (self.sections.section_start, self.sections.section_end))

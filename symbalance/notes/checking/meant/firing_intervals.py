@@ -1,4 +1,4 @@
-"""Firing intervals of engines that words name, as numbers: "the straight six fires every 720°/5" is wrong.
+"""Firing intervals and frequencies of orders, as numbers: "the straight six fires every 720°/5" is wrong.
 
 An engine whose cranks are even fires at equal intervals of two turns over its cylinders, of one turn if
 it is a two-stroke. Of a twin, of banks and of uneven firing nothing is said.
@@ -13,6 +13,7 @@ from symbalance.document.formula import Formula, Name, names
 from symbalance.document.letters import plain_letter
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision, without_dots
 from symbalance.notes.checking.meant.engine_resultants import EngineResultants
+from symbalance.notes.checking.meant.engine_speeds import speeds_of
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.meant.products import NoProductError, product_of
 from symbalance.notes.checking.words.engines_in_words import NamedEngine, last_cycle
@@ -30,6 +31,12 @@ _UNEVEN = re.compile(
     re.IGNORECASE,
 )
 _OTHER_ANGLE = re.compile(r"crank|throw|offset|angle|bank|winkel|kröpf|\bpins?\b|lead|vor\b|クランク|角", re.IGNORECASE)
+_FREQUENCY = re.compile(r"frequenc(?:y|ies)|frequenz|周波数|振動数|fréquence|frecuencia|frequenza", re.IGNORECASE)
+_OTHER_RATE = re.compile(
+    r"fir(?:es|ing)|ignit|zünd|点火|natural|eigen|固有|camshaft|nockenwelle|angular|kreisfrequenz|角|half|ratio|verhältnis"
+    r"|resonan|critical|kritisch",
+    re.IGNORECASE,
+)
 _FEWEST = 3
 
 
@@ -67,6 +74,30 @@ def decide_firing_interval(resultants: EngineResultants, chain: Chain, k: int) -
         return None
     turns = f"{_even(engine, cycle or 4) * 180 / pi:.6g}°"
     return Decision(REFUTED, f"if {text}: with even firing it is {turns}")
+
+
+def decide_order_frequency(resultants: EngineResultants, chain: Chain, k: int) -> Decision | None:
+    """Return the decision on a number for the frequency of an order at the speed that its sentence names."""
+    head, value = chain.sides[0].node, without_dots(chain.sides[1].node)[0]
+    if k or not isinstance(head, Name) or names(value) or chain.relations[0].sign not in "=≈":
+        return None
+    words = resultants.sentence(chain)
+    speeds, orders = speeds_of(words), resultants.orders_before(chain)
+    if not _FREQUENCY.search(words) or _OTHER_RATE.search(words) or len(speeds) != 1 or len(orders) != 1:
+        return None
+    (speed,), (order,) = speeds, orders
+    try:
+        number = product_of(value).number * 60 / speed
+    except NoProductError:
+        return None
+    text = (
+        f"{plain_letter(head.name)} is the frequency of the order {order} at {speed} turns a minute"
+        f" ({NOBODY}; taken from the words “{_FREQUENCY.findall(words)[-1]}”)"
+    )
+    if isclose(number, order, rel_tol=5e-3):
+        return Decision(PROVED, assumptions=(text,))
+    is_slip = any(isclose(number, order * factor, rel_tol=1e-3) for factor in (0.5, 2, 1 / order, order))
+    return Decision(REFUTED, f"if {text}: it is {order * speed / 60:.6g} 1/s") if is_slip else None
 
 
 def _even(engine: NamedEngine, strokes: int) -> float:

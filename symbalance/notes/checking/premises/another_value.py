@@ -58,7 +58,8 @@ def _define_anew(
     if other:
         definitions.define(name, without_dots(value)[0], chain)
         return Decision(DEFINITION, other)
-    if names(value) and definitions.sections.names_another_case(chain, earlier.line):
+    has_letters = bool(names(value) or names(earlier.node))
+    if has_letters and definitions.sections.names_another_case(chain, earlier.line):
         definitions.define(name, without_dots(value)[0], chain)
         return Decision(DEFINITION, f"anew: in line {earlier.line} it was of another engine")
     by_premises = decide_by_premises(definitions, Premise(Name(name), value, line), knowledge)
