@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from itertools import pairwise
 
 from mpmath import mp, mpf
 
@@ -373,7 +374,6 @@ BALANCE = {
 }  # fmt: skip
 
 
-
 def firings(turns_each, per_cylinder=1):
     """Count the firings of six cylinders in a second at 3000 turns a minute, each in so many turns."""
     turns = 3000 // 60
@@ -383,11 +383,11 @@ def firings(turns_each, per_cylinder=1):
 def zero_crossings(order):
     """Count the periods of an order in a second at 3000 turns a minute, by the signs of cos nωt."""
     signs = [mp.cos(order * 2 * mp.pi * 50 * (k + mpf(1) / 3) / 2000) > 0 for k in range(2001)]
-    return sum(1 for one, two in zip(signs, signs[1:], strict=False) if two and not one)
+    return sum(1 for one, two in pairwise(signs) if two and not one)
 
 
-SIX = {"rotation": F(50), "cylinders": F(6), "omega": exact(100 * mp.pi)}
-A_MINUTE = {"rotation": F(3000), "cylinders": F(6)}
+SIX = {"turn_rate": F(50), "cylinders": F(6), "omega": exact(100 * mp.pi)}
+A_MINUTE = {"turn_rate": F(3000), "cylinders": F(6)}
 ENGINE_RATES = {
     "firing frequency of a four-stroke engine": [(SIX, mpf(firings(2))), (A_MINUTE, mpf(firings(2)))],
     "firing frequency of a two-stroke engine": [(SIX, mpf(firings(1))), (A_MINUTE, mpf(firings(1)))],

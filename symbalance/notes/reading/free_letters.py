@@ -50,7 +50,13 @@ def may_be_free(
     is_last = place >= len(tokens) or tokens[place].kind in ("sep", "close")
     is_word = tokens[place - 1].end - start == len(name)  # 20 psi, but 2\psi and 2ψ
     is_exponent = before is not None and _is_exponent_of_letter(tokens, tokens.index(before))
-    if is_last and is_word and not is_exponent and before is not None and before.kind in ("number", "vulgar"):
+    if (
+        is_last
+        and is_word
+        and not is_exponent
+        and before is not None
+        and before.kind in ("number", "vulgar")
+    ):
         is_letter = not scale_of(name) or (name in known and before.end == start)
         return is_letter and (name != "d" or name in known)  # 3 N, but 2 m r
     return name != "d" or _is_no_differential(tokens, place)

@@ -229,7 +229,11 @@ class Judge:
     def _unless_excepted(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict, undecided where words behind a refuted relation name cases in which it fails."""
         is_last = k == len(chain.relations) - 1 and bool(chain.letters)
-        if verdict.verdict != REFUTED or not is_last or not has_exception_behind(self.document.text, chain.end):
+        if (
+            verdict.verdict != REFUTED
+            or not is_last
+            or not has_exception_behind(self.document.text, chain.end)
+        ):
             return verdict
         reason = "the words behind name cases in which it does not hold"
         return describe(self.document, chain, k, Decision(UNDECIDED, reason))

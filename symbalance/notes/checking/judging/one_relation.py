@@ -23,7 +23,13 @@ from symbalance.notes.checking.deciding.values_in_ranges import decide_where_val
 from symbalance.notes.checking.judging.appeals import appeal
 from symbalance.notes.checking.judging.letters_at_odds import unless_used_anew
 from symbalance.notes.checking.meant.engine_speeds import decide_speed
+from symbalance.notes.checking.meant.firing_intervals import (
+    decide_firing_interval,
+    decide_order_frequency,
+    refute_repeated_interval,
+)
 from symbalance.notes.checking.meant.given_numbers import number_given
+from symbalance.notes.checking.meant.lever_arms import refute_lever_arm
 from symbalance.notes.checking.motions.equations_of_motion import (
     decide_motion,
     decide_natural_frequency,
@@ -35,12 +41,6 @@ from symbalance.notes.checking.motions.matrix_equations_of_motion import rows_of
 from symbalance.notes.checking.motions.mean_values import decide_by_mean
 from symbalance.notes.checking.motions.solutions_of_motion import decide_motion_solution
 from symbalance.notes.checking.page.solutions import solution_below
-from symbalance.notes.checking.meant.firing_intervals import (
-    decide_firing_interval,
-    decide_order_frequency,
-    refute_repeated_interval,
-)
-from symbalance.notes.checking.meant.lever_arms import refute_lever_arm
 from symbalance.notes.checking.premises.conditions_behind import values_behind
 from symbalance.notes.checking.premises.constraints import Constraint
 from symbalance.notes.checking.premises.letter_values import define_letter

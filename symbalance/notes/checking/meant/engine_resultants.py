@@ -31,6 +31,7 @@ from symbalance.document.formula import (
 )
 from symbalance.document.letters import plain_letter
 from symbalance.notes.algebra.evaluation import SymbolValue
+from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
@@ -38,7 +39,6 @@ from symbalance.notes.checking.meant.letter_roles import LetterRoles
 from symbalance.notes.checking.meant.meant_words import NOBODY, MeantWords
 from symbalance.notes.checking.meant.products import NoProductError, ProductOfPowers, product_of
 from symbalance.notes.checking.repair.fixes import Repair, fix_of
-from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
 from symbalance.notes.checking.words.engines_in_words import CrankStar, EnginesInWords, NamedEngine
@@ -54,92 +54,133 @@ _ORDER = re.compile(
     "|".join(
         rf"(?P<n{n}>(?<![A-Za-z0-9.])(?:{pattern}))"
         for n, pattern in {
-            1: r"first|primary|1st|erste[rsnm]?|1\.|I\.|premi(?:er|ère)|primer[ao]?|prim[oa](?![a-z])|pierwsz\w+|eerste"
-               r"|första|перв\w+|[一1１]\s?次|orders?\s(?:of\s)?(?:1|one)(?![0-9])|ordnung\s(?:1|I)(?![0-9])",
-            2: r"second(?![a-z])|secondary|2nd|zweite[rsnm]?|2\.|II\.|secondaire|deuxième|segund[oa]|second[oa](?![a-z])"
-               r"|drugi\w+|tweede|andra|втор\w+|[二2２]\s?次|orders?\s(?:of\s)?(?:2|two)(?![0-9])|ordnung\s(?:2|II)(?![0-9])",
-            4: r"fourth|4th|vierte[rsnm]?|4\.|IV\.|quatrième|cuart[oa]|quart[oa]|czwart\w+|vierde|[四4４]\s?次"
+            1: r"first|primary|1st|erste[rsnm]?|1\.|I\.|premi(?:er|ère)|primer[ao]?|prim[oa](?![a-z])"
+            r"|pierwsz\w+|eerste"
+               r"|första|перв\w+|[一1１]\s?次|orders?\s(?:of\s)?(?:1|one)(?![0-9])|ordnung\s(?:1"
+               r"|I)(?![0-9])",
+            2: r"second(?![a-z])|secondary|2nd|zweite[rsnm]?|2\.|II\.|secondaire|deuxième|segund[oa]"
+            r"|second[oa](?![a-z])"
+               r"|drugi\w+|tweede|andra|втор\w+|[二2２]\s?次|orders?\s(?:of\s)?(?:2|two)(?![0-9])"
+               r"|ordnung\s(?:2|II)(?![0-9])",
+            4: r"fourth|4th|vierte[rsnm]?|4\.|IV\.|quatrième|cuart[oa]|quart[oa]|czwart\w+|vierde"
+            r"|[四4４]\s?次"
                r"|orders?\s(?:of\s)?(?:4|four)(?![0-9])",
             6: r"sixth|6th|sechste[rsnm]?|6\.|VI\.|sixième|sext[oa]|sest[oa]|szóst\w+|zesde|[六6６]\s?次"
                r"|orders?\s(?:of\s)?(?:6|six)(?![0-9])",
-            3: r"third|3rd|dritte[rsnm]?|3\.|troisième|tercer[ao]?|terz[oa]|fifth|fünfte|eighth|[三八五3358]\s?次",
+            3: r"third|3rd|dritte[rsnm]?|3\.|troisième|tercer[ao]?|terz[oa]|fifth|fünfte|eighth"
+            r"|[三八五3358]\s?次",
         }.items()
     ),
     re.IGNORECASE,
 )  # fmt: skip
 _ORDER_WORD = re.compile(
-    r"order|harmonic|ordnung|harmonische|primary|secondary|ordre|secondaire|primaire|orden|ordine|rzędu|\borde\b|порядк|次",
+    r"order|harmonic|ordnung|harmonische|primary|secondary|ordre|secondaire|primaire|orden|ordine|rzędu"
+    r"|\borde\b|порядк|次",
     re.IGNORECASE,
 )
 _COUPLE = re.compile(
-    r"couples?(?![a-z])|moments?(?![a-z])|moment[eoia]?(?![a-z])|kippmoment|\bpar(?:\s|\b)(?=de\s+inercia)|coppi[ae]"
+    r"couples?(?![a-z])|moments?(?![a-z])|moment[eoia]?(?![a-z])|kippmoment|\bpar(?:\s"
+    r"|\b)(?=de\s+inercia)|coppi[ae]"
     r"|偶力|モーメント|momentów|момент",
     re.IGNORECASE,
 )
 _FORCE = re.compile(
-    r"forces?(?![a-z])|kraft(?![a-z])|kräften?(?![a-z])|fuerzas?|forz[ae]|sił[ay]?\b|kracht(?:en)?|krafter?|慣性力|合力|сил[аы]"
+    r"forces?(?![a-z])|kraft(?![a-z])|kräften?(?![a-z])|fuerzas?|forz[ae]|sił[ay]?\b|kracht(?:en)?"
+    r"|krafter?|慣性力|合力|сил[аы]"
     r"|massenkr|shaking|imbalance|unbalance",
     re.IGNORECASE,
 )
-_TORQUE = re.compile(r"torque|drehmoment|トルク|of\s+inertia\b(?!\s+(?:force|couple))|trägheitsm", re.IGNORECASE)
-_ROTATING = re.compile(r"rotating|revolving|rotierend|umlaufend|回転(?:部分|質量)|tournant|rotante|rotativ", re.IGNORECASE)
+_TORQUE = re.compile(
+    r"torque|drehmoment|トルク|of\s+inertia\b(?!\s+(?:force|couple))|trägheitsm", re.IGNORECASE
+)
+_ROTATING = re.compile(
+    r"rotating|revolving|rotierend|umlaufend|回転(?:部分|質量)|tournant|rotante|rotativ", re.IGNORECASE
+)
 _PART = re.compile(
-    r"\b(?:pairs?|half|halves|halved|outer|inner|middle|front|rear|single|each(?!\s+(?:crank\s?)?(?:pin|throw))|every|per|both|either|component|twice|thrice"
-    r"|times|double[ds]?|mean|average|rms|gas|rods?|bearings?|ratio|left\s+over|residual|component\w*|per\s*cent)\b|%"
-    r"|\b(?:one|a|two|three|another)\s+(?:cylinder|piston|crank|bank|throw)s?\b|cylinders?\s+[0-9]|pistons?\s+[0-9]"
-    r"|(?<!un)balanc(?:er|ing|ed|es|e\s+(?:shaft|weight|mass))|lanchester|counter-?(?:weight|balance|rotat)|ausgleich|gegengewicht"
-    r"|paar|hälfte|halbe|äußere|innere|vordere|hintere|mittlere|\bje\b|jede[rsnm]?\b|einzel|eines\s+zylinders|restlich"
+    r"\b(?:pairs?|half|halves|halved|outer|inner|middle|front|rear|single|each(?!\s+(?:crank\s?)?(?:pin"
+    r"|throw))|every|per|both|either|component|twice|thrice"
+    r"|times|double[ds]?|mean|average|rms|gas|rods?|bearings?|ratio|left\s+over|residual|component\w*"
+    r"|per\s*cent)\b|%"
+    r"|\b(?:one|a|two|three|another)\s+(?:cylinder|piston|crank|bank|throw)s?\b|cylinders?\s+[0-9]"
+    r"|pistons?\s+[0-9]"
+    r"|(?<!un)balanc(?:er|ing|ed|es|e\s+(?:shaft|weight|mass))|lanchester|counter-?(?:weight|balance"
+    r"|rotat)|ausgleich|gegengewicht"
+    r"|paar|hälfte|halbe|äußere|innere|vordere|hintere|mittlere|\bje\b|jede[rsnm]?\b|einzel"
+    r"|eines\s+zylinders|restlich"
     r"|verbleibend|doppelte|zylinder\s+[0-9]|pleuel|lager\b|gaskr|komponente|restkraft|restmoment"
-    r"|chaque|chacun|demi|moitié|équilibr|contrepoids|cada|mitad|contrapes|equilibr|ciascun|metà|każd|połow"
-    r"|釣合い?おもり|バランサ|バランスシャフト|カウンタ|残|各|1\s*気筒あたり|片側|半分|外側|内側|中央|一対|成分|倍",
+    r"|chaque|chacun|demi|moitié|équilibr|contrepoids|cada|mitad|contrapes|equilibr|ciascun|metà|każd"
+    r"|połow"
+    r"|釣合い?おもり|バランサ|バランスシャフト|カウンタ|残|各|1\s*気筒あたり|片側|半分|外側|内側|中央"
+    r"|一対|成分|倍",
     re.IGNORECASE,
 )
 """Words for a part or a multiple of what an engine's cylinders do, or for more that acts."""
 _BALANCED = re.compile(
-    r"balanc(?:er|ing|e\s+(?:shaft|weight|mass))|lanchester|counter-?(?:weight|balance|rotat)|ausgleichs|gegengewicht"
+    r"balanc(?:er|ing|e\s+(?:shaft|weight|mass))|lanchester|counter-?(?:weight|balance|rotat)"
+    r"|ausgleichs|gegengewicht"
     r"|contrepoids|contrapes|バランサ|バランスシャフト|カウンタ|釣合い?おもり",
     re.IGNORECASE,
 )
 _OF_ONE = re.compile(
-    r"\b(?:per|each|every|one|single)[\s-]+(?:cylinder|piston|unit|pot)|\bper\s+cyl|a\s+(?:single|lone)\s|of\s+a\s+piston"
-    r"|(?:pro|je|eines|einen|einem|jeder|jedes|jeden)\s+(?:einzelnen\s+)?(?:zylinder|kolben)|einzylinder|einzelne[rnms]?\s"
-    r"|chaque\s+(?:cylindre|piston)|par\s+cylindre|cada\s+(?:cilindro|pist)|por\s+cilindro|ogni\s+cilindro|per\s+cilindro"
+    r"\b(?:per|each|every|one|single)[\s-]+(?:cylinder|piston|unit|pot)|\bper\s+cyl|a\s+(?:single"
+    r"|lone)\s|of\s+a\s+piston"
+    r"|(?:pro|je|eines|einen|einem|jeder|jedes|jeden)\s+(?:einzelnen\s+)?(?:zylinder|kolben)"
+    r"|einzylinder|einzelne[rnms]?\s"
+    r"|chaque\s+(?:cylindre|piston)|par\s+cylindre|cada\s+(?:cilindro|pist)|por\s+cilindro"
+    r"|ogni\s+cilindro|per\s+cilindro"
     r"|ciascun|każd\w+\s+cylind|1\s*気筒|各気筒|単気筒|一気筒|of\s+(?:one|the\s+[ijk]-?th)",
     re.IGNORECASE,
 )
 _WHOLE = re.compile(
-    r"\bfree\b|freie|resultant|resultier|\btotal|gesamt|\bsum\b|summe|合力|合計|全体|whole|engine'?s\b|add\s+up|altogether"
-    r"|remain|surviv|bleib|resultante|totale|risultant|libre|\bliber|wypadkow|together|zusammen|insgesamt"
-    r"|of\s+the\s+(?:whole\s+)?engine|of\s+the\s+motor|des\s+(?:ganzen\s+)?motors|du\s+moteur|del\s+motore?|エンジン",
+    r"\bfree\b|freie|resultant|resultier|\btotal|gesamt|\bsum\b|summe|合力|合計|全体|whole|engine'?s\b"
+    r"|add\s+up|altogether"
+    r"|remain|surviv|bleib|resultante|totale|risultant|libre|\bliber|wypadkow|together|zusammen"
+    r"|insgesamt"
+    r"|of\s+the\s+(?:whole\s+)?engine|of\s+the\s+motor|des\s+(?:ganzen\s+)?motors|du\s+moteur"
+    r"|del\s+motore?|エンジン",
     re.IGNORECASE,
 )
 _TOTAL_MASS = re.compile(
-    r"(?:total|all|whole|entire|complete|gesamte?n?|sämtliche[rn]?)\s+(?:\w+\s+){0,2}mass(?:e?s|en?)?(?![a-z])|gesamtmasse"
-    r"|mass(?:es)?\s+of\s+(?:all|both|the\s+(?:two|three|four|five|six))|masse\s+aller|全質量|masse\s+totale|masa\s+total",
+    r"(?:total|all|whole|entire|complete|gesamte?n?|sämtliche[rn]?)\s+(?:\w+\s+){0,2}mass(?:e?s"
+    r"|en?)?(?![a-z])|gesamtmasse"
+    r"|mass(?:es)?\s+of\s+(?:all|both|the\s+(?:two|three|four|five|six))|masse\s+aller|全質量"
+    r"|masse\s+totale|masa\s+total",
     re.IGNORECASE,
 )
 _FAR_APART = re.compile(
-    r"(?:outer(?:most)?|end|total|overall|half|äußer\w*|halbe\w*|gesamt\w*|外側|全長|first\s+(?:and|to)\s+(?:the\s+)?last|extr[eê]me?s)"
+    r"(?:outer(?:most)?|end|total|overall|half|äußer\w*|halbe\w*|gesamt\w*|外側|全長|first\s+(?:and"
+    r"|to)\s+(?:the\s+)?last|extr[eê]me?s)"
     r"|length\s+of\s+the\s+(?:block|engine|crank)|baulänge",
     re.IGNORECASE,
 )
 _PITCH_WORDS = re.compile(
-    r"(?:cylinder|bore)s?[\s-]+(?:spacing|pitch|distance|centres?|centers?)|\bpitch\b|\bspacing\b|distance\s+(?:of|between|from)"
-    r"|distance\s+apart|(?:axial\s+)?offset|zylinderabst[aä]nd\w*|stichma(?:ß|ss)|abst[aä]nd\w*|entraxes?|interass[ei]|rozstaw\w*"
-    r"|気筒間(?:隔|距離)|シリンダ(?:ー)?間隔|ピッチ|distancia\s+entre|distanza\s+tra|cilinderafstand|apart|bore\s+centres",
+    r"(?:cylinder|bore)s?[\s-]+(?:spacing|pitch|distance|centres?|centers?)|\bpitch\b|\bspacing\b"
+    r"|\bdistances?\b"
+    r"|distance\s+apart|(?:axial\s+)?offset|zylinderabst[aä]nd\w*|stichma(?:ß|ss)|abst[aä]nd\w*"
+    r"|entraxes?|interass[ei]|rozstaw\w*"
+    r"|気筒間(?:隔|距離)|シリンダ(?:ー)?間隔|ピッチ|distancia\s+entre|distanza\s+tra|cilinderafstand"
+    r"|apart|bore\s+centres",
     re.IGNORECASE,
 )
-_MASSES, _RADII, _SPEEDS, _RODS = (frozenset(t.split()) for t in ("m M", "r R", "omega Omega w", "l L ell"))
-_ARMS = frozenset("a b c d e h p s x z i k A B D H L l t u".split())
-_AMPLITUDES = frozenset("F P S Q K Z C R X T f p".split())
-_ANGLES = frozenset("theta varphi phi vartheta alpha psi beta gamma".split())
+_MASSES, _RADII, _SPEEDS, _RODS = (
+    frozenset(t.split()) for t in ("m M", "r R", "omega Omega w", "l L ell")
+)
+_ARMS = frozenset(
+    ["a", "b", "c", "d", "e", "h", "p", "s", "x", "z", "i", "k", "A", "B", "D", "H", "L", "l", "t", "u"]
+)
+_AMPLITUDES = frozenset(["F", "P", "S", "Q", "K", "Z", "C", "R", "X", "T", "f", "p"])
+_ANGLES = frozenset(["theta", "varphi", "phi", "vartheta", "alpha", "psi", "beta", "gamma"])
 _RATIOS = frozenset({"lambda", "lam"})
 _MOST = 400
 _OPENING = re.compile(
-    r"(?:\s|\$|\\\[|\\\(|\\begin\{[a-z]+\*?\}|\\displaystyle|&|</?(?:p|div|math|span|li)\b[^<>]{0,40}>|`|>)+$"
+    r"(?:\s|\$|\\\[|\\\(|\\begin\{[a-z]+\*?\}|\\displaystyle|&|</?(?:p|div|math|span|li)\b[^<>]{0,40}>"
+    r"|`|>)+$"
 )
 """What stands between words and the formula that is set off from them."""
-_SENTENCE_END = re.compile(r"[.!?]\s+(?![IVX0-9]{1,3}\.|Ordnung|order)|[。；;]|\n\s*\n|\n#|\n\s*(?:[-*+]|[0-9]+[.)])\s|\n\s*\||\n(?=[^\n]*:\s*\n)|\\item|<li|<p\b")
+_SENTENCE_END = re.compile(
+    r"[.!?]\s+(?![IVX0-9]{1,3}\.|Ordnung|order)|[。；;]|\n\s*\n|\n#|\n\s*(?:[-*+]|[0-9]+[.)])\s|\n\s*\|"
+    r"|\n(?=[^\n]*:\s*\n)|\\item|<li|<p\b"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,33 +224,54 @@ class _Parts:
 
 
 _BY_MEANING = {
-    "crank radius": "radius", "rod length": "rod", "angular speed": "speed", "reciprocating mass": "mass",
+    "crank radius": "radius", "rod length": "rod", "angular speed": "speed",
+    "reciprocating mass": "mass",
     "rotating mass": "mass", "rod ratio l/r": "inverse", "crank ratio r/l": "ratio",
 }  # fmt: skip
 _BEHIND_PITCH = re.compile(
-    r"(?:[\s,(:]|\b(?:of|the|two|between|neighbou?ring|adjacent|cylinders?|bores?|cent(?:re|er)s?|throws?|pins?|der|den|des|zweier"
-    r"|benachbarter|zylindern?|kröpfungen|de|des|du|la|le|les|entre|tra|i|dei|degli|cilindri|cilindros|cylindres?|dos|os|el|van|cilinders)\b"
+    r"(?:[\s,(:]|\b(?:of|the|two|between|neighbou?ring|adjacent|cylinders?|bores?|cent(?:re|er)s?"
+    r"|throws?|pins?|der|den|des|zweier"
+    r"|benachbarter|zylindern?|kröpfungen|de|des|du|la|le|les|entre|tra|i|dei|degli|cilindri|cilindros"
+    r"|cylindres?|dos|os|el|van|cilinders)\b"
     r"|[をはがのと])*",
     re.IGNORECASE,
 )
 _VECTORS = re.compile(
-    r"(?:sum|resultant|summe|合計)[^.;=]{0,40}(?:vectors|phasors|zeiger|vektoren|ベクトル)|(?:vector|phasor|zeiger|ベクトル)[\s-]?(?:sum|summe|和)",
+    r"(?:sum|resultant|summe|合計)[^.;=]{0,40}(?:vectors|phasors|zeiger|vektoren|ベクトル)|(?:vector"
+    r"|phasor|zeiger|ベクトル)[\s-]?(?:sum|summe|和)",
     re.IGNORECASE,
 )
-_WEIGHTED = re.compile(r"weighted|lever|moment|couple|gewichtet|hebel|mass|偶力|モーメント", re.IGNORECASE)
+_WEIGHTED = re.compile(
+    r"weighted|lever|moment|couple|gewichtet|hebel|mass|偶力|モーメント", re.IGNORECASE
+)
 _MASS_OF_ONE = re.compile(
-    r"(?:mass|kg|reciprocating|oszillierend|masse)[^.;:,\n]{0,30}?\s(?:of|per|je|pro|d.un|par|por|eines|einer)\s+(?:\w+\s+){0,3}(?:cylind\w+|piston|zylinders?|kolbens?)"
+    r"(?:mass|kg|reciprocating|oszillierend|masse)[^.;:,\n]{0,30}?\s(?:of|per|je|pro|d.un|par|por|eines"
+    r"|einer)\s+(?:\w+\s+){0,3}(?:cylind\w+|piston|zylinders?|kolbens?)"
     r"|1\s?気筒(?:あたり|分)?の(?:往復|運動)(?:部分の)?質量",
     re.IGNORECASE,
 )
 _SUMMED = re.compile(r"\\sum|Σ|∑|_\{?[ijk]\b")
-_IS = re.compile(r"\s*(?:is|being|denotes|be|ist|sei|bezeichnet|jest|oznacza|est|étant|es|è|は|を|\(|:|the\b)", re.IGNORECASE)
-_KINDS = {"ratio": "exponent", "rod": "exponent", "mass": "exponent", "speed": "exponent", "radius": "exponent", "wave": "order"}
-_IN_A_CASE = re.compile(
-    r"\b(?:if|when|where|speed|wenn|falls|doubles?|doubled|increas\w*|grows?)\b|のとき|の場合|same\s+as|compared|vergl|than\b|wie\s+beim",
+_IS = re.compile(
+    r"\s*(?:is|being|denotes|be|ist|sei|bezeichnet|jest|oznacza|est|étant|es|è|は|を|\(|:|the\b)",
     re.IGNORECASE,
 )
-_OF_ANOTHER = re.compile(r"\b(?:divided|per\s+unit|relative|bezogen\s+auf\s+\$|ratio|normali[sz]ed|squared?)\b|比", re.IGNORECASE)
+_KINDS = {
+    "ratio": "exponent",
+    "rod": "exponent",
+    "mass": "exponent",
+    "speed": "exponent",
+    "radius": "exponent",
+    "wave": "order",
+}
+_IN_A_CASE = re.compile(
+    r"\b(?:if|when|where|speed|wenn|falls|doubles?|doubled|increas\w*|grows?)\b|のとき|の場合|same\s+as"
+    r"|compared|vergl|than\b|wie\s+beim",
+    re.IGNORECASE,
+)
+_OF_ANOTHER = re.compile(
+    r"\b(?:divided|per\s+unit|relative|bezogen\s+auf\s+\$|ratio|normali[sz]ed|squared?)\b|比",
+    re.IGNORECASE,
+)
 
 
 @dataclass
@@ -276,15 +338,24 @@ class EngineResultants:
         """Return the orders that the sentence of a relation names before it, or the one before that."""
         start = self._opening(min(s.span[0] for s in chain.sides))
         first, _ = self._sentence(start, chain.end)
-        for words in (self._text[first:start], self._text[self._sentence(max(first - 2, 0), first)[0] : start]):
-            if _ORDER_WORD.search(words) and (orders := {int((m.lastgroup or "n0")[1:]) for m in _ORDER.finditer(words)}):
+        for words in (
+            self._text[first:start],
+            self._text[self._sentence(max(first - 2, 0), first)[0] : start],
+        ):
+            if _ORDER_WORD.search(words) and (
+                orders := {int((m.lastgroup or "n0")[1:]) for m in _ORDER.finditer(words)}
+            ):
                 return orders & {1, 2, 4, 6} if 3 not in orders else set()
         return set()
 
     def section(self, chain: Chain) -> str:
         """Return the section that a relation stands in."""
-        first, last = (f(chain.lines[0]) for f in (self.sections.section_start, self.sections.section_end))
-        return self._text[self._line_starts[first - 1] : self._line_starts[min(last, len(self._line_starts) - 1)]]
+        first, last = (
+            f(chain.lines[0]) for f in (self.sections.section_start, self.sections.section_end)
+        )
+        return self._text[
+            self._line_starts[first - 1] : self._line_starts[min(last, len(self._line_starts) - 1)]
+        ]
 
     def _claim(self, name: str, chain: Chain) -> _Claim | None:
         start, end = min(s.span[0] for s in chain.sides), chain.end
@@ -317,14 +388,22 @@ class EngineResultants:
         """Return the order that an index or the formula's own wave says, where it is of the whole engine."""
         if not _WHOLE.search(sentence) and not _WHOLE.search(before):
             return 0, ""
-        waves = [p for p in walk(chain.sides[1].node) if isinstance(p, Call) and p.function in ("cos", "sin")]
+        waves = [
+            p for p in walk(chain.sides[1].node) if isinstance(p, Call) and p.function in ("cos", "sin")
+        ]
         number = _wave(waves[0])[0] if len(waves) == 1 else 0
         if number in _POWERS and not _index(name):
             return number, before
         stem, index = name.partition("_")[0], _index(name)
-        heads = {c.sides[0].node.name for c in self.words.document.chains if isinstance(c.sides[0].node, Name)}
+        heads = {
+            c.sides[0].node.name for c in self.words.document.chains if isinstance(c.sides[0].node, Name)
+        }
         indices = {_index(n) for n in heads if n.partition("_")[0] == stem}
-        is_order = index in (1, 2) and indices <= {1, 2, 4, 6} and (_COUPLE.search(before) or _FORCE.search(before))
+        is_order = (
+            index in (1, 2)
+            and indices <= {1, 2, 4, 6}
+            and (_COUPLE.search(before) or _FORCE.search(before))
+        )
         return (index, before) if is_order else (0, "")
 
     def _words_around(self, chain: Chain, start: int, end: int) -> tuple[str, str, str, str]:
@@ -368,7 +447,9 @@ class EngineResultants:
         floor = max(0, start - _MOST)
         ends = [m.end() for m in _SENTENCE_END.finditer(self._text, floor, start)]
         behind = _SENTENCE_END.search(self._text, end, min(len(self._text), end + _MOST))
-        return (ends[-1] if ends else floor), (behind.start() if behind else min(len(self._text), end + _MOST))
+        return (ends[-1] if ends else floor), (
+            behind.start() if behind else min(len(self._text), end + _MOST)
+        )
 
     def _engine(self, chain: Chain, start: int, end: int) -> NamedEngine | None:
         """Return the engine that a relation is of: of its sentence, paragraph, section or title."""
@@ -395,7 +476,12 @@ class EngineResultants:
             near = self._row(start) or self._text[slice(*self._sentence(start, end))]
             engine = self._engines.with_stars(engine, section, section_end, around, near)
             listed = listed_at(self._crank_lists, start, self._text, self.sections.same_section)
-            if listed is None or listed.is_by_firing or len(listed.degrees) != engine.cylinders or engine.is_boxer:
+            if (
+                listed is None
+                or listed.is_by_firing
+                or len(listed.degrees) != engine.cylinders
+                or engine.is_boxer
+            ):
                 return engine
             return replace(engine, stars=(CrankStar(listed.degrees),))
         return None
@@ -406,7 +492,11 @@ class EngineResultants:
         """Return a product with the letters put in that the page has defined as products."""
         for name in [*product.powers]:
             definition = knowledge.definitions.get(name)
-            is_size = self._role(name, self._letter_roles(knowledge), None) not in ("base", "arm", "other")
+            is_size = self._role(name, self._letter_roles(knowledge), None) not in (
+                "base",
+                "arm",
+                "other",
+            )
             if definition is None or definition.numeric or is_size or not names(definition.node):
                 continue
             try:
@@ -437,8 +527,12 @@ class EngineResultants:
         if not is_amount:
             slips.append("factor")
         if not slips:
-            return Decision(PROVED, assumptions=(self._assumption(name, claim), *self._conditions(claim, parts)))
-        if len(slips) != 1 or not self._may_accuse(chain, knowledge, claim, parts, product, slips[0], sizes, float(first)):
+            return Decision(
+                PROVED, assumptions=(self._assumption(name, claim), *self._conditions(claim, parts))
+            )
+        if len(slips) != 1 or not self._may_accuse(
+            chain, knowledge, claim, parts, product, slips[0], sizes, float(first)
+        ):
             return None
         return self._refuted(chain, name, claim, parts, slips[0], sizes[0] * float(first) / number)
 
@@ -469,7 +563,10 @@ class EngineResultants:
         letter = {role: each[0] for role, each in by_role.items()}
         power = {role: powers[name] for role, name in letter.items()}
         if claim.kind == COUPLE and "arm" not in power and "rod" in power and power["rod"] > 0:
-            letter["arm"], power["arm"] = letter.pop("rod"), power.pop("rod")  # L is the pitch, not the rod
+            letter["arm"], power["arm"] = (
+                letter.pop("rod"),
+                power.pop("rod"),
+            )  # L is the pitch, not the rod
         slips: list[str] = []
         of_ratio = power.get("ratio", 0) - power.get("inverse", 0) - power.get("rod", 0)
         has_inertia = {"mass", "radius", "speed"} & power.keys()
@@ -502,7 +599,9 @@ class EngineResultants:
             if not multiple:
                 return None
             slips.append("wave")
-        return _Parts(letter, dict(product.powers), tuple(slips), has_amplitude, expected - of_ratio, angle)
+        return _Parts(
+            letter, dict(product.powers), tuple(slips), has_amplitude, expected - of_ratio, angle
+        )
 
     def _letter_roles(self, knowledge: Knowledge) -> Mapping[str, str]:
         meanings = {n: p.meaning for n, p in self.words.proposals.items() if p.words}
@@ -519,7 +618,12 @@ class EngineResultants:
         if stem in _RATIOS:
             return "ratio"
         is_couple = claim is not None and claim.kind == COUPLE
-        if claim is not None and claim.order > 1 and stem in ("A", "B", "C", "a", "b", "c", "alpha", "beta") and index == str(claim.order):
+        if (
+            claim is not None
+            and claim.order > 1
+            and stem in ("A", "B", "C", "a", "b", "c", "alpha", "beta")
+            and index == str(claim.order)
+        ):
             return "coefficient"
         if stem in _MASSES:
             return "mass"
@@ -575,7 +679,9 @@ class EngineResultants:
             return Decision(PROVED, assumptions=(text, *self._star(claim)))
         if len(sizes) != 1 or _PART.search(claim.own) or _WEIGHTED.search(claim.sentence):
             return None
-        return Decision(REFUTED, "; ".join((f"if {text}", *self._star(claim))) + f": it is {sizes[0]:.5g}")
+        return Decision(
+            REFUTED, "; ".join((f"if {text}", *self._star(claim))) + f": it is {sizes[0]:.5g}"
+        )
 
     @staticmethod
     def _star(claim: _Claim) -> Iterator[str]:
@@ -599,7 +705,12 @@ class EngineResultants:
             return not _OF_ANOTHER.search(claim.sentence)
         own = f"{claim.words} {claim.own}".replace(claim.engine.words, "")
         is_part = _PART.search(own) or _OF_ONE.search(own)
-        if len(sizes) != 1 or is_part or not self._is_told(parts.letter.get("base", "")) or _TOTAL_MASS.search(self._text):
+        if (
+            len(sizes) != 1
+            or is_part
+            or not self._is_told(parts.letter.get("base", ""))
+            or _TOTAL_MASS.search(self._text)
+        ):
             return False
         number, size = abs(product.number) / first, sizes[0]
         if _same(number, 1, product.rounding) and claim.kind == FORCE:
@@ -632,7 +743,9 @@ class EngineResultants:
             return False
         head = chain.sides[0].node
         others = [c for c in self.words.document.chains if c is not chain and c.relations]
-        if any(isinstance(head, Name) and head.name in names(s.node) for c in others for s in c.sides[1:]):
+        if any(
+            isinstance(head, Name) and head.name in names(s.node) for c in others for s in c.sides[1:]
+        ):
             return False
         near = [c for c in others if self.sections.same_section(c.lines[0], chain.lines[0])]
         amounts = [self._amount(c, claim.engine, knowledge) for c in near]
@@ -680,7 +793,9 @@ class EngineResultants:
         if decision.status != REFUTED:
             return None
         reason = "; ".join((f"if {self._assumption(name, claim)}", *self._conditions(claim, parts)))
-        verdict = describe(self.words.document, chain, 0, Decision(REFUTED, reason, witness=decision.witness))
+        verdict = describe(
+            self.words.document, chain, 0, Decision(REFUTED, reason, witness=decision.witness)
+        )
         repair = Repair(_KINDS.get(slip, slip), target, ((side.node, target),), 1.0)
         return replace(verdict, fix=fix_of(repair, self.words.document, side))
 
@@ -704,7 +819,12 @@ class EngineResultants:
             turned = angle if claim.order == 1 else Product((Number(Fraction(claim.order)), angle))
             wave = Call(wave.function, turned)
         else:
-            wanted = {"rod": -_POWERS[claim.order], "mass": 1, "speed": 2, "radius": 1 - parts.powers.get(parts.letter.get("rod", ""), 0)}
+            wanted = {
+                "rod": -_POWERS[claim.order],
+                "mass": 1,
+                "speed": 2,
+                "radius": 1 - parts.powers.get(parts.letter.get("rod", ""), 0),
+            }
             powers[parts.letter[slip]] = Fraction(wanted[slip])
         factors = [_number_node(factor)] if not _same(factor, 1) else []
         factors += [Name(n) if p == 1 else Name(n) ** p for n, p in powers.items() if p > 0]
@@ -716,14 +836,20 @@ class EngineResultants:
 
 
 def _product(factors: list[Formula]) -> Formula:
-    return factors[0] if len(factors) == 1 else Product(tuple(factors)) if factors else Number(Fraction(1))
+    return (
+        factors[0] if len(factors) == 1 else Product(tuple(factors)) if factors else Number(Fraction(1))
+    )
 
 
 def _number_node(value: float) -> Formula:
     """Return a number as a fraction, a root, or to four digits."""
     near = Fraction(value).limit_denominator(512)
     if isclose(near, value, rel_tol=1e-9):
-        return Number(near) if near.denominator == 1 else Quotient(Number(Fraction(near.numerator)), Number(Fraction(near.denominator)))
+        return (
+            Number(near)
+            if near.denominator == 1
+            else Quotient(Number(Fraction(near.numerator)), Number(Fraction(near.denominator)))
+        )
     square = Fraction(value * value).limit_denominator(64)
     if isclose(square, value * value, rel_tol=1e-9):
         for below in range(1, 9):

@@ -20,20 +20,29 @@ from symbalance.notes.checking.words.engines_in_words import NamedEngine, last_c
 from symbalance.notes.reading.equations import Chain
 
 _INTERVAL = re.compile(
-    r"(?:firing|ignition|explosion)\s+(?:interval|spacing|distance)|intervals?\s+between\s+(?:two\s+)?(?:firings|ignitions)"
-    r"|zünd(?:folge)?abst[aä]nd|zündintervall|(?:点火|爆発|着火)間隔|intervalle\s+d.allumage|intervalo\s+de\s+encendido"
-    r"|intervallo\s+(?:di|tra\s+le)\s+accension|ontstekingsinterval|odstęp\s+zapłon|tändintervall|(?:fires?|ignites?|fired|zündet)\s[^.;:=]{0,30}?(?:every|intervals?|alle\s|abständen)",
+    r"(?:firing|ignition|explosion)\s+(?:interval|spacing|distance)"
+    r"|intervals?\s+between\s+(?:two\s+)?(?:firings|ignitions)"
+    r"|zünd(?:folge)?abst[aä]nd|zündintervall|(?:点火|爆発|着火)間隔|intervalle\s+d.allumage"
+    r"|intervalo\s+de\s+encendido"
+    r"|intervallo\s+(?:di|tra\s+le)\s+accension|ontstekingsinterval|odstęp\s+zapłon|tändintervall"
+    r"|(?:fires?|ignites?|fired|zündet)\s[^.;:=]{0,30}?(?:every|intervals?|alle\s|abständen)",
     re.IGNORECASE,
 )
 _UNEVEN = re.compile(
-    r"uneven|ungleich|irregular|unregelmäßig|不等|\bodd|per\s+bank|je\s+bank|cross-?plane|big[\s-]?bang|クロスプレーン"
+    r"uneven|ungleich|irregular|unregelmäßig|不等|\bodd|per\s+bank|je\s+bank|cross-?plane|big[\s-]?bang"
+    r"|クロスプレーン"
     r"|camshaft|nockenwelle|カム|split|between\s+cylinders?\s+[0-9]",
     re.IGNORECASE,
 )
-_OTHER_ANGLE = re.compile(r"crank|throw|offset|angle|bank|winkel|kröpf|\bpins?\b|lead|vor\b|クランク|角", re.IGNORECASE)
-_FREQUENCY = re.compile(r"frequenc(?:y|ies)|frequenz|周波数|振動数|fréquence|frecuencia|frequenza", re.IGNORECASE)
+_OTHER_ANGLE = re.compile(
+    r"crank|throw|offset|angle|bank|winkel|kröpf|\bpins?\b|lead|vor\b|クランク|角", re.IGNORECASE
+)
+_FREQUENCY = re.compile(
+    r"frequenc(?:y|ies)|frequenz|周波数|振動数|fréquence|frecuencia|frequenza", re.IGNORECASE
+)
 _OTHER_RATE = re.compile(
-    r"fir(?:es|ing)|ignit|zünd|点火|natural|eigen|固有|camshaft|nockenwelle|angular|kreisfrequenz|角|half|ratio|verhältnis"
+    r"fir(?:es|ing)|ignit|zünd|点火|natural|eigen|固有|camshaft|nockenwelle|angular|kreisfrequenz|角"
+    r"|half|ratio|verhältnis"
     r"|resonan|critical|kritisch",
     re.IGNORECASE,
 )
@@ -57,7 +66,12 @@ def decide_firing_interval(resultants: EngineResultants, chain: Chain, k: int) -
     heading = resultants.sections.heading_above(chain.lines[0])
     match = _INTERVAL.search(words) or (None if _OTHER_ANGLE.search(words) else _INTERVAL.search(heading))
     engine = None if match is None else resultants.engine_of(chain)
-    if match is None or engine is None or engine.cylinders < _FEWEST or _UNEVEN.search(resultants.section(chain)):
+    if (
+        match is None
+        or engine is None
+        or engine.cylinders < _FEWEST
+        or _UNEVEN.search(resultants.section(chain))
+    ):
         return None
     size = _angle(value)
     if size is None:
@@ -69,7 +83,9 @@ def decide_firing_interval(resultants: EngineResultants, chain: Chain, k: int) -
     )
     for strokes in (4, 2):
         if isclose(size, _even(engine, strokes), rel_tol=1e-3) and cycle in (0, strokes):
-            return Decision(PROVED, assumptions=(text, f"the engine is a {strokes}-stroke with even firing"))
+            return Decision(
+                PROVED, assumptions=(text, f"the engine is a {strokes}-stroke with even firing")
+            )
     if not cycle and isclose(size, _even(engine, 2), rel_tol=1e-3):
         return None
     turns = f"{_even(engine, cycle or 4) * 180 / pi:.6g}°"

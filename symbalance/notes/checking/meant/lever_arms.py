@@ -18,13 +18,19 @@ from symbalance.notes.checking.meant.products import NoProductError, product_of
 from symbalance.notes.reading.equations import Chain
 
 _ARMS = re.compile(
-    r"lever(?:\s+arm)?s?(?![a-z])|(?:axial\s+)?positions?\s+(?:along|on)\s+the\s+crank|distances?\s+from\s+the\s+(?:middle|cent)"
-    r"|hebelarme?n?|abstände\s+(?:von|zu)\s+der\s+(?:motor)?mitte|(?<![a-z])arms(?![a-z])|腕の長さ|てこ|bras\s+de\s+levier",
+    r"lever(?:\s+arm)?s?(?![a-z])|(?:axial\s+)?positions?\s+(?:along|on)\s+the\s+crank"
+    r"|distances?\s+from\s+the\s+(?:middle|cent)"
+    r"|hebelarme?n?|abstände\s+(?:von|zu)\s+der\s+(?:motor)?mitte|(?<![a-z])arms(?![a-z])|腕の長さ|てこ"
+    r"|bras\s+de\s+levier",
     re.IGNORECASE,
 )
-_UNEVEN = re.compile(r"unequal|uneven|offset|ungleich|not\s+equally|boxer|flat[\s-]|opposed|不等", re.IGNORECASE)
+_UNEVEN = re.compile(
+    r"unequal|uneven|offset|ungleich|not\s+equally|boxer|flat[\s-]|opposed|不等", re.IGNORECASE
+)
 _MIDDLE = re.compile(r"middle|cent(?:re|er)|mitte|中央|中心|milieu|centro", re.IGNORECASE)
-_FIRST = re.compile(r"first|cylinder\s+1|ersten?|第[1一]|premier|primer|primo|reference\s+plane\s+at", re.IGNORECASE)
+_FIRST = re.compile(
+    r"first|cylinder\s+1|ersten?|第[1一]|premier|primer|primo|reference\s+plane\s+at", re.IGNORECASE
+)
 _FEWEST, _MOST = 3, 12
 
 
@@ -57,7 +63,9 @@ def refute_lever_arm(resultants: EngineResultants, chain: Chain, k: int) -> Deci
         return None
     value = values.pop()
     text = f"the cylinders are at equal distances {plain_letter(pitch)}"
-    return Decision(REFUTED, f"if {text}: as the other lever arms are, it is {value} {plain_letter(pitch)}")
+    return Decision(
+        REFUTED, f"if {text}: as the other lever arms are, it is {value} {plain_letter(pitch)}"
+    )
 
 
 Law = Callable[[int], Fraction]

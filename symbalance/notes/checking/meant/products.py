@@ -13,7 +13,6 @@ from symbalance.document.formula import (
     Formula,
     Name,
     Negative,
-    Number,
     Power,
     Product,
     Quotient,
@@ -54,7 +53,8 @@ class ProductOfPowers:
         if not other.number and exponent < 0:
             raise NoProductError
         return ProductOfPowers(
-            self.number * other.number ** (float(exponent) if exponent.denominator > 1 else exponent.numerator),
+            self.number
+            * other.number ** (float(exponent) if exponent.denominator > 1 else exponent.numerator),
             {name: power for name, power in powers.items() if power},
             self.wave or other.wave,
             max(self.rounding, other.rounding),

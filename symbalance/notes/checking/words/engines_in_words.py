@@ -1,4 +1,5 @@
-"""Engines that a page's words name, with the angles of their cranks: "the 270° twin", "Reihensechszylinder".
+"""Engines that a page's words name, with the angles of their cranks: "the 270° twin",
+"Reihensechszylinder".
 
 Engines in line and boxers have a usual crankshaft; a twin's is told by its angle, a five's by its firing
 order. An engine in banks, and one of which the words leave the cranks open, is named without them.
@@ -30,73 +31,89 @@ _WORDS = {
 _COUNTS = {word: count for count, words in _WORDS.items() for word in words.split()}
 _ANY = "|".join(sorted(_COUNTS, key=len, reverse=True))
 _ONE_OF_MANY = (
-    r"cylinder(?!s)|cyl(?!ind)|pot(?![a-z])|zylind(?:er|rig)|cilinder|cilindr(?!os|i(?![a-zà-ü]))|cylindre(?!s)"
+    r"cylinder(?!s)|cyl(?!ind)|pot(?![a-z])|zylind(?:er|rig)|cilinder|cilindr(?!os|i(?![a-zà-ü]))"
+    r"|cylindre(?!s)"
     r"|cylindr(?:ow|ig)|цилиндров|気筒|シリンダ"
 )
 _SEVERAL = r"cylinders|zylindern?|cylindres|cilindros|cilindri|cilinders|cylindrów|cylindrar|цилиндрами"
 _MACHINE = r"(?:engines?|motor\w*|moteurs?|machine|maschine|silnik|двигатель)\W+(?:\w+\W+){0,2}?"
 _MENTION = re.compile(
     rf"(?<![A-Za-z0-9.,])(?P<line>Reihen|Boxer|Parallel)?[-\s]?(?P<count>{_ANY})[-\s]?(?:{_ONE_OF_MANY})"
-    rf"|(?<![A-Za-z])(?:une?|le|du|el|del|il|um|o)\s+(?P<latin>{_ANY})[-\s](?:cylindres|cilindros|cilindri)"
+    rf"|(?<![A-Za-z])(?:une?|le|du|el|del|il|um|o)\s+(?P<latin>{_ANY})[-\s](?:cylindres|cilindros"
+    rf"|cilindri)"
     rf"|{_MACHINE}(?P<many>{_ANY})[-\s]?(?:{_SEVERAL})"
-    r"|(?<![A-Za-z])(?P<kind>in-?line|straight|flat|boxer|cross-?plane|flat-plane|reihen|直列|並列|水平対向)"
+    r"|(?<![A-Za-z])(?P<kind>in-?line|straight|flat|boxer|cross-?plane|flat-plane|reihen|直列|並列"
+    r"|水平対向)"
     rf"[-\s]?(?P<behind>{_ANY}(?<!one))(?![0-9A-Za-z])(?![.,][0-9])"
     r"|(?<![A-Za-z])(?P<row>three|four|five|six|eight)[-\s]in[-\s]line"
     r"|(?<![A-Za-z0-9_\\{$])(?P<code>[RIL])-?(?P<coded>[2-68])(?![0-9A-Za-z_}]|\s*[=^(*/]|[.,][0-9])"
     r"|^[ \t>*_#|-]{0,6}(?:the\s+)?(?P<label>three|four|five|six|eight)s?(?=\W{0,3}[:|])"
     r"|(?<![A-Za-z])(?P<noun>twins?|triples?)(?![A-Za-z])"
-    r"|(?<![A-Za-z])(?:an?|the|of|our|this|as|old|every)\s+(?:[a-z-]+\s)?(?P<bare>three|four|five|six|eight|single)"
-    r"(?=\s*(?:[.,:;)!?*—–]|\n|$)|\s(?:has|have|is|shows|with|vibrates?|at|shakes?|produces|gives|suffers|generates|again|runs|needs|turns?|fires?|by|and)\b)",
+    r"|(?<![A-Za-z])(?:an?|the|of|our|this|as|old|every)\s+(?:[a-z-]+\s)?(?P<bare>three|four|five|six"
+    r"|eight|single)"
+    r"(?=\s*(?:[.,:;)!?*—–]|\n|$)|\s(?:has|have|is|shows|with|vibrates?|at|shakes?|produces|gives"
+    r"|suffers|generates|again|runs|needs|turns?|fires?|by|and)\b)",
     re.IGNORECASE | re.MULTILINE,
 )
 _BANKS = re.compile(
     r"(?<![A-Za-z])(?:V|W|VR)[-\s]?(?:[0-9]{1,2}(?![0-9])|engine|twin|motor|型|four|six|eight)"
-    r"|(?<![A-Za-z])(?:banks?|radial|narrow[- ]angle)\b|bankwinkel|Gabelmotor|Sternmotor|gegenkolben|opposed[\s-]piston"
+    r"|(?<![A-Za-z])(?:banks?|radial|narrow[- ]angle)\b|bankwinkel|Gabelmotor|Sternmotor|gegenkolben"
+    r"|opposed[\s-]piston"
     r"|バンク|星[型形]|[VＶ]型|en\s+V\b|a\s+V\b",
     re.IGNORECASE,
 )
 _BOXER = re.compile(r"boxer|flat[-\s](?:twin|two|four|six|2|4|6)|(?<!horizontally )opposed|horizontally"
                     r"|水平対向|à plat|gegenüberliegend", re.IGNORECASE)  # fmt: skip
 _ODD = re.compile(
-    r"cross[\s-]?plane|クロスプレーン|T-?plane|big[\s-]?bang|uneven|odd[\s-]?fire|ungleichm|不等|two[\s-]?plane"
+    r"cross[\s-]?plane|クロスプレーン|T-?plane|big[\s-]?bang|uneven|odd[\s-]?fire|ungleichm|不等"
+    r"|two[\s-]?plane"
     r"|rechtwinklig|right\s+angles?|直角",
     re.IGNORECASE,
 )
 _CROSSPLANE = re.compile(r"cross[\s-]?plane|クロスプレーン", re.IGNORECASE)
 _FLAT = re.compile(
-    r"flat[\s-](?:plane\s+)?crank|flat[\s-]plane|single[\s-]plane|ebene?n?\s+Kurbelwelle|180\s*-?\s*(?:°|\^|deg)",
+    r"flat[\s-](?:plane\s+)?crank|flat[\s-]plane|single[\s-]plane|ebene?n?\s+Kurbelwelle"
+    r"|180\s*-?\s*(?:°|\^|deg)",
     re.IGNORECASE,
 )
 _ANGLE = re.compile(
-    r"(?<![0-9.,])(?P<turn>90|180|270|360)(?![0-9.,])[\s~-]?\s*(?:°|º|\^\s*\\?\{?\s*\\circ\}?|degrees?|deg\b|Grad|度|gradi)"
+    r"(?<![0-9.,])(?P<turn>90|180|270|360)(?![0-9.,])[\s~-]?\s*(?:°|º|\^\s*\\?\{?\s*\\circ\}?|degrees?"
+    r"|deg\b|Grad|度|gradi)"
     r"|\\ang\{(?P<ang>90|180|270|360)\}",
     re.IGNORECASE,
 )
 _FIRES = re.compile(
-    r"fir(?:es?|ing)|ignit|zünd|allum|encend|accens|点火|爆発|着火|zapł|ontstek|interval|abst[aä]nd|720", re.IGNORECASE
+    r"fir(?:es?|ing)|ignit|zünd|allum|encend|accens|点火|爆発|着火|zapł|ontstek|interval|abst[aä]nd|720",
+    re.IGNORECASE,
 )
 _CLAUSE = re.compile(r"[.;:!?]\s|[。；]|\n")
 _AGAINST = re.compile(
     r"opposite\s+direction|anti-?phase|gegenläufig|逆位相|in\s+opposition", re.IGNORECASE
 )
 _TOGETHER = re.compile(
-    r"up\s+and\s+down\s+together|rise\s+and\s+fall\s+together|side\s+by\s+side|in\s+step|gleichläufig|同位相", re.IGNORECASE
+    r"up\s+and\s+down\s+together|rise\s+and\s+fall\s+together|side\s+by\s+side|in\s+step|gleichläufig"
+    r"|同位相",
+    re.IGNORECASE,
 )
 _ORDER_LIST = re.compile(
-    r"(?:firing\s+(?:order|sequence)|zündfolge|ordre\s+d.allumage|orden\s+de\s+encendido|ordine\s+di\s+accensione"
+    r"(?:firing\s+(?:order|sequence)|zündfolge|ordre\s+d.allumage|orden\s+de\s+encendido"
+    r"|ordine\s+di\s+accensione"
     r"|点火順序|着火順序|fires?)[^0-9\n]{0,24}(?P<list>[1-9](?:\s?[-–—,→]\s?[1-9]){2,7})",
     re.IGNORECASE,
 )
 _BARE_LIST = re.compile(
-    r"(?:cranks?|throws?|pins?|kröpfung(?:en)?|kurbeln)\s+(?:(?:are\s+)?at\s+|bei\s+)?(?P<list>0(?:\s?[-–/]\s?[0-9]{1,3}){1,7})(?![0-9])",
+    r"(?:cranks?|throws?|pins?|kröpfung(?:en)?|kurbeln)\s+(?:(?:are\s+)?at\s+"
+    r"|bei\s+)?(?P<list>0(?:\s?[-–/]\s?[0-9]{1,3}){1,7})(?![0-9])",
     re.IGNORECASE,
 )
 _TWO_STROKE = re.compile(
-    r"(?:two|2)[\s-]?stroke(?!s)|(?:zwei|2)[\s-]?takt|2\s?(?:サイクル|ストローク)|deux\s+temps|dos\s+tiempos|due\s+tempi",
+    r"(?:two|2)[\s-]?stroke(?!s)|(?:zwei|2)[\s-]?takt|2\s?(?:サイクル|ストローク)|deux\s+temps"
+    r"|dos\s+tiempos|due\s+tempi",
     re.IGNORECASE,
 )
 _FOUR_STROKE = re.compile(
-    r"(?:four|4)[\s-]?stroke(?!s)|(?:vier|4)[\s-]?takt|4\s?(?:サイクル|ストローク)|quatre\s+temps|cuatro\s+tiempos|quattro\s+tempi",
+    r"(?:four|4)[\s-]?stroke(?!s)|(?:vier|4)[\s-]?takt|4\s?(?:サイクル|ストローク)|quatre\s+temps"
+    r"|cuatro\s+tiempos|quattro\s+tempi",
     re.IGNORECASE,
 )
 _INLINE = {
@@ -192,7 +209,9 @@ class EnginesInWords:
 
     def _named(self, match: re.Match[str]) -> NamedEngine | None:
         words = match["count"] or match["many"] or match["behind"] or match["coded"]
-        words = words or match["noun"] or match["bare"] or match["row"] or match["label"] or match["latin"]
+        words = (
+            words or match["noun"] or match["bare"] or match["row"] or match["label"] or match["latin"]
+        )
         start, end = match.span()
         near = self.text[max(0, start - 3) : end + 1]
         if _BANKS.search(self.text, max(0, start - 12), end):
@@ -202,7 +221,11 @@ class EnginesInWords:
         line = self.text[lines[0] : lines[1] if lines[1] >= 0 else len(self.text)]
         is_boxer = _BOXER.search(self.text, max(0, start - 30), min(len(self.text), end + 12)) is not None
         is_boxer = is_boxer or ("flat" in near.lower() and count in _OPPOSED)
-        if is_boxer and re.search(r"flat[\s-](?:plane|crank)", line, re.IGNORECASE) and "boxer" not in line.lower():
+        if (
+            is_boxer
+            and re.search(r"flat[\s-](?:plane|crank)", line, re.IGNORECASE)
+            and "boxer" not in line.lower()
+        ):
             is_boxer = False
         turn = _turn_told(self.text[max(lines[0], start - 40) : end + 40]) if count == 2 else 0
         return NamedEngine(start, match[0].strip(), count, is_boxer, turn=turn)
@@ -229,7 +252,10 @@ def is_another_engine(before: NamedEngine, now: NamedEngine) -> bool:
 
 def last_cycle(words: str) -> int:
     """Return 2 or 4, whichever strokes of an engine words name last; 0 for none."""
-    last = {n: max((m.end() for m in p.finditer(words)), default=0) for n, p in ((2, _TWO_STROKE), (4, _FOUR_STROKE))}
+    last = {
+        n: max((m.end() for m in p.finditer(words)), default=0)
+        for n, p in ((2, _TWO_STROKE), (4, _FOUR_STROKE))
+    }
     return max(last, key=lambda n: last[n]) if any(last.values()) else 0
 
 
@@ -250,7 +276,11 @@ def _stars_of(engine: NamedEngine, around: str) -> tuple[CrankStar, ...]:
         signs = tuple((-1) ** k for k in range(count))
         return () if degrees is None or _ODD.search(around) else (CrankStar(degrees, signs),)
     listed = {tuple(map(int, re.findall("[0-9]+", m["list"]))) for m in _BARE_LIST.finditer(around)}
-    if len(listed) == 1 and len(degrees := next(iter(listed))) == count and max(degrees) >= _FEWEST_DEGREES:
+    if (
+        len(listed) == 1
+        and len(degrees := next(iter(listed))) == count
+        and max(degrees) >= _FEWEST_DEGREES
+    ):
         return (CrankStar(degrees),)
     fired = _by_firing_order(around, count)
     if fired is not None:

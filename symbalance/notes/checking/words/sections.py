@@ -12,6 +12,7 @@ from symbalance.document.formula import Constant, Name, Number, names, walk
 from symbalance.document.letters import is_greek
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.words import case_words
+from symbalance.notes.checking.words.bodies_named import body_named
 from symbalance.notes.checking.words.engines_in_words import (
     EnginesInWords,
     NamedEngine,
@@ -19,7 +20,6 @@ from symbalance.notes.checking.words.engines_in_words import (
     is_another_engine,
     last_cycle,
 )
-from symbalance.notes.checking.words.bodies_named import body_named
 from symbalance.notes.checking.words.items import item_end
 from symbalance.notes.checking.words.listed_cases import item_of_cases
 from symbalance.notes.checking.words.value_groups import in_next_groups
