@@ -187,6 +187,7 @@ def _judge_step(
     by_name: Verdict | Decision | None = None
     if decision.is_proved:
         by_name = refute_repeated_interval(state.engine_resultants, chain, k)
+    by_name = by_name or _as_named_engine(state, chain, k, decision, knowledge)
     by_name = by_name or state.named.of_another(chain, k, knowledge)
     if by_name is None and decision.status == UNDECIDED:
         by_name = state.engine_resultants.judge(chain, k, knowledge)
@@ -328,7 +329,7 @@ def _as_meant(
 
     One that is wrong by a slip is mended for the lines that follow.
     """
-    outcome: Verdict | Decision | None = None
+    outcome: Verdict | Decision | None = _as_named_engine(state, chain, k, definition, knowledge)
     if definition.is_proved:
         outcome = refute_repeated_interval(state.engine_resultants, chain, k)
     if definition.status in (DEFINITION, PREMISE):
@@ -353,6 +354,17 @@ def _as_meant(
     elif isinstance(outcome, Decision) and outcome.status == REFUTED and isinstance(name, Name):
         state.definitions.forget(name.name, chain.lines[0])
     return outcome or definition
+
+
+def _as_named_engine(
+    state: JudgingState, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
+) -> Decision | None:
+    """Return the proof of a formula that is at odds with another line by what the words name; else None."""
+    if k or decision.status not in (REFUTED, CONTRADICTION):
+        return None
+    by_engine = state.engine_resultants.judge(chain, k, knowledge)
+    is_proof = isinstance(by_engine, Decision) and by_engine.is_proved
+    return by_engine if is_proof and isinstance(by_engine, Decision) else None
 
 
 def _decide_step(

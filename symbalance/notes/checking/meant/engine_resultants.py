@@ -699,7 +699,7 @@ class EngineResultants:
         first: float,
     ) -> bool:
         """Tell whether the words leave no other meaning under which a formula is right."""
-        if _BALANCED.search(claim.around) or _IN_A_CASE.search(claim.sentence):
+        if _IN_A_CASE.search(claim.sentence):
             return False
         if slip != "factor":
             return not _OF_ANOTHER.search(claim.sentence)

@@ -47,7 +47,8 @@ _MENTION = re.compile(
     rf"[-\s]?(?P<behind>{_ANY}(?<!one))(?![0-9A-Za-z])(?![.,][0-9])"
     r"|(?<![A-Za-z])(?P<row>three|four|five|six|eight)[-\s]in[-\s]line"
     r"|(?<![A-Za-z0-9_\\{$])(?P<code>[RIL])-?(?P<coded>[2-68])(?![0-9A-Za-z_}]|\s*[=^(*/]|[.,][0-9])"
-    r"|^[ \t>*_#|-]{0,6}(?:the\s+)?(?P<label>three|four|five|six|eight)s?(?=\W{0,3}[:|])"
+    rf"|^[#=][^\n]{{0,60}}?(?<![A-Za-z])(?P<titled>{_ANY})[-\s](?:cylinders|pots|zylinder)(?![A-Za-z])"
+    r"|^[ \t>*_#|-]{0,6}(?:the\s+)?(?P<label>three|four|five|six|eight)s?(?=(?:\s+(?:180|120|90|72))?\W{0,3}[:|])"
     r"|(?<![A-Za-z])(?P<noun>twins?|triples?)(?![A-Za-z])"
     r"|(?<![A-Za-z])(?:an?|the|of|our|this|as|old|every)\s+(?:[a-z-]+\s)?(?P<bare>three|four|five|six"
     r"|eight|single)"
@@ -79,9 +80,14 @@ _FLAT = re.compile(
 _ANGLE = re.compile(
     r"(?<![0-9.,])(?P<turn>90|180|270|360)(?![0-9.,])[\s~-]?\s*(?:°|º|\^\s*\\?\{?\s*\\circ\}?|degrees?"
     r"|deg\b|Grad|度|gradi)"
-    r"|\\ang\{(?P<ang>90|180|270|360)\}",
+    r"|\\ang\{(?P<ang>90|180|270|360)\}|(?<=twin )(?P<bare>90|180|270|360)(?=\s*[:,)]|\s*$)",
     re.IGNORECASE,
 )
+_LABEL = re.compile(
+    r"^[ \t>*_#|-]{0,6}(?P<turn>180|270|360)\s?(?:°|º|\^\s*\\?\{?\s*\\circ\}?|-?degrees?|-?deg\b|度)", re.MULTILINE
+)
+"""An angle that a paragraph or an item begins with, on a page about twins."""
+_NEAR = 40
 _FIRES = re.compile(
     r"fir(?:es?|ing)|ignit|zünd|allum|encend|accens|点火|爆発|着火|zapł|ontstek|interval|abst[aä]nd|720",
     re.IGNORECASE,
@@ -189,6 +195,13 @@ class EnginesInWords:
     def __post_init__(self) -> None:
         named = [named for m in _MENTION.finditer(self.text) if (named := self._named(m))]
         vees = [NamedEngine(m.start(), m[0], 0, has_banks=True) for m in _BANKS.finditer(self.text)]
+        if named and all(each.cylinders == 2 and not each.is_boxer for each in named):
+            labels = (
+                NamedEngine(m.start("turn"), "twin", 2, turn=int(m["turn"]))
+                for m in _LABEL.finditer(self.text)
+                if not any(each.place <= m.end() <= each.place + _NEAR for each in named)
+            )
+            named = sorted([*named, *labels], key=lambda engine: engine.place)
         self.mentions = named
         self.every = sorted([*named, *vees], key=lambda engine: engine.place)
         self._places = [named.place for named in self.mentions]
@@ -210,7 +223,7 @@ class EnginesInWords:
     def _named(self, match: re.Match[str]) -> NamedEngine | None:
         words = match["count"] or match["many"] or match["behind"] or match["coded"]
         words = (
-            words or match["noun"] or match["bare"] or match["row"] or match["label"] or match["latin"]
+            words or match["noun"] or match["bare"] or match["row"] or match["label"] or match["latin"] or match["titled"]
         )
         start, end = match.span()
         near = self.text[max(0, start - 3) : end + 1]
@@ -306,7 +319,7 @@ def _turn_told(words: str) -> int:
     turns = set()
     for clause in _CLAUSE.split(words):
         if not _FIRES.search(clause):
-            turns |= {int(m["turn"] or m["ang"]) for m in _ANGLE.finditer(clause)}
+            turns |= {int(m["turn"] or m["ang"] or m["bare"]) for m in _ANGLE.finditer(clause)}
     return turns.pop() if len(turns) == 1 else 0
 
 
