@@ -186,7 +186,7 @@ def _judge_step(
         return by_quantity
     by_name: Verdict | Decision | None = None
     if decision.is_proved:
-        by_name = refute_repeated_interval(state.engine_resultants, chain, k)
+        by_name = refute_repeated_interval(state.engine_resultants.claims, chain, k)
     by_name = by_name or _as_named_engine(state, chain, k, decision, knowledge)
     by_name = by_name or state.named.of_another(chain, k, knowledge)
     if by_name is None and decision.status == UNDECIDED:
@@ -331,12 +331,12 @@ def _as_meant(
     """
     outcome: Verdict | Decision | None = _as_named_engine(state, chain, k, definition, knowledge)
     if definition.is_proved:
-        outcome = refute_repeated_interval(state.engine_resultants, chain, k)
+        outcome = refute_repeated_interval(state.engine_resultants.claims, chain, k)
     if definition.status in (DEFINITION, PREMISE):
         outcome = state.engine_resultants.judge(chain, k, knowledge)
-        outcome = outcome or decide_firing_interval(state.engine_resultants, chain, k)
-        outcome = outcome or decide_order_frequency(state.engine_resultants, chain, k)
-        outcome = outcome or refute_lever_arm(state.engine_resultants, chain, k)
+        outcome = outcome or decide_firing_interval(state.engine_resultants.claims, chain, k)
+        outcome = outcome or decide_order_frequency(state.engine_resultants.claims, chain, k)
+        outcome = outcome or refute_lever_arm(state.engine_resultants.claims, chain, k)
     if outcome is None and definition.status == DEFINITION:
         outcome = state.meant.judge(chain, k, knowledge)
     elif outcome is None:

@@ -12,7 +12,7 @@ from math import isclose, pi
 from symbalance.document.formula import Formula, Name, names
 from symbalance.document.letters import plain_letter
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision, without_dots
-from symbalance.notes.checking.meant.engine_resultants import EngineResultants
+from symbalance.notes.checking.meant.engine_claims import EngineClaims
 from symbalance.notes.checking.meant.engine_speeds import speeds_of
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.meant.products import NoProductError, product_of
@@ -49,34 +49,34 @@ _OTHER_RATE = re.compile(
 _FEWEST = 3
 
 
-def refute_repeated_interval(resultants: EngineResultants, chain: Chain, k: int) -> Decision | None:
+def refute_repeated_interval(claims: EngineClaims, chain: Chain, k: int) -> Decision | None:
     """Return the refutation of a number that a letter has above too, where its own clause names the strokes."""
-    if not last_cycle(resultants.sentence(chain)):
+    if not last_cycle(claims.sentence(chain)):
         return None
-    decision = decide_firing_interval(resultants, chain, k)
+    decision = decide_firing_interval(claims, chain, k)
     return decision if decision is not None and decision.status == REFUTED else None
 
 
-def decide_firing_interval(resultants: EngineResultants, chain: Chain, k: int) -> Decision | None:
+def decide_firing_interval(claims: EngineClaims, chain: Chain, k: int) -> Decision | None:
     """Return the decision on a number for the firing interval of a named engine; None for others."""
     head, value = chain.sides[0].node, without_dots(chain.sides[1].node)[0]
     if k or not isinstance(head, Name) or names(value) or chain.relations[0].sign not in "=≈":
         return None
-    words = resultants.sentence(chain)
-    heading = resultants.sections.heading_above(chain.lines[0])
+    words = claims.sentence(chain)
+    heading = claims.sections.heading_above(chain.lines[0])
     match = _INTERVAL.search(words) or (None if _OTHER_ANGLE.search(words) else _INTERVAL.search(heading))
-    engine = None if match is None else resultants.engine_of(chain)
+    engine = None if match is None else claims.engine_of(chain)
     if (
         match is None
         or engine is None
         or engine.cylinders < _FEWEST
-        or _UNEVEN.search(resultants.section(chain))
+        or _UNEVEN.search(claims.section(chain))
     ):
         return None
     size = _angle(value)
     if size is None:
         return None
-    cycle = last_cycle(words) or last_cycle(resultants.section(chain))
+    cycle = last_cycle(words) or last_cycle(claims.section(chain))
     text = (
         f"{plain_letter(head.name)} is the firing interval of {engine.cylinders} cylinders"
         f" ({NOBODY}; taken from the words “{match[0]}” and “{engine.words}”)"
@@ -92,13 +92,13 @@ def decide_firing_interval(resultants: EngineResultants, chain: Chain, k: int) -
     return Decision(REFUTED, f"if {text}: with even firing it is {turns}")
 
 
-def decide_order_frequency(resultants: EngineResultants, chain: Chain, k: int) -> Decision | None:
+def decide_order_frequency(claims: EngineClaims, chain: Chain, k: int) -> Decision | None:
     """Return the decision on a number for the frequency of an order at the speed that its sentence names."""
     head, value = chain.sides[0].node, without_dots(chain.sides[1].node)[0]
     if k or not isinstance(head, Name) or names(value) or chain.relations[0].sign not in "=≈":
         return None
-    words = resultants.sentence(chain)
-    speeds, orders = speeds_of(words), resultants.orders_before(chain)
+    words = claims.sentence(chain)
+    speeds, orders = speeds_of(words), claims.orders_before(chain)
     if not _FREQUENCY.search(words) or _OTHER_RATE.search(words) or len(speeds) != 1 or len(orders) != 1:
         return None
     (speed,), (order,) = speeds, orders

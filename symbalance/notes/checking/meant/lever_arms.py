@@ -13,7 +13,7 @@ from fractions import Fraction
 from symbalance.document.formula import Formula, Name, names
 from symbalance.document.letters import plain_letter
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
-from symbalance.notes.checking.meant.engine_resultants import EngineResultants
+from symbalance.notes.checking.meant.engine_claims import EngineClaims
 from symbalance.notes.checking.meant.products import NoProductError, product_of
 from symbalance.notes.reading.equations import Chain
 
@@ -34,25 +34,25 @@ _FIRST = re.compile(
 _FEWEST, _MOST = 3, 12
 
 
-def refute_lever_arm(resultants: EngineResultants, chain: Chain, k: int) -> Decision | None:
+def refute_lever_arm(claims: EngineClaims, chain: Chain, k: int) -> Decision | None:
     """Return the refutation of one arm that does not go with the others of its paragraph; else None."""
     own = _arm(chain)
     if k or own is None:
         return None
     stem, index, pitch, number = own
-    section = resultants.section(chain)
+    section = claims.section(chain)
     if not _ARMS.search(section) or _UNEVEN.search(section):
         return None
-    first = resultants.sections.paragraph_start(chain.lines[0])
+    first = claims.sections.paragraph_start(chain.lines[0])
     arms: dict[int, Fraction] = {}
-    for other in resultants.words.document.chains:
-        each = _arm(other) if resultants.sections.paragraph_start(other.lines[0]) == first else None
+    for other in claims.words.document.chains:
+        each = _arm(other) if claims.sections.paragraph_start(other.lines[0]) == first else None
         if each is None or each[0] != stem or each[2] not in (pitch, ""):
             continue
         if each[1] in arms:
             return None
         arms[each[1]] = each[3]
-    engine = resultants.engine_of(chain)
+    engine = claims.engine_of(chain)
     count = engine.cylinders if engine is not None and engine.cylinders >= max(arms) else 0
     is_middle, is_first = _MIDDLE.search(section) is not None, _FIRST.search(section) is not None
     laws = _laws(count, max(arms), with_middle=is_middle or not is_first, with_first=not is_middle)

@@ -84,7 +84,8 @@ _ANGLE = re.compile(
     re.IGNORECASE,
 )
 _LABEL = re.compile(
-    r"^[ \t>*_#|-]{0,6}(?P<turn>180|270|360)\s?(?:°|º|\^\s*\\?\{?\s*\\circ\}?|-?degrees?|-?deg\b|度)", re.MULTILINE
+    r"^[ \t>*_#|-]{0,6}(?P<turn>180|270|360)\s?(?:°|º|\^\s*\\?\{?\s*\\circ\}?|-?degrees?|-?deg\b|度)",
+    re.MULTILINE,
 )
 """An angle that a paragraph or an item begins with, on a page about twins."""
 _NEAR = 40
@@ -223,7 +224,13 @@ class EnginesInWords:
     def _named(self, match: re.Match[str]) -> NamedEngine | None:
         words = match["count"] or match["many"] or match["behind"] or match["coded"]
         words = (
-            words or match["noun"] or match["bare"] or match["row"] or match["label"] or match["latin"] or match["titled"]
+            words
+            or match["noun"]
+            or match["bare"]
+            or match["row"]
+            or match["label"]
+            or match["latin"]
+            or match["titled"]
         )
         start, end = match.span()
         near = self.text[max(0, start - 3) : end + 1]
