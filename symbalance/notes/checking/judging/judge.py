@@ -229,7 +229,7 @@ class Judge:
         return unless_other_case(self.state, chain, k, verdict)
 
     def _unless_excepted(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
-        """Return a verdict, undecided where words behind a refuted relation name cases in which it fails."""
+        """Return a verdict, undecided where words behind say in which cases the relation fails."""
         is_last = k == len(chain.relations) - 1 and bool(chain.letters)
         if (
             verdict.verdict != REFUTED

@@ -358,7 +358,7 @@ def _as_meant(
 def _as_named_engine(
     state: JudgingState, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
 ) -> Decision | None:
-    """Return the proof of a formula that is at odds with another line by what the words name; else None."""
+    """Return the proof of a formula that is at odds with another line by what words name; or None."""
     if k or decision.status not in (REFUTED, CONTRADICTION):
         return None
     by_engine = state.engine_resultants.judge(chain, k, knowledge)

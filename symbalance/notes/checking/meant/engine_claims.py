@@ -138,7 +138,7 @@ class EngineClaims:
         return [0, *(k + 1 for k, c in enumerate(self._text) if c == "\n"), len(self._text)]
 
     def claim(self, name: str, chain: Chain) -> EngineClaim | None:
-        """Return what words say of the formula that a relation gives a letter; None where they are open."""
+        """Return what words say of the formula that a letter is given; None where they leave it open."""
         start, end = min(s.span[0] for s in chain.sides), chain.end
         before, behind, sentence, own = self._words_around(chain, start, end)
         heading = self.sections.heading_above(chain.lines[0])
@@ -198,7 +198,7 @@ class EngineClaims:
         ]
 
     def _order_otherwise(self, name: str, chain: Chain, before: str, sentence: str) -> tuple[int, str]:
-        """Return the order that an index or the formula's own wave says, where it is of the whole engine."""
+        """Return the order that an index or the formula's wave says, where it is of the whole engine."""
         if not WHOLE.search(sentence) and not WHOLE.search(before):
             return 0, ""
         waves = [
@@ -220,7 +220,7 @@ class EngineClaims:
         return (index, before) if is_order else (0, "")
 
     def _words_around(self, chain: Chain, start: int, end: int) -> tuple[str, str, str, str]:
-        """Return the clause before a formula, words behind it, its sentence, and what of it is its own."""
+        """Return the clause before a formula, words behind it, its sentence, and its own part of it."""
         start = self._opening(start)
         first, last = self._sentence(start, end)
         others = [c for c in self.words.document.chains if c is not chain and c.relations]

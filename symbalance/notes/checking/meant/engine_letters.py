@@ -1,4 +1,4 @@
-"""Which letter of an engine's force or couple is what: mass, radius, speed, ratio, distance of the cylinders.
+"""Which letter of an engine's force or couple is what: a mass, a radius, a speed, a distance.
 
 By the words beside a letter, else as is usual for it; and what of the powers is not as it should be.
 """
@@ -17,7 +17,6 @@ from symbalance.document.letters import plain_letter
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.meant.engine_claims import (
     COUPLE,
-    FORCE,
     POWERS,
     EngineClaim,
     index_of,
@@ -127,25 +126,24 @@ class EngineLetters:
             return None
         letter = {role: each[0] for role, each in by_role.items()}
         power = {role: powers[name] for role, name in letter.items()}
-        if claim.kind == COUPLE and "arm" not in power and "rod" in power and power["rod"] > 0:
+        if claim.kind == COUPLE and "arm" not in power and power.get("rod", 0) > 0:
             letter["arm"], power["arm"] = (
                 letter.pop("rod"),
                 power.pop("rod"),
             )  # L is the pitch, not the rod
+        multiple, angle = (0, "") if product.wave is None else wave_of(product.wave)
+        is_open = product.wave is not None and not multiple
+        if is_open or power.get("arm", 0) != (claim.kind == COUPLE) or not _is_amplitude(power):
+            return None
         slips: list[str] = []
         of_ratio = power.get("ratio", 0) - power.get("inverse", 0) - power.get("rod", 0)
-        has_inertia = {"mass", "radius", "speed"} & power.keys()
         expected = Fraction(0 if "coefficient" in power else POWERS[claim.order])
-        if has_inertia and "base" not in power:
+        if "base" not in power:
             extra = -power.get("rod", Fraction(0))
             if extra and "ratio" not in power and extra != expected == power.get("radius", 0) - 1:
                 slips, extra, of_ratio = ["rod"], expected, expected
             wanted = {"mass": Fraction(1), "speed": Fraction(2), "radius": 1 + extra}
-            if not {"mass", "radius", "speed"} <= power.keys():
-                return None
             slips += [role for role, e in wanted.items() if power[role] != e]
-        elif "base" not in power or power["base"] != 1 or has_inertia:
-            return None
         has_amplitude = "coefficient" in power or claim.is_rotating
         if "base" in power:
             index = index_of(letter["base"])
@@ -155,14 +153,7 @@ class EngineLetters:
             expected = Fraction(0)
         if of_ratio != expected:
             slips.append("ratio")
-        if claim.kind == COUPLE and power.get("arm") != 1:
-            return None
-        if claim.kind == FORCE and "arm" in power:
-            return None
-        multiple, angle = (0, "") if product.wave is None else wave_of(product.wave)
         if product.wave is not None and multiple != claim.order:
-            if not multiple:
-                return None
             slips.append("wave")
         return Parts(
             letter, dict(product.powers), tuple(slips), has_amplitude, expected - of_ratio, angle
@@ -177,11 +168,9 @@ class EngineLetters:
         meaning = roles.get(name, "")
         if self.pitch_words(name) or _PITCH_WORDS.search(meaning):
             return "arm"
-        for words, role in _BY_MEANING.items():
-            if meaning.startswith(words):
-                return role
-        if stem in _RATIOS:
-            return "ratio"
+        declared = next((role for words, role in _BY_MEANING.items() if meaning.startswith(words)), "")
+        if declared:
+            return declared
         is_couple = claim is not None and claim.kind == COUPLE
         if (
             claim is not None
@@ -190,19 +179,11 @@ class EngineLetters:
             and index == str(claim.order)
         ):
             return "coefficient"
-        if stem in _MASSES:
-            return "mass"
-        if stem in _SPEEDS:
-            return "speed"
-        if name in _RADII:
-            return "radius"
-        if name in _RODS:
-            return "rod"
-        if name == "n":
-            return "inverse"
-        if stem in _AMPLITUDES and not (stem == "p" and is_couple):
-            return "base"
-        return "arm" if is_couple and stem in _ARMS else "other"
+        usual = {"ratio": stem in _RATIOS, "mass": stem in _MASSES, "speed": stem in _SPEEDS,
+                 "radius": name in _RADII, "rod": name in _RODS, "inverse": name == "n",
+                 "base": stem in _AMPLITUDES and not (stem == "p" and is_couple),
+                 "arm": is_couple and stem in _ARMS}  # fmt: skip
+        return next((role for role, is_it in usual.items() if is_it), "other")
 
     def pitch_words(self, name: str) -> list[str]:
         """Return the words that call a letter the distance of cylinders, before or behind it."""
@@ -214,6 +195,16 @@ class EngineLetters:
             for m in behind.finditer(self.words.document.text)
             if _IS.match(m["words"]) and _PITCH_WORDS.search(m["words"])
         ]
+
+
+def _is_amplitude(power: Mapping[str, Fraction]) -> bool:
+    """Tell whether a product has a mass, a radius and a speed, or one letter for an amplitude instead."""
+    inertia = {"mass", "radius", "speed"}
+    return (
+        inertia <= power.keys()
+        if "base" not in power
+        else power["base"] == 1 and not inertia & power.keys()
+    )
 
 
 def mended(
@@ -243,9 +234,11 @@ def mended(
             "radius": 1 - parts.powers.get(parts.letter.get("rod", ""), 0),
         }
         powers[parts.letter[slip]] = Fraction(wanted[slip])
-    factors = [_number_node(factor)] if not same(factor, 1) else []
+    if not factor:
+        return Number(Fraction(0))
+    factors: list[Formula] = [_number_node(factor)] if not same(factor, 1) else []
     factors += [Name(n) if p == 1 else Name(n) ** p for n, p in powers.items() if p > 0]
-    below = [Name(n) if p == -1 else Name(n) ** -p for n, p in powers.items() if p < 0]
+    below: list[Formula] = [Name(n) if p == -1 else Name(n) ** -p for n, p in powers.items() if p < 0]
     factors += [wave] if wave is not None else []
     node: Formula = _product(factors)
     node = Quotient(node, _product(below)) if below else node
@@ -279,10 +272,11 @@ def _number_node(value: float) -> Formula:
 
 
 def same(first: float, second: float, rounding: float = 1e-9) -> bool:
+    """Tell whether two numbers agree, as printed."""
     return isclose(first, second, rel_tol=max(rounding, 1e-9))
 
 
 def ends_with_phrase(pattern: re.Pattern[str], text: str) -> bool:
-    """Tell whether words end with a phrase, but for a few that may follow it: the spacing of the cylinders."""
+    """Tell whether words end with a phrase, but for a few behind it: the spacing of the cylinders."""
     last = max((m.end() for m in pattern.finditer(text)), default=None)
     return last is not None and _BEHIND_PITCH.fullmatch(text[last:]) is not None

@@ -1,4 +1,4 @@
-"""Free forces and couples of engines that words name: "the triple's second-order couple is √3 λ m r ω² a".
+"""Free forces and couples of engines that words name: "the triple's primary couple is √3 m r ω² a".
 
 Where the words say an engine, an order, and whether a force or a couple is meant, the amplitude follows
 from the cranks: |Σ e^{ikδ}| or |Σ z e^{ikδ}| times one cylinder's amplitude. A first formula that is one
@@ -151,12 +151,9 @@ class EngineResultants:
         head = head.argument if isinstance(head, Call) and head.function == "abs" else head
         if k or not isinstance(head, Name) or chain.relations[0].sign not in "=≈":
             return None
-        if head.name in knowledge.letters or not self.claims.engines.mentions:
-            return None
         value = without_dots(chain.sides[1].node)[0]
-        if head.name in names(value):
-            return None
-        claim = self.claims.claim(head.name, chain)
+        is_open = head.name not in knowledge.letters and head.name not in names(value)
+        claim = self.claims.claim(head.name, chain) if is_open and self.claims.engines.mentions else None
         if claim is None or not claim.engine.stars:
             return None
         if not names(value):
@@ -260,29 +257,30 @@ class EngineResultants:
         if slip != "factor":
             return not _OF_ANOTHER.search(claim.sentence)
         own = f"{claim.words} {claim.own}".replace(claim.engine.words, "")
-        is_part = _PART.search(own) or _OF_ONE.search(own)
-        if (
-            len(sizes) != 1
-            or is_part
-            or not self._is_told(parts.letter.get("base", ""))
-            or _TOTAL_MASS.search(self._text)
-        ):
+        is_part = any(words.search(own) for words in (_PART, _OF_ONE)) or _BALANCED.search(claim.around)
+        is_part = is_part or _TOTAL_MASS.search(self._text) is not None
+        if len(sizes) != 1 or is_part or not self._is_told(parts.letter.get("base", "")):
             return False
         number, size = abs(product.number) / first, sizes[0]
-        if same(number, 1, product.rounding) and claim.kind == FORCE:
-            return self._is_of_all(chain, claim, knowledge)
-        if claim.kind == FORCE or not size:
-            return bool(size) or not same(number, 1, product.rounding)
-        if claim.engine.is_boxer and len(claim.engine.stars[0].degrees) > 2:
-            return False
+        is_of_one = same(number, 1, product.rounding)
+        if claim.kind == FORCE:
+            return bool(size) and self._is_of_all(chain, claim, knowledge) if is_of_one else True
+        if not size or (claim.engine.is_boxer and len(claim.engine.stars[0].degrees) > 2):
+            return not (size or is_of_one)
+        return self._is_of_pitch(claim, parts, product.rounding, number, size)
+
+    def _is_of_pitch(
+        self, claim: EngineClaim, parts: Parts, rounding: float, number: float, size: float
+    ) -> bool:
+        """Tell whether a couple's number is wrong for whatever distance of cylinders its arm may be."""
         count = len(claim.engine.stars[0].degrees)
         scales = (2.0, 0.5, count - 1.0, 1 / (count - 1.0), (count - 1) / 2, 2 / (count - 1.0))
-        is_scaled = any(same(number, size * scale, product.rounding) for scale in scales)
+        is_scaled = any(same(number, size * scale, rounding) for scale in scales)
         is_pitch = any(not _FAR_APART.search(w) for w in self._letters.pitch_words(parts.arm))
         return not is_scaled or (is_pitch and not _FAR_APART.search(claim.around))
 
     def _is_told(self, base: str) -> bool:
-        """Tell whether a letter for an amplitude is said to be one cylinder's; also where there is none."""
+        """Tell whether a letter for an amplitude is said to be one cylinder's, or there is none."""
         if not base:
             return True
         sign = re.compile(rf"(?<![\\A-Za-z_]){re.escape(plain_letter(base))}(?![A-Za-z])")
@@ -313,7 +311,7 @@ class EngineResultants:
     def _amount(
         self, chain: Chain, engine: NamedEngine, knowledge: Knowledge
     ) -> tuple[tuple[int, str], bool]:
-        """Return the order and kind of another formula, and whether it is the whole engine's and not one cylinder's."""
+        """Return the order and kind of another formula, and whether it is of more than one cylinder."""
         head, value = chain.sides[0].node, chain.sides[1].node
         claim = self.claims.claim(head.name, chain) if isinstance(head, Name) else None
         if claim is None or claim.engine.key != engine.key or not claim.engine.stars:

@@ -50,7 +50,7 @@ _FEWEST = 3
 
 
 def refute_repeated_interval(claims: EngineClaims, chain: Chain, k: int) -> Decision | None:
-    """Return the refutation of a number that a letter has above too, where its own clause names the strokes."""
+    """Return the refutation of a number that stands above too, where its sentence names the strokes."""
     if not last_cycle(claims.sentence(chain)):
         return None
     decision = decide_firing_interval(claims, chain, k)
@@ -93,7 +93,7 @@ def decide_firing_interval(claims: EngineClaims, chain: Chain, k: int) -> Decisi
 
 
 def decide_order_frequency(claims: EngineClaims, chain: Chain, k: int) -> Decision | None:
-    """Return the decision on a number for the frequency of an order at the speed that its sentence names."""
+    """Return the decision on a number for an order's frequency at the speed its sentence names."""
     head, value = chain.sides[0].node, without_dots(chain.sides[1].node)[0]
     if k or not isinstance(head, Name) or names(value) or chain.relations[0].sign not in "=≈":
         return None

@@ -68,27 +68,29 @@ def product_of(node: Formula) -> ProductOfPowers:
     """Return a formula as one product; sums are added up where all their terms have the same letters."""
     if not names(node):
         return _number(node)
+    product: ProductOfPowers | None = None
     match node:
         case Name(name=name):
-            return ProductOfPowers(1.0, {name: Fraction(1)})
+            product = ProductOfPowers(1.0, {name: Fraction(1)})
         case Negative(operand=operand):
-            return product_of(operand).times(ProductOfPowers(-1.0))
+            product = product_of(operand).times(ProductOfPowers(-1.0))
         case Product(factors=factors):
             product = _ONE
             for factor in factors:
                 product = product.times(product_of(factor))
-            return product
         case Quotient(numerator=above, denominator=below):
-            return product_of(above).times(product_of(below), Fraction(-1))
+            product = product_of(above).times(product_of(below), Fraction(-1))
         case Power(base=base, exponent=exponent):
-            return _ONE.times(product_of(base), _exponent(exponent))
+            product = _ONE.times(product_of(base), _exponent(exponent))
         case Call(function="sqrt", argument=argument):
-            return _ONE.times(product_of(argument), Fraction(1, 2))
+            product = _ONE.times(product_of(argument), Fraction(1, 2))
         case Call(function=function) if function in _WAVES:
-            return ProductOfPowers(1.0, {}, node)
+            product = ProductOfPowers(1.0, {}, node)
         case Sum(terms=terms):
-            return _added([product_of(term) for term in terms])
-    raise NoProductError
+            product = _added([product_of(term) for term in terms])
+    if product is None:
+        raise NoProductError
+    return product
 
 
 def _number(node: Formula) -> ProductOfPowers:

@@ -55,13 +55,12 @@ def _define_anew(
 ) -> Decision | None:
     earlier, line = knowledge.definitions[name], chain.lines[0]
     other = "" if k else _anew_at_its_place(definitions, name, value, chain, knowledge)
+    has_letters = bool(names(value) or names(earlier.node))
+    if has_letters and definitions.sections.names_another_case(chain, earlier.line):
+        other = f"anew: in line {earlier.line} it was of another engine"
     if other:
         definitions.define(name, without_dots(value)[0], chain)
         return Decision(DEFINITION, other)
-    has_letters = bool(names(value) or names(earlier.node))
-    if has_letters and definitions.sections.names_another_case(chain, earlier.line):
-        definitions.define(name, without_dots(value)[0], chain)
-        return Decision(DEFINITION, f"anew: in line {earlier.line} it was of another engine")
     by_premises = decide_by_premises(definitions, Premise(Name(name), value, line), knowledge)
     is_apart = _is_of_another_section(definitions, earlier, value, chain, knowledge)
     if by_premises is not None and not is_apart:

@@ -48,7 +48,8 @@ _MENTION = re.compile(
     r"|(?<![A-Za-z])(?P<row>three|four|five|six|eight)[-\s]in[-\s]line"
     r"|(?<![A-Za-z0-9_\\{$])(?P<code>[RIL])-?(?P<coded>[2-68])(?![0-9A-Za-z_}]|\s*[=^(*/]|[.,][0-9])"
     rf"|^[#=][^\n]{{0,60}}?(?<![A-Za-z])(?P<titled>{_ANY})[-\s](?:cylinders|pots|zylinder)(?![A-Za-z])"
-    r"|^[ \t>*_#|-]{0,6}(?:the\s+)?(?P<label>three|four|five|six|eight)s?(?=(?:\s+(?:180|120|90|72))?\W{0,3}[:|])"
+    r"|^[ \t>*_#|-]{0,6}(?:the\s+)?(?P<label>three|four|five|six|eight)s?"
+    r"(?=(?:\s+(?:180|120|90|72))?\W{0,3}[:|])"
     r"|(?<![A-Za-z])(?P<noun>twins?|triples?)(?![A-Za-z])"
     r"|(?<![A-Za-z])(?:an?|the|of|our|this|as|old|every)\s+(?:[a-z-]+\s)?(?P<bare>three|four|five|six"
     r"|eight|single)"
@@ -253,7 +254,7 @@ class EnginesInWords:
     def with_stars(
         self, engine: NamedEngine, first: int, last: int, heading: str, near: str
     ) -> NamedEngine:
-        """Return an engine with the cranks that it may have, by the words around: a section's or a page's.
+        """Return an engine with the cranks that it may have, by the words of its section or page.
 
         A twin's angle may stand in the words `near` a formula alone: in a sentence, or in a table's row.
         """
@@ -264,7 +265,7 @@ class EnginesInWords:
 
 
 def is_another_engine(before: NamedEngine, now: NamedEngine) -> bool:
-    """Tell whether two mentions are of two engines: other cylinders, opposed ones, a twin of another crank."""
+    """Tell whether two mentions are of two engines: other cylinders or banks, another twin's crank."""
     is_other_twin = bool(before.turn and now.turn and before.turn != now.turn)
     is_other_kind = before.is_boxer != now.is_boxer or before.has_banks != now.has_banks
     return before.cylinders != now.cylinders or is_other_kind or is_other_twin
@@ -303,21 +304,24 @@ def _stars_of(engine: NamedEngine, around: str) -> tuple[CrankStar, ...]:
     ):
         return (CrankStar(degrees),)
     fired = _by_firing_order(around, count)
-    if fired is not None:
-        return (fired,)
+    return (fired,) if fired is not None else _usual_stars(engine, around)
+
+
+def _usual_stars(engine: NamedEngine, around: str) -> tuple[CrankStar, ...]:
+    """Return the cranks in line that an engine's name and the words around leave open."""
+    count = engine.cylinders
     if count == 2:
         turn = engine.turn or _turn_told(around)
         turn = turn or (180 if _AGAINST.search(around) else 360 if _TOGETHER.search(around) else 0)
         return (CrankStar((0, turn % _FULL)),) if turn else ()
-    if count == 4 and _CROSSPLANE.search(around) and not _FLAT.search(around):
+    is_flat = _FLAT.search(around) is not None
+    if count == 4 and _CROSSPLANE.search(around) and not is_flat:
         return (CrankStar((0, 90, 270, 180)),)
     if _ODD.search(around) or (_TWO_STROKE.search(around) and count > 3):
         return ()
-    if count == 3 and _FLAT.search(around):
-        return (CrankStar((0, 180, 0)),)
     if count == _FIVE:
         return tuple(CrankStar((0, *(72 * k for k in way))) for way in permutations(range(1, _FIVE)))
-    degrees = _INLINE.get(count)
+    degrees = (0, 180, 0) if count == 3 and is_flat else _INLINE.get(count)
     return () if degrees is None else (CrankStar(degrees),)
 
 

@@ -548,7 +548,7 @@ class Sections:
         return EnginesInWords(self.document.text)
 
     def _is_in_another_row(self, chain: Chain, earlier_line: int) -> bool:
-        """Tell whether two lines are rows of one table with a case in their first cells, and a letter
+        """Tell whether two lines are rows of one table, with a case in their first cells, and a letter
         has its formula in the same column of both.
         """
         line = chain.lines[0]
@@ -565,7 +565,7 @@ class Sections:
         return has_same and column > 1 and first != second and "=" not in first + second
 
     def names_another_case(self, chain: Chain, earlier_line: int) -> bool:
-        """Tell whether a relation's own words name other strokes, another engine, or another row's case."""
+        """Tell whether a relation's own words name other strokes, another engine, another row's case."""
         if self._names_another_cycle(chain, earlier_line) or self._is_in_another_row(chain, earlier_line):
             return True
         end = self._start_of_line(earlier_line + 1) if earlier_line < len(self._lines) else chain.start
@@ -576,7 +576,7 @@ class Sections:
         return before is not None and now is not None and is_another_engine(before, now)
 
     def _names_another_cycle(self, chain: Chain, earlier_line: int) -> bool:
-        """Tell whether a relation's clause is of two-stroke engines and an earlier line of four-stroke ones."""
+        """Tell whether a relation's clause is of engines of other strokes than an earlier line."""
         text, start = self.document.text, chain.start
         first = self._start_of_line(self.paragraph_start(earlier_line))
         clause = case_words.clause_start(text, start)

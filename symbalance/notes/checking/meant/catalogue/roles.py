@@ -210,7 +210,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("balance_mass", "B m M", r"mass(?:es)?|masse|weights?|gewicht|質量|おもり"),
     ("unbalanced", "m M u", r"mass|masse|質量"),
     ("outer_radius", "R r", r"outer|outside|external|außen(?:radius)?|外半径"),
-    ("turn_rate", "n N f", r"rotational speed|engine speed|revolutions|\brpm|drehzahl|回転数|回転速度|turns"),
+    ("turn_rate", "n N f", r"rotational speed|engine speed|revolutions|\brpm|drehzahl|回転数"
+     r"|回転速度|turns"),
     ("inner_radius", "r R", r"inner|inside|internal|innen(?:radius)?|内半径"),
 )  # fmt: skip
 ROLES: Mapping[str, Role] = {
