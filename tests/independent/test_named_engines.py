@@ -30,7 +30,7 @@ OPPOSED = {
 
 
 def largest(parts, order):
-    """Return the largest sum of weighted cosines of an order in one turn, at steps of a quarter degree."""
+    """Return the largest sum of weighted cosines of an order in one turn, step by step."""
     angles = (2 * pi * k / STEPS for k in range(STEPS))
     return max(sum(w * cos(order * (a + d * pi / 180)) for w, d in parts) for a in angles)
 

@@ -139,6 +139,8 @@ class EngineClaims:
 
     def claim(self, name: str, chain: Chain) -> EngineClaim | None:
         """Return what words say of the formula that a letter is given; None where they leave it open."""
+        if name.startswith("Delta_") or name.endswith("_rms"):
+            return None
         start, end = min(s.span[0] for s in chain.sides), chain.end
         before, behind, sentence, own = self._words_around(chain, start, end)
         heading = self.sections.heading_above(chain.lines[0])

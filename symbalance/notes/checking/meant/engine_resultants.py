@@ -51,7 +51,7 @@ from symbalance.notes.reading.equations import Chain, Side
 _PART = re.compile(
     r"\b(?:pairs?|half|halves|halved|outer|inner|middle|front|rear|single|each(?!\s+(?:crank\s?)?(?:pin"
     r"|throw))|every|per|both|either|component|twice|thrice"
-    r"|times|double[ds]?|mean|average|rms|gas|rods?|bearings?|ratio|left\s+over|residual|component\w*"
+    r"|times|double[ds]?|mean|average|rms|peak[\s-]to[\s-]peak|swings?|gas|rods?|bearings?|ratio|left\s+over|residual|component\w*"
     r"|per\s*cent)\b|%"
     r"|\b(?:one|a|two|three|another)\s+(?:cylinder|piston|crank|bank|throw)s?\b|cylinders?\s+[0-9]"
     r"|pistons?\s+[0-9]"
@@ -67,6 +67,11 @@ _PART = re.compile(
     re.IGNORECASE,
 )
 """Words for a part or a multiple of what an engine's cylinders do, or for more that acts."""
+_SHARE = re.compile(
+    r"[0-9]\s?\\?%|per\s?cent|prozent|\bhal(?:f|ves?)\b|hälfte|moitié|mitad|metà|半分|thirds?\s+of|\bleft\b",
+    re.IGNORECASE,
+)
+"""Words for a share of what acts, anywhere in a formula's paragraph or heading."""
 _BALANCED = re.compile(
     r"balanc(?:er|ing|e\s+(?:shaft|weight|mass))|lanchester|counter-?(?:weight|balance|rotat)"
     r"|ausgleichs|gegengewicht"
@@ -258,6 +263,7 @@ class EngineResultants:
             return not _OF_ANOTHER.search(claim.sentence)
         own = f"{claim.words} {claim.own}".replace(claim.engine.words, "")
         is_part = any(words.search(own) for words in (_PART, _OF_ONE)) or _BALANCED.search(claim.around)
+        is_part = is_part or _SHARE.search(claim.around) is not None
         is_part = is_part or _TOTAL_MASS.search(self._text) is not None
         if len(sizes) != 1 or is_part or not self._is_told(parts.letter.get("base", "")):
             return False

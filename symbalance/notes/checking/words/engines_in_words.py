@@ -53,7 +53,7 @@ _MENTION = re.compile(
     r"|(?<![A-Za-z])(?P<noun>twins?|triples?)(?![A-Za-z])"
     r"|(?<![A-Za-z])(?:an?|the|of|our|this|as|old|every)\s+(?:[a-z-]+\s)?(?P<bare>three|four|five|six"
     r"|eight|single)"
-    r"(?=\s*(?:[.,:;)!?*—–]|\n|$)|\s(?:has|have|is|shows|with|vibrates?|at|shakes?|produces|gives"
+    r"(?=\s*(?:[.,:;)!?*—–$]|\\\(|\n|$)|\s(?:has|have|is|shows|with|vibrates?|at|shakes?|produces|gives"
     r"|suffers|generates|again|runs|needs|turns?|fires?|by|and)\b)",
     re.IGNORECASE | re.MULTILINE,
 )
@@ -89,7 +89,7 @@ _LABEL = re.compile(
     re.MULTILINE,
 )
 """An angle that a paragraph or an item begins with, on a page about twins."""
-_NEAR = 40
+_NEAR, _BESIDE = 40, 12
 _FIRES = re.compile(
     r"fir(?:es?|ing)|ignit|zünd|allum|encend|accens|点火|爆発|着火|zapł|ontstek|interval|abst[aä]nd|720",
     re.IGNORECASE,
@@ -248,8 +248,14 @@ class EnginesInWords:
             and "boxer" not in line.lower()
         ):
             is_boxer = False
-        turn = _turn_told(self.text[max(lines[0], start - 40) : end + 40]) if count == 2 else 0
+        turn = self._turn_of_twin(start, end, lines[0]) if count == 2 else 0
         return NamedEngine(start, match[0].strip(), count, is_boxer, turn=turn)
+
+    def _turn_of_twin(self, start: int, end: int, line_start: int) -> int:
+        """Return the angle of a twin's cranks that stands right beside it, or else on its line near it."""
+        before = _turn_told(self.text[max(line_start, start - _BESIDE) : start])
+        behind = _turn_told(self.text[end : end + 2 * _BESIDE])
+        return before or behind or _turn_told(self.text[max(line_start, start - _NEAR) : end + _NEAR])
 
     def with_stars(
         self, engine: NamedEngine, first: int, last: int, heading: str, near: str

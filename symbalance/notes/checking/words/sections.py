@@ -573,6 +573,8 @@ class Sections:
         place = bisect_left(starts, min(chain.start, end))
         earlier = max(self._start_of_line(earlier_line), starts[place - 1] if place else 0)
         before, now = (self._named_in_paragraph(place) for place in (earlier, chain.start))
+        if before is None and now is not None:
+            before = self._named_in_paragraph(now.place)  # named behind the earlier relation
         return before is not None and now is not None and is_another_engine(before, now)
 
     def _names_another_cycle(self, chain: Chain, earlier_line: int) -> bool:
