@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from math import isclose
@@ -88,6 +88,7 @@ class EngineLetters:
     """Tells what the letters of one page stand for in an engine's resultants."""
 
     words: MeantWords
+    _pitches: dict[str, list[str]] = field(default_factory=dict)
 
     @cached_property
     def _roles(self) -> LetterRoles:
@@ -187,6 +188,11 @@ class EngineLetters:
 
     def pitch_words(self, name: str) -> list[str]:
         """Return the words that call a letter the distance of cylinders, before or behind it."""
+        if name not in self._pitches:
+            self._pitches[name] = self._pitch_words(name)
+        return self._pitches[name]
+
+    def _pitch_words(self, name: str) -> list[str]:
         before = [w for w in self._roles.words_before(name) if ends_with_phrase(_PITCH_WORDS, w)]
         sign = re.escape(plain_letter(name))
         behind = re.compile(rf"(?<![\\A-Za-z_]){sign}(?![A-Za-z_])\s?\$?\s?(?P<words>[^$;.\n=]{{0,50}})")

@@ -252,7 +252,7 @@ class EnginesInWords:
         return NamedEngine(start, match[0].strip(), count, is_boxer, turn=turn)
 
     def _turn_of_twin(self, start: int, end: int, line_start: int) -> int:
-        """Return the angle of a twin's cranks that stands right beside it, or else near it on its line."""
+        """Return the angle of a twin's cranks that stands right beside it, or near it on its line."""
         before = _turn_told(self.text[max(line_start, start - _BESIDE) : start])
         behind = _turn_told(self.text[end : end + 2 * _BESIDE])
         return before or behind or _turn_told(self.text[max(line_start, start - _NEAR) : end + _NEAR])
