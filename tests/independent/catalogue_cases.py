@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from itertools import pairwise
 
 from mpmath import mp, mpf
 
@@ -372,4 +373,38 @@ BALANCE = {
     "resultant first-order force of a V-twin at 90°": [(WHEEL, star(2, mp.pi / 2, 0.4))],
 }  # fmt: skip
 
-CASES = {**STRENGTH, **VIBRATION, **INERTIA, **CRANK_DRIVE, **WORK, **BALANCE}
+
+def firings(turns_each, per_cylinder=1):
+    """Count the firings of six cylinders in a second at 3000 turns a minute, each in so many turns."""
+    turns = 3000 // 60
+    return sum(1 for turn in range(turns * per_cylinder) for _ in range(6) if turn % turns_each == 0)
+
+
+def zero_crossings(order):
+    """Count the periods of an order in a second at 3000 turns a minute, by the signs of cos nωt."""
+    signs = [mp.cos(order * 2 * mp.pi * 50 * (k + mpf(1) / 3) / 2000) > 0 for k in range(2001)]
+    return sum(1 for one, two in pairwise(signs) if two and not one)
+
+
+SIX = {"turn_rate": F(50), "cylinders": F(6), "omega": exact(100 * mp.pi)}
+A_MINUTE = {"turn_rate": F(3000), "cylinders": F(6)}
+ENGINE_RATES = {
+    "firing frequency of a four-stroke engine": [(SIX, mpf(firings(2))), (A_MINUTE, mpf(firings(2)))],
+    "firing frequency of a two-stroke engine": [(SIX, mpf(firings(1))), (A_MINUTE, mpf(firings(1)))],
+    "firings per turn of a four-stroke engine": [(SIX, mpf(firings(2)) / 50)],
+    "firings per turn of a two-stroke engine": [(SIX, mpf(firings(1)) / 50)],
+    "frequency of a force of the second order": [
+        (SIX, mpf(zero_crossings(2))), (A_MINUTE, mpf(zero_crossings(2))),
+    ],
+    "frequency of that force of the second order": [
+        (SIX, mpf(zero_crossings(2))), (A_MINUTE, mpf(zero_crossings(2))),
+    ],
+    "speed of the balance shafts of four cylinders in line": [
+        (SIX, mpf(zero_crossings(2))), ({"omega": F(300)}, mpf(600)),
+    ],
+    "crank radius by the stroke": [
+        ({"stroke": F(86)}, (mpf(0.1 * 430) * (1 - mp.cos(mp.pi))) / 2),
+    ],
+}  # fmt: skip
+
+CASES = {**STRENGTH, **VIBRATION, **INERTIA, **CRANK_DRIVE, **WORK, **BALANCE, **ENGINE_RATES}

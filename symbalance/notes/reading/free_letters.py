@@ -49,10 +49,25 @@ def may_be_free(
     before = next((t for t in reversed(tokens[:place]) if t.end <= start), None)
     is_last = place >= len(tokens) or tokens[place].kind in ("sep", "close")
     is_word = tokens[place - 1].end - start == len(name)  # 20 psi, but 2\psi and 2ψ
-    if is_last and is_word and before is not None and before.kind in ("number", "vulgar"):
+    is_exponent = before is not None and _is_exponent_of_letter(tokens, tokens.index(before))
+    if (
+        is_last
+        and is_word
+        and not is_exponent
+        and before is not None
+        and before.kind in ("number", "vulgar")
+    ):
         is_letter = not scale_of(name) or (name in known and before.end == start)
         return is_letter and (name != "d" or name in known)  # 3 N, but 2 m r
     return name != "d" or _is_no_differential(tokens, place)
+
+
+def _is_exponent_of_letter(tokens: Sequence[Token], place: int) -> bool:
+    """Tell whether a number is the exponent of a letter, and no number that has a unit: ω^2 s."""
+    if place and tokens[place - 1].kind == "open":
+        place -= 1
+    has_sign = place > 1 and tokens[place - 1].kind == "sup"
+    return has_sign and tokens[place - 2].kind not in ("number", "vulgar", "close")
 
 
 def _is_no_differential(tokens: Sequence[Token], place: int) -> bool:

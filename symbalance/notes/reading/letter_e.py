@@ -16,13 +16,20 @@ _E = r"(?<![A-Za-z0-9\\_^{}.'’])e(?![A-Za-z_'’])"
 _LENGTH = r"(?:mm|cm|dm|m|inch|in|ft|\\milli|\\centi|\\metre|\\meter|\\m)(?![A-Za-z])"
 _GAP = r"(?:\\[,;: ]|[~ $])*"
 _MEANT = re.compile(
-    rf"{_E}{_GAP}&?(?:=|:=|≈|\\coloneqq|\\approx){_GAP}(?:\\(?:SI|qty)\s*\{{)?[-−]?[0-9]+(?:(?:[.,]|\{{,\}})[0-9]+)?"
+    rf"{_E}{_GAP}&?(?:=|:=|≈|\\coloneqq|\\approx){_GAP}(?:\\(?:SI|qty)\s*\{{)?[-−]?[0-9]+(?:(?:[.,]"
+    rf"|\{{,\}})[0-9]+)?"
     rf"(?:\}}\s*\{{|{_GAP})(?:\\(?:mathrm|text|mbox|textrm)\s*\{{\s*)?(?:\\[,;: ])*{_LENGTH}"
     rf"|{_E}{_GAP}/{_GAP}[lrLR](?![A-Za-z])|\\[dt]?frac\s*\{{\s*e\s*\}}\s*\{{\s*[lrLR]\s*\}}"
-    rf"|(?:[Oo]ffset|Versatz|Schr[äa]nkung|Desachsierung|eccentricity|Exzentrizität|オフセット|偏心量)\s*(?:of\s*)?\$?{_E}"
+    rf"|(?:[Oo]ffset|Versatz|Schr[äa]nkung|Desachsierung|eccentricity|Exzentrizität|オフセット|偏心量"
+    rf"|[Dd]istance|[Ss]pacing|[Pp]itch|[Rr]adius|[Ll]ever\s+arm|[Aa]bstand|[Hh]ebelarm|[Hh]albmesser"
+    rf"|距離|間隔|半径|entraxe|interasse)"
+    rf"\s*(?:of\s*)?\$?{_E}"
+    rf"|{_E}\s*\$?\s*(?:(?:is|being|denotes|ist|als|der|the|as)\s+){{1,2}}(?:offset|distance|spacing|pitch|abstand|versatz|zylinderabstand)"
+    rf"|(?<![A-Za-z\\])m_(?:[A-Za-z0-9]|\{{\w{{1,4}}\}}){_GAP}{_E}(?!\s*\^)"
 )
 _UPRIGHT = re.compile(
-    r"(?:\\(?:mathrm|text|textrm|operatorname)\s*(?:\{\s*e\s*\}|\s+e(?![A-Za-z]))|\{\s*\\rm\s+e\s*\}|\{\s*\\mathrm\s*e\s*\})"
+    r"(?:\\(?:mathrm|text|textrm|operatorname)\s*(?:\{\s*e\s*\}|\s+e(?![A-Za-z]))|\{\s*\\rm\s+e\s*\}"
+    r"|\{\s*\\mathrm\s*e\s*\})"
     r"\s*(?P<power>\^\s*)?"
 )
 _ITALIC = re.compile(r"(?<![A-Za-z0-9\\_{.])e\s*(?P<power>\^\s*)")

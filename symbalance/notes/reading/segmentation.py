@@ -612,7 +612,7 @@ _WORDS_WITH_DOLLARS = re.compile(
 )
 _DOLLARS = re.compile(r"\$([^$]{1,400})\$")
 _JOINING = re.compile(
-    r"(?:(?:plus|minus|times|divided|multiplied|mal|geteilt|fois|por|moins|squared|cubed"
+    r"(?:(?:plus|minus|times(?!\s+(?:per|a|an|each|every|in|as)\b)|divided|multiplied|mal(?!\s+(?:pro|je)\b)|geteilt|fois|por|moins|squared|cubed"
     r"|percent|prozent|thousand|million|hundred|half|twice|tausend|hundert)\b"
     r"|(?:over|durch|less|weniger)\s+(?:[0-9$\\(√]|(?![aAI]\b)[^\W_]\b)|and\s+so\s+[-+−*×·/^])",
     re.IGNORECASE,

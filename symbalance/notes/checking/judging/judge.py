@@ -65,6 +65,7 @@ from symbalance.notes.checking.verdicts import (
     Verdict,
 )
 from symbalance.notes.checking.words.angles_of_time import with_angles_of_time
+from symbalance.notes.checking.words.case_words import has_exception_behind
 from symbalance.notes.checking.words.terms_of_a_kind import unlike_terms
 from symbalance.notes.checking.words.unit_or_letter import with_both_readings
 from symbalance.notes.reading.equations import Chain, ReadNotes
@@ -224,10 +225,22 @@ class Judge:
 
     def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on the k-th relation of a chain."""
-        verdict = self._link_by_cases(chain, k, sound, bad)
+        verdict = self._unless_excepted(chain, k, self._link_by_cases(chain, k, sound, bad))
         verdict = unless_angle_unknown(self.state, chain, k, verdict)
         verdict = unless_offset(self.state, chain, k, verdict)
         return unless_other_case(self.state, chain, k, verdict)
+
+    def _unless_excepted(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+        """Return a verdict, undecided where words behind say in which cases the relation fails."""
+        is_last = k == len(chain.relations) - 1 and bool(chain.letters)
+        if (
+            verdict.verdict != REFUTED
+            or not is_last
+            or not has_exception_behind(self.document.text, chain.end)
+        ):
+            return verdict
+        reason = "the words behind name cases in which it does not hold"
+        return describe(self.document, chain, k, Decision(UNDECIDED, reason))
 
     def _link_by_cases(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on the k-th relation of a chain, whatever its letters are declared to be.

@@ -23,7 +23,13 @@ from symbalance.notes.checking.deciding.values_in_ranges import decide_where_val
 from symbalance.notes.checking.judging.appeals import appeal
 from symbalance.notes.checking.judging.lines_at_odds import note_other_case
 from symbalance.notes.checking.meant.engine_speeds import decide_speed
+from symbalance.notes.checking.meant.firing_intervals import (
+    decide_firing_interval,
+    decide_order_frequency,
+    refute_repeated_interval,
+)
 from symbalance.notes.checking.meant.given_numbers import number_given
+from symbalance.notes.checking.meant.lever_arms import refute_lever_arm
 from symbalance.notes.checking.motions.equations_of_motion import (
     decide_motion,
     decide_natural_frequency,
@@ -178,9 +184,14 @@ def _judge_step(
         decision = appeal(state, chain, k, against, decision, knowledge)
     if decision.is_proved and (by_quantity := wrong_as_quantity(chain, k, state.document, knowledge)):
         return by_quantity
-    by_name = state.named.of_another(chain, k, knowledge)
+    by_name: Verdict | Decision | None = None
+    if decision.is_proved:
+        by_name = refute_repeated_interval(state.engine_resultants.claims, chain, k)
+    by_name = by_name or _as_named_engine(state, chain, k, decision, knowledge)
+    by_name = by_name or state.named.of_another(chain, k, knowledge)
     if by_name is None and decision.status == UNDECIDED:
-        by_name = state.named.judge(chain, k, knowledge)
+        by_name = state.engine_resultants.judge(chain, k, knowledge)
+        by_name = by_name or state.named.judge(chain, k, knowledge)
     if by_name is not None and not _is_left_open(by_name):
         return by_name
     verdict = describe(state.document, chain, k, decision)
@@ -317,9 +328,17 @@ def _as_meant(
 
     One that is wrong by a slip is mended for the lines that follow.
     """
-    if definition.status == DEFINITION:
+    outcome: Verdict | Decision | None = _as_named_engine(state, chain, k, definition, knowledge)
+    if definition.is_proved:
+        outcome = refute_repeated_interval(state.engine_resultants.claims, chain, k)
+    if definition.status in (DEFINITION, PREMISE):
+        outcome = state.engine_resultants.judge(chain, k, knowledge)
+        outcome = outcome or decide_firing_interval(state.engine_resultants.claims, chain, k)
+        outcome = outcome or decide_order_frequency(state.engine_resultants.claims, chain, k)
+        outcome = outcome or refute_lever_arm(state.engine_resultants.claims, chain, k)
+    if outcome is None and definition.status == DEFINITION:
         outcome = state.meant.judge(chain, k, knowledge)
-    else:
+    elif outcome is None:
         outcome = state.meant.again(chain, k, knowledge)
     if outcome is None and definition.status in STATED:
         outcome = value_at_dead_centre(state, chain, k, knowledge)
@@ -336,6 +355,17 @@ def _as_meant(
     elif isinstance(outcome, Decision) and outcome.status == REFUTED and isinstance(name, Name):
         state.definitions.forget(name.name, chain.lines[0])
     return outcome or definition
+
+
+def _as_named_engine(
+    state: JudgingState, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
+) -> Decision | None:
+    """Return the proof of a formula that is at odds with another line by what words name; or None."""
+    if k or decision.status not in (REFUTED, CONTRADICTION):
+        return None
+    by_engine = state.engine_resultants.judge(chain, k, knowledge)
+    is_proof = isinstance(by_engine, Decision) and by_engine.is_proved
+    return by_engine if is_proof and isinstance(by_engine, Decision) else None
 
 
 def _is_left_open(outcome: Verdict | Decision) -> bool:

@@ -56,6 +56,9 @@ def _define_anew(
 ) -> Decision | None:
     earlier, line = knowledge.definitions[name], chain.lines[0]
     other = "" if k else _anew_at_its_place(definitions, name, value, chain, knowledge)
+    has_letters = bool(names(value) or names(earlier.node))
+    if has_letters and definitions.sections.names_another_case(chain, earlier.line):
+        other = f"anew: in line {earlier.line} it was of another engine"
     if other:
         definitions.define(name, without_dots(value)[0], chain)
         return Decision(DEFINITION, other)

@@ -16,28 +16,43 @@ _CASE = re.compile(
     re.IGNORECASE,
 )
 _CASE_BEHIND = re.compile(r"[\s$)\]}\\,]{0,6}(?:なら|のとき|の時|の場合)")
+_EXCEPTION = re.compile(
+    r"[\s$)}\],\\]{0,6}(?:unless|except(?:\s+(?:if|when|where|for))?|save\s+(?:when|for)|but\s+for"
+    r"|außer(?:\s+(?:wenn|für|bei|falls))?|es\s+sei\s+denn|sofern\s+nicht|wenn\s+nicht|falls\s+nicht"
+    r"|sauf(?:\s+(?:si|pour))?"
+    r"|salvo|a\s+meno\s+che|excepto|if\s+\S{1,12}\s+is\s+(?:not|no)\s)(?![A-Za-z])"
+    r"|[\s$)}\]、]{0,6}(?:ただし|を除)",
+    re.IGNORECASE,
+)
 _TAG = re.compile(r"</?[A-Za-z][^<>]*>")
 _BETWEEN = re.compile(r"[\s$,)}\]°]*(?:[^\W\d_]+\s+){1,3}[\s$({\[\\]*")
 _PLACE_BEHIND = re.compile(r"[$)}\]°]{0,4}\.?,?\s[\s$]{0,4}(?:at|for|bei|für|pour)\s[\s$({\[\\]{0,6}")
 _CLAUSE_LAST = re.compile(r"[\s$)}\]°]*(?:[.;。]|\n\s*\n|\Z)")
 _CLAUSE = re.compile(r"[.!?]\s|[;。；]|\n\s*\n")
 _GENERAL = re.compile(
-    r"(?<![A-Za-zÀ-ÿ\\])(?:always|in\s+general|generally|everywhere|elsewhere|otherwise|at\s+all\s+times|at\s+any\s+time"
-    r"|in\s+(?:every|any|all|each)\s+(?:other\s+)?(?:positions?|cases?)|allgemein|im\s+allgemeinen|immer|stets|überall"
+    r"(?<![A-Za-zÀ-ÿ\\])(?:always|in\s+general|generally|everywhere|elsewhere|otherwise"
+    r"|at\s+all\s+times|at\s+any\s+time"
+    r"|in\s+(?:every|any|all|each)\s+(?:other\s+)?(?:positions?|cases?)|allgemein|im\s+allgemeinen"
+    r"|immer|stets|überall"
     r"|andernfalls|sonst|in\s+jeder\s+(?:Stellung|Lage))(?![A-Za-zÀ-ÿ])"
     r"|一般に|一般には|常に|つねに|いつも|それ以外",
     re.IGNORECASE,
 )
 _ALWAYS_BEHIND = re.compile(
-    r"[\s$)}\]\\,]{0,6}(?:\\text\s*\{\s*)?(?:(?:holds?|is\s+true|gilt|is\s+valid)\s+)?(?:always|at\s+all\s+times"
-    r"|at\s+any\s+time|immer|stets|everywhere|identically|for\s+(?:all|every|any)\s+(?:crank\s+)?(?:angles?|positions?|values?)"
-    r"|für\s+(?:alle|jeden)\s+(?:Kurbel)?[Ww]inkeln?)(?:\s+(?:holds?|true|vanishes))?(?=\s*[.,;:)}\]$]|\s*$)"
+    r"[\s$)}\]\\,]{0,6}(?:\\text\s*\{\s*)?(?:(?:holds?|is\s+true|gilt|is\s+valid)\s+)?(?:always"
+    r"|at\s+all\s+times"
+    r"|at\s+any\s+time|immer|stets|everywhere|identically|for\s+(?:all|every"
+    r"|any)\s+(?:crank\s+)?(?:angles?|positions?|values?)"
+    r"|für\s+(?:alle|jeden)\s+(?:Kurbel)?[Ww]inkeln?)(?:\s+(?:holds?|true|vanishes))?(?=\s*[.,;:)}\]$]"
+    r"|\s*$)"
     r"|[\s$)}\]]{0,4}(?:は|が)?(?:常に|つねに|いつも)(?:成り立つ|成立)",
     re.IGNORECASE | re.MULTILINE,
 )
 _OF_ALL = (
-    r"(?<![A-Za-zÀ-ÿ\\])(?:(?:for\s+|at\s+)?(?:all|every|any|arbitrary|each)|für\s+(?:alle|jede[nsrm]?|beliebige[nsrm]?)|beliebige[snrm]?)"
-    r"(?:\s+other)?\s+(?:(?:real|integers?|whole|natural|complex|numbers?|reellen?|ganzen?|natürlichen?|Zahlen?|values?"
+    r"(?<![A-Za-zÀ-ÿ\\])(?:(?:for\s+|at\s+)?(?:all|every|any|arbitrary|each)|für\s+(?:alle|jede[nsrm]?"
+    r"|beliebige[nsrm]?)|beliebige[snrm]?)"
+    r"(?:\s+other)?\s+(?:(?:real|integers?|whole|natural|complex|numbers?|reellen?|ganzen?|natürlichen?"
+    r"|Zahlen?|values?"
     r"|angles?|crank\s+angles?|Werte?|Winkel|(?:Kurbel)?[Ww]inkel|of)\s+){0,3}"
     r"|(?:任意の|すべての|全ての|あらゆる)\s*"
 )
@@ -49,7 +64,8 @@ _FOR_ALL_BEHIND = re.compile(
 )
 _OF_ANY_SIGN = re.compile(
     r"(?<![A-Za-z])(?:(?:any|either|arbitrary|both)\s+signs?|beliebige[nrs]?\s+Vorzeichens?"
-    r"|(?:positive\s+or\s+negative|positiv\s+oder\s+negativ|positive[nrsm]?\s+oder\s+negative[nrsm]?))(?![A-Za-z])",
+    r"|(?:positive\s+or\s+negative|positiv\s+oder\s+negativ"
+    r"|positive[nrsm]?\s+oder\s+negative[nrsm]?))(?![A-Za-z])",
     re.IGNORECASE,
 )
 _FARTHEST_BEHIND = 80
@@ -59,7 +75,8 @@ _ALL_BEHIND = re.compile(
     r"(?:[\s$)}\],]|\\[,;: ]|\\q?quad(?![A-Za-z])){0,8}(?:\\text\s*\{\s*)?"
     r"(?:(?:holds?|is\s+true|gilt|is\s+valid)\s+)?"
     r"(?:(?:for\s+(?:all|every|any|each|arbitrary)|für\s+(?:alle|jede[nrsm]?|beliebige[nsrm]?))"
-    r"(?:\s+(?:real|values?\s+of|numbers?|angles?|reellen?|Werte?(?:\s+von)?|Winkel)){0,3}|\\forall(?![A-Za-z])|∀)"
+    r"(?:\s+(?:real|values?\s+of|numbers?|angles?|reellen?|Werte?(?:\s+von)?|Winkel)){0,3}"
+    r"|\\forall(?![A-Za-z])|∀)"
     r"(?P<letters>[^.;:!?\n]{0,40})",
     re.IGNORECASE,
 )
@@ -84,15 +101,19 @@ _COUNTS = {
 }  # fmt: skip
 _NUMBER = "|".join(sorted((*_COUNTS, r"[0-9]{1,2}"), key=len, reverse=True))
 ENGINE = re.compile(
-    rf"(?<![A-Za-z0-9.,])(?P<before>{_NUMBER})[-\s]?(?:cylinders?|throws?|cranks|cyl|zylinder|シリンダ|気筒)"
-    rf"|(?<![A-Za-z])(?P<kind>in-?line|straight|flat|boxer|reihen|直列|水平対向|V型|V|W)[-\s]?(?P<behind>{_NUMBER})"
+    rf"(?<![A-Za-z0-9.,])(?P<before>{_NUMBER})[-\s]?(?:cylinders?|throws?|cranks|cyl|zylinder|シリンダ"
+    rf"|気筒)"
+    rf"|(?<![A-Za-z])(?P<kind>in-?line|straight|flat|boxer|reihen|直列|水平対向|V型|V"
+    rf"|W)[-\s]?(?P<behind>{_NUMBER})"
     r"(?:(?=-?zylinder)|(?![0-9.,]*[0-9A-Za-z]))"
-    r"|(?<![A-Za-z])(?:(?P<noun>twin|triple)s|(?:parallel|vertical|inline|straight|flat|boxer|V)[-\s](?P<alone>twin|triple))"
+    r"|(?<![A-Za-z])(?:(?P<noun>twin|triple)s|(?:parallel|vertical|inline|straight|flat|boxer"
+    r"|V)[-\s](?P<alone>twin|triple))"
     r"(?![A-Za-z-])",
     re.IGNORECASE,
 )
 PROBLEM = re.compile(
-    r"(?:exercise|problem|question|example|case|aufgabe|beispiel|fall|例題|問題?|演習)\s*\(?([0-9]+(?:\.[0-9]+)*|[a-h])\b",
+    r"(?:exercise|problem|question|example|case|aufgabe|beispiel|fall|例題|問題?"
+    r"|演習)\s*\(?([0-9]+(?:\.[0-9]+)*|[a-h])\b",
     re.IGNORECASE,
 )
 
@@ -129,6 +150,16 @@ def is_said_of_all_behind(text: str, end: int) -> bool:
     (True, False)
     """
     return _ALWAYS_BEHIND.match(text, end) is not None
+
+
+def has_exception_behind(text: str, end: int) -> bool:
+    """Tell whether words right behind a relation name cases in which it does not hold.
+
+    >>> has_exception_behind("S = 0 unless k is a multiple of five", 5),
+    has_exception_behind("S = 0, k = 5", 5)
+    (True, False)
+    """
+    return _EXCEPTION.match(text, end) is not None
 
 
 def words_of_all_behind(text: str, end: int, stop: int) -> str:

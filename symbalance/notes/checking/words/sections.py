@@ -13,6 +13,13 @@ from symbalance.document.letters import is_greek
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.words import case_words
 from symbalance.notes.checking.words.bodies_named import body_named
+from symbalance.notes.checking.words.engines_in_words import (
+    EnginesInWords,
+    NamedEngine,
+    cycle_named,
+    is_another_engine,
+    last_cycle,
+)
 from symbalance.notes.checking.words.items import item_end
 from symbalance.notes.checking.words.listed_cases import item_of_cases
 from symbalance.notes.checking.words.value_groups import in_next_groups
@@ -514,6 +521,8 @@ class Sections:
         starts = self._by_start[0]
         place = bisect_left(starts, min(start, self._start_of_line(earlier_line + 1)))
         earlier = max(earlier, starts[place - 1] if place else 0)  # where the last one on its line begins
+        if self.names_another_case(chain, earlier_line):
+            return True
         text = self.document.text
         before, now = (
             case_words.engine_of(self._engines.last_before(place)) for place in (earlier, start)
@@ -528,6 +537,54 @@ class Sections:
         mentions = [self._problems.last_before(place) for place in (earlier, start)]
         problems = ["" if mention is None else mention[1] for mention in mentions]
         return problems[0] != problems[1] != ""
+
+    def _named_in_paragraph(self, place: int) -> NamedEngine | None:
+        """Return the engine that the paragraph of a place names last before it."""
+        line = self.document.line_of(place)
+        return self._named_engines.last_before(self._start_of_line(self.paragraph_start(line)), place)
+
+    @cached_property
+    def _named_engines(self) -> EnginesInWords:
+        return EnginesInWords(self.document.text)
+
+    def _is_in_another_row(self, chain: Chain, earlier_line: int) -> bool:
+        """Tell whether two lines are rows of one table, with a case in their first cells, and a letter
+        has its formula in the same column of both.
+        """
+        line = chain.lines[0]
+        rows = [self._lines[n - 1] for n in (earlier_line, line)]
+        between = self._lines[earlier_line - 1 : line]
+        if earlier_line >= line or not all(row.lstrip().startswith("|") for row in between):
+            return False
+        first, second = (row.split("|")[1].strip() for row in rows)
+        start = self._start_of_line(line)
+        column = self.document.text[start : chain.start].count("|")
+        cells = rows[0].split("|")
+        own = self.document.text[chain.sides[0].span[0] : chain.sides[0].span[1]].strip()
+        has_same = column < len(cells) and cells[column].strip(" $").startswith(own)
+        return has_same and column > 1 and first != second and "=" not in first + second
+
+    def names_another_case(self, chain: Chain, earlier_line: int) -> bool:
+        """Tell whether a relation's own words name other strokes, another engine, another row's case."""
+        if self._names_another_cycle(chain, earlier_line) or self._is_in_another_row(chain, earlier_line):
+            return True
+        end = self._start_of_line(earlier_line + 1) if earlier_line < len(self._lines) else chain.start
+        starts = self._by_start[0]
+        place = bisect_left(starts, min(chain.start, end))
+        earlier = max(self._start_of_line(earlier_line), starts[place - 1] if place else 0)
+        before, now = (self._named_in_paragraph(place) for place in (earlier, chain.start))
+        if before is None and now is not None:
+            before = self._named_in_paragraph(now.place)  # named behind the earlier relation
+        return before is not None and now is not None and is_another_engine(before, now)
+
+    def _names_another_cycle(self, chain: Chain, earlier_line: int) -> bool:
+        """Tell whether a relation's clause is of engines of other strokes than an earlier line."""
+        text, start = self.document.text, chain.start
+        first = self._start_of_line(self.paragraph_start(earlier_line))
+        clause = case_words.clause_start(text, start)
+        before = last_cycle(text[first:clause])
+        now = cycle_named(text[clause:start])
+        return bool(before and now and before != now)
 
     def headings_name_other_engines(self, line: int, earlier_line: int) -> bool | None:
         """Tell whether two lines' headings name different engines; None if one names none."""

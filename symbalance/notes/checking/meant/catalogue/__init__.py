@@ -10,10 +10,12 @@ formula by a route of its own (integrals over the section, eigenvalues, the path
     crank_drive   forces, torque, speeds and volumes of one cylinder
     work          mean torque, power, flywheels
     balance       counterweights, what they leave, resultants
+    engine_rates  firings per second and per turn, frequencies of orders, speeds of balance shafts
 """
 
 from symbalance.notes.checking.meant.catalogue.balance import BALANCE
 from symbalance.notes.checking.meant.catalogue.crank_drive import CRANK_DRIVE
+from symbalance.notes.checking.meant.catalogue.engine_rates import ENGINE_RATES
 from symbalance.notes.checking.meant.catalogue.inertia import INERTIA
 from symbalance.notes.checking.meant.catalogue.roles import OTHER_LENGTHS as OTHER_LENGTHS
 from symbalance.notes.checking.meant.catalogue.roles import ROLES as ROLES
@@ -22,5 +24,5 @@ from symbalance.notes.checking.meant.catalogue.strength import STRENGTH
 from symbalance.notes.checking.meant.catalogue.vibration import VIBRATION
 from symbalance.notes.checking.meant.catalogue.work import WORK
 
-QUANTITIES = (*STRENGTH, *VIBRATION, *INERTIA, *CRANK_DRIVE, *WORK, *BALANCE)
+QUANTITIES = (*STRENGTH, *VIBRATION, *INERTIA, *CRANK_DRIVE, *WORK, *BALANCE, *ENGINE_RATES)
 """All quantities, each name once."""

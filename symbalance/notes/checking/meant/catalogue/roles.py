@@ -210,6 +210,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("balance_mass", "B m M", r"mass(?:es)?|masse|weights?|gewicht|質量|おもり"),
     ("unbalanced", "m M u", r"mass|masse|質量"),
     ("outer_radius", "R r", r"outer|outside|external|außen(?:radius)?|外半径"),
+    ("turn_rate", "n N f", r"rotational speed|engine speed|revolutions|\brpm|drehzahl|回転数"
+     r"|回転速度|turns"),
     ("inner_radius", "r R", r"inner|inside|internal|innen(?:radius)?|内半径"),
 )  # fmt: skip
 ROLES: Mapping[str, Role] = {
@@ -233,5 +235,5 @@ OTHER_LENGTHS = words(
     first_diameter, density, own_inertia, other_inertia, decay, damping, damping_ratio, tuning,
     decrement, order, static_deflection, period,
     arm, gyration, near, far, share, rotating, reciprocating, pin, arm_of_weight, kinetic,
-    eccentricity, balance_mass, unbalanced, outer_radius, inner_radius,
+    eccentricity, balance_mass, unbalanced, outer_radius, turn_rate, inner_radius,
 ) = map(Name, ROLES)  # fmt: skip

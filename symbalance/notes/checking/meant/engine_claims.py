@@ -1,0 +1,363 @@
+"""What words say a formula is of: which engine, which order, and whether its force or its couple.
+
+The nearest words decide: those of the sentence, the paragraph or the table's row, the section, the title.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from symbalance.document.formula import Call, Name, walk
+from symbalance.notes.checking.meant.meant_words import MeantWords
+from symbalance.notes.checking.meant.products import NoProductError, product_of
+from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
+from symbalance.notes.checking.words.engines_in_words import CrankStar, EnginesInWords, NamedEngine
+from symbalance.notes.checking.words.sections import Sections
+from symbalance.notes.reading.equations import Chain
+
+FORCE, COUPLE = "force", "couple"
+POWERS = {1: 0, 2: 1, 4: 3, 6: 5}
+_ROMAN = {"I": 1, "II": 2, "IV": 4, "VI": 6}
+_ORDER = re.compile(
+    "|".join(
+        rf"(?P<n{n}>(?<![A-Za-z0-9.])(?:{pattern}))"
+        for n, pattern in {
+            1: r"first|primary|1st|erste[rsnm]?|1\.|I\.|premi(?:er|ère)|primer[ao]?|prim[oa](?![a-z])"
+            r"|pierwsz\w+|eerste"
+               r"|första|перв\w+|[一1１]\s?次|orders?\s(?:of\s)?(?:1|one)(?![0-9])|ordnung\s(?:1"
+               r"|I)(?![0-9])",
+            2: r"second(?![a-z])|secondary|2nd|zweite[rsnm]?|2\.|II\.|secondaire|deuxième|segund[oa]"
+            r"|second[oa](?![a-z])"
+               r"|drugi\w+|tweede|andra|втор\w+|[二2２]\s?次|orders?\s(?:of\s)?(?:2|two)(?![0-9])"
+               r"|ordnung\s(?:2|II)(?![0-9])",
+            4: r"fourth|4th|vierte[rsnm]?|4\.|IV\.|quatrième|cuart[oa]|quart[oa]|czwart\w+|vierde"
+            r"|[四4４]\s?次"
+               r"|orders?\s(?:of\s)?(?:4|four)(?![0-9])",
+            6: r"sixth|6th|sechste[rsnm]?|6\.|VI\.|sixième|sext[oa]|sest[oa]|szóst\w+|zesde|[六6６]\s?次"
+               r"|orders?\s(?:of\s)?(?:6|six)(?![0-9])",
+            3: r"third|3rd|dritte[rsnm]?|3\.|troisième|tercer[ao]?|terz[oa]|fifth|fünfte|eighth"
+            r"|[三八五3358]\s?次",
+        }.items()
+    ),
+    re.IGNORECASE,
+)  # fmt: skip
+_ORDER_WORD = re.compile(
+    r"order|harmonic|ordnung|harmonische|primary|secondary|ordre|secondaire|primaire|orden|ordine|rzędu"
+    r"|\borde\b|порядк|次",
+    re.IGNORECASE,
+)
+_COUPLE = re.compile(
+    r"couples?(?![a-z])|moments?(?![a-z])|moment[eoia]?(?![a-z])|kippmoment|\bpar(?:\s"
+    r"|\b)(?=de\s+inercia)|coppi[ae]"
+    r"|偶力|モーメント|momentów|момент",
+    re.IGNORECASE,
+)
+_FORCE = re.compile(
+    r"forces?(?![a-z])|kraft(?![a-z])|kräften?(?![a-z])|fuerzas?|forz[ae]|sił[ay]?\b|kracht(?:en)?"
+    r"|krafter?|慣性力|合力|сил[аы]"
+    r"|massenkr|shaking|imbalance|unbalance",
+    re.IGNORECASE,
+)
+_TORQUE = re.compile(
+    r"torque|drehmoment|トルク|of\s+inertia\b(?!\s+(?:force|couple))|trägheitsm", re.IGNORECASE
+)
+_ROTATING = re.compile(
+    r"rotating|revolving|rotierend|umlaufend|回転(?:部分|質量)|tournant|rotante|rotativ", re.IGNORECASE
+)
+WHOLE = re.compile(
+    r"\bfree\b|freie|resultant|resultier|\btotal|gesamt|\bsum\b|summe|合力|合計|全体|whole|engine'?s\b"
+    r"|add\s+up|altogether"
+    r"|remain|surviv|bleib|resultante|totale|risultant|libre|\bliber|wypadkow|together|zusammen"
+    r"|insgesamt"
+    r"|of\s+the\s+(?:whole\s+)?engine|of\s+the\s+motor|des\s+(?:ganzen\s+)?motors|du\s+moteur"
+    r"|del\s+motore?|エンジン",
+    re.IGNORECASE,
+)
+_MOST = 400
+_OPENING = re.compile(
+    r"(?:\s|\$|\\\[|\\\(|\\begin\{[a-z]+\*?\}|\\displaystyle|&|</?(?:p|div|math|span|li)\b[^<>]{0,40}>"
+    r"|`|>)+$"
+)
+"""What stands between words and the formula that is set off from them."""
+_SENTENCE_END = re.compile(
+    r"[.!?]\s+(?![IVX0-9]{1,3}\.|Ordnung|order)|[。；;]|\n\s*\n|\n#|\n\s*(?:[-*+]|[0-9]+[.)])\s|\n\s*\|"
+    r"|\n(?=[^\n]*:\s*\n)|\\item|<li|<p\b"
+)
+VECTORS = re.compile(
+    r"(?:sum|resultant|summe|合計)[^.;=]{0,40}(?:vectors|phasors|zeiger|vektoren|ベクトル)|(?:vector"
+    r"|phasor|zeiger|ベクトル)[\s-]?(?:sum|summe|和)",
+    re.IGNORECASE,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class EngineClaim:
+    """What words say a formula is of: an engine's free force or couple of an order."""
+
+    engine: NamedEngine
+    order: int
+    kind: str
+    words: str
+    own: str
+    """The words between the relations before and behind."""
+    sentence: str
+    around: str
+    is_rotating: bool = False
+
+    def sizes(self) -> list[float]:
+        """Return how many times one cylinder's amplitude it may be."""
+        stars: tuple[CrankStar, ...] = self.engine.stars
+        sizes = [s.couple(self.order) if self.kind == COUPLE else s.force(self.order) for s in stars]
+        return sorted(set(sizes))
+
+
+@dataclass
+class EngineClaims:
+    """Reads what words say of the formulas of one page."""
+
+    words: MeantWords
+    sections: Sections
+
+    @cached_property
+    def engines(self) -> EnginesInWords:
+        """The engines that the page names."""
+        return EnginesInWords(self._text)
+
+    @cached_property
+    def _crank_lists(self) -> list[CrankAngles]:
+        return crank_angles(self._text)
+
+    @property
+    def _text(self) -> str:
+        return self.words.document.text
+
+    @cached_property
+    def _line_starts(self) -> list[int]:
+        return [0, *(k + 1 for k, c in enumerate(self._text) if c == "\n"), len(self._text)]
+
+    def claim(self, name: str, chain: Chain) -> EngineClaim | None:
+        """Return what words say of the formula that a letter is given; None where they leave it open."""
+        if name.startswith("Delta_") or name.endswith("_rms"):
+            return None
+        start, end = min(s.span[0] for s in chain.sides), chain.end
+        before, behind, sentence, own = self._words_around(chain, start, end)
+        heading = self.sections.heading_above(chain.lines[0])
+        order, said = 0, ""
+        title = self._text[: self._line_starts[1]]
+        for words in (before, behind, heading, title):
+            if _ORDER_WORD.search(words) and (order := _order_in(words, name)):
+                said = words
+                break
+        if not order:
+            order, said = self._order_otherwise(name, chain, before, sentence)
+        kind = next((k for w in (before, behind, said) if (k := _kind_in(w, name))), "")
+        is_rotating = _ROTATING.search(before) is not None
+        if is_rotating and not order:
+            order, said = 1, before
+        kind = kind or (FORCE if VECTORS.search(sentence) else "")
+        kind = kind or _kind_by_letter(name) or _kind_in(heading, name)
+        if not order or not kind or _TORQUE.search(f"{before} {said}") or not _fits_index(name, order):
+            return None
+        engine = self._engine(chain, start, end)
+        if engine is None:
+            return None
+        paragraph = self._text[self._line_starts[self.sections.paragraph_start(chain.lines[0]) - 1] : end]
+        around = f"{heading} {paragraph} {sentence}"
+        return EngineClaim(engine, order, kind, _plain(said), own, sentence, around, is_rotating)
+
+    def engine_of(self, chain: Chain) -> NamedEngine | None:
+        """Return the engine that a relation is of, None where words name none or several."""
+        return self._engine(chain, min(s.span[0] for s in chain.sides), chain.end)
+
+    def sentence(self, chain: Chain) -> str:
+        """Return the sentence that a relation stands in, with what stands before a display."""
+        first, last = self._sentence(self._opening(min(s.span[0] for s in chain.sides)), chain.end)
+        return self._text[first:last]
+
+    def orders_before(self, chain: Chain) -> set[int]:
+        """Return the orders that the sentence of a relation names before it, or the one before that."""
+        start = self._opening(min(s.span[0] for s in chain.sides))
+        first, _ = self._sentence(start, chain.end)
+        for words in (
+            self._text[first:start],
+            self._text[self._sentence(max(first - 2, 0), first)[0] : start],
+        ):
+            if _ORDER_WORD.search(words) and (
+                orders := {int((m.lastgroup or "n0")[1:]) for m in _ORDER.finditer(words)}
+            ):
+                return orders & {1, 2, 4, 6} if 3 not in orders else set()
+        return set()
+
+    def section(self, chain: Chain) -> str:
+        """Return the section that a relation stands in."""
+        first, last = (
+            f(chain.lines[0]) for f in (self.sections.section_start, self.sections.section_end)
+        )
+        return self._text[
+            self._line_starts[first - 1] : self._line_starts[min(last, len(self._line_starts) - 1)]
+        ]
+
+    def _order_otherwise(self, name: str, chain: Chain, before: str, sentence: str) -> tuple[int, str]:
+        """Return the order that an index or the formula's wave says, where it is of the whole engine."""
+        if not WHOLE.search(sentence) and not WHOLE.search(before):
+            return 0, ""
+        waves = [
+            p for p in walk(chain.sides[1].node) if isinstance(p, Call) and p.function in ("cos", "sin")
+        ]
+        number = wave_of(waves[0])[0] if len(waves) == 1 else 0
+        if number in POWERS and not index_of(name):
+            return number, before
+        stem, index = name.partition("_")[0], index_of(name)
+        heads = {
+            c.sides[0].node.name for c in self.words.document.chains if isinstance(c.sides[0].node, Name)
+        }
+        indices = {index_of(n) for n in heads if n.partition("_")[0] == stem}
+        is_order = (
+            index in (1, 2)
+            and indices <= {1, 2, 4, 6}
+            and (_COUPLE.search(before) or _FORCE.search(before))
+        )
+        return (index, before) if is_order else (0, "")
+
+    def _words_around(self, chain: Chain, start: int, end: int) -> tuple[str, str, str, str]:
+        """Return the clause before a formula, words behind it, its sentence, and its own part of it."""
+        start = self._opening(start)
+        first, last = self._sentence(start, end)
+        others = [c for c in self.words.document.chains if c is not chain and c.relations]
+        earlier = max((c.end for c in others if first <= c.end <= start), default=first)
+        later = min((c.start for c in others if end <= c.start < last), default=last)
+        before = self._text[earlier:start]
+        clause = re.split(r"[,;:、](?=\s|\$)|\b(?:and|und|et|y|ed?|en)\b", before)
+        before = next((c for c in clause[:0:-1] if _ORDER_WORD.search(c)), before)
+        if header := self.words.header_of_column(chain):
+            before = f"{header} {self._row_label(start)} {before}"
+        behind, own = self._text[end : min(later, end + 90)], self._text[earlier:start]
+        return before, behind, self._text[first:last], f"{own} {behind}"
+
+    def _opening(self, start: int) -> int:
+        """Return where the words end that a formula is set off from, by a line of its own or by signs."""
+        floor = max(0, start - _MOST)
+        bare = _OPENING.sub("", self._text[floor:start])
+        return start if bare.endswith((".", "!", "?", "。")) else floor + len(bare)
+
+    def _row_label(self, start: int) -> str:
+        """Return what the first cell of a table's row says, as an order where its column is of orders."""
+        text, line = self._text, self._text.rfind("\n", 0, start) + 1
+        label = text[line:start].split("|")[1] if "|" in text[line:start] else ""
+        rows = text[:line].split("\n")[:-1]
+        while len(rows) > 1 and rows[-2].lstrip().startswith("|"):
+            rows.pop()
+        head = rows[-1].split("|")[1] if rows and rows[-1].count("|") else ""
+        is_number = label.strip(" $.") in ("1", "2", "4", "6")
+        return f"order {label.strip(' $.')}" if is_number and _ORDER_WORD.search(head) else label
+
+    def _row(self, start: int) -> str:
+        """Return the first cell of a table's row, "" outside of tables."""
+        own = self._text[self._text.rfind("\n", 0, start) + 1 : start]
+        return own.split("|")[1] if own.lstrip().startswith("|") and own.count("|") > 1 else ""
+
+    def _sentence(self, start: int, end: int) -> tuple[int, int]:
+        floor = max(0, start - _MOST)
+        ends = [m.end() for m in _SENTENCE_END.finditer(self._text, floor, start)]
+        behind = _SENTENCE_END.search(self._text, end, min(len(self._text), end + _MOST))
+        return (ends[-1] if ends else floor), (
+            behind.start() if behind else min(len(self._text), end + _MOST)
+        )
+
+    def _engine(self, chain: Chain, start: int, end: int) -> NamedEngine | None:
+        """Return the engine that a relation is of: of its sentence, paragraph, section or title."""
+        line, at = chain.lines[0], self._line_starts
+        section = at[self.sections.section_start(line) - 1]
+        section_end = at[min(self.sections.section_end(line), len(at) - 1)]
+        heading_end = at[min(self.sections.section_start(line), len(at) - 1)]
+        title_end = at[min(3, len(at) - 1)]
+        scopes = [
+            self._sentence(start, end), (at[self.sections.paragraph_start(line) - 1], start),
+            (section, heading_end), (section, start), (0, min(title_end, start)),
+        ]  # fmt: skip
+        for number, (first, last) in enumerate(scopes):
+            named = self.engines.between(first, last)
+            if self.engines.has_banks(first, last):
+                return None
+            if not named:
+                continue
+            engine = _only_one(named)
+            if engine is None or (number > 2 and _only_one(self.engines.between(0, start)) is None):
+                return None
+            title = "" if number < 4 and section > 0 else self._text[:title_end]
+            around = f"{title}\n{self._text[section:heading_end]}"
+            near = self._row(start) or self._text[slice(*self._sentence(start, end))]
+            engine = self.engines.with_stars(engine, section, section_end, around, near)
+            listed = listed_at(self._crank_lists, start, self._text, self.sections.same_section)
+            if (
+                listed is None
+                or listed.is_by_firing
+                or len(listed.degrees) != engine.cylinders
+                or engine.is_boxer
+            ):
+                return engine
+            return replace(engine, stars=(CrankStar(listed.degrees),))
+        return None
+
+
+def _only_one(named: list[NamedEngine]) -> NamedEngine | None:
+    """Return the one engine of several mentions, None where they are of two."""
+    twins = {m.turn for m in named if m.turn}
+    keys = {(m.cylinders, m.is_boxer) for m in named}
+    if len(keys) > 1 and len({m.cylinders for m in named}) == 1 and len(twins) <= 1:
+        return next(m for m in named if m.is_boxer)
+    if len(keys) != 1 or len(twins) > 1:
+        return None
+    return next((m for m in reversed(named) if m.turn), named[-1])
+
+
+def _order_in(words: str, name: str) -> int:
+    """Return the order that words name, by the letter's index where they name several; 0 for none."""
+    numbers = {int((m.lastgroup or "n0")[1:]) for m in _ORDER.finditer(words)}
+    if len(numbers) > 1:
+        numbers &= {index_of(name)}
+    number = numbers.pop() if len(numbers) == 1 else 0
+    return number if number in POWERS else 0
+
+
+def index_of(name: str) -> int:
+    """Return the number that a letter has as index, 0 for none."""
+    for part in re.split(r"[_,\s]+", name)[1:]:
+        if part in _ROMAN or part.isdecimal():
+            return _ROMAN.get(part) or int(part)
+    match = re.fullmatch(r"[A-Za-z]+([1-9])", name)
+    return int(match[1]) if match else 0
+
+
+def _fits_index(name: str, order: int) -> bool:
+    return index_of(name) in (0, order)
+
+
+def _kind_in(words: str, name: str) -> str:
+    kinds = [k for k, pattern in ((COUPLE, _COUPLE), (FORCE, _FORCE)) if pattern.search(words)]
+    by_letter = _kind_by_letter(name)
+    return by_letter if by_letter in kinds else kinds[0] if kinds else ""
+
+
+def _kind_by_letter(name: str) -> str:
+    stem = name.partition("_")[0].rstrip("'")
+    return COUPLE if stem in ("M", "C", "T") else FORCE if stem in ("F", "P", "R", "K") else ""
+
+
+def wave_of(wave: Call) -> tuple[int, str]:
+    """Return n and θ of cos nθ, of cos nωt the angle's letters together; 0 for another argument."""
+    try:
+        argument = product_of(wave.argument)
+    except NoProductError:
+        return 0, ""
+    number = argument.number
+    letters = [n for n, p in argument.powers.items() if p == 1]
+    if len(letters) != 1 or len(argument.powers) != 1 or not number.is_integer() or number <= 0:
+        return 0, ""
+    return int(number), letters[0]
+
+
+def _plain(words: str) -> str:
+    return re.sub(r"\s+", " ", words).strip(" \n\t$,.;:、は\\([|*#")

@@ -1,0 +1,360 @@
+"""Free forces and couples of engines that words name: "the triple's primary couple is √3 m r ω² a".
+
+Where the words say an engine, an order, and whether a force or a couple is meant, the amplitude follows
+from the cranks: |Σ e^{ikδ}| or |Σ z e^{ikδ}| times one cylinder's amplitude. A first formula that is one
+product is compared with it:
+
+    it is that amplitude, with or without cos kθ                        conditional on what the words say
+    it has another number, another power of the ratio, another order    refuted, with what it should be
+    anything else: two slips, a part, a balanced engine, a letter that
+    may mean something else                                             None, a definition as before
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cached_property
+
+from symbalance.document.formula import (
+    Call,
+    Formula,
+    Name,
+    Number,
+    names,
+)
+from symbalance.document.letters import plain_letter
+from symbalance.notes.algebra.evaluation import SymbolValue
+from symbalance.notes.checking.deciding.descriptions import describe
+from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision, without_dots
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.meant.engine_claims import (
+    COUPLE,
+    FORCE,
+    VECTORS,
+    WHOLE,
+    EngineClaim,
+    EngineClaims,
+)
+from symbalance.notes.checking.meant.engine_letters import FIRST_TERMS, EngineLetters, Parts, mended, same
+from symbalance.notes.checking.meant.meant_words import NOBODY, MeantWords
+from symbalance.notes.checking.meant.products import NoProductError, ProductOfPowers, product_of
+from symbalance.notes.checking.repair.fixes import Repair, fix_of
+from symbalance.notes.checking.verdicts import Verdict
+from symbalance.notes.checking.words.engines_in_words import NamedEngine
+from symbalance.notes.checking.words.sections import Sections
+from symbalance.notes.reading.equations import Chain, Side
+
+_PART = re.compile(
+    r"\b(?:pairs?|half|halves|halved|outer|inner|middle|front|rear|single|each(?!\s+(?:crank\s?)?(?:pin"
+    r"|throw))|every|per|both|either|component|twice|thrice"
+    r"|times|double[ds]?|mean|average|rms|peak[\s-]to[\s-]peak|swings?|gas|rods?|bearings?|ratio|left\s+over|residual|component\w*"
+    r"|per\s*cent)\b|%"
+    r"|\b(?:one|a|two|three|another)\s+(?:cylinder|piston|crank|bank|throw)s?\b|cylinders?\s+[0-9]"
+    r"|pistons?\s+[0-9]"
+    r"|(?<!un)balanc(?:er|ing|ed|es|e\s+(?:shaft|weight|mass))|lanchester|counter-?(?:weight|balance"
+    r"|rotat)|ausgleich|gegengewicht"
+    r"|paar|hälfte|halbe|äußere|innere|vordere|hintere|mittlere|\bje\b|jede[rsnm]?\b|einzel"
+    r"|eines\s+zylinders|restlich"
+    r"|verbleibend|doppelte|zylinder\s+[0-9]|pleuel|lager\b|gaskr|komponente|restkraft|restmoment"
+    r"|chaque|chacun|demi|moitié|équilibr|contrepoids|cada|mitad|contrapes|equilibr|ciascun|metà|każd"
+    r"|połow"
+    r"|釣合い?おもり|バランサ|バランスシャフト|カウンタ|残|各|1\s*気筒あたり|片側|半分|外側|内側|中央"
+    r"|一対|成分|倍",
+    re.IGNORECASE,
+)
+"""Words for a part or a multiple of what an engine's cylinders do, or for more that acts."""
+_SHARE = re.compile(
+    r"[0-9]\s?\\?%|per\s?cent|prozent|\bhal(?:f|ves?)\b|hälfte|moitié|mitad|metà|半分|thirds?\s+of|\bleft\b",
+    re.IGNORECASE,
+)
+"""Words for a share of what acts, anywhere in a formula's paragraph or heading."""
+_BALANCED = re.compile(
+    r"balanc(?:er|ing|e\s+(?:shaft|weight|mass))|lanchester|counter-?(?:weight|balance|rotat)"
+    r"|ausgleichs|gegengewicht"
+    r"|contrepoids|contrapes|バランサ|バランスシャフト|カウンタ|釣合い?おもり",
+    re.IGNORECASE,
+)
+_OF_ONE = re.compile(
+    r"\b(?:per|each|every|one|single)[\s-]+(?:cylinder|piston|unit|pot)|\bper\s+cyl|a\s+(?:single"
+    r"|lone)\s|of\s+a\s+piston"
+    r"|(?:pro|je|eines|einen|einem|jeder|jedes|jeden)\s+(?:einzelnen\s+)?(?:zylinder|kolben)"
+    r"|einzylinder|einzelne[rnms]?\s"
+    r"|chaque\s+(?:cylindre|piston)|par\s+cylindre|cada\s+(?:cilindro|pist)|por\s+cilindro"
+    r"|ogni\s+cilindro|per\s+cilindro"
+    r"|ciascun|każd\w+\s+cylind|1\s*気筒|各気筒|単気筒|一気筒|of\s+(?:one|the\s+[ijk]-?th)",
+    re.IGNORECASE,
+)
+_TOTAL_MASS = re.compile(
+    r"(?:total|all|whole|entire|complete|gesamte?n?|sämtliche[rn]?)\s+(?:\w+\s+){0,2}mass(?:e?s"
+    r"|en?)?(?![a-z])|gesamtmasse"
+    r"|mass(?:es)?\s+of\s+(?:all|both|the\s+(?:two|three|four|five|six))|masse\s+aller|全質量"
+    r"|masse\s+totale|masa\s+total",
+    re.IGNORECASE,
+)
+_FAR_APART = re.compile(
+    r"(?:outer(?:most)?|end|total|overall|half|äußer\w*|halbe\w*|gesamt\w*|外側|全長|first\s+(?:and"
+    r"|to)\s+(?:the\s+)?last|extr[eê]me?s)"
+    r"|length\s+of\s+the\s+(?:block|engine|crank)|baulänge",
+    re.IGNORECASE,
+)
+_WEIGHTED = re.compile(
+    r"weighted|lever|moment|couple|gewichtet|hebel|mass|偶力|モーメント", re.IGNORECASE
+)
+_MASS_OF_ONE = re.compile(
+    r"(?:mass|kg|reciprocating|oszillierend|masse)[^.;:,\n]{0,30}?\s(?:of|per|je|pro|d.un|par|por|eines"
+    r"|einer)\s+(?:\w+\s+){0,3}(?:cylind\w+|piston|zylinders?|kolbens?)"
+    r"|1\s?気筒(?:あたり|分)?の(?:往復|運動)(?:部分の)?質量",
+    re.IGNORECASE,
+)
+_SUMMED = re.compile(r"\\sum|Σ|∑|_\{?[ijk]\b")
+_KINDS = {
+    "ratio": "exponent",
+    "rod": "exponent",
+    "mass": "exponent",
+    "speed": "exponent",
+    "radius": "exponent",
+    "wave": "order",
+}
+_IN_A_CASE = re.compile(
+    r"\b(?:if|when|where|speed|wenn|falls|doubles?|doubled|increas\w*|grows?)\b|のとき|の場合|same\s+as"
+    r"|compared|vergl|than\b|wie\s+beim",
+    re.IGNORECASE,
+)
+_OF_ANOTHER = re.compile(
+    r"\b(?:divided|per\s+unit|relative|bezogen\s+auf\s+\$|ratio|normali[sz]ed|squared?)\b|比",
+    re.IGNORECASE,
+)
+
+
+@dataclass
+class EngineResultants:
+    """Judges the free forces and couples of named engines on one page."""
+
+    words: MeantWords
+    sections: Sections
+
+    @cached_property
+    def claims(self) -> EngineClaims:
+        """What the words of the page say."""
+        return EngineClaims(self.words, self.sections)
+
+    @cached_property
+    def _letters(self) -> EngineLetters:
+        return EngineLetters(self.words)
+
+    @property
+    def _text(self) -> str:
+        return self.words.document.text
+
+    def judge(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
+        """Return the verdict on a relation that gives a letter a formula; None for others."""
+        head = chain.sides[0].node
+        head = head.argument if isinstance(head, Call) and head.function == "abs" else head
+        if k or not isinstance(head, Name) or chain.relations[0].sign not in "=≈":
+            return None
+        value = without_dots(chain.sides[1].node)[0]
+        is_open = head.name not in knowledge.letters and head.name not in names(value)
+        claim = self.claims.claim(head.name, chain) if is_open and self.claims.engines.mentions else None
+        if claim is None or not claim.engine.stars:
+            return None
+        if not names(value):
+            return self._vanishing(head.name, claim, value)
+        try:
+            product = self._letters.expanded(product_of(value), head.name, knowledge)
+            return self._compared(chain, head.name, claim, product, knowledge)
+        except NoProductError:
+            return None
+
+    def _compared(
+        self, chain: Chain, name: str, claim: EngineClaim, product: ProductOfPowers, knowledge: Knowledge
+    ) -> Verdict | Decision | None:
+        parts = self._letters.parts(product, claim, knowledge)
+        if parts is None:
+            return None
+        sizes = claim.sizes()
+        if claim.is_rotating and product.wave is not None:
+            return None
+        first = Fraction(1) if parts.has_amplitude else FIRST_TERMS[claim.order]
+        number = abs(product.number)
+        is_amount = any(same(number, size * float(first), product.rounding) for size in sizes)
+        slips = list(parts.slips)
+        if not is_amount:
+            slips.append("factor")
+        if not slips:
+            return Decision(
+                PROVED, assumptions=(self._assumption(name, claim), *self._conditions(claim, parts))
+            )
+        if len(slips) != 1 or not self._may_accuse(
+            chain, knowledge, claim, parts, product, slips[0], sizes, float(first)
+        ):
+            return None
+        return self._refuted(chain, name, claim, parts, slips[0], sizes[0] * float(first) / number)
+
+    def _assumption(self, name: str, claim: EngineClaim) -> str:
+        of = "rotating " if claim.is_rotating else ""
+        return (
+            f"{plain_letter(name)} is order {claim.order} of the whole engine's {of}{claim.kind}"
+            f" ({NOBODY}; taken from the words “{claim.words}”)"
+        )
+
+    @staticmethod
+    def _conditions(claim: EngineClaim, parts: Parts) -> Iterator[str]:
+        stars = claim.engine.stars
+        yield f"the cranks are at {stars[0].text} (“{claim.engine.words}”)"
+        if parts.arm:
+            yield f"{plain_letter(parts.arm)} is the distance of neighbouring cylinders"
+        if claim.order > 1:
+            yield "the rod is long"
+
+    def _vanishing(self, name: str, claim: EngineClaim, value: Formula) -> Decision | None:
+        if VECTORS.search(claim.sentence):
+            return self._phasor_sum(name, claim, value)
+        if not isinstance(value, Number) or value.value or _PART.search(claim.sentence):
+            return None
+        sizes = claim.sizes()
+        if not any(sizes):
+            return Decision(PROVED, assumptions=(self._assumption(name, claim), *self._star(claim)))
+        if all(sizes) and not _BALANCED.search(claim.around) and not claim.engine.is_boxer:
+            reason = "; ".join((f"if {self._assumption(name, claim)}", *self._star(claim)))
+            return Decision(REFUTED, f"{reason}: the {claim.kind}s of order {claim.order} do not cancel")
+        return None
+
+    def _phasor_sum(self, name: str, claim: EngineClaim, value: Formula) -> Decision | None:
+        """Return the decision on a number for the sum of the unit phasors of an order."""
+        sizes = sorted({star.force(claim.order) for star in claim.engine.stars})
+        try:
+            product = product_of(value)
+        except NoProductError:
+            return None
+        number = abs(product.number)
+        text = f"{plain_letter(name)} is the sum of the cranks' unit vectors of order {claim.order}"
+        text = f"{text} ({NOBODY}; taken from the words “{claim.words}”)"
+        if any(same(number, size, product.rounding) or number == size == 0 for size in sizes):
+            return Decision(PROVED, assumptions=(text, *self._star(claim)))
+        if len(sizes) != 1 or _PART.search(claim.own) or _WEIGHTED.search(claim.sentence):
+            return None
+        return Decision(
+            REFUTED, "; ".join((f"if {text}", *self._star(claim))) + f": it is {sizes[0]:.5g}"
+        )
+
+    @staticmethod
+    def _star(claim: EngineClaim) -> Iterator[str]:
+        yield f"the cranks are at {claim.engine.stars[0].text} (“{claim.engine.words}”)"
+
+    def _may_accuse(
+        self,
+        chain: Chain,
+        knowledge: Knowledge,
+        claim: EngineClaim,
+        parts: Parts,
+        product: ProductOfPowers,
+        slip: str,
+        sizes: list[float],
+        first: float,
+    ) -> bool:
+        """Tell whether the words leave no other meaning under which a formula is right."""
+        if _IN_A_CASE.search(claim.sentence):
+            return False
+        if slip != "factor":
+            return not _OF_ANOTHER.search(claim.sentence)
+        own = f"{claim.words} {claim.own}".replace(claim.engine.words, "")
+        is_part = any(words.search(own) for words in (_PART, _OF_ONE)) or _BALANCED.search(claim.around)
+        is_part = is_part or _SHARE.search(claim.around) is not None
+        is_part = is_part or _TOTAL_MASS.search(self._text) is not None
+        if len(sizes) != 1 or is_part or not self._is_told(parts.letter.get("base", "")):
+            return False
+        number, size = abs(product.number) / first, sizes[0]
+        is_of_one = same(number, 1, product.rounding)
+        if claim.kind == FORCE:
+            return bool(size) and self._is_of_all(chain, claim, knowledge) if is_of_one else True
+        if not size or (claim.engine.is_boxer and len(claim.engine.stars[0].degrees) > 2):
+            return not (size or is_of_one)
+        return self._is_of_pitch(claim, parts, product.rounding, number, size)
+
+    def _is_of_pitch(
+        self, claim: EngineClaim, parts: Parts, rounding: float, number: float, size: float
+    ) -> bool:
+        """Tell whether a couple's number is wrong for whatever distance of cylinders its arm may be."""
+        count = len(claim.engine.stars[0].degrees)
+        scales = (2.0, 0.5, count - 1.0, 1 / (count - 1.0), (count - 1) / 2, 2 / (count - 1.0))
+        is_scaled = any(same(number, size * scale, rounding) for scale in scales)
+        is_pitch = any(not _FAR_APART.search(w) for w in self._letters.pitch_words(parts.arm))
+        return not is_scaled or (is_pitch and not _FAR_APART.search(claim.around))
+
+    def _is_told(self, base: str) -> bool:
+        """Tell whether a letter for an amplitude is said to be one cylinder's, or there is none."""
+        if not base:
+            return True
+        sign = re.compile(rf"(?<![\\A-Za-z_]){re.escape(plain_letter(base))}(?![A-Za-z])")
+        places = [m.start() for m in sign.finditer(self._text)]
+        return any(_OF_ONE.search(self._text, max(0, place - 80), place + 80) for place in places)
+
+    def _is_of_all(self, chain: Chain, claim: EngineClaim, knowledge: Knowledge) -> bool:
+        """Tell whether one cylinder's amplitude is said to be the whole engine's.
+
+        The words say so, or another line of the section is the whole engine's: then a formula of one
+        cylinder would be told apart. Where the letter is used further on, it may be one cylinder's.
+        """
+        if _OF_ONE.search(_MASS_OF_ONE.sub("", self._text)) or _SUMMED.search(self._text):
+            return False
+        head = chain.sides[0].node
+        others = [c for c in self.words.document.chains if c is not chain and c.relations]
+        if any(
+            isinstance(head, Name) and head.name in names(s.node) for c in others for s in c.sides[1:]
+        ):
+            return False
+        near = [c for c in others if self.sections.same_section(c.lines[0], chain.lines[0])]
+        amounts = [self._amount(c, claim.engine, knowledge) for c in near]
+        if any(of == (claim.order, claim.kind) and is_all for of, is_all in amounts):
+            return False
+        is_said = WHOLE.search(claim.sentence) is not None or WHOLE.search(claim.around) is not None
+        return is_said or any(is_all for _, is_all in amounts)
+
+    def _amount(
+        self, chain: Chain, engine: NamedEngine, knowledge: Knowledge
+    ) -> tuple[tuple[int, str], bool]:
+        """Return the order and kind of another formula, and whether it is of more than one cylinder."""
+        head, value = chain.sides[0].node, chain.sides[1].node
+        claim = self.claims.claim(head.name, chain) if isinstance(head, Name) else None
+        if claim is None or claim.engine.key != engine.key or not claim.engine.stars:
+            return (0, ""), False
+        sizes = claim.sizes()
+        if not names(value):
+            is_zero = isinstance(value, Number) and not value.value
+            return (claim.order, claim.kind), is_zero and not any(sizes)
+        try:
+            number = abs(self._letters.expanded(product_of(value), "", knowledge).number)
+        except NoProductError:
+            return (0, ""), False
+        firsts = (1.0, float(FIRST_TERMS[claim.order]))
+        is_all = any(same(number, size * first) for size in sizes for first in firsts)
+        return (claim.order, claim.kind), is_all and (claim.kind == COUPLE or not same(number, 1))
+
+    def _refuted(
+        self,
+        chain: Chain,
+        name: str,
+        claim: EngineClaim,
+        parts: Parts,
+        slip: str,
+        factor: float,
+    ) -> Verdict | None:
+        side = chain.sides[1]
+        own = product_of(without_dots(side.node)[0])
+        target = mended(own, parts, slip, factor, claim)
+        if target is None:
+            return None
+        known = Knowledge(SymbolValue(positive=frozenset(names(side.node))), corrects=True)
+        decision = decide(Side((target,), chain.sides[0].span), side, chain.relations[0].sign, known)
+        if decision.status != REFUTED:
+            return None
+        reason = "; ".join((f"if {self._assumption(name, claim)}", *self._conditions(claim, parts)))
+        verdict = describe(
+            self.words.document, chain, 0, Decision(REFUTED, reason, witness=decision.witness)
+        )
+        repair = Repair(_KINDS.get(slip, slip), target, ((side.node, target),), 1.0)
+        return replace(verdict, fix=fix_of(repair, self.words.document, side))

@@ -1,0 +1,354 @@
+"""Engines that a page's words name, with the angles of their cranks: "the 270° twin",
+"Reihensechszylinder".
+
+Engines in line and boxers have a usual crankshaft; a twin's is told by its angle, a five's by its firing
+order. An engine in banks, and one of which the words leave the cranks open, is named without them.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left
+from cmath import rect
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import permutations
+from math import pi
+
+_NOTHING = 1e-9
+_WORDS = {
+    1: "single one ein mono mono einen un uno één jedno одно 単 単 1",
+    2: "two twin twins zwei deux dos due dois twee två to dwu двух bi 二 2",
+    3: "three triple triples drei trois tres tre três drie trzy tri трёх трех 三 3",
+    4: "four vier quatre cuatro quattro quatro fyra fire cztero quadri tetra четырёх четырех 四 4",
+    5: "five fünf cinq cinco cinque vijf fem pięcio penta пяти 五 5",
+    6: "six sechs seis sei zes sex sześcio esa шести 六 6",
+    8: "eight acht huit ocho otto oito åtta ośmio восьми 八 8",
+    10: "ten zehn dix diez 十 10",
+    12: "twelve zwölf douze doce 十二 12",
+    16: "sixteen sechzehn 16",
+}
+_COUNTS = {word: count for count, words in _WORDS.items() for word in words.split()}
+_ANY = "|".join(sorted(_COUNTS, key=len, reverse=True))
+_ONE_OF_MANY = (
+    r"cylinder(?!s)|cyl(?!ind)|pot(?![a-z])|zylind(?:er|rig)|cilinder|cilindr(?!os|i(?![a-zà-ü]))"
+    r"|cylindre(?!s)"
+    r"|cylindr(?:ow|ig)|цилиндров|気筒|シリンダ"
+)
+_SEVERAL = r"cylinders|zylindern?|cylindres|cilindros|cilindri|cilinders|cylindrów|cylindrar|цилиндрами"
+_MACHINE = r"(?:engines?|motor\w*|moteurs?|machine|maschine|silnik|двигатель)\W+(?:\w+\W+){0,2}?"
+_MENTION = re.compile(
+    rf"(?<![A-Za-z0-9.,])(?P<line>Reihen|Boxer|Parallel)?[-\s]?(?P<count>{_ANY})[-\s]?(?:{_ONE_OF_MANY})"
+    rf"|(?<![A-Za-z])(?:une?|le|du|el|del|il|um|o)\s+(?P<latin>{_ANY})[-\s](?:cylindres|cilindros"
+    rf"|cilindri)"
+    rf"|{_MACHINE}(?P<many>{_ANY})[-\s]?(?:{_SEVERAL})"
+    r"|(?<![A-Za-z])(?P<kind>in-?line|straight|flat|boxer|cross-?plane|flat-plane|reihen|直列|並列"
+    r"|水平対向)"
+    rf"[-\s]?(?P<behind>{_ANY}(?<!one))(?![0-9A-Za-z])(?![.,][0-9])"
+    r"|(?<![A-Za-z])(?P<row>three|four|five|six|eight)[-\s]in[-\s]line"
+    r"|(?<![A-Za-z0-9_\\{$])(?P<code>[RIL])-?(?P<coded>[2-68])(?![0-9A-Za-z_}]|\s*[=^(*/]|[.,][0-9])"
+    rf"|^[#=][^\n]{{0,60}}?(?<![A-Za-z])(?P<titled>{_ANY})[-\s](?:cylinders|pots|zylinder)(?![A-Za-z])"
+    r"|^[ \t>*_#|-]{0,6}(?:the\s+)?(?P<label>three|four|five|six|eight)s?"
+    r"(?=(?:\s+(?:180|120|90|72))?\W{0,3}[:|])"
+    r"|(?<![A-Za-z])(?P<noun>twins?|triples?)(?![A-Za-z])"
+    r"|(?<![A-Za-z])(?:an?|the|of|our|this|as|old|every)\s+(?:[a-z-]+\s)?(?P<bare>three|four|five|six"
+    r"|eight|single)"
+    r"(?=\s*(?:[.,:;)!?*—–$]|\\\(|\n|$)|\s(?:has|have|is|shows|with|vibrates?|at|shakes?|produces|gives"
+    r"|suffers|generates|again|runs|needs|turns?|fires?|by|and)\b)",
+    re.IGNORECASE | re.MULTILINE,
+)
+_BANKS = re.compile(
+    r"(?<![A-Za-z])(?:V|W|VR)[-\s]?(?:[0-9]{1,2}(?![0-9])|engine|twin|motor|型|four|six|eight)"
+    r"|(?<![A-Za-z])(?:banks?|radial|narrow[- ]angle)\b|bankwinkel|Gabelmotor|Sternmotor|gegenkolben"
+    r"|opposed[\s-]piston"
+    r"|バンク|星[型形]|[VＶ]型|en\s+V\b|a\s+V\b",
+    re.IGNORECASE,
+)
+_BOXER = re.compile(r"boxer|flat[-\s](?:twin|two|four|six|2|4|6)|(?<!horizontally )opposed|horizontally"
+                    r"|水平対向|à plat|gegenüberliegend", re.IGNORECASE)  # fmt: skip
+_ODD = re.compile(
+    r"cross[\s-]?plane|クロスプレーン|T-?plane|big[\s-]?bang|uneven|odd[\s-]?fire|ungleichm|不等"
+    r"|two[\s-]?plane"
+    r"|rechtwinklig|right\s+angles?|直角",
+    re.IGNORECASE,
+)
+_CROSSPLANE = re.compile(r"cross[\s-]?plane|クロスプレーン", re.IGNORECASE)
+_FLAT = re.compile(
+    r"flat[\s-](?:plane\s+)?crank|flat[\s-]plane|single[\s-]plane|ebene?n?\s+Kurbelwelle"
+    r"|180\s*-?\s*(?:°|\^|deg)",
+    re.IGNORECASE,
+)
+_ANGLE = re.compile(
+    r"(?<![0-9.,])(?P<turn>90|180|270|360)(?![0-9.,])[\s~-]?\s*(?:°|º|\^\s*\\?\{?\s*\\circ\}?|degrees?"
+    r"|deg\b|Grad|度|gradi)"
+    r"|\\ang\{(?P<ang>90|180|270|360)\}|(?<=twin )(?P<bare>90|180|270|360)(?=\s*[:,)]|\s*$)",
+    re.IGNORECASE,
+)
+_LABEL = re.compile(
+    r"^[ \t>*_#|-]{0,6}(?P<turn>180|270|360)\s?(?:°|º|\^\s*\\?\{?\s*\\circ\}?|-?degrees?|-?deg\b|度)",
+    re.MULTILINE,
+)
+"""An angle that a paragraph or an item begins with, on a page about twins."""
+_NEAR, _BESIDE = 40, 12
+_FIRES = re.compile(
+    r"fir(?:es?|ing)|ignit|zünd|allum|encend|accens|点火|爆発|着火|zapł|ontstek|interval|abst[aä]nd|720",
+    re.IGNORECASE,
+)
+_CLAUSE = re.compile(r"[.;:!?]\s|[。；]|\n")
+_AGAINST = re.compile(
+    r"opposite\s+direction|anti-?phase|gegenläufig|逆位相|in\s+opposition", re.IGNORECASE
+)
+_TOGETHER = re.compile(
+    r"up\s+and\s+down\s+together|rise\s+and\s+fall\s+together|side\s+by\s+side|in\s+step|gleichläufig"
+    r"|同位相",
+    re.IGNORECASE,
+)
+_ORDER_LIST = re.compile(
+    r"(?:firing\s+(?:order|sequence)|zündfolge|ordre\s+d.allumage|orden\s+de\s+encendido"
+    r"|ordine\s+di\s+accensione"
+    r"|点火順序|着火順序|fires?)[^0-9\n]{0,24}(?P<list>[1-9](?:\s?[-–—,→]\s?[1-9]){2,7})",
+    re.IGNORECASE,
+)
+_BARE_LIST = re.compile(
+    r"(?:cranks?|throws?|pins?|kröpfung(?:en)?|kurbeln)\s+(?:(?:are\s+)?at\s+"
+    r"|bei\s+)?(?P<list>0(?:\s?[-–/]\s?[0-9]{1,3}){1,7})(?![0-9])",
+    re.IGNORECASE,
+)
+_TWO_STROKE = re.compile(
+    r"(?:two|2)[\s-]?stroke(?!s)|(?:zwei|2)[\s-]?takt|2\s?(?:サイクル|ストローク)|deux\s+temps"
+    r"|dos\s+tiempos|due\s+tempi",
+    re.IGNORECASE,
+)
+_FOUR_STROKE = re.compile(
+    r"(?:four|4)[\s-]?stroke(?!s)|(?:vier|4)[\s-]?takt|4\s?(?:サイクル|ストローク)|quatre\s+temps"
+    r"|cuatro\s+tiempos|quattro\s+tempi",
+    re.IGNORECASE,
+)
+_INLINE = {
+    1: (0,),
+    3: (0, 240, 120),
+    4: (0, 180, 180, 0),
+    6: (0, 240, 120, 120, 240, 0),
+    8: (0, 180, 90, 270, 270, 90, 180, 0),
+}
+"""The usual cranks in line, in degrees; a twin's and a five's are told by more than the name."""
+_OPPOSED = {2: (0, 0), 4: (0, 0, 180, 180), 6: (0, 0, 240, 240, 120, 120)}
+"""Boxers: where each crank is, counted from its own cylinder's axis; the banks take turns."""
+_FIVE, _FULL = 5, 360
+_FEWEST_DEGREES = 45
+
+
+@dataclass(frozen=True, slots=True)
+class CrankStar:
+    """Where an engine's cranks are, in degrees, and which way each cylinder points."""
+
+    degrees: tuple[int | Fraction, ...]
+    signs: tuple[int, ...] = ()
+    """For opposed cylinders: which way each one's force counts."""
+
+    def force(self, order: int) -> float:
+        """Return how many times one cylinder's amplitude of an order all of them give."""
+        return self._size(order, [Fraction(1)] * len(self.degrees))
+
+    def couple(self, order: int) -> float:
+        """Return the amplitude of the couple of an order over a cylinder's amplitude and the pitch."""
+        count = len(self.degrees)
+        return self._size(order, [Fraction(count - 1 - 2 * k, 2) for k in range(count)])
+
+    def _size(self, order: int, arms: list[Fraction]) -> float:
+        signs = self.signs or (1,) * len(self.degrees)
+        parts = zip(signs, arms, self.degrees, strict=True)
+        size = abs(sum(rect(float(s * a), order * pi * float(d) / 180) for s, a, d in parts))
+        return 0.0 if size < _NOTHING else size
+
+    @property
+    def text(self) -> str:
+        """The angles for an assumption."""
+        opposed = ", the cylinders opposed" if self.signs else ""
+        return ", ".join(f"{float(d):g}°" for d in self.degrees) + opposed
+
+
+@dataclass(frozen=True, slots=True)
+class NamedEngine:
+    """An engine that words name: its cylinders, its kind, and the cranks it may have."""
+
+    place: int
+    words: str
+    cylinders: int
+    is_boxer: bool = False
+    has_banks: bool = False
+    stars: tuple[CrankStar, ...] = ()
+    """The cranks that the name leaves open; none where it says too little."""
+    turn: int = 0
+    """The angle between a twin's cranks where the name says it."""
+
+    @property
+    def key(self) -> tuple[int, bool, int]:
+        """What tells two engines apart."""
+        return self.cylinders, self.is_boxer, self.turn
+
+
+@dataclass
+class EnginesInWords:
+    """The engines that one text names, in order."""
+
+    text: str
+
+    def __post_init__(self) -> None:
+        named = [named for m in _MENTION.finditer(self.text) if (named := self._named(m))]
+        vees = [NamedEngine(m.start(), m[0], 0, has_banks=True) for m in _BANKS.finditer(self.text)]
+        if named and all(each.cylinders == 2 and not each.is_boxer for each in named):
+            labels = (
+                NamedEngine(m.start("turn"), "twin", 2, turn=int(m["turn"]))
+                for m in _LABEL.finditer(self.text)
+                if not any(each.place <= m.end() <= each.place + _NEAR for each in named)
+            )
+            named = sorted([*named, *labels], key=lambda engine: engine.place)
+        self.mentions = named
+        self.every = sorted([*named, *vees], key=lambda engine: engine.place)
+        self._places = [named.place for named in self.mentions]
+        self._all_places = [named.place for named in self.every]
+
+    def between(self, first: int, last: int) -> list[NamedEngine]:
+        """Return the engines that are named in a part of the text."""
+        return self.mentions[bisect_left(self._places, first) : bisect_left(self._places, last)]
+
+    def last_before(self, first: int, last: int) -> NamedEngine | None:
+        """Return the engine that a part of the text names last, one with banks too; None for none."""
+        place = bisect_left(self._all_places, last)
+        return self.every[place - 1] if place and self._all_places[place - 1] >= first else None
+
+    def has_banks(self, first: int, last: int) -> bool:
+        """Tell whether a part of the text speaks of an engine whose cylinders are in banks."""
+        return _BANKS.search(self.text, first, last) is not None
+
+    def _named(self, match: re.Match[str]) -> NamedEngine | None:
+        words = match["count"] or match["many"] or match["behind"] or match["coded"]
+        words = (
+            words
+            or match["noun"]
+            or match["bare"]
+            or match["row"]
+            or match["label"]
+            or match["latin"]
+            or match["titled"]
+        )
+        start, end = match.span()
+        near = self.text[max(0, start - 3) : end + 1]
+        if _BANKS.search(self.text, max(0, start - 12), end):
+            return None
+        count = _COUNTS[words.lower()]
+        lines = self.text.rfind("\n", 0, start) + 1, self.text.find("\n", end)
+        line = self.text[lines[0] : lines[1] if lines[1] >= 0 else len(self.text)]
+        is_boxer = _BOXER.search(self.text, max(0, start - 30), min(len(self.text), end + 12)) is not None
+        is_boxer = is_boxer or ("flat" in near.lower() and count in _OPPOSED)
+        if (
+            is_boxer
+            and re.search(r"flat[\s-](?:plane|crank)", line, re.IGNORECASE)
+            and "boxer" not in line.lower()
+        ):
+            is_boxer = False
+        turn = self._turn_of_twin(start, end, lines[0]) if count == 2 else 0
+        return NamedEngine(start, match[0].strip(), count, is_boxer, turn=turn)
+
+    def _turn_of_twin(self, start: int, end: int, line_start: int) -> int:
+        """Return the angle of a twin's cranks that stands right beside it, or near it on its line."""
+        before = _turn_told(self.text[max(line_start, start - _BESIDE) : start])
+        behind = _turn_told(self.text[end : end + 2 * _BESIDE])
+        return before or behind or _turn_told(self.text[max(line_start, start - _NEAR) : end + _NEAR])
+
+    def with_stars(
+        self, engine: NamedEngine, first: int, last: int, heading: str, near: str
+    ) -> NamedEngine:
+        """Return an engine with the cranks that it may have, by the words of its section or page.
+
+        A twin's angle may stand in the words `near` a formula alone: in a sentence, or in a table's row.
+        """
+        if engine.cylinders == 2 and not engine.turn and (turn := _turn_told(near)):
+            engine = replace(engine, turn=turn)
+        around = f"{heading}\n{self.text[first:last]}"
+        return replace(engine, stars=_stars_of(engine, around))
+
+
+def is_another_engine(before: NamedEngine, now: NamedEngine) -> bool:
+    """Tell whether two mentions are of two engines: other cylinders or banks, another twin's crank."""
+    is_other_twin = bool(before.turn and now.turn and before.turn != now.turn)
+    is_other_kind = before.is_boxer != now.is_boxer or before.has_banks != now.has_banks
+    return before.cylinders != now.cylinders or is_other_kind or is_other_twin
+
+
+def last_cycle(words: str) -> int:
+    """Return 2 or 4, whichever strokes of an engine words name last; 0 for none."""
+    last = {
+        n: max((m.end() for m in p.finditer(words)), default=0)
+        for n, p in ((2, _TWO_STROKE), (4, _FOUR_STROKE))
+    }
+    return max(last, key=lambda n: last[n]) if any(last.values()) else 0
+
+
+def cycle_named(words: str) -> int:
+    """Return 2 or 4 where words name engines of that many strokes, 0 where they name none or both.
+
+    >>> cycle_named("for a two-stroke engine"), cycle_named("Viertakt"), cycle_named("two strokes")
+    (2, 4, 0)
+    """
+    cycles = {2 if _TWO_STROKE.search(words) else 0, 4 if _FOUR_STROKE.search(words) else 0} - {0}
+    return cycles.pop() if len(cycles) == 1 else 0
+
+
+def _stars_of(engine: NamedEngine, around: str) -> tuple[CrankStar, ...]:
+    count = engine.cylinders
+    if engine.is_boxer:
+        degrees = _OPPOSED.get(count)
+        signs = tuple((-1) ** k for k in range(count))
+        return () if degrees is None or _ODD.search(around) else (CrankStar(degrees, signs),)
+    listed = {tuple(map(int, re.findall("[0-9]+", m["list"]))) for m in _BARE_LIST.finditer(around)}
+    if (
+        len(listed) == 1
+        and len(degrees := next(iter(listed))) == count
+        and max(degrees) >= _FEWEST_DEGREES
+    ):
+        return (CrankStar(degrees),)
+    fired = _by_firing_order(around, count)
+    return (fired,) if fired is not None else _usual_stars(engine, around)
+
+
+def _usual_stars(engine: NamedEngine, around: str) -> tuple[CrankStar, ...]:
+    """Return the cranks in line that an engine's name and the words around leave open."""
+    count = engine.cylinders
+    if count == 2:
+        turn = engine.turn or _turn_told(around)
+        turn = turn or (180 if _AGAINST.search(around) else 360 if _TOGETHER.search(around) else 0)
+        return (CrankStar((0, turn % _FULL)),) if turn else ()
+    is_flat = _FLAT.search(around) is not None
+    if count == 4 and _CROSSPLANE.search(around) and not is_flat:
+        return (CrankStar((0, 90, 270, 180)),)
+    if _ODD.search(around) or (_TWO_STROKE.search(around) and count > 3):
+        return ()
+    if count == _FIVE:
+        return tuple(CrankStar((0, *(72 * k for k in way))) for way in permutations(range(1, _FIVE)))
+    degrees = (0, 180, 0) if count == 3 and is_flat else _INLINE.get(count)
+    return () if degrees is None else (CrankStar(degrees),)
+
+
+def _turn_told(words: str) -> int:
+    """Return the one angle between two cranks that words tell, 0 for none or several."""
+    turns = set()
+    for clause in _CLAUSE.split(words):
+        if not _FIRES.search(clause):
+            turns |= {int(m["turn"] or m["ang"] or m["bare"]) for m in _ANGLE.finditer(clause)}
+    return turns.pop() if len(turns) == 1 else 0
+
+
+def _by_firing_order(around: str, count: int) -> CrankStar | None:
+    """Return the cranks of an engine in line that fires evenly in an order that the words list."""
+    lists = {m["list"] for m in _ORDER_LIST.finditer(around)}
+    orders = {tuple(int(d) for d in re.findall("[1-9]", each)) for each in lists}
+    if len(orders) != 1 or _ODD.search(around):
+        return None
+    (order,) = orders
+    if sorted(order) != list(range(1, count + 1)):
+        return None
+    cycle = _FULL if _TWO_STROKE.search(around) else 2 * _FULL
+    fired = {cylinder: k * cycle // count for k, cylinder in enumerate(order)}
+    return CrankStar(tuple(-fired[c] % _FULL for c in sorted(fired)))
