@@ -20,6 +20,7 @@ _MEANT = re.compile(
     rf"(?:\}}\s*\{{|{_GAP})(?:\\(?:mathrm|text|mbox|textrm)\s*\{{\s*)?(?:\\[,;: ])*{_LENGTH}"
     rf"|{_E}{_GAP}/{_GAP}[lrLR](?![A-Za-z])|\\[dt]?frac\s*\{{\s*e\s*\}}\s*\{{\s*[lrLR]\s*\}}"
     rf"|(?:[Oo]ffset|Versatz|Schr[äa]nkung|Desachsierung|eccentricity|Exzentrizität|オフセット|偏心量)\s*(?:of\s*)?\$?{_E}"
+    rf"|(?:[Rr]adius|[Dd]istance|Abstand|Radien|半径|距離)\s(?:of\s)?\$?{_E}(?=[\s$,.;:)]|から)"
 )
 _UPRIGHT = re.compile(
     r"(?:\\(?:mathrm|text|textrm|operatorname)\s*(?:\{\s*e\s*\}|\s+e(?![A-Za-z]))|\{\s*\\rm\s+e\s*\}|\{\s*\\mathrm\s*e\s*\})"

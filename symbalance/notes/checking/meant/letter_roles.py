@@ -36,6 +36,9 @@ _IS = re.compile(
     r"((?:[\w-]+ ){0,3}?[\w-]+)(?= of\b| der\b| des\b|[,.;]|\s*$)",
     re.I,
 )
+_FOR = re.compile(r"\s*(?:for|für)\s+(?:the|die|den|das)\s+((?:[\w-]+ ){0,2}?[\w-]+)(?=,| and\b| und\b|[.;]|$)")
+_WRITTEN = re.compile(r"\b(?:write|writing|put|with|mit|use|using|schreibe[n]?)\b[^.;]*$", re.I)
+"""Behind a letter, and before it: write β for the balance factor, λ for the crank ratio."""
 """What a letter is said to be behind it: d is the distance of the supports."""
 
 
@@ -93,7 +96,7 @@ class LetterRoles:
 
     def is_multiplied(self, letter: str) -> bool:
         """Tell whether words name a multiple of a letter, a length 2l: then a factor may be meant."""
-        multiple = rf"(?<=[^\W\d_]{{3}})\s[\s$\\(]{{0,4}}\d{{1,9}}\s?{_sign_of(letter)}"
+        multiple = rf"(?<=[^\W\d_]{{3}})(?<!angle)(?<!inkel)\s[\s$\\(]{{0,4}}\d{{1,9}}\s?{_sign_of(letter)}"
         return re.search(multiple, self.text) is not None
 
     def words_before(self, letter: str) -> list[str]:
@@ -105,6 +108,10 @@ class LetterRoles:
             phrases = []
             for match in re.finditer(pattern, self.text):
                 words = _TAGS.sub("", self.text[max(0, match.start() - 60) : match.start()])
+                purpose = _FOR.match(_TAGS.sub("", self.text[match.end() : match.end() + 60]))
+                if purpose is not None and _WRITTEN.search(words):
+                    phrases.append(purpose[1])
+                    continue
                 phrases.append(_LINKS.sub("", words)[-30:])
                 follows = _IS.match(_TAGS.sub("", self.text[match.end() : match.end() + 60]))
                 if follows is not None:

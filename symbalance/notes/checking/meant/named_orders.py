@@ -62,8 +62,8 @@ COUPLE = "couple"
 HIGHEST = 8
 """Orders above are named by nobody."""
 _NUMBERS = {
-    1: r"first|primary|1st|erste[rsnm]?|1\.|I\.|[一1]\s?次",
-    2: r"second(?:ary)?|2nd|zweite[rsnm]?|2\.|II\.|[二2]\s?次",
+    1: r"first|primer[oa]?|premier|primary|1st|erste[rsnm]?|1\.|I\.|[一1]\s?次",
+    2: r"second(?:ary)?|segund[oa]|deuxième|2nd|zweite[rsnm]?|2\.|II\.|[二2]\s?次",
     3: r"third|3rd|dritte[rsnm]?|3\.|III\.|[三3]\s?次",
     4: r"fourth|4th|vierte[rsnm]?|4\.|IV\.|[四4]\s?次",
     6: r"sixth|6th|sechste[rsnm]?|6\.|VI\.|[六6]\s?次",
@@ -78,12 +78,12 @@ _KINDS: Mapping[str, re.Pattern[str]] = {
         r"couples?(?![A-Za-z])|moments?(?![A-Za-z])|momente?(?![A-Za-z])|偶力|モーメント", re.IGNORECASE
     ),
     FORCE: re.compile(
-        r"forces?(?![A-Za-z])|kräfte|kraft(?![A-Za-z])|慣性力|合力|釣り?合い?力", re.IGNORECASE
+        r"forces?(?![A-Za-z])|fuerzas?|kräfte|kraft(?![A-Za-z])|慣性力|合力|釣り?合い?力", re.IGNORECASE
     ),
     ACCELERATION: re.compile(r"acceleration|beschleunigung|加速度", re.IGNORECASE),
 }
 _ORDER_WORD = re.compile(
-    r"order|harmonic|Ordnung|Harmonische|primary|secondary|次(?:の)?(?:慣性|成分|項|調和|の力|加速|トルク|不?釣|力)",
+    r"order|orden\b|ordre\b|harmonic|Ordnung|Harmonische|primary|secondary|次(?:の)?(?:慣性|成分|項|調和|の力|加速|トルク|不?釣|力)",
     re.IGNORECASE,
 )
 _OF_MORE = re.compile(
@@ -106,6 +106,10 @@ _OF_ONE = re.compile(
     r"\b(?:per|each|one|single)\b|\bje\b|\bpro\b|einzel|eines\s+zylinders|1\s?気筒|各|単気筒|一つ",
     re.IGNORECASE,
 )
+_OF_HALVES = re.compile(
+    r"\b(?:direct|reverse|forward|backward|co-?rotating|counter-?rotating)\b|gegenlauf|mitlauf|逆回転", re.IGNORECASE
+)
+"""Words for the two cranks that turn with the crank and against it, half of a piston's force each."""
 _NOTHING = 1e-6
 _COEFFICIENT = re.compile(r"(?P<stem>[A-Za-z])_(?P<order>[1-9])")
 _FACTOR = re.compile(r"(?:factor|number misprinted) .*")
@@ -252,7 +256,10 @@ class NamedOrders:
     def _named(self, name: str, chain: Chain) -> _Order | None:
         """Return the order that the sentence before a relation names; None where it names none or two."""
         header = self.meant.words.header_of_column(chain)
+        header = header if _ORDER.search(header) else ""  # the row's first cell may name it: formula, value
         own = header or self.meant.words.before(chain)
+        if _OF_HALVES.search(own):
+            return None
         clause = re.split(r"[,;:、](?=\s|\$)|\b(?:and|und)\b", own)[-1]
         own = clause if _ORDER_WORD.search(clause) else own
         numbers = {int((m.lastgroup or "n0")[1:]) for m in _ORDER.finditer(own)}

@@ -26,7 +26,9 @@ from symbalance.document.formula import (
     Formula,
     Name,
     Number,
+    Product,
     Sum,
+    children,
     names,
     walk,
 )
@@ -41,6 +43,7 @@ from symbalance.notes.checking.meant.catalogue import QUANTITIES, Quantity
 from symbalance.notes.checking.meant.formula_slips import agrees, is_multiple, slip_of
 from symbalance.notes.checking.meant.letter_roles import UNITS_ONLY, LetterRoles, ends_with
 from symbalance.notes.checking.meant.meant_words import NOBODY
+from symbalance.notes.checking.meant.stated_numbers import StatedNumbers
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.sections import Sections
@@ -103,6 +106,11 @@ _BEHIND = re.compile(
 )
 _AND = re.compile(r"[\s$,;\\()\[\]]*(?:and|und|bzw\.?|、|および)?[\s$,;\\()\[\]]*")
 _NO_LETTER = re.compile(r"[\W\d_]+|\\[a-zA-Z]+")
+MOST_LETTERS = 7
+"""Letters that a standard formula has at most."""
+PRODUCT = "·"
+"""What stands for the letter of a product of a mass and its arm, m_A r_A."""
+_MASSES, _ARMS = frozenset({"m", "M", "B", "G", "W", "Q"}), frozenset({"r", "R", "b", "e", "rho", "a", "s"})
 BARE = 24
 """Letters in the words before a formula that its heading names: "so that", "With these"."""
 _FUNCTIONS = ("sqrt", "sin", "cos", "tan")
@@ -166,6 +174,11 @@ class NamedQuantities:
         return LetterRoles(self.document.text)
 
     @cached_property
+    def stated(self) -> StatedNumbers:
+        """The numbers that words of the document give for a share, or for the cylinders."""
+        return StatedNumbers(self.document.text)
+
+    @cached_property
     def counts_from_elsewhere(self) -> bool:
         """Tell whether an angle is counted from somewhere else than the top dead centre."""
         return _FROM_ELSEWHERE.search(self.document.text) is not None
@@ -173,14 +186,14 @@ class NamedQuantities:
     def judge(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
         """Return the verdict on a relation that gives a named quantity a formula; None for others."""
         left, right = chain.sides[k].node, without_dots(chain.sides[k + 1].node)[0]
-        is_plain = k == 0 and isinstance(left, Name) and chain.relations[0].sign in "=≈"
+        name = name_of_head(left) if k == 0 and chain.relations[0].sign in "=≈" else ""
         own = names(right)
-        if not is_plain or not isinstance(left, Name) or not 1 <= len(own) <= 5 or left.name in own:
+        if not name or not 1 <= len(own) <= MOST_LETTERS or names(left) & own:
             return None
         if any(isinstance(part, Call) and part.function not in _FUNCTIONS for part in walk(right)):
             return None
         try:
-            return run_within(SEARCH, lambda: self._judge(chain, left.name, right, knowledge), SHARE)
+            return run_within(SEARCH, lambda: self._judge(chain, name, right, knowledge), SHARE)
         except OverBudgetError:
             return None  # a definition, as it stands
 
@@ -243,12 +256,13 @@ class NamedQuantities:
     ) -> list[Formula]:
         """Return the formulas of a quantity in the letters of a claim."""
         together = named.quantity.together
-        return list(self.roles.targets(formulas, claim, knowledge.meanings, together, name))
+        every = self.stated.with_numbers(formulas, named.quantity.stated)
+        return list(self.roles.targets(every, claim, knowledge.meanings, together, name))
 
     def _text(self, name: str, named: _Named) -> str:
         source = f"{NOBODY}; taken from the words “{named.words}”"
         source = f"declared as “{named.words}”" if named.is_declared else source
-        return f"{plain_letter(name)} is the {named.quantity.name} ({source})"
+        return f"{' '.join(map(plain_letter, name.split()))} is the {named.quantity.name} ({source})"
 
     # What words name
 
@@ -265,6 +279,7 @@ class NamedQuantities:
     def _every_named(self, name: str, chain: Chain, knowledge: Knowledge) -> Iterator[_Named]:
         stem, _, index = name.removeprefix("Delta_").partition("_")
         stem = f"Delta_{stem}" if name.startswith("Delta_") else stem
+        stem = PRODUCT if " " in name else stem
         declared = knowledge.meanings.get(name, "")
         sentence, before, around = self._texts(chain)
         heading = self.sections.heading_above(chain.lines[0])
@@ -282,7 +297,8 @@ class NamedQuantities:
             return
         by_phrase = by_phrase or list(self._by_clause(name, chain, stem, places))
         by_phrase = by_phrase or list(self._by_words_behind(chain, stem, places, sentence))
-        by_phrase = by_phrase or list(self._by_letter(name, stem, places, sentence))
+        if stem != PRODUCT:
+            by_phrase = by_phrase or list(self._by_letter(name, stem, places, sentence))
         if by_phrase:
             yield from by_phrase
             return
@@ -420,14 +436,20 @@ class NamedQuantities:
             return None
         if _has_complement(claim, knowledge):
             return None
-        is_scaled = any(self.roles.is_multiplied(n) for n in names(claim))
+        is_scaled = any(self.roles.is_multiplied(n) for n in _outside_calls(claim))
         is_in_words = _PART.search(_SETTING.sub("", named.sentence)) is not None
         may_be_part = is_in_words or _has_own_convention(claim, knowledge)
         may_be_part = is_scaled or (may_be_part and "part" not in quantity.slips)
         mistakes = self._targets(quantity.mistakes, claim, name, named, knowledge)
         is_mistake = any(agrees(each, claim) for each in mistakes)
+        by_number = self.stated.with_numbers(quantity.formulas, quantity.stated)
+        counted = self._targets(
+            tuple(node for node in by_number if node not in quantity.formulas),
+            claim, name, named, knowledge,
+        )  # fmt: skip
         for target in targets:
-            kind = slip_of(target, claim, quantity.slips, may_be_part)
+            slips = (*quantity.slips, "factor") if target in counted else quantity.slips
+            kind = slip_of(target, claim, slips, may_be_part)
             if (
                 not kind
                 and is_mistake
@@ -475,6 +497,26 @@ def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> _N
             quantity.unless is not None and quantity.unless.search(places.page) is not None
         )
     return _Named(quantity, words, places.around, sentence, is_other)
+
+
+def name_of_head(node: Formula) -> str:
+    """Return the letter that a formula is, or the two of a product m_A r_A; "" for anything else."""
+    if isinstance(node, Name):
+        return node.name
+    factors = node.factors if isinstance(node, Product) else ()
+    both = [part.name for part in factors if isinstance(part, Name)]
+    stems = [name.partition("_")[0] for name in both]
+    is_moment = len(factors) == 2 and len(both) == 2 and stems[0] in _MASSES and stems[1] in _ARMS
+    return " ".join(both) if is_moment else ""
+
+
+def _outside_calls(node: Formula) -> frozenset[str]:
+    """Return the letters of a formula that stand in no cosine or root alone."""
+    if isinstance(node, Name):
+        return frozenset({node.name})
+    if isinstance(node, Call):
+        return frozenset()
+    return frozenset(name for part in children(node) for name in _outside_calls(part))
 
 
 def _has_own_convention(claim: Formula, knowledge: Knowledge) -> bool:

@@ -74,7 +74,7 @@ BALANCE: tuple[Quantity, ...] = (
                   (1 + share) * mass * pin * omega**2 * COS_CRANK),
         unless=words(r"\boverbalance|unbalanced (?:fraction|share|part|portion)"
         r"|fraction (?:that is )?(?:left|unbalanced)|restanteil|second|zweite|2次|share left"
-        r"|remains unbalanced is"), turns=True,
+        r"|remains unbalanced is"), turns=True, stated=frozenset({"share"}),
     ),
     Quantity(
         "residual force across the line of stroke", letters("F R P Y Q"),
@@ -91,7 +91,7 @@ BALANCE: tuple[Quantity, ...] = (
         share * mass * pin * omega**2 * COS_CRANK),
         unless=words(r"\boverbalance|unbalanced (?:fraction|share|part|portion)"
         r"|fraction (?:that is )?(?:left|unbalanced)|restanteil|second|zweite|2次|share left"
-        r"|remains unbalanced is"), turns=True,
+        r"|remains unbalanced is"), turns=True, stated=frozenset({"share"}),
     ),
     Quantity(
         "counterweight", letters("m M B G"),
@@ -159,7 +159,7 @@ BALANCE: tuple[Quantity, ...] = (
         mistakes=(cylinders * mass * pin * omega**2,),
         only=words(r"radial(?:\s+engine)?|\bstar\b|sternmotor|星形"),
         unless=words(r"articulated|slave|nebenpleuel|副連接棒|counterweight|gegengewicht|second|zweite"
-        r"|2次|rotating mass|\bbanks?\b|\brows?\b"),
+        r"|2次|rotating mass|\bbanks?\b|\brows?\b"), stated=frozenset({"cylinders"}),
     ),
     Quantity(
         "resultant first-order force of a V-twin at 90°", letters("F P R Z"),

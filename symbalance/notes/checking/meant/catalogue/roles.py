@@ -63,6 +63,8 @@ class Quantity:
     """Whether those words may stand anywhere on the page, if none of `unless` does."""
     together: tuple[tuple[str, str], ...] = ()
     """Roles whose letters have the same subscript, l_2 and d_2; "" is the quantity itself."""
+    stated: frozenset[str] = frozenset()
+    """Roles whose number the words of the page may give: half of the mass, seven cylinders."""
     turns: bool = False
     """Whether the angle has to be counted from the line of stroke, at the top, for a refutation."""
 
@@ -211,6 +213,21 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("unbalanced", "m M u", r"mass|masse|質量"),
     ("outer_radius", "R r", r"outer|outside|external|außen(?:radius)?|外半径"),
     ("inner_radius", "r R", r"inner|inside|internal|innen(?:radius)?|内半径"),
+    ("bank", "gamma delta alpha V beta", r"(?:bank|vee|V|included|cylinder|fork)[- ]?angle|bankwinkel"
+     r"|V-winkel|gabelwinkel|バンク角|挟み角|angle between the (?:banks|cylinders|cylinder (?:axes|lines))",
+     "", "1 2 A B"),
+    ("half_bank", "alpha beta gamma delta", r"half[- ](?:the )?(?:bank|vee|V|included)?[- ]?angle|(?:bank|vee|V|included) ?-?angle(?: of)?"
+     r" 2|semi-?angle|angle between the (?:banks|cylinders|cylinder (?:axes|lines)) 2|winkel 2"
+     r"|halber? (?:bank|V-|gabel)winkel"),
+    ("slender", "n nu q k lambda", r"ratio|l/r|verhältnis|比"),
+    ("wheel_load", "P W Q N G F", r"loads?|dead weight|weight|force|radlast|last|kraft|荷重"),
+    ("pitch", "a d b l s c e p L y", r"apart|distances?|spacing|pitch|abstand|距離|間隔|offset|arm"),
+    ("base_force", "F P K f", r"force|amplitude|kraft|力", "0 o 1 I i c m rec"),
+    ("sector", "beta gamma phi varphi theta alpha delta", r"(?:opening|full|sector|central|whole|included)"
+     r" (?:sector )?angle|öffnungswinkel|zentriwinkel|中心角"),
+    ("half_sector", "alpha beta gamma phi varphi theta delta", r"half[- ]?(?:the )?(?:\w+ )?angle|(?:opening|sector|full"
+     r"|included)(?: \w+)? angle 2|öffnungswinkel 2|semi-?angle|halber? \w*winkel|半角"),
+    ("wall_of_weight", "t b h s w d B", r"thick\w*|width|breadth|dicke|breite|厚さ?|幅"),
 )  # fmt: skip
 ROLES: Mapping[str, Role] = {
     name: Role(letters(usual), words(phrase), *map(letters, indices))
@@ -233,5 +250,6 @@ OTHER_LENGTHS = words(
     first_diameter, density, own_inertia, other_inertia, decay, damping, damping_ratio, tuning,
     decrement, order, static_deflection, period,
     arm, gyration, near, far, share, rotating, reciprocating, pin, arm_of_weight, kinetic,
-    eccentricity, balance_mass, unbalanced, outer_radius, inner_radius,
+    eccentricity, balance_mass, unbalanced, outer_radius, inner_radius, bank, half_bank, slender,
+    wheel_load, pitch, base_force, sector, half_sector, wall_of_weight,
 ) = map(Name, ROLES)  # fmt: skip

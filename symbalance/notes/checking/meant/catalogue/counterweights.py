@@ -1,0 +1,151 @@
+"""Counterweights: their moment m r beside the crank's and on balance shafts, and what their shape gives."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from symbalance.document.formula import Call, Formula, Number
+from symbalance.notes.checking.meant.catalogue.roles import (
+    PI,
+    Quantity,
+    crank_angle,
+    cylinders,
+    density,
+    diameter,
+    half_sector,
+    inner_radius,
+    letters,
+    mass,
+    omega,
+    outer_radius,
+    pin,
+    radius,
+    ratio,
+    reciprocating,
+    rod,
+    rotating,
+    sector,
+    share,
+    slender,
+    unbalance,
+    wall_of_weight,
+    words,
+)
+from symbalance.notes.checking.meant.catalogue.strength import both
+
+_MOMENT = letters("· U D u")
+"""Letters of a mass times its arm: the product of two, or one."""
+_WEIGHT = words(
+    r"(?:counter|balance)-?\s?(?:weights?|mass(?:es)?)", r"counterpoise", r"gegengewichte?s?", r"ausgleichsgewichte?s?",
+    r"contrepoids", r"contrapesos?", r"(?:釣り?合い|つりあい)(?:おもり|錘)", r"カウンタ(?:ー)?ウェイト",
+    r"unbalance\s+of\s+the\s+counterweight", r"(?:crank\s+)?webs?", r"kurbelwangen?", r"ausgleich",
+)  # fmt: skip
+_SHAFT = words(
+    r"(?:unbalance|moment)\s+(?:of|for|on)\s+(?:each|one|every|a|the)\s+(?:balance[r]?\s+)?shafts?", r"each\s+(?:balance[r]?\s+)?shaft",
+    r"balance[r]?\s+shafts?", r"(?:unwucht\s+)?je\s+(?:ausgleichs)?welle", r"ausgleichswellen?",
+    r"バランサ(?:軸|シャフト)?", r"shaft\s+carries", r"per\s+shaft", r"equating", r"gleichheit", r"軸一本当たり",
+    r"ejes?\s+contrarrotantes?", r"lanchester\w*",
+)  # fmt: skip
+_FULL = words(r"full|whole|entire|all the|voll|ganz|complete|100\s?%")
+_TWICE = words(r"twice|double|second[- ]order|secondary|2\s?ω|2\\omega|zweiter\s+ordnung|2\.\s+ordnung|二次|2次|doppelt|lanchester")
+_FOUR = words(r"\bfour\b|in-line[- ]four|\bvier|4\s?気筒|4-?zylinder|\b4[- ]cyl|\bI4\b|\bR4\b")
+_OTHER_SHAFTS = r"\bthree\b|drei|\btwo cylinder|parallel twin|\bsix\b|only one shaft|single shaft|einzige welle|both (?:shafts )?together"
+_SINGLE = words(r"\bsingle|one[- ]cylinder|einzylinder|単気筒|thumper|mono(?:cylindre|cilíndrico)")
+_SECOND = (mass * pin * ratio, mass * pin**2 / rod, mass * pin / slender)
+_HALF = (rotating + reciprocating / 2) * pin
+_SIN_HALF, _SIN_OF_HALF = Call("sin", half_sector), Call("sin", sector / 2)
+_RING = (outer_radius**3 - inner_radius**3) / (outer_radius**2 - inner_radius**2)
+_DISC = density * wall_of_weight
+_OTHER_WEIGHT = r"annular|\bring\b|hollow|kreisring|円環|truncated|less the"
+_SECTOR = words(r"\bsectors?\b|kreissektor|kreisausschnitt|\bsektor|扇形|secteur")
+_SEMI = words(r"half[- ]?dis[ck]|semi-?circ\w+|half[- ]circle|half a dis[ck]|halbkreis\w*|半円")
+_CENTROID = words(
+    r"cent(?:re|er)\s+of\s+(?:gravity|mass)", r"centroid\w*", r"distance\s+of\s+the\s+cent\w+\s+of\s+gravity", r"schwerpunkt\w*",
+    r"重心", r"図心", r"centre\s+de\s+gravité",
+)  # fmt: skip
+_STATIC = words(r"static\s+moment", r"unbalance", r"unwucht", r"product\s+(?:of\s+)?(?:mass|m)", r"moment", r"不釣り?合い量?")
+
+
+def _both_webs(quantity: Formula) -> tuple[Formula, ...]:
+    return quantity, 2 * quantity
+
+
+COUNTERWEIGHTS: tuple[Quantity, ...] = (
+    Quantity(
+        "moment of a counterweight", _MOMENT, _WEIGHT,
+        ((rotating + share * reciprocating) * pin, (rotating + cylinders * reciprocating / 2) * pin),
+        ("edit",), others=((rotating + reciprocating) * pin,),
+        mistakes=((share * rotating + reciprocating) * pin,
+                  (rotating + cylinders * reciprocating) * pin),
+        unless=words(r"balance shaft|ausgleichswelle|バランサ|lanchester|each web|je wange|both webs"),
+        stated=frozenset({"share", "cylinders"}),
+    ),
+    Quantity(
+        "moment of a counterweight for all rotating and half of the reciprocating mass", _MOMENT, _WEIGHT,
+        (_HALF,), ("edit",), mistakes=((rotating + reciprocating) * pin, (rotating / 2 + reciprocating) * pin,
+                                       (rotating + reciprocating) * pin / 2),
+        only=both(words(r"50\s?\\?%|\bhalf\b|hälfte|moitié|mitad|半分"), words(r"reciprocating|oszillierend|hin- und|往復|alternativ")),
+        unless=words(r"balance shaft|ausgleichswelle|バランサ|lanchester|each web|je wange|both webs"
+                     r"|\btwo\b|zwei |quarter|viertel|V-"),
+    ),
+    Quantity(
+        "moment of each of two shafts against the second order of four cylinders in line", _MOMENT, _SHAFT,
+        tuple(size / 2 for size in _SECOND), ("factor", "power", "part"),
+        others=(mass * pin,),
+        mistakes=tuple(size * n for size in _SECOND for n in (1, 2, 4, Number(Fraction(1, 4)))),
+        only=both(_FOUR, _TWICE), unless=words(_OTHER_SHAFTS), is_told_once=True,
+    ),
+    Quantity(
+        "moment of each of two shafts against the first order of a single cylinder", _MOMENT, _SHAFT,
+        (mass * pin / 2,), ("power", "part"), others=(mass * pin / 4,), mistakes=(mass * pin, 2 * mass * pin),
+        only=_SINGLE, unless=words(_OTHER_SHAFTS, _FOUR.pattern, _TWICE.pattern, r"crank (?:itself )?carries"),
+        is_told_once=True,
+    ),
+    Quantity(
+        "force of two counter-rotating shafts at twice the crank's speed", letters("F P K"),
+        words(r"(?:vertical\s+)?forces\s+add(?:\s+up)?(?:\s+to)?", r"together(?:\s+they\s+give)?", r"gemeinsame\s+kraft",
+              r"force\s+of\s+(?:both|the\s+two|the\s+pair\s+of)\s+(?:balance[r]?\s+)?shafts?", r"合わせた力"),
+        (8 * unbalance * omega**2 * Call("cos", Number(Fraction(2)) * crank_angle),
+         8 * unbalance * omega**2),
+        ("factor", "power", "part"),
+        mistakes=tuple(n * unbalance * omega**2 * Call("cos", Number(Fraction(2)) * crank_angle)
+                       for n in (1, 2, 4)),
+        only=both(_TWICE, words(r"shafts|wellen|軸")), is_told_once=True,
+    ),
+    Quantity(
+        "distance of a half disc's centre of gravity from its straight edge", letters("y e s r h x a z c"),
+        _CENTROID, (4 * radius / (3 * PI), 2 * diameter / (3 * PI)), ("factor", "part"),
+        mistakes=(3 * radius / (4 * PI), 2 * radius / (3 * PI), radius / 2, 3 * radius / 8),
+        only=_SEMI, unless=words(_OTHER_WEIGHT, r"hemisphere|halbkugel|rim|wire"), is_told_once=True,
+    ),
+    Quantity(
+        "distance of a sector's centre of gravity from its tip", letters("y e s r h x a z c R"),
+        _CENTROID,
+        (2 * radius * _SIN_HALF / (3 * half_sector), 4 * radius * _SIN_OF_HALF / (3 * sector)), ("factor", "edit"),
+        mistakes=(radius * _SIN_HALF / half_sector, 2 * radius * _SIN_OF_HALF / (3 * sector)),
+        only=_SECTOR, unless=words(_OTHER_WEIGHT), is_told_once=True,
+    ),
+    Quantity(
+        "distance of a ring sector's centre of gravity from its centre", letters("y e s r h x a z c R"),
+        _CENTROID,
+        (2 * _RING * _SIN_HALF / (3 * half_sector), 4 * _RING * _SIN_OF_HALF / (3 * sector)), ("factor", "edit"),
+        only=words(r"annular sector|ring sector|kreisringsektor|ringsektor|sector of a ring|円環扇形"), is_told_once=True,
+    ),
+    Quantity(
+        "static moment of a sector", letters("U S Q · D M u"), _STATIC,
+        _both_webs(2 * _DISC * radius**3 * _SIN_HALF / 3), ("factor", "edit"),
+        mistakes=(_DISC * radius**3 * _SIN_HALF / 3, _DISC * radius**3 * _SIN_HALF),
+        only=_SECTOR, unless=words(_OTHER_WEIGHT), is_told_once=True,
+    ),
+    Quantity(
+        "static moment of a half disc", letters("U S Q · D M u"), _STATIC,
+        _both_webs(2 * _DISC * radius**3 / 3), ("factor", "edit"),
+        mistakes=(_DISC * radius**3 / 3, _DISC * radius**3),
+        only=_SEMI, unless=words(_OTHER_WEIGHT), is_told_once=True,
+    ),
+    Quantity(
+        "mass of a sector", letters("m M G"), words(r"mass", r"masse", r"質量"),
+        _both_webs(_DISC * half_sector * radius**2) + (_DISC * sector * radius**2 / 2,), ("power",),
+        only=_SECTOR, unless=words(_OTHER_WEIGHT),
+    ),
+)  # fmt: skip

@@ -1,0 +1,112 @@
+"""Locomotives: tractive force, swaying couple and wheels; one cylinder's force at its dead centres."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from symbalance.document.formula import Number
+from symbalance.notes.checking.meant.catalogue.crank_drive import COS_CRANK, SIN_CRANK
+from symbalance.notes.checking.meant.catalogue.roles import (
+    Quantity,
+    arm_of_weight,
+    balance_mass,
+    base_force,
+    diameter,
+    letters,
+    mass,
+    omega,
+    pin,
+    pitch,
+    radius,
+    ratio,
+    root,
+    share,
+    velocity,
+    wheel_load,
+    words,
+)
+
+_TWO_CRANKS = words(
+    r"locomotive|lokomotiv|機関車|swaying|schlinger|tractive|zugkraft|牽引|けん引"
+)
+_UNLIKE_SHARE = words(
+    r"unbalanced (?:fraction|share|part|portion)|fraction (?:that is )?(?:left|unbalanced)|restanteil"
+    r"|share left|remains unbalanced is|three[- ]cylinder|dreizylinder|3気筒|four[- ]cylinder|120"
+)
+_LEFT = (1 - share) * mass * pin * omega**2
+_TAKEN = share * mass * pin * omega**2
+_ROOT = root(Number(Fraction(2)))
+_FORCE = mass * pin * omega**2
+_BALANCE_FACTOR = words(
+    r"balance factor|balancing factor|overbalance|balance (?:degree|ratio|rate)|ausgleichs(?:grad|faktor)"
+    r"|(?:釣り?合い|つりあい|バランス)率"
+)
+_NO_BALANCE = words(r"rotating mass|rotierende|回転質量|second cylinder|V-twin")
+
+LOCOMOTIVES: tuple[Quantity, ...] = (
+    Quantity(
+        "variation of the tractive force of two cranks at right angles",
+        letters("F T P Delta_T Delta_F Z Delta_P Delta_Z"),
+        words(r"(?:max(?:imum|imal|\.)?|greatest|largest|peak)?\s*(?:variation|fluctuation|change)s?\s+(?:of|in)"
+              r"\s+(?:the\s+)?tractive\s+(?:force|effort)s?", r"tractive\s+(?:force|effort)\s+variation",
+              r"zugkraftschwankung(?:en)?", r"schwankung\s+der\s+zugkraft", r"(?:けん引|牽引)力の?変動"),
+        (_LEFT * (COS_CRANK - SIN_CRANK), _ROOT * _LEFT), ("edit", "factor", "power", "part"),
+        others=(_LEFT * (COS_CRANK + SIN_CRANK), _LEFT * (SIN_CRANK - COS_CRANK)),
+        mistakes=(_ROOT * _TAKEN, _TAKEN * (COS_CRANK - SIN_CRANK), _ROOT * (1 + share) * _FORCE,
+                  _LEFT / _ROOT, _LEFT),
+        unless=_UNLIKE_SHARE, stated=frozenset({"share"}),
+    ),
+    Quantity(
+        "swaying couple of two cranks at right angles", letters("C M S T L Delta_C Delta_M"),
+        words(r"(?:max(?:imum|imal|\.)?|greatest|largest|peak)?\s*swaying\s+(?:couple|moment)s?",
+              r"schlinger(?:paar|moment)", r"(?:蛇行|首振り)(?:偶力|モーメント)"),
+        (_LEFT * (pitch / 2) * (COS_CRANK + SIN_CRANK), _LEFT * pitch / _ROOT),
+        ("edit", "factor", "power", "part"),
+        others=(_LEFT * (pitch / 2) * (COS_CRANK - SIN_CRANK), _LEFT * pitch * (COS_CRANK + SIN_CRANK),
+                _LEFT * (pitch / 2) * (SIN_CRANK - COS_CRANK)),
+        mistakes=(_TAKEN * pitch / _ROOT, _ROOT * _LEFT * pitch, _LEFT * pitch / 2, _LEFT * pitch,
+                  _TAKEN * (pitch / 2) * (COS_CRANK + SIN_CRANK)),
+        unless=_UNLIKE_SHARE, stated=frozenset({"share"}),
+    ),
+    Quantity(
+        "angular velocity at which a wheel leaves the rail", letters("omega Omega w"),
+        words(r"leaves\s+the\s+rail", r"(?:wheel\s+)?lift(?:s|ing)?(?:\s+off|\s+of\s+the\s+wheel|\s+from)?"
+              r"(?:\s+the\s+rails?)?", r"hebt\s+(?:das\s+rad\s+)?ab", r"abheben", r"浮き上がる?り?"),
+        (root(wheel_load / (balance_mass * arm_of_weight)),), ("root", "power"),
+        mistakes=(wheel_load / (balance_mass * arm_of_weight),),
+        only=words(r"rail|schiene|レール|wheel|\brad\b|車輪"), unless=words(r"km/h|velocity of the train"),
+    ),
+    Quantity(
+        "angular velocity of a rolling wheel", letters("omega Omega w"),
+        words(r"angular\s+(?:speed|velocity)\s+of\s+(?:the\s+|a\s+)?(?:driving\s+)?wheels?",
+              r"winkelgeschwindigkeit\s+(?:des\s+(?:treib)?rades|der\s+(?:treib)?räder)",
+              r"(?:動輪|車輪)の角速度"),
+        (2 * velocity / diameter, velocity / radius), ("factor", "power"),
+        others=(),
+        mistakes=(velocity / diameter,),
+    ),
+    Quantity(
+        "inertia force at the top dead centre beside a counterweight", letters("F P K f R X V"),
+        words(r"(?:at\s+|im\s+|am\s+)?(?:the\s+)?(?:top|upper|inner)\s+dead\s+(?:cent(?:re|er)|point)",
+              r"\bT\.?D\.?C\b", r"(?<!unteren )(?:oberen\s+)?totpunkt", r"\bOT\b", r"上死点"),
+        (base_force * (1 + ratio - share), _FORCE * (1 + ratio - share),
+         -(base_force * (1 + ratio - share)), -(_FORCE * (1 + ratio - share))),
+        ("edit",), only=_BALANCE_FACTOR, unless=_NO_BALANCE, is_told_once=True,
+    ),
+    Quantity(
+        "inertia force at the bottom dead centre beside a counterweight", letters("F P K f R X V"),
+        words(r"(?:at\s+|im\s+|am\s+)?(?:the\s+)?(?:bottom|lower|outer)\s+dead\s+(?:cent(?:re|er)|point)",
+              r"\bB\.?D\.?C\b", r"unteren?\s+totpunkt", r"\bUT\b", r"下死点"),
+        (-(base_force * (1 - ratio - share)), -(_FORCE * (1 - ratio - share)),
+         base_force * (1 - ratio - share), _FORCE * (1 - ratio - share)),
+        ("edit",), only=_BALANCE_FACTOR, unless=_NO_BALANCE, is_told_once=True,
+    ),
+    Quantity(
+        "force across the cylinder at 90° beside a counterweight", letters("F P K f R Q Y H"),
+        words(r"across\s+the\s+(?:bore|cylinder)", r"(?:halfway|half\s+way|mid-?stroke|at\s+90\s?°)[^.=]{0,30}"
+              r"(?:across|sideways|transverse)[^=.\n]{0,30}?"),
+        (share * base_force, _TAKEN, -(share * base_force), -_TAKEN),
+        ("edit", "power"), mistakes=((1 - share) * base_force, (1 - share) * _FORCE),
+        only=_BALANCE_FACTOR, unless=_NO_BALANCE, is_told_once=True,
+    ),
+)  # fmt: skip
