@@ -28,7 +28,8 @@ _OF_TWO = {"outer": (_OUTER, _INNER, "D"), "inner": (_INNER, _OUTER, "d"),
 _TAGS = re.compile(r"<[^>]*>|\\(?:mathrm|text|it|rm|bf)\b|[${}()\\*_`|\[\]~]")
 _LINKS = re.compile(
     r"(?:\s|,|:|=|\bof\b|\bthe\b|\bis\b|\ba\b|\bby\b|\bvon\b|\bist\b|\bder\b|\bdie\b|\bdes\b|\bmit\b"
-    r"|\band\b|\bund\b|[をがはのと、])+$",
+    r"|\band\b|\bund\b|\b(?:per|je|pro|of\s(?:a|one|each))\s(?:cylinder|zylinder|piston|kolben|wheel)\b"
+    r"|[をがはのと、])+$",
     re.I,
 )
 _IS = re.compile(
@@ -38,6 +39,8 @@ _IS = re.compile(
 )
 _FOR = re.compile(r"\s*(?:for|für)\s+(?:the|die|den|das)\s+((?:[\w-]+ ){0,2}?[\w-]+)(?=,| and\b| und\b|[.;]|$)")
 _WRITTEN = re.compile(r"\b(?:write|writing|put|with|mit|use|using|schreibe[n]?)\b[^.;]*$", re.I)
+_ANOTHER = re.compile(r"(?<![^\W_])[^\W\d]\w{0,3} (?:for|für) (?:the|die|den|das) [^,;.]*$")
+_APART = re.compile(r"\s*(?:apart|auseinander)\b")
 """Behind a letter, and before it: write β for the balance factor, λ for the crank ratio."""
 """What a letter is said to be behind it: d is the distance of the supports."""
 
@@ -112,6 +115,11 @@ class LetterRoles:
                 if purpose is not None and _WRITTEN.search(words):
                     phrases.append(purpose[1])
                     continue
+                if _APART.match(_TAGS.sub("", self.text[match.end() : match.end() + 20])):
+                    phrases.append("apart")
+                    continue
+                if _WRITTEN.search(words) and _ANOTHER.search(words):
+                    continue  # λ for the crank ratio and F_0
                 phrases.append(_LINKS.sub("", words)[-30:])
                 follows = _IS.match(_TAGS.sub("", self.text[match.end() : match.end() + 60]))
                 if follows is not None:
@@ -125,7 +133,7 @@ def _sign_of(letter: str) -> str:
     stem, _, index = letter.partition("_")
     signs = {stem, plain_letter(stem), "\\" + stem}
     tail = rf"_?\{{?{re.escape(index)}\}}?" if index else r"(?!_)"
-    return rf"(?:{'|'.join(map(re.escape, sorted(signs)))}){tail}(?![A-Za-z])"
+    return rf"(?:{'|'.join(map(re.escape, sorted(signs)))}){tail}(?![^\W\d_])"
 
 
 def ends_with(words: re.Pattern[str], text: str) -> bool:

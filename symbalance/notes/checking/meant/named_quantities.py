@@ -26,6 +26,7 @@ from symbalance.document.formula import (
     Formula,
     Name,
     Number,
+    PlusMinus,
     Product,
     Sum,
     children,
@@ -105,6 +106,9 @@ _BEHIND = re.compile(
     r"[\s$`\\)\]},.]{0,8}(?:\(|(?:is|as|being|for|ist|als|für|gives|denotes)\s+)(?:(?:the|die|der|das|its)\s+)?"
 )
 _AND = re.compile(r"[\s$,;\\()\[\]]*(?:and|und|bzw\.?|、|および)?[\s$,;\\()\[\]]*")
+_ITEM = re.compile(r"[^\n=:]{3,80}:[\s*$]{0,4}")
+_NEXT_ITEM = re.compile(r"\n(?=[^\n=:.]{3,80}:)")
+"""A line that is one item of a list, its name before a colon: what stands in the next is of another."""
 _NO_LETTER = re.compile(r"[\W\d_]+|\\[a-zA-Z]+")
 MOST_LETTERS = 7
 """Letters that a standard formula has at most."""
@@ -187,6 +191,8 @@ class NamedQuantities:
         """Return the verdict on a relation that gives a named quantity a formula; None for others."""
         left, right = chain.sides[k].node, without_dots(chain.sides[k + 1].node)[0]
         name = name_of_head(left) if k == 0 and chain.relations[0].sign in "=≈" else ""
+        right = _without_plus_minus(right)
+        chain = replace(chain, sides=(chain.sides[0], Side((right,), chain.sides[1].span), *chain.sides[2:]))
         own = names(right)
         if not name or not 1 <= len(own) <= MOST_LETTERS or names(left) & own:
             return None
@@ -413,7 +419,10 @@ class NamedQuantities:
         before = sentence[-(last - first) :] if last - first < len(sentence) else sentence
         before = before if last > first else ""
         paragraphs = " ".join(_BLANK.split(words)[-2:])
-        after = _SENTENCE_END.split(text[end : end + AFTER])[0]
+        after = _NEXT_ITEM.split(_SENTENCE_END.split(text[end : end + AFTER])[0])[0]
+        item = _ITEM.fullmatch(words[words.rfind("\n") + 1 :])
+        if item is not None and sentence.endswith(item[0]):
+            sentence = item[0]
         return f"{sentence} {after}", before, f"{paragraphs} {after}"
 
     # What is wrong
@@ -499,6 +508,15 @@ def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> _N
     return _Named(quantity, words, places.around, sentence, is_other)
 
 
+def _without_plus_minus(node: Formula) -> Formula:
+    """Return the size of what is written with ± before it."""
+    if isinstance(node, PlusMinus):
+        return node.operand
+    if isinstance(node, Product) and isinstance(node.factors[0], PlusMinus):
+        return Product((node.factors[0].operand, *node.factors[1:]))
+    return node
+
+
 def name_of_head(node: Formula) -> str:
     """Return the letter that a formula is, or the two of a product m_A r_A; "" for anything else."""
     if isinstance(node, Name):
@@ -511,10 +529,10 @@ def name_of_head(node: Formula) -> str:
 
 
 def _outside_calls(node: Formula) -> frozenset[str]:
-    """Return the letters of a formula that stand in no cosine or root alone."""
+    """Return the letters of a formula that stand elsewhere than in a sine or cosine."""
     if isinstance(node, Name):
         return frozenset({node.name})
-    if isinstance(node, Call):
+    if isinstance(node, Call) and node.function != "sqrt":
         return frozenset()
     return frozenset(name for part in children(node) for name in _outside_calls(part))
 

@@ -68,6 +68,8 @@ BALANCE: tuple[Quantity, ...] = (
               r"(?:residual|remaining|unbalanced)\s+(?:primary\s+"
               r"|inertia\s+)?force\s+along\s+the\s+(?:cylinder(?:\s+axis)?|stroke|bore)",
               r"restkraft\s+in\s+(?:zylinder|hub)(?:achs)?richtung",
+              r"force\s+résiduelle\s+(?:suivant|selon|dans)\s+(?:l'axe|la\s+direction)(?:\s+du\s+cylindre)?",
+              r"fuerza\s+residual\s+(?:en|según)\s+(?:la\s+dirección|el\s+eje)(?:\s+del\s+cilindro)?",
               r"(?:行程|シリンダ軸)方向の(?:残留力|不釣合い力|不つりあい力)"),
         ((1 - share) * mass * pin * omega**2 * COS_CRANK,), ("edit",),
         mistakes=(share * mass * pin * omega**2 * COS_CRANK, share * mass * pin * omega**2 * SIN_CRANK,

@@ -46,13 +46,11 @@ _SHAFT = words(
     r"バランサ(?:軸|シャフト)?", r"shaft\s+carries", r"per\s+shaft", r"equating", r"gleichheit", r"軸一本当たり",
     r"ejes?\s+contrarrotantes?", r"lanchester\w*",
 )  # fmt: skip
-_FULL = words(r"full|whole|entire|all the|voll|ganz|complete|100\s?%")
 _TWICE = words(r"twice|double|second[- ]order|secondary|2\s?ω|2\\omega|zweiter\s+ordnung|2\.\s+ordnung|二次|2次|doppelt|lanchester")
 _FOUR = words(r"\bfour\b|in-line[- ]four|\bvier|4\s?気筒|4-?zylinder|\b4[- ]cyl|\bI4\b|\bR4\b")
 _OTHER_SHAFTS = r"\bthree\b|drei|\btwo cylinder|parallel twin|\bsix\b|only one shaft|single shaft|einzige welle|both (?:shafts )?together"
 _SINGLE = words(r"\bsingle|one[- ]cylinder|einzylinder|単気筒|thumper|mono(?:cylindre|cilíndrico)")
 _SECOND = (mass * pin * ratio, mass * pin**2 / rod, mass * pin / slender)
-_HALF = (rotating + reciprocating / 2) * pin
 _SIN_HALF, _SIN_OF_HALF = Call("sin", half_sector), Call("sin", sector / 2)
 _RING = (outer_radius**3 - inner_radius**3) / (outer_radius**2 - inner_radius**2)
 _DISC = density * wall_of_weight
@@ -73,20 +71,13 @@ def _both_webs(quantity: Formula) -> tuple[Formula, ...]:
 COUNTERWEIGHTS: tuple[Quantity, ...] = (
     Quantity(
         "moment of a counterweight", _MOMENT, _WEIGHT,
-        ((rotating + share * reciprocating) * pin, (rotating + cylinders * reciprocating / 2) * pin),
-        ("edit",), others=((rotating + reciprocating) * pin,),
+        ((rotating + share * reciprocating) * pin, (rotating + cylinders / 2 * reciprocating) * pin,
+         share * mass * pin, cylinders / 2 * mass * pin),
+        ("edit",),
         mistakes=((share * rotating + reciprocating) * pin,
                   (rotating + cylinders * reciprocating) * pin),
-        unless=words(r"balance shaft|ausgleichswelle|バランサ|lanchester|each web|je wange|both webs"),
+        unless=words(r"\bV\b|V-?twin|\btwo\b|\bzwei|\bboth\b|beide", r"balance shaft|ausgleichswelle|バランサ|lanchester|each web|je wange|both webs"),
         stated=frozenset({"share", "cylinders"}),
-    ),
-    Quantity(
-        "moment of a counterweight for all rotating and half of the reciprocating mass", _MOMENT, _WEIGHT,
-        (_HALF,), ("edit",), mistakes=((rotating + reciprocating) * pin, (rotating / 2 + reciprocating) * pin,
-                                       (rotating + reciprocating) * pin / 2),
-        only=both(words(r"50\s?\\?%|\bhalf\b|hälfte|moitié|mitad|半分"), words(r"reciprocating|oszillierend|hin- und|往復|alternativ")),
-        unless=words(r"balance shaft|ausgleichswelle|バランサ|lanchester|each web|je wange|both webs"
-                     r"|\btwo\b|zwei |quarter|viertel|V-"),
     ),
     Quantity(
         "moment of each of two shafts against the second order of four cylinders in line", _MOMENT, _SHAFT,

@@ -109,4 +109,20 @@ LOCOMOTIVES: tuple[Quantity, ...] = (
         ("edit", "power"), mistakes=((1 - share) * base_force, (1 - share) * _FORCE),
         only=_BALANCE_FACTOR, unless=_NO_BALANCE, is_told_once=True,
     ),
+    Quantity(
+        "horizontal force of an upright cylinder beside a counterweight", letters("F P R X Y Q H"),
+        words(r"horizontal\s+(?:shaking\s+|unbalanced\s+|inertia\s+|free\s+)*force", r"水平方向の(?:加振力|不釣り?合い力)"),
+        (_TAKEN * SIN_CRANK, -(_TAKEN * SIN_CRANK)), ("edit",),
+        mistakes=(_TAKEN * COS_CRANK, -(_TAKEN * COS_CRANK)),
+        only=_BALANCE_FACTOR, unless=words(r"\bV\b|V-?twin|\bbanks?\b|\btwo\b|horizontal (?:engine|cylinder)"), is_told_once=True,
+        turns=True,
+    ),
+    Quantity(
+        "inertia force at a right angle of the crank", letters("F P K R X"),
+        words(r"(?:inertia\s+)?force\s+at\s+90\s?(?:°|degrees?)(?:\s+after\s+TDC)?", r"massenkraft\s+bei\s+90\s?°",
+              r"90\s?°\s?での慣性力"),
+        (_FORCE * ratio / root(1 - ratio**2), -(_FORCE * ratio / root(1 - ratio**2))), ("power",),
+        approximate=(_FORCE * ratio, -(_FORCE * ratio)), mistakes=(_FORCE * ratio**2, -(_FORCE * ratio**2)),
+        unless=words(r"balance factor|second cylinder|V-?twin|\btwo\b|across"),
+    ),
 )  # fmt: skip

@@ -107,7 +107,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("shearing", "tau", r"stress|spannung|応力"),
     ("stiffness", "c k C K", r"stiffness|spring (?:rate|constant)|rate|constant|steifigkeit"
      r"|federkonstante|federrate|feder|spring|ばね定数?|剛性|こわさ"),
-    ("mass", "m M", r"mass(?:es)?|masse|質量|weight|gewicht"),
+    ("mass", "m M", r"masse[ns]?|mass(?:es)?|質量|weight|gewicht"),
     ("inertia", "J I Theta", r"inertia|trägheitsmoment|massenträgheit|drehmasse|schwungmasse"
      r"|慣性モーメント|flywheel|schwungrad|rotor|円板|dis[ck]s?|scheiben?"),
     ("second_section", "I J", r"second moment|moment of (?:inertia|area)|polar moment|trägheitsmoment"
@@ -209,7 +209,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|半径|distance|abstand|距離|arm"),
     ("kinetic", "E T K W U E_k E_kin", r"energy|energie|エネルギー?"),
     ("eccentricity", "e a s r", r"eccentricity|exzentrizität|偏心量?|radius|halbmesser|半径|shift"),
-    ("balance_mass", "B m M", r"mass(?:es)?|masse|weights?|gewicht|質量|おもり"),
+    ("balance_mass", "B m M", r"masse[ns]?|mass(?:es)?|weights?|gewicht|質量|おもり"),
     ("unbalanced", "m M u", r"mass|masse|質量"),
     ("outer_radius", "R r", r"outer|outside|external|außen(?:radius)?|外半径"),
     ("inner_radius", "r R", r"inner|inside|internal|innen(?:radius)?|内半径"),
