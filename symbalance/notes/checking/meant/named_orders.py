@@ -374,7 +374,9 @@ class NamedOrders:
         known, crank, assumptions = frame
         right = chain.sides[1]
         usual = [t for t in assumptions if t.endswith(USUAL_END) and t not in self.meant.shown]
-        is_guess = any(word in text for text in usual for word in ("ratio", "length"))
+        is_guess = any("length" in text for text in usual)
+        is_of_lambda = any("ratio" in text and text.startswith("λ") for text in usual)
+        is_guess |= any("ratio" in text and not text.startswith("λ") for text in usual)
         if order.series and not order.series & names(crank.omega):
             return None  # in a unit of its own
         is_alone = order.is_alone or (order.is_in_row and factor > 1)
@@ -393,6 +395,8 @@ class NamedOrders:
                 fix = verdict.fix
                 if fix is None or len(fix.faults) != 1 or fix.of_left or not ONE_SLIP.fullmatch(fix.kind):
                     continue
+                if is_of_lambda and not _FACTOR.fullmatch(fix.kind):
+                    continue  # l/r, it may be; a factor is wrong of both
                 if not is_only_negated(right.node, fix.node) and not _may_be_meant(
                     fix.kind, order, right.node
                 ):
