@@ -21,6 +21,13 @@ _MEANT = re.compile(
     rf"|{_E}{_GAP}/{_GAP}[lrLR](?![A-Za-z])|\\[dt]?frac\s*\{{\s*e\s*\}}\s*\{{\s*[lrLR]\s*\}}"
     rf"|(?:[Oo]ffset|Versatz|Schr[äa]nkung|Desachsierung|eccentricity|Exzentrizität|オフセット|偏心量)\s*(?:of\s*)?\$?{_E}"
     rf"|(?:[Rr]adius|[Dd]istance|Abstand|Radien|半径|距離)\s(?:of\s)?\$?{_E}(?=[\s$,.;:)]|から)"
+    rf"|(?:半径|偏心量?|距離)を\s?\$?{_E}|(?<![A-Za-z\\])[mM](?:_[A-Za-z]|_\{{[A-Za-z]{{1,4}}\}})?\s?(?:\\[,;:]\s?)?{_E}(?!\s?\^)"
+)
+_WITH_MASS = re.compile(
+    r"(?<![A-Za-z\\])[mMBU]_\{?(?P<index>[A-Za-z]{1,4})\}?\s?(?:\\[,;:]\s?)?e_(?:\{(?P=index)\}|(?P=index)(?![A-Za-z]))"
+)
+_THICKNESS = re.compile(
+    r"(?:[Dd]istance|[Tt]hickness|[Dd]iameter|[Ss]pacing|Dicke|Breite|Abstand|Durchmesser|厚さ|距離|直径)\s?(?:of\s|を)?\$?d(?![A-Za-z_])"
 )
 _UPRIGHT = re.compile(
     r"(?:\\(?:mathrm|text|textrm|operatorname)\s*(?:\{\s*e\s*\}|\s+e(?![A-Za-z]))|\{\s*\\rm\s+e\s*\}|\{\s*\\mathrm\s*e\s*\})"
@@ -38,6 +45,16 @@ def means_letter(text: str) -> bool:
     (True, False, False)
     """
     return _MEANT.search(text) is not None
+
+
+def lengths_named(text: str) -> frozenset[str]:
+    """Return the letters d and e_b that a page means as lengths: Dicke d, the moment m_b e_b.
+
+    >>> sorted(lengths_named(r"Dicke $d$ and the moment $m_b e_b$")), lengths_named("e_x and dx")
+    (['d', 'e_b'], frozenset())
+    """
+    own = {f"e_{match['index']}" for match in _WITH_MASS.finditer(text)}
+    return frozenset(own | ({"d"} if _THICKNESS.search(text) else set()))
 
 
 def with_number_e(text: str) -> Rewritten | None:

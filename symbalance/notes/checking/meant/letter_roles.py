@@ -33,11 +33,13 @@ _LINKS = re.compile(
     re.I,
 )
 _IS = re.compile(
-    r"\s*(?:be|is|denotes|being|sei|ist|bezeichnet)\s+(?:the|a|der|die|das)\s+"
-    r"((?:[\w-]+ ){0,3}?[\w-]+)(?= of\b| der\b| des\b|[,.;]|\s*$)",
+    r"\s*(?:(?:be|is|denotes|being|sei|ist|bezeichnet)\s+)?(?:the|a|der|die|das)\s+"
+    r"((?:[\w-]+ ){0,3}?[\w-]+)(?= of\b| der\b| des\b| at\b| am\b| and\b| und\b|[,.;]|\s*$)",
     re.I,
 )
-_FOR = re.compile(r"\s*(?:for|für)\s+(?:the|die|den|das)\s+((?:[\w-]+ ){0,2}?[\w-]+)(?=,| and\b| und\b|[.;]|$)")
+_FOR = re.compile(
+    r"\s*(?:for|für)\s+(?:the|die|den|das)\s+((?:[\w-]+ ){0,2}?[\w-]+)(?=,| and\b| und\b|[.;]|$)"
+)
 _WRITTEN = re.compile(r"\b(?:write|writing|put|with|mit|use|using|schreibe[n]?)\b[^.;]*$", re.I)
 _ANOTHER = re.compile(r"(?<![^\W_])[^\W\d]\w{0,3} (?:for|für) (?:the|die|den|das) [^,;.]*$")
 _APART = re.compile(r"\s*(?:apart|auseinander)\b")
@@ -99,7 +101,9 @@ class LetterRoles:
 
     def is_multiplied(self, letter: str) -> bool:
         """Tell whether words name a multiple of a letter, a length 2l: then a factor may be meant."""
-        multiple = rf"(?<=[^\W\d_]{{3}})(?<!angle)(?<!inkel)\s[\s$\\(]{{0,4}}\d{{1,9}}\s?{_sign_of(letter)}"
+        multiple = (
+            rf"(?<=[^\W\d_]{{3}})(?<!angle)(?<!inkel)\s[\s$\\(]{{0,4}}\d{{1,9}}\s?{_sign_of(letter)}"
+        )
         return re.search(multiple, self.text) is not None
 
     def words_before(self, letter: str) -> list[str]:

@@ -265,7 +265,10 @@ class MeantQuantities:
         proposed = {n: m for n, m in proposed.items() if m != "rod angle" or n not in is_fixed}
         guessed = {n: ratio for n, m in proposed.items() if ratio and m in CONVENTIONS.values()}
         proposed |= guessed
-        has_mass = {"reciprocating mass", "piston mass"} & {*map(role_of, declared.values()), *proposed.values()}
+        has_mass = {"reciprocating mass", "piston mass"} & {
+            *map(role_of, declared.values()),
+            *proposed.values(),
+        }
         by_index = [n for n in names(value) - {*declared, *proposed} if _RECIPROCATING.fullmatch(n)]
         if len(by_index) == 1 and not has_mass:
             proposed |= {by_index[0]: "reciprocating mass"}

@@ -107,7 +107,8 @@ _OF_ONE = re.compile(
     re.IGNORECASE,
 )
 _OF_HALVES = re.compile(
-    r"\b(?:direct|reverse|forward|backward|co-?rotating|counter-?rotating)\b|gegenlauf|mitlauf|逆回転", re.IGNORECASE
+    r"\b(?:direct|reverse|forward|backward|co-?rotating|counter-?rotating)\b|gegenlauf|mitlauf|逆回転",
+    re.IGNORECASE,
 )
 """Words for the two cranks that turn with the crank and against it, half of a piston's force each."""
 _NOTHING = 1e-6
@@ -256,7 +257,9 @@ class NamedOrders:
     def _named(self, name: str, chain: Chain) -> _Order | None:
         """Return the order that the sentence before a relation names; None where it names none or two."""
         header = self.meant.words.header_of_column(chain)
-        header = header if _ORDER.search(header) else ""  # the row's first cell may name it: formula, value
+        header = (
+            header if _ORDER.search(header) else ""
+        )  # the row's first cell may name it: formula, value
         own = header or self.meant.words.before(chain)
         if _OF_HALVES.search(own):
             return None

@@ -27,6 +27,7 @@ from symbalance.document.formula import (
     Name,
     Number,
     PlusMinus,
+    Power,
     Product,
     Sum,
     children,
@@ -40,6 +41,7 @@ from symbalance.notes.checking.deciding.equality import REFUTED, Decision, witho
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
+from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.meant.catalogue import QUANTITIES, Quantity
 from symbalance.notes.checking.meant.formula_slips import agrees, is_multiple, slip_of
 from symbalance.notes.checking.meant.letter_roles import UNITS_ONLY, LetterRoles, ends_with
@@ -114,7 +116,10 @@ MOST_LETTERS = 7
 """Letters that a standard formula has at most."""
 PRODUCT = "·"
 """What stands for the letter of a product of a mass and its arm, m_A r_A."""
-_MASSES, _ARMS = frozenset({"m", "M", "B", "G", "W", "Q"}), frozenset({"r", "R", "b", "e", "rho", "a", "s"})
+_MASSES, _ARMS = (
+    frozenset({"m", "M", "B", "G", "W", "Q"}),
+    frozenset({"r", "R", "b", "e", "rho", "a", "s"}),
+)
 BARE = 24
 """Letters in the words before a formula that its heading names: "so that", "With these"."""
 _FUNCTIONS = ("sqrt", "sin", "cos", "tan")
@@ -192,16 +197,31 @@ class NamedQuantities:
         left, right = chain.sides[k].node, without_dots(chain.sides[k + 1].node)[0]
         name = name_of_head(left) if k == 0 and chain.relations[0].sign in "=≈" else ""
         right = _without_plus_minus(right)
-        chain = replace(chain, sides=(chain.sides[0], Side((right,), chain.sides[1].span), *chain.sides[2:]))
+        chain = replace(
+            chain, sides=(chain.sides[0], Side((right,), chain.sides[1].span), *chain.sides[2:])
+        )
         own = names(right)
         if not name or not 1 <= len(own) <= MOST_LETTERS or names(left) & own:
             return None
         if any(isinstance(part, Call) and part.function not in _FUNCTIONS for part in walk(right)):
             return None
         try:
-            return run_within(SEARCH, lambda: self._judge(chain, name, right, knowledge), SHARE)
+            return run_within(SEARCH, lambda: self._judge_both(chain, name, right, knowledge), SHARE)
         except OverBudgetError:
             return None  # a definition, as it stands
+
+    def _judge_both(
+        self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge
+    ) -> Verdict | Decision | None:
+        """Return the verdict on a formula as it stands, or else with the products above put in."""
+        outcome = self._judge(chain, name, claim, knowledge)
+        if outcome is not None:
+            return outcome
+        whole = _with_sizes(claim, knowledge)
+        if whole == claim or len(names(whole)) > MOST_LETTERS or name in names(whole):
+            return None
+        sides = (chain.sides[0], Side((whole,), chain.sides[1].span), *chain.sides[2:])
+        return self._judge(replace(chain, sides=sides), name, whole, knowledge)
 
     def of_another(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
         """Return the verdict on a letter's formula where its clause names it of something else.
@@ -441,7 +461,7 @@ class NamedQuantities:
         quantity = named.quantity
         others = self._targets(quantity.others, claim, name, named, knowledge)
         others += self._targets(quantity.approximate, claim, name, named, knowledge)
-        if any(agrees(other, claim) for other in others) or decimals(claim):
+        if any(agrees(other, claim) for other in others):
             return None
         if _has_complement(claim, knowledge):
             return None
@@ -450,12 +470,16 @@ class NamedQuantities:
         may_be_part = is_in_words or _has_own_convention(claim, knowledge)
         may_be_part = is_scaled or (may_be_part and "part" not in quantity.slips)
         mistakes = self._targets(quantity.mistakes, claim, name, named, knowledge)
+        if not mistakes and not targets:
+            return None
         is_mistake = any(agrees(each, claim) for each in mistakes)
         by_number = self.stated.with_numbers(quantity.formulas, quantity.stated)
         counted = self._targets(
             tuple(node for node in by_number if node not in quantity.formulas),
             claim, name, named, knowledge,
         )  # fmt: skip
+        if decimals(claim) and not (is_mistake and counted):
+            return None
         for target in targets:
             slips = (*quantity.slips, "factor") if target in counted else quantity.slips
             kind = slip_of(target, claim, slips, may_be_part)
@@ -506,6 +530,17 @@ def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> _N
             quantity.unless is not None and quantity.unless.search(places.page) is not None
         )
     return _Named(quantity, words, places.around, sentence, is_other)
+
+
+def _with_sizes(claim: Formula, knowledge: Knowledge) -> Formula:
+    """Return a formula with each letter that the page defines as a product of letters put in."""
+    for letter in sorted(names(claim)):
+        definition = knowledge.definitions.get(letter)
+        node = None if definition is None or definition.numeric else definition.node
+        is_product = isinstance(node, Product) and all(isinstance(f, Name | Power) for f in node.factors)
+        if node is not None and is_product and not names(node) & {letter}:
+            claim = substitute(claim, letter, node)
+    return claim
 
 
 def _without_plus_minus(node: Formula) -> Formula:

@@ -52,7 +52,7 @@ _SHARE = re.compile(
 )
 _BALANCED = re.compile(
     r"balanc|counter-?weight|gegengewicht|ausgleich|ausgeglichen|équilibr|contrepoids|equilibra|contrapeso"
-    r"|釣り?合|つりあ|web\s+already\s+carries",
+    r"|釣り?合|つり[あ合]|carried\s+by\s+the\s+(?:fly-?wheels?|webs?|crank)|web\s+already\s+carries",
     re.IGNORECASE,
 )
 _NOT_BALANCED = re.compile(r"unbalanc|remain|\bleft\b|\brest|\bnot\b|\bnicht\b|残", re.IGNORECASE)

@@ -12,13 +12,17 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     cylinders,
     density,
     diameter,
+    eccentricity,
+    grade,
     half_sector,
+    height,
     inner_radius,
     letters,
     mass,
     omega,
     outer_radius,
     pin,
+    pitch,
     radius,
     ratio,
     reciprocating,
@@ -46,7 +50,9 @@ _SHAFT = words(
     r"バランサ(?:軸|シャフト)?", r"shaft\s+carries", r"per\s+shaft", r"equating", r"gleichheit", r"軸一本当たり",
     r"ejes?\s+contrarrotantes?", r"lanchester\w*",
 )  # fmt: skip
-_TWICE = words(r"twice|double|second[- ]order|secondary|2\s?ω|2\\omega|zweiter\s+ordnung|2\.\s+ordnung|二次|2次|doppelt|lanchester")
+_TWICE = words(
+    r"twice|double|second[- ]order|secondary|2\s?ω|2\\omega|zweiter\s+ordnung|2\.\s+ordnung|二次|2次|doppelt|lanchester"
+)
 _FOUR = words(r"\bfour\b|in-line[- ]four|\bvier|4\s?気筒|4-?zylinder|\b4[- ]cyl|\bI4\b|\bR4\b")
 _OTHER_SHAFTS = r"\bthree\b|drei|\btwo cylinder|parallel twin|\bsix\b|only one shaft|single shaft|einzige welle|both (?:shafts )?together"
 _SINGLE = words(r"\bsingle|one[- ]cylinder|einzylinder|単気筒|thumper|mono(?:cylindre|cilíndrico)")
@@ -61,7 +67,15 @@ _CENTROID = words(
     r"cent(?:re|er)\s+of\s+(?:gravity|mass)", r"centroid\w*", r"distance\s+of\s+the\s+cent\w+\s+of\s+gravity", r"schwerpunkt\w*",
     r"重心", r"図心", r"centre\s+de\s+gravité",
 )  # fmt: skip
-_STATIC = words(r"static\s+moment", r"unbalance", r"unwucht", r"product\s+(?:of\s+)?(?:mass|m)", r"moment", r"不釣り?合い量?")
+_BLOCK = words(r"rectang\w+|\bblock\b|\bcuboid|quader|rechteck\w*|直方体")
+_STATIC = words(
+    r"static\s+moment",
+    r"unbalance",
+    r"unwucht",
+    r"product\s+(?:of\s+)?(?:mass|m)",
+    r"moment",
+    r"不釣り?合い量?",
+)
 
 
 def _both_webs(quantity: Formula) -> tuple[Formula, ...]:
@@ -120,7 +134,16 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
         "distance of a ring sector's centre of gravity from its centre", letters("y e s r h x a z c R"),
         _CENTROID,
         (2 * _RING * _SIN_HALF / (3 * half_sector), 4 * _RING * _SIN_OF_HALF / (3 * sector)), ("factor", "edit"),
+        mistakes=(2 * (outer_radius**2 - inner_radius**2) * _SIN_HALF
+                  / (3 * half_sector * (outer_radius - inner_radius)),
+                  (outer_radius + inner_radius) * _SIN_HALF / (2 * half_sector)),
         only=words(r"annular sector|ring sector|kreisringsektor|ringsektor|sector of a ring|円環扇形"), is_told_once=True,
+    ),
+    Quantity(
+        "radius of a block's centre of gravity", letters("r R e s y a rho"), _CENTROID,
+        (inner_radius + height / 2, radius + height / 2), ("edit",), others=(radius - height / 2,),
+        mistakes=(inner_radius + height, radius + height), only=_BLOCK,
+        unless=words(r"outer (?:edge|radius)|middle|außen"), is_told_once=True,
     ),
     Quantity(
         "static moment of a sector", letters("U S Q · D M u"), _STATIC,
@@ -138,5 +161,24 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
         "mass of a sector", letters("m M G"), words(r"mass", r"masse", r"質量"),
         _both_webs(_DISC * half_sector * radius**2) + (_DISC * sector * radius**2 / 2,), ("power",),
         only=_SECTOR, unless=words(_OTHER_WEIGHT),
+    ),
+    Quantity(
+        "permissible eccentricity by the balance quality", letters("e"),
+        words(r"permissible\s+(?:eccentricity|specific\s+unbalance)", r"zulässige\s+(?:exzentrizität|spezifische\s+unwucht)",
+              r"許容(?:偏心量?|比不釣り?合い)"),
+        (grade / omega,), ("power",), mistakes=(grade * omega,),
+    ),
+    Quantity(
+        "permissible unbalance", letters("U"),
+        words(r"permissible\s+(?:residual\s+)?unbalance", r"zulässige\s+(?:rest)?unwucht", r"許容(?:残留)?不釣り?合い"),
+        (mass * eccentricity, mass * grade / omega), ("power",), unless=words(r"plane|ebene|面|9549|specific"),
+    ),
+    Quantity(
+        "couple of two unbalances opposite to each other", letters("C M K"),
+        words(r"(?:unbalance\s+)?(?:couple|moment)(?:\s+unbalance)?", r"(?:unwucht)?moment", r"偶力"),
+        (mass * eccentricity * pitch * omega**2, unbalance * pitch * omega**2), ("bare factor", "power", "part"),
+        mistakes=(mass * eccentricity * pitch * omega**2 / 2, 2 * mass * eccentricity * pitch * omega**2),
+        only=both(words(r"opposite|180\s?°|diametral|gegenüber"), words(r"unbalance|unwucht|rotor|masses m")),
+        unless=words(r"piston|cylinder|kolben|zylinder|crank|shaft whip|middle|each side|from the cent"),
     ),
 )  # fmt: skip

@@ -26,9 +26,7 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     words,
 )
 
-_TWO_CRANKS = words(
-    r"locomotive|lokomotiv|機関車|swaying|schlinger|tractive|zugkraft|牽引|けん引"
-)
+_TWO_CRANKS = words(r"locomotive|lokomotiv|機関車|swaying|schlinger|tractive|zugkraft|牽引|けん引")
 _UNLIKE_SHARE = words(
     r"unbalanced (?:fraction|share|part|portion)|fraction (?:that is )?(?:left|unbalanced)|restanteil"
     r"|share left|remains unbalanced is|three[- ]cylinder|dreizylinder|3気筒|four[- ]cylinder|120"
@@ -38,7 +36,8 @@ _TAKEN = share * mass * pin * omega**2
 _ROOT = root(Number(Fraction(2)))
 _FORCE = mass * pin * omega**2
 _BALANCE_FACTOR = words(
-    r"balance factor|balancing factor|overbalance|balance (?:degree|ratio|rate)|ausgleichs(?:grad|faktor)"
+    r"balance factor|balancing factor|balanc(?:e|es|ed|ing) (?:the|a) (?:share|fraction|part)"
+    r"|(?:share|fraction|part) (?:\\?\$?\w+\$? )?of the reciprocating mass\w*(?: \w+)? (?:is|are) balanced|überbalanc|overbalance|balance (?:degree|ratio|rate)|ausgleichs(?:grad|faktor)"
     r"|(?:釣り?合い|つりあい|バランス)率"
 )
 _NO_BALANCE = words(r"rotating mass|rotierende|回転質量|second cylinder|V-twin")
@@ -49,17 +48,19 @@ LOCOMOTIVES: tuple[Quantity, ...] = (
         letters("F T P Delta_T Delta_F Z Delta_P Delta_Z"),
         words(r"(?:max(?:imum|imal|\.)?|greatest|largest|peak)?\s*(?:variation|fluctuation|change)s?\s+(?:of|in)"
               r"\s+(?:the\s+)?tractive\s+(?:force|effort)s?", r"tractive\s+(?:force|effort)\s+variation",
-              r"zugkraftschwankung(?:en)?", r"schwankung\s+der\s+zugkraft", r"(?:けん引|牽引)力の?変動"),
+              r"zugkraftschwankung(?:en)?", r"schwankung\s+der\s+zugkraft",
+              r"(?:variation|fluctuation|change|unevenness)s?\s+(?:of|in)\s+(?:the\s+)?(?:draw-?bar\s+)?(?:pull|traction)", r"(?:けん引|牽引)力の?変動"),
         (_LEFT * (COS_CRANK - SIN_CRANK), _ROOT * _LEFT), ("edit", "factor", "power", "part"),
         others=(_LEFT * (COS_CRANK + SIN_CRANK), _LEFT * (SIN_CRANK - COS_CRANK)),
         mistakes=(_ROOT * _TAKEN, _TAKEN * (COS_CRANK - SIN_CRANK), _ROOT * (1 + share) * _FORCE,
-                  _LEFT / _ROOT, _LEFT),
+                  _LEFT / _ROOT, _LEFT, 2 * _LEFT),
         unless=_UNLIKE_SHARE, stated=frozenset({"share"}),
     ),
     Quantity(
         "swaying couple of two cranks at right angles", letters("C M S T L Delta_C Delta_M"),
         words(r"(?:max(?:imum|imal|\.)?|greatest|largest|peak)?\s*swaying\s+(?:couple|moment)s?",
-              r"schlinger(?:paar|moment)", r"(?:蛇行|首振り)(?:偶力|モーメント)"),
+              r"schlinger(?:paar|moment)", r"(?:yawing|nosing)\s+(?:couple|moment)",
+              r"(?:nods?|sways?|swings?)\s+from\s+side\s+to\s+side[^.=]{0,30}?(?:couple|moment)(?:\s+is)?", r"(?:蛇行|首振り)(?:偶力|モーメント)"),
         (_LEFT * (pitch / 2) * (COS_CRANK + SIN_CRANK), _LEFT * pitch / _ROOT),
         ("edit", "factor", "power", "part"),
         others=(_LEFT * (pitch / 2) * (COS_CRANK - SIN_CRANK), _LEFT * pitch * (COS_CRANK + SIN_CRANK),

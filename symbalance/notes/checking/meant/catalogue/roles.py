@@ -227,6 +227,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r" (?:sector )?angle|öffnungswinkel|zentriwinkel|中心角"),
     ("half_sector", "alpha beta gamma phi varphi theta delta", r"half[- ]?(?:the )?(?:\w+ )?angle|(?:opening|sector|full"
      r"|included)(?: \w+)? angle 2|öffnungswinkel 2|semi-?angle|halber? \w*winkel|半角"),
+    ("grade", "G Q", r"grade|quality|gütestufe|auswuchtgüte|等級|mm/s"),
     ("wall_of_weight", "t b h s w d B", r"thick\w*|width|breadth|dicke|breite|厚さ?|幅"),
 )  # fmt: skip
 ROLES: Mapping[str, Role] = {
@@ -251,5 +252,5 @@ OTHER_LENGTHS = words(
     decrement, order, static_deflection, period,
     arm, gyration, near, far, share, rotating, reciprocating, pin, arm_of_weight, kinetic,
     eccentricity, balance_mass, unbalanced, outer_radius, inner_radius, bank, half_bank, slender,
-    wheel_load, pitch, base_force, sector, half_sector, wall_of_weight,
+    wheel_load, pitch, base_force, sector, half_sector, grade, wall_of_weight,
 ) = map(Name, ROLES)  # fmt: skip

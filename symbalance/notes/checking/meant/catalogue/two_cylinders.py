@@ -21,8 +21,10 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     omega,
     pin,
     ratio,
+    reciprocating,
     rod,
     root,
+    rotating,
     slender,
     words,
 )
@@ -30,16 +32,18 @@ from symbalance.notes.checking.meant.catalogue.strength import both
 
 V_WORDS = (
     r"\bV-?(?:twins?|engines?|motor(?:en)?|2|two|pair|form)\b|(?<![A-Za-z])vee\b|V形|V型|\bbanks?\b"
-    r"|Zweizylinder-V|V-Zweizylinder|bank angle|degree V\b|°\s?V\b|° twin"
+    r"|Zweizylinder-V|V-Zweizylinder|V2-Motors?|Gabelmotor|bankwinkel|moteur en V|bicylindre en V|motor en V|two cylinders at \d+\s?°|bank angle|degree V\b|°\s?V\b|° twin"
 )
 _MORE = (
     r"\bfour\b|\bsix\b|\beight\b|\bvier|\bsechs|\bacht|V-?(?:[4-9]|1[0-9])\b|W-?12|boxer|flat twin"
     r"|opposed|offset|counterweight|gegengewicht|after balanc"
 )
-_FORCES = r"(?:resultant|primary|secondary|first[- ]order|second[- ]order|inertia|unbalanced|shaking|total)"
+_FORCES = (
+    r"(?:resultant|primary|secondary|first[- ]order|second[- ]order|inertia|unbalanced|shaking|total)"
+)
 _FORCE = rf"(?:\s+(?:of\s+(?:the\s+)?)?(?:{_FORCES}\s+)*forces?)?"
 _LINE = (
-    r"(?:bisector|line of symmetry|axis of symmetry|symmetry axis|symmetry line|cent(?:re|er)[- ]?line"
+    r"(?:bisector|bisecting line|line of symmetry|axis of symmetry|symmetry axis|symmetry line|cent(?:re|er)[- ]?line"
     r"|middle line|line between the banks|V axis|axis of the V|plane of symmetry)(?: (?:of the|between the)"
     r" (?:V|banks|vee|cylinders))?"
 )
@@ -47,6 +51,7 @@ ALONG = words(
     rf"vertical(?:ly)?(?:\s+(?:component|part|resultant))?{_FORCE}", r"upright", rf"(?:{_FORCES}\s+)*forces?\s+vertical(?:ly)?",
     rf"(?:(?:{_FORCES}\s+)*(?:forces?|components?|parts?)\s+)?(?:along|in the direction of|parallel to|on|upon|in)"
     rf"\s+(?:the\s+)?{_LINE}",
+    rf"components?\s+(?:along|in\s+the\s+direction\s+of)\s+(?:the\s+)?{_LINE}", r"(?:sum\s+)?project(?:ed|ion)\s+on(?:to)?\s+(?:the\s+)?(?:bisecting\s+line|bisector)",
     r"(?:in\s+richtung|längs)\s+der\s+(?:winkelhalbierenden|symmetrie(?:achse|linie))",
     r"(?:鉛直|垂直)(?:方向)?(?:の)?(?:成分|分力|合力)?", r"二等分線方向(?:の成分)?",
 )  # fmt: skip
@@ -54,6 +59,7 @@ ACROSS = words(
     rf"horizontal(?:ly)?(?:\s+(?:component|part|resultant))?{_FORCE}", r"transverse(?:ly)?", r"crosswise", r"sideways",
     rf"(?:(?:{_FORCES}\s+)*(?:forces?|components?|parts?)\s+)?(?:across|perpendicular\s+to|normal\s+to"
     rf"|at\s+right\s+angles\s+to)\s+(?:it\b|the\s+{_LINE})",
+    rf"components?\s+at\s+right\s+angles\s+to\s+(?:the\s+)?{_LINE}", r"(?:sum\s+)?project(?:ed|ion)\s+at\s+right\s+angles\s+to\s+it",
     r"(?:quer|senkrecht)\s+(?:dazu|zur\s+(?:winkelhalbierenden|symmetrie(?:achse|linie)))",
     r"水平(?:方向)?(?:の)?(?:成分|分力|合力)?",
 )  # fmt: skip
@@ -143,8 +149,8 @@ def _degrees(number: int) -> str:
 def _at_angle(number: int) -> str:
     """Return a pattern for words that two banks stand so many degrees apart: 60° V, the banks at 60°."""
     own = _degrees(number)
-    banks = r"(?:(?<![A-Za-z])V(?![A-Za-z])|\bvee\b|V-?(?:twin|engine|motor|2)|banks?\b|V[形型]|Gabelwinkel)"
-    before = rf"(?:{banks}|bank angle|included angle|V-?angle|Bankwinkel|V-Winkel|バンク角)[^.=。\n]{{0,40}}?(?:[^\w=]=\s?)?"
+    banks = r"(?:(?<![A-Za-z])V(?![A-Za-z])|\bvee\b|V-?(?:twin|engine|motor|2)|banks?\b|V[形型]|Gabelwinkel|Gabelmotor|(?:rods|cylinders)\s+(?:on|at)\b)"
+    before = rf"(?:{banks}|moteur\s+en\s+V|cylinders\s+at|Bankwinkel|bank angle|included angle|V-?angle|Bankwinkel|V-Winkel|バンク角)[^.=。\n]{{0,40}}?(?:[^\w=]=\s?)?"
     return rf"{own}[^.=。\n]{{0,14}}?{banks}|{before}{own}"
 
 
@@ -190,7 +196,8 @@ _HALVES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "radius of the cranks that stand for a piston's second order", letters("r R rho r_2 q"),
-        words(rf"radius\s+of\s+(?:the\s+|each\s+)?secondary\s+(?:direct\s+|reverse\s+)?(?:and\s+reverse\s+)?cranks?"),
+        words(rf"radius\s+of\s+(?:the\s+|each\s+)?secondary\s+(?:direct\s+|reverse\s+)?(?:and\s+reverse\s+)?cranks?",
+              r"secondary\s+(?:effect|force)s?[^.;=]{0,40}cranks?\s+of\s+(?:length|radius)"),
         (pin / (4 * slender), pin * ratio / 4, pin**2 / (4 * rod)), ("factor", "power", "part"),
         mistakes=(pin / slender, pin / (2 * slender), pin * ratio, pin**2 / rod),
     ),
@@ -212,6 +219,11 @@ _HALVES: tuple[Quantity, ...] = (
         is_told_once=True,
     ),
     Quantity(
+        "mass of one of the two cranks that stand for a piston", letters("m M"),
+        words(rf"(?:mass\s+)?(?:on|at)\s+the\s+{_CRANKS}", rf"mass\s+of\s+(?:the\s+|each\s+)?{_CRANKS}"),
+        (mass / 2,), ("bare factor", "part"),
+    ),
+    Quantity(
         "second-order force of a star of three cylinders", letters("F P R Z K"),
         words(r"(?:resultant\s+)?(?:secondary|second[- ]order)\s+(?:inertia\s+)?forces?",
               r"(?:massenkraft|resultierende)\s+(?:2\.|zweiter|II\.)\s+ordnung", r"(?:二|2)次(?:の)?(?:慣性力の)?(?:合力|慣性力)"),
@@ -223,4 +235,32 @@ _HALVES: tuple[Quantity, ...] = (
     ),
 )  # fmt: skip
 
-TWO_CYLINDERS: tuple[Quantity, ...] = (*_GENERAL, *_by_angle(), *_HALVES)
+_RIGHT_ANGLED = words(_at_angle(90), r"right[- ]angled V|rechtwinkliger V")
+_SECOND_WORDS = words(
+    r"second(?:ary|[- ]order)[^.;=]{0,50}?(?:forces?|amplitude|resultant)(?:\s+(?:is|are)\s+(?:horizontal|transverse))?",
+    r"(?:resultant|amplitude)[^.;=]{0,30}?second(?:ary|[- ]order)(?:\s+forces?)?", r"zweite[rn]?\s+ordnung[^.;=]{0,50}?amplitude",
+    r"massenkraft\s+(?:2\.|zweiter|II\.)\s+ordnung", r"(?:二|2)次慣性力の合力(?:の最大値)?",
+    r"résultante\s+des\s+forces\s+secondaires(?:\s+est\s+horizontale)?", r"zweite\s+ordnung",
+)  # fmt: skip
+_OF_ONE = r"|each cylinder|per cylinder|one cylinder|one bank|a single|je zylinder|eines zylinders"
+_UPRIGHT_V: tuple[Quantity, ...] = (
+    Quantity(
+        "resultant second-order force of a V-twin at 90°", letters("F P R Z K S Y Q H"), _SECOND_WORDS,
+        (*(_R2 * size for size in _SECOND), *(_R2 * size * _SIN_TWICE for size in _SECOND)),
+        ("factor", "part", "power"), others=tuple(_R2 * size * _COS_TWICE for size in _SECOND),
+        mistakes=(*(n * size for size in _SECOND for n in (2, _R2 / 2)), *_SECOND,
+                  *(n * size * _SIN_TWICE for size in _SECOND for n in (1, 2, _R2 / 2))),
+        only=_RIGHT_ANGLED, unless=words(_MORE + _OF_ONE), is_told_once=True,
+    ),
+    Quantity(
+        "moment of the counterweight of a V-twin at 90°", letters("· U D u"),
+        words(r"(?:counter|balance)-?\s?(?:weights?|mass(?:es)?)", r"gegengewichte?s?", r"contrepoids", r"カウンタ(?:ー)?ウェイト"),
+        (mass * pin, (rotating + reciprocating) * pin, (rotating + mass) * pin), ("edit",),
+        others=((rotating + 2 * reciprocating) * pin,),
+        mistakes=(2 * mass * pin, mass * pin / 2, (rotating + reciprocating / 2) * pin),
+        only=_RIGHT_ANGLED, unless=words(_MORE.replace("|counterweight|gegengewicht", "") + r"|each web|half|je wange"),
+        is_told_once=True,
+    ),
+)  # fmt: skip
+
+TWO_CYLINDERS: tuple[Quantity, ...] = (*_GENERAL, *_by_angle(), *_HALVES, *_UPRIGHT_V)
