@@ -33,10 +33,16 @@ _LINKS = re.compile(
     re.I,
 )
 _IS = re.compile(
-    r"\s*(?:(?:be|is|denotes|being|sei|ist|bezeichnet)\s+)?(?:the|a|der|die|das)\s+"
+    r"\s*(?:be|is|denotes|being|sei|ist|bezeichnet)\s+(?:the|a|der|die|das)\s+"
     r"((?:[\w-]+ ){0,3}?[\w-]+)(?= of\b| der\b| des\b| at\b| am\b| and\b| und\b|[,.;]|\s*$)",
     re.I,
 )
+_APPOSED = re.compile(
+    r" (?:the|der|die|das)\s+((?:[\w-]+ ){0,3}?[\w-]+)(?= of\b| der\b| des\b| at\b| am\b| and\b| und\b|[,.;]|\s*$)",
+    re.I,
+)
+_WITH = re.compile(r"\b(?:with|mit|where|wobei|and|und)\s$", re.I)
+"""Behind a letter, and before it: with m the mass of the piston."""
 _FOR = re.compile(
     r"\s*(?:for|für)\s+(?:the|die|den|das)\s+((?:[\w-]+ ){0,2}?[\w-]+)(?=,| and\b| und\b|[.;]|$)"
 )
@@ -115,17 +121,18 @@ class LetterRoles:
             phrases = []
             for match in re.finditer(pattern, self.text):
                 words = _TAGS.sub("", self.text[max(0, match.start() - 60) : match.start()])
-                purpose = _FOR.match(_TAGS.sub("", self.text[match.end() : match.end() + 60]))
+                behind = _TAGS.sub("", self.text[match.end() : match.end() + 60])
+                purpose = _FOR.match(behind)
                 if purpose is not None and _WRITTEN.search(words):
                     phrases.append(purpose[1])
                     continue
-                if _APART.match(_TAGS.sub("", self.text[match.end() : match.end() + 20])):
+                if _APART.match(behind):
                     phrases.append("apart")
                     continue
                 if _WRITTEN.search(words) and _ANOTHER.search(words):
                     continue  # λ for the crank ratio and F_0
                 phrases.append(_LINKS.sub("", words)[-30:])
-                follows = _IS.match(_TAGS.sub("", self.text[match.end() : match.end() + 60]))
+                follows = _IS.match(behind) or (_APPOSED.match(behind) if _WITH.search(words) else None)
                 if follows is not None:
                     phrases.append(follows[1])
             self._before[letter] = [words.replace("\n", " ") for words in phrases]

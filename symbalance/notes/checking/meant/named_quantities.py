@@ -43,6 +43,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.meant.catalogue import QUANTITIES, Quantity
+from symbalance.notes.checking.meant.correction_planes import CorrectionPlanes
 from symbalance.notes.checking.meant.formula_slips import agrees, is_multiple, slip_of
 from symbalance.notes.checking.meant.letter_roles import UNITS_ONLY, LetterRoles, ends_with
 from symbalance.notes.checking.meant.meant_words import NOBODY
@@ -183,6 +184,11 @@ class NamedQuantities:
         return LetterRoles(self.document.text)
 
     @cached_property
+    def planes(self) -> CorrectionPlanes:
+        """The planes between which something acts, with their distances from it."""
+        return CorrectionPlanes(self.document.text)
+
+    @cached_property
     def stated(self) -> StatedNumbers:
         """The numbers that words of the document give for a share, or for the cylinders."""
         return StatedNumbers(self.document.text)
@@ -214,7 +220,8 @@ class NamedQuantities:
         self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge
     ) -> Verdict | Decision | None:
         """Return the verdict on a formula as it stands, or else with the products above put in."""
-        outcome = self._judge(chain, name, claim, knowledge)
+        outcome = self._share_of_plane(chain, name, claim)
+        outcome = outcome or self._judge(chain, name, claim, knowledge)
         if outcome is not None:
             return outcome
         whole = _with_sizes(claim, knowledge)
@@ -236,6 +243,24 @@ class NamedQuantities:
             not named.is_other for named in self._by_clause(left.name, chain, stem, _Places("", "", ""))
         )
         return self.judge(chain, k, knowledge) if is_another else None
+
+    def _share_of_plane(self, chain: Chain, name: str, claim: Formula) -> Verdict | Decision | None:
+        """Return the verdict on what one of two planes takes, by their distances; None for others."""
+        shares = self.planes.shares(name, claim)
+        if shares is None:
+            return None
+        known = Knowledge(SymbolValue(positive=frozenset(names(claim))), corrects=True)
+        left, side = Side((shares[0],), chain.sides[0].span), chain.sides[1]
+        decision = decide(left, side, chain.relations[0].sign, known)
+        text = f"{plain_letter(name)} is the share of its plane by the other's distance ({NOBODY}; taken from the words of the page)"
+        if decision.is_proved:
+            return replace(decision, assumptions=(text,))
+        if decision.status != REFUTED or not agrees(shares[1], claim):
+            return None
+        decision = replace(decision, reason=f"if {text}")
+        verdict = self._with_fix(chain, left, decision, known)
+        repair = Repair("the other plane's share", shares[0], ((side.node, shares[0]),), 1.0)
+        return replace(verdict, fix=fix_of(repair, self.document, side))
 
     def _judge(
         self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge
@@ -323,7 +348,9 @@ class NamedQuantities:
             return
         by_phrase = by_phrase or list(self._by_clause(name, chain, stem, places))
         by_phrase = by_phrase or list(self._by_words_behind(chain, stem, places, sentence))
-        if stem != PRODUCT:
+        if stem == PRODUCT:
+            by_phrase = by_phrase or list(self._by_phrases(around, stem, places, sentence))
+        else:
             by_phrase = by_phrase or list(self._by_letter(name, stem, places, sentence))
         if by_phrase:
             yield from by_phrase
@@ -399,6 +426,7 @@ class NamedQuantities:
             (match.start(), match.end(), quantity)
             for quantity in QUANTITIES
             for match in quantity.phrases.finditer(words)
+            if _may_apply(quantity, f"{words} {places.around} {places.heading} {places.page}")
         ]
         longest = [
             (start, end, quantity)
@@ -570,6 +598,11 @@ def _outside_calls(node: Formula) -> frozenset[str]:
     if isinstance(node, Call) and node.function != "sqrt":
         return frozenset()
     return frozenset(name for part in children(node) for name in _outside_calls(part))
+
+
+def _may_apply(quantity: Quantity, text: str) -> bool:
+    """Tell whether a text has the words without which a quantity is not meant at all."""
+    return quantity.only is None or quantity.only.search(text) is not None
 
 
 def _has_own_convention(claim: Formula, knowledge: Knowledge) -> bool:

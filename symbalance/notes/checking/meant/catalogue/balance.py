@@ -67,6 +67,9 @@ BALANCE: tuple[Quantity, ...] = (
               r"\s+(?:the\s+)?(?:line|direction)\s+of\s+(?:the\s+)?stroke",
               r"(?:residual|remaining|unbalanced)\s+(?:primary\s+"
               r"|inertia\s+)?force\s+along\s+the\s+(?:cylinder(?:\s+axis)?|stroke|bore)",
+              r"(?:residual|remaining|unbalanced|resultant|rest)\s+(?:primary\s+|inertia\s+)?force\s+"
+              r"(?:in\s+line\s+with|parallel\s+to|in|along)\s+(?:the\s+)?(?:direction\s+of\s+(?:the\s+)?)?"
+              r"(?:cylinder|piston|stroke|bore)(?:\s+(?:axis|direction))?",
               r"restkraft\s+in\s+(?:zylinder|hub)(?:achs)?richtung",
               r"force\s+résiduelle\s+(?:suivant|selon|dans)\s+(?:l'axe|la\s+direction)(?:\s+du\s+cylindre)?",
               r"fuerza\s+residual\s+(?:en|según)\s+(?:la\s+dirección|el\s+eje)(?:\s+del\s+cilindro)?",
@@ -85,6 +88,9 @@ BALANCE: tuple[Quantity, ...] = (
               r"|normal|transverse)\s+to\s+(?:it|(?:the\s+)?(?:line|direction)\s+of\s+(?:the\s+)?stroke)",
               r"(?:residual|remaining|unbalanced)\s+(?:primary\s+"
               r"|inertia\s+)?force\s+across(?:\s+(?:it|the\s+(?:cylinder|stroke|bore)))?",
+              r"(?:residual|remaining|unbalanced|resultant|rest)\s+(?:primary\s+|inertia\s+)?force\s+"
+              r"(?:transverse|perpendicular|normal|at\s+right\s+angles)\s+to\s+(?:the\s+)?"
+              r"(?:cylinder|piston|stroke|bore)(?:\s+(?:axis|direction))?",
               r"restkraft\s+quer(?:\s+zur\s+(?:zylinder|hub)(?:achse|richtung))?",
               r"(?:行程|シリンダ軸)に(?:垂直|直角)な(?:方向の)?(?:残留力|不釣合い力|不つりあい力)"),
         (share * mass * pin * omega**2 * SIN_CRANK, -share * mass * pin * omega**2 * SIN_CRANK),

@@ -8,6 +8,7 @@ from symbalance.document.formula import Call, Formula, Number
 from symbalance.notes.checking.meant.catalogue.roles import (
     PI,
     Quantity,
+    arm_of_weight,
     crank_angle,
     cylinders,
     density,
@@ -47,7 +48,7 @@ _WEIGHT = words(
 _SHAFT = words(
     r"(?:unbalance|moment)\s+(?:of|for|on)\s+(?:each|one|every|a|the)\s+(?:balance[r]?\s+)?shafts?", r"each\s+(?:balance[r]?\s+)?shaft",
     r"balance[r]?\s+shafts?", r"(?:unwucht\s+)?je\s+(?:ausgleichs)?welle", r"ausgleichswellen?",
-    r"バランサ(?:軸|シャフト)?", r"shaft\s+carries", r"per\s+shaft", r"equating", r"gleichheit", r"軸一本当たり",
+    r"バランサ(?:軸|シャフト)?", r"shaft\s+carries", r"per\s+shaft", r"equating", r"gleichheit", r"軸[一1]本当たり", r"不釣り?合い量",
     r"ejes?\s+contrarrotantes?", r"lanchester\w*",
 )  # fmt: skip
 _TWICE = words(
@@ -116,6 +117,22 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
         mistakes=tuple(n * unbalance * omega**2 * Call("cos", Number(Fraction(2)) * crank_angle)
                        for n in (1, 2, 4)),
         only=both(_TWICE, words(r"shafts|wellen|軸")), is_told_once=True,
+    ),
+    Quantity(
+        "centrifugal force of one shaft at twice the crank's speed", letters("F P K Z"),
+        words(r"centrifugal\s+force", r"fliehkraft", r"遠心力"),
+        (4 * mass * arm_of_weight * omega**2, 4 * unbalance * omega**2), ("part",),
+        others=(mass * arm_of_weight * omega**2, unbalance * omega**2),
+        mistakes=(2 * mass * arm_of_weight * omega**2, 2 * unbalance * omega**2),
+        only=both(_SHAFT, _TWICE), is_told_once=True,
+    ),
+    Quantity(
+        "centrifugal force of a shaft at the crank's speed", letters("F P K Z"),
+        words(r"(?:its|the)\s+(?:centrifugal\s+)?force\s+(?:has\s+the\s+size|is|of\s+the\s+shaft)"),
+        (mass * arm_of_weight * omega**2, unbalance * omega**2), ("power", "part"),
+        mistakes=(4 * mass * arm_of_weight * omega**2, 4 * unbalance * omega**2, 2 * unbalance * omega**2),
+        only=both(_SHAFT, words(r"geared 1\s?:\s?1|at (?:the )?(?:crank|engine)(?:shaft)? speed|mit kurbelwellendrehzahl|first[- ]order (?:balance|shaft)")),
+        unless=_TWICE, is_told_once=True,
     ),
     Quantity(
         "distance of a half disc's centre of gravity from its straight edge", letters("y e s r h x a z c"),

@@ -167,7 +167,7 @@ def _by_angle() -> Iterator[Quantity]:
             (along * _ONE * COS_CRANK, *(() if number == 90 else (along * _ONE,)),
              *(up * size * _COS_TWICE for size in sizes if number != 90)),
             ("edit", "factor", "part"),
-            mistakes=tuple(n * _ONE * COS_CRANK for n in (2, _R2, _R3, _R3 / 2, _H, 2 * across)
+            mistakes=tuple(n * _ONE * COS_CRANK for n in (2, _R2, _R3, _R3 / 2, _H, 2 * across, across)
                            if n != along),
             only=only, unless=unless, is_told_once=True, turns=True,
         )  # fmt: skip
@@ -176,7 +176,7 @@ def _by_angle() -> Iterator[Quantity]:
             (across * _ONE * SIN_CRANK, *(() if number == 90 else (across * _ONE,)),
              *(aside * size * _SIN_TWICE for size in sizes)),
             ("edit", "factor", "part"),
-            mistakes=tuple(n * _ONE * SIN_CRANK for n in (2, _R2, _R3, _R3 / 2, 2 * along)
+            mistakes=tuple(n * _ONE * SIN_CRANK for n in (2, _R2, _R3, _R3 / 2, 2 * along, along)
                            if n != across),
             only=only, unless=unless, is_told_once=True, turns=True,
         )  # fmt: skip
@@ -237,7 +237,7 @@ _HALVES: tuple[Quantity, ...] = (
 
 _RIGHT_ANGLED = words(_at_angle(90), r"right[- ]angled V|rechtwinkliger V")
 _SECOND_WORDS = words(
-    r"second(?:ary|[- ]order)[^.;=]{0,50}?(?:forces?|amplitude|resultant)(?:\s+(?:is|are)\s+(?:horizontal|transverse))?",
+    r"second(?:ary|[- ]order)[^.;=]{0,50}?(?:amplitude|resultant|horizontal|transverse)",
     r"(?:resultant|amplitude)[^.;=]{0,30}?second(?:ary|[- ]order)(?:\s+forces?)?", r"zweite[rn]?\s+ordnung[^.;=]{0,50}?amplitude",
     r"massenkraft\s+(?:2\.|zweiter|II\.)\s+ordnung", r"(?:二|2)次慣性力の合力(?:の最大値)?",
     r"résultante\s+des\s+forces\s+secondaires(?:\s+est\s+horizontale)?", r"zweite\s+ordnung",
@@ -250,7 +250,7 @@ _UPRIGHT_V: tuple[Quantity, ...] = (
         ("factor", "part", "power"), others=tuple(_R2 * size * _COS_TWICE for size in _SECOND),
         mistakes=(*(n * size for size in _SECOND for n in (2, _R2 / 2)), *_SECOND,
                   *(n * size * _SIN_TWICE for size in _SECOND for n in (1, 2, _R2 / 2))),
-        only=_RIGHT_ANGLED, unless=words(_MORE + _OF_ONE), is_told_once=True,
+        only=_RIGHT_ANGLED, unless=words(_MORE.replace("|counterweight|gegengewicht", "") + _OF_ONE), is_told_once=True,
     ),
     Quantity(
         "moment of the counterweight of a V-twin at 90°", letters("· U D u"),
