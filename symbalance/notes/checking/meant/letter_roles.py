@@ -106,11 +106,14 @@ class LetterRoles:
         return self._named[letter]
 
     def is_multiplied(self, letter: str) -> bool:
-        """Tell whether words name a multiple of a letter, a length 2l: then a factor may be meant."""
+        """Tell whether words name a multiple of a letter, a length 2l or a mass m/2: then a factor may be
+        meant.
+        """
         multiple = (
             rf"(?<=[^\W\d_]{{3}})(?<!angle)(?<!inkel)\s[\s$\\(]{{0,4}}\d{{1,9}}\s?{_sign_of(letter)}"
         )
-        return re.search(multiple, self.text) is not None
+        part = rf"(?<=[^\W\d_]{{3}})\s[\s$\\(]{{0,4}}{_sign_of(letter)}\s?/\s?[2-9]"
+        return re.search(multiple, self.text) is not None or re.search(part, self.text) is not None
 
     def words_before(self, letter: str) -> list[str]:
         """Return the few words before each place where a letter stands in the text, or what it is said

@@ -518,7 +518,7 @@ class NamedQuantities:
                 and not is_scaled
             ):
                 kind = "another formula"
-            if not kind:
+            if not kind or (is_scaled and kind == "one change"):
                 continue
             side = chain.sides[1]
             left = Side((target,), chain.sides[0].span)
@@ -552,6 +552,7 @@ def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> _N
     """Return a quantity that words name, and whether other words near make another one of it."""
     near = f"{places.around} {places.heading}" if quantity.only else places.around
     is_other = quantity.unless is not None and quantity.unless.search(places.around) is not None
+    is_other |= quantity.never is not None and quantity.never.search(places.page) is not None
     if quantity.only is not None and not quantity.only.search(f"{near} {words}"):
         is_on_page = quantity.is_told_once and quantity.only.search(places.page) is not None
         is_other |= not is_on_page or (

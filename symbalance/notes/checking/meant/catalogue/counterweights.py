@@ -55,7 +55,8 @@ _TWICE = words(
     r"twice|double|second[- ]order|secondary|2\s?ω|2\\omega|zweiter\s+ordnung|2\.\s+ordnung|二次|2次|doppelt|lanchester"
 )
 _FOUR = words(r"\bfour\b|in-line[- ]four|\bvier|4\s?気筒|4-?zylinder|\b4[- ]cyl|\bI4\b|\bR4\b")
-_OTHER_SHAFTS = r"\bthree\b|drei|\btwo cylinder|parallel twin|\bsix\b|only one shaft|single shaft|einzige welle|both (?:shafts )?together"
+_OTHER_SHAFTS = r"\bthree\b|drei|\btwo cylinder|parallel twin|\bsix\b|only one shaft|single shaft|einzige welle|both (?:shafts )?together|(?:one|per|each|a) weight|two weights"
+_OTHER_SHAFTS += r"|total reciprocating|whole engine|all (?:the |four )?pistons|gesamte oszill"
 _SINGLE = words(r"\bsingle|one[- ]cylinder|einzylinder|単気筒|thumper|mono(?:cylindre|cilíndrico)")
 _SECOND = (mass * pin * ratio, mass * pin**2 / rod, mass * pin / slender)
 _SIN_HALF, _SIN_OF_HALF = Call("sin", half_sector), Call("sin", sector / 2)
@@ -138,14 +139,14 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
         "distance of a half disc's centre of gravity from its straight edge", letters("y e s r h x a z c"),
         _CENTROID, (4 * radius / (3 * PI), 2 * diameter / (3 * PI)), ("factor", "part"),
         mistakes=(3 * radius / (4 * PI), 2 * radius / (3 * PI), radius / 2, 3 * radius / 8),
-        only=_SEMI, unless=words(_OTHER_WEIGHT, r"hemisphere|halbkugel|rim|wire"), is_told_once=True,
+        only=_SEMI, unless=words(_OTHER_WEIGHT, r"hemisphere|halbkugel|\brim\b|wire|\barcs?\b|bogen|弧"), is_told_once=True,
     ),
     Quantity(
         "distance of a sector's centre of gravity from its tip", letters("y e s r h x a z c R"),
         _CENTROID,
         (2 * radius * _SIN_HALF / (3 * half_sector), 4 * radius * _SIN_OF_HALF / (3 * sector)), ("factor", "edit"),
         mistakes=(radius * _SIN_HALF / half_sector, 2 * radius * _SIN_OF_HALF / (3 * sector)),
-        only=_SECTOR, unless=words(_OTHER_WEIGHT), is_told_once=True,
+        only=_SECTOR, unless=words(_OTHER_WEIGHT, r"\barcs?\b|bogen|segment|quarter"), is_told_once=True,
     ),
     Quantity(
         "distance of a ring sector's centre of gravity from its centre", letters("y e s r h x a z c R"),
@@ -166,13 +167,13 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
         "static moment of a sector", letters("U S Q · D M u"), _STATIC,
         _both_webs(2 * _DISC * radius**3 * _SIN_HALF / 3), ("factor", "edit"),
         mistakes=(_DISC * radius**3 * _SIN_HALF / 3, _DISC * radius**3 * _SIN_HALF),
-        only=_SECTOR, unless=words(_OTHER_WEIGHT), is_told_once=True,
+        only=_SECTOR, unless=words(_OTHER_WEIGHT, r"\barcs?\b|bogen|segment|quarter"), is_told_once=True,
     ),
     Quantity(
         "static moment of a half disc", letters("U S Q · D M u"), _STATIC,
         _both_webs(2 * _DISC * radius**3 / 3), ("factor", "edit"),
         mistakes=(_DISC * radius**3 / 3, _DISC * radius**3),
-        only=_SEMI, unless=words(_OTHER_WEIGHT), is_told_once=True,
+        only=_SEMI, unless=words(_OTHER_WEIGHT, r"\barcs?\b|bogen|segment|quarter"), is_told_once=True,
     ),
     Quantity(
         "mass of a sector", letters("m M G"), words(r"mass", r"masse", r"質量"),

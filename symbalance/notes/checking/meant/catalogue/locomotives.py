@@ -29,7 +29,7 @@ from symbalance.notes.checking.meant.catalogue.roles import (
 _TWO_CRANKS = words(r"locomotive|lokomotiv|機関車|swaying|schlinger|tractive|zugkraft|牽引|けん引")
 _UNLIKE_SHARE = words(
     r"unbalanced (?:fraction|share|part|portion)|fraction (?:that is )?(?:left|unbalanced)|restanteil"
-    r"|share left|remains unbalanced is|three[- ]cylinder|dreizylinder|3気筒|four[- ]cylinder|120"
+    r"|trough|crest|peak[- ]to[- ]peak|\brange\b|double amplitude|share left|remains unbalanced is|three[- ]cylinder|dreizylinder|3気筒|four[- ]cylinder|120"
 )
 _LEFT = (1 - share) * mass * pin * omega**2
 _TAKEN = share * mass * pin * omega**2
@@ -68,6 +68,7 @@ LOCOMOTIVES: tuple[Quantity, ...] = (
         mistakes=(_TAKEN * pitch / _ROOT, _ROOT * _LEFT * pitch, _LEFT * pitch / 2, _LEFT * pitch,
                   _TAKEN * (pitch / 2) * (COS_CRANK + SIN_CRANK)),
         unless=_UNLIKE_SHARE, stated=frozenset({"share"}),
+        never=words(r"from the (?:middle|cent(?:re|er)|longitudinal)|each side|half the distance|von der mitte"),
     ),
     Quantity(
         "angular velocity at which a wheel leaves the rail", letters("omega Omega w"),

@@ -57,6 +57,8 @@ class Quantity:
     """Words of the paragraph with which another formula may be right."""
     indices: frozenset[str] = frozenset()
     """Subscripts of which one has to stand at the letter where only the context names the quantity."""
+    never: re.Pattern[str] | None = None
+    """Words anywhere on the page with which another formula may be right."""
     only: re.Pattern[str] | None = None
     """Words of the paragraph or its heading without which the formula is compared but never refuted."""
     is_told_once: bool = False

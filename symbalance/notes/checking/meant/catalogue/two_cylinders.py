@@ -36,7 +36,7 @@ V_WORDS = (
 )
 _MORE = (
     r"\bfour\b|\bsix\b|\beight\b|\bvier|\bsechs|\bacht|V-?(?:[4-9]|1[0-9])\b|W-?12|boxer|flat twin"
-    r"|opposed|offset|counterweight|gegengewicht|after balanc"
+    r"|opposed|offset|counterweight|gegengewicht|after balanc|each cylinder|one cylinder|per cylinder|single cylinder|cylinder alone|one bank|each bank"
 )
 _FORCES = (
     r"(?:resultant|primary|secondary|first[- ]order|second[- ]order|inertia|unbalanced|shaking|total)"
