@@ -144,14 +144,14 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
     Quantity(
         "distance of a sector's centre of gravity from its tip", letters("y e s r h x a z c R"),
         _CENTROID,
-        (2 * radius * _SIN_HALF / (3 * half_sector), 4 * radius * _SIN_OF_HALF / (3 * sector)), ("factor", "edit"),
+        (2 * radius * _SIN_HALF / (3 * half_sector), 4 * radius * _SIN_OF_HALF / (3 * sector)), ("factor", "edit", "part"),
         mistakes=(radius * _SIN_HALF / half_sector, 2 * radius * _SIN_OF_HALF / (3 * sector)),
         only=_SECTOR, unless=words(_OTHER_WEIGHT, r"\barcs?\b|bogen|segment|quarter"), is_told_once=True,
     ),
     Quantity(
         "distance of a ring sector's centre of gravity from its centre", letters("y e s r h x a z c R"),
         _CENTROID,
-        (2 * _RING * _SIN_HALF / (3 * half_sector), 4 * _RING * _SIN_OF_HALF / (3 * sector)), ("factor", "edit"),
+        (2 * _RING * _SIN_HALF / (3 * half_sector), 4 * _RING * _SIN_OF_HALF / (3 * sector)), ("factor", "edit", "part"),
         mistakes=(2 * (outer_radius**2 - inner_radius**2) * _SIN_HALF
                   / (3 * half_sector * (outer_radius - inner_radius)),
                   (outer_radius + inner_radius) * _SIN_HALF / (2 * half_sector)),
@@ -165,13 +165,13 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
     ),
     Quantity(
         "static moment of a sector", letters("U S Q · D M u"), _STATIC,
-        _both_webs(2 * _DISC * radius**3 * _SIN_HALF / 3), ("factor", "edit"),
+        _both_webs(2 * _DISC * radius**3 * _SIN_HALF / 3), ("factor", "edit", "part"),
         mistakes=(_DISC * radius**3 * _SIN_HALF / 3, _DISC * radius**3 * _SIN_HALF),
         only=_SECTOR, unless=words(_OTHER_WEIGHT, r"\barcs?\b|bogen|segment|quarter"), is_told_once=True,
     ),
     Quantity(
         "static moment of a half disc", letters("U S Q · D M u"), _STATIC,
-        _both_webs(2 * _DISC * radius**3 / 3), ("factor", "edit"),
+        _both_webs(2 * _DISC * radius**3 / 3), ("factor", "edit", "part"),
         mistakes=(_DISC * radius**3 / 3, _DISC * radius**3),
         only=_SEMI, unless=words(_OTHER_WEIGHT, r"\barcs?\b|bogen|segment|quarter"), is_told_once=True,
     ),
