@@ -41,7 +41,7 @@ from symbalance.notes.checking.deciding.equality import REFUTED, Decision, witho
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
-from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 from symbalance.notes.checking.meant.catalogue import QUANTITIES, Quantity
 from symbalance.notes.checking.meant.correction_planes import CorrectionPlanes
 from symbalance.notes.checking.meant.formula_slips import agrees, is_multiple, slip_of
@@ -117,6 +117,8 @@ MOST_LETTERS = 7
 """Letters that a standard formula has at most."""
 PRODUCT = "·"
 """What stands for the letter of a product of a mass and its arm, m_A r_A."""
+_SMALL_NUMBERS = frozenset(map(Fraction, range(1, 10)))
+"""Numbers that stand for themselves in a formula with numbers put in."""
 _MASSES, _ARMS = (
     frozenset({"m", "M", "B", "G", "W", "Q"}),
     frozenset({"r", "R", "b", "e", "rho", "a", "s"}),
@@ -206,6 +208,10 @@ class NamedQuantities:
         chain = replace(
             chain, sides=(chain.sides[0], Side((right,), chain.sides[1].span), *chain.sides[2:])
         )
+        if name and not names(right):
+            right = _in_letters(right, knowledge)
+            chain = replace(chain, sides=(chain.sides[0], Side((right,), chain.sides[1].span), *chain.sides[2:]))
+        right = _with_exact_halves(right)
         own = names(right)
         if not name or not 1 <= len(own) <= MOST_LETTERS or names(left) & own:
             return None
@@ -559,6 +565,36 @@ def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> _N
             quantity.unless is not None and quantity.unless.search(places.page) is not None
         )
     return _Named(quantity, words, places.around, sentence, is_other)
+
+
+def _in_letters(claim: Formula, knowledge: Knowledge) -> Formula:
+    """Return numbers put in as the letters that have them, 8879 (1 + 0.27 - 0.5) as F_0 (1 + λ - β).
+
+    It stays as it is where a number is of two letters, or one with decimals of none.
+    """
+    letters: dict[Fraction, set[str]] = {}
+    for name, definition in knowledge.definitions.items():
+        for node in (definition.node, definition.rounded):
+            if isinstance(node, Number):
+                letters.setdefault(node.value, set()).add(name)
+    numbers = {part for part in walk(claim) if isinstance(part, Number)}
+    result = claim
+    for number in sorted(numbers, key=lambda n: n.value):
+        own = letters.get(number.value, set())
+        if number.value in _SMALL_NUMBERS and number.last_place is None:
+            continue
+        if len(own) != 1:
+            return claim
+        result = replace_part(result, number, Name(next(iter(own))))
+    return result
+
+
+def _with_exact_halves(node: Formula) -> Formula:
+    """Return a formula with 0.5 and 4.5 as the halves and quarters that they are."""
+    for part in [p for p in walk(node) if isinstance(p, Number)]:
+        if part.last_place is not None and part.value.denominator in (2, 4):
+            node = replace_part(node, part, Number(part.value))
+    return node
 
 
 def _with_sizes(claim: Formula, knowledge: Knowledge) -> Formula:

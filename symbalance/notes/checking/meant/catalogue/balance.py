@@ -54,7 +54,7 @@ BALANCE: tuple[Quantity, ...] = (
         (share * mass * pin * omega**2 * SIN_CRANK, share * mass * pin * omega**2, mass * pin * omega**2,
          mass * pin * omega**2 * SIN_CRANK,
          balance_mass * arm_of_weight * omega**2, balance_mass * arm_of_weight * omega**2 * SIN_CRANK),
-        ("edit",), others=((1 - share) * mass * pin * omega**2,),
+        ("edit", "power"), others=((1 - share) * mass * pin * omega**2,),
         mistakes=(balance_mass * arm_of_weight * omega**2 * COS_CRANK,
                   share * mass * pin * omega**2 * COS_CRANK, mass * pin * omega**2 * COS_CRANK,
                   (1 - share) * mass * pin * omega**2 * SIN_CRANK),
@@ -179,7 +179,7 @@ BALANCE: tuple[Quantity, ...] = (
         (mass * pin * omega**2,), ("bare factor", "power", "part"),
         mistakes=(root(Number(Fraction(2))) * mass * pin * omega**2,),
         only=both(words(r"90\s*(?:°|\\?deg|\^|\\\\circ|-degree| degree|\s*grad|度)"),
-        words(r"V-?twin|\bV\b|V2|V-2|V-engine|V-motor|V形|V型")),
+        words(r"[VL]-?twin|\bvee\b|Gabelmotor|\bV\b|V2|V-2|V-engine|V-motor|V形|V型")),
         unless=words(r"both|together|beide|zusammen|合計|two pistons|zwei kolben|second|zweite|2次"
         r"|four|vier|six|eight|cylinder(?:s)? (?:is|alone)|each|per cylinder|one cylinder|一つの"),
     ),

@@ -25,6 +25,7 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     wheel_load,
     words,
 )
+from symbalance.notes.checking.meant.catalogue.strength import both
 
 _TWO_CRANKS = words(r"locomotive|lokomotiv|機関車|swaying|schlinger|tractive|zugkraft|牽引|けん引")
 _UNLIKE_SHARE = words(
@@ -37,7 +38,7 @@ _ROOT = root(Number(Fraction(2)))
 _FORCE = mass * pin * omega**2
 _BALANCE_FACTOR = words(
     r"balance factor|balancing factor|balanc(?:e|es|ed|ing) (?:the|a) (?:share|fraction|part)"
-    r"|(?:share|fraction|part) (?:\\?\$?\w+\$? )?of the reciprocating mass\w*(?: \w+)? (?:is|are) balanced|überbalanc|overbalance|balance (?:degree|ratio|rate)|ausgleichs(?:grad|faktor)"
+    r"|(?:share|fraction|part) (?:\\?\$?\w+\$? )?of the reciprocating mass\w*(?: \w+)? (?:is|are) balanced|counterweight β|überbalanc|overbalance|balance (?:degree|ratio|rate)|ausgleichs(?:grad|faktor)"
     r"|(?:釣り?合い|つりあい|バランス)率"
 )
 _NO_BALANCE = words(r"rotating mass|rotierende|回転質量|second cylinder|V-twin")
@@ -60,7 +61,7 @@ LOCOMOTIVES: tuple[Quantity, ...] = (
         "swaying couple of two cranks at right angles", letters("C M S T L Delta_C Delta_M"),
         words(r"(?:max(?:imum|imal|\.)?|greatest|largest|peak)?\s*swaying\s+(?:couple|moment)s?",
               r"schlinger(?:paar|moment)", r"(?:yawing|nosing)\s+(?:couple|moment)",
-              r"(?:nods?|sways?|swings?)\s+from\s+side\s+to\s+side[^.=]{0,30}?(?:couple|moment)(?:\s+is)?", r"(?:蛇行|首振り)(?:偶力|モーメント)"),
+              r"couple\s+that\s+(?:makes|sways)[^.=]{0,30}?(?:sway|nos)\w*", r"(?:nods?|sways?|swings?)\s+from\s+side\s+to\s+side[^.=]{0,30}?(?:couple|moment)(?:\s+is)?", r"(?:蛇行|首振り)(?:偶力|モーメント)"),
         (_LEFT * (pitch / 2) * (COS_CRANK + SIN_CRANK), _LEFT * pitch / _ROOT),
         ("edit", "factor", "power", "part"),
         others=(_LEFT * (pitch / 2) * (COS_CRANK - SIN_CRANK), _LEFT * pitch * (COS_CRANK + SIN_CRANK),
@@ -93,7 +94,7 @@ LOCOMOTIVES: tuple[Quantity, ...] = (
               r"\bT\.?D\.?C\b", r"(?<!unteren )(?:oberen\s+)?totpunkt", r"\bOT\b", r"上死点"),
         (base_force * (1 + ratio - share), _FORCE * (1 + ratio - share),
          -(base_force * (1 + ratio - share)), -(_FORCE * (1 + ratio - share))),
-        ("edit",), only=_BALANCE_FACTOR, unless=_NO_BALANCE, is_told_once=True,
+        ("edit", "power"), only=_BALANCE_FACTOR, unless=_NO_BALANCE, is_told_once=True,
     ),
     Quantity(
         "inertia force at the bottom dead centre beside a counterweight", letters("F P K f R X V"),
@@ -101,11 +102,12 @@ LOCOMOTIVES: tuple[Quantity, ...] = (
               r"\bB\.?D\.?C\b", r"unteren?\s+totpunkt", r"\bUT\b", r"下死点"),
         (-(base_force * (1 - ratio - share)), -(_FORCE * (1 - ratio - share)),
          base_force * (1 - ratio - share), _FORCE * (1 - ratio - share)),
-        ("edit",), only=_BALANCE_FACTOR, unless=_NO_BALANCE, is_told_once=True,
+        ("edit", "power"), only=_BALANCE_FACTOR, unless=_NO_BALANCE, is_told_once=True,
     ),
     Quantity(
         "force across the cylinder at 90° beside a counterweight", letters("F P K f R Q Y H"),
-        words(r"across\s+the\s+(?:bore|cylinder)", r"(?:halfway|half\s+way|mid-?stroke|at\s+90\s?°)[^.=]{0,30}"
+        words(r"across\s+the\s+(?:bore|cylinder)", r"90\s?°[^.;=\n]{0,30}?(?:force\s+(?:transverse|across|sideways)"
+              r"|(?:transverse|lateral|sideways)\s+force)", r"(?:halfway|half\s+way|mid-?stroke|at\s+90\s?°)[^.=]{0,30}"
               r"(?:across|sideways|transverse)[^=.\n]{0,30}?"),
         (share * base_force, _TAKEN, -(share * base_force), -_TAKEN),
         ("edit", "power"), mistakes=((1 - share) * base_force, (1 - share) * _FORCE),
@@ -126,5 +128,27 @@ LOCOMOTIVES: tuple[Quantity, ...] = (
         (_FORCE * ratio / root(1 - ratio**2), -(_FORCE * ratio / root(1 - ratio**2))), ("power",),
         approximate=(_FORCE * ratio, -(_FORCE * ratio)), mistakes=(_FORCE * ratio**2, -(_FORCE * ratio**2)),
         unless=words(r"balance factor|second cylinder|V-?twin|\btwo\b|across"),
+    ),
+    Quantity(
+        "resultant that the balance of a share leaves", letters("F R P"),
+        words(r"(?:magnitude|size)\s+of\s+the\s+(?:resultant|total)(?:\s+unbalanced)?(?:\s+primary)?(?:\s+force)?",
+              r"resultant\s+unbalanced\s+(?:primary\s+)?force(?:\s+at\s+any\s+instant)?",
+              r"(?:left-?over|remaining|residual)\s+(?:primary\s+|shaking\s+|unbalanced\s+)*force[^.;=]{0,40}?(?:vector|length|constant"
+              r"|magnitude)", r"betrag\s+der\s+rest(?:massen)?kraft", r"(?:残留力|不釣り?合い力)の(?:合力|大きさ)"),
+        (_FORCE * root((1 - share) ** 2 * COS_CRANK**2 + share**2 * SIN_CRANK**2), _FORCE / 2),
+        ("edit", "power"),
+        others=(_FORCE * root((1 - share) ** 2 * SIN_CRANK**2 + share**2 * COS_CRANK**2),),
+        mistakes=(_FORCE, _FORCE / 4, _FORCE * root((1 - share) ** 2 * COS_CRANK**2 + (1 - share) ** 2 * SIN_CRANK**2),
+                  _FORCE * root((1 - share) * COS_CRANK**2 + share * SIN_CRANK**2)),
+        only=words(r"\bhalf\b|50\s?\\?%|fraction|\bshare\b|hälfte|半分|balance factor"),
+        unless=words(r"V-?twin|\btwo\b|three|four|tractive|secondary|second order"),
+    ),
+    Quantity(
+        "balance factor that makes two forces equal", letters("k beta c x b K"),
+        words(r"(?:setting|making)\s+(?:them|both|the\s+two)\s+equal[^.;=]{0,12}", r"(?:they|both)\s+are\s+equal\s+(?:if|when|for)",
+              r"equating\s+(?:them|both|the\s+two)[^.;=]{0,12}", r"gleichsetzen"),
+        ((1 + ratio) / 2,), ("edit", "factor"), mistakes=((1 - ratio) / 2, (1 + ratio) / 4, 1 + ratio),
+        only=both(_BALANCE_FACTOR, words(r"TDC|top dead|OT\b|totpunkt|上死点")), is_told_once=True,
+        unless=words(r"bottom|\bBDC\b|\bUT\b"),
     ),
 )  # fmt: skip

@@ -201,10 +201,10 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("far", "b d", r"distances?|abständen?|abstand|距離"),
     ("share", "beta b c k kappa epsilon x alpha", r"factor|fraction|share|balance|anteil|grad|割合|率"
      r"|proportion"),
-    ("rotating", "m M", r"(?:rotating|revolving)(?: mass)?|rotierende(?:n)?(?: masse)?"
+    ("rotating", "m M W w", r"(?:rotating|revolving)(?: mass)?|rotierende(?:n)?(?: masse)?"
     r"|回転(?:部分の)?質量",
      "r R rot Rot d dreh k K"),
-    ("reciprocating", "m M", r"(?:reciprocating|oscillating)(?: mass)?|oszillierende(?:n)?(?: masse)?"
+    ("reciprocating", "m M W w", r"(?:reciprocating|oscillating)(?: mass)?|oszillierende(?:n)?(?: masse)?"
      r"|hin- und hergehende(?:n)?(?: masse)?|往復(?:部分の)?質量", "o O osz Osz osc h H rec p P"),
     ("pin", "r R", r"radi(?:us|i)|halbmesser|半径|crank throw|crank length", "", "g G b B c w cw A"),
     ("arm_of_weight", "b e rho R r_g r_G r_b r_c r_w r_cw r_B R_g R_b R_c r_A", r"radi(?:us|i)|halbmesser"

@@ -31,7 +31,7 @@ from symbalance.notes.checking.meant.catalogue.roles import (
 from symbalance.notes.checking.meant.catalogue.strength import both
 
 V_WORDS = (
-    r"\bV-?(?:twins?|engines?|motor(?:en)?|2|two|pair|form)\b|(?<![A-Za-z])vee\b|V形|V型|\bbanks?\b"
+    r"\b[VL]-?(?:twins?|engines?|motor(?:en)?|2|two|pair|form)\b|(?<![A-Za-z])vee\b|V形|V型|\bbanks?\b"
     r"|Zweizylinder-V|V-Zweizylinder|V2-Motors?|Gabelmotor|bankwinkel|moteur en V|bicylindre en V|motor en V|two cylinders at \d+\s?°|bank angle|degree V\b|°\s?V\b|° twin"
 )
 _MORE = (
@@ -149,7 +149,7 @@ def _degrees(number: int) -> str:
 def _at_angle(number: int) -> str:
     """Return a pattern for words that two banks stand so many degrees apart: 60° V, the banks at 60°."""
     own = _degrees(number)
-    banks = r"(?:(?<![A-Za-z])V(?![A-Za-z])|\bvee\b|V-?(?:twin|engine|motor|2)|banks?\b|V[形型]|Gabelwinkel|Gabelmotor|(?:rods|cylinders)\s+(?:on|at)\b)"
+    banks = r"(?:(?<![A-Za-z])V(?![A-Za-z])|\bvee\b|[VL]-?(?:twin|engine|motor|2)|banks?\b|V[形型]|Gabelwinkel|Gabelmotor|(?:rods|cylinders)\s+(?:on|at)\b)"
     before = rf"(?:{banks}|moteur\s+en\s+V|cylinders\s+at|Bankwinkel|bank angle|included angle|V-?angle|Bankwinkel|V-Winkel|バンク角)[^.=。\n]{{0,40}}?(?:[^\w=]=\s?)?"
     return rf"{own}[^.=。\n]{{0,14}}?{banks}|{before}{own}"
 
