@@ -14,7 +14,8 @@ R, RODL, W, M = (mpf(n.numerator) / n.denominator for n in (CRANK, RODS, SPEED, 
 LAMBDA, ANGLE = R / RODL, F(7, 10)
 T = mpf(7) / 10
 SIZES = {
-    "mass": MASS, "pin": CRANK, "omega": SPEED, "share": SHARE, "crank_angle": ANGLE, "ratio": CRANK / RODS,
+    "mass": MASS, "pin": CRANK, "omega": SPEED, "share": SHARE, "crank_angle": ANGLE,
+    "ratio": CRANK / RODS,
     "slender": RODS / CRANK, "rod": RODS, "pitch": PITCH, "base_force": exact(M * R * W**2),
     "cylinders": F(5), "arm_of_weight": LEVER, "rotating": F(2), "reciprocating": F(3),
 }  # fmt: skip
@@ -167,10 +168,12 @@ TWO_CYLINDERS = {
     "mass of one of the two cranks that stand for a piston": [(SIZES, of_crank(first, 1) / (R * W**2))],
     "second-order force of a star of three cylinders": [(SIZES, STAR)],
     "resultant second-order force of a V-twin at 90°": [
-        (SIZES, vee(second, DEGREES[90]).imag), (SIZES, largest(vee(second, DEGREES[90], t) for t in TURN)),
+        (SIZES, vee(second, DEGREES[90]).imag), (SIZES, largest(vee(second, DEGREES[90],
+        t) for t in TURN)),
     ],
     "moment of the counterweight of a V-twin at 90°": [
-        (SIZES, V_WEIGHT), ({**SIZES, "reciprocating": MASS}, 2 * R + V_WEIGHT), (SIZES, 2 * R + V_WEIGHT),
+        (SIZES, V_WEIGHT), ({**SIZES, "reciprocating": MASS}, 2 * R + V_WEIGHT), (SIZES,
+        2 * R + V_WEIGHT),
     ],
 }  # fmt: skip
 

@@ -16,21 +16,27 @@ _E = r"(?<![A-Za-z0-9\\_^{}.'’])e(?![A-Za-z_'’])"
 _LENGTH = r"(?:mm|cm|dm|m|inch|in|ft|\\milli|\\centi|\\metre|\\meter|\\m)(?![A-Za-z])"
 _GAP = r"(?:\\[,;: ]|[~ $])*"
 _MEANT = re.compile(
-    rf"{_E}{_GAP}&?(?:=|:=|≈|\\coloneqq|\\approx){_GAP}(?:\\(?:SI|qty)\s*\{{)?[-−]?[0-9]+(?:(?:[.,]|\{{,\}})[0-9]+)?"
+    rf"{_E}{_GAP}&?(?:=|:=|≈|\\coloneqq|\\approx){_GAP}(?:\\(?:SI"
+    rf"|qty)\s*\{{)?[-−]?[0-9]+(?:(?:[.,]|\{{,\}})[0-9]+)?"
     rf"(?:\}}\s*\{{|{_GAP})(?:\\(?:mathrm|text|mbox|textrm)\s*\{{\s*)?(?:\\[,;: ])*{_LENGTH}"
     rf"|{_E}{_GAP}/{_GAP}[lrLR](?![A-Za-z])|\\[dt]?frac\s*\{{\s*e\s*\}}\s*\{{\s*[lrLR]\s*\}}"
-    rf"|(?:[Oo]ffset|Versatz|Schr[äa]nkung|Desachsierung|eccentricity|Exzentrizität|オフセット|偏心量)\s*(?:of\s*)?\$?{_E}"
+    rf"|(?:[Oo]ffset|Versatz|Schr[äa]nkung|Desachsierung|eccentricity|Exzentrizität|オフセット"
+    rf"|偏心量)\s*(?:of\s*)?\$?{_E}"
     rf"|(?:[Rr]adius|[Dd]istance|Abstand|Radien|半径|距離)\s(?:of\s)?\$?{_E}(?=[\s$,.;:)]|から)"
-    rf"|(?:半径|偏心量?|距離)を\s?\$?{_E}|(?<![A-Za-z\\])[mM](?:_[A-Za-z]|_\{{[A-Za-z]{{1,4}}\}})?\s?(?:\\[,;:]\s?)?{_E}(?!\s?\^)"
+    rf"|(?:半径|偏心量?|距離)を\s?\$?{_E}|(?<![A-Za-z\\])[mM](?:_[A-Za-z]"
+    rf"|_\{{[A-Za-z]{{1,4}}\}})?\s?(?:\\[,;:]\s?)?{_E}(?!\s?\^)"
 )
 _WITH_MASS = re.compile(
-    r"(?<![A-Za-z\\])[mMBU]_\{?(?P<index>[A-Za-z]{1,4})\}?\s?(?:\\[,;:]\s?)?e_(?:\{(?P=index)\}|(?P=index)(?![A-Za-z]))"
+    r"(?<![A-Za-z\\])[mMBU]_\{?(?P<index>[A-Za-z0-9]{1,4})\}?\s?(?:\\[,;:]\s?)?e_(?:\{(?P=index)\}"
+    r"|(?P=index)(?![A-Za-z]))"
 )
 _THICKNESS = re.compile(
-    r"(?:[Dd]istance|[Tt]hickness|[Dd]iameter|[Ss]pacing|Dicke|Breite|Abstand|Durchmesser|厚さ|距離|直径)\s?(?:of\s|を)?\$?d(?![A-Za-z_])"
+    r"(?:[Dd]istance|[Tt]hickness|[Dd]iameter|[Ss]pacing|Dicke|Breite|Abstand|Durchmesser|厚さ|距離"
+    r"|直径)\s?(?:of\s|を)?\$?d(?![A-Za-z_])"
 )
 _UPRIGHT = re.compile(
-    r"(?:\\(?:mathrm|text|textrm|operatorname)\s*(?:\{\s*e\s*\}|\s+e(?![A-Za-z]))|\{\s*\\rm\s+e\s*\}|\{\s*\\mathrm\s*e\s*\})"
+    r"(?:\\(?:mathrm|text|textrm|operatorname)\s*(?:\{\s*e\s*\}|\s+e(?![A-Za-z]))|\{\s*\\rm\s+e\s*\}"
+    r"|\{\s*\\mathrm\s*e\s*\})"
     r"\s*(?P<power>\^\s*)?"
 )
 _ITALIC = re.compile(r"(?<![A-Za-z0-9\\_{.])e\s*(?P<power>\^\s*)")

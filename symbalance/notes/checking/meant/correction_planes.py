@@ -21,11 +21,15 @@ _SIDES = (
 """What names the one plane and the other, as words or as subscripts."""
 _PLACE = r"(?P<place>left|right|linken|rechten|II|I|A|B|1|2|L|R)(?![A-Za-z0-9])"
 _LETTER = r"(?<![A-Za-z_\\])(?P<letter>[a-zA-Z])(?:_\{?(?P<index>[A-Za-z0-9]{1,3})\}?)?"
-_WHICH = r"(?:the\s+|der\s+|dem\s+)?(?:correction\s+|balancing\s+|ausgleichs)?(?:plane\s+|bearing\s+|ebene\s+|lager\s+)?"
+_WHICH = (
+    r"(?:the\s+|der\s+|dem\s+)?(?:correction\s+|balancing\s+|ausgleichs)?(?:plane\s+|bearing\s+"
+    r"|ebene\s+|lager\s+)?"
+)
 _FROM = (
     re.compile(rf"{_LETTER}\s+(?:from|von)\s+{_WHICH}{_PLACE}", re.IGNORECASE),
     re.compile(
-        rf"(?:from|von)\s+{_WHICH}{_PLACE}(?:\s+(?:plane|bearing|ebene))?\s+(?:is|be|ist|by)\s+{_LETTER}(?![A-Za-z])",
+        rf"(?:from|von)\s+{_WHICH}{_PLACE}(?:\s+(?:plane|bearing|ebene))?\s+(?:is|be|ist"
+        rf"|by)\s+{_LETTER}(?![A-Za-z])",
         re.IGNORECASE,
     ),
     re.compile(rf"面\s?{_PLACE}から\s?{_LETTER}(?![A-Za-z])"),

@@ -38,7 +38,8 @@ _IS = re.compile(
     re.I,
 )
 _APPOSED = re.compile(
-    r" (?:the|der|die|das)\s+((?:[\w-]+ ){0,3}?[\w-]+)(?= of\b| der\b| des\b| at\b| am\b| and\b| und\b|[,.;]|\s*$)",
+    r" (?:the|der|die|das)\s+((?:[\w-]+ ){0,3}?[\w-]+)(?= of\b| der\b| des\b| at\b| am\b| and\b| und\b"
+    r"|[,.;]|\s*$)",
     re.I,
 )
 _WITH = re.compile(r"\b(?:with|mit|where|wobei|and|und)\s$", re.I)

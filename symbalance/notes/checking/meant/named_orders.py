@@ -83,18 +83,23 @@ _KINDS: Mapping[str, re.Pattern[str]] = {
     ACCELERATION: re.compile(r"acceleration|beschleunigung|加速度", re.IGNORECASE),
 }
 _ORDER_WORD = re.compile(
-    r"order|orden\b|ordre\b|harmonic|Ordnung|Harmonische|primary|secondary|次(?:の)?(?:慣性|成分|項|調和|の力|加速|トルク|不?釣|力)",
+    r"order|orden\b|ordre\b|harmonic|Ordnung|Harmonische|primary|secondary|次(?:の)?(?:慣性|成分|項|調和|の力|加速"
+    r"|トルク|不?釣|力)",
     re.IGNORECASE,
 )
 _OF_MORE = re.compile(
-    r"cylinders|zylindern?(?![A-Za-z])|気筒|\bbanks?\b|boxer|lanchester|rotating\s+(?:vector|mass)|vectors?\b|zeiger"
-    r"|twin|pair|paar|\btwo\b|\bzwei|both|beide|half|hälfte|balanc|ausgleich|釣合|バランス|resultant|resultier|total|gesamt|\bsum\b|summe|合力|合計|component"
-    r"|komponente|mean|mittel|gas|rotating|rotier|umlauf|回転質量|side|seiten|rod|pleuel|V-?\d|couple|kipp|偶力",
+    r"cylinders|zylindern?(?![A-Za-z])|気筒|\bbanks?\b|boxer|lanchester|rotating\s+(?:vector|mass)"
+    r"|vectors?\b|zeiger"
+    r"|twin|pair|paar|\btwo\b|\bzwei|both|beide|half|hälfte|balanc|ausgleich|釣合|バランス|resultant"
+    r"|resultier|total|gesamt|\bsum\b|summe|合力|合計|component"
+    r"|komponente|mean|mittel|gas|rotating|rotier|umlauf|回転質量|side|seiten|rod|pleuel|V-?\d|couple|kipp"
+    r"|偶力",
     re.IGNORECASE,
 )
 """Words for more or for less than what one cylinder's piston does: no factor is a slip beside them."""
 _IN_A_CASE = re.compile(
-    r"\b(?:at|when|if|where|double[ds]?|twice|times|speed|wenn|falls|bei|im|am|doppelt\w*|verdoppel\w*|drehzahl"
+    r"\b(?:at|when|if|where|double[ds]?|twice|times|speed|wenn|falls|bei|im|am|doppelt\w*|verdoppel\w*"
+    r"|drehzahl"
     r"|left|remain\w*|rest|leaves|bleib\w*)\b|のとき|の場合|倍|残",
     re.IGNORECASE,
 )

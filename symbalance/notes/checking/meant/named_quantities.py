@@ -26,11 +26,7 @@ from symbalance.document.formula import (
     Formula,
     Name,
     Number,
-    PlusMinus,
-    Power,
-    Product,
     Sum,
-    children,
     names,
     walk,
 )
@@ -41,8 +37,15 @@ from symbalance.notes.checking.deciding.equality import REFUTED, Decision, witho
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
-from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 from symbalance.notes.checking.meant.catalogue import QUANTITIES, Quantity
+from symbalance.notes.checking.meant.claims_in_letters import (
+    in_letters,
+    name_of_head,
+    outside_calls,
+    with_exact_halves,
+    with_sizes,
+    without_plus_minus,
+)
 from symbalance.notes.checking.meant.correction_planes import CorrectionPlanes
 from symbalance.notes.checking.meant.formula_slips import agrees, is_multiple, slip_of
 from symbalance.notes.checking.meant.letter_roles import UNITS_ONLY, LetterRoles, ends_with
@@ -106,7 +109,8 @@ _FROM_ELSEWHERE = re.compile(
 )
 """Words for another place where an angle begins: a sine is a cosine there."""
 _BEHIND = re.compile(
-    r"[\s$`\\)\]},.]{0,8}(?:\(|(?:is|as|being|for|ist|als|für|gives|denotes)\s+)(?:(?:the|die|der|das|its)\s+)?"
+    r"[\s$`\\)\]},.]{0,8}(?:\(|(?:is|as|being|for|ist|als|für|gives|denotes)\s+)(?:(?:the|die|der|das"
+    r"|its)\s+)?"
 )
 _AND = re.compile(r"[\s$,;\\()\[\]]*(?:and|und|bzw\.?|、|および)?[\s$,;\\()\[\]]*")
 _ITEM = re.compile(r"[^\n=:]{3,80}:[\s*$]{0,4}")
@@ -117,12 +121,6 @@ MOST_LETTERS = 7
 """Letters that a standard formula has at most."""
 PRODUCT = "·"
 """What stands for the letter of a product of a mass and its arm, m_A r_A."""
-_SMALL_NUMBERS = frozenset(map(Fraction, range(1, 10)))
-"""Numbers that stand for themselves in a formula with numbers put in."""
-_MASSES, _ARMS = (
-    frozenset({"m", "M", "B", "G", "W", "Q"}),
-    frozenset({"r", "R", "b", "e", "rho", "a", "s"}),
-)
 BARE = 24
 """Letters in the words before a formula that its heading names: "so that", "With these"."""
 _FUNCTIONS = ("sqrt", "sin", "cos", "tan")
@@ -204,14 +202,16 @@ class NamedQuantities:
         """Return the verdict on a relation that gives a named quantity a formula; None for others."""
         left, right = chain.sides[k].node, without_dots(chain.sides[k + 1].node)[0]
         name = name_of_head(left) if k == 0 and chain.relations[0].sign in "=≈" else ""
-        right = _without_plus_minus(right)
+        right = without_plus_minus(right)
         chain = replace(
             chain, sides=(chain.sides[0], Side((right,), chain.sides[1].span), *chain.sides[2:])
         )
         if name and not names(right):
-            right = _in_letters(right, knowledge)
-            chain = replace(chain, sides=(chain.sides[0], Side((right,), chain.sides[1].span), *chain.sides[2:]))
-        right = _with_exact_halves(right)
+            right = in_letters(right, knowledge, self.stated.numbers.values())
+            chain = replace(
+                chain, sides=(chain.sides[0], Side((right,), chain.sides[1].span), *chain.sides[2:])
+            )
+        right = with_exact_halves(right, self.stated.numbers.values())
         own = names(right)
         if not name or not 1 <= len(own) <= MOST_LETTERS or names(left) & own:
             return None
@@ -230,7 +230,7 @@ class NamedQuantities:
         outcome = outcome or self._judge(chain, name, claim, knowledge)
         if outcome is not None:
             return outcome
-        whole = _with_sizes(claim, knowledge)
+        whole = with_sizes(claim, knowledge)
         if whole == claim or len(names(whole)) > MOST_LETTERS or name in names(whole):
             return None
         sides = (chain.sides[0], Side((whole,), chain.sides[1].span), *chain.sides[2:])
@@ -258,7 +258,8 @@ class NamedQuantities:
         known = Knowledge(SymbolValue(positive=frozenset(names(claim))), corrects=True)
         left, side = Side((shares[0],), chain.sides[0].span), chain.sides[1]
         decision = decide(left, side, chain.relations[0].sign, known)
-        text = f"{plain_letter(name)} is the share of its plane by the other's distance ({NOBODY}; taken from the words of the page)"
+        source = f"{NOBODY}; taken from the words of the page"
+        text = f"{plain_letter(name)} is the share of its plane by the other's distance ({source})"
         if decision.is_proved:
             return replace(decision, assumptions=(text,))
         if decision.status != REFUTED or not agrees(shares[1], claim):
@@ -495,17 +496,13 @@ class NamedQuantities:
         quantity = named.quantity
         others = self._targets(quantity.others, claim, name, named, knowledge)
         others += self._targets(quantity.approximate, claim, name, named, knowledge)
-        if any(agrees(other, claim) for other in others):
+        if any(agrees(other, claim) for other in others) or _has_complement(claim, knowledge):
             return None
-        if _has_complement(claim, knowledge):
-            return None
-        is_scaled = any(self.roles.is_multiplied(n) for n in _outside_calls(claim))
+        is_scaled = any(self.roles.is_multiplied(n) for n in outside_calls(claim))
         is_in_words = _PART.search(_SETTING.sub("", named.sentence)) is not None
         may_be_part = is_in_words or _has_own_convention(claim, knowledge)
         may_be_part = is_scaled or (may_be_part and "part" not in quantity.slips)
         mistakes = self._targets(quantity.mistakes, claim, name, named, knowledge)
-        if not mistakes and not targets:
-            return None
         is_mistake = any(agrees(each, claim) for each in mistakes)
         by_number = self.stated.with_numbers(quantity.formulas, quantity.stated)
         counted = self._targets(
@@ -565,76 +562,6 @@ def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> _N
             quantity.unless is not None and quantity.unless.search(places.page) is not None
         )
     return _Named(quantity, words, places.around, sentence, is_other)
-
-
-def _in_letters(claim: Formula, knowledge: Knowledge) -> Formula:
-    """Return numbers put in as the letters that have them, 8879 (1 + 0.27 - 0.5) as F_0 (1 + λ - β).
-
-    It stays as it is where a number is of two letters, or one with decimals of none.
-    """
-    letters: dict[Fraction, set[str]] = {}
-    for name, definition in knowledge.definitions.items():
-        for node in (definition.node, definition.rounded):
-            if isinstance(node, Number):
-                letters.setdefault(node.value, set()).add(name)
-    numbers = {part for part in walk(claim) if isinstance(part, Number)}
-    result = claim
-    for number in sorted(numbers, key=lambda n: n.value):
-        own = letters.get(number.value, set())
-        if number.value in _SMALL_NUMBERS and number.last_place is None:
-            continue
-        if len(own) != 1:
-            return claim
-        result = replace_part(result, number, Name(next(iter(own))))
-    return result
-
-
-def _with_exact_halves(node: Formula) -> Formula:
-    """Return a formula with 0.5 and 4.5 as the halves and quarters that they are."""
-    for part in [p for p in walk(node) if isinstance(p, Number)]:
-        if part.last_place is not None and part.value.denominator in (2, 4):
-            node = replace_part(node, part, Number(part.value))
-    return node
-
-
-def _with_sizes(claim: Formula, knowledge: Knowledge) -> Formula:
-    """Return a formula with each letter that the page defines as a product of letters put in."""
-    for letter in sorted(names(claim)):
-        definition = knowledge.definitions.get(letter)
-        node = None if definition is None or definition.numeric else definition.node
-        is_product = isinstance(node, Product) and all(isinstance(f, Name | Power) for f in node.factors)
-        if node is not None and is_product and not names(node) & {letter}:
-            claim = substitute(claim, letter, node)
-    return claim
-
-
-def _without_plus_minus(node: Formula) -> Formula:
-    """Return the size of what is written with ± before it."""
-    if isinstance(node, PlusMinus):
-        return node.operand
-    if isinstance(node, Product) and isinstance(node.factors[0], PlusMinus):
-        return Product((node.factors[0].operand, *node.factors[1:]))
-    return node
-
-
-def name_of_head(node: Formula) -> str:
-    """Return the letter that a formula is, or the two of a product m_A r_A; "" for anything else."""
-    if isinstance(node, Name):
-        return node.name
-    factors = node.factors if isinstance(node, Product) else ()
-    both = [part.name for part in factors if isinstance(part, Name)]
-    stems = [name.partition("_")[0] for name in both]
-    is_moment = len(factors) == 2 and len(both) == 2 and stems[0] in _MASSES and stems[1] in _ARMS
-    return " ".join(both) if is_moment else ""
-
-
-def _outside_calls(node: Formula) -> frozenset[str]:
-    """Return the letters of a formula that stand elsewhere than in a sine or cosine."""
-    if isinstance(node, Name):
-        return frozenset({node.name})
-    if isinstance(node, Call) and node.function != "sqrt":
-        return frozenset()
-    return frozenset(name for part in children(node) for name in _outside_calls(part))
 
 
 def _may_apply(quantity: Quantity, text: str) -> bool:

@@ -50,8 +50,15 @@ _SHARE = re.compile(
     rf"(?:{_WHOLE})|往復(?:部分の?)?質量の\s?(?P<behind>半分|[1-9][0-9]\s?%|1/2|2/3)",
     re.IGNORECASE,
 )
+_FACTOR = re.compile(
+    r"(?:balance|balancing|overbalance)\s+factor\s+(?:of\s+|is\s+|=\s*)?(?P<number>0[.,][0-9]{1,3}"
+    r"|[1-9][0-9](?=\s?\\?%))"
+    r"|(?:Ausgleichsgrad|つり合い率|釣合い率)\s*(?:von\s+|は|=\s*)?(?P<more>0[.,][0-9]{1,3})",
+    re.IGNORECASE,
+)
 _BALANCED = re.compile(
-    r"balanc|counter-?weight|gegengewicht|ausgleich|ausgeglichen|équilibr|contrepoids|equilibra|contrapeso"
+    r"balanc|counter-?weight|gegengewicht|ausgleich|ausgeglichen|équilibr|contrepoids|equilibra"
+    r"|contrapeso"
     r"|釣り?合|つり[あ合]|carried\s+by\s+the\s+(?:fly-?wheels?|webs?|crank)|web\s+already\s+carries",
     re.IGNORECASE,
 )
@@ -78,6 +85,10 @@ class StatedNumbers:
 
     def _shares(self) -> Iterator[Fraction]:
         for sentence in _SENTENCE.split(self.text):
+            if (factor := _FACTOR.search(sentence)) is not None:
+                number = Fraction((factor["number"] or factor["more"]).replace(",", "."))
+                yield number if number < 1 else number / 100
+                continue
             match = _SHARE.search(sentence)
             if match is None or not _BALANCED.search(sentence) or _NOT_BALANCED.search(sentence):
                 continue
@@ -87,11 +98,11 @@ class StatedNumbers:
 
     def with_numbers(self, formulas: tuple[Formula, ...], roles: frozenset[str]) -> tuple[Formula, ...]:
         """Return formulas, and behind them those that a stated number in place of a role makes."""
-        more: list[Formula] = []
+        every = list(formulas)
         for role in sorted(roles & self.numbers.keys()):
             number = Number(self.numbers[role])
-            more += [_folded(substitute(node, role, number)) for node in formulas if role in names(node)]
-        return (*formulas, *more)
+            every += [_folded(substitute(node, role, number)) for node in every if role in names(node)]
+        return tuple(every)
 
 
 def _folded(node: Formula) -> Formula:

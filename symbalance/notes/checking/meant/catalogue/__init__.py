@@ -16,8 +16,8 @@ formula by a route of its own (integrals over the section, eigenvalues, the path
 """
 
 from symbalance.notes.checking.meant.catalogue.balance import BALANCE
-from symbalance.notes.checking.meant.catalogue.crank_drive import CRANK_DRIVE
 from symbalance.notes.checking.meant.catalogue.counterweights import COUNTERWEIGHTS
+from symbalance.notes.checking.meant.catalogue.crank_drive import CRANK_DRIVE
 from symbalance.notes.checking.meant.catalogue.inertia import INERTIA
 from symbalance.notes.checking.meant.catalogue.locomotives import LOCOMOTIVES
 from symbalance.notes.checking.meant.catalogue.roles import OTHER_LENGTHS as OTHER_LENGTHS

@@ -68,10 +68,12 @@ BALANCE: tuple[Quantity, ...] = (
               r"(?:residual|remaining|unbalanced)\s+(?:primary\s+"
               r"|inertia\s+)?force\s+along\s+the\s+(?:cylinder(?:\s+axis)?|stroke|bore)",
               r"(?:residual|remaining|unbalanced|resultant|rest)\s+(?:primary\s+|inertia\s+)?force\s+"
-              r"(?:in\s+line\s+with|parallel\s+to|in|along)\s+(?:the\s+)?(?:direction\s+of\s+(?:the\s+)?)?"
+              r"(?:in\s+line\s+with|parallel\s+to|in"
+              r"|along)\s+(?:the\s+)?(?:direction\s+of\s+(?:the\s+)?)?"
               r"(?:cylinder|piston|stroke|bore)(?:\s+(?:axis|direction))?",
               r"restkraft\s+in\s+(?:zylinder|hub)(?:achs)?richtung",
-              r"force\s+résiduelle\s+(?:suivant|selon|dans)\s+(?:l'axe|la\s+direction)(?:\s+du\s+cylindre)?",
+              r"force\s+résiduelle\s+(?:suivant|selon|dans)\s+(?:l'axe"
+              r"|la\s+direction)(?:\s+du\s+cylindre)?",
               r"fuerza\s+residual\s+(?:en|según)\s+(?:la\s+dirección|el\s+eje)(?:\s+del\s+cilindro)?",
               r"(?:行程|シリンダ軸)方向の(?:残留力|不釣合い力|不つりあい力)"),
         ((1 - share) * mass * pin * omega**2 * COS_CRANK,), ("edit",),

@@ -199,7 +199,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("gyration", "k i r rho", r"gyration|trägheitsradius|trägheitshalbmesser|回転半径"),
     ("near", "a c", r"distances?|abständen?|abstand|距離"),
     ("far", "b d", r"distances?|abständen?|abstand|距離"),
-    ("share", "beta b c k kappa epsilon x alpha", r"factor|fraction|share|balance|anteil|grad|割合|率"
+    ("share", "beta b c k kappa epsilon x alpha", r"factor|fraction|share|balance|counterweight|anteil"
+                                                  r"|grad|割合|率"
      r"|proportion"),
     ("rotating", "m M W w", r"(?:rotating|revolving)(?: mass)?|rotierende(?:n)?(?: masse)?"
     r"|回転(?:部分の)?質量",
@@ -213,21 +214,25 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("eccentricity", "e a s r", r"eccentricity|exzentrizität|偏心量?|radius|halbmesser|半径|shift"),
     ("balance_mass", "B m M", r"masse[ns]?|mass(?:es)?|weights?|gewicht|質量|おもり"),
     ("unbalanced", "m M u", r"mass|masse|質量"),
-    ("outer_radius", "R r", r"outer|outside|external|außen(?:radius)?|外半径"),
-    ("inner_radius", "r R", r"inner|inside|internal|innen(?:radius)?|内半径"),
+    ("outer_radius", "R r", r"(?:outer|outside|external)(?: radius)?|außen(?:radius)?|外半径"),
+    ("inner_radius", "r R", r"(?:inner|inside|internal)(?: radius)?|innen(?:radius)?|内半径"),
     ("bank", "gamma delta alpha V beta", r"(?:bank|vee|V|included|cylinder|fork)[- ]?angle|bankwinkel"
-     r"|V-winkel|gabelwinkel|バンク角|挟み角|angle between the (?:banks|cylinders|cylinder (?:axes|lines))",
+     r"|V-winkel|gabelwinkel|バンク角|挟み角"
+     r"|angle between the (?:banks|cylinders|cylinder (?:axes|lines))",
      "", "1 2 A B"),
-    ("half_bank", "alpha beta gamma delta", r"half[- ](?:the )?(?:bank|vee|V|included)?[- ]?angle|(?:bank|vee|V|included) ?-?angle(?: of)?"
+    ("half_bank", "alpha beta gamma delta", r"half[- ](?:the )?(?:bank|vee|V|included)?[- ]?angle"
+                                            r"|(?:bank|vee|V|included) ?-?angle(?: of)?"
      r" 2|semi-?angle|angle between the (?:banks|cylinders|cylinder (?:axes|lines)) 2|winkel 2"
      r"|halber? (?:bank|V-|gabel)winkel"),
     ("slender", "n nu q k lambda", r"ratio|l/r|verhältnis|比"),
     ("wheel_load", "P W Q N G F", r"loads?|dead weight|weight|force|radlast|last|kraft|荷重"),
     ("pitch", "a d b l s c e p L y", r"apart|distances?|spacing|pitch|abstand|距離|間隔|offset|arm"),
     ("base_force", "F P K f", r"force|amplitude|kraft|力", "0 o 1 I i c m rec"),
-    ("sector", "beta gamma phi varphi theta alpha delta", r"(?:opening|full|sector|central|whole|included)"
+    ("sector", "beta gamma phi varphi theta alpha delta", r"(?:opening|full|sector|central|whole"
+                                                          r"|included)"
      r" (?:sector )?angle|öffnungswinkel|zentriwinkel|中心角"),
-    ("half_sector", "alpha beta gamma phi varphi theta delta", r"half[- ]?(?:the )?(?:\w+ )?angle|(?:opening|sector|full"
+    ("half_sector", "alpha beta gamma phi varphi theta delta",
+        r"half[- ]?(?:the )?(?:\w+ )?angle|(?:opening|sector|full"
      r"|included)(?: \w+)? angle 2|öffnungswinkel 2|semi-?angle|halber? \w*winkel|半角"),
     ("grade", "G Q", r"grade|quality|gütestufe|auswuchtgüte|等級|mm/s"),
     ("wall_of_weight", "t b h s w d B", r"thick\w*|width|breadth|dicke|breite|厚さ?|幅"),

@@ -32,34 +32,43 @@ from symbalance.notes.checking.meant.catalogue.strength import both
 
 V_WORDS = (
     r"\b[VL]-?(?:twins?|engines?|motor(?:en)?|2|two|pair|form)\b|(?<![A-Za-z])vee\b|V形|V型|\bbanks?\b"
-    r"|Zweizylinder-V|V-Zweizylinder|V2-Motors?|Gabelmotor|bankwinkel|moteur en V|bicylindre en V|motor en V|two cylinders at \d+\s?°|bank angle|degree V\b|°\s?V\b|° twin"
+    r"|Zweizylinder-V|V-Zweizylinder|V2-Motors?|Gabelmotor|bankwinkel|moteur en V|bicylindre en V"
+    r"|motor en V|two cylinders at \d+\s?°|bank angle|degree V\b|°\s?V\b|° twin"
 )
 _MORE = (
     r"\bfour\b|\bsix\b|\beight\b|\bvier|\bsechs|\bacht|V-?(?:[4-9]|1[0-9])\b|W-?12|boxer|flat twin"
-    r"|opposed|offset|counterweight|gegengewicht|after balanc|each cylinder|one cylinder|per cylinder|single cylinder|cylinder alone|one bank|each bank"
+    r"|opposed|offset|counterweight|gegengewicht|after balanc|each cylinder|one cylinder|per cylinder"
+    r"|single cylinder|cylinder alone|one bank|each bank"
 )
 _FORCES = (
     r"(?:resultant|primary|secondary|first[- ]order|second[- ]order|inertia|unbalanced|shaking|total)"
 )
 _FORCE = rf"(?:\s+(?:of\s+(?:the\s+)?)?(?:{_FORCES}\s+)*forces?)?"
 _LINE = (
-    r"(?:bisector|bisecting line|line of symmetry|axis of symmetry|symmetry axis|symmetry line|cent(?:re|er)[- ]?line"
-    r"|middle line|line between the banks|V axis|axis of the V|plane of symmetry)(?: (?:of the|between the)"
+    r"(?:bisector|bisecting line|line of symmetry|axis of symmetry|symmetry axis|symmetry line"
+    r"|cent(?:re|er)[- ]?line"
+    r"|middle line|line between the banks|V axis|axis of the V|plane of symmetry)(?: (?:of the"
+    r"|between the)"
     r" (?:V|banks|vee|cylinders))?"
 )
 ALONG = words(
-    rf"vertical(?:ly)?(?:\s+(?:component|part|resultant))?{_FORCE}", r"upright", rf"(?:{_FORCES}\s+)*forces?\s+vertical(?:ly)?",
-    rf"(?:(?:{_FORCES}\s+)*(?:forces?|components?|parts?)\s+)?(?:along|in the direction of|parallel to|on|upon|in)"
+    rf"vertical(?:ly)?(?:\s+(?:component|part|resultant))?{_FORCE}", r"upright",
+        rf"(?:{_FORCES}\s+)*forces?\s+vertical(?:ly)?",
+    rf"(?:(?:{_FORCES}\s+)*(?:forces?|components?|parts?)\s+)?(?:along|in the direction of|parallel to"
+    rf"|on|upon|in)"
     rf"\s+(?:the\s+)?{_LINE}",
-    rf"components?\s+(?:along|in\s+the\s+direction\s+of)\s+(?:the\s+)?{_LINE}", r"(?:sum\s+)?project(?:ed|ion)\s+on(?:to)?\s+(?:the\s+)?(?:bisecting\s+line|bisector)",
+    rf"components?\s+(?:along|in\s+the\s+direction\s+of)\s+(?:the\s+)?{_LINE}",
+        r"(?:sum\s+)?project(?:ed|ion)\s+on(?:to)?\s+(?:the\s+)?(?:bisecting\s+line|bisector)",
     r"(?:in\s+richtung|längs)\s+der\s+(?:winkelhalbierenden|symmetrie(?:achse|linie))",
     r"(?:鉛直|垂直)(?:方向)?(?:の)?(?:成分|分力|合力)?", r"二等分線方向(?:の成分)?",
 )  # fmt: skip
 ACROSS = words(
-    rf"horizontal(?:ly)?(?:\s+(?:component|part|resultant))?{_FORCE}", r"transverse(?:ly)?", r"crosswise", r"sideways",
+    rf"horizontal(?:ly)?(?:\s+(?:component|part|resultant))?{_FORCE}", r"transverse(?:ly)?",
+        r"crosswise", r"sideways",
     rf"(?:(?:{_FORCES}\s+)*(?:forces?|components?|parts?)\s+)?(?:across|perpendicular\s+to|normal\s+to"
     rf"|at\s+right\s+angles\s+to)\s+(?:it\b|the\s+{_LINE})",
-    rf"components?\s+at\s+right\s+angles\s+to\s+(?:the\s+)?{_LINE}", r"(?:sum\s+)?project(?:ed|ion)\s+at\s+right\s+angles\s+to\s+it",
+    rf"components?\s+at\s+right\s+angles\s+to\s+(?:the\s+)?{_LINE}",
+        r"(?:sum\s+)?project(?:ed|ion)\s+at\s+right\s+angles\s+to\s+it",
     r"(?:quer|senkrecht)\s+(?:dazu|zur\s+(?:winkelhalbierenden|symmetrie(?:achse|linie)))",
     r"水平(?:方向)?(?:の)?(?:成分|分力|合力)?",
 )  # fmt: skip
@@ -149,8 +158,14 @@ def _degrees(number: int) -> str:
 def _at_angle(number: int) -> str:
     """Return a pattern for words that two banks stand so many degrees apart: 60° V, the banks at 60°."""
     own = _degrees(number)
-    banks = r"(?:(?<![A-Za-z])V(?![A-Za-z])|\bvee\b|[VL]-?(?:twin|engine|motor|2)|banks?\b|V[形型]|Gabelwinkel|Gabelmotor|(?:rods|cylinders)\s+(?:on|at)\b)"
-    before = rf"(?:{banks}|moteur\s+en\s+V|cylinders\s+at|Bankwinkel|bank angle|included angle|V-?angle|Bankwinkel|V-Winkel|バンク角)[^.=。\n]{{0,40}}?(?:[^\w=]=\s?)?"
+    banks = (
+        r"(?:(?<![A-Za-z])V(?![A-Za-z])|\bvee\b|[VL]-?(?:twin|engine|motor|2)|banks?\b|V[形型]"
+        r"|Gabelwinkel|Gabelmotor|(?:rods|cylinders)\s+(?:on|at)\b)"
+    )
+    before = (
+        rf"(?:{banks}|moteur\s+en\s+V|cylinders\s+at|Bankwinkel|bank angle|included angle|V-?angle"
+        rf"|Bankwinkel|V-Winkel|バンク角)[^.=。\n]{{0,40}}?(?:[^\w=]=\s?)?"
+    )
     return rf"{own}[^.=。\n]{{0,14}}?{banks}|{before}{own}"
 
 
@@ -182,13 +197,18 @@ def _by_angle() -> Iterator[Quantity]:
         )  # fmt: skip
 
 
-_CRANKS = r"(?:primary\s+|secondary\s+)?(?:direct|reverse)(?:\s+(?:and|or)\s+(?:the\s+)?(?:(?:primary|secondary)\s+)?(?:direct|reverse))?\s+cranks?"
+_CRANKS = (
+    r"(?:primary\s+|secondary\s+)?(?:direct|reverse)(?:\s+(?:and|or)\s+(?:the\s+)?(?:(?:primary"
+    r"|secondary)\s+)?(?:direct|reverse))?\s+cranks?"
+)
 _HALVES: tuple[Quantity, ...] = (
     Quantity(
         "force of one of the two cranks that stand for a piston", letters("F P C K Z R"),
-        words(rf"force\s+of\s+(?:the\s+|a\s+|each\s+)?{_CRANKS}", rf"{_CRANKS}[^.;=]{{0,140}}?force\s+of\s+each(?:\s+is)?",
+        words(rf"force\s+of\s+(?:the\s+|a\s+|each\s+)?{_CRANKS}",
+            rf"{_CRANKS}[^.;=]{{0,140}}?force\s+of\s+each(?:\s+is)?",
               r"force\s+of\s+each\s+(?:primary\s+|secondary\s+)?(?:direct\s+|reverse\s+)?crank",
-              r"force\s+of\s+each", r"each\s+crank\s+(?:gives|has|exerts)\s+a\s+(?:centrifugal\s+)?force"),
+              r"force\s+of\s+each", r"each\s+crank\s+(?:gives|has"
+                                    r"|exerts)\s+a\s+(?:centrifugal\s+)?force"),
         (_ONE / 2, *(size / 2 for size in _SECOND)), ("factor", "power", "part"),
         mistakes=(_ONE, _ONE / 4, *_SECOND, *(size / 4 for size in _SECOND)),
         only=words(r"direct and reverse|reverse crank|reverse and direct"),
@@ -196,14 +216,16 @@ _HALVES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "radius of the cranks that stand for a piston's second order", letters("r R rho r_2 q"),
-        words(rf"radius\s+of\s+(?:the\s+|each\s+)?secondary\s+(?:direct\s+|reverse\s+)?(?:and\s+reverse\s+)?cranks?",
+        words(r"radius\s+of\s+(?:the\s+|each\s+)?secondary\s+(?:direct\s+"
+              r"|reverse\s+)?(?:and\s+reverse\s+)?cranks?",
               r"secondary\s+(?:effect|force)s?[^.;=]{0,40}cranks?\s+of\s+(?:length|radius)"),
         (pin / (4 * slender), pin * ratio / 4, pin**2 / (4 * rod)), ("factor", "power", "part"),
         mistakes=(pin / slender, pin / (2 * slender), pin * ratio, pin**2 / rod),
     ),
     Quantity(
         "vector of two cylinders on one pin that turns with the crank", letters("F P K R Z C A V"),
-        words(r"(?:forward|direct|positive|co-?rotating)(?:\s+(?:primary|rotating))?\s+(?:vector|force|component|part)",
+        words(r"(?:forward|direct|positive|co-?rotating)(?:\s+(?:primary|rotating))?\s+(?:vector|force"
+              r"|component|part)",
               r"mitlaufende[rn]?\s+(?:anteil|zeiger|kraft)"),
         (_ONE,), ("bare factor", "power"), mistakes=(2 * _ONE, _ONE * _cos(bank), _ONE * _cos(half_bank)),
         only=_V_PAGE, unless=words(_MORE, r"second|zweite|2次|each bank|one cylinder|single"),
@@ -226,11 +248,14 @@ _HALVES: tuple[Quantity, ...] = (
     Quantity(
         "second-order force of a star of three cylinders", letters("F P R Z K"),
         words(r"(?:resultant\s+)?(?:secondary|second[- ]order)\s+(?:inertia\s+)?forces?",
-              r"(?:massenkraft|resultierende)\s+(?:2\.|zweiter|II\.)\s+ordnung", r"(?:二|2)次(?:の)?(?:慣性力の)?(?:合力|慣性力)"),
+              r"(?:massenkraft|resultierende)\s+(?:2\.|zweiter|II\.)\s+ordnung",
+                  r"(?:二|2)次(?:の)?(?:慣性力の)?(?:合力|慣性力)"),
         tuple(3 * size / 2 for size in _SECOND), ("factor", "power"),
         mistakes=tuple(3 * size for size in _SECOND),
-        only=both(words(r"\bthree|drei|[三3]\s?気筒|\b3[- ]cyl"), words(r"radial|\bstar\b|sternmotor|星[形型]")),
-        unless=words(r"\bfive\b|\bseven|\bnine|fünf|sieben|neun|articulated|slave|each cylinder|per cylinder"),
+        only=both(words(r"\bthree|drei|[三3]\s?気筒|\b3[- ]cyl"),
+        words(r"radial|\bstar\b|sternmotor|星[形型]")),
+        unless=words(r"\bfive\b|\bseven|\bnine|fünf|sieben|neun|articulated|slave|each cylinder"
+                     r"|per cylinder"),
         is_told_once=True,
     ),
 )  # fmt: skip
@@ -238,7 +263,8 @@ _HALVES: tuple[Quantity, ...] = (
 _RIGHT_ANGLED = words(_at_angle(90), r"right[- ]angled V|rechtwinkliger V")
 _SECOND_WORDS = words(
     r"second(?:ary|[- ]order)[^.;=]{0,50}?(?:amplitude|resultant|horizontal|transverse)",
-    r"(?:resultant|amplitude)[^.;=]{0,30}?second(?:ary|[- ]order)(?:\s+forces?)?", r"zweite[rn]?\s+ordnung[^.;=]{0,50}?amplitude",
+    r"(?:resultant|amplitude)[^.;=]{0,30}?second(?:ary|[- ]order)(?:\s+forces?)?",
+        r"zweite[rn]?\s+ordnung[^.;=]{0,50}?amplitude",
     r"massenkraft\s+(?:2\.|zweiter|II\.)\s+ordnung", r"(?:二|2)次慣性力の合力(?:の最大値)?",
     r"résultante\s+des\s+forces\s+secondaires(?:\s+est\s+horizontale)?", r"zweite\s+ordnung",
 )  # fmt: skip
@@ -250,15 +276,18 @@ _UPRIGHT_V: tuple[Quantity, ...] = (
         ("factor", "part", "power"), others=tuple(_R2 * size * _COS_TWICE for size in _SECOND),
         mistakes=(*(n * size for size in _SECOND for n in (2, _R2 / 2)), *_SECOND,
                   *(n * size * _SIN_TWICE for size in _SECOND for n in (1, 2, _R2 / 2))),
-        only=_RIGHT_ANGLED, unless=words(_MORE.replace("|counterweight|gegengewicht", "") + _OF_ONE), is_told_once=True,
+        only=_RIGHT_ANGLED, unless=words(_MORE.replace("|counterweight|gegengewicht", "") + _OF_ONE),
+        is_told_once=True,
     ),
     Quantity(
         "moment of the counterweight of a V-twin at 90°", letters("· U D u"),
-        words(r"(?:counter|balance)-?\s?(?:weights?|mass(?:es)?)", r"gegengewichte?s?", r"contrepoids", r"カウンタ(?:ー)?ウェイト"),
+        words(r"(?:counter|balance)-?\s?(?:weights?|mass(?:es)?)", r"gegengewichte?s?", r"contrepoids",
+            r"カウンタ(?:ー)?ウェイト"),
         (mass * pin, (rotating + reciprocating) * pin, (rotating + mass) * pin), ("edit",),
         others=((rotating + 2 * reciprocating) * pin,),
         mistakes=(2 * mass * pin, mass * pin / 2, (rotating + reciprocating / 2) * pin),
-        only=_RIGHT_ANGLED, unless=words(_MORE.replace("|counterweight|gegengewicht", "") + r"|each web|half|je wange"),
+        only=_RIGHT_ANGLED, unless=words(_MORE.replace("|counterweight|gegengewicht", "") +
+            r"|each web|half|je wange"),
         is_told_once=True,
     ),
 )  # fmt: skip
