@@ -129,6 +129,13 @@ LOCOMOTIVES = {
         (SIZES, beside_weight(mp.pi)), (SIZES, -beside_weight(mp.pi)),
     ],
     "force across the cylinder at 90° beside a counterweight": [(SIZES, ASIDE), (SIZES, -ASIDE)],
+    "resultant that the balance of a share leaves": [
+        (SIZES, abs(M * R * W**2 * (mp.cos(T) - mpf(3) / 5 * mp.expj(T)))),
+        (SIZES, abs(M * R * W**2 * (mp.cos(T) - mpf(1) / 2 * mp.expj(T)))),
+    ],
+    "balance factor that makes two forces equal": [
+        (SIZES, mp.findroot(lambda b: abs(1 + LAMBDA - b) - b, 0.5)),
+    ],
     "horizontal force of an upright cylinder beside a counterweight": [
         (SIZES, (-ASIDE * mp.expj(T)).imag), (SIZES, (ASIDE * mp.expj(T)).imag),
     ],
@@ -202,12 +209,15 @@ def centre(low, half):
 
 STEEL = THICK * DENSITY
 SECTOR, HALF_DISC = STEEL * moment(0, HALF), STEEL * moment(0, mp.pi / 2)
+RING_SECTOR, HALF_RING = STEEL * moment(NEAR, HALF), STEEL * moment(NEAR, mp.pi / 2)
 SECTOR_MASS = STEEL * over_sector(lambda x: 1, 0, HALF)
 FOUR = abs(sum(second(T + mp.pi * k, 0) for k in (0, 1, 1, 0))) / abs(mp.cos(2 * T))
 PAIR = [mpf(3) / 100 * (2 * W) ** 2 * mp.expj(s * 2 * T) for s in (1, -1)]
 FAST = {**SIZES, "mass": F(3, 10), "arm_of_weight": F(1, 10), "unbalance": F(3, 100)}
 NEEDED = (2 + 3 * mpf(3) / 5) * R
 STAR_WEIGHT = abs(sum(first(T, 2 * mp.pi * k / 5) for k in range(5))) / W**2
+PERIODS = [t for t in TURN if abs(second(t, 0)) > abs(second(0, 0)) * (1 - mpf(10) ** -9)]
+FAST_SPEED = mpf(120) * len(PERIODS) / 2  # two extremes a turn of the shaft
 UNBALANCE = {"mass": F(7, 2), "eccentricity": F(1, 100), "omega": F(50), "pitch": PITCH,
              "unbalance": F(35, 1000), "grade": F(1, 2)}  # fmt: skip
 
@@ -236,8 +246,17 @@ COUNTERWEIGHTS = {
         (SECTORS, mp.quad(lambda x: x, [0.1, 0.3]) / mpf("0.2")),
         (SECTORS, mp.quad(lambda x: x, [0.3, 0.5]) / mpf("0.2")),
     ],
-    "static moment of a sector": [(SECTORS, SECTOR), (SECTORS, 2 * SECTOR)],
-    "static moment of a half disc": [(SECTORS, HALF_DISC), (SECTORS, 2 * HALF_DISC)],
+    "static moment of a sector": [
+        (SECTORS, n * each) for n in (1, 2) for each in (SECTOR, RING_SECTOR)
+    ],
+    "static moment of a half disc": [
+        (SECTORS, n * each) for n in (1, 2) for each in (HALF_DISC, HALF_RING)
+    ],
+    "bob weight": [(SIZES, NEEDED / R), (SIZES, (2 * R + 5 * (NEEDED - 2 * R)) / R)],
+    "speed of a shaft against the second order": [
+        ({"omega": F(120)}, FAST_SPEED), ({"omega": F(120)}, -FAST_SPEED),
+        ({"rotation": F(20)}, FAST_SPEED / 6), ({"rotation": F(20)}, -FAST_SPEED / 6),
+    ],
     "mass of a sector": [(SECTORS, SECTOR_MASS), (SECTORS, 2 * SECTOR_MASS)],
     "permissible eccentricity by the balance quality": [(UNBALANCE, mpf(1) / 2 / 50)],
     "permissible unbalance": [
