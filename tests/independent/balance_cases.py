@@ -229,6 +229,9 @@ COUNTERWEIGHTS = {
     "moment of each of two shafts against the second order of four cylinders in line": [
         (SIZES, FOUR / (2 * (2 * W) ** 2))
     ],
+    "moment of each of two shafts against the second order of a single cylinder": [
+        (SIZES, FOUR / 4 / (2 * (2 * W) ** 2))
+    ],
     "moment of each of two shafts against the first order of a single cylinder": [
         (SIZES, abs(first(0, 0)) / (2 * W**2))
     ],
@@ -246,12 +249,10 @@ COUNTERWEIGHTS = {
         (SECTORS, mp.quad(lambda x: x, [0.1, 0.3]) / mpf("0.2")),
         (SECTORS, mp.quad(lambda x: x, [0.3, 0.5]) / mpf("0.2")),
     ],
-    "static moment of a sector": [
-        (SECTORS, n * each) for n in (1, 2) for each in (SECTOR, RING_SECTOR)
-    ],
-    "static moment of a half disc": [
-        (SECTORS, n * each) for n in (1, 2) for each in (HALF_DISC, HALF_RING)
-    ],
+    "static moment of a sector": [(SECTORS, SECTOR), (SECTORS, RING_SECTOR)],
+    "static moment of two sectors": [(SECTORS, 2 * SECTOR), (SECTORS, 2 * RING_SECTOR)],
+    "static moment of a half disc": [(SECTORS, HALF_DISC), (SECTORS, HALF_RING)],
+    "static moment of two half discs": [(SECTORS, 2 * HALF_DISC), (SECTORS, 2 * HALF_RING)],
     "bob weight": [(SIZES, NEEDED / R), (SIZES, (2 * R + 5 * (NEEDED - 2 * R)) / R)],
     "speed of a shaft against the second order": [
         ({"omega": F(120)}, FAST_SPEED), ({"omega": F(120)}, -FAST_SPEED),

@@ -26,7 +26,7 @@ from symbalance.notes.checking.deciding.substitution import replace_part, substi
 
 _MASSES, _ARMS = (
     frozenset({"m", "M", "B", "G", "W", "Q"}),
-    frozenset({"r", "R", "b", "e", "rho", "a", "s"}),
+    frozenset({"r", "R", "b", "e", "rho", "a", "s", "y", "bar_y"}),
 )
 _SMALL_NUMBERS = frozenset(map(Fraction, range(1, 10)))
 """Numbers that stand for themselves in a formula with numbers put in."""
@@ -38,7 +38,7 @@ def name_of_head(node: Formula) -> str:
         return node.name
     factors = node.factors if isinstance(node, Product) else ()
     both = [part.name for part in factors if isinstance(part, Name)]
-    stems = [name.partition("_")[0] for name in both]
+    stems = [name if name == "bar_y" else name.partition("_")[0] for name in both]
     is_moment = len(factors) == 2 and len(both) == 2 and stems[0] in _MASSES and stems[1] in _ARMS
     return " ".join(both) if is_moment else ""
 

@@ -34,6 +34,17 @@ _FROM = (
     ),
     re.compile(rf"面\s?{_PLACE}から\s?{_LETTER}(?![A-Za-z])"),
 )
+_BOTH = re.compile(
+    r"(?:distances?|abst[aä]nde?n?)\s+(?:from|to|von)\s+(?:the\s+|der\s+)?(?:planes?\s+|bearings?\s+)?"
+    r"(?:left|linken|A|1|I)\s+(?:and|und|bzw\.)\s+(?:the\s+|der\s+)?(?:right|rechten|B|2"
+    r"|II)(?:\s+(?:planes?|bearings?|ebene))?"
+    r"\s*(?::|are|is|sind|,)\s*(?P<first>[A-Za-z])\s+(?:and|und|bzw\.)\s+(?P<second>[A-Za-z])(?![A-Za-z])"
+    r"|(?<![A-Za-z])(?P<one>[A-Za-z])\s+(?:and|und|bzw\.)\s+(?P<other>[A-Za-z])\s+(?:from"
+    r"|von)\s+(?:the\s+|der\s+)?"
+    r"(?:planes?\s+|bearings?\s+)?(?:left|linken|A|1|I)\s+(?:and|und|bzw\.)\s+(?:the\s+"
+    r"|der\s+)?(?:right|rechten|B|2|II)(?![A-Za-z])",
+    re.IGNORECASE,
+)
 _PLANES = re.compile(r"\bplanes?\b|ebenen?\b|bearings?\b|lagern?\b|面|軸受", re.IGNORECASE)
 _OUTSIDE = re.compile(r"overhung|overhang|outside|fliegend|außerhalb|外側|片持", re.IGNORECASE)
 
@@ -51,6 +62,11 @@ class CorrectionPlanes:
         if not _PLANES.search(plain) or _OUTSIDE.search(plain):
             return None
         own: tuple[set[str], set[str]] = (set(), set())
+        for match in _BOTH.finditer(plain):
+            for side, letter in enumerate(
+                (match["first"] or match["one"], match["second"] or match["other"])
+            ):
+                own[side].add(letter)
         for pattern in _FROM:
             for match in pattern.finditer(plain):
                 side = _side_of(match["place"])

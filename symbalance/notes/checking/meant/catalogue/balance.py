@@ -50,7 +50,7 @@ BALANCE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "hammer blow", letters("F Q B P H V"),
-        words(r"hammer\s?blow", r"hammerschlag", r"ハンマーブロー", r"(?:槌打|つち打ち)(?:力)?"),
+        words(r"hammer[\s-]?blow", r"hammerschlag", r"ハンマーブロー", r"(?:槌打|つち打ち)(?:力)?"),
         (share * mass * pin * omega**2 * SIN_CRANK, share * mass * pin * omega**2, mass * pin * omega**2,
          mass * pin * omega**2 * SIN_CRANK,
          balance_mass * arm_of_weight * omega**2, balance_mass * arm_of_weight * omega**2 * SIN_CRANK),
@@ -159,10 +159,11 @@ BALANCE: tuple[Quantity, ...] = (
         unless=words(r"transmi|residual"),
     ),
     Quantity(
-        "resultant first-order force of a radial engine", letters("F P R Z"),
+        "resultant first-order force of a radial engine", letters("F P R Z S"),
         words(r"(?:resultant|primary|first[- ]order)\s+(?:of\s+the\s+)?(?:primary\s+|first[- ]order\s+"
         r"|inertia\s+)?forces?",
               r"resultierende\s+(?:massenkraft|kraft)?(?:\s*(?:1\.|erster)\s+ordnung)?",
+              r"sum(?:ming|\s+of)\s+(?:all\s+)?(?:the\s+)?direct\s+(?:primary\s+)?cranks",
               r"massenkraft\s+(?:1\.|erster)\s+ordnung",
               r"(?:一|1)次(?:の)?(?:慣性力の)?(?:合力|慣性力)"),
         (cylinders * mass * pin * omega**2 / 2,), ("factor", "power"),

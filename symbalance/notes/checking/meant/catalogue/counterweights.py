@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.document.formula import Call, Formula, Number
+from symbalance.document.formula import Call, Number
 from symbalance.notes.checking.meant.catalogue.roles import (
     PI,
     Quantity,
@@ -90,8 +90,15 @@ _STATIC = words(
 )
 
 
-def _both_webs(quantity: Formula) -> tuple[Formula, ...]:
-    return quantity, 2 * quantity
+_TWO = r"\bboth\b|\btwo\b|\bpair\b|beide|\bzwei|両|2枚"
+_SECTOR_MOMENTS = (
+    2 * _DISC * radius**3 * _SIN_HALF / 3,
+    2 * _DISC * (outer_radius**3 - inner_radius**3) * _SIN_HALF / 3,
+)
+_HALF_DISC_MOMENTS = (
+    2 * _DISC * radius**3 / 3,
+    2 * _DISC * (outer_radius**3 - inner_radius**3) / 3,
+)
 
 
 COUNTERWEIGHTS: tuple[Quantity, ...] = (
@@ -121,6 +128,13 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
         only=_SINGLE, unless=words(_OTHER_SHAFTS, _FOUR.pattern, _TWICE.pattern,
             r"crank (?:itself )?carries"),
         is_told_once=True,
+    ),
+    Quantity(
+        "moment of each of two shafts against the second order of a single cylinder", _MOMENT, _SHAFT,
+        tuple(size / 8 for size in _SECOND), ("factor", "power", "part"),
+        mistakes=tuple(size / n for size in _SECOND for n in (1, 2, 4, 16)),
+        only=both(_SINGLE, _TWICE), unless=words(_OTHER_SHAFTS, _FOUR.pattern), is_told_once=True,
+        never=_FOUR,
     ),
     Quantity(
         "force of two counter-rotating shafts at twice the crank's speed", letters("F P K"),
@@ -187,25 +201,32 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
         unless=words(r"outer (?:edge|radius)|middle|außen"), is_told_once=True,
     ),
     Quantity(
-        "static moment of a sector", letters("U S Q · D M u"), _STATIC,
-        (*_both_webs(2 * _DISC * radius**3 * _SIN_HALF / 3),
-         *_both_webs(2 * _DISC * (outer_radius**3 - inner_radius**3) * _SIN_HALF / 3)), ("factor",
-             "edit", "part"),
+        "static moment of a sector", letters("U S Q · D M u"), _STATIC, _SECTOR_MOMENTS,
+        ("factor", "edit"),
         mistakes=(_DISC * radius**3 * _SIN_HALF / 3, _DISC * radius**3 * _SIN_HALF),
-        only=_SECTOR, unless=words(_OTHER_WEIGHT, r"\barcs?\b|bogen|segment|quarter"), is_told_once=True,
+        only=_SECTOR, unless=words(_OTHER_WEIGHT, _TWO, r"\barcs?\b|bogen|segment|quarter"),
+        is_told_once=True,
     ),
     Quantity(
-        "static moment of a half disc", letters("U S Q · D M u"), _STATIC,
-        (*_both_webs(2 * _DISC * radius**3 / 3),
-         *_both_webs(2 * _DISC * (outer_radius**3 - inner_radius**3) / 3)), ("factor", "edit", "part"),
+        "static moment of two sectors", letters("U S Q · D M u"), _STATIC,
+        tuple(2 * each for each in _SECTOR_MOMENTS), (), only=both(_SECTOR, words(_TWO)),
+    ),
+    Quantity(
+        "static moment of a half disc", letters("U S Q · D M u"), _STATIC, _HALF_DISC_MOMENTS,
+        ("factor", "edit", "part"),
         mistakes=(_DISC * radius**3 / 3, _DISC * radius**3,
-        _DISC * (outer_radius**3 - inner_radius**3) / 3),
-        only=_SEMI, unless=words(_OTHER_WEIGHT, r"\barcs?\b|bogen|segment|quarter"), is_told_once=True,
+                  _DISC * (outer_radius**3 - inner_radius**3) / 3),
+        only=_SEMI, unless=words(_OTHER_WEIGHT, _TWO, r"\barcs?\b|bogen|segment|quarter"),
+        is_told_once=True,
+    ),
+    Quantity(
+        "static moment of two half discs", letters("U S Q · D M u"), _STATIC,
+        tuple(2 * each for each in _HALF_DISC_MOMENTS), (), only=both(_SEMI, words(_TWO)),
     ),
     Quantity(
         "mass of a sector", letters("m M G"), words(r"mass", r"masse", r"質量"),
-        (*_both_webs(_DISC * half_sector * radius**2), _DISC * sector * radius**2 / 2), ("power",),
-        only=_SECTOR, unless=words(_OTHER_WEIGHT),
+        (_DISC * half_sector * radius**2, _DISC * sector * radius**2 / 2), ("power",),
+        only=_SECTOR, unless=words(_OTHER_WEIGHT, _TWO),
     ),
     Quantity(
         "permissible eccentricity by the balance quality", letters("e"),

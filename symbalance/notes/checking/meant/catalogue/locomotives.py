@@ -101,7 +101,8 @@ LOCOMOTIVES: tuple[Quantity, ...] = (
     Quantity(
         "inertia force at the top dead centre beside a counterweight", letters("F P K f R X V"),
         words(r"(?:at\s+|im\s+|am\s+)?(?:the\s+)?(?:top|upper|inner)\s+dead\s+(?:cent(?:re|er)|point)",
-              r"\bT\.?D\.?C\b", r"\btop(?=:)", r"(?<!unteren )(?:oberen\s+)?totpunkt", r"\bOT\b",
+              r"\bT\.?D\.?C\b", r"\btop(?=:)", r"top\s+of\s+the\s+stroke",
+                  r"(?<!unteren )(?:oberen\s+)?totpunkt", r"\bOT\b",
               r"上死点"),
         (base_force * (1 + ratio - share), _FORCE * (1 + ratio - share),
          -(base_force * (1 + ratio - share)), -(_FORCE * (1 + ratio - share))),
@@ -111,7 +112,8 @@ LOCOMOTIVES: tuple[Quantity, ...] = (
     Quantity(
         "inertia force at the bottom dead centre beside a counterweight", letters("F P K f R X V"),
         words(r"(?:at\s+|im\s+|am\s+)?(?:the\s+)?(?:bottom|lower|outer)\s+dead\s+(?:cent(?:re|er)|point)",
-              r"\bB\.?D\.?C\b", r"\bbottom(?=:)", r"unteren?\s+totpunkt", r"\bUT\b", r"下死点"),
+              r"\bB\.?D\.?C\b", r"\bbottom(?=:)", r"bottom\s+of\s+the\s+stroke", r"unteren?\s+totpunkt",
+                  r"\bUT\b", r"下死点"),
         (-(base_force * (1 - ratio - share)), -(_FORCE * (1 - ratio - share)),
          base_force * (1 - ratio - share), _FORCE * (1 - ratio - share)),
         ("edit", "power"), only=_BALANCE_FACTOR, unless=_NO_BALANCE, is_told_once=True, stated=frozenset({

@@ -59,8 +59,9 @@ ALONG = words(
     rf"\s+(?:the\s+)?{_LINE}",
     rf"components?\s+(?:along|in\s+the\s+direction\s+of)\s+(?:the\s+)?{_LINE}",
         r"(?:sum\s+)?project(?:ed|ion)\s+on(?:to)?\s+(?:the\s+)?(?:bisecting\s+line|bisector)",
-    r"(?:in\s+richtung|längs)\s+der\s+(?:winkelhalbierenden|symmetrie(?:achse|linie))",
-    r"(?:鉛直|垂直)(?:方向)?(?:の)?(?:成分|分力|合力)?", r"二等分線方向(?:の成分)?",
+    r"(?:in\s+richtung|längs)\s+der\s+(?:winkelhalbierenden|symmetrie(?:achse|linie|ebene))",
+    r"in\s+der\s+symmetrieebene", r"対称軸(?:方向)?(?:の)?(?:一次慣性力|二次慣性力|成分)?",
+    r"(?:鉛直|(?<!に)垂直)(?:方向)?(?:の)?(?:成分|分力|合力)?", r"二等分線方向(?:の成分)?",
 )  # fmt: skip
 ACROSS = words(
     rf"horizontal(?:ly)?(?:\s+(?:component|part|resultant))?{_FORCE}", r"transverse(?:ly)?",
@@ -69,7 +70,9 @@ ACROSS = words(
     rf"|at\s+right\s+angles\s+to)\s+(?:it\b|the\s+{_LINE})",
     rf"components?\s+at\s+right\s+angles\s+to\s+(?:the\s+)?{_LINE}",
         r"(?:sum\s+)?project(?:ed|ion)\s+at\s+right\s+angles\s+to\s+it",
-    r"(?:quer|senkrecht)\s+(?:dazu|zur\s+(?:winkelhalbierenden|symmetrie(?:achse|linie)))",
+    r"(?:quer|senkrecht)\s+(?:dazu|zur\s+(?:winkelhalbierenden|symmetrie(?:achse|linie|ebene)))",
+    r"perpendicular\s+to\s+(?:that|this)(?:\s+(?:plane|line|axis|direction))?",
+        r"(?:これ|それ|対称軸)に(?:垂直|直角)な方向",
     r"水平(?:方向)?(?:の)?(?:成分|分力|合力)?",
 )  # fmt: skip
 _ONE = mass * pin * omega**2
@@ -118,6 +121,7 @@ _GENERAL: tuple[Quantity, ...] = (
                   2 * _ONE * _sin(half_bank) ** 2 * COS_CRANK, _ONE * (1 - _cos(bank)) * COS_CRANK,
                   _ONE * _cos(half_bank) ** 2 * COS_CRANK,
                   2 * _ONE * _sin(half_bank) * _cos(half_bank) * COS_CRANK,
+                  2 * _ONE * _cos(2 * half_bank) * COS_CRANK, _ONE * _cos(bank) * COS_CRANK,
                   *(2 * size * _cos(half_bank) ** 2 * _COS_TWICE for size in _SECOND)),
         only=_V_PAGE, unless=words(_MORE), is_told_once=True,
     ),
@@ -128,6 +132,8 @@ _GENERAL: tuple[Quantity, ...] = (
                   2 * _ONE * _cos(half_bank) ** 2 * SIN_CRANK, _ONE * (1 + _cos(bank)) * SIN_CRANK,
                   _ONE * _sin(half_bank) ** 2 * SIN_CRANK,
                   2 * _ONE * _sin(half_bank) * _cos(half_bank) * SIN_CRANK,
+                  2 * _ONE * _sin(2 * half_bank) * SIN_CRANK, _ONE * _cos(bank) * SIN_CRANK,
+                  _ONE * _sin(bank) * SIN_CRANK,
                   *(2 * size * _sin(half_bank) ** 2 * _SIN_TWICE for size in _SECOND)),
         only=_V_PAGE, unless=words(_MORE), is_told_once=True,
     ),
