@@ -12,6 +12,7 @@ from symbalance.document.formula import Formula, names
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.algebra.tree_values import TreeValues
 from symbalance.notes.checking.meant.catalogue import QUANTITIES, Quantity
+from tests.independent.balance_cases import BALANCE_CASES
 from tests.independent.catalogue_cases import CASES as OTHER_CASES
 
 F = Fraction
@@ -240,6 +241,7 @@ CASES = {
     "firing interval of a four-stroke engine": [(ENGINE, 2 * 2 * mp.pi / 6)],
     "firing interval of a two-stroke engine": [(ENGINE, 2 * mp.pi / 6)],
     **OTHER_CASES,
+    **BALANCE_CASES,
 }
 
 

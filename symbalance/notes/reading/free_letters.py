@@ -47,6 +47,8 @@ def may_be_free(
     if not is_plain(name) and name not in known:
         return False
     before = next((t for t in reversed(tokens[:place]) if t.end <= start), None)
+    if before is not None and _is_exponent_of_letter(tokens, before):
+        before = None  # r ω² d: the 2 is no number that a unit stands behind
     is_last = place >= len(tokens) or tokens[place].kind in ("sep", "close")
     is_word = tokens[place - 1].end - start == len(name)  # 20 psi, but 2\psi and 2ψ
     is_exponent = before is not None and _is_exponent_of_letter(tokens, tokens.index(before))
@@ -59,7 +61,13 @@ def may_be_free(
     ):
         is_letter = not scale_of(name) or (name in known and before.end == start)
         return is_letter and (name != "d" or name in known)  # 3 N, but 2 m r
-    return name != "d" or _is_no_differential(tokens, place)
+    is_apart = place < len(tokens) and tokens[place].start > start + 1
+    return name != "d" or (name in known and is_apart) or _is_no_differential(tokens, place)
+
+
+def _is_exponent_of_letter(tokens: Sequence[Token], number: Token) -> bool:
+    at = next(k for k, token in enumerate(tokens) if token is number)
+    return at > 1 and tokens[at - 1].kind == "sup" and tokens[at - 2].kind in ("name", "cmd")
 
 
 def _is_exponent_of_letter(tokens: Sequence[Token], place: int) -> bool:

@@ -26,6 +26,17 @@ _MEANT = re.compile(
     rf"\s*(?:of\s*)?\$?{_E}"
     rf"|{_E}\s*\$?\s*(?:(?:is|being|denotes|ist|als|der|the|as)\s+){{1,2}}(?:offset|distance|spacing|pitch|abstand|versatz|zylinderabstand)"
     rf"|(?<![A-Za-z\\])m_(?:[A-Za-z0-9]|\{{\w{{1,4}}\}}){_GAP}{_E}(?!\s*\^)"
+    rf"|(?:[Rr]adius|[Dd]istance|Abstand|Radien|半径|距離)\s(?:of\s)?\$?{_E}(?=[\s$,.;:)]|から)"
+    rf"|(?:半径|偏心量?|距離)を\s?\$?{_E}|(?<![A-Za-z\\])[mM](?:_[A-Za-z]"
+    rf"|_\{{[A-Za-z]{{1,4}}\}})?\s?(?:\\[,;:]\s?)?{_E}(?!\s?\^)"
+)
+_WITH_MASS = re.compile(
+    r"(?<![A-Za-z\\])[mMBU]_\{?(?P<index>[A-Za-z0-9]{1,4})\}?\s?(?:\\[,;:]\s?)?e_(?:\{(?P=index)\}"
+    r"|(?P=index)(?![A-Za-z]))"
+)
+_THICKNESS = re.compile(
+    r"(?:[Dd]istance|[Tt]hickness|[Dd]iameter|[Ss]pacing|Dicke|Breite|Abstand|Durchmesser|厚さ|距離"
+    r"|直径)\s?(?:of\s|を)?\$?d(?![A-Za-z_])"
 )
 _UPRIGHT = re.compile(
     r"(?:\\(?:mathrm|text|textrm|operatorname)\s*(?:\{\s*e\s*\}|\s+e(?![A-Za-z]))|\{\s*\\rm\s+e\s*\}"
@@ -44,6 +55,16 @@ def means_letter(text: str) -> bool:
     (True, False, False)
     """
     return _MEANT.search(text) is not None
+
+
+def lengths_named(text: str) -> frozenset[str]:
+    """Return the letters d and e_b that a page means as lengths: Dicke d, the moment m_b e_b.
+
+    >>> sorted(lengths_named(r"Dicke $d$ and the moment $m_b e_b$")), lengths_named("e_x and dx")
+    (['d', 'e_b'], frozenset())
+    """
+    own = {f"e_{match['index']}" for match in _WITH_MASS.finditer(text)}
+    return frozenset(own | ({"d"} if _THICKNESS.search(text) else set()))
 
 
 def with_number_e(text: str) -> Rewritten | None:

@@ -21,7 +21,8 @@ _APART = (
 """Where a number begins: behind no letter, digit or point but those of an operator, \\cdot0,5."""
 _COMMA = re.compile(
     _APART + r"(?<!_\{)(?<!\^\{)(?<!\{,\})(?<![0-9]\s,)([0-9]{1,12})(,|\{,\})([0-9]{1,15})"
-    r"(?![0-9]|(?!(?:[mck]?m|k?g|k?Nm?|k?W|bar|ms|rad|kp|PS)(?![A-Za-z0-9]))[A-Za-z]|,[0-9]|\{,\}|\.[0-9])"
+    r"(?![0-9]|(?!(?:[mck]?m|k?g|k?Nm?|k?W|bar|ms|rad|kp|PS)(?![A-Za-z0-9]))[A-Za-z]|,[0-9]|\{,\}"
+    r"|\.[0-9])"
 )
 _GROUPED = re.compile(
     _APART + r"(?<!_\{)(?<!\{,\})([1-9][0-9]{0,2})((?:,[0-9]{3})+)(?![0-9A-Za-z]|,[0-9])"
@@ -82,14 +83,15 @@ _SPELLED = (
     ("°", "degrees?|deg|Grad|degrés|° ?(?:KW|CA|crank)|deg ?CA"), ("%", "percent|per cent|Prozent"),
 )  # fmt: skip
 _SPELLED_UNIT = re.compile(
-    r"(?:(?<=[0-9])|(?<=[0-9]O))(\$?|\\\))[ ~]?(\$?)(?:"
+    r"(?:(?<=[0-9])|(?<=[0-9]O))(?<!_[0-9])(\$?|\\\))[ ~]?(\$?)(?:"
     + "|".join(f"(?P<u{n}>{names})" for n, (_, names) in enumerate(_SPELLED))
     + r")(?![A-Za-z])",
     re.IGNORECASE,
 )
 _PART_BEHIND = r"(?:1|[A-Za-zµμΩ]+)(?:\^?\{?[-−]?[1-4]\}?|[⁻]?[¹²³⁴])?"
 _BEHIND_DOLLAR = re.compile(
-    r"(?:(?<=[0-9])|(?<=\^\{[0-9]\})|(?<=\^\{-[0-9]\}))(?:\\[,;: ]|~)?(?P<mark>\$|\\\))(?:[ ~]|\\[,;: ])?"
+    r"(?:(?<=[0-9])|(?<=\^\{[0-9]\})|(?<=\^\{-[0-9]\}))(?<!_[0-9])(?:\\[,;: ]|~)?(?P<mark>\$"
+    r"|\\\))(?:[ ~]|\\[,;: ])?"
     rf"(?P<unit>°|\\?%|{_PART_BEHIND}(?:[ ]?[/·⋅*]?[ ]?{_PART_BEHIND}){{0,3}})"
     r"(?=[.,;:)]?(?:\s*$|[\s|)])|[.,;:)]\s|[\u3001-\u9fff\uff08-\uff1f])(?! ?[=<>≈+*/])",
     re.MULTILINE,

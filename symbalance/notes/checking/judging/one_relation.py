@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symbalance.document.formula import Constant, Formula, Name, Number, Summation, names
+from symbalance.document.formula import Constant, Formula, Name, Number, Product, Summation, names
 from symbalance.notes.checking.deciding.claimed_inequalities import decide_claimed, ranges_near
 from symbalance.notes.checking.deciding.denied_conditions import decide_within_ranges
 from symbalance.notes.checking.deciding.descriptions import describe
@@ -177,7 +177,8 @@ def _judge_step(
         text = state.document.text
         decision = decide_with_gravity(chain, k, decision, text, knowledge, by_premises) or decision
     if decision.status in STATED:
-        return value_at_dead_centre(state, chain, k, knowledge) or decision
+        by_centre = value_at_dead_centre(state, chain, k, knowledge)
+        return by_centre or _moment_by_name(state, chain, k, knowledge) or decision
     if decision.status == CONTRADICTION:
         return decision
     if not is_settled:
@@ -197,6 +198,22 @@ def _judge_step(
     verdict = describe(state.document, chain, k, decision)
     verdict = add_fix_of_relation(state, verdict, chain, k, against, decision, knowledge)
     return note_other_case(state, chain, k, verdict, against, decision, knowledge)
+
+
+def _moment_by_name(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> Verdict | Decision | None:
+    """Return the verdict on a mass times its arm that words name, m_A r_A = λ m r/2; None for others.
+
+    Nothing follows from one that is refuted.
+    """
+    left = chain.sides[k].node
+    outcome = state.named.judge(chain, k, knowledge) if isinstance(left, Product) else None
+    status = "" if outcome is None else getattr(outcome, "status", "") or getattr(outcome, "verdict", "")
+    if status == REFUTED:
+        for name in names(left):
+            state.definitions.lapse(name)
+    return outcome
 
 
 def _by_mean(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:

@@ -28,9 +28,9 @@ from symbalance.notes.algebra.tree_values import NO_VALUE, TreeValues
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.meant.letter_roles import renamed
 
-POINTS = ((3, 7, 11, 13, 17), (5, 2, 19, 23, 29), (31, 37, 41, 43, 47))
+POINTS = ((3, 7, 11, 13, 17, 26, 9), (5, 2, 19, 23, 29, 14, 33), (31, 37, 41, 43, 47, 8, 21))
 """Values of a formula's letters at which two formulas are compared, in tenths."""
-SMALL = ((31, 17, 7, 11, 23), (13, 29, 41, 3, 19), (8, 5, 21, 37, 33))
+SMALL = ((31, 17, 7, 11, 23, 37, 5), (13, 29, 41, 3, 19, 9, 27), (8, 5, 21, 37, 33, 12, 17))
 """The same in hundredths, for formulas that have no value elsewhere: √(1 - D²)."""
 _EXACT = 1e-9
 _FACTORS = frozenset({1, 2, 3, 4, 6, 8, 9, 16, 32, 64})

@@ -28,14 +28,29 @@ _OF_TWO = {"outer": (_OUTER, _INNER, "D"), "inner": (_INNER, _OUTER, "d"),
 _TAGS = re.compile(r"<[^>]*>|\\(?:mathrm|text|it|rm|bf)\b|[${}()\\*_`|\[\]~]")
 _LINKS = re.compile(
     r"(?:\s|,|:|=|\bof\b|\bthe\b|\bis\b|\ba\b|\bby\b|\bvon\b|\bist\b|\bder\b|\bdie\b|\bdes\b|\bmit\b"
-    r"|\band\b|\bund\b|[をがはのと、])+$",
+    r"|\band\b|\bund\b|\b(?:per|je|pro|of\s(?:a|one|each))\s(?:cylinder|zylinder|piston|kolben|wheel)\b"
+    r"|[をがはのと、])+$",
     re.I,
 )
 _IS = re.compile(
     r"\s*(?:be|is|denotes|being|sei|ist|bezeichnet)\s+(?:the|a|der|die|das)\s+"
-    r"((?:[\w-]+ ){0,3}?[\w-]+)(?= of\b| der\b| des\b|[,.;]|\s*$)",
+    r"((?:[\w-]+ ){0,3}?[\w-]+)(?= of\b| der\b| des\b| at\b| am\b| and\b| und\b|[,.;]|\s*$)",
     re.I,
 )
+_APPOSED = re.compile(
+    r" (?:the|der|die|das)\s+((?:[\w-]+ ){0,3}?[\w-]+)(?= of\b| der\b| des\b| at\b| am\b| and\b| und\b"
+    r"|[,.;]|\s*$)",
+    re.I,
+)
+_WITH = re.compile(r"\b(?:with|mit|where|wobei|and|und)\s$", re.I)
+"""Behind a letter, and before it: with m the mass of the piston."""
+_FOR = re.compile(
+    r"\s*(?:for|für)\s+(?:the|die|den|das)\s+((?:[\w-]+ ){0,2}?[\w-]+)(?=,| and\b| und\b|[.;]|$)"
+)
+_WRITTEN = re.compile(r"\b(?:write|writing|put|with|mit|use|using|schreibe[n]?)\b[^.;]*$", re.I)
+_ANOTHER = re.compile(r"(?<![^\W_])[^\W\d]\w{0,3} (?:for|für) (?:the|die|den|das) [^,;.]*$")
+_APART = re.compile(r"\s*(?:apart|auseinander)\b")
+"""Behind a letter, and before it: write β for the balance factor, λ for the crank ratio."""
 """What a letter is said to be behind it: d is the distance of the supports."""
 
 
@@ -92,9 +107,14 @@ class LetterRoles:
         return self._named[letter]
 
     def is_multiplied(self, letter: str) -> bool:
-        """Tell whether words name a multiple of a letter, a length 2l: then a factor may be meant."""
-        multiple = rf"(?<=[^\W\d_]{{3}})\s[\s$\\(]{{0,4}}\d{{1,9}}\s?{_sign_of(letter)}"
-        return re.search(multiple, self.text) is not None
+        """Tell whether words name a multiple of a letter, a length 2l or a mass m/2: then a factor may be
+        meant.
+        """
+        multiple = (
+            rf"(?<=[^\W\d_]{{3}})(?<!angle)(?<!inkel)\s[\s$\\(]{{0,4}}\d{{1,9}}\s?{_sign_of(letter)}"
+        )
+        part = rf"(?<=[^\W\d_]{{3}})\s[\s$\\(]{{0,4}}{_sign_of(letter)}\s?/\s?[2-9]"
+        return re.search(multiple, self.text) is not None or re.search(part, self.text) is not None
 
     def words_before(self, letter: str) -> list[str]:
         """Return the few words before each place where a letter stands in the text, or what it is said
@@ -105,8 +125,18 @@ class LetterRoles:
             phrases = []
             for match in re.finditer(pattern, self.text):
                 words = _TAGS.sub("", self.text[max(0, match.start() - 60) : match.start()])
+                behind = _TAGS.sub("", self.text[match.end() : match.end() + 60])
+                purpose = _FOR.match(behind)
+                if purpose is not None and _WRITTEN.search(words):
+                    phrases.append(purpose[1])
+                    continue
+                if _APART.match(behind):
+                    phrases.append("apart")
+                    continue
+                if _WRITTEN.search(words) and _ANOTHER.search(words):
+                    continue  # λ for the crank ratio and F_0
                 phrases.append(_LINKS.sub("", words)[-30:])
-                follows = _IS.match(_TAGS.sub("", self.text[match.end() : match.end() + 60]))
+                follows = _IS.match(behind) or (_APPOSED.match(behind) if _WITH.search(words) else None)
                 if follows is not None:
                     phrases.append(follows[1])
             self._before[letter] = [words.replace("\n", " ") for words in phrases]
@@ -118,7 +148,7 @@ def _sign_of(letter: str) -> str:
     stem, _, index = letter.partition("_")
     signs = {stem, plain_letter(stem), "\\" + stem}
     tail = rf"_?\{{?{re.escape(index)}\}}?" if index else r"(?!_)"
-    return rf"(?:{'|'.join(map(re.escape, sorted(signs)))}){tail}(?![A-Za-z])"
+    return rf"(?:{'|'.join(map(re.escape, sorted(signs)))}){tail}(?![^\W\d_])"
 
 
 def ends_with(words: re.Pattern[str], text: str) -> bool:

@@ -81,6 +81,8 @@ _MOTION_WORDS = (
         r"|Beschleunigung des Kolbens|ピストンの?加速度", re.IGNORECASE)),
 )  # fmt: skip
 """Words of a paragraph by which v_max is the largest velocity of the piston."""
+_RECIPROCATING = re.compile(r"[mM]_(?:o|os[zc]|rec|recip|hin|alt)")
+"""Letters of a mass whose subscript says that it reciprocates."""
 ONE_SLIP = re.compile(
     r"sign|(?:sin|cos|tan) for (?:sin|cos|tan)|exponent|order|number misprinted .*"
     r"|factor -?[0-9/]+|rod ratio (?:inverted|of the other convention) .*|\S+ missing"
@@ -263,6 +265,13 @@ class MeantQuantities:
         proposed = {n: m for n, m in proposed.items() if m != "rod angle" or n not in is_fixed}
         guessed = {n: ratio for n, m in proposed.items() if ratio and m in CONVENTIONS.values()}
         proposed |= guessed
+        has_mass = {"reciprocating mass", "piston mass"} & {
+            *map(role_of, declared.values()),
+            *proposed.values(),
+        }
+        by_index = [n for n in names(value) - {*declared, *proposed} if _RECIPROCATING.fullmatch(n)]
+        if len(by_index) == 1 and not has_mass:
+            proposed |= {by_index[0]: "reciprocating mass"}
         symbols = {**declared, **proposed}
         symbols.pop(name, None)
         if "t" in names(value) and "t" not in symbols and "time" not in map(role_of, symbols.values()):

@@ -62,8 +62,8 @@ COUPLE = "couple"
 HIGHEST = 8
 """Orders above are named by nobody."""
 _NUMBERS = {
-    1: r"first|primary|1st|erste[rsnm]?|1\.|I\.|[一1]\s?次",
-    2: r"second(?:ary)?|2nd|zweite[rsnm]?|2\.|II\.|[二2]\s?次",
+    1: r"first|primer[oa]?|premier|primary|1st|erste[rsnm]?|1\.|I\.|[一1]\s?次",
+    2: r"second(?:ary)?|segund[oa]|deuxième|2nd|zweite[rsnm]?|2\.|II\.|[二2]\s?次",
     3: r"third|3rd|dritte[rsnm]?|3\.|III\.|[三3]\s?次",
     4: r"fourth|4th|vierte[rsnm]?|4\.|IV\.|[四4]\s?次",
     6: r"sixth|6th|sechste[rsnm]?|6\.|VI\.|[六6]\s?次",
@@ -78,23 +78,28 @@ _KINDS: Mapping[str, re.Pattern[str]] = {
         r"couples?(?![A-Za-z])|moments?(?![A-Za-z])|momente?(?![A-Za-z])|偶力|モーメント", re.IGNORECASE
     ),
     FORCE: re.compile(
-        r"forces?(?![A-Za-z])|kräfte|kraft(?![A-Za-z])|慣性力|合力|釣り?合い?力", re.IGNORECASE
+        r"forces?(?![A-Za-z])|fuerzas?|kräfte|kraft(?![A-Za-z])|慣性力|合力|釣り?合い?力", re.IGNORECASE
     ),
     ACCELERATION: re.compile(r"acceleration|beschleunigung|加速度", re.IGNORECASE),
 }
 _ORDER_WORD = re.compile(
-    r"order|harmonic|Ordnung|Harmonische|primary|secondary|次(?:の)?(?:慣性|成分|項|調和|の力|加速|トルク|不?釣|力)",
+    r"order|orden\b|ordre\b|harmonic|Ordnung|Harmonische|primary|secondary|次(?:の)?(?:慣性|成分|項|調和|の力|加速"
+    r"|トルク|不?釣|力)",
     re.IGNORECASE,
 )
 _OF_MORE = re.compile(
-    r"cylinders|zylindern?(?![A-Za-z])|気筒|\bbanks?\b|boxer|lanchester|rotating\s+(?:vector|mass)|vectors?\b|zeiger"
-    r"|twin|pair|paar|\btwo\b|\bzwei|both|beide|half|hälfte|balanc|ausgleich|釣合|バランス|resultant|resultier|total|gesamt|\bsum\b|summe|合力|合計|component"
-    r"|komponente|mean|mittel|gas|rotating|rotier|umlauf|回転質量|side|seiten|rod|pleuel|V-?\d|couple|kipp|偶力",
+    r"cylinders|zylindern?(?![A-Za-z])|気筒|\bbanks?\b|boxer|lanchester|rotating\s+(?:vector|mass)"
+    r"|vectors?\b|zeiger"
+    r"|twin|pair|paar|\btwo\b|\bzwei|both|beide|half|hälfte|balanc|ausgleich|釣合|バランス|resultant"
+    r"|resultier|total|gesamt|\bsum\b|summe|合力|合計|component"
+    r"|komponente|mean|mittel|gas|rotating|rotier|umlauf|回転質量|side|seiten|rod|pleuel|V-?\d|couple|kipp"
+    r"|偶力",
     re.IGNORECASE,
 )
 """Words for more or for less than what one cylinder's piston does: no factor is a slip beside them."""
 _IN_A_CASE = re.compile(
-    r"\b(?:at|when|if|where|double[ds]?|twice|times|speed|wenn|falls|bei|im|am|doppelt\w*|verdoppel\w*|drehzahl"
+    r"\b(?:at|when|if|where|double[ds]?|twice|times|speed|wenn|falls|bei|im|am|doppelt\w*|verdoppel\w*"
+    r"|drehzahl"
     r"|left|remain\w*|rest|leaves|bleib\w*)\b|のとき|の場合|倍|残",
     re.IGNORECASE,
 )
@@ -106,6 +111,11 @@ _OF_ONE = re.compile(
     r"\b(?:per|each|one|single)\b|\bje\b|\bpro\b|einzel|eines\s+zylinders|1\s?気筒|各|単気筒|一つ",
     re.IGNORECASE,
 )
+_OF_HALVES = re.compile(
+    r"\b(?:direct|reverse|forward|backward|co-?rotating|counter-?rotating)\b|gegenlauf|mitlauf|逆回転",
+    re.IGNORECASE,
+)
+"""Words for the two cranks that turn with the crank and against it, half of a piston's force each."""
 _NOTHING = 1e-6
 _COEFFICIENT = re.compile(r"(?P<stem>[A-Za-z])_(?P<order>[1-9])")
 _FACTOR = re.compile(r"(?:factor|number misprinted) .*")
@@ -253,7 +263,12 @@ class NamedOrders:
     def _named(self, name: str, chain: Chain) -> _Order | None:
         """Return the order that the sentence before a relation names; None where it names none or two."""
         header = self.meant.words.header_of_column(chain)
+        header = (
+            header if _ORDER.search(header) else ""
+        )  # the row's first cell may name it: formula, value
         own = header or self.meant.words.before(chain)
+        if _OF_HALVES.search(own):
+            return None
         clause = re.split(r"[,;:、](?=\s|\$)|\b(?:and|und)\b", own)[-1]
         own = clause if _ORDER_WORD.search(clause) else own
         numbers = {int((m.lastgroup or "n0")[1:]) for m in _ORDER.finditer(own)}
@@ -368,7 +383,9 @@ class NamedOrders:
         known, crank, assumptions = frame
         right = chain.sides[1]
         usual = [t for t in assumptions if t.endswith(USUAL_END) and t not in self.meant.shown]
-        is_guess = any(word in text for text in usual for word in ("ratio", "length"))
+        is_guess = any("length" in text for text in usual)
+        is_of_lambda = any("ratio" in text and text.startswith("λ") for text in usual)
+        is_guess |= any("ratio" in text and not text.startswith("λ") for text in usual)
         if order.series and not order.series & names(crank.omega):
             return None  # in a unit of its own
         is_alone = order.is_alone or (order.is_in_row and factor > 1)
@@ -387,6 +404,8 @@ class NamedOrders:
                 fix = verdict.fix
                 if fix is None or len(fix.faults) != 1 or fix.of_left or not ONE_SLIP.fullmatch(fix.kind):
                     continue
+                if is_of_lambda and not _FACTOR.fullmatch(fix.kind):
+                    continue  # l/r, it may be; a factor is wrong of both
                 if not is_only_negated(right.node, fix.node) and not _may_be_meant(
                     fix.kind, order, right.node
                 ):

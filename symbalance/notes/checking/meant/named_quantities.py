@@ -38,9 +38,19 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.meant.catalogue import QUANTITIES, Quantity
+from symbalance.notes.checking.meant.claims_in_letters import (
+    in_letters,
+    name_of_head,
+    outside_calls,
+    with_exact_halves,
+    with_sizes,
+    without_plus_minus,
+)
+from symbalance.notes.checking.meant.correction_planes import CorrectionPlanes
 from symbalance.notes.checking.meant.formula_slips import agrees, is_multiple, slip_of
 from symbalance.notes.checking.meant.letter_roles import UNITS_ONLY, LetterRoles, ends_with
 from symbalance.notes.checking.meant.meant_words import NOBODY
+from symbalance.notes.checking.meant.stated_numbers import StatedNumbers
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
 from symbalance.notes.checking.words.sections import Sections
@@ -99,10 +109,18 @@ _FROM_ELSEWHERE = re.compile(
 )
 """Words for another place where an angle begins: a sine is a cosine there."""
 _BEHIND = re.compile(
-    r"[\s$`\\)\]},.]{0,8}(?:\(|(?:is|as|being|for|ist|als|für|gives|denotes)\s+)(?:(?:the|die|der|das|its)\s+)?"
+    r"[\s$`\\)\]},.]{0,8}(?:\(|(?:is|as|being|for|ist|als|für|gives|denotes)\s+)(?:(?:the|die|der|das"
+    r"|its)\s+)?"
 )
 _AND = re.compile(r"[\s$,;\\()\[\]]*(?:and|und|bzw\.?|、|および)?[\s$,;\\()\[\]]*")
+_ITEM = re.compile(r"[^\n=:]{3,80}:[\s*$]{0,4}")
+_NEXT_ITEM = re.compile(r"\n(?=[^\n=:.]{3,80}:)")
+"""A line that is one item of a list, its name before a colon: what stands in the next is of another."""
 _NO_LETTER = re.compile(r"[\W\d_]+|\\[a-zA-Z]+")
+MOST_LETTERS = 7
+"""Letters that a standard formula has at most."""
+PRODUCT = "·"
+"""What stands for the letter of a product of a mass and its arm, m_A r_A."""
 BARE = 24
 """Letters in the words before a formula that its heading names: "so that", "With these"."""
 _FUNCTIONS = ("sqrt", "sin", "cos", "tan")
@@ -166,6 +184,16 @@ class NamedQuantities:
         return LetterRoles(self.document.text)
 
     @cached_property
+    def planes(self) -> CorrectionPlanes:
+        """The planes between which something acts, with their distances from it."""
+        return CorrectionPlanes(self.document.text)
+
+    @cached_property
+    def stated(self) -> StatedNumbers:
+        """The numbers that words of the document give for a share, or for the cylinders."""
+        return StatedNumbers(self.document.text)
+
+    @cached_property
     def counts_from_elsewhere(self) -> bool:
         """Tell whether an angle is counted from somewhere else than the top dead centre."""
         return _FROM_ELSEWHERE.search(self.document.text) is not None
@@ -176,17 +204,41 @@ class NamedQuantities:
         It stays a definition, with the reason, where the search took more than its share of the budget.
         """
         left, right = chain.sides[k].node, without_dots(chain.sides[k + 1].node)[0]
-        is_plain = k == 0 and isinstance(left, Name) and chain.relations[0].sign in "=≈"
+        name = name_of_head(left) if k == 0 and chain.relations[0].sign in "=≈" else ""
+        right = without_plus_minus(right)
+        chain = replace(
+            chain, sides=(chain.sides[0], Side((right,), chain.sides[1].span), *chain.sides[2:])
+        )
+        if name and not names(right):
+            right = in_letters(right, knowledge, self.stated.numbers.values())
+            chain = replace(
+                chain, sides=(chain.sides[0], Side((right,), chain.sides[1].span), *chain.sides[2:])
+            )
+        right = with_exact_halves(right, self.stated.numbers.values())
         own = names(right)
-        if not is_plain or not isinstance(left, Name) or not 1 <= len(own) <= 5 or left.name in own:
+        if not name or not 1 <= len(own) <= MOST_LETTERS or names(left) & own:
             return None
         if any(isinstance(part, Call) and part.function not in _FUNCTIONS for part in walk(right)):
             return None
         try:
-            return run_within(SEARCH, lambda: self._judge(chain, left.name, right, knowledge), SHARE)
+            return run_within(SEARCH, lambda: self._judge_both(chain, name, right, knowledge), SHARE)
         except OverBudgetError as problem:
             reason = f"whether its words name a standard formula was not decided within {problem.spent}"
             return Decision(DEFINITION, reason)
+
+    def _judge_both(
+        self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge
+    ) -> Verdict | Decision | None:
+        """Return the verdict on a formula as it stands, or else with the products above put in."""
+        outcome = self._share_of_plane(chain, name, claim)
+        outcome = outcome or self._judge(chain, name, claim, knowledge)
+        if outcome is not None:
+            return outcome
+        whole = with_sizes(claim, knowledge)
+        if whole == claim or len(names(whole)) > MOST_LETTERS or name in names(whole):
+            return None
+        sides = (chain.sides[0], Side((whole,), chain.sides[1].span), *chain.sides[2:])
+        return self._judge(replace(chain, sides=sides), name, whole, knowledge)
 
     def of_another(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
         """Return the verdict on a letter's formula where its clause names it of something else.
@@ -201,6 +253,25 @@ class NamedQuantities:
             not named.is_other for named in self._by_clause(left.name, chain, stem, _Places("", "", ""))
         )
         return self.judge(chain, k, knowledge) if is_another else None
+
+    def _share_of_plane(self, chain: Chain, name: str, claim: Formula) -> Verdict | Decision | None:
+        """Return the verdict on what one of two planes takes, by their distances; None for others."""
+        shares = self.planes.shares(name, claim)
+        if shares is None:
+            return None
+        known = Knowledge(SymbolValue(positive=frozenset(names(claim))), corrects=True)
+        left, side = Side((shares[0],), chain.sides[0].span), chain.sides[1]
+        decision = decide(left, side, chain.relations[0].sign, known)
+        source = f"{NOBODY}; taken from the words of the page"
+        text = f"{plain_letter(name)} is the share of its plane by the other's distance ({source})"
+        if decision.is_proved:
+            return replace(decision, assumptions=(text,))
+        if decision.status != REFUTED or not agrees(shares[1], claim):
+            return None
+        decision = replace(decision, reason=f"if {text}")
+        verdict = self._with_fix(chain, left, decision, known)
+        repair = Repair("the other plane's share", shares[0], ((side.node, shares[0]),), 1.0)
+        return replace(verdict, fix=fix_of(repair, self.document, side))
 
     def _judge(
         self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge
@@ -247,12 +318,13 @@ class NamedQuantities:
     ) -> list[Formula]:
         """Return the formulas of a quantity in the letters of a claim."""
         together = named.quantity.together
-        return list(self.roles.targets(formulas, claim, knowledge.meanings, together, name))
+        every = self.stated.with_numbers(formulas, named.quantity.stated)
+        return list(self.roles.targets(every, claim, knowledge.meanings, together, name))
 
     def _text(self, name: str, named: _Named) -> str:
         source = f"{NOBODY}; taken from the words “{named.words}”"
         source = f"declared as “{named.words}”" if named.is_declared else source
-        return f"{plain_letter(name)} is the {named.quantity.name} ({source})"
+        return f"{' '.join(map(plain_letter, name.split()))} is the {named.quantity.name} ({source})"
 
     # What words name
 
@@ -269,6 +341,7 @@ class NamedQuantities:
     def _every_named(self, name: str, chain: Chain, knowledge: Knowledge) -> Iterator[_Named]:
         stem, _, index = name.removeprefix("Delta_").partition("_")
         stem = f"Delta_{stem}" if name.startswith("Delta_") else stem
+        stem = PRODUCT if " " in name else stem
         declared = knowledge.meanings.get(name, "")
         sentence, before, around = self._texts(chain)
         heading = self.sections.heading_above(chain.lines[0])
@@ -286,7 +359,10 @@ class NamedQuantities:
             return
         by_phrase = by_phrase or list(self._by_clause(name, chain, stem, places))
         by_phrase = by_phrase or list(self._by_words_behind(chain, stem, places, sentence))
-        by_phrase = by_phrase or list(self._by_letter(name, stem, places, sentence))
+        if stem == PRODUCT:
+            by_phrase = by_phrase or list(self._by_phrases(around, stem, places, sentence))
+        else:
+            by_phrase = by_phrase or list(self._by_letter(name, stem, places, sentence))
         if by_phrase:
             yield from by_phrase
             return
@@ -361,6 +437,7 @@ class NamedQuantities:
             (match.start(), match.end(), quantity)
             for quantity in QUANTITIES
             for match in quantity.phrases.finditer(words)
+            if _may_apply(quantity, f"{words} {places.around} {places.heading} {places.page}")
         ]
         longest = [
             (start, end, quantity)
@@ -401,7 +478,10 @@ class NamedQuantities:
         before = sentence[-(last - first) :] if last - first < len(sentence) else sentence
         before = before if last > first else ""
         paragraphs = " ".join(_BLANK.split(words)[-2:])
-        after = _SENTENCE_END.split(text[end : end + AFTER])[0]
+        after = _NEXT_ITEM.split(_SENTENCE_END.split(text[end : end + AFTER])[0])[0]
+        item = _ITEM.fullmatch(words[words.rfind("\n") + 1 :])
+        if item is not None and sentence.endswith(item[0]):
+            sentence = item[0]
         return f"{sentence} {after}", before, f"{paragraphs} {after}"
 
     # What is wrong
@@ -420,18 +500,24 @@ class NamedQuantities:
         quantity = named.quantity
         others = self._targets(quantity.others, claim, name, named, knowledge)
         others += self._targets(quantity.approximate, claim, name, named, knowledge)
-        if any(agrees(other, claim) for other in others) or decimals(claim):
+        if any(agrees(other, claim) for other in others) or _has_complement(claim, knowledge):
             return None
-        if _has_complement(claim, knowledge):
-            return None
-        is_scaled = any(self.roles.is_multiplied(n) for n in names(claim))
+        is_scaled = any(self.roles.is_multiplied(n) for n in outside_calls(claim))
         is_in_words = _PART.search(_SETTING.sub("", named.sentence)) is not None
         may_be_part = is_in_words or _has_own_convention(claim, knowledge)
         may_be_part = is_scaled or (may_be_part and "part" not in quantity.slips)
         mistakes = self._targets(quantity.mistakes, claim, name, named, knowledge)
         is_mistake = any(agrees(each, claim) for each in mistakes)
+        by_number = self.stated.with_numbers(quantity.formulas, quantity.stated)
+        counted = self._targets(
+            tuple(node for node in by_number if node not in quantity.formulas),
+            claim, name, named, knowledge,
+        )  # fmt: skip
+        if decimals(claim) and not (is_mistake and counted):
+            return None
         for target in targets:
-            kind = slip_of(target, claim, quantity.slips, may_be_part)
+            slips = (*quantity.slips, "factor") if target in counted else quantity.slips
+            kind = slip_of(target, claim, slips, may_be_part)
             if (
                 not kind
                 and is_mistake
@@ -439,7 +525,7 @@ class NamedQuantities:
                 and not is_scaled
             ):
                 kind = "another formula"
-            if not kind:
+            if not kind or (is_scaled and kind == "one change"):
                 continue
             side = chain.sides[1]
             left = Side((target,), chain.sides[0].span)
@@ -473,12 +559,18 @@ def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> _N
     """Return a quantity that words name, and whether other words near make another one of it."""
     near = f"{places.around} {places.heading}" if quantity.only else places.around
     is_other = quantity.unless is not None and quantity.unless.search(places.around) is not None
+    is_other |= quantity.never is not None and quantity.never.search(places.page) is not None
     if quantity.only is not None and not quantity.only.search(f"{near} {words}"):
         is_on_page = quantity.is_told_once and quantity.only.search(places.page) is not None
         is_other |= not is_on_page or (
             quantity.unless is not None and quantity.unless.search(places.page) is not None
         )
     return _Named(quantity, words, places.around, sentence, is_other)
+
+
+def _may_apply(quantity: Quantity, text: str) -> bool:
+    """Tell whether a text has the words without which a quantity is not meant at all."""
+    return quantity.only is None or quantity.only.search(text) is not None
 
 
 def _has_own_convention(claim: Formula, knowledge: Knowledge) -> bool:

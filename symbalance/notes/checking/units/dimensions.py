@@ -10,7 +10,7 @@ nothing.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
@@ -318,8 +318,11 @@ class Dimensions:
         return unit if is_unit or (has_number and unit) else ""
 
     def is_of_units(self, node: Formula) -> bool:
-        """Tell whether a side is of numbers with units written at them, and nothing else."""
-        return bool(self.text) and not names(node) and any(map(self.unit_at, formula.walk(node)))
+        """Tell whether a side is of numbers with units written at them, and nothing else.
+
+        The degrees of a sine or cosine are no unit of its side.
+        """
+        return bool(self.text) and not names(node) and any(map(self.unit_at, _outside_calls(node)))
 
     def letter(self, name: str, depth: int) -> Dimension | None:
         """Return a letter's dimension: declared, or that of its value, a number's by the unit at it."""
@@ -337,6 +340,13 @@ class Dimensions:
             return self.of(nodes[0] if nodes else value, depth)
         except _MismatchError:
             return None  # said where it is defined
+
+
+def _outside_calls(node: Formula) -> Iterator[Formula]:
+    yield node
+    parts = () if isinstance(node, formula.Call) else formula.children(node)
+    for part in parts:
+        yield from _outside_calls(part)
 
 
 def is_open(node: Formula, source: str) -> bool:

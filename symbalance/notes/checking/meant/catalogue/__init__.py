@@ -11,18 +11,27 @@ formula by a route of its own (integrals over the section, eigenvalues, the path
     work          mean torque, power, flywheels
     balance       counterweights, what they leave, resultants
     engine_rates  firings per second and per turn, frequencies of orders, speeds of balance shafts
+    locomotives   wheels, tractive force and swaying couple of two cranks at right angles
+    two_cylinders the forces of two cylinders on one pin, along and across the line between them
+    counterweights  moments of counterweights and balance shafts, the shapes of weights
 """
 
 from symbalance.notes.checking.meant.catalogue.balance import BALANCE
+from symbalance.notes.checking.meant.catalogue.counterweights import COUNTERWEIGHTS
 from symbalance.notes.checking.meant.catalogue.crank_drive import CRANK_DRIVE
 from symbalance.notes.checking.meant.catalogue.engine_rates import ENGINE_RATES
 from symbalance.notes.checking.meant.catalogue.inertia import INERTIA
+from symbalance.notes.checking.meant.catalogue.locomotives import LOCOMOTIVES
 from symbalance.notes.checking.meant.catalogue.roles import OTHER_LENGTHS as OTHER_LENGTHS
 from symbalance.notes.checking.meant.catalogue.roles import ROLES as ROLES
 from symbalance.notes.checking.meant.catalogue.roles import Quantity as Quantity
 from symbalance.notes.checking.meant.catalogue.strength import STRENGTH
+from symbalance.notes.checking.meant.catalogue.two_cylinders import TWO_CYLINDERS
 from symbalance.notes.checking.meant.catalogue.vibration import VIBRATION
 from symbalance.notes.checking.meant.catalogue.work import WORK
 
-QUANTITIES = (*STRENGTH, *VIBRATION, *INERTIA, *CRANK_DRIVE, *WORK, *BALANCE, *ENGINE_RATES)
+QUANTITIES = (
+    *STRENGTH, *VIBRATION, *INERTIA, *CRANK_DRIVE, *WORK, *BALANCE, *LOCOMOTIVES, *TWO_CYLINDERS,
+    *COUNTERWEIGHTS, *ENGINE_RATES,
+)  # fmt: skip
 """All quantities, each name once."""

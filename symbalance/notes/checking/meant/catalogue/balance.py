@@ -50,11 +50,11 @@ BALANCE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "hammer blow", letters("F Q B P H V"),
-        words(r"hammer\s?blow", r"hammerschlag", r"ハンマーブロー", r"(?:槌打|つち打ち)(?:力)?"),
+        words(r"hammer[\s-]?blow", r"hammerschlag", r"ハンマーブロー", r"(?:槌打|つち打ち)(?:力)?"),
         (share * mass * pin * omega**2 * SIN_CRANK, share * mass * pin * omega**2, mass * pin * omega**2,
          mass * pin * omega**2 * SIN_CRANK,
          balance_mass * arm_of_weight * omega**2, balance_mass * arm_of_weight * omega**2 * SIN_CRANK),
-        ("edit",), others=((1 - share) * mass * pin * omega**2,),
+        ("edit", "power"), others=((1 - share) * mass * pin * omega**2,),
         mistakes=(balance_mass * arm_of_weight * omega**2 * COS_CRANK,
                   share * mass * pin * omega**2 * COS_CRANK, mass * pin * omega**2 * COS_CRANK,
                   (1 - share) * mass * pin * omega**2 * SIN_CRANK),
@@ -67,14 +67,21 @@ BALANCE: tuple[Quantity, ...] = (
               r"\s+(?:the\s+)?(?:line|direction)\s+of\s+(?:the\s+)?stroke",
               r"(?:residual|remaining|unbalanced)\s+(?:primary\s+"
               r"|inertia\s+)?force\s+along\s+the\s+(?:cylinder(?:\s+axis)?|stroke|bore)",
+              r"(?:residual|remaining|unbalanced|resultant|rest)\s+(?:primary\s+|inertia\s+)?force\s+"
+              r"(?:in\s+line\s+with|parallel\s+to|in"
+              r"|along)\s+(?:the\s+)?(?:direction\s+of\s+(?:the\s+)?)?"
+              r"(?:cylinder|piston|stroke|bore)(?:\s+(?:axis|direction))?",
               r"restkraft\s+in\s+(?:zylinder|hub)(?:achs)?richtung",
+              r"force\s+résiduelle\s+(?:suivant|selon|dans)\s+(?:l'axe"
+              r"|la\s+direction)(?:\s+du\s+cylindre)?",
+              r"fuerza\s+residual\s+(?:en|según)\s+(?:la\s+dirección|el\s+eje)(?:\s+del\s+cilindro)?",
               r"(?:行程|シリンダ軸)方向の(?:残留力|不釣合い力|不つりあい力)"),
         ((1 - share) * mass * pin * omega**2 * COS_CRANK,), ("edit",),
         mistakes=(share * mass * pin * omega**2 * COS_CRANK, share * mass * pin * omega**2 * SIN_CRANK,
                   (1 + share) * mass * pin * omega**2 * COS_CRANK),
         unless=words(r"\boverbalance|unbalanced (?:fraction|share|part|portion)"
         r"|fraction (?:that is )?(?:left|unbalanced)|restanteil|second|zweite|2次|share left"
-        r"|remains unbalanced is"), turns=True,
+        r"|remains unbalanced is"), turns=True, stated=frozenset({"share"}),
     ),
     Quantity(
         "residual force across the line of stroke", letters("F R P Y Q"),
@@ -83,6 +90,9 @@ BALANCE: tuple[Quantity, ...] = (
               r"|normal|transverse)\s+to\s+(?:it|(?:the\s+)?(?:line|direction)\s+of\s+(?:the\s+)?stroke)",
               r"(?:residual|remaining|unbalanced)\s+(?:primary\s+"
               r"|inertia\s+)?force\s+across(?:\s+(?:it|the\s+(?:cylinder|stroke|bore)))?",
+              r"(?:residual|remaining|unbalanced|resultant|rest)\s+(?:primary\s+|inertia\s+)?force\s+"
+              r"(?:transverse|perpendicular|normal|at\s+right\s+angles)\s+to\s+(?:the\s+)?"
+              r"(?:cylinder|piston|stroke|bore)(?:\s+(?:axis|direction))?",
               r"restkraft\s+quer(?:\s+zur\s+(?:zylinder|hub)(?:achse|richtung))?",
               r"(?:行程|シリンダ軸)に(?:垂直|直角)な(?:方向の)?(?:残留力|不釣合い力|不つりあい力)"),
         (share * mass * pin * omega**2 * SIN_CRANK, -share * mass * pin * omega**2 * SIN_CRANK),
@@ -91,7 +101,7 @@ BALANCE: tuple[Quantity, ...] = (
         share * mass * pin * omega**2 * COS_CRANK),
         unless=words(r"\boverbalance|unbalanced (?:fraction|share|part|portion)"
         r"|fraction (?:that is )?(?:left|unbalanced)|restanteil|second|zweite|2次|share left"
-        r"|remains unbalanced is"), turns=True,
+        r"|remains unbalanced is"), turns=True, stated=frozenset({"share"}),
     ),
     Quantity(
         "counterweight", letters("m M B G"),
@@ -149,17 +159,18 @@ BALANCE: tuple[Quantity, ...] = (
         unless=words(r"transmi|residual"),
     ),
     Quantity(
-        "resultant first-order force of a radial engine", letters("F P R Z"),
+        "resultant first-order force of a radial engine", letters("F P R Z S"),
         words(r"(?:resultant|primary|first[- ]order)\s+(?:of\s+the\s+)?(?:primary\s+|first[- ]order\s+"
         r"|inertia\s+)?forces?",
               r"resultierende\s+(?:massenkraft|kraft)?(?:\s*(?:1\.|erster)\s+ordnung)?",
+              r"sum(?:ming|\s+of)\s+(?:all\s+)?(?:the\s+)?direct\s+(?:primary\s+)?cranks",
               r"massenkraft\s+(?:1\.|erster)\s+ordnung",
               r"(?:一|1)次(?:の)?(?:慣性力の)?(?:合力|慣性力)"),
         (cylinders * mass * pin * omega**2 / 2,), ("factor", "power"),
         mistakes=(cylinders * mass * pin * omega**2,),
         only=words(r"radial(?:\s+engine)?|\bstar\b|sternmotor|星形"),
         unless=words(r"articulated|slave|nebenpleuel|副連接棒|counterweight|gegengewicht|second|zweite"
-        r"|2次|rotating mass|\bbanks?\b|\brows?\b"),
+        r"|2次|rotating mass|\bbanks?\b|\brows?\b"), stated=frozenset({"cylinders"}),
     ),
     Quantity(
         "resultant first-order force of a V-twin at 90°", letters("F P R Z"),
@@ -171,7 +182,7 @@ BALANCE: tuple[Quantity, ...] = (
         (mass * pin * omega**2,), ("bare factor", "power", "part"),
         mistakes=(root(Number(Fraction(2))) * mass * pin * omega**2,),
         only=both(words(r"90\s*(?:°|\\?deg|\^|\\\\circ|-degree| degree|\s*grad|度)"),
-        words(r"V-?twin|\bV\b|V2|V-2|V-engine|V-motor|V形|V型")),
+        words(r"[VL]-?twin|\bvee\b|Gabelmotor|\bV\b|V2|V-2|V-engine|V-motor|V形|V型")),
         unless=words(r"both|together|beide|zusammen|合計|two pistons|zwei kolben|second|zweite|2次"
         r"|four|vier|six|eight|cylinder(?:s)? (?:is|alone)|each|per cylinder|one cylinder|一つの"),
     ),

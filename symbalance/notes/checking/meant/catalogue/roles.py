@@ -57,12 +57,16 @@ class Quantity:
     """Words of the paragraph with which another formula may be right."""
     indices: frozenset[str] = frozenset()
     """Subscripts of which one has to stand at the letter where only the context names the quantity."""
+    never: re.Pattern[str] | None = None
+    """Words anywhere on the page with which another formula may be right."""
     only: re.Pattern[str] | None = None
     """Words of the paragraph or its heading without which the formula is compared but never refuted."""
     is_told_once: bool = False
     """Whether those words may stand anywhere on the page, if none of `unless` does."""
     together: tuple[tuple[str, str], ...] = ()
     """Roles whose letters have the same subscript, l_2 and d_2; "" is the quantity itself."""
+    stated: frozenset[str] = frozenset()
+    """Roles whose number the words of the page may give: half of the mass, seven cylinders."""
     turns: bool = False
     """Whether the angle has to be counted from the line of stroke, at the top, for a refutation."""
 
@@ -105,7 +109,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("shearing", "tau", r"stress|spannung|応力"),
     ("stiffness", "c k C K", r"stiffness|spring (?:rate|constant)|rate|constant|steifigkeit"
      r"|federkonstante|federrate|feder|spring|ばね定数?|剛性|こわさ"),
-    ("mass", "m M", r"mass(?:es)?|masse|質量|weight|gewicht"),
+    ("mass", "m M", r"masse[ns]?|mass(?:es)?|質量|weight|gewicht"),
     ("inertia", "J I Theta", r"inertia|trägheitsmoment|massenträgheit|drehmasse|schwungmasse"
      r"|慣性モーメント|flywheel|schwungrad|rotor|円板|dis[ck]s?|scheiben?"),
     ("second_section", "I J", r"second moment|moment of (?:inertia|area)|polar moment|trägheitsmoment"
@@ -195,24 +199,45 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("gyration", "k i r rho", r"gyration|trägheitsradius|trägheitshalbmesser|回転半径"),
     ("near", "a c", r"distances?|abständen?|abstand|距離"),
     ("far", "b d", r"distances?|abständen?|abstand|距離"),
-    ("share", "beta b c k kappa epsilon x alpha", r"factor|fraction|share|balance|anteil|grad|割合|率"
+    ("share", "beta b c k kappa epsilon x alpha", r"factor|fraction|share|balance|counterweight|anteil"
+                                                  r"|grad|割合|率"
      r"|proportion"),
-    ("rotating", "m M", r"(?:rotating|revolving)(?: mass)?|rotierende(?:n)?(?: masse)?"
+    ("rotating", "m M W w", r"(?:rotating|revolving)(?: mass)?|rotierende(?:n)?(?: masse)?"
     r"|回転(?:部分の)?質量",
      "r R rot Rot d dreh k K"),
-    ("reciprocating", "m M", r"(?:reciprocating|oscillating)(?: mass)?|oszillierende(?:n)?(?: masse)?"
+    ("reciprocating", "m M W w", r"(?:reciprocating|oscillating)(?: mass)?|oszillierende(?:n)?(?: masse)?"
      r"|hin- und hergehende(?:n)?(?: masse)?|往復(?:部分の)?質量", "o O osz Osz osc h H rec p P"),
     ("pin", "r R", r"radi(?:us|i)|halbmesser|半径|crank throw|crank length", "", "g G b B c w cw A"),
     ("arm_of_weight", "b e rho R r_g r_G r_b r_c r_w r_cw r_B R_g R_b R_c r_A", r"radi(?:us|i)|halbmesser"
      r"|半径|distance|abstand|距離|arm"),
     ("kinetic", "E T K W U E_k E_kin", r"energy|energie|エネルギー?"),
     ("eccentricity", "e a s r", r"eccentricity|exzentrizität|偏心量?|radius|halbmesser|半径|shift"),
-    ("balance_mass", "B m M", r"mass(?:es)?|masse|weights?|gewicht|質量|おもり"),
+    ("balance_mass", "B m M", r"masse[ns]?|mass(?:es)?|weights?|gewicht|質量|おもり"),
     ("unbalanced", "m M u", r"mass|masse|質量"),
-    ("outer_radius", "R r", r"outer|outside|external|außen(?:radius)?|外半径"),
+    ("outer_radius", "R r", r"(?:outer|outside|external)(?: radius)?|außen(?:radius)?|外半径"),
     ("turn_rate", "n N f", r"rotational speed|engine speed|revolutions|\brpm|drehzahl|回転数"
      r"|回転速度|turns"),
-    ("inner_radius", "r R", r"inner|inside|internal|innen(?:radius)?|内半径"),
+    ("inner_radius", "r R", r"(?:inner|inside|internal)(?: radius)?|innen(?:radius)?|内半径"),
+    ("bank", "gamma delta alpha V beta", r"(?:bank|vee|V|included|cylinder|fork)[- ]?angle|bankwinkel"
+     r"|V-winkel|gabelwinkel|バンク角|挟み角"
+     r"|angle between the (?:banks|cylinders|cylinder (?:axes|lines))",
+     "", "1 2 A B"),
+    ("half_bank", "alpha beta gamma delta", r"half[- ](?:the )?(?:bank|vee|V|included)?[- ]?angle"
+                                            r"|(?:bank|vee|V|included) ?-?angle(?: of)?"
+     r" 2|semi-?angle|angle between the (?:banks|cylinders|cylinder (?:axes|lines)) 2|winkel 2"
+     r"|halber? (?:bank|V-|gabel)winkel"),
+    ("slender", "n nu q k lambda", r"ratio|l/r|verhältnis|比"),
+    ("wheel_load", "P W Q N G F", r"loads?|dead weight|weight|force|radlast|last|kraft|荷重"),
+    ("pitch", "a d b l s c e p L y", r"apart|distances?|spacing|pitch|abstand|距離|間隔|offset|arm"),
+    ("base_force", "F P K f", r"force|amplitude|kraft|力", "0 o 1 I i c m rec"),
+    ("sector", "beta gamma phi varphi theta alpha delta", r"(?:opening|full|sector|central|whole"
+                                                          r"|included)"
+     r" (?:sector )?angle|öffnungswinkel|zentriwinkel|中心角"),
+    ("half_sector", "alpha beta gamma phi varphi theta delta",
+        r"half[- ]?(?:the )?(?:\w+ )?angle|(?:opening|sector|full"
+     r"|included)(?: \w+)? angle 2|öffnungswinkel 2|semi-?angle|halber? \w*winkel|半角"),
+    ("grade", "G Q", r"grade|quality|gütestufe|auswuchtgüte|等級|mm/s"),
+    ("wall_of_weight", "t b h s w d B", r"thick\w*|width|breadth|dicke|breite|厚さ?|幅"),
 )  # fmt: skip
 ROLES: Mapping[str, Role] = {
     name: Role(letters(usual), words(phrase), *map(letters, indices))
@@ -235,5 +260,6 @@ OTHER_LENGTHS = words(
     first_diameter, density, own_inertia, other_inertia, decay, damping, damping_ratio, tuning,
     decrement, order, static_deflection, period,
     arm, gyration, near, far, share, rotating, reciprocating, pin, arm_of_weight, kinetic,
-    eccentricity, balance_mass, unbalanced, outer_radius, turn_rate, inner_radius,
+    eccentricity, balance_mass, unbalanced, outer_radius, turn_rate, inner_radius, bank, half_bank, slender,
+    wheel_load, pitch, base_force, sector, half_sector, grade, wall_of_weight,
 ) = map(Name, ROLES)  # fmt: skip
