@@ -16,6 +16,7 @@ from symbalance.document.formula import (
     Negative,
     Number,
     Power,
+    Product,
     Quotient,
     Sum,
     children,
@@ -207,6 +208,9 @@ def _edits_here(node: Formula) -> Iterator[Formula]:
             isinstance(part, Call) and part.function in _TURNING for part in walk(below)
         ):
             yield above * below
+        case Product(factors=factors) if any(isinstance(part, Call) for part in factors):
+            waves = [part for part in factors if isinstance(part, Call)]
+            yield from (Product(tuple(f for f in factors if f is not wave)) for wave in waves)
         case Power(base=base, exponent=Number(value=value)) if value in _EXPONENTS:
             yield from (base ** Fraction(other) for other in _EXPONENTS if other != value)
         case Sum(terms=terms):

@@ -25,6 +25,9 @@ _OUTER, _INNER = (frozenset(text.split()) for text in ("a o e out outer", "i in 
 _OF_TWO = {"outer": (_OUTER, _INNER, "D"), "inner": (_INNER, _OUTER, "d"),
            "outer_radius": (_OUTER, _INNER, "R"), "inner_radius": (_INNER, _OUTER, "r")}  # fmt: skip
 """Subscripts of the two diameters of a hollow section; without one D is the larger."""
+LONGEST_NAME = 48
+"""Characters of the words before a letter that may name it."""
+_GOES_ON = re.compile(r"\}?\s*(?:[A-Za-z0-9(+*/·^-]|\\(?:[a-z]+))(?<!\\approx)(?<!\\in)(?<!\\to)")
 _TAGS = re.compile(r"<[^>]*>|\\(?:mathrm|text|it|rm|bf)\b|[${}()\\*_`|\[\]~]")
 _LINKS = re.compile(
     r"(?:\s|,|:|=|\bof\b|\bthe\b|\bis\b|\ba\b|\bby\b|\bvon\b|\bist\b|\bder\b|\bdie\b|\bdes\b|\bmit\b"
@@ -37,6 +40,25 @@ _IS = re.compile(
     re.I,
 )
 """What a letter is said to be behind it: d is the distance of the supports."""
+_FROM_END = (
+    r"(?:(?:from|to|vom?|von\s+de[rmn]|bis\s+zu[mr]?)\s+(?:the\s+|de[rmn]\s+)?(?:{})(?![A-Za-z])|(?:{})から)"
+)
+_ROD_ENDS = {
+    "to_big": _FROM_END.format(
+        r"(?:big|large)[- ]end|crank[- ]?pin|großen\s+\w*(?:auge|kopf)|(?:kurbel|hub)zapfen", r"大端部?|クランクピン"
+    ),
+    "to_small": _FROM_END.format(
+        r"small[- ]end|(?:piston|gudgeon|wrist)[- ]?pin|kleinen\s+\w*(?:auge|kopf)|kolbenbolzen", r"小端部?|ピストンピン"
+    ),
+}
+_END_BEHIND = {
+    role: re.compile(rf"[^.;,、。\n]{{0,24}}?{words}", re.IGNORECASE) for role, words in _ROD_ENDS.items()
+}
+_END_BEFORE = {
+    role: re.compile(rf"{words}(?:(?!\b(?:and|und)\b|[.;,、\n=]).){{0,40}}$", re.IGNORECASE)
+    for role, words in _ROD_ENDS.items()
+}
+"""Which end of a rod a distance is taken from, behind its letter or before: a from the big end."""
 
 
 @dataclass
@@ -44,6 +66,8 @@ class LetterRoles:
     """The roles that the letters of one page may have."""
 
     text: str
+    piston_forces: set[str] = field(default_factory=set)
+    """Letters that formulas elsewhere on the page show to be forces along the stroke."""
     _before: dict[str, list[str]] = field(default_factory=dict)
     _named: dict[str, tuple[frozenset[str], bool]] = field(default_factory=dict)
 
@@ -78,6 +102,8 @@ class LetterRoles:
         if declared and not UNITS_ONLY.fullmatch(declared):
             return False
         roles, is_other = self._roles_named(letter)
+        if role == "net_force" and letter in self.piston_forces and not roles & {"rod_force", "rod"}:
+            return True
         return role in roles if roles else not is_other and _is_usual(letter, role)
 
     def _roles_named(self, letter: str) -> tuple[frozenset[str], bool]:
@@ -87,9 +113,23 @@ class LetterRoles:
             roles = {
                 name for name, each in ROLES.items() if any(ends_with(each.words, w) for w in before)
             }
+            if end := self._end_of_rod(letter):
+                roles = (roles - {"near", "far"}) | {end}
             is_other = any(ends_with(OTHER_LENGTHS, w) for w in before)
             self._named[letter] = frozenset(roles), is_other
         return self._named[letter]
+
+    def _end_of_rod(self, letter: str) -> str:
+        """Return the role of a distance from one end of a rod, by the words beside it; "" for none."""
+        ends = set()
+        for match in re.finditer(rf"(?<![^\W_])(?<!\\){_sign_of(letter)}", self.text):
+            behind = _TAGS.sub("", self.text[match.end() : match.end() + 80])
+            before = _TAGS.sub("", self.text[max(0, match.start() - 90) : match.start()])
+            if before.rstrip(" ").endswith(("-", "+", "/", "·", "−")):
+                continue  # b = l - a from the small end
+            own = {role for role, words in _END_BEHIND.items() if words.match(behind)}
+            ends |= own or {role for role, words in _END_BEFORE.items() if words.search(before)}
+        return ends.pop() if len(ends) == 1 else ""
 
     def is_multiplied(self, letter: str) -> bool:
         """Tell whether words name a multiple of a letter, a length 2l: then a factor may be meant."""
@@ -104,13 +144,22 @@ class LetterRoles:
             pattern = rf"(?<![^\W_])(?<!\\){_sign_of(letter)}"
             phrases = []
             for match in re.finditer(pattern, self.text):
-                words = _TAGS.sub("", self.text[max(0, match.start() - 60) : match.start()])
-                phrases.append(_LINKS.sub("", words)[-30:])
+                if _begins_formula(self.text, match.start(), match.end()):
+                    continue  # the work $p V$: no word names p
+                words = _TAGS.sub("", self.text[max(0, match.start() - 80) : match.start()])
+                phrases.append(_LINKS.sub("", words)[-LONGEST_NAME:])
                 follows = _IS.match(_TAGS.sub("", self.text[match.end() : match.end() + 60]))
                 if follows is not None:
                     phrases.append(follows[1])
             self._before[letter] = [words.replace("\n", " ") for words in phrases]
         return self._before[letter]
+
+
+def _begins_formula(text: str, start: int, end: int) -> bool:
+    """Tell whether a letter is the first of a longer formula between dollars."""
+    before = text[max(0, start - 4) : start].rstrip(" ")
+    is_first = before.endswith("$") and not before.endswith("$$")
+    return is_first and _GOES_ON.match(text, end) is not None
 
 
 def _sign_of(letter: str) -> str:

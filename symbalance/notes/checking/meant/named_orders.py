@@ -100,12 +100,19 @@ _IN_A_CASE = re.compile(
 )
 """Words for a case in which an order is another than in general."""
 _FREE = re.compile(
-    r"\bfree\b|freie|resultant|resultier|total|gesamt|\bsum\b|summe|合力|合計|全体|不?釣", re.IGNORECASE
+    r"\bfree\b|freie|resultant|resultier|total|gesamt|\bsum\b|summe|合力|合計|全体|不?釣"
+    r"|\ball\s+(?:the\s+)?(?:\w+\s+)?cylinders|\balle[rn]?\s+(?:\w+\s+)?zylinder|whole\s+engine|ganzen?\s+motors?|全気筒", re.IGNORECASE
 )
 _OF_ONE = re.compile(
     r"\b(?:per|each|one|single)\b|\bje\b|\bpro\b|einzel|eines\s+zylinders|1\s?気筒|各|単気筒|一つ",
     re.IGNORECASE,
 )
+_PARTLY = re.compile(
+    r"pair|paar|half|hälfte|halb|both|beide|\btwo\b|\bzwei\b|each|\bje\b|\bper\b|balanc|ausgleich|lanchester|bank|remain"
+    r"|rest|bleib|component|komponente|bearing|lager|ratio|rotating|rotier|対|半分|各|両|残|釣合|バランス",
+    re.IGNORECASE,
+)
+"""Words for a part of what a whole engine does, or for what is done against it."""
 _NOTHING = 1e-6
 _COEFFICIENT = re.compile(r"(?P<stem>[A-Za-z])_(?P<order>[1-9])")
 _FACTOR = re.compile(r"(?:factor|number misprinted) .*")
@@ -370,7 +377,8 @@ class NamedOrders:
         is_guess = any(word in text for text in usual for word in ("ratio", "length"))
         if order.series and not order.series & names(crank.omega):
             return None  # in a unit of its own
-        is_alone = order.is_alone or (order.is_in_row and factor > 1)
+        is_whole = order.is_in_row or (order.is_of_engine and not _PARTLY.search(order.words))
+        is_alone = order.is_alone or (is_whole and factor > 1)
         if not order.kind or not is_alone or is_guess or crank.small is None:
             return None
         verdicts: list[Verdict] = []

@@ -26,6 +26,8 @@ from symbalance.document.formula import (
     Formula,
     Name,
     Number,
+    Product,
+    Quotient,
     Sum,
     names,
     walk,
@@ -37,12 +39,15 @@ from symbalance.notes.checking.deciding.equality import REFUTED, Decision, witho
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
+from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.meant.catalogue import QUANTITIES, Quantity
+from symbalance.notes.checking.meant.catalogue.roles import cylinders, net_force
 from symbalance.notes.checking.meant.formula_slips import agrees, is_multiple, slip_of
 from symbalance.notes.checking.meant.letter_roles import UNITS_ONLY, LetterRoles, ends_with
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
 from symbalance.notes.checking.verdicts import Verdict
+from symbalance.notes.checking.words.case_words import engine_named
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
@@ -51,7 +56,7 @@ SEARCH, SHARE = Budget(4), 0.6
 SENTENCE, PARAGRAPH, AFTER = 220, 500, 60
 """Characters that are looked through: before a formula for its name, and around for another shape."""
 _ONE_TERM = re.compile(r"order|exponent|number misprinted .*|sign|factor -?[0-9/]+")
-_SENTENCE_END = re.compile(r"[.;!?](?:\s|$)|[。；]|\n\s*\n|<p\b|<li\b|\\item|\\section|\n#|\n\|")
+_SENTENCE_END = re.compile(r"[.;!?](?:\s|$)|[。；]|\n\s*\n|<p\b|<li\b|\\item|\\section|\n#|\n\||\n {0,4}(?:[*•-]|\d{1,3}[.)])\s")
 _BLANK = re.compile(r"\n\s*\n")
 _OPENING = re.compile(
     r"(?:\s|\$+|\\[\[(]|\\begin\{[a-z]+\*?\}|\\displaystyle|&|\||<p>|<div>"
@@ -76,7 +81,9 @@ _PART = re.compile(
 )
 """Words that make of a quantity a part or a multiple of it: no factor in it is a slip."""
 _SETTING = re.compile(
-    r"\b(?:on|between|auf|zwischen|in) (?:two|zwei) \w+|\b(?:at )?both ends|\bbeidseitig|両端",
+    r"\b(?:on|between|auf|zwischen|in) (?:two|zwei) \w+|\bbetween (?:the two|both) \w+|zwischen (?:den )?beiden \w+|\b(?:at )?both ends|\bbeidseitig|両端"
+    r"|\b(?:two|both|zwei|beiden?) (?:revolutions|turns|speeds|umdrehungen|drehzahlen|point masses"
+    r"|dead cent\w+|totpunkt\w*)",
     re.IGNORECASE,
 )
 """Words with a number that make nothing a part: a shaft on two bearings."""
@@ -105,6 +112,22 @@ _AND = re.compile(r"[\s$,;\\()\[\]]*(?:and|und|bzw\.?|、|および)?[\s$,;\\()\
 _NO_LETTER = re.compile(r"[\W\d_]+|\\[a-zA-Z]+")
 BARE = 24
 """Letters in the words before a formula that its heading names: "so that", "With these"."""
+_LETTER_BEHIND = re.compile(
+    r"(?:\s|of|is|,){0,3}(?:\$(?P<marked>[^$=]{1,24})\$|(?P<bare>\b(?!a\b|I\b)[A-Za-zΑ-ω](?:_\{?\w{1,6}\}?)?)(?=[\s,;]))"
+)
+"""A letter right behind the words that name it, which is another one than the formula's."""
+_OF_A_LETTER = (
+    r"(?i:\b(?:total|whole|mean|average|mittlere[rnms]?|gesamte?[rnms]?|effektive[rnms]?|gesamt(?=\w))|平均|総|全)"
+)
+"""Words before the name of a letter that make of it no part of another: the mean pressure p."""
+_ROD_FORCE = re.compile(
+    r"\brod\s+(?:force|thrust|load)|(?:force|thrust)\s+(?:in|of|along|on)\s+the\s+(?:connecting[- ])?rod"
+    r"|(?:pleuel|stangen)-?kraft|(?:連接棒|コンロッド)[^、。]{0,8}力|bielle|biela",
+    re.IGNORECASE,
+)
+"""Words for the force in the rod, whose letter may be any that a force has."""
+_ITS = re.compile(r"\b(?:its|whose|their|sein|seine|ihr|dessen|deren)\b|その", re.IGNORECASE)
+"""Words that stand for a body that the sentence before names."""
 _FUNCTIONS = ("sqrt", "sin", "cos", "tan")
 _COPULA = re.compile(
     r"(?:\s|[:,=$({\[\\|*_`~—-]|<[^>]*>|\b(?:is|are|of|the|a|an|this|section|shaft|solid|round"
@@ -131,6 +154,7 @@ class _Named:
     """Whether words name another shape or hypothesis: only formulas of two diameters hold."""
 
     is_declared: bool = False
+    heading: str = ""
 
     @property
     def formulas(self) -> tuple[Formula, ...]:
@@ -140,7 +164,7 @@ class _Named:
 
     def formulas_for(self, sign: str) -> tuple[Formula, ...]:
         """Return those that a relation of some sign may confirm: a rough one only with ≈."""
-        is_rough = sign == "≈" and not self.is_other
+        is_rough = (sign == "≈" or _ROUGHLY.search(self.sentence) is not None) and not self.is_other
         return (*self.formulas, *self.quantity.approximate) if is_rough else self.formulas
 
 
@@ -243,6 +267,10 @@ class NamedQuantities:
     ) -> list[Formula]:
         """Return the formulas of a quantity in the letters of a claim."""
         together = named.quantity.together
+        count = engine_named(f"{named.heading} {named.around}", len(named.heading) + len(named.around) + 1)
+        if count is not None and named.quantity.only is not None:  # f = 6 n/2 of a six-cylinder engine
+            put_in = (substitute(f, cylinders.name, Number(Fraction(count[0]))) for f in formulas)
+            formulas = (*formulas, *(f for f in put_in if f not in formulas))
         return list(self.roles.targets(formulas, claim, knowledge.meanings, together, name))
 
     def _text(self, name: str, named: _Named) -> str:
@@ -255,8 +283,8 @@ class NamedQuantities:
     def _named(self, name: str, chain: Chain, knowledge: Knowledge) -> Iterator[_Named]:
         """Yield the quantities that a letter may be, by its declared meaning or the words around it."""
         sentence, _, _ = self._texts(chain)
-        is_rough = chain.relations[0].sign == "≈" and _ROUGHLY.search(sentence) is not None
-        if _DENIED.search(sentence) or (_ROUGHLY.search(sentence) and not is_rough):
+        is_rough = _ROUGHLY.search(sentence) is not None
+        if _DENIED.search(sentence):
             return
         for named in self._every_named(name, chain, knowledge):
             if not is_rough or named.quantity.approximate:
@@ -285,6 +313,12 @@ class NamedQuantities:
         by_phrase = by_phrase or list(self._by_letter(name, stem, places, sentence))
         if by_phrase:
             yield from by_phrase
+            return
+        is_named = False
+        for named in self._by_pronoun(chain, before, stem, places, sentence):
+            is_named = True
+            yield named
+        if is_named:
             return
         is_bare = len(_NO_LETTER.sub("", before)) <= BARE
         for quantity in QUANTITIES:
@@ -345,6 +379,19 @@ class NamedQuantities:
             if stop == last:
                 yield _named(quantity, words, places, sentence.replace(words, ""))
 
+    def _by_pronoun(
+        self, chain: Chain, before: str, stem: str, places: _Places, sentence: str
+    ) -> Iterator[_Named]:
+        """Yield the quantities of the body of the sentence before: the rim …; its moment of inertia is I."""
+        if _ITS.search(before) is None or "moment" not in before.casefold():
+            return
+        start = min(side.span[0] for side in chain.sides)
+        above = self.document.text[max(0, start - PARAGRAPH) : start]
+        above = _BLANK.split(_OPENING.sub("", above))[-1].removesuffix(before)
+        for named in self._by_phrases(_SENTENCE_END.split(above.rstrip(" .;\n"))[-1], stem, places, sentence):
+            if "moment of inertia" in named.quantity.name:
+                yield named
+
     def _by_letter(self, name: str, stem: str, places: _Places, sentence: str) -> Iterator[_Named]:
         """Yield the quantities that words right before a letter name anywhere on the page."""
         for words in dict.fromkeys(self.roles.words_before(name)):
@@ -363,6 +410,7 @@ class NamedQuantities:
             for start, end, quantity in matches
             if not any(s <= start and end <= e and e - s > end - start for s, e, _ in matches)
         ]
+        longest = [each for each in longest if not _names_another(words, each[1], stem)]
         usual = [each for each in longest if stem in each[2].letters]
         if not usual:
             last = max((end for _, end, _ in longest), default=0)
@@ -416,16 +464,17 @@ class NamedQuantities:
         quantity = named.quantity
         others = self._targets(quantity.others, claim, name, named, knowledge)
         others += self._targets(quantity.approximate, claim, name, named, knowledge)
-        if any(agrees(other, claim) for other in others) or decimals(claim):
+        mistakes = self._mistakes(named, claim, name, knowledge)
+        is_mistake = any(agrees(each, claim) for each in mistakes)
+        if (not is_mistake and any(agrees(other, claim) for other in others)) or decimals(claim):
             return None
         if _has_complement(claim, knowledge):
             return None
         is_scaled = any(self.roles.is_multiplied(n) for n in names(claim))
-        is_in_words = _PART.search(_SETTING.sub("", named.sentence)) is not None
+        own = _without_letters_named(named.sentence, names(claim))
+        is_in_words = _PART.search(_SETTING.sub("", own)) is not None
         may_be_part = is_in_words or _has_own_convention(claim, knowledge)
         may_be_part = is_scaled or (may_be_part and "part" not in quantity.slips)
-        mistakes = self._targets(quantity.mistakes, claim, name, named, knowledge)
-        is_mistake = any(agrees(each, claim) for each in mistakes)
         for target in targets:
             kind = slip_of(target, claim, quantity.slips, may_be_part)
             if (
@@ -455,6 +504,36 @@ class NamedQuantities:
             return replace(verdict, fix=fix_of(repair, self.document, side))
         return None
 
+    def _mistakes(
+        self, named: _Named, claim: Formula, name: str, knowledge: Knowledge
+    ) -> list[Formula]:
+        """Return a quantity's usual mistakes, of the net force where nothing says that it is the rod's.
+
+        N = F sin φ is right of a rod's force F, which is the piston's over cos φ; where the page has
+        F/cos φ or F tan φ too, F is the piston's.
+        """
+        known = named.quantity.mistakes
+        other_words = self.document.text.replace(named.words, "")
+        is_open = any(
+            isinstance(part, Call) and part.function == "cos"
+            for n in names(claim) & knowledge.definitions.keys()
+            for part in walk(knowledge.definitions[n].node)
+        )
+        if is_open or not (names(claim) & self.piston_forces or not _ROD_FORCE.search(other_words)):
+            known = tuple(node for node in known if net_force.name not in names(node))
+        return self._targets(known, claim, name, named, knowledge)
+
+    @cached_property
+    def piston_forces(self) -> frozenset[str]:
+        """The letters that stand over the cosine of an angle, or times its tangent, somewhere."""
+        forces: set[str] = set()
+        for chain in self.document.chains:
+            for side in chain.sides:
+                for part in walk(side.node):
+                    forces |= _over_cosine(part)
+        self.roles.piston_forces |= forces
+        return frozenset(forces)
+
     def _with_fix(self, chain: Chain, left: Side, decision: Decision, known: Knowledge) -> Verdict:
         side = chain.sides[1]
 
@@ -474,7 +553,42 @@ def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> _N
         is_other |= not is_on_page or (
             quantity.unless is not None and quantity.unless.search(places.page) is not None
         )
-    return _Named(quantity, words, places.around, sentence, is_other)
+    return _Named(quantity, words, places.around, sentence, is_other, heading=places.heading)
+
+
+def _over_cosine(node: Formula) -> set[str]:
+    """Return the letters that are forces along the stroke in a formula: F of F/cos φ and of F tan φ."""
+    match node:
+        case Quotient(numerator=above, denominator=Call(function="cos", argument=Name())):
+            factors = above.factors if isinstance(above, Product) else (above,)
+        case Product(factors=factors) if any(
+            isinstance(f, Call) and f.function == "tan" and isinstance(f.argument, Name) for f in factors
+        ):
+            pass
+        case _:
+            return set()
+    return {factor.name for factor in factors if isinstance(factor, Name)}
+
+
+def _names_another(words: str, end: int, stem: str) -> bool:
+    """Tell whether a letter stands right behind words that another letter is named by.
+
+    In "the power for a mean effective pressure $p_e$ is P = …" the pressure is not what P is.
+    """
+    match = _LETTER_BEHIND.match(words, end)
+    if match is None:
+        return False
+    letter = match["marked"] or match["bare"]
+    return not re.match(rf"\\?{re.escape(stem)}(?![A-Za-z])", letter)
+
+
+def _without_letters_named(sentence: str, own: frozenset[str]) -> str:
+    """Return a sentence without the words that name a formula's own letters: the total volume $V_H$."""
+    for letter in own:
+        signs = {letter, plain_letter(letter), "\\" + letter, letter.partition("_")[0]}
+        sign = "|".join(map(re.escape, sorted(signs, key=len, reverse=True)))
+        sentence = re.sub(rf"{_OF_A_LETTER}[^.;,$=]{{0,40}}?\$?(?<![A-Za-z])(?:{sign})(?![A-Za-z])", " ", sentence)
+    return sentence
 
 
 def _has_own_convention(claim: Formula, knowledge: Knowledge) -> bool:

@@ -51,6 +51,17 @@ def leave_body(state: JudgingState, chain: Chain, k: int) -> bool:
     return _leave_line(state, head.name, _last_above(state, chain, head).lines[0])
 
 
+def leave_cycle(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Forget what a letter is in an engine that works otherwise: k = 4/2 per turn of a four-stroke."""
+    head = chain.sides[0].node
+    if k or not isinstance(head, Name) or head.name in state.declarations.symbols_at(chain.lines[0]):
+        return False
+    lines = {e.definition.line for e in state.definitions.values.get(head.name, ())}
+    lines |= {p.line for p in state.definitions.premises if p.left == head}
+    others = [line for line in sorted(lines) if state.sections.is_of_another_cycle(chain, line)]
+    return any([_leave_line(state, head.name, line) for line in others])
+
+
 def leave_quotation(state: JudgingState, chain: Chain, k: int, is_quoted: Callable[[int], bool]) -> bool:
     """Forget the formula that quoted words give a letter, where the answer denies it; tell if it does."""
     head = chain.sides[0].node

@@ -16,6 +16,7 @@ from symbalance.notes.checking.words.bodies_named import body_named
 from symbalance.notes.checking.words.items import item_end
 from symbalance.notes.checking.words.listed_cases import item_of_cases
 from symbalance.notes.checking.words.value_groups import in_next_groups
+from symbalance.notes.checking.words.working_cycles import is_another_cycle
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _HEADING = re.compile(
@@ -509,6 +510,8 @@ class Sections:
         by_headings = self.headings_name_other_engines(chain.lines[0], earlier_line)
         if by_headings:
             return True
+        if self.is_of_another_cycle(chain, earlier_line):
+            return True
         start = chain.start
         earlier = self._start_of_line(earlier_line)
         starts = self._by_start[0]
@@ -528,6 +531,13 @@ class Sections:
         mentions = [self._problems.last_before(place) for place in (earlier, start)]
         problems = ["" if mention is None else mention[1] for mention in mentions]
         return problems[0] != problems[1] != ""
+
+    def is_of_another_cycle(self, chain: Chain, earlier_line: int) -> bool:
+        """Tell whether a relation's engine is a four-stroke, say, and a line's a two-stroke."""
+        starts = self._by_start[0]
+        place = bisect_left(starts, min(chain.start, self._start_of_line(earlier_line + 1)))
+        earlier = max(self._start_of_line(earlier_line), starts[place - 1] if place else 0)
+        return is_another_cycle(self.document.text, earlier, chain.start)
 
     def headings_name_other_engines(self, line: int, earlier_line: int) -> bool | None:
         """Tell whether two lines' headings name different engines; None if one names none."""

@@ -9,11 +9,13 @@ formula by a route of its own (integrals over the section, eigenvalues, the path
     inertia       moments of inertia, the masses of a rod
     crank_drive   forces, torque, speeds and volumes of one cylinder
     work          mean torque, power, flywheels
+    crank_torque  torque of the mass forces, cycles, flywheels, the masses of a rod, loads on pins
     balance       counterweights, what they leave, resultants
 """
 
 from symbalance.notes.checking.meant.catalogue.balance import BALANCE
 from symbalance.notes.checking.meant.catalogue.crank_drive import CRANK_DRIVE
+from symbalance.notes.checking.meant.catalogue.crank_torque import CRANK_TORQUE
 from symbalance.notes.checking.meant.catalogue.inertia import INERTIA
 from symbalance.notes.checking.meant.catalogue.roles import OTHER_LENGTHS as OTHER_LENGTHS
 from symbalance.notes.checking.meant.catalogue.roles import ROLES as ROLES
@@ -22,5 +24,5 @@ from symbalance.notes.checking.meant.catalogue.strength import STRENGTH
 from symbalance.notes.checking.meant.catalogue.vibration import VIBRATION
 from symbalance.notes.checking.meant.catalogue.work import WORK
 
-QUANTITIES = (*STRENGTH, *VIBRATION, *INERTIA, *CRANK_DRIVE, *WORK, *BALANCE)
+QUANTITIES = (*STRENGTH, *VIBRATION, *INERTIA, *CRANK_DRIVE, *WORK, *CRANK_TORQUE, *BALANCE)
 """All quantities, each name once."""

@@ -1,0 +1,46 @@
+"""Ways an engine works that words name: two-stroke or four-stroke, single- or double-acting.
+
+One page may go through several: what one of them has per turn, another has not.
+"""
+
+from __future__ import annotations
+
+import re
+
+_KINDS = {
+    "four": r"(?:four|4)[-\s]?stroke|vier-?takt|4-takt|(?:4|四)\s?(?:ストローク|サイクル)|quatre\s+temps|cuatro\s+tiempos",
+    "two": r"(?:two|2)[-\s]?stroke|zwei-?takt|2-takt|(?:2|二)\s?(?:ストローク|サイクル)|deux\s+temps|dos\s+tiempos",
+    "double": r"double[-\s]acting|doppelt\s?wirkend|複動",
+    "single": r"single[-\s]acting|einfach\s?wirkend|単動",
+}
+_CYCLE = re.compile(
+    "|".join(rf"(?P<{kind}>{pattern})" for kind, pattern in _KINDS.items()), re.IGNORECASE
+)
+_SENTENCE = re.compile(r"[.;!?]\s|[。；]|\n\s*\n|\n\s{0,4}(?:[*•#|-]|\d+[.)])\s?")
+_REACH = 300
+"""Characters before a formula in which its engine's cycle is named."""
+
+
+def cycles_named(text: str, start: int) -> frozenset[str]:
+    """Return the ways of working that the last sentence before a place names that names any.
+
+    >>> text = "For a two-stroke P = p V n. The four-stroke has P = p V n/2"
+    >>> sorted(cycles_named(text, 15)), sorted(cycles_named(text, 46))
+    (['two'], ['four'])
+    """
+    for sentence in reversed(_SENTENCE.split(text[max(0, start - _REACH) : start])):
+        kinds = frozenset(match.lastgroup or "" for match in _CYCLE.finditer(sentence))
+        if kinds:
+            return kinds
+    return frozenset()
+
+
+def is_another_cycle(text: str, earlier: int, start: int) -> bool:
+    """Tell whether the engines of two places, both named, work otherwise.
+
+    >>> text = "For a two-stroke P = p V n. The four-stroke has P = p V n/2"
+    >>> is_another_cycle(text, 15, 46), is_another_cycle(text, 15, 20)
+    (True, False)
+    """
+    before, now = cycles_named(text, earlier), cycles_named(text, start)
+    return bool(before and now) and not (before <= now or now <= before)
