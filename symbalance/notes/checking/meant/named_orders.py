@@ -30,6 +30,7 @@ from symbalance.document.formula import (
     Number,
     Power,
     Product,
+    Quotient,
     Sum,
     Summation,
     names,
@@ -42,8 +43,10 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.declared.engines import Engines, NoEngines
 from symbalance.notes.checking.declared.geometry import Geometry, square
+from symbalance.notes.checking.declared.role_phrases import CONVENTIONS
 from symbalance.notes.checking.declared.symbols import far_power, series_node
 from symbalance.notes.checking.meant.meant_quantities import (
+    OF_RATIO,
     ONE_SLIP,
     SEARCH,
     SHARE,
@@ -116,6 +119,7 @@ _PARTLY = re.compile(
 _NOTHING = 1e-6
 _COEFFICIENT = re.compile(r"(?P<stem>[A-Za-z])_(?P<order>[1-9])")
 _FACTOR = re.compile(r"(?:factor|number misprinted) .*")
+_IS_FACTOR = re.compile(r"factor|number misprinted")
 _SINE = re.compile(r"(?:sin|cos) for (?:sin|cos)")
 
 
@@ -180,6 +184,8 @@ class NamedOrders:
         if isinstance(self.meant.sources.engines, NoEngines):
             return None  # nobody is at hand who knows a slider-crank's series
         frame = self.meant.frame(head.name, right, chain, knowledge)
+        if frame is not None and any(OF_RATIO.search(text) for text in frame[2]) and not _divides(right):
+            frame = self.meant.frame(head.name, right, chain, knowledge, ratio=CONVENTIONS["r/l"]) or frame
         balanced = self._balanced(order, angles)
         if not names(right) or (balanced and all(balanced)):
             return self._vanishing(head.name, order, chain.sides[1], angles, frame)
@@ -379,7 +385,8 @@ class NamedOrders:
             return None  # in a unit of its own
         is_whole = order.is_in_row or (order.is_of_engine and not _PARTLY.search(order.words))
         is_alone = order.is_alone or (is_whole and factor > 1)
-        if not order.kind or not is_alone or is_guess or crank.small is None:
+        is_whole_of_all = is_whole and factor > 1
+        if not order.kind or not is_alone or (is_guess and not is_whole_of_all) or crank.small is None:
             return None
         verdicts: list[Verdict] = []
         for target, relation in self._standard(order, crank, right.node):
@@ -392,8 +399,13 @@ class NamedOrders:
                 decision = replace(decision, reason="; ".join((*texts, *assumptions)))
                 verdict = self.meant.with_fix(chain, 0, left, decision, known)
                 fix = verdict.fix
-                if fix is None or len(fix.faults) != 1 or fix.of_left or not ONE_SLIP.fullmatch(fix.kind):
+                is_slip = fix is not None and (
+                    ONE_SLIP.fullmatch(fix.kind) or (fix.kind == "factor" and not order.is_coefficient)
+                )
+                if fix is None or len(fix.faults) != 1 or fix.of_left or not is_slip:
                     continue
+                if is_guess and not _IS_FACTOR.match(fix.kind):
+                    continue  # the ratio's power is right, so it is the ratio
                 if not is_only_negated(right.node, fix.node) and not _may_be_meant(
                     fix.kind, order, right.node
                 ):
@@ -409,6 +421,11 @@ class NamedOrders:
         first = self._base(order, crank, is_first=True)
         if first is not None and not any(isinstance(part, Sum) for part in walk(value)):
             yield Product((first, *wave)), "="
+
+
+def _divides(node: Formula) -> bool:
+    """Tell whether a formula has a letter below a line: a ratio there is that of the rod to the crank."""
+    return any(isinstance(part, Quotient) and names(part.denominator) for part in walk(node))
 
 
 def _summed(name: str) -> _Order | None:
