@@ -16,7 +16,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 
@@ -155,6 +155,8 @@ class _Named:
 
     is_declared: bool = False
     heading: str = ""
+    is_above: bool = False
+    """Whether words above name the letter: another formula of it may be that, and is never refuted."""
 
     @property
     def formulas(self) -> tuple[Formula, ...]:
@@ -183,6 +185,8 @@ class NamedQuantities:
 
     document: ReadNotes
     sections: Sections
+    words_above: dict[str, str] = field(default_factory=dict)
+    """The words by which letters were named that had a standard formula."""
 
     @cached_property
     def roles(self) -> LetterRoles:
@@ -244,8 +248,9 @@ class NamedQuantities:
                 signs |= {f"{plain_letter(n)} ≥ 0" for n in names(claim)}
                 rest = [text for text in decision.assumptions if text not in signs]
                 rest += ["the rod is long"] if is_rough else []
+                self.words_above[name] = named.words
                 return replace(decision, assumptions=(self._text(name, named), *rest))
-        fitting = {named.quantity.name: named for named in candidates if not named.is_other}
+        fitting = {n.quantity.name: n for n in candidates if not (n.is_other or n.is_above)}
         if len(fitting) > 1:  # words that name several: by the letters of their formulas
             fitting = {n: each for n, each in fitting.items() if any(p is each for p, _ in pairs)}
         if len(fitting) != 1:
@@ -253,6 +258,7 @@ class NamedQuantities:
         (named,) = fitting.values()
         if named.quantity.turns and self.counts_from_elsewhere:
             return None
+        self.words_above.setdefault(name, named.words)
         targets = [target for each, target in pairs if each is named]
         targets += self._targets(named.quantity.approximate, claim, name, named, knowledge)
         return self._with_slip(chain, name, claim, named, targets, known, knowledge)
@@ -314,6 +320,9 @@ class NamedQuantities:
         if by_phrase:
             yield from by_phrase
             return
+        if name in self.words_above:
+            above = self._by_phrases(self.words_above[name], stem, places, sentence)
+            yield from (replace(each, is_above=True) for each in above)
         is_named = False
         for named in self._by_pronoun(chain, before, stem, places, sentence):
             is_named = True
