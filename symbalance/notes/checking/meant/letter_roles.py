@@ -43,7 +43,7 @@ _IS = re.compile(
 _FROM_END = (
     r"(?:(?:from|to|vom?|von\s+de[rmn]|bis\s+zu[mr]?)\s+(?:the\s+|de[rmn]\s+)?(?:{})(?![A-Za-z])|(?:{})から)"
 )
-_ROD_ENDS = {
+ROD_ENDS = {
     "to_big": _FROM_END.format(
         r"(?:big|large)[- ]end|crank[- ]?pin|großen\s+\w*(?:auge|kopf)|(?:kurbel|hub)zapfen", r"大端部?|クランクピン"
     ),
@@ -52,11 +52,11 @@ _ROD_ENDS = {
     ),
 }
 _END_BEHIND = {
-    role: re.compile(rf"[^.;,、。\n]{{0,24}}?{words}", re.IGNORECASE) for role, words in _ROD_ENDS.items()
+    role: re.compile(rf"[^.;,、。\n]{{0,24}}?{words}", re.IGNORECASE) for role, words in ROD_ENDS.items()
 }
 _END_BEFORE = {
     role: re.compile(rf"{words}(?:(?!\b(?:and|und)\b|[.;,、\n=]).){{0,40}}$", re.IGNORECASE)
-    for role, words in _ROD_ENDS.items()
+    for role, words in ROD_ENDS.items()
 }
 """Which end of a rod a distance is taken from, behind its letter or before: a from the big end."""
 

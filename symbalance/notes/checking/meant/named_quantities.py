@@ -116,6 +116,8 @@ _LETTER_BEHIND = re.compile(
     r"(?:\s|of|is|,){0,3}(?:\$(?P<marked>[^$=]{1,24})\$|(?P<bare>\b(?!a\b|I\b)[A-Za-zΑ-ω](?:_\{?\w{1,6}\}?)?)(?=[\s,;]))"
 )
 """A letter right behind the words that name it, which is another one than the formula's."""
+_NUMBER_BEHIND = re.compile(r"(?:\s|of|von|=|:){1,4}[0-9]")
+"""A number right behind words: a mean effective pressure of 18 bar is that pressure's."""
 _OF_A_LETTER = (
     r"(?i:\b(?:total|whole|mean|average|mittlere[rnms]?|gesamte?[rnms]?|effektive[rnms]?|gesamt(?=\w))|平均|総|全)"
 )
@@ -143,7 +145,7 @@ _COPULA = re.compile(
 
 
 @dataclass(frozen=True, slots=True)
-class _Named:
+class Named:
     """A quantity that words name, the words, and all the text that may qualify it."""
 
     quantity: Quantity
@@ -157,6 +159,11 @@ class _Named:
     heading: str = ""
     is_above: bool = False
     """Whether words above name the letter: another formula of it may be that, and is never refuted."""
+
+    @property
+    def may_refute(self) -> bool:
+        """Whether the words name this quantity and no other shape or setup."""
+        return not (self.is_other or self.is_above)
 
     @property
     def formulas(self) -> tuple[Formula, ...]:
@@ -231,7 +238,7 @@ class NamedQuantities:
     ) -> Verdict | Decision | None:
         known = Knowledge(SymbolValue(positive=frozenset(names(claim))), corrects=True)
         side = chain.sides[1]
-        candidates = list(self._named(name, chain, knowledge))
+        candidates = list(self.named(name, chain, knowledge))
         sign = chain.relations[0].sign
         pairs = [
             (named, target)
@@ -249,8 +256,8 @@ class NamedQuantities:
                 rest = [text for text in decision.assumptions if text not in signs]
                 rest += ["the rod is long"] if is_rough else []
                 self.words_above[name] = named.words
-                return replace(decision, assumptions=(self._text(name, named), *rest))
-        fitting = {n.quantity.name: n for n in candidates if not (n.is_other or n.is_above)}
+                return replace(decision, assumptions=(self.text(name, named), *rest))
+        fitting = {n.quantity.name: n for n in candidates if n.may_refute}
         if len(fitting) > 1:  # words that name several: by the letters of their formulas
             fitting = {n: each for n, each in fitting.items() if any(p is each for p, _ in pairs)}
         if len(fitting) != 1:
@@ -268,7 +275,7 @@ class NamedQuantities:
         formulas: tuple[Formula, ...],
         claim: Formula,
         name: str,
-        named: _Named,
+        named: Named,
         knowledge: Knowledge,
     ) -> list[Formula]:
         """Return the formulas of a quantity in the letters of a claim."""
@@ -279,14 +286,14 @@ class NamedQuantities:
             formulas = (*formulas, *(f for f in put_in if f not in formulas))
         return list(self.roles.targets(formulas, claim, knowledge.meanings, together, name))
 
-    def _text(self, name: str, named: _Named) -> str:
+    def text(self, name: str, named: Named) -> str:
         source = f"{NOBODY}; taken from the words “{named.words}”"
         source = f"declared as “{named.words}”" if named.is_declared else source
         return f"{plain_letter(name)} is the {named.quantity.name} ({source})"
 
     # What words name
 
-    def _named(self, name: str, chain: Chain, knowledge: Knowledge) -> Iterator[_Named]:
+    def named(self, name: str, chain: Chain, knowledge: Knowledge) -> Iterator[Named]:
         """Yield the quantities that a letter may be, by its declared meaning or the words around it."""
         sentence, _, _ = self._texts(chain)
         is_rough = _ROUGHLY.search(sentence) is not None
@@ -296,7 +303,7 @@ class NamedQuantities:
             if not is_rough or named.quantity.approximate:
                 yield named
 
-    def _every_named(self, name: str, chain: Chain, knowledge: Knowledge) -> Iterator[_Named]:
+    def _every_named(self, name: str, chain: Chain, knowledge: Knowledge) -> Iterator[Named]:
         stem, _, index = name.removeprefix("Delta_").partition("_")
         stem = f"Delta_{stem}" if name.startswith("Delta_") else stem
         declared = knowledge.meanings.get(name, "")
@@ -344,7 +351,14 @@ class NamedQuantities:
                 wider = replace(places, around=f"{around} {heading}")
                 yield _named(quantity, match[0].strip(), wider, sentence)
 
-    def _by_clause(self, name: str, chain: Chain, stem: str, places: _Places) -> Iterator[_Named]:
+    def by_words(self, words: str, name: str, chain: Chain) -> Iterator[Named]:
+        """Yield the quantities that words name which stand elsewhere, in a unit."""
+        sentence, _, around = self._texts(chain)
+        heading = self.sections.heading_above(chain.lines[0])
+        places = _Places(around, heading, self.document.text)
+        yield from self._by_phrases(words, name.partition("_")[0], places, sentence)
+
+    def _by_clause(self, name: str, chain: Chain, stem: str, places: _Places) -> Iterator[Named]:
         """Yield what a letter was named in the clause before: the torque is T = …, of the other T = …
 
         Only the words of its own clause qualify it then; without any, as in ω_1 = … and ω_2 = …, those
@@ -371,7 +385,7 @@ class NamedQuantities:
 
     def _by_words_behind(
         self, chain: Chain, stem: str, places: _Places, sentence: str
-    ) -> Iterator[_Named]:
+    ) -> Iterator[Named]:
         """Yield the quantities that words right behind a formula name: σ = M/W is the bending stress."""
         end = max(side.span[1] for side in chain.sides)
         link = _BEHIND.match(self.document.text, end)
@@ -390,7 +404,7 @@ class NamedQuantities:
 
     def _by_pronoun(
         self, chain: Chain, before: str, stem: str, places: _Places, sentence: str
-    ) -> Iterator[_Named]:
+    ) -> Iterator[Named]:
         """Yield the quantities of the body of the sentence before: the rim …; its moment of inertia is I."""
         if _ITS.search(before) is None or "moment" not in before.casefold():
             return
@@ -401,13 +415,13 @@ class NamedQuantities:
             if "moment of inertia" in named.quantity.name:
                 yield named
 
-    def _by_letter(self, name: str, stem: str, places: _Places, sentence: str) -> Iterator[_Named]:
+    def _by_letter(self, name: str, stem: str, places: _Places, sentence: str) -> Iterator[Named]:
         """Yield the quantities that words right before a letter name anywhere on the page."""
         for words in dict.fromkeys(self.roles.words_before(name)):
             named = list(self._by_phrases(words, stem, places, sentence))
             yield from (each for each in named if ends_with(each.quantity.phrases, words))
 
-    def _by_phrases(self, words: str, stem: str, places: _Places, sentence: str) -> Iterator[_Named]:
+    def _by_phrases(self, words: str, stem: str, places: _Places, sentence: str) -> Iterator[Named]:
         """Yield the quantities that words name, those with the letter's usual use first of all."""
         matches = [
             (match.start(), match.end(), quantity)
@@ -464,7 +478,7 @@ class NamedQuantities:
         chain: Chain,
         name: str,
         claim: Formula,
-        named: _Named,
+        named: Named,
         targets: list[Formula],
         known: Knowledge,
         knowledge: Knowledge,
@@ -481,15 +495,15 @@ class NamedQuantities:
             return None
         is_scaled = any(self.roles.is_multiplied(n) for n in names(claim))
         own = _without_letters_named(named.sentence, names(claim))
-        is_in_words = _PART.search(_SETTING.sub("", own)) is not None
-        may_be_part = is_in_words or _has_own_convention(claim, knowledge)
-        may_be_part = is_scaled or (may_be_part and "part" not in quantity.slips)
+        is_in_words = may_be_part(own)
+        is_part = is_in_words or _has_own_convention(claim, knowledge)
+        is_part = is_scaled or (is_part and "part" not in quantity.slips)
         for target in targets:
-            kind = slip_of(target, claim, quantity.slips, may_be_part)
+            kind = slip_of(target, claim, quantity.slips, is_part)
             if (
                 not kind
                 and is_mistake
-                and not (may_be_part and is_multiple(target, claim))
+                and not (is_part and is_multiple(target, claim))
                 and not is_scaled
             ):
                 kind = "another formula"
@@ -500,7 +514,7 @@ class NamedQuantities:
             decision = decide(left, side, chain.relations[0].sign, known)
             if decision.status != REFUTED:
                 continue
-            decision = replace(decision, reason=f"if {self._text(name, named)}")
+            decision = replace(decision, reason=f"if {self.text(name, named)}")
             verdict = self._with_fix(chain, left, decision, known)
             fix = verdict.fix
             is_one_change = fix is not None and len(fix.faults) == 1 and not fix.of_left
@@ -514,7 +528,7 @@ class NamedQuantities:
         return None
 
     def _mistakes(
-        self, named: _Named, claim: Formula, name: str, knowledge: Knowledge
+        self, named: Named, claim: Formula, name: str, knowledge: Knowledge
     ) -> list[Formula]:
         """Return a quantity's usual mistakes, of the net force where nothing says that it is the rod's.
 
@@ -553,7 +567,12 @@ class NamedQuantities:
         return add_fix(verdict, self.document, side, decision, known, proves)
 
 
-def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> _Named:
+def may_be_part(sentence: str) -> bool:
+    """Tell whether words make of a quantity a part or a multiple of it."""
+    return _PART.search(_SETTING.sub("", sentence)) is not None
+
+
+def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> Named:
     """Return a quantity that words name, and whether other words near make another one of it."""
     near = f"{places.around} {places.heading}" if quantity.only else places.around
     is_other = quantity.unless is not None and quantity.unless.search(places.around) is not None
@@ -562,7 +581,7 @@ def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> _N
         is_other |= not is_on_page or (
             quantity.unless is not None and quantity.unless.search(places.page) is not None
         )
-    return _Named(quantity, words, places.around, sentence, is_other, heading=places.heading)
+    return Named(quantity, words, places.around, sentence, is_other, heading=places.heading)
 
 
 def _over_cosine(node: Formula) -> set[str]:
@@ -586,7 +605,7 @@ def _names_another(words: str, end: int, stem: str) -> bool:
     """
     match = _LETTER_BEHIND.match(words, end)
     if match is None:
-        return False
+        return _NUMBER_BEHIND.match(words, end) is not None
     letter = match["marked"] or match["bare"]
     return not re.match(rf"\\?{re.escape(stem)}(?![A-Za-z])", letter)
 

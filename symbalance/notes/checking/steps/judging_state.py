@@ -31,6 +31,7 @@ from symbalance.notes.checking.meant.meant_quantities import MeantQuantities
 from symbalance.notes.checking.meant.meant_words import MeantWords
 from symbalance.notes.checking.meant.motion_in_time import Motions, with_motions
 from symbalance.notes.checking.meant.named_orders import NamedOrders
+from symbalance.notes.checking.meant.named_numbers import NamedNumbers
 from symbalance.notes.checking.meant.named_quantities import NamedQuantities
 from symbalance.notes.checking.motions.equations_of_motion import EquationOfMotion
 from symbalance.notes.checking.motions.fourier_series import FourierSeries
@@ -83,6 +84,7 @@ class JudgingState:
             MeantWords(self.document, self.declarations, self.sections), self.sources
         )
         self.named = NamedQuantities(self.document, self.sections)
+        self.named_numbers = NamedNumbers(self.named)
         self.named_orders = NamedOrders(self.meant)
         self.harmonics = HarmonicCoefficients(self.sections)
         self.small_letters = small_letters(self.document.text)

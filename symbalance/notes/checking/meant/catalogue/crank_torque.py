@@ -152,9 +152,9 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
         ("edit", "part"), unless=words(_OFFSET), turns=True, only=_ENGINE, is_told_once=True,
     ),
     Quantity(
-        "mass of a rod at its small end", letters("m M"),
+        "mass of a rod at its small end", letters("m M W W1 W2 m1 m2 G"),
         words(rf"(?:reciprocating|oscillating|small[- ]end|upper)\s+(?:{_SHARES})(?:\s+of\s+(?:the|its)\s+"
-              r"(?:connecting[- ])?rod)?",
+              r"(?:connecting[- ])?rod)?", r"(?:share|portion|part)\s+(?:counted\s+as\s+)?(?:reciprocating|oscillating)",
               r"oszillierende[rsn]?\s+(?:pleuel)?(?:stangen)?(?:massen)?(?:anteil|masse|teil)(?:\s+(?:des|der)\s+\w+)?",
               r"(?:往復(?:質量|部分)?|小端)[^、。]{0,12}(?:質量|分)"),
         (mass * to_big / rod, mass * (rod - to_small) / rod, mass * to_big / (to_big + to_small)),
@@ -164,9 +164,9 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
         context=words(_ROD_PART), indices=letters("small osc osz rec recip o hin kl klein se S Kolben pist"),
     ),
     Quantity(
-        "mass of a rod at its big end", letters("m M"),
+        "mass of a rod at its big end", letters("m M W W1 W2 m1 m2 G"),
         words(rf"(?:rotating|revolving|big[- ]end|lower)\s+(?:{_SHARES})(?:\s+of\s+(?:the|its)\s+"
-              r"(?:connecting[- ])?rod)?",
+              r"(?:connecting[- ])?rod)?", r"(?:share|portion|part)\s+(?:counted\s+as\s+)?(?:rotating|revolving)",
               r"rotierende[rsn]?\s+(?:pleuel)?(?:stangen)?(?:massen)?(?:anteil|masse|teil)(?:\s+(?:des|der)\s+\w+)?",
               r"(?:回転(?:質量|部分)?|大端)[^、。]{0,12}(?:質量|分)"),
         (mass * to_small / rod, mass * (rod - to_big) / rod, mass * to_small / (to_big + to_small)),
@@ -264,7 +264,7 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "mass of a rim", letters("m M"),
-        words(r"mass\s+of\s+the\s+rim", r"rim(?:'s)?\s+mass", r"masse\s+des\s+(?:rad|schwungrad)?kranzes", r"リムの質量"),
+        words(r"mass\s+of\s+the\s+rim", r"rim(?:'s)?\s+mass", r"\brim\b(?!\s+speed)", r"radkranz", r"masse\s+des\s+(?:rad|schwungrad)?kranzes", r"リムの質量"),
         (inertia / radius**2, 4 * inertia / diameter**2), ("factor", "power"),
         mistakes=(inertia / radius, 2 * inertia / radius**2), unless=words(r"dis[ck]|scheibe|円板|density|dichte"),
     ),
