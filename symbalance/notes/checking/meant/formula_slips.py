@@ -210,7 +210,9 @@ def _edits_here(node: Formula) -> Iterator[Formula]:
             yield above * below
         case Product(factors=factors) if any(isinstance(part, Call) for part in factors):
             waves = [part for part in factors if isinstance(part, Call)]
-            yield from (Product(tuple(f for f in factors if f is not wave)) for wave in waves)
+            for wave in waves:
+                rest = Product(tuple(f for f in factors if f is not wave))
+                yield from (rest, rest / wave) if wave.function in _TURNING else (rest,)
         case Power(base=base, exponent=Number(value=value)) if value in _EXPONENTS:
             yield from (base ** Fraction(other) for other in _EXPONENTS if other != value)
         case Sum(terms=terms):

@@ -68,6 +68,8 @@ class LetterRoles:
     text: str
     piston_forces: set[str] = field(default_factory=set)
     """Letters that formulas elsewhere on the page show to be forces along the stroke."""
+    taken: dict[str, str] = field(default_factory=dict)
+    """The roles of letters that lines above showed to be a quantity."""
     _before: dict[str, list[str]] = field(default_factory=dict)
     _named: dict[str, tuple[frozenset[str], bool]] = field(default_factory=dict)
 
@@ -102,6 +104,8 @@ class LetterRoles:
         if declared and not UNITS_ONLY.fullmatch(declared):
             return False
         roles, is_other = self._roles_named(letter)
+        if self.taken.get(letter) == role:
+            return True
         if role == "net_force" and letter in self.piston_forces and not roles & {"rod_force", "rod"}:
             return True
         return role in roles if roles else not is_other and _is_usual(letter, role)

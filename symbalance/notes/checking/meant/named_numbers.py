@@ -117,7 +117,7 @@ class NamedNumbers:
         results = [float(value), *self._result(chain, knowledge)]
         digits = frozenset(_digits(float(n)) for n in numbers if n)
         values = self._values(chain, knowledge, digits)
-        targets = [(each, t) for each in candidates for t in self._targets(each, values, digits)]
+        targets = [(each, t) for each in candidates for t in self._targets(each, values, numbers)]
         if not targets or any(isclose(r, t, rel_tol=NEAR) for r in results for _, (t, _) in targets):
             return None
         if len({round(log10(t), 2) for _, (t, _) in targets if t > 0}) != 1:
@@ -177,14 +177,14 @@ class NamedNumbers:
 
     @staticmethod
     def _targets(
-        named: Named, values: dict[str, float], digits: frozenset[int]
+        named: Named, values: dict[str, float], numbers: list[Fraction]
     ) -> Iterator[tuple[float, frozenset[str]]]:
         """Yield the quantity's value by each of its formulas, with the sizes in it.
 
         Of formulas of the same sizes those for revolutions per minute are left out; the number of
         cylinders is put in where the line has it.
         """
-        has_count = "cylinders" in values and _digits(values["cylinders"]) in digits
+        has_count = Fraction(values.get("cylinders", 0)) in numbers
         faster = {**values, "rotation": 60 * values.get("rotation", 0)}
         rows = [
             (names(node), value, _value(node, faster))

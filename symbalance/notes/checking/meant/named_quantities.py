@@ -116,6 +116,16 @@ _LETTER_BEHIND = re.compile(
     r"(?:\s|of|is|,){0,3}(?:\$(?P<marked>[^$=]{1,24})\$|(?P<bare>\b(?!a\b|I\b)[A-Za-zΑ-ω](?:_\{?\w{1,6}\}?)?)(?=[\s,;]))"
 )
 """A letter right behind the words that name it, which is another one than the formula's."""
+_ROLE_OF = {
+    "force in the connecting rod": "rod_force",
+    "gas force": "piston_force",
+    "tangential force at the crank pin": "tangential",
+    "radial force at the crank pin": "radial_part",
+    "centrifugal force": "centrifugal",
+    "mechanical efficiency": "efficiency",
+    "degree of irregularity": "fluctuation",
+}
+"""The role that a letter plays further down which was shown to be a quantity."""
 _NUMBER_BEHIND = re.compile(r"(?:\s|of|von|=|:){1,4}[0-9]")
 """A number right behind words: a mean effective pressure of 18 bar is that pressure's."""
 _OF_A_LETTER = (
@@ -256,6 +266,7 @@ class NamedQuantities:
                 rest = [text for text in decision.assumptions if text not in signs]
                 rest += ["the rod is long"] if is_rough else []
                 self.words_above[name] = named.words
+                self.roles.taken[name] = _ROLE_OF.get(named.quantity.name, "")
                 return replace(decision, assumptions=(self.text(name, named), *rest))
         fitting = {n.quantity.name: n for n in candidates if n.may_refute}
         if len(fitting) > 1:  # words that name several: by the letters of their formulas

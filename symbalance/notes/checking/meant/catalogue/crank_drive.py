@@ -50,7 +50,7 @@ _EXACT_SHAPES = (
 _OFFSET = r"offset|desax|geschränkt|オフセット"
 _ENGINE = words(
     r"crank|piston|\brod\b|cylinder|engine|gas force|kurbel|kolben|pleuel|stange|gaskraft|motor"
-    r"|ピストン|クランク|連接棒|コンロッド|機関|bielle|manivelle|biela|manivela|motore?\b|moteur"
+    r"|ピストン|クランク|連接棒|コンロッド|機関|bielle|manivelle|biella|biela|manivela|motore?\b|moteur"
 )
 
 
@@ -136,8 +136,8 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         slips=("factor",),
     ),
     Quantity(
-        "side force on the cylinder wall", letters("N F S Q R G H"),
-        words(r"(?:side|lateral|normal|wall|piston\s+side|guide|slide[- ]?bar)\s+(?:force|thrust|pressure|load|reaction)", r"side[- ]thrust",
+        "side force on the cylinder wall", letters("N F S Q R G H L"),
+        words(r"(?:side|lateral|normal|wall|piston\s+side|guide|slide[- ]?bar|skirt|slipper)\s+(?:force|thrust|pressure|load|loading|reaction)", r"side[- ]thrust",
               r"thrust\s+on\s+the\s+(?:cylinder\s+)?(?:wall|liner)",
               r"force\s+(?:on|against)\s+the\s+(?:cylinder\s+)?wall",
               r"(?:kolben)?(?:seiten|normal|führungs|gleitbahn)(?:druck)?kraft",
@@ -149,7 +149,7 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
          piston_force * ratio * SIN_CRANK / root(1 - ratio**2 * SIN_CRANK**2)),
         ("edit",),
         mistakes=(piston_force / TAN_ROD, piston_force * COS_ROD, piston_force * SIN_ROD,
-        net_force * SIN_ROD, net_force * COS_ROD, rod_force * TAN_ROD,
+        net_force * SIN_ROD, net_force * COS_ROD, net_force / TAN_ROD, rod_force * TAN_ROD,
                   rod_force * COS_ROD, piston_force * ratio * COS_CRANK),
         others=(any_force * SIN_ROD,),
         approximate=(piston_force * ratio * SIN_CRANK, any_force * ratio * SIN_CRANK),
@@ -206,7 +206,8 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         "torque of a crank", letters("M T Q"),
         words(r"(?:turning|crank(?:ing|shaft)?|engine|driving)\s+(?:moment|torque)", r"\btorque",
         r"(?:kurbel|motor|gas)?dreh-?moment",
-              r"(?:回転|クランク)(?:モーメント|トルク)", r"トルク", r"crank\s+effort", r"couple\s+(?:moteur|instantané)"),
+              r"(?:回転|クランク)(?:モーメント|トルク)", r"トルク", r"crank\s+effort", r"couple\s+(?:moteur|instantané)",
+              r"momento\s+(?:motore|motor|torcente)", r"par\s+motor"),
         (piston_force * pin * SIN_BOTH / COS_ROD, any_force * pin * SIN_BOTH / COS_ROD,
          any_force * pin * (SIN_CRANK + COS_CRANK * TAN_ROD),
          piston_force * pin * (SIN_CRANK + COS_CRANK * TAN_ROD),

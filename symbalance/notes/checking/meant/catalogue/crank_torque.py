@@ -48,6 +48,7 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     rod_mass,
     root,
     rotation,
+    shift,
     tangential,
     to_big,
     to_small,
@@ -228,6 +229,25 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
         words(r"(?:mean|average)(?:\s+reduced|\s+equivalent)?\s+(?:moment\s+of\s+)?inertia",
               r"mittlere[sn]?\s+(?:reduzierte[sn]?\s+)?(?:massen)?trägheitsmoment"),
         (inertia + mass * pin**2 / 2,), ("factor", "edit", "part"), mistakes=(inertia + mass * pin**2,),
+    ),
+    Quantity(
+        "moment of inertia of the drive reduced to the crank", letters("J I Theta"),
+        words(r"reduced\s+(?:moment\s+of\s+)?inertia", r"(?:variable|equivalent)\s+moment\s+of\s+inertia",
+              r"reduzierte[sn]?\s+(?:massen)?trägheitsmoment", r"(?:等価|換算)慣性モーメント"),
+        tuple(
+            rest + mass * pin**2 * shape**2 if rest is not None else mass * pin**2 * shape**2
+            for rest in (inertia, None)
+            for shape in (SIN_CRANK, SIN_CRANK + ratio * DOUBLE / 2)
+        ),
+        ("edit", "part"), unless=words(_OFFSET, r"mean|average|mittlere"), turns=True,
+    ),
+    Quantity(
+        "moment of inertia about the centre of gravity", letters("J I Theta"), words(r"(?!)"),
+        (inertia - mass * shift**2, central - mass * shift**2), ("edit", "part"),
+        mistakes=(inertia + mass * shift**2, central + mass * shift**2, inertia - mass * shift),
+        context=words(r"(?:about|through)\s+(?:the|its)\s+(?:cent(?:re|er)\s+of\s+(?:gravity|mass)|centroid|c\.?g)",
+                      r"um\s+(?:den|ihren|seinen)\s+schwerpunkt", r"重心(?:まわり|回り|周り)"),
+        indices=letters("G S g s cg CG C SP"), unless=words(r"transfer|parallel axis to the|umgekehrt"),
     ),
     Quantity(
         "largest speed of rotation", letters("omega Omega n N"),

@@ -70,7 +70,7 @@ WORK: tuple[Quantity, ...] = (
         r"\bleistung", r"動力", r"出力"),
         (torque * omega, 2 * PI * rotation * torque, PI * rotation * torque / 30, force * velocity,
          swing * rotation, swing * rotation / 60),
-        slips=("power", "turn"), unless=words(r"indicated|indiziert|図示|loss|verlust|損失|specific"),
+        slips=("factor", "power", "turn"), unless=words(r"indicated|indiziert|図示|loss|verlust|損失|specific"),
     ),
     Quantity(
         "kinetic energy", letters("E T K W U"),
