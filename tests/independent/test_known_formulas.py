@@ -116,6 +116,7 @@ WHEEL = {
     "swing": SWING,
     "mass": J1 / RADIUS**2,
     "radius": RADIUS,
+    "rotation": TURN,
 }
 POLAR, RING = F(str(polar())), F(str(polar(INNER)))
 SOLID = known_values()
