@@ -20,6 +20,7 @@ from symbalance.notes.reading.extremes_apart import with_extremes_apart, with_ex
 from symbalance.notes.reading.function_names import with_function_names
 from symbalance.notes.reading.greek_words import with_greek_words
 from symbalance.notes.reading.joined_dollars import with_joined_dollars, with_units_between_dollars
+from symbalance.notes.reading.engine_abbreviations import with_abbreviations
 from symbalance.notes.reading.letter_e import means_letter, with_number_e
 from symbalance.notes.reading.letter_i import counts_by_i
 from symbalance.notes.reading.macros import expand_macros
@@ -111,6 +112,7 @@ def prepare(
         reader.apply(with_number_e(reader.text))
     if kind in ("tex", "markdown"):
         reader.apply(with_joined_dollars(reader.text))
+    reader.apply(with_abbreviations(reader.text))
     for rewrite in (
         with_row_vectors,
         with_extremes_of_bars,

@@ -388,6 +388,8 @@ class NamedOrders:
         is_whole_of_all = is_whole and factor > 1
         if not order.kind or not is_alone or (is_guess and not is_whole_of_all) or crank.small is None:
             return None
+        sizes = names(crank.mass) | names(crank.radius) | names(crank.omega)
+        has_all_sizes = sizes <= names(right.node) and not order.is_coefficient
         verdicts: list[Verdict] = []
         for target, relation in self._standard(order, crank, right.node):
             for sign in (1, -1):
@@ -400,7 +402,7 @@ class NamedOrders:
                 verdict = self.meant.with_fix(chain, 0, left, decision, known)
                 fix = verdict.fix
                 is_slip = fix is not None and (
-                    ONE_SLIP.fullmatch(fix.kind) or (fix.kind == "factor" and not order.is_coefficient)
+                    ONE_SLIP.fullmatch(fix.kind) or (fix.kind == "factor" and has_all_sizes)
                 )
                 if fix is None or len(fix.faults) != 1 or fix.of_left or not is_slip:
                     continue

@@ -215,16 +215,16 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"radial(?:\s+(?:force|share|component))?|radialkraft|(?:半径|法線)(?:方向の?)?(?:力|分力)"),
     ("centrifugal", "F_c C F_z F_Z Z F_rot F_f F_F P_c K_z F_cf F_C", r"centrifugal(?:\s+force)?|fliehkraft"
      r"|zentrifugalkraft|遠心力"),
-    ("effective_pressure", "p_e p_me p_b p_eff p_bmep P_e bmep BMEP", r"(?:brake|effective) mean (?:effective )?pressure"
+    ("effective_pressure", "p_e p_me p_b p_eff p_bmep P_e", r"(?:brake|effective) mean (?:effective )?pressure"
      r"|effektiver? (?:mittel|nutz)druck|正味平均有効圧力?|bmep"),
-    ("indicated_pressure", "p_i p_mi p_ind p_imep P_i imep IMEP", r"indicated (?:mean )?(?:effective )?pressure"
+    ("indicated_pressure", "p_i p_mi p_ind p_imep P_i", r"indicated (?:mean )?(?:effective )?pressure"
      r"|mean indicated pressure|indizierter? (?:mittel|innen)druck|図示平均有効圧力?|imep"),
-    ("lost_pressure", "p_r p_mr p_f p_fr p_fmep fmep FMEP", r"friction (?:mean )?(?:effective )?pressure|reib(?:ungs)?mitteldruck"
+    ("lost_pressure", "p_r p_mr p_f p_fr p_fmep", r"friction (?:mean )?(?:effective )?pressure|reib(?:ungs)?mitteldruck"
      r"|摩擦平均有効圧力?|fmep"),
-    ("effective_power", "P_e P_b P_eff N_e BP bp P_B N_b", r"(?:brake|effective|shaft) (?:horse ?)?power|effektive leistung"
+    ("effective_power", "P_e P_b P_eff N_e P_bp P_bhp P_B N_b", r"(?:brake|effective|shaft) (?:horse ?)?power|effektive leistung"
      r"|(?:nutz|effektiv)leistung|正味出力|軸出力"),
-    ("indicated_power", "P_i P_ind N_i IP ip", r"indicated (?:horse ?)?power|(?:indizierte |innen)leistung|図示出力"),
-    ("lost_power", "P_r P_f P_v P_fr N_r FP", r"friction (?:horse ?)?power|reib(?:ungs)?leistung|verlustleistung|摩擦損失(?:出力|動力)"),
+    ("indicated_power", "P_i P_ind N_i P_ip P_ihp", r"indicated (?:horse ?)?power|(?:indizierte |innen)leistung|図示出力"),
+    ("lost_power", "P_r P_f P_v P_fr N_r P_fp P_fhp", r"friction (?:horse ?)?power|reib(?:ungs)?leistung|verlustleistung|摩擦損失(?:出力|動力)"),
     ("cycle_work", "W A W_T A_T W_c W_cyc W_Z W_i", r"work(?: done)?(?: (?:of|in|per|during) (?:a|one|the|each) cycle)?"
      r"|arbeit|arbeitsspiel|仕事"),
     ("excess", "Delta_E Delta_W Delta_A Delta_U", r"fluctuation(?: of (?:the )?energy)?|überschuss(?:arbeit)?|変動量?"),
