@@ -25,7 +25,7 @@ def cycles_named(text: str, start: int) -> frozenset[str]:
     """Return the ways of working that the last sentence before a place names that names any.
 
     >>> text = "For a two-stroke P = p V n. The four-stroke has P = p V n/2"
-    >>> sorted(cycles_named(text, 15)), sorted(cycles_named(text, 46))
+    >>> sorted(cycles_named(text, 17)), sorted(cycles_named(text, 48))
     (['two'], ['four'])
     """
     for sentence in reversed(_SENTENCE.split(text[max(0, start - _REACH) : start])):
@@ -39,7 +39,7 @@ def is_another_cycle(text: str, earlier: int, start: int) -> bool:
     """Tell whether the engines of two places, both named, work otherwise.
 
     >>> text = "For a two-stroke P = p V n. The four-stroke has P = p V n/2"
-    >>> is_another_cycle(text, 15, 46), is_another_cycle(text, 15, 20)
+    >>> is_another_cycle(text, 17, 48), is_another_cycle(text, 17, 20)
     (True, False)
     """
     before, now = cycles_named(text, earlier), cycles_named(text, start)
