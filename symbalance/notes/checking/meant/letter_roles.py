@@ -36,7 +36,7 @@ _LINKS = re.compile(
 )
 _IS = re.compile(
     r"\s*(?:be|is|denotes|being|sei|ist|bezeichnet)\s+(?:the|a|der|die|das)\s+"
-    r"((?:[\w-]+ ){0,3}?[\w-]+)(?= of\b| der\b| des\b|[,.;]|\s*$)",
+    r"((?:[\w'’-]+ ){0,3}?[\w'’-]+)(?= of\b| der\b| des\b|[,.;]|\s*$)",
     re.I,
 )
 """What a letter is said to be behind it: d is the distance of the supports."""
@@ -150,11 +150,12 @@ class LetterRoles:
             for match in re.finditer(pattern, self.text):
                 if _begins_formula(self.text, match.start(), match.end()):
                     continue  # the work $p V$: no word names p
-                words = _TAGS.sub("", self.text[max(0, match.start() - 80) : match.start()])
-                phrases.append(_LINKS.sub("", words)[-LONGEST_NAME:])
                 follows = _IS.match(_TAGS.sub("", self.text[match.end() : match.end() + 60]))
                 if follows is not None:
                     phrases.append(follows[1])
+                words = _TAGS.sub("", self.text[max(0, match.start() - 80) : match.start()])
+                if follows is None or not words.rstrip().endswith(","):  # in the rod, φ being …
+                    phrases.append(_LINKS.sub("", words)[-LONGEST_NAME:])
             self._before[letter] = [words.replace("\n", " ") for words in phrases]
         return self._before[letter]
 

@@ -534,10 +534,13 @@ class Sections:
 
     def is_of_another_cycle(self, chain: Chain, earlier_line: int) -> bool:
         """Tell whether a relation's engine is a four-stroke, say, and a line's a two-stroke."""
-        starts = self._by_start[0]
+        starts, chains = self._by_start
         place = bisect_left(starts, min(chain.start, self._start_of_line(earlier_line + 1)))
-        earlier = max(self._start_of_line(earlier_line), starts[place - 1] if place else 0)
-        return is_another_cycle(self.document.text, earlier, chain.start)
+        start = self._start_of_line(earlier_line)
+        before = (start, start)
+        if place and starts[place - 1] >= start:
+            before = (starts[place - 1], chains[place - 1].end)
+        return is_another_cycle(self.document.text, before, (chain.start, chain.end))
 
     def headings_name_other_engines(self, line: int, earlier_line: int) -> bool | None:
         """Tell whether two lines' headings name different engines; None if one names none."""

@@ -17,6 +17,9 @@ _CYCLE = re.compile(
     "|".join(rf"(?P<{kind}>{pattern})" for kind, pattern in _KINDS.items()), re.IGNORECASE
 )
 _SENTENCE = re.compile(r"[.;!?]\s|[。；]|\n\s*\n|\n\s{0,4}(?:[*•#|-]|\d+[.)])\s?")
+_BEHIND = re.compile(
+    r"[\s$\\)\]]{0,6}(?:for|in|with|of|bei|beim|für|im|pour|の場合)\s[^.,;:。、$=]{0,40}", re.IGNORECASE
+)
 _REACH = 300
 """Characters before a formula in which its engine's cycle is named."""
 
@@ -35,12 +38,22 @@ def cycles_named(text: str, start: int) -> frozenset[str]:
     return frozenset()
 
 
-def is_another_cycle(text: str, earlier: int, start: int) -> bool:
-    """Tell whether the engines of two places, both named, work otherwise.
+def cycles_behind(text: str, end: int) -> frozenset[str]:
+    """Return the ways of working that words right behind a formula name: = W/2π for a two-stroke.
+
+    >>> sorted(cycles_behind("T = W/a for a two-stroke engine, and", 7))
+    ['two']
+    """
+    match = _BEHIND.match(text, end)
+    return frozenset(m.lastgroup or "" for m in _CYCLE.finditer(match[0])) if match else frozenset()
+
+
+def is_another_cycle(text: str, earlier: tuple[int, int], place: tuple[int, int]) -> bool:
+    """Tell whether the engines of two formulas, both named, work otherwise.
 
     >>> text = "For a two-stroke P = p V n. The four-stroke has P = p V n/2"
-    >>> is_another_cycle(text, 17, 48), is_another_cycle(text, 17, 20)
+    >>> is_another_cycle(text, (17, 26), (48, 59)), is_another_cycle(text, (17, 26), (20, 26))
     (True, False)
     """
-    before, now = cycles_named(text, earlier), cycles_named(text, start)
+    before, now = (cycles_behind(text, end) or cycles_named(text, start) for start, end in (earlier, place))
     return bool(before and now) and not (before <= now or now <= before)

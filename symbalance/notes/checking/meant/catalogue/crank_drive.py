@@ -164,9 +164,11 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
               r"(?:effort|force)\s+(?:dans|de)\s+la\s+bielle", r"fuerza\s+(?:en|de)\s+la\s+biela",
               r"(?:連接棒|コンロッド)(?:の|に(?:働|作用)く)?(?:軸)?力"),
         (piston_force / COS_ROD, any_force / COS_ROD,
-         any_force / root(1 - ratio**2 * SIN_CRANK**2), piston_force / root(1 - ratio**2 * SIN_CRANK**2)),
+         any_force / root(1 - ratio**2 * SIN_CRANK**2), piston_force / root(1 - ratio**2 * SIN_CRANK**2),
+         any_force / root(1 - ratio**2), piston_force / root(1 - ratio**2)),
         ("edit",),
-        mistakes=(net_force * COS_ROD, net_force / SIN_ROD, net_force / TAN_ROD,
+        mistakes=(piston_force * root(1 - ratio**2), net_force * COS_ROD, net_force / SIN_ROD,
+                  net_force / TAN_ROD,
                   piston_force * COS_ROD, piston_force / SIN_ROD, piston_force * TAN_ROD,
         piston_force * SIN_ROD),
         others=(any_force / SIN_ROD, any_force * COS_ROD, any_force / TAN_ROD),
@@ -175,13 +177,19 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         turns=True, only=_ENGINE, is_told_once=True,
     ),
     Quantity(
-        "tangential force at the crank pin", letters("F T P Q"),
+        "tangential force at the crank pin", letters("F T P Q E K"),
         words(r"(?:tangential|turning|crank)\s+(?:force|effort)(?:\s+(?:at|on)\s+the\s+crank[- ]?pin)?",
               r"(?:tangential|dreh|umfangs)kraft", r"(?:接線|回転)力"),
         (piston_force * SIN_BOTH / COS_ROD, any_force * SIN_BOTH / COS_ROD, rod_force * SIN_BOTH,
          any_force * (SIN_CRANK + COS_CRANK * TAN_ROD),
-         piston_force * (SIN_CRANK + COS_CRANK * TAN_ROD), torque / pin),
+         piston_force * (SIN_CRANK + COS_CRANK * TAN_ROD), torque / pin,
+         *(force * shape for force in (any_force, piston_force) for shape in _EXACT_SHAPES)),
         ("edit",),
+        approximate=tuple(
+            force * (SIN_CRANK + second)
+            for force in (any_force, piston_force)
+            for second in (ratio * DOUBLE / 2, DOUBLE / (2 * slenderness))
+        ),
         mistakes=(piston_force * COS_BOTH / COS_ROD, piston_force * SIN_BOTH, net_force * SIN_BOTH),
         others=(any_force * SIN_BOTH, any_force * COS_BOTH),
         unless=words(_OFFSET, r"\bgears?\b|\bbelt|inertia of"), turns=True, only=_ENGINE,

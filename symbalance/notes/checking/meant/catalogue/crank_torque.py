@@ -136,7 +136,8 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
         "inertia torque of one cylinder", letters("M T Q"),
         words(r"(?:inertia|mass)\s+torque", r"torque\s+(?:of|from|by|due\s+to)\s+the\s+(?:inertia|mass)\s*forces?",
               r"torque\s+(?:that|which)\s+the\s+(?:inertia|mass)\s+forces?\s+exerts?", r"massen(?:dreh)?moment",
-              r"慣性(?:力による|力の)?トルク"),
+              r"慣性(?:力による|力の)?トルク",
+              r"(?:turning\s+)?moment", r"torque", r"(?:dreh)?moment", r"couple", r"トルク"),
         (), ("edit", "part"), approximate=_INERTIA_TORQUE,
         unless=words(_OFFSET, r"cylinders\b|all (?:four|three|six)|zylindern\b|aller zylinder|気筒(?:全体|分)|whole engine"
                      r"|\bbanks?\b|V-?(?:engine|motor|twin|\d)|sum of"),

@@ -93,7 +93,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("torque", "T M", r"(?<!trägheits)(?<!widerstands)(?<!flächen)moments?(?! of)|torques?|トルク"
      r"|ねじりモーメント"),
     ("force", "F P", r"forces?|loads?|kraft|last|力|荷重"),
-    ("pressure", "p P", r"pressure|druck|圧力?"),
+    ("pressure", "p P", r"pressure|druck|圧力?|[bi]?mep"),
     ("area", "A S F", r"area|fläche|面積"),
     ("modulus", "W Z S", r"section modulus|widerstandsmoment|断面係数"),
     ("section", "I J", r"second moment|moment of (?:inertia|area)|polar moment|trägheitsmoment"
@@ -156,7 +156,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("total_volume", "V", r"total volume|whole volume|gesamtvolumen|全容積", "",
     "c k K C 0 cl comp v V h H s S hub"),
     ("unbalance", "U", r"unbalance|imbalance|unwucht|不釣り?合い量?"),
-    ("slenderness", "lambda", r"ratio|verhältnis|比"),
+    ("slenderness", "lambda n nu", r"ratio|verhältnis|比"),
     ("compression", "epsilon varepsilon r R kappa", r"compression ratio|verdichtung(?:sverhältnis)?"
     r"|圧縮比"),
     ("efficiency", "eta", r"efficiency|wirkungsgrad|効率"),
@@ -233,7 +233,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("to_big", "", r"(?!)"),
     ("to_small", "", r"(?!)"),
     ("piston_mass", "m_K m_Ko m_k m_p m_P m_piston M_p m_Kolben m_1", r"(?:mass of the )?piston(?: mass| assembly)|mass of the piston"
-     r"|kolbenmasse|ピストン(?:の)?質量"),
+     r"|kolbenmasse|ピストン[^、。]{0,4}質量"),
     ("rod_mass", "m_Pl m_pl m_S m_St m_c m_r m_rod m_R m_P m_Pleuel m_cr", r"(?:connecting[- ])?rod mass|mass of the (?:connecting[- ])?rod"
      r"|pleuel(?:stangen)?masse|(?:連接棒|コンロッド)(?:の)?質量"),
     ("crank_mass", "m_KZ m_Z m_c m_cr m_crank m_W m_k m_K m_KW", r"crank(?:[- ]?pin)? mass|mass of the crank(?:[- ]?pin)?"

@@ -30,8 +30,8 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     words,
 )
 
-FOUR = words(r"four[- ]stroke|4[- ]stroke|viertakt|4-takt|4ストローク|4サイクル|四サイクル")
-TWO = words(r"two[- ]stroke|2[- ]stroke|zweitakt|2-takt|2ストローク|2サイクル|二サイクル")
+FOUR = words(r"quatre\s+temps|cuatro\s+tiempos|quattro\s+tempi|four[- ]stroke|4[- ]stroke|viertakt|4-takt|4ストローク|4サイクル|四サイクル")
+TWO = words(r"deux\s+temps|dos\s+tiempos|due\s+tempi|two[- ]stroke|2[- ]stroke|zweitakt|2-takt|2ストローク|2サイクル|二サイクル")
 _CYCLES = (
     r"working strokes|power strokes|cycles per|arbeitsspiele? (?:je|pro)|explosions|firings|camshaft"
     r"|nockenwelle"
@@ -70,7 +70,7 @@ WORK: tuple[Quantity, ...] = (
         r"\bleistung", r"動力", r"出力"),
         (torque * omega, 2 * PI * rotation * torque, PI * rotation * torque / 30, force * velocity,
          swing * rotation, swing * rotation / 60),
-        slips=("factor", "power", "turn"), unless=words(r"indicated|indiziert|図示|loss|verlust|損失|specific"),
+        slips=("factor", "power", "turn"), unless=words(FOUR.pattern, r"indicated|indiziert|図示|loss|verlust|損失|specific"),
     ),
     Quantity(
         "kinetic energy", letters("E T K W U"),
@@ -86,13 +86,17 @@ WORK: tuple[Quantity, ...] = (
         words(r"(?:maximum\s+)?fluctuation\s+of\s+energy", r"energy\s+(?:fluctuation|swing|variation)",
                r"swing\s+of\s+energy", r"energieschwankung", r"arbeitsüberschuss", r"überschussarbeit",
                r"エネルギー?(?:の)?変動(?:量)?", r"変動エネルギー?"),
-        (inertia * omega**2 * fluctuation, mass * radius**2 * omega**2 * fluctuation),
+        (inertia * omega**2 * fluctuation, mass * radius**2 * omega**2 * fluctuation,
+         mass * velocity**2 * fluctuation),
+        context=words(r"fly-?wheel", r"\brim\b", r"schwungrad", r"radkranz", r"fluctuation", r"はずみ車", r"フライホイール"),
         slips=("bare factor", "power"), unless=words(r"±|plus or minus|amplitude|ausschlag|振幅"),
     ),
     Quantity(
         "moment of inertia of the flywheel", letters("J I Theta"),
         words(r"fly-?wheel", r"schwungrad\w*", r"はずみ車", r"フライホイール",
-        r"\bvolant", r"volano"),
+        r"\bvolant", r"volano", r"(?:required|necessary|needed)\s+(?:mass\s+)?moment\s+of\s+inertia",
+        r"moment\s+of\s+inertia\s+(?:that\s+is\s+)?(?:required|needed)",
+        r"(?:erforderliche|nötige|notwendige)[sn]?\s+(?:massen)?trägheitsmoment", r"必要な?慣性モーメント"),
         (swing / (omega**2 * fluctuation), swing / (4 * PI**2 * rotation**2 * fluctuation),
          900 * swing / (PI**2 * rotation**2 * fluctuation)), slips=("bare factor", "power", "turn"),
         unless=words(r"±|plus or minus|amplitude|ausschlag|振幅"),
@@ -144,7 +148,9 @@ WORK: tuple[Quantity, ...] = (
          pressure * volume * rotation * efficiency / 2,
          pressure * volume * rotation * cylinders * efficiency / 2,
          pressure * volume * omega / (4 * PI),
-         pressure * area * stroke * rotation / 2, pressure * area * stroke * rotation * cylinders / 2),
+         pressure * area * stroke * rotation / 2, pressure * area * stroke * rotation * cylinders / 2,
+         swing * rotation / 2, swing * rotation / 120, torque * omega, 2 * PI * rotation * torque,
+         PI * rotation * torque / 30),
         ("factor", "turn", "power"), only=FOUR, unless=words(TWO.pattern, _CYCLES), is_told_once=True,
     ),
     Quantity(
@@ -153,7 +159,8 @@ WORK: tuple[Quantity, ...] = (
          pressure * volume * rotation / 60, pressure * volume * rotation * cylinders / 60,
          pressure * volume * rotation * efficiency, pressure * volume * rotation * cylinders * efficiency,
          pressure * volume * omega / (2 * PI),
-         pressure * area * stroke * rotation, pressure * area * stroke * rotation * cylinders),
+         pressure * area * stroke * rotation, pressure * area * stroke * rotation * cylinders,
+         swing * rotation, swing * rotation / 60),
         ("bare factor", "turn", "power"), only=TWO,
         unless=words(FOUR.pattern, _CYCLES, r"double[- ]acting|doppeltwirk|複動"), is_told_once=True,
     ),
