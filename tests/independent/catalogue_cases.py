@@ -268,7 +268,7 @@ SPACES = {"swept": F(9), "clearance": F(1), "compression": F(10)}
 
 CRANK_DRIVE = {
     "side force on the cylinder wall": [(DRIVE, PUSH * ALONG[1])],
-    "force in the connecting rod": [(DRIVE, PUSH)],
+    "force in the connecting rod": [(DRIVE, PUSH), (DRIVE, P / abs(mp.cos(mp.asin(R / L))))],
     "tangential force at the crank pin": [(DRIVE, TURNING_FORCE)],
     "radial force at the crank pin": [(DRIVE, INWARD), (DRIVE, -INWARD)],
     "torque of a crank": [(DRIVE, VIRTUAL)],

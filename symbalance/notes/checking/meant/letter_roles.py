@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 
 from symbalance.document.formula import Formula, Name, names
 from symbalance.document.letters import plain_letter
@@ -176,8 +177,17 @@ def _sign_of(letter: str) -> str:
 
 
 def ends_with(words: re.Pattern[str], text: str) -> bool:
-    """Tell whether a text ends with one of the words."""
-    return any(match.end() == len(text) for match in words.finditer(text))
+    """Tell whether a text ends with one of the words.
+
+    >>> ends_with(re.compile("mass|masse"), "die Masse".lower())
+    True
+    """
+    return _at_end(words).search(text) is not None
+
+
+@cache
+def _at_end(words: re.Pattern[str]) -> re.Pattern[str]:
+    return re.compile(rf"(?:{words.pattern})\Z", words.flags)
 
 
 def renamed(node: Formula, letters: Mapping[str, str]) -> Formula:

@@ -92,6 +92,8 @@ def _word_pattern(role: str) -> re.Pattern[str]:
 
 
 _PATTERNS = {role: _word_pattern(role) for role in _KIND_OF if role not in ("rotation", "omega")}
+_ALONE = {role: _pattern(_KIND_OF[role], "{number}") for role in ("volume", "pressure", "torque", "power")}
+"""Sizes whose unit says enough, where no words name them: 2.3 l."""
 _SPEEDS = _pattern("speed", "{number}")
 _ANGULAR = _pattern("angular", "{number}")
 
@@ -214,6 +216,8 @@ class NamedNumbers:
             role: list(_numbers(pattern, text, _KIND_OF[role])) for role, pattern in _PATTERNS.items()
         }
         several["rotation"] = list(_numbers(_SPEEDS, text, "speed"))
+        for role, pattern in _ALONE.items():
+            several[role] = several[role] or list(_numbers(pattern, text, _KIND_OF[role]))
         several["omega"] = list(_numbers(_ANGULAR, text, "angular"))
         several["omega"] = several["omega"] or [2 * pi * each for each in several["rotation"]]
         counts = [count for match in ENGINE.finditer(text) if (count := engine_of(match)) is not None]

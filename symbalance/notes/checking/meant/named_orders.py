@@ -116,6 +116,9 @@ _PARTLY = re.compile(
     re.IGNORECASE,
 )
 """Words for a part of what a whole engine does, or for what is done against it."""
+_CANCEL = re.compile(r"vanish|cancel|balance\s+each|heben\s+sich|verschwind|entfall|打ち消|消え", re.IGNORECASE)
+_LEFT = re.compile(r"remain|is\s+left|bleib|übrig|残", re.IGNORECASE)
+"""Words by which orders of the whole engine vanish, and by which one is what the whole engine has left."""
 _NOTHING = 1e-6
 _COEFFICIENT = re.compile(r"(?P<stem>[A-Za-z])_(?P<order>[1-9])")
 _FACTOR = re.compile(r"(?:factor|number misprinted) .*")
@@ -270,6 +273,10 @@ class NamedOrders:
         own = clause if _ORDER_WORD.search(clause) else own
         numbers = {int((m.lastgroup or "n0")[1:]) for m in _ORDER.finditer(own)}
         kinds = [kind for kind, pattern in _KINDS.items() if pattern.search(own)]
+        whole = self.meant.words.paragraph(chain)
+        is_left = _CANCEL.search(whole) is not None and _LEFT.search(own) is not None
+        if is_left:  # of the first and second orders the torques cancel, of the third there remains
+            kinds = kinds or [kind for kind, pattern in _KINDS.items() if pattern.search(whole)]
         if len(numbers) != 1 or not kinds or not _ORDER_WORD.search(own):
             return None
         number = numbers.pop()
@@ -280,9 +287,14 @@ class NamedOrders:
             return None
         is_alone = not self._speaks_of_more and not _IN_A_CASE.search(own)
         is_of_one = _OF_ONE.search(own) is not None
-        is_of_engine = (bool(header) or _FREE.search(own) is not None) and not is_of_one
+        is_of_engine = (bool(header) or is_left or _FREE.search(own) is not None) and not is_of_one
         return _Order(
-            number, kinds[0], own, is_alone=is_alone, is_of_engine=is_of_engine, is_in_row=bool(header)
+            number,
+            kinds[0],
+            own,
+            is_alone=is_alone,
+            is_of_engine=is_of_engine,
+            is_in_row=bool(header) or is_left,
         )
 
     def _coefficient(self, name: str, value: Formula, chain: Chain) -> _Order | None:

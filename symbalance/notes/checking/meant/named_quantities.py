@@ -34,6 +34,7 @@ from symbalance.document.formula import (
 )
 from symbalance.document.letters import plain_letter
 from symbalance.notes.algebra.evaluation import SymbolValue
+from symbalance.notes.checking.deciding.cases import NO_POINT
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -56,7 +57,7 @@ SEARCH, SHARE = Budget(4), 0.6
 SENTENCE, PARAGRAPH, AFTER = 220, 500, 60
 """Characters that are looked through: before a formula for its name, and around for another shape."""
 _ONE_TERM = re.compile(r"order|exponent|number misprinted .*|sign|factor -?[0-9/]+")
-_SENTENCE_END = re.compile(r"[.;!?](?:\s|$)|[。；]|\n\s*\n|<p\b|<li\b|\\item|\\section|\n#|\n\||\n {0,4}(?:[*•-]|\d{1,3}[.)])\s")
+_SENTENCE_END = re.compile(r"[;!?](?:\s|$)|\.(?:\s(?!Ordnung|Harmonische)|$)|[。；]|\n\s*\n|<p\b|<li\b|\\item|\\section|\n#|\n\||\n {0,4}(?:[*•-]|\d{1,3}[.)])\s")
 _BLANK = re.compile(r"\n\s*\n")
 _OPENING = re.compile(
     r"(?:\s|\$+|\\[\[(]|\\begin\{[a-z]+\*?\}|\\displaystyle|&|\||<p>|<div>"
@@ -132,6 +133,8 @@ _OF_A_LETTER = (
     r"(?i:\b(?:total|whole|mean|average|mittlere[rnms]?|gesamte?[rnms]?|effektive[rnms]?|gesamt(?=\w))|平均|総|全)"
 )
 """Words before the name of a letter that make of it no part of another: the mean pressure p."""
+_LEAD = re.compile(r"(?:\*\*|__)?([^.:\n]{3,60}?)(?:\*\*|__)?[.:](?=\s)")
+"""The opening words of a paragraph, set off as a title."""
 _ROD_FORCE = re.compile(
     r"\brod\s+(?:force|thrust|load)|(?:force|thrust)\s+(?:in|of|along|on)\s+the\s+(?:connecting[- ])?rod"
     r"|(?:pleuel|stangen)-?kraft|(?:連接棒|コンロッド)[^、。]{0,8}力|bielle|biela",
@@ -169,6 +172,13 @@ class Named:
     heading: str = ""
     is_above: bool = False
     """Whether words above name the letter: another formula of it may be that, and is never refuted."""
+
+    @property
+    def cylinders(self) -> int | None:
+        """The cylinders of the engine that the words around name, None where they name none."""
+        text = f"{self.heading} {self.around}"
+        engine = engine_named(text, len(text) + 1)
+        return None if engine is None else engine[0]
 
     @property
     def may_refute(self) -> bool:
@@ -291,9 +301,9 @@ class NamedQuantities:
     ) -> list[Formula]:
         """Return the formulas of a quantity in the letters of a claim."""
         together = named.quantity.together
-        count = engine_named(f"{named.heading} {named.around}", len(named.heading) + len(named.around) + 1)
+        count = named.cylinders
         if count is not None and named.quantity.only is not None:  # f = 6 n/2 of a six-cylinder engine
-            put_in = (substitute(f, cylinders.name, Number(Fraction(count[0]))) for f in formulas)
+            put_in = (substitute(f, cylinders.name, Number(Fraction(count))) for f in formulas)
             formulas = (*formulas, *(f for f in put_in if f not in formulas))
         return list(self.roles.targets(formulas, claim, knowledge.meanings, together, name))
 
@@ -334,6 +344,7 @@ class NamedQuantities:
             return
         by_phrase = by_phrase or list(self._by_clause(name, chain, stem, places))
         by_phrase = by_phrase or list(self._by_words_behind(chain, stem, places, sentence))
+        by_phrase = by_phrase or list(self._by_words_around(chain, before, stem, places, sentence))
         by_phrase = by_phrase or list(self._by_letter(name, stem, places, sentence))
         if by_phrase:
             yield from by_phrase
@@ -348,11 +359,13 @@ class NamedQuantities:
         if is_named:
             return
         is_bare = len(_NO_LETTER.sub("", before)) <= BARE
+        lead = self._lead_in(chain) if is_bare else ""
+        noun = _last_noun(before)
         for quantity in QUANTITIES:
             if stem not in quantity.letters:
                 continue
-            title = quantity.phrases.search(heading) if is_bare else None
-            if title is not None:
+            title = quantity.phrases.search(heading) or quantity.phrases.search(lead)
+            if title is not None and (is_bare or (noun and noun in title[0].casefold().split()[:1])):
                 yield _named(quantity, title[0].strip(), places, sentence)
                 continue
             if quantity.context is None or (quantity.indices and index not in quantity.indices):
@@ -412,6 +425,36 @@ class NamedQuantities:
         for stop, quantity, words in matches:
             if stop == last:
                 yield _named(quantity, words, places, sentence.replace(words, ""))
+
+    def _lead_in(self, chain: Chain) -> str:
+        """Return the few words that open a relation's paragraph like a title: "Radial force. Along …"."""
+        start = min(side.span[0] for side in chain.sides)
+        above = _BLANK.split(_OPENING.sub("", self.document.text[max(0, start - PARAGRAPH) : start]))[-1]
+        _, other = self._chain_before(start)
+        is_first = (
+            other is None
+            or not isinstance(other.sides[0].node, Name)
+            or self.document.source(other.sides[0].span) + " " not in above
+        )
+        match = _LEAD.match(above)
+        return match[1] if match is not None and is_first else ""
+
+    def _by_words_around(
+        self, chain: Chain, before: str, stem: str, places: _Places, sentence: str
+    ) -> Iterator[Named]:
+        """Yield the quantities that words name around a formula: the thrust H = … against the liner."""
+        end = max(side.span[1] for side in chain.sides)
+        after = _SENTENCE_END.split(self.document.text[end : end + AFTER])[0].lstrip(" $)\\]")
+        words = before.rstrip(" $(\\[") + " "
+        matches = [
+            (match, quantity)
+            for quantity in QUANTITIES
+            if stem in quantity.letters
+            for match in quantity.phrases.finditer(words + after)
+            if match.start() < len(words) < match.end()
+        ]
+        for match, quantity in matches:
+            yield _named(quantity, match[0], places, sentence)
 
     def _by_pronoun(
         self, chain: Chain, before: str, stem: str, places: _Places, sentence: str
@@ -504,7 +547,9 @@ class NamedQuantities:
             return None
         if _has_complement(claim, knowledge):
             return None
-        is_scaled = any(self.roles.is_multiplied(n) for n in names(claim))
+        count = named.cylinders
+        is_of_more = quantity.is_of_one and (count or 1) > 1
+        is_scaled = is_of_more or any(self.roles.is_multiplied(n) for n in names(claim))
         own = _without_letters_named(named.sentence, names(claim))
         is_in_words = may_be_part(own)
         is_part = is_in_words or _has_own_convention(claim, knowledge)
@@ -523,6 +568,8 @@ class NamedQuantities:
             side = chain.sides[1]
             left = Side((target,), chain.sides[0].span)
             decision = decide(left, side, chain.relations[0].sign, known)
+            if decision.reason == NO_POINT:  # √(1 - λ²), whose values differ below λ = 1
+                decision = replace(decision, status=REFUTED)
             if decision.status != REFUTED:
                 continue
             decision = replace(decision, reason=f"if {self.text(name, named)}")
@@ -593,6 +640,12 @@ def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> Na
             quantity.unless is not None and quantity.unless.search(places.page) is not None
         )
     return Named(quantity, words, places.around, sentence, is_other, heading=places.heading)
+
+
+def _last_noun(before: str) -> str:
+    """Return the last word before a formula that is no "is" or "the"."""
+    words = [w for w in re.findall(r"[^\W\d_]{3,}", before) if not _COPULA.fullmatch(w)]
+    return words[-1].casefold() if words else ""
 
 
 def _over_cosine(node: Formula) -> set[str]:

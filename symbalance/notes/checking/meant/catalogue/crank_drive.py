@@ -138,7 +138,7 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
     Quantity(
         "side force on the cylinder wall", letters("N F S Q R G H L"),
         words(r"(?:side|lateral|normal|wall|piston\s+side|guide|slide[- ]?bar|skirt|slipper)\s+(?:force|thrust|pressure|load|loading|reaction)", r"side[- ]thrust",
-              r"thrust\s+on\s+the\s+(?:cylinder\s+)?(?:wall|liner)",
+              r"thrust\s+(?:on|against)\s+the\s+(?:cylinder\s+)?(?:wall|liner|bore)",
               r"force\s+(?:on|against)\s+the\s+(?:cylinder\s+)?wall",
               r"(?:kolben)?(?:seiten|normal|führungs|gleitbahn)(?:druck)?kraft",
               r"(?:側圧|側方力|サイドスラスト|スラスト力)", r"(?:effort|force|poussée)\s+latérale?", r"fuerza\s+(?:lateral|normal)"),

@@ -138,10 +138,10 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
               r"torque\s+(?:that|which)\s+the\s+(?:inertia|mass)\s+forces?\s+exerts?", r"massen(?:dreh)?moment",
               r"慣性(?:力による|力の)?トルク",
               r"(?:turning\s+)?moment", r"torque", r"(?:dreh)?moment", r"couple", r"トルク"),
-        (), ("edit", "part"), approximate=_INERTIA_TORQUE,
+        (), ("edit", "factor", "power"), approximate=_INERTIA_TORQUE,
         unless=words(_OFFSET, r"cylinders\b|all (?:four|three|six)|zylindern\b|aller zylinder|気筒(?:全体|分)|whole engine"
-                     r"|\bbanks?\b|V-?(?:engine|motor|twin|\d)|sum of"),
-        turns=True, only=_ENGINE, is_told_once=True,
+                     r"|\bbanks?\b|V-?(?:engine|motor|twin|\d)|sum of|verdoppel|doubl|boxer|twin"),
+        turns=True, only=_ENGINE, is_told_once=True, is_of_one=True,
     ),
     Quantity(
         "distance of the piston pin from the crank's axis", letters("h y x H s a b"),
@@ -221,7 +221,7 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
               r"(?:surplus|excess)\s+(?:work|energy)", r"change\s+of\s+(?:the\s+)?kinetic\s+energy",
               r"überschussarbeit", r"arbeitsüberschuss", r"energieschwankung", r"abgegebene\s+energie",
               r"余剰(?:仕事|エネルギー?)", r"エネルギー?(?:の)?変動(?:量)?"),
-        (inertia * (omega_high**2 - omega_low**2) / 2,), ("edit", "part", "minus"),
+        (inertia * (omega_high**2 - omega_low**2) / 2,), ("edit", "factor", "minus"),
         mistakes=(inertia * (omega_high - omega_low) ** 2 / 2,),
         others=(inertia * (omega_low**2 - omega_high**2) / 2,),
     ),

@@ -63,6 +63,8 @@ class Quantity:
     """Whether those words may stand anywhere on the page, if none of `unless` does."""
     together: tuple[tuple[str, str], ...] = ()
     """Roles whose letters have the same subscript, l_2 and d_2; "" is the quantity itself."""
+    is_of_one: bool = False
+    """Whether it is one cylinder's: where the words name an engine with more, no factor is a slip."""
     turns: bool = False
     """Whether the angle has to be counted from the line of stroke, at the top, for a refutation."""
 
