@@ -263,6 +263,9 @@ class Judge:
             or leave_cranks(self.state, chain, k)
         ):
             return self._anew(chain, k) or self._link_in_scope(chain, k, sound, bad)
+        is_open = verdict.verdict == UNDECIDED and (verdict.reason or "").startswith("with line")
+        if is_open and leave_cycle(self.state, chain, k):
+            return self._anew(chain, k) or self._link_in_scope(chain, k, sound, bad)
         contradicts = verdict.verdict == CONTRADICTION or (
             verdict.verdict in (REFUTED, UNDECIDED)
             and (verdict.reason or "").startswith(("contradicts", "does not fit"))

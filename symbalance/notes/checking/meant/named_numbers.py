@@ -116,7 +116,8 @@ class NamedNumbers:
         candidates = candidates or self._by_unit(left.name, chain)
         if value is None or not candidates:
             return None
-        results = [float(value), *self._result(chain, knowledge)]
+        result = list(self._result(chain, knowledge))
+        results = [float(value), *result]
         digits = frozenset(_digits(float(n)) for n in numbers if n)
         values = self._values(chain, knowledge, digits)
         targets = [(each, t) for each in candidates for t in self._targets(each, values, numbers)]
@@ -125,6 +126,10 @@ class NamedNumbers:
         if len({round(log10(t), 2) for _, (t, _) in targets if t > 0}) != 1:
             return None  # two formulas, two values: which is meant is open
         named, (target, roles) = targets[0]
+        if not result:  # of numbers in units that the line leaves out, 7.0/0.85, the digits are compared
+            results = [float(value) * 10**k for k in range(-9, 10)]
+        if any(isclose(r, t, rel_tol=NEAR) for r in results for _, (t, _) in targets):
+            return None
         if not self._is_slip(named, target, roles, results, values, numbers):
             return None
         text = self.named.text(left.name, named)

@@ -62,6 +62,8 @@ from symbalance.notes.reading.equations import Chain, Side
 
 FORCE, ACCELERATION, TORQUE = "inertia force", "piston acceleration", "inertia torque"
 COUPLE = "couple"
+REACH = 300
+"""Characters before a relation in which words say that other orders cancel."""
 HIGHEST = 8
 """Orders above are named by nobody."""
 _NUMBERS = {
@@ -146,6 +148,8 @@ class _Order:
     """Whether they speak of what is free of the whole engine."""
     is_in_row: bool = False
     """Whether it stands in a table, whose row names the engine."""
+    is_left: bool = False
+    """Whether words say that it is what the whole engine has left."""
 
     @property
     def source(self) -> str:
@@ -182,7 +186,8 @@ class NamedOrders:
         if head is None or order is None or order.number > HIGHEST:
             return None
         angles = cranks(chain)
-        if isinstance(chain.sides[0].node, Summation) and (angles is None or not angles.is_usual):
+        is_of_all = isinstance(chain.sides[0].node, Summation) or order.is_left
+        if is_of_all and (angles is None or not angles.is_usual):
             return None
         if isinstance(self.meant.sources.engines, NoEngines):
             return None  # nobody is at hand who knows a slider-crank's series
@@ -273,7 +278,7 @@ class NamedOrders:
         own = clause if _ORDER_WORD.search(clause) else own
         numbers = {int((m.lastgroup or "n0")[1:]) for m in _ORDER.finditer(own)}
         kinds = [kind for kind, pattern in _KINDS.items() if pattern.search(own)]
-        whole = self.meant.words.paragraph(chain)
+        whole = self.meant.words.document.text[max(0, chain.start - REACH) : chain.start]
         is_left = _CANCEL.search(whole) is not None and _LEFT.search(own) is not None
         if is_left:  # of the first and second orders the torques cancel, of the third there remains
             kinds = kinds or [kind for kind, pattern in _KINDS.items() if pattern.search(whole)]
@@ -295,6 +300,7 @@ class NamedOrders:
             is_alone=is_alone,
             is_of_engine=is_of_engine,
             is_in_row=bool(header) or is_left,
+            is_left=is_left,
         )
 
     def _coefficient(self, name: str, value: Formula, chain: Chain) -> _Order | None:

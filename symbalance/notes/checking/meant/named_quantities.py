@@ -135,6 +135,12 @@ _OF_A_LETTER = (
 """Words before the name of a letter that make of it no part of another: the mean pressure p."""
 _LEAD = re.compile(r"(?:\*\*|__)?([^.:\n]{3,60}?)(?:\*\*|__)?[.:](?=\s)")
 """The opening words of a paragraph, set off as a title."""
+_ENGINE_SIZE = re.compile(
+    r"\b(?:two|three|four|five|six|eight|twelve|[2-9]|1[0-9])[- ]cylinder(?!s)|\b(?:zwei|drei|vier|fünf|sechs|acht)zylinder"
+    r"|[2-9２-９]気筒",
+    re.IGNORECASE,
+)
+"""The number of an engine's cylinders, which its formulas take as it is."""
 _ROD_FORCE = re.compile(
     r"\brod\s+(?:force|thrust|load)|(?:force|thrust)\s+(?:in|of|along|on)\s+the\s+(?:connecting[- ])?rod"
     r"|(?:pleuel|stangen)-?kraft|(?:連接棒|コンロッド)[^、。]{0,8}力|bielle|biela",
@@ -434,6 +440,7 @@ class NamedQuantities:
         is_first = (
             other is None
             or not isinstance(other.sides[0].node, Name)
+            or not names(other.sides[-1].node)
             or self.document.source(other.sides[0].span) + " " not in above
         )
         match = _LEAD.match(above)
@@ -551,6 +558,7 @@ class NamedQuantities:
         is_of_more = quantity.is_of_one and (count or 1) > 1
         is_scaled = is_of_more or any(self.roles.is_multiplied(n) for n in names(claim))
         own = _without_letters_named(named.sentence, names(claim))
+        own = own if quantity.only is None else _ENGINE_SIZE.sub("", own)
         is_in_words = may_be_part(own)
         is_part = is_in_words or _has_own_convention(claim, knowledge)
         is_part = is_scaled or (is_part and "part" not in quantity.slips)

@@ -55,5 +55,8 @@ def is_another_cycle(text: str, earlier: tuple[int, int], place: tuple[int, int]
     >>> is_another_cycle(text, (17, 26), (48, 59)), is_another_cycle(text, (17, 26), (20, 26))
     (True, False)
     """
-    before, now = (cycles_behind(text, end) or cycles_named(text, start) for start, end in (earlier, place))
+    between = text[max(earlier[1], place[0] - _REACH) : place[0]]
+    before = cycles_behind(text, earlier[1]) or cycles_named(text, earlier[0])
+    now = cycles_behind(text, place[1]) or cycles_named(between, len(between))
+    now = now or cycles_named(text, place[0])
     return bool(before and now) and not (before <= now or now <= before)

@@ -125,7 +125,7 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "work of a cycle of a four-stroke engine", letters("W A E"),
-        words(r"work(?:\s+done)?\s+(?:of|in|per|during)\s+(?:one|a|each|the)\s+cycle",
+        words(r"work(?:\s+done)?\s+(?:of|in|per|during)\s+(?:(?:one|a|each|the)\s+)?cycle",
               r"arbeit\s+(?:je|pro|eines)\s+(?:arbeitsspiels?|zyklus)", r"arbeit\s+(?:in\s+)?einem\s+arbeitsspiel",
               r"1サイクル(?:あたり|当たり)?の仕事"),
         (4 * PI * torque, pressure * volume), ("turn", "factor", "part"),

@@ -92,7 +92,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("radius", "r R", r"radi(?:us|i)|halbmesser|半径|crank throw"),
     ("crank", "r R", r"radi(?:us|i)|halbmesser|半径|crank throw|crank length"),
     ("bending", "M", r"(?<!trägheits)(?<!widerstands)(?<!flächen)moments?(?! of)|曲げモーメント"),
-    ("torque", "T M", r"(?<!trägheits)(?<!widerstands)(?<!flächen)moments?(?! of)|torques?|トルク"
+    ("torque", "T M tau", r"(?<!trägheits)(?<!widerstands)(?<!flächen)moments?(?! of)|torques?|トルク"
      r"|ねじりモーメント"),
     ("force", "F P", r"forces?|loads?|kraft|last|力|荷重"),
     ("pressure", "p P", r"pressure|druck|圧力?|[bi]?mep"),
