@@ -35,7 +35,8 @@ LONG = {"pin": F(3, 100), "rod": F(3), "ratio": F(1, 100), "crank_angle": F(7, 1
 PUSHED = {"tangential": F(30), "radial_part": F(50), "centrifugal": F(10)}
 
 
-def height(angle, rod=mpf(1) / 10):
+def height(angle, rod=None):
+    rod = mpf(1) / 10 if rod is None else rod
     return R * mp.cos(angle) + mp.sqrt(rod**2 - (R * mp.sin(angle)) ** 2)
 
 
@@ -100,7 +101,9 @@ CRANK_TORQUE = {
     "mechanical efficiency": [(PRESSURES, (GAINED - LOST) / GAINED)],
     "effective pressure by the losses": [(PRESSURES, (GAINED - LOST) / 3)],
     "friction mean effective pressure": [(PRESSURES, LOST / 3)],
-    "work of a cycle of a four-stroke engine": [(CYCLE, mp.quad(lambda a: 300, [0, 2 * mp.pi, 4 * mp.pi]))],
+    "work of a cycle of a four-stroke engine": [
+        (CYCLE, mp.quad(lambda a: 300, [0, 2 * mp.pi, 4 * mp.pi]))
+    ],
     "inertia torque of one cylinder": [(LONG, inertia_torque())],
     "distance of the piston pin from the crank's axis": [(DRIVE, height(T))],
     "mass of a rod at its small end": [(ENDS, SMALL_END)],
@@ -114,7 +117,10 @@ CRANK_TORQUE = {
     ],
     "energy between two speeds of a flywheel": [(WHEEL, mp.quad(lambda w: 2 * w, [98, 102]))],
     "moment of inertia with the piston's mean share": [
-        (SHARE, mp.quad(lambda a: 2 + mpf(3.5) * (R * mp.sin(a)) ** 2, [0, mp.pi, 2 * mp.pi]) / (2 * mp.pi))
+        (
+            SHARE,
+            mp.quad(lambda a: 2 + mpf(3.5) * (R * mp.sin(a)) ** 2, [0, mp.pi, 2 * mp.pi]) / (2 * mp.pi),
+        )
     ],
     "moment of inertia of the drive reduced to the crank": [
         (SHARE, reduced(rest, ratio)) for rest in (2, 0) for ratio in (mpf(0), mpf(3) / 10)
@@ -139,6 +145,10 @@ CRANK_TORQUE = {
     "firing frequency of a two-stroke engine": [(ENGINE, ignitions(6, 1))],
     "mean tangential pressure of a four-stroke engine": [(ENGINE, mean_tangential(2))],
     "mean tangential pressure of a two-stroke engine": [(ENGINE, mean_tangential(1))],
-    "order of the lowest main harmonic of a four-stroke engine": [(ENGINE, mpf(int(lowest_in_phase(6, 2))))],
-    "order of the lowest main harmonic of a two-stroke engine": [(ENGINE, mpf(int(lowest_in_phase(6, 1))))],
+    "order of the lowest main harmonic of a four-stroke engine": [
+        (ENGINE, mpf(int(lowest_in_phase(6, 2))))
+    ],
+    "order of the lowest main harmonic of a two-stroke engine": [
+        (ENGINE, mpf(int(lowest_in_phase(6, 1))))
+    ],
 }

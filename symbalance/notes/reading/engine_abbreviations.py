@@ -37,7 +37,10 @@ def with_abbreviations(text: str) -> Rewritten | None:
     for match in _WORD.finditer(text):
         word = match["set_pressure"] or match["pressure"] or match["set_power"] or match["power"]
         is_power = bool(match["set_power"] or match["power"])
-        before, behind = text[max(0, match.start() - _LOOK) : match.start()], text[match.end() : match.end() + _LOOK]
+        before, behind = (
+            text[max(0, match.start() - _LOOK) : match.start()],
+            text[match.end() : match.end() + _LOOK],
+        )
         is_in_formula = _BEHIND.match(behind) or _BEFORE.search(before)
         if not is_in_formula or (is_power and not speaks_of_power):
             continue

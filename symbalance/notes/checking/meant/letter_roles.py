@@ -42,14 +42,18 @@ _IS = re.compile(
 )
 """What a letter is said to be behind it: d is the distance of the supports."""
 _FROM_END = (
-    r"(?:(?:from|to|vom?|von\s+de[rmn]|bis\s+zu[mr]?)\s+(?:the\s+|de[rmn]\s+)?(?:{})(?![A-Za-z])|(?:{})から)"
+    r"(?:(?:from|to|vom?|von\s+de[rmn]|bis\s+zu[mr]?)\s+(?:the\s+|de[rmn]\s+)?(?:{})(?![A-Za-z])"
+    r"|(?:{})から)"
 )
 ROD_ENDS = {
     "to_big": _FROM_END.format(
-        r"(?:big|large)[- ]end|crank[- ]?pin|großen\s+\w*(?:auge|kopf)|(?:kurbel|hub)zapfen", r"大端部?|クランクピン"
+        r"(?:big|large)[- ]end|crank[- ]?pin|großen\s+\w*(?:auge|kopf)|(?:kurbel|hub)zapfen",
+        r"大端部?"
+        r"|クランクピン",
     ),
     "to_small": _FROM_END.format(
-        r"small[- ]end|(?:piston|gudgeon|wrist)[- ]?pin|kleinen\s+\w*(?:auge|kopf)|kolbenbolzen", r"小端部?|ピストンピン"
+        r"small[- ]end|(?:piston|gudgeon|wrist)[- ]?pin|kleinen\s+\w*(?:auge|kopf)|kolbenbolzen",
+        r"小端部?|ピストンピン",
     ),
 }
 _END_BEHIND = {

@@ -38,10 +38,12 @@ REACH = 1500
 _UNITS = {
     "length": {"mm": 1e-3, "cm": 1e-2, "dm": 0.1, "m": 1},
     "pressure": {"bar": 1e5, "MPa": 1e6, "N/mm²": 1e6, "N/mm^2": 1e6, "kPa": 1e3, "Pa": 1},
-    "volume": {"l": 1e-3, "L": 1e-3, "litres": 1e-3, "liters": 1e-3, "litre": 1e-3, "Liter": 1e-3, "dm³": 1e-3,
+    "volume": {"l": 1e-3, "L": 1e-3, "litres": 1e-3, "liters": 1e-3, "litre": 1e-3, "Liter": 1e-3,
+    "dm³": 1e-3,
                "dm^3": 1e-3, "cm³": 1e-6, "cm^3": 1e-6, "cc": 1e-6, "m³": 1, "m^3": 1},
     "mass": {"kg": 1, "g": 1e-3},
-    "speed": {"rpm": 1 / 60, "min⁻¹": 1 / 60, "1/min": 1 / 60, "U/min": 1 / 60, "r/min": 1 / 60, "rev/min": 1 / 60},
+    "speed": {"rpm": 1 / 60, "min⁻¹": 1 / 60, "1/min": 1 / 60, "U/min": 1 / 60, "r/min": 1 / 60,
+    "rev/min": 1 / 60},
     "angular": {"rad/s": 1},
     "power": {"W": 1, "kW": 1e3, "MW": 1e6},
     "energy": {"J": 1, "kJ": 1e3, "N m": 1, "Nm": 1},
@@ -92,7 +94,9 @@ def _word_pattern(role: str) -> re.Pattern[str]:
 
 
 _PATTERNS = {role: _word_pattern(role) for role in _KIND_OF if role not in ("rotation", "omega")}
-_ALONE = {role: _pattern(_KIND_OF[role], "{number}") for role in ("volume", "pressure", "torque", "power")}
+_ALONE = {
+    role: _pattern(_KIND_OF[role], "{number}") for role in ("volume", "pressure", "torque", "power")
+}
 """Sizes whose unit says enough, where no words name them: 2.3 l."""
 _SPEEDS = _pattern("speed", "{number}")
 _ANGULAR = _pattern("angular", "{number}")
@@ -116,26 +120,35 @@ class NamedNumbers:
         candidates = candidates or self._by_unit(left.name, chain)
         if value is None or not candidates:
             return None
+        return self._refuted(chain, left.name, candidates, float(value), numbers, knowledge)
+
+    def _refuted(
+        self,
+        chain: Chain,
+        name: str,
+        candidates: list[Named],
+        value: float,
+        numbers: list[Fraction],
+        knowledge: Knowledge,
+    ) -> Decision | None:
+        """Return the refutation of a value that is a slip from what the sizes give; else None."""
         result = list(self._result(chain, knowledge))
-        results = [float(value), *result]
+        # of numbers in units that the line leaves out, 7.0/0.85, the digits are compared
+        results = [value, *result] if result else [value * 10**k for k in range(-9, 10)]
         digits = frozenset(_digits(float(n)) for n in numbers if n)
         values = self._values(chain, knowledge, digits)
         targets = [(each, t) for each in candidates for t in self._targets(each, values, numbers)]
-        if not targets or any(isclose(r, t, rel_tol=NEAR) for r in results for _, (t, _) in targets):
-            return None
-        if len({round(log10(t), 2) for _, (t, _) in targets if t > 0}) != 1:
-            return None  # two formulas, two values: which is meant is open
-        named, (target, roles) = targets[0]
-        if not result:  # of numbers in units that the line leaves out, 7.0/0.85, the digits are compared
-            results = [float(value) * 10**k for k in range(-9, 10)]
         if any(isclose(r, t, rel_tol=NEAR) for r in results for _, (t, _) in targets):
             return None
+        if len({round(log10(t), 2) for _, (t, _) in targets}) != 1:
+            return None  # no formula, or two with two values: which is meant is open
+        named, (target, roles) = targets[0]
         if not self._is_slip(named, target, roles, results, values, numbers):
             return None
-        text = self.named.text(left.name, named)
+        text = self.named.text(name, named)
         sizes = ", ".join(f"{role.replace('_', ' ')} {_text(values[role])}" for role in sorted(roles))
         reason = f"if {text}: by the numbers of the page ({sizes}) it is {_text(target)}"
-        return Decision(REFUTED, reason, witness={plain_letter(left.name): _text(target)})
+        return Decision(REFUTED, reason, witness={plain_letter(name): _text(target)})
 
     def _by_unit(self, name: str, chain: Chain) -> list[Named]:
         """Return the quantities that the unit of the result says: what is in kW is a power."""
@@ -206,9 +219,7 @@ class NamedNumbers:
             if not is_per_minute and ("cylinders" in own) <= has_count:
                 yield value, own
 
-    def _values(
-        self, chain: Chain, knowledge: Knowledge, digits: frozenset[int]
-    ) -> dict[str, float]:
+    def _values(self, chain: Chain, knowledge: Knowledge, digits: frozenset[int]) -> dict[str, float]:
         """Return the sizes of which the section gives one number, by words or by a letter.
 
         Of several that which has the digits of a number put in, if one alone has them.

@@ -88,39 +88,50 @@ _KINDS: Mapping[str, re.Pattern[str]] = {
     ACCELERATION: re.compile(r"acceleration|beschleunigung|加速度", re.IGNORECASE),
 }
 _ORDER_WORD = re.compile(
-    r"order|harmonic|Ordnung|Harmonische|primary|secondary|次(?:の)?(?:慣性|成分|項|調和|の力|加速|トルク|不?釣|力)",
+    r"order|harmonic|Ordnung|Harmonische|primary|secondary|次(?:の)?(?:慣性|成分|項|調和|の力|加速"
+    r"|トルク|不?釣|力)",
     re.IGNORECASE,
 )
 _OF_MORE = re.compile(
-    r"cylinders|zylindern?(?![A-Za-z])|気筒|\bbanks?\b|boxer|lanchester|rotating\s+(?:vector|mass)|vectors?\b|zeiger"
-    r"|twin|pair|paar|\btwo\b|\bzwei|both|beide|half|hälfte|balanc|ausgleich|釣合|バランス|resultant|resultier|total|gesamt|\bsum\b|summe|合力|合計|component"
-    r"|komponente|mean|mittel|gas|rotating|rotier|umlauf|回転質量|side|seiten|rod|pleuel|V-?\d|couple|kipp|偶力",
+    r"cylinders|zylindern?(?![A-Za-z])|気筒|\bbanks?\b|boxer|lanchester|rotating\s+(?:vector|mass)"
+    r"|vectors?\b|zeiger"
+    r"|twin|pair|paar|\btwo\b|\bzwei|both|beide|half|hälfte|balanc|ausgleich|釣合|バランス|resultant"
+    r"|resultier|total|gesamt|\bsum\b|summe|合力|合計|component"
+    r"|komponente|mean|mittel|gas|rotating|rotier|umlauf|回転質量|side|seiten|rod|pleuel|V-?\d|couple"
+    r"|kipp|偶力",
     re.IGNORECASE,
 )
 """Words for more or for less than what one cylinder's piston does: no factor is a slip beside them."""
 _IN_A_CASE = re.compile(
-    r"\b(?:at|when|if|where|double[ds]?|twice|times|speed|wenn|falls|bei|im|am|doppelt\w*|verdoppel\w*|drehzahl"
+    r"\b(?:at|when|if|where|double[ds]?|twice|times|speed|wenn|falls|bei|im|am|doppelt\w*|verdoppel\w*"
+    r"|drehzahl"
     r"|left|remain\w*|rest|leaves|bleib\w*)\b|のとき|の場合|倍|残",
     re.IGNORECASE,
 )
 """Words for a case in which an order is another than in general."""
 _FREE = re.compile(
     r"\bfree\b|freie|resultant|resultier|total|gesamt|\bsum\b|summe|合力|合計|全体|不?釣"
-    r"|\ball\s+(?:the\s+)?(?:\w+\s+)?cylinders|\balle[rn]?\s+(?:\w+\s+)?zylinder|whole\s+engine|ganzen?\s+motors?|全気筒", re.IGNORECASE
+    r"|\ball\s+(?:the\s+)?(?:\w+\s+)?cylinders|\balle[rn]?\s+(?:\w+\s+)?zylinder|whole\s+engine"
+    r"|ganzen?\s+motors?|全気筒",
+    re.IGNORECASE,
 )
 _OF_ONE = re.compile(
     r"\b(?:per|each|one|single)\b|\bje\b|\bpro\b|einzel|eines\s+zylinders|1\s?気筒|各|単気筒|一つ",
     re.IGNORECASE,
 )
 _PARTLY = re.compile(
-    r"pair|paar|half|hälfte|halb|both|beide|\btwo\b|\bzwei\b|each|\bje\b|\bper\b|balanc|ausgleich|lanchester|bank|remain"
-    r"|rest|bleib|component|komponente|bearing|lager|ratio|rotating|rotier|対|半分|各|両|残|釣合|バランス",
+    r"pair|paar|half|hälfte|halb|both|beide|\btwo\b|\bzwei\b|each|\bje\b|\bper\b|balanc|ausgleich"
+    r"|lanchester|bank|remain"
+    r"|rest|bleib|component|komponente|bearing|lager|ratio|rotating|rotier|対|半分|各|両|残|釣合"
+    r"|バランス",
     re.IGNORECASE,
 )
 """Words for a part of what a whole engine does, or for what is done against it."""
-_CANCEL = re.compile(r"vanish|cancel|balance\s+each|heben\s+sich|verschwind|entfall|打ち消|消え", re.IGNORECASE)
+_CANCEL = re.compile(
+    r"vanish|cancel|balance\s+each|heben\s+sich|verschwind|entfall|打ち消|消え", re.IGNORECASE
+)
 _LEFT = re.compile(r"remain|is\s+left|bleib|übrig|残", re.IGNORECASE)
-"""Words by which orders of the whole engine vanish, and by which one is what the whole engine has left."""
+"""Words by which orders of the whole engine vanish, and by which one is all that it has left."""
 _NOTHING = 1e-6
 _COEFFICIENT = re.compile(r"(?P<stem>[A-Za-z])_(?P<order>[1-9])")
 _FACTOR = re.compile(r"(?:factor|number misprinted) .*")
@@ -193,7 +204,9 @@ class NamedOrders:
             return None  # nobody is at hand who knows a slider-crank's series
         frame = self.meant.frame(head.name, right, chain, knowledge)
         if frame is not None and any(OF_RATIO.search(text) for text in frame[2]) and not _divides(right):
-            frame = self.meant.frame(head.name, right, chain, knowledge, ratio=CONVENTIONS["r/l"]) or frame
+            frame = (
+                self.meant.frame(head.name, right, chain, knowledge, ratio=CONVENTIONS["r/l"]) or frame
+            )
         balanced = self._balanced(order, angles)
         if not names(right) or (balanced and all(balanced)):
             return self._vanishing(head.name, order, chain.sides[1], angles, frame)

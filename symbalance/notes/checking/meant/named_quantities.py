@@ -57,7 +57,10 @@ SEARCH, SHARE = Budget(4), 0.6
 SENTENCE, PARAGRAPH, AFTER = 220, 500, 60
 """Characters that are looked through: before a formula for its name, and around for another shape."""
 _ONE_TERM = re.compile(r"order|exponent|number misprinted .*|sign|factor -?[0-9/]+")
-_SENTENCE_END = re.compile(r"[;!?](?:\s|$)|\.(?:\s(?!Ordnung|Harmonische)|$)|[。；]|\n\s*\n|<p\b|<li\b|\\item|\\section|\n#|\n\||\n {0,4}(?:[*•-]|\d{1,3}[.)])\s")
+_SENTENCE_END = re.compile(
+    r"[;!?](?:\s|$)|\.(?:\s(?!Ordnung|Harmonische)|$)|[。；]|\n\s*\n|<p\b|<li\b"
+    r"|\\item|\\section|\n#|\n\||\n {0,4}(?:[*•-]|\d{1,3}[.)])\s"
+)
 _BLANK = re.compile(r"\n\s*\n")
 _OPENING = re.compile(
     r"(?:\s|\$+|\\[\[(]|\\begin\{[a-z]+\*?\}|\\displaystyle|&|\||<p>|<div>"
@@ -82,7 +85,8 @@ _PART = re.compile(
 )
 """Words that make of a quantity a part or a multiple of it: no factor in it is a slip."""
 _SETTING = re.compile(
-    r"\b(?:on|between|auf|zwischen|in) (?:two|zwei) \w+|\bbetween (?:the two|both) \w+|zwischen (?:den )?beiden \w+|\b(?:at )?both ends|\bbeidseitig|両端"
+    r"\b(?:on|between|auf|zwischen|in) (?:two|zwei) \w+|\bbetween (?:the two|both) \w+"
+    r"|zwischen (?:den )?beiden \w+|\b(?:at )?both ends|\bbeidseitig|両端"
     r"|\b(?:two|both|zwei|beiden?) (?:revolutions|turns|speeds|umdrehungen|drehzahlen|point masses"
     r"|dead cent\w+|totpunkt\w*)",
     re.IGNORECASE,
@@ -107,14 +111,16 @@ _FROM_ELSEWHERE = re.compile(
 )
 """Words for another place where an angle begins: a sine is a cosine there."""
 _BEHIND = re.compile(
-    r"[\s$`\\)\]},.]{0,8}(?:\(|(?:is|as|being|for|ist|als|für|gives|denotes)\s+)(?:(?:the|die|der|das|its)\s+)?"
+    r"[\s$`\\)\]},.]{0,8}(?:\(|(?:is|as|being|for|ist|als|für|gives|denotes)\s+)(?:(?:the|die|der|das"
+    r"|its)\s+)?"
 )
 _AND = re.compile(r"[\s$,;\\()\[\]]*(?:and|und|bzw\.?|、|および)?[\s$,;\\()\[\]]*")
 _NO_LETTER = re.compile(r"[\W\d_]+|\\[a-zA-Z]+")
 BARE = 24
 """Letters in the words before a formula that its heading names: "so that", "With these"."""
 _LETTER_BEHIND = re.compile(
-    r"(?:\s|of|is|,){0,3}(?:\$(?P<marked>[^$=]{1,24})\$|(?P<bare>\b(?!a\b|I\b)[A-Za-zΑ-ω](?:_\{?\w{1,6}\}?)?)(?=[\s,;]))"
+    r"(?:\s|of|is|,){0,3}(?:\$(?P<marked>[^$=]{1,24})\$|(?P<bare>\b(?!a\b"
+    r"|I\b)[A-Za-zΑ-ω](?:_\{?\w{1,6}\}?)?)(?=[\s,;]))"
 )
 """A letter right behind the words that name it, which is another one than the formula's."""
 _ROLE_OF = {
@@ -130,13 +136,15 @@ _ROLE_OF = {
 _NUMBER_BEHIND = re.compile(r"(?:\s|of|von|=|:){1,4}[0-9]")
 """A number right behind words: a mean effective pressure of 18 bar is that pressure's."""
 _OF_A_LETTER = (
-    r"(?i:\b(?:total|whole|mean|average|mittlere[rnms]?|gesamte?[rnms]?|effektive[rnms]?|gesamt(?=\w))|平均|総|全)"
+    r"(?i:\b(?:total|whole|mean|average|mittlere[rnms]?|gesamte?[rnms]?|effektive[rnms]?|gesamt(?=\w))"
+    r"|平均|総|全)"
 )
 """Words before the name of a letter that make of it no part of another: the mean pressure p."""
 _LEAD = re.compile(r"(?:\*\*|__)?([^.:\n]{3,60}?)(?:\*\*|__)?[.:](?=\s)")
 """The opening words of a paragraph, set off as a title."""
 _ENGINE_SIZE = re.compile(
-    r"\b(?:two|three|four|five|six|eight|twelve|[2-9]|1[0-9])[- ]cylinder(?!s)|\b(?:zwei|drei|vier|fünf|sechs|acht)zylinder"
+    r"\b(?:two|three|four|five|six|eight|twelve|[2-9]|1[0-9])[- ]cylinder(?!s)|\b(?:zwei|drei|vier|fünf"
+    r"|sechs|acht)zylinder"
     r"|[2-9２-９]気筒",
     re.IGNORECASE,
 )
@@ -314,6 +322,7 @@ class NamedQuantities:
         return list(self.roles.targets(formulas, claim, knowledge.meanings, together, name))
 
     def text(self, name: str, named: Named) -> str:
+        """Return what a letter is taken to be, and what says so."""
         source = f"{NOBODY}; taken from the words “{named.words}”"
         source = f"declared as “{named.words}”" if named.is_declared else source
         return f"{plain_letter(name)} is the {named.quantity.name} ({source})"
@@ -466,13 +475,15 @@ class NamedQuantities:
     def _by_pronoun(
         self, chain: Chain, before: str, stem: str, places: _Places, sentence: str
     ) -> Iterator[Named]:
-        """Yield the quantities of the body of the sentence before: the rim …; its moment of inertia is I."""
+        """Yield those of the body that the sentence before names: the rim …; its inertia is I."""
         if _ITS.search(before) is None or "moment" not in before.casefold():
             return
         start = min(side.span[0] for side in chain.sides)
         above = self.document.text[max(0, start - PARAGRAPH) : start]
         above = _BLANK.split(_OPENING.sub("", above))[-1].removesuffix(before)
-        for named in self._by_phrases(_SENTENCE_END.split(above.rstrip(" .;\n"))[-1], stem, places, sentence):
+        for named in self._by_phrases(
+            _SENTENCE_END.split(above.rstrip(" .;\n"))[-1], stem, places, sentence
+        ):
             if "moment of inertia" in named.quantity.name:
                 yield named
 
@@ -564,12 +575,7 @@ class NamedQuantities:
         is_part = is_scaled or (is_part and "part" not in quantity.slips)
         for target in targets:
             kind = slip_of(target, claim, quantity.slips, is_part)
-            if (
-                not kind
-                and is_mistake
-                and not (is_part and is_multiple(target, claim))
-                and not is_scaled
-            ):
+            if not kind and is_mistake and not (is_part and is_multiple(target, claim)) and not is_scaled:
                 kind = "another formula"
             if not kind:
                 continue
@@ -593,9 +599,7 @@ class NamedQuantities:
             return replace(verdict, fix=fix_of(repair, self.document, side))
         return None
 
-    def _mistakes(
-        self, named: Named, claim: Formula, name: str, knowledge: Knowledge
-    ) -> list[Formula]:
+    def _mistakes(self, named: Named, claim: Formula, name: str, knowledge: Knowledge) -> list[Formula]:
         """Return a quantity's usual mistakes, of the net force where nothing says that it is the rod's.
 
         N = F sin φ is right of a rod's force F, which is the piston's over cos φ; where the page has
@@ -687,7 +691,9 @@ def _without_letters_named(sentence: str, own: frozenset[str]) -> str:
     for letter in own:
         signs = {letter, plain_letter(letter), "\\" + letter, letter.partition("_")[0]}
         sign = "|".join(map(re.escape, sorted(signs, key=len, reverse=True)))
-        sentence = re.sub(rf"{_OF_A_LETTER}[^.;,$=]{{0,40}}?\$?(?<![A-Za-z])(?:{sign})(?![A-Za-z])", " ", sentence)
+        sentence = re.sub(
+            rf"{_OF_A_LETTER}[^.;,$=]{{0,40}}?\$?(?<![A-Za-z])(?:{sign})(?![A-Za-z])", " ", sentence
+        )
     return sentence
 
 

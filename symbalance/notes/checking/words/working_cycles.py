@@ -8,8 +8,10 @@ from __future__ import annotations
 import re
 
 _KINDS = {
-    "four": r"(?:four|4)[-\s]?stroke|vier-?takt|4-takt|(?:4|四)\s?(?:ストローク|サイクル)|quatre\s+temps|cuatro\s+tiempos",
-    "two": r"(?:two|2)[-\s]?stroke|zwei-?takt|2-takt|(?:2|二)\s?(?:ストローク|サイクル)|deux\s+temps|dos\s+tiempos",
+    "four": r"(?:four|4)[-\s]?stroke|vier-?takt|4-takt|(?:4|四)\s?(?:ストローク|サイクル)|quatre\s+temps"
+    r"|cuatro\s+tiempos",
+    "two": r"(?:two|2)[-\s]?stroke|zwei-?takt|2-takt|(?:2|二)\s?(?:ストローク|サイクル)|deux\s+temps"
+    r"|dos\s+tiempos",
     "double": r"double[-\s]acting|doppelt\s?wirkend|複動",
     "single": r"single[-\s]acting|einfach\s?wirkend|単動",
 }

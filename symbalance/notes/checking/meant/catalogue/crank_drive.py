@@ -111,7 +111,8 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
     Quantity(
         "firing interval of a four-stroke engine",
         letters("alpha phi varphi theta psi Delta_phi Delta_varphi beta Delta_theta"),
-        words(r"firing\s+(?:interval|spacing)", r"between\s+(?:(?:two|successive|consecutive)\s+)?(?:ignitions|firings)",
+        words(r"firing\s+(?:interval|spacing)", r"between\s+(?:(?:two|successive"
+            r"|consecutive)\s+)?(?:ignitions|firings)",
         r"zündabstand", r"zündfolgeabstand",
         r"(?:点火|爆発|着火)間隔"),
         (4 * PI / cylinders,), others=(),
@@ -125,7 +126,8 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
     Quantity(
         "firing interval of a two-stroke engine",
         letters("alpha phi varphi theta psi Delta_phi Delta_varphi beta Delta_theta"),
-        words(r"firing\s+(?:interval|spacing)", r"between\s+(?:(?:two|successive|consecutive)\s+)?(?:ignitions|firings)",
+        words(r"firing\s+(?:interval|spacing)", r"between\s+(?:(?:two|successive"
+            r"|consecutive)\s+)?(?:ignitions|firings)",
         r"zündabstand", r"zündfolgeabstand",
         r"(?:点火|爆発|着火)間隔"),
         (2 * PI / cylinders,),
@@ -137,11 +139,13 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "side force on the cylinder wall", letters("N F S Q R G H L"),
-        words(r"(?:side|lateral|normal|wall|piston\s+side|guide|slide[- ]?bar|skirt|slipper)\s+(?:force|thrust|pressure|load|loading|reaction)", r"side[- ]thrust",
+        words(r"(?:side|lateral|normal|wall|piston\s+side|guide|slide[- ]?bar|skirt|slipper)\s+(?:force"
+            r"|thrust|pressure|load|loading|reaction)", r"side[- ]thrust",
               r"thrust\s+(?:on|against)\s+the\s+(?:cylinder\s+)?(?:wall|liner|bore)",
               r"force\s+(?:on|against)\s+the\s+(?:cylinder\s+)?wall",
               r"(?:kolben)?(?:seiten|normal|führungs|gleitbahn)(?:druck)?kraft",
-              r"(?:側圧|側方力|サイドスラスト|スラスト力)", r"(?:effort|force|poussée)\s+latérale?", r"fuerza\s+(?:lateral|normal)"),
+              r"(?:側圧|側方力|サイドスラスト|スラスト力)", r"(?:effort|force|poussée)\s+latérale?",
+              r"fuerza\s+(?:lateral|normal)"),
         (piston_force * TAN_ROD, any_force * TAN_ROD, rod_force * SIN_ROD,
         piston_force * SIN_ROD / COS_ROD,
          any_force * SIN_ROD / COS_ROD, piston_force * ratio * SIN_CRANK / COS_ROD,
@@ -214,7 +218,8 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         "torque of a crank", letters("M T Q"),
         words(r"(?:turning|crank(?:ing|shaft)?|engine|driving)\s+(?:moment|torque)", r"\btorque",
         r"(?:kurbel|motor|gas)?dreh-?moment",
-              r"(?:回転|クランク)(?:モーメント|トルク)", r"トルク", r"crank\s+effort", r"couple\s+(?:moteur|instantané)",
+              r"(?:回転|クランク)(?:モーメント|トルク)", r"トルク", r"crank\s+effort",
+              r"couple\s+(?:moteur|instantané)",
               r"momento\s+(?:motore|motor|torcente)", r"par\s+motor"),
         (piston_force * pin * SIN_BOTH / COS_ROD, any_force * pin * SIN_BOTH / COS_ROD,
          any_force * pin * (SIN_CRANK + COS_CRANK * TAN_ROD),

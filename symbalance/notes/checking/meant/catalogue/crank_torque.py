@@ -1,4 +1,4 @@
-"""The torque of a crank drive: its cycle, mass forces, kinetic energy, flywheel, and what the pins bear."""
+"""The torque of a crank drive: its cycle, mass forces, energy and flywheel, and what the pins bear."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from symbalance.notes.checking.meant.catalogue.crank_drive import (
 from symbalance.notes.checking.meant.catalogue.roles import (
     PI,
     Quantity,
-    centrifugal,
     central,
+    centrifugal,
     crank_angle,
     crank_mass,
     cycle_work,
@@ -105,13 +105,15 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
         words(r"mechanical\s+efficiency", r"mechanische[rn]?\s+wirkungsgrad", r"機械効率"),
         (effective_pressure / indicated_pressure, effective_power / indicated_power,
          1 - lost_pressure / indicated_pressure, 1 - lost_power / indicated_power,
-         effective_power / (effective_power + lost_power), (indicated_power - lost_power) / indicated_power),
+         effective_power / (effective_power + lost_power),
+         (indicated_power - lost_power) / indicated_power),
         ("edit", "power", "minus"),
         mistakes=(indicated_pressure / effective_pressure, indicated_power / effective_power),
     ),
     Quantity(
         "effective pressure by the losses", letters("p P"),
-        words(r"(?:brake|effective)\s+mean\s+(?:effective\s+)?pressure", r"(?:mean\s+)?effective\s+pressure",
+        words(r"(?:brake|effective)\s+mean\s+(?:effective\s+)?pressure",
+            r"(?:mean\s+)?effective\s+pressure",
               r"effektive[rn]?\s+mitteldruck", r"正味平均有効圧力?", r"\bbmep\b"),
         (indicated_pressure * efficiency, indicated_pressure - lost_pressure), ("power", "minus"),
         mistakes=(indicated_pressure / efficiency, indicated_pressure + lost_pressure),
@@ -120,13 +122,15 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
         "friction mean effective pressure", letters("p P"),
         words(r"friction\s+(?:mean\s+)?(?:effective\s+)?pressure", r"reib(?:ungs)?mitteldruck",
               r"摩擦平均有効圧力?", r"\bfmep\b"),
-        (indicated_pressure - effective_pressure, indicated_pressure * (1 - efficiency)), ("minus", "edit"),
+        (indicated_pressure - effective_pressure, indicated_pressure * (1 - efficiency)), ("minus",
+            "edit"),
         mistakes=(effective_pressure - indicated_pressure,),
     ),
     Quantity(
         "work of a cycle of a four-stroke engine", letters("W A E"),
         words(r"work(?:\s+done)?\s+(?:of|in|per|during)\s+(?:(?:one|a|each|the)\s+)?cycle",
-              r"arbeit\s+(?:je|pro|eines)\s+(?:arbeitsspiels?|zyklus)", r"arbeit\s+(?:in\s+)?einem\s+arbeitsspiel",
+              r"arbeit\s+(?:je|pro|eines)\s+(?:arbeitsspiels?|zyklus)",
+              r"arbeit\s+(?:in\s+)?einem\s+arbeitsspiel",
               r"1サイクル(?:あたり|当たり)?の仕事"),
         (4 * PI * torque, pressure * volume), ("turn", "factor", "part"),
         mistakes=(2 * PI * torque, PI * torque),
@@ -134,52 +138,67 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "inertia torque of one cylinder", letters("M T Q"),
-        words(r"(?:inertia|mass)\s+torque", r"torque\s+(?:of|from|by|due\s+to)\s+the\s+(?:inertia|mass)\s*forces?",
-              r"torque\s+(?:that|which)\s+the\s+(?:inertia|mass)\s+forces?\s+exerts?", r"massen(?:dreh)?moment",
+        words(r"(?:inertia|mass)\s+torque", r"torque\s+(?:of|from|by|due\s+to)\s+the\s+(?:inertia"
+            r"|mass)\s*forces?",
+              r"torque\s+(?:that|which)\s+the\s+(?:inertia|mass)\s+forces?\s+exerts?",
+              r"massen(?:dreh)?moment",
               r"慣性(?:力による|力の)?トルク",
               r"(?:turning\s+)?moment", r"torque", r"(?:dreh)?moment", r"couple", r"トルク"),
         (), ("edit", "factor", "power"), approximate=_INERTIA_TORQUE,
-        unless=words(_OFFSET, r"cylinders\b|all (?:four|three|six)|zylindern\b|aller zylinder|気筒(?:全体|分)|whole engine"
+        unless=words(_OFFSET, r"cylinders\b|all (?:four|three|six)|zylindern\b|aller zylinder"
+            r"|気筒(?:全体|分)|whole engine"
                      r"|\bbanks?\b|V-?(?:engine|motor|twin|\d)|sum of|verdoppel|doubl|boxer|twin"),
         turns=True, only=_ENGINE, is_told_once=True, is_of_one=True,
     ),
     Quantity(
         "distance of the piston pin from the crank's axis", letters("h y x H s a b"),
-        words(r"(?:distance|height)\s+(?:of|from)\s+(?:the\s+)?(?:piston|gudgeon|wrist)[- ]?pin\s+(?:from|above|to)\s+"
-              r"(?:the\s+)?(?:crank\s?)?(?:shaft|centre|center|axis)(?:'s\s+axis|\s+(?:axis|centre|center))?",
+        words(r"(?:distance|height)\s+(?:of|from)\s+(?:the\s+)?(?:piston|gudgeon"
+            r"|wrist)[- ]?pin\s+(?:from|above|to)\s+"
+              r"(?:the\s+)?(?:crank\s?)?(?:shaft|centre|center|axis)(?:'s\s+axis|\s+(?:axis|centre"
+              r"|center))?",
               r"(?:piston|gudgeon|wrist)[- ]?pin,?\s+(?:at|above|height)",
-              r"abstand\s+(?:des\s+kolbenbolzens|vom\s+kolbenbolzen)\s+(?:von|zu)\s*(?:der|m)?\s*(?:wellen|kurbel)\w*",
+              r"abstand\s+(?:des\s+kolbenbolzens|vom\s+kolbenbolzen)\s+(?:von|zu)\s*(?:der"
+              r"|m)?\s*(?:wellen|kurbel)\w*",
               r"ピストンピンとクランク(?:軸)?(?:中心)?の距離"),
         (pin * COS_CRANK + rod * COS_ROD, pin * COS_CRANK + rod * _BELOW),
         ("edit", "part"), unless=words(_OFFSET), turns=True, only=_ENGINE, is_told_once=True,
     ),
     Quantity(
         "mass of a rod at its small end", letters("m M W W1 W2 m1 m2 G"),
-        words(rf"(?:reciprocating|oscillating|small[- ]end|upper)\s+(?:{_SHARES})(?:\s+of\s+(?:the|its)\s+"
-              r"(?:connecting[- ])?rod)?", r"(?:share|portion|part)\s+(?:counted\s+as\s+)?(?:reciprocating|oscillating)",
-              r"oszillierende[rsn]?\s+(?:pleuel)?(?:stangen)?(?:massen)?(?:anteil|masse|teil)(?:\s+(?:des|der)\s+\w+)?",
+        words(rf"(?:reciprocating|oscillating|small[- ]end|upper)\s+(?:{_SHARES})(?:\s+of\s+(?:the"
+            rf"|its)\s+"
+              r"(?:connecting[- ])?rod)?", r"(?:share|portion"
+              r"|part)\s+(?:counted\s+as\s+)?(?:reciprocating|oscillating)",
+              r"oszillierende[rsn]?\s+(?:pleuel)?(?:stangen)?(?:massen)?(?:anteil|masse"
+              r"|teil)(?:\s+(?:des|der)\s+\w+)?",
               r"(?:往復(?:質量|部分)?|小端)[^、。]{0,12}(?:質量|分)"),
         (mass * to_big / rod, mass * (rod - to_small) / rod, mass * to_big / (to_big + to_small)),
         ("edit", "part"),
-        mistakes=(mass * to_small / rod, mass * (rod - to_big) / rod, mass * to_small / (to_big + to_small),
+        mistakes=(mass * to_small / rod, mass * (rod - to_big) / rod,
+                  mass * to_small / (to_big + to_small),
                   mass * to_big / to_small, mass * to_small / to_big),
-        context=words(_ROD_PART), indices=letters("small osc osz rec recip o hin kl klein se S Kolben pist"),
+        context=words(_ROD_PART),
+            indices=letters("small osc osz rec recip o hin kl klein se S Kolben pist"),
     ),
     Quantity(
         "mass of a rod at its big end", letters("m M W W1 W2 m1 m2 G"),
         words(rf"(?:rotating|revolving|big[- ]end|lower)\s+(?:{_SHARES})(?:\s+of\s+(?:the|its)\s+"
-              r"(?:connecting[- ])?rod)?", r"(?:share|portion|part)\s+(?:counted\s+as\s+)?(?:rotating|revolving)",
-              r"rotierende[rsn]?\s+(?:pleuel)?(?:stangen)?(?:massen)?(?:anteil|masse|teil)(?:\s+(?:des|der)\s+\w+)?",
+              r"(?:connecting[- ])?rod)?", r"(?:share|portion|part)\s+(?:counted\s+as\s+)?(?:rotating"
+              r"|revolving)",
+              r"rotierende[rsn]?\s+(?:pleuel)?(?:stangen)?(?:massen)?(?:anteil|masse|teil)(?:\s+(?:des"
+              r"|der)\s+\w+)?",
               r"(?:回転(?:質量|部分)?|大端)[^、。]{0,12}(?:質量|分)"),
         (mass * to_small / rod, mass * (rod - to_big) / rod, mass * to_small / (to_big + to_small)),
         ("edit", "part"),
-        mistakes=(mass * to_big / rod, mass * (rod - to_small) / rod, mass * to_big / (to_big + to_small),
+        mistakes=(mass * to_big / rod, mass * (rod - to_small) / rod,
+                  mass * to_big / (to_big + to_small),
                   mass * to_big / to_small, mass * to_small / to_big),
         context=words(_ROD_PART), indices=letters("big rot r gr gross groß be crank Kurbel"),
     ),
     Quantity(
         "reciprocating mass with a third of the rod", letters("m M"),
-        words(r"(?:reciprocating|oscillating)\s+mass", r"oszillierende\s+masse", r"hin-\s*und\s+hergehende\s+masse",
+        words(r"(?:reciprocating|oscillating)\s+mass", r"oszillierende\s+masse",
+            r"hin-\s*und\s+hergehende\s+masse",
               r"往復(?:部分の)?質量"),
         (piston_mass + rod_mass / 3,), ("edit", "part"), mistakes=(piston_mass + 2 * rod_mass / 3,),
     ),
@@ -192,18 +211,24 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
         "couple that corrects a rod of two masses", letters("T M C K"),
         words(r"correct(?:ion|ing|ive)\s+(?:couple|torque|moment)", r"korrektur(?:moment|drehmoment)",
               r"zusatz(?:dreh)?moment", r"補正(?:偶力|モーメント|トルク)"),
-        tuple(
-            mass * part * rod_acceleration
-            for part in (gyration**2 - near * far, near * far - gyration**2,
-                         gyration**2 - to_big * to_small, to_big * to_small - gyration**2)
-        ) + ((central - mass * near * far) * rod_acceleration, (mass * near * far - central) * rod_acceleration),
+        (
+            *(
+                mass * part * rod_acceleration
+                for part in (gyration**2 - near * far, near * far - gyration**2,
+                             gyration**2 - to_big * to_small, to_big * to_small - gyration**2)
+            ),
+            (central - mass * near * far) * rod_acceleration,
+            (mass * near * far - central) * rod_acceleration,
+        ),
         ("edit", "minus", "part"),
     ),
     Quantity(
-        "correction of the moment of inertia of a rod of two masses", letters("Delta_J J I Delta_I Theta"),
+        "correction of the moment of inertia of a rod of two masses",
+        letters("Delta_J J I Delta_I Theta"),
         words(r"correct(?:ion|ing)\s+(?:inertia|term)(?:\s+of\s+inertia)?",
               r"(?:difference|error|defect)\s+(?:of|in)\s+(?:the\s+)?moments?\s+of\s+inertia",
-              r"korrekturträgheitsmoment", r"zusatzträgheitsmoment", r"(?:慣性モーメントの)?補正(?:量|項)"),
+              r"korrekturträgheitsmoment", r"zusatzträgheitsmoment", r"(?:慣性モーメントの)?補正(?:量"
+              r"|項)"),
         (mass * (gyration**2 - to_big * to_small), mass * (to_big * to_small - gyration**2),
          central - mass * to_big * to_small, mass * to_big * to_small - central),
         ("edit", "minus", "part"),
@@ -217,7 +242,8 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "energy between two speeds of a flywheel", letters("E W Delta_E Delta_W A"),
-        words(r"energy\s+(?:released|given\s+up|stored|delivered|taken\s+up)", r"fluctuation\s+of\s+(?:kinetic\s+)?energy",
+        words(r"energy\s+(?:released|given\s+up|stored|delivered|taken\s+up)",
+            r"fluctuation\s+of\s+(?:kinetic\s+)?energy",
               r"(?:surplus|excess)\s+(?:work|energy)", r"change\s+of\s+(?:the\s+)?kinetic\s+energy",
               r"überschussarbeit", r"arbeitsüberschuss", r"energieschwankung", r"abgegebene\s+energie",
               r"余剰(?:仕事|エネルギー?)", r"エネルギー?(?:の)?変動(?:量)?"),
@@ -246,14 +272,17 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
         "moment of inertia about the centre of gravity", letters("J I Theta"), words(r"(?!)"),
         (inertia - mass * shift**2, central - mass * shift**2), ("edit", "part"),
         mistakes=(inertia + mass * shift**2, central + mass * shift**2, inertia - mass * shift),
-        context=words(r"(?:about|through)\s+(?:the|its)\s+(?:cent(?:re|er)\s+of\s+(?:gravity|mass)|centroid|c\.?g)",
+        context=words(r"(?:about|through)\s+(?:the|its)\s+(?:cent(?:re|er)\s+of\s+(?:gravity|mass)"
+            r"|centroid|c\.?g)",
                       r"um\s+(?:den|ihren|seinen)\s+schwerpunkt", r"重心(?:まわり|回り|周り)"),
         indices=letters("G S g s cg CG C SP"), unless=words(r"transfer|parallel axis to the|umgekehrt"),
     ),
     Quantity(
         "largest speed of rotation", letters("omega Omega n N"),
-        words(r"(?:largest|greatest|highest|maximum|max\.)\s+(?:angular\s+)?(?:speed|velocity)(?:\s+of\s+rotation)?",
-              r"(?:größte|höchste|maximale)\s+(?:winkelgeschwindigkeit|drehzahl)", r"最(?:大|高)(?:角速度|回転(?:速度|数))"),
+        words(r"(?:largest|greatest|highest|maximum|max\.)\s+(?:angular\s+)?(?:speed"
+            r"|velocity)(?:\s+of\s+rotation)?",
+              r"(?:größte|höchste|maximale)\s+(?:winkelgeschwindigkeit|drehzahl)", r"最(?:大"
+              r"|高)(?:角速度|回転(?:速度|数))"),
         (omega * (1 + fluctuation / 2), rotation * (1 + fluctuation / 2)), ("edit", "part"),
         mistakes=(omega * (1 + fluctuation), rotation * (1 + fluctuation)),
         only=words(r"irregularity|fluctuation|ungleichförm|変動率|fly-?wheel|schwung"),
@@ -261,8 +290,10 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "smallest speed of rotation", letters("omega Omega n N"),
-        words(r"(?:smallest|least|lowest|minimum|min\.)\s+(?:angular\s+)?(?:speed|velocity)(?:\s+of\s+rotation)?",
-              r"(?:kleinste|niedrigste|minimale)\s+(?:winkelgeschwindigkeit|drehzahl)", r"最(?:小|低)(?:角速度|回転(?:速度|数))"),
+        words(r"(?:smallest|least|lowest|minimum|min\.)\s+(?:angular\s+)?(?:speed"
+            r"|velocity)(?:\s+of\s+rotation)?",
+              r"(?:kleinste|niedrigste|minimale)\s+(?:winkelgeschwindigkeit|drehzahl)", r"最(?:小"
+              r"|低)(?:角速度|回転(?:速度|数))"),
         (omega * (1 - fluctuation / 2), rotation * (1 - fluctuation / 2)), ("edit", "part"),
         mistakes=(omega * (1 - fluctuation), rotation * (1 - fluctuation)),
         only=words(r"irregularity|fluctuation|ungleichförm|変動率|fly-?wheel|schwung"),
@@ -270,7 +301,8 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "coefficient of fluctuation of energy", letters("C K k c e E beta zeta xi"),
-        words(r"coefficient\s+of\s+(?:the\s+)?fluctuation\s+of\s+(?:the\s+)?energy", r"energy\s+fluctuation\s+coefficient",
+        words(r"coefficient\s+of\s+(?:the\s+)?fluctuation\s+of\s+(?:the\s+)?energy",
+            r"energy\s+fluctuation\s+coefficient",
               r"arbeitsüberschusszahl", r"エネルギー変動(?:率|係数)"),
         (excess / cycle_work,), ("power", "bare factor"), mistakes=(cycle_work / excess,),
     ),
@@ -280,37 +312,44 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
         (mass * radius**2, mass * diameter**2 / 4), ("factor", "power"),
         others=(2 * mass * radius**2, mass * radius**2 / 4),
         mistakes=(mass * radius**2 / 2, mass * diameter**2 / 8, mass * radius),
-        unless=words(r"dis[ck]|scheibe|円板|about (?:a|its) diameter|arms?\b(?! and)|speichen|thick rim|hollow|hohl|outer|inner"
+        unless=words(r"dis[ck]|scheibe|円板|about (?:a|its) diameter|arms?\b(?! and)|speichen|thick rim"
+            r"|hollow|hohl|outer|inner"
                      r"|weight"),
     ),
     Quantity(
         "mass of a rim", letters("m M"),
-        words(r"mass\s+of\s+the\s+rim", r"rim(?:'s)?\s+mass", r"\brim\b(?!\s+speed)", r"radkranz", r"masse\s+des\s+(?:rad|schwungrad)?kranzes", r"リムの質量"),
+        words(r"mass\s+of\s+the\s+rim", r"rim(?:'s)?\s+mass", r"\brim\b(?!\s+speed)", r"radkranz",
+            r"masse\s+des\s+(?:rad|schwungrad)?kranzes", r"リムの質量"),
         (inertia / radius**2, 4 * inertia / diameter**2), ("factor", "power"),
-        mistakes=(inertia / radius, 2 * inertia / radius**2), unless=words(r"dis[ck]|scheibe|円板|density|dichte"),
+        mistakes=(inertia / radius, 2 * inertia / radius**2), unless=words(r"dis[ck]|scheibe|円板"
+            r"|density|dichte"),
     ),
     Quantity(
         "firing frequency of a four-stroke engine", letters("f F"),
-        words(r"(?:firing|ignition)\s+frequency", r"zünd(?:ungs)?frequenz", r"(?:点火|爆発|着火)(?:周波|回|振動)数"),
+        words(r"(?:firing|ignition)\s+frequency", r"zünd(?:ungs)?frequenz", r"(?:点火|爆発|着火)(?:周波"
+            r"|回|振動)数"),
         (cylinders * rotation / 2, cylinders * rotation / 120), ("factor",),
         mistakes=(cylinders * rotation, 2 * rotation / cylinders),
         only=FOUR, unless=TWO, is_told_once=True,
     ),
     Quantity(
         "firing frequency of a two-stroke engine", letters("f F"),
-        words(r"(?:firing|ignition)\s+frequency", r"zünd(?:ungs)?frequenz", r"(?:点火|爆発|着火)(?:周波|回|振動)数"),
+        words(r"(?:firing|ignition)\s+frequency", r"zünd(?:ungs)?frequenz", r"(?:点火|爆発|着火)(?:周波"
+            r"|回|振動)数"),
         (cylinders * rotation, cylinders * rotation / 60), ("bare factor",),
         mistakes=(cylinders * rotation / 2,), only=TWO, unless=FOUR, is_told_once=True,
     ),
     Quantity(
         "mean tangential pressure of a four-stroke engine", letters("t p"),
-        words(r"mean\s+tangential\s+pressure", r"mittlere[rn]?\s+(?:tangential|dreh)(?:kraft)?druck", r"平均接線圧力?"),
+        words(r"mean\s+tangential\s+pressure", r"mittlere[rn]?\s+(?:tangential|dreh)(?:kraft)?druck",
+            r"平均接線圧力?"),
         (pressure / (2 * PI),), ("factor", "turn", "part"), mistakes=(pressure / PI, pressure / (4 * PI)),
         only=FOUR, unless=TWO, is_told_once=True,
     ),
     Quantity(
         "mean tangential pressure of a two-stroke engine", letters("t p"),
-        words(r"mean\s+tangential\s+pressure", r"mittlere[rn]?\s+(?:tangential|dreh)(?:kraft)?druck", r"平均接線圧力?"),
+        words(r"mean\s+tangential\s+pressure", r"mittlere[rn]?\s+(?:tangential|dreh)(?:kraft)?druck",
+            r"平均接線圧力?"),
         (pressure / PI,), ("factor", "turn", "part"), mistakes=(pressure / (2 * PI), pressure / (4 * PI)),
         only=TWO, unless=FOUR, is_told_once=True,
     ),

@@ -125,7 +125,9 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("stroke", "s S H L", r"stroke|hub|行程|ストローク"),
     ("cylinders", "z Z i N n k", r"cylinders|zylinder(?:zahl)?|気筒数?|シリンダ数?"),
     ("velocity", "v u V", r"speed|velocity|geschwindigkeit|速度"),
-    ("fluctuation", "delta C_s C_f K_s k_s", r"(?:coefficient|degree) of (?:cyclic )?fluctuation(?: of(?: the)? speed)?|irregularity|fluctuation|ungleichförmigkeit(?:sgrad)?|変動率|steadiness"),
+    ("fluctuation", "delta C_s C_f K_s k_s", r"(?:coefficient"
+        r"|degree) of (?:cyclic )?fluctuation(?: of(?: the)? speed)?|irregularity|fluctuation"
+        r"|ungleichförmigkeit(?:sgrad)?|変動率|steadiness"),
     ("swing", "Delta_E E W Delta_W A", r"energy|work|arbeit|energie|エネルギ|swing|fluctuation"),
     ("power", "P N L", r"power|leistung|動力|出力"),
     ("shift", "a e d s", r"distance|abstand|eccentricity|距離|offset"),
@@ -142,7 +144,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"(?<!piston )(?<!gas )(?<!rod )(?:forces?|loads?)"
      r"|(?<!gas)(?<!kolben)(?<!stangen)(?<!pleuel)kraft|(?<!ガス)(?<!ピストン)(?<!ガス圧)力",
      "", "s S st St cr c l pl rod g G p K k gas kol Gas Kol"),
-    ("piston_force", "F P Q K", r"(?:piston|gas)\s+(?:force|load|effort|thrust)|force on the piston|net (?:piston )?(?:force|load)"
+    ("piston_force", "F P Q K", r"(?:piston|gas)\s+(?:force|load|effort|thrust)|force on the piston"
+        r"|net (?:piston )?(?:force|load)"
      r"|(?:kolben|gas)-?kraft|(?:ピストン|ガス)力", "g G p K k gas kol Gas Kol"),
     ("rod_force", "F S Q", r"(?:rod|stangen|pleuel)\w*[ -]*(?:force|thrust|load|kraft)|force (?:in|of"
     r"|along)"
@@ -211,36 +214,50 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("eccentricity", "e a s r", r"eccentricity|exzentrizität|偏心量?|radius|halbmesser|半径|shift"),
     ("balance_mass", "B m M", r"mass(?:es)?|masse|weights?|gewicht|質量|おもり"),
     ("unbalanced", "m M u", r"mass|masse|質量"),
-    ("tangential", "T F_T F_t F_tan P_t P_T K_T K_t Q_t Q_T S_t S_T", r"tangential(?:\s+(?:force|share|component))?"
+    ("tangential", "T F_T F_t F_tan P_t P_T K_T K_t Q_t Q_T S_t S_T", r"tangential(?:\s+(?:force|share"
+        r"|component))?"
      r"|(?:tangential|dreh|umfangs)kraft|(?:接線|回転)(?:方向の?)?(?:力|分力)"),
     ("radial_part", "R F_R F_r F_rad P_r P_R K_R K_r Q_r Q_R S_r S_R",
      r"radial(?:\s+(?:force|share|component))?|radialkraft|(?:半径|法線)(?:方向の?)?(?:力|分力)"),
-    ("centrifugal", "F_c C F_z F_Z Z F_rot F_f F_F P_c K_z F_cf F_C", r"centrifugal(?:\s+force)?|fliehkraft"
+    ("centrifugal", "F_c C F_z F_Z Z F_rot F_f F_F P_c K_z F_cf F_C", r"centrifugal(?:\s+force)?"
+        r"|fliehkraft"
      r"|zentrifugalkraft|遠心力"),
-    ("effective_pressure", "p_e p_me p_b p_eff p_bmep P_e", r"(?:brake|effective) mean (?:effective )?pressure"
+    ("effective_pressure", "p_e p_me p_b p_eff p_bmep P_e", r"(?:brake"
+        r"|effective) mean (?:effective )?pressure"
      r"|effektiver? (?:mittel|nutz)druck|正味平均有効圧力?|bmep"),
     ("indicated_pressure", "p_i p_mi p_ind p_imep P_i", r"indicated (?:mean )?(?:effective )?pressure"
      r"|mean indicated pressure|indizierter? (?:mittel|innen)druck|図示平均有効圧力?|imep"),
-    ("lost_pressure", "p_r p_mr p_f p_fr p_fmep", r"friction (?:mean )?(?:effective )?pressure|reib(?:ungs)?mitteldruck"
+    ("lost_pressure", "p_r p_mr p_f p_fr p_fmep", r"friction (?:mean )?(?:effective )?pressure"
+        r"|reib(?:ungs)?mitteldruck"
      r"|摩擦平均有効圧力?|fmep"),
-    ("effective_power", "P_e P_b P_eff N_e P_bp P_bhp P_B N_b", r"(?:brake|effective|shaft) (?:horse ?)?power|effektive leistung"
+    ("effective_power", "P_e P_b P_eff N_e P_bp P_bhp P_B N_b", r"(?:brake|effective"
+        r"|shaft) (?:horse ?)?power|effektive leistung"
      r"|(?:nutz|effektiv)leistung|正味出力|軸出力"),
-    ("indicated_power", "P_i P_ind N_i P_ip P_ihp", r"indicated (?:horse ?)?power|(?:indizierte |innen)leistung|図示出力"),
-    ("lost_power", "P_r P_f P_v P_fr N_r P_fp P_fhp", r"friction (?:horse ?)?power|reib(?:ungs)?leistung|verlustleistung|摩擦損失(?:出力|動力)"),
-    ("cycle_work", "W A W_T A_T W_c W_cyc W_Z W_i", r"work(?: done)?(?: (?:of|in|per|during) (?:a|one|the|each) cycle)?"
+    ("indicated_power", "P_i P_ind N_i P_ip P_ihp", r"indicated (?:horse ?)?power|(?:indizierte "
+        r"|innen)leistung|図示出力"),
+    ("lost_power", "P_r P_f P_v P_fr N_r P_fp P_fhp", r"friction (?:horse ?)?power|reib(?:ungs)?leistung"
+        r"|verlustleistung|摩擦損失(?:出力|動力)"),
+    ("cycle_work", "W A W_T A_T W_c W_cyc W_Z W_i", r"work(?: done)?(?: (?:of|in|per|during) (?:a|one"
+        r"|the|each) cycle)?"
      r"|arbeit|arbeitsspiel|仕事"),
-    ("excess", "Delta_E Delta_W Delta_A Delta_U", r"fluctuation(?: of (?:the )?energy)?|überschuss(?:arbeit)?|変動量?"),
-    ("rod_acceleration", "alpha epsilon varepsilon ddot_beta ddot_phi ddot_psi ddot_varphi alpha_r alpha_c",
+    ("excess", "Delta_E Delta_W Delta_A Delta_U", r"fluctuation(?: of (?:the )?energy)?"
+        r"|überschuss(?:arbeit)?|変動量?"),
+    ("rod_acceleration",
+        "alpha epsilon varepsilon ddot_beta ddot_phi ddot_psi ddot_varphi alpha_r alpha_c",
      r"angular acceleration|winkelbeschleunigung|角加速度"),
     ("to_big", "", r"(?!)"),
     ("to_small", "", r"(?!)"),
-    ("piston_mass", "m_K m_Ko m_k m_p m_P m_piston M_p m_Kolben m_1", r"(?:mass of the )?piston(?: mass| assembly)|mass of the piston"
+    ("piston_mass", "m_K m_Ko m_k m_p m_P m_piston M_p m_Kolben m_1", r"(?:mass of the )?piston(?: mass"
+        r"| assembly)|mass of the piston"
      r"|kolbenmasse|ピストン[^、。]{0,4}質量"),
-    ("rod_mass", "m_Pl m_pl m_S m_St m_c m_r m_rod m_R m_P m_Pleuel m_cr", r"(?:connecting[- ])?rod mass|mass of the (?:connecting[- ])?rod"
+    ("rod_mass", "m_Pl m_pl m_S m_St m_c m_r m_rod m_R m_P m_Pleuel m_cr", r"(?:connecting[- ])?rod mass"
+        r"|mass of the (?:connecting[- ])?rod"
      r"|pleuel(?:stangen)?masse|(?:連接棒|コンロッド)(?:の)?質量"),
-    ("crank_mass", "m_KZ m_Z m_c m_cr m_crank m_W m_k m_K m_KW", r"crank(?:[- ]?pin)? mass|mass of the crank(?:[- ]?pin)?"
+    ("crank_mass", "m_KZ m_Z m_c m_cr m_crank m_W m_k m_K m_KW", r"crank(?:[- ]?pin)? mass"
+        r"|mass of the crank(?:[- ]?pin)?"
      r"|(?:(?:kurbel|hub)zapfen|kurbel)masse|クランク(?:ピン)?(?:の)?質量"),
-    ("net_force", "P F_K F_p F_P F_k P_K K_K", r"piston (?:force|effort|load)|kolbenkraft|(?:net|effective)"
+    ("net_force", "P F_K F_p F_P F_k P_K K_K", r"piston (?:force|effort|load)|kolbenkraft|(?:net"
+        r"|effective)"
      r" (?:force|load|effort)|ピストン力", "", "s S st St cr c l pl rod R r b B t T"),
     ("outer_radius", "R r", r"outer|outside|external|außen(?:radius)?|外半径"),
     ("inner_radius", "r R", r"inner|inside|internal|innen(?:radius)?|内半径"),

@@ -30,8 +30,14 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     words,
 )
 
-FOUR = words(r"quatre\s+temps|cuatro\s+tiempos|quattro\s+tempi|four[- ]stroke|4[- ]stroke|viertakt|4-takt|4ストローク|4サイクル|四サイクル")
-TWO = words(r"deux\s+temps|dos\s+tiempos|due\s+tempi|two[- ]stroke|2[- ]stroke|zweitakt|2-takt|2ストローク|2サイクル|二サイクル")
+FOUR = words(
+    r"quatre\s+temps|cuatro\s+tiempos|quattro\s+tempi|four[- ]stroke|4[- ]stroke|viertakt"
+    r"|4-takt|4ストローク|4サイクル|四サイクル"
+)
+TWO = words(
+    r"deux\s+temps|dos\s+tiempos|due\s+tempi|two[- ]stroke|2[- ]stroke|zweitakt|2-takt"
+    r"|2ストローク|2サイクル|二サイクル"
+)
 _CYCLES = (
     r"working strokes|power strokes|cycles per|arbeitsspiele? (?:je|pro)|explosions|firings|camshaft"
     r"|nockenwelle"
@@ -58,7 +64,9 @@ _IRREGULARITY = words(
     r"|cyclic\s+irregularity)",
     r"cyclic\s+irregularity",
     r"ungleichförmigkeits?(?:grad)?",
-    r"(?:速度)?変動率", r"(?:coeficiente|grado)\s+de\s+(?:fluctuación|irregularidad)", r"coefficient\s+d'irrégularité",
+    r"(?:速度)?変動率",
+    r"(?:coeficiente|grado)\s+de\s+(?:fluctuación|irregularidad)",
+    r"coefficient\s+d'irrégularité",
     r"回転不整率",
 )
 
@@ -70,7 +78,8 @@ WORK: tuple[Quantity, ...] = (
         r"\bleistung", r"動力", r"出力"),
         (torque * omega, 2 * PI * rotation * torque, PI * rotation * torque / 30, force * velocity,
          swing * rotation, swing * rotation / 60),
-        slips=("factor", "power", "turn"), unless=words(FOUR.pattern, r"indicated|indiziert|図示|loss|verlust|損失|specific"),
+        slips=("factor", "power", "turn"), unless=words(FOUR.pattern, r"indicated|indiziert|図示|loss"
+            r"|verlust|損失|specific"),
     ),
     Quantity(
         "kinetic energy", letters("E T K W U"),
@@ -88,7 +97,8 @@ WORK: tuple[Quantity, ...] = (
                r"エネルギー?(?:の)?変動(?:量)?", r"変動エネルギー?"),
         (inertia * omega**2 * fluctuation, mass * radius**2 * omega**2 * fluctuation,
          mass * velocity**2 * fluctuation),
-        context=words(r"fly-?wheel", r"\brim\b", r"schwungrad", r"radkranz", r"fluctuation", r"はずみ車", r"フライホイール"),
+        context=words(r"fly-?wheel", r"\brim\b", r"schwungrad", r"radkranz", r"fluctuation", r"はずみ車",
+            r"フライホイール"),
         slips=("bare factor", "power"), unless=words(r"±|plus or minus|amplitude|ausschlag|振幅"),
     ),
     Quantity(
@@ -96,7 +106,8 @@ WORK: tuple[Quantity, ...] = (
         words(r"fly-?wheel", r"schwungrad\w*", r"はずみ車", r"フライホイール",
         r"\bvolant", r"volano", r"(?:required|necessary|needed)\s+(?:mass\s+)?moment\s+of\s+inertia",
         r"moment\s+of\s+inertia\s+(?:that\s+is\s+)?(?:required|needed)",
-        r"(?:erforderliche|nötige|notwendige)[sn]?\s+(?:massen)?trägheitsmoment", r"必要な?慣性モーメント"),
+        r"(?:erforderliche|nötige|notwendige)[sn]?\s+(?:massen)?trägheitsmoment",
+        r"必要な?慣性モーメント"),
         (swing / (omega**2 * fluctuation), swing / (4 * PI**2 * rotation**2 * fluctuation),
          900 * swing / (PI**2 * rotation**2 * fluctuation)), slips=("bare factor", "power", "turn"),
         unless=words(r"±|plus or minus|amplitude|ausschlag|振幅"),
