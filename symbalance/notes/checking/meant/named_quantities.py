@@ -70,7 +70,8 @@ _OPENING = re.compile(
 _PART = re.compile(
     r"\b(?:two|three|four|five|six|eight|twelve)\b(?![- ]stroke)|\bboth\b|\beach\b|\bpairs?\b"
     r"|\btwice\b|twin"
-    r"|per cylinder|pro zylinder|\bdoubled?\b|\bhalf\b|\bhalv|\bmean\b|\baverage|amplitude|alternating|boxer|\bV\d|together"
+    r"|per cylinder|pro zylinder"
+    r"|\bdoubled?\b|\bhalf\b|\bhalv|\bmean\b|\baverage|amplitude|alternating|boxer|\bV\d|together"
     r"|\bequal\b"
     r"|\bzwei(?!takt)|\bbeide[nrs]?\b|\bdrei|\bvier(?!takt)|\bsechs|\bacht|\bjede[rsnm]?\b|\bje\b"
     r"|\bdoppel"
