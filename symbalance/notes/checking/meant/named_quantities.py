@@ -47,7 +47,7 @@ from symbalance.notes.checking.meant.formula_slips import agrees, is_multiple, s
 from symbalance.notes.checking.meant.letter_roles import UNITS_ONLY, LetterRoles, ends_with
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
-from symbalance.notes.checking.verdicts import Verdict
+from symbalance.notes.checking.verdicts import DEFINITION, Verdict
 from symbalance.notes.checking.words.case_words import engine_named
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
@@ -241,7 +241,10 @@ class NamedQuantities:
         return _FROM_ELSEWHERE.search(self.document.text) is not None
 
     def judge(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
-        """Return the verdict on a relation that gives a named quantity a formula; None for others."""
+        """Return the verdict on a relation that gives a named quantity a formula; None for others.
+
+        It stays a definition, with the reason, where the search took more than its share of the budget.
+        """
         left, right = chain.sides[k].node, without_dots(chain.sides[k + 1].node)[0]
         is_plain = k == 0 and isinstance(left, Name) and chain.relations[0].sign in "=≈"
         own = names(right)
@@ -251,8 +254,9 @@ class NamedQuantities:
             return None
         try:
             return run_within(SEARCH, lambda: self._judge(chain, left.name, right, knowledge), SHARE)
-        except OverBudgetError:
-            return None  # a definition, as it stands
+        except OverBudgetError as problem:
+            reason = f"whether its words name a standard formula was not decided within {problem.spent}"
+            return Decision(DEFINITION, reason)
 
     def of_another(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
         """Return the verdict on a letter's formula where its clause names it of something else.
@@ -404,7 +408,7 @@ class NamedQuantities:
         Only the words of its own clause qualify it then; without any, as in ω_1 = … and ω_2 = …, those
         of the sentence.
         """
-        start = min(side.span[0] for side in chain.sides)
+        start = chain.start
         end, above = self._chain_before(start)
         head = above.sides[0].node if above is not None else None
         if above is None or not isinstance(head, Name):
@@ -427,7 +431,7 @@ class NamedQuantities:
         self, chain: Chain, stem: str, places: _Places, sentence: str
     ) -> Iterator[Named]:
         """Yield the quantities that words right behind a formula name: σ = M/W is the bending stress."""
-        end = max(side.span[1] for side in chain.sides)
+        end = chain.end
         link = _BEHIND.match(self.document.text, end)
         if link is None:
             return
@@ -522,7 +526,7 @@ class NamedQuantities:
     def _ends(self) -> list[tuple[int, Chain]]:
         """The ends of the document's relations, in order."""
         chains = [chain for chain in self.document.chains if chain.relations]
-        ends = [(max(side.span[1] for side in chain.sides), chain) for chain in chains]
+        ends = [(chain.end, chain) for chain in chains]
         return sorted(ends, key=lambda pair: pair[0])
 
     def _chain_before(self, start: int) -> tuple[int, Chain | None]:
@@ -532,8 +536,8 @@ class NamedQuantities:
 
     def _texts(self, chain: Chain) -> tuple[str, str, str]:
         """Return a relation's sentence, what of it stands right before, and what is around."""
-        text, start = self.document.text, min(side.span[0] for side in chain.sides)
-        end = max(side.span[1] for side in chain.sides)
+        text, start = self.document.text, chain.start
+        end = chain.end
         words = _OPENING.sub("", text[max(0, start - PARAGRAPH) : start])
         sentence = _SENTENCE_END.split(words[-SENTENCE:])[-1]
         first = max(0, self._chain_before(start)[0])
