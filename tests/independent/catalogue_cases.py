@@ -7,6 +7,8 @@ from itertools import pairwise
 
 from mpmath import mp, mpf
 
+from tests.independent.crank_torque_cases import CRANK_TORQUE
+
 F = Fraction
 
 
@@ -267,7 +269,7 @@ SPACES = {"swept": F(9), "clearance": F(1), "compression": F(10)}
 
 CRANK_DRIVE = {
     "side force on the cylinder wall": [(DRIVE, PUSH * ALONG[1])],
-    "force in the connecting rod": [(DRIVE, PUSH)],
+    "force in the connecting rod": [(DRIVE, PUSH), (DRIVE, P / abs(mp.cos(mp.asin(R / L))))],
     "tangential force at the crank pin": [(DRIVE, TURNING_FORCE)],
     "radial force at the crank pin": [(DRIVE, INWARD), (DRIVE, -INWARD)],
     "torque of a crank": [(DRIVE, VIRTUAL)],
@@ -407,4 +409,13 @@ ENGINE_RATES = {
     ],
 }  # fmt: skip
 
-CASES = {**STRENGTH, **VIBRATION, **INERTIA, **CRANK_DRIVE, **WORK, **BALANCE, **ENGINE_RATES}
+CASES = {
+    **STRENGTH,
+    **VIBRATION,
+    **INERTIA,
+    **CRANK_DRIVE,
+    **WORK,
+    **CRANK_TORQUE,
+    **BALANCE,
+    **ENGINE_RATES,
+}

@@ -117,6 +117,8 @@ WHEEL = {
     "swing": SWING,
     "mass": J1 / RADIUS**2,
     "radius": RADIUS,
+    "rotation": TURN,
+    "velocity": SPEED,
 }
 POLAR, RING = F(str(polar())), F(str(polar(INNER)))
 SOLID = known_values()

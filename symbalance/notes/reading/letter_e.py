@@ -24,6 +24,7 @@ _MEANT = re.compile(
     rf"|[Dd]istance|[Ss]pacing|[Pp]itch|[Rr]adius|[Ll]ever\s+arm|[Aa]bstand|[Hh]ebelarm|[Hh]albmesser"
     rf"|距離|間隔|半径|entraxe|interasse)"
     rf"\s*(?:of\s*)?\$?{_E}"
+    rf"|(?:\bby|\bum|amount|Maß|量)\s+\$\s?e\s?\$"
     rf"|{_E}\s*\$?\s*(?:(?:is|being|denotes|ist|als|der|the|as)\s+){{1,2}}(?:offset|distance|spacing|pitch|abstand|versatz|zylinderabstand)"
     rf"|(?<![A-Za-z\\])m_(?:[A-Za-z0-9]|\{{\w{{1,4}}\}}){_GAP}{_E}(?!\s*\^)"
     rf"|(?:[Rr]adius|[Dd]istance|Abstand|Radien|半径|距離)\s(?:of\s)?\$?{_E}(?=[\s$,.;:)]|から)"

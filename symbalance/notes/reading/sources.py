@@ -17,6 +17,7 @@ from symbalance.notes.reading.and_so_on import with_dots
 from symbalance.notes.reading.ascii_math import with_ascii_math
 from symbalance.notes.reading.compound_names import with_compound_names
 from symbalance.notes.reading.division_colons import with_divisions
+from symbalance.notes.reading.engine_abbreviations import with_abbreviations
 from symbalance.notes.reading.extremes_apart import with_extremes_apart, with_extremes_of_bars
 from symbalance.notes.reading.function_names import with_function_names
 from symbalance.notes.reading.greek_words import with_greek_words
@@ -123,6 +124,7 @@ def prepare(
     if kind in ("tex", "markdown"):
         reader.apply(with_equations_of_tables(reader.text, kind))
         reader.apply(with_joined_dollars(reader.text))
+    reader.apply(with_abbreviations(reader.text))
     for rewrite in (
         with_letters_unbraced,
         with_marked_letters,
@@ -280,7 +282,8 @@ def _picture(match: re.Match[str]) -> Texts:
 
 
 _STACKED = _rule(
-    r"<sup(?:\s[^<>]*)?>([0-9]{1,4})</sup\s*>\s*(?:/|&frasl;|⁄)\s*<sub(?:\s[^<>]*)?>([0-9]{1,4})</sub\s*>",
+    r"<sup(?:\s[^<>]*)?>([0-9]{1,4})</sup\s*>\s*(?:/|&frasl;"
+    r"|⁄)\s*<sub(?:\s[^<>]*)?>([0-9]{1,4})</sub\s*>",
     lambda match: ("(", match.span(1), "/", match.span(2), ")"),
 )
 _RAISED = _rule(r"<sup(?:\s[^<>]*)?>([^<>]{1,40})</sup\s*>", _raised("^{", "}"))
@@ -415,7 +418,8 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
     ),),
     "wiki": ((
         _COMMENT,
-        _rule(r"<nowiki>(?:(?!<nowiki).){0,20000}?</nowiki>|<(?:source|syntaxhighlight|pre)[\s>](?:(?!<(?:source|syntax|pre)).)*?</(?:source|syntaxhighlight|pre)>",
+        _rule(r"<nowiki>(?:(?!<nowiki).){0,20000}?</nowiki>|<(?:source|syntaxhighlight"
+            r"|pre)[\s>](?:(?!<(?:source|syntax|pre)).)*?</(?:source|syntaxhighlight|pre)>",
               _blank),
         Rule(_MATH.pattern, lambda match: None), *_DISPLAYED,
         _rule(r"\{\{\s*=\s*\}\}", lambda match: ("=",)),
@@ -470,13 +474,15 @@ _ADDRESS = re.compile(
 _RULE_OF_SIGNS = re.compile(r"^[ \t]*(?:={2,}|~{3,})[ \t]*$", re.MULTILINE)
 _QUOTED = re.compile(r"^[ ]{0,3}(?:>[ ]?)+", re.MULTILINE)
 _TITLE = re.compile(
-    r"\\(?:title|subtitle)\s*(?:\[[^\[\]]{0,200}\])?\s*\{((?:[^{}]|\{(?:[^{}]|\{[^{}]{0,80}\}){0,80}\}){1,400})\}"
+    r"\\(?:title|subtitle)\s*(?:\[[^\[\]]{0,200}\])?\s*\{((?:[^{}]|\{(?:[^{}]"
+    r"|\{[^{}]{0,80}\}){0,80}\}){1,400})\}"
 )
 _OPTIONS = re.compile(r"(?<=[A-Za-z}*])\[\s*[a-z-]{2,20}\s*=[^\[\]\n$]{0,200}\]")
 _FENCE = re.compile(r"[ ]{0,3}(`{3,}|~{3,})\s*([A-Za-z]*)")
 _BOLD = re.compile(r"(?<![\w)*])\*\*(?=[^\s*])([^*\n]{1,300})(?<=\S)\*\*(?![\w(*])")
 _ITALIC = re.compile(
-    r"(?<![\w*)\]}°²³])\*(?=[^\s*])([^*\n=]{1,60})(?<=[^\s*])\*(?![\w*(])|(?<![\w}\])])_([^\W_](?:[^_\n=]{0,40}[^\W_])?)_(?!\w)"
+    r"(?<![\w*)\]}°²³])\*(?=[^\s*])([^*\n=]{1,60})(?<=[^\s*])\*(?![\w*(])"
+    r"|(?<![\w}\])])_([^\W_](?:[^_\n=]{0,40}[^\W_])?)_(?!\w)"
 )
 _CODE = re.compile(r"(`+)(?!`)[^`\n]{1,400}\1(?!`)")
 _CODE_LANGUAGES_OF_FORMULAS = ("math", "latex", "tex")

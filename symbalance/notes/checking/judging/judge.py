@@ -34,7 +34,12 @@ from symbalance.notes.checking.page.letters_of_sections import numbers_of_this_s
 from symbalance.notes.checking.page.page_data import data_of
 from symbalance.notes.checking.page.quotations import Quotations
 from symbalance.notes.checking.steps.angle_equations import lines_of_angles
-from symbalance.notes.checking.steps.another_body import leave_body, leave_choice, leave_quotation
+from symbalance.notes.checking.steps.another_body import (
+    leave_body,
+    leave_choice,
+    leave_cycle,
+    leave_quotation,
+)
 from symbalance.notes.checking.steps.another_engine import leave_cranks, leave_engine, leave_premises
 from symbalance.notes.checking.steps.another_place import is_multiple_of_angle, leave_place
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
@@ -269,13 +274,18 @@ class Judge:
             end_cases(self.state.definitions, left, chain.start)
             return verdict
         verdict = self._link_in_scope(chain, k, sound, bad)
-        if verdict.verdict in (REFUTED, CONTRADICTION) and (
-            leave_place(self.state, chain)
-            or leave_body(self.state, chain, k)
-            or leave_choice(self.state, chain, k)
-            or leave_quotation(self.state, chain, k, self.quotations.is_quoted)
-            or leave_engine(self.state, chain, k)
-            or leave_cranks(self.state, chain, k)
+        is_open = verdict.verdict == UNDECIDED and (verdict.reason or "").startswith("with line")
+        is_against = verdict.verdict in (REFUTED, CONTRADICTION)
+        if ((is_against or is_open) and leave_cycle(self.state, chain, k)) or (
+            is_against
+            and (
+                leave_place(self.state, chain)
+                or leave_body(self.state, chain, k)
+                or leave_choice(self.state, chain, k)
+                or leave_quotation(self.state, chain, k, self.quotations.is_quoted)
+                or leave_engine(self.state, chain, k)
+                or leave_cranks(self.state, chain, k)
+            )
         ):
             return self._anew(chain, k) or self._link_in_scope(chain, k, sound, bad)
         contradicts = verdict.verdict == CONTRADICTION or (

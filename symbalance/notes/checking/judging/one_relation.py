@@ -362,6 +362,7 @@ def _as_meant(
     if outcome is None and definition.status in (DEFINITION, PREMISE):
         outcome = state.named_orders.judge(chain, k, knowledge, state.cranks_of)
         outcome = outcome or state.named.judge(chain, k, knowledge)
+        outcome = outcome or state.named_numbers.judge(chain, k, knowledge)
         outcome = outcome or state.harmonics.judge(chain, k, knowledge)
         if outcome is not None and _is_left_open(outcome):
             return replace(definition, reason=outcome.reason)

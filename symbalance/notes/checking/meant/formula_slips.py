@@ -16,6 +16,7 @@ from symbalance.document.formula import (
     Negative,
     Number,
     Power,
+    Product,
     Quotient,
     Sum,
     children,
@@ -32,6 +33,8 @@ POINTS = ((3, 7, 11, 13, 17, 26, 9), (5, 2, 19, 23, 29, 14, 33), (31, 37, 41, 43
 """Values of a formula's letters at which two formulas are compared, in tenths."""
 SMALL = ((31, 17, 7, 11, 23, 37, 5), (13, 29, 41, 3, 19, 9, 27), (8, 5, 21, 37, 33, 12, 17))
 """The same in hundredths, for formulas that have no value elsewhere: √(1 - D²)."""
+FALLING = ((43, 37, 29, 5, 2), (31, 23, 19, 7, 3), (17, 13, 11, 4, 1))
+"""Values in tenths for formulas that need the first letters to be large: √(n² - sin² θ)."""
 _EXACT = 1e-9
 _FACTORS = frozenset({1, 2, 3, 4, 6, 8, 9, 16, 32, 64})
 """Numerators and denominators of a factor that is a slip: 5, 12, 60, 1000 may be a change of units."""
@@ -43,7 +46,9 @@ def agrees(target: Formula, claim: Formula) -> bool:
     """Tell whether two formulas have the same values."""
     if _ratio_of(target, claim) == (1.0,) * len(POINTS):
         return True
-    return _ratio_of(target, claim, SMALL, 100) == (1.0,) * len(SMALL)
+    if _ratio_of(target, claim, SMALL, 100) == (1.0,) * len(SMALL):
+        return True
+    return _ratio_of(target, claim, FALLING) == (1.0,) * len(FALLING)
 
 
 def _values(node: Formula, point: Mapping[str, Fraction]) -> float:
@@ -79,6 +84,8 @@ def slip_of(target: Formula, claim: Formula, slips: tuple[str, ...], may_be_part
     ratios = _ratio_of(target, claim)
     if not _is_finite(ratios):
         ratios = _ratio_of(target, claim, SMALL, 100)
+    if not _is_finite(ratios):
+        ratios = _ratio_of(target, claim, FALLING)
     is_finite = _is_finite(ratios)
     if is_finite and all(isclose(ratio, ratios[0], rel_tol=_EXACT) for ratio in ratios):
         return _slip_by_factor(target, ratios[0], slips, may_be_part)
@@ -207,6 +214,11 @@ def _edits_here(node: Formula) -> Iterator[Formula]:
             isinstance(part, Call) and part.function in _TURNING for part in walk(below)
         ):
             yield above * below
+        case Product(factors=factors) if any(isinstance(part, Call) for part in factors):
+            waves = [part for part in factors if isinstance(part, Call)]
+            for wave in waves:
+                rest = Product(tuple(f for f in factors if f is not wave))
+                yield from (rest, rest / wave) if wave.function in _TURNING else (rest,)
         case Power(base=base, exponent=Number(value=value)) if value in _EXPONENTS:
             yield from (base ** Fraction(other) for other in _EXPONENTS if other != value)
         case Sum(terms=terms):

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 
 from symbalance.document.formula import Formula, Name, names
 from symbalance.document.letters import plain_letter
@@ -25,6 +26,9 @@ _OUTER, _INNER = (frozenset(text.split()) for text in ("a o e out outer", "i in 
 _OF_TWO = {"outer": (_OUTER, _INNER, "D"), "inner": (_INNER, _OUTER, "d"),
            "outer_radius": (_OUTER, _INNER, "R"), "inner_radius": (_INNER, _OUTER, "r")}  # fmt: skip
 """Subscripts of the two diameters of a hollow section; without one D is the larger."""
+LONGEST_NAME = 48
+"""Characters of the words before a letter that may name it."""
+_GOES_ON = re.compile(r"\}?\s*(?:[A-Za-z0-9(+*/·^-]|\\(?:[a-z]+))(?<!\\approx)(?<!\\in)(?<!\\to)")
 _TAGS = re.compile(r"<[^>]*>|\\(?:mathrm|text|it|rm|bf)\b|[${}()\\*_`|\[\]~]")
 _LINKS = re.compile(
     r"(?:\s|,|:|=|\bof\b|\bthe\b|\bis\b|\ba\b|\bby\b|\bvon\b|\bist\b|\bder\b|\bdie\b|\bdes\b|\bmit\b"
@@ -34,7 +38,7 @@ _LINKS = re.compile(
 )
 _IS = re.compile(
     r"\s*(?:be|is|denotes|being|sei|ist|bezeichnet)\s+(?:the|a|der|die|das)\s+"
-    r"((?:[\w-]+ ){0,3}?[\w-]+)(?= of\b| der\b| des\b| at\b| am\b| and\b| und\b|[,.;]|\s*$)",
+    r"((?:[\w'’-]+ ){0,3}?[\w'’-]+)(?= of\b| der\b| des\b| at\b| am\b| and\b| und\b|[,.;]|\s*$)",
     re.I,
 )
 _APPOSED = re.compile(
@@ -52,6 +56,29 @@ _ANOTHER = re.compile(r"(?<![^\W_])[^\W\d]\w{0,3} (?:for|für) (?:the|die|den|da
 _APART = re.compile(r"\s*(?:apart|auseinander)\b")
 """Behind a letter, and before it: write β for the balance factor, λ for the crank ratio."""
 """What a letter is said to be behind it: d is the distance of the supports."""
+_FROM_END = (
+    r"(?:(?:from|to|vom?|von\s+de[rmn]|bis\s+zu[mr]?)\s+(?:the\s+|de[rmn]\s+)?(?:{})(?![A-Za-z])"
+    r"|(?:{})から)"
+)
+ROD_ENDS = {
+    "to_big": _FROM_END.format(
+        r"(?:big|large)[- ]end|crank[- ]?pin|großen\s+\w*(?:auge|kopf)|(?:kurbel|hub)zapfen",
+        r"大端部?"
+        r"|クランクピン",
+    ),
+    "to_small": _FROM_END.format(
+        r"small[- ]end|(?:piston|gudgeon|wrist)[- ]?pin|kleinen\s+\w*(?:auge|kopf)|kolbenbolzen",
+        r"小端部?|ピストンピン",
+    ),
+}
+_END_BEHIND = {
+    role: re.compile(rf"[^.;,、。\n]{{0,24}}?{words}", re.IGNORECASE) for role, words in ROD_ENDS.items()
+}
+_END_BEFORE = {
+    role: re.compile(rf"{words}(?:(?!\b(?:and|und)\b|[.;,、\n=]).){{0,40}}$", re.IGNORECASE)
+    for role, words in ROD_ENDS.items()
+}
+"""Which end of a rod a distance is taken from, behind its letter or before: a from the big end."""
 
 
 @dataclass
@@ -59,6 +86,10 @@ class LetterRoles:
     """The roles that the letters of one page may have."""
 
     text: str
+    piston_forces: set[str] = field(default_factory=set)
+    """Letters that formulas elsewhere on the page show to be forces along the stroke."""
+    taken: dict[str, str] = field(default_factory=dict)
+    """The roles of letters that lines above showed to be a quantity."""
     _before: dict[str, list[str]] = field(default_factory=dict)
     _named: dict[str, tuple[frozenset[str], bool]] = field(default_factory=dict)
 
@@ -93,6 +124,10 @@ class LetterRoles:
         if declared and not UNITS_ONLY.fullmatch(declared):
             return False
         roles, is_other = self._roles_named(letter)
+        if self.taken.get(letter) == role:
+            return True
+        if role == "net_force" and letter in self.piston_forces and not roles & {"rod_force", "rod"}:
+            return True
         return role in roles if roles else not is_other and _is_usual(letter, role)
 
     def _roles_named(self, letter: str) -> tuple[frozenset[str], bool]:
@@ -102,9 +137,23 @@ class LetterRoles:
             roles = {
                 name for name, each in ROLES.items() if any(ends_with(each.words, w) for w in before)
             }
+            if end := self._end_of_rod(letter):
+                roles = (roles - {"near", "far"}) | {end}
             is_other = any(ends_with(OTHER_LENGTHS, w) for w in before)
             self._named[letter] = frozenset(roles), is_other
         return self._named[letter]
+
+    def _end_of_rod(self, letter: str) -> str:
+        """Return the role of a distance from one end of a rod, by the words beside it; "" for none."""
+        ends = set()
+        for match in re.finditer(rf"(?<![^\W_])(?<!\\){_sign_of(letter)}", self.text):
+            behind = _TAGS.sub("", self.text[match.end() : match.end() + 80])
+            before = _TAGS.sub("", self.text[max(0, match.start() - 90) : match.start()])
+            if before.rstrip(" ").endswith(("-", "+", "/", "·", "−")):
+                continue  # b = l - a from the small end
+            own = {role for role, words in _END_BEHIND.items() if words.match(behind)}
+            ends |= own or {role for role, words in _END_BEFORE.items() if words.search(before)}
+        return ends.pop() if len(ends) == 1 else ""
 
     def is_multiplied(self, letter: str) -> bool:
         """Tell whether words name a multiple of a letter, a length 2l or a mass m/2: then a factor may be
@@ -124,7 +173,9 @@ class LetterRoles:
             pattern = rf"(?<![^\W_])(?<!\\){_sign_of(letter)}"
             phrases = []
             for match in re.finditer(pattern, self.text):
-                words = _TAGS.sub("", self.text[max(0, match.start() - 60) : match.start()])
+                if _begins_formula(self.text, match.start(), match.end()):
+                    continue  # the work $p V$: no word names p
+                words = _TAGS.sub("", self.text[max(0, match.start() - 80) : match.start()])
                 behind = _TAGS.sub("", self.text[match.end() : match.end() + 60])
                 purpose = _FOR.match(behind)
                 if purpose is not None and _WRITTEN.search(words):
@@ -135,12 +186,20 @@ class LetterRoles:
                     continue
                 if _WRITTEN.search(words) and _ANOTHER.search(words):
                     continue  # λ for the crank ratio and F_0
-                phrases.append(_LINKS.sub("", words)[-30:])
                 follows = _IS.match(behind) or (_APPOSED.match(behind) if _WITH.search(words) else None)
                 if follows is not None:
                     phrases.append(follows[1])
+                if follows is None or not words.rstrip().endswith(","):  # in the rod, φ being …
+                    phrases.append(_LINKS.sub("", words)[-LONGEST_NAME:])
             self._before[letter] = [words.replace("\n", " ") for words in phrases]
         return self._before[letter]
+
+
+def _begins_formula(text: str, start: int, end: int) -> bool:
+    """Tell whether a letter is the first of a longer formula between dollars."""
+    before = text[max(0, start - 4) : start].rstrip(" ")
+    is_first = before.endswith("$") and not before.endswith("$$")
+    return is_first and _GOES_ON.match(text, end) is not None
 
 
 def _sign_of(letter: str) -> str:
@@ -152,8 +211,17 @@ def _sign_of(letter: str) -> str:
 
 
 def ends_with(words: re.Pattern[str], text: str) -> bool:
-    """Tell whether a text ends with one of the words."""
-    return any(match.end() == len(text) for match in words.finditer(text))
+    """Tell whether a text ends with one of the words.
+
+    >>> ends_with(re.compile("mass|masse"), "die Masse".lower())
+    True
+    """
+    return _at_end(words).search(text) is not None
+
+
+@cache
+def _at_end(words: re.Pattern[str]) -> re.Pattern[str]:
+    return re.compile(rf"(?:{words.pattern})\Z", words.flags)
 
 
 def renamed(node: Formula, letters: Mapping[str, str]) -> Formula:

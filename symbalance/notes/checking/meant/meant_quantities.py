@@ -90,7 +90,7 @@ ONE_SLIP = re.compile(
 """The kinds of a change that leaves all terms and only puts one thing in them right."""
 
 
-_OF_RATIO = re.compile(rf" is the (?:rod|crank) ratio [lr]/[lrs], {USUAL_END}")
+OF_RATIO = re.compile(rf" is the (?:rod|crank) ratio [lr]/[lrs], {USUAL_END}")
 _OF_TURNING = re.compile(r" is the (?:angular speed|crank angle|time), ")
 """Letters that a formula shows by themselves: what is squared before a wave, and what turns in it."""
 
@@ -134,7 +134,7 @@ class MeantQuantities:
             return None
         named = self.words.named(name, chain) or self._by_company(name)
         frames = [frame]
-        if named is not None and named.role and any(_OF_RATIO.search(text) for text in frame.assumptions):
+        if named is not None and named.role and any(OF_RATIO.search(text) for text in frame.assumptions):
             frames.append(self.frame(name, value, chain, knowledge, ratio=CONVENTIONS["r/l"]) or frame)
 
         def verdict() -> Verdict | Decision | None:

@@ -30,6 +30,7 @@ from symbalance.document.formula import (
     Number,
     Power,
     Product,
+    Quotient,
     Sum,
     Summation,
     names,
@@ -42,8 +43,10 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.declared.engines import Engines, NoEngines
 from symbalance.notes.checking.declared.geometry import Geometry, square
+from symbalance.notes.checking.declared.role_phrases import CONVENTIONS
 from symbalance.notes.checking.declared.symbols import far_power, series_node
 from symbalance.notes.checking.meant.meant_quantities import (
+    OF_RATIO,
     ONE_SLIP,
     SEARCH,
     SHARE,
@@ -59,6 +62,8 @@ from symbalance.notes.reading.equations import Chain, Side
 
 FORCE, ACCELERATION, TORQUE = "inertia force", "piston acceleration", "inertia torque"
 COUPLE = "couple"
+REACH = 300
+"""Characters before a relation in which words say that other orders cancel."""
 HIGHEST = 8
 """Orders above are named by nobody."""
 _NUMBERS = {
@@ -105,7 +110,10 @@ _IN_A_CASE = re.compile(
 )
 """Words for a case in which an order is another than in general."""
 _FREE = re.compile(
-    r"\bfree\b|freie|resultant|resultier|total|gesamt|\bsum\b|summe|合力|合計|全体|不?釣", re.IGNORECASE
+    r"\bfree\b|freie|resultant|resultier|total|gesamt|\bsum\b|summe|合力|合計|全体|不?釣"
+    r"|\ball\s+(?:the\s+)?(?:\w+\s+)?cylinders|\balle[rn]?\s+(?:\w+\s+)?zylinder|whole\s+engine"
+    r"|ganzen?\s+motors?|全気筒",
+    re.IGNORECASE,
 )
 _OF_ONE = re.compile(
     r"\b(?:per|each|one|single)\b|\bje\b|\bpro\b|einzel|eines\s+zylinders|1\s?気筒|各|単気筒|一つ",
@@ -116,9 +124,23 @@ _OF_HALVES = re.compile(
     re.IGNORECASE,
 )
 """Words for the two cranks that turn with the crank and against it, half of a piston's force each."""
+_PARTLY = re.compile(
+    r"pair|paar|half|hälfte|halb|both|beide|\btwo\b|\bzwei\b|each|\bje\b|\bper\b|balanc|ausgleich"
+    r"|lanchester|bank|remain"
+    r"|rest|bleib|component|komponente|bearing|lager|ratio|rotating|rotier|対|半分|各|両|残|釣合"
+    r"|バランス",
+    re.IGNORECASE,
+)
+"""Words for a part of what a whole engine does, or for what is done against it."""
+_CANCEL = re.compile(
+    r"vanish|cancel|balance\s+each|heben\s+sich|verschwind|entfall|打ち消|消え", re.IGNORECASE
+)
+_LEFT = re.compile(r"remain|is\s+left|bleib|übrig|残", re.IGNORECASE)
+"""Words by which orders of the whole engine vanish, and by which one is all that it has left."""
 _NOTHING = 1e-6
 _COEFFICIENT = re.compile(r"(?P<stem>[A-Za-z])_(?P<order>[1-9])")
 _FACTOR = re.compile(r"(?:factor|number misprinted) .*")
+_IS_FACTOR = re.compile(r"factor|number misprinted")
 _SINE = re.compile(r"(?:sin|cos) for (?:sin|cos)")
 
 
@@ -142,6 +164,8 @@ class _Order:
     """Whether they speak of what is free of the whole engine."""
     is_in_row: bool = False
     """Whether it stands in a table, whose row names the engine."""
+    is_left: bool = False
+    """Whether words say that it is what the whole engine has left."""
 
     @property
     def source(self) -> str:
@@ -178,11 +202,16 @@ class NamedOrders:
         if head is None or order is None or order.number > HIGHEST:
             return None
         angles = cranks(chain)
-        if isinstance(chain.sides[0].node, Summation) and (angles is None or not angles.is_usual):
+        is_of_all = isinstance(chain.sides[0].node, Summation) or order.is_left
+        if is_of_all and (angles is None or not angles.is_usual):
             return None
         if isinstance(self.meant.sources.engines, NoEngines):
             return None  # nobody is at hand who knows a slider-crank's series
         frame = self.meant.frame(head.name, right, chain, knowledge)
+        if frame is not None and any(OF_RATIO.search(text) for text in frame[2]) and not _divides(right):
+            frame = (
+                self.meant.frame(head.name, right, chain, knowledge, ratio=CONVENTIONS["r/l"]) or frame
+            )
         balanced = self._balanced(order, angles)
         if not names(right) or (balanced and all(balanced)):
             return self._vanishing(head.name, order, chain.sides[1], angles, frame)
@@ -273,6 +302,10 @@ class NamedOrders:
         own = clause if _ORDER_WORD.search(clause) else own
         numbers = {int((m.lastgroup or "n0")[1:]) for m in _ORDER.finditer(own)}
         kinds = [kind for kind, pattern in _KINDS.items() if pattern.search(own)]
+        whole = self.meant.words.document.text[max(0, chain.start - REACH) : chain.start]
+        is_left = _CANCEL.search(whole) is not None and _LEFT.search(own) is not None
+        if is_left:  # of the first and second orders the torques cancel, of the third there remains
+            kinds = kinds or [kind for kind, pattern in _KINDS.items() if pattern.search(whole)]
         if len(numbers) != 1 or not kinds or not _ORDER_WORD.search(own):
             return None
         number = numbers.pop()
@@ -283,9 +316,15 @@ class NamedOrders:
             return None
         is_alone = not self._speaks_of_more and not _IN_A_CASE.search(own)
         is_of_one = _OF_ONE.search(own) is not None
-        is_of_engine = (bool(header) or _FREE.search(own) is not None) and not is_of_one
+        is_of_engine = (bool(header) or is_left or _FREE.search(own) is not None) and not is_of_one
         return _Order(
-            number, kinds[0], own, is_alone=is_alone, is_of_engine=is_of_engine, is_in_row=bool(header)
+            number,
+            kinds[0],
+            own,
+            is_alone=is_alone,
+            is_of_engine=is_of_engine,
+            is_in_row=bool(header) or is_left,
+            is_left=is_left,
         )
 
     def _coefficient(self, name: str, value: Formula, chain: Chain) -> _Order | None:
@@ -388,9 +427,13 @@ class NamedOrders:
         is_guess |= any("ratio" in text and not text.startswith("λ") for text in usual)
         if order.series and not order.series & names(crank.omega):
             return None  # in a unit of its own
-        is_alone = order.is_alone or (order.is_in_row and factor > 1)
-        if not order.kind or not is_alone or is_guess or crank.small is None:
+        is_whole = order.is_in_row or (order.is_of_engine and not _PARTLY.search(order.words))
+        is_alone = order.is_alone or (is_whole and factor > 1)
+        is_whole_of_all = is_whole and factor > 1
+        if not order.kind or not is_alone or (is_guess and not is_whole_of_all) or crank.small is None:
             return None
+        sizes = names(crank.mass) | names(crank.radius) | names(crank.omega)
+        has_all_sizes = sizes <= names(right.node) and not order.is_coefficient
         verdicts: list[Verdict] = []
         for target, relation in self._standard(order, crank, right.node):
             for sign in (1, -1):
@@ -402,10 +445,15 @@ class NamedOrders:
                 decision = replace(decision, reason="; ".join((*texts, *assumptions)))
                 verdict = self.meant.with_fix(chain, 0, left, decision, known)
                 fix = verdict.fix
-                if fix is None or len(fix.faults) != 1 or fix.of_left or not ONE_SLIP.fullmatch(fix.kind):
+                is_slip = fix is not None and (
+                    ONE_SLIP.fullmatch(fix.kind) or (fix.kind == "factor" and has_all_sizes)
+                )
+                if fix is None or len(fix.faults) != 1 or fix.of_left or not is_slip:
                     continue
                 if is_of_lambda and not _FACTOR.fullmatch(fix.kind):
                     continue  # l/r, it may be; a factor is wrong of both
+                if is_guess and not _IS_FACTOR.match(fix.kind):
+                    continue  # the ratio's power is right, so it is the ratio
                 if not is_only_negated(right.node, fix.node) and not _may_be_meant(
                     fix.kind, order, right.node
                 ):
@@ -421,6 +469,11 @@ class NamedOrders:
         first = self._base(order, crank, is_first=True)
         if first is not None and not any(isinstance(part, Sum) for part in walk(value)):
             yield Product((first, *wave)), "="
+
+
+def _divides(node: Formula) -> bool:
+    """Tell whether a formula has a letter below a line: a ratio there is that of the rod to the crank."""
+    return any(isinstance(part, Quotient) and names(part.denominator) for part in walk(node))
 
 
 def _summed(name: str) -> _Order | None:

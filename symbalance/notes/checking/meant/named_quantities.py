@@ -16,7 +16,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 
@@ -26,18 +26,23 @@ from symbalance.document.formula import (
     Formula,
     Name,
     Number,
+    Product,
+    Quotient,
     Sum,
     names,
     walk,
 )
 from symbalance.document.letters import plain_letter
 from symbalance.notes.algebra.evaluation import SymbolValue
+from symbalance.notes.checking.deciding.cases import NO_POINT
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
+from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.meant.catalogue import QUANTITIES, Quantity
+from symbalance.notes.checking.meant.catalogue.roles import cylinders, net_force
 from symbalance.notes.checking.meant.claims_in_letters import (
     in_letters,
     name_of_head,
@@ -53,6 +58,7 @@ from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.meant.stated_numbers import StatedNumbers
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
+from symbalance.notes.checking.words.case_words import engine_named
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
@@ -61,7 +67,10 @@ SEARCH, SHARE = Budget(4), 0.6
 SENTENCE, PARAGRAPH, AFTER = 220, 500, 60
 """Characters that are looked through: before a formula for its name, and around for another shape."""
 _ONE_TERM = re.compile(r"order|exponent|number misprinted .*|sign|factor -?[0-9/]+")
-_SENTENCE_END = re.compile(r"[.;!?](?:\s|$)|[。；]|\n\s*\n|<p\b|<li\b|\\item|\\section|\n#|\n\|")
+_SENTENCE_END = re.compile(
+    r"[;!?](?:\s|$)|\.(?:\s(?!Ordnung|Harmonische)|$)|[。；]|\n\s*\n|<p\b|<li\b"
+    r"|\\item|\\section|\n#|\n\||\n {0,4}(?:[*•-]|\d{1,3}[.)])\s"
+)
 _BLANK = re.compile(r"\n\s*\n")
 _OPENING = re.compile(
     r"(?:\s|\$+|\\[\[(]|\\begin\{[a-z]+\*?\}|\\displaystyle|&|\||<p>|<div>"
@@ -71,6 +80,7 @@ _OPENING = re.compile(
 _PART = re.compile(
     r"\b(?:two|three|four|five|six|eight|twelve)\b(?![- ]stroke)|\bboth\b|\beach\b|\bpairs?\b"
     r"|\btwice\b|twin"
+    r"|per cylinder|pro zylinder"
     r"|\bdoubled?\b|\bhalf\b|\bhalv|\bmean\b|\baverage|amplitude|alternating|boxer|\bV\d|together"
     r"|\bequal\b"
     r"|\bzwei(?!takt)|\bbeide[nrs]?\b|\bdrei|\bvier(?!takt)|\bsechs|\bacht|\bjede[rsnm]?\b|\bje\b"
@@ -86,7 +96,10 @@ _PART = re.compile(
 )
 """Words that make of a quantity a part or a multiple of it: no factor in it is a slip."""
 _SETTING = re.compile(
-    r"\b(?:on|between|auf|zwischen|in) (?:two|zwei) \w+|\b(?:at )?both ends|\bbeidseitig|両端",
+    r"\b(?:on|between|auf|zwischen|in) (?:two|zwei) \w+|\bbetween (?:the two|both) \w+"
+    r"|zwischen (?:den )?beiden \w+|\b(?:at )?both ends|\bbeidseitig|両端"
+    r"|\b(?:two|both|zwei|beiden?) (?:revolutions|turns|speeds|umdrehungen|drehzahlen|point masses"
+    r"|dead cent\w+|totpunkt\w*)",
     re.IGNORECASE,
 )
 """Words with a number that make nothing a part: a shaft on two bearings."""
@@ -123,6 +136,45 @@ PRODUCT = "·"
 """What stands for the letter of a product of a mass and its arm, m_A r_A."""
 BARE = 24
 """Letters in the words before a formula that its heading names: "so that", "With these"."""
+_LETTER_BEHIND = re.compile(
+    r"(?:\s|of|is|,){0,3}(?:\$(?P<marked>[^$=]{1,24})\$|(?P<bare>\b(?!a\b"
+    r"|I\b)[A-Za-zΑ-ω](?:_\{?\w{1,6}\}?)?)(?=[\s,;]))"
+)
+"""A letter right behind the words that name it, which is another one than the formula's."""
+_ROLE_OF = {
+    "force in the connecting rod": "rod_force",
+    "gas force": "piston_force",
+    "tangential force at the crank pin": "tangential",
+    "radial force at the crank pin": "radial_part",
+    "centrifugal force": "centrifugal",
+    "mechanical efficiency": "efficiency",
+    "degree of irregularity": "fluctuation",
+}
+"""The role that a letter plays further down which was shown to be a quantity."""
+_NUMBER_BEHIND = re.compile(r"(?:\s|of|von|=|:){1,4}[0-9]")
+"""A number right behind words: a mean effective pressure of 18 bar is that pressure's."""
+_OF_A_LETTER = (
+    r"(?i:\b(?:total|whole|mean|average|mittlere[rnms]?|gesamte?[rnms]?|effektive[rnms]?|gesamt(?=\w))"
+    r"|平均|総|全)"
+)
+"""Words before the name of a letter that make of it no part of another: the mean pressure p."""
+_LEAD = re.compile(r"(?:\*\*|__)?([^.:\n]{3,60}?)(?:\*\*|__)?[.:](?=\s)")
+"""The opening words of a paragraph, set off as a title."""
+_ENGINE_SIZE = re.compile(
+    r"\b(?:two|three|four|five|six|eight|twelve|[2-9]|1[0-9])[- ]cylinder(?!s)|\b(?:zwei|drei|vier|fünf"
+    r"|sechs|acht)zylinder"
+    r"|[2-9２-９]気筒",
+    re.IGNORECASE,
+)
+"""The number of an engine's cylinders, which its formulas take as it is."""
+_ROD_FORCE = re.compile(
+    r"\brod\s+(?:force|thrust|load)|(?:force|thrust)\s+(?:in|of|along|on)\s+the\s+(?:connecting[- ])?rod"
+    r"|(?:pleuel|stangen)-?kraft|(?:連接棒|コンロッド)[^、。]{0,8}力|bielle|biela",
+    re.IGNORECASE,
+)
+"""Words for the force in the rod, whose letter may be any that a force has."""
+_ITS = re.compile(r"\b(?:its|whose|their|sein|seine|ihr|dessen|deren)\b|その", re.IGNORECASE)
+"""Words that stand for a body that the sentence before names."""
 _FUNCTIONS = ("sqrt", "sin", "cos", "tan")
 _COPULA = re.compile(
     r"(?:\s|[:,=$({\[\\|*_`~—-]|<[^>]*>|\b(?:is|are|of|the|a|an|this|section|shaft|solid|round"
@@ -138,7 +190,7 @@ _COPULA = re.compile(
 
 
 @dataclass(frozen=True, slots=True)
-class _Named:
+class Named:
     """A quantity that words name, the words, and all the text that may qualify it."""
 
     quantity: Quantity
@@ -149,6 +201,21 @@ class _Named:
     """Whether words name another shape or hypothesis: only formulas of two diameters hold."""
 
     is_declared: bool = False
+    heading: str = ""
+    is_above: bool = False
+    """Whether words above name the letter: another formula of it may be that, and is never refuted."""
+
+    @property
+    def cylinders(self) -> int | None:
+        """The cylinders of the engine that the words around name, None where they name none."""
+        text = f"{self.heading} {self.around}"
+        engine = engine_named(text, len(text) + 1)
+        return None if engine is None else engine[0]
+
+    @property
+    def may_refute(self) -> bool:
+        """Whether the words name this quantity and no other shape or setup."""
+        return not (self.is_other or self.is_above)
 
     @property
     def formulas(self) -> tuple[Formula, ...]:
@@ -158,7 +225,7 @@ class _Named:
 
     def formulas_for(self, sign: str) -> tuple[Formula, ...]:
         """Return those that a relation of some sign may confirm: a rough one only with ≈."""
-        is_rough = sign == "≈" and not self.is_other
+        is_rough = (sign == "≈" or _ROUGHLY.search(self.sentence) is not None) and not self.is_other
         return (*self.formulas, *self.quantity.approximate) if is_rough else self.formulas
 
 
@@ -177,6 +244,8 @@ class NamedQuantities:
 
     document: ReadNotes
     sections: Sections
+    words_above: dict[str, str] = field(default_factory=dict)
+    """The words by which letters were named that had a standard formula."""
 
     @cached_property
     def roles(self) -> LetterRoles:
@@ -278,7 +347,7 @@ class NamedQuantities:
     ) -> Verdict | Decision | None:
         known = Knowledge(SymbolValue(positive=frozenset(names(claim))), corrects=True)
         side = chain.sides[1]
-        candidates = list(self._named(name, chain, knowledge))
+        candidates = list(self.named(name, chain, knowledge))
         sign = chain.relations[0].sign
         pairs = [
             (named, target)
@@ -295,8 +364,10 @@ class NamedQuantities:
                 signs |= {f"{plain_letter(n)} ≥ 0" for n in names(claim)}
                 rest = [text for text in decision.assumptions if text not in signs]
                 rest += ["the rod is long"] if is_rough else []
-                return replace(decision, assumptions=(self._text(name, named), *rest))
-        fitting = {named.quantity.name: named for named in candidates if not named.is_other}
+                self.words_above[name] = named.words
+                self.roles.taken[name] = _ROLE_OF.get(named.quantity.name, "")
+                return replace(decision, assumptions=(self.text(name, named), *rest))
+        fitting = {n.quantity.name: n for n in candidates if n.may_refute}
         if len(fitting) > 1:  # words that name several: by the letters of their formulas
             fitting = {n: each for n, each in fitting.items() if any(p is each for p, _ in pairs)}
         if len(fitting) != 1:
@@ -304,6 +375,7 @@ class NamedQuantities:
         (named,) = fitting.values()
         if named.quantity.turns and self.counts_from_elsewhere:
             return None
+        self.words_above.setdefault(name, named.words)
         targets = [target for each, target in pairs if each is named]
         targets += self._targets(named.quantity.approximate, claim, name, named, knowledge)
         return self._with_slip(chain, name, claim, named, targets, known, knowledge)
@@ -313,32 +385,37 @@ class NamedQuantities:
         formulas: tuple[Formula, ...],
         claim: Formula,
         name: str,
-        named: _Named,
+        named: Named,
         knowledge: Knowledge,
     ) -> list[Formula]:
         """Return the formulas of a quantity in the letters of a claim."""
         together = named.quantity.together
+        count = named.cylinders
+        if count is not None and named.quantity.only is not None:  # f = 6 n/2 of a six-cylinder engine
+            put_in = (substitute(f, cylinders.name, Number(Fraction(count))) for f in formulas)
+            formulas = (*formulas, *(f for f in put_in if f not in formulas))
         every = self.stated.with_numbers(formulas, named.quantity.stated)
         return list(self.roles.targets(every, claim, knowledge.meanings, together, name))
 
-    def _text(self, name: str, named: _Named) -> str:
+    def text(self, name: str, named: Named) -> str:
+        """Return what a letter is taken to be, and what says so."""
         source = f"{NOBODY}; taken from the words “{named.words}”"
         source = f"declared as “{named.words}”" if named.is_declared else source
         return f"{' '.join(map(plain_letter, name.split()))} is the {named.quantity.name} ({source})"
 
     # What words name
 
-    def _named(self, name: str, chain: Chain, knowledge: Knowledge) -> Iterator[_Named]:
+    def named(self, name: str, chain: Chain, knowledge: Knowledge) -> Iterator[Named]:
         """Yield the quantities that a letter may be, by its declared meaning or the words around it."""
         sentence, _, _ = self._texts(chain)
-        is_rough = chain.relations[0].sign == "≈" and _ROUGHLY.search(sentence) is not None
-        if _DENIED.search(sentence) or (_ROUGHLY.search(sentence) and not is_rough):
+        is_rough = _ROUGHLY.search(sentence) is not None
+        if _DENIED.search(sentence):
             return
         for named in self._every_named(name, chain, knowledge):
             if not is_rough or named.quantity.approximate:
                 yield named
 
-    def _every_named(self, name: str, chain: Chain, knowledge: Knowledge) -> Iterator[_Named]:
+    def _every_named(self, name: str, chain: Chain, knowledge: Knowledge) -> Iterator[Named]:
         stem, _, index = name.removeprefix("Delta_").partition("_")
         stem = f"Delta_{stem}" if name.startswith("Delta_") else stem
         stem = PRODUCT if " " in name else stem
@@ -359,6 +436,7 @@ class NamedQuantities:
             return
         by_phrase = by_phrase or list(self._by_clause(name, chain, stem, places))
         by_phrase = by_phrase or list(self._by_words_behind(chain, stem, places, sentence))
+        by_phrase = by_phrase or list(self._by_words_around(chain, before, stem, places, sentence))
         if stem == PRODUCT:
             by_phrase = by_phrase or list(self._by_phrases(around, stem, places, sentence))
         else:
@@ -366,12 +444,23 @@ class NamedQuantities:
         if by_phrase:
             yield from by_phrase
             return
+        if name in self.words_above:
+            above = self._by_phrases(self.words_above[name], stem, places, sentence)
+            yield from (replace(each, is_above=True) for each in above)
+        is_named = False
+        for named in self._by_pronoun(chain, before, stem, places, sentence):
+            is_named = True
+            yield named
+        if is_named:
+            return
         is_bare = len(_NO_LETTER.sub("", before)) <= BARE
+        lead = self._lead_in(chain) if is_bare else ""
+        noun = _last_noun(before)
         for quantity in QUANTITIES:
             if stem not in quantity.letters:
                 continue
-            title = quantity.phrases.search(heading) if is_bare else None
-            if title is not None:
+            title = quantity.phrases.search(heading) or quantity.phrases.search(lead)
+            if title is not None and (is_bare or (noun and noun in title[0].casefold().split()[:1])):
                 yield _named(quantity, title[0].strip(), places, sentence)
                 continue
             if quantity.context is None or (quantity.indices and index not in quantity.indices):
@@ -381,7 +470,14 @@ class NamedQuantities:
                 wider = replace(places, around=f"{around} {heading}")
                 yield _named(quantity, match[0].strip(), wider, sentence)
 
-    def _by_clause(self, name: str, chain: Chain, stem: str, places: _Places) -> Iterator[_Named]:
+    def by_words(self, words: str, name: str, chain: Chain) -> Iterator[Named]:
+        """Yield the quantities that words name which stand elsewhere, in a unit."""
+        sentence, _, around = self._texts(chain)
+        heading = self.sections.heading_above(chain.lines[0])
+        places = _Places(around, heading, self.document.text)
+        yield from self._by_phrases(words, name.partition("_")[0], places, sentence)
+
+    def _by_clause(self, name: str, chain: Chain, stem: str, places: _Places) -> Iterator[Named]:
         """Yield what a letter was named in the clause before: the torque is T = …, of the other T = …
 
         Only the words of its own clause qualify it then; without any, as in ω_1 = … and ω_2 = …, those
@@ -408,7 +504,7 @@ class NamedQuantities:
 
     def _by_words_behind(
         self, chain: Chain, stem: str, places: _Places, sentence: str
-    ) -> Iterator[_Named]:
+    ) -> Iterator[Named]:
         """Yield the quantities that words right behind a formula name: σ = M/W is the bending stress."""
         end = chain.end
         link = _BEHIND.match(self.document.text, end)
@@ -425,13 +521,59 @@ class NamedQuantities:
             if stop == last:
                 yield _named(quantity, words, places, sentence.replace(words, ""))
 
-    def _by_letter(self, name: str, stem: str, places: _Places, sentence: str) -> Iterator[_Named]:
+    def _lead_in(self, chain: Chain) -> str:
+        """Return the few words that open a relation's paragraph like a title: "Radial force. Along …"."""
+        start = min(side.span[0] for side in chain.sides)
+        above = _BLANK.split(_OPENING.sub("", self.document.text[max(0, start - PARAGRAPH) : start]))[-1]
+        _, other = self._chain_before(start)
+        is_first = (
+            other is None
+            or not isinstance(other.sides[0].node, Name)
+            or not names(other.sides[-1].node)
+            or self.document.source(other.sides[0].span) + " " not in above
+        )
+        match = _LEAD.match(above)
+        return match[1] if match is not None and is_first else ""
+
+    def _by_words_around(
+        self, chain: Chain, before: str, stem: str, places: _Places, sentence: str
+    ) -> Iterator[Named]:
+        """Yield the quantities that words name around a formula: the thrust H = … against the liner."""
+        end = max(side.span[1] for side in chain.sides)
+        after = _SENTENCE_END.split(self.document.text[end : end + AFTER])[0].lstrip(" $)\\]")
+        words = before.rstrip(" $(\\[") + " "
+        matches = [
+            (match, quantity)
+            for quantity in QUANTITIES
+            if stem in quantity.letters
+            for match in quantity.phrases.finditer(words + after)
+            if match.start() < len(words) < match.end()
+        ]
+        for match, quantity in matches:
+            yield _named(quantity, match[0], places, sentence)
+
+    def _by_pronoun(
+        self, chain: Chain, before: str, stem: str, places: _Places, sentence: str
+    ) -> Iterator[Named]:
+        """Yield those of the body that the sentence before names: the rim …; its inertia is I."""
+        if _ITS.search(before) is None or "moment" not in before.casefold():
+            return
+        start = min(side.span[0] for side in chain.sides)
+        above = self.document.text[max(0, start - PARAGRAPH) : start]
+        above = _BLANK.split(_OPENING.sub("", above))[-1].removesuffix(before)
+        for named in self._by_phrases(
+            _SENTENCE_END.split(above.rstrip(" .;\n"))[-1], stem, places, sentence
+        ):
+            if "moment of inertia" in named.quantity.name:
+                yield named
+
+    def _by_letter(self, name: str, stem: str, places: _Places, sentence: str) -> Iterator[Named]:
         """Yield the quantities that words right before a letter name anywhere on the page."""
         for words in dict.fromkeys(self.roles.words_before(name)):
             named = list(self._by_phrases(words, stem, places, sentence))
             yield from (each for each in named if ends_with(each.quantity.phrases, words))
 
-    def _by_phrases(self, words: str, stem: str, places: _Places, sentence: str) -> Iterator[_Named]:
+    def _by_phrases(self, words: str, stem: str, places: _Places, sentence: str) -> Iterator[Named]:
         """Yield the quantities that words name, those with the letter's usual use first of all."""
         matches = [
             (match.start(), match.end(), quantity)
@@ -444,6 +586,7 @@ class NamedQuantities:
             for start, end, quantity in matches
             if not any(s <= start and end <= e and e - s > end - start for s, e, _ in matches)
         ]
+        longest = [each for each in longest if not _names_another(words, each[1], stem)]
         usual = [each for each in longest if stem in each[2].letters]
         if not usual:
             last = max((end for _, end, _ in longest), default=0)
@@ -491,7 +634,7 @@ class NamedQuantities:
         chain: Chain,
         name: str,
         claim: Formula,
-        named: _Named,
+        named: Named,
         targets: list[Formula],
         known: Knowledge,
         knowledge: Knowledge,
@@ -500,14 +643,19 @@ class NamedQuantities:
         quantity = named.quantity
         others = self._targets(quantity.others, claim, name, named, knowledge)
         others += self._targets(quantity.approximate, claim, name, named, knowledge)
-        if any(agrees(other, claim) for other in others) or _has_complement(claim, knowledge):
-            return None
-        is_scaled = any(self.roles.is_multiplied(n) for n in outside_calls(claim))
-        is_in_words = _PART.search(_SETTING.sub("", named.sentence)) is not None
-        may_be_part = is_in_words or _has_own_convention(claim, knowledge)
-        may_be_part = is_scaled or (may_be_part and "part" not in quantity.slips)
-        mistakes = self._targets(quantity.mistakes, claim, name, named, knowledge)
+        mistakes = self._mistakes(named, claim, name, knowledge)
         is_mistake = any(agrees(each, claim) for each in mistakes)
+        is_other = not is_mistake and any(agrees(other, claim) for other in others)
+        if is_other or _has_complement(claim, knowledge):
+            return None
+        count = named.cylinders
+        is_of_more = quantity.is_of_one and (count or 1) > 1
+        is_scaled = is_of_more or any(self.roles.is_multiplied(n) for n in outside_calls(claim))
+        own = _without_letters_named(named.sentence, names(claim))
+        own = own if quantity.only is None else _ENGINE_SIZE.sub("", own)
+        is_in_words = may_be_part(own)
+        is_part = is_in_words or _has_own_convention(claim, knowledge)
+        is_part = is_scaled or (is_part and "part" not in quantity.slips)
         by_number = self.stated.with_numbers(quantity.formulas, quantity.stated)
         counted = self._targets(
             tuple(node for node in by_number if node not in quantity.formulas),
@@ -517,22 +665,19 @@ class NamedQuantities:
             return None
         for target in targets:
             slips = (*quantity.slips, "factor") if target in counted else quantity.slips
-            kind = slip_of(target, claim, slips, may_be_part)
-            if (
-                not kind
-                and is_mistake
-                and not (may_be_part and is_multiple(target, claim))
-                and not is_scaled
-            ):
+            kind = slip_of(target, claim, slips, is_part)
+            if not kind and is_mistake and not (is_part and is_multiple(target, claim)) and not is_scaled:
                 kind = "another formula"
             if not kind or (is_scaled and kind == "one change"):
                 continue
             side = chain.sides[1]
             left = Side((target,), chain.sides[0].span)
             decision = decide(left, side, chain.relations[0].sign, known)
+            if decision.reason == NO_POINT:  # √(1 - λ²), whose values differ below λ = 1
+                decision = replace(decision, status=REFUTED)
             if decision.status != REFUTED:
                 continue
-            decision = replace(decision, reason=f"if {self._text(name, named)}")
+            decision = replace(decision, reason=f"if {self.text(name, named)}")
             verdict = self._with_fix(chain, left, decision, known)
             fix = verdict.fix
             is_one_change = fix is not None and len(fix.faults) == 1 and not fix.of_left
@@ -545,6 +690,34 @@ class NamedQuantities:
             return replace(verdict, fix=fix_of(repair, self.document, side))
         return None
 
+    def _mistakes(self, named: Named, claim: Formula, name: str, knowledge: Knowledge) -> list[Formula]:
+        """Return a quantity's usual mistakes, of the net force where nothing says that it is the rod's.
+
+        N = F sin φ is right of a rod's force F, which is the piston's over cos φ; where the page has
+        F/cos φ or F tan φ too, F is the piston's.
+        """
+        known = named.quantity.mistakes
+        other_words = self.document.text.replace(named.words, "")
+        is_open = any(
+            isinstance(part, Call) and part.function == "cos"
+            for n in names(claim) & knowledge.definitions.keys()
+            for part in walk(knowledge.definitions[n].node)
+        )
+        if is_open or not (names(claim) & self.piston_forces or not _ROD_FORCE.search(other_words)):
+            known = tuple(node for node in known if net_force.name not in names(node))
+        return self._targets(known, claim, name, named, knowledge)
+
+    @cached_property
+    def piston_forces(self) -> frozenset[str]:
+        """The letters that stand over the cosine of an angle, or times its tangent, somewhere."""
+        forces: set[str] = set()
+        for chain in self.document.chains:
+            for side in chain.sides:
+                for part in walk(side.node):
+                    forces |= _over_cosine(part)
+        self.roles.piston_forces |= forces
+        return frozenset(forces)
+
     def _with_fix(self, chain: Chain, left: Side, decision: Decision, known: Knowledge) -> Verdict:
         side = chain.sides[1]
 
@@ -555,7 +728,12 @@ class NamedQuantities:
         return add_fix(verdict, self.document, side, decision, known, proves)
 
 
-def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> _Named:
+def may_be_part(sentence: str) -> bool:
+    """Tell whether words make of a quantity a part or a multiple of it."""
+    return _PART.search(_SETTING.sub("", sentence)) is not None
+
+
+def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> Named:
     """Return a quantity that words name, and whether other words near make another one of it."""
     near = f"{places.around} {places.heading}" if quantity.only else places.around
     is_other = quantity.unless is not None and quantity.unless.search(places.around) is not None
@@ -565,7 +743,50 @@ def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> _N
         is_other |= not is_on_page or (
             quantity.unless is not None and quantity.unless.search(places.page) is not None
         )
-    return _Named(quantity, words, places.around, sentence, is_other)
+    return Named(quantity, words, places.around, sentence, is_other, heading=places.heading)
+
+
+def _last_noun(before: str) -> str:
+    """Return the last word before a formula that is no "is" or "the"."""
+    words = [w for w in re.findall(r"[^\W\d_]{3,}", before) if not _COPULA.fullmatch(w)]
+    return words[-1].casefold() if words else ""
+
+
+def _over_cosine(node: Formula) -> set[str]:
+    """Return the letters that are forces along the stroke in a formula: F of F/cos φ and of F tan φ."""
+    match node:
+        case Quotient(numerator=above, denominator=Call(function="cos", argument=Name())):
+            factors = above.factors if isinstance(above, Product) else (above,)
+        case Product(factors=factors) if any(
+            isinstance(f, Call) and f.function == "tan" and isinstance(f.argument, Name) for f in factors
+        ):
+            pass
+        case _:
+            return set()
+    return {factor.name for factor in factors if isinstance(factor, Name)}
+
+
+def _names_another(words: str, end: int, stem: str) -> bool:
+    """Tell whether a letter stands right behind words that another letter is named by.
+
+    In "the power for a mean effective pressure $p_e$ is P = …" the pressure is not what P is.
+    """
+    match = _LETTER_BEHIND.match(words, end)
+    if match is None:
+        return _NUMBER_BEHIND.match(words, end) is not None
+    letter = match["marked"] or match["bare"]
+    return not re.match(rf"\\?{re.escape(stem)}(?![A-Za-z])", letter)
+
+
+def _without_letters_named(sentence: str, own: frozenset[str]) -> str:
+    """Return a sentence without the words that name a formula's own letters: the total volume $V_H$."""
+    for letter in own:
+        signs = {letter, plain_letter(letter), "\\" + letter, letter.partition("_")[0]}
+        sign = "|".join(map(re.escape, sorted(signs, key=len, reverse=True)))
+        sentence = re.sub(
+            rf"{_OF_A_LETTER}[^.;,$=]{{0,40}}?\$?(?<![A-Za-z])(?:{sign})(?![A-Za-z])", " ", sentence
+        )
+    return sentence
 
 
 def _may_apply(quantity: Quantity, text: str) -> bool:

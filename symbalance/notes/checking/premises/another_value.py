@@ -246,6 +246,8 @@ def _is_anew(definitions: Definitions, earlier: Definition, chain: Chain) -> boo
     sections = definitions.sections
     if sections.headings_name_other_engines(chain.lines[0], earlier.line):
         return True  # what "so" ties it to stands in its own section
+    if sections.is_of_another_cycle(chain, earlier.line):
+        return True
     return not sections.is_consequence(chain) and sections.is_of_another_engine(chain, earlier.line)
 
 

@@ -14,15 +14,18 @@ from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain
 
 _DENIES = re.compile(
-    r"(?<![A-Za-z])(?:no[,.!]|wrong|not\s+(?:right|correct|quite)|mistaken?|error|slip|lost|forgot(?:ten)?|missing"
-    r"|should\s+(?:be|read)|nein|falsch|nicht\s+(?:richtig|ganz)|stimmt\s+nicht|fehl(?:t|er)|vergessen)(?![A-Za-z])"
+    r"(?<![A-Za-z])(?:no[,.!]|wrong|not\s+(?:right|correct|quite)|mistaken?|error|slip|lost"
+    r"|forgot(?:ten)?|missing"
+    r"|should\s+(?:be|read)|nein|falsch|nicht\s+(?:richtig|ganz)|stimmt\s+nicht|fehl(?:t|er)"
+    r"|vergessen)(?![A-Za-z])"
     r"|違|誤|間違|忘れ",
     re.IGNORECASE,
 )
 
 
 _CHOICE = re.compile(
-    r"(?<![A-Za-z])(?:partial|compromise|practical|usual|common|alternative|teilweise|übliche?|praktische?)"
+    r"(?<![A-Za-z])(?:partial|compromise|practical|usual|common|alternative|teilweise|übliche?"
+    r"|praktische?)"
     r"(?:\s+(?:solution|choice|value|design|arrangement|Lösung|Wahl|Wert)){0,2}\s+(?:is\s+|ist\s+)?$",
     re.IGNORECASE,
 )
@@ -49,6 +52,18 @@ def leave_body(state: JudgingState, chain: Chain, k: int) -> bool:
     if not state.sections.is_of_another_body(chain, head.name):
         return False
     return _leave_line(state, head.name, _last_above(state, chain, head).lines[0])
+
+
+def leave_cycle(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Forget what a letter is in an engine that works otherwise: k = 4/2 per turn of a four-stroke."""
+    head = chain.sides[0].node
+    if k or not isinstance(head, Name) or head.name in state.declarations.symbols_at(chain.lines[0]):
+        return False
+    lines = {e.definition.line for e in state.definitions.values.get(head.name, ())}
+    lines |= {p.line for p in state.definitions.premises if p.left == head}
+    others = [line for line in sorted(lines) if state.sections.is_of_another_cycle(chain, line)]
+    left = [_leave_line(state, head.name, line) for line in others]
+    return any(left)
 
 
 def leave_quotation(state: JudgingState, chain: Chain, k: int, is_quoted: Callable[[int], bool]) -> bool:

@@ -31,6 +31,7 @@ from symbalance.notes.checking.meant.harmonic_coefficients import HarmonicCoeffi
 from symbalance.notes.checking.meant.meant_quantities import MeantQuantities
 from symbalance.notes.checking.meant.meant_words import MeantWords
 from symbalance.notes.checking.meant.motion_in_time import Motions, with_motions
+from symbalance.notes.checking.meant.named_numbers import NamedNumbers
 from symbalance.notes.checking.meant.named_orders import NamedOrders
 from symbalance.notes.checking.meant.named_quantities import NamedQuantities
 from symbalance.notes.checking.motions.equations_of_motion import EquationOfMotion
@@ -84,6 +85,7 @@ class JudgingState:
             MeantWords(self.document, self.declarations, self.sections), self.sources
         )
         self.named = NamedQuantities(self.document, self.sections)
+        self.named_numbers = NamedNumbers(self.named)
         self.named_orders = NamedOrders(self.meant)
         self.engine_resultants = EngineResultants(self.meant.words, self.sections)
         self.harmonics = HarmonicCoefficients(self.sections)

@@ -23,6 +23,7 @@ from symbalance.notes.checking.words.engines_in_words import (
 from symbalance.notes.checking.words.items import item_end
 from symbalance.notes.checking.words.listed_cases import item_of_cases
 from symbalance.notes.checking.words.value_groups import in_next_groups
+from symbalance.notes.checking.words.working_cycles import is_another_cycle
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _HEADING = re.compile(
@@ -514,7 +515,7 @@ class Sections:
         spoken of as two and two.
         """
         by_headings = self.headings_name_other_engines(chain.lines[0], earlier_line)
-        if by_headings:
+        if by_headings or self.is_of_another_cycle(chain, earlier_line):
             return True
         start = chain.start
         earlier = self._start_of_line(earlier_line)
@@ -585,6 +586,16 @@ class Sections:
         before = last_cycle(text[first:clause])
         now = cycle_named(text[clause:start])
         return bool(before and now and before != now)
+
+    def is_of_another_cycle(self, chain: Chain, earlier_line: int) -> bool:
+        """Tell whether a relation's engine is a four-stroke, say, and a line's a two-stroke."""
+        starts, chains = self._by_start
+        place = bisect_left(starts, min(chain.start, self._start_of_line(earlier_line + 1)))
+        start = self._start_of_line(earlier_line)
+        before = (start, start)
+        if place and starts[place - 1] >= start:
+            before = (starts[place - 1], chains[place - 1].end)
+        return is_another_cycle(self.document.text, before, (chain.start, chain.end))
 
     def headings_name_other_engines(self, line: int, earlier_line: int) -> bool | None:
         """Tell whether two lines' headings name different engines; None if one names none."""

@@ -9,6 +9,7 @@ formula by a route of its own (integrals over the section, eigenvalues, the path
     inertia       moments of inertia, the masses of a rod
     crank_drive   forces, torque, speeds and volumes of one cylinder
     work          mean torque, power, flywheels
+    crank_torque  torque of the mass forces, cycles, flywheels, the masses of a rod, loads on pins
     balance       counterweights, what they leave, resultants
     engine_rates  firings per second and per turn, frequencies of orders, speeds of balance shafts
     locomotives   wheels, tractive force and swaying couple of two cranks at right angles
@@ -19,6 +20,7 @@ formula by a route of its own (integrals over the section, eigenvalues, the path
 from symbalance.notes.checking.meant.catalogue.balance import BALANCE
 from symbalance.notes.checking.meant.catalogue.counterweights import COUNTERWEIGHTS
 from symbalance.notes.checking.meant.catalogue.crank_drive import CRANK_DRIVE
+from symbalance.notes.checking.meant.catalogue.crank_torque import CRANK_TORQUE
 from symbalance.notes.checking.meant.catalogue.engine_rates import ENGINE_RATES
 from symbalance.notes.checking.meant.catalogue.inertia import INERTIA
 from symbalance.notes.checking.meant.catalogue.locomotives import LOCOMOTIVES
@@ -31,7 +33,7 @@ from symbalance.notes.checking.meant.catalogue.vibration import VIBRATION
 from symbalance.notes.checking.meant.catalogue.work import WORK
 
 QUANTITIES = (
-    *STRENGTH, *VIBRATION, *INERTIA, *CRANK_DRIVE, *WORK, *BALANCE, *LOCOMOTIVES, *TWO_CYLINDERS,
-    *COUNTERWEIGHTS, *ENGINE_RATES,
+    *STRENGTH, *VIBRATION, *INERTIA, *CRANK_DRIVE, *WORK, *CRANK_TORQUE, *BALANCE, *LOCOMOTIVES,
+    *TWO_CYLINDERS, *COUNTERWEIGHTS, *ENGINE_RATES,
 )  # fmt: skip
 """All quantities, each name once."""

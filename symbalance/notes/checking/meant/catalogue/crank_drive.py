@@ -15,6 +15,7 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     cylinders,
     diameter,
     letters,
+    net_force,
     omega,
     pin,
     piston_force,
@@ -39,10 +40,17 @@ TAN_ROD, SIN_ROD, COS_ROD = (Call(name, rod_angle) for name in ("tan", "sin", "c
 SIN_CRANK, COS_CRANK = Call("sin", crank_angle), Call("cos", crank_angle)
 SIN_BOTH, COS_BOTH = (Call(name, crank_angle + rod_angle) for name in ("sin", "cos"))
 DOUBLE = Call("sin", 2 * crank_angle)
+_BELOW = root(1 - ratio**2 * SIN_CRANK**2)
+_EXACT_SHAPES = (
+    SIN_CRANK + ratio * SIN_CRANK * COS_CRANK / _BELOW,
+    SIN_CRANK + ratio * DOUBLE / (2 * _BELOW),
+    SIN_CRANK + DOUBLE / (2 * root(slenderness**2 - SIN_CRANK**2)),
+)
+"""The torque of a piston force over F r, by the crank angle alone."""
 _OFFSET = r"offset|desax|geschränkt|オフセット"
 _ENGINE = words(
     r"crank|piston|\brod\b|cylinder|engine|gas force|kurbel|kolben|pleuel|stange|gaskraft|motor"
-    r"|ピストン|クランク|連接棒|コンロッド|機関"
+    r"|ピストン|クランク|連接棒|コンロッド|機関|bielle|manivelle|biella|biela|manivela|motore?\b|moteur"
 )
 
 
@@ -64,7 +72,8 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         "swept volume", letters("V Q"),
         words(r"swept\s+volume", r"(?:piston|engine|cylinder)\s+displacement",
         r"displacement\s+volume",
-               r"cubic\s+capacity", r"hubraum", r"hubvolumen", r"行程容積", r"総?排気量"),
+               r"cubic\s+capacity", r"displacement\s+of\s+(?:one|a|each)\s+cylinder",
+        r"hubraum", r"hubvolumen", r"行程容積", r"総?排気量"),
         (PI * diameter**2 * stroke / 4, PI * diameter**2 * stroke * cylinders / 4,
          PI * diameter**2 * crank / 2, PI * diameter**2 * crank * cylinders / 2, area * stroke,
          area * stroke * cylinders, 2 * area * crank),
@@ -83,11 +92,12 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "gas force", letters("F P K"),
-        words(r"gas\s+(?:force|load)", r"force\s+of\s+the\s+gas", r"gaskraft", r"kolbenkraft",
-        r"ガス力",
-               r"ガス圧力?(?:による)?力"),
+        words(r"(?:gas|combustion)\s+(?:force|load|thrust)", r"force\s+(?:of|from|by)\s+the\s+gas(?:es)?",
+        r"gaskraft", r"kolbenkraft", r"ガス力", r"ガス圧力?(?:による)?力", r"force\s+des\s+gaz",
+        r"fuerza\s+de(?:l|\s+los)\s+gas(?:es)?"),
         (PI * diameter**2 * pressure / 4, PI * radius**2 * pressure, area * pressure),
         unless=words(r"side|seiten|inertia|massenkraft|difference|differenz|under ?side|crankcase"),
+        context=words(r"\bgas(?:es)?\b", r"gasdruck", r"\bgaz\b", "ガス"), indices=letters("g G gas Gas"),
     ),
     Quantity(
         "circumferential speed", letters("v u V"),
@@ -101,7 +111,9 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
     Quantity(
         "firing interval of a four-stroke engine",
         letters("alpha phi varphi theta psi Delta_phi Delta_varphi beta Delta_theta"),
-        words(r"firing\s+(?:interval|spacing)", r"zündabstand", r"zündfolgeabstand",
+        words(r"firing\s+(?:interval|spacing)", r"between\s+(?:(?:two|successive"
+            r"|consecutive)\s+)?(?:ignitions|firings)",
+        r"zündabstand", r"zündfolgeabstand",
         r"(?:点火|爆発|着火)間隔"),
         (4 * PI / cylinders,), others=(),
         unless=words(r"two[- ]stroke|2[- ]stroke|zweitakt|2-takt|2ストローク|2サイクル|uneven|ungleich"
@@ -114,7 +126,9 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
     Quantity(
         "firing interval of a two-stroke engine",
         letters("alpha phi varphi theta psi Delta_phi Delta_varphi beta Delta_theta"),
-        words(r"firing\s+(?:interval|spacing)", r"zündabstand", r"zündfolgeabstand",
+        words(r"firing\s+(?:interval|spacing)", r"between\s+(?:(?:two|successive"
+            r"|consecutive)\s+)?(?:ignitions|firings)",
+        r"zündabstand", r"zündfolgeabstand",
         r"(?:点火|爆発|着火)間隔"),
         (2 * PI / cylinders,),
         unless=words(r"four[- ]stroke|4[- ]stroke|viertakt|4-takt|4ストローク|4サイクル"
@@ -124,12 +138,14 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         slips=("factor",),
     ),
     Quantity(
-        "side force on the cylinder wall", letters("N F S Q R"),
-        words(r"(?:side|lateral|normal|wall|piston\s+side)\s+(?:force|thrust)", r"side[- ]thrust",
-              r"thrust\s+on\s+the\s+(?:cylinder\s+)?(?:wall|liner)",
+        "side force on the cylinder wall", letters("N F S Q R G H L"),
+        words(r"(?:side|lateral|normal|wall|piston\s+side|guide|slide[- ]?bar|skirt|slipper)\s+(?:force"
+            r"|thrust|pressure|load|loading|reaction)", r"side[- ]thrust",
+              r"thrust\s+(?:on|against)\s+the\s+(?:cylinder\s+)?(?:wall|liner|bore)",
               r"force\s+(?:on|against)\s+the\s+(?:cylinder\s+)?wall",
               r"(?:kolben)?(?:seiten|normal|führungs|gleitbahn)(?:druck)?kraft",
-              r"(?:側圧|側方力|サイドスラスト|スラスト力)"),
+              r"(?:側圧|側方力|サイドスラスト|スラスト力)", r"(?:effort|force|poussée)\s+latérale?",
+              r"fuerza\s+(?:lateral|normal)"),
         (piston_force * TAN_ROD, any_force * TAN_ROD, rod_force * SIN_ROD,
         piston_force * SIN_ROD / COS_ROD,
          any_force * SIN_ROD / COS_ROD, piston_force * ratio * SIN_CRANK / COS_ROD,
@@ -137,7 +153,7 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
          piston_force * ratio * SIN_CRANK / root(1 - ratio**2 * SIN_CRANK**2)),
         ("edit",),
         mistakes=(piston_force / TAN_ROD, piston_force * COS_ROD, piston_force * SIN_ROD,
-        rod_force * TAN_ROD,
+        net_force * SIN_ROD, net_force * COS_ROD, net_force / TAN_ROD, rod_force * TAN_ROD,
                   rod_force * COS_ROD, piston_force * ratio * COS_CRANK),
         others=(any_force * SIN_ROD,),
         approximate=(piston_force * ratio * SIN_CRANK, any_force * ratio * SIN_CRANK),
@@ -149,11 +165,15 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         words(r"(?:connecting[- ]?)?rod\s+(?:force|thrust|load)",
               r"(?:force|thrust)\s+(?:in|of|along|on)\s+the\s+(?:connecting[- ])?rod",
               r"(?:pleuel|stangen|pleuelstangen|schubstangen)-?(?:stangen)?kraft",
+              r"(?:effort|force)\s+(?:dans|de)\s+la\s+bielle", r"fuerza\s+(?:en|de)\s+la\s+biela",
               r"(?:連接棒|コンロッド)(?:の|に(?:働|作用)く)?(?:軸)?力"),
         (piston_force / COS_ROD, any_force / COS_ROD,
-         any_force / root(1 - ratio**2 * SIN_CRANK**2), piston_force / root(1 - ratio**2 * SIN_CRANK**2)),
+         any_force / root(1 - ratio**2 * SIN_CRANK**2), piston_force / root(1 - ratio**2 * SIN_CRANK**2),
+         any_force / root(1 - ratio**2), piston_force / root(1 - ratio**2)),
         ("edit",),
-        mistakes=(piston_force * COS_ROD, piston_force / SIN_ROD, piston_force * TAN_ROD,
+        mistakes=(piston_force * root(1 - ratio**2), net_force * COS_ROD, net_force / SIN_ROD,
+                  net_force / TAN_ROD,
+                  piston_force * COS_ROD, piston_force / SIN_ROD, piston_force * TAN_ROD,
         piston_force * SIN_ROD),
         others=(any_force / SIN_ROD, any_force * COS_ROD, any_force / TAN_ROD),
         unless=words(r"component|komponente|分力|成分|projection|inertia force of the rod|offset"
@@ -161,14 +181,20 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         turns=True, only=_ENGINE, is_told_once=True,
     ),
     Quantity(
-        "tangential force at the crank pin", letters("F T P Q"),
+        "tangential force at the crank pin", letters("F T P Q E K"),
         words(r"(?:tangential|turning|crank)\s+(?:force|effort)(?:\s+(?:at|on)\s+the\s+crank[- ]?pin)?",
               r"(?:tangential|dreh|umfangs)kraft", r"(?:接線|回転)力"),
         (piston_force * SIN_BOTH / COS_ROD, any_force * SIN_BOTH / COS_ROD, rod_force * SIN_BOTH,
          any_force * (SIN_CRANK + COS_CRANK * TAN_ROD),
-         piston_force * (SIN_CRANK + COS_CRANK * TAN_ROD), torque / pin),
+         piston_force * (SIN_CRANK + COS_CRANK * TAN_ROD), torque / pin,
+         *(force * shape for force in (any_force, piston_force) for shape in _EXACT_SHAPES)),
         ("edit",),
-        mistakes=(piston_force * COS_BOTH / COS_ROD, piston_force * SIN_BOTH),
+        approximate=tuple(
+            force * (SIN_CRANK + second)
+            for force in (any_force, piston_force)
+            for second in (ratio * DOUBLE / 2, DOUBLE / (2 * slenderness))
+        ),
+        mistakes=(piston_force * COS_BOTH / COS_ROD, piston_force * SIN_BOTH, net_force * SIN_BOTH),
         others=(any_force * SIN_BOTH, any_force * COS_BOTH),
         unless=words(_OFFSET, r"\bgears?\b|\bbelt|inertia of"), turns=True, only=_ENGINE,
         is_told_once=True,
@@ -183,7 +209,7 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
          piston_force * (COS_CRANK - SIN_CRANK * TAN_ROD), -piston_force * COS_BOTH / COS_ROD,
          -any_force * COS_BOTH / COS_ROD),
         ("edit",),
-        mistakes=(piston_force * SIN_BOTH / COS_ROD, piston_force * COS_BOTH),
+        mistakes=(piston_force * SIN_BOTH / COS_ROD, piston_force * COS_BOTH, net_force * COS_BOTH),
         others=(any_force * SIN_BOTH,),
         unless=words(_OFFSET, r"bearing clearance|magnet|gear"), turns=True, only=_ENGINE,
         is_told_once=True,
@@ -191,11 +217,14 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
     Quantity(
         "torque of a crank", letters("M T Q"),
         words(r"(?:turning|crank(?:ing|shaft)?|engine|driving)\s+(?:moment|torque)", r"\btorque",
-        r"(?:kurbel|motor)?dreh-?moment",
-              r"(?:回転|クランク)(?:モーメント|トルク)", r"トルク"),
+        r"(?:kurbel|motor|gas)?dreh-?moment",
+              r"(?:回転|クランク)(?:モーメント|トルク)", r"トルク", r"crank\s+effort",
+              r"couple\s+(?:moteur|instantané)",
+              r"momento\s+(?:motore|motor|torcente)", r"par\s+motor"),
         (piston_force * pin * SIN_BOTH / COS_ROD, any_force * pin * SIN_BOTH / COS_ROD,
          any_force * pin * (SIN_CRANK + COS_CRANK * TAN_ROD),
          piston_force * pin * (SIN_CRANK + COS_CRANK * TAN_ROD),
+         *(force * pin * shape for force in (any_force, piston_force) for shape in _EXACT_SHAPES),
          rod_force * pin * SIN_BOTH, power / omega, power / (2 * PI * rotation),
          60 * power / (2 * PI * rotation)),
         ("edit",),

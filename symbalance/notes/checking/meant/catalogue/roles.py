@@ -67,6 +67,8 @@ class Quantity:
     """Roles whose letters have the same subscript, l_2 and d_2; "" is the quantity itself."""
     stated: frozenset[str] = frozenset()
     """Roles whose number the words of the page may give: half of the mass, seven cylinders."""
+    is_of_one: bool = False
+    """Whether it is one cylinder's: where the words name an engine with more, no factor is a slip."""
     turns: bool = False
     """Whether the angle has to be counted from the line of stroke, at the top, for a refutation."""
 
@@ -94,10 +96,10 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("radius", "r R", r"radi(?:us|i)|halbmesser|半径|crank throw"),
     ("crank", "r R", r"radi(?:us|i)|halbmesser|半径|crank throw|crank length"),
     ("bending", "M", r"(?<!trägheits)(?<!widerstands)(?<!flächen)moments?(?! of)|曲げモーメント"),
-    ("torque", "T M", r"(?<!trägheits)(?<!widerstands)(?<!flächen)moments?(?! of)|torques?|トルク"
+    ("torque", "T M tau", r"(?<!trägheits)(?<!widerstands)(?<!flächen)moments?(?! of)|torques?|トルク"
      r"|ねじりモーメント"),
     ("force", "F P", r"forces?|loads?|kraft|last|力|荷重"),
-    ("pressure", "p P", r"pressure|druck|圧力?"),
+    ("pressure", "p P", r"pressure|druck|圧力?|[bi]?mep"),
     ("area", "A S F", r"area|fläche|面積"),
     ("modulus", "W Z S", r"section modulus|widerstandsmoment|断面係数"),
     ("section", "I J", r"second moment|moment of (?:inertia|area)|polar moment|trägheitsmoment"
@@ -109,7 +111,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("shearing", "tau", r"stress|spannung|応力"),
     ("stiffness", "c k C K", r"stiffness|spring (?:rate|constant)|rate|constant|steifigkeit"
      r"|federkonstante|federrate|feder|spring|ばね定数?|剛性|こわさ"),
-    ("mass", "m M", r"masse[ns]?|mass(?:es)?|質量|weight|gewicht"),
+    ("mass", "m M", r"masse[ns]?|mass(?:es)?|質量|weight|gewicht|weigh(?:s|ing)|wiegt"),
     ("inertia", "J I Theta", r"inertia|trägheitsmoment|massenträgheit|drehmasse|schwungmasse"
      r"|慣性モーメント|flywheel|schwungrad|rotor|円板|dis[ck]s?|scheiben?"),
     ("second_section", "I J", r"second moment|moment of (?:inertia|area)|polar moment|trägheitsmoment"
@@ -127,8 +129,10 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("stroke", "s S H L", r"stroke|hub|行程|ストローク"),
     ("cylinders", "z Z i N n k", r"cylinders|zylinder(?:zahl)?|気筒数?|シリンダ数?"),
     ("velocity", "v u V", r"speed|velocity|geschwindigkeit|速度"),
-    ("fluctuation", "delta", r"irregularity|fluctuation|ungleichförmigkeit(?:sgrad)?|変動率|steadiness"),
-    ("swing", "Delta_E E W Delta_W A", r"energy|arbeit|energie|エネルギ|swing|fluctuation"),
+    ("fluctuation", "delta C_s C_f K_s k_s", r"(?:coefficient"
+        r"|degree) of (?:cyclic )?fluctuation(?: of(?: the)? speed)?|irregularity|fluctuation"
+        r"|ungleichförmigkeit(?:sgrad)?|変動率|steadiness"),
+    ("swing", "Delta_E E W Delta_W A", r"energy|work|arbeit|energie|エネルギ|swing|fluctuation"),
     ("power", "P N L", r"power|leistung|動力|出力"),
     ("shift", "a e d s", r"distance|abstand|eccentricity|距離|offset"),
     ("central", "J I Theta", r"inertia|trägheitsmoment|慣性モーメント"),
@@ -142,9 +146,10 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|kurbelwinkel|クランク(?:回転)?角度?"),
     ("any_force", "F P S Q N K Z",
      r"(?<!piston )(?<!gas )(?<!rod )(?:forces?|loads?)"
-     r"|(?<!gas)(?<!kolben)(?<!stangen)(?<!pleuel)kraft|力",
+     r"|(?<!gas)(?<!kolben)(?<!stangen)(?<!pleuel)kraft|(?<!ガス)(?<!ピストン)(?<!ガス圧)力",
      "", "s S st St cr c l pl rod g G p K k gas kol Gas Kol"),
     ("piston_force", "F P Q K", r"(?:piston|gas)\s+(?:force|load|effort|thrust)|force on the piston"
+        r"|net (?:piston )?(?:force|load)"
      r"|(?:kolben|gas)-?kraft|(?:ピストン|ガス)力", "g G p K k gas kol Gas Kol"),
     ("rod_force", "F S Q", r"(?:rod|stangen|pleuel)\w*[ -]*(?:force|thrust|load|kraft)|force (?:in|of"
     r"|along)"
@@ -160,7 +165,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("total_volume", "V", r"total volume|whole volume|gesamtvolumen|全容積", "",
     "c k K C 0 cl comp v V h H s S hub"),
     ("unbalance", "U", r"unbalance|imbalance|unwucht|不釣り?合い量?"),
-    ("slenderness", "lambda", r"ratio|verhältnis|比"),
+    ("slenderness", "lambda n nu", r"ratio|verhältnis|比"),
     ("compression", "epsilon varepsilon r R kappa", r"compression ratio|verdichtung(?:sverhältnis)?"
     r"|圧縮比"),
     ("efficiency", "eta", r"efficiency|wirkungsgrad|効率"),
@@ -214,6 +219,51 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("eccentricity", "e a s r", r"eccentricity|exzentrizität|偏心量?|radius|halbmesser|半径|shift"),
     ("balance_mass", "B m M", r"masse[ns]?|mass(?:es)?|weights?|gewicht|質量|おもり"),
     ("unbalanced", "m M u", r"mass|masse|質量"),
+    ("tangential", "T F_T F_t F_tan P_t P_T K_T K_t Q_t Q_T S_t S_T", r"tangential(?:\s+(?:force|share"
+        r"|component))?"
+     r"|(?:tangential|dreh|umfangs)kraft|(?:接線|回転)(?:方向の?)?(?:力|分力)"),
+    ("radial_part", "R F_R F_r F_rad P_r P_R K_R K_r Q_r Q_R S_r S_R",
+     r"radial(?:\s+(?:force|share|component))?|radialkraft|(?:半径|法線)(?:方向の?)?(?:力|分力)"),
+    ("centrifugal", "F_c C F_z F_Z Z F_rot F_f F_F P_c K_z F_cf F_C", r"centrifugal(?:\s+force)?"
+        r"|fliehkraft"
+     r"|zentrifugalkraft|遠心力"),
+    ("effective_pressure", "p_e p_me p_b p_eff p_bmep P_e", r"(?:brake"
+        r"|effective) mean (?:effective )?pressure"
+     r"|effektiver? (?:mittel|nutz)druck|正味平均有効圧力?|bmep"),
+    ("indicated_pressure", "p_i p_mi p_ind p_imep P_i", r"indicated (?:mean )?(?:effective )?pressure"
+     r"|mean indicated pressure|indizierter? (?:mittel|innen)druck|図示平均有効圧力?|imep"),
+    ("lost_pressure", "p_r p_mr p_f p_fr p_fmep", r"friction (?:mean )?(?:effective )?pressure"
+        r"|reib(?:ungs)?mitteldruck"
+     r"|摩擦平均有効圧力?|fmep"),
+    ("effective_power", "P_e P_b P_eff N_e P_bp P_bhp P_B N_b", r"(?:brake|effective"
+        r"|shaft) (?:horse ?)?power|effektive leistung"
+     r"|(?:nutz|effektiv)leistung|正味出力|軸出力"),
+    ("indicated_power", "P_i P_ind N_i P_ip P_ihp", r"indicated (?:horse ?)?power|(?:indizierte "
+        r"|innen)leistung|図示出力"),
+    ("lost_power", "P_r P_f P_v P_fr N_r P_fp P_fhp", r"friction (?:horse ?)?power|reib(?:ungs)?leistung"
+        r"|verlustleistung|摩擦損失(?:出力|動力)"),
+    ("cycle_work", "W A W_T A_T W_c W_cyc W_Z W_i", r"work(?: done)?(?: (?:of|in|per|during) (?:a|one"
+        r"|the|each) cycle)?"
+     r"|arbeit|arbeitsspiel|仕事"),
+    ("excess", "Delta_E Delta_W Delta_A Delta_U", r"fluctuation(?: of (?:the )?energy)?"
+        r"|überschuss(?:arbeit)?|変動量?"),
+    ("rod_acceleration",
+        "alpha epsilon varepsilon ddot_beta ddot_phi ddot_psi ddot_varphi alpha_r alpha_c",
+     r"angular acceleration|winkelbeschleunigung|角加速度"),
+    ("to_big", "", r"(?!)"),
+    ("to_small", "", r"(?!)"),
+    ("piston_mass", "m_K m_Ko m_k m_p m_P m_piston M_p m_Kolben m_1", r"(?:mass of the )?piston(?: mass"
+        r"| assembly)|mass of the piston"
+     r"|kolbenmasse|ピストン[^、。]{0,4}質量"),
+    ("rod_mass", "m_Pl m_pl m_S m_St m_c m_r m_rod m_R m_P m_Pleuel m_cr", r"(?:connecting[- ])?rod mass"
+        r"|mass of the (?:connecting[- ])?rod"
+     r"|pleuel(?:stangen)?masse|(?:連接棒|コンロッド)(?:の)?質量"),
+    ("crank_mass", "m_KZ m_Z m_c m_cr m_crank m_W m_k m_K m_KW", r"crank(?:[- ]?pin)? mass"
+        r"|mass of the crank(?:[- ]?pin)?"
+     r"|(?:(?:kurbel|hub)zapfen|kurbel)masse|クランク(?:ピン)?(?:の)?質量"),
+    ("net_force", "P F_K F_p F_P F_k P_K K_K", r"piston (?:force|effort|load)|kolbenkraft|(?:net"
+        r"|effective)"
+     r" (?:force|load|effort)|ピストン力", "", "s S st St cr c l pl rod R r b B t T"),
     ("outer_radius", "R r", r"(?:outer|outside|external)(?: radius)?|außen(?:radius)?|外半径"),
     ("turn_rate", "n N f", r"rotational speed|engine speed|revolutions|\brpm|drehzahl|回転数"
      r"|回転速度|turns"),
@@ -260,6 +310,9 @@ OTHER_LENGTHS = words(
     first_diameter, density, own_inertia, other_inertia, decay, damping, damping_ratio, tuning,
     decrement, order, static_deflection, period,
     arm, gyration, near, far, share, rotating, reciprocating, pin, arm_of_weight, kinetic,
-    eccentricity, balance_mass, unbalanced, outer_radius, turn_rate, inner_radius, bank, half_bank, slender,
+    eccentricity, balance_mass, unbalanced, tangential, radial_part, centrifugal,
+    effective_pressure, indicated_pressure, lost_pressure, effective_power, indicated_power,
+    lost_power, cycle_work, excess, rod_acceleration, to_big, to_small, piston_mass, rod_mass,
+    crank_mass, net_force, outer_radius, turn_rate, inner_radius, bank, half_bank, slender,
     wheel_load, pitch, base_force, sector, half_sector, grade, wall_of_weight,
 ) = map(Name, ROLES)  # fmt: skip

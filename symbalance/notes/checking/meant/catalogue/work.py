@@ -30,8 +30,14 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     words,
 )
 
-_FOUR = words(r"four[- ]stroke|4[- ]stroke|viertakt|4-takt|4ストローク|4サイクル|四サイクル")
-_TWO = words(r"two[- ]stroke|2[- ]stroke|zweitakt|2-takt|2ストローク|2サイクル|二サイクル")
+FOUR = words(
+    r"quatre\s+temps|cuatro\s+tiempos|quattro\s+tempi|four[- ]stroke|4[- ]stroke|viertakt"
+    r"|4-takt|4ストローク|4サイクル|四サイクル"
+)
+TWO = words(
+    r"deux\s+temps|dos\s+tiempos|due\s+tempi|two[- ]stroke|2[- ]stroke|zweitakt|2-takt"
+    r"|2ストローク|2サイクル|二サイクル"
+)
 _CYCLES = (
     r"working strokes|power strokes|cycles per|arbeitsspiele? (?:je|pro)|explosions|firings|camshaft"
     r"|nockenwelle"
@@ -41,7 +47,7 @@ _PER_TURN = r"per (?:turn|revolution)|je umdrehung|pro umdrehung|1回転"
 _MEAN_TORQUE = words(
     r"(?:mean|average)\s+(?:engine\s+)?torque", r"\btorque", r"mittleres?\s+(?:dreh)?moment",
     r"dreh-?moment",
-    r"平均トルク", r"トルク",
+    r"平均トルク", r"トルク", r"couple\s+moyen", r"par\s+medio",
 )  # fmt: skip
 _MEAN_PRESSURE = words(
     r"(?:brake\s+|indicated\s+)?mean\s+(?:effective\s+)?pressure", r"\b[bi]?mep\b",
@@ -59,6 +65,8 @@ _IRREGULARITY = words(
     r"cyclic\s+irregularity",
     r"ungleichförmigkeits?(?:grad)?",
     r"(?:速度)?変動率",
+    r"(?:coeficiente|grado)\s+de\s+(?:fluctuación|irregularidad)",
+    r"coefficient\s+d'irrégularité",
     r"回転不整率",
 )
 
@@ -70,7 +78,8 @@ WORK: tuple[Quantity, ...] = (
         r"\bleistung", r"動力", r"出力"),
         (torque * omega, 2 * PI * rotation * torque, PI * rotation * torque / 30, force * velocity,
          swing * rotation, swing * rotation / 60),
-        slips=("power", "turn"), unless=words(r"indicated|indiziert|図示|loss|verlust|損失|specific"),
+        slips=("factor", "power", "turn"), unless=words(FOUR.pattern, r"indicated|indiziert|図示|loss"
+            r"|verlust|損失|specific"),
     ),
     Quantity(
         "kinetic energy", letters("E T K W U"),
@@ -86,13 +95,21 @@ WORK: tuple[Quantity, ...] = (
         words(r"(?:maximum\s+)?fluctuation\s+of\s+energy", r"energy\s+(?:fluctuation|swing|variation)",
                r"swing\s+of\s+energy", r"energieschwankung", r"arbeitsüberschuss", r"überschussarbeit",
                r"エネルギー?(?:の)?変動(?:量)?", r"変動エネルギー?"),
-        (inertia * omega**2 * fluctuation, mass * radius**2 * omega**2 * fluctuation),
+        (inertia * omega**2 * fluctuation, mass * radius**2 * omega**2 * fluctuation,
+         mass * velocity**2 * fluctuation),
+        context=words(r"fly-?wheel", r"\brim\b", r"schwungrad", r"radkranz", r"fluctuation", r"はずみ車",
+            r"フライホイール"),
         slips=("bare factor", "power"), unless=words(r"±|plus or minus|amplitude|ausschlag|振幅"),
     ),
     Quantity(
         "moment of inertia of the flywheel", letters("J I Theta"),
-        words(r"fly-?wheel", r"schwungrad\w*", r"はずみ車", r"フライホイール"),
-        (swing / (omega**2 * fluctuation),), slips=("bare factor", "power"),
+        words(r"fly-?wheel", r"schwungrad\w*", r"はずみ車", r"フライホイール",
+        r"\bvolant", r"volano", r"(?:required|necessary|needed)\s+(?:mass\s+)?moment\s+of\s+inertia",
+        r"moment\s+of\s+inertia\s+(?:that\s+is\s+)?(?:required|needed)",
+        r"(?:erforderliche|nötige|notwendige)[sn]?\s+(?:massen)?trägheitsmoment",
+        r"必要な?慣性モーメント"),
+        (swing / (omega**2 * fluctuation), swing / (4 * PI**2 * rotation**2 * fluctuation),
+         900 * swing / (PI**2 * rotation**2 * fluctuation)), slips=("bare factor", "power", "turn"),
         unless=words(r"±|plus or minus|amplitude|ausschlag|振幅"),
     ),
     Quantity(
@@ -107,27 +124,27 @@ WORK: tuple[Quantity, ...] = (
         (pressure * volume / (4 * PI), pressure * volume * cylinders / (4 * PI),
          pressure * volume * efficiency / (4 * PI), pressure * volume * cylinders * efficiency / (4 * PI),
          power / omega, power / (2 * PI * rotation)),
-        ("factor", "turn", "power"), only=_FOUR, unless=words(_TWO.pattern, _PER_TURN), is_told_once=True,
+        ("factor", "turn", "power"), only=FOUR, unless=words(TWO.pattern, _PER_TURN), is_told_once=True,
     ),
     Quantity(
         "mean torque of a two-stroke engine", letters("T M"), _MEAN_TORQUE,
         (pressure * volume / (2 * PI), pressure * volume * cylinders / (2 * PI),
          pressure * volume * efficiency / (2 * PI), pressure * volume * cylinders * efficiency / (2 * PI),
          power / omega, power / (2 * PI * rotation)),
-        ("factor", "turn", "power"), only=_TWO, unless=words(_FOUR.pattern, _PER_TURN), is_told_once=True,
+        ("factor", "turn", "power"), only=TWO, unless=words(FOUR.pattern, _PER_TURN), is_told_once=True,
     ),
     Quantity(
         "mean effective pressure of a four-stroke engine", letters("p P"), _MEAN_PRESSURE,
         (4 * PI * torque / volume, 4 * PI * torque / (volume * cylinders),
         2 * power / (volume * rotation),
          2 * power / (volume * rotation * cylinders), 120 * power / (volume * rotation)),
-        ("factor", "turn", "power"), only=_FOUR, unless=words(_TWO.pattern, _PER_TURN), is_told_once=True,
+        ("factor", "turn", "power"), only=FOUR, unless=words(TWO.pattern, _PER_TURN), is_told_once=True,
     ),
     Quantity(
         "mean effective pressure of a two-stroke engine", letters("p P"), _MEAN_PRESSURE,
         (2 * PI * torque / volume, 2 * PI * torque / (volume * cylinders), power / (volume * rotation),
          power / (volume * rotation * cylinders), 60 * power / (volume * rotation)),
-        ("bare factor", "turn", "power"), only=_TWO, unless=words(_FOUR.pattern, _PER_TURN),
+        ("bare factor", "turn", "power"), only=TWO, unless=words(FOUR.pattern, _PER_TURN),
         is_told_once=True,
     ),
     Quantity(
@@ -142,8 +159,10 @@ WORK: tuple[Quantity, ...] = (
          pressure * volume * rotation * efficiency / 2,
          pressure * volume * rotation * cylinders * efficiency / 2,
          pressure * volume * omega / (4 * PI),
-         pressure * area * stroke * rotation / 2, pressure * area * stroke * rotation * cylinders / 2),
-        ("factor", "turn", "power"), only=_FOUR, unless=words(_TWO.pattern, _CYCLES), is_told_once=True,
+         pressure * area * stroke * rotation / 2, pressure * area * stroke * rotation * cylinders / 2,
+         swing * rotation / 2, swing * rotation / 120, torque * omega, 2 * PI * rotation * torque,
+         PI * rotation * torque / 30),
+        ("factor", "turn", "power"), only=FOUR, unless=words(TWO.pattern, _CYCLES), is_told_once=True,
     ),
     Quantity(
         "power of a two-stroke engine", letters("P N"), _POWER,
@@ -151,9 +170,10 @@ WORK: tuple[Quantity, ...] = (
          pressure * volume * rotation / 60, pressure * volume * rotation * cylinders / 60,
          pressure * volume * rotation * efficiency, pressure * volume * rotation * cylinders * efficiency,
          pressure * volume * omega / (2 * PI),
-         pressure * area * stroke * rotation, pressure * area * stroke * rotation * cylinders),
-        ("bare factor", "turn", "power"), only=_TWO,
-        unless=words(_FOUR.pattern, _CYCLES, r"double[- ]acting|doppeltwirk|複動"), is_told_once=True,
+         pressure * area * stroke * rotation, pressure * area * stroke * rotation * cylinders,
+         swing * rotation, swing * rotation / 60),
+        ("bare factor", "turn", "power"), only=TWO,
+        unless=words(FOUR.pattern, _CYCLES, r"double[- ]acting|doppeltwirk|複動"), is_told_once=True,
     ),
     Quantity(
         "fluctuation of energy of one harmonic", letters("Delta_E E W Delta_W A"),

@@ -1,0 +1,64 @@
+"""Ways an engine works that words name: two-stroke or four-stroke, single- or double-acting.
+
+One page may go through several: what one of them has per turn, another has not.
+"""
+
+from __future__ import annotations
+
+import re
+
+_KINDS = {
+    "four": r"(?:four|4)[-\s]?stroke|vier-?takt|4-takt|(?:4|四)\s?(?:ストローク|サイクル)|quatre\s+temps"
+    r"|cuatro\s+tiempos",
+    "two": r"(?:two|2)[-\s]?stroke|zwei-?takt|2-takt|(?:2|二)\s?(?:ストローク|サイクル)|deux\s+temps"
+    r"|dos\s+tiempos",
+    "double": r"double[-\s]acting|doppelt\s?wirkend|複動",
+    "single": r"single[-\s]acting|einfach\s?wirkend|単動",
+}
+_CYCLE = re.compile(
+    "|".join(rf"(?P<{kind}>{pattern})" for kind, pattern in _KINDS.items()), re.IGNORECASE
+)
+_SENTENCE = re.compile(r"[.;!?]\s|[。；]|\n\s*\n|\n\s{0,4}(?:[*•#|-]|\d+[.)])\s?")
+_BEHIND = re.compile(
+    r"[\s$\\)\]]{0,6}(?:for|in|with|of|bei|beim|für|im|pour|の場合)\s[^.,;:。、$=]{0,40}", re.IGNORECASE
+)
+_REACH = 300
+"""Characters before a formula in which its engine's cycle is named."""
+
+
+def cycles_named(text: str, start: int) -> frozenset[str]:
+    """Return the ways of working that the last sentence before a place names that names any.
+
+    >>> text = "For a two-stroke P = p V n. The four-stroke has P = p V n/2"
+    >>> sorted(cycles_named(text, 17)), sorted(cycles_named(text, 48))
+    (['two'], ['four'])
+    """
+    for sentence in reversed(_SENTENCE.split(text[max(0, start - _REACH) : start])):
+        kinds = frozenset(match.lastgroup or "" for match in _CYCLE.finditer(sentence))
+        if kinds:
+            return kinds
+    return frozenset()
+
+
+def cycles_behind(text: str, end: int) -> frozenset[str]:
+    """Return the ways of working that words right behind a formula name: = W/2π for a two-stroke.
+
+    >>> sorted(cycles_behind("T = W/a for a two-stroke engine, and", 7))
+    ['two']
+    """
+    match = _BEHIND.match(text, end)
+    return frozenset(m.lastgroup or "" for m in _CYCLE.finditer(match[0])) if match else frozenset()
+
+
+def is_another_cycle(text: str, earlier: tuple[int, int], place: tuple[int, int]) -> bool:
+    """Tell whether the engines of two formulas, both named, work otherwise.
+
+    >>> text = "For a two-stroke P = p V n. The four-stroke has P = p V n/2"
+    >>> is_another_cycle(text, (17, 26), (48, 59)), is_another_cycle(text, (17, 26), (20, 26))
+    (True, False)
+    """
+    between = text[max(earlier[1], place[0] - _REACH) : place[0]]
+    before = cycles_behind(text, earlier[1]) or cycles_named(text, earlier[0])
+    now = cycles_behind(text, place[1]) or cycles_named(between, len(between))
+    now = now or cycles_named(text, place[0])
+    return bool(before and now) and not (before <= now or now <= before)
