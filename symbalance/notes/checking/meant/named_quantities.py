@@ -39,6 +39,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.meant.catalogue import QUANTITIES, Quantity
 from symbalance.notes.checking.meant.formula_slips import agrees, is_multiple, slip_of
+from symbalance.notes.checking.meant.left_sides import LETTER, as_side, head_of
 from symbalance.notes.checking.meant.letter_roles import UNITS_ONLY, LetterRoles, ends_with
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
@@ -105,7 +106,7 @@ _AND = re.compile(r"[\s$,;\\()\[\]]*(?:and|und|bzw\.?|、|および)?[\s$,;\\()\
 _NO_LETTER = re.compile(r"[\W\d_]+|\\[a-zA-Z]+")
 BARE = 24
 """Letters in the words before a formula that its heading names: "so that", "With these"."""
-_FUNCTIONS = ("sqrt", "sin", "cos", "tan")
+_FUNCTIONS = ("sqrt", "sin", "cos", "tan", "atan")
 _COPULA = re.compile(
     r"(?:\s|[:,=$({\[\\|*_`~—-]|<[^>]*>|\b(?:is|are|of|the|a|an|this|section|shaft|solid|round"
     r"|circular|given|by"
@@ -131,6 +132,8 @@ class _Named:
     """Whether words name another shape or hypothesis: only formulas of two diameters hold."""
 
     is_declared: bool = False
+    left: Formula = LETTER
+    """The side that the letter stands on: ω² of ω² = k/m."""
 
     @property
     def formulas(self) -> tuple[Formula, ...]:
@@ -173,14 +176,15 @@ class NamedQuantities:
     def judge(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
         """Return the verdict on a relation that gives a named quantity a formula; None for others."""
         left, right = chain.sides[k].node, without_dots(chain.sides[k + 1].node)[0]
-        is_plain = k == 0 and isinstance(left, Name) and chain.relations[0].sign in "=≈"
+        head = head_of(left)
+        is_plain = k == 0 and head is not None and chain.relations[0].sign in "=≈"
         own = names(right)
-        if not is_plain or not isinstance(left, Name) or not 1 <= len(own) <= 5 or left.name in own:
+        if not is_plain or head is None or not 1 <= len(own) <= 5 or head in own:
             return None
         if any(isinstance(part, Call) and part.function not in _FUNCTIONS for part in walk(right)):
             return None
         try:
-            return run_within(SEARCH, lambda: self._judge(chain, left.name, right, knowledge), SHARE)
+            return run_within(SEARCH, lambda: self._judge(chain, head, right, knowledge), SHARE)
         except OverBudgetError:
             return None  # a definition, as it stands
 
@@ -203,7 +207,8 @@ class NamedQuantities:
     ) -> Verdict | Decision | None:
         known = Knowledge(SymbolValue(positive=frozenset(names(claim))), corrects=True)
         side = chain.sides[1]
-        candidates = list(self._named(name, chain, knowledge))
+        left = chain.sides[0].node
+        candidates = [replace(each, left=left) for each in self._named(name, chain, knowledge)]
         sign = chain.relations[0].sign
         pairs = [
             (named, target)
@@ -224,6 +229,8 @@ class NamedQuantities:
         fitting = {named.quantity.name: named for named in candidates if not named.is_other}
         if len(fitting) > 1:  # words that name several: by the letters of their formulas
             fitting = {n: each for n, each in fitting.items() if any(p is each for p, _ in pairs)}
+            told = {n: each for n, each in fitting.items() if each.quantity.only is not None}
+            fitting = told if len(told) == 1 else fitting
         if len(fitting) != 1:
             return None
         (named,) = fitting.values()
@@ -243,7 +250,8 @@ class NamedQuantities:
     ) -> list[Formula]:
         """Return the formulas of a quantity in the letters of a claim."""
         together = named.quantity.together
-        return list(self.roles.targets(formulas, claim, knowledge.meanings, together, name))
+        shaped = tuple(as_side(named.left, formula) for formula in formulas)
+        return list(self.roles.targets(shaped, claim, knowledge.meanings, together, name))
 
     def _text(self, name: str, named: _Named) -> str:
         source = f"{NOBODY}; taken from the words “{named.words}”"

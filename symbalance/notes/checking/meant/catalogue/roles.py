@@ -85,14 +85,15 @@ def root(node: Formula) -> Formula:
 PI = Constant("pi")
 _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("diameter", "d D", r"diameters?|durchmessers?|(?<!半)径|\bbore|bohrung|ボア"),
-    ("outer", "d D", r"outer|outside|external|außen(?:durchmesser)?|aussendurchmesser|外径"),
-    ("inner", "d D", r"inner|inside|internal|innen(?:durchmesser)?|内径|\bbore"),
+    ("outer", "d D", r"(?:outer|outside|external)(?: diameter)?|außen(?:durchmesser)?|aussendurchmesser"
+     r"|外径"),
+    ("inner", "d D", r"(?:inner|inside|internal)(?: diameter)?|innen(?:durchmesser)?|内径|\bbore"),
     ("radius", "r R", r"radi(?:us|i)|halbmesser|半径|crank throw"),
     ("crank", "r R", r"radi(?:us|i)|halbmesser|半径|crank throw|crank length"),
     ("bending", "M", r"(?<!trägheits)(?<!widerstands)(?<!flächen)moments?(?! of)|曲げモーメント"),
     ("torque", "T M", r"(?<!trägheits)(?<!widerstands)(?<!flächen)moments?(?! of)|torques?|トルク"
      r"|ねじりモーメント"),
-    ("force", "F P", r"forces?|loads?|kraft|last|力|荷重"),
+    ("force", "F P", r"forces?|loads?|kraft|last|力|荷重|weights?|gewicht"),
     ("pressure", "p P", r"pressure|druck|圧力?"),
     ("area", "A S F", r"area|fläche|面積"),
     ("modulus", "W Z S", r"section modulus|widerstandsmoment|断面係数"),
@@ -161,7 +162,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     r"|圧縮比"),
     ("efficiency", "eta", r"efficiency|wirkungsgrad|効率"),
     ("width", "b B w", r"width|breadth|breite|幅"),
-    ("height", "h H", r"height|depth|höhe|高さ"),
+    ("height", "h H", r"height|depth|höhe|高さ|thickness|dicke|厚さ"),
     ("wall", "t s delta", r"thickness|wanddicke|wandstärke|dicke|肉厚|厚さ"),
     ("line_load", "q w p", r"loads?|last|荷重|per (?:unit )?length"),
     ("young", "E", r"modulus|elasticity|young|elastizitätsmodul|e-modul|ヤング率|縦弾性係数"),

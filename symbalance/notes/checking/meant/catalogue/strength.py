@@ -138,15 +138,20 @@ _NO_ANNULUS = words(
     r"rectang|square (?:section|bar|shaft)|ellip|hexagon|thin[- ]walled|dünnwandig|薄肉|rechteck|vierkant"
     r"|sechskant|profil|\bsolid|\bvoll|中実", _NOTCH,
 )  # fmt: skip
-_RECTANGLE = words(r"rectang|rechteck|長方形|矩形|角材|角形断面|flat bar|flachstab")
+_RECTANGLE = words(r"rectang|rechteck|長方形|矩形|角材|角形断面|flat bar|flachstab"
+    r"|(?:width|breadth)\b[^.;]{0,60}\b(?:thickness|height|depth)|thickness\b[^.;]{0,60}\b(?:width|breadth)"
+    r"|breite\b[^.;]{0,60}(?:höhe|dicke)|幅[^。]{0,30}(?:高さ|厚さ)"
+)
 _NOT_RECTANGLE = (
     r"hollow|hohl|中空|\bround|circular|kreis|\brund|円形|丸棒|torsion|polar|composite|profil"
 )
 _CANTILEVER = words(
-    r"cantilever|kragarm|kragträger|freiträger|einseitig eingespannt|片持ち?|overhang|fliegend"
+    r"cantilever|kragarm|kragträger|freiträger|einseitig eingespannt|片持ち?|overhang|overhung|fliegend"
+    r"|(?:built[- ]in|clamped|fixed) at (?:one|the other) end"
 )
 _SUPPORTED = words(
-    r"simply[- ]supported|on two (?:supports|bearings)|between two (?:supports|bearings)"
+    r"simply[- ]supported|freely supported|on two (?:supports|bearings)|between two (?:supports|bearings)"
+    r"|(?:hinged|pinned) at (?:both|its) ends|(?:beidseitig|beiderseits) (?:gelenkig|frei drehbar) gelagert"
     r"|supported at both"
     r" ends|zwei (?:stützen|lagern?)|beidseitig gelagert|beiderseits gelagert|zweifach gelagert"
     r"|単純支持|両端支持"
