@@ -31,10 +31,17 @@ def is_plain(name: str) -> bool:
     parts = re.sub(r"'+$", "", name).split("_")
     if parts[0] == "delta" and parts[1:] in (["i"], ["e"]):
         return True  # δ_i, and no step of the constant
+    if parts[0] == "delta" and len(parts) == 2 and _is_mark_of_value(parts[1]):
+        return True
     while len(parts) > 1 and parts[0] in _MARKS:
         parts = parts[1:]
     base = re.sub(r"(?<=^[A-Za-z])[0-9]+$", "", parts[0])
     return (len(base) == 1 and base.isalpha() and base not in _NEVER) or base in GREEK_SIGN
+
+
+def _is_mark_of_value(subscript: str) -> bool:
+    """Tell whether a subscript is a number or a word: δ_0 and δ_st are values of δ, no steps of a letter."""
+    return subscript.isdigit() or (len(subscript) > 1 and subscript.isalpha() and subscript not in GREEK_SIGN)
 
 
 def may_be_free(
@@ -52,7 +59,7 @@ def may_be_free(
     if is_last and is_word and before is not None and before.kind in ("number", "vulgar"):
         is_letter = not scale_of(name) or (name in known and before.end == start)
         return is_letter and (name != "d" or name in known)  # 3 N, but 2 m r
-    return name != "d" or _is_no_differential(tokens, place)
+    return name != "d" or name in known or _is_no_differential(tokens, place)
 
 
 def _is_no_differential(tokens: Sequence[Token], place: int) -> bool:

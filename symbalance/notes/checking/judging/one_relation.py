@@ -24,6 +24,8 @@ from symbalance.notes.checking.judging.appeals import appeal
 from symbalance.notes.checking.judging.letters_at_odds import unless_used_anew
 from symbalance.notes.checking.meant.engine_speeds import decide_speed
 from symbalance.notes.checking.meant.given_numbers import number_given
+from symbalance.notes.checking.meant.left_sides import head_of
+from symbalance.notes.checking.meant.order_speeds import decide_order_speed
 from symbalance.notes.checking.motions.equations_of_motion import (
     decide_motion,
     decide_natural_frequency,
@@ -171,7 +173,8 @@ def _judge_step(
         text = state.document.text
         decision = decide_with_gravity(chain, k, decision, text, knowledge, by_premises) or decision
     if decision.status in STATED:
-        return value_at_dead_centre(state, chain, k, knowledge) or decision
+        by_words = value_at_dead_centre(state, chain, k, knowledge)
+        return by_words or _by_named_inverse(state, chain, k, knowledge) or decision
     if decision.status == CONTRADICTION:
         return decision
     if not is_settled:
@@ -187,6 +190,19 @@ def _judge_step(
         state, describe(state.document, chain, k, decision), chain, k, against, decision, knowledge
     )
     return unless_used_anew(state, chain, k, verdict, against, decision, knowledge)
+
+
+def _by_named_inverse(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> Verdict | Decision | None:
+    """Return the verdict on ω² = … or 1/c = … by the quantity that words name; nothing rests on a wrong one."""
+    name = head_of(chain.sides[k].node)
+    if k or name is None or isinstance(chain.sides[0].node, Name):
+        return None
+    outcome = state.named.judge(chain, k, knowledge)
+    if isinstance(outcome, Verdict) and outcome.verdict == REFUTED:
+        state.definitions.lapse(name)
+    return outcome
 
 
 def _by_mean(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
@@ -328,6 +344,7 @@ def _as_meant(
         outcome = state.named_orders.judge(chain, k, knowledge, state.cranks_of)
         outcome = outcome or state.named.judge(chain, k, knowledge)
         outcome = outcome or state.harmonics.judge(chain, k, knowledge)
+        outcome = outcome or decide_order_speed(chain, k, state.document, knowledge)
     name = chain.sides[k].node
     if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
         state.definitions.define(name.name, outcome.fix.node, chain)

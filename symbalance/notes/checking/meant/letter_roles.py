@@ -37,6 +37,11 @@ _IS = re.compile(
     re.I,
 )
 """What a letter is said to be behind it: d is the distance of the supports."""
+_APPOSED = re.compile(
+    r"\s*(?:the|its|a|der|die|das)\s+((?:[\w-]+ ){0,3}?[\w-]+)(?=\s*[,.;)]|\s+(?:and|und)\b|\s*$)", re.I
+)
+"""The same without a verb, as in a list: D is the damping ratio and η the frequency ratio."""
+_ADDED = re.compile(r"(?:,|\band|\bund)[\s(]*$", re.I)
 
 
 @dataclass
@@ -105,8 +110,11 @@ class LetterRoles:
             phrases = []
             for match in re.finditer(pattern, self.text):
                 words = _TAGS.sub("", self.text[max(0, match.start() - 60) : match.start()])
-                phrases.append(_LINKS.sub("", words)[-30:])
-                follows = _IS.match(_TAGS.sub("", self.text[match.end() : match.end() + 60]))
+                behind = _TAGS.sub("", self.text[match.end() : match.end() + 60])
+                apposed = _APPOSED.match(behind) if _ADDED.search(words) else None
+                follows = _IS.match(behind) or apposed
+                if apposed is None:
+                    phrases.append(_LINKS.sub("", words)[-30:])
                 if follows is not None:
                     phrases.append(follows[1])
             self._before[letter] = [words.replace("\n", " ") for words in phrases]

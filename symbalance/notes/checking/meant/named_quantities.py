@@ -366,6 +366,8 @@ class NamedQuantities:
             for quantity in QUANTITIES
             for match in quantity.phrases.finditer(words)
         ]
+        told = [each for each in matches if _is_told(each[2], places, sentence)]
+        matches = told or matches  # an order is a pendulum's on pages of pendulums only
         longest = [
             (start, end, quantity)
             for start, end, quantity in matches
@@ -483,6 +485,13 @@ def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> _N
             quantity.unless is not None and quantity.unless.search(places.page) is not None
         )
     return _Named(quantity, words, places.around, sentence, is_other)
+
+
+def _is_told(quantity: Quantity, places: _Places, sentence: str) -> bool:
+    """Tell whether the words are there without which a quantity is not meant."""
+    near = f"{places.around} {places.heading} {sentence}"
+    near = f"{near} {places.page}" if quantity.is_told_once else near
+    return quantity.only is None or quantity.only.search(near) is not None
 
 
 def _has_own_convention(claim: Formula, knowledge: Knowledge) -> bool:

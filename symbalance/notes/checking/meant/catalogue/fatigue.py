@@ -19,9 +19,7 @@ from symbalance.notes.checking.meant.catalogue.shaft_roles import (
 
 _ONE_AND_OTHER = bending_safety * torsion_safety
 _SQUARES = bending_safety**2 + torsion_safety**2
-_SAFETY = (
-    r"safety\s+(?:factor|margin)|factor\s+of\s+safety|\bsafety|sicherheit(?:szahl|sfaktor)?|安全率"
-)
+_SAFETY = r"safety\s+(?:factor|margin)|factor\s+of\s+safety|\bsafety|sicherheit(?:szahl|sfaktor)?|安全率"
 _LINE = words(r"goodman|soderberg|haigh|グッドマン|ソダーバーグ")
 
 

@@ -106,7 +106,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("shearing", "tau", r"stress|spannung|応力"),
     ("stiffness", "c k C K", r"stiffness|spring (?:rate|constant)|rate|constant|steifigkeit"
      r"|federkonstante|federrate|feder|spring|ばね定数?|剛性|こわさ"),
-    ("mass", "m M", r"mass(?:es)?|masse|質量|weight|gewicht"),
+    ("mass", "m M", r"mass(?:es)?|masse|質量|weight|gewicht|rotor|dis[ck]s?|scheiben?|円板"),
     ("inertia", "J I Theta", r"inertia|trägheitsmoment|massenträgheit|drehmasse|schwungmasse"
      r"|慣性モーメント|flywheel|schwungrad|rotor|円板|dis[ck]s?|scheiben?"),
     ("second_section", "I J", r"second moment|moment of (?:inertia|area)|polar moment|trägheitsmoment"
@@ -115,7 +115,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     r"|慣性モーメント"),
     ("second_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?"
     r"|慣性モーメント"),
-    ("omega", "omega Omega w", r"angular (?:speed|velocity|frequency)|speed|winkelgeschwindigkeit"
+    ("omega", "omega Omega w", r"(?:angular|circular) (?:speed|velocity|frequency)|speed|winkelgeschwindigkeit"
      r"|kreisfrequenz|角速度|角振動数"),
     ("omega_high", "omega Omega", r"speed|velocity|winkelgeschwindigkeit|角速度"),
     ("omega_low", "omega Omega", r"speed|velocity|winkelgeschwindigkeit|角速度"),

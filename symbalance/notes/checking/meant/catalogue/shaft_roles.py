@@ -36,9 +36,10 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("bob", "l L r ell rho", r"length|länge|長さ"),
     ("mass_ratio", "mu gamma", r"(?:mass |inertia )?ratio|massenverhältnis|(?:質量|慣性)比"),
     ("gear_ratio", "i u n", r"ratio|übersetzung\w*|変速比|減速比|歯車比"),
-    ("wire", "d", r"wire(?: diameter)?|wire(?: of)?(?: the)? diameter|diameter of the wire"
-     r"|drahtdurchmesser|線径"),
-    ("coil", "D d_m D_m", r"(?:mean|coil) diameter|(?:mittlerer |windungs)+durchmesser|コイル(?:平均)?径"),
+    ("wire", "d", r"wire(?:'s)?(?: of)?(?: the)? diameter|wire|diameter of the wire|draht(?:durchmesser)?"
+     r"|線径"),
+    ("coil", "D d_m D_m", r"(?:mean|coil|spring)(?: \w+)? diameter|diameter of (?:the|a) (?:coils?|spring)"
+     r"|(?:mittlere[rnm]? |windungs)+durchmesser|コイル(?:平均)?径"),
     ("windings", "n i z N", r"turns|coils|windungen|windungszahl|巻数"),
     ("amplitude_before", "theta Theta vartheta alpha a A phi varphi beta",
      r"amplitude|mass|dis[ck]|masse|scheibe|振幅"),

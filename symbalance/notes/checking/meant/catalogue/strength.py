@@ -138,7 +138,8 @@ _NO_ANNULUS = words(
     r"rectang|square (?:section|bar|shaft)|ellip|hexagon|thin[- ]walled|dünnwandig|薄肉|rechteck|vierkant"
     r"|sechskant|profil|\bsolid|\bvoll|中実", _NOTCH,
 )  # fmt: skip
-_RECTANGLE = words(r"rectang|rechteck|長方形|矩形|角材|角形断面|flat bar|flachstab"
+_RECTANGLE = words(
+    r"rectang|rechteck|長方形|矩形|角材|角形断面|flat bar|flachstab"
     r"|(?:width|breadth)\b[^.;]{0,60}\b(?:thickness|height|depth)|thickness\b[^.;]{0,60}\b(?:width|breadth)"
     r"|breite\b[^.;]{0,60}(?:höhe|dicke)|幅[^。]{0,30}(?:高さ|厚さ)"
 )
@@ -173,7 +174,7 @@ _DEFLECTION = words(r"deflection", r"durchbiegung", r"たわみ量?")
 _BENDING_RATE = words(
     r"(?:bending |lateral |transverse )?stiffness", r"spring\s+(?:rate|constant)",
     r"biegefedersteifigkeit",
-    r"biegesteifigkeit", r"federkonstante", r"(?:曲げ)?ばね定数",
+    r"biegesteifigkeit", r"feder(?:konstante|steifigkeit|rate)", r"(?:曲げ)?ばね定数",
 )  # fmt: skip
 
 
@@ -303,19 +304,19 @@ STRENGTH: tuple[Quantity, ...] = (
         "second moment of area of a rectangle", letters("I J"), _AREA_MOMENT,
         (width * height**3 / 12,), ("factor", "power"),
         others=(height * width**3 / 12, width * height**3 / 3, height * width**3 / 3),
-        only=_RECTANGLE, unless=words(_NOT_RECTANGLE, r"\bbase\b|grundlinie|底辺"),
+        only=_RECTANGLE, is_told_once=True, unless=words(_NOT_RECTANGLE, r"\bbase\b|grundlinie|底辺"),
     ),
     Quantity(
         "section modulus of a rectangle", letters("W Z S"),
         words(_BENDING_MODULUS.pattern, r"section\s+modulus", r"widerstandsmoment", r"断面係数"),
         (width * height**2 / 6,), ("factor", "power"), others=(height * width**2 / 6,),
-        only=_RECTANGLE, unless=words(_NOT_RECTANGLE, r"plastic|plastisch|塑性"),
+        only=_RECTANGLE, is_told_once=True, unless=words(_NOT_RECTANGLE, r"plastic|plastisch|塑性"),
     ),
     Quantity(
         "bending stress of a rectangular bar", letters("sigma"), _BENDING_STRESS,
         (6 * bending / (width * height**2),), ("factor", "power"),
         others=(6 * bending / (height * width**2),),
-        only=_RECTANGLE, unless=words(_NOT_RECTANGLE, r"equivalent|vergleich|相当|plasti"),
+        only=_RECTANGLE, is_told_once=True, unless=words(_NOT_RECTANGLE, r"equivalent|vergleich|相当|plasti"),
     ),
     Quantity(
         "equivalent stress by Tresca", letters("sigma"),

@@ -21,6 +21,7 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     rotating,
     second_inertia,
     shear,
+    shearing,
     static_deflection,
     stiffness,
     torque,
@@ -93,7 +94,7 @@ def _on_mounts(number: int) -> tuple[Quantity, ...]:
     """Return what is known of a mass on some equal springs side by side, each of one stiffness."""
     only = words(rf"\b(?:{_NUMBERS[number]})(?:つの|個の|\s+(?:[\w-]+\s+){{0,3}}){_MOUNTS}")
     unless = words(
-        r"total|gesamt|together|series|reihe|combined|sum of|zusammen|合計|damp|gedämpf|減衰|pitch|roll"
+        r"between|zwischen|total|gesamt|together|series|reihe|combined|sum of|zusammen|合計|damp|gedämpf|減衰|pitch|roll"
         r"|nick|yaw"
     )
     every = root(number * stiffness / mass)
@@ -229,9 +230,9 @@ TRAINS: tuple[Quantity, ...] = (
         "greatest shear stress of a shear force in a round section", letters("tau"),
         words(r"(?:maximum|greatest|largest|peak|max\.?)\s+(?:shear(?:ing)?\s+)?stress",
               r"(?:maximale|größte)\s+schubspannung", r"最大せん断応力", r"greatest\s+(?:one|value)"),
-        (4 * shear_force / (3 * area), 16 * shear_force / (3 * PI * diameter**2)), ("bare factor",),
-        mistakes=(3 * shear_force / (2 * area),),
+        (4 * shear_force / (3 * area), 16 * shear_force / (3 * PI * diameter**2), 4 * shearing / 3),
+        ("bare factor",), mistakes=(3 * shear_force / (2 * area), 3 * shearing / 2),
         only=words(r"shear(?:ing)? force|transverse force|querkraft|せん断力"),
-        unless=words(r"rectang|rechteck|長方形|hollow|hohl|中空|torsion|twist|ねじり|mean|average|mittlere"),
+        unless=words(r"rectang|rechteck|長方形|hollow|hohl|中空|torsion|twist|ねじり"),
     ),
 )  # fmt: skip
