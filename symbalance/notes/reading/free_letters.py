@@ -41,7 +41,9 @@ def is_plain(name: str) -> bool:
 
 def _is_mark_of_value(subscript: str) -> bool:
     """Tell whether a subscript is a number or a word: δ_0 and δ_st are values of δ, no steps of a letter."""
-    return subscript.isdigit() or (len(subscript) > 1 and subscript.isalpha() and subscript not in GREEK_SIGN)
+    return subscript.isdigit() or (
+        len(subscript) > 1 and subscript.isalpha() and subscript not in GREEK_SIGN
+    )
 
 
 def may_be_free(

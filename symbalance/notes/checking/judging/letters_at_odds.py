@@ -9,6 +9,7 @@ be wrong.
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 from fractions import Fraction
 
@@ -27,6 +28,12 @@ _NO_SLIP = ("value", "miscalculated", "term", "phase")
 """Kinds of corrections that put something else in the place of what is written."""
 FAR, NEAR = 25, 2
 """Lines within a section: a letter further up may be another one's, sooner where one of them vanishes."""
+_EXAMPLE = re.compile(
+    r"[\s*_>#-]{0,6}(?:Example|Exercise|Problem|Case|Variant|Beispiel|Aufgabe|Fall|Variante|例題?|問題?|演習)\s?"
+    r"(?:[0-9]{1,2}|[A-H])(?![A-Za-z0-9])",
+    re.IGNORECASE,
+)
+"""The label that opens an example of its own within a section."""
 MOST_APART = 20
 """How many times larger or smaller a number may be that somebody worked out wrongly."""
 SAME_DIGITS = 0.005
@@ -53,6 +60,7 @@ def unless_used_anew(
         return verdict
     apart = NEAR if _is_nothing(chain, decision) else FAR
     is_near = state.sections.same_section(earlier.line, line) and line - earlier.line <= apart
+    is_near = is_near and not _is_other_example(state, earlier.line, line)
     if is_near or _is_value(state, chain, decision, knowledge):
         return verdict
     searched = verdict
@@ -67,6 +75,12 @@ def unless_used_anew(
         " used anew, or wrong"
     )
     return describe(state.document, chain, k, replace(decision, status=UNDECIDED, reason=reason))
+
+
+def _is_other_example(state: JudgingState, first: int, line: int) -> bool:
+    """Tell whether a line opens another labelled example between two lines: Example 2, Beispiel B."""
+    lines = state.document.text.split("\n")[first:line]
+    return any(_EXAMPLE.match(text) for text in lines)
 
 
 def _is_nothing(chain: Chain, decision: Decision) -> bool:

@@ -184,12 +184,25 @@ def _judge_step(
     by_name = state.named.of_another(chain, k, knowledge)
     if by_name is None and decision.status == UNDECIDED:
         by_name = state.named.judge(chain, k, knowledge)
+    if by_name is None and decision.status == REFUTED:
+        by_name = _as_another_named(state, chain, k, knowledge)
     if by_name is not None:
         return by_name
     verdict = add_fix_of_relation(
         state, describe(state.document, chain, k, decision), chain, k, against, decision, knowledge
     )
     return unless_used_anew(state, chain, k, verdict, against, decision, knowledge)
+
+
+def _as_another_named(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the proof that a letter's new formula is the standard one of what its own words name.
+
+    A line above has another formula for it, of another shape or hypothesis: solid and hollow, Mises and
+    Tresca.
+    """
+    outcome = state.named.judge(chain, k, knowledge)
+    is_proved = isinstance(outcome, Decision) and outcome.is_proved
+    return outcome if is_proved and isinstance(outcome, Decision) else None
 
 
 def _by_named_inverse(

@@ -414,7 +414,9 @@ STRENGTH: tuple[Quantity, ...] = (
     ),
     Quantity(
         "bearing pressure", letters("p"),
-        words(r"bearing\s+pressure", r"flächenpressung", r"(?:軸受)?面圧", r"軸受圧力"),
+        words(r"(?:(?:mean|average)\s+)?bearing\s+pressure", r"(?:(?:mean|average)\s+)?pressure\s+(?:in|on|of)\s+(?:the\s+|a\s+)?(?:\w+\s+)?bearing",
+              r"specific\s+(?:bearing\s+)?load", r"(?:mittlere\s+)?flächenpressung", r"(?:mittlerer\s+)?lagerdruck",
+              r"lagerpressung", r"(?:平均)?(?:軸受)?面圧", r"(?:平均)?軸受圧力"),
         (force / (diameter * width), force / (diameter * length), force / (2 * radius * width)),
         ("power",), mistakes=(force / (PI * diameter * width), force / (PI * diameter * length),
                               4 * force / (PI * diameter**2)),
