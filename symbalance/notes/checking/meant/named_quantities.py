@@ -104,6 +104,8 @@ _BEHIND = re.compile(
 )
 _AND = re.compile(r"[\s$,;\\()\[\]]*(?:and|und|bzw\.?|、|および)?[\s$,;\\()\[\]]*")
 _NO_LETTER = re.compile(r"[\W\d_]+|\\[a-zA-Z]+")
+_ANGULAR = frozenset({"omega", "Omega"})
+"""Letters of angular speeds: no words make one of them a frequency in cycles."""
 BARE = 24
 """Letters in the words before a formula that its heading names: "so that", "With these"."""
 _FUNCTIONS = ("sqrt", "sin", "cos", "tan", "atan")
@@ -374,7 +376,7 @@ class NamedQuantities:
             if not any(s <= start and end <= e and e - s > end - start for s, e, _ in matches)
         ]
         usual = [each for each in longest if stem in each[2].letters]
-        if not usual:
+        if not usual and stem not in _ANGULAR:
             last = max((end for _, end, _ in longest), default=0)
             usual = [each for each in longest if each[1] == last and _COPULA.fullmatch(words[last:])]
             usual = usual if len({start for start, _, _ in longest}) == 1 else []
@@ -478,7 +480,10 @@ class NamedQuantities:
 def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> _Named:
     """Return a quantity that words name, and whether other words near make another one of it."""
     near = f"{places.around} {places.heading}" if quantity.only else places.around
-    is_other = quantity.unless is not None and quantity.unless.search(places.around) is not None
+    own = f"{sentence} {words}"
+    is_told_here = quantity.only is not None and quantity.only.search(own) is not None
+    may_be_denied = own if is_told_here else places.around  # its own sentence tells the shape
+    is_other = quantity.unless is not None and quantity.unless.search(may_be_denied) is not None
     if quantity.only is not None and not quantity.only.search(f"{near} {words}"):
         is_on_page = quantity.is_told_once and quantity.only.search(places.page) is not None
         is_other |= not is_on_page or (

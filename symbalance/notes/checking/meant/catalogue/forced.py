@@ -86,7 +86,7 @@ FORCED: tuple[Quantity, ...] = (
         others=(eccentricity * tuning**2 / (tuning**2 - 1),
                 mass * omega**2 * eccentricity / (mass * omega**2 - stiffness)),
         only=words(r"whirl|eccentric|exzentr|unwucht|unbalance|biegekritisch|偏心|ふれ|振れ"),
-        unless=words(r"cent(?:re|er) of (?:gravity|mass)\s+(?:moves|is|has|runs|describes|from)"
+        unless=words(r"cent(?:re|er) of (?:gravity|mass)\b.{0,40}\b(?:moves|is|has|runs|describes|lies|from)\b"
                      r"|radius of the cent|bahn des schwerpunkt|重心の(?:軌道|変位)|damp(?!er)|gedämpf|static"),
     ),
     Quantity(

@@ -105,7 +105,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("stress", "sigma", r"stress|spannung|応力"),
     ("shearing", "tau", r"stress|spannung|応力"),
     ("stiffness", "c k C K", r"stiffness|spring (?:rate|constant)|rate|constant|steifigkeit"
-     r"|federkonstante|federrate|feder|spring|ばね定数?|剛性|こわさ"),
+     r"|federkonstante|federrate|federn?|springs?|ばね定数?|剛性|こわさ"),
     ("mass", "m M", r"mass(?:es)?|masse|質量|weight|gewicht|rotor|dis[ck]s?|scheiben?|円板"),
     ("inertia", "J I Theta", r"inertia|trägheitsmoment|massenträgheit|drehmasse|schwungmasse"
      r"|慣性モーメント|flywheel|schwungrad|rotor|円板|dis[ck]s?|scheiben?"),

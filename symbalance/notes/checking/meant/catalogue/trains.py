@@ -114,7 +114,7 @@ def _on_mounts(number: int) -> tuple[Quantity, ...]:
         Quantity(
             f"static deflection on {number} equal springs", letters("delta f y x s w Delta_x"),
             words(r"deflection|\bsag|settle\w*|compression|einfederung|einsenkung|durchsenkung|たわみ|沈下"),
-            (mass * gravity / (number * stiffness),), ("bare factor",),
+            (mass * gravity / (number * stiffness),), ("bare factor", "part"),
             others=(mass * gravity / stiffness,), only=only, unless=unless,
         ),
     )  # fmt: skip
