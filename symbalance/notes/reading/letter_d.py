@@ -1,7 +1,7 @@
 r"""The letter d of a page that calls a diameter or a distance so, told from the sign of a differential.
 
-In `\pi d n` and `d l` a d before a letter may begin a differential. On a page with "diameter $d$" and
-without any calculus it is that diameter.
+In `\pi d n` and `d l` a d before a letter may begin a differential. On a page that speaks of a diameter, or
+of a distance $d$, and has no calculus, it is that length.
 """
 
 from __future__ import annotations
@@ -10,8 +10,9 @@ import re
 
 _D = r"(?:\$|\\\(|`|\*){0,2}[ ]{0,2}(?<![A-Za-z0-9\\_^{}.'’])d(?![A-Za-z0-9_^{'’])"
 _MEANT = re.compile(
-    r"(?:diameters?|distance|\bbore|Durchmessern?|Abstand|Bohrung|Zapfendurchmesser|[直内外線]径|直徑|距離|間隔)"
-    r"(?:\s+of\s+(?:the\s+|a\s+)?[a-z]{3,12})?\s{0,3}(?:は|を|が|,)?\s{0,3}(?:is\s+)?" + _D
+    r"(?:distance|Abstand|距離|間隔)(?:\s+of\s+(?:the\s+|a\s+)?[a-z]{3,12})?\s{0,3}(?:は|を|が|,)?\s{0,3}(?:is\s+)?"
+    + _D
+    + r"|diameter|\bbore\b|[Dd]urchmesser|[直内外線]径"
 )
 _CALCULUS = re.compile(
     r"\\int|∫|\\frac\s*\{\s*(?:\\mathrm\s*)?\{?\s*d|\\mathrm\s*\{?\s*d|\\dot|\\partial|derivative|differenti|Ableitung|微分|積分"

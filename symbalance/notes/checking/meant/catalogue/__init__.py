@@ -8,6 +8,8 @@ formula by a route of its own (integrals over the section, eigenvalues, the path
     strength      sections, stresses, beams, springs
     fatigue       stresses that swing, notches, factors of safety
     vibration     natural frequencies, damping, magnification, critical speeds
+    resonance     the top of a resonance curve, half-power points, unbalance
+    machine_parts hollow shafts under stress, keys, struts, sliding speeds, more beams
     forced        what mounts pass on, phases, whirl, tuned dampers and pendulums
     trains        discs on shafts, mounts in numbers, gears, critical speeds of bending, springs
     inertia       moments of inertia, the masses of a rod
@@ -23,6 +25,8 @@ from symbalance.notes.checking.meant.catalogue.crank_drive import CRANK_DRIVE
 from symbalance.notes.checking.meant.catalogue.fatigue import FATIGUE
 from symbalance.notes.checking.meant.catalogue.forced import FORCED
 from symbalance.notes.checking.meant.catalogue.inertia import INERTIA
+from symbalance.notes.checking.meant.catalogue.machine_parts import PARTS
+from symbalance.notes.checking.meant.catalogue.resonance import RESONANCE
 from symbalance.notes.checking.meant.catalogue.roles import OTHER_LENGTHS as OTHER_LENGTHS
 from symbalance.notes.checking.meant.catalogue.roles import ROLES as FIRST_ROLES
 from symbalance.notes.checking.meant.catalogue.roles import Quantity as Quantity
@@ -35,5 +39,17 @@ from symbalance.notes.checking.meant.catalogue.work import WORK
 
 ROLES: Mapping[str, Role] = {**FIRST_ROLES, **SHAFT_ROLES}
 """What letters stand for, each role once."""
-QUANTITIES = (*STRENGTH, *FATIGUE, *VIBRATION, *FORCED, *TRAINS, *INERTIA, *CRANK_DRIVE, *WORK, *BALANCE)
+QUANTITIES = (
+    *STRENGTH,
+    *PARTS,
+    *FATIGUE,
+    *VIBRATION,
+    *FORCED,
+    *RESONANCE,
+    *TRAINS,
+    *INERTIA,
+    *CRANK_DRIVE,
+    *WORK,
+    *BALANCE,
+)
 """All quantities, each name once."""

@@ -34,8 +34,8 @@ def _by_a_line(first: Name, second: Name) -> tuple:
 
 FATIGUE: tuple[Quantity, ...] = (
     Quantity(
-        "amplitude of a stress that swings", letters("sigma tau S"),
-        words(r"(?:stress|alternating)\s+amplitude|amplitude\s+of\s+(?:the\s+)?stress|alternating\s+stress"
+        "amplitude of a stress that swings", letters("sigma tau S T M F P"),
+        words(r"alternating\s+(?:torque|load|moment|force|part)|(?:stress|alternating)\s+amplitude|amplitude\s+of\s+(?:the\s+)?stress|alternating\s+stress"
               r"|variable\s+stress|stress\s+amplitude|spannungsamplitude|(?:spannungs)?ausschlag(?:spannung)?"
               r"|応力振幅"),
         ((upper_stress - lower_stress) / 2,), ("factor", "edit", "part"),
@@ -45,8 +45,8 @@ FATIGUE: tuple[Quantity, ...] = (
         indices=letters("a A w alt v"),
     ),
     Quantity(
-        "mean of a stress that swings", letters("sigma tau S"),
-        words(r"mean\s+stress|average\s+stress|mittelspannung|平均応力"),
+        "mean of a stress that swings", letters("sigma tau S T M F P"),
+        words(r"(?:mean|average)\s+(?:stress|torque|load|moment|force)|mittelspannung|平均応力"),
         ((upper_stress + lower_stress) / 2,), ("factor", "edit", "part"),
         mistakes=(upper_stress + lower_stress, (upper_stress - lower_stress) / 2),
         indices=letters("m M mean"),
@@ -73,6 +73,17 @@ FATIGUE: tuple[Quantity, ...] = (
                   root(_SQUARES) / _ONE_AND_OTHER, _ONE_AND_OTHER / _SQUARES,
                   1 / (1 / bending_safety + 1 / torsion_safety), root(_ONE_AND_OTHER)),
         unless=words(r"tresca|rankine|normalspannungshypothese|conservative|smaller of|kleinere"),
+    ),
+    Quantity(
+        "allowable amplitude by a straight line of the fatigue diagram", letters("sigma S tau"),
+        words(r"amplitude", r"alternating\s+stress", r"\w*ausschlag\w*", r"応力振幅", r"goodman", r"soderberg"),
+        (endurance * (1 - mean_stress / static_strength), endurance - endurance * mean_stress
+         / static_strength), ("edit", "exchange"),
+        mistakes=(static_strength * (1 - mean_stress / endurance), endurance * (1 - static_strength
+                  / mean_stress), endurance * (1 - mean_stress / endurance), endurance - mean_stress,
+                  endurance * (1 + mean_stress / static_strength)),
+        others=(endurance * (1 - (mean_stress / static_strength) ** 2),),
+        only=_LINE, unless=words(r"gerber|parabol|ellip|morrow|walker|langer"),
     ),
     Quantity(
         "safety factor by a straight line of the fatigue diagram", letters("n S nu s k N"),

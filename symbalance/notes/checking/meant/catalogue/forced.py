@@ -90,12 +90,12 @@ FORCED: tuple[Quantity, ...] = (
                      r"|radius of the cent|bahn des schwerpunkt|重心の(?:軌道|変位)|damp(?!er)|gedämpf|static"),
     ),
     Quantity(
-        "energy lost per cycle in a viscous damper", letters("W E D A Delta_E Delta_W U"),
-        words(r"energy|\bwork|\bloss|dissipat\w+|arbeit|energie|verlust|エネルギー?|仕事"),
+        "energy lost per cycle in a viscous damper", letters("W E D A Delta_E Delta_W U Q"),
+        words(r"energy|heat|wärme|熱|\bwork|\bloss|dissipat\w+|arbeit|energie|verlust|エネルギー?|仕事"),
         (PI * damping * omega * amplitude**2,), ("factor", "power", "part"),
         mistakes=(PI * damping * omega**2 * amplitude**2, PI * damping * omega * amplitude,
                   PI * damping * omega**2 * amplitude),
-        only=words(r"per (?:cycle|period|oscillation|vibration|turn)|(?:each|one|a) cycle|je (?:periode"
+        only=words(r"per (?:full )?(?:cycle|period|oscillation|vibration|turn|swing)|(?:each|one|a) cycle|je (?:periode"
                    r"|schwingung|zyklus)|pro (?:periode|schwingung|zyklus)|[1一]周期|[1一]サイクル"),
         unless=words(r"power|leistung|動力|half a cycle|quarter|hysteretic|peak[- ]to[- ]peak|four pistons"),
     ),

@@ -101,7 +101,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|断面二次|inertia"),
     ("shear", "G C N", r"shear modulus|modulus of rigidity|rigidity|schubmodul|gleitmodul"
      r"|横弾性係数|せん断弾性係数|剛性率"),
-    ("length", "l L ell", r"length|lang|länge|長さ?"),
+    ("length", "l L ell", r"length|lang|länge|長さ?|distance|\bspan|abstand|stützweite|距離|スパン"),
     ("stress", "sigma", r"stress|spannung|応力"),
     ("shearing", "tau", r"stress|spannung|応力"),
     ("stiffness", "c k C K", r"stiffness|spring (?:rate|constant)|rate|constant|steifigkeit"

@@ -13,9 +13,9 @@ from symbalance.notes.checking.meant.catalogue.roles import Role, letters, words
 _SAFETY = r"(?:safety )?factors?|safety|sicherheit(?:en)?|安全率"
 _SPEEDS = r"speeds?|frequenc(?:y|ies)|drehzahl(?:en)?|frequenz(?:en)?|危険速度|振動数"
 _ENTRIES: tuple[tuple[str, ...], ...] = (
-    ("upper_stress", "sigma tau S", r"(?:largest|greatest|highest|maximum|upper|peak|max\.?)\s+stress"
+    ("upper_stress", "sigma tau S T M F P", r"(?:largest|greatest|highest|maximum|upper|peak|max\.?)\s+(?:stress|torque|force|load|moment)"
      r"|oberspannung|最大応力", "max o O ob upper"),
-    ("lower_stress", "sigma tau S", r"(?:smallest|least|lowest|minimum|lower|min\.?)\s+stress"
+    ("lower_stress", "sigma tau S T M F P", r"(?:smallest|least|lowest|minimum|lower|min\.?)\s+(?:stress|torque|force|load|moment)"
      r"|unterspannung|最小応力", "min u U un lower"),
     ("stress_amplitude", "sigma tau S", r"amplitude|alternating stress|\w*ausschlag\w*|応力振幅",
      "a A w alt"),
@@ -46,6 +46,18 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("first_speed", "n N omega Omega f", _SPEEDS, "1 a A s S 0"),
     ("second_speed", "n N omega Omega f", _SPEEDS, "2 b B"),
     ("third_speed", "n N omega Omega f", _SPEEDS, "3 c C"),
+    ("third_rate", "c k C K", r"stiffness|rates?|constants?|steifigkeiten|springs?|federn?|ばね定数?", "3 c C III"),
+    ("driving", "omega Omega f n N", r"(?:driving|exciting|forcing|excitation)\s+frequency|frequency|speed"
+     r"|erreger\w*|drehzahl|振動数|回転数", "", "0 n 1 2 e k c cr krit crit d"),
+    ("natural", "omega f n N", r"natural\s+(?:\w+\s+)?frequency|eigen\w*|critical speed|固有\w*",
+     "0 n 1 e k c cr krit crit"),
+    ("upper_point", "omega f", r"frequenc(?:y|ies)|points?|frequenz", "2 b B o"),
+    ("lower_point", "omega f", r"frequenc(?:y|ies)|points?|frequenz", "1 a A u"),
+    ("resonant", "omega f", r"frequency|resonance|frequenz|resonanz|共振\w*|固有\w*", "0 n r res m e"),
+    ("mass_per_length", "mu m rho q", r"mass per (?:unit )?length|linear density|masse je länge|massenbelegung"
+     r"|線密度"),
+    ("excitation", "F P T M Q", r"force|torque|moment|kraft|力|トルク", "0 a e hat n i k 1"),
+    ("shear_stress_allowed", "tau", r"stress|spannung|応力"),
     ("shear_force", "Q V F P S", r"(?:shear(?:ing)? )?force|querkraft|せん断力"),
 )  # fmt: skip
 SHAFT_ROLES: Mapping[str, Role] = {
@@ -56,5 +68,6 @@ SHAFT_ROLES: Mapping[str, Role] = {
     upper_stress, lower_stress, stress_amplitude, mean_stress, endurance, static_strength,
     form_factor, sensitivity, bending_safety, torsion_safety, amplitude, hang, bob, mass_ratio,
     gear_ratio, wire, coil, windings, amplitude_before, first_speed, second_speed, third_speed,
-    shear_force,
+    third_rate, driving, natural, upper_point, lower_point, resonant, mass_per_length, excitation,
+    shear_stress_allowed, shear_force,
 ) = map(Name, SHAFT_ROLES)  # fmt: skip

@@ -125,13 +125,15 @@ _TORSIONAL_RATE = words(
 )
 _BORED = words(r"hollow|\bbored\b|tubular|\btubes?\b|hohl|rohr\b|ringquerschnitt|中空|円管|パイプ")
 _SERIES = words(
-    r"(?:springs|connected|shafts|arranged|rates)\s+in\s+series", r"series\s+(?:stiffness|connection)",
+    r"(?:springs|connected|shafts|arranged|rates)\s+in\s+series",
+    r"one\s+(?:behind|after)\s+the\s+other", r"end\s+to\s+end", r"series\s+(?:stiffness|connection)",
     r"reihenschaltung", r"in\s+reihe(?:\s+geschaltet\w*)?", r"hintereinander\w*",
     r"直列(?:ばね|接続|結合)?",
 )  # fmt: skip
 _PARALLEL = words(
     r"(?:springs|connected|shafts|arranged|rates)\s+in\s+parallel",
     r"parallel\s+(?:springs|stiffness|connection)",
+    r"side\s+by\s+side", r"one\s+inside\s+the\s+other", r"nebeneinander\w*",
     r"parallelschaltung", r"parallel\s+geschaltet\w*", r"並列(?:ばね|接続|結合)?",
 )  # fmt: skip
 _NO_ANNULUS = words(
@@ -141,6 +143,7 @@ _NO_ANNULUS = words(
 _RECTANGLE = words(
     r"rectang|rechteck|長方形|矩形|角材|角形断面|flat bar|flachstab"
     r"|(?:width|breadth)\b[^.;]{0,60}\b(?:thickness|height|depth)|thickness\b[^.;]{0,60}\b(?:width|breadth)"
+    r"|\bwide\b[^.;]{0,40}\b(?:thick|high|deep)|\bbreit\b[^.;]{0,40}\b(?:dick|hoch)"
     r"|breite\b[^.;]{0,60}(?:höhe|dicke)|幅[^。]{0,30}(?:高さ|厚さ)"
 )
 _NOT_RECTANGLE = (
@@ -158,7 +161,7 @@ _SUPPORTED = words(
     r"|単純支持|両端支持"
 )
 _FIXED = words(r"fixed at both ends|built[- ]in at both|clamped at both|beidseitig eingespannt|両端固定")
-_MIDDLE = words(r"middle|mid-?span|cent(?:re|er)|central(?:ly)?|mittig|\bmitte|中央")
+_MIDDLE = words(r"middle|mid-?span|midway|half[- ]?way|cent(?:re|er)|central(?:ly)?|mittig|\bmitte|中央")
 _END_LOAD = words(r"\bend\b|\btip\b|\bende\b|先端|自由端|free end|an der spitze")
 _UNIFORM = words(r"uniform|evenly|gleichm|streckenlast|gleichstreckenlast|等分布|distributed|verteilt")
 _OTHER_BEAM = words(
