@@ -128,7 +128,10 @@ def _one_sided_letter(
     both |= _summed_letters(left, right, decision, knowledge)
     free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
     free -= state.motions.letters(line)
-    for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
+    unlike = set(letters(decision.left)) ^ set(letters(decision.right))
+    if decision.expanded_in and chain.relations[k].sign == "=":
+        unlike |= _ends_behind(left, knowledge) ^ _ends_behind(right, knowledge)  # whatever is cut off
+    for name in sorted(unlike):
         is_open = name in free and name not in {
             *state.general,
             *knowledge.universal,
@@ -141,6 +144,12 @@ def _one_sided_letter(
         if "/d" in name:  # the derivative of what no line defines
             return name
     return ""
+
+
+def _ends_behind(node: Formula, knowledge: Knowledge) -> set[str]:
+    """Return the letters without a value that a formula has when its own have theirs."""
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    return {name for name in names_behind(node, values) if name not in values}
 
 
 def _stands_nowhere(state: JudgingState, name: str, line: int, knowledge: Knowledge) -> bool:

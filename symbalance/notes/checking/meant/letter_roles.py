@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from symbalance.document.formula import Formula, Name, names
-from symbalance.document.letters import plain_letter
+from symbalance.document.letters import ACCENTS, plain_letter
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.meant.catalogue import OTHER_LENGTHS, ROLES
 
@@ -27,7 +27,7 @@ _OF_TWO = {"outer": (_OUTER, _INNER, "D"), "inner": (_INNER, _OUTER, "d"),
 """Subscripts of the two diameters of a hollow section; without one D is the larger."""
 _TAGS = re.compile(r"<[^>]*>|\\(?:mathrm|text|it|rm|bf)\b|[${}()\\*_`|\[\]~]")
 _LINKS = re.compile(
-    r"(?:\s|,|:|=|\bof\b|\bthe\b|\bis\b|\ba\b|\bby\b|\bvon\b|\bist\b|\bder\b|\bdie\b|\bdes\b|\bmit\b"
+    r"(?:\s|,|:|=|\bof\b|\bthe\b|\bis\b|(?-i:\ba\b)|\bby\b|\bvon\b|\bist\b|\bder\b|\bdie\b|\bdes\b|\bmit\b"
     r"|\band\b|\bund\b|[をがはのと、])+$",
     re.I,
 )
@@ -98,7 +98,7 @@ class LetterRoles:
 
     def is_multiplied(self, letter: str) -> bool:
         """Tell whether words name a multiple of a letter, a length 2l: then a factor may be meant."""
-        multiple = rf"(?<=[^\W\d_]{{3}})\s[\s$\\(]{{0,4}}\d{{1,9}}\s?{_sign_of(letter)}"
+        multiple = rf"(?<=[^\W\d_]{{3}})\s[\s$\\(]{{0,4}}\d{{1,9}}\s?{sign_of(letter)}"
         return re.search(multiple, self.text) is not None
 
     def words_before(self, letter: str) -> list[str]:
@@ -106,23 +106,44 @@ class LetterRoles:
         to be behind it.
         """
         if letter not in self._before:
-            pattern = rf"(?<![^\W_])(?<!\\){_sign_of(letter)}"
+            pattern = rf"(?<![^\W_])(?<!\\){sign_of(letter)}"
             phrases = []
             for match in re.finditer(pattern, self.text):
                 words = _TAGS.sub("", self.text[max(0, match.start() - 60) : match.start()])
                 behind = _TAGS.sub("", self.text[match.end() : match.end() + 60])
                 apposed = _APPOSED.match(behind) if _ADDED.search(words) else None
                 follows = _IS.match(behind) or apposed
-                if apposed is None:
-                    phrases.append(_LINKS.sub("", words)[-30:])
+                phrase = _LINKS.sub("", words)
+                if apposed is None and (":" not in words[len(phrase) :] or _is_of_letter(phrase, letter)):
+                    phrases.append(phrase[-30:])
                 if follows is not None:
                     phrases.append(follows[1])
             self._before[letter] = [words.replace("\n", " ") for words in phrases]
         return self._before[letter]
 
 
-def _sign_of(letter: str) -> str:
-    """Return a pattern for a letter as a page may write it: \\omega_0, ω_{0}."""
+def _is_of_letter(phrase: str, letter: str) -> bool:
+    """Tell whether words before a colon name what a letter usually is: no diameter k of "half the diameter: k"."""
+    stem = without_accent(letter).partition("_")[0]
+    named = [each for each in ROLES.values() if ends_with(each.words, phrase)]
+    return not named or any(stem in {n.partition("_")[0] for n in each.letters} for each in named)
+
+
+def without_accent(letter: str) -> str:
+    """Return a letter without the hat of an amplitude or the bar of a mean.
+
+    >>> without_accent("hat_varphi"), without_accent("Delta_W")
+    ('varphi', 'Delta_W')
+    """
+    return letter.removeprefix("hat_").removeprefix("bar_")
+
+
+def sign_of(letter: str) -> str:
+    """Return a pattern for a letter as a page may write it: \\omega_0, ω_{0}, \\hat\\varphi."""
+    plain = without_accent(letter)
+    if plain != letter:
+        accents = "|".join(sign for sign, name in ACCENTS.items() if letter.startswith(f"{name}_"))
+        return rf"\\(?:{accents})\s?\{{?\s?{sign_of(plain)}\}}?"
     stem, _, index = letter.partition("_")
     signs = {stem, plain_letter(stem), "\\" + stem}
     tail = rf"_?\{{?{re.escape(index)}\}}?" if index else r"(?!_)"
@@ -164,6 +185,7 @@ def _is_of_one_index(pairs: Mapping[str, str], head: str, first: str, second: st
 
 def _is_usual(letter: str, role: str) -> bool:
     """Tell whether a letter of which no words say anything stands for a role on most pages."""
+    letter = without_accent(letter)
     stem, _, index = letter.partition("_")
     stem = letter if letter.startswith("Delta_") else stem
     if role in _OF_TWO:

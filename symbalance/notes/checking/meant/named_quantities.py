@@ -40,7 +40,13 @@ from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.meant.catalogue import QUANTITIES, Quantity
 from symbalance.notes.checking.meant.formula_slips import agrees, is_multiple, slip_of
 from symbalance.notes.checking.meant.left_sides import LETTER, as_side, head_of
-from symbalance.notes.checking.meant.letter_roles import UNITS_ONLY, LetterRoles, ends_with
+from symbalance.notes.checking.meant.letter_roles import (
+    UNITS_ONLY,
+    LetterRoles,
+    ends_with,
+    sign_of,
+    without_accent,
+)
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
 from symbalance.notes.checking.verdicts import Verdict
@@ -101,6 +107,9 @@ _FROM_ELSEWHERE = re.compile(
 """Words for another place where an angle begins: a sine is a cosine there."""
 _BEHIND = re.compile(
     r"[\s$`\\)\]},.]{0,8}(?:\(|(?:is|as|being|for|ist|als|für|gives|denotes)\s+)(?:(?:the|die|der|das|its)\s+)?"
+)
+_LETTER_BEHIND = re.compile(
+    r"[\s,(]{0,3}(?:\$|\\\(|`)\s?(?P<sign>\\?[A-Za-z]+(?:_\{?[A-Za-z0-9]+\}?)?)\s?(?:\$|\\\)|`)"
 )
 _AND = re.compile(r"[\s$,;\\()\[\]]*(?:and|und|bzw\.?|、|および)?[\s$,;\\()\[\]]*")
 _NO_LETTER = re.compile(r"[\W\d_]+|\\[a-zA-Z]+")
@@ -273,7 +282,8 @@ class NamedQuantities:
                 yield named
 
     def _every_named(self, name: str, chain: Chain, knowledge: Knowledge) -> Iterator[_Named]:
-        stem, _, index = name.removeprefix("Delta_").partition("_")
+        name_alone = without_accent(name)
+        stem, _, index = name_alone.removeprefix("Delta_").partition("_")
         stem = f"Delta_{stem}" if name.startswith("Delta_") else stem
         declared = knowledge.meanings.get(name, "")
         sentence, before, around = self._texts(chain)
@@ -284,7 +294,7 @@ class NamedQuantities:
             replace(named, is_declared=True)
             for named in self._by_phrases(declared, stem, places, declared)
         ]
-        by_phrase = list(self._by_phrases(before, stem, places, sentence))
+        by_phrase = list(self._by_phrases(before, stem, places, sentence, name))
         if by_meaning or (declared and not UNITS_ONLY.fullmatch(declared)):
             words = {named.words.casefold() for named in by_meaning}
             is_closer = any(w in named.words.casefold() for w in words for named in by_phrase)
@@ -361,13 +371,21 @@ class NamedQuantities:
             named = list(self._by_phrases(words, stem, places, sentence))
             yield from (each for each in named if ends_with(each.quantity.phrases, words))
 
-    def _by_phrases(self, words: str, stem: str, places: _Places, sentence: str) -> Iterator[_Named]:
+    def _is_of_another_letter(self, words: str, end: int, name: str) -> bool:
+        """Tell whether a phrase is followed by another letter at once: with the mean stress $\\sigma_m$ from …"""
+        letter = _LETTER_BEHIND.match(words, end)
+        return bool(name) and letter is not None and not re.fullmatch(sign_of(name), letter["sign"])
+
+    def _by_phrases(
+        self, words: str, stem: str, places: _Places, sentence: str, name: str = ""
+    ) -> Iterator[_Named]:
         """Yield the quantities that words name, those with the letter's usual use first of all."""
         matches = [
             (match.start(), match.end(), quantity)
             for quantity in QUANTITIES
             for match in quantity.phrases.finditer(words)
         ]
+        matches = [each for each in matches if not self._is_of_another_letter(words, each[1], name)]
         told = [each for each in matches if _is_told(each[2], places, sentence)]
         matches = told or matches  # an order is a pendulum's on pages of pendulums only
         longest = [

@@ -87,7 +87,7 @@ FORCED: tuple[Quantity, ...] = (
                 mass * omega**2 * eccentricity / (mass * omega**2 - stiffness)),
         only=words(r"whirl|eccentric|exzentr|unwucht|unbalance|biegekritisch|偏心|ふれ|振れ"),
         unless=words(r"cent(?:re|er) of (?:gravity|mass)\b.{0,40}\b(?:moves|is|has|runs|describes|lies|from)\b"
-                     r"|radius of the cent|bahn des schwerpunkt|重心の(?:軌道|変位)|damp(?!er)|gedämpf|static"),
+                     r"|radius of the cent|bahn des schwerpunkt|重心の(?:軌道|変位)|(?<!un)damp(?!er)|(?<!un)gedämpf|static"),
     ),
     Quantity(
         "energy lost per cycle in a viscous damper", letters("W E D A Delta_E Delta_W U Q"),

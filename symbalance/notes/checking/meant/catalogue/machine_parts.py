@@ -106,8 +106,8 @@ PARTS: tuple[Quantity, ...] = (
     ),
     Quantity(
         "sliding speed of a journal", letters("v u V U"),
-        words(r"(?:sliding|rubbing|surface|peripheral|circumferential)\s+(?:speed|velocity)",
-              r"(?:gleit|umfangs|zapfen)geschwindigkeit", r"周速度?", r"すべり速度"),
+        words(r"(?:sliding|rubbing|surface)\s+(?:speed|velocity)",
+              r"(?:gleit|zapfen)geschwindigkeit", r"すべり速度"),
         (PI * diameter * rotation, PI * diameter * rotation / 60, omega * diameter / 2, omega * radius,
          2 * PI * radius * rotation, PI * radius * rotation / 30), ("power",),
         mistakes=(PI * diameter * rotation / 30, 2 * PI * diameter * rotation / 60,

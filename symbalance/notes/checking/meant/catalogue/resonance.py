@@ -63,7 +63,7 @@ RESONANCE: tuple[Quantity, ...] = (
         mistakes=(1 - 1 / (tuning**2 + 1), 1 - 1 / (1 - tuning**2), 1 / (tuning**2 - 1),
                   1 - 1 / (tuning - 1), 1 + 1 / (tuning**2 - 1)),
         others=(1 / (tuning**2 - 1), 1 / (1 - tuning**2)),
-        unless=words(r"damped|gedämpft|mit dämpfung|with damping|減衰を考慮"),
+        unless=words(r"(?<!un)damped|(?<!un)gedämpft|mit dämpfung|with damping|減衰を考慮"),
     ),
     Quantity(
         "transmissibility by the two frequencies", letters("T TR V tau K lambda"),
@@ -117,6 +117,8 @@ RESONANCE: tuple[Quantity, ...] = (
               r"resonanz(?:kreis)?frequenz", r"共振(?:角|円)?振動数", r"(?:peak|maximum|top)\b[^.]{0,40}\bat"),
         (resonant * _TOP,), ("edit", "root"), others=(resonant / _TOP, resonant),
         mistakes=(resonant * (1 - 2 * damping_ratio**2),),
+        only=words(r"\bpeak|maximum|\btop\b|largest|greatest|höchst|größt|scheitel|maximal|forced|erzwungen|最大"
+                   r"|極大|強制"),
         unless=words(_NO_PEAK, r"damped\s+(?:natural\s+)?frequency|gedämpfte eigen|減衰固有"),
     ),
     Quantity(
@@ -131,7 +133,7 @@ RESONANCE: tuple[Quantity, ...] = (
     Quantity(
         "damping ratio by the half-power points", letters("D zeta xi vartheta theta"),
         words(r"damping(?:\s+ratio)?", r"dämpfungs(?:grad|maß)", r"dämpfung", r"減衰比", r"lehr\w*"),
-        ((upper_point - lower_point) / (2 * resonant),), ("factor", "edit"),
+        ((upper_point - lower_point) / (2 * resonant),), ("factor", "edit", "part"),
         mistakes=((upper_point - lower_point) / resonant, (upper_point + lower_point) / (2 * resonant),
                   resonant / (2 * (upper_point - lower_point))),
         only=_WIDTH,
@@ -139,7 +141,7 @@ RESONANCE: tuple[Quantity, ...] = (
     Quantity(
         "quality factor by the half-power points", letters("Q V M"),
         words(r"quality(?:\s+factor)?", r"\bgüte(?:faktor)?", r"magnification", r"[QＱ]値"),
-        (resonant / (upper_point - lower_point),), ("bare factor", "edit"),
+        (resonant / (upper_point - lower_point),), ("bare factor", "edit", "part"),
         mistakes=((upper_point - lower_point) / resonant, resonant / (upper_point + lower_point)),
         only=_WIDTH,
     ),
@@ -160,7 +162,7 @@ RESONANCE: tuple[Quantity, ...] = (
         (2 * PI / (omega * root(1 - damping_ratio**2)),), ("factor", "turn", "edit"),
         mistakes=(2 * PI * root(1 - damping_ratio**2) / omega, 2 * PI / (omega * (1 - damping_ratio**2)),
                   2 * PI / omega * (1 - damping_ratio**2)),
-        only=words(r"damp(?!er)|gedämpf|dämpfung|減衰"), unless=words(r"undamped|ungedämpft|pendul|pendel"),
+        only=words(r"(?<!un)damp(?!er)|(?<!un)gedämpf|dämpfung|減衰"), unless=words(r"undamped|ungedämpft|pendul|pendel"),
     ),
     Quantity(
         "whirling speed of a uniform shaft on two bearings", letters("omega Omega w p"),

@@ -57,7 +57,7 @@ _TWO_DISCS = words(
     r"zweimassen", r"(?:2|二|２)つの(?:円板|ロータ|慣性)|二円板|2円板|两个?(?:圆盘|转子)|двух(?:массов|диск)",
 )  # fmt: skip
 _HELD = words(
-    r"clamped|eingespannt|\bfixed\b|rigid|starr|固定|\bthree|\bdrei|\b3 |damped|gedämpf|減衰|pendul|in phase"
+    r"clamped|eingespannt|\bfixed\b|rigid|starr|固定|\bthree|\bdrei|\b3 |(?<!un)damped|(?<!un)gedämpf|減衰|pendul|in phase"
     r"|gear|getriebe|spring of the mount|translat|same (?:side|end)"
 )
 _FREQUENCY = words(
@@ -94,7 +94,7 @@ def _on_mounts(number: int) -> tuple[Quantity, ...]:
     """Return what is known of a mass on some equal springs side by side, each of one stiffness."""
     only = words(rf"\b(?:{_NUMBERS[number]})(?:つの|個の|\s+(?:[\w-]+\s+){{0,3}}){_MOUNTS}")
     unless = words(
-        r"between|zwischen|total|gesamt|together|series|reihe|combined|sum of|zusammen|合計|damp|gedämpf|減衰|pitch|roll"
+        r"between|zwischen|total|gesamt|together|series|reihe|combined|sum of|zusammen|合計|(?<!un)damp|(?<!un)gedämpf|減衰|pitch|roll"
         r"|nick|yaw"
     )
     every = root(number * stiffness / mass)
@@ -137,7 +137,7 @@ TRAINS: tuple[Quantity, ...] = (
         mistakes=(root(static_deflection / gravity) / (2 * PI),),
         only=words(r"static(?:al)? deflection|deflection under (?:its own|the) weight"
                    r"|statischen?\s+(?:durchbiegung|einsenkung|durchsenkung|einfederung)|静たわみ"),
-        unless=words(r"pendul|pendel|振り子|damp|gedämpf|減衰"),
+        unless=words(r"pendul|pendel|振り子|(?<!un)damp|(?<!un)gedämpf|減衰"),
     ),
     Quantity(
         "critical speed of bending of a shaft", letters("n N omega Omega f w"), _CRITICAL,
