@@ -6,6 +6,7 @@ from fractions import Fraction
 
 from mpmath import mp, mpf
 
+from tests.independent.resonance_cases import RESONANCE
 from tests.independent.shaft_cases import SHAFTS
 
 F = Fraction
@@ -374,4 +375,4 @@ BALANCE = {
     "resultant first-order force of a V-twin at 90°": [(WHEEL, star(2, mp.pi / 2, 0.4))],
 }  # fmt: skip
 
-CASES = {**SHAFTS, **STRENGTH, **VIBRATION, **INERTIA, **CRANK_DRIVE, **WORK, **BALANCE}
+CASES = {**SHAFTS, **RESONANCE, **STRENGTH, **VIBRATION, **INERTIA, **CRANK_DRIVE, **WORK, **BALANCE}

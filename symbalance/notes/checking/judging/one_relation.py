@@ -26,6 +26,7 @@ from symbalance.notes.checking.meant.engine_speeds import decide_speed
 from symbalance.notes.checking.meant.given_numbers import number_given
 from symbalance.notes.checking.meant.left_sides import head_of
 from symbalance.notes.checking.meant.order_speeds import decide_order_speed
+from symbalance.notes.checking.meant.two_discs import decide_two_discs
 from symbalance.notes.checking.motions.equations_of_motion import (
     decide_motion,
     decide_natural_frequency,
@@ -174,6 +175,7 @@ def _judge_step(
         decision = decide_with_gravity(chain, k, decision, text, knowledge, by_premises) or decision
     if decision.status in STATED:
         by_words = value_at_dead_centre(state, chain, k, knowledge)
+        by_words = by_words or decide_two_discs(chain, k, state.document)
         return by_words or _by_named_inverse(state, chain, k, knowledge) or decision
     if decision.status == CONTRADICTION:
         return decision
@@ -357,6 +359,7 @@ def _as_meant(
         outcome = state.named_orders.judge(chain, k, knowledge, state.cranks_of)
         outcome = outcome or state.named.judge(chain, k, knowledge)
         outcome = outcome or state.harmonics.judge(chain, k, knowledge)
+        outcome = outcome or decide_two_discs(chain, k, state.document)
         outcome = outcome or decide_order_speed(chain, k, state.document, knowledge)
     name = chain.sides[k].node
     if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):

@@ -32,7 +32,7 @@ POINTS = ((3, 7, 11, 13, 17), (5, 2, 19, 23, 29), (31, 37, 41, 43, 47))
 """Values of a formula's letters at which two formulas are compared, in tenths."""
 SMALL = ((31, 17, 7, 11, 23), (13, 29, 41, 3, 19), (8, 5, 21, 37, 33))
 """The same in hundredths, for formulas that have no value elsewhere: √(1 - D²)."""
-_EXACT = 1e-9
+_EXACT, _FAR = 1e-9, 1e-3
 _FACTORS = frozenset({1, 2, 3, 4, 6, 8, 9, 16, 32, 64})
 """Numerators and denominators of a factor that is a slip: 5, 12, 60, 1000 may be a change of units."""
 _TURNING = ("sin", "cos", "tan")
@@ -44,6 +44,13 @@ def agrees(target: Formula, claim: Formula) -> bool:
     if _ratio_of(target, claim) == (1.0,) * len(POINTS):
         return True
     return _ratio_of(target, claim, SMALL, 100) == (1.0,) * len(SMALL)
+
+
+def differs(target: Formula, claim: Formula) -> bool:
+    """Tell whether two formulas have different values where both have any."""
+    ratios = (*_ratio_of(target, claim), *_ratio_of(target, claim, SMALL, 100))
+    finite = [ratio for ratio in ratios if isfinite(ratio)]
+    return bool(finite) and all(not isclose(ratio, 1, rel_tol=_FAR) for ratio in finite)
 
 
 def _values(node: Formula, point: Mapping[str, Fraction]) -> float:

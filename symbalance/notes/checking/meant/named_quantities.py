@@ -31,14 +31,15 @@ from symbalance.document.formula import (
     walk,
 )
 from symbalance.document.letters import plain_letter
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.checking.deciding.descriptions import describe
-from symbalance.notes.checking.deciding.equality import REFUTED, Decision, without_dots
+from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.meant.catalogue import QUANTITIES, Quantity
-from symbalance.notes.checking.meant.formula_slips import agrees, is_multiple, slip_of
+from symbalance.notes.checking.meant.formula_slips import agrees, differs, is_multiple, slip_of
 from symbalance.notes.checking.meant.left_sides import LETTER, as_side, head_of
 from symbalance.notes.checking.meant.letter_roles import (
     UNITS_ONLY,
@@ -456,6 +457,12 @@ class NamedQuantities:
         may_be_part = is_scaled or (may_be_part and "part" not in quantity.slips)
         mistakes = self._targets(quantity.mistakes, claim, name, named, knowledge)
         is_mistake = any(agrees(each, claim) for each in mistakes)
+        if (
+            is_mistake and not targets and not may_be_part
+        ):  # without one of the letters: no fix in its own
+            standard = formula_text(quantity.formulas[0], plain=True).replace("_", " ")
+            reason = f"if {self._text(name, named)}, which is {standard}"
+            return describe(self.document, chain, 0, Decision(REFUTED, reason))
         for target in targets:
             kind = slip_of(target, claim, quantity.slips, may_be_part)
             if (
@@ -470,6 +477,8 @@ class NamedQuantities:
             side = chain.sides[1]
             left = Side((target,), chain.sides[0].span)
             decision = decide(left, side, chain.relations[0].sign, known)
+            if decision.status == UNDECIDED and differs(target, claim):
+                decision = replace(decision, status=REFUTED)  # complex where letters are large: √(1 - D²)
             if decision.status != REFUTED:
                 continue
             decision = replace(decision, reason=f"if {self._text(name, named)}")

@@ -78,7 +78,7 @@ FATIGUE: tuple[Quantity, ...] = (
         "allowable amplitude by a straight line of the fatigue diagram", letters("sigma S tau"),
         words(r"amplitude", r"alternating\s+stress", r"\w*ausschlag\w*", r"応力振幅", r"goodman", r"soderberg"),
         (endurance * (1 - mean_stress / static_strength), endurance - endurance * mean_stress
-         / static_strength), ("edit", "exchange"),
+         / static_strength), ("edit", "exchange", "part"),
         mistakes=(static_strength * (1 - mean_stress / endurance), endurance * (1 - static_strength
                   / mean_stress), endurance * (1 - mean_stress / endurance), endurance - mean_stress,
                   endurance * (1 + mean_stress / static_strength)),

@@ -114,7 +114,7 @@ RESONANCE: tuple[Quantity, ...] = (
     Quantity(
         "frequency of the top of a resonance curve", letters("omega Omega f"),
         words(r"resonan\w+\s+(?:angular\s+|circular\s+)?(?:frequency|speed)", r"peak\s+frequency",
-              r"resonanz(?:kreis)?frequenz", r"共振(?:角|円)?振動数", r"(?:peak|maximum|top)\b[^.]{0,40}\bat"),
+              r"resonanz(?:kreis)?frequenz", r"共振(?:角|円)?振動数", r"(?:peak|maximum|top)\b(?=[^.]{0,40}\bat)"),
         (resonant * _TOP,), ("edit", "root"), others=(resonant / _TOP, resonant),
         mistakes=(resonant * (1 - 2 * damping_ratio**2),),
         only=words(r"\bpeak|maximum|\btop\b|largest|greatest|höchst|größt|scheitel|maximal|forced|erzwungen|最大"

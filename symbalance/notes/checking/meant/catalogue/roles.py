@@ -209,7 +209,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("kinetic", "E T K W U E_k E_kin", r"energy|energie|エネルギー?"),
     ("eccentricity", "e a s r", r"eccentricity|exzentrizität|偏心量?|radius|halbmesser|半径|shift"),
     ("balance_mass", "B m M", r"mass(?:es)?|masse|weights?|gewicht|質量|おもり"),
-    ("unbalanced", "m M u", r"mass|masse|質量"),
+    ("unbalanced", "m M u", r"mass|masse|質量|unbalance|unwucht"),
     ("outer_radius", "R r", r"outer|outside|external|außen(?:radius)?|外半径"),
     ("inner_radius", "r R", r"inner|inside|internal|innen(?:radius)?|内半径"),
 )  # fmt: skip

@@ -194,7 +194,7 @@ TRAINS: tuple[Quantity, ...] = (
                       amplitude_before - torque * stiffness, 1 - inertia * omega / stiffness,
                       1 - stiffness / (inertia * omega**2), 1 - inertia * omega**2 * stiffness,
                       amplitude_before + inertia * omega**2 * amplitude_before / stiffness),
-        only=words(r"holzer|ホルツァー"), unless=words(r"from the right|backward|von rechts|reverse"),
+        only=words(r"holzer|ホルツァー|(?:three|multi|two|four)[- ](?:mass|dis[ck]|rotor|node)|(?:drei|mehr)massen"), unless=words(r"from the right|backward|von rechts|reverse"),
     ),
     Quantity(
         "stiffness of a helical spring", letters("c k C K R"),
