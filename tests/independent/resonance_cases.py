@@ -6,6 +6,8 @@ from fractions import Fraction
 
 from mpmath import mp, mpf
 
+from tests.independent.shaft_cases import BEST
+
 F = Fraction
 
 
@@ -79,7 +81,19 @@ THREE = {"first_rate": F(300), "second_rate": F(700), "third_rate": F(900)}
 ONE_FORCE = 1 / sum(mpf(1) / rate for rate in (300, 700, 900))
 FATIGUE = {"mean_stress": F(70), "endurance": F(300), "static_strength": F(700)}
 
+PLANE = mp.eigsy(mp.matrix([[40, 27], [27, 0]]), eigvals_only=True)
+BY_BOTH = {"stress": F(40), "shearing": F(27)}
+WORK_IN = mp.quad(  # a torque a quarter of a turn ahead of the motion
+    lambda t: 60 * mp.cos(t) * mpf("0.03") * mp.cos(t), mp.linspace(0, 2 * mp.pi, 5)
+)
+
 RESONANCE = {
+    "largest principal stress of bending and torsion": [(BY_BOTH, max(PLANE))],
+    "largest shear stress of bending and torsion": [(BY_BOTH, (max(PLANE) - min(PLANE)) / 2)],
+    "work of an excitation per cycle at resonance": [({**DRIVEN, "amplitude": F(3, 100)}, WORK_IN)],
+    "natural frequency of an absorber with optimum tuning": [
+        ({"resonant": exact(FREE), "mass_ratio": F(1, 5)}, BEST * FREE)
+    ],
     "allowable amplitude by a straight line of the fatigue diagram": [
         (FATIGUE, mp.findroot(lambda a: a / 300 + mpf(70) / 700 - 1, 200))
     ],

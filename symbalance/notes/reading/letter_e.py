@@ -19,7 +19,7 @@ _MEANT = re.compile(
     rf"{_E}{_GAP}&?(?:=|:=|≈|\\coloneqq|\\approx){_GAP}(?:\\(?:SI|qty)\s*\{{)?[-−]?[0-9]+(?:(?:[.,]|\{{,\}})[0-9]+)?"
     rf"(?:\}}\s*\{{|{_GAP})(?:\\(?:mathrm|text|mbox|textrm)\s*\{{\s*)?(?:\\[,;: ])*{_LENGTH}"
     rf"|{_E}{_GAP}/{_GAP}[lrLR](?![A-Za-z])|\\[dt]?frac\s*\{{\s*e\s*\}}\s*\{{\s*[lrLR]\s*\}}"
-    rf"|(?:[Oo]ffset|Versatz|Schr[äa]nkung|Desachsierung|eccentricity|Exzentrizität|オフセット|偏心量)\s*(?:of\s*)?\$?{_E}"
+    rf"|(?:[Oo]ffset|Versatz|Schr[äa]nkung|Desachsierung|eccentricity|Exzentrizität|[Dd]istance|Abstand|Hebelarm|オフセット|偏心量)\s*(?:of\s*)?\$?{_E}"
 )
 _UPRIGHT = re.compile(
     r"(?:\\(?:mathrm|text|textrm|operatorname)\s*(?:\{\s*e\s*\}|\s+e(?![A-Za-z]))|\{\s*\\rm\s+e\s*\}|\{\s*\\mathrm\s*e\s*\})"

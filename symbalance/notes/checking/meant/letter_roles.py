@@ -25,6 +25,7 @@ _OUTER, _INNER = (frozenset(text.split()) for text in ("a o e out outer", "i in 
 _OF_TWO = {"outer": (_OUTER, _INNER, "D"), "inner": (_INNER, _OUTER, "d"),
            "outer_radius": (_OUTER, _INNER, "R"), "inner_radius": (_INNER, _OUTER, "r")}  # fmt: skip
 """Subscripts of the two diameters of a hollow section; without one D is the larger."""
+_ANGULAR = frozenset({"omega", "Omega"})
 _TAGS = re.compile(r"<[^>]*>|\\(?:mathrm|text|it|rm|bf)\b|[${}()\\*_`|\[\]~]")
 _LINKS = re.compile(
     r"(?:\s|,|:|=|\bof\b|\bthe\b|\bis\b|(?-i:\ba\b)|\bby\b|\bvon\b|\bist\b|\bder\b|\bdie\b|\bdes\b|\bmit\b"
@@ -83,6 +84,8 @@ class LetterRoles:
         if declared and not UNITS_ONLY.fullmatch(declared):
             return False
         roles, is_other = self._roles_named(letter)
+        if letter.partition("_")[0] in _ANGULAR and "frequency" in roles:
+            roles = (roles | {"omega"}) - {"frequency"}  # a frequency ω counts radians
         return role in roles if roles else not is_other and _is_usual(letter, role)
 
     def _roles_named(self, letter: str) -> tuple[frozenset[str], bool]:

@@ -17,7 +17,15 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     tuning,
     words,
 )
-from symbalance.notes.checking.meant.catalogue.shaft_roles import amplitude, bob, hang, mass_ratio
+from symbalance.notes.checking.meant.catalogue.strength import both
+from symbalance.notes.checking.meant.catalogue.shaft_roles import (
+    amplitude,
+    bob,
+    excitation,
+    hang,
+    mass_ratio,
+    resonant,
+)
 
 _SPREAD = (1 - tuning**2) ** 2
 _LOSS = 2 * damping_ratio * tuning
@@ -98,6 +106,23 @@ FORCED: tuple[Quantity, ...] = (
         only=words(r"per (?:full )?(?:cycle|period|oscillation|vibration|turn|swing)|(?:each|one|a) cycle|je (?:periode"
                    r"|schwingung|zyklus)|pro (?:periode|schwingung|zyklus)|[1一]周期|[1一]サイクル"),
         unless=words(r"power|leistung|動力|half a cycle|quarter|hysteretic|peak[- ]to[- ]peak|four pistons"),
+    ),
+    Quantity(
+        "work of an excitation per cycle at resonance", letters("W E A Delta_E Delta_W U"),
+        words(r"energy|\bwork|input|arbeit|energie|エネルギー?|仕事"),
+        (PI * excitation * amplitude,), ("factor", "part"),
+        mistakes=(PI * excitation * amplitude**2, excitation * amplitude),
+        only=words(r"resonan\w*(?=.{0,200}(?:per (?:cycle|period|vibration)|je schwingung|pro periode|1周期))"
+                   r"|(?:per (?:cycle|period|vibration)|je schwingung|pro periode|1周期)(?=.{0,200}resonan)"),
+        unless=words(r"power|leistung|動力|all cylinders|sum|gas"),
+    ),
+    Quantity(
+        "natural frequency of an absorber with optimum tuning", letters("omega Omega f"),
+        words(r"frequency", r"frequenz", r"振動数", r"tun(?:ed|es|ing)", r"abgestimmt"),
+        (resonant / (1 + mass_ratio),), ("edit",),
+        mistakes=(resonant * (1 + mass_ratio), resonant / (1 - mass_ratio), resonant * (1 - mass_ratio)),
+        others=(resonant / root(1 + mass_ratio),), only=both(_ABSORBER, words(r"optim|den hartog|最適")),
+        unless=words(r"houdaille|untuned|lanchester|random|white noise|acceleration"),
     ),
     Quantity(
         "optimum tuning of an absorber", letters("f alpha kappa delta nu beta gamma r eta q lambda g"),

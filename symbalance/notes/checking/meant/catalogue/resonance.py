@@ -147,7 +147,7 @@ RESONANCE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "stiffness by a natural frequency", letters("c k C K"),
-        words(r"stiffness", r"spring\s+(?:rate|constant)", r"feder(?:steifigkeit|konstante|rate)", r"ばね定数",
+        words(r"(?:torsional\s+|spring\s+|dynamic\s+)?stiffness", r"spring\s+(?:rate|constant)", r"feder(?:steifigkeit|konstante|rate)", r"ばね定数",
               r"(?:dreh)?steifigkeit"),
         (mass * omega**2, 4 * PI**2 * frequency**2 * mass, mass * (2 * PI * frequency) ** 2,
          inertia * omega**2, 4 * PI**2 * frequency**2 * inertia), ("turn", "power"),

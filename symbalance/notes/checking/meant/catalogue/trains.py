@@ -135,7 +135,8 @@ TRAINS: tuple[Quantity, ...] = (
         "natural frequency in cycles by the static deflection", letters("f nu"), _FREQUENCY,
         (root(gravity / static_deflection) / (2 * PI),), ("turn", "root"),
         mistakes=(root(static_deflection / gravity) / (2 * PI),),
-        only=words(r"static(?:al)? deflection|deflection under (?:its own|the) weight"
+        only=words(r"static(?:al)? deflection|deflection under (?:its own|the) weight|\bsags?\b|sinks? by|settles?"
+                   r"|senkt sich|durch sein (?:eigen)?gewicht|unter seinem (?:eigen)?gewicht|einfederung"
                    r"|statischen?\s+(?:durchbiegung|einsenkung|durchsenkung|einfederung)|静たわみ"),
         unless=words(r"pendul|pendel|振り子|(?<!un)damp|(?<!un)gedämpf|減衰"),
     ),
@@ -168,7 +169,8 @@ TRAINS: tuple[Quantity, ...] = (
     ),
     Quantity(
         "moment of inertia reduced over a gear", letters("J I Theta"),
-        words(r"(?:moment\s+of\s+)?inertia", r"trägheitsmoment", r"drehmasse", r"慣性モーメント"),
+        words(r"(?:(?:mass\s+)?moment\s+of\s+)?inertia", r"(?:massen)?trägheitsmoment", r"drehmasse",
+              r"慣性モーメント"),
         (gear_ratio**2 * inertia, inertia / gear_ratio**2), (),
         mistakes=(gear_ratio * inertia, inertia / gear_ratio, root(gear_ratio) * inertia,
                   gear_ratio**4 * inertia),
@@ -176,7 +178,7 @@ TRAINS: tuple[Quantity, ...] = (
     ),
     Quantity(
         "torsional stiffness reduced over a gear", letters("c k C K"),
-        words(r"stiffness", r"(?:feder|dreh)?steifigkeit", r"ばね定数", r"剛性"),
+        words(r"(?:torsional\s+)?stiffness", r"(?:(?:feder|dreh|torsions)+)?steifigkeit", r"ばね定数", r"剛性"),
         (gear_ratio**2 * stiffness, stiffness / gear_ratio**2), (),
         mistakes=(gear_ratio * stiffness, stiffness / gear_ratio, root(gear_ratio) * stiffness,
                   gear_ratio**4 * stiffness),
