@@ -37,7 +37,7 @@ MOST_APART = 4
 """How many times larger or smaller a number may be that somebody worked out wrongly."""
 NEAR = 2
 """Lines within which a formula speaks of what stands above it."""
-_PLAIN = frozenset(Fraction(number) for number in range(11))
+_PLAIN = frozenset(Fraction(number) for number in (*range(11), 100, 1000, 10**6))
 MOST_LINES = 3
 """Lines that a verdict names."""
 
@@ -62,14 +62,14 @@ def note_other_case(
     of_numbers = not any(names(side.node) for side in chain.sides[k : k + 2])
     if not rows or of_numbers or _is_wrong_anyway(chain, k, against, knowledge):
         return verdict
-    is_datum = _is_datum(chain, k, knowledge)
+    is_datum, is_result = _is_datum(chain, k, knowledge), _is_result(state, chain, k)
     is_same_case = not is_datum and (
         _is_miscalculated(state, chain, k, decision, knowledge)
         or _is_cut_wrongly(decision)
         or _stands_below(chain, k, knowledge)
-        or _puts_numbers_in(chain, k, against, knowledge)
+        or (not is_result and _puts_numbers_in(chain, k, against, knowledge))
         or any(isinstance(part, Summation) for part in walk(against.node))
-        or (_is_result(state, chain, k) and (k > 0 or len(rows) < len(lines)))
+        or (is_result and (k > 0 or len(rows) < len(lines)))
     )
     if is_same_case:
         return verdict
@@ -77,7 +77,7 @@ def note_other_case(
     if not knowledge.corrects:
         known = replace(knowledge, corrects=True)
         searched = add_fix_of_relation(state, verdict, chain, k, against, decision, known)
-    if is_slip(searched.fix, decision, is_datum=is_datum):
+    if is_slip(searched.fix, decision, is_datum=is_datum, is_result=is_result):
         return verdict
     at = ", ".join(map(str, rows[:MOST_LINES])) + (", …" if len(rows) > MOST_LINES else "")
     at_odds = (

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import re
 
-from symbalance.document.formula import names
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.checking.deciding.equality import Decision
@@ -36,14 +35,14 @@ POINTS = 3
 """At which two sides are compared."""
 
 
-def is_slip(fix: Fix | None, decision: Decision, *, is_datum: bool) -> bool:
+def is_slip(fix: Fix | None, decision: Decision, *, is_datum: bool, is_result: bool) -> bool:
     """Tell whether one small slip lies between two sides: a sign, a factor, an exponent, digits."""
     ratio = ratio_of_sides(decision)
     if ratio is not None and not is_datum and is_usual_factor(ratio):
         return True
     if fix is None:
         return False
-    if is_datum or not names(fix.node):  # another number stands for any other
+    if is_datum or is_result:  # another number stands for any other
         return _MISPRINT.search(fix.words) is not None
     kinds = [kind.strip() for kind in fix.kind.split(";")]
     if any(kind.startswith("factor") for kind in kinds):  # by one with letters a side becomes anything
