@@ -51,7 +51,8 @@ ABOVE = {"driving": F(80), "natural": exact(FREE)}
 DECAYING = mp.polyroots([MASS, DASHPOT, RATE])[0]
 BENDING = mpf(21) * 10**10 * 3 / 10**8
 BAR = {
-    "young": F(21 * 10**10), "section": F(3, 10**8), "length": F(6, 5), "force": F(900), "line_load": F(350),
+    "young": F(21 * 10**10), "section": F(3, 10**8), "length": F(6, 5), "force": F(900),
+    "line_load": F(350),
     "mass_per_length": F(7),
 }  # fmt: skip
 SPAN = mpf("1.2")
@@ -124,7 +125,8 @@ RESONANCE = {
     "force at the surface of a shaft": [(ROUND, 130 / (OUT / 2))],
     "buckling load of a strut with pinned ends": [(BAR, HALF_WAVE)],
     "sliding speed of a journal": [(ROUND, 120 * OUT / 2)],
-    "diameter of a shaft for a torque": [({"torque": F(130), "shear_stress_allowed": exact(STRESS)}, OUT)],
+    "diameter of a shaft for a torque": [({"torque": F(130), "shear_stress_allowed": exact(STRESS)},
+    OUT)],
     "deflection of a beam fixed at both ends and loaded in the middle": [(BAR, BOTH_FIXED)],
     "deflection of a simply supported beam with a uniform load": [(BAR, UNIFORM_SAG)],
     "slope at the end of a cantilever": [(BAR, TILT_OF_END)],

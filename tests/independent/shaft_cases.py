@@ -1,4 +1,4 @@
-"""Numbers for quantities of shafts, mounts, dampers and fatigue by other routes: roots, work, complex forces."""
+"""Numbers for quantities of shafts, mounts, dampers and fatigue by other routes: roots and work."""
 
 from __future__ import annotations
 
@@ -147,7 +147,8 @@ SECOND = mp.quad(lambda y: y**2 * 2 * mp.sqrt(PIN**2 / 4 - y**2), [-PIN / 2, 0, 
 MIDDLE_SHEAR = 900 * MOMENT / (SECOND * PIN)
 PIN_AREA = mp.quad(lambda r: 2 * mp.pi * r, [0, PIN / 2])
 SHEARED = {
-    "shear_force": F(900), "diameter": F(5, 100), "area": exact(PIN_AREA), "shearing": exact(900 / PIN_AREA),
+    "shear_force": F(900), "diameter": F(5, 100), "area": exact(PIN_AREA), "shearing": exact(900
+    / PIN_AREA),
 }  # fmt: skip
 
 

@@ -40,7 +40,7 @@ def is_plain(name: str) -> bool:
 
 
 def _is_mark_of_value(subscript: str) -> bool:
-    """Tell whether a subscript is a number or a word: δ_0 and δ_st are values of δ, no steps of a letter."""
+    """Tell whether a subscript is a number or a word: δ_0 and δ_st are no steps of a letter."""
     return subscript.isdigit() or (
         len(subscript) > 1 and subscript.isalpha() and subscript not in GREEK_SIGN
     )

@@ -1,7 +1,7 @@
 r"""The letter d of a page that calls a diameter or a distance so, told from the sign of a differential.
 
-In `\pi d n` and `d l` a d before a letter may begin a differential. On a page that speaks of a diameter, or
-of a distance $d$, and has no calculus, it is that length.
+In `\pi d n` and `d l` a d before a letter may begin a differential. On a page that speaks of a
+diameter, or of a distance $d$, and has no calculus, it is that length.
 """
 
 from __future__ import annotations
@@ -24,7 +24,8 @@ _CALCULUS = re.compile(
 def means_diameter(text: str) -> bool:
     r"""Tell whether a page calls a diameter or a distance d, and has no differentials.
 
-    >>> means_diameter("of diameter $d$"), means_diameter(r"diameter $d$, $\int r\,dr$"), means_diameter("d l")
+    >>> means_diameter("of diameter $d$"), means_diameter(r"diameter $d$, $\int r\,dr$"),
+    means_diameter("d l")
     (True, False, False)
     """
     return _MEANT.search(text) is not None and _CALCULUS.search(text) is None

@@ -1,4 +1,4 @@
-"""Cases that words open for another formula of a letter: "…; if both are bolted together, ω = √(k/(m₁ + m₂))".
+"""Cases that words open for another formula of a letter: if both are bolted together, ω = √(k/(m₁ + m₂)).
 
 A letter alone that gets a second formula there speaks of another setup than in the line above, whatever
 factor lies between. Words with a relation of their own, "with S = J", only put something into the first

@@ -66,13 +66,17 @@ def note_other_case(
     if not rows or of_numbers or _is_wrong_anyway(chain, k, against, knowledge):
         return verdict
     is_datum, is_result = _is_datum(chain, k, knowledge), _is_result(state, chain, k)
-    is_same_case = not is_datum and not is_told and (
-        _is_miscalculated(state, chain, k, decision, knowledge)
-        or _is_cut_wrongly(decision)
-        or _stands_below(chain, k, knowledge)
-        or (not is_result and _puts_numbers_in(chain, k, against, knowledge))
-        or any(isinstance(part, Summation) for part in walk(against.node))
-        or (is_result and (k > 0 or len(rows) < len(lines)))
+    is_same_case = (
+        not is_datum
+        and not is_told
+        and (
+            _is_miscalculated(state, chain, k, decision, knowledge)
+            or _is_cut_wrongly(decision)
+            or _stands_below(chain, k, knowledge)
+            or (not is_result and _puts_numbers_in(chain, k, against, knowledge))
+            or any(isinstance(part, Summation) for part in walk(against.node))
+            or (is_result and (k > 0 or len(rows) < len(lines)))
+        )
     )
     if is_same_case:
         return verdict

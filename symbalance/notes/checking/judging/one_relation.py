@@ -209,7 +209,10 @@ def _as_another_named(state: JudgingState, chain: Chain, k: int, knowledge: Know
 def _by_named_inverse(
     state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
 ) -> Verdict | Decision | None:
-    """Return the verdict on ω² = … or 1/c = … by the quantity that words name; nothing rests on a wrong one."""
+    """Return the verdict on ω² = … or 1/c = … by the quantity that words name.
+
+    Nothing rests on a wrong one.
+    """
     name = head_of(chain.sides[k].node)
     if k or name is None or isinstance(chain.sides[0].node, Name):
         return None

@@ -149,7 +149,7 @@ def _one_sided_letter(
 def _one_sided_by_value(
     state: JudgingState, left: Formula, right: Formula, line: int, knowledge: Knowledge
 ) -> str:
-    """Return such a letter of sides that were compared by values alone, as they have roots of other kinds."""
+    """Return such a letter of sides that were compared by values alone: they have other roots."""
     free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
     for name in sorted(_ends_behind(left, knowledge) ^ _ends_behind(right, knowledge)):
         if (

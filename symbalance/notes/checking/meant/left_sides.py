@@ -1,4 +1,4 @@
-"""Sides that give one letter a value in another form: ω² = k/m, 1/c = 1/c₁ + 1/c₂, tan φ = 2 D η/(1 - η²)."""
+"""Sides that give a letter a value in another form: ω² = k/m, 1/c = 1/c₁ + 1/c₂, tan φ = …"""
 
 from __future__ import annotations
 

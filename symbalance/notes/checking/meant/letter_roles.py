@@ -126,7 +126,7 @@ class LetterRoles:
 
 
 def _is_of_letter(phrase: str, letter: str) -> bool:
-    """Tell whether words before a colon name what a letter usually is: no diameter k of "half the diameter: k"."""
+    """Tell whether words before a colon name what a letter usually is, and no diameter k."""
     stem = without_accent(letter).partition("_")[0]
     named = [each for each in ROLES.values() if ends_with(each.words, phrase)]
     return not named or any(stem in {n.partition("_")[0] for n in each.letters} for each in named)

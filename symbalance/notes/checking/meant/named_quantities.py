@@ -373,7 +373,7 @@ class NamedQuantities:
             yield from (each for each in named if ends_with(each.quantity.phrases, words))
 
     def _is_of_another_letter(self, words: str, end: int, name: str) -> bool:
-        """Tell whether a phrase is followed by another letter at once: with the mean stress $\\sigma_m$ from …"""
+        """Tell whether a phrase is followed by another letter at once: the mean stress s_m."""
         letter = _LETTER_BEHIND.match(words, end)
         return bool(name) and letter is not None and not re.fullmatch(sign_of(name), letter["sign"])
 

@@ -1,8 +1,11 @@
-"""Speeds at which an order meets a natural frequency: of 162 Hz the sixth order does at 60 · 162/6 = 1620 rpm.
+"""Speeds at which an order meets a natural frequency: the sixth meets 162 Hz at 60 · 162/6 = 1620 rpm.
 
-Such a number has no formula beside it that it could be checked by, only words or the index of its letter for
-the order, and a frequency in Hz somewhere on the page. It is confirmed if it is that speed of any frequency
-of the page. It is refuted if the page has one frequency only, and it is no speed of this order by any usual
+Such a number has no formula beside it that it could be checked by,
+only words or the index of its letter for
+the order,
+and a frequency in Hz somewhere on the page. It is confirmed if it is that speed of any frequency
+of the page. It is refuted if the page has one frequency only,
+and it is no speed of this order by any usual
 count (of turns, or of the four-stroke cycle with its two turns).
 """
 
@@ -27,7 +30,8 @@ _PER_MINUTE = re.compile(
 )
 _TIMES = {
     "first": 1, "second": 2, "third": 3, "fourth": 4, "fifth": 5, "sixth": 6, "seventh": 7, "eighth": 8,
-    "ninth": 9, "tenth": 10, "twelfth": 12, "erste": 1, "zweite": 2, "dritte": 3, "vierte": 4, "fünfte": 5,
+    "ninth": 9, "tenth": 10, "twelfth": 12, "erste": 1, "zweite": 2, "dritte": 3, "vierte": 4,
+    "fünfte": 5,
     "sechste": 6, "siebte": 7, "achte": 8, "neunte": 9, "zehnte": 10, "zwölfte": 12,
 }  # fmt: skip
 _NUMBER = r"[0-9]{1,2}(?:[.,]5)?"
@@ -39,7 +43,8 @@ _ORDER = re.compile(
 )
 _ORDERS_NEAR = re.compile(r"\borders?\b|ordnung|次数|[0-9]次|harmonic", re.IGNORECASE)
 _RESONANCE = re.compile(
-    r"critical|resonan|excite|kritisch|erreg|anregung|campbell|共振|危険|加振|natural frequency|eigenfrequenz"
+    r"critical|resonan|excite|kritisch|erreg|anregung|campbell|共振|危険|加振|natural frequency"
+    r"|eigenfrequenz"
     r"|torsional|drehschwing|cross",
     re.IGNORECASE,
 )
@@ -56,37 +61,38 @@ FAR = 0.03
 def decide_order_speed(
     chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge
 ) -> Decision | None:
-    """Return the decision on a number for the speed at which an order is in resonance; None for others."""
+    """Return the decision on a number for the speed at which an order is in resonance."""
     left, right = chain.sides[0].node, chain.sides[1].node
     if k or not isinstance(left, Name) or names(right) or chain.relations[0].sign not in "=≈":
         return None
     stem, _, index = left.name.partition("_")
     order = _order_of(chain, index, document.text) if stem in _SPEED_LETTERS else None
-    if order is None or not _RESONANCE.search(document.text) or _OTHERS.search(document.text):
+    if not order or not _RESONANCE.search(document.text) or _OTHERS.search(document.text):
         return None
-    frequencies = _frequencies(document.text)
     value = number_in_example(right, knowledge)
-    if value is None or not frequencies or not order:
-        return None
-    speeds = [60 * frequency / order for frequency, _ in frequencies]
-    claims = [abs(float(value)), abs(float(value)) * 60]
-    for (frequency, place), speed in zip(frequencies, speeds, strict=True):
+    frequencies = _frequencies(document.text)
+    return _decide(abs(float(value)), right, order, frequencies) if value and frequencies else None
+
+
+def _decide(
+    value: float, right: Formula, order: float, frequencies: list[tuple[float, float]]
+) -> Decision | None:
+    """Decide on a speed, in turns per minute or per second, by the frequencies of the page."""
+    claims = [value, value * 60]
+    for frequency, place in frequencies:
+        speed = 60 * frequency / order
         near = 30 * place / order + _half_place(right) + 1e-9 * speed
         if any(abs(claim - speed) <= near for claim in claims):
             reason = f"60 · {frequency:g} Hz over the order {order:g}"
             return Decision(PROVED, reason, order="the digits printed")
-    if len(frequencies) > 1:
-        return None
-    (speed,) = speeds
+    speed = 60 * frequencies[0][0] / order
     usual = [speed * factor for factor in (1.0, *CONVENTIONS)]
-    if any(abs(claim / each - 1) < FAR for claim in claims for each in usual):
+    is_near = any(abs(claim / each - 1) < FAR for claim in claims for each in usual)
+    if len(frequencies) > 1 or is_near:
         return None
     reason = f"the order {order:g} meets {frequencies[0][0]:g} Hz at {speed:g} revolutions per minute"
-    return Decision(
-        REFUTED,
-        reason,
-        witness={"left": f"{speed:g}", "right": f"{min(claims, key=lambda c: abs(c - speed)):g}"},
-    )
+    nearest = min(claims, key=lambda claim: abs(claim - speed))
+    return Decision(REFUTED, reason, witness={"left": f"{speed:g}", "right": f"{nearest:g}"})
 
 
 def _half_place(node: Formula) -> float:

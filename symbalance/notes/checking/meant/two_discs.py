@@ -1,7 +1,9 @@
 """Two discs on a shaft swing against each other: θ₁/θ₂ = -J₂/J₁, and the node lies at l₁ J₁ = l₂ J₂.
 
-Such an equation is of four letters, in any form, and gives none of them a value. It is judged by what it makes
-of the ratio of the two amplitudes, or of the two parts of the shaft, where words say that these are meant.
+Such an equation is of four letters, in any form,
+and gives none of them a value. It is judged by what it makes
+of the ratio of the two amplitudes, or of the two parts of the shaft,
+where words say that these are meant.
 """
 
 from __future__ import annotations
@@ -28,7 +30,8 @@ _OF_SHAFT = re.compile(
     r"torsion|twist|drehschwing|ねじり|扭|rotors?\b|dis[ck]s?\b|scheibe|円板|shaft", re.IGNORECASE
 )
 _OF_MORE = re.compile(
-    r"\bthree|\bdrei|\b[3-9][- ](?:mass|dis[ck]|rotor)|三|[3３]つ|gear|getriebe|歯車|holzer|two[- ]node|in phase"
+    r"\bthree|\bdrei|\b[3-9][- ](?:mass|dis[ck]|rotor)|三|[3３]つ|gear|getriebe|歯車|holzer|two[- ]node"
+    r"|in phase"
     r"|wrong|falsch|\bnot\b",
     re.IGNORECASE,
 )
@@ -56,8 +59,9 @@ def decide_two_discs(chain: Chain, k: int, document: ReadNotes) -> Decision | No
     if ratio is None:
         return None
     kind = "parts of the shaft beside the node" if of_node else "amplitudes"
-    what = f"{plain_letter(one)} and {plain_letter(other)} are the {kind} of two discs ({NOBODY}; taken from the"
-    what = f"{what} words “{meant[0]}”)"
+    pair = f"{plain_letter(one)} and {plain_letter(other)}"
+    source = f"{NOBODY}; taken from the words “{meant[0]}”"
+    what = f"{pair} are the {kind} of two discs ({source})"
     wanted = SECOND / FIRST if of_node else -SECOND / FIRST
     if isclose(ratio, wanted):
         return Decision(PROVED, assumptions=(what,))

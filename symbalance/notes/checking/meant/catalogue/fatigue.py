@@ -40,7 +40,8 @@ FATIGUE: tuple[Quantity, ...] = (
               r"|応力振幅"),
         ((upper_stress - lower_stress) / 2,), ("factor", "edit", "part"),
         mistakes=(upper_stress - lower_stress, (upper_stress + lower_stress) / 2),
-        unless=words(r"stress range|range of stress|schwingbreite|doppelamplitude|peak[- ]to[- ]peak|応力範囲"
+        unless=words(r"stress range|range of stress|schwingbreite|doppelamplitude|peak[- ]to[- ]peak"
+        r"|応力範囲"
                      r"|double amplitude"),
         indices=letters("a A w alt v"),
     ),
@@ -76,7 +77,8 @@ FATIGUE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "allowable amplitude by a straight line of the fatigue diagram", letters("sigma S tau"),
-        words(r"amplitude", r"alternating\s+stress", r"\w*ausschlag\w*", r"応力振幅", r"goodman", r"soderberg"),
+        words(r"amplitude", r"alternating\s+stress", r"\w*ausschlag\w*", r"応力振幅", r"goodman",
+        r"soderberg"),
         (endurance * (1 - mean_stress / static_strength), endurance - endurance * mean_stress
          / static_strength), ("edit", "exchange", "part"),
         mistakes=(static_strength * (1 - mean_stress / endurance), endurance * (1 - static_strength

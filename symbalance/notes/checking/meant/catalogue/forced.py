@@ -17,7 +17,6 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     tuning,
     words,
 )
-from symbalance.notes.checking.meant.catalogue.strength import both
 from symbalance.notes.checking.meant.catalogue.shaft_roles import (
     amplitude,
     bob,
@@ -26,13 +25,15 @@ from symbalance.notes.checking.meant.catalogue.shaft_roles import (
     mass_ratio,
     resonant,
 )
+from symbalance.notes.checking.meant.catalogue.strength import both
 
 _SPREAD = (1 - tuning**2) ** 2
 _LOSS = 2 * damping_ratio * tuning
 _BELOW = _SPREAD + 4 * damping_ratio**2 * tuning**2
 _PASSED = 1 + 4 * damping_ratio**2 * tuning**2
 _ABSORBER = words(
-    r"damper|absorber|tilger|den hartog|\bdämpfer|schwingungsdämpfer|動吸振|ダンパ|吸振器|dynamic absorber"
+    r"damper|absorber|tilger|den hartog|\bdämpfer|schwingungsdämpfer|動吸振|ダンパ|吸振器"
+    r"|dynamic absorber"
 )
 _UNTUNED = r"houdaille|untuned|viscous|lanchester|viskos|random|white noise|base|ground|acceleration"
 _PENDULUM = words(
@@ -49,7 +50,8 @@ FORCED: tuple[Quantity, ...] = (
               r"force\s+(?:passed\s+on|transmi\w+)", r"(?:kraft)?durchlässigkeit\w*",
               r"übertragungs(?:funktion|faktor|maß|verhältnis)", r"(?:力|振動)?の?伝達[率比]",
               r"transmisibilidad", r"trasmissibilità"),
-        (root(_PASSED / _BELOW), root(_PASSED) / root(_BELOW), root((1 + _LOSS**2) / (_SPREAD + _LOSS**2)),
+        (root(_PASSED / _BELOW), root(_PASSED) / root(_BELOW), root((1 + _LOSS**2) / (_SPREAD
+        + _LOSS**2)),
          1 / (tuning**2 - 1), 1 / (1 - tuning**2)),
         ("edit",),
         mistakes=(_PASSED / root(_BELOW), root(_PASSED) / _BELOW, _PASSED / _BELOW, 1 / root(_BELOW),
@@ -58,11 +60,13 @@ FORCED: tuple[Quantity, ...] = (
                   1 / (tuning - 1), tuning**2 - 1, 1 - tuning**2, 1 / (1 - tuning**2) ** 2),
         others=(tuning**2 / (1 - tuning**2), tuning**2 / (tuning**2 - 1),
                 tuning**2 * root(_PASSED) / root(_BELOW), (tuning**2 - 2) / (tuning**2 - 1)),
-        unless=words(r"hysteretic|structural damping|loss factor|verlustfaktor|損失係数|isolation efficiency"
+        unless=words(r"hysteretic|structural damping|loss factor|verlustfaktor|損失係数"
+        r"|isolation efficiency"
                      r"|isoliergrad|gear|getriebe|magnification"),
     ),
     Quantity(
-        "phase angle of a forced vibration", letters("phi varphi psi epsilon varepsilon delta alpha theta"),
+        "phase angle of a forced vibration",
+        letters("phi varphi psi epsilon varepsilon delta alpha theta"),
         words(r"phase(?:\s+(?:angle|lag|shift|difference))?", r"phasen(?:winkel|verschiebung\w*|lage)",
               r"\blag(?:s|ging)?\b", r"nacheil\w*", r"eilt\b.{0,60}\bnach", r"位相(?:角|差|遅れ)?"),
         (Call("atan", _LOSS / (1 - tuning**2)),
@@ -81,7 +85,8 @@ FORCED: tuple[Quantity, ...] = (
     ),
     Quantity(
         "bow of a shaft that whirls", letters("y r x w f delta a"),
-        words(r"deflection", r"\bbow", r"amplitude", r"whirl\w*", r"(?:wellen)?auslenkung", r"durchbiegung",
+        words(r"deflection", r"\bbow", r"amplitude", r"whirl\w*", r"(?:wellen)?auslenkung",
+        r"durchbiegung",
               r"たわみ", r"振れ回り\w*"),
         (eccentricity * tuning**2 / (1 - tuning**2), mass * omega**2 * eccentricity
          / (stiffness - mass * omega**2), eccentricity / (stiffness / (mass * omega**2) - 1),
@@ -94,8 +99,10 @@ FORCED: tuple[Quantity, ...] = (
         others=(eccentricity * tuning**2 / (tuning**2 - 1),
                 mass * omega**2 * eccentricity / (mass * omega**2 - stiffness)),
         only=words(r"whirl|eccentric|exzentr|unwucht|unbalance|biegekritisch|偏心|ふれ|振れ"),
-        unless=words(r"cent(?:re|er) of (?:gravity|mass)\b.{0,40}\b(?:moves|is|has|runs|describes|lies|from)\b"
-                     r"|radius of the cent|bahn des schwerpunkt|重心の(?:軌道|変位)|(?<!un)damp(?!er)|(?<!un)gedämpf|static"),
+        unless=words(r"cent(?:re|er) of (?:gravity|mass)\b.{0,40}\b(?:moves|is|has|runs|describes|lies"
+        r"|from)\b"
+                     r"|radius of the cent|bahn des schwerpunkt|重心の(?:軌道|変位)|(?<!un)damp(?!er)"
+                     r"|(?<!un)gedämpf|static"),
     ),
     Quantity(
         "energy lost per cycle in a viscous damper", letters("W E D A Delta_E Delta_W U Q"),
@@ -103,17 +110,21 @@ FORCED: tuple[Quantity, ...] = (
         (PI * damping * omega * amplitude**2,), ("factor", "power", "part"),
         mistakes=(PI * damping * omega**2 * amplitude**2, PI * damping * omega * amplitude,
                   PI * damping * omega**2 * amplitude),
-        only=words(r"per (?:full )?(?:cycle|period|oscillation|vibration|turn|swing)|(?:each|one|a) cycle|je (?:periode"
+        only=words(r"per (?:full )?(?:cycle|period|oscillation|vibration|turn|swing)|(?:each|one"
+        r"|a) cycle|je (?:periode"
                    r"|schwingung|zyklus)|pro (?:periode|schwingung|zyklus)|[1一]周期|[1一]サイクル"),
-        unless=words(r"power|leistung|動力|half a cycle|quarter|hysteretic|peak[- ]to[- ]peak|four pistons"),
+        unless=words(r"power|leistung|動力|half a cycle|quarter|hysteretic|peak[- ]to[- ]peak"
+        r"|four pistons"),
     ),
     Quantity(
         "work of an excitation per cycle at resonance", letters("W E A Delta_E Delta_W U"),
         words(r"energy|\bwork|input|arbeit|energie|エネルギー?|仕事"),
         (PI * excitation * amplitude,), ("factor", "part"),
         mistakes=(PI * excitation * amplitude**2, excitation * amplitude),
-        only=words(r"resonan\w*(?=.{0,200}(?:per (?:cycle|period|vibration)|je schwingung|pro periode|1周期))"
-                   r"|(?:per (?:cycle|period|vibration)|je schwingung|pro periode|1周期)(?=.{0,200}resonan)"),
+        only=words(r"resonan\w*(?=.{0,200}(?:per (?:cycle|period|vibration)|je schwingung|pro periode"
+        r"|1周期))"
+                   r"|(?:per (?:cycle|period|vibration)|je schwingung|pro periode"
+                   r"|1周期)(?=.{0,200}resonan)"),
         unless=words(r"power|leistung|動力|all cylinders|sum|gas"),
     ),
     Quantity(
@@ -126,13 +137,15 @@ FORCED: tuple[Quantity, ...] = (
     ),
     Quantity(
         "optimum tuning of an absorber", letters("f alpha kappa delta nu beta gamma r eta q lambda g"),
-        words(r"optim\w+\s+(?:tuning|frequency\s+ratio)", r"ratio\s+of\s+the\s+\w+'s\s+(?:natural\s+)?frequency",
+        words(r"optim\w+\s+(?:tuning|frequency\s+ratio)",
+        r"ratio\s+of\s+the\s+\w+'s\s+(?:natural\s+)?frequency",
               r"tuning(?:\s+(?:ratio|condition|rule))?", r"tuned", r"(?:optimale\s+)?abstimmung\w*",
               r"最適同調\w*", r"最適(?:固有)?振動数比"),
         (1 / (1 + mass_ratio),), ("edit",),
         mistakes=(1 / (1 - mass_ratio), 1 + mass_ratio, mass_ratio / (1 + mass_ratio), 1 - mass_ratio,
                   1 / (1 + mass_ratio) ** 2, 1 / mass_ratio),
-        others=(1 / root(1 + mass_ratio), root(1 + mass_ratio), root(1 - mass_ratio / 2) / (1 + mass_ratio)),
+        others=(1 / root(1 + mass_ratio), root(1 + mass_ratio), root(1 - mass_ratio / 2) / (1
+        + mass_ratio)),
         only=_ABSORBER, unless=words(_UNTUNED),
     ),
     Quantity(
@@ -153,7 +166,8 @@ FORCED: tuple[Quantity, ...] = (
         (1 / root(2 * (1 + mass_ratio) * (2 + mass_ratio)),), ("edit", "root"),
         mistakes=(1 / root((1 + mass_ratio) * (2 + mass_ratio)), root(2 * (1 + mass_ratio)
                   * (2 + mass_ratio)), 1 / (2 * (1 + mass_ratio) * (2 + mass_ratio))),
-        only=words(r"houdaille|untuned|viscous (?:torsional )?(?:vibration )?damper|lanchester|viskos\w*dämpfer"
+        only=words(r"houdaille|untuned|viscous (?:torsional )?(?:vibration )?damper|lanchester"
+        r"|viskos\w*dämpfer"
                    r"|viskositätsdämpfer|ビスカス"),
     ),
     Quantity(
@@ -161,7 +175,8 @@ FORCED: tuple[Quantity, ...] = (
         words(r"magnification|amplification|peak|vergrößerung\w*|überhöhung|倍率"),
         (1 + 2 / mass_ratio, (2 + mass_ratio) / mass_ratio), ("edit", "factor"),
         mistakes=(root(1 + 2 / mass_ratio), 1 + mass_ratio / 2, 2 / mass_ratio, 1 + 1 / mass_ratio),
-        only=words(r"houdaille|untuned|viscous (?:torsional )?(?:vibration )?damper|lanchester|viskos\w*dämpfer"
+        only=words(r"houdaille|untuned|viscous (?:torsional )?(?:vibration )?damper|lanchester"
+        r"|viskos\w*dämpfer"
                    r"|viskositätsdämpfer|ビスカス"),
         unless=words(r"den hartog|tuned mass|fixed points|tilger"),
     ),
@@ -171,7 +186,8 @@ FORCED: tuple[Quantity, ...] = (
               r"同調"),
         (root(hang / bob),), ("root", "edit"), mistakes=(root(bob / hang), hang / bob, bob / hang),
         others=(root((hang + bob) / bob), root((hang - bob) / bob), root(hang / bob - 1)),
-        only=_PENDULUM, unless=words(r"roller|bifilar|spring|feder|ばね|radius of gyration|trägheitsradius"),
+        only=_PENDULUM, unless=words(r"roller|bifilar|spring|feder|ばね|radius of gyration"
+        r"|trägheitsradius"),
     ),
     Quantity(
         "natural angular frequency of a pendulum on a turning crank", letters("omega Omega w p"),

@@ -59,7 +59,8 @@ PARTS: tuple[Quantity, ...] = (
         (16 * torque * outer / (PI * _ANNULUS),), ("factor", "power", "edit"),
         mistakes=(16 * torque * inner / (PI * _ANNULUS), 16 * torque / (PI * (outer**3 - inner**3)),
                   32 * torque * outer / (PI * _ANNULUS), 16 * torque / (PI * _ANNULUS)),
-        only=_BORED, unless=words(_NO_RING.pattern, r"inner (?:surface|fibre)|at the bore|innenfaser|内面"),
+        only=_BORED, unless=words(_NO_RING.pattern,
+        r"inner (?:surface|fibre)|at the bore|innenfaser|内面"),
     ),
     Quantity(
         "bending stress of a hollow shaft", letters("sigma"),
@@ -67,13 +68,16 @@ PARTS: tuple[Quantity, ...] = (
         (32 * bending * outer / (PI * _ANNULUS),), ("factor", "power", "edit"),
         mistakes=(32 * bending * inner / (PI * _ANNULUS), 32 * bending / (PI * (outer**3 - inner**3)),
                   16 * bending * outer / (PI * _ANNULUS), 32 * bending / (PI * _ANNULUS)),
-        only=_BORED, unless=words(_NO_RING.pattern, r"inner (?:surface|fibre)|at the bore|innenfaser|内面"),
+        only=_BORED, unless=words(_NO_RING.pattern,
+        r"inner (?:surface|fibre)|at the bore|innenfaser|内面"),
     ),
     Quantity(
         "largest principal stress of bending and torsion", letters("sigma"),
-        words(r"(?:largest|greatest|maximum|first|major)\s+(?:principal|normal)\s+stress", r"principal\s+stress",
+        words(r"(?:largest|greatest|maximum|first|major)\s+(?:principal|normal)\s+stress",
+        r"principal\s+stress",
               r"(?:größte\s+)?hauptspannung", r"hauptnormalspannung", r"(?:最大)?主応力"),
-        (stress / 2 + root(stress**2 / 4 + shearing**2), stress / 2 + root(stress**2 + 4 * shearing**2) / 2,
+        (stress / 2 + root(stress**2 / 4 + shearing**2), stress / 2 + root(stress**2 + 4
+        * shearing**2) / 2,
          (stress + root(stress**2 + 4 * shearing**2)) / 2), ("edit",),
         mistakes=(stress / 2 + root(stress**2 + shearing**2), stress + root(stress**2 / 4 + shearing**2),
                   stress / 2 + root(stress**2 + 4 * shearing**2)),
@@ -123,11 +127,14 @@ PARTS: tuple[Quantity, ...] = (
     ),
     Quantity(
         "buckling load of a strut with pinned ends", letters("F P N"),
-        words(r"buckling\s+(?:load|force)", r"critical\s+(?:load|force)", r"euler(?:'s)?\s+(?:load|force)",
+        words(r"buckling\s+(?:load|force)", r"critical\s+(?:load|force)",
+        r"euler(?:'s)?\s+(?:load|force)",
               r"knick(?:last|kraft)", r"座屈荷重"),
         (_STRUT,), ("power", "factor", "edit"),
-        mistakes=(_STRUT / 4, 4 * _STRUT, PI * young * section / length**2, PI**2 * young * section / length),
-        unless=words(r"clamped|built[- ]in|fixed|free end|eingespannt|固定|freies|自由|effective|knicklänge|safety"
+        mistakes=(_STRUT / 4, 4 * _STRUT, PI * young * section / length**2, PI**2 * young * section
+        / length),
+        unless=words(r"clamped|built[- ]in|fixed|free end|eingespannt|固定|freies|自由|effective"
+        r"|knicklänge|safety"
                      r"|cantilever|rankine|johnson|tetmajer"),
     ),
     Quantity(
@@ -163,7 +170,8 @@ PARTS: tuple[Quantity, ...] = (
         _DEFLECTION, (5 * line_load * length**4 / (384 * young * section),), ("factor", "power"),
         mistakes=(line_load * length**4 / (384 * young * section),),
         only=words(r"(?=.*(?:uniform|gleichm|streckenlast|等分布|distributed|own weight))"
-                   r"(?=.*(?:simply[- ]supported|two (?:supports|bearings)|zwei (?:stützen|lagern)|単純支持))"
+                   r"(?=.*(?:simply[- ]supported|two (?:supports|bearings)|zwei (?:stützen|lagern)"
+                   r"|単純支持))"
                    r".*"),
         unless=words(r"clamped|built[- ]in|\bfixed|eingespannt|固定|cantilever|kragarm|片持"),
     ),

@@ -1,4 +1,4 @@
-"""Resonance curves: where they have their top, how wide it is, what unbalance and excitation make of a mass."""
+"""Resonance curves: where their top is, how wide, what unbalance and excitation make of a mass."""
 
 from __future__ import annotations
 
@@ -41,7 +41,8 @@ def by_speeds(*formulas: Formula) -> tuple[Formula, ...]:
 
 _UNBALANCE = words(r"unbalance|imbalance|unwucht|eccentric|exzentr|不釣|偏心")
 _PEAK = words(
-    r"\bpeak", r"\btop\b", r"maximum", r"resonan\w+", r"\bhöchst\w+", r"scheitel", r"größt\w+", r"共振\w*",
+    r"\bpeak", r"\btop\b", r"maximum", r"resonan\w+", r"\bhöchst\w+", r"scheitel", r"größt\w+",
+    r"共振\w*",
     r"極大", r"最大",
 )  # fmt: skip
 _NO_PEAK = r"unbalance|unwucht|velocity|geschwindigkeit|base|fußpunkt|hysteretic|damped natural|freie"
@@ -81,7 +82,8 @@ RESONANCE: tuple[Quantity, ...] = (
         by_speeds(1 / (1 - tuning**2)), ("edit",),
         mistakes=by_speeds(1 / (1 + tuning**2), 1 / (1 - tuning)),
         others=by_speeds(1 / (tuning**2 - 1), _RELATIVE, tuning**2 / (tuning**2 - 1)),
-        unless=words(r"at resonance|in resonanz|bei resonanz|共振時|unbalance|unwucht|不釣|base|fußpunkt|transmiss"),
+        unless=words(r"at resonance|in resonanz|bei resonanz|共振時|unbalance|unwucht|不釣|base"
+        r"|fußpunkt|transmiss"),
     ),
     Quantity(
         "amplitude by an unbalance", letters("X x A a y z hat_x"),
@@ -97,14 +99,16 @@ RESONANCE: tuple[Quantity, ...] = (
         words(r"amplitude", r"ausschlag", r"振幅"),
         (excitation / (stiffness - mass * omega**2), excitation / (stiffness - inertia * omega**2),
          excitation / (stiffness * (1 - tuning**2)), excitation / stiffness / (1 - tuning**2)), ("edit",),
-        mistakes=(excitation / (stiffness + mass * omega**2), excitation / (stiffness + inertia * omega**2),
+        mistakes=(excitation / (stiffness + mass * omega**2), excitation / (stiffness + inertia
+        * omega**2),
                   excitation / (stiffness * (1 + tuning**2)), excitation * stiffness / (1 - tuning**2),
                   excitation / (stiffness - mass * omega), excitation / (stiffness - inertia * omega),
                   excitation / (stiffness * (1 - tuning))),
         others=(excitation / (mass * omega**2 - stiffness), excitation / (inertia * omega**2 - stiffness),
                 excitation / (stiffness * (tuning**2 - 1))),
         only=words(r"forced|harmonic|excit|erzwungen|erreg|強制|加振|driv(?:en|ing)"),
-        unless=words(r"unbalance|unwucht|base|fußpunkt|two|zwei|absorber|tilger|hysteretic|free vibration"),
+        unless=words(r"unbalance|unwucht|base|fußpunkt|two|zwei|absorber|tilger|hysteretic"
+        r"|free vibration"),
     ),
     Quantity(
         "frequency ratio at the top of a resonance curve", letters("r eta beta nu"), _PEAK,
@@ -114,7 +118,8 @@ RESONANCE: tuple[Quantity, ...] = (
     Quantity(
         "frequency of the top of a resonance curve", letters("omega Omega f"),
         words(r"resonan\w+\s+(?:angular\s+|circular\s+)?(?:frequency|speed)", r"peak\s+frequency",
-              r"resonanz(?:kreis)?frequenz", r"共振(?:角|円)?振動数", r"(?:peak|maximum|top)\b(?=[^.]{0,40}\bat)"),
+              r"resonanz(?:kreis)?frequenz", r"共振(?:角|円)?振動数",
+              r"(?:peak|maximum|top)\b(?=[^.]{0,40}\bat)"),
         (resonant * _TOP,), ("edit", "root"), others=(resonant / _TOP, resonant),
         mistakes=(resonant * (1 - 2 * damping_ratio**2),),
         only=words(r"\bpeak|maximum|\btop\b|largest|greatest|höchst|größt|scheitel|maximal|forced|erzwungen|最大"
@@ -147,7 +152,8 @@ RESONANCE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "stiffness by a natural frequency", letters("c k C K"),
-        words(r"(?:torsional\s+|spring\s+|dynamic\s+)?stiffness", r"spring\s+(?:rate|constant)", r"feder(?:steifigkeit|konstante|rate)", r"ばね定数",
+        words(r"(?:torsional\s+|spring\s+|dynamic\s+)?stiffness", r"spring\s+(?:rate|constant)",
+        r"feder(?:steifigkeit|konstante|rate)", r"ばね定数",
               r"(?:dreh)?steifigkeit"),
         (mass * omega**2, 4 * PI**2 * frequency**2 * mass, mass * (2 * PI * frequency) ** 2,
          inertia * omega**2, 4 * PI**2 * frequency**2 * inertia), ("turn", "power"),
@@ -162,11 +168,13 @@ RESONANCE: tuple[Quantity, ...] = (
         (2 * PI / (omega * root(1 - damping_ratio**2)),), ("factor", "turn", "edit"),
         mistakes=(2 * PI * root(1 - damping_ratio**2) / omega, 2 * PI / (omega * (1 - damping_ratio**2)),
                   2 * PI / omega * (1 - damping_ratio**2)),
-        only=words(r"(?<!un)damp(?!er)|(?<!un)gedämpf|dämpfung|減衰"), unless=words(r"undamped|ungedämpft|pendul|pendel"),
+        only=words(r"(?<!un)damp(?!er)|(?<!un)gedämpf|dämpfung|減衰"),
+        unless=words(r"undamped|ungedämpft|pendul|pendel"),
     ),
     Quantity(
         "whirling speed of a uniform shaft on two bearings", letters("omega Omega w p"),
-        words(r"whirl\w*(?:\s+speed)?", r"(?:critical|lowest)\s+(?:\w+\s+)?(?:speed|frequency)", r"whirls",
+        words(r"whirl\w*(?:\s+speed)?", r"(?:critical|lowest)\s+(?:\w+\s+)?(?:speed|frequency)",
+        r"whirls",
               r"(?:biege)?kritische\w*\s+\w+", r"危険(?:角)?速度", r"natural\s+(?:\w+\s+)?frequency",
               r"eigen(?:kreis)?frequenz", r"固有(?:角|円)?振動数"),
         (PI**2 / length**2 * _SHAPES, PI**2 * root(young * section / (mass_per_length * length**4))),
@@ -174,7 +182,8 @@ RESONANCE: tuple[Quantity, ...] = (
         mistakes=(PI / length * _SHAPES, PI / length**2 * _SHAPES, PI**2 / length * _SHAPES,
                   PI**2 * root(young * section / (mass_per_length * length**3))),
         only=_UNIFORM_SHAFT,
-        unless=words(r"clamped|built[- ]in|fixed|eingespannt|固定|cantilever|kragarm|overhung|second|zweite|disc"
+        unless=words(r"clamped|built[- ]in|fixed|eingespannt|固定|cantilever|kragarm|overhung|second"
+        r"|zweite|disc"
                      r"|scheibe|円板|free-free"),
     ),
 )  # fmt: skip

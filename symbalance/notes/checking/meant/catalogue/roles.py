@@ -115,7 +115,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     r"|慣性モーメント"),
     ("second_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?"
     r"|慣性モーメント"),
-    ("omega", "omega Omega w", r"(?:angular|circular) (?:speed|velocity|frequency)|speed|winkelgeschwindigkeit"
+    ("omega", "omega Omega w", r"(?:angular|circular) (?:speed|velocity|frequency)|speed"
+    r"|winkelgeschwindigkeit"
      r"|kreisfrequenz|角速度|角振動数"),
     ("omega_high", "omega Omega", r"speed|velocity|winkelgeschwindigkeit|角速度"),
     ("omega_low", "omega Omega", r"speed|velocity|winkelgeschwindigkeit|角速度"),

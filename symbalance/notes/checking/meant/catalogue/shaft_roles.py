@@ -13,9 +13,11 @@ from symbalance.notes.checking.meant.catalogue.roles import Role, letters, words
 _SAFETY = r"(?:safety )?factors?|safety|sicherheit(?:en)?|安全率"
 _SPEEDS = r"speeds?|frequenc(?:y|ies)|drehzahl(?:en)?|frequenz(?:en)?|危険速度|振動数"
 _ENTRIES: tuple[tuple[str, ...], ...] = (
-    ("upper_stress", "sigma tau S T M F P", r"(?:largest|greatest|highest|maximum|upper|peak|max\.?)\s+(?:stress|torque|force|load|moment)"
+    ("upper_stress", "sigma tau S T M F P", r"(?:largest|greatest|highest|maximum|upper|peak"
+    r"|max\.?)\s+(?:stress|torque|force|load|moment)"
      r"|oberspannung|最大応力", "max o O ob upper"),
-    ("lower_stress", "sigma tau S T M F P", r"(?:smallest|least|lowest|minimum|lower|min\.?)\s+(?:stress|torque|force|load|moment)"
+    ("lower_stress", "sigma tau S T M F P", r"(?:smallest|least|lowest|minimum|lower"
+    r"|min\.?)\s+(?:stress|torque|force|load|moment)"
      r"|unterspannung|最小応力", "min u U un lower"),
     ("stress_amplitude", "sigma tau S", r"amplitude|alternating stress|\w*ausschlag\w*|応力振幅",
      "a A w alt"),
@@ -38,7 +40,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("gear_ratio", "i u n", r"ratio|übersetzung\w*|変速比|減速比|歯車比"),
     ("wire", "d", r"wire(?:'s)?(?: of)?(?: the)? diameter|wire|diameter of the wire|draht(?:durchmesser)?"
      r"|線径"),
-    ("coil", "D d_m D_m", r"(?:mean|coil|spring)(?: \w+)? diameter|diameter of (?:the|a) (?:coils?|spring)"
+    ("coil", "D d_m D_m", r"(?:mean|coil|spring)(?: \w+)? diameter|diameter of (?:the|a) (?:coils?"
+    r"|spring)"
      r"|(?:mittlere[rnm]? |windungs)+durchmesser|コイル(?:平均)?径"),
     ("windings", "n i z N", r"turns|coils|windungen|windungszahl|巻数"),
     ("amplitude_before", "theta Theta vartheta alpha a A phi varphi beta",
@@ -46,15 +49,18 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("first_speed", "n N omega Omega f", _SPEEDS, "1 a A s S 0"),
     ("second_speed", "n N omega Omega f", _SPEEDS, "2 b B"),
     ("third_speed", "n N omega Omega f", _SPEEDS, "3 c C"),
-    ("third_rate", "c k C K", r"stiffness|rates?|constants?|steifigkeiten|springs?|federn?|ばね定数?", "3 c C III"),
-    ("driving", "omega Omega f n N", r"(?:driving|exciting|forcing|excitation)\s+frequency|frequency|speed"
+    ("third_rate", "c k C K", r"stiffness|rates?|constants?|steifigkeiten|springs?|federn?|ばね定数?",
+    "3 c C III"),
+    ("driving", "omega Omega f n N", r"(?:driving|exciting|forcing|excitation)\s+frequency|frequency"
+    r"|speed"
      r"|erreger\w*|drehzahl|振動数|回転数", "", "0 n 1 2 e k c cr krit crit d"),
     ("natural", "omega f n N", r"natural\s+(?:\w+\s+)?frequency|eigen\w*|critical speed|固有\w*",
      "0 n 1 e k c cr krit crit"),
     ("upper_point", "omega f", r"frequenc(?:y|ies)|points?|frequenz", "2 b B o"),
     ("lower_point", "omega f", r"frequenc(?:y|ies)|points?|frequenz", "1 a A u"),
     ("resonant", "omega f", r"frequency|resonance|frequenz|resonanz|共振\w*|固有\w*", "0 n r res m e"),
-    ("mass_per_length", "mu m rho q", r"mass per (?:unit )?length|linear density|masse je länge|massenbelegung"
+    ("mass_per_length", "mu m rho q", r"mass per (?:unit )?length|linear density|masse je länge"
+    r"|massenbelegung"
      r"|線密度"),
     ("excitation", "F P T M Q", r"force|torque|moment|kraft|力|トルク", "0 a e hat n i k 1"),
     ("shear_stress_allowed", "tau", r"stress|spannung|応力"),

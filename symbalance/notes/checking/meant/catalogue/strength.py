@@ -155,7 +155,8 @@ _CANTILEVER = words(
 )
 _SUPPORTED = words(
     r"simply[- ]supported|freely supported|on two (?:supports|bearings)|between two (?:supports|bearings)"
-    r"|(?:hinged|pinned) at (?:both|its) ends|(?:beidseitig|beiderseits) (?:gelenkig|frei drehbar) gelagert"
+    r"|(?:hinged|pinned) at (?:both|its) ends|(?:beidseitig|beiderseits) (?:gelenkig"
+    r"|frei drehbar) gelagert"
     r"|supported at both"
     r" ends|zwei (?:stützen|lagern?)|beidseitig gelagert|beiderseits gelagert|zweifach gelagert"
     r"|単純支持|両端支持"
@@ -319,7 +320,8 @@ STRENGTH: tuple[Quantity, ...] = (
         "bending stress of a rectangular bar", letters("sigma"), _BENDING_STRESS,
         (6 * bending / (width * height**2),), ("factor", "power"),
         others=(6 * bending / (height * width**2),),
-        only=_RECTANGLE, is_told_once=True, unless=words(_NOT_RECTANGLE, r"equivalent|vergleich|相当|plasti"),
+        only=_RECTANGLE, is_told_once=True, unless=words(_NOT_RECTANGLE,
+        r"equivalent|vergleich|相当|plasti"),
     ),
     Quantity(
         "equivalent stress by Tresca", letters("sigma"),
@@ -417,8 +419,10 @@ STRENGTH: tuple[Quantity, ...] = (
     ),
     Quantity(
         "bearing pressure", letters("p"),
-        words(r"(?:(?:mean|average)\s+)?bearing\s+pressure", r"(?:(?:mean|average)\s+)?pressure\s+(?:in|on|of)\s+(?:the\s+|a\s+)?(?:\w+\s+)?bearing",
-              r"specific\s+(?:bearing\s+)?load", r"(?:mittlere\s+)?flächenpressung", r"(?:mittlerer\s+)?lagerdruck",
+        words(r"(?:(?:mean|average)\s+)?bearing\s+pressure",
+        r"(?:(?:mean|average)\s+)?pressure\s+(?:in|on|of)\s+(?:the\s+|a\s+)?(?:\w+\s+)?bearing",
+              r"specific\s+(?:bearing\s+)?load", r"(?:mittlere\s+)?flächenpressung",
+              r"(?:mittlerer\s+)?lagerdruck",
               r"lagerpressung", r"(?:平均)?(?:軸受)?面圧", r"(?:平均)?軸受圧力"),
         (force / (diameter * width), force / (diameter * length), force / (2 * radius * width)),
         ("power",), mistakes=(force / (PI * diameter * width), force / (PI * diameter * length),
@@ -455,7 +459,8 @@ STRENGTH: tuple[Quantity, ...] = (
          first_length + own_length * (first_diameter / own_diameter) ** 4,
          own_length * section / second_section, length * section / second_section),
         ("power", "edit", "exchange"),
-        together=(("own_length", "own_diameter"), ("first_length", "first_diameter"), ("length", "own_diameter"),
+        together=(("own_length", "own_diameter"), ("first_length", "first_diameter"), ("length",
+        "own_diameter"),
                   ("length", "second_section"),
                   ("own_length", "second_section")),
         unless=words(r"pendul|pendel|振り子|buckling|knick|座屈|bending|biegung|曲げ"),

@@ -54,10 +54,12 @@ _TWO_DISCS = words(
     r"\b(?:two|both)\s+(?:\w+\s+){0,2}(?:dis[ck]s|rotors?|inertias|flywheels|wheels|masses)",
     r"two[- ](?:mass|rotor|dis[ck]|inertia)", r"free[- ]free",
     r"\b(?:zwei|beiden?)\s+(?:\w+\s+){0,1}(?:scheiben|drehmassen|massen|schwungmassen|rotoren)",
-    r"zweimassen", r"(?:2|二|２)つの(?:円板|ロータ|慣性)|二円板|2円板|两个?(?:圆盘|转子)|двух(?:массов|диск)",
+    r"zweimassen", r"(?:2|二|２)つの(?:円板|ロータ|慣性)|二円板|2円板|两个?(?:圆盘|转子)|двух(?:массов"
+    r"|диск)",
 )  # fmt: skip
 _HELD = words(
-    r"clamped|eingespannt|\bfixed\b|rigid|starr|固定|\bthree|\bdrei|\b3 |(?<!un)damped|(?<!un)gedämpf|減衰|pendul|in phase"
+    r"clamped|eingespannt|\bfixed\b|rigid|starr|固定|\bthree|\bdrei|\b3 |(?<!un)damped|(?<!un)gedämpf"
+    r"|減衰|pendul|in phase"
     r"|gear|getriebe|spring of the mount|translat|same (?:side|end)"
 )
 _FREQUENCY = words(
@@ -70,13 +72,15 @@ _MOUNTS = (
     r"|motorlager\w*|マウント|ばね)"
 )
 _WHIRLING = words(
-    r"whirl|biegekritisch|lateral|transverse|static(?:al)? deflection|bending|biege|durchbiegung|durchhang"
+    r"whirl|biegekritisch|lateral|transverse|static(?:al)? deflection|bending|biege|durchbiegung"
+    r"|durchhang"
     r"|\bsag|たわみ|ふれまわ|振れ回|曲げ|deflects"
 )
 _DUNKERLEY = words(r"dunkerley|ダンカレー|ダンカリー")
 _CRITICAL = words(
     r"critical\s+(?:whirling\s+|angular\s+|shaft\s+)?(?:speeds?|frequency)", r"whirling\s+speed",
-    r"(?:biege)?kritischen?\s+(?:winkelgeschwindigkeit|drehzahl|kreisfrequenz|frequenz)", r"危険(?:角)?速度",
+    r"(?:biege)?kritischen?\s+(?:winkelgeschwindigkeit|drehzahl|kreisfrequenz|frequenz)",
+    r"危険(?:角)?速度",
     r"危険回転数", r"whirls?\b", r"lowest\s+(?:natural\s+)?frequency",
 )  # fmt: skip
 _PER_MINUTE = 30 / PI
@@ -94,7 +98,8 @@ def _on_mounts(number: int) -> tuple[Quantity, ...]:
     """Return what is known of a mass on some equal springs side by side, each of one stiffness."""
     only = words(rf"\b(?:{_NUMBERS[number]})(?:つの|個の|\s+(?:[\w-]+\s+){{0,3}}){_MOUNTS}")
     unless = words(
-        r"between|zwischen|total|gesamt|together|series|reihe|combined|sum of|zusammen|合計|(?<!un)damp|(?<!un)gedämpf|減衰|pitch|roll"
+        r"between|zwischen|total|gesamt|together|series|reihe|combined|sum of|zusammen|合計|(?<!un)damp"
+        r"|(?<!un)gedämpf|減衰|pitch|roll"
         r"|nick|yaw"
     )
     every = root(number * stiffness / mass)
@@ -108,7 +113,8 @@ def _on_mounts(number: int) -> tuple[Quantity, ...]:
         Quantity(
             f"natural frequency in cycles on {number} equal springs", letters("f nu"),
             _FREQUENCY, (every / (2 * PI),), ("turn", "root"),
-            mistakes=tuple(node / (2 * PI) for node in wrong), others=(root(stiffness / mass) / (2 * PI),),
+            mistakes=tuple(node / (2 * PI) for node in wrong), others=(root(stiffness / mass) / (2
+            * PI),),
             only=only, unless=unless,
         ),
         Quantity(
@@ -135,7 +141,8 @@ TRAINS: tuple[Quantity, ...] = (
         "natural frequency in cycles by the static deflection", letters("f nu"), _FREQUENCY,
         (root(gravity / static_deflection) / (2 * PI),), ("turn", "root"),
         mistakes=(root(static_deflection / gravity) / (2 * PI),),
-        only=words(r"static(?:al)? deflection|deflection under (?:its own|the) weight|\bsags?\b|sinks? by|settles?"
+        only=words(r"static(?:al)? deflection|deflection under (?:its own|the) weight|\bsags?\b"
+        r"|sinks? by|settles?"
                    r"|senkt sich|durch sein (?:eigen)?gewicht|unter seinem (?:eigen)?gewicht|einfederung"
                    r"|statischen?\s+(?:durchbiegung|einsenkung|durchsenkung|einfederung)|静たわみ"),
         unless=words(r"pendul|pendel|振り子|(?<!un)damp|(?<!un)gedämpf|減衰"),
@@ -154,7 +161,8 @@ TRAINS: tuple[Quantity, ...] = (
     Quantity(
         "critical speed of two discs by Dunkerley", letters("n N omega Omega f"),
         words(_CRITICAL.pattern, _FREQUENCY.pattern, _DUNKERLEY.pattern),
-        (1 / root(_CHAIN2), first_speed * second_speed / root(first_speed**2 + second_speed**2)), ("edit",),
+        (1 / root(_CHAIN2), first_speed * second_speed / root(first_speed**2 + second_speed**2)),
+        ("edit",),
         mistakes=(1 / _ADDED2, root(_CHAIN2), _CHAIN2, _ADDED2, root(first_speed**2 + second_speed**2),
                   1 / root(_ADDED2), first_speed + second_speed),
         only=_DUNKERLEY,
@@ -178,7 +186,8 @@ TRAINS: tuple[Quantity, ...] = (
     ),
     Quantity(
         "torsional stiffness reduced over a gear", letters("c k C K"),
-        words(r"(?:torsional\s+)?stiffness", r"(?:(?:feder|dreh|torsions)+)?steifigkeit", r"ばね定数", r"剛性"),
+        words(r"(?:torsional\s+)?stiffness", r"(?:(?:feder|dreh|torsions)+)?steifigkeit", r"ばね定数",
+        r"剛性"),
         (gear_ratio**2 * stiffness, stiffness / gear_ratio**2), (),
         mistakes=(gear_ratio * stiffness, stiffness / gear_ratio, root(gear_ratio) * stiffness,
                   gear_ratio**4 * stiffness),
@@ -188,7 +197,8 @@ TRAINS: tuple[Quantity, ...] = (
         "next amplitude of a Holzer table",
         letters("theta Theta vartheta alpha a A phi varphi beta"),
         words(r"amplitudes?", r"(?:second|third|fourth|next|following)\s+(?:mass|dis[ck]|station|rotor)",
-              r"\bmass\s+(?:two|three|2|3)", r"ausschlag", r"(?:zweite|dritte|nächste)\w*\s+(?:masse|scheibe)",
+              r"\bmass\s+(?:two|three|2|3)", r"ausschlag",
+              r"(?:zweite|dritte|nächste)\w*\s+(?:masse|scheibe)",
               r"振幅", r"swings? (?:with|by)"),
         (amplitude_before - torque / stiffness, 1 - inertia * omega**2 / stiffness,
          amplitude_before - inertia * omega**2 * amplitude_before / stiffness),
@@ -196,15 +206,18 @@ TRAINS: tuple[Quantity, ...] = (
                       amplitude_before - torque * stiffness, 1 - inertia * omega / stiffness,
                       1 - stiffness / (inertia * omega**2), 1 - inertia * omega**2 * stiffness,
                       amplitude_before + inertia * omega**2 * amplitude_before / stiffness),
-        only=words(r"holzer|ホルツァー|(?:three|multi|two|four)[- ](?:mass|dis[ck]|rotor|node)|(?:drei|mehr)massen"), unless=words(r"from the right|backward|von rechts|reverse"),
+        only=words(r"holzer|ホルツァー|(?:three|multi|two|four)[- ](?:mass|dis[ck]|rotor|node)|(?:drei"
+        r"|mehr)massen"), unless=words(r"from the right|backward|von rechts|reverse"),
     ),
     Quantity(
         "stiffness of a helical spring", letters("c k C K R"),
-        words(r"spring\s+(?:rate|constant)", r"\brate\b", r"stiffness", r"feder(?:rate|konstante|steifigkeit)",
+        words(r"spring\s+(?:rate|constant)", r"\brate\b", r"stiffness",
+        r"feder(?:rate|konstante|steifigkeit)",
               r"ばね定数"),
         (shear * wire**4 / (8 * windings * coil**3),), ("power", "factor"),
         mistakes=(shear * wire**4 / (8 * windings**2 * coil**3),),
-        only=_COILED, unless=words(r"parallel|series|reihe|two springs|nested|radius|torsion spring|drehfeder"),
+        only=_COILED, unless=words(r"parallel|series|reihe|two springs|nested|radius|torsion spring"
+        r"|drehfeder"),
     ),
     Quantity(
         "stress in the wire of a helical spring", letters("tau"),
