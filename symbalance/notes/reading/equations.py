@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from symbalance.document.formula import Formula, Span, names
+from symbalance.document.formula import Formula, Span, Summation, names, walk
 from symbalance.notes.reading.notebooks import SUFFIX, cell_place
 
 RELATIONS = ("=", "≈", "<", ">", "≤", "≥", "≡", "≠", "≪", "≫")
@@ -71,6 +71,11 @@ class Chain:
     def letters(self) -> frozenset[str]:
         """The letters that stand in its sides."""
         return frozenset(name for side in self.sides for name in names(side.node))
+
+    @cached_property
+    def has_sum(self) -> bool:
+        """Whether a sum over cylinders stands in one of its sides."""
+        return any(isinstance(part, Summation) for side in self.sides for part in walk(side.node))
 
 
 @dataclass(frozen=True, slots=True)

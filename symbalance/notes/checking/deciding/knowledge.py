@@ -204,7 +204,8 @@ class Knowledge:
         """Return the letters behind formulas whose values are premises."""
         everything = {**{name: d.node for name, d in usable.items()}, **self.meaning.values}
         behind = {name for node in nodes for name in names_behind(node, everything)}
-        behind |= {name for name in usable if _is_summed_over(name, nodes)}
+        if stems := _summed_over(nodes):
+            behind |= {name for name in usable if _stem(name) in stems}
         return {
             name: d
             for name, d in usable.items()
@@ -270,13 +271,18 @@ def _is_of_letters(ratio: Quotient) -> bool:
     return isinstance(ratio.numerator, Name) and isinstance(ratio.denominator, Name)
 
 
-def _is_summed_over(name: str, nodes: tuple[Formula, ...]) -> bool:
-    """Tell whether a letter is one of those that a sum goes over: δ_1 of the sum of cos δ_i."""
+def _stem(name: str) -> str:
+    """Return what stands before the number of a letter, "" for one without: δ_ of δ_1."""
     stem = name.rstrip("0123456789")
-    return stem not in ("", name) and any(
-        own[: -len(part.index.name)] == stem
+    return "" if stem == name else stem
+
+
+def _summed_over(nodes: tuple[Formula, ...]) -> set[str]:
+    """Return the stems of the letters that sums go over: δ_ of the sum of cos δ_i, for δ_1 and δ_2."""
+    return {
+        own[: -len(part.index.name)]
         for node in nodes
         for part in walk(node)
         if isinstance(part, Summation) and part.index is not None
         for own in indexed_letters(part.body, part.index.name)
-    )
+    } - {""}

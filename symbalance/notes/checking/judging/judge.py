@@ -238,7 +238,6 @@ class Judge:
             else frozenset[str]()
         )
         left = cases_left_by(self.state.definitions, chain, angles)
-        start = min(side.span[0] for side in chain.sides)
         symbols = self.state.declarations.symbols_at(chain.lines[0])
         turning = {name for name, text in symbols.items() if role_of(text) == "crank angle"}
         spoken = {name: name in turning for name in chain.letters | turning}
@@ -252,7 +251,7 @@ class Judge:
             lines = examples | {case.line for case in left}
             with without_cases(self.state.definitions, lines, self.state.general):
                 verdict = self._link_in_scope(chain, k, sound, bad)
-            end_cases(self.state.definitions, left, start)
+            end_cases(self.state.definitions, left, chain.start)
             return verdict
         verdict = self._link_in_scope(chain, k, sound, bad)
         if verdict.verdict in (REFUTED, CONTRADICTION) and (
@@ -275,7 +274,7 @@ class Judge:
         if verdict.verdict == CONTRADICTION and (
             others := cases_replaced_by(self.state.definitions, chain)
         ):
-            end_cases(self.state.definitions, others, start)
+            end_cases(self.state.definitions, others, chain.start)
             return self._link_in_scope(chain, k, sound, bad)
         return verdict
 

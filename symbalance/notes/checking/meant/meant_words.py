@@ -8,9 +8,11 @@ the unit of what they name still stands.
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 from symbalance.document.formula import Formula, Name, Product, Quotient, names
 from symbalance.document.letters import plain_letter
@@ -131,17 +133,38 @@ class MeantWords:
         """Tell whether the page speaks of the bottom dead centre: an angle may be counted from there."""
         return _BOTTOM.search(self.document.text) is not None
 
+    @cached_property
+    def _sizes_proposed(self) -> dict[str, Proposal]:
+        """The proposals of sizes, and of conventions of the rod ratio."""
+        return {name: each for name, each in self.proposals.items() if each.meaning in SIZES}
+
+    @cached_property
+    def _ratios(self) -> list[tuple[int, str, Quotient]]:
+        """The lines that give a letter a quotient of two letters, or of a letter and a formula."""
+        return [
+            (chain.lines[0], chain.sides[0].node.name, side.node)
+            for chain in self.document.chains
+            if isinstance(chain.sides[0].node, Name)
+            for side in chain.sides[1:]
+            if isinstance(side.node, Quotient) and isinstance(side.node.numerator, Name)
+        ]
+
+    @cached_property
+    def _ends(self) -> list[int]:
+        """Where the relations of the page end, in order."""
+        return sorted(chain.end for chain in self.document.chains)
+
     def sizes(self, line: int) -> tuple[dict[str, str], dict[str, str]]:
         """Return the letters of the slider-crank at a line: the declared ones, and those of the words."""
         declared = self.declarations.symbols_at(line)
         roles = {role_of(meaning) for meaning in declared.values()}
         proposed: dict[str, str] = {}
-        for letter, proposal in self.proposals.items():
+        for letter, proposal in self._sizes_proposed.items():
             is_new = letter not in declared and proposal.meaning not in {*roles, *proposed.values()}
             is_new = is_new and not (
                 proposal.meaning in CONVENTIONS.values() and roles & {*CONVENTIONS.values()}
             )
-            if is_new and proposal.meaning in SIZES and proposal.line <= line + 1:
+            if is_new and proposal.line <= line + 1:
                 proposed[letter] = proposal.meaning
         if not {*CONVENTIONS.values()} & {*roles, *proposed.values()}:
             proposed |= self._ratio({**declared, **proposed}, line)
@@ -151,45 +174,49 @@ class MeantWords:
         """Return the letter that a line above defines as the ratio of two known lengths."""
         short = {"crank radius": "r", "rod length": "l", "stroke": "s"}
         lengths = {name: short[role_of(text)] for name, text in symbols.items() if role_of(text) in short}
-        for chain in self.document.chains:
-            if chain.lines[0] > line or len(chain.sides) < 2 or not isinstance(chain.sides[0].node, Name):
+        for above, name, ratio in self._ratios:
+            numerator, below = ratio.numerator, ratio.denominator
+            if above > line or name in symbols or not isinstance(numerator, Name):
                 continue
-            name = chain.sides[0].node.name
-            for value in (side.node for side in chain.sides[1:]):
-                if isinstance(value, Quotient) and isinstance(value.numerator, Name):
-                    below = value.denominator
-                    pair = f"{lengths.get(value.numerator.name)}/" + (
-                        str(lengths.get(below.name)) if isinstance(below, Name) else ""
-                    )
-                    if pair in CONVENTIONS and name not in symbols:
-                        return {name: CONVENTIONS[pair]}
+            pair = f"{lengths.get(numerator.name)}/" + (
+                str(lengths.get(below.name)) if isinstance(below, Name) else ""
+            )
+            if pair in CONVENTIONS:
+                return {name: CONVENTIONS[pair]}
         return {}
 
     def law_of_angle(self, theta: Formula, time: str, line: int) -> str:
         """Return how a page says, up to a line, that its crank angle grows: θ = ω t; "" for not."""
-        for chain in self.document.chains:
-            pairs = zip(chain.sides, chain.sides[1:], strict=False)
-            for left, right in pairs if chain.lines[0] <= line else ():
-                is_law = left.node == theta and isinstance(right.node, Product)
-                if is_law and names(right.node) - {time} and time in names(right.node):
-                    return f"{plain_text(left.node)} = {plain_text(right.node)}"
+        for above, left, right in self._products:
+            if above <= line and left == theta and names(right) - {time} and time in names(right):
+                return f"{plain_text(left)} = {plain_text(right)}"
         return ""
+
+    @cached_property
+    def _products(self) -> list[tuple[int, Formula, Product]]:
+        """The pairs of neighbouring sides of which the second is a product, with their lines."""
+        return [
+            (chain.lines[0], left.node, right.node)
+            for chain in self.document.chains
+            for left, right in pairwise(chain.sides)
+            if isinstance(right.node, Product)
+        ]
 
     def before(self, chain: Chain) -> str:
         """Return the words of the sentence before a relation, behind the relation before it."""
-        text, start = self.document.text, min(side.span[0] for side in chain.sides)
-        ends = [max(s.span[1] for s in other.sides) for other in self.document.chains]
-        first = max([start - LONGEST_WORDS, 0, *(end for end in ends if end <= start)])
+        text, start = self.document.text, chain.start
+        place = bisect_right(self._ends, start)
+        first = max(start - LONGEST_WORDS, self._ends[place - 1] if place else 0)
         return _SENTENCE.split(text[first:start])[-1]
 
     def sentence_before(self, chain: Chain) -> str:
         """Return the sentence before a relation, other relations in it included."""
-        start = min(side.span[0] for side in chain.sides)
+        start = chain.start
         return _SENTENCE.split(self.document.text[max(0, start - 2 * LONGEST_WORDS) : start])[-1]
 
     def header_of_column(self, chain: Chain) -> str:
         """Return the head of the column of a table that a relation stands in, "" outside of tables."""
-        text, start = self.document.text, min(side.span[0] for side in chain.sides)
+        text, start = self.document.text, chain.start
         own = text[text.rfind("\n", 0, start) + 1 : start]
         if not own.lstrip().startswith("|"):
             return ""
@@ -246,7 +273,7 @@ class MeantWords:
         return not _OTHER.search(rest) and any(
             proposal.meaning in told
             and re.search(rf"(?<![A-Za-z]){re.escape(sign)}(?![A-Za-z])", clause) is not None
-            for letter, proposal in self.proposals.items()
+            for letter, proposal in self._sizes_proposed.items()
             for sign in {letter, plain_letter(letter)}
         )
 

@@ -328,7 +328,7 @@ class NamedQuantities:
         Only the words of its own clause qualify it then; without any, as in ω_1 = … and ω_2 = …, those
         of the sentence.
         """
-        start = min(side.span[0] for side in chain.sides)
+        start = chain.start
         end, above = self._chain_before(start)
         head = above.sides[0].node if above is not None else None
         if above is None or not isinstance(head, Name):
@@ -351,7 +351,7 @@ class NamedQuantities:
         self, chain: Chain, stem: str, places: _Places, sentence: str
     ) -> Iterator[_Named]:
         """Yield the quantities that words right behind a formula name: σ = M/W is the bending stress."""
-        end = max(side.span[1] for side in chain.sides)
+        end = chain.end
         link = _BEHIND.match(self.document.text, end)
         if link is None:
             return
@@ -409,7 +409,7 @@ class NamedQuantities:
     def _ends(self) -> list[tuple[int, Chain]]:
         """The ends of the document's relations, in order."""
         chains = [chain for chain in self.document.chains if chain.relations]
-        ends = [(max(side.span[1] for side in chain.sides), chain) for chain in chains]
+        ends = [(chain.end, chain) for chain in chains]
         return sorted(ends, key=lambda pair: pair[0])
 
     def _chain_before(self, start: int) -> tuple[int, Chain | None]:
@@ -419,8 +419,8 @@ class NamedQuantities:
 
     def _texts(self, chain: Chain) -> tuple[str, str, str]:
         """Return a relation's sentence, what of it stands right before, and what is around."""
-        text, start = self.document.text, min(side.span[0] for side in chain.sides)
-        end = max(side.span[1] for side in chain.sides)
+        text, start = self.document.text, chain.start
+        end = chain.end
         words = _OPENING.sub("", text[max(0, start - PARAGRAPH) : start])
         sentence = _SENTENCE_END.split(words[-SENTENCE:])[-1]
         first = max(0, self._chain_before(start)[0])

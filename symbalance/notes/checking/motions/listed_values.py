@@ -52,10 +52,8 @@ class Listed:
 
 def values_listed(page: ReadNotes, chain: Chain) -> Listed | None:
     """Return the whole numbers that a relation is said for right behind it, None where there are none."""
-    end = max(side.span[1] for side in chain.sides)
-    match = _FOR.match(page.text, end)
-    own = {name for side in chain.sides for name in names(side.node)}
-    if match is None or match["letter"] not in own:
+    match = _FOR.match(page.text, chain.end)
+    if match is None or match["letter"] not in chain.letters:
         return None
     values = [int(number.replace("−", "-")) for number in re.findall(r"[-−]?[0-9]+", match["list"])]
     steps = {after - before for before, after in pairwise(values)}

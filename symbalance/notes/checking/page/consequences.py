@@ -72,7 +72,7 @@ def _not_from_it(earlier: StatedRange) -> str:
 
 
 def _before(document: ReadNotes, chain: Chain) -> Chain | None:
-    start = min(side.span[0] for side in chain.sides)
+    start = chain.start
     earlier = [c for c in document.chains if max(s.span[1] for s in c.sides) <= start and c.relations]
     return max(earlier, key=lambda c: c.sides[-1].span[1], default=None)
 

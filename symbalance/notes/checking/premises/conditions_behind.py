@@ -65,8 +65,7 @@ class Conditions:
 
 def conditions_behind(chain: Chain, document: ReadNotes) -> Conditions:
     """Return the conditions right after a relation, in brackets or behind "for" and the like."""
-    end = max(side.span[1] for side in chain.sides)
-    opened = _BEHIND.match(document.text, end)
+    opened = _BEHIND.match(document.text, chain.end)
     if opened is None:
         return Conditions()
     own, counts = chain.letters, _counts(chain)
@@ -113,7 +112,7 @@ def equalities_behind(document: ReadNotes) -> frozenset[int]:
     behind: set[int] = set()
     for chain in document.chains:
         counts = _counts(chain)
-        opened = _BEHIND.match(document.text, max(side.span[1] for side in chain.sides))
+        opened = _BEHIND.match(document.text, chain.end)
         head = heads.get(opened.end()) if counts and opened is not None else None
         if head is not None and _is_equality(head, counts):
             behind.add(head.sides[0].span[0])
@@ -122,7 +121,7 @@ def equalities_behind(document: ReadNotes) -> frozenset[int]:
 
 def values_behind(chain: Chain, document: ReadNotes) -> list[tuple[str, Formula]]:
     """Return the values that a relation is said for by the words right behind it: x/x = 1 for x = 0."""
-    opened = _BEHIND.match(document.text, max(side.span[1] for side in chain.sides))
+    opened = _BEHIND.match(document.text, chain.end)
     if opened is None:
         return []
     return [

@@ -67,13 +67,14 @@ class Definitions:
     def at(self, line: int) -> dict[str, Definition]:
         """Return the definitions that reach a line, of the letters as declared there."""
         scopes_here, owner = set(self.declarations.scope_at(line)), self.declarations.owner
+        has_scopes = bool(self.declarations.scopes)
         reaching: dict[str, Definition] = {}
         for name, entries in self.values.items():
             for entry in reversed(entries):
                 if (
                     set(entry.scopes) <= scopes_here
                     and (entry.last_line is None or line <= entry.last_line)
-                    and owner(name, entry.definition.line) == owner(name, line)
+                    and (not has_scopes or owner(name, entry.definition.line) == owner(name, line))
                 ):
                     last = reaching.setdefault(name, entry.definition)
                     if not last.numeric:
@@ -248,7 +249,7 @@ class Definitions:
 
     def _note_case(self, chain: Chain, letters_of_it: frozenset[str]) -> None:
         if self.sections.opens_case(chain):
-            start = min(side.span[0] for side in chain.sides)
+            start = chain.start
             self.cases.append(OpenCase(letters_of_it, chain.lines[0], start))
 
     def premise_of(self, chain: Chain, k: int) -> Premise:

@@ -19,6 +19,8 @@ _CLOSE = 1e-9
 def values_put_in(chain: Chain, knowledge: Knowledge) -> frozenset[float]:
     """Return the decimals of a chain's arithmetic that are its first side's letters, rounded."""
     letters_put_in = names(chain.sides[0].node)
+    if not any(n in knowledge.definitions or n in knowledge.meaning.values for n in letters_put_in):
+        return frozenset()
     rows = [side.node for side in chain.sides[1:] if not names(side.node)]
     typed = {
         number
@@ -27,7 +29,7 @@ def values_put_in(chain: Chain, knowledge: Knowledge) -> frozenset[float]:
         for number in walk(node)
         if isinstance(number, Number) and number.last_place and significant_digits(number) >= LONG
     }
-    if not typed or not letters_put_in:
+    if not typed:
         return frozenset()
     values = [number_of(Name(name), knowledge) for name in sorted(letters_put_in)]
     return frozenset(

@@ -103,7 +103,7 @@ def _value_behind(state: JudgingState, chain: Chain, name: str) -> Chain | None:
     following = next(chains_below(state.document.chains, chain), None)
     if following is None or following.relations[0].sign not in "=≈":
         return None
-    head, end = following.sides[0].node, max(side.span[1] for side in chain.sides)
+    head, end = following.sides[0].node, chain.end
     between = state.document.text[end : following.sides[0].span[0]]
     is_result = _RESULT.search(between) is not None and not re.search(r"\n\s*\n", between)
     is_value = isinstance(head, Name) and head.name == name and not names(following.sides[1].node)

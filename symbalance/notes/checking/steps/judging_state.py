@@ -166,12 +166,9 @@ class JudgingState:
 
     def knowledge_of(self, chain: Chain, knowledge: Knowledge) -> Knowledge:
         """Return what is known with what stands around one relation on its line."""
-        start = min(side.span[0] for side in chain.sides)
         same_section = self.sections.same_section
-        angles = listed_at(self.crank_angles, start, self.document.text, same_section)
-        if angles is None and any(
-            isinstance(part, Summation) for side in chain.sides for part in walk(side.node)
-        ):
+        angles = listed_at(self.crank_angles, chain.start, self.document.text, same_section)
+        if angles is None and chain.has_sum:
             angles = self.cranks_of(chain)
         printed = knowledge.printed | values_put_in(chain, knowledge)
         first = chain.lines[0] - NEAR_RANGE
@@ -180,8 +177,7 @@ class JudgingState:
 
     def cranks_of(self, chain: Chain) -> CrankAngles | None:
         """Return the usual cranks of the engine that words say a relation is of."""
-        start = min(side.span[0] for side in chain.sides)
-        return self.cranks_of_engines.at(start, chain.end, chain.lines[0])
+        return self.cranks_of_engines.at(chain.start, chain.end, chain.lines[0])
 
     def assumptions(self, line: int, letters: frozenset[str]) -> tuple[Assumption, ...]:
         """Return the assumptions at a line, each solved for a letter."""

@@ -50,7 +50,7 @@ def cases_left_by(definitions: Definitions, chain: Chain, angles: frozenset[str]
 def cases_replaced_by(definitions: Definitions, chain: Chain) -> list[OpenCase]:
     """Return the earlier cases of the letters of a relation that opens a case of its own."""
     own = chain.letters
-    start = min(side.span[0] for side in chain.sides)
+    start = chain.start
     if not definitions.sections.opens_case(chain):
         return []
     return [case for case in definitions.cases if case.start < start and case.letters & own]

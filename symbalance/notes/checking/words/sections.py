@@ -699,7 +699,7 @@ class Sections:
         """Return the text of a relation's section before it, with its heading."""
         line = chain.lines[0]
         first = max((heading for heading in self._headings if heading <= line), default=1)
-        start = min(side.span[0] for side in chain.sides)
+        start = chain.start
         return self.document.text[self._start_of_line(first) : start]
 
     def _text_before(self, chain: Chain) -> str:
