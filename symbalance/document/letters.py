@@ -42,9 +42,9 @@ WORDS = word_set("text textrm textit textbf mbox textnormal hbox textsf textup")
 
 ACCENTS = {
     "bar": "bar", "overline": "bar", "hat": "hat", "widehat": "hat", "vec": "vec",
-    "overrightarrow": "vec", "tilde": "tilde", "widetilde": "tilde",
+    "overrightarrow": "vec", "tilde": "tilde", "widetilde": "tilde", "underline": "underline",
 }  # fmt: skip
-"""Accents make another letter: \\bar x is the letter bar_x."""
+"""Accents make another letter: \\bar x is the letter bar_x; a line below marks a phasor."""
 
 TIME_DOTS = {"dot": 1, "ddot": 2, "dddot": 3}
 
@@ -178,7 +178,13 @@ def latex_letter(name: str) -> str:
     return _latex_base(base) + (f"_{{{_latex_script(subscript)}}}" if subscript else "") + primes
 
 
-_ACCENT_SIGNS = {"bar": "\u0304", "hat": "\u0302", "vec": "\u20d7", "tilde": "\u0303"}
+_ACCENT_SIGNS = {
+    "bar": "\u0304",
+    "hat": "\u0302",
+    "vec": "\u20d7",
+    "tilde": "\u0303",
+    "underline": "\u0332",
+}
 _ACCENT_SIGNS |= {"dot": "\u0307", "ddot": "\u0308", "dddot": "\u20db"}
 
 

@@ -368,7 +368,16 @@ class MathmlWriter(FormulaWriter):
 
 
 _WORDS = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "re": "Re", "im": "Im"}
-_ACCENTS = {"bar": "¯", "hat": "^", "vec": "→", "tilde": "~", "dot": "˙", "ddot": "¨", "dddot": "⃛"}
+_ACCENTS = {
+    "bar": "¯",
+    "hat": "^",
+    "vec": "→",
+    "tilde": "~",
+    "dot": "˙",
+    "ddot": "¨",
+    "dddot": "⃛",
+    "underline": "_",
+}
 
 
 def _is_bare_argument(node: Formula) -> bool:
@@ -389,7 +398,8 @@ def _letter(name: str) -> str:
     accent, base, script, primes = letter_parts(name)
     printed = _mi(base)
     if accent:
-        printed = f"<mover>{printed}{_mo(_ACCENTS[accent])}</mover>"
+        element = "munder" if accent == "underline" else "mover"
+        printed = f"<{element}>{printed}{_mo(_ACCENTS[accent])}</{element}>"
     below = "" if not script else _mn(script) if script.isdecimal() else _mi(script)
     above = _mo("′" * len(primes)) if primes else ""
     if below and above:

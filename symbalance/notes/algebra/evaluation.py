@@ -16,6 +16,7 @@ from symbalance.notes.algebra.matrix_letters import Kinds
 from symbalance.notes.algebra.open_sums import NOT_CONTINUED, goes_on_within
 from symbalance.notes.algebra.polynomials import MOST_WORK
 from symbalance.notes.algebra.roots import root, unit
+from symbalance.notes.algebra.substitution_in_forms import substitute_letter
 from symbalance.notes.algebra.sums import at_index, indexed_letters
 from symbalance.notes.algebra.values import letters
 
@@ -299,9 +300,18 @@ def _by_chain_rule(evaluator: FormEvaluator, form: Form, node: formula.Derivativ
     time = next(iter(evaluator.meaning.rates))
     rates = evaluator.rates(time)
     below = differentiate(evaluator.letter(node.variable.name), rates)
+    if below.is_zero():
+        return _at_its_value(evaluator, node)
     for _ in range(node.order):
         form = differentiate(form, rates).over(below)
     return form
+
+
+def _at_its_value(evaluator: FormEvaluator, node: formula.Derivative) -> Form:
+    """Return df/dθ where θ is 0 or π/2: the derivative for any θ, and then at that value."""
+    name = node.variable.name
+    general = evaluator.freeing(name).form(node)
+    return substitute_letter(general, evaluator.domain.symbol(name), evaluator.letter(name))
 
 
 def complex_parts(name: str) -> tuple[str, str]:

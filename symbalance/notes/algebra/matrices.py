@@ -10,16 +10,19 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import reduce
 from typing import Any
 
 from symbalance.document import formula
 from symbalance.document.formula import Formula, Matrix, Name
 from symbalance.document.letters import is_greek, plain_letter
 from symbalance.document.text_writer import formula_text
+from symbalance.notes.algebra.conjugation import absolute_value
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.matrix_letters import Kinds
+from symbalance.notes.algebra.roots import root
 
 MOST_WORDS = 2000
 MOST_STEPS = 30_000
@@ -92,6 +95,7 @@ class MatrixEvaluator:
             formula.Derivative: self._derivative,
             formula.Summation: self._summation,
             formula.Apply: self._apply,
+            formula.Call: self._call,
             Matrix: self._literal,
         }
 
@@ -123,6 +127,18 @@ class MatrixEvaluator:
         if node.function == "at" and isinstance(letter, Name) and letter.name in self.kinds.letters:
             return self.value(self._at_angle(letter.name, node.arguments[1]))
         return self._scalar(node)
+
+    def _call(self, node: formula.Call) -> Value:
+        """Return the length of a vector whose entries are known; other functions are of no matrix."""
+        if node.function != "abs" or not holds_matrices(node.argument, self.kinds):
+            return self._scalar(node)
+        value = self.value(node.argument)
+        if isinstance(value, Form):
+            return absolute_value(value)
+        if not isinstance(value, Literal) or min(value.shape) > 1 or max(value.shape) < 2:
+            raise NoFormError("a function of a matrix")
+        sizes = [absolute_value(entry) for row in value.rows for entry in row]
+        return root(reduce(Form.plus, (size.times(size) for size in sizes)))
 
     def _at_angle(self, name: str, place: Formula) -> Formula:
         """Return R(β) for R(α) = …: the entries with β for the one angle in them."""

@@ -37,7 +37,8 @@ _TAG = re.compile(
 )
 _MEASURED_WORD = re.compile(r"[0-9]\s?[^\W\d_]+\s*$")
 _SETTING = re.compile(r"\\([A-Za-z]+)\s*$")
-_BETWEEN_NUMBERS = r"(?<=[0-9)])(?:\s*(?:=>|⇒|<<|>>)\s*(?=[-−(]?[0-9]))"
+_NO_RELATION_BEHIND = r"(?!(?:[^\n=<>≈≤≥⇒,;.]|[.,](?=[0-9])){0,60}[=≈≤≥])"
+_BETWEEN_NUMBERS = rf"(?<=[0-9)])(?:\s*(?:(?:=>|⇒)\s*{_NO_RELATION_BEHIND}|(?:<<|>>)\s*)(?=[-−(]?[0-9]))"
 """An arrow from number to number: between relations it says what follows from what, here it claims."""
 _SIGN = re.compile(
     rf"==|:=|<=(?!>)|>=|!=|∝|\\propto(?![A-Za-z])|{_BETWEEN_NUMBERS}|{RELATION.pattern}"

@@ -454,8 +454,11 @@ def _index(parser: Parser, script: str, span: tuple[int, int]) -> Formula | None
     parts: list[Formula] = [Number(Fraction(int(digits)), span=span)] if digits else []
     if letter:
         if letter not in parser.names and letter not in parser.bound:
-            return None
-        parts.append(Name(letter, span=span))
+            if not parser.takes_free_letters or "delta" in parser.names:
+                return None
+            parts.append(parser.letter(letter, span))
+        else:
+            parts.append(Name(letter, span=span))
     node = parts[0] if len(parts) == 1 else Product(tuple(parts), span=span)
     if own_sign in ("-", "−"):  # J_{-1}: the sign is the order's own, no difference from nothing
         node = Negative(node, span=span)

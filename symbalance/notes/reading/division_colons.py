@@ -65,9 +65,10 @@ def _divides(text: str, match: re.Match[str]) -> bool:
     before = text[max(match.start() - _BEFORE, 0) : match.start()]
     if _TIME.fullmatch(match.group()):
         return False
-    if _RELATION_BEFORE.search(before):
-        return True
-    if _GOES_ON.match(text, match.end()) is None:
+    goes_on = _GOES_ON.match(text, match.end()) is not None
+    if _RELATION_BEFORE.search(before) or (goes_on and before.endswith(("$", "\\("))):
+        return True  # no label stands in a formula: $8:2 = 4$
+    if not goes_on:
         return False
     is_behind_sign = _SIGN_BEFORE.search(before) is not None
     if is_behind_sign or _LABEL.search(before.rpartition("\n")[2]):

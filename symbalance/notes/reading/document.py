@@ -264,7 +264,7 @@ class Assembler:
 
     def _new_draft(self, item: Item, names: Collection[str]) -> Draft:
         draft = Draft(item, set(names), self.motions_at(item.first_line))
-        draft.functions = self.functions
+        draft.functions, draft.page_letters = self.functions, self.free_letters
         return draft
 
     def _annotations(self, item: Item, names: frozenset[str]) -> list[tuple[Item, list[Token]]]:
@@ -597,6 +597,8 @@ class Draft:
     functions: Mapping[str, str] = field(default_factory=dict)
     """The letters that lines above define as functions, and of what: R(α) = …"""
     own_argument: str = ""
+    page_letters: Collection[str] = ()
+    """Letters of lines above that nobody declared."""
 
     @property
     def last(self) -> Item:
@@ -736,7 +738,7 @@ class Draft:
             self._leave_open()
         if not self.failures:
             self.sides, self.signs = with_second_values(self.sides, self.signs)
-        self.sides = with_differentials(self.sides, self.names)
+        self.sides = with_differentials(self.sides, {*self.names, *self.page_letters})
         self.sides = with_functions_at_places(self.sides, self.motions, self.functions)
         for place, side in enumerate(self.sides):
             if not side and place not in self.failures:

@@ -10,6 +10,9 @@ _NAMES = {
     "sen": "sin", "senh": "sinh", "tg": "tan", "tgh": "tanh", "ctg": "cot", "cotg": "cot", "cotan": "cot",
     "arcsen": "arcsin", "arctg": "arctan", "arctag": "arctan",
 }  # fmt: skip
+_CAPITALS = ("SQRT", "SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN", "EXP", "ABS", "LN")
+"""As in the cells of a sheet, SQRT(L^2-(R*SIN(a))^2)."""
+_NAMES |= {name: name.lower() for name in _CAPITALS}
 _NAME = re.compile(
     rf"(?<![A-Za-z\\_])(?P<plain>{'|'.join(_NAMES)})(?=(?:[²³]|\^[0-9])?[ ]?\()"
     rf"|\\(?P<command>{'|'.join(_NAMES)})(?![A-Za-z])"

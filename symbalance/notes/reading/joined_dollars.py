@@ -21,9 +21,10 @@ _UNIT = (
     r"(?:k?N ?m?|[kmc]?m(?:/s(?:\^?[2²])?)?|k?g|m?s|rpm|rad(?:/s)?|1/s|1/min|U/min|[kMG]?Pa|bar|k?W|k?J"
     r"|Hz|N/mm[²2]?|N/m|kg ?m[²2]?|°|%|\\%)"
 )
+_NUMBER_OUTSIDE = r"[-−]?(?:[1-9][0-9]{0,2}(?:[ ~][0-9]{3}(?![0-9]))+|[0-9][0-9.,]*[0-9]|[0-9])"
 _OUTSIDE = re.compile(
-    rf"({_FORMULA})(?P<sign>[ ~]*(?:[=≈<>≤≥])[ ~]*)(?P<number>[-−]?[0-9][0-9.,]*[0-9]|[-−]?[0-9])"
-    rf"(?:[ ~](?P<unit>{_UNIT}))?(?![\w$^]|[ ]?[-+−·×*/=(\\$])"
+    rf"({_FORMULA})(?P<sign>[ ~]*(?:[=≈<>≤≥])[ ~]*)(?P<number>{_NUMBER_OUTSIDE})"
+    rf"(?:[ ~](?P<unit>{_UNIT}))?(?![\w$^]|[ ~][0-9]|[ ]?[-+−·×*/=(\\$])"
 )
 _PART_OF_UNIT = r"(?:1|[A-Za-zµμ]{1,6}\.?)(?:\^?[-−]?[1-4]|⁻?[¹²³⁴])?"
 _UNIT_IN_PROSE = rf"{_PART_OF_UNIT}(?:[ ]?[/·⋅*‐‑-][ ]?{_PART_OF_UNIT}|[ ]{_PART_OF_UNIT}){{0,3}}"

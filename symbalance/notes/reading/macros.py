@@ -17,6 +17,7 @@ from symbalance.notes.reading import differential_signs, siunitx
 from symbalance.notes.reading.physics_macros import PHYSICS
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.signs import RELATION
+from symbalance.notes.reading.underlined_letters import is_underlined_letter
 
 # A macro in its own body doubles the text every round: rounds and growth are both bounded.
 MOST_ROUNDS = 30
@@ -41,6 +42,11 @@ _SPACE = re.compile(r"\s*")
 _BRACE = re.compile(r"\\.|[{}]", re.DOTALL)
 _SIGN = re.compile(r"\\(?:[A-Za-z@]+|.)", re.DOTALL)
 _EMPTY = re.compile(r"\{\s*\}")
+
+_WHOLE_FUNCTION = re.compile(
+    r"\s*\\(?:sin|cos|tan|cot|sec|csc|sinh|cosh|tanh|exp|ln|log)(?![A-Za-z])(?!\s*\^)\s*[^\s]"
+)
+_POWER_BEHIND = re.compile(r"\s?\^")
 
 LEFT_ALONE = word_set("section subsection thesection theequation maketitle item labelenumi")
 """Commands of layout whose redefinition changes no formula."""
@@ -287,6 +293,12 @@ class Round:
             self.refusals.setdefault(origin, _endless(name))
             return match.end()
         self.room -= max(growth, 0)
+        if (
+            macro is not None
+            and _WHOLE_FUNCTION.match(macro.body)
+            and _POWER_BEHIND.match(self.text, end)
+        ):
+            texts = ["{", *texts, "}"]  # \\C^2 is the square of the whole \\cos\\theta
         first = texts[0] if texts else ""
         first = first if isinstance(first, str) else self.text[slice(*first)]
         before = self.text[max(match.start() - LONGEST_COMMAND, 0) : match.start()]
@@ -477,7 +489,10 @@ _WITH_PLACE_BELOW = ("\\max", "\\min", "\\lim", "\\sup", "\\inf", "\\sum")
 
 
 def _framed(text: str, place: int, pairs: dict[int, int]) -> tuple[list[str | Span], int] | None:
-    """Return what is underlined as what is boxed: a relation, or a part of one."""
+    """Return what is underlined as what is boxed, a relation or a part; a phasor's letter stays."""
+    command = text.rfind("\\", 0, place)
+    if is_underlined_letter(text, command):
+        return None
     parts = _arguments(text, place, pairs, 1)
     return (["\\boxed{", parts[0][0], "}"], parts[1]) if parts else None
 

@@ -36,6 +36,11 @@ _PARTS = {
     "tenth": "10",
 }
 _TEILE = {"Drittel": "3", "Viertel": "4", "Fünftel": "5", "Sechstel": "6", "Achtel": "8", "Zehntel": "10"}
+_TENS = {
+    "five": "5", "ten": "10", "twenty": "20", "thirty": "30", "forty": "40", "fifty": "50", "sixty": "60",
+    "seventy": "70", "eighty": "80", "ninety": "90", "zehn": "10", "zwanzig": "20", "dreißig": "30",
+    "vierzig": "40", "fünfzig": "50", "sechzig": "60", "siebzig": "70", "achtzig": "80", "neunzig": "90",
+}  # fmt: skip
 _MULTIPLES = {"Doppelte": "2", "Zweifache": "2", "Dreifache": "3", "Vierfache": "4", "Fünffache": "5"}
 _COUNT = "|".join(_COUNTS)
 _AS = r"(?:[ ]as[ ][a-z]{3,8}[ ]as|[ ]so[ ][a-zäöüß]{3,8}[ ]wie)"
@@ -48,8 +53,9 @@ _MULTIPLE = re.compile(
     rf"|(?:das|dem)[ ](?P<named>{'|'.join(_MULTIPLES)})[ ]von[ ]"
     rf"|(?P<counted>{_COUNT})mal[ ]|(?P<twice>[Tt]wice|double|doppelt){_AS}?[ ]"
     rf"|(?P<half>{_HALF})[ ]"
-    rf"|(?:(?P<count>an?|one|{_COUNT})[ -](?P<part>{'|'.join(_PARTS)})s?[ ]of[ ])"
-    rf"|(?:(?P<zahl>ein|{_COUNT})[ ](?P<teil>{'|'.join(_TEILE)})[ ]von[ ])"
+    rf"|(?:(?P<count>(?i:an?|one|{_COUNT}))[ -](?P<part>{'|'.join(_PARTS)})s?[ ]of[ ])"
+    rf"|(?:(?P<zahl>(?i:ein|{_COUNT}))[ ](?P<teil>{'|'.join(_TEILE)})[ ]von[ ])"
+    rf"|(?P<tens>(?i:{'|'.join(_TENS)}))[ ](?:per[ ]?cent[ ]of|Prozent[ ]von)[ ]"
     rf"|(?P<share>{_NUMBER})[ ~]?%[ ](?:of|von)[ ](?=[A-Za-z\u03b1-\u03c9]))"
     rf"(?P<right>{_OPERAND})"
 )
@@ -110,14 +116,21 @@ def _factor(match: re.Match[str]) -> tuple[str | Span, ...]:
             return (match.span(name),)
     if match["share"]:
         return (match.span("share"), " %")
-    if match["half"]:
-        return ("(1/2)",)
-    if match["part"] or match["teil"]:
-        below = _PARTS[match["part"]] if match["part"] else _TEILE[match["teil"]]
-        return (f"({_COUNTS.get(match['count'] or match['zahl'], '1')}/{below})",)
+    if part := _part(match):
+        return (part,)
     if match["named"]:
         return (_MULTIPLES[match["named"]],)
     return (_COUNTS[match["counted"]] if match["counted"] else "2",)
+
+
+def _part(match: re.Match[str]) -> str:
+    """Return a half, two thirds or twenty percent in signs, "" for a multiple."""
+    if match["half"]:
+        return "(1/2)"
+    if match["part"] or match["teil"]:
+        below = _PARTS[match["part"]] if match["part"] else _TEILE[match["teil"]]
+        return f"({_COUNTS.get((match['count'] or match['zahl']).lower(), '1')}/{below})"
+    return f"{_TENS[match['tens'].lower()]} %" if match["tens"] else ""
 
 
 def _behind_their_operand(text: str) -> Iterator[_Change]:

@@ -28,6 +28,10 @@ _GROUPED = re.compile(
 )
 _POINT = re.compile(_APART + r"([0-9]{1,12})\.([0-9]{1,15})(?![0-9A-Za-z]|\.[0-9])")
 _POINTED = re.compile(_APART + r"([1-9][0-9]{0,2})((?:\.[0-9]{3})+)(?![0-9A-Za-z]|\.[0-9])")
+_POINTED_WITH_COMMA = re.compile(
+    _APART + r"(?<!_\{)([1-9][0-9]{0,2}(?:\.[0-9]{3}){1,4}),([0-9]{1,6})(?![0-9A-Za-z]|[.,][0-9])"
+)
+"""4.663,5 has points between thousands and a decimal comma, whatever the rest of the page has."""
 _LANGUAGES = re.compile(
     r"\b(?:und|der|die|das|ist|mit|für|wird|bei|les|des|est|avec|pour|donc|los|las|para|con|della|per|che"
     r"|het|een|voor|och|med|jest|oraz|dla)\b"
@@ -119,6 +123,12 @@ def with_plain_numerals(
     notes: list[str] = []
     commas = _commas(text, notes)
     changes |= commas
+    both = {
+        m.start(): (m.end(), f"{m[1].replace('.', '')}.{m[2]}")
+        for m in _POINTED_WITH_COMMA.finditer(text)
+    }
+    _note(notes, "points between thousands", both, text)
+    changes |= both
     changes |= _scanned(text, is_letter, notes)
     changes |= _dashes(text, notes)
     changes |= {m.start(): (m.end(), "≈") for m in _NEARLY.finditer(text)}
@@ -128,6 +138,7 @@ def with_plain_numerals(
     changes |= _crosses(text)
     changes |= _parts_of(text)
     changes |= {m.start(): (m.end(), f"({m[1]} + {m[2]})") for m in _MIXED.finditer(text)}
+    changes |= _mixed_and_inches(text)
     changes |= {
         m.start(): (m.end(), f"({_small(m[1])}/{_small(m[2])})") for m in _SMALL_FRACTION.finditer(text)
     }
@@ -151,11 +162,12 @@ def with_plain_numerals(
 def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
     """Return the numbers with a comma as they are read, by their places."""
     matches = [match for match in _COMMA.finditer(text) if not _is_pair(text, match)]
+    both = list(_POINTED_WITH_COMMA.finditer(text))
     grouped = [match for match in _GROUPED.finditer(text) if not _is_pair(text, match)]
-    if not matches and not grouped:
+    if not matches and not grouped and not both:
         return {}
     is_usual = len(_LANGUAGES.findall(text)) >= FEWEST_WORDS
-    sure = [match for match in matches if _is_surely_decimal(match, is_usual)]
+    sure = [*(match for match in matches if _is_surely_decimal(match, is_usual)), *both]
     points = [match for match in _POINT.finditer(text) if len(match[2]) != 3 or match[1] == "0"]
     changes: dict[int, tuple[int, str]] = {}
     if sure and len(sure) >= len(points):
@@ -166,7 +178,9 @@ def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
         _note(notes, "points between thousands", {m.start(): changes[m.start()] for m in thousands}, text)
         return changes
     zeros = {
-        m.start(): (m.end(), f"{m[1]}.{m[3]}") for m in sure if m[1].strip("0") == "" and len(m[3]) > 1
+        m.start(): (m.end(), f"{m[1]}.{m[3]}")
+        for m in sure
+        if m not in both and m[1].strip("0") == "" and len(m[3]) > 1
     }
     if zeros:  # 0,5 · 0,04 among points
         zeros |= {
@@ -175,6 +189,8 @@ def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
             if m[1] == "0" and _BEFORE_OPERATION.match(text, m.end())
         }
     _note(notes, "decimal commas", zeros, text)
+    if not points and not is_usual:  # 3,900/2,883 = 1.353 has both, and no words of a decimal comma
+        points = [match for match in _POINT.finditer(text) if _follows_formula(text, match)]
     if points and not zeros:
         changes = {m.start(): (m.end(), m[1] + m[2].replace(",", "")) for m in grouped}
         _note(notes, "commas between thousands", changes, text)
@@ -271,6 +287,15 @@ _MIXED = re.compile(
     r"(?=[ -]?(?:in|inch|inches|ft|lbs?)(?![A-Za-z]))"
 )
 """One and a half inches as a workshop writes them, 1 1/2 in."""
+_MIXED_SIGN = re.compile(
+    r"(?<![\w.,])(?P<whole>[1-9][0-9]?)(?P<part>[½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞])"
+    r"(?=[ -]?(?:ft|feet|lbs?|cm|mm|m|kg|miles?|hours?|turns?)(?![A-Za-z])"
+    r"|(?P<inch>[ -]?(?:in|inch|inches)(?![A-Za-z])|[\"″]))"
+)
+_INCH_SIGN = re.compile(r"(?<=[0-9])(?<![′'][0-9])(?<![′'][0-9]{2})[\"″](?=[\s.,;:)=<>≈+×x*/-]|$)")
+_OPENED_QUOTE = re.compile(r"(?:^|[\s(\[=])[\"″](?=\w)|[A-Za-z.,!?][\"″]", re.MULTILINE)
+"""A page that quotes with the same sign has no inches in it."""
+
 _PER_MILLE = re.compile(
     r"(?<![\w.,])(?P<whole>[0-9]{1,6})(?:(?P<point>[.,])(?P<rest>[0-9]{1,6}))?(?:[ ~]|\\[,;: ])?"
     r"(?:‰|\\permil(?![a-z]))"
@@ -328,6 +353,18 @@ _ENDING = re.compile(
 )
 _RAISED_POINT = re.compile(r"(?<![\w.,·])[0-9O]{1,6}·[0-9O]{1,6}(?![A-Za-z0-9_·])")
 _SPACED_POINT = re.compile(r"[\w)] ?· |(?<=[^\W\dO])·|·(?=[^\W\dO])")
+
+
+def _mixed_and_inches(text: str) -> dict[int, tuple[int, str]]:
+    """Return 3½ in as a sum of two numbers, and the inches of 5.8" on a page that quotes nothing so."""
+    changes: dict[int, tuple[int, str]] = {}
+    for match in _MIXED_SIGN.finditer(text):
+        unit = " inch" if match["inch"] else ""
+        end = match.end("inch") if match["inch"] else match.end()
+        changes[match.start()] = end, f"({match['whole']} + {match['part']}){unit}"
+    if _OPENED_QUOTE.search(text) is None:
+        changes |= {m.start(): (m.end(), " inch") for m in _INCH_SIGN.finditer(text)}
+    return changes
 
 
 def _accents(text: str) -> dict[int, tuple[int, str]]:

@@ -75,7 +75,21 @@ _EQUALS_IN_WORDS = _mark(
     r"\s*\}",
     lambda m: (" = ",),
 )
-_EVERYWHERE = (_UPRIGHT_FRACTION, _EQUALS_IN_WORDS)
+_MICRO = _mark(  # 27.8\,\mu\text{s}
+    r"(?<=[0-9])((?:\\[,;: ]|[ ~]){0,3})\\mu\s?\\(?:text|textrm|mathrm|mbox|rm)\s?"
+    r"\{\s?([A-Za-z]{1,3})\s?\}",
+    lambda m: (m.span(1), "\\mathrm{u", m.span(2), "}"),
+)
+_KERN = _mark(r"\\m?(?:kern|skip)\s?[-+]?[0-9.]{1,8}\s?(?:mu|pt|em|ex|mm)(?![A-Za-z])", _blank)
+_WORDS_OF_ROWS = (
+    _mark(r"\\(?=(?:short)?intertext\s*\{)", lambda m: (" \\\\ \\",)),
+    _mark(  # (\text{for all }\theta) behind an equation
+        r"((?:\\q?quad|\\[,;: ]|~)\s*)[(（]\s*(\\(?:mbox|text|textrm|textit|hbox)\s*\{[^{}$]*\})"
+        r"[^()=<>≈$\n\\]{0,20}(?:\\(?!leq?|geq?|approx|neq?|in)[a-z]{2,10}[^()=<>≈$\n\\]{0,10}){0,3}[)）]",
+        lambda m: (m.span(1), m.span(2)),
+    ),
+)
+_EVERYWHERE = (*_WORDS_OF_ROWS, _UPRIGHT_FRACTION, _EQUALS_IN_WORDS, _MICRO, _KERN)
 _TEX = (
     *_SLIDES,
     _mark(  # units with a raised digit in dollars, \mbox{m/s$^2$}
@@ -105,12 +119,30 @@ _REMARKS = (
     _mark(r"(?<=\s)[:;]-[)(DP](?=\s|$)", _blank),
     _mark(r"(?<=[\w)])[ \t]+<-+[ \t]*(?=[A-Za-z!?])[^\n=<>0-9]*$", _blank),
     _mark(  # and above another line that is quoted, or alone, a line without words: > 3 x, >
-        r"^(?:>[ ]?)+(?!=)(?=[^\n]*(?:[^\W\d_]{2}|[=≈])|[^\n]*\n>(?!=)|[ \t]*$)", _blank
+        r"^[ ]{0,4}(?:>[ ]?)+(?!=)(?=[^\n]*(?:[^\W\d_]{2}|[=≈])|[^\n]*\n>(?!=)|[ \t]*$)", _blank
     ),
     _mark(r"\[/?quote\b[^\]\n]{0,60}\]", lambda m: (" ; ",)),
     _mark(r"^={2,}[ \t]+([^\n=]*?)[ \t]+={2,}[ \t]*$", _first_group),
 )
 """What people put beside a line, and the signs by which e-mail quotes."""
+_FORUM = (
+    _mark(
+        r"\[(?:tex|latex|math|itex|katex)\]([^\[\]]{0,400}(?:\[[^\[\]]{0,40}\][^\[\]]{0,400}){0,8})"
+        r"\[/(?:tex|latex|math|itex|katex)\]",
+        _in_dollars,
+    ),
+    _mark(r"\[sub\]([^\[\]\n]{1,40})\[/sub\]", lambda m: ("_{", m.span(1), "}")),
+    _mark(r"\[sup\]([^\[\]\n]{1,40})\[/sup\]", lambda m: ("^{", m.span(1), "}")),
+    _mark(
+        r"\[/?(?:code|pre|list|table|td|tr|th|center|left|right|indent|spoiler|\*)(?:=[^\]\n]{0,40})?\]",
+        lambda m: ("\ue000",),
+    ),
+    _mark(
+        r"\[(b|i|u|s|size|color|colour|font|highlight)(?:=[^\]\n]{0,40})?\]([^\[\]\n]{1,300})\[/\1\]",
+        lambda m: (m.span(2),),
+    ),
+)
+"""The marks of a forum's posts, [b]F = 3[/b] and x[sub]1[/sub]."""
 _WORD = (
     _mark(r"<!\[[^\]<>]{1,80}\]>", _blank),
     _mark(r"</?(?:o|v|w|u[0-9]|st[0-9]):[A-Za-z]+[^<>]*>", lambda m: ("",)),
@@ -145,7 +177,7 @@ _BY_KIND = {
     "tex": (_TEX,),
     "markdown": (_TEX[len(_SLIDES) :], _MARKDOWN),
     "html": (_WORD,),
-    "plain": (_REMARKS,),
+    "plain": (_REMARKS, _FORUM),
 }
 _BY_ENDING = {".org": (_ORG,), ".rst": (_REST,), ".rest": (_REST,)}
 

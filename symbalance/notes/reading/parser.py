@@ -712,6 +712,11 @@ class Parser:
         place = constructs.read_place(self, letter, first) if isinstance(letter, Name) else None
         return place or letter
 
+    def _without_vector(self, name: str) -> str:
+        """Return the letter under an arrow where only that is declared."""
+        bare = name.removeprefix("vec_")
+        return bare if name not in self.names and bare in self.names else name
+
     def _accented_difference(self, token: Token) -> Formula:
         """Read \\Delta \\tilde{K}, one letter as ΔK is."""
         accent = ACCENTS[self.take().value]
@@ -723,6 +728,14 @@ class Parser:
         token = self.take()
         is_braced = token.kind == "open" and token.value == "{"
         inner = self.take() if is_braced else token
+        if inner.is_cmd(*ACCENTS):  # \\dot{\\vec r}
+            name = f"{ACCENTS[inner.value]}_{self._bare_name()}"
+            if is_braced and not self.at("close", "}"):
+                raise ReadingError(
+                    inner.start, "an accent over more than one letter", "write one letter under it"
+                )
+            self.place += is_braced
+            return self._without_vector(name)
         if inner.kind != "name" or (is_braced and not self.at("close", "}")):
             raise ReadingError(
                 inner.start, "an accent over more than one letter", "write one letter under it"

@@ -84,7 +84,9 @@ _IN_FUNCTION = re.compile(r"(?<![A-Za-z])(?:sin|cos|tan|cot)\(\s*(?:[0-9.]+\s*\*
 _LONG_WORD = re.compile(r"(?<![\\A-Za-z_])[A-Za-z]{4,}")
 _ARTICLE_FIRST = re.compile(r"(a|I|A)\s+(?=[\w\\(])")
 _DASH_LAST = re.compile(r"\s+[-–—−]\s*$")
-_ENDS_OPEN = re.compile(rf"(?:{signs.RELATION.pattern}|[*·×/])\s*$")
+_ENDS_OPEN = re.compile(
+    rf"(?:{signs.RELATION.pattern}|[*·×/]|(?<![A-Za-z])(?:{'|'.join(FUNCTION_WORDS)})[²³]?)\s*$"
+)
 _ARTICLE_LAST = re.compile(r"\s(a|I|A)$")
 
 

@@ -6,6 +6,7 @@ Such a letter has no single value; what is known of it is where its values lie, 
 from __future__ import annotations
 
 import re
+from fractions import Fraction
 
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 
@@ -35,10 +36,16 @@ _LIST = re.compile(
     rf"(?:(?:{_COMMA})?\s*(?P<dots>{_DOTS})(?:{_COMMA}(?P<last>{_NUMBER}|[A-Za-z](?:\s*[-−+]\s*[0-9])?))?+)?+"
     rf"{_NOT_BEFORE_FORMULA}"
 )
+_MULTIPLE = r"[-−+]?\s*(?:[0-9]*(?:\.[0-9]+|/[0-9]+)?\s*[a-zA-Z](?![A-Za-z])|0(?![0-9.]))"
+_MULTIPLES = re.compile(
+    rf"{_HEAD}(?P<values>{_MULTIPLE}(?:\s*,\s*{_MULTIPLE}){{2,7}}){_NOT_BEFORE_FORMULA}"
+)
+"""Where cranks stand: z = +a, 0, -a, multiples of one length."""
 _OPERATOR_BEFORE = re.compile(r"(?:[-+−*/·×^=<>≤≥≈]|\\(?:cdot|times|pm|sum|prod|int|lim)|[_^]\s*\{)\s*$")
 _LONGEST_BEFORE = 12
 _DEGREES = re.compile(r"(?:\s?°|\^\\circ|\^\{\\circ\})$")
 _INDEXED = re.compile(r"[^_]+_\{?[ijkn]\}?")
+_NUMBERED = re.compile(r"_\{?[0-9]+\}?$|[₀-₉]$")
 _PAIR = 2
 _LENGTHS = frozenset(("mm", "cm", "m"))
 """Units between which a list of values may change."""
@@ -67,6 +74,10 @@ def with_ranges(text: str) -> tuple[Rewritten | None, tuple[str, ...]]:
         if is_new and (match["rest"] or match["dots"]) and _stands_first(text, match):
             written = _listed(match)
             changes |= {match.start(): (match.end(), written)} if written else {}
+    for match in _MULTIPLES.finditer(text):
+        is_new = not any(start <= match.start() < change[0] for start, change in changes.items())
+        if is_new and _stands_first(text, match) and (written := _of_one_letter(match)):
+            changes[match.start()] = match.end(), written
     changes = {
         start: change for start, change in changes.items() if not any(a <= start < b for a, b in program)
     }
@@ -86,20 +97,64 @@ def _stands_first(text: str, match: re.Match[str]) -> bool:
     return _OPERATOR_BEFORE.search(before) is None
 
 
+def _turned_through(match: re.Match[str], plain: list[str], bare: list[str]) -> str | None:
+    """Return a list of angles in degrees as the range that holds them, None for fewer than three."""
+    if (
+        not all(re.fullmatch(r"-?[0-9.]+", value) for value in bare)
+        or len(bare) <= _PAIR
+        or match["dots"]
+    ):
+        return None
+    before = match.string[max(match.start() - _LONGEST_BEFORE, 0) : match.start()].rstrip()
+    if _NUMBERED.search(match["letter"]) or before.endswith((",", "dots", "…")):
+        return None  # δ_1, …, δ_5 = 0°, 144°, …: a value for each
+    sized = sorted(zip(map(float, bare), plain, strict=True))
+    return f"{sized[0][1]} ≤ {match['letter']} ≤ {sized[-1][1]}" if sized[0][0] < sized[-1][0] else None
+
+
+def _of_one_letter(match: re.Match[str]) -> str | None:
+    """Return a list of multiples of one letter as the range that holds them, None for other lists."""
+    sizes: dict[Fraction, str] = {}
+    letters: set[str] = set()
+    for value in match["values"].split(","):
+        bare = re.sub(r"\s", "", value).replace("−", "-").lstrip("+")
+        letters |= set(re.findall("[A-Za-z]", bare))
+        number = re.sub("[A-Za-z]", "", bare)
+        size = Fraction(f"{number}1" if number in ("", "-") else number)
+        sizes[size] = bare
+    if len(letters) != 1 or len(sizes) != match["values"].count(",") + 1:
+        return None
+    return f"{sizes[min(sizes)]} ≤ {match['letter']} ≤ {sizes[max(sizes)]}"
+
+
 def _listed(match: re.Match[str]) -> str | None:
     """Return a list of values as the range that holds them, None where it is none."""
     rest = match["rest"]
     values = [match["first"], *re.findall(_NUMBER, rest)]
     plain = [value.replace("−", "-").replace("{,}", ".") for value in values]
     bare = [_DEGREES.sub("", value) for value in plain]
+    if (
+        bare != plain
+        and "0" in plain
+        and all(b != p or b == "0" for b, p in zip(bare, plain, strict=True))
+    ):
+        return _turned_through(match, [p if p != "0" else "0°" for p in plain], bare)  # 0, 120°, 240°
     if not all(re.fullmatch(r"-?[0-9.]+", value) for value in bare):
         return None
+    return _plain_list(match, values, plain, bare)
+
+
+def _plain_list(match: re.Match[str], values: list[str], plain: list[str], bare: list[str]) -> str | None:
+    """Return a list of numbers with or without degrees as the range that holds them."""
+    rest = match["rest"]
     if _INDEXED.fullmatch(match["letter"]) and not match["dots"]:  # one value for each k
         sized = sorted(zip(map(float, bare), plain, strict=True))
         sign = "°" if any(value != part for value, part in zip(plain, bare, strict=True)) else ""
         lowest, highest = (f"{_DEGREES.sub('', each[1])}{sign}" for each in (sized[0], sized[-1]))
         is_list = sign and len(values) > _PAIR and lowest != highest
         return f"{lowest} ≤ {match['letter']} ≤ {highest}" if is_list else None
+    if all(b != p for b, p in zip(bare, plain, strict=True)):
+        return _turned_through(match, plain, bare)
     sizes = [float(value) for value in plain] if bare == plain else []
     if not sizes or sizes != sorted(sizes) or len(set(sizes)) < len(sizes):
         return None

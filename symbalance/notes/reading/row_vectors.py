@@ -12,9 +12,11 @@ from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 
 _ENTRY = r"[^(),;=<>≤≥≈$\n]+(?:\([^(),;=$\n]*\)[^(),;=<>≤≥≈$\n]*)*"
 _GAP = r"(?:,\s|,(?=\D)|;)\s*"
+_TIGHT = r"\s*[-−]?[0-9]{1,9}(?:,[-−]?[0-9]{1,9}){1,2}\s*"
+"""(1,2) and (0,0,2): two or three whole numbers, where no comma can be a decimal sign in all of them."""
 _OPEN = r"(?:\\left\s*|\\[bB]igg?l?\s*)?(?P<open>[(\[])"
 _ROW = re.compile(
-    rf"(?P<head>(?<![<>!:=])=\s*&?\s*){_OPEN}(?P<entries>\s*{_ENTRY}(?:{_GAP}{_ENTRY})+)"
+    rf"(?P<head>(?<![<>!:=])=\s*&?\s*){_OPEN}(?P<entries>{_TIGHT}(?=\\|[\])])|\s*{_ENTRY}(?:{_GAP}{_ENTRY})+)"
     r"(?:\\right\s*|\\[bB]igg?r?\s*)?(?P<close>[)\]])"
     r"(?P<turned>\s*\^\s*(?:\{?\s*(?:\\(?:top|mathsf|mathrm|rm|intercal)\s*\{?\s*)?T?\s*\}{0,2})|[ᵀ⊤])?"
     r"(?=\s*(?:[.,;、。](?!\d)|\$|\\\)|\\\]|\\\\|\\q?quad|\\end|\\text|\\,|\\;|\n|$|=|[^\W\d_]{2}))"

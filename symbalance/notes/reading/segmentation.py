@@ -41,7 +41,7 @@ _EXPLAINED = re.compile(
 _DEFINED = re.compile(r"(?<![A-Za-z\\_^{\"'.])([A-Za-z])(?:_\w{1,4})?[ \t]*=(?![=>])")
 _PHRASE = re.compile(
     r"(?:^|[.;:,(。、：|\ue000]|(?<=[.;:,])\s|[-*•]\s)\s*(?:(?:The|the|Die|Der|Das|die|der|das|A|An|Our)\s+)?"
-    r"(?P<words>[^\W\d_][\w'’-]+(?:[ ][^\W\d_][\w'’-]*){0,4})\s*$",
+    r"(?P<words>[^\W\d_][\w'’-]+(?:[ ]{1,2}[^\W\d_][\w'’-]*){0,6})\s*$",
     re.MULTILINE,
 )
 _VERBS = word_set(
@@ -626,7 +626,9 @@ _UNKNOWN_UNIT = re.compile(
 )
 _PART_OF = re.compile(r"(?:of|von|de)\b", re.IGNORECASE)
 _JOINED_BEFORE = re.compile(
-    r"(?:(?<=[0-9%)½¼¾²³}$])\s*(?:of|von|de)|\b(?:(?:half|third|quarter) of|twice)"
+    r"(?:(?<=[0-9%)½¼¾²³}$])\s*(?:of|von|de)|\b(?:twice|(?:half|halves|quarters?"
+    r"|(?:thir|four|fif|six|seven|eigh|nin|ten)(?:d|th)s?|per ?cent|squared?|cube|root|reciprocal) of"
+    r"|(?:[^\W\d_]{2,8}tel|Prozent|Hälfte|Quadrat|Kehrwert) von)"
     r"|(?:\b|\s)(?:plus|minus|times|mal|divided by|multiplied by|geteilt durch)"
     r"|(?:[0-9$)}\]²³%]|(?<![^\W_])d?[^\W_])\s+(?:over|durch|über))$",
     re.IGNORECASE,
@@ -690,7 +692,19 @@ def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingE
         return _cut(place, behind)
     line_begin = text.rfind("\n", 0, start) + 1
     before = text[max(line_begin, start - _MARGIN) : start].rpartition(CELL_END)[2].rstrip()
-    return _doubt_before(start, before)
+    return _doubt_of_place(text, start, end, before) or _doubt_before(start, before)
+
+
+_NUMBER_FIRST = re.compile(r"[0-9][0-9.,]*[ ]?(?:°|deg\b)?[ ]?=")
+_PLACE_BEFORE = re.compile(r"[^\W\d_]{2,}[ ](?:at|for|bei|für|à|pour)$")
+
+
+def _doubt_of_place(text: str, start: int, end: int, before: str) -> ReadingError | None:
+    """Return why "drop at 90 = 7.5 - 5.8" gives no number another value: the words are its side."""
+    if _NUMBER_FIRST.match(text, start, end) is None or _PLACE_BEFORE.search(before) is None:
+        return None
+    what = f"a formula that begins in words: {before.rpartition(' ')[2]}"
+    return ReadingError(start, what, "write a letter for what has the value")
 
 
 def _doubt_before(start: int, before: str) -> ReadingError | None:

@@ -34,6 +34,8 @@ _NUMBER = re.compile(
 _WORD = re.compile(
     r"\s*(?:\\([A-Za-z]+)|([A-Za-zµμ%°]+)|(\^\s*\{?\s*([-−]?[0-9])\s*\}?)|([./*·~]|\\,)|(\{|\}))"
 )
+_LIKE_THOUSANDS = re.compile(r"(?<=[0-9])\.(?=[0-9]{3}$)")
+"""The point of 2.592, which parts thousands on a page of decimal commas, but never within \\num."""
 _MOST_WORDS = 30
 
 
@@ -48,6 +50,7 @@ def number_text(source: str) -> str | None:
         return None
     sign = "-" if match["sign"] and match["sign"] in "-−–" else ""
     digits = re.sub(r"[ ~]", "", match["digits"] or "").replace(",", ".")
+    digits = _LIKE_THOUSANDS.sub("{.}", digits)
     power = (match["power"] or "").replace("−", "-").lstrip("+")
     scale = f"10^{{{power}}}" if power else ""
     return sign + (f"{digits}\\cdot {scale}" if digits and scale else digits or scale)

@@ -14,16 +14,21 @@ from html import unescape
 
 from symbalance.document.wordlists import words
 from symbalance.notes.reading.and_so_on import with_dots
+from symbalance.notes.reading.ascii_math import with_ascii_math
 from symbalance.notes.reading.compound_names import with_compound_names
 from symbalance.notes.reading.division_colons import with_divisions
 from symbalance.notes.reading.extremes_apart import with_extremes_apart, with_extremes_of_bars
 from symbalance.notes.reading.function_names import with_function_names
 from symbalance.notes.reading.greek_words import with_greek_words
+from symbalance.notes.reading.imaginary_j import with_imaginary_j
 from symbalance.notes.reading.joined_dollars import with_joined_dollars, with_units_between_dollars
 from symbalance.notes.reading.letter_d import means_diameter
 from symbalance.notes.reading.letter_e import means_letter, with_number_e
 from symbalance.notes.reading.letter_i import counts_by_i
+from symbalance.notes.reading.letters_in_braces import with_letters_unbraced
+from symbalance.notes.reading.listed_letters import with_bounds_of_each
 from symbalance.notes.reading.macros import expand_macros
+from symbalance.notes.reading.marked_letters import with_marked_letters
 from symbalance.notes.reading.mathml import is_mathml, mathml_text
 from symbalance.notes.reading.memberships import with_memberships
 from symbalance.notes.reading.multiples_in_words import with_multiples_in_signs
@@ -31,12 +36,15 @@ from symbalance.notes.reading.numerals import with_plain_numerals
 from symbalance.notes.reading.operator_words import with_operator_words
 from symbalance.notes.reading.page_marks import with_page_marks
 from symbalance.notes.reading.places_in_brackets import with_places
+from symbalance.notes.reading.pointed_words import with_points_left_out
 from symbalance.notes.reading.ranges import with_ranges
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.row_vectors import with_row_vectors
 from symbalance.notes.reading.scanned_letters import with_scanned_letters
 from symbalance.notes.reading.short_greek import with_short_greek
-from symbalance.notes.reading.systems_in_braces import with_systems
+from symbalance.notes.reading.systems_in_braces import with_rows_of_relations, with_systems
+from symbalance.notes.reading.tables_of_quantities import with_equations_of_tables
+from symbalance.notes.reading.templates import formula_of_template, stands_in_formula
 from symbalance.notes.reading.times_in_parts import with_times_in_one
 from symbalance.notes.reading.units_behind_waves import with_units_of_waves
 
@@ -104,6 +112,8 @@ def prepare(
     reader.apply(with_page_marks(reader.text, kind, suffix))
     for rules in _RULES.get(kind, ()):
         reader.apply(_rewritten(reader.text, rules))
+    if kind == "asciidoc":
+        reader.apply(with_ascii_math(reader.text))
     macros = expand_macros(reader.text)
     reader.apply(macros.source)
     own_letters = frozenset({"i"} if counts_by_i(reader.text) else ())
@@ -112,12 +122,18 @@ def prepare(
         own_letters |= {"e"}
         reader.apply(with_number_e(reader.text))
     if kind in ("tex", "markdown"):
+        reader.apply(with_equations_of_tables(reader.text, kind))
         reader.apply(with_joined_dollars(reader.text))
     for rewrite in (
+        with_letters_unbraced,
+        with_marked_letters,
+        with_imaginary_j,
+        with_bounds_of_each,
         with_row_vectors,
         with_extremes_of_bars,
         with_operator_words,
         with_multiples_in_signs,
+        with_rows_of_relations,
         with_systems,
         with_memberships,
         with_function_names,
@@ -133,6 +149,7 @@ def prepare(
         reader.apply(with_extremes_apart(reader.text))
         reader.apply_noted(with_compound_names(reader.text, is_letter))
     if kind == "plain":
+        reader.apply(with_points_left_out(reader.text))
         reader.apply_noted(with_scanned_letters(reader.text))
     reader.apply_noted(with_plain_numerals(reader.text, is_letter))
     reader.apply(with_units_of_waves(reader.text, is_letter))
@@ -321,13 +338,16 @@ def _template(match: re.Match[str]) -> Texts:
             texts += [*_math_element(element), CELL_END]
         return tuple(texts)
     name, _, inside = match[1].partition("|")
+    if (formula := formula_of_template(match)) is not None:
+        return formula
     if name.strip().lower() not in _SHOWN or not inside:
-        return (" ",)
+        return (" \\template ",) if stands_in_formula(match) else (" ",)
     start = match.start(1) + len(name) + 1
     numbered = _NUMBERED_ARGUMENT.match(inside)
     return (" ", (start + (numbered.end() if numbered else 0), match.end(1)), " ")
 
 
+_TEMPLATE = _rule(r"\{\{([^{}]{1,2000})\}\}", _template)
 _MATH_BEGINS = re.compile(r"<math[\s>]", re.IGNORECASE)
 _NUMBERED_ARGUMENT = re.compile(r"\s*[0-9]\s*=")
 """{{math|1=a = b}}: with its number an argument may hold an equals sign."""
@@ -401,13 +421,13 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
         Rule(_MATH.pattern, lambda match: None), *_DISPLAYED,
         _rule(r"\{\{\s*=\s*\}\}", lambda match: ("=",)),
         _rule(r"^(?P<heading>={2,6})(?P<title>[^=\n](?:[^\n]*?[^=\n])?)(?P=heading)[ \t]*$", _heading),
+        _TEMPLATE,
         _rule(r"^[ \t]*(?:\{\||\|\}|\|-|\|\+)[^\n]*$", _blank),
         _rule(r"^[ \t]*([|!])(?![|}+-])([^\n]*)$", _wiki_row),
-    ), (
+    ), (Rule(_MATH.pattern, lambda match: None), *_DISPLAYED, _TEMPLATE), (
         _MATH, *_DISPLAYED, _STACKED, _RAISED, _LOWERED,
         _rule(r"<ref(?:\s[^<>]*)?/>|<ref(?:\s[^<>]*)?>|</ref>", _gap),
         _INLINE_TAG, _PICTURE, _BLOCK_TAG, _ENTITY,
-        _rule(r"\{\{([^{}]{1,2000})\}\}", _template),
         _rule(r"\[\[(?:[^][|\n]*\|)*([^][|\n]*)\]\]", _inside(1, " ", " ")),
         _rule(r"\[https?://[^\s\]]+", _blank),
         _rule(r"^[:;]+|'{2,5}", _blank),

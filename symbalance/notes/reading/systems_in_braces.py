@@ -48,6 +48,45 @@ def with_systems(text: str) -> Rewritten | None:
     return rewriter.finish() if changed else None
 
 
+_ARRAY = re.compile(
+    r"\\begin\s?\{array\}\s?(?:\[[a-z]\]\s?)?\{[rlc@{}\\,;!. ]{2,24}\}"
+    r"(?P<rows>(?:(?!\\begin|\\end).){1,4000}?)\\end\s?\{array\}",
+    re.DOTALL,
+)
+_RIGHT_BRACE = re.compile(
+    r"\\left\s?\.\s*(?P<body>\\begin\s?\{(?P<name>aligned|gathered|alignedat|split)\}(?:(?!\\begin|\\end).){1,4000}?"
+    r"\\end\s?\{(?P=name)\})\s*\\right\s?\\(?:\}|rbrace)",
+    re.DOTALL,
+)
+
+
+def with_rows_of_relations(text: str) -> Rewritten | None:
+    r"""Return a text with equations in columns of an array, or before one brace, as rows of a display.
+
+    >>> with_rows_of_relations(r"\begin{array}{rcl} a &=& b \\ c &=& d \end{array}").text
+    '\\begin{aligned} a &=& b \\\\ c &=& d \\end{aligned}'
+    """
+    if "\\begin" not in text:
+        return None
+    rewriter, changed = Rewriter(text), False
+    matches = [*_ARRAY.finditer(text), *_RIGHT_BRACE.finditer(text)]
+    for match in sorted(matches, key=lambda match: match.start()):
+        if match.start() < rewriter.place:
+            continue
+        if match.re is _RIGHT_BRACE:
+            rewriter.replace(*match.span(), match.span("body"))
+            changed = True
+        elif all(map(_has_column_of_relation, _rows(match["rows"]))):
+            rewriter.replace(*match.span(), "\\begin{aligned}", match.span("rows"), "\\end{aligned}")
+            changed = True
+    return rewriter.finish() if changed else None
+
+
+def _has_column_of_relation(row: str) -> bool:
+    """Tell whether a cell of a row is a relation sign alone."""
+    return any(RELATION.fullmatch(cell.strip()) for cell in row.split("&"))
+
+
 def _with_relation_before(text: str, start: int, end: int) -> list[str | tuple[int, int]]:
     """Return { = a if …, = b else as = { a if …, b else; with several relations it is not read."""
     signs: set[str] = set()

@@ -108,7 +108,7 @@ _RAISED_UNIT = r"(?:\^\{[-−]?[0-9]\}|\^[-−]?[0-9]|\^\([-−]?[0-9]\)|[⁻]?[
 _PART_OF_UNIT = rf"[A-Za-zµμ]+{_RAISED_UNIT}?"
 _PLAIN_UNIT = re.compile(
     rf"(?P<space>[ \u2009\u202f]?)(?P<plain>(?:1/)?{_PART_OF_UNIT}"
-    rf"(?:(?:/|[·⋅・*]| (?=(?:[cm]?m|s|g|kg|rad)(?![A-Za-z]))){_PART_OF_UNIT}){{0,3}})"
+    rf"(?:(?:/|[·⋅・*]|[ \u2009\u202f](?=(?:[cm]?m|s|g|kg|rad)(?![A-Za-z]))){_PART_OF_UNIT}){{0,3}})"
     r"(?![A-Za-z0-9_('^′⁻¹²³⁴])"
 )
 _NUMBER_BEFORE = re.compile(r"(?<![A-Za-z_^\w])(?P<digits>[0-9][0-9.,]*)$")

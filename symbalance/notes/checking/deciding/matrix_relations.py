@@ -297,9 +297,11 @@ def meaningless(left: Formula, right: Formula, knowledge: Knowledge) -> str:
         return ""
     level = Level({})
     if any(
-        getattr(part, "function", "") == "at" for side in (left, right) for part in formula.walk(side)
-    ):
-        level = list(knowledge.levels(left, right))[-1]  # R(β) is nothing without the R(α) above
+        getattr(part, "function", "") in ("at", "abs")
+        for side in (left, right)
+        for part in formula.walk(side)
+    ):  # R(β) is nothing without the R(α) above, |F| without the entries of F
+        level = list(knowledge.levels(left, right))[-1]
     evaluator = MatrixEvaluator(knowledge.evaluator(level), _kinds(knowledge))
     try:
         sides = [evaluator.value(side) for side in (left, right)]

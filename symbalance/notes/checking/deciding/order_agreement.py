@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name
+from symbalance.document.formula import Call, Formula, Name
 from symbalance.document.letters import raised
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra import polynomials as poly
@@ -85,6 +85,8 @@ def decide_agreement(
     exact = Decision(UNDECIDED) if by_series_alone else decide_equality(left, right, knowledge)
     if exact.is_proved and through is None:
         return exact
+    if through is None and _begin_alike(left, right, knowledge):
+        return Decision(PROVED, order="leading term")
     best, levels = exact, list(knowledge.levels(left, right))
     clear: Decision | None = None
     is_loose = loose or right_is_cut or left_is_cut
@@ -102,6 +104,19 @@ def decide_agreement(
     if best.reason == NO_LETTER and exact.status == REFUTED:
         best = exact
     return clear if clear is not None and best.status == REFUTED and not is_loose else best
+
+
+_LIKE_THEIR_ARGUMENT = ("sin", "tan", "asin", "atan", "sinh", "tanh")
+"""Functions whose value for a small argument is that argument."""
+
+
+def _begin_alike(left: Formula, right: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether two functions of a letter called small are both nearly it: tan β ≈ sin β."""
+    are_calls = isinstance(left, Call) and isinstance(right, Call) and left.argument == right.argument
+    if not are_calls or not isinstance(left, Call) or not isinstance(right, Call):
+        return False
+    is_small = isinstance(left.argument, Name) and left.argument.name in knowledge.small
+    return is_small and {left.function, right.function} <= {*_LIKE_THEIR_ARGUMENT}
 
 
 def _is_clear(decision: Decision, knowledge: Knowledge) -> bool:

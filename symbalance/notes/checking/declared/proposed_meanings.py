@@ -259,7 +259,7 @@ class MeaningsFromWords:
         """Return of which lengths a page says a letter is the ratio, "l/s", and on which line."""
         sign = "|".join(map(re.escape, spellings(letter)))
         written = re.compile(
-            rf"(?<![A-Za-z\\])(?:{sign})\s*\$?\s*[:：=]\s*\$?\s*(?:\\[td]?frac\s*\{{?\s*([A-Za-z])\s*\}}?\s*\{{?\s*([A-Za-z])\b"
+            rf"(?<![A-Za-z\\_])(?:{sign})\s*\$?\s*[:：=]\s*\$?\s*(?:\\[td]?frac\s*\{{?\s*([A-Za-z])\s*\}}?\s*\{{?\s*([A-Za-z])\b"
             r"|([A-Za-z])\s*/\s*([A-Za-z])(?![A-Za-z0-9(]))"
         )
         for number, line in enumerate(self.lines, 1):

@@ -53,6 +53,7 @@ from symbalance.notes.checking.units.dimensions import Dimensions, Mismatch, dec
 from symbalance.notes.checking.units.formulas_between_numbers import BETWEEN_NUMBERS
 from symbalance.notes.checking.units.own_units import with_speeds
 from symbalance.notes.checking.units.rates_by_name import rate_dimension
+from symbalance.notes.checking.units.turns_in_radians import with_turns
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONTRADICTION,
@@ -63,6 +64,7 @@ from symbalance.notes.checking.verdicts import (
     Checked,
     Verdict,
 )
+from symbalance.notes.checking.words.angles_of_time import with_angles_of_time
 from symbalance.notes.checking.words.terms_of_a_kind import unlike_terms
 from symbalance.notes.checking.words.unit_or_letter import with_both_readings
 from symbalance.notes.reading.equations import Chain, ReadNotes
@@ -80,10 +82,10 @@ class Judge:
 
     def __post_init__(self) -> None:
         symbols_at = self.declarations.symbols_at
-        self.document = with_both_readings(self.document, symbols_at)
+        self.document = with_angles_of_time(with_both_readings(self.document, symbols_at))
         data = data_of(self.document, symbols_at)
         chains = (*self.document.chains, *data)
-        every = with_speeds(replace(self.document, chains=chains), symbols_at).chains
+        every = with_turns(with_speeds(replace(self.document, chains=chains), symbols_at)).chains
         self.document = replace(self.document, chains=every[: len(self.document.chains)])
         self.data = list(every[len(self.document.chains) :])
         """The page's data that stand in tables, lists and code, and have not been reached yet."""

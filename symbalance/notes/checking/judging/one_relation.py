@@ -130,7 +130,7 @@ def _judge_equality(
     """Return the verdict on a relation = or ≈: a definition, a step, or something given."""
     if isinstance(chain.sides[k].node, Summation):
         of_engine = state.named_orders.judge(chain, k, knowledge, state.cranks_of)
-        if of_engine is not None:
+        if of_engine is not None and not _is_left_open(of_engine):
             return of_engine
     definition = decide_temperature(chain, k, state.document) or _demanded(chain.relations[k])
     definition = definition or _denied(state, chain) or as_balance_solution(state, chain, k)
@@ -188,7 +188,7 @@ def _judge_step(
         by_name = state.named.judge(chain, k, knowledge)
     if by_name is None and decision.status == REFUTED:
         by_name = _as_another_named(state, chain, k, knowledge)
-    if by_name is not None:
+    if by_name is not None and not _is_left_open(by_name):
         return by_name
     verdict = describe(state.document, chain, k, decision)
     verdict = add_fix_of_relation(state, verdict, chain, k, against, decision, knowledge)
@@ -363,6 +363,8 @@ def _as_meant(
         outcome = outcome or state.harmonics.judge(chain, k, knowledge)
         outcome = outcome or decide_two_discs(chain, k, state.document)
         outcome = outcome or decide_order_speed(chain, k, state.document, knowledge)
+        if outcome is not None and _is_left_open(outcome):
+            return replace(definition, reason=outcome.reason)
     name = chain.sides[k].node
     if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
         state.definitions.define(name.name, outcome.fix.node, chain)
@@ -370,6 +372,11 @@ def _as_meant(
     elif isinstance(outcome, Decision) and outcome.status == REFUTED and isinstance(name, Name):
         state.definitions.forget(name.name, chain.lines[0])
     return outcome or definition
+
+
+def _is_left_open(outcome: Verdict | Decision) -> bool:
+    """Tell whether the search for what words name was given up: a definition stays one, and says so."""
+    return isinstance(outcome, Decision) and outcome.status == DEFINITION
 
 
 def _decide_step(

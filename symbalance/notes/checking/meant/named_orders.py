@@ -52,7 +52,7 @@ from symbalance.notes.checking.meant.meant_quantities import (
     rests_on_more,
 )
 from symbalance.notes.checking.meant.meant_words import NOBODY, USUAL_END
-from symbalance.notes.checking.verdicts import Verdict
+from symbalance.notes.checking.verdicts import DEFINITION, Verdict
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Side
@@ -185,8 +185,9 @@ class NamedOrders:
             return None
         try:
             return run_within(SEARCH, lambda: self._judge(chain, order, frame, angles), SHARE)
-        except OverBudgetError:
-            return None
+        except OverBudgetError as problem:
+            reason = f"whether it is the engine's {order.kind} was not decided within {problem.spent}"
+            return Decision(DEFINITION, reason)
 
     @staticmethod
     def _head(chain: Chain, k: int, knowledge: Knowledge) -> Name | None:

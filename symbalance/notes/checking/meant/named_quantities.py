@@ -50,7 +50,7 @@ from symbalance.notes.checking.meant.letter_roles import (
 )
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
-from symbalance.notes.checking.verdicts import Verdict
+from symbalance.notes.checking.verdicts import DEFINITION, Verdict
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
@@ -186,7 +186,10 @@ class NamedQuantities:
         return _FROM_ELSEWHERE.search(self.document.text) is not None
 
     def judge(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
-        """Return the verdict on a relation that gives a named quantity a formula; None for others."""
+        """Return the verdict on a relation that gives a named quantity a formula; None for others.
+
+        It stays a definition, with the reason, where the search took more than its share of the budget.
+        """
         left, right = chain.sides[k].node, without_dots(chain.sides[k + 1].node)[0]
         head = head_of(left)
         is_plain = k == 0 and head is not None and chain.relations[0].sign in "=≈"
@@ -197,8 +200,9 @@ class NamedQuantities:
             return None
         try:
             return run_within(SEARCH, lambda: self._judge(chain, head, right, knowledge), SHARE)
-        except OverBudgetError:
-            return None  # a definition, as it stands
+        except OverBudgetError as problem:
+            reason = f"whether its words name a standard formula was not decided within {problem.spent}"
+            return Decision(DEFINITION, reason)
 
     def of_another(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
         """Return the verdict on a letter's formula where its clause names it of something else.

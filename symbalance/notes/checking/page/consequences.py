@@ -10,7 +10,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from symbalance.document.formula import Formula, Name, Negative, Number, names
+from symbalance.document.formula import Derivative, Formula, Name, Negative, Number, names, walk
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.tree_values import names_behind
@@ -33,7 +33,9 @@ def decide_consequence(
     """
     follows = sections.is_consequence(chain) and sections.follows_at_once(chain)
     is_converse = sections.is_converse(chain)
-    before = _before(document, chain) if follows or is_converse else None
+    # a rate follows from how a quantity is defined, not from one of its values
+    is_rate = any(isinstance(part, Derivative) for side in chain.sides for part in walk(side.node))
+    before = _before(document, chain) if (follows or is_converse) and not is_rate else None
     if before is None or len(before.relations) != 1 or len(chain.relations) != 1:
         return decision
     if is_converse:

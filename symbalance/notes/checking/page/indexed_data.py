@@ -65,6 +65,11 @@ class Cell(Protocol):
 
 def rows_of_values(page: ReadNotes, used: Collection[str]) -> Iterator[Chain]:
     """Yield the values of z_1, z_2, … for each row z = (…) of a page that uses z_1 or z_k."""
+    rows = {
+        c.sides[0].node.name
+        for c in page.chains
+        if isinstance(c.sides[0].node, Name) and isinstance(c.sides[-1].node, Matrix)
+    }
     for chain in page.chains:
         head, value = chain.sides[0].node, chain.sides[-1].node
         is_row = isinstance(value, Matrix) and (len(value.rows) == 1 or len(value.rows[0]) == 1)
@@ -73,6 +78,8 @@ def rows_of_values(page: ReadNotes, used: Collection[str]) -> Iterator[Chain]:
         entries = [entry for row in value.rows for entry in row]
         stem = f"{head.name}_"
         numbers = {int(n[len(stem) :]) for n in used if n.startswith(stem) and n[len(stem) :].isdecimal()}
+        if any(f"{stem}{number}" in rows for number in numbers):
+            continue  # F = (2, 6) beside F_1 = (3, 4) is their sum, and F_1 no entry of it
         is_indexed = any((m := _INDEX.fullmatch(name)) and m["stem"] == stem for name in used)
         if not is_indexed and not numbers:
             continue
@@ -93,11 +100,14 @@ def instances_of_rules(page: ReadNotes, used: Collection[str]) -> Iterator[Chain
         if match is None or match["index"].isdecimal() or len(chain.sides) < 2:
             continue
         stem, index, value = match["stem"], match["index"], chain.sides[1].node
-        if chain.relations[0].sign != "=" or not _holds_index(value, index) or not _runs(page, index):
+        if chain.relations[0].sign != "=" or not _holds_index(value, index):
+            continue
+        is_numbered = _is_numbered(value, index, heads)
+        if not (is_numbered or _runs(page, index)):
             continue
         for name in sorted(used):
             number = name[len(stem) :]
-            if name.startswith(stem) and number.isdecimal() and name not in heads:
+            if name.startswith(stem) and number.isdecimal() and (is_numbered or name not in heads):
                 at_number = at_index(value, index, int(number))
                 try:
                     node = substitute(at_number, index, Number(Fraction(int(number))))
@@ -108,6 +118,12 @@ def instances_of_rules(page: ReadNotes, used: Collection[str]) -> Iterator[Chain
 
 def _holds_index(value: Formula, index: str) -> bool:
     return any(name == index or name.endswith(f"_{index}") for name in names(value))
+
+
+def _is_numbered(value: Formula, index: str, heads: set[str]) -> bool:
+    """Tell whether a page gives every letter with an index its values by number: φ_1, φ_2 for φ_k."""
+    stems = [name[: -len(index)] for name in names(value) if name.endswith(f"_{index}")]
+    return bool(stems) and all(f"{stem}1" in heads and f"{stem}2" in heads for stem in stems)
 
 
 def _runs(page: ReadNotes, index: str) -> bool:

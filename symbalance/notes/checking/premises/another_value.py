@@ -32,6 +32,7 @@ from symbalance.notes.checking.premises.impossible_values import outside_range
 from symbalance.notes.checking.premises.premise_decisions import FAR, decide_by_premises
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.verdicts import CONDITION, CONTRADICTION, DEFINITION, PREMISE
+from symbalance.notes.checking.words.angles_of_time import is_time_of_angle
 from symbalance.notes.checking.words.case_words import numbers_of_several
 from symbalance.notes.checking.words.plain_formulas import lone_side, plain_text
 from symbalance.notes.reading.equations import Chain, Side
@@ -327,6 +328,8 @@ def _new_case(
     if sign == "≈" or decide(old, Side((value,), (0, 0)), sign, knowledge).is_proved:
         return False
     is_area = _is_integral_with_a_number(value, knowledge)
+    if _are_times_of_angles(earlier.node, value):
+        return True
     if names(earlier.node) and names(value) and not is_area:
         return isinstance(value, Name)
     if names(earlier.node) or (names(value) and not is_area):
@@ -335,6 +338,11 @@ def _new_case(
     if not points or is_called_case:
         return True
     return _is_far(*points[0][1])
+
+
+def _are_times_of_angles(*values: Formula) -> bool:
+    """Tell whether values of t say where the crank stands: ω t = 0, and then ω t = π."""
+    return all(is_time_of_angle("t", value) for value in values)
 
 
 def _is_integral_with_a_number(value: Formula, knowledge: Knowledge) -> bool:
@@ -443,7 +451,8 @@ def refuse_case(
     In prose a new case is said to be one, or stands in a section of its own.
     """
     line, text = chain.lines[0], f"{plain_text(Name(name))} = {plain_text(earlier.node)}"
-    if name in knowledge.angles or definitions.is_stale(name, knowledge):
+    is_moment = name in knowledge.angles or _are_times_of_angles(earlier.node, value)
+    if is_moment or definitions.is_stale(name, knowledge):
         return None
     if definitions.sections.premise_end(chain, is_number=not names(value)) is not None:
         return None

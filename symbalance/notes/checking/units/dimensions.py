@@ -110,11 +110,14 @@ _TYPED = re.compile(r"\\(?:SI|qty)\s*\{(?P<number>[^{}]*)\}\s*\{(?P<unit>[^{}]*)
 _EXPONENT = re.compile(r"\^\s*\{\s*([-−]?[0-9])\s*\}")
 _BEFORE_EXPONENT = re.compile(r"(?<=[A-Za-z]) +\^")
 """The space that the brace around a unit leaves before its exponent, \\mathrm{s}^{-1}."""
-_BRACKET_BEHIND = re.compile(r"\)(?P<unit>[^()]{1,60})$")
+_BRACKET_BEHIND = re.compile(r"(?:\\right\s?|\\[bB]igg?r\s?)?\)(?P<unit>[^()]{1,60})$")
 """The end of a sum in brackets, with its unit."""
 _IN_FRACTION = r"\{((?:[^{}]|\{[^{}]{0,30}\}){1,60})\}"
 _FRACTION = re.compile(rf"\\[dt]?frac\s?{_IN_FRACTION}\s?{_IN_FRACTION}")
-_SETTING = re.compile(r"\\(?:mathrm|text|textrm|mbox|unit|si|rm|cdot)(?![A-Za-z])|\\[,;:! ]|[~${}()\[\]]")
+_SETTING = re.compile(
+    r"\\(?:mathrm|text|textrm|mbox|unit|si|rm|cdot|left|right|[bB]igg?[lr]?)(?![A-Za-z])"
+    r"|\\[,;:! ]|[~${}()\[\]]"
+)
 _QUANTITY = re.compile(r"\s*(?P<number>[-+−]?[0-9][0-9.,]*)?\s*(?P<unit>\S.*?)?[\s.,;]*$", re.DOTALL)
 
 
@@ -294,9 +297,10 @@ class Dimensions:
 
     def behind_bracket(self, node: Formula) -> Dimension | None:
         r"""Return the dimension of a sum of numbers by the unit behind its bracket: (0.9 + 0.3)\,kg."""
-        match = _BRACKET_BEHIND.search(self.text[node.span[0] : node.span[1]])
+        source = self.text[node.span[0] : node.span[1]]
+        match = _BRACKET_BEHIND.search(source)
         if match is None:
-            return NONE
+            return NONE if re.search("[-+−]", source) else None  # 3½ in: its unit is not the sum's
         _, unit = written_unit(f"0 {match['unit']}")
         return unit_of(unit) if unit else NONE
 
@@ -392,8 +396,9 @@ def _combine(dimensions: Dimensions, parts: list[tuple[Formula, int]], depth: in
 def _power(dimensions: Dimensions, node: formula.Power, depth: int) -> Dimension | None:
     base = dimensions.of(node.base, depth)
     behind = [unit for part in formula.walk(node.exponent) if (unit := dimensions.unit_at(part))]
-    if behind:  # 10^5 Pa: the unit is read with the exponent
-        return unit_of(behind[0]) if isinstance(node.base, Number) else None
+    if behind:  # 10^5 Pa, (2 + 3)^2 m²: the unit is read with the exponent
+        is_of_numbers = not names(node.base) and not any(map(dimensions.unit_at, formula.walk(node.base)))
+        return unit_of(behind[0]) if isinstance(node.base, Number) or is_of_numbers else None
     exponent = dimensions.of(node.exponent, depth)
     if exponent is not None and exponent != NONE:
         text = formula_text(node.exponent, plain=True)

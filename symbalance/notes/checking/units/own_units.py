@@ -71,7 +71,12 @@ def with_speeds(document: ReadNotes, symbols_at: Symbols) -> ReadNotes:
         name for name in speeds if _stem(name) in stems
     }  # n_max beside n_m counts what that counts
     chains = (
-        _chain(chain, symbols_at(chain.lines[0]), numbers, speeds, document) for chain in document.chains
+        _with_turns_by_the_second(
+            _chain(chain, symbols_at(chain.lines[0]), numbers, speeds, document),
+            numbers & speeds,
+            document,
+        )
+        for chain in document.chains
     )
     return replace(document, chains=tuple(chains))
 
@@ -86,9 +91,12 @@ def _chain(
     role = role_of(symbols.get(name, "")) if name else ""
     is_angular = role == ANGULAR or name in _ANGULAR_LETTERS
     counted = _speeds_in(chain, speeds) if name is None else set()
-    as_number = role == ROLE or (name in numbers and not is_angular) or bool(counted & numbers)
+    by_minute = name is None and any(map(_is_of_sixty, chain.sides))
+    as_number = (
+        role == ROLE or (name in numbers and not is_angular) or bool(counted & numbers) or by_minute
+    )
     text = document.text[chain.start : chain.end + _UNIT_LENGTH]
-    by_second = name is None and (bool(counted) or _HERTZ.search(text) is not None)
+    by_second = name is None and (by_minute or bool(counted) or _HERTZ.search(text) is not None)
     is_speed = (name is not None and not is_angular) or by_second
 
     def at_home(node: Formula) -> Formula:
@@ -112,6 +120,46 @@ def _chain(
         for side in chain.sides
     )
     return replace(chain, sides=tuple(sides))
+
+
+def _is_of_sixty(side: Side) -> bool:
+    """Tell whether a side is sixty times what letters say of a second: 60 f in revolutions per minute."""
+    return bool(names(side.node)) and Number(Fraction(60)) in _factors_above(side.node)
+
+
+_OF_A_SECOND = re.compile(
+    r"[0-9](?:[\s~{]|\\,|\\mathrm|\\text|\\frac|\\[td]frac)*(?:k?m\}?\s?(?:/|\}\{|\{)\s?(?:\\mathrm\{)?s|[kM]?W(?![A-Za-z]))"
+)
+"""What is per second whatever the speed is counted in: metres per second, watts."""
+
+
+def _with_turns_by_the_second(chain: Chain, counted: set[str], document: ReadNotes) -> Chain:
+    """Return a chain in which a number of revolutions per minute may count those of a second: v = 2 s n.
+
+    n = 4500 U/min is a number in π n/30. In 2 s n = 13.8 m/s it is the quantity that it was given as.
+    """
+    own = {name for side in chain.sides for name in names(side.node)} & counted
+    if not own or not any(_OF_A_SECOND.search(document.source(side.span)) for side in chain.sides):
+        return chain
+    if any(not _BY_NUMBER.isdisjoint(_typed_numbers(side.node)) for side in chain.sides):
+        return chain
+    sides = tuple(
+        replace(side, readings=(*side.readings, *(_turned(node, own) for node in side.readings)))
+        if names(side.node) & own
+        else side
+        for side in chain.sides
+    )
+    return replace(chain, sides=sides)
+
+
+def _turned(node: Formula, counted: set[str]) -> Formula:
+    """Return a formula with a sixtieth of each letter that counts revolutions per minute."""
+    if isinstance(node, Name):
+        if node.name not in counted:
+            return node
+        return Product((node, replace(_A_SIXTIETH, span=node.span)), span=node.span)
+    parts = children(node)
+    return with_children(node, tuple(_turned(part, counted) for part in parts)) if parts else node
 
 
 _HERTZ = re.compile(r"(?<![A-Za-z])[kM]?Hz(?![A-Za-z])")

@@ -1,0 +1,44 @@
+r"""AsciiMath within the delimiters of LaTeX, stem:[1/2 J omega^2]: its words become commands.
+
+Only formulas without a backslash: an AsciiDoc page may set LaTeX in its stems as well.
+"""
+
+from __future__ import annotations
+
+import re
+
+from symbalance.document.letters import GREEK_SIGN
+from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+
+_FORMULA = re.compile(r"\\\((?P<inline>[^\\$]{1,2000}?)\\\)|\\\[(?P<display>[^\\$]{1,4000}?)\\\]")
+_SIGNS = {"xx": "\\times ", "oo": "\\infty ", "pm": "\\pm ", "approx": "\\approx "}
+_NAMES = "|".join(sorted((*GREEK_SIGN, *_SIGNS), key=len, reverse=True))
+_WORD = re.compile(
+    rf"(?<![A-Za-z\\])(?P<word>{_NAMES})(?![A-Za-z])"
+    r"|(?P<implies>=>)|(?P<below><=)|(?P<above>>=)|(?P<near>~~)|(?P<times>\*\*?)"
+)
+_MARKS = {
+    "implies": " \\Rightarrow ",
+    "below": " \\le ",
+    "above": " \\ge ",
+    "near": " \\approx ",
+    "times": " \\cdot ",
+}
+
+
+def with_ascii_math(text: str) -> Rewritten | None:
+    r"""Return a text with the words of AsciiMath as commands, None where there are none.
+
+    >>> with_ascii_math(r"\(E = 1/2 J omega^2\)").text
+    '\\(E = 1/2 J \\omega^2\\)'
+    """
+    rewriter, changed = Rewriter(text), False
+    for formula in _FORMULA.finditer(text):
+        for match in _WORD.finditer(text, formula.start() + 2, formula.end() - 2):
+            if match["word"]:
+                written = _SIGNS.get(match["word"], f"\\{match['word']}")
+            else:
+                written = _MARKS[match.lastgroup or ""]
+            rewriter.replace(*match.span(), written)
+            changed = True
+    return rewriter.finish() if changed else None
