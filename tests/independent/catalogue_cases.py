@@ -8,6 +8,8 @@ from itertools import pairwise
 from mpmath import mp, mpf
 
 from tests.independent.crank_torque_cases import CRANK_TORQUE
+from tests.independent.resonance_cases import RESONANCE
+from tests.independent.shaft_cases import SHAFTS
 
 F = Fraction
 
@@ -410,6 +412,8 @@ ENGINE_RATES = {
 }  # fmt: skip
 
 CASES = {
+    **SHAFTS,
+    **RESONANCE,
     **STRENGTH,
     **VIBRATION,
     **INERTIA,

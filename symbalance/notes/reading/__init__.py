@@ -19,6 +19,7 @@ executed as code.
     and_so_on, division_colons      + etc. for dots; 478 : 4 as a quotient
     units_behind_waves              1.97 cos φ kN: the unit of a whole side
     greek_words, short_greek        lambda = r/l and cos(2*th) in plain text
+    letter_d                        the diameter d, told from a differential
     letter_e                        the offset e, told from the number
     letter_i                        the order i, told from the imaginary unit
     lexer, parser                   one formula's text to tokens, and these to trees

@@ -31,10 +31,19 @@ def is_plain(name: str) -> bool:
     parts = re.sub(r"'+$", "", name).split("_")
     if parts[0] == "delta" and parts[1:] in (["i"], ["e"]):
         return True  # δ_i, and no step of the constant
+    if parts[0] == "delta" and len(parts) == 2 and _is_mark_of_value(parts[1]):
+        return True
     while len(parts) > 1 and parts[0] in _MARKS:
         parts = parts[1:]
     base = re.sub(r"(?<=^[A-Za-z])[0-9]+$", "", parts[0])
     return (len(base) == 1 and base.isalpha() and base not in _NEVER) or base in GREEK_SIGN
+
+
+def _is_mark_of_value(subscript: str) -> bool:
+    """Tell whether a subscript is a number or a word: δ_0 and δ_st are no steps of a letter."""
+    return subscript.isdigit() or (
+        len(subscript) > 1 and subscript.isalpha() and subscript not in GREEK_SIGN
+    )
 
 
 def may_be_free(
@@ -47,27 +56,15 @@ def may_be_free(
     if not is_plain(name) and name not in known:
         return False
     before = next((t for t in reversed(tokens[:place]) if t.end <= start), None)
-    if before is not None and _is_exponent_of_letter(tokens, before):
+    if before is not None and _is_exponent_of_letter(tokens, tokens.index(before)):
         before = None  # r ω² d: the 2 is no number that a unit stands behind
     is_last = place >= len(tokens) or tokens[place].kind in ("sep", "close")
     is_word = tokens[place - 1].end - start == len(name)  # 20 psi, but 2\psi and 2ψ
-    is_exponent = before is not None and _is_exponent_of_letter(tokens, tokens.index(before))
-    if (
-        is_last
-        and is_word
-        and not is_exponent
-        and before is not None
-        and before.kind in ("number", "vulgar")
-    ):
+    if is_last and is_word and before is not None and before.kind in ("number", "vulgar"):
         is_letter = not scale_of(name) or (name in known and before.end == start)
         return is_letter and (name != "d" or name in known)  # 3 N, but 2 m r
     is_apart = place < len(tokens) and tokens[place].start > start + 1
     return name != "d" or (name in known and is_apart) or _is_no_differential(tokens, place)
-
-
-def _is_exponent_of_letter(tokens: Sequence[Token], number: Token) -> bool:
-    at = next(k for k, token in enumerate(tokens) if token is number)
-    return at > 1 and tokens[at - 1].kind == "sup" and tokens[at - 2].kind in ("name", "cmd")
 
 
 def _is_exponent_of_letter(tokens: Sequence[Token], place: int) -> bool:

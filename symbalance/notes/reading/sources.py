@@ -23,6 +23,7 @@ from symbalance.notes.reading.function_names import with_function_names
 from symbalance.notes.reading.greek_words import with_greek_words
 from symbalance.notes.reading.imaginary_j import with_imaginary_j
 from symbalance.notes.reading.joined_dollars import with_joined_dollars, with_units_between_dollars
+from symbalance.notes.reading.letter_d import means_diameter
 from symbalance.notes.reading.letter_e import lengths_named, means_letter, with_number_e
 from symbalance.notes.reading.letter_i import counts_by_i
 from symbalance.notes.reading.letters_in_braces import with_letters_unbraced
@@ -118,6 +119,7 @@ def prepare(
     reader.apply(macros.source)
     own_letters = frozenset({"i"} if counts_by_i(reader.text) else ())
     own_letters |= lengths_named(reader.text)
+    own_letters |= {"d"} if means_diameter(reader.text) else frozenset()
     if means_letter(reader.text):
         own_letters |= {"e"}
         reader.apply(with_number_e(reader.text))

@@ -20,6 +20,7 @@ from symbalance.notes.checking.deciding.descriptions import describe, printed_va
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.judging.cases_in_words import opens_case_in_words
 from symbalance.notes.checking.judging.usual_slips import (
     LEAST_APART,
     is_slip,
@@ -60,16 +61,22 @@ def note_other_case(
     }
     rows = sorted(lines - {*chain.lines})
     of_numbers = not any(names(side.node) for side in chain.sides[k : k + 2])
+    is_told = not k and opens_case_in_words(chain, state.document)
+    rows = sorted(lines) if is_told and not rows else rows  # both may stand in one line
     if not rows or of_numbers or _is_wrong_anyway(chain, k, against, knowledge):
         return verdict
     is_datum, is_result = _is_datum(chain, k, knowledge), _is_result(state, chain, k)
-    is_same_case = not is_datum and (
-        _is_miscalculated(state, chain, k, decision, knowledge)
-        or _is_cut_wrongly(decision)
-        or _stands_below(chain, k, knowledge)
-        or (not is_result and _puts_numbers_in(chain, k, against, knowledge))
-        or any(isinstance(part, Summation) for part in walk(against.node))
-        or (is_result and (k > 0 or len(rows) < len(lines)))
+    is_same_case = (
+        not is_datum
+        and not is_told
+        and (
+            _is_miscalculated(state, chain, k, decision, knowledge)
+            or _is_cut_wrongly(decision)
+            or _stands_below(chain, k, knowledge)
+            or (not is_result and _puts_numbers_in(chain, k, against, knowledge))
+            or any(isinstance(part, Summation) for part in walk(against.node))
+            or (is_result and (k > 0 or len(rows) < len(lines)))
+        )
     )
     if is_same_case:
         return verdict

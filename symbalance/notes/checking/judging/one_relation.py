@@ -29,7 +29,10 @@ from symbalance.notes.checking.meant.firing_intervals import (
     refute_repeated_interval,
 )
 from symbalance.notes.checking.meant.given_numbers import number_given
+from symbalance.notes.checking.meant.left_sides import head_of
 from symbalance.notes.checking.meant.lever_arms import refute_lever_arm
+from symbalance.notes.checking.meant.order_speeds import decide_order_speed
+from symbalance.notes.checking.meant.two_discs import decide_two_discs
 from symbalance.notes.checking.motions.equations_of_motion import (
     decide_motion,
     decide_natural_frequency,
@@ -177,8 +180,10 @@ def _judge_step(
         text = state.document.text
         decision = decide_with_gravity(chain, k, decision, text, knowledge, by_premises) or decision
     if decision.status in STATED:
-        by_centre = value_at_dead_centre(state, chain, k, knowledge)
-        return by_centre or _moment_by_name(state, chain, k, knowledge) or decision
+        by_words = value_at_dead_centre(state, chain, k, knowledge)
+        by_words = by_words or decide_two_discs(chain, k, state.document)
+        by_words = by_words or _moment_by_name(state, chain, k, knowledge)
+        return by_words or _by_named_inverse(state, chain, k, knowledge) or decision
     if decision.status == CONTRADICTION:
         return decision
     if not is_settled:
@@ -193,6 +198,8 @@ def _judge_step(
     if by_name is None and decision.status == UNDECIDED:
         by_name = state.engine_resultants.judge(chain, k, knowledge)
         by_name = by_name or state.named.judge(chain, k, knowledge)
+    if by_name is None and decision.status == REFUTED:
+        by_name = _as_another_named(state, chain, k, knowledge)
     if by_name is not None and not _is_left_open(by_name):
         return by_name
     verdict = describe(state.document, chain, k, decision)
@@ -213,6 +220,33 @@ def _moment_by_name(
     if status == REFUTED:
         for name in names(left):
             state.definitions.lapse(name)
+    return outcome
+
+
+def _as_another_named(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the proof that a letter's new formula is the standard one of what its own words name.
+
+    A line above has another formula for it, of another shape or hypothesis: solid and hollow, Mises and
+    Tresca.
+    """
+    outcome = state.named.judge(chain, k, knowledge)
+    is_proved = isinstance(outcome, Decision) and outcome.is_proved
+    return outcome if is_proved and isinstance(outcome, Decision) else None
+
+
+def _by_named_inverse(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> Verdict | Decision | None:
+    """Return the verdict on ω² = … or 1/c = … by the quantity that words name.
+
+    Nothing rests on a wrong one.
+    """
+    name = head_of(chain.sides[k].node)
+    if k or name is None or isinstance(chain.sides[0].node, Name):
+        return None
+    outcome = state.named.judge(chain, k, knowledge)
+    if isinstance(outcome, Verdict) and outcome.verdict == REFUTED:
+        state.definitions.lapse(name)
     return outcome
 
 
@@ -364,6 +398,8 @@ def _as_meant(
         outcome = outcome or state.named.judge(chain, k, knowledge)
         outcome = outcome or state.named_numbers.judge(chain, k, knowledge)
         outcome = outcome or state.harmonics.judge(chain, k, knowledge)
+        outcome = outcome or decide_two_discs(chain, k, state.document)
+        outcome = outcome or decide_order_speed(chain, k, state.document, knowledge)
         if outcome is not None and _is_left_open(outcome):
             return replace(definition, reason=outcome.reason)
     name = chain.sides[k].node

@@ -121,14 +121,17 @@ def _one_sided_letter(
     but the one whose speed v is. Of a series the letter may stand in what is cut off, as φ does in
     √(1 - λ² sin²φ) ≈ 1 - λ/2 sin²φ: it is written on both sides.
     """
-    if decision.left is None or decision.right is None:
-        return ""
     line, left, right = chain.lines[0], chain.sides[k].node, chain.sides[k + 1].node
+    if decision.left is None or decision.right is None:
+        return _one_sided_by_value(state, left, right, line, knowledge)
     both = names(left) & names(right) if decision.expanded_in else set[str]()
     both |= _summed_letters(left, right, decision, knowledge)
     free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
     free -= state.motions.letters(line)
-    for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
+    unlike = set(letters(decision.left)) ^ set(letters(decision.right))
+    if decision.expanded_in and chain.relations[k].sign == "=":
+        unlike |= _ends_behind(left, knowledge) ^ _ends_behind(right, knowledge)  # whatever is cut off
+    for name in sorted(unlike):
         is_open = name in free and name not in {
             *state.general,
             *knowledge.universal,
@@ -141,6 +144,27 @@ def _one_sided_letter(
         if "/d" in name:  # the derivative of what no line defines
             return name
     return ""
+
+
+def _one_sided_by_value(
+    state: JudgingState, left: Formula, right: Formula, line: int, knowledge: Knowledge
+) -> str:
+    """Return such a letter of sides that were compared by values alone: they have other roots."""
+    free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
+    for name in sorted(_ends_behind(left, knowledge) ^ _ends_behind(right, knowledge)):
+        if (
+            name in free
+            and name not in {*state.general, *knowledge.universal}
+            and not knowledge.knows(name)
+        ):
+            return f"{plain_text(Name(name))} is not declared and"
+    return ""
+
+
+def _ends_behind(node: Formula, knowledge: Knowledge) -> set[str]:
+    """Return the letters without a value that a formula has when its own have theirs."""
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    return {name for name in names_behind(node, values) if name not in values}
 
 
 def _stands_nowhere(state: JudgingState, name: str, line: int, knowledge: Knowledge) -> bool:

@@ -35,7 +35,7 @@ SMALL = ((31, 17, 7, 11, 23, 37, 5), (13, 29, 41, 3, 19, 9, 27), (8, 5, 21, 37, 
 """The same in hundredths, for formulas that have no value elsewhere: √(1 - D²)."""
 FALLING = ((43, 37, 29, 5, 2), (31, 23, 19, 7, 3), (17, 13, 11, 4, 1))
 """Values in tenths for formulas that need the first letters to be large: √(n² - sin² θ)."""
-_EXACT = 1e-9
+_EXACT, _FAR = 1e-9, 1e-3
 _FACTORS = frozenset({1, 2, 3, 4, 6, 8, 9, 16, 32, 64})
 """Numerators and denominators of a factor that is a slip: 5, 12, 60, 1000 may be a change of units."""
 _TURNING = ("sin", "cos", "tan")
@@ -49,6 +49,13 @@ def agrees(target: Formula, claim: Formula) -> bool:
     if _ratio_of(target, claim, SMALL, 100) == (1.0,) * len(SMALL):
         return True
     return _ratio_of(target, claim, FALLING) == (1.0,) * len(FALLING)
+
+
+def differs(target: Formula, claim: Formula) -> bool:
+    """Tell whether two formulas have different values where both have any."""
+    ratios = (*_ratio_of(target, claim), *_ratio_of(target, claim, SMALL, 100))
+    finite = [ratio for ratio in ratios if isfinite(ratio)]
+    return bool(finite) and all(not isclose(ratio, 1, rel_tol=_FAR) for ratio in finite)
 
 
 def _values(node: Formula, point: Mapping[str, Fraction]) -> float:

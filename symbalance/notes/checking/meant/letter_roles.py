@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from functools import cache
 
 from symbalance.document.formula import Formula, Name, names
-from symbalance.document.letters import plain_letter
+from symbalance.document.letters import ACCENTS, plain_letter
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.meant.catalogue import OTHER_LENGTHS, ROLES
 
@@ -29,9 +29,10 @@ _OF_TWO = {"outer": (_OUTER, _INNER, "D"), "inner": (_INNER, _OUTER, "d"),
 LONGEST_NAME = 48
 """Characters of the words before a letter that may name it."""
 _GOES_ON = re.compile(r"\}?\s*(?:[A-Za-z0-9(+*/·^-]|\\(?:[a-z]+))(?<!\\approx)(?<!\\in)(?<!\\to)")
+_ANGULAR = frozenset({"omega", "Omega"})
 _TAGS = re.compile(r"<[^>]*>|\\(?:mathrm|text|it|rm|bf)\b|[${}()\\*_`|\[\]~]")
 _LINKS = re.compile(
-    r"(?:\s|,|:|=|\bof\b|\bthe\b|\bis\b|\ba\b|\bby\b|\bvon\b|\bist\b|\bder\b|\bdie\b|\bdes\b|\bmit\b"
+    r"(?:\s|,|:|=|\bof\b|\bthe\b|\bis\b|(?-i:\ba\b)|\bby\b|\bvon\b|\bist\b|\bder\b|\bdie\b|\bdes\b|\bmit\b"
     r"|\band\b|\bund\b|\b(?:per|je|pro|of\s(?:a|one|each))\s(?:cylinder|zylinder|piston|kolben|wheel)\b"
     r"|[をがはのと、])+$",
     re.I,
@@ -79,6 +80,11 @@ _END_BEFORE = {
     for role, words in ROD_ENDS.items()
 }
 """Which end of a rod a distance is taken from, behind its letter or before: a from the big end."""
+_APPOSED = re.compile(
+    r"\s*(?:the|its|a|der|die|das)\s+((?:[\w-]+ ){0,3}?[\w-]+)(?=\s*[,.;)]|\s+(?:and|und)\b|\s*$)", re.I
+)
+"""The same without a verb, as in a list: D is the damping ratio and η the frequency ratio."""
+_ADDED = re.compile(r"(?:,|\band|\bund)[\s(]*$", re.I)
 
 
 @dataclass
@@ -128,6 +134,8 @@ class LetterRoles:
             return True
         if role == "net_force" and letter in self.piston_forces and not roles & {"rod_force", "rod"}:
             return True
+        if letter.partition("_")[0] in _ANGULAR and "frequency" in roles:
+            roles = (roles | {"omega"}) - {"frequency"}  # a frequency ω counts radians
         return role in roles if roles else not is_other and _is_usual(letter, role)
 
     def _roles_named(self, letter: str) -> tuple[frozenset[str], bool]:
@@ -146,7 +154,7 @@ class LetterRoles:
     def _end_of_rod(self, letter: str) -> str:
         """Return the role of a distance from one end of a rod, by the words beside it; "" for none."""
         ends = set()
-        for match in re.finditer(rf"(?<![^\W_])(?<!\\){_sign_of(letter)}", self.text):
+        for match in re.finditer(rf"(?<![^\W_])(?<!\\){sign_of(letter)}", self.text):
             behind = _TAGS.sub("", self.text[match.end() : match.end() + 80])
             before = _TAGS.sub("", self.text[max(0, match.start() - 90) : match.start()])
             if before.rstrip(" ").endswith(("-", "+", "/", "·", "−")):
@@ -160,9 +168,9 @@ class LetterRoles:
         meant.
         """
         multiple = (
-            rf"(?<=[^\W\d_]{{3}})(?<!angle)(?<!inkel)\s[\s$\\(]{{0,4}}\d{{1,9}}\s?{_sign_of(letter)}"
+            rf"(?<=[^\W\d_]{{3}})(?<!angle)(?<!inkel)\s[\s$\\(]{{0,4}}\d{{1,9}}\s?{sign_of(letter)}"
         )
-        part = rf"(?<=[^\W\d_]{{3}})\s[\s$\\(]{{0,4}}{_sign_of(letter)}\s?/\s?[2-9]"
+        part = rf"(?<=[^\W\d_]{{3}})\s[\s$\\(]{{0,4}}{sign_of(letter)}\s?/\s?[2-9]"
         return re.search(multiple, self.text) is not None or re.search(part, self.text) is not None
 
     def words_before(self, letter: str) -> list[str]:
@@ -170,7 +178,7 @@ class LetterRoles:
         to be behind it.
         """
         if letter not in self._before:
-            pattern = rf"(?<![^\W_])(?<!\\){_sign_of(letter)}"
+            pattern = rf"(?<![^\W_])(?<!\\){sign_of(letter)}"
             phrases = []
             for match in re.finditer(pattern, self.text):
                 if _begins_formula(self.text, match.start(), match.end()):
@@ -186,7 +194,11 @@ class LetterRoles:
                     continue
                 if _WRITTEN.search(words) and _ANOTHER.search(words):
                     continue  # λ for the crank ratio and F_0
-                follows = _IS.match(behind) or (_APPOSED.match(behind) if _WITH.search(words) else None)
+                apposed = _APPOSED.match(behind) if _WITH.search(words) or _ADDED.search(words) else None
+                follows = _IS.match(behind) or apposed
+                phrase = _LINKS.sub("", words)
+                if ":" in words[len(phrase) :] and not _is_of_letter(phrase, letter):
+                    continue
                 if follows is not None:
                     phrases.append(follows[1])
                 if follows is None or not words.rstrip().endswith(","):  # in the rod, φ being …
@@ -202,8 +214,28 @@ def _begins_formula(text: str, start: int, end: int) -> bool:
     return is_first and _GOES_ON.match(text, end) is not None
 
 
-def _sign_of(letter: str) -> str:
-    """Return a pattern for a letter as a page may write it: \\omega_0, ω_{0}."""
+def _is_of_letter(phrase: str, letter: str) -> bool:
+    """Tell whether words before a colon name what a letter usually is, and no diameter k."""
+    stem = without_accent(letter).partition("_")[0]
+    named = [each for each in ROLES.values() if ends_with(each.words, phrase)]
+    return not named or any(stem in {n.partition("_")[0] for n in each.letters} for each in named)
+
+
+def without_accent(letter: str) -> str:
+    """Return a letter without the hat of an amplitude or the bar of a mean.
+
+    >>> without_accent("hat_varphi"), without_accent("Delta_W")
+    ('varphi', 'Delta_W')
+    """
+    return letter.removeprefix("hat_").removeprefix("bar_")
+
+
+def sign_of(letter: str) -> str:
+    """Return a pattern for a letter as a page may write it: \\omega_0, ω_{0}, \\hat\\varphi."""
+    plain = without_accent(letter)
+    if plain != letter:
+        accents = "|".join(sign for sign, name in ACCENTS.items() if letter.startswith(f"{name}_"))
+        return rf"\\(?:{accents})\s?\{{?\s?{sign_of(plain)}\}}?"
     stem, _, index = letter.partition("_")
     signs = {stem, plain_letter(stem), "\\" + stem}
     tail = rf"_?\{{?{re.escape(index)}\}}?" if index else r"(?!_)"
@@ -254,6 +286,7 @@ def _is_of_one_index(pairs: Mapping[str, str], head: str, first: str, second: st
 
 def _is_usual(letter: str, role: str) -> bool:
     """Tell whether a letter of which no words say anything stands for a role on most pages."""
+    letter = without_accent(letter)
     stem, _, index = letter.partition("_")
     stem = letter if letter.startswith("Delta_") else stem
     if role in _OF_TWO:

@@ -33,10 +33,11 @@ from symbalance.document.formula import (
     walk,
 )
 from symbalance.document.letters import plain_letter
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.checking.deciding.cases import NO_POINT
 from symbalance.notes.checking.deciding.descriptions import describe
-from symbalance.notes.checking.deciding.equality import REFUTED, Decision, without_dots
+from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
@@ -52,8 +53,15 @@ from symbalance.notes.checking.meant.claims_in_letters import (
     without_plus_minus,
 )
 from symbalance.notes.checking.meant.correction_planes import CorrectionPlanes
-from symbalance.notes.checking.meant.formula_slips import agrees, is_multiple, slip_of
-from symbalance.notes.checking.meant.letter_roles import UNITS_ONLY, LetterRoles, ends_with
+from symbalance.notes.checking.meant.formula_slips import agrees, differs, is_multiple, slip_of
+from symbalance.notes.checking.meant.left_sides import LETTER, as_side, head_of
+from symbalance.notes.checking.meant.letter_roles import (
+    UNITS_ONLY,
+    LetterRoles,
+    ends_with,
+    sign_of,
+    without_accent,
+)
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.meant.stated_numbers import StatedNumbers
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
@@ -125,6 +133,9 @@ _BEHIND = re.compile(
     r"[\s$`\\)\]},.]{0,8}(?:\(|(?:is|as|being|for|ist|als|für|gives|denotes)\s+)(?:(?:the|die|der|das"
     r"|its)\s+)?"
 )
+_MARKED_BEHIND = re.compile(
+    r"[\s,(]{0,3}(?:\$|\\\(|`)\s?(?P<sign>\\?[A-Za-z]+(?:_\{?[A-Za-z0-9]+\}?)?)\s?(?:\$|\\\)|`)"
+)
 _AND = re.compile(r"[\s$,;\\()\[\]]*(?:and|und|bzw\.?|、|および)?[\s$,;\\()\[\]]*")
 _ITEM = re.compile(r"[^\n=:]{3,80}:[\s*$]{0,4}")
 _NEXT_ITEM = re.compile(r"\n(?=[^\n=:.]{3,80}:)")
@@ -134,6 +145,8 @@ MOST_LETTERS = 7
 """Letters that a standard formula has at most."""
 PRODUCT = "·"
 """What stands for the letter of a product of a mass and its arm, m_A r_A."""
+_ANGULAR = frozenset({"omega", "Omega"})
+"""Letters of angular speeds: no words make one of them a frequency in cycles."""
 BARE = 24
 """Letters in the words before a formula that its heading names: "so that", "With these"."""
 _LETTER_BEHIND = re.compile(
@@ -175,7 +188,7 @@ _ROD_FORCE = re.compile(
 """Words for the force in the rod, whose letter may be any that a force has."""
 _ITS = re.compile(r"\b(?:its|whose|their|sein|seine|ihr|dessen|deren)\b|その", re.IGNORECASE)
 """Words that stand for a body that the sentence before names."""
-_FUNCTIONS = ("sqrt", "sin", "cos", "tan")
+_FUNCTIONS = ("sqrt", "sin", "cos", "tan", "atan")
 _COPULA = re.compile(
     r"(?:\s|[:,=$({\[\\|*_`~—-]|<[^>]*>|\b(?:is|are|of|the|a|an|this|section|shaft|solid|round"
     r"|circular|given|by"
@@ -216,6 +229,9 @@ class Named:
     def may_refute(self) -> bool:
         """Whether the words name this quantity and no other shape or setup."""
         return not (self.is_other or self.is_above)
+
+    left: Formula = LETTER
+    """The side that the letter stands on: ω² of ω² = k/m."""
 
     @property
     def formulas(self) -> tuple[Formula, ...]:
@@ -273,7 +289,8 @@ class NamedQuantities:
         It stays a definition, with the reason, where the search took more than its share of the budget.
         """
         left, right = chain.sides[k].node, without_dots(chain.sides[k + 1].node)[0]
-        name = name_of_head(left) if k == 0 and chain.relations[0].sign in "=≈" else ""
+        is_first = k == 0 and chain.relations[0].sign in "=≈"
+        name = (name_of_head(left) or head_of(left) or "") if is_first else ""
         right = without_plus_minus(right)
         chain = replace(
             chain, sides=(chain.sides[0], Side((right,), chain.sides[1].span), *chain.sides[2:])
@@ -347,7 +364,8 @@ class NamedQuantities:
     ) -> Verdict | Decision | None:
         known = Knowledge(SymbolValue(positive=frozenset(names(claim))), corrects=True)
         side = chain.sides[1]
-        candidates = list(self.named(name, chain, knowledge))
+        left = LETTER if " " in name else chain.sides[0].node
+        candidates = [replace(each, left=left) for each in self.named(name, chain, knowledge)]
         sign = chain.relations[0].sign
         pairs = [
             (named, target)
@@ -370,6 +388,8 @@ class NamedQuantities:
         fitting = {n.quantity.name: n for n in candidates if n.may_refute}
         if len(fitting) > 1:  # words that name several: by the letters of their formulas
             fitting = {n: each for n, each in fitting.items() if any(p is each for p, _ in pairs)}
+            told = {n: each for n, each in fitting.items() if each.quantity.only is not None}
+            fitting = told if len(told) == 1 else fitting
         if len(fitting) != 1:
             return None
         (named,) = fitting.values()
@@ -395,7 +415,8 @@ class NamedQuantities:
             put_in = (substitute(f, cylinders.name, Number(Fraction(count))) for f in formulas)
             formulas = (*formulas, *(f for f in put_in if f not in formulas))
         every = self.stated.with_numbers(formulas, named.quantity.stated)
-        return list(self.roles.targets(every, claim, knowledge.meanings, together, name))
+        shaped = tuple(as_side(named.left, formula) for formula in every)
+        return list(self.roles.targets(shaped, claim, knowledge.meanings, together, name))
 
     def text(self, name: str, named: Named) -> str:
         """Return what a letter is taken to be, and what says so."""
@@ -416,7 +437,8 @@ class NamedQuantities:
                 yield named
 
     def _every_named(self, name: str, chain: Chain, knowledge: Knowledge) -> Iterator[Named]:
-        stem, _, index = name.removeprefix("Delta_").partition("_")
+        name_alone = without_accent(name)
+        stem, _, index = name_alone.removeprefix("Delta_").partition("_")
         stem = f"Delta_{stem}" if name.startswith("Delta_") else stem
         stem = PRODUCT if " " in name else stem
         declared = knowledge.meanings.get(name, "")
@@ -428,7 +450,7 @@ class NamedQuantities:
             replace(named, is_declared=True)
             for named in self._by_phrases(declared, stem, places, declared)
         ]
-        by_phrase = list(self._by_phrases(before, stem, places, sentence))
+        by_phrase = list(self._by_phrases(before, stem, places, sentence, name))
         if by_meaning or (declared and not UNITS_ONLY.fullmatch(declared)):
             words = {named.words.casefold() for named in by_meaning}
             is_closer = any(w in named.words.casefold() for w in words for named in by_phrase)
@@ -573,7 +595,14 @@ class NamedQuantities:
             named = list(self._by_phrases(words, stem, places, sentence))
             yield from (each for each in named if ends_with(each.quantity.phrases, words))
 
-    def _by_phrases(self, words: str, stem: str, places: _Places, sentence: str) -> Iterator[Named]:
+    def _is_of_another_letter(self, words: str, end: int, name: str) -> bool:
+        """Tell whether a phrase is followed by another letter at once: the mean stress s_m."""
+        letter = _MARKED_BEHIND.match(words, end)
+        return bool(name) and letter is not None and not re.fullmatch(sign_of(name), letter["sign"])
+
+    def _by_phrases(
+        self, words: str, stem: str, places: _Places, sentence: str, name: str = ""
+    ) -> Iterator[Named]:
         """Yield the quantities that words name, those with the letter's usual use first of all."""
         matches = [
             (match.start(), match.end(), quantity)
@@ -581,6 +610,9 @@ class NamedQuantities:
             for match in quantity.phrases.finditer(words)
             if _may_apply(quantity, f"{words} {places.around} {places.heading} {places.page}")
         ]
+        matches = [each for each in matches if not self._is_of_another_letter(words, each[1], name)]
+        told = [each for each in matches if _is_told(each[2], places, sentence)]
+        matches = told or matches  # an order is a pendulum's on pages of pendulums only
         longest = [
             (start, end, quantity)
             for start, end, quantity in matches
@@ -588,7 +620,7 @@ class NamedQuantities:
         ]
         longest = [each for each in longest if not _names_another(words, each[1], stem)]
         usual = [each for each in longest if stem in each[2].letters]
-        if not usual:
+        if not usual and stem not in _ANGULAR:
             last = max((end for _, end, _ in longest), default=0)
             usual = [each for each in longest if each[1] == last and _COPULA.fullmatch(words[last:])]
             usual = usual if len({start for start, _, _ in longest}) == 1 else []
@@ -663,6 +695,10 @@ class NamedQuantities:
         )  # fmt: skip
         if decimals(claim) and not (is_mistake and counted):
             return None
+        if is_mistake and not targets and not is_part:  # without one of the letters: no fix in its own
+            standard = formula_text(quantity.formulas[0], plain=True).replace("_", " ")
+            reason = f"if {self.text(name, named)}, which is {standard}"
+            return describe(self.document, chain, 0, Decision(REFUTED, reason))
         for target in targets:
             slips = (*quantity.slips, "factor") if target in counted else quantity.slips
             kind = slip_of(target, claim, slips, is_part)
@@ -675,6 +711,8 @@ class NamedQuantities:
             decision = decide(left, side, chain.relations[0].sign, known)
             if decision.reason == NO_POINT:  # √(1 - λ²), whose values differ below λ = 1
                 decision = replace(decision, status=REFUTED)
+            if decision.status == UNDECIDED and differs(target, claim):
+                decision = replace(decision, status=REFUTED)  # complex where letters are large: √(1 - D²)
             if decision.status != REFUTED:
                 continue
             decision = replace(decision, reason=f"if {self.text(name, named)}")
@@ -736,7 +774,10 @@ def may_be_part(sentence: str) -> bool:
 def _named(quantity: Quantity, words: str, places: _Places, sentence: str) -> Named:
     """Return a quantity that words name, and whether other words near make another one of it."""
     near = f"{places.around} {places.heading}" if quantity.only else places.around
-    is_other = quantity.unless is not None and quantity.unless.search(places.around) is not None
+    own = f"{sentence} {words}"
+    is_told_here = quantity.only is not None and quantity.only.search(own) is not None
+    may_be_denied = own if is_told_here else places.around  # its own sentence tells the shape
+    is_other = quantity.unless is not None and quantity.unless.search(may_be_denied) is not None
     is_other |= quantity.never is not None and quantity.never.search(places.page) is not None
     if quantity.only is not None and not quantity.only.search(f"{near} {words}"):
         is_on_page = quantity.is_told_once and quantity.only.search(places.page) is not None
@@ -792,6 +833,13 @@ def _without_letters_named(sentence: str, own: frozenset[str]) -> str:
 def _may_apply(quantity: Quantity, text: str) -> bool:
     """Tell whether a text has the words without which a quantity is not meant at all."""
     return quantity.only is None or quantity.only.search(text) is not None
+
+
+def _is_told(quantity: Quantity, places: _Places, sentence: str) -> bool:
+    """Tell whether the words are there without which a quantity is not meant."""
+    near = f"{places.around} {places.heading} {sentence}"
+    near = f"{near} {places.page}" if quantity.is_told_once else near
+    return quantity.only is None or quantity.only.search(near) is not None
 
 
 def _has_own_convention(claim: Formula, knowledge: Knowledge) -> bool:

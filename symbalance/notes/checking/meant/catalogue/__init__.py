@@ -4,8 +4,14 @@ What is here is elementary and can be derived; `tests/independent/test_known_for
 formula by a route of its own (integrals over the section, eigenvalues, the path of a piston).
 
     roles         letters and what they stand for, what is known of a quantity
+    shaft_roles   more letters, of shafts, mounts and fatigue
     strength      sections, stresses, beams, springs
+    fatigue       stresses that swing, notches, factors of safety
     vibration     natural frequencies, damping, magnification, critical speeds
+    resonance     the top of a resonance curve, half-power points, unbalance
+    machine_parts hollow shafts under stress, keys, struts, sliding speeds, more beams
+    forced        what mounts pass on, phases, whirl, tuned dampers and pendulums
+    trains        discs on shafts, mounts in numbers, gears, critical speeds of bending, springs
     inertia       moments of inertia, the masses of a rod
     crank_drive   forces, torque, speeds and volumes of one cylinder
     work          mean torque, power, flywheels
@@ -17,23 +23,34 @@ formula by a route of its own (integrals over the section, eigenvalues, the path
     counterweights  moments of counterweights and balance shafts, the shapes of weights
 """
 
+from collections.abc import Mapping
+
 from symbalance.notes.checking.meant.catalogue.balance import BALANCE
 from symbalance.notes.checking.meant.catalogue.counterweights import COUNTERWEIGHTS
 from symbalance.notes.checking.meant.catalogue.crank_drive import CRANK_DRIVE
 from symbalance.notes.checking.meant.catalogue.crank_torque import CRANK_TORQUE
 from symbalance.notes.checking.meant.catalogue.engine_rates import ENGINE_RATES
+from symbalance.notes.checking.meant.catalogue.fatigue import FATIGUE
+from symbalance.notes.checking.meant.catalogue.forced import FORCED
 from symbalance.notes.checking.meant.catalogue.inertia import INERTIA
 from symbalance.notes.checking.meant.catalogue.locomotives import LOCOMOTIVES
+from symbalance.notes.checking.meant.catalogue.machine_parts import PARTS
+from symbalance.notes.checking.meant.catalogue.resonance import RESONANCE
 from symbalance.notes.checking.meant.catalogue.roles import OTHER_LENGTHS as OTHER_LENGTHS
-from symbalance.notes.checking.meant.catalogue.roles import ROLES as ROLES
+from symbalance.notes.checking.meant.catalogue.roles import ROLES as FIRST_ROLES
 from symbalance.notes.checking.meant.catalogue.roles import Quantity as Quantity
+from symbalance.notes.checking.meant.catalogue.roles import Role
+from symbalance.notes.checking.meant.catalogue.shaft_roles import SHAFT_ROLES
 from symbalance.notes.checking.meant.catalogue.strength import STRENGTH
+from symbalance.notes.checking.meant.catalogue.trains import TRAINS
 from symbalance.notes.checking.meant.catalogue.two_cylinders import TWO_CYLINDERS
 from symbalance.notes.checking.meant.catalogue.vibration import VIBRATION
 from symbalance.notes.checking.meant.catalogue.work import WORK
 
+ROLES: Mapping[str, Role] = {**FIRST_ROLES, **SHAFT_ROLES}
+"""What letters stand for, each role once."""
 QUANTITIES = (
-    *STRENGTH, *VIBRATION, *INERTIA, *CRANK_DRIVE, *WORK, *CRANK_TORQUE, *BALANCE, *LOCOMOTIVES,
-    *TWO_CYLINDERS, *COUNTERWEIGHTS, *ENGINE_RATES,
+    *STRENGTH, *PARTS, *FATIGUE, *VIBRATION, *FORCED, *RESONANCE, *TRAINS, *INERTIA, *CRANK_DRIVE,
+    *WORK, *CRANK_TORQUE, *BALANCE, *LOCOMOTIVES, *TWO_CYLINDERS, *COUNTERWEIGHTS, *ENGINE_RATES,
 )  # fmt: skip
 """All quantities, each name once."""

@@ -91,14 +91,15 @@ def root(node: Formula) -> Formula:
 PI = Constant("pi")
 _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("diameter", "d D", r"diameters?|durchmessers?|(?<!半)径|\bbore|bohrung|ボア"),
-    ("outer", "d D", r"outer|outside|external|außen(?:durchmesser)?|aussendurchmesser|外径"),
-    ("inner", "d D", r"inner|inside|internal|innen(?:durchmesser)?|内径|\bbore"),
+    ("outer", "d D", r"(?:outer|outside|external)(?: diameter)?|außen(?:durchmesser)?|aussendurchmesser"
+     r"|外径"),
+    ("inner", "d D", r"(?:inner|inside|internal)(?: diameter)?|innen(?:durchmesser)?|内径|\bbore"),
     ("radius", "r R", r"radi(?:us|i)|halbmesser|半径|crank throw"),
     ("crank", "r R", r"radi(?:us|i)|halbmesser|半径|crank throw|crank length"),
     ("bending", "M", r"(?<!trägheits)(?<!widerstands)(?<!flächen)moments?(?! of)|曲げモーメント"),
     ("torque", "T M tau", r"(?<!trägheits)(?<!widerstands)(?<!flächen)moments?(?! of)|torques?|トルク"
      r"|ねじりモーメント"),
-    ("force", "F P", r"forces?|loads?|kraft|last|力|荷重"),
+    ("force", "F P", r"forces?|loads?|kraft|last|力|荷重|weights?|gewicht"),
     ("pressure", "p P", r"pressure|druck|圧力?|[bi]?mep"),
     ("area", "A S F", r"area|fläche|面積"),
     ("modulus", "W Z S", r"section modulus|widerstandsmoment|断面係数"),
@@ -106,12 +107,13 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|断面二次|inertia"),
     ("shear", "G C N", r"shear modulus|modulus of rigidity|rigidity|schubmodul|gleitmodul"
      r"|横弾性係数|せん断弾性係数|剛性率"),
-    ("length", "l L ell", r"length|lang|länge|長さ?"),
+    ("length", "l L ell", r"length|lang|länge|長さ?|distance|\bspan|abstand|stützweite|距離|スパン"),
     ("stress", "sigma", r"stress|spannung|応力"),
     ("shearing", "tau", r"stress|spannung|応力"),
     ("stiffness", "c k C K", r"stiffness|spring (?:rate|constant)|rate|constant|steifigkeit"
-     r"|federkonstante|federrate|feder|spring|ばね定数?|剛性|こわさ"),
-    ("mass", "m M", r"masse[ns]?|mass(?:es)?|質量|weight|gewicht|weigh(?:s|ing)|wiegt"),
+     r"|federkonstante|federrate|federn?|springs?|ばね定数?|剛性|こわさ"),
+    ("mass", "m M", r"masse[ns]?|mass(?:es)?|質量|weight|gewicht|weigh(?:s|ing)|wiegt|rotor|dis[ck]s?"
+     r"|scheiben?|円板"),
     ("inertia", "J I Theta", r"inertia|trägheitsmoment|massenträgheit|drehmasse|schwungmasse"
      r"|慣性モーメント|flywheel|schwungrad|rotor|円板|dis[ck]s?|scheiben?"),
     ("second_section", "I J", r"second moment|moment of (?:inertia|area)|polar moment|trägheitsmoment"
@@ -120,7 +122,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     r"|慣性モーメント"),
     ("second_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?"
     r"|慣性モーメント"),
-    ("omega", "omega Omega w", r"angular (?:speed|velocity|frequency)|speed|winkelgeschwindigkeit"
+    ("omega", "omega Omega w", r"(?:angular|circular) (?:speed|velocity|frequency)|speed"
+    r"|winkelgeschwindigkeit"
      r"|kreisfrequenz|角速度|角振動数"),
     ("omega_high", "omega Omega", r"speed|velocity|winkelgeschwindigkeit|角速度"),
     ("omega_low", "omega Omega", r"speed|velocity|winkelgeschwindigkeit|角速度"),
@@ -170,7 +173,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     r"|圧縮比"),
     ("efficiency", "eta", r"efficiency|wirkungsgrad|効率"),
     ("width", "b B w", r"width|breadth|breite|幅"),
-    ("height", "h H", r"height|depth|höhe|高さ"),
+    ("height", "h H", r"height|depth|höhe|高さ|thickness|dicke|厚さ"),
     ("wall", "t s delta", r"thickness|wanddicke|wandstärke|dicke|肉厚|厚さ"),
     ("line_load", "q w p", r"loads?|last|荷重|per (?:unit )?length"),
     ("young", "E", r"modulus|elasticity|young|elastizitätsmodul|e-modul|ヤング率|縦弾性係数"),
@@ -218,7 +221,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("kinetic", "E T K W U E_k E_kin", r"energy|energie|エネルギー?"),
     ("eccentricity", "e a s r", r"eccentricity|exzentrizität|偏心量?|radius|halbmesser|半径|shift"),
     ("balance_mass", "B m M", r"masse[ns]?|mass(?:es)?|weights?|gewicht|質量|おもり"),
-    ("unbalanced", "m M u", r"mass|masse|質量"),
+    ("unbalanced", "m M u", r"mass|masse|質量|unbalance|unwucht"),
     ("tangential", "T F_T F_t F_tan P_t P_T K_T K_t Q_t Q_T S_t S_T", r"tangential(?:\s+(?:force|share"
         r"|component))?"
      r"|(?:tangential|dreh|umfangs)kraft|(?:接線|回転)(?:方向の?)?(?:力|分力)"),

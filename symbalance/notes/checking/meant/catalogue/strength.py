@@ -125,34 +125,44 @@ _TORSIONAL_RATE = words(
 )
 _BORED = words(r"hollow|\bbored\b|tubular|\btubes?\b|hohl|rohr\b|ringquerschnitt|中空|円管|パイプ")
 _SERIES = words(
-    r"(?:springs|connected|shafts|arranged|rates)\s+in\s+series", r"series\s+(?:stiffness|connection)",
+    r"(?:springs|connected|shafts|arranged|rates)\s+in\s+series",
+    r"one\s+(?:behind|after)\s+the\s+other", r"end\s+to\s+end", r"series\s+(?:stiffness|connection)",
     r"reihenschaltung", r"in\s+reihe(?:\s+geschaltet\w*)?", r"hintereinander\w*",
     r"直列(?:ばね|接続|結合)?",
 )  # fmt: skip
 _PARALLEL = words(
     r"(?:springs|connected|shafts|arranged|rates)\s+in\s+parallel",
     r"parallel\s+(?:springs|stiffness|connection)",
+    r"side\s+by\s+side", r"one\s+inside\s+the\s+other", r"nebeneinander\w*",
     r"parallelschaltung", r"parallel\s+geschaltet\w*", r"並列(?:ばね|接続|結合)?",
 )  # fmt: skip
 _NO_ANNULUS = words(
     r"rectang|square (?:section|bar|shaft)|ellip|hexagon|thin[- ]walled|dünnwandig|薄肉|rechteck|vierkant"
     r"|sechskant|profil|\bsolid|\bvoll|中実", _NOTCH,
 )  # fmt: skip
-_RECTANGLE = words(r"rectang|rechteck|長方形|矩形|角材|角形断面|flat bar|flachstab")
+_RECTANGLE = words(
+    r"rectang|rechteck|長方形|矩形|角材|角形断面|flat bar|flachstab"
+    r"|(?:width|breadth)\b[^.;]{0,60}\b(?:thickness|height|depth)|thickness\b[^.;]{0,60}\b(?:width|breadth)"
+    r"|\bwide\b[^.;]{0,40}\b(?:thick|high|deep)|\bbreit\b[^.;]{0,40}\b(?:dick|hoch)"
+    r"|breite\b[^.;]{0,60}(?:höhe|dicke)|幅[^。]{0,30}(?:高さ|厚さ)"
+)
 _NOT_RECTANGLE = (
     r"hollow|hohl|中空|\bround|circular|kreis|\brund|円形|丸棒|torsion|polar|composite|profil"
 )
 _CANTILEVER = words(
-    r"cantilever|kragarm|kragträger|freiträger|einseitig eingespannt|片持ち?|overhang|fliegend"
+    r"cantilever|kragarm|kragträger|freiträger|einseitig eingespannt|片持ち?|overhang|overhung|fliegend"
+    r"|(?:built[- ]in|clamped|fixed) at (?:one|the other) end"
 )
 _SUPPORTED = words(
-    r"simply[- ]supported|on two (?:supports|bearings)|between two (?:supports|bearings)"
+    r"simply[- ]supported|freely supported|on two (?:supports|bearings)|between two (?:supports|bearings)"
+    r"|(?:hinged|pinned) at (?:both|its) ends|(?:beidseitig|beiderseits) (?:gelenkig"
+    r"|frei drehbar) gelagert"
     r"|supported at both"
     r" ends|zwei (?:stützen|lagern?)|beidseitig gelagert|beiderseits gelagert|zweifach gelagert"
     r"|単純支持|両端支持"
 )
 _FIXED = words(r"fixed at both ends|built[- ]in at both|clamped at both|beidseitig eingespannt|両端固定")
-_MIDDLE = words(r"middle|mid-?span|cent(?:re|er)|central(?:ly)?|mittig|\bmitte|中央")
+_MIDDLE = words(r"middle|mid-?span|midway|half[- ]?way|cent(?:re|er)|central(?:ly)?|mittig|\bmitte|中央")
 _END_LOAD = words(r"\bend\b|\btip\b|\bende\b|先端|自由端|free end|an der spitze")
 _UNIFORM = words(r"uniform|evenly|gleichm|streckenlast|gleichstreckenlast|等分布|distributed|verteilt")
 _OTHER_BEAM = words(
@@ -168,7 +178,7 @@ _DEFLECTION = words(r"deflection", r"durchbiegung", r"たわみ量?")
 _BENDING_RATE = words(
     r"(?:bending |lateral |transverse )?stiffness", r"spring\s+(?:rate|constant)",
     r"biegefedersteifigkeit",
-    r"biegesteifigkeit", r"federkonstante", r"(?:曲げ)?ばね定数",
+    r"biegesteifigkeit", r"feder(?:konstante|steifigkeit|rate)", r"(?:曲げ)?ばね定数",
 )  # fmt: skip
 
 
@@ -298,19 +308,20 @@ STRENGTH: tuple[Quantity, ...] = (
         "second moment of area of a rectangle", letters("I J"), _AREA_MOMENT,
         (width * height**3 / 12,), ("factor", "power"),
         others=(height * width**3 / 12, width * height**3 / 3, height * width**3 / 3),
-        only=_RECTANGLE, unless=words(_NOT_RECTANGLE, r"\bbase\b|grundlinie|底辺"),
+        only=_RECTANGLE, is_told_once=True, unless=words(_NOT_RECTANGLE, r"\bbase\b|grundlinie|底辺"),
     ),
     Quantity(
         "section modulus of a rectangle", letters("W Z S"),
         words(_BENDING_MODULUS.pattern, r"section\s+modulus", r"widerstandsmoment", r"断面係数"),
         (width * height**2 / 6,), ("factor", "power"), others=(height * width**2 / 6,),
-        only=_RECTANGLE, unless=words(_NOT_RECTANGLE, r"plastic|plastisch|塑性"),
+        only=_RECTANGLE, is_told_once=True, unless=words(_NOT_RECTANGLE, r"plastic|plastisch|塑性"),
     ),
     Quantity(
         "bending stress of a rectangular bar", letters("sigma"), _BENDING_STRESS,
         (6 * bending / (width * height**2),), ("factor", "power"),
         others=(6 * bending / (height * width**2),),
-        only=_RECTANGLE, unless=words(_NOT_RECTANGLE, r"equivalent|vergleich|相当|plasti"),
+        only=_RECTANGLE, is_told_once=True, unless=words(_NOT_RECTANGLE,
+        r"equivalent|vergleich|相当|plasti"),
     ),
     Quantity(
         "equivalent stress by Tresca", letters("sigma"),
@@ -408,7 +419,11 @@ STRENGTH: tuple[Quantity, ...] = (
     ),
     Quantity(
         "bearing pressure", letters("p"),
-        words(r"bearing\s+pressure", r"flächenpressung", r"(?:軸受)?面圧", r"軸受圧力"),
+        words(r"(?:(?:mean|average)\s+)?bearing\s+pressure",
+        r"(?:(?:mean|average)\s+)?pressure\s+(?:in|on|of)\s+(?:the\s+|a\s+)?(?:\w+\s+)?bearing",
+              r"specific\s+(?:bearing\s+)?load", r"(?:mittlere\s+)?flächenpressung",
+              r"(?:mittlerer\s+)?lagerdruck",
+              r"lagerpressung", r"(?:平均)?(?:軸受)?面圧", r"(?:平均)?軸受圧力"),
         (force / (diameter * width), force / (diameter * length), force / (2 * radius * width)),
         ("power",), mistakes=(force / (PI * diameter * width), force / (PI * diameter * length),
                               4 * force / (PI * diameter**2)),
@@ -444,7 +459,9 @@ STRENGTH: tuple[Quantity, ...] = (
          first_length + own_length * (first_diameter / own_diameter) ** 4,
          own_length * section / second_section, length * section / second_section),
         ("power", "edit", "exchange"),
-        together=(("own_length", "own_diameter"), ("first_length", "first_diameter"),
+        together=(("own_length", "own_diameter"), ("first_length", "first_diameter"), ("length",
+        "own_diameter"),
+                  ("length", "second_section"),
                   ("own_length", "second_section")),
         unless=words(r"pendul|pendel|振り子|buckling|knick|座屈|bending|biegung|曲げ"),
     ),

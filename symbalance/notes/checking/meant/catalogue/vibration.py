@@ -39,7 +39,7 @@ _NATURAL = (
     2 * PI * frequency,
 )  # fmt: skip
 _VIBRATION = r"vibrat|oscillat|resonan|schwing|eigen|振動|固有|natural"
-_NATURAL_WORDS = words(
+NATURAL_WORDS = words(
     r"natural\s+(?:angular\s+|circular\s+|radian\s+)?frequenc(?:y|ies)",
     r"angular\s+natural\s+frequency",
     r"eigen(?:angular\s+)?frequency",
@@ -53,7 +53,7 @@ _NATURAL_WORDS = words(
 VIBRATION: tuple[Quantity, ...] = (
     Quantity(
         "natural angular frequency", letters("omega Omega w p"),
-        _NATURAL_WORDS,
+        NATURAL_WORDS,
         _NATURAL, slips=("power", "root", "turn"), context=words(_VIBRATION),
         indices=letters("0 1 e n d eig E nat k"),
         unless=words(r"damp|gedämpf|減衰|pendul|pendel|振り子|rotating vector|three|drei|三|3つ"),
@@ -76,7 +76,7 @@ VIBRATION: tuple[Quantity, ...] = (
         slips=("power", "root", "turn"), unless=words(r"damp|gedämpf|減衰|pendul|pendel|振り子"),
     ),
     Quantity(
-        "natural angular frequency of three equal discs", letters("omega Omega w p"), _NATURAL_WORDS,
+        "natural angular frequency of three equal discs", letters("omega Omega w p"), NATURAL_WORDS,
         (root(stiffness / inertia), root(3 * stiffness / inertia)), ("root", "part"),
         mistakes=(root(2 * stiffness / inertia), root(stiffness / (2 * inertia)),
                   root(stiffness / (3 * inertia)), root(3 * stiffness / (2 * inertia))),
@@ -91,7 +91,7 @@ VIBRATION: tuple[Quantity, ...] = (
                      r" (?:one|dis[ck]) is|doppelt|twice"),
     ),
     Quantity(
-        "natural angular frequency by the static deflection", letters("omega Omega w p"), _NATURAL_WORDS,
+        "natural angular frequency by the static deflection", letters("omega Omega w p"), NATURAL_WORDS,
         (root(gravity / static_deflection),), ("power", "root", "turn"),
         only=words(r"static(?:al)? deflection|deflection under (?:its own|the) weight"
                    r"|statischen?\s+(?:durchbiegung|einsenkung|durchsenkung)|静たわみ"),

@@ -1,0 +1,200 @@
+"""Forced vibrations, what is passed on to the ground, and dampers that are tuned or take up energy."""
+
+from __future__ import annotations
+
+from symbalance.document.formula import Call
+from symbalance.notes.checking.meant.catalogue.roles import (
+    PI,
+    Quantity,
+    damping,
+    damping_ratio,
+    eccentricity,
+    letters,
+    mass,
+    omega,
+    root,
+    stiffness,
+    tuning,
+    words,
+)
+from symbalance.notes.checking.meant.catalogue.shaft_roles import (
+    amplitude,
+    bob,
+    excitation,
+    hang,
+    mass_ratio,
+    resonant,
+)
+from symbalance.notes.checking.meant.catalogue.strength import both
+
+_SPREAD = (1 - tuning**2) ** 2
+_LOSS = 2 * damping_ratio * tuning
+_BELOW = _SPREAD + 4 * damping_ratio**2 * tuning**2
+_PASSED = 1 + 4 * damping_ratio**2 * tuning**2
+_ABSORBER = words(
+    r"damper|absorber|tilger|den hartog|\bdämpfer|schwingungsdämpfer|動吸振|ダンパ|吸振器"
+    r"|dynamic absorber"
+)
+_UNTUNED = r"houdaille|untuned|viscous|lanchester|viskos|random|white noise|base|ground|acceleration"
+_PENDULUM = words(
+    r"pendul(?:um|a)\b.{0,200}(?:absorber|crank|centrifugal|tuned|damper|order|hung)"
+    r"|(?:centrifugal|absorber|crank|tuned).{0,200}pendul(?:um|a)\b"
+    r"|fliehkraftpendel|tilgerpendel|pendeltilger|遠心振り子"
+)
+
+FORCED: tuple[Quantity, ...] = (
+    Quantity(
+        "transmissibility of a mount", letters("T TR V tau K eta lambda i D"),
+        words(r"transmissibilit\w+", r"transmission\s+(?:ratio|factor|coefficient)",
+              r"(?:part|share|fraction|ratio)\s+of\s+the\s+force\s+(?:that\s+is\s+)?(?:passed|transmitted)",
+              r"force\s+(?:passed\s+on|transmi\w+)", r"(?:kraft)?durchlässigkeit\w*",
+              r"übertragungs(?:funktion|faktor|maß|verhältnis)", r"(?:力|振動)?の?伝達[率比]",
+              r"transmisibilidad", r"trasmissibilità"),
+        (root(_PASSED / _BELOW), root(_PASSED) / root(_BELOW), root((1 + _LOSS**2) / (_SPREAD
+        + _LOSS**2)),
+         1 / (tuning**2 - 1), 1 / (1 - tuning**2)),
+        ("edit",),
+        mistakes=(_PASSED / root(_BELOW), root(_PASSED) / _BELOW, _PASSED / _BELOW, 1 / root(_BELOW),
+                  (1 + _LOSS) / root(_BELOW), root(1 + _LOSS) / root(_BELOW), root(_BELOW / _PASSED),
+                  root(_PASSED / (_SPREAD - _LOSS**2)), 1 / (1 + tuning**2), 1 / (1 - tuning),
+                  1 / (tuning - 1), tuning**2 - 1, 1 - tuning**2, 1 / (1 - tuning**2) ** 2),
+        others=(tuning**2 / (1 - tuning**2), tuning**2 / (tuning**2 - 1),
+                tuning**2 * root(_PASSED) / root(_BELOW), (tuning**2 - 2) / (tuning**2 - 1)),
+        unless=words(r"hysteretic|structural damping|loss factor|verlustfaktor|損失係数"
+        r"|isolation efficiency"
+                     r"|isoliergrad|gear|getriebe|magnification"),
+    ),
+    Quantity(
+        "phase angle of a forced vibration",
+        letters("phi varphi psi epsilon varepsilon delta alpha theta"),
+        words(r"phase(?:\s+(?:angle|lag|shift|difference))?", r"phasen(?:winkel|verschiebung\w*|lage)",
+              r"\blag(?:s|ging)?\b", r"nacheil\w*", r"eilt\b.{0,60}\bnach", r"位相(?:角|差|遅れ)?"),
+        (Call("atan", _LOSS / (1 - tuning**2)),
+         Call("atan", damping * omega / (stiffness - mass * omega**2))),
+        ("edit",),
+        mistakes=(Call("atan", damping_ratio * tuning / (1 - tuning**2)),
+                  Call("atan", (1 - tuning**2) / _LOSS), Call("atan", _LOSS / (1 - tuning)),
+                  Call("atan", 2 * damping_ratio / (1 - tuning**2)),
+                  Call("atan", damping * omega / (stiffness + mass * omega**2)),
+                  Call("atan", damping / (stiffness - mass * omega**2))),
+        others=(Call("atan", _LOSS / (tuning**2 - 1)), Call("atan", -_LOSS / (1 - tuning**2)),
+                Call("atan", damping * omega / (mass * omega**2 - stiffness)),
+                Call("atan", (1 - tuning**2) / -_LOSS)),
+        unless=words(r"base|fußpunkt|基礎|hysteretic|structural|velocity|geschwindigkeit|transmi"
+                     r"|free vibration|freie schwingung|first and second|crank"),
+    ),
+    Quantity(
+        "bow of a shaft that whirls", letters("y r x w f delta a"),
+        words(r"deflection", r"\bbow", r"amplitude", r"whirl\w*", r"(?:wellen)?auslenkung",
+        r"durchbiegung",
+              r"たわみ", r"振れ回り\w*"),
+        (eccentricity * tuning**2 / (1 - tuning**2), mass * omega**2 * eccentricity
+         / (stiffness - mass * omega**2), eccentricity / (stiffness / (mass * omega**2) - 1),
+         eccentricity / (1 / tuning**2 - 1)),
+        ("edit",),
+        mistakes=(eccentricity / (1 - tuning**2), eccentricity * tuning / (1 - tuning**2),
+                  eccentricity * tuning**2 / (1 + tuning**2), eccentricity * (1 - tuning**2),
+                  mass * omega**2 * eccentricity / (stiffness + mass * omega**2),
+                  stiffness * eccentricity / (stiffness - mass * omega**2)),
+        others=(eccentricity * tuning**2 / (tuning**2 - 1),
+                mass * omega**2 * eccentricity / (mass * omega**2 - stiffness)),
+        only=words(r"whirl|eccentric|exzentr|unwucht|unbalance|biegekritisch|偏心|ふれ|振れ"),
+        unless=words(r"cent(?:re|er) of (?:gravity|mass)\b.{0,40}\b(?:moves|is|has|runs|describes|lies"
+        r"|from)\b"
+                     r"|radius of the cent|bahn des schwerpunkt|重心の(?:軌道|変位)|(?<!un)damp(?!er)"
+                     r"|(?<!un)gedämpf|static"),
+    ),
+    Quantity(
+        "energy lost per cycle in a viscous damper", letters("W E D A Delta_E Delta_W U Q"),
+        words(r"energy|heat|wärme|熱|\bwork|\bloss|dissipat\w+|arbeit|energie|verlust|エネルギー?|仕事"),
+        (PI * damping * omega * amplitude**2,), ("factor", "power", "part"),
+        mistakes=(PI * damping * omega**2 * amplitude**2, PI * damping * omega * amplitude,
+                  PI * damping * omega**2 * amplitude),
+        only=words(r"per (?:full )?(?:cycle|period|oscillation|vibration|turn|swing)|(?:each|one"
+        r"|a) cycle|je (?:periode"
+                   r"|schwingung|zyklus)|pro (?:periode|schwingung|zyklus)|[1一]周期|[1一]サイクル"),
+        unless=words(r"power|leistung|動力|half a cycle|quarter|hysteretic|peak[- ]to[- ]peak"
+        r"|four pistons"),
+    ),
+    Quantity(
+        "work of an excitation per cycle at resonance", letters("W E A Delta_E Delta_W U"),
+        words(r"energy|\bwork|input|arbeit|energie|エネルギー?|仕事"),
+        (PI * excitation * amplitude,), ("factor", "part"),
+        mistakes=(PI * excitation * amplitude**2, excitation * amplitude),
+        only=words(r"resonan\w*(?=.{0,200}(?:per (?:cycle|period|vibration)|je schwingung|pro periode"
+        r"|1周期))"
+                   r"|(?:per (?:cycle|period|vibration)|je schwingung|pro periode"
+                   r"|1周期)(?=.{0,200}resonan)"),
+        unless=words(r"power|leistung|動力|all cylinders|sum|gas"),
+    ),
+    Quantity(
+        "natural frequency of an absorber with optimum tuning", letters("omega Omega f"),
+        words(r"frequency", r"frequenz", r"振動数", r"tun(?:ed|es|ing)", r"abgestimmt"),
+        (resonant / (1 + mass_ratio),), ("edit",),
+        mistakes=(resonant * (1 + mass_ratio), resonant / (1 - mass_ratio), resonant * (1 - mass_ratio)),
+        others=(resonant / root(1 + mass_ratio),), only=both(_ABSORBER, words(r"optim|den hartog|最適")),
+        unless=words(r"houdaille|untuned|lanchester|random|white noise|acceleration"),
+    ),
+    Quantity(
+        "optimum tuning of an absorber", letters("f alpha kappa delta nu beta gamma r eta q lambda g"),
+        words(r"optim\w+\s+(?:tuning|frequency\s+ratio)",
+        r"ratio\s+of\s+the\s+\w+'s\s+(?:natural\s+)?frequency",
+              r"tuning(?:\s+(?:ratio|condition|rule))?", r"tuned", r"(?:optimale\s+)?abstimmung\w*",
+              r"最適同調\w*", r"最適(?:固有)?振動数比"),
+        (1 / (1 + mass_ratio),), ("edit",),
+        mistakes=(1 / (1 - mass_ratio), 1 + mass_ratio, mass_ratio / (1 + mass_ratio), 1 - mass_ratio,
+                  1 / (1 + mass_ratio) ** 2, 1 / mass_ratio),
+        others=(1 / root(1 + mass_ratio), root(1 + mass_ratio), root(1 - mass_ratio / 2) / (1
+        + mass_ratio)),
+        only=_ABSORBER, unless=words(_UNTUNED),
+    ),
+    Quantity(
+        "optimum damping of a tuned absorber", letters("zeta D xi vartheta theta delta"),
+        words(r"optim\w+\s+damping(?:\s+ratio)?", r"damping(?:\s+ratio)?", r"optimale\s+dämpfung\w*",
+              r"dämpfungs(?:grad|maß)", r"最適減衰比?"),
+        (root(3 * mass_ratio / (8 * (1 + mass_ratio) ** 3)),), ("edit", "root"),
+        mistakes=(root(3 * mass_ratio / (8 * (1 + mass_ratio) ** 2)), 3 * mass_ratio
+                  / (8 * (1 + mass_ratio) ** 3), root(8 * mass_ratio / (3 * (1 + mass_ratio) ** 3))),
+        others=(root(3 * mass_ratio / (8 * (1 + mass_ratio))), root(mass_ratio / (8 * (1 + mass_ratio))),
+                root(3 * mass_ratio / 8)),
+        only=_ABSORBER, unless=words(_UNTUNED),
+    ),
+    Quantity(
+        "optimum damping of a viscous ring", letters("zeta D xi vartheta theta delta"),
+        words(r"optim\w+\s+damping(?:\s+ratio)?", r"damping(?:\s+ratio)?", r"optimale\s+dämpfung\w*",
+              r"dämpfungs(?:grad|maß)", r"最適減衰比?"),
+        (1 / root(2 * (1 + mass_ratio) * (2 + mass_ratio)),), ("edit", "root"),
+        mistakes=(1 / root((1 + mass_ratio) * (2 + mass_ratio)), root(2 * (1 + mass_ratio)
+                  * (2 + mass_ratio)), 1 / (2 * (1 + mass_ratio) * (2 + mass_ratio))),
+        only=words(r"houdaille|untuned|viscous (?:torsional )?(?:vibration )?damper|lanchester"
+        r"|viskos\w*dämpfer"
+                   r"|viskositätsdämpfer|ビスカス"),
+    ),
+    Quantity(
+        "greatest magnification with the best viscous ring", letters("M V A Q R"),
+        words(r"magnification|amplification|peak|vergrößerung\w*|überhöhung|倍率"),
+        (1 + 2 / mass_ratio, (2 + mass_ratio) / mass_ratio), ("edit", "factor"),
+        mistakes=(root(1 + 2 / mass_ratio), 1 + mass_ratio / 2, 2 / mass_ratio, 1 + 1 / mass_ratio),
+        only=words(r"houdaille|untuned|viscous (?:torsional )?(?:vibration )?damper|lanchester"
+        r"|viskos\w*dämpfer"
+                   r"|viskositätsdämpfer|ビスカス"),
+        unless=words(r"den hartog|tuned mass|fixed points|tilger"),
+    ),
+    Quantity(
+        "order to which a pendulum is tuned", letters("n q i k m j p N nu"),
+        words(r"\border", r"\bordnung(?:szahl)?", r"次数", r"tun(?:ed|ing)", r"abgestimmt", r"abstimm\w*",
+              r"同調"),
+        (root(hang / bob),), ("root", "edit"), mistakes=(root(bob / hang), hang / bob, bob / hang),
+        others=(root((hang + bob) / bob), root((hang - bob) / bob), root(hang / bob - 1)),
+        only=_PENDULUM, unless=words(r"roller|bifilar|spring|feder|ばね|radius of gyration"
+        r"|trägheitsradius"),
+    ),
+    Quantity(
+        "natural angular frequency of a pendulum on a turning crank", letters("omega Omega w p"),
+        words(r"natural\s+(?:angular\s+|circular\s+)?frequency", r"frequency", r"eigen(?:kreis)?frequenz",
+              r"固有(?:角|円)?振動数"),
+        (omega * root(hang / bob),), ("root", "edit"),
+        mistakes=(omega * root(bob / hang), omega * hang / bob),
+        only=_PENDULUM, unless=words(r"roller|bifilar|spring|feder|ばね|gravity|erdschwere|重力"),
+    ),
+)  # fmt: skip

@@ -1,0 +1,69 @@
+"""Sides that give a letter a value in another form: ω² = k/m, 1/c = 1/c₁ + 1/c₂, tan φ = …"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from symbalance.document.formula import Call, Formula, Name, Number, Power, Quotient, names
+from symbalance.notes.checking.deciding.substitution import substitute
+
+LETTER = Name("x")
+"""A side that is a lone letter."""
+_ONE = Number(Fraction(1))
+
+
+def head_of(side: Formula) -> str | None:
+    """Return the letter that a side gives a value: alone, as power, inverse or tangent; None for others.
+
+    >>> head_of(1 / Name("c")), head_of(Name("omega") ** Fraction(2)), head_of(Name("a") * Name("b"))
+    ('c', 'omega', None)
+    """
+    match side:
+        case Name(name=name):
+            return name
+        case Power(base=Name(name=name), exponent=Number(value=value)) if value in (2, 3):
+            return name
+        case Quotient(numerator=Number(value=1), denominator=below):
+            return None if isinstance(below, Quotient) else head_of(below)
+        case Call(function="tan", argument=Name(name=name)):
+            return name
+    return None
+
+
+def as_side(side: Formula, formula: Formula) -> Formula:
+    """Return what a side is by the formula of its letter: k/m for ω² where ω is √(k/m)."""
+    match side, formula:
+        case Name(), _:
+            return formula
+        case Call(function="tan"), Call(function="atan", argument=tangent):
+            return tangent
+        case Power(exponent=Number(value=2)), _:
+            return _squared(formula)
+        case Quotient(denominator=below), _:
+            return _inverse(as_side(below, formula))
+    (letter,) = names(side)
+    return substitute(side, letter, formula)
+
+
+def _squared(formula: Formula) -> Formula:
+    match formula:
+        case Call(function="sqrt", argument=radicand):
+            return radicand
+        case Quotient(numerator=above, denominator=below) if any(
+            isinstance(part, Call) for part in (above, below)
+        ):
+            return _squared(above) / _squared(below)
+        case Number(value=value):
+            return Number(value**2)
+    return formula ** Fraction(2)
+
+
+def _inverse(formula: Formula) -> Formula:
+    match formula:
+        case Quotient(numerator=Number(value=1), denominator=below):
+            return below
+        case Quotient(numerator=above, denominator=below):
+            return below / above
+        case Call(function="sqrt", argument=radicand):
+            return Call("sqrt", _inverse(radicand))
+    return _ONE / formula
