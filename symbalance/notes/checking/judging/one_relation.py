@@ -171,7 +171,8 @@ def _judge_step(
         text = state.document.text
         decision = decide_with_gravity(chain, k, decision, text, knowledge, by_premises) or decision
     if decision.status in STATED:
-        return value_at_dead_centre(state, chain, k, knowledge) or decision
+        there = value_at_dead_centre(state, chain, k, knowledge)
+        return there or state.crank_motions.judge(chain, k, knowledge) or decision
     if decision.status == CONTRADICTION:
         return decision
     if not is_settled:
@@ -179,6 +180,9 @@ def _judge_step(
     if decision.is_proved and (by_quantity := wrong_as_quantity(chain, k, state.document, knowledge)):
         return by_quantity
     by_name = state.named.of_another(chain, k, knowledge)
+    if by_name is None and decision.status in (REFUTED, UNDECIDED):
+        is_open = decision.status == UNDECIDED
+        by_name = state.crank_motions.judge(chain, k, knowledge, refutes=is_open)
     if by_name is None and decision.status == UNDECIDED:
         by_name = state.named.judge(chain, k, knowledge)
     if by_name is not None:
@@ -328,6 +332,9 @@ def _as_meant(
         outcome = state.named_orders.judge(chain, k, knowledge, state.cranks_of)
         outcome = outcome or state.named.judge(chain, k, knowledge)
         outcome = outcome or state.harmonics.judge(chain, k, knowledge)
+        outcome = outcome or state.crank_motions.judge(chain, k, knowledge)
+    if isinstance(outcome, Verdict) and outcome.verdict == UNDECIDED:
+        outcome = state.crank_motions.judge(chain, k, knowledge) or outcome
     name = chain.sides[k].node
     if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
         state.definitions.define(name.name, outcome.fix.node, chain)

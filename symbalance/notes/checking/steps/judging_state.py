@@ -26,6 +26,7 @@ from symbalance.notes.checking.declared.symbol_roles import (
 from symbalance.notes.checking.declared.symbols import meaning_of
 from symbalance.notes.checking.meant.engine_speeds import speeds_of
 from symbalance.notes.checking.meant.given_numbers import GivenNumbers
+from symbalance.notes.checking.meant.crank_motions import CrankMotions
 from symbalance.notes.checking.meant.harmonic_coefficients import HarmonicCoefficients
 from symbalance.notes.checking.meant.meant_quantities import MeantQuantities
 from symbalance.notes.checking.meant.meant_words import MeantWords
@@ -84,6 +85,7 @@ class JudgingState:
         )
         self.named = NamedQuantities(self.document, self.sections)
         self.named_orders = NamedOrders(self.meant)
+        self.crank_motions = CrankMotions(self.document, self.sections)
         self.harmonics = HarmonicCoefficients(self.sections)
         self.small_letters = small_letters(self.document.text)
         self.counts = _counts(self.document)
