@@ -43,6 +43,7 @@ from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decisio
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
+from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.meant.catalogue.kinematics import (
     ACCELERATION,
     FASTEST,
@@ -64,6 +65,7 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
 )
 from symbalance.notes.checking.meant.letter_roles import renamed
 from symbalance.notes.checking.meant.meant_words import NOBODY
+from symbalance.notes.checking.meant.motion_numbers import MotionNumbers
 from symbalance.notes.checking.meant.motion_slips import POINTS, Point, agreement, slips, value_at
 from symbalance.notes.checking.meant.motion_words import (
     HAS_OFFSET,
@@ -142,6 +144,8 @@ class _Named(NamedTuple):
     places: tuple[str, ...]
     words: str
     is_sure: bool
+    may_be_other: bool = False
+    """Whether the dead centre may be the other one: inner and outer are called so from either end."""
 
 
 class _Reading(NamedTuple):
@@ -203,6 +207,11 @@ class CrankMotions:
     """Places at which words put a letter."""
 
     @cached_property
+    def numbers(self) -> MotionNumbers:
+        """The sizes that the page names."""
+        return MotionNumbers(self.document)
+
+    @cached_property
     def is_of_crank(self) -> bool:
         """Tell whether the page is about a slider-crank at all."""
         return OF_ENGINE.search(self.document.text) is not None
@@ -221,6 +230,8 @@ class CrankMotions:
         if k or head is None or chain.relations[0].sign not in ("=", "≈") or not self.is_of_crank:
             return None
         own = names(claim)
+        if not own:
+            return self._number(chain, *head, claim)
         if not own or len(own) > MOST_LETTERS or head[1] in own or decimals(claim):
             return None
         if any(isinstance(part, Call) and part.function not in _FUNCTIONS for part in walk(claim)):
@@ -266,6 +277,18 @@ class CrankMotions:
                 if verdict is not None:
                     return verdict
         return None
+
+    def _number(self, chain: Chain, function: str, name: str, order: int, claim: Formula) -> Decision | None:
+        """Return the decision on a number of a named motion, by the sizes that the page names."""
+        if function or order:
+            return None
+        clause, since, sentence, _ = self._texts(chain)
+        named = self._named(chain, function, name, order, claim)
+        row, column = self._row(chain)
+        words = f"{row} {column}" if row else since
+        words = clause if motions_named(clause) else words
+        kind, places = (named.kind, named.places) if named is not None and named.is_sure else ("", ())
+        return self.numbers.judge(chain, f"{words} {sentence}" if not row else words, kind, places, name)
 
     # What words name
 
@@ -334,7 +357,7 @@ class CrankMotions:
             kind, spots, sure = _angle_kind(f"{since} {heading} {sentence}", kind, spots)
             if not kind:
                 return None
-        if not kind:
+        if not kind or (function and kind not in (ROD_ANGLE, FASTEST, HUMP)):
             return None
         if is_turned and kind in TURNED:
             return _Named(kind, ("",), _short(words), sure)
@@ -344,6 +367,10 @@ class CrankMotions:
             spots = [place]
         elif not spots and place:
             spots = [place]
+        if {TOP, BOTTOM} & {*spots}:
+            spots = [spot for spot in spots if not spot.startswith("~")]  # the outer (upper) dead centre
+        may_be_other = any(spot.startswith("~") for spot in spots)
+        spots = [spot.removeprefix("~") for spot in spots]
         if spots == [""] or (len(spots) > 1 and "" in spots):
             spots = [TOP, BOTTOM]
         spots = spots or list(self.spots.get(name, ()))
@@ -351,7 +378,7 @@ class CrankMotions:
             return None
         if len(spots) > 1 and not {TOP, BOTTOM} & {*spots}:
             return None
-        return _Named(kind, tuple(spots), _short(words), sure)
+        return _Named(kind, tuple(spots), _short(words), sure, may_be_other)
 
     def _is_offset(self, chain: Chain) -> bool:
         """Tell whether the page, or the words near, speak of an offset line of stroke."""
@@ -388,6 +415,8 @@ class CrankMotions:
             letters[letter] = roles[0]
             if roles == ["ratio"]:
                 conventions = list(self._conventions(letter, knowledge))
+        if {"r", "s"} <= {*letters.values()}:
+            return
         for is_inverse in conventions:
             yield _Reading(letters, is_inverse, law)
 
@@ -463,7 +492,7 @@ class CrankMotions:
         table: Mapping[tuple[str, str], Motion],
     ) -> bool:
         """Tell whether a claim is a formula of the motion at another place that no words exclude."""
-        if named.places in ((TOP,), (BOTTOM,), ("right",)):
+        if named.places in ((TOP,), (BOTTOM,), ("right",)) and not named.may_be_other:
             return False
         return any(
             agreement(_inside(motion, function), claim, _values(reading), _signs(kind, function)) is not None
@@ -481,7 +510,11 @@ class CrankMotions:
             return None
         motion = _inside(motion, function)
         side = chain.sides[1]
-        for kind, changed in slips(claim):
+        ratio = next((letter for letter, role in reading.letters.items() if role == "ratio"), "")
+        inverted = substitute(claim, ratio, Quotient(Number(Fraction(1)), Name(ratio))) if ratio else claim
+        is_known = len({each.is_inverse for each in readings}) == 1
+        more = [("rod ratio inverted", inverted)] if ratio and is_known else []
+        for kind, changed in (*slips(claim), *more):
             is_other = any(letter not in names(claim) for letter in names(changed))
             if is_other or changed == claim or _UNCERTAIN.search(kind):
                 continue

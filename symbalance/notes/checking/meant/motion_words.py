@@ -86,11 +86,11 @@ _PLACES = re.compile(
     rf"(?P<right>{_QUARTER})"
     r"|(?P<top>\btop\b(?! (?:speed|piston))|\bupper\b|\bTDC\b|\bOT\b|\boberen?m?\b|上死点|point mort haut"
     r"|\bPMH\b|superior|\bPMS\b)"
-    r"|(?P<bottom>\bbottom\b|\blower\b|\bBDC\b|\bUT\b|\bunteren?m?\b|下死点|point mort bas|\bPMB\b"
+    r"|(?P<bottom>\bbottom\b|\blower\b(?! (?:the|by|than))|\bBDC\b|\bUT\b|\bunteren?m?\b|下死点|point mort bas|\bPMB\b"
     r"|\binferior|\bPMI\b)"
-    r"|(?P<either>\binner\b|\bouter\b|\bIDC\b|\bODC\b|crank[- ]end|head[- ]end|cover[- ]end"
-    r"|\bin-?(?:ner )?stroke|\bout-?stroke|\binnere|\bäußere|other end|\bends? of (?:the|each) stroke"
-    r"|dead (?:cent(?:re|er)s|points)|totpunkten|死点)"
+    r"|(?P<inner>\binner\b|\bIDC\b|head[- ]end|cover[- ]end|\bin-?stroke|\binnere)"
+    r"|(?P<outer>\bouter\b|\bODC\b|crank[- ]end|\bout-?stroke|\bäußere|other end)"
+    r"|(?P<either>\bends? of (?:the|each) stroke|dead (?:cent(?:re|er)s|points)|totpunkten|死点)"
     r"|(?P<least>smallest|\bleast\b|minim|negative peak|\bhump|third extreme|kleinste|最小|deepest"
     r"|lowest(?! order))"
     r"|(?P<largest>greatest|largest|\bmaxim|\bpeak\b|highest|\bextreme\b|größte[rns]?|höchste|最大"
@@ -134,10 +134,12 @@ def motions_named(words: str) -> list[str]:
 def places_named(words: str, sentence: str = "") -> list[str]:
     """Return the places of the crank that words name; "" for one that may be either dead centre.
 
+    Inner and outer dead centres are called so from the crank or from the cylinder: "~top" is the usual one.
+
     >>> places_named("at the top"), places_named("", "for θ = π the"), places_named("at the inner dead centre")
-    (['top'], ['bottom'], [''])
+    (['top'], ['bottom'], ['~top'])
     """
-    named = {"either": "", "right": RIGHT, "top": TOP, "bottom": BOTTOM, "largest": LARGEST, "least": LEAST}
+    named = {"either": "", "inner": "~top", "outer": "~bottom", "right": RIGHT, "top": TOP, "bottom": BOTTOM, "largest": LARGEST, "least": LEAST}
     places = [named[match.lastgroup or ""] for match in _PLACES.finditer(words)]
     if not places:
         places = [match.lastgroup or "" for match in _ANGLE_AT.finditer(sentence)]

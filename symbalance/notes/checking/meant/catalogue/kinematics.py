@@ -62,7 +62,7 @@ MOTIONS: Mapping[tuple[str, str], Motion] = {
     (SPEED, TOP): Motion((_NO_LENGTH,)),
     (SPEED, BOTTOM): Motion((_NO_LENGTH,)),
     (SPEED, RIGHT): Motion((r * w,)),
-    (SPEED, LARGEST): Motion((), (r * w * sqrt(1 + lam**2), r * w * (1 + lam**2 / 2), r * w)),
+    (SPEED, LARGEST): Motion((), (r * w * sqrt(1 + lam**2), r * w * (1 + lam**2 / 2))),
     (ACCELERATION, ""): Motion(
         (
             r * w**2 * (
