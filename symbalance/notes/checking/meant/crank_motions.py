@@ -133,6 +133,12 @@ _DOUBTS = re.compile(
 )
 
 
+_PART = re.compile(
+    r"\bhalf\b|\btwice|\bdouble|\beach\b|\bboth\b|\btwo\b|total|\bhalbe?\b|doppelt|zweifach|半|倍|両"
+    r"|\bsum\b|amplitude|peak[- ]to[- ]peak|\brange\b|per\b|proportion",
+    re.IGNORECASE,
+)
+"""Words that make a part or a multiple of a motion."""
 _UNCERTAIN = re.compile(r"missing|too many|differentiation")
 """Changes after which another quantity may stand there."""
 
@@ -514,6 +520,8 @@ class CrankMotions:
         inverted = substitute(claim, ratio, Quotient(Number(Fraction(1)), Name(ratio))) if ratio else claim
         is_known = len({each.is_inverse for each in readings}) == 1
         more = [("rod ratio inverted", inverted)] if ratio and is_known else []
+        if not _PART.search(self._texts(chain)[0]):
+            more += [(f"factor {f}", Product((Number(f), claim))) for f in (Fraction(1, 2), Fraction(2))]
         for kind, changed in (*slips(claim), *more):
             is_other = any(letter not in names(claim) for letter in names(changed))
             if is_other or changed == claim or _UNCERTAIN.search(kind):

@@ -47,7 +47,7 @@ SHORT, HALF = F(1, 20), F(1, 40)
 """Ratios of crank and rod between which the order of a difference shows."""
 HIGHEST = 7
 """Power of the ratio that a series may have."""
-_TERM_FACTORS = (F(2), F(1, 2), F(4), F(1, 4), F(3), F(1, 3), F(8), F(1, 8))
+_TERM_FACTORS = (F(2), F(1, 2), F(4), F(1, 4), F(3), F(1, 3), F(8), F(1, 8), F(-2), F(-1, 2), F(-1, 4))
 
 _INVERSE = ("asin", "acos", "atan")
 
