@@ -24,11 +24,13 @@ from typing import NamedTuple
 from symbalance.budgets import Budget, OverBudgetError, run_within
 from symbalance.document.formula import (
     Call,
+    Constant,
     Derivative,
     Formula,
     Name,
     Negative,
     Number,
+    Power,
     Product,
     Quotient,
     children,
@@ -44,6 +46,7 @@ from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.meant.catalogue.kinematics import (
     ACCELERATION,
     FASTEST,
@@ -64,7 +67,7 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
     Motion,
 )
 from symbalance.notes.checking.meant.letter_roles import renamed
-from symbalance.notes.checking.meant.meant_words import NOBODY
+from symbalance.notes.checking.meant.meant_words import NOBODY, MeantWords
 from symbalance.notes.checking.meant.motion_numbers import MotionNumbers
 from symbalance.notes.checking.meant.motion_slips import POINTS, Point, agreement, slips, value_at
 from symbalance.notes.checking.meant.motion_words import (
@@ -124,8 +127,9 @@ _OF_STROKE = re.compile(
     r"|(?:rod|pleuel\w*)\s*(?:/|to|over|zu)\s*(?:the\s+)?(?:stroke|hub)|\b[lL]\s*/\s*[sS]\b|\b[sS]\s*/\s*[lL]\b",
     re.IGNORECASE,
 )
+_OF_ROD = frozenset({ROD_ANGLE, ROD_SPEED, ROD_ACCELERATION})
 _FAST = re.compile(r"fast|velocit|speed|geschwindig|速度|schnell|vitesse|velocidad", re.IGNORECASE)
-_EXTREME = re.compile(r"extrem|peak|hump|minim|largest|greatest|maxim", re.IGNORECASE)
+_EXTREME = re.compile(r"extrem|\btop|peak|hump|minim|largest|greatest|maxim", re.IGNORECASE)
 _DOUBTS = re.compile(
     r"\bnot\b|\binstead\b|\bwrong|mistak|\bnicht\b|\bstatt\b|anstelle|falsch|ではない|誤り|間違|older|empiri"
     r"|rule of thumb|faustformel|mistook|often written",
@@ -141,6 +145,14 @@ _PART = re.compile(
 """Words that make a part or a multiple of a motion."""
 _UNCERTAIN = re.compile(r"missing|too many|differentiation")
 """Changes after which another quantity may stand there."""
+
+
+_ROLES = {
+    "crank radius": "r", "rod length": "l", "stroke": "s", "angular speed": "w", "rod ratio l/r": "ratio",
+    "crank ratio r/l": "ratio",
+}  # fmt: skip
+_USUAL = {"a": ACCELERATION, "b": ACCELERATION, "v": SPEED, "x": PATH, "s": PATH}
+"""Letters of motions, where several are named at once, or none near."""
 
 
 class _Named(NamedTuple):
@@ -207,8 +219,9 @@ class CrankMotions:
 
     document: ReadNotes
     sections: Sections
-    kinds: dict[str, str] = field(default_factory=dict)
-    """Stems of letters that words named a motion, or that agreed with one."""
+    words: MeantWords
+    kinds: dict[tuple[str, int], str] = field(default_factory=dict)
+    """Stems of letters, with how often they are differentiated, that words named a motion, or that agreed with one."""
     spots: dict[str, tuple[str, ...]] = field(default_factory=dict)
     """Places at which words put a letter."""
 
@@ -235,7 +248,10 @@ class CrankMotions:
         head = _head(left)
         if k or head is None or chain.relations[0].sign not in ("=", "≈") or not self.is_of_crank:
             return None
+        claim = _with_letter_e(claim) if self.is_offset_page else claim
         own = names(claim)
+        if claim == Number(Fraction(0)):
+            return self._zero(chain, *head, claim)
         if not own:
             return self._number(chain, *head, claim)
         if not own or len(own) > MOST_LETTERS or head[1] in own or decimals(claim):
@@ -255,11 +271,11 @@ class CrankMotions:
         named = self._named(chain, function, name, order, claim)
         if named is None:
             return None
-        readings = list(self._readings(claim, knowledge, is_offset=self._is_offset(chain)))
+        readings = list(self._readings(claim, knowledge, chain.lines[0], is_offset=self.is_offset_page))
         if named.kind == STROKE:
             readings = [each for each in readings if "s" not in each.letters.values()]
-        table = OFFSET if self._is_offset(chain) else MOTIONS
-        if self._is_offset(chain) and not any("e" in each.letters.values() for each in readings):
+        table = OFFSET if self.is_offset_page else MOTIONS
+        if self.is_offset_page and not any("e" in each.letters.values() for each in readings):
             return None
         self.spots.setdefault(name, named.places)
         place_of = [(place, table.get((named.kind, place))) for place in named.places]
@@ -270,19 +286,32 @@ class CrankMotions:
             for place, motion in motions:
                 decision = self._agreeing(chain, function, name, claim, named, place, motion, reading)
                 if decision is not None:
-                    self.kinds.setdefault(_stem(name), named.kind)
+                    self.kinds.setdefault((_stem(name), order), named.kind)
                     return decision
-        self.kinds.setdefault(_stem(name), named.kind)
+        self.kinds.setdefault((_stem(name), order), named.kind)
         if not refutes or not named.is_sure or len({reading.is_inverse for reading in readings}) == 0:
             return None
         if self._agrees_elsewhere(function, claim, named, readings, table):
             return None
+        firsts = [(place, Motion(motion.exact, motion.rough[:1])) for place, motion in motions]
         for reading in readings:
-            for _, motion in motions:
+            for _, motion in (*firsts, *motions):
                 verdict = self._with_slip(chain, function, name, claim, named, motion, reading, readings)
                 if verdict is not None:
                     return verdict
         return None
+
+    def _zero(self, chain: Chain, function: str, name: str, order: int, claim: Formula) -> Decision | None:
+        """Return the proof that a motion is zero at a place where it is."""
+        named = self._named(chain, function, name, order, claim)
+        places = () if named is None else named.places
+        if named is None or not places or self.is_offset_page:
+            return None
+        self.spots.setdefault(name, places)
+        motions = [MOTIONS.get((named.kind, place)) for place in places]
+        if not all(motion is not None and claim in motion.exact for motion in motions):
+            return None
+        return Decision(PROVED, assumptions=(self._text(function, name, named, places[0]),))
 
     def _number(self, chain: Chain, function: str, name: str, order: int, claim: Formula) -> Decision | None:
         """Return the decision on a number of a named motion, by the sizes that the page names."""
@@ -293,6 +322,8 @@ class CrankMotions:
         row, column = self._row(chain)
         words = f"{row} {column}" if row else since
         words = clause if motions_named(clause) else words
+        if named is not None and named.is_sure:
+            self.kinds.setdefault((_stem(name), order), named.kind)
         kind, places = (named.kind, named.places) if named is not None and named.is_sure else ("", ())
         return self.numbers.judge(chain, f"{words} {sentence}" if not row else words, kind, places, name)
 
@@ -333,8 +364,12 @@ class CrankMotions:
             return None
         near = [each for each in ((f"{row} {column}",) if row else (clause, after.split(",")[0], since)) if each.strip()]
         kind, words = "", ""
+        by_mark = _by_dots(stem, order)
+        usual = by_mark or _USUAL.get(stem, "")
         for text in near:
-            motions = motions_named(text)
+            motions = motions_named(text, f"{heading} {sentence}")
+            if len({*motions}) > 1 and usual in motions:
+                motions = [usual]
             if motions:
                 if OTHERS.search(text):
                     return None
@@ -343,23 +378,29 @@ class CrankMotions:
         if not kind and OTHERS.search(clause):
             return None
         is_turned = any(isinstance(p, Call) and p.function in _HEADS for p in walk(claim))
-        by_mark = _by_dots(stem, order)
         sure = bool(kind)
-        if not kind and by_mark:
-            kind, words, sure = by_mark, "the dots over the letter", False
-        if not kind and stem in self.kinds:
-            kind, words, sure = self.kinds[stem], f"{plain_letter(stem)} above", True
+        if by_mark and kind != by_mark and (not kind or (kind in _OF_ROD) == (by_mark in _OF_ROD)):
+            kind, words, sure = by_mark, "the dots over the letter", bool(kind) or self._is_rod_angle(stem)
+        if not kind and (stem, order) in self.kinds:
+            kind, words, sure = self.kinds[stem, order], f"{plain_letter(stem)} above", True
         if not kind:
             motions = list(dict.fromkeys(motions_named(heading)))
+            motions = [usual] if usual in motions else motions
             if len(motions) == 1 and not OTHERS.search(heading):
                 kind, words, sure = motions[0], heading, True
         if by_mark and kind != by_mark:
             return None
+        if not kind and function and len(_angles_in(claim)) == 1 and name not in _angles_in(claim):
+            kind, words = ROD_ANGLE, "its formula says so"
+        if not kind and _rank(stem) < len(_OF_CRANK) and self._is_rod_angle(stem):
+            kind, words, sure = ROD_ANGLE, f"{plain_letter(stem)} above", True
+        if not kind and not function and usual and usual in self._named_on_page:
+            kind, words = usual, "as is usual for this letter"
         place, is_place_sure = place_of_index(index)
         spots = places_named(" ".join(near[:1]) if row else f"{clause} {after.split(',')[0]}", sentence)
         if not spots:
             spots = places_named(since) or (places_named(heading) if not is_turned else [])
-        if function and _rank(name) < _rank("psi") and kind != ROD_ANGLE and not motions_named_rod(kind):
+        if function and _rank(name) < _rank("psi") and kind not in _OF_ROD:
             kind, spots, sure = _angle_kind(f"{since} {heading} {sentence}", kind, spots)
             if not kind:
                 return None
@@ -368,8 +409,10 @@ class CrankMotions:
         if is_turned and kind in TURNED:
             return _Named(kind, ("",), _short(words), sure)
         if kind in (STROKE, FASTEST, HUMP):
-            return _Named(kind, tuple(spots) if self._is_offset(chain) and kind == FASTEST else ("",), _short(words), sure)
-        if is_place_sure:
+            return _Named(kind, tuple(spots) if self.is_offset_page and kind == FASTEST else ("",), _short(words), sure)
+        if kind == SPEED and index in ("top", "t"):
+            spots = spots or [LARGEST]
+        elif is_place_sure:
             spots = [place]
         elif not spots and place:
             spots = [place]
@@ -386,13 +429,30 @@ class CrankMotions:
             return None
         return _Named(kind, tuple(spots), _short(words), sure, may_be_other)
 
-    def _is_offset(self, chain: Chain) -> bool:
-        """Tell whether the page, or the words near, speak of an offset line of stroke."""
+    @cached_property
+    def _named_on_page(self) -> frozenset[str]:
+        """The motions that words name anywhere."""
+        return frozenset(motions_named(_plain(self.document.text)))
+
+    def _is_rod_angle(self, stem: str) -> bool:
+        """Tell whether a line gives the sine of a letter by the sine of another: sin β = λ sin θ."""
+        for chain in self.document.chains:
+            left = chain.sides[0].node
+            is_sine = isinstance(left, Call) and left.function == "sin" and left.argument == Name(stem)
+            if is_sine and any(_angles_in(side.node) - {stem} for side in chain.sides[1:]):
+                return True
+        return False
+
+    @cached_property
+    def is_offset_page(self) -> bool:
+        """Whether the page speaks of an offset line of stroke."""
         return HAS_OFFSET.search(self.document.text) is not None
 
     # What the letters stand for
 
-    def _readings(self, claim: Formula, knowledge: Knowledge, *, is_offset: bool) -> Iterator[_Reading]:
+    def _readings(
+        self, claim: Formula, knowledge: Knowledge, line: int, *, is_offset: bool
+    ) -> Iterator[_Reading]:
         """Yield the ways in which the letters of a claim may play their roles."""
         inside = {n for p in walk(claim) if isinstance(p, Call) and p.function in _HEADS for n in names(p.argument)}
         letters: dict[str, str] = {}
@@ -409,9 +469,12 @@ class CrankMotions:
                 return
             letters |= dict(zip(angles, ("theta", "rod"), strict=False))
         conventions = [False]
+        declared, proposed = self.words.sizes(line)
+        told = {n: _ROLES[role] for n, m in {**proposed, **declared}.items() if (role := role_of(m)) in _ROLES}
         for letter in sorted(names(claim) - letters.keys()):
             stem = letter.partition("_")[0]
             roles = [role for role in ("w", "r", "l", "ratio") if stem in _STEMS[role]]
+            roles = [told[letter]] if letter in told and roles != ["ratio"] else roles
             if is_offset and stem in _STEMS["e"] and not roles:
                 roles = ["e"]
             elif stem in _STEMS["s"] and not roles:
@@ -520,6 +583,9 @@ class CrankMotions:
         inverted = substitute(claim, ratio, Quotient(Number(Fraction(1)), Name(ratio))) if ratio else claim
         is_known = len({each.is_inverse for each in readings}) == 1
         more = [("rod ratio inverted", inverted)] if ratio and is_known else []
+        of = {role: letter for letter, role in reading.letters.items()}
+        if {"r", "l"} <= {*of}:
+            more.append(("lengths exchanged", renamed(claim, {of["r"]: of["l"], of["l"]: of["r"]})))
         if not _PART.search(self._texts(chain)[0]):
             more += [(f"factor {f}", Product((Number(f), claim))) for f in (Fraction(1, 2), Fraction(2))]
         for kind, changed in (*slips(claim), *more):
@@ -586,14 +652,25 @@ def _short(words: str) -> str:
     return " ".join(words.split())[-60:].strip(" ,:;([|")
 
 
+def _angles_in(node: Formula) -> frozenset[str]:
+    """Return the letters that stand in sines and cosines."""
+    waves = (p for p in walk(node) if isinstance(p, Call) and p.function in _HEADS)
+    return frozenset(n for wave in waves for n in names(wave.argument))
+
+
+def _with_letter_e(node: Formula) -> Formula:
+    """Return a formula in which e is a letter: an offset, and not the base of logarithms."""
+    if node == Constant("e"):
+        return Name("e")
+    if isinstance(node, Call) and node.function == "exp":
+        return Power(Name("e"), _with_letter_e(node.argument))
+    parts = children(node)
+    return with_children(node, tuple(map(_with_letter_e, parts))) if parts else node
+
+
 def _rank(letter: str) -> int:
     stem = letter.partition("_")[0]
     return _OF_CRANK.index(stem) if stem in _OF_CRANK else len(_OF_CRANK)
-
-
-def motions_named_rod(kind: str) -> bool:
-    """Tell whether a motion is the rod's."""
-    return kind in (ROD_ANGLE, ROD_SPEED, ROD_ACCELERATION)
 
 
 def _angle_kind(words: str, kind: str, spots: list[str]) -> tuple[str, list[str], bool]:

@@ -63,7 +63,7 @@ class HarmonicCoefficients:
             return None
         powers = {-power if is_inverse else power: value for power, value in terms.items()}
         first, series = min(powers), coefficients(order, max(map(abs, powers)))
-        leading = min(series)
+        leading = min(series, default=first - 1)
         scale = powers[first] / series[leading] if first == leading else Fraction(0)
         norm = _norm(scale, order)
         is_said = key in self.agreed or (norm is not None and self._is_said(chain))

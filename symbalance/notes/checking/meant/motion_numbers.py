@@ -19,7 +19,7 @@ from fractions import Fraction
 from functools import cached_property
 from math import cos, isclose, isfinite, pi, radians, sin
 
-from symbalance.document.formula import Formula, Name, names
+from symbalance.document.formula import Call, Formula, Name, names, walk
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.meant.catalogue.kinematics import (
@@ -33,7 +33,7 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
     TURNED,
 )
 from symbalance.notes.checking.meant.engine_speeds import speeds_of
-from symbalance.notes.checking.meant.motion_slips import value_at
+from symbalance.notes.checking.meant.motion_slips import SAME, value_at
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _NUMBER = r"(?P<number>[0-9]+(?:[.,][0-9]+)?(?:\s?/\s?[0-9]+)?)"
@@ -134,7 +134,7 @@ class MotionNumbers:
         value = value_at(claim, {})
         if names(claim) or not isfinite(value) or not value:
             return None
-        for expected in self._expected(words, kind, places, name):
+        for expected in self._expected(f"{words} {_degrees(claim)}", kind, places, name):
             decision = _compared(value, claim, chain, expected)
             if decision is not None:
                 return decision
@@ -205,6 +205,14 @@ def _two_terms(
     if kind == PATH and place not in (TOP, BOTTOM):
         return [r * (1 - cos(angle) + second / 4 * (1 - cos(2 * angle)))]
     return []
+
+
+def _degrees(claim: Formula) -> str:
+    """Return the least angle whose sine or cosine a formula of numbers has: 30° of cos 30° + cos 60°/4."""
+    waves = [p for p in walk(claim) if isinstance(p, Call) and p.function in ("sin", "cos")]
+    angles = [value_at(wave.argument, {}) * 180 / pi for wave in waves]
+    least = min(angles, default=0.0)
+    return f"{round(least)}°" if least > 0 and all(abs(a / least - round(a / least)) < SAME for a in angles) else ""
 
 
 def _number(text: str) -> float:

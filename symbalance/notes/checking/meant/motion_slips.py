@@ -156,6 +156,8 @@ def _by_factors(node: Formula, *, is_exponent: bool = False) -> Iterator[tuple[s
     if isinstance(node, Call) and node.function == "sqrt":
         yield "root", node.argument
         yield "root", Power(node, Number(F(3)))
+    if isinstance(node, Quotient) and isinstance(node.numerator, Name) and isinstance(node.denominator, Name):
+        yield "fraction inverted", Quotient(node.denominator, node.numerator)
     if isinstance(node, Quotient) and any(isinstance(p, Sum) for p in walk(node.denominator)):
         yield "root", Quotient(node.numerator, Call("sqrt", node.denominator))
     if isinstance(node, Power) and isinstance(node.exponent, Number):

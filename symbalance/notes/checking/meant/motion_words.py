@@ -27,16 +27,17 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
 
 _ROD = re.compile(
     r"\brods?\b|con-?rod|obliquity|pleuel|\w*stange\b|コンロッド|連接棒|連桿|\bbielle\b|\bbiela\b"
-    r"|\bbiella\b",
+    r"|\bbiella\b|\bswings?\b",
     re.IGNORECASE,
 )
-_ANGULAR = r"angular|angulaire|angular|angolare|swing(?:s|ing)?|sway|winkel|schwenk|角|揺動|rotational"
+_ANGULAR = r"rate of (?:turning|swing|lean)|angular|angulaire|angular|angolare|swing(?:s|ing)?|sway|winkel|schwenk|角|揺動|rotational"
 _TURNS = re.compile(_ANGULAR, re.IGNORECASE)
 _KINDS = re.compile(
     r"(?P<jerk>\bjerk|\bruck\b|躍度|加加速度)"
     r"|(?P<acceleration>accelerat|beschleunig|加速度|accélération|aceleración|accelerazione|decelerat"
     r"|verzöger|slows?\b)"
-    r"|(?P<velocity>velocit|\bspeeds?\b|geschwindigkeit|速度|vitesse|velocidad|\bswing rate|\brate of lean"
+    r"|(?P<velocity>velocit|\bspeeds?\b|geschwindigkeit|速度|vitesse|velocidad|\bswing rate|\brate of (?:lean|turning|swing)"
+    r"|\b(?:moves|runs|travels|slides) (?:at|with)\b"
     r"|swing at the rate)"
     r"|(?P<shortening>shorten|lowers? the piston|leaning rod lower)"
     r"|(?P<stroke>\bstroke\b(?! *(?:line|over|to|/))|\bhub\b|kolbenhub|行程|ストローク|\bcourse\b|\bcarrera\b"
@@ -59,10 +60,11 @@ OTHERS = re.compile(
     r"crank-?\s?pins?|big[- ]end|kurbelzapfen|hubzapfen|クランクピン|counterweight|gegengewicht"
     r"|centre of (?:gravity|mass)|center of (?:gravity|mass)|centroid|schwerpunkt|重心|relativ|\bmean\b"
     r"|average|mittlere|durchschnitt|平均|moyenne|\bmedia\b|scotch|\byoke|\bcams?\b|nocken|カム"
-    r"|simple harmonic|\bS\.?H\.?M\b|infinite|unendlich|無限|\bfirst[- ]order|\bsecond[- ]order|primary"
+    r"|simple harmonic|\bS\.?H\.?M\b|infinite|unendlich|無限|(?<!to )(?<!to the )\bfirst[- ]order|\bsecond[- ]order|primary"
     r"|secondary|\b(?:erste|zweite)[rn]? ordnung|[一二三四12346]次|component|komponente|成分|amplitude"
     r"|振幅|articulated|slave|nebenpleuel|\bper unit|squared?\b|quadrat|normal acc|tangential"
     r"|centripetal|zentripetal|fliehkraft|求心|coriolis|\bvalve|ventil|弁|\bgas\b|flow|\belliptic"
+    r"|\bpoint (?:of|on)\b|mid-?point|(?:in|of) its middle|middle of the (?:connecting )?rod|\bbanks?\b"
     r"|vehicle|flywheel|schwungrad|fahrzeug|\bdesired|\bharmonics?\b|\bfourth|\bsixth|\bfourier"
     r"|\bwaves?\b|ratio of|quotient|\bperiod|difference|unterschied|error|fehler|誤差|neglect"
     r"|dimensionless|dimensionslos|reduced|normali[sz]ed|\bbezogen",
@@ -84,9 +86,9 @@ _QUARTER = (
 )
 _PLACES = re.compile(
     rf"(?P<right>{_QUARTER})"
-    r"|(?P<top>\btop\b(?! (?:speed|piston))|\bupper\b|\bTDC\b|\bOT\b|\boberen?m?\b|上死点|point mort haut"
+    r"|(?P<top>(?<![\d.,])0\s?(?:°|deg)|\btop\b(?! (?:speed|piston))|\bupper\b|\bTDC\b|\bOT\b|\boberen?m?\b|上死点|point mort haut"
     r"|\bPMH\b|superior|\bPMS\b)"
-    r"|(?P<bottom>\bbottom\b|\blower\b(?! (?:the|by|than))|\bBDC\b|\bUT\b|\bunteren?m?\b|下死点|point mort bas|\bPMB\b"
+    r"|(?P<bottom>(?<!\d)180\s?(?:°|deg)|\bbottom\b|\blower\b(?! (?:the|by|than))|\bBDC\b|\bUT\b|\bunteren?m?\b|下死点|point mort bas|\bPMB\b"
     r"|\binferior|\bPMI\b)"
     r"|(?P<inner>\binner\b|\bIDC\b|head[- ]end|cover[- ]end|\bin-?stroke|\binnere)"
     r"|(?P<outer>\bouter\b|\bODC\b|crank[- ]end|\bout-?stroke|\bäußere|other end)"
@@ -98,24 +100,24 @@ _PLACES = re.compile(
     re.IGNORECASE,
 )
 _ANGLE_AT = re.compile(
-    r"(?:θ|ϑ|φ|ϕ|α|ψ|\\(?:var)?(?:theta|phi)|\\alpha|\\psi|theta|phi)\}?\s*=\s*\$?"
+    r"(?:θ|ϑ|φ|ϕ|α|ψ|\\(?:var)?(?:theta|phi)|\\alpha|\\psi|theta|phi|(?<![A-Za-z])t)\}?\s*=\s*\$?"
     r"(?:(?P<top>0(?![.,]?\d))|(?P<bottom>180|π(?!/)|\\pi(?!/))|(?P<right>90|π/2|\\pi/2|\\frac\{\\pi\}\{2\}))"
 )
 _BY_INDEX = {
     "ot": TOP, "tdc": TOP, "top": TOP, "t": TOP, "o": TOP, "u": TOP, "pmh": TOP, "h": TOP,
     "ut": BOTTOM, "bdc": BOTTOM, "bot": BOTTOM, "bottom": BOTTOM, "b": BOTTOM, "pmb": BOTTOM,
-    "90": RIGHT, "180": BOTTOM, "max": LARGEST, "min": LEAST, "m": LARGEST,
+    "90": RIGHT, "0": TOP, "180": BOTTOM, "max": LARGEST, "min": LEAST, "m": LARGEST,
 }  # fmt: skip
-_SURE = frozenset({"ot", "tdc", "top", "ut", "bdc", "bot", "bottom", "90", "180", "max", "min", "pmh", "pmb"})
+_SURE = frozenset({"ot", "tdc", "ut", "bdc", "bot", "bottom", "90", "180", "max", "min", "pmh", "pmb"})
 
 
-def motions_named(words: str) -> list[str]:
-    """Return the motions that words name, from the first to the last.
+def motions_named(words: str, around: str = "") -> list[str]:
+    """Return the motions that words name, from the first to the last; words around may name the rod.
 
     >>> motions_named("The angular acceleration of the connecting rod, from its inclination")
     ['angular acceleration of the rod', 'rod angle']
     """
-    is_of_rod, motions = _ROD.search(words) is not None, []
+    is_of_rod, motions = _ROD.search(f"{words} {around}") is not None, list[str]()
     for match in _KINDS.finditer(words):
         kind = _OF_KINDS[match.lastgroup or ""]
         near = words[max(0, match.start() - 24) : match.end() + 14]

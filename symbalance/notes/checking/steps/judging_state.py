@@ -85,7 +85,7 @@ class JudgingState:
         )
         self.named = NamedQuantities(self.document, self.sections)
         self.named_orders = NamedOrders(self.meant)
-        self.crank_motions = CrankMotions(self.document, self.sections)
+        self.crank_motions = CrankMotions(self.document, self.sections, self.meant.words)
         self.harmonics = HarmonicCoefficients(self.sections)
         self.small_letters = small_letters(self.document.text)
         self.counts = _counts(self.document)
