@@ -181,8 +181,9 @@ def _judge_step(
         return by_quantity
     by_name = state.named.of_another(chain, k, knowledge)
     if by_name is None and decision.status in (REFUTED, UNDECIDED):
-        is_open = decision.status == UNDECIDED
-        by_name = state.crank_motions.judge(chain, k, knowledge, refutes=is_open)
+        by_motion = state.crank_motions
+        again = by_motion.again if decision.status == REFUTED else by_motion.judge
+        by_name = again(chain, k, knowledge)
     if by_name is None and decision.status == UNDECIDED:
         by_name = state.named.judge(chain, k, knowledge)
     if by_name is not None:

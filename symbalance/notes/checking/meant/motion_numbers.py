@@ -72,8 +72,12 @@ _IS_MEAN = re.compile(
     r"|平均ピストン速度|vitesse moyenne|velocidad media",
     re.IGNORECASE,
 )
-_IS_TURNING = re.compile(r"angular (?:speed|velocity)|winkelgeschwindigkeit|(?<!コンロッドの)角速度", re.IGNORECASE)
-_IS_PIN = re.compile(r"crank-?\s?pin\s+(?:speed|velocity)|(?:speed|velocity) of the crank-?\s?pin", re.IGNORECASE)
+_IS_TURNING = re.compile(
+    r"angular (?:speed|velocity)|winkelgeschwindigkeit|(?<!コンロッドの)角速度", re.IGNORECASE
+)
+_IS_PIN = re.compile(
+    r"crank-?\s?pin\s+(?:speed|velocity)|(?:speed|velocity) of the crank-?\s?pin", re.IGNORECASE
+)
 _IS_RATE = re.compile(
     r"(?:permitted|allowed|allowable|highest|maximum|required|engine|rotational) speed|drehzahl|回転数"
     r"|revolutions per minute",
@@ -118,7 +122,9 @@ class MotionNumbers:
                 known[role].add(values[-1])
         known["r"] |= {s / 2 for s in known["s"]}
         known["ratio"] = {1 / n if n > 1 else n for n in known["ratio"] if n}
-        sizes = {role: values.pop() for role, each in known.items() if len(values := _distinct(each)) == 1}
+        sizes = {
+            role: values.pop() for role, each in known.items() if len(values := _distinct(each)) == 1
+        }
         if {"r", "l"} <= {*sizes} and "ratio" not in sizes and not known["ratio"]:
             sizes["ratio"] = sizes["r"] / sizes["l"]
         speeds = speeds_of(text)
@@ -153,12 +159,19 @@ class MotionNumbers:
             return
         if stem in ("omega", "Omega") and not kind:
             if w and "_" not in name:
-                yield Expected("the angular speed, 2π times the turns", (w,), factors=(2, 1 / 2, 60, 1 / 60, pi, 1 / pi))
+                yield Expected(
+                    "the angular speed, 2π times the turns",
+                    (w,),
+                    factors=(2, 1 / 2, 60, 1 / 60, pi, 1 / pi),
+                )
             return
         if stem in ("n", "N") and _IS_RATE.search(words) and "mean" in sizes and r and not w:
             turns = sizes["mean"] / (4 * r)
-            yield Expected("the turns of the crank, a stroke twice a turn", (60 * turns, turns, 2 * pi * turns),
-                           factors=(2, 1 / 2, 4, 1 / 4))
+            yield Expected(
+                "the turns of the crank, a stroke twice a turn",
+                (60 * turns, turns, 2 * pi * turns),
+                factors=(2, 1 / 2, 4, 1 / 4),
+            )
             return
         if not kind or not r or lam is None or not 0 < lam < 0.6:
             return
@@ -189,7 +202,9 @@ def _of_motion(
         if values:
             at = {TOP: "top dead centre", BOTTOM: "bottom dead centre", "right": "90°"}.get(place, place)
             where = f" at {at}" if at else f" at {round(angle * 180 / pi)}°"
-            yield Expected(f"the {kind}{where}", tuple(values), tuple(slips), (2, 1 / 2, 4, 1 / 4, 60, 1 / 60))
+            yield Expected(
+                f"the {kind}{where}", tuple(values), tuple(slips), (2, 1 / 2, 4, 1 / 4, 60, 1 / 60)
+            )
 
 
 def _two_terms(
@@ -212,7 +227,11 @@ def _degrees(claim: Formula) -> str:
     waves = [p for p in walk(claim) if isinstance(p, Call) and p.function in ("sin", "cos")]
     angles = [value_at(wave.argument, {}) * 180 / pi for wave in waves]
     least = min(angles, default=0.0)
-    return f"{round(least)}°" if least > 0 and all(abs(a / least - round(a / least)) < SAME for a in angles) else ""
+    return (
+        f"{round(least)}°"
+        if least > 0 and all(abs(a / least - round(a / least)) < SAME for a in angles)
+        else ""
+    )
 
 
 def _number(text: str) -> float:
@@ -233,7 +252,7 @@ def _compared(value: float, claim: Formula, chain: Chain, expected: Expected) ->
     """Return whether a number is what it should be: to its digits, or off by a slip."""
     size = abs(value)
     printed = decimals(claim)
-    scale = 10.0 ** -2 if not printed else 0.0
+    scale = 10.0**-2 if not printed else 0.0
     for exact in expected.values:
         gap = abs(size / abs(exact) - 1)
         if gap < CLOSE or (gap < 5e-3 and size >= 1 and abs(size - abs(exact)) <= max(scale * 50, 0.6)):
@@ -243,7 +262,9 @@ def _compared(value: float, claim: Formula, chain: Chain, expected: Expected) ->
         return None
     is_slip = any(isclose(size, abs(slip), rel_tol=2 * CLOSE) for slip in expected.slips if slip)
     is_slip |= any(
-        isclose(size, abs(exact) * factor, rel_tol=2 * CLOSE) for exact in expected.values for factor in expected.factors
+        isclose(size, abs(exact) * factor, rel_tol=2 * CLOSE)
+        for exact in expected.values
+        for factor in expected.factors
     )
     if not is_slip:
         return None

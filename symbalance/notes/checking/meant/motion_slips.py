@@ -67,7 +67,9 @@ def value_at(node: Formula, point: Mapping[str, Fraction]) -> float:
 def same_values(first: Formula, second: Formula, claimed: Values, sign: int = 1) -> bool:
     """Tell whether a target, with a sign, has the values of a claim at every point."""
     pairs = [(sign * value_at(first, point), claimed(second, point)) for point in POINTS]
-    return all(isfinite(a) and isfinite(b) and isclose(a, b, rel_tol=SAME, abs_tol=1e-12) for a, b in pairs)
+    return all(
+        isfinite(a) and isfinite(b) and isclose(a, b, rel_tol=SAME, abs_tol=1e-12) for a, b in pairs
+    )
 
 
 def order_of_claim(claim: Formula, claimed: Values) -> int | None:
@@ -152,11 +154,17 @@ def _by_factors(node: Formula, *, is_exponent: bool = False) -> Iterator[tuple[s
     if isinstance(node, Number) and node.value and not is_exponent:
         yield from ((f"factor {f}", Number(node.value * f)) for f in (F(2), F(1, 2), F(3, 4), F(4, 3)))
     if isinstance(node, Call) and node.function in _INVERSE:
-        yield from ((f"{f} for {node.function}", Call(f, node.argument)) for f in _INVERSE if f != node.function)
+        yield from (
+            (f"{f} for {node.function}", Call(f, node.argument)) for f in _INVERSE if f != node.function
+        )
     if isinstance(node, Call) and node.function == "sqrt":
         yield "root", node.argument
         yield "root", Power(node, Number(F(3)))
-    if isinstance(node, Quotient) and isinstance(node.numerator, Name) and isinstance(node.denominator, Name):
+    if (
+        isinstance(node, Quotient)
+        and isinstance(node.numerator, Name)
+        and isinstance(node.denominator, Name)
+    ):
         yield "fraction inverted", Quotient(node.denominator, node.numerator)
     if isinstance(node, Quotient) and any(isinstance(p, Sum) for p in walk(node.denominator)):
         yield "root", Quotient(node.numerator, Call("sqrt", node.denominator))
@@ -169,3 +177,9 @@ def _by_factors(node: Formula, *, is_exponent: bool = False) -> Iterator[tuple[s
         inner = is_exponent or (isinstance(node, Power) and k == 1)
         for kind, changed in _by_factors(part, is_exponent=inner):
             yield kind, with_children(node, (*parts[:k], changed, *parts[k + 1 :]))
+
+
+def is_negative_of(claim: Formula, changed: Formula, claimed: Values) -> bool:
+    """Tell whether a change only turns the direction of the whole, which anybody may choose."""
+    pairs = [(claimed(changed, point), claimed(claim, point)) for point in POINTS]
+    return all(isclose(a, -b, rel_tol=SAME) for a, b in pairs)

@@ -141,7 +141,16 @@ def places_named(words: str, sentence: str = "") -> list[str]:
     >>> places_named("at the top"), places_named("", "for θ = π the"), places_named("at the inner dead centre")
     (['top'], ['bottom'], ['~top'])
     """
-    named = {"either": "", "inner": "~top", "outer": "~bottom", "right": RIGHT, "top": TOP, "bottom": BOTTOM, "largest": LARGEST, "least": LEAST}
+    named = {
+        "either": "",
+        "inner": "~top",
+        "outer": "~bottom",
+        "right": RIGHT,
+        "top": TOP,
+        "bottom": BOTTOM,
+        "largest": LARGEST,
+        "least": LEAST,
+    }
     places = [named[match.lastgroup or ""] for match in _PLACES.finditer(words)]
     if not places:
         places = [match.lastgroup or "" for match in _ANGLE_AT.finditer(sentence)]

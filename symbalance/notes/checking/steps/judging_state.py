@@ -24,9 +24,9 @@ from symbalance.notes.checking.declared.symbol_roles import (
     small_letters,
 )
 from symbalance.notes.checking.declared.symbols import meaning_of
+from symbalance.notes.checking.meant.crank_motions import CrankMotions
 from symbalance.notes.checking.meant.engine_speeds import speeds_of
 from symbalance.notes.checking.meant.given_numbers import GivenNumbers
-from symbalance.notes.checking.meant.crank_motions import CrankMotions
 from symbalance.notes.checking.meant.harmonic_coefficients import HarmonicCoefficients
 from symbalance.notes.checking.meant.meant_quantities import MeantQuantities
 from symbalance.notes.checking.meant.meant_words import MeantWords

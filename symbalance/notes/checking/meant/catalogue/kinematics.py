@@ -92,7 +92,7 @@ MOTIONS: Mapping[tuple[str, str], Motion] = {
     (ROD_SPEED, BOTTOM): Motion((lam * w,)),
     (ROD_SPEED, RIGHT): Motion((_NO_LENGTH,)),
     (ROD_ACCELERATION, ""): Motion(
-        (lam * (1 - lam**2) * w**2 * sin(theta) / (_ROOT * _INNER),), (lam * w**2 * sin(theta),)
+        (-lam * (1 - lam**2) * w**2 * sin(theta) / (_ROOT * _INNER),), (-lam * w**2 * sin(theta),)
     ),
     (ROD_ACCELERATION, LARGEST): Motion((lam * w**2 / sqrt(1 - lam**2),), (lam * w**2,)),
     (ROD_ACCELERATION, RIGHT): Motion((lam * w**2 / sqrt(1 - lam**2),), (lam * w**2,)),
