@@ -78,7 +78,7 @@ from symbalance.notes.checking.meant.motion_numbers import MotionNumbers
 from symbalance.notes.checking.meant.motion_slips import (
     POINTS,
     agreement,
-    is_negative_of,
+    factor_between,
     slips,
     value_at,
 )
@@ -337,7 +337,8 @@ class CrankMotions:
             signs = _signs(named.kind, case.head)
             if agreement(motion, changed, values_in(reading), signs) is None:
                 continue
-            if is_negative_of(case.formula, changed, values_in(reading)):
+            factor = factor_between(case.formula, changed, values_in(reading))
+            if factor is not None and (factor < 0 or is_part):
                 continue
             known = known_of(case.formula, reading, case.chain)
             if decide(Side((changed,), case.chain.sides[0].span), side, "=", known).status == PROVED:

@@ -179,7 +179,10 @@ def _by_factors(node: Formula, *, is_exponent: bool = False) -> Iterator[tuple[s
             yield kind, with_children(node, (*parts[:k], changed, *parts[k + 1 :]))
 
 
-def is_negative_of(claim: Formula, changed: Formula, claimed: Values) -> bool:
-    """Tell whether a change only turns the direction of the whole, which anybody may choose."""
-    pairs = [(claimed(changed, point), claimed(claim, point)) for point in POINTS]
-    return all(isclose(a, -b, rel_tol=SAME) for a, b in pairs)
+def factor_between(claim: Formula, changed: Formula, claimed: Values) -> float | None:
+    """Return the number that a change multiplies the whole by, None where it does something else."""
+    ratios = []
+    for point in POINTS:
+        below = claimed(claim, point)
+        ratios.append(claimed(changed, point) / below if below else float("nan"))
+    return ratios[0] if all(isclose(each, ratios[0], rel_tol=SAME) for each in ratios) else None

@@ -62,7 +62,7 @@ OTHERS = re.compile(
     r"|average|mittlere|durchschnitt|平均|moyenne|\bmedia\b|scotch|\byoke|\bcams?\b|nocken|カム"
     r"|simple harmonic|\bS\.?H\.?M\b|infinite|unendlich|無限|(?<!to )(?<!to the )\bfirst[- ]order|\bsecond[- ]order|primary"
     r"|secondary|\b(?:erste|zweite)[rn]? ordnung|[一二三四12346]次|component|komponente|成分|amplitude"
-    r"|振幅|articulated|slave|nebenpleuel|\bper unit|squared?\b|quadrat|normal acc|tangential"
+    r"|振幅|articulated|slave|nebenpleuel|\bper unit|\bsquared\b|\bsquares? of|quadrat|normal acc|tangential"
     r"|centripetal|zentripetal|fliehkraft|求心|coriolis|\bvalve|ventil|弁|\bgas\b|flow|\belliptic"
     r"|\bpoint (?:of|on)\b|mid-?point|(?:in|of) its middle|middle of the (?:connecting )?rod|\bbanks?\b"
     r"|vehicle|flywheel|schwungrad|fahrzeug|\bdesired|\bharmonics?\b|\bfourth|\bsixth|\bfourier"

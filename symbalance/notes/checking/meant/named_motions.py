@@ -151,7 +151,7 @@ class NamedMotions:
         if spots == [""] or (len(spots) > 1 and "" in spots):
             spots = [TOP, BOTTOM]
         spots = spots or list(self.spots.get(head.name, ()))
-        if not spots or (len(spots) > 1 and not {TOP, BOTTOM} & {*spots}):
+        if not spots:
             return None
         return NamedMotion(kind.name, tuple(spots), words, kind.is_sure, may_be_other)
 
