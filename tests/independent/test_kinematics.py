@@ -1,4 +1,4 @@
-"""Each formula of a slider-crank's motions is what the path of a piston gives, differentiated in steps."""
+"""Each formula of a slider-crank's motions is what the path of a piston gives, differentiated."""
 
 from __future__ import annotations
 

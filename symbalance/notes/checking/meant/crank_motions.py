@@ -1,14 +1,15 @@
-"""Motions of a slider-crank that words name: "in the lower dead centre the piston is slowed by r ω² (1 - λ)".
+"""Motions of a slider-crank that words name: in the lower dead centre the acceleration is r ω² (1 - λ).
 
 The words, the index of the letter, the row of a table or a heading say which motion it is and at which
 place of the crank (`motion_words`). The letters of its formula are known by the page, or as is usual: the
 one in a sine is the crank angle. Then it is compared with the catalogue's formulas:
 
-    it agrees, exactly or through its power of the rod ratio    conditional on what the letter is taken to be
-    one change makes it agree                                   refuted, with that change
-    anything else                                               None: a definition, as before
+    it agrees, exactly or through its power of r/l    conditional on what the letter is taken to be
+    one change makes it agree                         refuted, with that change
+    anything else                                     None: a definition, as before
 
-A ratio λ of which nothing says whether it is r/l or l/r may be either; both directions of a motion are right.
+A ratio λ of which nothing says whether it is r/l or l/r may be either, and both directions of a motion
+are right.
 """
 
 from __future__ import annotations
@@ -214,32 +215,31 @@ class CrankMotions:
         named = self.named.named(case.chain, case.head, case.formula)
         if named is None:
             return None
-        readings = self._readings(case)
+        readings, head = self._readings(case), case.head
         if named.kind == STROKE:
             readings = [each for each in readings if "s" not in each.letters.values()]
-        if self.named.is_offset and not any("e" in each.letters.values() for each in readings):
-            return None
-        head = case.head
+        if self.named.is_offset:
+            readings = [each for each in readings if "e" in each.letters.values()]
         self.named.spots.setdefault(head.name, named.places)
-        if not any((named.kind, place) in self.table for place in named.places):
+        motions = [self.table[named.kind, p] for p in named.places if (named.kind, p) in self.table]
+        if not motions or not readings:
             return None
         self.named.kinds.setdefault((head.stem, head.order), named.kind)
-        for reading in readings:
-            decision = self._agreeing(case, named, reading)
-            if decision is not None:
-                return decision
+        agreeing = (self._agreeing(case, named, reading) for reading in readings)
+        decision = next((each for each in agreeing if each is not None), None)
+        if decision is not None:
+            return decision
         is_known = head.name in case.knowledge.definitions
         if not named.is_sure or is_known or self._agrees_elsewhere(case, named, readings):
             return None
-        motions = [self.table[named.kind, p] for p in named.places if (named.kind, p) in self.table]
         motions = [*(Motion(each.exact, each.rough[:1]) for each in motions), *motions]
-        for reading in readings:
-            for motion in motions:
-                is_sole = len({each.is_inverse for each in readings}) == 1
-                verdict = self._with_slip(case, named, motion, reading, is_sole=is_sole)
-                if verdict is not None:
-                    return verdict
-        return None
+        is_sole = len({each.is_inverse for each in readings}) == 1
+        verdicts = (
+            self._with_slip(case, named, motion, reading, is_sole=is_sole)
+            for reading in readings
+            for motion in motions
+        )
+        return next((verdict for verdict in verdicts if verdict is not None), None)
 
     @property
     def table(self) -> Mapping[tuple[str, str], Motion]:
@@ -393,7 +393,7 @@ def _ratio_text(reading: Reading) -> str:
 
 
 def _has_motion_form(formula: Formula) -> bool:
-    """Tell whether a formula has few letters, no decimals and no functions but those of angles and roots."""
+    """Tell whether a formula has few letters, no decimals, and no functions but of angles and roots."""
     if len(names(formula)) > MOST_LETTERS or decimals(formula):
         return False
     parts = list(walk(formula))

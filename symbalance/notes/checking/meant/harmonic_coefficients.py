@@ -46,7 +46,7 @@ class HarmonicCoefficients:
     agreed: dict[tuple[str, str], int] = field(default_factory=dict)
     """Stems and ratios of which a coefficient has agreed, with the line."""
     norms: dict[tuple[str, str], int] = field(default_factory=dict)
-    """By stem and ratio, how often the order divides: 0 of the acceleration, 1 the velocity, 2 the position."""
+    """How often the order divides: never of the acceleration, twice of the position."""
 
     def judge(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
         """Return the decision on a relation that gives such a coefficient its series; None for others."""
@@ -130,7 +130,7 @@ def _is_inverse(terms: dict[int, Fraction], order: int) -> bool | None:
     for is_inverse in (False, True):
         turned = {-power if is_inverse else power for power in terms}
         if -1 in turned and 1 in turned and min(turned) == -1:
-            return is_inverse if len(turned) > 2 or not {-1, 1} == turned else terms.get(-1) != 1
+            return is_inverse if len(turned) > 2 or turned != {-1, 1} else terms.get(-1) != 1
     return None
 
 

@@ -1,7 +1,7 @@
-"""Which letter of a formula is the crank radius, the rod, their ratio, the angular speed or the crank angle.
+"""Which letter of a formula is the crank radius, the rod, their ratio, the speed or the crank angle.
 
-By what the page says of it, else as is usual: the letter in a sine is the crank angle, of two the second one
-is the rod's. A ratio λ of which nothing says whether it is r/l or l/r may be either.
+By what the page says of it, else as is usual: the letter in a sine is the crank angle, of two the second
+one is the rod's. A ratio λ of which nothing says whether it is r/l or l/r may be either.
 """
 
 from __future__ import annotations
@@ -46,11 +46,13 @@ _STEMS: Mapping[str, frozenset[str]] = {
     "s": frozenset({"S", "H", "s", "h"}),
 }
 _CRANK_OVER_ROD = re.compile(
-    r"crank(?:[- ](?:radius|throw|length))?\s*(?:/|over|to|by|divided by|:)\s*(?:the\s+)?(?:connecting[- ])?rod"
-    r"|(?:crank|rod)[- ]ratio\s+\$?r\s*/\s*l|ratio of (?:the )?crank(?: \w+)? to (?:the )?(?:connecting[- ])?rod"
+    r"crank(?:[- ](?:radius|throw|length))?\s*(?:/|over|to|by|divided by|:)\s*"
+    r"(?:the\s+)?(?:connecting[- ])?rod|(?:crank|rod)[- ]ratio\s+\$?r\s*/\s*l"
+    r"|ratio of (?:the )?crank(?: \w+)? to (?:the )?(?:connecting[- ])?rod"
     r"|(?:half[- ]stroke|throw) (?:over|to|by) (?:the )?(?:connecting[- ])?rod"
     r"|manivelle(?:\s*/\s*|\s+(?:sur|à)\s+)bielle|manivela(?:\s*/\s*|\s+y\s+)(?:longitud de )?biela"
-    r"|(?:schub|pleuel)stangenverhältnis|pleuelverhältnis|kurbelradius (?:zu|durch|/) |\b[rR]\s*/\s*[lL]\b",
+    r"|(?:schub|pleuel)stangenverhältnis|pleuelverhältnis|kurbelradius (?:zu|durch|/) "
+    r"|\b[rR]\s*/\s*[lL]\b",
     re.IGNORECASE,
 )
 _ROD_OVER_CRANK = re.compile(
@@ -60,7 +62,8 @@ _ROD_OVER_CRANK = re.compile(
 )
 _OF_STROKE = re.compile(
     r"(?:stroke|hub|行程|ストローク)\s*(?:/|to|over|zu)\s*(?:the\s+)?(?:rod|pleuel|stange)"
-    r"|(?:rod|pleuel\w*)\s*(?:/|to|over|zu)\s*(?:the\s+)?(?:stroke|hub)|\b[lL]\s*/\s*[sS]\b|\b[sS]\s*/\s*[lL]\b",
+    r"|(?:rod|pleuel\w*)\s*(?:/|to|over|zu)\s*(?:the\s+)?(?:stroke|hub)"
+    r"|\b[lL]\s*/\s*[sS]\b|\b[sS]\s*/\s*[lL]\b",
     re.IGNORECASE,
 )
 _ROLES = {
@@ -172,7 +175,7 @@ class MotionLetters:
             yield Reading(letters, is_inverse, law)
 
     def _conventions(self, letter: str, knowledge: Knowledge) -> Iterator[bool]:
-        """Yield whether a ratio may be l/r (True) or r/l (False); nothing for one that is something else."""
+        """Yield whether a ratio may be l/r (True) or r/l (False); nothing for any other ratio."""
         known: set[bool] = set()
         definition = knowledge.definitions.get(letter)
         values = [definition.node] if definition is not None else []
@@ -223,6 +226,7 @@ def with_letter_e(node: Formula) -> Formula:
 
 
 def angle_rank(letter: str) -> int:
+    """Return how late among the letters of crank angles a letter is; those behind are no angles."""
     stem = letter.partition("_")[0]
     return OF_CRANK.index(stem) if stem in OF_CRANK else len(OF_CRANK)
 
@@ -233,7 +237,7 @@ def values_in(reading: Reading) -> Values:
 
 
 def known_of(claim: Formula, reading: Reading, chain: Chain) -> Knowledge:
-    """Return what is known for a comparison: all sizes are positive, the rod's angle follows the crank's."""
+    """Return what is known for a comparison: sizes are positive, the rod's angle follows the crank's."""
     angles = {letter for letter, role in reading.letters.items() if role in ("theta", "rod", "t")}
     known = Knowledge(SymbolValue(positive=frozenset(names(claim) - angles)), corrects=True)
     of = {role: letter for letter, role in reading.letters.items()}

@@ -37,7 +37,10 @@ from symbalance.notes.checking.meant.motion_slips import SAME, value_at
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _NUMBER = r"(?P<number>[0-9]+(?:[.,][0-9]+)?(?:\s?/\s?[0-9]+)?)"
-_TO_NUMBER = r"(?:\s|\$|\\[,;]|,|:|=|\(|\bof\b|\bis\b|\bvon\b|\bist\b|\blength\b|\bradius\b|\bthrow\b|\b[a-zA-Z]\b)*"
+_TO_NUMBER = (
+    r"(?:\s|\$|\\[,;]|,|:|=|\(|\bof\b|\bis\b|\bvon\b|\bist\b|\blength\b|\bradius\b|\bthrow\b"
+    r"|\b[a-zA-Z]\b)*"
+)
 _UNIT = r"(?:\s|\\[,;~]|~|\\,|\\(?:text|mathrm)\{\s*)*(?P<unit>mm|cm|m|in)\b(?!\s*/)"
 _SCALES = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": 0.0254}
 _LENGTHS: Mapping[str, re.Pattern[str]] = {
@@ -47,7 +50,8 @@ _LENGTHS: Mapping[str, re.Pattern[str]] = {
         re.IGNORECASE,
     ),
     "s": re.compile(
-        rf"(?:(?<!half )(?<!half-)\bstroke|\bhub|kolbenhub|行程|ストローク|\bcourse|carrera){_TO_NUMBER}{_NUMBER}{_UNIT}",
+        rf"(?:(?<!half )(?<!half-)\bstroke|\bhub|kolbenhub|行程|ストローク|\bcourse"
+        rf"|carrera){_TO_NUMBER}{_NUMBER}{_UNIT}",
         re.IGNORECASE,
     ),
     "l": re.compile(
@@ -57,7 +61,8 @@ _LENGTHS: Mapping[str, re.Pattern[str]] = {
     ),
 }
 _RATIO = re.compile(
-    r"(?:ratio|verhältnis|連桿比|rod to crank|crank to rod)\s*(?:of|is|=|von|ist|は|\$|\\lambda|λ|:|,|\s)*"
+    r"(?:ratio|verhältnis|連桿比|rod to crank|crank to rod)\s*(?:of|is|=|von|ist|は|\$|\\lambda|λ|:|,"
+    r"|\s)*"
     rf"{_NUMBER}(?!\s*[:.]?\s*\d)",
     re.IGNORECASE,
 )
@@ -191,7 +196,8 @@ def _of_motion(
         if motion is None or (w is None and kind not in (PATH, ROD_ANGLE)):
             continue
         point = {
-            "r": Fraction(r), "lam": Fraction(lam), "w": Fraction(w or 1), "theta": Fraction(angle), "e": Fraction(0),
+            "r": Fraction(r), "lam": Fraction(lam), "w": Fraction(w or 1), "theta": Fraction(angle),
+            "e": Fraction(0),
         }  # fmt: skip
         nodes = motion.exact[:1] if kind == PATH and not place else (*motion.exact, *motion.rough)
         values = [value_at(node, point) for node in nodes]
@@ -223,7 +229,7 @@ def _two_terms(
 
 
 def _degrees(claim: Formula) -> str:
-    """Return the least angle whose sine or cosine a formula of numbers has: 30° of cos 30° + cos 60°/4."""
+    """Return the least angle of which a formula of numbers has a wave: 30° of cos 30° + cos 60°/4."""
     waves = [p for p in walk(claim) if isinstance(p, Call) and p.function in ("sin", "cos")]
     angles = [value_at(wave.argument, {}) * 180 / pi for wave in waves]
     least = min(angles, default=0.0)

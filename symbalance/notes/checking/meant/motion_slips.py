@@ -1,4 +1,4 @@
-"""Whether a formula is one of the slider-crank's, through the powers of the rod ratio that it has, or nearly.
+"""Whether a formula is one of the slider-crank's, through the powers of the rod ratio that it has.
 
 Formulas are compared by their values at a few points. A polynomial in the ratio agrees with an exact
 formula if it differs by a higher power than it has itself: cos θ + λ cos 2θ, but not cos θ alone.
@@ -111,7 +111,7 @@ def agrees_through(target: Formula, claim: Formula, claimed: Values, sign: int) 
 def agreement(
     motion: Motion, claim: Formula, claimed: Values, signs: tuple[int, ...]
 ) -> tuple[Formula, int, str] | None:
-    """Return the formula that a claim agrees with, the sign, and how: "", "rough" or the power; else None."""
+    """Return the formula that a claim agrees with, the sign, and how: "", "rough" or the power."""
     for sign in signs:
         for target in motion.exact:
             if same_values(target, claim, claimed, sign):

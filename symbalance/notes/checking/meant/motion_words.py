@@ -1,4 +1,4 @@
-"""Which motion of a slider-crank words name, and at which place of the crank: "at the bottom it slows by".
+"""Which motion of a slider-crank words name, and at which place: "at the bottom it slows by".
 
 A motion and its place may stand apart, the motion in a heading or the head of a column, the place in the
 label of a line or the row of a table.
@@ -30,24 +30,31 @@ _ROD = re.compile(
     r"|\bbiella\b|\bswings?\b",
     re.IGNORECASE,
 )
-_ANGULAR = r"rate of (?:turning|swing|lean)|angular|angulaire|angular|angolare|swing(?:s|ing)?|sway|winkel|schwenk|角|揺動|rotational"
+_ANGULAR = (
+    r"rate of (?:turning|swing|lean)|angular|angulaire|angolare|swing(?:s|ing)?|sway|winkel|schwenk"
+    r"|角|揺動"
+    r"|rotational"
+)
 _TURNS = re.compile(_ANGULAR, re.IGNORECASE)
 _KINDS = re.compile(
     r"(?P<jerk>\bjerk|\bruck\b|躍度|加加速度)"
     r"|(?P<acceleration>accelerat|beschleunig|加速度|accélération|aceleración|accelerazione|decelerat"
     r"|verzöger|slows?\b)"
-    r"|(?P<velocity>velocit|\bspeeds?\b|geschwindigkeit|速度|vitesse|velocidad|\bswing rate|\brate of (?:lean|turning|swing)"
+    r"|(?P<velocity>velocit|\bspeeds?\b|geschwindigkeit|速度|vitesse|velocidad|\bswing rate"
+    r"|\brate of (?:lean|turning|swing)"
     r"|\b(?:moves|runs|travels|slides) (?:at|with)\b"
     r"|swing at the rate)"
     r"|(?P<shortening>shorten|lowers? the piston|leaning rod lower)"
-    r"|(?P<stroke>\bstroke\b(?! *(?:line|over|to|/))|\bhub\b|kolbenhub|行程|ストローク|\bcourse\b|\bcarrera\b"
+    r"|(?P<stroke>\bstroke\b(?! *(?:line|over|to|/))|\bhub\b|kolbenhub|行程|ストローク|\bcourse\b"
+    r"|\bcarrera\b"
     r"|\bcorsa\b)"
     r"|(?P<angle>inclin|obliquity|\blean|\btilt|\bslant|schräg|schwenk|neigung|ausschlag|傾|揺動角"
     r"|(?:rod|pleuel|stangen)[- ]?(?:angle|winkel)|angle of the (?:connecting[- ])?rod|oblicuidad"
     r"|\bswings?\b)"
     r"|(?P<displacement>displacement|\btravel|piston(?:'s)? (?:path|position|height)"
     r"|position (?:of|from|count)|wrist pin sits|sits at|(?:kolben|\b)weg\b|kolbenstellung|kolbenlage"
-    r"|kolbenverschiebung|変位|ピストンの?位置|déplacement|desplazamiento|spostamento|piston (?:is|has) gone"
+    r"|kolbenverschiebung|変位|ピストンの?位置|déplacement|desplazamiento|spostamento"
+    r"|piston (?:is|has) gone"
     r"|gone when|counting from the crank|\bposition\b)",
     re.IGNORECASE,
 )
@@ -60,9 +67,11 @@ OTHERS = re.compile(
     r"crank-?\s?pins?|big[- ]end|kurbelzapfen|hubzapfen|クランクピン|counterweight|gegengewicht"
     r"|centre of (?:gravity|mass)|center of (?:gravity|mass)|centroid|schwerpunkt|重心|relativ|\bmean\b"
     r"|average|mittlere|durchschnitt|平均|moyenne|\bmedia\b|scotch|\byoke|\bcams?\b|nocken|カム"
-    r"|simple harmonic|\bS\.?H\.?M\b|infinite|unendlich|無限|(?<!to )(?<!to the )\bfirst[- ]order|\bsecond[- ]order|primary"
+    r"|simple harmonic|\bS\.?H\.?M\b|infinite|unendlich|無限|(?<!to )(?<!to the )\bfirst[- ]order"
+    r"|\bsecond[- ]order|primary"
     r"|secondary|\b(?:erste|zweite)[rn]? ordnung|[一二三四12346]次|component|komponente|成分|amplitude"
-    r"|振幅|articulated|slave|nebenpleuel|\bper unit|\bsquared\b|\bsquares? of|quadrat|normal acc|tangential"
+    r"|振幅|articulated|slave|nebenpleuel|\bper unit|\bsquared\b|\bsquares? of|quadrat|normal acc"
+    r"|tangential"
     r"|centripetal|zentripetal|fliehkraft|求心|coriolis|\bvalve|ventil|弁|\bgas\b|flow|\belliptic"
     r"|\bpoint (?:of|on)\b|mid-?point|(?:in|of) its middle|middle of the (?:connecting )?rod|\bbanks?\b"
     r"|vehicle|flywheel|schwungrad|fahrzeug|\bdesired|\bharmonics?\b|\bfourth|\bsixth|\bfourier"
@@ -77,7 +86,8 @@ HAS_OFFSET = re.compile(
 )
 OF_ENGINE = re.compile(
     r"crank|pist[oó]n|émbolo|stantuffo|connecting|kurbel|kolben|pleuel|ピストン|クランク|連桿|bielle|manivelle|biela|manivela"
-    r"|biella|manovella|\brods?\b|obliquity|dead cent|totpunkt|死点|slider|crosshead|kreuzkopf|gudgeon|wrist pin",
+    r"|biella|manovella|\brods?\b|obliquity|dead cent|totpunkt|死点|slider|crosshead|kreuzkopf"
+    r"|gudgeon|wrist pin",
     re.IGNORECASE,
 )
 _QUARTER = (
@@ -86,9 +96,11 @@ _QUARTER = (
 )
 _PLACES = re.compile(
     rf"(?P<right>{_QUARTER})"
-    r"|(?P<top>(?<![\d.,])0\s?(?:°|deg)|\btop\b(?! (?:speed|piston))|\bupper\b|\bTDC\b|\bOT\b|\boberen?m?\b|上死点|point mort haut"
+    r"|(?P<top>(?<![\d.,])0\s?(?:°|deg)|\btop\b(?! (?:speed|piston))|\bupper\b|\bTDC\b|\bOT\b"
+    r"|\boberen?m?\b|上死点|point mort haut"
     r"|\bPMH\b|superior|\bPMS\b)"
-    r"|(?P<bottom>(?<!\d)180\s?(?:°|deg)|\bbottom\b|\blower\b(?! (?:the|by|than))|\bBDC\b|\bUT\b|\bunteren?m?\b|下死点|point mort bas|\bPMB\b"
+    r"|(?P<bottom>(?<!\d)180\s?(?:°|deg)|\bbottom\b|\blower\b(?! (?:the|by|than))|\bBDC\b|\bUT\b"
+    r"|\bunteren?m?\b|下死点|point mort bas|\bPMB\b"
     r"|\binferior|\bPMI\b)"
     r"|(?P<inner>\binner\b|\bIDC\b|head[- ]end|cover[- ]end|\bin-?stroke|\binnere)"
     r"|(?P<outer>\bouter\b|\bODC\b|crank[- ]end|\bout-?stroke|\bäußere|other end)"
@@ -112,7 +124,7 @@ _SURE = frozenset({"ot", "tdc", "ut", "bdc", "bot", "bottom", "90", "180", "max"
 
 
 def motions_named(words: str, around: str = "") -> list[str]:
-    """Return the motions that words name, from the first to the last; words around may name the rod.
+    """Return the motions that words name, first to last; words around may name the rod.
 
     >>> motions_named("The angular acceleration of the connecting rod, from its inclination")
     ['angular acceleration of the rod', 'rod angle']
@@ -136,9 +148,9 @@ def motions_named(words: str, around: str = "") -> list[str]:
 def places_named(words: str, sentence: str = "") -> list[str]:
     """Return the places of the crank that words name; "" for one that may be either dead centre.
 
-    Inner and outer dead centres are called so from the crank or from the cylinder: "~top" is the usual one.
+    Inner and outer are said as seen from the crank or from the cylinder: "~top" is the usual one.
 
-    >>> places_named("at the top"), places_named("", "for θ = π the"), places_named("at the inner dead centre")
+    >>> places_named("at the top"), places_named("", "for θ = π the"), places_named("inner dead centre")
     (['top'], ['bottom'], ['~top'])
     """
     named = {

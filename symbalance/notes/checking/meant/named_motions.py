@@ -1,7 +1,8 @@
 """The motion of a slider-crank that the words around a relation name, and the places of the crank.
 
-They stand in the clause before the relation, behind it, in the row and the head of a table, in the sentences
-since the relation before, or in the heading; the letter's index, its dots and what it was above say the rest.
+They stand in the clause before the relation, behind it, in the row and the head of a table, in the
+sentences since the relation before, or in the heading; the letter's index, its dots and what it was above
+say the rest.
 """
 
 from __future__ import annotations
@@ -69,7 +70,7 @@ class _Kind:
 
 
 class NamedMotion(NamedTuple):
-    """A motion that words name, the places that it may be at, and whether both rest on words of its own."""
+    """A motion that words name, the places that it may be at, and whether that is sure."""
 
     kind: str
     places: tuple[str, ...]
@@ -126,9 +127,8 @@ class NamedMotions:
     def named(self, chain: Chain, head: Head, claim: Formula) -> NamedMotion | None:
         """Return the motion that the words around a relation name, with its places; None for none."""
         texts = self._texts(chain)
-        if _DOUBTS.search(f"{texts.clause} {texts.behind}"):
-            return None
-        kind = self._kind(texts, head, claim)
+        is_doubted = _DOUBTS.search(f"{texts.clause} {texts.behind}") is not None
+        kind = None if is_doubted else self._kind(texts, head, claim)
         if kind is None:
             return None
         is_turned = any(isinstance(part, Call) and part.function in WAVES for part in walk(claim))
@@ -150,10 +150,8 @@ class NamedMotions:
         spots = [spot.removeprefix("~") for spot in spots]
         if spots == [""] or (len(spots) > 1 and "" in spots):
             spots = [TOP, BOTTOM]
-        spots = spots or list(self.spots.get(head.name, ()))
-        if not spots:
-            return None
-        return NamedMotion(kind.name, tuple(spots), words, kind.is_sure, may_be_other)
+        places = tuple(spots) or self.spots.get(head.name, ())
+        return NamedMotion(kind.name, places, words, kind.is_sure, may_be_other) if places else None
 
     def words_of(self, chain: Chain) -> str:
         """Return the words that name a number and its place."""
@@ -173,7 +171,7 @@ class NamedMotions:
         return HAS_OFFSET.search(self.document.text) is not None
 
     def _kind(self, texts: _Texts, head: Head, claim: Formula) -> _Kind | None:
-        """Return which motion is meant; "" for one that nothing names, None where it is another body's."""
+        """Return which motion is meant: "" where nothing names it, None where it is another body's."""
         by_dots = _by_dots(head.stem, head.order)
         usual = by_dots or _USUAL.get(head.stem, "")
         kind = _Kind("", "", is_sure=False)
@@ -202,7 +200,7 @@ class NamedMotions:
         return self._kind_elsewhere(texts, head, claim, usual)
 
     def _kind_elsewhere(self, texts: _Texts, head: Head, claim: Formula, usual: str) -> _Kind:
-        """Return which motion a letter is that no words near name: as above, by a heading, or as is usual."""
+        """Return which motion a letter is by lines above, a heading, or as is usual."""
         above = f"{plain_letter(head.stem)} above"
         if (head.stem, head.order) in self.kinds:
             return _Kind(self.kinds[head.stem, head.order], above, is_sure=True)

@@ -1,9 +1,10 @@
 """The motion of a slider-crank: path, speed, acceleration and jerk of the piston, swing of the rod.
 
-Letters in the formulas are r, the crank radius, `lam`, the crank radius over the rod length, w, the angular
-speed, theta, the crank angle from the top dead centre, and e, by which the line of stroke misses the crank.
-A motion has one formula at any angle and others at a place: at a dead centre, a quarter turn behind the top,
-or where it is largest. `tests/independent/test_kinematics.py` compares each with the path of a piston.
+Letters in the formulas are r, the crank radius, `lam`, the crank radius over the rod length, w, the
+angular speed, theta, the crank angle from the top dead centre, and e, by which the line of stroke misses
+the crank. A motion has one formula at any angle and others at a place: at a dead centre, a quarter turn
+behind the top, or where it is largest. `tests/independent/test_kinematics.py` compares each with the path
+of a piston.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ TURNED = frozenset({PATH, SPEED, ACCELERATION, JERK, ROD_ANGLE, ROD_SPEED, ROD_A
 
 @dataclass(frozen=True, slots=True)
 class Motion:
-    """The formulas of one motion at one place: those that hold, and those that do where the rod is long."""
+    """The formulas of one motion at one place: exact ones, and those that hold where the rod is long."""
 
     exact: tuple[Formula, ...]
     rough: tuple[Formula, ...] = ()
