@@ -46,6 +46,8 @@ class Decision:
     """The letter in which both sides are cut off."""
     further: tuple[Form, ...] = ()
     """The exact side cut off one and two orders later: what a repaired side may come to."""
+    at_odds: str = ""
+    """Why what is refuted by other lines may speak of another case than they do; "" where it does not."""
 
     @property
     def is_proved(self) -> bool:

@@ -22,6 +22,7 @@ from symbalance.notes.checking.declared.engines import Sources
 from symbalance.notes.checking.declared.sidecar import Binding, Declarations
 from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.judging.judging_order import chains_in_turn, number_verdicts
+from symbalance.notes.checking.judging.lines_at_odds import unless_other_case
 from symbalance.notes.checking.judging.offset_cranks import unless_offset
 from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
 from symbalance.notes.checking.judging.unknown_crank_angle import unless_angle_unknown
@@ -223,7 +224,8 @@ class Judge:
         """Return the verdict on the k-th relation of a chain."""
         verdict = self._link_by_cases(chain, k, sound, bad)
         verdict = unless_angle_unknown(self.state, chain, k, verdict)
-        return unless_offset(self.state, chain, k, verdict)
+        verdict = unless_offset(self.state, chain, k, verdict)
+        return unless_other_case(self.state, chain, k, verdict)
 
     def _link_by_cases(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on the k-th relation of a chain, whatever its letters are declared to be.

@@ -21,7 +21,7 @@ from symbalance.notes.checking.deciding.sign_of_letters import decide_with_signs
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.deciding.values_in_ranges import decide_where_values
 from symbalance.notes.checking.judging.appeals import appeal
-from symbalance.notes.checking.judging.letters_at_odds import unless_used_anew
+from symbalance.notes.checking.judging.lines_at_odds import note_other_case
 from symbalance.notes.checking.meant.engine_speeds import decide_speed
 from symbalance.notes.checking.meant.given_numbers import number_given
 from symbalance.notes.checking.motions.equations_of_motion import (
@@ -188,10 +188,9 @@ def _judge_step(
         by_name = state.named.judge(chain, k, knowledge)
     if by_name is not None:
         return by_name
-    verdict = add_fix_of_relation(
-        state, describe(state.document, chain, k, decision), chain, k, against, decision, knowledge
-    )
-    return unless_used_anew(state, chain, k, verdict, against, decision, knowledge)
+    verdict = describe(state.document, chain, k, decision)
+    verdict = add_fix_of_relation(state, verdict, chain, k, against, decision, knowledge)
+    return note_other_case(state, chain, k, verdict, against, decision, knowledge)
 
 
 def _by_mean(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:

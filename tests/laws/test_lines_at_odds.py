@@ -32,4 +32,33 @@ def test_a_slip_from_the_formula_above_is_refuted(right: str, fixes: bool) -> No
 def test_what_no_slip_explains_may_be_another_engines(right: str, fixes: bool) -> None:
     (first, _), (second, reason) = verdicts(right, fixes=fixes)
     assert (first, second) == ("definition", "undecided")
-    assert reason == "not the F of line 1, and no single slip lies between: used anew, or wrong"
+    assert reason == (
+        "does not follow from line 1, and no single slip lies between:"
+        " another case is meant, or it is wrong"
+    )
+
+
+ONCE_MORE = (
+    "# One\n\nIt has $r = 40$ mm and $\\lambda = 0.25$, so $F = {first}$.\n\n# Two\n\n${second}$\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("second", "word"),
+    [
+        ("r = 60\\text{ mm}", "premise"),  # the next example's
+        ("4\\lambda r = 60\\text{ mm}", "refuted"),  # 40: of its size
+        ("4\\lambda r = 400\\text{ mm}", "refuted"),  # ten times too large
+        ("4\\lambda r = 2900\\text{ mm}", "undecided"),  # no result of these numbers
+        ("4\\lambda r = 0.25\\cdot 40\\cdot 377", "refuted"),  # with these numbers put in
+    ],
+)
+@pytest.mark.parametrize("fixes", [True, False])
+def test_a_number_is_wrong_if_it_is_a_result_of_the_numbers_above(second, word, fixes):
+    page = ONCE_MORE.replace("{first}", "4 r").replace("{second}", second)
+    assert check(page, fixes=fixes).data()["links"][-1]["verdict"] == word
+
+
+def test_what_no_line_above_says_is_wrong_whatever_the_slip():
+    page = "# One\n\n$a = 3$, $b = 4$\n\n# Two\n\n$\\cos(x + y) = \\cos x + 7\\sin^3 y$\n"
+    assert check(page).data()["links"][-1]["verdict"] == "refuted"

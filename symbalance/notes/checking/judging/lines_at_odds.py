@@ -1,0 +1,199 @@
+"""Lines at odds with others of their page: wrong by a slip, or said of something else.
+
+Pages call every engine's force F, count an angle otherwise in the next exercise, and put a second set of
+numbers into a formula. Where a line comes out wrong only by what other lines of the page say, it is wrong
+if one small change makes it right again: a sign, a factor, a function, an exponent, a digit. Anything
+else may speak of another case, and is said to be at odds with the lines above, not to be wrong.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+
+from symbalance.document.formula import Formula, Name, Number, Summation, names, walk
+from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.checking.deciding.descriptions import describe, printed_value
+from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.judging.usual_slips import (
+    LEAST_APART,
+    is_slip,
+    is_usual_factor,
+    ratio_of_sides,
+)
+from symbalance.notes.checking.premises.impossible_values import number_of
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.steps.relation_fixes import add_fix_of_relation
+from symbalance.notes.checking.verdicts import REFUTED, UNDECIDED, Verdict
+from symbalance.notes.reading.equations import Chain, Side
+
+_DIGITS = re.compile(r"\d[\d.,]*")
+MOST_APART = 4
+"""How many times larger or smaller a number may be that somebody worked out wrongly."""
+NEAR = 2
+"""Lines within which a formula speaks of what stands above it."""
+_PLAIN = frozenset(Fraction(number) for number in (*range(11), 100, 1000, 10**6))
+MOST_LINES = 3
+"""Lines that a verdict names."""
+
+
+def note_other_case(
+    state: JudgingState,
+    chain: Chain,
+    k: int,
+    verdict: Verdict,
+    against: Side,
+    decision: Decision,
+    knowledge: Knowledge,
+) -> Verdict:
+    """Return a verdict; a refuted one that no slip explains notes that another case may be meant."""
+    if verdict.verdict != REFUTED or verdict.decision is None or decision.reason:
+        return verdict
+    sides = (against, chain.sides[k + 1])
+    lines = {
+        knowledge.definitions[name].line for side in sides for name in _names_rested_on(side, knowledge)
+    }
+    rows = sorted(lines - {*chain.lines})
+    of_numbers = not any(names(side.node) for side in chain.sides[k : k + 2])
+    if not rows or of_numbers or _is_wrong_anyway(chain, k, against, knowledge):
+        return verdict
+    is_datum, is_result = _is_datum(chain, k, knowledge), _is_result(state, chain, k)
+    is_same_case = not is_datum and (
+        _is_miscalculated(state, chain, k, decision, knowledge)
+        or _is_cut_wrongly(decision)
+        or _stands_below(chain, k, knowledge)
+        or (not is_result and _puts_numbers_in(chain, k, against, knowledge))
+        or any(isinstance(part, Summation) for part in walk(against.node))
+        or (is_result and (k > 0 or len(rows) < len(lines)))
+    )
+    if is_same_case:
+        return verdict
+    searched = verdict
+    if not knowledge.corrects:
+        known = replace(knowledge, corrects=True)
+        searched = add_fix_of_relation(state, verdict, chain, k, against, decision, known)
+    if is_slip(searched.fix, decision, is_datum=is_datum, is_result=is_result):
+        return verdict
+    at = ", ".join(map(str, rows[:MOST_LINES])) + (", …" if len(rows) > MOST_LINES else "")
+    at_odds = (
+        f"does not follow from line{'s' if len(rows) > 1 else ''} {at}, and no single slip lies between:"
+        " another case is meant, or it is wrong"
+    )
+    return replace(verdict, decision=replace(verdict.decision, at_odds=at_odds))
+
+
+def unless_other_case(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+    """Return a verdict; a refuted one that may speak of another case is undecided."""
+    decision = verdict.decision
+    if verdict.verdict != REFUTED or decision is None or not decision.at_odds:
+        return verdict
+    undecided = replace(decision, status=UNDECIDED, reason=decision.at_odds)
+    return describe(state.document, chain, k, undecided)
+
+
+def _is_result(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Tell whether a right side is one number, perhaps with its unit: what a formula comes to."""
+    right = chain.sides[k + 1]
+    return not names(right.node) and len(_DIGITS.findall(state.document.source(right.span))) == 1
+
+
+def _names_rested_on(side: Side, knowledge: Knowledge) -> Iterator[str]:
+    """Yield the letters of a side, and those behind them, to which lines above give values."""
+    nodes = {name: definition.node for name, definition in knowledge.definitions.items()}
+    for name in dict.fromkeys((*names(side.node), *names_behind(side.node, nodes))):
+        if name in knowledge.definitions and name not in knowledge.meaning.values:
+            yield name
+
+
+def _is_wrong_anyway(chain: Chain, k: int, against: Side, knowledge: Knowledge) -> bool:
+    """Tell whether a relation is wrong whatever numbers the lines above give: sin 2θ = sin θ cos θ.
+
+    A step between two formulas speaks of one case; an equation at its beginning may be one to be solved,
+    unless all letters right of it stand left of it too. A letter alone may always have another value.
+    """
+    left, right = against, chain.sides[k + 1]
+    if isinstance(left.node, Name) or isinstance(right.node, Name):
+        return False
+    if not names(right.node) or not names(left.node):
+        return False
+    if not k and not names(right.node) <= names(left.node):
+        return False
+    known = knowledge.definitions
+    formulas = {name: d for name, d in known.items() if k and not d.numeric}
+    free = replace(knowledge, definitions=formulas, solved={}, solved_from=())
+    return decide(left, right, chain.relations[k].sign, free).status == REFUTED
+
+
+def _stands_below(chain: Chain, k: int, knowledge: Knowledge) -> bool:
+    """Tell whether a formula of a letter stands right below another one of it, in the same letters."""
+    head = chain.sides[0].node
+    earlier = knowledge.definitions.get(head.name) if not k and isinstance(head, Name) else None
+    if earlier is None or earlier.line < chain.lines[0] - NEAR:
+        return False
+    own = names(chain.sides[1].node)
+    return bool(own) and own <= names(earlier.node)
+
+
+def _is_cut_wrongly(decision: Decision) -> bool:
+    """Tell whether an expansion agrees in its first terms: it is that of the lines above."""
+    exact, claimed = decision.left, decision.right
+    if decision.through is None or exact is None or claimed is None:
+        return False
+    terms = claimed.numerator
+    return any(terms.get(key) == coefficient for key, coefficient in exact.numerator.items())
+
+
+def _is_miscalculated(
+    state: JudgingState, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
+) -> bool:
+    """Tell whether a number is a result that somebody got wrong: of its size, or with its digits."""
+    right = chain.sides[k + 1]
+    if names(right.node):
+        return False
+    printed = printed_value(decision, state.document, right, chain.sides[k])
+    if printed is not None:
+        claim, value, _ = printed
+        ratio = float(value / (Fraction(claim.factor) * claim.size)) if claim.mantissa else 0.0
+    else:
+        ratio = ratio_of_sides(decision) or _ratio_of_numbers(chain, k, knowledge) or 0.0
+    if not ratio:
+        return False
+    return LEAST_APART < abs(math.log10(abs(ratio))) < math.log10(MOST_APART) or is_usual_factor(ratio)
+
+
+def _puts_numbers_in(chain: Chain, k: int, against: Side, knowledge: Knowledge) -> bool:
+    """Tell whether numbers are put in that the lines above give for letters: 0.5·0.04·300² for m r ω²."""
+    right = chain.sides[k + 1].node
+    if names(right) or isinstance(right, Number):
+        return False
+    given = set()
+    for name in _names_rested_on(against, knowledge):
+        if knowledge.definitions[name].numeric:
+            given |= _long_numbers(knowledge.definitions[name].node)
+    return not given.isdisjoint(_long_numbers(right))
+
+
+def _long_numbers(node: Formula) -> set[Fraction]:
+    """Return the numbers of a formula but for those that stand in many formulas."""
+    numbers = {abs(part.value) for part in walk(node) if isinstance(part, Number)}
+    return {number for number in numbers if number not in _PLAIN}
+
+
+def _ratio_of_numbers(chain: Chain, k: int, knowledge: Knowledge) -> float | None:
+    """Return how many times larger a left side with the page's numbers is than the number right of it."""
+    exact, claimed = (number_of(chain.sides[j].node, knowledge) for j in (k, k + 1))
+    return float(exact) / float(claimed) if exact and claimed else None
+
+
+def _is_datum(chain: Chain, k: int, knowledge: Knowledge) -> bool:
+    """Tell whether a letter that has a number gets another one: that of the next example."""
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    if not isinstance(left, Name) or not isinstance(right, Number):
+        return False
+    definition = knowledge.definitions.get(left.name)
+    return definition is not None and definition.numeric and definition.formula is None
