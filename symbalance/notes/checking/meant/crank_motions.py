@@ -329,6 +329,9 @@ class CrankMotions:
         """
         if self.counts_from_elsewhere and not named.places[0]:
             return None
+        by_head = self._with_other_function(case, named, motion, reading)
+        if by_head is not None:
+            return by_head
         motion, side = _inside(motion, case.head.function), case.chain.sides[1]
         is_part = _PART.search(self.named.clause(case.chain)) is not None
         for kind, changed in (*slips(case.formula), *_wholes(case.formula, reading, is_sole, is_part)):
@@ -347,6 +350,26 @@ class CrankMotions:
             decision = replace(_refuted(case.formula, changed, reading), reason="if " + "; ".join(texts))
             verdict = describe(self.document, case.chain, 0, decision)
             repair = Repair(kind, changed, ((side.node, changed),), 1.0)
+            return replace(verdict, fix=fix_of(repair, self.document, side))
+        return None
+
+    def _with_other_function(
+        self, case: _Claim, named: NamedMotion, motion: Motion, reading: Reading
+    ) -> Verdict | None:
+        """Return that a claim is the angle's sine where the page has its tangent, or the like."""
+        values, side = values_in(reading), case.chain.sides[1]
+        for function in sorted(WAVES - {case.head.function}) if case.head.function else ():
+            exact = Motion(motion.exact)
+            if agreement(_inside(exact, function), case.formula, values, (1,)) is None:
+                continue
+            angle = motion.exact[0]
+            target = reading.target(Call(case.head.function, angle))
+            if target is None:
+                continue
+            texts = [_text(case.head, named, named.places[0]), *_letters(reading)]
+            decision = replace(_refuted(case.formula, target, reading), reason="if " + "; ".join(texts))
+            verdict = describe(self.document, case.chain, 0, decision)
+            repair = Repair(f"{case.head.function} for {function}", target, ((side.node, target),), 1.0)
             return replace(verdict, fix=fix_of(repair, self.document, side))
         return None
 

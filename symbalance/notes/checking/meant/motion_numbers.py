@@ -71,7 +71,7 @@ _MEAN_SPEED = re.compile(
     rf"{_NUMBER}\s*m\s?/\s?s(?!\^?\{{?[²2])",
     re.IGNORECASE,
 )
-_LETTERS = {"r": "r", "R": "r", "l": "l", "L": "l", "S": "s", "s": "s", "H": "s", "lambda": "ratio"}
+_LETTERS = {"r": "r", "R": "r", "l": "l", "L": "l", "S": "s", "lambda": "ratio"}
 _IS_MEAN = re.compile(
     r"(?:mean|average) (?:piston )?(?:speed|velocity)|on average|mittlere (?:kolben)?geschwindigkeit"
     r"|平均ピストン速度|vitesse moyenne|velocidad media",

@@ -48,10 +48,11 @@ _KINDS = re.compile(
     r"|(?P<stroke>\bstroke\b(?! *(?:line|over|to|/))|\bhub\b|kolbenhub|行程|ストローク|\bcourse\b"
     r"|\bcarrera\b"
     r"|\bcorsa\b)"
-    r"|(?P<angle>inclin|obliquity|\blean|\btilt|\bslant|schräg|schwenk|neigung|ausschlag|傾|揺動角"
+    r"|(?P<angle>inclin|pendelwinkel|obliquity|\blean|\btilt|\bslant|schräg|schwenk|neigung|ausschlag|傾|揺動角"
     r"|(?:rod|pleuel|stangen)[- ]?(?:angle|winkel)|angle of the (?:connecting[- ])?rod|oblicuidad"
     r"|\bswings?\b)"
     r"|(?P<displacement>displacement|\btravel|piston(?:'s)? (?:path|position|height)"
+    r"|(?:piston|slider|ram|pin)(?:'s)? distance|distance of the (?:piston|slider)|\blage (?:des|der)\b"
     r"|position (?:of|from|count)|wrist pin sits|sits at|(?:kolben|\b)weg\b|kolbenstellung|kolbenlage"
     r"|kolbenverschiebung|変位|ピストンの?位置|déplacement|desplazamiento|spostamento"
     r"|piston (?:is|has) gone"
@@ -86,7 +87,7 @@ HAS_OFFSET = re.compile(
 )
 OF_ENGINE = re.compile(
     r"crank|pist[oó]n|émbolo|stantuffo|connecting|kurbel|kolben|pleuel|ピストン|クランク|連桿|bielle|manivelle|biela|manivela"
-    r"|biella|manovella|\brods?\b|obliquity|dead cent|totpunkt|死点|slider|crosshead|kreuzkopf"
+    r"|biella|manovella|\brods?\b|obliquity|dead cent|totpunkt|死点|slider|schubkurbel|gleitstein|crosshead|kreuzkopf"
     r"|gudgeon|wrist pin",
     re.IGNORECASE,
 )

@@ -45,6 +45,8 @@ from symbalance.notes.reading.equations import Chain, ReadNotes
 BEFORE, BEHIND = 320, 70
 """Characters that are looked through before a formula and behind it."""
 _BREAK = re.compile(r"[.;!?](?:\s|$)|[。；]|\n\s*\n|<p\b|<li\b|<td\b|\\item|\n#|\n\s*[-*]\s|\|")
+BARE = 8
+"""Letters since the relation before that name nothing: "so", "then"."""
 _OPENING = " \t\n$\\([{&|"
 _MARKUP = re.compile(r"<[^>]*>|\\(?:begin|end|label)\{[^}]*\}|\\\w+|[$*_#`]")
 OF_ROD = frozenset({ROD_ANGLE, ROD_SPEED, ROD_ACCELERATION})
@@ -110,6 +112,8 @@ class _Texts(NamedTuple):
     def near(self) -> tuple[str, ...]:
         """The texts in which a motion may be named, the nearest first."""
         texts = (self.row,) if self.row else (self.clause, self.behind.split(",")[0], self.since)
+        if not self.row and sum(map(str.isalpha, self.since)) <= BARE:
+            texts = (*texts, _plain(self.sentence))  # at θ = 90°: α = …
         return tuple(text for text in texts if text.strip())
 
 
