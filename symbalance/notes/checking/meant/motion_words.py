@@ -87,7 +87,8 @@ HAS_OFFSET = re.compile(
 )
 OF_ENGINE = re.compile(
     r"crank|pist[oó]n|émbolo|stantuffo|connecting|kurbel|kolben|pleuel|ピストン|クランク|連桿|bielle|manivelle|biela|manivela"
-    r"|biella|manovella|\brods?\b|obliquity|dead cent|totpunkt|死点|slider|schubkurbel|gleitstein|crosshead|kreuzkopf"
+    r"|biella|manovella|\brods?\b|obliquity|dead cent|totpunkt|死点|slider|schubkurbel|gleitstein"
+    r"|crosshead|kreuzkopf"
     r"|gudgeon|wrist pin",
     re.IGNORECASE,
 )
