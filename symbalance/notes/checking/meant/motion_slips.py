@@ -90,6 +90,11 @@ def order_of_claim(claim: Formula, claimed: Values) -> int | None:
 
 def agrees_through(target: Formula, claim: Formula, claimed: Values, sign: int) -> int | None:
     """Return the power of the ratio through which a polynomial is the series of a target, else None."""
+    far = {**POINTS[0], "lam": HALF}
+    size = abs(value_at(target, far))
+    gap = abs(sign * value_at(target, far) - claimed(claim, far))
+    if not gap <= 9 * float(HALF) ** 2 * max(size, 1.0):
+        return None  # most formulas differ at once
     highest = order_of_claim(claim, claimed)
     if highest is None or highest < 1:
         return None
