@@ -183,7 +183,8 @@ def _judge_step(
         by_words = value_at_dead_centre(state, chain, k, knowledge)
         by_words = by_words or decide_two_discs(chain, k, state.document)
         by_words = by_words or _moment_by_name(state, chain, k, knowledge)
-        return by_words or _by_named_inverse(state, chain, k, knowledge) or decision
+        by_words = by_words or _by_named_inverse(state, chain, k, knowledge)
+        return by_words or state.crank_motions.judge(chain, k, knowledge) or decision
     if decision.status == CONTRADICTION:
         return decision
     if not is_settled:
@@ -195,6 +196,10 @@ def _judge_step(
         by_name = refute_repeated_interval(state.engine_resultants.claims, chain, k)
     by_name = by_name or _as_named_engine(state, chain, k, decision, knowledge)
     by_name = by_name or state.named.of_another(chain, k, knowledge)
+    if by_name is None and decision.status in (REFUTED, UNDECIDED):
+        by_motion = state.crank_motions
+        again = by_motion.again if decision.status == REFUTED else by_motion.judge
+        by_name = again(chain, k, knowledge)
     if by_name is None and decision.status == UNDECIDED:
         by_name = state.engine_resultants.judge(chain, k, knowledge)
         by_name = by_name or state.named.judge(chain, k, knowledge)
@@ -400,8 +405,11 @@ def _as_meant(
         outcome = outcome or state.harmonics.judge(chain, k, knowledge)
         outcome = outcome or decide_two_discs(chain, k, state.document)
         outcome = outcome or decide_order_speed(chain, k, state.document, knowledge)
+        outcome = outcome or state.crank_motions.judge(chain, k, knowledge)
         if outcome is not None and _is_left_open(outcome):
             return replace(definition, reason=outcome.reason)
+    if isinstance(outcome, Verdict) and outcome.verdict == UNDECIDED:
+        outcome = state.crank_motions.judge(chain, k, knowledge) or outcome
     name = chain.sides[k].node
     if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
         state.definitions.define(name.name, outcome.fix.node, chain)

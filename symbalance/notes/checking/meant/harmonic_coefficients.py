@@ -28,9 +28,9 @@ from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, Side
 
-_NAME = re.compile(r"(?P<stem>.+)_(?P<order>[2468]|10|12)")
+_NAME = re.compile(r"(?P<stem>.+)_(?P<order>[02468]|10|12)")
 _WORDS = re.compile(
-    r"coefficient|harmonic|\borders?\b|\bterms?\b|series|Koeffizient|Beiwert|Harmonische|Ordnung|Reihe"
+    r"coefficient|constant|position|harmonic|\borders?\b|\bterms?\b|series|Koeffizient|Beiwert|Harmonische|Ordnung|Reihe"
     r"|係数|[2468二四六八]\s*次|高調波|級数",
     re.IGNORECASE,
 )
@@ -45,6 +45,8 @@ class HarmonicCoefficients:
     sections: Sections
     agreed: dict[tuple[str, str], int] = field(default_factory=dict)
     """Stems and ratios of which a coefficient has agreed, with the line."""
+    norms: dict[tuple[str, str], int] = field(default_factory=dict)
+    """How often the order divides: never of the acceleration, twice of the position."""
 
     def judge(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
         """Return the decision on a relation that gives such a coefficient its series; None for others."""
@@ -56,25 +58,33 @@ class HarmonicCoefficients:
         (ratio,) = own
         order, terms = int(match["order"]), _terms(right, ratio)
         key, is_rough = (match["stem"], ratio), chain.relations[0].sign in "=≈"
-        directions = {power > 0 for power in terms}
-        if ratio not in _RATIOS or not is_rough or len(directions) != 1 or 0 in terms:
+        is_inverse = _is_inverse(terms, order)
+        if ratio not in _RATIOS or not is_rough or is_inverse is None:
             return None
-        first, is_inverse = min(terms, key=abs), directions == {False}
-        series = coefficients(order, max(map(abs, terms)))
-        sign = terms[first] / series[order - 1] if abs(first) == order - 1 else Fraction(0)
-        is_leading = abs(sign) == 1
-        is_said = key in self.agreed or (is_leading and self._is_said(chain))
-        if not sign or not is_said:
+        powers = {-power if is_inverse else power: value for power, value in terms.items()}
+        first, series = min(powers), coefficients(order, max(map(abs, powers)))
+        leading = min(series, default=first - 1)
+        scale = powers[first] / series[leading] if first == leading else Fraction(0)
+        norm = _norm(scale, order)
+        is_said = key in self.agreed or (norm is not None and self._is_said(chain))
+        known_norm = self.norms.get(key) if order else 0
+        if not scale or not is_said or (known_norm is None and norm is None):
             return None
-        target = _series_node(series, ratio, -1 if is_inverse else 1, -1 if sign < 0 else 1)
+        norm = known_norm if known_norm is not None else norm or 0
+        size = Fraction(1, max(order, 1) ** norm)
+        target = _series_node(series, ratio, -1 if is_inverse else 1, -size if scale < 0 else size)
         side = chain.sides[k + 1]
         bare = Knowledge(SymbolValue(positive=frozenset(own)), corrects=knowledge.corrects)
         decision = decide(Side((target,), chain.sides[k].span), Side((right,), side.span), "=", bare)
-        source = "its formula says so" if is_leading else f"as in line {self.agreed[key]}"
-        what = f"the coefficient of cos {order}θ in the piston's acceleration over r ω²"
+        source = f"as in line {self.agreed[key]}" if key in self.agreed else "its formula says so"
+        motion = ("acceleration over r ω²", "velocity over r ω", "position over r")[norm if order else 2]
+        what = f"the coefficient of {'sin' if norm == 1 else 'cos'} {order}θ in the piston's {motion}"
+        what = what if order else f"the mean of the piston's {motion}"
         text = f"{plain_letter(left.name)} is {what} ({NOBODY}; {source})"
         if decision.is_proved:
             self.agreed.setdefault(key, chain.lines[0])
+            if order:
+                self.norms.setdefault(key, norm)
             through = f"{plain_letter(ratio)}^{max(map(abs, terms))}"
             return Decision(PROVED, order=through, assumptions=(text,))
         refuted = replace(decision, reason=f"if {text}", assumptions=())
@@ -91,8 +101,16 @@ def coefficients(order: int, highest: int) -> dict[int, Fraction]:
 
     >>> coefficients(2, 3), coefficients(6, 5)
     ({1: Fraction(1, 1), 3: Fraction(1, 4)}, {5: Fraction(9, 128)})
+    >>> coefficients(0, 3)
+    {-1: Fraction(1, 1), 1: Fraction(-1, 4), 3: Fraction(-3, 64)}
     """
     j, series = order // 2, dict[int, Fraction]()
+    if not j:  # of the mean of √(1 - λ² sin²θ)/λ, what the harmonics of the position leave at θ = 0
+        series[-1] = Fraction(1)
+        for n in range(2, highest + 2, 2):
+            for power, value in coefficients(n, highest).items():
+                series[power] = series.get(power, Fraction(0)) - value / n**2
+        return series
     binomial = Fraction(1)  # of 1/2 over k
     for k in range(1, highest // 2 + 2):
         binomial *= (Fraction(1, 2) - (k - 1)) / k
@@ -100,6 +118,27 @@ def coefficients(order: int, highest: int) -> dict[int, Fraction]:
         if k >= j and power <= highest:
             series[power] = 8 * j**2 * (-1) ** (j + k) * binomial * comb(2 * k, k - j) / Fraction(4) ** k
     return series
+
+
+def _is_inverse(terms: dict[int, Fraction], order: int) -> bool | None:
+    """Tell whether a series is in l/r and not in r/l; None where it is neither."""
+    if not terms or 0 in terms:
+        return None
+    directions = {power > 0 for power in terms}
+    if order:
+        return directions == {False} if len(directions) == 1 else None
+    for is_inverse in (False, True):
+        turned = {-power if is_inverse else power for power in terms}
+        if -1 in turned and 1 in turned and min(turned) == -1:
+            return is_inverse if len(turned) > 2 or turned != {-1, 1} else terms.get(-1) != 1
+    return None
+
+
+def _norm(scale: Fraction, order: int) -> int | None:
+    """Return how often the order divides a coefficient of the acceleration: 2 for one of the position."""
+    if not order:
+        return 0 if abs(scale) == 1 else None
+    return next((k for k in range(3) if abs(scale) * order**k == 1), None)
 
 
 def _terms(node: Formula, ratio: str) -> dict[int, Fraction]:

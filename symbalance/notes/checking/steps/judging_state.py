@@ -24,6 +24,7 @@ from symbalance.notes.checking.declared.symbol_roles import (
     small_letters,
 )
 from symbalance.notes.checking.declared.symbols import meaning_of
+from symbalance.notes.checking.meant.crank_motions import CrankMotions
 from symbalance.notes.checking.meant.engine_resultants import EngineResultants
 from symbalance.notes.checking.meant.engine_speeds import speeds_of
 from symbalance.notes.checking.meant.given_numbers import GivenNumbers
@@ -88,6 +89,7 @@ class JudgingState:
         self.named_numbers = NamedNumbers(self.named)
         self.named_orders = NamedOrders(self.meant)
         self.engine_resultants = EngineResultants(self.meant.words, self.sections)
+        self.crank_motions = CrankMotions(self.document, self.sections, self.meant.words)
         self.harmonics = HarmonicCoefficients(self.sections)
         self.small_letters = small_letters(self.document.text)
         self.counts = _counts(self.document)

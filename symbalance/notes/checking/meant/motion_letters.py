@@ -1,0 +1,252 @@
+"""Which letter of a formula is the crank radius, the rod, their ratio, the speed or the crank angle.
+
+By what the page says of it, else as is usual: the letter in a sine is the crank angle, of two the second
+one is the rod's. A ratio λ of which nothing says whether it is r/l or l/r may be either.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from math import asin, isfinite, sin
+from typing import NamedTuple
+
+from symbalance.document.formula import (
+    Call,
+    Constant,
+    Formula,
+    Name,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    children,
+    names,
+    walk,
+    with_children,
+)
+from symbalance.notes.algebra.evaluation import SymbolValue
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
+from symbalance.notes.checking.declared.symbol_roles import role_of
+from symbalance.notes.checking.meant.meant_words import MeantWords
+from symbalance.notes.checking.meant.motion_slips import Point, Values, value_at
+from symbalance.notes.reading.equations import Chain, ReadNotes
+
+WAVES = frozenset({"sin", "cos", "tan"})
+OF_CRANK = ("theta", "vartheta", "alpha", "phi", "varphi", "psi", "gamma", "delta", "beta")
+"""Letters of angles, those of the crank first: of two, the later one is the rod's."""
+_STEMS: Mapping[str, frozenset[str]] = {
+    "w": frozenset({"omega", "Omega", "w"}),
+    "r": frozenset({"r", "R"}),
+    "l": frozenset({"l", "L", "ell"}),
+    "ratio": frozenset({"lambda", "kappa", "rho", "varepsilon", "epsilon", "mu", "k", "q", "nu", "n"}),
+    "e": frozenset({"e", "d", "a", "y", "c"}),
+    "s": frozenset({"S", "H", "s", "h"}),
+}
+_CRANK_OVER_ROD = re.compile(
+    r"crank(?:[- ](?:radius|throw|length))?\s*(?:/|over|to|by|divided by|:)\s*"
+    r"(?:the\s+)?(?:connecting[- ])?rod|(?:crank|rod)[- ]ratio\s+\$?r\s*/\s*l"
+    r"|ratio of (?:the )?crank(?: \w+)? to (?:the )?(?:connecting[- ])?rod"
+    r"|(?:half[- ]stroke|throw) (?:over|to|by) (?:the )?(?:connecting[- ])?rod"
+    r"|manivelle(?:\s*/\s*|\s+(?:sur|à)\s+)bielle|manivela(?:\s*/\s*|\s+y\s+)(?:longitud de )?biela"
+    r"|(?:schub|pleuel)stangenverhältnis|pleuelverhältnis|kurbelradius (?:zu|durch|/) "
+    r"|\b[rR]\s*/\s*[lL]\b",
+    re.IGNORECASE,
+)
+_ROD_OVER_CRANK = re.compile(
+    r"(?:connecting[- ])?rod(?:[- ]length)?\s*(?:/|over|to|by|divided by|:)\s*(?:the\s+)?crank"
+    r"|ratio of (?:the )?(?:connecting[- ])?rod(?: \w+)? to (?:the )?crank|\b[lL]\s*/\s*[rR]\b",
+    re.IGNORECASE,
+)
+_OF_STROKE = re.compile(
+    r"(?:stroke|hub|行程|ストローク)\s*(?:/|to|over|zu)\s*(?:the\s+)?(?:rod|pleuel|stange)"
+    r"|(?:rod|pleuel\w*)\s*(?:/|to|over|zu)\s*(?:the\s+)?(?:stroke|hub)"
+    r"|\b[lL]\s*/\s*[sS]\b|\b[sS]\s*/\s*[lL]\b",
+    re.IGNORECASE,
+)
+_ROLES = {
+    "crank radius": "r", "rod length": "l", "stroke": "s", "angular speed": "w", "rod ratio l/r": "ratio",
+    "crank ratio r/l": "ratio",
+}  # fmt: skip
+
+
+class Reading(NamedTuple):
+    """Which letter of a claim plays which role, with the convention of its ratio."""
+
+    letters: Mapping[str, str]
+    is_inverse: bool
+    law: Formula | None
+    """What stands for the crank angle: ω t."""
+
+    def point(self, at: Point) -> dict[str, Fraction]:
+        """Return the numbers of the claim's letters at a point of the roles."""
+        numbers = {"r": at["r"], "w": at["w"], "theta": at["theta"], "e": at["e"]}
+        numbers |= {"l": at["r"] / at["lam"], "s": 2 * at["r"]}
+        numbers["ratio"] = 1 / at["lam"] if self.is_inverse else at["lam"]
+        inclined = asin(float(at["lam"]) * sin(float(at["theta"])))
+        numbers["rod"] = Fraction(inclined).limit_denominator(10**15)
+        numbers["t"] = at["theta"] / at["w"]
+        return {letter: numbers[role] for letter, role in self.letters.items()}
+
+    def target(self, node: Formula) -> Formula | None:
+        """Return a formula of the catalogue in the letters of the claim, if it has those it needs."""
+        of = {role: Name(letter) for letter, role in self.letters.items()}
+        radius: Formula | None = of.get("r") or (
+            Quotient(of["s"], Number(Fraction(2))) if "s" in of else None
+        )
+        ratio: Formula | None = of.get("ratio")
+        if ratio is not None and self.is_inverse:
+            ratio = Quotient(Number(Fraction(1)), ratio)
+        if ratio is None and "l" in of and radius is not None:
+            ratio = Quotient(radius, of["l"])
+        if radius is None and ratio is not None and "l" in of:
+            radius = Product((ratio, of["l"]))
+        if ratio is None and "rod" in of and "theta" in of:
+            ratio = Quotient(Call("sin", of["rod"]), Call("sin", of["theta"]))
+        angle = self.law or of.get("theta")
+        values = {"r": radius, "lam": ratio, "w": of.get("w"), "theta": angle, "e": of.get("e")}
+        needed = names(node)
+        if any(values[role] is None for role in needed):
+            return None
+        return with_roles(node, {role: value for role, value in values.items() if value is not None})
+
+
+def with_roles(node: Formula, values: Mapping[str, Formula]) -> Formula:
+    """Return a formula with all its roles replaced at once."""
+    if isinstance(node, Name):
+        return values.get(node.name, node)
+    parts = children(node)
+    return with_children(node, tuple(with_roles(part, values) for part in parts)) if parts else node
+
+
+@dataclass(frozen=True)
+class MotionLetters:
+    """The letters of one page."""
+
+    document: ReadNotes
+    words: MeantWords
+
+    def readings(
+        self, claim: Formula, knowledge: Knowledge, line: int, *, is_offset: bool
+    ) -> Iterator[Reading]:
+        """Yield the ways in which the letters of a claim may play their roles."""
+        inside = {
+            n
+            for p in walk(claim)
+            if isinstance(p, Call) and p.function in WAVES
+            for n in names(p.argument)
+        }
+        letters: dict[str, str] = {}
+        law: Formula | None = None
+        if "t" in inside:
+            speeds = [n for n in inside if n.partition("_")[0] in _STEMS["w"]]
+            if len(speeds) != 1 or len(inside) != 2:
+                return
+            letters |= {speeds[0]: "w", "t": "t"}
+            law = Product((Name(speeds[0]), Name("t")))
+        elif inside:
+            angles = sorted(inside, key=angle_rank)
+            if len(angles) > 2 or any(angle_rank(n) >= len(OF_CRANK) for n in angles):
+                return
+            letters |= dict(zip(angles, ("theta", "rod"), strict=False))
+        conventions = [False]
+        declared, proposed = self.words.sizes(line)
+        told = {
+            n: _ROLES[role] for n, m in {**proposed, **declared}.items() if (role := role_of(m)) in _ROLES
+        }
+        for letter in sorted(names(claim) - letters.keys()):
+            stem = letter.partition("_")[0]
+            roles = [role for role in ("w", "r", "l", "ratio") if stem in _STEMS[role]]
+            roles = [told[letter]] if letter in told and roles != ["ratio"] else roles
+            if is_offset and stem in _STEMS["e"] and not roles:
+                roles = ["e"]
+            elif stem in _STEMS["s"] and not roles:
+                roles = ["s"]
+            if len(roles) != 1 or roles[0] in letters.values():
+                return
+            letters[letter] = roles[0]
+            if roles == ["ratio"]:
+                conventions = list(self._conventions(letter, knowledge))
+        if {"r", "s"} <= {*letters.values()}:
+            return
+        for is_inverse in conventions:
+            yield Reading(letters, is_inverse, law)
+
+    def _conventions(self, letter: str, knowledge: Knowledge) -> Iterator[bool]:
+        """Yield whether a ratio may be l/r (True) or r/l (False); nothing for any other ratio."""
+        known: set[bool] = set()
+        definition = knowledge.definitions.get(letter)
+        values = [definition.node] if definition is not None else []
+        for chain in self.document.chains:
+            if chain.sides[0].node == Name(letter):
+                values += [side.node for side in chain.sides[1:]]
+        for value in values:
+            if (
+                isinstance(value, Quotient)
+                and isinstance(value.numerator, Name)
+                and isinstance(value.denominator, Name)
+            ):
+                pair = tuple(n.name.partition("_")[0] for n in (value.numerator, value.denominator))
+                is_crank = pair[0] in _STEMS["r"] and pair[1] in _STEMS["l"]
+                is_rod = pair[0] in _STEMS["l"] and pair[1] in _STEMS["r"]
+                if not is_crank and not is_rod:
+                    return
+                known.add(is_rod)
+            elif not names(value):
+                number = value_at(value, {})
+                if isfinite(number) and not 0.6 < number < 1.7:
+                    known.add(number > 1)
+        declared, text = knowledge.meanings.get(letter, ""), self.document.text
+        if _OF_STROKE.search(text) or "l/s" in declared:
+            return
+        if not known:
+            if "r/l" in declared or (_CRANK_OVER_ROD.search(text) and not _ROD_OVER_CRANK.search(text)):
+                known.add(False)
+            elif "l/r" in declared or (_ROD_OVER_CRANK.search(text) and not _CRANK_OVER_ROD.search(text)):
+                known.add(True)
+        yield from sorted(known or {False, True})
+
+
+def angles_in(node: Formula) -> frozenset[str]:
+    """Return the letters that stand in sines and cosines."""
+    waves = (p for p in walk(node) if isinstance(p, Call) and p.function in WAVES)
+    return frozenset(n for wave in waves for n in names(wave.argument))
+
+
+def with_letter_e(node: Formula) -> Formula:
+    """Return a formula in which e is a letter: an offset, and not the base of logarithms."""
+    if node == Constant("e"):
+        return Name("e")
+    if isinstance(node, Call) and node.function == "exp":
+        return Power(Name("e"), with_letter_e(node.argument))
+    parts = children(node)
+    return with_children(node, tuple(map(with_letter_e, parts))) if parts else node
+
+
+def angle_rank(letter: str) -> int:
+    """Return how late among the letters of crank angles a letter is; those behind are no angles."""
+    stem = letter.partition("_")[0]
+    return OF_CRANK.index(stem) if stem in OF_CRANK else len(OF_CRANK)
+
+
+def values_in(reading: Reading) -> Values:
+    """Return the values of a claim in the letters of its page."""
+    return lambda node, at: value_at(node, reading.point(at))
+
+
+def known_of(claim: Formula, reading: Reading, chain: Chain) -> Knowledge:
+    """Return what is known for a comparison: sizes are positive, the rod's angle follows the crank's."""
+    angles = {letter for letter, role in reading.letters.items() if role in ("theta", "rod", "t")}
+    known = Knowledge(SymbolValue(positive=frozenset(names(claim) - angles)), corrects=True)
+    of = {role: letter for letter, role in reading.letters.items()}
+    if "rod" in of and "theta" in of:
+        ratio: Formula = Name(of.get("ratio", "lambda"))
+        if reading.is_inverse:
+            ratio = Quotient(Number(Fraction(1)), ratio)
+        elif "l" in of and "r" in of:
+            ratio = Quotient(Name(of["r"]), Name(of["l"]))
+        angle = Call("asin", Product((ratio, Call("sin", Name(of["theta"])))))
+        known = known.with_definition(of["rod"], Definition(angle, chain.lines[0]))
+    return known
