@@ -254,10 +254,6 @@ COUNTERWEIGHTS = {
     "static moment of a half disc": [(SECTORS, HALF_DISC), (SECTORS, HALF_RING)],
     "static moment of two half discs": [(SECTORS, 2 * HALF_DISC), (SECTORS, 2 * HALF_RING)],
     "bob weight": [(SIZES, NEEDED / R), (SIZES, (2 * R + 5 * (NEEDED - 2 * R)) / R)],
-    "speed of a shaft against the second order": [
-        ({"omega": F(120)}, FAST_SPEED), ({"omega": F(120)}, -FAST_SPEED),
-        ({"rotation": F(20)}, FAST_SPEED / 6), ({"rotation": F(20)}, -FAST_SPEED / 6),
-    ],
     "mass of a sector": [(SECTORS, SECTOR_MASS), (SECTORS, 2 * SECTOR_MASS)],
     "permissible eccentricity by the balance quality": [(UNBALANCE, mpf(1) / 2 / 50)],
     "permissible unbalance": [

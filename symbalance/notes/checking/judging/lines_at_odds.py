@@ -56,15 +56,17 @@ def note_other_case(
     if verdict.verdict != REFUTED or verdict.decision is None or decision.reason:
         return verdict
     sides = (against, chain.sides[k + 1])
-    lines = {
-        knowledge.definitions[name].line for side in sides for name in _names_rested_on(side, knowledge)
-    }
-    rows = sorted(lines - {*chain.lines})
+    rested_on = [knowledge.definitions[n] for side in sides for n in _names_rested_on(side, knowledge)]
+    rows = sorted({each.line for each in rested_on} - {*chain.lines})
+    is_at_number = any(each.numeric and each.line in chain.lines for each in rested_on)
     of_numbers = not any(names(side.node) for side in chain.sides[k : k + 2])
     is_told = not k and opens_case_in_words(chain, state.document)
     rows = sorted(lines) if is_told and not rows else rows  # both may stand in one line
     if not rows or of_numbers or _is_wrong_anyway(chain, k, against, knowledge):
         return verdict
+    if (line := _line_of_angle(chain, k, against, knowledge)) is not None:
+        at_odds = f"it holds for the angle of line {line}: say whether it is meant there"
+        return replace(verdict, decision=replace(verdict.decision, at_odds=at_odds))
     is_datum, is_result = _is_datum(chain, k, knowledge), _is_result(state, chain, k)
     is_same_case = (
         not is_datum
@@ -75,7 +77,7 @@ def note_other_case(
             or _stands_below(chain, k, knowledge)
             or (not is_result and _puts_numbers_in(chain, k, against, knowledge))
             or any(isinstance(part, Summation) for part in walk(against.node))
-            or (is_result and (k > 0 or len(rows) < len(lines)))
+            or (is_result and (k > 0 or is_at_number))
         )
     )
     if is_same_case:
@@ -103,6 +105,21 @@ def unless_other_case(state: JudgingState, chain: Chain, k: int, verdict: Verdic
     return describe(state.document, chain, k, undecided)
 
 
+def _line_of_angle(chain: Chain, k: int, against: Side, knowledge: Knowledge) -> int | None:
+    """Return the line that gives an angle its number, if a relation is true there; None where it is not."""
+    behind = {*_names_rested_on(against, knowledge), *_names_rested_on(chain.sides[k + 1], knowledge)}
+    lines = [
+        knowledge.definitions[name].line
+        for name in sorted(behind & knowledge.universal)
+        if knowledge.definitions[name].numeric
+    ]
+    there = replace(knowledge, universal=frozenset())
+    is_true = (
+        bool(lines) and decide(against, chain.sides[k + 1], chain.relations[k].sign, there).is_proved
+    )
+    return max(lines) if is_true else None
+
+
 def _is_result(state: JudgingState, chain: Chain, k: int) -> bool:
     """Tell whether a right side is one number, perhaps with its unit: what a formula comes to."""
     right = chain.sides[k + 1]
@@ -121,14 +138,14 @@ def _is_wrong_anyway(chain: Chain, k: int, against: Side, knowledge: Knowledge) 
     """Tell whether a relation is wrong whatever numbers the lines above give: sin 2θ = sin θ cos θ.
 
     A step between two formulas speaks of one case; an equation at its beginning may be one to be solved,
-    unless all letters right of it stand left of it too. A letter alone may always have another value.
+    unless both sides have the same letters. A letter alone may always have another value.
     """
     left, right = against, chain.sides[k + 1]
     if isinstance(left.node, Name) or isinstance(right.node, Name):
         return False
     if not names(right.node) or not names(left.node):
         return False
-    if not k and not names(right.node) <= names(left.node):
+    if not k and names(right.node) != names(left.node):
         return False
     known = knowledge.definitions
     formulas = {name: d for name, d in known.items() if k and not d.numeric}

@@ -70,6 +70,7 @@ from symbalance.notes.checking.units.numbers_in_units import decide_after_units_
 from symbalance.notes.checking.units.printed_units import decide_by_printed_units
 from symbalance.notes.checking.units.speeds_as_numbers import put_in_for_angular_speed, wrong_as_quantity
 from symbalance.notes.checking.units.temperatures import decide_temperature
+from symbalance.notes.checking.units.units_above import refuted_by_units_above
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONTRADICTION,
@@ -189,8 +190,11 @@ def _judge_step(
         return decision
     if not is_settled:
         decision = appeal(state, chain, k, against, decision, knowledge)
-    if decision.is_proved and (by_quantity := wrong_as_quantity(chain, k, state.document, knowledge)):
-        return by_quantity
+    if decision.is_proved:
+        by_units = wrong_as_quantity(chain, k, state.document, knowledge)
+        by_units = by_units or refuted_by_units_above(chain, k, state.document)
+        if by_units is not None:
+            return by_units
     by_name: Verdict | Decision | None = None
     if decision.is_proved:
         by_name = refute_repeated_interval(state.engine_resultants.claims, chain, k)

@@ -122,6 +122,8 @@ def _one_sided_letter(
     √(1 - λ² sin²φ) ≈ 1 - λ/2 sin²φ: it is written on both sides.
     """
     line, left, right = chain.lines[0], chain.sides[k].node, chain.sides[k + 1].node
+    if decision.of_matrices:
+        return ""
     if decision.left is None or decision.right is None:
         return _one_sided_by_value(state, left, right, line, knowledge)
     both = names(left) & names(right) if decision.expanded_in else set[str]()

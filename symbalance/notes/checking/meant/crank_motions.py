@@ -19,6 +19,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
+from itertools import product
 from typing import NamedTuple
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
@@ -274,7 +275,8 @@ class CrankMotions:
 
         An angle of the rod with dots has its own direction: β̈ = -λ ω² sin θ of sin β = λ sin θ.
         """
-        signs = _signs(named.kind, case.head)
+        counted = (case.head.stem, case.head.order)
+        signs = self._directions(named.kind, case.head)
         for place in named.places:
             motion = self.table.get((named.kind, place))
             for turned in () if motion is None else self._counted(motion, named):
@@ -290,11 +292,18 @@ class CrankMotions:
                     known = known_of(case.formula, reading, case.chain)
                     if decide(Side((node,), sides[0].span), sides[1], "=", known).status == REFUTED:
                         return None
+                if place not in (LARGEST, LEAST):
+                    self.named.directions.setdefault(counted, sign)
                 texts = [_text(case.head, named, place), *_letters(reading)]
                 texts += ["the rod is long"] if how == "rough" else []
                 order = f"{_ratio_text(reading)}^{how}" if how.isdigit() else ""
                 return Decision(PROVED, order=order, assumptions=tuple(texts))
         return None
+
+    def _directions(self, kind: str, head: Head) -> tuple[int, ...]:
+        """Return the directions in which a motion may be counted: as it was above, or either."""
+        first = self.named.directions.get((head.stem, head.order))
+        return _signs(kind, head) if first is None else (first,)
 
     def _counted(self, motion: Motion, named: NamedMotion) -> Iterator[Motion]:
         """Yield a motion, and with the crank angle counted from the bottom where the page may do so."""
@@ -334,11 +343,11 @@ class CrankMotions:
             return by_head
         motion, side = _inside(motion, case.head.function), case.chain.sides[1]
         is_part = _PART.search(self.named.clause(case.chain)) is not None
-        for kind, changed in (*slips(case.formula), *_wholes(case.formula, reading, is_sole, is_part)):
+        changes = (*slips(case.formula), *_wholes(case.formula, reading, is_sole, is_part))
+        for sign, (kind, changed) in product(self._directions(named.kind, case.head), changes):
             if names(changed) - names(case.formula) or changed == case.formula or _UNCERTAIN.search(kind):
                 continue
-            signs = _signs(named.kind, case.head)
-            if agreement(motion, changed, values_in(reading), signs) is None:
+            if agreement(motion, changed, values_in(reading), (sign,)) is None:
                 continue
             factor = factor_between(case.formula, changed, values_in(reading))
             if factor is not None and (factor < 0 or is_part):

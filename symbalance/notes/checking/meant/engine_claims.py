@@ -85,6 +85,11 @@ _SENTENCE_END = re.compile(
     r"[.!?]\s+(?![IVX0-9]{1,3}\.|Ordnung|order)|[。；;]|\n\s*\n|\n#|\n\s*(?:[-*+]|[0-9]+[.)])\s|\n\s*\|"
     r"|\n(?=[^\n]*:\s*\n)|\\item|<li|<p\b"
 )
+_OF_SOME = re.compile(
+    r"\b(?:of|for|von|für|bei)\s+(?:two|three|four|five|six|eight|both|zwei|drei|vier|sechs|beiden?)\b",
+    re.IGNORECASE,
+)
+"""Words for another number of cylinders than the paragraph's: "of two in phase"."""
 VECTORS = re.compile(
     r"(?:sum|resultant|summe|合計)[^.;=]{0,40}(?:vectors|phasors|zeiger|vektoren|ベクトル)|(?:vector"
     r"|phasor|zeiger|ベクトル)[\s-]?(?:sum|summe|和)",
@@ -279,6 +284,8 @@ class EngineClaims:
         ]  # fmt: skip
         for number, (first, last) in enumerate(scopes):
             named = self.engines.between(first, last)
+            if number == 1 and _OF_SOME.search(self._text, *scopes[0]):
+                return None
             if self.engines.has_banks(first, last):
                 return None
             if not named:

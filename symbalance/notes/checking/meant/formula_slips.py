@@ -33,7 +33,7 @@ POINTS = ((3, 7, 11, 13, 17, 26, 9), (5, 2, 19, 23, 29, 14, 33), (31, 37, 41, 43
 """Values of a formula's letters at which two formulas are compared, in tenths."""
 SMALL = ((31, 17, 7, 11, 23, 37, 5), (13, 29, 41, 3, 19, 9, 27), (8, 5, 21, 37, 33, 12, 17))
 """The same in hundredths, for formulas that have no value elsewhere: √(1 - D²)."""
-FALLING = ((43, 37, 29, 5, 2), (31, 23, 19, 7, 3), (17, 13, 11, 4, 1))
+FALLING = ((43, 37, 29, 5, 2, 9, 6), (31, 23, 19, 7, 3, 8, 5), (17, 13, 11, 4, 1, 6, 9))
 """Values in tenths for formulas that need the first letters to be large: √(n² - sin² θ)."""
 _EXACT, _FAR = 1e-9, 1e-3
 _FACTORS = frozenset({1, 2, 3, 4, 6, 8, 9, 16, 32, 64})

@@ -191,7 +191,6 @@ class LetterRoles:
                     continue
                 if _APART.match(behind):
                     phrases.append("apart")
-                    continue
                 if _WRITTEN.search(words) and _ANOTHER.search(words):
                     continue  # λ for the crank ratio and F_0
                 apposed = _APPOSED.match(behind) if _WITH.search(words) or _ADDED.search(words) else None

@@ -74,6 +74,7 @@ OTHERS = re.compile(
     r"|振幅|articulated|slave|nebenpleuel|\bper unit|\bsquared\b|\bsquares? of|quadrat|normal acc"
     r"|tangential"
     r"|centripetal|zentripetal|fliehkraft|求心|coriolis|\bvalve|ventil|弁|\bgas\b|flow|\belliptic"
+    r"|\brod'?s (?:cent(?:re|er)|middle)"
     r"|\bpoint (?:of|on)\b|mid-?point|(?:in|of) its middle|middle of the (?:connecting )?rod|\bbanks?\b"
     r"|vehicle|flywheel|schwungrad|fahrzeug|\bdesired|\bharmonics?\b|\bfourth|\bsixth|\bfourier"
     r"|\bwaves?\b|ratio of|quotient|\bperiod|difference|unterschied|error|fehler|誤差|neglect"

@@ -23,6 +23,7 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
     JERK,
     LARGEST,
     PATH,
+    RIGHT,
     ROD_ACCELERATION,
     ROD_ANGLE,
     ROD_SPEED,
@@ -127,6 +128,8 @@ class NamedMotions:
     """The motions of letters without their index, by how often they are differentiated."""
     spots: dict[str, tuple[str, ...]] = field(default_factory=dict)
     """Places at which words put a letter."""
+    directions: dict[tuple[str, int], int] = field(default_factory=dict)
+    """The direction in which a letter's motion was counted first: it stays that one."""
 
     def named(self, chain: Chain, head: Head, claim: Formula) -> NamedMotion | None:
         """Return the motion that the words around a relation name, with its places; None for none."""
@@ -223,8 +226,11 @@ class NamedMotions:
 
     def _spots(self, texts: _Texts, index: str, kind: str, *, is_turned: bool) -> list[str]:
         """Return the places that words name, or the index of the letter."""
-        near = texts.row or f"{texts.clause} {texts.behind.split(',')[0]}"
-        spots = places_named(near, texts.sentence) or places_named(texts.since)
+        behind = "" if texts.row else texts.behind.split(",")[0]
+        spots = places_named(texts.row or texts.clause)
+        if not {TOP, BOTTOM, RIGHT} & {*spots}:  # else the words behind may be the next relation's
+            spots = places_named(f"{texts.row or texts.clause} {behind}", texts.sentence)
+        spots = spots or places_named(texts.since)
         if not spots and not is_turned:
             spots = places_named(texts.heading)
         place, is_sure = place_of_index(index)

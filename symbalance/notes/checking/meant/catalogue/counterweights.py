@@ -29,7 +29,6 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     reciprocating,
     rod,
     rotating,
-    rotation,
     sector,
     share,
     slender,
@@ -260,18 +259,5 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
         rotating + cylinders * reciprocating),
         unless=words(r"100\s?\\?%\s+of\s+the\s+reciprocating|all\s+(?:of\s+)?the\s+reciprocating"),
         stated=frozenset({"share", "cylinders"}),
-    ),
-    Quantity(
-        "speed of a shaft against the second order", letters("omega Omega n N"),
-        words(r"(?:balance[r]?\s+)?shafts?\s+(?:rotate|turn|spin|run)s?\s+(?:at"
-              r"|with)(?:\s+the\s+(?:angular\s+)?speed)?",
-              r"speed\s+of\s+(?:the|both|each)\s+(?:balance[r]?\s+)?shafts?",
-                  r"drehzahl\s+(?:der|je)\s+(?:ausgleichs)?wellen?",
-              r"winkelgeschwindigkeit\s+der\s+(?:ausgleichs)?wellen?",
-              r"(?:バランサ)?軸の(?:回転数|角速度)"),
-        (2 * omega, 2 * rotation, -(2 * omega), -(2 * rotation)), ("bare factor", "part"),
-        mistakes=(omega / 2, rotation / 2, omega, rotation),
-        only=_TWICE, unless=words(r"first[- ]order|primary|1\.\s+ordnung|erster\s+ordnung|一次|1次"
-                                  r"|half[- ]speed"), is_told_once=True,
     ),
 )  # fmt: skip

@@ -266,7 +266,8 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
             for rest in (inertia, None)
             for shape in (SIN_CRANK, SIN_CRANK + ratio * DOUBLE / 2)
         ),
-        ("edit", "part"), unless=words(_OFFSET, r"mean|average|mittlere"), turns=True,
+        ("edit", "part"), unless=words(_OFFSET, r"mean|average|mittlere|\bgears?\b|getriebe|歯車"),
+        turns=True,
     ),
     Quantity(
         "moment of inertia about the centre of gravity", letters("J I Theta"), words(r"(?!)"),

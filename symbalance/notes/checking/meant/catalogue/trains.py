@@ -177,8 +177,8 @@ TRAINS: tuple[Quantity, ...] = (
     ),
     Quantity(
         "moment of inertia reduced over a gear", letters("J I Theta"),
-        words(r"(?:(?:mass\s+)?moment\s+of\s+)?inertia", r"(?:massen)?trägheitsmoment", r"drehmasse",
-              r"慣性モーメント"),
+        words(r"(?:(?:reduced\s+|mass\s+){0,2}moment\s+of\s+)?inertia", r"(?:massen)?trägheitsmoment",
+              r"drehmasse", r"慣性モーメント"),
         (gear_ratio**2 * inertia, inertia / gear_ratio**2), (),
         mistakes=(gear_ratio * inertia, inertia / gear_ratio, root(gear_ratio) * inertia,
                   gear_ratio**4 * inertia),

@@ -1,0 +1,128 @@
+"""Units of bare numbers by the lines above: 1.590 x 33 is no 52.5 kg m where 33 was 33 mm.
+
+An arithmetic may leave its units out, and its result name one. Where numbers of it stand above with their
+units, the result has to be in these: its number may be right and its unit a thousand times too large.
+"""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+from math import isclose, log10, prod
+
+from symbalance.document.formula import Formula, Negative, Number, Power, Product, Quotient, names
+from symbalance.notes.checking.deciding.equality import REFUTED, Decision
+from symbalance.notes.checking.units.conversions import quantity_of, scale_of, sign_of_unit
+from symbalance.notes.checking.units.dimensions import NONE, Dimension, unit_of
+from symbalance.notes.reading.equations import Chain, ReadNotes
+
+NEAR = 700
+"""Characters above in which a number's unit is looked for."""
+_UNITS = 3
+"""Words that a unit has at most: kg m s⁻¹."""
+_MARKUP = re.compile(r"\\(?:mathrm|text|textrm|mbox|,|;|:|!|quad|ensuremath)|[~${}]|</?[a-z]+>")
+_NUMERAL = re.compile(r"(?<![\w.,^_])[0-9]+(?:[.,][0-9]+)?(?![0-9])")
+_SIGNS = re.compile(r"\\(?:cdot|times|[dt]?frac|left|right|,|;|:|!|quad)|(?<![A-Za-z])x(?![A-Za-z])")
+_LETTER = re.compile(r"[^\W\d_]|°")
+_CLOSE = 1e-9
+_KILO = Fraction(1000)
+
+
+def refuted_by_units_above(chain: Chain, k: int, document: ReadNotes) -> Decision | None:
+    """Return that a result is in another unit than its numbers make; None where that is open."""
+    left, right = chain.sides[k], chain.sides[k + 1]
+    result = quantity_of(right, document)
+    unit = None if result is None else unit_of(result.unit)
+    factors = None if result is None or unit is None else _factors(left.node)
+    if not factors or result is None or unit is None or names(left.node) or unit == NONE:
+        return None
+    has_units = _LETTER.search(_SIGNS.sub(" ", document.source(left.span))) is not None
+    if has_units or any(_is_power_of_ten(value) for value, _ in factors):
+        return None  # a power of ten may convert
+    made = _made_of(factors, _numbers_above(document, chain.start))
+    if made is None or made[0] != unit:
+        return None
+    total = prod((value**power for value, power in factors), start=Fraction(1))
+    is_arithmetic = isclose(float(total), float(result.value), rel_tol=0.01)
+    ratio = float(made[1] / result.scale)
+    powers = log10(ratio)
+    if not is_arithmetic or abs(powers) < 1 or abs(powers - round(powers)) > _CLOSE:
+        return None
+    reason = f"the numbers' units above make it {_times(ratio)} than {result.unit}"
+    return Decision(REFUTED, reason)
+
+
+def _made_of(
+    factors: list[tuple[Fraction, int]], above: dict[Fraction, dict[Dimension, Fraction]]
+) -> tuple[Dimension, Fraction] | None:
+    """Return the dimension and the scale that numbers have together by their units above."""
+    dimension, size = NONE, Fraction(1)
+    if not any(above.get(value) for value, _ in factors):
+        return None
+    for value, power in factors:
+        known = above.get(value, {})
+        if len(known) > 1:
+            return None
+        for own, scale in known.items():
+            dimension = tuple(a + power * b for a, b in zip(dimension, own, strict=True))
+            size *= scale**power
+    return dimension, size
+
+
+def _times(ratio: float) -> str:
+    words = {3: "a thousand times", 6: "a million times"}
+    power = round(abs(log10(ratio)))
+    return f"{words.get(power, f'{10**power} times')} {'larger' if ratio > 1 else 'smaller'}"
+
+
+def _factors(node: Formula, power: int = 1) -> list[tuple[Fraction, int]]:
+    """Return the numbers of a product or quotient with their powers; none for a sum."""
+    match node:
+        case Number(value=value) if value > 0:
+            return [(value, power)]
+        case Negative(operand=operand):
+            return _factors(operand, power)
+        case Product(factors=parts):
+            rows = [_factors(part, power) for part in parts]
+            return [pair for row in rows for pair in row] if all(rows) else []
+        case Quotient(numerator=above, denominator=below):
+            first, second = _factors(above, power), _factors(below, -power)
+            return first + second if first and second else []
+        case Power(base=Number(value=value), exponent=Number(value=exponent)) if (
+            value > 0 and exponent.denominator == 1
+        ):
+            return [(value, power * int(exponent))]
+    return []
+
+
+def _is_power_of_ten(value: Fraction) -> bool:
+    powers = log10(value)
+    return value != 1 and isclose(powers, round(powers), abs_tol=_CLOSE)
+
+
+def _numbers_above(document: ReadNotes, start: int) -> dict[Fraction, dict[Dimension, Fraction]]:
+    """Return the numbers right above a place with the units behind them, 1590 g as 1.590 kg too."""
+    text = document.text[max(0, start - NEAR) : start].replace("{,}", ".")
+    found: dict[Fraction, dict[Dimension, Fraction]] = {}
+    for match in _NUMERAL.finditer(text):
+        value = Fraction(match[0].replace(",", "."))
+        named = _unit_behind(text[match.end() : match.end() + 40])
+        if named is None or not value:
+            continue
+        dimension, scale = named
+        found.setdefault(value, {})[dimension] = scale
+        for shift in (_KILO, 1 / _KILO):
+            found.setdefault(value * shift, {}).setdefault(dimension, scale / shift)
+    return found
+
+
+def _unit_behind(text: str) -> tuple[Dimension, Fraction] | None:
+    """Return the dimension and the scale of the longest unit that a text begins with."""
+    words = _MARKUP.sub(" ", text.split("\n\n", maxsplit=1)[0]).split()
+    for count in range(min(_UNITS, len(words)), 0, -1):
+        source = " ".join(words[:count]).rstrip(".,;:)")
+        dimension = unit_of(source) if source and source[0].isalpha() else None
+        scale = scale_of(sign_of_unit(source)) if dimension not in (None, NONE) else None
+        if dimension is not None and scale is not None and not scale[1]:
+            return dimension, scale[0]
+    return None
