@@ -169,6 +169,8 @@ class Valuation:
         """Return the value of a letter, prime, root or function; out of its range, raise NoFormError."""
         mp, generator = self.mp, self.domain.generators[number]
         if generator.kind == "symbol":
+            if generator.content not in self.point:  # the angle of a mean, outside of it
+                raise NoFormError(f"{generator.content}, which has no value")
             exact = self.point[generator.content]
             return mp.mpf(exact.numerator) / exact.denominator
         if generator.kind == "constant":

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, Number, Summation, names, walk
+from symbalance.document.formula import Constant, Formula, Name, Number, Product, Summation, names, walk
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.descriptions import describe, printed_value
 from symbalance.notes.checking.deciding.equality import Decision
@@ -61,7 +61,8 @@ def note_other_case(
     is_at_number = any(each.numeric and each.line in chain.lines for each in rested_on)
     of_numbers = not any(names(side.node) for side in chain.sides[k : k + 2])
     is_told = not k and opens_case_in_words(chain, state.document)
-    rows = sorted(lines) if is_told and not rows else rows  # both may stand in one line
+    if is_told and not rows:  # both may stand in one line
+        rows = sorted({each.line for each in rested_on})
     if not rows or of_numbers or _is_wrong_anyway(chain, k, against, knowledge):
         return verdict
     if (line := _line_of_angle(chain, k, against, knowledge)) is not None:
@@ -106,7 +107,7 @@ def unless_other_case(state: JudgingState, chain: Chain, k: int, verdict: Verdic
 
 
 def _line_of_angle(chain: Chain, k: int, against: Side, knowledge: Knowledge) -> int | None:
-    """Return the line that gives an angle its number, if a relation is true there; None where it is not."""
+    """Return the line that gives an angle its number, if a relation is true there; None elsewhere."""
     behind = {*_names_rested_on(against, knowledge), *_names_rested_on(chain.sides[k + 1], knowledge)}
     lines = [
         knowledge.definitions[name].line
@@ -217,6 +218,11 @@ def _ratio_of_numbers(chain: Chain, k: int, knowledge: Knowledge) -> float | Non
 def _is_datum(chain: Chain, k: int, knowledge: Knowledge) -> bool:
     """Tell whether a letter that has a number gets another one: that of the next example."""
     left, right = chain.sides[k].node, chain.sides[k + 1].node
+    if isinstance(left, Product) and len(left.factors) == 2 and isinstance(left.factors[0], Number):
+        angle = left.factors[1]  # 2γ = 90°: the case of another bank angle
+        known = knowledge.definitions.get(angle.name) if isinstance(angle, Name) else None
+        has_degrees = any(isinstance(part, Constant) for part in walk(right)) and not names(right)
+        return known is not None and known.numeric and has_degrees
     if not isinstance(left, Name) or not isinstance(right, Number):
         return False
     definition = knowledge.definitions.get(left.name)

@@ -160,7 +160,7 @@ def _terms(node: Formula, ratio: str) -> dict[int, Fraction]:
     return terms
 
 
-def _series_node(series: dict[int, Fraction], ratio: str, direction: int, sign: int) -> Formula:
+def _series_node(series: dict[int, Fraction], ratio: str, direction: int, sign: Fraction) -> Formula:
     """Return a series in r/l, or in l/r where the direction is -1, through its highest power."""
     terms: list[Formula] = []
     for power, coefficient in sorted(series.items()):

@@ -246,8 +246,9 @@ class NamedMotions:
         sentence = _BREAK.split(text[max(0, start - BEFORE) : start].rstrip(_OPENING))[-1]
         behind = _BREAK.split(text[chain.end : chain.end + BEHIND])[0]
         heading = self.sections.heading_above(chain.lines[0])
-        plain = (_plain(each) for each in (_BREAK.split(since)[-1], since))
-        return _Texts(*plain, sentence, _plain(behind), self._row(chain), _plain(heading))
+        clause = _plain(_BREAK.split(since)[-1])
+        row, above_it = self._row(chain), _plain(heading)
+        return _Texts(clause, _plain(since), sentence, _plain(behind), row, above_it)
 
     def _row(self, chain: Chain) -> str:
         """Return the first cell of a relation's row in a table and the head of its column, "" outside."""

@@ -242,7 +242,9 @@ class NamedNumbers:
             if not definition.numeric or definition.line > chain.lines[0]:
                 continue
             number = number_in_example(definition.node, knowledge)
-            for role in ROLES if number is not None else ():
+            if number is None:
+                continue
+            for role in ROLES:
                 if role not in ("rotation", "cylinders") and self.named.roles.may_be(letter, role, {}):
                     several.setdefault(role, []).append(float(number))
         single: dict[str, float] = {}

@@ -44,7 +44,7 @@ def decide_two_discs(chain: Chain, k: int, document: ReadNotes) -> Decision | No
     """Return the decision on the amplitudes or the node of two discs; None for other equations."""
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     letters = _letters_of(left, right)
-    if k or len(chain.relations) > 1 or chain.relations[0].sign != "=" or letters is None:
+    if k or len(chain.relations) != 1 or chain.relations[0].sign != "=" or letters is None:
         return None
     (one, other), inertias = letters
     start = min(side.span[0] for side in chain.sides)

@@ -288,7 +288,8 @@ def _in_unit_of_result(
     if bare is None and isinstance(right.node, Product):
         *rest, unit = right.node.factors
         written = document.text[unit.span[0] : unit.span[1]]
-        spellings = (written.strip(" ~,.\\$"), written_unit(f"0 {written}")[1])
+        plain = written.strip(" ~,.\\$")
+        spellings = (plain, plain.replace(".", "").lower(), written_unit(f"0 {written}")[1])
         is_usual = _SMALL_LENGTH.search(written) or any(scale_of(unit) == RPM for unit in spellings)
         if is_usual and rest:
             bare = rest[0] if len(rest) == 1 else Product(tuple(rest))
