@@ -1,4 +1,4 @@
-"""Sides that give a letter a value in another form: ω² = k/m, 1/c = 1/c₁ + 1/c₂, tan φ = …"""
+"""Sides that give a letter its value in another form, as ω² = k/m, 1/c = 1/c₁ + 1/c₂ or tan φ = λ do."""
 
 from __future__ import annotations
 
