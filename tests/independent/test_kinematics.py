@@ -29,7 +29,7 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
     TOP,
 )
 from symbalance.notes.checking.meant.harmonic_coefficients import coefficients
-from symbalance.notes.checking.meant.motion_slips import value_at
+from symbalance.notes.checking.meant.pistons.motion_slips import value_at
 
 F = Fraction
 R, W, THETA, E = F(3, 100), F(150), F(7, 10), F(1, 200)

@@ -23,14 +23,14 @@ from symbalance.notes.checking.deciding.values_in_ranges import decide_where_val
 from symbalance.notes.checking.judging.appeals import appeal
 from symbalance.notes.checking.judging.lines_at_odds import note_other_case
 from symbalance.notes.checking.meant.engine_speeds import decide_speed
-from symbalance.notes.checking.meant.firing_intervals import (
+from symbalance.notes.checking.meant.engines.firing_intervals import (
     decide_firing_interval,
     decide_order_frequency,
     refute_repeated_interval,
 )
+from symbalance.notes.checking.meant.engines.lever_arms import refute_lever_arm
 from symbalance.notes.checking.meant.given_numbers import number_given
 from symbalance.notes.checking.meant.left_sides import head_of
-from symbalance.notes.checking.meant.lever_arms import refute_lever_arm
 from symbalance.notes.checking.meant.order_speeds import decide_order_speed
 from symbalance.notes.checking.meant.two_discs import decide_two_discs
 from symbalance.notes.checking.motions.equations_of_motion import (

@@ -28,7 +28,8 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.meant.catalogue import ROLES
 from symbalance.notes.checking.meant.given_numbers import number_in_example
 from symbalance.notes.checking.meant.letter_roles import ROD_ENDS
-from symbalance.notes.checking.meant.named_quantities import Named, NamedQuantities, may_be_part
+from symbalance.notes.checking.meant.named_quantities import NamedQuantities, may_be_part
+from symbalance.notes.checking.meant.quantity_words import Named
 from symbalance.notes.checking.units.dimensions import written_unit
 from symbalance.notes.checking.words.case_words import ENGINE, engine_of
 from symbalance.notes.reading.equations import Chain
@@ -116,7 +117,9 @@ class NamedNumbers:
         if not is_plain or not isinstance(left, Name) or names(right) or len(numbers) < 2:
             return None
         value = number_in_example(right, knowledge)
-        candidates = [each for each in self.named.named(left.name, chain, knowledge) if each.may_refute]
+        candidates = [
+            each for each in self.named.words.named(left.name, chain, knowledge) if each.may_refute
+        ]
         candidates = candidates or self._by_unit(left.name, chain)
         if value is None or not candidates:
             return None
@@ -154,7 +157,7 @@ class NamedNumbers:
         """Return the quantities that the unit of the result says: what is in kW is a power."""
         _, unit = written_unit(self.named.document.source(chain.sides[-1].span))
         words = {"kW": "power", "W": "power", "MW": "power"}.get(unit, "")
-        named = self.named.by_words(words, name, chain) if words and len(chain.sides) > 2 else ()
+        named = self.named.words.by_words(words, name, chain) if words and len(chain.sides) > 2 else ()
         return [each for each in named if each.may_refute]
 
     @staticmethod

@@ -24,9 +24,8 @@ from symbalance.notes.checking.declared.symbol_roles import (
     small_letters,
 )
 from symbalance.notes.checking.declared.symbols import meaning_of
-from symbalance.notes.checking.meant.crank_motions import CrankMotions
-from symbalance.notes.checking.meant.engine_resultants import EngineResultants
 from symbalance.notes.checking.meant.engine_speeds import speeds_of
+from symbalance.notes.checking.meant.engines.engine_resultants import EngineResultants
 from symbalance.notes.checking.meant.given_numbers import GivenNumbers
 from symbalance.notes.checking.meant.harmonic_coefficients import HarmonicCoefficients
 from symbalance.notes.checking.meant.meant_quantities import MeantQuantities
@@ -35,6 +34,7 @@ from symbalance.notes.checking.meant.motion_in_time import Motions, with_motions
 from symbalance.notes.checking.meant.named_numbers import NamedNumbers
 from symbalance.notes.checking.meant.named_orders import NamedOrders
 from symbalance.notes.checking.meant.named_quantities import NamedQuantities
+from symbalance.notes.checking.meant.pistons.crank_motions import CrankMotions
 from symbalance.notes.checking.motions.equations_of_motion import EquationOfMotion
 from symbalance.notes.checking.motions.fourier_series import FourierSeries
 from symbalance.notes.checking.page.cranks_of_engines import CranksOfEngines

@@ -32,8 +32,8 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
     TOP,
     TURNED,
 )
-from symbalance.notes.checking.meant.motion_letters import OF_CRANK, WAVES, angle_rank, angles_in
-from symbalance.notes.checking.meant.motion_words import (
+from symbalance.notes.checking.meant.pistons.motion_letters import OF_CRANK, WAVES, angle_rank, angles_in
+from symbalance.notes.checking.meant.pistons.motion_words import (
     HAS_OFFSET,
     OTHERS,
     motions_named,

@@ -31,7 +31,7 @@ from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
-from symbalance.notes.checking.meant.engine_claims import (
+from symbalance.notes.checking.meant.engines.engine_claims import (
     COUPLE,
     FORCE,
     VECTORS,
@@ -39,9 +39,15 @@ from symbalance.notes.checking.meant.engine_claims import (
     EngineClaim,
     EngineClaims,
 )
-from symbalance.notes.checking.meant.engine_letters import FIRST_TERMS, EngineLetters, Parts, mended, same
+from symbalance.notes.checking.meant.engines.engine_letters import (
+    FIRST_TERMS,
+    EngineLetters,
+    Parts,
+    mended,
+    same,
+)
+from symbalance.notes.checking.meant.engines.products import NoProductError, ProductOfPowers, product_of
 from symbalance.notes.checking.meant.meant_words import NOBODY, MeantWords
-from symbalance.notes.checking.meant.products import NoProductError, ProductOfPowers, product_of
 from symbalance.notes.checking.repair.fixes import Repair, fix_of
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.engines_in_words import NamedEngine

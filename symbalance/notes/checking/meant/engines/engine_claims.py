@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from symbalance.document.formula import Call, Name, walk
+from symbalance.notes.checking.meant.engines.products import NoProductError, product_of
 from symbalance.notes.checking.meant.meant_words import MeantWords
-from symbalance.notes.checking.meant.products import NoProductError, product_of
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
 from symbalance.notes.checking.words.engines_in_words import CrankStar, EnginesInWords, NamedEngine
 from symbalance.notes.checking.words.sections import Sections

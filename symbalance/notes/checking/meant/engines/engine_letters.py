@@ -15,16 +15,16 @@ from math import isclose
 from symbalance.document.formula import Call, Formula, Name, Number, Product, Quotient, names
 from symbalance.document.letters import plain_letter
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.meant.engine_claims import (
+from symbalance.notes.checking.meant.engines.engine_claims import (
     COUPLE,
     POWERS,
     EngineClaim,
     index_of,
     wave_of,
 )
+from symbalance.notes.checking.meant.engines.products import NoProductError, ProductOfPowers, product_of
 from symbalance.notes.checking.meant.letter_roles import LetterRoles
 from symbalance.notes.checking.meant.meant_words import MeantWords
-from symbalance.notes.checking.meant.products import NoProductError, ProductOfPowers, product_of
 
 FIRST_TERMS = {1: Fraction(1), 2: Fraction(1), 4: Fraction(1, 4), 6: Fraction(9, 128)}
 """The leading term of the piston's acceleration by order: its power of r/l, and the number before it."""

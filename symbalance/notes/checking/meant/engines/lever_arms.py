@@ -13,8 +13,8 @@ from fractions import Fraction
 from symbalance.document.formula import Formula, Name, names
 from symbalance.document.letters import plain_letter
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
-from symbalance.notes.checking.meant.engine_claims import EngineClaims
-from symbalance.notes.checking.meant.products import NoProductError, product_of
+from symbalance.notes.checking.meant.engines.engine_claims import EngineClaims
+from symbalance.notes.checking.meant.engines.products import NoProductError, product_of
 from symbalance.notes.reading.equations import Chain
 
 _ARMS = re.compile(

@@ -33,7 +33,7 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
     TURNED,
 )
 from symbalance.notes.checking.meant.engine_speeds import speeds_of
-from symbalance.notes.checking.meant.motion_slips import SAME, value_at
+from symbalance.notes.checking.meant.pistons.motion_slips import SAME, value_at
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _NUMBER = r"(?P<number>[0-9]+(?:[.,][0-9]+)?(?:\s?/\s?[0-9]+)?)"

@@ -66,7 +66,7 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
 )
 from symbalance.notes.checking.meant.letter_roles import renamed
 from symbalance.notes.checking.meant.meant_words import NOBODY, MeantWords
-from symbalance.notes.checking.meant.motion_letters import (
+from symbalance.notes.checking.meant.pistons.motion_letters import (
     WAVES,
     MotionLetters,
     Reading,
@@ -76,16 +76,16 @@ from symbalance.notes.checking.meant.motion_letters import (
     with_letter_e,
     with_roles,
 )
-from symbalance.notes.checking.meant.motion_numbers import MotionNumbers
-from symbalance.notes.checking.meant.motion_slips import (
+from symbalance.notes.checking.meant.pistons.motion_numbers import MotionNumbers
+from symbalance.notes.checking.meant.pistons.motion_slips import (
     POINTS,
     agreement,
     factor_between,
     slips,
     value_at,
 )
-from symbalance.notes.checking.meant.motion_words import OF_ENGINE
-from symbalance.notes.checking.meant.named_motions import Head, NamedMotion, NamedMotions
+from symbalance.notes.checking.meant.pistons.motion_words import OF_ENGINE
+from symbalance.notes.checking.meant.pistons.named_motions import Head, NamedMotion, NamedMotions
 from symbalance.notes.checking.repair.fixes import Repair, fix_of
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.sections import Sections
