@@ -368,7 +368,7 @@ def test_both_signs_are_judged_together(text: str, expected: str) -> None:
         (r"\int_0^{2\pi} M\,d\theta = 2\pi M", "undecided"),
         (r"\int_0^{2\pi} M\cos\theta\,d\theta = \pi M", "undecided"),
         (r"\oint \sin^2\theta\,d\theta = 2\pi", "undecided"),
-        (r"M^* = M", "undecided"),
+        (r"M^* = M", "definition"),
     ],
 )
 def test_nothing_is_refuted_for_what_a_page_leaves_open(text: str, expected: str) -> None:

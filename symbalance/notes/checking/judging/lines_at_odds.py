@@ -28,6 +28,7 @@ from symbalance.notes.checking.judging.usual_slips import (
     ratio_of_sides,
 )
 from symbalance.notes.checking.premises.impossible_values import number_of
+from symbalance.notes.checking.steps.dead_centres import angle_there
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.verdicts import REFUTED, UNDECIDED, Verdict
@@ -78,6 +79,7 @@ def note_other_case(
             or _stands_below(chain, k, knowledge)
             or (not is_result and _puts_numbers_in(chain, k, against, knowledge))
             or any(isinstance(part, Summation) for part in walk(against.node))
+            or angle_there(state, chain, k, knowledge) is not None
             or (is_result and (k > 0 or is_at_number))
         )
     )
@@ -155,13 +157,14 @@ def _is_wrong_anyway(chain: Chain, k: int, against: Side, knowledge: Knowledge) 
 
 
 def _stands_below(chain: Chain, k: int, knowledge: Knowledge) -> bool:
-    """Tell whether a formula of a letter stands right below another one of it, in the same letters."""
+    """Tell whether a letter's formula stands right below another one of it, of one meaning or letters."""
     head = chain.sides[0].node
-    earlier = knowledge.definitions.get(head.name) if not k and isinstance(head, Name) else None
+    head_name = head.name if not k and isinstance(head, Name) else ""
+    earlier = knowledge.definitions.get(head_name)
     if earlier is None or earlier.line < chain.lines[0] - NEAR:
         return False
     own = names(chain.sides[1].node)
-    return bool(own) and own <= names(earlier.node)
+    return bool(own) and (own <= names(earlier.node) or head_name in knowledge.meanings)
 
 
 def _is_cut_wrongly(decision: Decision) -> bool:

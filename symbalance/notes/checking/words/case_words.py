@@ -155,8 +155,7 @@ def is_said_of_all_behind(text: str, end: int) -> bool:
 def has_exception_behind(text: str, end: int) -> bool:
     """Tell whether words right behind a relation name cases in which it does not hold.
 
-    >>> has_exception_behind("S = 0 unless k is a multiple of five", 5),
-    has_exception_behind("S = 0, k = 5", 5)
+    >>> has_exception_behind("S = 0 unless k is 5", 5), has_exception_behind("S = 0, k = 5", 5)
     (True, False)
     """
     return _EXCEPTION.match(text, end) is not None
