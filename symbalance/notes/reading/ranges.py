@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
+from itertools import pairwise
 
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 
@@ -46,6 +47,8 @@ _LONGEST_BEFORE = 12
 _DEGREES = re.compile(r"(?:\s?°|\^\\circ|\^\{\\circ\})$")
 _INDEXED = re.compile(r"[^_]+_\{?[ijkn]\}?")
 _NUMBERED = re.compile(r"_\{?[0-9]+\}?$|[₀-₉]$")
+WIDEST = 1000
+"""How many times larger the next of several values of a letter may be."""
 _PAIR = 2
 _LENGTHS = frozenset(("mm", "cm", "m"))
 """Units between which a list of values may change."""
@@ -156,8 +159,9 @@ def _plain_list(match: re.Match[str], values: list[str], plain: list[str], bare:
     if all(b != p for b, p in zip(bare, plain, strict=True)):
         return _turned_through(match, plain, bare)
     sizes = [float(value) for value in plain] if bare == plain else []
-    if not sizes or sizes != sorted(sizes) or len(set(sizes)) < len(sizes):
-        return None
+    is_run = bool(sizes) and sizes == sorted(sizes) and len(set(sizes)) == len(sizes)
+    if not is_run or any(second > WIDEST * first > 0 for first, second in pairwise(sizes)):
+        return None  # λ = 0.31, 6000 rpm: the speed is another quantity
     units = [unit.group() for unit in re.finditer(_UNIT, (match["one"] or "") + rest)]
     if len({re.sub(r"\\[,;: ]|[~\s]", "", unit) for unit in units}) > 1:
         return None  # L = 110 mm, 10000 rpm

@@ -30,6 +30,7 @@ _OTHER: dict[str, Fraction] = {
     "inch": Fraction(254, 10**4), "ton": 2240 * Fraction(45359237, 10**8),
     "kp": Fraction(980665, 10**5), "kgf": Fraction(980665, 10**5), "PS": Fraction(73549875, 10**5),
     "psi": Fraction(44482216152605, 10**13) / Fraction(254, 10**4) ** 2, "mph": Fraction(44704, 10**5),
+    "tf": Fraction(980665, 100),
     "mi": Fraction(1609344, 1000), "knot": Fraction(1852, 3600), "knots": Fraction(1852, 3600),
     }  # fmt: skip
 """A ton is the long one of 2240 lb; where a page converts one, the short and the metric ton count too."""

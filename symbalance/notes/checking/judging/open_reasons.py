@@ -128,6 +128,10 @@ def _one_sided_letter(
         return _one_sided_by_value(state, left, right, line, knowledge)
     both = names(left) & names(right) if decision.expanded_in else set[str]()
     both |= _summed_letters(left, right, decision, knowledge)
+    if decision.left.is_zero() or decision.right.is_zero():  # they cancel in one side, whatever they are
+        nodes = {n: d.node for n, d in knowledge.definitions.items()}
+        shared = names(left) & names(right)
+        both |= {name for own in shared for name in (own, *names_behind(Name(own), nodes))}
     free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
     free -= state.motions.letters(line)
     unlike = set(letters(decision.left)) ^ set(letters(decision.right))
