@@ -267,13 +267,14 @@ def judge(block: Block) -> list[Entry]:
         symbols = {"symbols": symbols | dict.fromkeys(engines, "variable"), "bind": binds}
     checked = check(_document((*before, *block.formulas)), symbols)
     entries = [_entry(text, checked, 2 * k + 1) for k, text in enumerate((*before, *block.formulas))]
-    if first and any(entry.status == REFUTED for entry in entries):
+    at_odds = (REFUTED, UNDECIDED)
+    if first and any(entry.status in at_odds for entry in entries):
         # The library's series end at POWER, a closed form does not: it is compared through that power.
         nearly = tuple(text.replace("=", "≈") for text in block.formulas)
         checked = check(_document((*before, *nearly)), symbols)
         closed = [_entry(text, checked, 2 * k + 1) for k, text in enumerate((*before, *block.formulas))]
         entries = [
-            new if old.status == REFUTED and _is_through_all(new.reason) else old
+            new if old.status in at_odds and _is_through_all(new.reason) else old
             for old, new in zip(entries, closed, strict=True)
         ]
     return entries[len(first) :]

@@ -54,7 +54,7 @@ def note_other_case(
     knowledge: Knowledge,
 ) -> Verdict:
     """Return a verdict; a refuted one that no slip explains notes that another case may be meant."""
-    if verdict.verdict != REFUTED or verdict.decision is None or decision.reason:
+    if verdict.verdict != REFUTED or verdict.decision is None or decision.reason or decision.of_matrices:
         return verdict
     sides = (against, chain.sides[k + 1])
     rested_on = [knowledge.definitions[n] for side in sides for n in _names_rested_on(side, knowledge)]

@@ -129,8 +129,8 @@ def _end_of_listed_case(definitions: Definitions, earlier: Definition, chain: Ch
     own = sections.item_of_cases(chain.lines[0], chain.sides[0].span[0])
     places = [
         item
-        for other in sections.document.chains
-        if other.lines[0] == earlier.line and other.sides[0].node == chain.sides[0].node
+        for other in sections.chains_on(earlier.line)
+        if other.sides[0].node == chain.sides[0].node
         if (item := sections.item_of_cases(earlier.line, other.sides[0].span[0])) is not None
     ]
     is_case = own is not None and any(first == own[0] for first, last in places)

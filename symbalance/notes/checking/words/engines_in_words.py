@@ -1,5 +1,4 @@
-"""Engines that a page's words name, with the angles of their cranks: "the 270° twin",
-"Reihensechszylinder".
+"""Engines that a page's words name, as "the 270° twin", with the angles of their cranks.
 
 Engines in line and boxers have a usual crankshaft; a twin's is told by its angle, a five's by its firing
 order. An engine in banks, and one of which the words leave the cranks open, is named without them.
@@ -277,8 +276,13 @@ def is_another_engine(before: NamedEngine, now: NamedEngine) -> bool:
     return before.cylinders != now.cylinders or is_other_kind or is_other_twin
 
 
-def last_cycle(words: str) -> int:
-    """Return 2 or 4, whichever strokes of an engine words name last; 0 for none."""
+REACH = 2000
+"""Characters above in which the strokes of an engine are named."""
+
+
+def last_cycle(words: str, *, whole: bool = False) -> int:
+    """Return 2 or 4, whichever strokes of an engine words name last, of late or at all; 0 for none."""
+    words = words if whole else words[-REACH:]
     last = {
         n: max((m.end() for m in p.finditer(words)), default=0)
         for n, p in ((2, _TWO_STROKE), (4, _FOUR_STROKE))

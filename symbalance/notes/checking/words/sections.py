@@ -23,7 +23,7 @@ from symbalance.notes.checking.words.engines_in_words import (
 from symbalance.notes.checking.words.items import item_end
 from symbalance.notes.checking.words.listed_cases import item_of_cases
 from symbalance.notes.checking.words.value_groups import in_next_groups
-from symbalance.notes.checking.words.working_cycles import is_another_cycle
+from symbalance.notes.checking.words.working_cycles import is_another_cycle, names_cycles
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _HEADING = re.compile(
@@ -580,6 +580,8 @@ class Sections:
 
     def _names_another_cycle(self, chain: Chain, earlier_line: int) -> bool:
         """Tell whether a relation's clause is of engines of other strokes than an earlier line."""
+        if not self._names_strokes:
+            return False
         text, start = self.document.text, chain.start
         first = self._start_of_line(self.paragraph_start(earlier_line))
         clause = case_words.clause_start(text, start)
@@ -587,8 +589,24 @@ class Sections:
         now = cycle_named(text[clause:start])
         return bool(before and now and before != now)
 
+    def chains_on(self, line: int) -> list[Chain]:
+        """Return the relations that begin on a line."""
+        return self._by_line.get(line, [])
+
+    @cached_property
+    def _names_strokes(self) -> bool:
+        """Whether the page names an engine of two or four strokes."""
+        return last_cycle(self.document.text, whole=True) > 0
+
+    @cached_property
+    def _names_cycles(self) -> bool:
+        """Whether the page names any way in which engines work."""
+        return names_cycles(self.document.text)
+
     def is_of_another_cycle(self, chain: Chain, earlier_line: int) -> bool:
         """Tell whether a relation's engine is a four-stroke, say, and a line's a two-stroke."""
+        if not self._names_cycles:
+            return False
         starts, chains = self._by_start
         place = bisect_left(starts, min(chain.start, self._start_of_line(earlier_line + 1)))
         start = self._start_of_line(earlier_line)

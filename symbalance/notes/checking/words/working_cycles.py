@@ -26,6 +26,11 @@ _REACH = 300
 """Characters before a formula in which its engine's cycle is named."""
 
 
+def names_cycles(text: str) -> bool:
+    """Tell whether a text names any way in which engines work."""
+    return _CYCLE.search(text) is not None
+
+
 def cycles_named(text: str, start: int) -> frozenset[str]:
     """Return the ways of working that the last sentence before a place names that names any.
 
