@@ -77,6 +77,7 @@ def note_other_case(
             _is_miscalculated(state, chain, k, decision, knowledge)
             or _is_cut_wrongly(decision)
             or _stands_below(chain, k, knowledge)
+            or (rows[-1] >= chain.lines[0] - NEAR and _is_all_declared(chain, k, knowledge))
             or (not is_result and _puts_numbers_in(chain, k, against, knowledge))
             or any(isinstance(part, Summation) for part in walk(against.node))
             or angle_there(state, chain, k, knowledge) is not None
@@ -165,6 +166,13 @@ def _stands_below(chain: Chain, k: int, knowledge: Knowledge) -> bool:
         return False
     own = names(chain.sides[1].node)
     return bool(own) and (own <= names(earlier.node) or head_name in knowledge.meanings)
+
+
+def _is_all_declared(chain: Chain, k: int, knowledge: Knowledge) -> bool:
+    """Tell whether an equation of several letters has none that nobody declared: each has one meaning."""
+    sides = [chain.sides[j].node for j in (k, k + 1)]
+    letters = {name for side in sides for name in names(side)}
+    return not any(isinstance(side, Name) for side in sides) and letters <= knowledge.meanings.keys()
 
 
 def _is_cut_wrongly(decision: Decision) -> bool:
