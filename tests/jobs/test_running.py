@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import importlib.util
 import os
 import subprocess
 import sys
 import time
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
-from functools import wraps
 from multiprocessing import get_context
 from pathlib import Path
 
@@ -20,26 +20,28 @@ from tests.effort import effort
 from tests.jobs.work import jobs, marks, square
 
 SQUARES = [n * n for n in range(12)]
-ALONE = "SYMBALANCE_TEST_ALONE"
+AFTER_GMSH = """
+import os
+from threading import Thread
+from symbalance.crankshaft.solid.meshing import gmsh_session
 
+def meshes():
+    with gmsh_session():
+        pass
 
-def alone(test):
-    """Run a test that kills workers in a process of its own, which holds no threads of other tests."""
-
-    @wraps(test)
-    def run(tmp_path):
-        if ALONE in os.environ:
-            test(tmp_path)
-            return
-        command = [sys.executable, "-m", "pytest", "-q", "-p", "no:xdist", "-p", "no:cacheprovider"]
-        command += ["-m", "slow", f"{__file__}::{test.__name__}"]
-        own = {**os.environ, ALONE: "1", "PYTEST_ADDOPTS": ""}
-        done = subprocess.run(
-            command, cwd=ROOT, env=own, capture_output=True, text=True, timeout=300, check=False
-        )
-        assert done.returncode == 0, done.stdout + done.stderr
-
-    return run
+if {threaded}:
+    meshing = Thread(target=meshes)
+    meshing.start()
+    meshing.join()
+else:
+    meshes()
+reading, writing = os.pipe()
+os.close(reading)
+try:
+    os.write(writing, b"x")
+except BrokenPipeError:
+    print("told")
+"""
 
 
 def values(outcomes) -> list[int]:
@@ -159,7 +161,6 @@ def test_processes_give_what_one_gives(tmp_path):
 
 
 @pytest.mark.slow
-@alone
 def test_a_worker_killed_midway_costs_nothing(tmp_path):
     listed = jobs(tmp_path, 8, 0.1, {3: "dies once"})
     store, progress = Store(tmp_path / "store"), Progress()
@@ -172,7 +173,6 @@ def test_a_worker_killed_midway_costs_nothing(tmp_path):
 
 
 @pytest.mark.slow
-@alone
 def test_a_job_that_always_kills_its_worker_is_named_and_the_rest_is_finished(tmp_path):
     listed = jobs(tmp_path, 7, 0.1, {2: "dies", 5: "refused"})
     outcomes = [outcome for _, outcome in run_jobs(square, listed, workers=2)]
@@ -183,7 +183,6 @@ def test_a_job_that_always_kills_its_worker_is_named_and_the_rest_is_finished(tm
 
 
 @pytest.mark.slow
-@alone
 def test_several_deadly_jobs_take_nobody_with_them(tmp_path):
     listed = jobs(tmp_path, 6, 0.05, {0: "dies", 1: "dies"})
     outcomes = [outcome for _, outcome in run_jobs(square, listed, workers=3, attempts=2)]
@@ -221,7 +220,6 @@ def test_a_pool_of_the_callers_stays_open(tmp_path):
 
 
 @pytest.mark.slow
-@alone
 def test_a_pool_of_the_callers_that_loses_a_worker_is_said_to(tmp_path):
     listed = jobs(tmp_path, 4, 0.1, {1: "dies"})
     with (
@@ -298,3 +296,15 @@ def test_two_runs_on_one_store_do_each_other_no_harm(tmp_path):
         assert parent.communicate(timeout=120)[0].split() == expected
     store = Store(tmp_path / "store")
     assert all(store.load(job.key).payload is not None for job in jobs(tmp_path, 30))
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(importlib.util.find_spec("gmsh") is None, reason="gmsh is optional")
+@pytest.mark.parametrize("threaded", [False, True])
+def test_a_broken_pipe_is_an_exception_after_meshing_too(threaded):
+    """The mesher makes SIGPIPE deadly; then a killed worker took the process of its pool with it."""
+    done = subprocess.run(
+        [sys.executable, "-c", AFTER_GMSH.format(threaded=threaded)],
+        cwd=ROOT, capture_output=True, text=True, timeout=120, check=False,
+    )  # fmt: skip
+    assert (done.returncode, done.stdout) == (0, "told\n"), done.stderr

@@ -7,6 +7,8 @@ counterweight a sector from the near axis out to its `outer` radius. A bore ends
 
 from __future__ import annotations
 
+import ctypes
+import signal
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -35,12 +37,30 @@ def gmsh_session() -> Iterator[Any]:
     except (ImportError, OSError) as err:  # OSError: one of its system libraries is missing
         raise MissingPartError("webs = 'solid'", f"gmsh does not load ({err})", REMEDY) from err
     gmsh.initialize(interruptible=False)
+    _ignore_broken_pipes()
     try:
         gmsh.option.setNumber("General.Terminal", 0)
         gmsh.option.setNumber("Mesh.HighOrderOptimize", 1)
         yield gmsh
     finally:
         gmsh.finalize()
+
+
+def _ignore_broken_pipes() -> None:
+    """Ignore SIGPIPE again where Python does: the first start of gmsh makes it deadly for the process.
+
+    Python turns a write to a closed pipe into an exception. Without that, a pool of which one worker
+    was killed takes the whole process with it, without a word.
+    """
+    if not hasattr(signal, "SIGPIPE"):  # Windows
+        return
+    # Python still holds what it set before gmsh.
+    before = signal.getsignal(signal.SIGPIPE)
+    try:
+        signal.signal(signal.SIGPIPE, before)
+    except ValueError:  # only the main thread may; C's own function works in any
+        if before == signal.SIG_IGN:
+            ctypes.CDLL(None).signal(signal.SIGPIPE, ctypes.c_void_p(int(signal.SIG_IGN)))
 
 
 def mesh_solid(draw: Callable[[Any], Any], size: float) -> Any:
