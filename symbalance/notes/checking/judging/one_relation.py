@@ -185,7 +185,8 @@ def _judge_step(
         by_words = by_words or decide_two_discs(chain, k, state.document)
         by_words = by_words or _moment_by_name(state, chain, k, knowledge)
         by_words = by_words or _by_named_inverse(state, chain, k, knowledge)
-        return by_words or state.crank_motions.judge(chain, k, knowledge) or decision
+        by_words = by_words or state.crank_motions.judge(chain, k, knowledge)
+        return _unless_left_open(by_words, decision)
     if decision.status == CONTRADICTION:
         return decision
     if not is_settled:
@@ -204,6 +205,7 @@ def _judge_step(
         by_motion = state.crank_motions
         again = by_motion.again if decision.status == REFUTED else by_motion.judge
         by_name = again(chain, k, knowledge)
+        by_name = None if by_name is not None and _is_left_open(by_name) else by_name
     if by_name is None and decision.status == UNDECIDED:
         by_name = state.engine_resultants.judge(chain, k, knowledge)
         by_name = by_name or state.named.judge(chain, k, knowledge)
@@ -411,9 +413,10 @@ def _as_meant(
         outcome = outcome or decide_order_speed(chain, k, state.document, knowledge)
         outcome = outcome or state.crank_motions.judge(chain, k, knowledge)
         if outcome is not None and _is_left_open(outcome):
-            return replace(definition, reason=outcome.reason)
+            return _unless_left_open(outcome, definition)
     if isinstance(outcome, Verdict) and outcome.verdict == UNDECIDED:
-        outcome = state.crank_motions.judge(chain, k, knowledge) or outcome
+        by_motion = state.crank_motions.judge(chain, k, knowledge)
+        outcome = outcome if by_motion is None or _is_left_open(by_motion) else by_motion
     name = chain.sides[k].node
     if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
         state.definitions.define(name.name, outcome.fix.node, chain)
@@ -437,6 +440,15 @@ def _as_named_engine(
 def _is_left_open(outcome: Verdict | Decision) -> bool:
     """Tell whether the search for what words name was given up: a definition stays one, and says so."""
     return isinstance(outcome, Decision) and outcome.status == DEFINITION
+
+
+def _unless_left_open(outcome: Verdict | Decision | None, statement: Decision) -> Verdict | Decision:
+    """Return what words make of a statement, or the statement, which says if the search was given up."""
+    if outcome is None:
+        return statement
+    if _is_left_open(outcome) and isinstance(outcome, Decision):
+        return replace(statement, reason=outcome.reason)
+    return outcome
 
 
 def _decide_step(

@@ -35,6 +35,8 @@ from symbalance.notes.checking.declared.symbol_roles import (
 from symbalance.notes.checking.units.dimensions import Dimension, unit_of, written_unit
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.sections import Sections
+from symbalance.notes.checking.words.sentences import SENTENCE_END, bare
+from symbalance.notes.checking.words.table_cells import TableCells
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 NOBODY = "nobody declared it"
@@ -88,9 +90,6 @@ _DIMENSIONS: Mapping[str, str] = {
 """Words for a kind of size; what turns (angular acceleration, Winkelgeschwindigkeit) is none of them."""
 _UNITS = {"force": "N", "torque": "N m", "stress": "Pa", "velocity": "m/s", "acceleration": "m/s^2"}
 _KIND = re.compile("|".join(f"(?P<{kind}>{pattern})" for kind, pattern in _DIMENSIONS.items()))
-_SENTENCE = re.compile(
-    r"[;!?]\s|\.\s(?!(?:und\s|bzw\.\s|oder\s)?(?:[IVX0-9]{1,3}\.\s)?(?:Ordnung|Harmonische))|[。；]|\n\s*\n(?=.*[.;!?。]\s)|<p\b|<li\b|\\item"
-)
 _BOTTOM = re.compile(
     r"bottom dead|lower dead|outer dead|\bBDC\b|\bUT\b|unteren? Totpunkt|下死点|crank[- ]end",
     re.IGNORECASE,
@@ -207,29 +206,23 @@ class MeantWords:
         text, start = self.document.text, chain.start
         place = bisect_right(self._ends, start)
         first = max(start - LONGEST_WORDS, self._ends[place - 1] if place else 0)
-        return _SENTENCE.split(text[first:start])[-1]
+        return SENTENCE_END.split(bare(text[first:start]))[-1]
 
     def sentence_before(self, chain: Chain) -> str:
         """Return the sentence before a relation, other relations in it included."""
         start = chain.start
-        return _SENTENCE.split(self.document.text[max(0, start - 2 * LONGEST_WORDS) : start])[-1]
+        words = bare(self.document.text[max(0, start - 2 * LONGEST_WORDS) : start])
+        return SENTENCE_END.split(words)[-1]
 
     def header_of_column(self, chain: Chain) -> str:
         """Return the head of the column of a table that a relation stands in, "" outside of tables."""
-        text, start = self.document.text, chain.start
-        own = text[text.rfind("\n", 0, start) + 1 : start]
-        if not own.lstrip().startswith("|"):
-            return ""
-        row = first = text.count("\n", 0, start)
-        lines = self._lines
-        while first and lines[first - 1].lstrip().startswith("|"):
-            first -= 1
-        cells, column = lines[first].split("|"), own.count("|")
-        return cells[column] if first < row and column < len(cells) else ""
+        cell = self.cells.at(chain.start)
+        return "" if cell is None else cell.column
 
     @cached_property
-    def _lines(self) -> list[str]:
-        return self.document.text.split("\n")
+    def cells(self) -> TableCells:
+        """The cells of the page's tables."""
+        return TableCells(self.document.text)
 
     def paragraph(self, chain: Chain) -> str:
         """Return the paragraph of a relation up to its end, with what stands before a display."""

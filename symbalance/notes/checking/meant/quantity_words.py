@@ -30,20 +30,12 @@ from symbalance.notes.checking.meant.letter_roles import (
 )
 from symbalance.notes.checking.words.case_words import engine_named
 from symbalance.notes.checking.words.sections import Sections
+from symbalance.notes.checking.words.sentences import SENTENCE_END, bare
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 SENTENCE, PARAGRAPH, AFTER = 220, 500, 60
 """Characters that are looked through: before a formula for its name, and around for another shape."""
-_SENTENCE_END = re.compile(
-    r"[;!?](?:\s|$)|\.(?:\s(?!Ordnung|Harmonische)|$)|[。；]|\n\s*\n|<p\b|<li\b"
-    r"|\\item|\\section|\n#|\n\||\n {0,4}(?:[*•-]|\d{1,3}[.)])\s"
-)
 _BLANK = re.compile(r"\n\s*\n")
-_OPENING = re.compile(
-    r"(?:\s|\$+|\\[\[(]|\\begin\{[a-z]+\*?\}|\\displaystyle|&|\||<p>|<div>"
-    r"|<math>|`)+$"
-)
-"""What stands between words and the formula that is set off from them."""
 _DENIED = re.compile(
     r"\bnot\b|\binstead\b|\bwrong|mistak|confus|unlike|\bnicht\b|\bstatt\b|anstelle|falsch"
     r"|verwechs|ではない|でなく"
@@ -243,7 +235,7 @@ class QuantityWords:
         if above is None or not isinstance(head, Name):
             return
         clause = self.document.text[end:start]
-        if len(clause) > SENTENCE or _SENTENCE_END.search(clause):
+        if len(clause) > SENTENCE or SENTENCE_END.search(clause):
             return
         sentence, before, _ = self._texts(above)
         if _AND.fullmatch(clause) and head.name.partition("_")[0] == stem:
@@ -276,7 +268,7 @@ class QuantityWords:
     def _lead_in(self, chain: Chain) -> str:
         """Return the few words that open a relation's paragraph like a title: "Radial force. Along …"."""
         start = min(side.span[0] for side in chain.sides)
-        above = _BLANK.split(_OPENING.sub("", self.document.text[max(0, start - PARAGRAPH) : start]))[-1]
+        above = _BLANK.split(bare(self.document.text[max(0, start - PARAGRAPH) : start]))[-1]
         _, other = self._chain_before(start)
         is_first = (
             other is None
@@ -292,7 +284,7 @@ class QuantityWords:
     ) -> Iterator[Named]:
         """Yield the quantities that words name around a formula: the thrust H = … against the liner."""
         end = max(side.span[1] for side in chain.sides)
-        after = _SENTENCE_END.split(self.document.text[end : end + AFTER])[0].lstrip(" $)\\]")
+        after = SENTENCE_END.split(self.document.text[end : end + AFTER])[0].lstrip(" $)\\]")
         words = before.rstrip(" $(\\[") + " "
         matches = [
             (match, quantity)
@@ -312,9 +304,9 @@ class QuantityWords:
             return
         start = min(side.span[0] for side in chain.sides)
         above = self.document.text[max(0, start - PARAGRAPH) : start]
-        above = _BLANK.split(_OPENING.sub("", above))[-1].removesuffix(before)
+        above = _BLANK.split(bare(above))[-1].removesuffix(before)
         for named in self._by_phrases(
-            _SENTENCE_END.split(above.rstrip(" .;\n"))[-1], stem, places, sentence
+            SENTENCE_END.split(above.rstrip(" .;\n"))[-1], stem, places, sentence
         ):
             if "moment of inertia" in named.quantity.name:
                 yield named
@@ -376,14 +368,14 @@ class QuantityWords:
         """Return a relation's sentence, what of it stands right before, and what is around."""
         text, start = self.document.text, chain.start
         end = chain.end
-        words = _OPENING.sub("", text[max(0, start - PARAGRAPH) : start])
-        sentence = _SENTENCE_END.split(words[-SENTENCE:])[-1]
+        words = bare(text[max(0, start - PARAGRAPH) : start])
+        sentence = SENTENCE_END.split(words[-SENTENCE:])[-1]
         first = max(0, self._chain_before(start)[0])
         last = max(0, start - PARAGRAPH) + len(words)
         before = sentence[-(last - first) :] if last - first < len(sentence) else sentence
         before = before if last > first else ""
         paragraphs = " ".join(_BLANK.split(words)[-2:])
-        after = _NEXT_ITEM.split(_SENTENCE_END.split(text[end : end + AFTER])[0])[0]
+        after = _NEXT_ITEM.split(SENTENCE_END.split(text[end : end + AFTER])[0])[0]
         item = _ITEM.fullmatch(words[words.rfind("\n") + 1 :])
         if item is not None and sentence.endswith(item[0]):
             sentence = item[0]

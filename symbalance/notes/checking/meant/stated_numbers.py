@@ -22,6 +22,7 @@ from symbalance.document.formula import (
     with_children,
 )
 from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.words.sentences import SENTENCE_END
 
 _COUNTS = {
     "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "eight": 8, "nine": 9, "eleven": 11,
@@ -63,7 +64,6 @@ _BALANCED = re.compile(
     re.IGNORECASE,
 )
 _NOT_BALANCED = re.compile(r"unbalanc|remain|\bleft\b|\brest|\bnot\b|\bnicht\b|残", re.IGNORECASE)
-_SENTENCE = re.compile(r"[.;!?](?:\s|$)|[。；]|\n\s*\n")
 
 
 @dataclass
@@ -84,7 +84,7 @@ class StatedNumbers:
             yield Fraction(_COUNTS.get(text) or int(text))
 
     def _shares(self) -> Iterator[Fraction]:
-        for sentence in _SENTENCE.split(self.text):
+        for sentence in SENTENCE_END.split(self.text):
             if (factor := _FACTOR.search(sentence)) is not None:
                 number = Fraction((factor["number"] or factor["more"]).replace(",", "."))
                 yield number if number < 1 else number / 100

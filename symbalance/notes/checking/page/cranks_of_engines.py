@@ -18,6 +18,7 @@ from symbalance.notes.checking.declared.engines import KnownEngine, Sources
 from symbalance.notes.checking.words.case_words import ENGINE, engine_of
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
 from symbalance.notes.checking.words.sections import Sections
+from symbalance.notes.checking.words.sentences import SENTENCE_END
 
 _UNUSUAL = re.compile(
     r"two[\s-]?stroke|2[\s-]?stroke|zwei[\s-]?takt|2[\s-]?takt|2\s?サイクル|2\s?ストローク"
@@ -45,7 +46,6 @@ _BANKS = re.compile(
     r"|Gabelmotor|バンク",
     re.IGNORECASE,
 )
-_SENTENCE = re.compile(r"[.!?]\s|[。]|\n\s*\n|\n#|\n\s*[-*+|]\s?")
 _ROW = re.compile(r"^[ \t]*\|", re.MULTILINE)
 _LONGEST, _TITLE = 400, 3
 """Characters of a sentence that are looked through, and lines of a page that may be its title."""
@@ -88,8 +88,8 @@ class CranksOfEngines:
     def _scopes(self, start: int, end: int, line: int) -> Iterator[tuple[int, int]]:
         """Yield where an engine may be named, the nearest first: sentence, paragraph, section, title."""
         floor = max(0, start - _LONGEST)
-        before = [m.end() for m in _SENTENCE.finditer(self.text, floor, start)]
-        behind = _SENTENCE.search(self.text, end, min(len(self.text), end + _LONGEST))
+        before = [m.end() for m in SENTENCE_END.finditer(self.text, floor, start)]
+        behind = SENTENCE_END.search(self.text, end, min(len(self.text), end + _LONGEST))
         line_start = self.text.rfind("\n", 0, start) + 1
         if _ROW.match(self.text, line_start):
             line_end = self.text.find("\n", end)

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import re
 
+from symbalance.notes.checking.words.sentences import SENTENCE_END
+
 _KINDS = {
     "four": r"(?:four|4)[-\s]?stroke|vier-?takt|4-takt|(?:4|四)\s?(?:ストローク|サイクル)|quatre\s+temps"
     r"|cuatro\s+tiempos",
@@ -18,7 +20,6 @@ _KINDS = {
 _CYCLE = re.compile(
     "|".join(rf"(?P<{kind}>{pattern})" for kind, pattern in _KINDS.items()), re.IGNORECASE
 )
-_SENTENCE = re.compile(r"[.;!?]\s|[。；]|\n\s*\n|\n\s{0,4}(?:[*•#|-]|\d+[.)])\s?")
 _BEHIND = re.compile(
     r"[\s$\\)\]]{0,6}(?:for|in|with|of|bei|beim|für|im|pour|の場合)\s[^.,;:。、$=]{0,40}", re.IGNORECASE
 )
@@ -38,7 +39,7 @@ def cycles_named(text: str, start: int) -> frozenset[str]:
     >>> sorted(cycles_named(text, 17)), sorted(cycles_named(text, 48))
     (['two'], ['four'])
     """
-    for sentence in reversed(_SENTENCE.split(text[max(0, start - _REACH) : start])):
+    for sentence in reversed(SENTENCE_END.split(text[max(0, start - _REACH) : start])):
         kinds = frozenset(match.lastgroup or "" for match in _CYCLE.finditer(sentence))
         if kinds:
             return kinds

@@ -15,6 +15,7 @@ from symbalance.notes.checking.meant.meant_words import MeantWords
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
 from symbalance.notes.checking.words.engines_in_words import CrankStar, EnginesInWords, NamedEngine
 from symbalance.notes.checking.words.sections import Sections
+from symbalance.notes.checking.words.sentences import SENTENCE_END, bare
 from symbalance.notes.reading.equations import Chain
 
 FORCE, COUPLE = "force", "couple"
@@ -76,15 +77,6 @@ WHOLE = re.compile(
     re.IGNORECASE,
 )
 _MOST = 400
-_OPENING = re.compile(
-    r"(?:\s|\$|\\\[|\\\(|\\begin\{[a-z]+\*?\}|\\displaystyle|&|</?(?:p|div|math|span|li)\b[^<>]{0,40}>"
-    r"|`|>)+$"
-)
-"""What stands between words and the formula that is set off from them."""
-_SENTENCE_END = re.compile(
-    r"[.!?]\s+(?![IVX0-9]{1,3}\.|Ordnung|order)|[。；;]|\n\s*\n|\n#|\n\s*(?:[-*+]|[0-9]+[.)])\s|\n\s*\|"
-    r"|\n(?=[^\n]*:\s*\n)|\\item|<li|<p\b"
-)
 _OF_SOME = re.compile(
     r"\b(?:of|for|von|für|bei)\s+(?:two|three|four|five|six|eight|both|zwei|drei|vier|sechs|beiden?)\b",
     re.IGNORECASE,
@@ -244,29 +236,22 @@ class EngineClaims:
     def _opening(self, start: int) -> int:
         """Return where the words end that a formula is set off from, by a line of its own or by signs."""
         floor = max(0, start - _MOST)
-        bare = _OPENING.sub("", self._text[floor:start])
-        return start if bare.endswith((".", "!", "?", "。")) else floor + len(bare)
+        words = bare(self._text[floor:start])
+        return start if words.endswith((".", "!", "?", "。")) else floor + len(words)
 
     def _row_label(self, start: int) -> str:
         """Return what the first cell of a table's row says, as an order where its column is of orders."""
-        text, line = self._text, self._text.rfind("\n", 0, start) + 1
-        label = text[line:start].split("|")[1] if "|" in text[line:start] else ""
-        rows = text[:line].split("\n")[:-1]
-        while len(rows) > 1 and rows[-2].lstrip().startswith("|"):
-            rows.pop()
-        head = rows[-1].split("|")[1] if rows and rows[-1].count("|") else ""
-        is_number = label.strip(" $.") in ("1", "2", "4", "6")
-        return f"order {label.strip(' $.')}" if is_number and _ORDER_WORD.search(head) else label
-
-    def _row(self, start: int) -> str:
-        """Return the first cell of a table's row, "" outside of tables."""
-        own = self._text[self._text.rfind("\n", 0, start) + 1 : start]
-        return own.split("|")[1] if own.lstrip().startswith("|") and own.count("|") > 1 else ""
+        cell = self.words.cells.at(start)
+        if cell is None:
+            return ""
+        number = cell.row.strip(" $.")
+        is_order = number in ("1", "2", "4", "6") and _ORDER_WORD.search(cell.rows)
+        return f"order {number}" if is_order else cell.row
 
     def _sentence(self, start: int, end: int) -> tuple[int, int]:
         floor = max(0, start - _MOST)
-        ends = [m.end() for m in _SENTENCE_END.finditer(self._text, floor, start)]
-        behind = _SENTENCE_END.search(self._text, end, min(len(self._text), end + _MOST))
+        ends = [m.end() for m in SENTENCE_END.finditer(self._text, floor, start)]
+        behind = SENTENCE_END.search(self._text, end, min(len(self._text), end + _MOST))
         return (ends[-1] if ends else floor), (
             behind.start() if behind else min(len(self._text), end + _MOST)
         )
@@ -295,7 +280,8 @@ class EngineClaims:
                 return None
             title = "" if number < 4 and section > 0 else self._text[:title_end]
             around = f"{title}\n{self._text[section:heading_end]}"
-            near = self._row(start) or self._text[slice(*self._sentence(start, end))]
+            cell = self.words.cells.at(start)
+            near = (cell and cell.row) or self._text[slice(*self._sentence(start, end))]
             engine = self.engines.with_stars(engine, section, section_end, around, near)
             listed = listed_at(self._crank_lists, start, self._text, self.sections.same_section)
             if (

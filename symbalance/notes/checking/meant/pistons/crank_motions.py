@@ -87,7 +87,7 @@ from symbalance.notes.checking.meant.pistons.motion_slips import (
 from symbalance.notes.checking.meant.pistons.motion_words import OF_ENGINE
 from symbalance.notes.checking.meant.pistons.named_motions import Head, NamedMotion, NamedMotions
 from symbalance.notes.checking.repair.fixes import Repair, fix_of
-from symbalance.notes.checking.verdicts import Verdict
+from symbalance.notes.checking.verdicts import DEFINITION, Verdict
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
@@ -151,7 +151,10 @@ class CrankMotions:
         return _FROM_ELSEWHERE.search(self.document.text) is not None
 
     def judge(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
-        """Return the verdict on a relation that gives a named motion its formula; None for others."""
+        """Return the verdict on a relation that gives a named motion its formula; None for others.
+
+        A search that was given up leaves a definition that says so.
+        """
         claim = self._claim(chain, k, knowledge)
         if claim is None:
             return None
@@ -164,8 +167,9 @@ class CrankMotions:
             return None
         try:
             return run_within(SEARCH, lambda: self._judge(case), SHARE)
-        except OverBudgetError:
-            return None  # a definition, as it stands
+        except OverBudgetError as problem:
+            reason = f"whether its words name a motion was not decided within {problem.spent}"
+            return Decision(DEFINITION, reason)
 
     def again(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
         """Return the proof of a relation that is false at any angle, at the place that its words name.

@@ -41,14 +41,16 @@ from symbalance.notes.checking.meant.pistons.motion_words import (
     places_named,
 )
 from symbalance.notes.checking.words.sections import Sections
+from symbalance.notes.checking.words.sentences import SENTENCE_END
+from symbalance.notes.checking.words.table_cells import TableCells
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 BEFORE, BEHIND = 320, 70
 """Characters that are looked through before a formula and behind it."""
-_BREAK = re.compile(r"[.;!?](?:\s|$)|[。；]|\n\s*\n|<p\b|<li\b|<td\b|\\item|\n#|\n\s*[-*]\s|\|")
+_CELL_OR_SENTENCE = re.compile(rf"{SENTENCE_END.pattern}|\|")
 BARE = 8
 """Letters since the relation before that name nothing: "so", "then"."""
-_OPENING = " \t\n$\\([{&|"
+_SET_OFF = " \t\n$\\([{&|"
 _MARKUP = re.compile(r"<[^>]*>|\\(?:begin|end|label)\{[^}]*\}|\\\w+|[$*_#`]")
 OF_ROD = frozenset({ROD_ANGLE, ROD_SPEED, ROD_ACCELERATION})
 _FAST = re.compile(r"fast|velocit|speed|geschwindig|速度|schnell|vitesse|velocidad", re.IGNORECASE)
@@ -242,30 +244,22 @@ class NamedMotions:
         text, start = self.document.text, chain.start
         above = bisect_right(self._ends, start)
         first = max(start - BEFORE, 0, self._ends[above - 1] if above else 0)
-        since = text[first:start].rstrip(_OPENING)
-        sentence = _BREAK.split(text[max(0, start - BEFORE) : start].rstrip(_OPENING))[-1]
-        behind = _BREAK.split(text[chain.end : chain.end + BEHIND])[0]
+        since = text[first:start].rstrip(_SET_OFF)
+        sentence = _CELL_OR_SENTENCE.split(text[max(0, start - BEFORE) : start].rstrip(_SET_OFF))[-1]
+        behind = _CELL_OR_SENTENCE.split(text[chain.end : chain.end + BEHIND])[0]
         heading = self.sections.heading_above(chain.lines[0])
-        clause = _plain(_BREAK.split(since)[-1])
+        clause = _plain(_CELL_OR_SENTENCE.split(since)[-1])
         row, above_it = self._row(chain), _plain(heading)
         return _Texts(clause, _plain(since), sentence, _plain(behind), row, above_it)
 
     def _row(self, chain: Chain) -> str:
         """Return the first cell of a relation's row in a table and the head of its column, "" outside."""
-        lines, line = self._lines, chain.lines[0] - 1
-        if line >= len(lines) or not lines[line].lstrip().startswith("|"):
-            return ""
-        first = line
-        while first and lines[first - 1].lstrip().startswith("|"):
-            first -= 1
-        column = self.document.text[: chain.start].rpartition("\n")[2].count("|")
-        heads, cells = lines[first].split("|"), lines[line].split("|")
-        head = heads[column] if first < line and column < len(heads) else ""
-        return f"{_plain(cells[1])} {_plain(head)}" if len(cells) > 1 else ""
+        cell = self._cells.at(chain.start)
+        return "" if cell is None else f"{_plain(cell.row)} {_plain(cell.column)}"
 
     @cached_property
-    def _lines(self) -> list[str]:
-        return self.document.text.split("\n")
+    def _cells(self) -> TableCells:
+        return TableCells(self.document.text)
 
     @cached_property
     def _ends(self) -> list[int]:
