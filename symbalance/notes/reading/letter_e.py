@@ -15,22 +15,29 @@ from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 _E = r"(?<![A-Za-z0-9\\_^{}.'’])e(?![A-Za-z_'’])"
 _LENGTH = r"(?:mm|cm|dm|m|inch|in|ft|\\milli|\\centi|\\metre|\\meter|\\m)(?![A-Za-z])"
 _GAP = r"(?:\\[,;: ]|[~ $])*"
-_MEANT = re.compile(
+_VALUE = (
     rf"{_E}{_GAP}&?(?:=|:=|≈|\\coloneqq|\\approx){_GAP}(?:\\(?:SI|qty)\s*\{{)?[-−]?[0-9]+(?:(?:[.,]"
     rf"|\{{,\}})[0-9]+)?"
     rf"(?:\}}\s*\{{|{_GAP})(?:\\(?:mathrm|text|mbox|textrm)\s*\{{\s*)?(?:\\[,;: ])*{_LENGTH}"
-    rf"|{_E}{_GAP}/{_GAP}[lrLR](?![A-Za-z])|\\[dt]?frac\s*\{{\s*e\s*\}}\s*\{{\s*[lrLR]\s*\}}"
-    rf"|(?:[Oo]ffset|Versatz|Schr[äa]nkung|Desachsierung|eccentricity|Exzentrizität|オフセット|偏心量"
-    rf"|[Dd]istance|[Ss]pacing|[Pp]itch|[Rr]adius|[Ll]ever\s+arm|[Aa]bstand|[Hh]ebelarm|[Hh]albmesser"
-    rf"|距離|間隔|半径|entraxe|interasse)"
-    rf"\s*(?:of\s*)?\$?{_E}"
-    rf"|(?:\bby|\bum|amount|Maß|量)\s+\$\s?e\s?\$"
-    rf"|{_E}\s*\$?\s*(?:(?:is|being|denotes|ist|als|der|the|as)\s+){{1,2}}(?:offset|distance|spacing|pitch|abstand|versatz|zylinderabstand)"
-    rf"|(?<![A-Za-z\\])m_(?:[A-Za-z0-9]|\{{\w{{1,4}}\}}){_GAP}{_E}(?!\s*\^)"
-    rf"|(?:[Rr]adius|[Dd]istance|Abstand|Radien|半径|距離)\s(?:of\s)?\$?{_E}(?=[\s$,.;:)]|から)"
-    rf"|(?:半径|偏心量?|距離)を\s?\$?{_E}|(?<![A-Za-z\\])[mM](?:_[A-Za-z]"
-    rf"|_\{{[A-Za-z]{{1,4}}\}})?\s?(?:\\[,;:]\s?)?{_E}(?!\s?\^)"
 )
+"""A value in a unit of length: e = 8 mm."""
+_BY_LENGTH = rf"{_E}{_GAP}/{_GAP}[lrLR](?![A-Za-z])|\\[dt]?frac\s*\{{\s*e\s*\}}\s*\{{\s*[lrLR]\s*\}}"
+"""A ratio of lengths: e/l."""
+_NAMED = (
+    r"(?:[Oo]ffset|Versatz|Schr[äa]nkung|Desachsierung|eccentricity|Exzentrizität|オフセット|偏心量?"
+    r"|[Dd]istance|[Ss]pacing|[Pp]itch|[Rr]adius|Radien|[Ll]ever\s+arm|[Aa]bstand|[Hh]ebelarm"
+    rf"|[Hh]albmesser|距離|間隔|半径|entraxe|interasse)\s*(?:of\s*|を\s?)?\$?{_E}"
+)
+"""Behind the words for a length: the offset e."""
+_EXPLAINED = (
+    rf"{_E}\s*\$?\s*(?:(?:is|being|denotes|ist|als|der|the|as)\s+){{1,2}}"
+    r"(?:offset|distance|spacing|pitch|abstand|versatz|zylinderabstand)"
+    r"|(?:\bby|\bum|amount|Maß|量)\s+\$\s?e\s?\$"
+)
+"""Before the words that explain it, or behind "by": where e is the offset, moved by $e$."""
+_ARM = rf"(?<![A-Za-z\\])[mM](?:_(?:[A-Za-z0-9]|\{{\w{{1,4}}\}}))?{_GAP}{_E}(?!\s*\^)"
+"""The arm of a mass: m_r e."""
+_MEANT = re.compile("|".join((_VALUE, _BY_LENGTH, _NAMED, _EXPLAINED, _ARM)))
 _WITH_MASS = re.compile(
     r"(?<![A-Za-z\\])[mMBU]_\{?(?P<index>[A-Za-z0-9]{1,4})\}?\s?(?:\\[,;:]\s?)?e_(?:\{(?P=index)\}"
     r"|(?P=index)(?![A-Za-z]))"

@@ -14,6 +14,8 @@ from fractions import Fraction
 from itertools import permutations
 from math import pi
 
+from symbalance.notes.checking.words.working_cycles import strokes_named
+
 _NOTHING = 1e-9
 _WORDS = {
     1: "single one ein mono mono einen un uno één jedno одно 単 単 1",
@@ -111,16 +113,6 @@ _ORDER_LIST = re.compile(
 _BARE_LIST = re.compile(
     r"(?:cranks?|throws?|pins?|kröpfung(?:en)?|kurbeln)\s+(?:(?:are\s+)?at\s+"
     r"|bei\s+)?(?P<list>0(?:\s?[-–/]\s?[0-9]{1,3}){1,7})(?![0-9])",
-    re.IGNORECASE,
-)
-_TWO_STROKE = re.compile(
-    r"(?:two|2)[\s-]?stroke(?!s)|(?:zwei|2)[\s-]?takt|2\s?(?:サイクル|ストローク)|deux\s+temps"
-    r"|dos\s+tiempos|due\s+tempi",
-    re.IGNORECASE,
-)
-_FOUR_STROKE = re.compile(
-    r"(?:four|4)[\s-]?stroke(?!s)|(?:vier|4)[\s-]?takt|4\s?(?:サイクル|ストローク)|quatre\s+temps"
-    r"|cuatro\s+tiempos|quattro\s+tempi",
     re.IGNORECASE,
 )
 _INLINE = {
@@ -276,30 +268,6 @@ def is_another_engine(before: NamedEngine, now: NamedEngine) -> bool:
     return before.cylinders != now.cylinders or is_other_kind or is_other_twin
 
 
-REACH = 2000
-"""Characters above in which the strokes of an engine are named."""
-
-
-def last_cycle(words: str, *, whole: bool = False) -> int:
-    """Return 2 or 4, whichever strokes of an engine words name last, of late or at all; 0 for none."""
-    words = words if whole else words[-REACH:]
-    last = {
-        n: max((m.end() for m in p.finditer(words)), default=0)
-        for n, p in ((2, _TWO_STROKE), (4, _FOUR_STROKE))
-    }
-    return max(last, key=lambda n: last[n]) if any(last.values()) else 0
-
-
-def cycle_named(words: str) -> int:
-    """Return 2 or 4 where words name engines of that many strokes, 0 where they name none or both.
-
-    >>> cycle_named("for a two-stroke engine"), cycle_named("Viertakt"), cycle_named("two strokes")
-    (2, 4, 0)
-    """
-    cycles = {2 if _TWO_STROKE.search(words) else 0, 4 if _FOUR_STROKE.search(words) else 0} - {0}
-    return cycles.pop() if len(cycles) == 1 else 0
-
-
 def _stars_of(engine: NamedEngine, around: str) -> tuple[CrankStar, ...]:
     count = engine.cylinders
     if engine.is_boxer:
@@ -327,7 +295,7 @@ def _usual_stars(engine: NamedEngine, around: str) -> tuple[CrankStar, ...]:
     is_flat = _FLAT.search(around) is not None
     if count == 4 and _CROSSPLANE.search(around) and not is_flat:
         return (CrankStar((0, 90, 270, 180)),)
-    if _ODD.search(around) or (_TWO_STROKE.search(around) and count > 3):
+    if _ODD.search(around) or (2 in strokes_named(around) and count > 3):
         return ()
     if count == _FIVE:
         return tuple(CrankStar((0, *(72 * k for k in way))) for way in permutations(range(1, _FIVE)))
@@ -353,6 +321,6 @@ def _by_firing_order(around: str, count: int) -> CrankStar | None:
     (order,) = orders
     if sorted(order) != list(range(1, count + 1)):
         return None
-    cycle = _FULL if _TWO_STROKE.search(around) else 2 * _FULL
+    cycle = _FULL if 2 in strokes_named(around) else 2 * _FULL
     fired = {cylinder: k * cycle // count for k, cylinder in enumerate(order)}
     return CrankStar(tuple(-fired[c] % _FULL for c in sorted(fired)))

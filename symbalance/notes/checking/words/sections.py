@@ -16,14 +16,17 @@ from symbalance.notes.checking.words.bodies_named import body_named
 from symbalance.notes.checking.words.engines_in_words import (
     EnginesInWords,
     NamedEngine,
-    cycle_named,
     is_another_engine,
-    last_cycle,
 )
 from symbalance.notes.checking.words.items import item_end
 from symbalance.notes.checking.words.listed_cases import item_of_cases
 from symbalance.notes.checking.words.value_groups import in_next_groups
-from symbalance.notes.checking.words.working_cycles import is_another_cycle, names_cycles
+from symbalance.notes.checking.words.working_cycles import (
+    is_another_cycle,
+    last_strokes,
+    names_cycles,
+    strokes_named,
+)
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _HEADING = re.compile(
@@ -585,9 +588,8 @@ class Sections:
         text, start = self.document.text, chain.start
         first = self._start_of_line(self.paragraph_start(earlier_line))
         clause = case_words.clause_start(text, start)
-        before = last_cycle(text[first:clause])
-        now = cycle_named(text[clause:start])
-        return bool(before and now and before != now)
+        before, now = last_strokes(text[first:clause]), strokes_named(text[clause:start])
+        return before > 0 and len(now) == 1 and before not in now
 
     def chains_on(self, line: int) -> list[Chain]:
         """Return the relations that begin on a line."""
@@ -596,7 +598,7 @@ class Sections:
     @cached_property
     def _names_strokes(self) -> bool:
         """Whether the page names an engine of two or four strokes."""
-        return last_cycle(self.document.text, whole=True) > 0
+        return bool(strokes_named(self.document.text))
 
     @cached_property
     def _names_cycles(self) -> bool:

@@ -10,10 +10,10 @@ import re
 from symbalance.notes.checking.words.sentences import SENTENCE_END
 
 _KINDS = {
-    "four": r"(?:four|4)[-\s]?stroke|vier-?takt|4-takt|(?:4|四)\s?(?:ストローク|サイクル)|quatre\s+temps"
-    r"|cuatro\s+tiempos",
-    "two": r"(?:two|2)[-\s]?stroke|zwei-?takt|2-takt|(?:2|二)\s?(?:ストローク|サイクル)|deux\s+temps"
-    r"|dos\s+tiempos",
+    "four": r"(?:four|4)[-\s]?stroke(?!s)|(?:vier|4)[-\s]?takt|(?:4|四)\s?(?:ストローク|サイクル)"
+    r"|quatre\s+temps|cuatro\s+tiempos|quattro\s+tempi",
+    "two": r"(?:two|2)[-\s]?stroke(?!s)|(?:zwei|2)[-\s]?takt|(?:2|二)\s?(?:ストローク|サイクル)"
+    r"|deux\s+temps|dos\s+tiempos|due\s+tempi",
     "double": r"double[-\s]acting|doppelt\s?wirkend|複動",
     "single": r"single[-\s]acting|einfach\s?wirkend|単動",
 }
@@ -23,13 +23,36 @@ _CYCLE = re.compile(
 _BEHIND = re.compile(
     r"[\s$\\)\]]{0,6}(?:for|in|with|of|bei|beim|für|im|pour|の場合)\s[^.,;:。、$=]{0,40}", re.IGNORECASE
 )
+_STROKES = {"two": 2, "four": 4}
 _REACH = 300
 """Characters before a formula in which its engine's cycle is named."""
+_SECTION = 2000
+"""Characters above in which an engine is named that a section is of."""
 
 
 def names_cycles(text: str) -> bool:
     """Tell whether a text names any way in which engines work."""
     return _CYCLE.search(text) is not None
+
+
+def strokes_named(words: str) -> set[int]:
+    """Return 2, 4 or both, the strokes of the engines that words name.
+
+    >>> strokes_named("for a two-stroke engine"), strokes_named("Viertakt"), strokes_named("two strokes")
+    ({2}, {4}, set())
+    """
+    return {_STROKES[kind] for m in _CYCLE.finditer(words) if (kind := m.lastgroup or "") in _STROKES}
+
+
+def last_strokes(words: str) -> int:
+    """Return 2 or 4, the strokes of the engine that words name last, of late; 0 for none.
+
+    >>> last_strokes("a two-stroke and then a four-stroke engine"), last_strokes("an engine")
+    (4, 0)
+    """
+    near = words[-_SECTION:]
+    strokes = [_STROKES[kind] for m in _CYCLE.finditer(near) if (kind := m.lastgroup or "") in _STROKES]
+    return strokes[-1] if strokes else 0
 
 
 def cycles_named(text: str, start: int) -> frozenset[str]:

@@ -16,7 +16,8 @@ from symbalance.notes.checking.meant.engine_speeds import speeds_of
 from symbalance.notes.checking.meant.engines.engine_claims import EngineClaims
 from symbalance.notes.checking.meant.engines.products import NoProductError, product_of
 from symbalance.notes.checking.meant.meant_words import NOBODY
-from symbalance.notes.checking.words.engines_in_words import NamedEngine, last_cycle
+from symbalance.notes.checking.words.engines_in_words import NamedEngine
+from symbalance.notes.checking.words.working_cycles import last_strokes, strokes_named
 from symbalance.notes.reading.equations import Chain
 
 _INTERVAL = re.compile(
@@ -51,7 +52,7 @@ _FEWEST = 3
 
 def refute_repeated_interval(claims: EngineClaims, chain: Chain, k: int) -> Decision | None:
     """Return the refutation of a number that stands above too, where its sentence names the strokes."""
-    if not last_cycle(claims.sentence(chain)):
+    if not strokes_named(claims.sentence(chain)):
         return None
     decision = decide_firing_interval(claims, chain, k)
     return decision if decision is not None and decision.status == REFUTED else None
@@ -76,7 +77,7 @@ def decide_firing_interval(claims: EngineClaims, chain: Chain, k: int) -> Decisi
     size = _angle(value)
     if size is None:
         return None
-    cycle = last_cycle(words) or last_cycle(claims.section(chain))
+    cycle = last_strokes(words) or last_strokes(claims.section(chain))
     text = (
         f"{plain_letter(head.name)} is the firing interval of {engine.cylinders} cylinders"
         f" ({NOBODY}; taken from the words “{match[0]}” and “{engine.words}”)"
