@@ -11,6 +11,7 @@ import re
 from bisect import bisect_right
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from symbalance.document.letters import FUNCTION_WORDS, NAME_OF_SIGN
 from symbalance.document.wordlists import word_set
@@ -53,6 +54,8 @@ _CONSTANT = re.compile(
 )
 _SIZE = re.compile(_BETWEEN_NUMBERS)
 _END_OF_SENTENCE = re.compile(rf"[\n{CELL_END}]|[.;:!?。](?=\s)")
+_BLOCK = 256
+"""Characters of a text whose failures are looked through together."""
 _ASSIGNED = re.compile(r"^[\w.-]*[A-Za-z][\w.-]+=(?:[\"'\w./#%-]*[A-Za-z\"'][\"'\w./#%-]*)$")
 
 
@@ -109,6 +112,15 @@ class Account:
             more.append(Unreadable(line, column, what, "split the document", (beyond[0], beyond[0] + 1)))
         return more, passed
 
+    @cached_property
+    def _refused_near(self) -> dict[int, list[tuple[tuple[int, int], ReadingError]]]:
+        """What could not be read, by the blocks of the text it touches: there may be thousands."""
+        blocks: dict[int, list[tuple[tuple[int, int], ReadingError]]] = {}
+        for (start, end), failure in self.refused:
+            for block in range(start // _BLOCK, max(end - 1, start) // _BLOCK + 1):
+                blocks.setdefault(block, []).append(((start, end), failure))
+        return blocks
+
     def _further(self, place: int, holder: Unreadable, line_of: LineOf) -> Unreadable:
         """Return a further relation of an equation that is not read."""
         line, column = line_of(place)
@@ -132,7 +144,8 @@ class Account:
             return Passed(line, column, why, span)
         if (reason := self._unread_sign(place)) is not None:
             return Unreadable(line, column, *reason, span)
-        failure = next((f for (a, b), f in self.refused if a <= place < b), None)
+        near = self._refused_near.get(place // _BLOCK, ())
+        failure = next((f for (a, b), f in near if a <= place < b), None)
         if failure is not None:
             line, column = line_of(failure.offset if span[0] <= failure.offset < span[1] else place)
             return Unreadable(line, column, failure.what, failure.remedy, span)

@@ -36,7 +36,7 @@ def opens_case_in_words(chain: Chain, document: ReadNotes) -> bool:
         return False
     if any(isinstance(part, Call) and part.function in ("sin", "cos", "tan") for part in walk(right)):
         return False
-    start = min(side.span[0] for side in chain.sides)
+    start = chain.start
     ends = [
         max(side.span[1] for side in other.sides)
         for other in document.chains

@@ -10,7 +10,7 @@ from symbalance.document.formula import Call, Name, names
 from symbalance.notes.checking.deciding.cases import states_a_case
 from symbalance.notes.checking.page.solutions import WAVES
 from symbalance.notes.checking.verdicts import Verdict
-from symbalance.notes.checking.words.case_words import is_case_behind, is_place_behind
+from symbalance.notes.checking.words.case_words import LONGEST_PLACE, is_case_behind, is_place_behind
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
@@ -67,22 +67,25 @@ _ANGLE = re.compile(r"°|\\circ|\\pi(?![A-Za-z])|π|deg|^\W*0\W*$")
 def _places_before_values(document: ReadNotes, chains: list[Chain]) -> list[Chain]:
     """Return the chains of a line, where a value is had before it: F = 5 N at θ = 0 and at θ = π."""
     ordered: list[Chain] = []
+    by_end: dict[int, Chain] = {}
     for chain in chains:
         start = chain.sides[0].span[0]
-        place = next(
-            (
-                n
-                for n, before in enumerate(ordered)
-                if is_place_behind(document.text, before.sides[-1].span[1], start)
-                and _is_value(before)
-                and _is_value(chain)
-                and _ANGLE.search(document.source(chain.sides[-1].span))
-                and before.letters.isdisjoint(chain.letters)
-            ),
-            len(ordered),
-        )
+        near = (by_end.get(end) for end in range(start - LONGEST_PLACE, start))
+        value = next((each for each in near if each and _is_at(document, each, chain)), None)
+        place = len(ordered)
+        if value is not None:
+            place = next(n for n, each in enumerate(ordered) if each is value)
         ordered.insert(place, chain)
+        by_end[chain.sides[-1].span[1]] = chain
     return ordered
+
+
+def _is_at(document: ReadNotes, value: Chain, place: Chain) -> bool:
+    """Tell whether a value is had at the angle that the next relation gives."""
+    is_behind = is_place_behind(document.text, value.sides[-1].span[1], place.sides[0].span[0])
+    are_values = is_behind and _is_value(value) and _is_value(place)
+    is_angle = are_values and _ANGLE.search(document.source(place.sides[-1].span)) is not None
+    return is_angle and value.letters.isdisjoint(place.letters)
 
 
 def _is_value(chain: Chain) -> bool:

@@ -227,7 +227,7 @@ class NamedNumbers:
 
         Of several that which has the digits of a number put in, if one alone has them.
         """
-        start = min(side.span[0] for side in chain.sides)
+        start = chain.start
         text = self.named.document.text[max(0, start - REACH) : start]
         opening = max(text.rfind("\n#"), text.rfind("\\section"), text.rfind("<h"))
         text = text[opening + 1 :]

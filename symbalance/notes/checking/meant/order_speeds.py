@@ -103,7 +103,7 @@ def _half_place(node: Formula) -> float:
 
 def _order_of(chain: Chain, index: str, text: str) -> float | None:
     """Return the order that the words before a formula or its letter's index name."""
-    start = min(side.span[0] for side in chain.sides)
+    start = chain.start
     words = _START.sub("", text[max(0, start - CLAUSE) : start])
     told = [_number(match) for match in _ORDER.finditer(words)]
     by_index = _INDEX.fullmatch(index.strip("{}"))

@@ -267,7 +267,7 @@ class QuantityWords:
 
     def _lead_in(self, chain: Chain) -> str:
         """Return the few words that open a relation's paragraph like a title: "Radial force. Along …"."""
-        start = min(side.span[0] for side in chain.sides)
+        start = chain.start
         above = _BLANK.split(bare(self.document.text[max(0, start - PARAGRAPH) : start]))[-1]
         _, other = self._chain_before(start)
         is_first = (
@@ -283,7 +283,7 @@ class QuantityWords:
         self, chain: Chain, before: str, stem: str, places: Places, sentence: str
     ) -> Iterator[Named]:
         """Yield the quantities that words name around a formula: the thrust H = … against the liner."""
-        end = max(side.span[1] for side in chain.sides)
+        end = chain.end
         after = SENTENCE_END.split(self.document.text[end : end + AFTER])[0].lstrip(" $)\\]")
         words = before.rstrip(" $(\\[") + " "
         matches = [
@@ -302,7 +302,7 @@ class QuantityWords:
         """Yield those of the body that the sentence before names: the rim …; its inertia is I."""
         if _ITS.search(before) is None or "moment" not in before.casefold():
             return
-        start = min(side.span[0] for side in chain.sides)
+        start = chain.start
         above = self.document.text[max(0, start - PARAGRAPH) : start]
         above = _BLANK.split(bare(above))[-1].removesuffix(before)
         for named in self._by_phrases(

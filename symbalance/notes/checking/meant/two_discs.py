@@ -47,7 +47,7 @@ def decide_two_discs(chain: Chain, k: int, document: ReadNotes) -> Decision | No
     if k or len(chain.relations) != 1 or chain.relations[0].sign != "=" or letters is None:
         return None
     (one, other), inertias = letters
-    start = min(side.span[0] for side in chain.sides)
+    start = chain.start
     words = document.text[max(0, start - NEAR) : start]
     stem = without_accent(one).partition("_")[0]
     of_node = _OF_NODE.search(words) if stem in _LENGTHS else None

@@ -127,15 +127,17 @@ def _end_of_listed_case(definitions: Definitions, earlier: Definition, chain: Ch
     if sections.is_consequence(chain):
         return None
     own = sections.item_of_cases(chain.lines[0], chain.sides[0].span[0])
+    if own is None:
+        return None
     places = [
         item
         for other in sections.chains_on(earlier.line)
         if other.sides[0].node == chain.sides[0].node
         if (item := sections.item_of_cases(earlier.line, other.sides[0].span[0])) is not None
     ]
-    is_case = own is not None and any(first == own[0] for first, last in places)
-    is_other = own is not None and all(last < chain.lines[0] for first, last in places)
-    return own[1] if own is not None and is_case and is_other else None
+    is_case = any(first == own[0] for first, last in places)
+    is_other = all(last < chain.lines[0] for first, last in places)
+    return own[1] if is_case and is_other else None
 
 
 def _is_at_another_place(

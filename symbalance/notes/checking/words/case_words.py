@@ -27,6 +27,8 @@ _EXCEPTION = re.compile(
 _TAG = re.compile(r"</?[A-Za-z][^<>]*>")
 _BETWEEN = re.compile(r"[\s$,)}\]°]*(?:[^\W\d_]+\s+){1,3}[\s$({\[\\]*")
 _PLACE_BEHIND = re.compile(r"[$)}\]°]{0,4}\.?,?\s[\s$]{0,4}(?:at|for|bei|für|pour)\s[\s$({\[\\]{0,6}")
+LONGEST_PLACE = 24
+"""Characters between a value and the place where it is had, and a few more."""
 _CLAUSE_LAST = re.compile(r"[\s$)}\]°]*(?:[.;。]|\n\s*\n|\Z)")
 _CLAUSE = re.compile(r"[.!?]\s|[;。；]|\n\s*\n")
 _GENERAL = re.compile(

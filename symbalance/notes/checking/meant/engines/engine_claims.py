@@ -138,7 +138,7 @@ class EngineClaims:
         """Return what words say of the formula that a letter is given; None where they leave it open."""
         if name.startswith("Delta_") or name.endswith("_rms"):
             return None
-        start, end = min(s.span[0] for s in chain.sides), chain.end
+        start, end = chain.start, chain.end
         before, behind, sentence, own = self._words_around(chain, start, end)
         heading = self.sections.heading_above(chain.lines[0])
         order, said = 0, ""
@@ -166,16 +166,16 @@ class EngineClaims:
 
     def engine_of(self, chain: Chain) -> NamedEngine | None:
         """Return the engine that a relation is of, None where words name none or several."""
-        return self._engine(chain, min(s.span[0] for s in chain.sides), chain.end)
+        return self._engine(chain, chain.start, chain.end)
 
     def sentence(self, chain: Chain) -> str:
         """Return the sentence that a relation stands in, with what stands before a display."""
-        first, last = self._sentence(self._opening(min(s.span[0] for s in chain.sides)), chain.end)
+        first, last = self._sentence(self._opening(chain.start), chain.end)
         return self._text[first:last]
 
     def orders_before(self, chain: Chain) -> set[int]:
         """Return the orders that the sentence of a relation names before it, or the one before that."""
-        start = self._opening(min(s.span[0] for s in chain.sides))
+        start = self._opening(chain.start)
         first, _ = self._sentence(start, chain.end)
         for words in (
             self._text[first:start],

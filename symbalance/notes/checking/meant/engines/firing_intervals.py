@@ -17,7 +17,7 @@ from symbalance.notes.checking.meant.engines.engine_claims import EngineClaims
 from symbalance.notes.checking.meant.engines.products import NoProductError, product_of
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.words.engines_in_words import NamedEngine
-from symbalance.notes.checking.words.working_cycles import last_strokes, strokes_named
+from symbalance.notes.checking.words.working_cycles import last_strokes
 from symbalance.notes.reading.equations import Chain
 
 _INTERVAL = re.compile(
@@ -52,7 +52,7 @@ _FEWEST = 3
 
 def refute_repeated_interval(claims: EngineClaims, chain: Chain, k: int) -> Decision | None:
     """Return the refutation of a number that stands above too, where its sentence names the strokes."""
-    if not strokes_named(claims.sentence(chain)):
+    if not last_strokes(claims.sentence(chain)):
         return None
     decision = decide_firing_interval(claims, chain, k)
     return decision if decision is not None and decision.status == REFUTED else None
