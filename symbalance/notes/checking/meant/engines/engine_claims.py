@@ -16,6 +16,7 @@ from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, cra
 from symbalance.notes.checking.words.engines_in_words import CrankStar, EnginesInWords, NamedEngine
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END, bare
+from symbalance.notes.checking.words.working_cycles import strokes_named
 from symbalance.notes.reading.equations import Chain
 
 FORCE, COUPLE = "force", "couple"
@@ -121,6 +122,11 @@ class EngineClaims:
     def engines(self) -> EnginesInWords:
         """The engines that the page names."""
         return EnginesInWords(self._text)
+
+    @cached_property
+    def names_strokes(self) -> bool:
+        """Whether the page names an engine of two or four strokes."""
+        return bool(strokes_named(self._text))
 
     @cached_property
     def _crank_lists(self) -> list[CrankAngles]:

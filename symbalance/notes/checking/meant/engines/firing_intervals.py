@@ -52,7 +52,7 @@ _FEWEST = 3
 
 def refute_repeated_interval(claims: EngineClaims, chain: Chain, k: int) -> Decision | None:
     """Return the refutation of a number that stands above too, where its sentence names the strokes."""
-    if not last_strokes(claims.sentence(chain)):
+    if not claims.names_strokes or not last_strokes(claims.sentence(chain)):
         return None
     decision = decide_firing_interval(claims, chain, k)
     return decision if decision is not None and decision.status == REFUTED else None
