@@ -23,9 +23,15 @@ from symbalance.notes.reading.equations import Chain, Side
 
 GRAVITIES = ("9.81", "9.80665", "9.8", "9.807", "10", "32.2", "32.17", "32.16", "32.174", "386", "386.4")
 """Its usual values, in m/s², ft/s² and in/s²."""
+_FEET, _POUND = (Fraction(3048, 10000), Fraction(254, 10000)), Fraction(45359237, 100000000)
 METRIC = ("9.81", "9.80665")
 """Those that need not be said."""
 _WEIGHT = re.compile(r"[WGPQ](?:_.*)?$|[mM](?:_.*)?[0-9]?$")
+
+_MEANING = re.compile(
+    r"gravit|free fall|Erdbeschleunigung|Fallbeschleunigung|Schwere|重力|pesanteur|zwaartekracht",
+    re.IGNORECASE,
+)
 
 
 Decide = Callable[[Side, Side, Decision, Knowledge], Decision]
@@ -48,7 +54,7 @@ def decide_with_gravity(
     """Return the decision on a relation that is open but for g, with the g that is meant."""
     if decision.status not in (REFUTED, UNDECIDED) or not _stands_open(chain, k, knowledge):
         return None
-    left, right = chain.sides[k], chain.sides[k + 1]
+    left, right = chain.sides[k], _in_feet(chain.sides[k + 1])
     last: Decision | None = None
     for size in GRAVITIES:
         is_printed = re.search(rf"(?<![0-9.,]){re.escape(size).replace('[.]', '[.,]')}(?![0-9])", text)
@@ -68,13 +74,38 @@ def decide_with_gravity(
 
 def _stands_open(chain: Chain, k: int, knowledge: Knowledge) -> bool:
     """Tell whether g stands behind a relation, has no value there, and goes with a mass or a weight."""
-    if knowledge.knows("g") or "g" in knowledge.meanings:
+    meaning = knowledge.meanings.get("g", "")
+    is_declared = _MEANING.search(meaning) is not None
+    if _is_in_feet(knowledge):
+        is_declared = True
+    elif knowledge.knows("g") or (meaning and not is_declared):
         return False
     values = {n: d.node for n, d in knowledge.definitions.items()} | dict(knowledge.meaning.values)
     sides = [chain.sides[n].node for n in (k, k + 1)]
     behind = {n for node in sides for n in (*names(node), *names_behind(node, values))}
     nodes = [*sides, *(values[n] for n in sorted(behind) if n in values)]
-    return "g" in behind and any(_is_of_gravity(part) for node in nodes for part in walk(node))
+    if "g" not in behind:
+        return False
+    return is_declared or any(_is_of_gravity(part) for node in nodes for part in walk(node))
+
+
+def _is_in_feet(knowledge: Knowledge) -> bool:
+    """Tell whether a page gives g in feet or inches: a constant that it computes is for feet then."""
+    definition = knowledge.definitions.get("g")
+    if definition is None or not isinstance(definition.node, Number):
+        return False
+    return any(definition.node.value == Fraction(size) * foot for size in GRAVITIES for foot in _FEET)
+
+
+def _in_feet(side: Side) -> Side:
+    """Return a formula without the pounds, feet or inches behind it, which its constant is for."""
+    if not isinstance(side.node, Product):
+        return side
+    *formula, unit = side.node.factors
+    is_imperial = isinstance(unit, Number) and unit.value in (*_FEET, _POUND)
+    if not is_imperial or not names(side.node):
+        return side
+    return replace(side, readings=(formula[0] if len(formula) == 1 else Product(tuple(formula)),))
 
 
 def _is_of_gravity(part: Formula) -> bool:

@@ -11,7 +11,7 @@ from fractions import Fraction
 from symbalance.document.formula import Apply, Formula, Matrix, Name, Number, names, walk
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
+from symbalance.notes.checking.deciding.matrix_relations import decide_matrices, is_of_matrices
 from symbalance.notes.checking.verdicts import CONDITION, DEFINITION, UNDECIDED
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
@@ -36,8 +36,13 @@ def decide_products_of_vectors(
 ) -> Decision | None:
     """Return that a relation with a product of vectors is not judged; None where there is none."""
     left, right = chain.sides[k], chain.sides[k + 1]
+    is_zero = right.node == Number(Fraction(0))
+    if is_zero and _is_determinant_of_entries(left.node, knowledge):
+        if decide_matrices(left.node, right.node, "=", knowledge).is_proved:
+            return None
+        return Decision(CONDITION, "a determinant that is to vanish")
     if _is_open_determinant(left.node, knowledge):
-        if right.node == Number(Fraction(0)):
+        if is_zero:
             return Decision(CONDITION, "a determinant that is to vanish")
         if (
             isinstance(left.node, Apply)
@@ -52,6 +57,15 @@ def decide_products_of_vectors(
         return None
     is_new = k == 0 and isinstance(left.node, Name) and left.node.name not in knowledge.definitions
     return Decision(DEFINITION if is_new else UNDECIDED, CROSS if is_cross else BOLD)
+
+
+def _is_determinant_of_entries(node: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a formula is the determinant of a matrix in whose entries a letter has no number."""
+    if not isinstance(node, Apply) or node.function != "det":
+        return False
+    definitions = knowledge.definitions
+    open_letters = {n for n in names(node) if n not in definitions or not definitions[n].numeric}
+    return isinstance(node.arguments[0], Matrix) and bool(open_letters)
 
 
 def _is_open_determinant(node: Formula, knowledge: Knowledge) -> bool:

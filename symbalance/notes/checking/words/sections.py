@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_left, bisect_right
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from itertools import accumulate
 
@@ -84,6 +85,13 @@ _CONDITION = re.compile(
     re.IGNORECASE,
 )
 """Before an equation that is to be solved, not claimed for all angles."""
+_EQUATION = re.compile(
+    r"(?:quadratic|cubic|biquadratic|polynomial|determinant|quadratische|biquadratische|Polynom|Determinante"
+    r"|équation|déterminant|ecuación|determinante|equazione|vergelijking|równanie|ekvation(?:en)?"
+    r"|行列式|特性方程式|[二三]次式)[^.;!?$=]{0,40}$",
+    re.IGNORECASE,
+)
+"""Before something that is to vanish."""
 _FAILS = re.compile(
     r"(?:(?<![A-Za-z])(?:third|fourth|last|latter|this|it|which|dritte|vierte|letzte|letztere|diese|sie)"
     r"(?![A-Za-z])[^.;\n=$]{0,40}(?<![A-Za-z])(?:fails|(?:is|are)\s+(?:in\s+general\s+)?not\s+(?:satisfied|fulfilled|met)"
@@ -699,6 +707,8 @@ class Sections:
             return True
         before = _ASIDE.sub(" ", self._text_before(chain))
         if _CONDITION.search(before) is not None:
+            return True
+        if chain.sides[-1].node == Number(Fraction(0)) and _EQUATION.search(before) is not None:
             return True
         sentence = self.sentence_leading_to(chain)
         return not self.is_consequence(chain) and _AT_AN_ANGLE.search(sentence) is not None
