@@ -18,13 +18,14 @@ from symbalance.notes.reading.equations import Chain, ReadNotes
 def chains_in_turn(document: ReadNotes, sections: Sections) -> list[Chain]:
     """Return the chains by lines, on one line first what states a case: x² = 4 for x = 2.
 
-    A result is no case (so x = 2; v = 2 s n, v = 9), nor is the second value of a letter on one line,
-    nor what stands behind that: r = 40, l = 160; r = 45, l = 150, λ = 0.3.
+    A result is no case (so x = 2; v = 2 s n, v = 9; k = G I/L above, k = 203), nor is the second value of
+    a letter on one line, nor what stands behind that: r = 40, l = 160; r = 45, l = 150, λ = 0.3.
     """
     by_line: dict[int, list[Chain]] = {}
     for chain in document.chains:
         by_line.setdefault(chain.lines[0], []).append(chain)
     ordered: list[Chain] = []
+    with_formula: set[frozenset[str]] = set()
     for line in sorted(by_line):
         first: dict[frozenset[str], Chain] = {}
         heads_above: set[frozenset[str]] = set()
@@ -32,18 +33,24 @@ def chains_in_turn(document: ReadNotes, sections: Sections) -> list[Chain]:
         for chain in by_line[line]:
             own = names(chain.sides[0].node)
             is_second = is_second or (own in first and states_a_case(chain))
-            is_result = sections.is_consequence(chain) or own in heads_above or is_second
+            is_result = sections.is_consequence(chain) or own in heads_above | with_formula or is_second
             is_result = is_result or any(relation.sign == "≈" for relation in chain.relations)
             if states_a_case(chain) and not is_result:
                 first[own] = chain
             is_letter = isinstance(chain.sides[0].node, Name) or _asks_for_angle(chain)
             if is_letter or not any(names(s.node) for s in chain.sides[1:]):
                 heads_above.add(own)
+        with_formula |= {names(c.sides[0].node) for c in by_line[line] if _gives_formula(c)}
         cases = list(first.values())
         others = [c for c in by_line[line] if all(c is not case for case in cases)]
         in_turn = [*cases, *_cases_before_claims(document, others)]
         ordered += _places_before_values(document, in_turn)
     return ordered
+
+
+def _gives_formula(chain: Chain) -> bool:
+    """Tell whether a chain gives a letter a formula: a number of it below is a result."""
+    return isinstance(chain.sides[0].node, Name) and bool(names(chain.sides[1].node))
 
 
 def _cases_before_claims(document: ReadNotes, chains: list[Chain]) -> list[Chain]:

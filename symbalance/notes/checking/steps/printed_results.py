@@ -52,16 +52,26 @@ class PrintedResults:
     def decide(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
         """Return the decision on a number by those of the letters beside it; None where one has none."""
         left, right = chain.sides[k].node, chain.sides[k + 1]
-        if isinstance(left, Name) or not names(left) or not is_lone_number(right.node):
+        if not names(left) or not is_lone_number(right.node):
             return None
+        is_letter = isinstance(left, Name)
+        if isinstance(left, Name):  # k = 203.5 kN m by k = G I/L, with the I that was printed
+            definition = knowledge.definitions.get(left.name)
+            if definition is None or definition.numeric or definition.alternatives:
+                return None
+            left = definition.node
+        are_printed = False
         for name in sorted(names(left)):
             value = self._number(name, knowledge)
             if value is not None:
-                left = substitute(left, name, value)
+                left, are_printed = substitute(left, name, value), True
             elif number_of(Name(name), knowledge) is None:
                 return None
+        if is_letter and not are_printed:
+            return None
         decision = decide(lone_side(left), right, chain.relations[k].sign, knowledge)
-        return decision if decision.is_proved or decision.status == REFUTED else None
+        is_refuted = decision.status == REFUTED and not is_letter
+        return decision if decision.is_proved or is_refuted else None
 
     def _number(self, name: str, knowledge: Knowledge) -> Formula | None:
         """Return what the page has printed for a letter, None if it stands for something else since."""

@@ -160,6 +160,9 @@ def unless_stated(
     """Return the decision on a refuted relation that may be a premise, a condition or a case."""
     is_solved = is_to_be_solved(state, chain, k)
     if not is_solved and (by_results := state.results.decide(chain, k, knowledge)) is not None:
+        head = chain.sides[k].node
+        if isinstance(head, Name) and by_results.is_proved:
+            state.definitions.define(head.name, chain.sides[k + 1].node, chain)
         return by_results
     whole = _with_quantity_whole(state, chain, k)
     case = decide_case(whole, k, decision, knowledge, is_solved=is_solved)
