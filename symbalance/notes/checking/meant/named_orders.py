@@ -17,7 +17,7 @@ from __future__ import annotations
 import re
 from cmath import rect
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from math import pi
@@ -27,6 +27,7 @@ from symbalance.document.formula import (
     Call,
     Formula,
     Name,
+    Negative,
     Number,
     Power,
     Product,
@@ -179,6 +180,8 @@ class NamedOrders:
     """Judges the orders of one page that words or an index name."""
 
     meant: MeantQuantities
+    directions: dict[tuple[str, str], tuple[int, int]] = field(default_factory=dict)
+    """The direction in which the orders of a letter are counted, F_1 and F_2 alike, and the line."""
 
     @cached_property
     def _speaks_of_more(self) -> bool:
@@ -356,9 +359,11 @@ class NamedOrders:
         what = "coefficient of " if order.is_coefficient else ""
         kind = order.kind or "piston's motion"
         text = f"{name} is {what}order {order.number} of the {kind} ({NOBODY}; {order.source})"
-        for target, more in self._targets(order, crank, right.node, angles):
+        for target, more, sign in self._targets(order, crank, right.node, angles):
             decision = decide(Side((target,), right.span), right, "≈", known)
             if decision.is_proved and not rests_on_more(decision) and not _is_cut_short(decision, order):
+                if (against := self._against_direction(chain, order, target, sign, known)) is not None:
+                    return against
                 return replace(decision, assumptions=(text, *assumptions, *more, *decision.assumptions))
         total = _whole_sum(angles, order.number) if angles is not None and angles.is_usual else 0
         is_of_all = total and (order.is_of_engine or order.is_in_row) and not order.is_coefficient
@@ -366,10 +371,33 @@ class NamedOrders:
         more = (f"if {angles.text}",) if factor > 1 and angles is not None else ()
         return self._with_slip(chain, order, (f"if {text}", *more), frame, factor)
 
+    def _against_direction(
+        self, chain: Chain, order: _Order, target: Formula, sign: int, known: Knowledge
+    ) -> Verdict | None:
+        """Return that an order is counted against the direction of the others; None if it is not.
+
+        F_1 = m r ω² cos θ and F_4 = m r ω² (λ³/4) cos 4θ cannot both be: with the first, the fourth is
+        negative. Noted is the direction of the first one that is right.
+        """
+        right, head = chain.sides[1], chain.sides[0].node
+        has_wave = any(isinstance(part, Call) for part in walk(right.node))
+        if not has_wave or not isinstance(head, Name) or order.is_coefficient or not order.is_alone:
+            return None
+        key = (head.name.partition("_")[0], order.kind)
+        own, line = self.directions.setdefault(key, (sign, chain.lines[0]))
+        if own == sign or self.meant.words.counts_from_bottom:
+            return None
+        left = Side((Negative(target),), right.span)
+        decision = decide(left, right, "≈", known)
+        if decision.status != REFUTED:
+            return None
+        counted = f"line {line} counts {plain_letter(key[0])} the other way"
+        return self.meant.with_fix(chain, 0, left, replace(decision, reason=counted), known)
+
     def _targets(
         self, order: _Order, crank: Geometry, value: Formula, angles: CrankAngles | None
-    ) -> Iterator[tuple[Formula, tuple[str, ...]]]:
-        """Yield what an order may be by one of the conventions, and what it rests on."""
+    ) -> Iterator[tuple[Formula, tuple[str, ...], int]]:
+        """Yield what an order may be by one of the conventions, what it rests on, and its direction."""
         has_sizes = bool(names(crank.omega) & names(value))
         base = self._base(order, crank, with_sizes=has_sizes)
         if base is None:
@@ -386,6 +414,7 @@ class NamedOrders:
                 yield (
                     Product((rational_node(factor * sign), base, *self._wave(order, crank, value))),
                     more,
+                    sign,
                 )
 
     def _wave(self, order: _Order, crank: Geometry, value: Formula) -> tuple[Formula, ...]:
