@@ -17,7 +17,7 @@ from __future__ import annotations
 import re
 from cmath import rect
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from math import pi
@@ -56,6 +56,7 @@ from symbalance.notes.checking.meant.meant_quantities import (
     rests_on_more,
 )
 from symbalance.notes.checking.meant.meant_words import NOBODY, USUAL_END
+from symbalance.notes.checking.meant.order_directions import OrderDirections, Sizes
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
 from symbalance.notes.checking.words.plain_formulas import plain_text
@@ -180,8 +181,10 @@ class NamedOrders:
     """Judges the orders of one page that words or an index name."""
 
     meant: MeantQuantities
-    directions: dict[tuple[str, str], tuple[int, int]] = field(default_factory=dict)
-    """The direction in which the orders of a letter are counted, F_1 and F_2 alike, and the line."""
+
+    @cached_property
+    def _directions(self) -> OrderDirections:
+        return OrderDirections(self.meant.words.document.chains)
 
     @cached_property
     def _speaks_of_more(self) -> bool:
@@ -362,7 +365,7 @@ class NamedOrders:
         for target, more, sign in self._targets(order, crank, right.node, angles):
             decision = decide(Side((target,), right.span), right, "≈", known)
             if decision.is_proved and not rests_on_more(decision) and not _is_cut_short(decision, order):
-                if (against := self._against_direction(chain, order, target, sign, known)) is not None:
+                if (against := self._against_direction(chain, order, target, sign, frame)) is not None:
                     return against
                 return replace(decision, assumptions=(text, *assumptions, *more, *decision.assumptions))
         total = _whole_sum(angles, order.number) if angles is not None and angles.is_usual else 0
@@ -372,26 +375,29 @@ class NamedOrders:
         return self._with_slip(chain, order, (f"if {text}", *more), frame, factor)
 
     def _against_direction(
-        self, chain: Chain, order: _Order, target: Formula, sign: int, known: Knowledge
+        self, chain: Chain, order: _Order, target: Formula, sign: int, frame: Frame
     ) -> Verdict | None:
         """Return that an order is counted against the direction of the others; None if it is not.
 
         F_1 = m r ω² cos θ and F_4 = m r ω² (λ³/4) cos 4θ cannot both be: with the first, the fourth is
-        negative. Noted is the direction of the first one that is right.
+        negative.
         """
+        known, crank, _ = frame
         right, head = chain.sides[1], chain.sides[0].node
         has_wave = any(isinstance(part, Call) for part in walk(right.node))
-        if not has_wave or not isinstance(head, Name) or order.is_coefficient or not order.is_alone:
+        is_of_one = not order.is_of_engine and _OF_MORE.search(order.words) is None
+        if not has_wave or not isinstance(head, Name) or order.is_coefficient or not is_of_one:
             return None
-        key = (head.name.partition("_")[0], order.kind)
-        own, line = self.directions.setdefault(key, (sign, chain.lines[0]))
-        if own == sign or self.meant.words.counts_from_bottom:
+        stem, sizes = head.name.partition("_")[0], names(crank.radius) | names(crank.omega)
+        sizes |= names(crank.mass) if order.kind == FORCE else frozenset()
+        direction = self._directions.direction(stem, order.kind, sign, chain, Sizes(crank, sizes))
+        if direction.sign == sign or order.kind == TORQUE or self.meant.words.counts_from_bottom:
             return None
         left = Side((Negative(target),), right.span)
         decision = decide(left, right, "≈", known)
         if decision.status != REFUTED:
             return None
-        counted = f"line {line} counts {plain_letter(key[0])} the other way"
+        counted = f"line {direction.line} counts the {order.kind} the other way"
         return self.meant.with_fix(chain, 0, left, replace(decision, reason=counted), known)
 
     def _targets(
