@@ -126,6 +126,10 @@ class Verdict(Result):
     traceback: str = ""
     is_unjudged: bool = False
     """Whether judging was not finished: by its budget, or by a fault."""
+    sign: str = ""
+    """Of an arrow between two relations: ⇒ or ⇔. Its `source` is the relation to its right."""
+    left: str = ""
+    """The relation to the left of an arrow."""
     decision: Decision | None = field(default=None, repr=False, compare=False)
     """What it rests on: the two sides' normal forms, which are drawn and certified."""
 

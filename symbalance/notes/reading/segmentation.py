@@ -866,7 +866,8 @@ def _join_spans(
     spans: list[tuple[int, int]] = []
     first, before, cut = start, start, start
     for at, after, prose in [*cuts, (end, end, True)]:
-        if before > first and _stands_alone(text, before, at):
+        behind_arrow = text[cut:before].strip() in _ARROWS
+        if before > first and _stands_alone(text, before, at, behind_arrow=behind_arrow):
             if has_relation(text, first, cut):
                 spans.append((first, cut))
                 first = before
@@ -879,9 +880,10 @@ def _join_spans(
     return spans
 
 
-def _stands_alone(text: str, start: int, end: int) -> bool:
-    begin = text[start:end].lstrip()
-    if not begin or begin[0] in "+-−=<>" or RELATION.match(begin):
+def _stands_alone(text: str, start: int, end: int, *, behind_arrow: bool) -> bool:
+    """Tell whether an equation of its own begins at a cut: with a sign only behind an arrow, ⇒ -y = 3."""
+    begin = text[start:end].lstrip(" \t\n&")
+    if not begin or (begin[0] in "+-−" and not behind_arrow) or begin[0] in "=<>" or RELATION.match(begin):
         return False
     return has_relation(text, start, end)
 

@@ -39,6 +39,8 @@ def report_data(checked: Checked) -> dict[str, Any]:
 
 def _left(verdict: Verdict, checked: Checked, sides: Sides) -> dict[str, str]:
     """Return what stands before the relation's sign, as it is typed, where that was read."""
+    if verdict.sign:
+        return {"left": verdict.left, "sign": verdict.sign}
     chain, k = sides.get(verdict.span, (None, 0))
     if chain is None or not k:
         return {}
