@@ -322,6 +322,7 @@ class ItemFinder:
                 yield from self._items_of_segment(part, line, lenient, words)
             return
         start, end = trim_segment(self.text, *span, words)
+        start = _sign_behind_arrow(self.text, span[0], start)
         if not has_relation(self.text, start, end):
             if is_first_side(self.text, start, end):
                 yield Item(start, end, "prose", False, line, line)
@@ -329,6 +330,7 @@ class ItemFinder:
         for piece in pieces_of(self.text, start, end):
             if has_relation(self.text, piece.start, piece.end):
                 inner = trim_segment(self.text, piece.start, piece.end, words)
+                inner = _sign_behind_arrow(self.text, piece.start, inner[0]), inner[1]
                 inner = _behind_named_letter(self.text, *inner), _before_next_letter(self.text, *inner)
                 doubt = piece.doubt or doubt_around(self.text, *inner, words)
                 head = self._letter_explained(inner[0], line) or self._named_in_words(
@@ -880,10 +882,23 @@ def _join_spans(
     return spans
 
 
+def _sign_behind_arrow(text: str, start: int, trimmed: int) -> int:
+    """Return where an equation begins whose first sign was taken for a dash: ⇒ - b = c."""
+    before = text[max(start - _MARGIN, 0) : start].rstrip(" \t&$")
+    sign = text[start:trimmed].strip()
+    is_sign = len(sign) == 1 and sign in "-−" and (before.endswith(_ARROWS) or before.endswith("=>"))
+    return text.index(sign, start) if is_sign else trimmed
+
+
 def _stands_alone(text: str, start: int, end: int, *, behind_arrow: bool) -> bool:
     """Tell whether an equation of its own begins at a cut: with a sign only behind an arrow, ⇒ -y = 3."""
     begin = text[start:end].lstrip(" \t\n&")
-    if not begin or (begin[0] in "+-−" and not behind_arrow) or begin[0] in "=<>" or RELATION.match(begin):
+    if (
+        not begin
+        or (begin[0] in "+-−" and not behind_arrow)
+        or begin[0] in "=<>"
+        or RELATION.match(begin)
+    ):
         return False
     return has_relation(text, start, end)
 

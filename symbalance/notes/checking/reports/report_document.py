@@ -295,6 +295,11 @@ def legend(verdicts: tuple[Verdict, ...]) -> Facts:
     second = next((place(verdict) for verdict in verdicts if verdict.link == 2), None)
     if second:
         entries.append((second, f"the second relation of line {second.rpartition('.')[0]}"))
+    if any(verdict.sign for verdict in verdicts):
+        meaning = (
+            "an arrow, numbered behind the relations of its line: does the relation to its right follow"
+        )
+        entries.append(("⇒, ⇔", meaning))
     if any(verdict.differences for verdict in verdicts):
         entries.append(("claimed, exact", "a term's coefficient in the line, and the right one"))
     if any(verdict.fix for verdict in verdicts):
