@@ -129,7 +129,9 @@ class Account:
         stops = [stop for stop in (following.start() if following else -1, line_end) if stop > 0]
         return place, max(min([*stops, len(self.text), end + 4 * _AROUND]), end)
 
-    def _leftover(self, place: int, names: Collection[str], line_of: LineOf) -> Unreadable | Passed | Explained:
+    def _leftover(
+        self, place: int, names: Collection[str], line_of: LineOf
+    ) -> Unreadable | Passed | Explained:
         line, column = line_of(place)
         span = self._clause(place)
         why = self._why_no_mathematics(place, span, names)
@@ -161,8 +163,8 @@ class Account:
 
     def _explained(self, meaning: Meaning, line_of: LineOf) -> Explained:
         line, column = line_of(meaning.letter[0])
-        letter, words = (self.text[slice(*span)] for span in meaning)
-        return Explained(line, column, letter, words, (meaning.letter[0], meaning.words[1]))
+        letter, words = (self.text[slice(*span)] for span in meaning[:2])
+        return Explained(line, column, letter, words, (meaning.letter[0], meaning.end))
 
     def _unread_sign(self, place: int) -> tuple[str, str] | None:
         """Return why a relation sign is never judged and what to write for it, None for others."""

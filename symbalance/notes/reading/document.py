@@ -244,7 +244,9 @@ class Assembler:
         for failure in self.finder.failures:
             self._report(failure, (failure.offset, failure.offset + 1))
         names = frozenset(self.names_at(1)) | self.defined_letters
-        more, self.not_mathematics, self.explained = self.account.settle(self.unreadable, names, self._place_of)
+        more, self.not_mathematics, self.explained = self.account.settle(
+            self.unreadable, names, self._place_of
+        )
         self.unreadable += more
 
     def _place_of(self, offset: int) -> tuple[int, int]:

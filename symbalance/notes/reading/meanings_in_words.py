@@ -28,10 +28,19 @@ _LETTER_BEFORE = re.compile(
     rf"(?P<letter>{LETTER})(?:{_MARK}|&){{0,12}}\Z"
 )
 _WHAT_STANDS_BEFORE = re.compile(r"(?P<word>[^\W\d_][\w'’]*)?(?P<sign>[^\w\s])?(?:\s)*\Z")
+_SETTING_BEFORE = re.compile(
+    r"(?:\\\\|\\begin\s?\{[^{}]{0,20}\}|\\(?:text|mathrm|mbox|textrm)\s?\{[^{}]{0,60}\}|\\q?quad|\\[\[,;:])[\s&$]*\Z"
+)
+"""What begins a row or parts one from the letter: a line break, words that are set, a wide space."""
 _MARKS_LAST = re.compile(rf"(?:{_MARK}|&|-(?=\s))+\Z")
 _OPENED = re.compile(rf"(?:{_MARK}|&){{0,12}}(?P<set>\\(?:text|mathrm|mbox|textrm|textit)\s?\{{\s*)?")
+_LETTER_AND_SIGN = re.compile(rf"{LETTER}\s*&?\s*(?:=|:=|\\equiv|\\triangleq|\\coloneqq)\s*&?\s*")
+_SET_WORDS = re.compile(
+    r"[\s&]*\\(?:text|mathrm|mbox|textrm|textit)\s?\{(?P<words>[^{}\n\\$]{2,120}?)[.,;]?(?:\([^(){}\n]{0,30}\))?\}"
+    r"(?=\s*(?:[,;.&$)\]]|\\(?:[,;:!\\\])]|q?quad|end|text|tag|label|hfill)|\Z|\n))"
+)
 _PHRASE_END = re.compile(
-    rf"[.,;:()\[\]{{}}|、。，；$\n=≈<>{CELL_END}\\]|\s[-–—]\s|\Z|\s(?:and|und|et|y|with|mit)\s+(?=[$`\\]?\w\w?[$`]?\s?=)"
+    rf"[.,;:()\[\]{{}}|、。，；$\n=≈<>{CELL_END}\\]|\s[-–—]\s|\Z|\s(?:and|und|et|y|with|mit)\s+(?=[$`*_ \ue000]{{0,3}}\\?\w[\w{{}}]{{0,12}}[$`*_ \ue000]{{0,3}}=)"
 )
 _WORD = re.compile(r"[^\W\d_][\w'’-]*")
 _WORDS_ONLY = re.compile(r"[\w'’ /-]+")
@@ -46,10 +55,11 @@ OPERATIONS = word_set(
 
 
 class Meaning(NamedTuple):
-    """Where a letter stands, and the words that explain it."""
+    """Where a letter stands, the words that explain it, and where both end."""
 
     letter: Span
     words: Span
+    end: int
 
 
 def meaning_at(text: str, place: int, end: int, names: Collection[str]) -> Meaning | None:
@@ -68,9 +78,22 @@ def meaning_at(text: str, place: int, end: int, names: Collection[str]) -> Meani
     close = _PHRASE_END.search(text, start, start + LONGEST_MEANING)
     stop = close.start() if close else min(start + LONGEST_MEANING, len(text))
     stop = start + len(text[start:stop].rstrip(" \t`*_"))
-    if opened["set"] and (text[stop : stop + 1].strip() not in ("}", ".", "(", "[", ",")):
+    closing = text.find("}", stop, stop + LONGEST_BEFORE) if opened["set"] else stop - 1
+    if closing < 0 or not is_meaning(text[start:stop], names):
         return None
-    return Meaning(letter, (start, stop)) if is_meaning(text[start:stop], names) else None
+    return Meaning(letter, (start, stop), closing + 1)
+
+
+def is_explained_by_text(text: str, start: int, end: int) -> bool:
+    r"""Tell whether a stretch is the beginning of m = \text{recip mass}: a letter and its sign.
+
+    >>> text = r"m = \text{recip mass}, r = \text{ m}"
+    >>> is_explained_by_text(text, 0, 3), is_explained_by_text(text, 23, 26)
+    (True, False)
+    """
+    match = _LETTER_AND_SIGN.fullmatch(text, start, end)
+    set_words = _SET_WORDS.match(text, end) if match else None
+    return set_words is not None and is_meaning(set_words["words"].strip(), ())
 
 
 def letter_before(text: str, place: int) -> Span | None:
@@ -80,6 +103,8 @@ def letter_before(text: str, place: int) -> Span | None:
     if match is None:
         return None
     before = text[first : match.start("letter")].rpartition("\n")[2]
+    if _SETTING_BEFORE.search(before):
+        return match.span("letter")
     before = _MARKS_LAST.sub(" ", before)
     last = _WHAT_STANDS_BEFORE.search(before)
     sign, word = (last["sign"], last["word"]) if last else (None, None)

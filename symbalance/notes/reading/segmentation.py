@@ -18,6 +18,7 @@ from symbalance.document.wordlists import word_set, words
 from symbalance.notes.reading.continued_lines import goes_on_below, is_first_side
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.lexer import Vocabulary, vocabulary
+from symbalance.notes.reading.meanings_in_words import is_explained_by_text, is_meaning
 from symbalance.notes.reading.prose import line_rules, parts_at_lone_brackets, segments, trim_segment
 from symbalance.notes.reading.set_words import doubt_of_words_set
 from symbalance.notes.reading.signs import CELLS, ENVIRONMENTS, RELATION, relation_at_start
@@ -38,6 +39,12 @@ _DASH = re.compile(r"[-*•]\s+(?=[^\s=])")
 _EXPLAINED = re.compile(
     r"\s*(?:[-*•]\s+)?([^\W\d_](?:_?[A-Za-z0-9]{1,3})?)\s*[:：]\s*([^:=0-9+*/]{2,60})$"
 )
+_NAMED_BY_WORDS = re.compile(
+    r"(?:^|[,;:(]|(?<![^\W\d_])(?:where|with|and|mit|und|wo))\s*(?:[-*•]\s+)?"
+    r"([^\W\d_](?:_?[A-Za-z0-9]{1,4})?)\s*=\s*([^\W\d_][\w'’ -]{2,60})$",
+    re.MULTILINE,
+)
+"""A letter with its meaning before the sign that gives its value: A = piston area = π d²/4."""
 _DEFINED = re.compile(r"(?<![A-Za-z\\_^{\"'.])([A-Za-z])(?:_\w{1,4})?[ \t]*=(?![=>])")
 _PHRASE = re.compile(
     r"(?:^|[.;:,(。、：|\ue000]|(?<=[.;:,])\s|[-*•]\s)\s*(?:(?:The|the|Die|Der|Das|die|der|das|A|An|Our)\s+)?"
@@ -332,6 +339,7 @@ class ItemFinder:
                 inner = trim_segment(self.text, piece.start, piece.end, words)
                 inner = _sign_behind_arrow(self.text, piece.start, inner[0]), inner[1]
                 inner = _behind_named_letter(self.text, *inner), _before_next_letter(self.text, *inner)
+                inner = inner[0], _before_words(self.text, *inner, words)
                 doubt = piece.doubt or doubt_around(self.text, *inner, words)
                 head = self._letter_explained(inner[0], line) or self._named_in_words(
                     inner[0], line, words
@@ -344,6 +352,9 @@ class ItemFinder:
             return None
         begin = self.line_span(line)[0]
         match = _EXPLAINED.match(self.text, begin, place)
+        if match is None:
+            match = _NAMED_BY_WORDS.search(self.text, max(begin, place - _MARGIN), place)
+            match = match if match and is_meaning(match[2].strip(), ()) else None
         return match.span(1) if match else None
 
     def _named_in_words(self, place: int, line: int, words: Vocabulary) -> tuple[int, int] | None:
@@ -542,6 +553,7 @@ def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Pa
         if len(spans) > 1:
             doubts = _doubts(text, spans)
             spans = [span for span in spans if has_any_relation(text, *span)] or spans[:1]
+        spans = [span for span in spans if not is_explained_by_text(text, *span)]
         for span in spans:
             if span not in doubts and (doubt := doubt_of_words_set(text, *span, last)):
                 doubts[span] = doubt
@@ -880,6 +892,19 @@ def _join_spans(
             first = after
         before, cut = after, at
     return spans
+
+
+def _before_words(text: str, start: int, end: int, words: Vocabulary) -> int:
+    """Return where an equation ends whose last sign leads to words: λ = r/l = rod ratio."""
+    own = text[start:end].rstrip()
+    before = start + len(own[:-1].rstrip())
+    if not own.endswith("=") or not has_relation(text, start, before):
+        return end
+    phrase = _WORDS_BEHIND.match(text, end)
+    return before if phrase and is_meaning(phrase["words"].strip(), words.names) else end
+
+
+_WORDS_BEHIND = re.compile(r"\s*(?P<words>[^\W\d_][\w'’ -]{2,80})(?=[.,;:()]|\n|\Z)")
 
 
 def _sign_behind_arrow(text: str, start: int, trimmed: int) -> int:

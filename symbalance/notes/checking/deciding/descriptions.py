@@ -251,7 +251,7 @@ def unreadable_verdict(document: ReadNotes, part: Unreadable) -> Verdict:
 
 
 def explained_verdict(document: ReadNotes, part: Explained) -> Verdict:
-    """Return the verdict on a sign that explains a letter in words: a definition, of which nothing follows."""
+    """Return the verdict on a sign that explains a letter in words, a definition."""
     return Verdict(
         part.line,
         1,
