@@ -9,7 +9,7 @@ import symbalance as sb
 from symbalance.checking import check
 from symbalance.notes.checking.verdicts import BAD, DEFINITION, FAILING, PROVED_WORDS, STATED, Verdict
 
-LETTERS = {name: "positive" for name in "abcmrF"} | {"x": "variable", "y": "variable", "z": "variable"}
+LETTERS = dict.fromkeys("abcmrF", "positive") | {"x": "variable", "y": "variable", "z": "variable"}
 
 
 def arrows(page: str) -> list[Verdict]:

@@ -39,8 +39,10 @@ _SET_WORDS = re.compile(
     r"[\s&]*\\(?:text|mathrm|mbox|textrm|textit)\s?\{(?P<words>[^{}\n\\$]{2,120}?)[.,;]?(?:\([^(){}\n]{0,30}\))?\}"
     r"(?=\s*(?:[,;.&$)\]]|\\(?:[,;:!\\\])]|q?quad|end|text|tag|label|hfill)|\Z|\n))"
 )
+_ANY_MARKS = r"[$`*_ \ue000]{0,3}"
 _PHRASE_END = re.compile(
-    rf"[.,;:()\[\]{{}}|、。，；$\n=≈<>{CELL_END}\\]|\s[-–—]\s|\Z|\s(?:and|und|et|y|with|mit)\s+(?=[$`*_ \ue000]{{0,3}}\\?\w[\w{{}}]{{0,12}}[$`*_ \ue000]{{0,3}}=)"
+    rf"[.,;:()\[\]{{}}|、。，；$\n=≈<>{CELL_END}\\]|\s[-–—]\s|\Z"
+    rf"|\s(?:and|und|et|y|with|mit)\s+(?={_ANY_MARKS}\\?\w[\w{{}}]{{0,12}}{_ANY_MARKS}=)"
 )
 _WORD = re.compile(r"[^\W\d_][\w'’-]*")
 _WORDS_ONLY = re.compile(r"[\w'’ /-]+")

@@ -166,10 +166,8 @@ def prepare(
         current = mask_tex(current)
     elif kind == "markdown":
         current, formulas, codes = mask_markdown(current)
-    elif kind == "plain":
-        current = mask_plain(with_letters_shown(current).translate(_SHOWN_IN_CODE))
     else:
-        current = mask_plain(current)
+        current = mask_plain(with_letters_shown(current).translate(_SHOWN_IN_CODE))
     refusals = tuple(sorted(macros.refusals.items()))
     return Source(
         current, kind, tuple(formulas), tuple(codes), origin, refusals, reader.notes, own_letters
@@ -570,11 +568,11 @@ def mask_markdown(text: str) -> tuple[str, list[Span], list[Span]]:
             fence, language, begin = match.group(1), match.group(2).lower(), offset + len(line)
             lines.append(blank(line))
         else:
-            line = with_letters_shown(line)
-            for code in _CODE.finditer(line):
+            shown = with_letters_shown(line)
+            for code in _CODE.finditer(shown):
                 ticks = len(code.group(1))
                 codes.append((offset + code.start() + ticks, offset + code.end() - ticks))
-            without_ticks = _CODE.sub(_without_ticks, line)
+            without_ticks = _CODE.sub(_without_ticks, shown)
             plain = _BOLD.sub(lambda m: f"  {m.group(1)}  ", without_ticks)
             slanted = _ITALIC.sub(lambda m: f" {m.group(1) or m.group(2)} ", plain)
             lines.append(slanted.translate(_SHOWN_IN_CODE))
