@@ -39,7 +39,7 @@ WIDEST_GAP = 200
 """Characters between two relations with an arrow between them."""
 COMPARISON = Budget(2)
 """For the relations of one arrow; what takes longer is not shown."""
-MOST_COMPARED = 60
+MOST_COMPARED = 400
 """Arrows of one page whose relations are compared with each other."""
 _ARROW = re.compile(
     r"(?P<both>[⇔⟺]|\\(?:Leftrightarrow|Longleftrightarrow|iff)(?![A-Za-z])|(?:<|&lt;)=+(?:>|&gt;)"
