@@ -7,6 +7,7 @@ import pytest
 
 import symbalance as sb
 from symbalance.checking import check
+from symbalance.notes.checking.reports.document_table import DocumentRow, DocumentTable
 from symbalance.notes.checking.verdicts import BAD, DEFINITION, FAILING, PROVED_WORDS, STATED, Verdict
 
 LETTERS = dict.fromkeys("abcmrF", "positive") | {"x": "variable", "y": "variable", "z": "variable"}
@@ -136,3 +137,22 @@ def test_every_medium_shows_an_arrow_with_both_its_relations(medium):
 def test_kinds_of_verdicts_pass_on():
     words = [arrows(f"$F = 1 \\Rightarrow {each}$")[0].verdict for each in ("x > 3", "q = 4", "x = 3")]
     assert set(words) <= set(STATED)
+
+
+def test_an_error_is_listed_once_and_not_for_the_arrow_to_it_too(tmp_path):
+    (tmp_path / "one.md").write_text("$2x = 6 \\Rightarrow x = 4$\n", encoding="utf-8")
+    (tmp_path / "two.md").write_text("$x = 2$\n\n$x = 2 \\iff x + x^2 = 6$\n", encoding="utf-8")
+    pages = [check(tmp_path / name, {"x": "variable"}) for name in ("one.md", "two.md")]
+    rows = tuple(DocumentRow(p.derivation.name, p.data(), 1) for p in pages)
+    shown = sb.to_text(DocumentTable(rows))
+    assert shown.count("contradiction: x = 4") == 1
+    assert "⇒" not in shown
+    assert sb.to_html(pages[0]).count("line-1-3") == 1
+
+
+def test_records_and_verdicts_alone_say_what_an_arrow_joins():
+    report = check("$2x = 6 \\Rightarrow x = 4$\n", LETTERS)
+    assert "2x = 6 ⇒ x = 4" in [row["source"] for row in report.records()]
+    (arrow,) = [v for v in report.verdicts if v.sign]
+    data = arrow.data()
+    assert (data["left"], data["sign"], data["source"]) == ("2x = 6", "⇒", "x = 4")

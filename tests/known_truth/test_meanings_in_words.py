@@ -18,9 +18,7 @@ def is_in_words(verdict: Verdict) -> bool:
     return verdict.verdict == DEFINITION and verdict.reason == "a meaning in words"
 
 
-LIST = (
-    "m = recip mass, R = throw, L = rod length, q = R/L, w = crank speed in rad/s, t = crank angle from TDC"
-)
+LIST = "m = recip mass, R = throw, L = rod length, q = R/L, w = crank speed in rad/s, t = angle from TDC"
 
 
 @pytest.mark.parametrize("suffix", [".txt", ".md", ".tex"])
@@ -31,7 +29,7 @@ def test_a_list_of_letters_has_an_entry_each_and_its_formula_is_read(suffix, tmp
         "R = throw",
         "L = rod length",
         "w = crank speed in rad/s",
-        "t = crank angle from TDC",
+        "t = angle from TDC",
     ]
     (formula,) = [v for v in verdicts if not is_in_words(v)]
     assert (formula.link, formula.source, formula.verdict) == (4, "R/L", DEFINITION)
@@ -47,6 +45,7 @@ EACH_IN_WORDS = [
     ("[i]m[/i] = recip mass, [b]r[/b] = throw", ".txt", 2),
     ("where $m$ = recip mass, $\\lambda$ = rod ratio and $L$ = rod length.", ".tex", 3),
     ("where $m = \\text{recip mass}$, $R = \\text{throw}$.", ".tex", 2),
+    ("where $m = \\mathrm{mass}$, $R = \\mathrm{throw}$.", ".tex", 2),
     ("\\[ m = \\text{recip mass}, \\quad r = \\text{throw} \\]", ".tex", 2),
     ("\\begin{align*} m &= \\text{recip mass} \\\\ r &= \\text{radius (m)} \\end{align*}", ".tex", 2),
     ("with m = recip. mass and r = crank radius.", ".tex", 2),
@@ -117,6 +116,10 @@ NO_MEANING = [
     "m = half the mass",
     "m = mass 3",
     "$F = \\text{mass} \\cdot a$",
+    "F = mrw",
+    "W = mgh",
+    "F = mrw cos t",
+    "F = m a = mrw",
 ]
 
 

@@ -33,8 +33,15 @@ _SETTING_BEFORE = re.compile(
 )
 """What begins a row or parts one from the letter: a line break, words that are set, a wide space."""
 _MARKS_LAST = re.compile(rf"(?:{_MARK}|&|-(?=\s))+\Z")
-_OPENED = re.compile(rf"(?:{_MARK}|&){{0,12}}(?P<set>\\(?:text|mathrm|mbox|textrm|textit)\s?\{{\s*)?")
+_OPENED = re.compile(
+    rf"(?:{_MARK}|&){{0,12}}(?P<set>\\(?:text|mathrm|mathit|operatorname|mbox|textrm|textit)\s?\{{\s*)?"
+)
 _LETTER_AND_SIGN = re.compile(rf"{LETTER}\s*&?\s*(?:=|:=|\\equiv|\\triangleq|\\coloneqq)\s*&?\s*")
+_SET_UPRIGHT = re.compile(
+    rf"{_LETTER_AND_SIGN.pattern}\\(?:mathrm|mathit|operatorname)\s?"
+    r"\{(?P<words>[A-Za-z](?:[A-Za-z~]|\\? ){3,80})\}\s*"
+)
+"""m = \\mathrm{mass} is no product of its letters."""
 _SET_WORDS = re.compile(
     r"[\s&]*\\(?:text|mathrm|mbox|textrm|textit)\s?\{(?P<words>[^{}\n\\$]{2,120}?)[.,;]?(?:\([^(){}\n]{0,30}\))?\}"
     r"(?=\s*(?:[,;.&$)\]]|\\(?:[,;:!\\\])]|q?quad|end|text|tag|label|hfill)|\Z|\n))"
@@ -50,6 +57,8 @@ _NUMBERED = re.compile(
     r"(?P<words>.*\s(?:of|at|for|in|on|from|to|von|am|an|im|bei|de|du)\s[^0-9]{3,40}\s)[0-9]{1,2}\Z"
 )
 """Words that end with the number of a thing: displacement of piston 1."""
+_SPOKEN = re.compile(r"[aeiouyAEIOUY]|[^\x00-\x7f]")
+"""A word has a vowel, or no Latin letters: m r w without spaces is no word."""
 OPERATIONS = word_set(
     "plus minus times half twice double squared cubed over divided product sum mal durch halbe doppelte"
     " quarter third thirds tenth multiplied subtracted added"
@@ -93,6 +102,9 @@ def is_explained_by_text(text: str, start: int, end: int) -> bool:
     >>> is_explained_by_text(text, 0, 3), is_explained_by_text(text, 23, 26)
     (True, False)
     """
+    upright = _SET_UPRIGHT.fullmatch(text, start, end)
+    if upright is not None:
+        return is_meaning(upright["words"].replace("\\ ", " ").replace("~", " ").strip(), ())
     match = _LETTER_AND_SIGN.fullmatch(text, start, end)
     set_words = _SET_WORDS.match(text, end) if match else None
     return set_words is not None and is_meaning(set_words["words"].strip(), ())
@@ -123,9 +135,12 @@ def is_meaning(phrase: str, names: Collection[str]) -> bool:
     own = _WORD.findall(phrase)
     if len(phrase) < 2 or not own or not is_word(own[0], names) or not _WORDS_ONLY.fullmatch(phrase):
         return False
-    if re.search(r"\d", phrase) or any(word.lower() in OPERATIONS for word in own):
+    formula_words = OPERATIONS | set(FUNCTION_WORDS)
+    if re.search(r"\d", phrase) or any(word.lower() in formula_words for word in own):
         return False
-    return any(len(word) > 2 or not word.isascii() for word in own)
+    if not (_SPOKEN.search(own[0]) or own[0].isupper()):
+        return False  # mrw cos t is a product
+    return any((len(word) > 2 and _SPOKEN.search(word)) or not word.isascii() for word in own)
 
 
 def is_word(word: str, names: Collection[str]) -> bool:

@@ -354,7 +354,7 @@ class ItemFinder:
         match = _EXPLAINED.match(self.text, begin, place)
         if match is None:
             match = _NAMED_BY_WORDS.search(self.text, max(begin, place - _MARGIN), place)
-            match = match if match and is_meaning(match[2].strip(), ()) else None
+            match = match if match and _is_long_meaning(match[2], ()) else None
         return match.span(1) if match else None
 
     def _named_in_words(self, place: int, line: int, words: Vocabulary) -> tuple[int, int] | None:
@@ -901,7 +901,13 @@ def _before_words(text: str, start: int, end: int, words: Vocabulary) -> int:
     if not own.endswith("=") or not has_relation(text, start, before):
         return end
     phrase = _WORDS_BEHIND.match(text, end)
-    return before if phrase and is_meaning(phrase["words"].strip(), words.names) else end
+    return before if phrase and _is_long_meaning(phrase["words"], words.names) else end
+
+
+def _is_long_meaning(phrase: str, names: Collection[str]) -> bool:
+    """Tell whether words are a meaning by more than short ones, which may be a product: = mrw."""
+    is_long = _LONG_WORD.search(phrase) is not None or not phrase.isascii()
+    return is_long and is_meaning(phrase.strip(), names)
 
 
 _WORDS_BEHIND = re.compile(r"\s*(?P<words>[^\W\d_][\w'’ -]{2,80})(?=[.,;:()]|\n|\Z)")

@@ -27,6 +27,7 @@ from symbalance.notes.checking.verdicts import (
     PROVED_WORDS,
     REFUTED,
     STATED,
+    TO_ITS_RIGHT,
     UNDECIDED,
     UNREADABLE,
     Checked,
@@ -57,7 +58,7 @@ _REMARK = r"\([^()\n=]{1,60}\)|\\(?:text|mathrm|mbox|textrm)\s?\{[^{}\n=]{0,60}\
 _BEFORE = re.compile(rf"(?:{_REMARK}|{_SETTING})*+(?:[^\W\d_]{{1,20}}\.?(?:{_SETTING})*+){{0,3}}")
 _BEHIND = re.compile(rf"(?:{_SETTING})*+")
 WRONG = (REFUTED, CONTRADICTION)
-_NOT_READ = "the relation to its {side} is not read"
+_NOT_READ = f"{TO_ITS_RIGHT} is not read"
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,13 +174,13 @@ class _ArrowJudge:
         """Return an arrow's verdict, its reason, and the verdict that its order and witness are from."""
         left, right = arrow.left, arrow.right
         if isinstance(right, Unreadable):
-            return UNREADABLE, _NOT_READ.format(side="right"), None
+            return UNREADABLE, _NOT_READ, None
         conclusion = self._of(right, 0)
         if conclusion is None:
-            return UNDECIDED, "the relation to its right has no verdict", None
+            return UNDECIDED, f"{TO_ITS_RIGHT} has no verdict", None
         if isinstance(left, Unreadable):
             if arrow.sign == EQUIVALENT and conclusion.verdict not in WRONG:
-                return UNDECIDED, _NOT_READ.format(side="left"), None
+                return UNDECIDED, "the relation to its left is not read", None
             return *self._by_conclusion(right, conclusion), conclusion
         return self._by_both(left, right, arrow.sign, conclusion)
 
@@ -210,9 +211,9 @@ class _ArrowJudge:
         word, why = conclusion.verdict, f": {conclusion.reason}" if conclusion.reason else ""
         head = right.sides[0].node
         if word in WRONG:
-            return word, f"the relation to its right, {self._source(right, first=True)}, is wrong{why}"
+            return word, f"{TO_ITS_RIGHT}, {self._source(right, first=True)}, is wrong{why}"
         if word == UNDECIDED:
-            return word, f"the relation to its right is undecided{why}"
+            return word, f"{TO_ITS_RIGHT} is undecided{why}"
         if word == DEFINITION and isinstance(head, Name):
             return word, f"its conclusion introduces {plain_letter(head.name)}"
         return word, f"its conclusion is a {word}" if word in STATED else ""

@@ -53,7 +53,15 @@ from symbalance.notes.checking.reports.typeset_relations import (
     typeset,
     whole_chain,
 )
-from symbalance.notes.checking.verdicts import FAILING, REFUTED, UNDECIDED, UNREADABLE, Checked, Verdict
+from symbalance.notes.checking.verdicts import (
+    FAILING,
+    REFUTED,
+    TO_ITS_RIGHT,
+    UNDECIDED,
+    UNREADABLE,
+    Checked,
+    Verdict,
+)
 from symbalance.notes.reading import ReadingError, read_equation
 
 TOP = "top"
@@ -73,7 +81,8 @@ _RIGHT = ("holds", "holds_to_order", "conditional")
 
 def marked_page(checked: Checked) -> Document:
     """Return a page with its summary, what is wrong with links into it, and the page itself."""
-    wrong = [v for v in checked.verdicts if v.verdict in FAILING]
+    failing = (v for v in checked.verdicts if v.verdict in FAILING)
+    wrong = [v for v in failing if not (v.sign and v.reason.startswith(TO_ITS_RIGHT))]
     wrong.sort(key=lambda v: (FAILING.index(v.verdict), v.line))
     remarks = tuple(map(Paragraph, checked.remarks))
     if not checked.verdicts:
