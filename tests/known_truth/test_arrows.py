@@ -39,6 +39,8 @@ RIGHT = [
     r"$\sin^2 x = 1 - \cos^2 x \Rightarrow \sin^2 x + \cos^2 x = 1$",
     r"$\sin^2 x = 1 - \cos^2 x \Leftrightarrow \sin^2 x + \cos^2 x = 1$",
     "2x = 6 (equation 3) ⇒ x = 3",
+    "2x = 6 => so x = 3",
+    r"$$2x = 6 \Rightarrow\text{ hence } x = 3$$",
 ]
 
 

@@ -56,7 +56,13 @@ _SETTING = (
 )
 _REMARK = r"\([^()\n=]{1,60}\)|\\(?:text|mathrm|mbox|textrm)\s?\{[^{}\n=]{0,60}\}"
 _BEFORE = re.compile(rf"(?:{_REMARK}|{_SETTING})*+(?:[^\W\d_]{{1,20}}\.?(?:{_SETTING})*+){{0,3}}")
-_BEHIND = re.compile(rf"(?:{_SETTING})*+")
+_HENCE = (
+    r"(?:so|hence|thus|then|therefore|also|that|we|it|get|have|follows|daher|somit|folglich|wir|erhalten|folgt"
+    r"|donc|alors)(?![A-Za-z])"
+)
+_BEHIND = re.compile(
+    rf"(?:{_SETTING}|{_HENCE}|\\(?:text|mathrm|mbox|textrm)\s?\{{\s*(?:{_HENCE}\s*){{1,3}}\}})*+"
+)
 WRONG = (REFUTED, CONTRADICTION)
 _NOT_READ = f"{TO_ITS_RIGHT} is not read"
 
