@@ -46,6 +46,8 @@ SIGN = re.compile(
 
 RUN = re.compile(r"=\s*(?:\\(?:SI|qty|num)(?:list|range)|[0-9][0-9,]*\s*(?:…|;\s*[0-9]))")
 """φ = 0…720° says two things: where φ begins and where it ends."""
+ARROW = re.compile(r"(?:\\(?:Rightarrow|Longrightarrow|implies)(?![A-Za-z])|=>)(?=[^=\n]{1,40}=)")
+"""F = 0 ⇒ x = 3 says that the one follows from the other; an arrow to words says nothing of the kind."""
 SECOND_VALUE = re.compile(r"[0-9] ?[A-Za-z]+ \([0-9][0-9,.]* [A-Za-z]+\)")
 """5,39 kW (7,3 PS) says that the two are equal."""
 CASES = re.compile(r"\\begin\{cases\}(.*?)\\end\{cases\}", re.DOTALL)
@@ -80,7 +82,7 @@ def counted(path: Path) -> int:
     text = re.sub(r"^[ \t]*={2,}[ \t]*$", "", text, flags=re.MULTILINE)
     text = re.sub(r"https?://\S+", "", text)
     text = CASES.sub(branches, text)
-    runs = len(RUN.findall(text)) + len(SECOND_VALUE.findall(text))
+    runs = len(ARROW.findall(text)) + len(RUN.findall(text)) + len(SECOND_VALUE.findall(text))
     return len(SIGN.findall(re.sub(r"[_^]\s*\{[^{}\n]{0,60}\}", "", text))) + runs
 
 

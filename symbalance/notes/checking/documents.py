@@ -29,6 +29,7 @@ from symbalance.notes.checking.declared.sidecar import (
 )
 from symbalance.notes.checking.declared.symbol_roles import readable_letters
 from symbalance.notes.checking.declared.symbols import motions_of
+from symbalance.notes.checking.judging.arrows import with_arrows
 from symbalance.notes.checking.judging.judge import Judge
 from symbalance.notes.checking.page.continued_sums import with_continued_sums
 from symbalance.notes.checking.page.expanded_sums import with_expanded_sums
@@ -137,7 +138,8 @@ def check(
         return Judge(notes, declarations, sources, Budget(left, memory), fixes).check()
 
     in_one_reading = partial(judge_in_one_reading, judge=judge)
-    checked = with_written_assumptions(judge_in_one_unit_of_angle(page, in_one_reading))
+    checked = with_arrows(judge_in_one_unit_of_angle(page, in_one_reading), declarations)
+    checked = with_written_assumptions(checked)
     if not is_declared and not accept_proposals and (offer := _offer(checked, name)):
         remarks.append(offer)
     return replace(checked, remarks=tuple(remarks))

@@ -41,6 +41,8 @@ FAILING = (*BAD, UNREADABLE)
 """What a document that is right throughout has none of; the unreadable may be forgiven."""
 UNDECLARED = re.compile(r"letter (\S+) is not declared")
 """In the reason of what is unreadable: the letter that nobody has given a meaning."""
+TO_ITS_RIGHT = "the relation to its right"
+"""Begins the reason of an arrow that fails because the relation it leads to does: that one is listed."""
 MOST_LETTERS = 12
 """Letters that a report names of them; a draft of the symbols file has all."""
 
@@ -126,6 +128,10 @@ class Verdict(Result):
     traceback: str = ""
     is_unjudged: bool = False
     """Whether judging was not finished: by its budget, or by a fault."""
+    sign: str = ""
+    """Of an arrow between two relations: ⇒ or ⇔. Its `source` is the relation to its right."""
+    left: str = ""
+    """The relation to the left of an arrow."""
     decision: Decision | None = field(default=None, repr=False, compare=False)
     """What it rests on: the two sides' normal forms, which are drawn and certified."""
 

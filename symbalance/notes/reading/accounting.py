@@ -13,11 +13,10 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from symbalance.document.letters import FUNCTION_WORDS, NAME_OF_SIGN
 from symbalance.document.wordlists import word_set
-from symbalance.notes.reading.equations import Passed, Unreadable
+from symbalance.notes.reading.equations import Explained, Passed, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
-from symbalance.notes.reading.prose import is_function_of_letter
+from symbalance.notes.reading.meanings_in_words import Meaning, is_meaning, is_word, meaning_at
 from symbalance.notes.reading.signs import REFUSED, RELATION, UNREAD_RELATIONS
 from symbalance.notes.reading.sources import CELL_END
 from symbalance.notes.reading.units import is_unit_of_letter
@@ -52,6 +51,9 @@ _CONSTANT = re.compile(
     r"(?:=|≈|\\approx)\s*(?:\\(?:text|mathrm|mbox|textrm|textit|operatorname)\s*\{\s*)?[ckCK]onst"
     r"(?:ant|\.)?(?![A-Za-z])"
 )
+_SAID_IN_WORDS = ("words on both sides", "a letter explained in words")
+"""Reasons for which a sign may explain a letter."""
+_EXPLAINING = ("=", ":=", "\\equiv", "≡", "≙", "\\triangleq", "≜", "≔", "\\coloneqq")
 _SIZE = re.compile(_BETWEEN_NUMBERS)
 _END_OF_SENTENCE = re.compile(rf"[\n{CELL_END}]|[.;:!?。](?=\s)")
 _BLOCK = 256
@@ -78,8 +80,8 @@ class Account:
 
     def settle(
         self, unreadable: Sequence[Unreadable], names: Collection[str], line_of: LineOf
-    ) -> tuple[list[Unreadable], list[Passed]]:
-        """Return the signs not accounted for yet: unreadable ones, and what is no mathematics.
+    ) -> tuple[list[Unreadable], list[Passed], list[Explained]]:
+        """Return the signs not accounted for yet: unreadable, no mathematics, and letters explained.
 
         Each of `unreadable` accounts for the first sign in its span that was not read.
         """
@@ -91,6 +93,7 @@ class Account:
         counted: set[int] = set()
         more: list[Unreadable] = []
         passed: list[Passed] = []
+        explained: list[Explained] = []
         for place in places[:MOST_SIGNS]:
             if place in self.read or (self.text[place] == "!" and place + 1 in self.read):
                 continue  # of 3!= 6 in TeX the relation is the =, behind a factorial
@@ -104,13 +107,15 @@ class Account:
             outcome = self._leftover(place, names, line_of)
             if isinstance(outcome, Unreadable):
                 more.append(outcome)
+            elif isinstance(outcome, Explained):
+                explained.append(outcome)
             else:
                 passed.append(outcome)
         if beyond:
             what = f"more than {MOST_SIGNS} relation signs: {len(beyond)} were not looked at"
             line, column = line_of(beyond[0])
             more.append(Unreadable(line, column, what, "split the document", (beyond[0], beyond[0] + 1)))
-        return more, passed
+        return more, passed, explained
 
     @cached_property
     def _refused_near(self) -> dict[int, list[tuple[tuple[int, int], ReadingError]]]:
@@ -136,10 +141,15 @@ class Account:
         stops = [stop for stop in (following.start() if following else -1, line_end) if stop > 0]
         return place, max(min([*stops, len(self.text), end + 4 * _AROUND]), end)
 
-    def _leftover(self, place: int, names: Collection[str], line_of: LineOf) -> Unreadable | Passed:
+    def _leftover(
+        self, place: int, names: Collection[str], line_of: LineOf
+    ) -> Unreadable | Passed | Explained:
         line, column = line_of(place)
         span = self._clause(place)
         why = self._why_no_mathematics(place, span, names)
+        meaning = self._meaning(place, names) if why in ("", *_SAID_IN_WORDS) else None
+        if meaning is not None:
+            return self._explained(meaning, line_of)
         if why:
             return Passed(line, column, why, span)
         if (reason := self._unread_sign(place)) is not None:
@@ -150,12 +160,24 @@ class Account:
             line, column = line_of(failure.offset if span[0] <= failure.offset < span[1] else place)
             return Unreadable(line, column, failure.what, failure.remedy, span)
         before, after = self._neighbours(place)
-        word = next((w for w in (before, after) if _is_word(w, names)), "")
+        word = next((w for w in (before, after) if is_word(w, names)), "")
         if word:
             undeclared = UndeclaredError(place, word)
             return Unreadable(line, column, undeclared.what, undeclared.remedy, span)
         what = "a relation in prose whose sides are not clear"
         return Unreadable(line, column, what, "write it between dollars", span)
+
+    def _meaning(self, place: int, names: Collection[str]) -> Meaning | None:
+        """Return the letter that a sign explains in words, None where it does not."""
+        sign = _SIGN.match(self.text, place)
+        if sign is None or sign[0] not in _EXPLAINING:
+            return None
+        return meaning_at(self.text, place, sign.end(), names)
+
+    def _explained(self, meaning: Meaning, line_of: LineOf) -> Explained:
+        line, column = line_of(meaning.letter[0])
+        letter, words = (self.text[slice(*span)] for span in meaning[:2])
+        return Explained(line, column, letter, words, (meaning.letter[0], meaning.end))
 
     def _unread_sign(self, place: int) -> tuple[str, str] | None:
         """Return why a relation sign is never judged and what to write for it, None for others."""
@@ -196,16 +218,16 @@ class Account:
             "alone on its line": not before and not after,
             "a setting of TeX": self._is_setting(place),
             "a blank to be filled in": self._is_blank(place),
-            "an option or attribute": self._is_option(place) and _is_word(before, names),
-            "words on both sides": _is_word(before, names) and _is_word(after, names),
+            "an option or attribute": self._is_option(place) and is_word(before, names),
+            "words on both sides": is_word(before, names) and is_word(after, names),
             "the value of a word that is no declared letter": is_value
-            and _is_word(before, names)
+            and is_word(before, names)
             and not _MEASURED_WORD.search(self.text[max(place - _AROUND, 0) : place]),
             "said to be constant": _CONSTANT.match(self.text, place),
             "a letter explained in words": _is_explanation(before, self._right_side(place), names),
             "the unit of a letter": self._is_unit_of_letter(place),
             "a sum of money": re.match(r"\s*\$[0-9]", self.text[place + 1 : place + 4]),
-            "a sign of the layout": before in ("", *"|&-•*") and (not after or _is_word(after, names)),
+            "a sign of the layout": before in ("", *"|&-•*") and (not after or is_word(after, names)),
         }
         return next((reason for reason, holds in reasons.items() if holds), "")
 
@@ -249,40 +271,14 @@ class Account:
     def _is_formula(self, clause: tuple[int, int], names: Collection[str]) -> bool:
         """Tell whether all the words of a clause are declared letters and functions."""
         words_here = re.findall(r"[^\W\d_]\w*", self.text[slice(*clause)])
-        return bool(words_here) and not any(_is_word(word, names) for word in words_here)
-
-
-def _is_word(word: str, names: Collection[str]) -> bool:
-    """Tell whether a run of letters is a word of prose and no letter or function."""
-    if len(word) < 2 or not word[0].isalpha() or word in names or word in FUNCTION_WORDS:
-        return False
-    if word in ("pi",) or is_function_of_letter(word) or any(sign in NAME_OF_SIGN for sign in word):
-        return False
-    base = re.sub(r"[0-9'_]+$", "", word)
-    return len(base) > 1 and base not in names and base not in FUNCTION_WORDS
+        return bool(words_here) and not any(is_word(word, names) for word in words_here)
 
 
 def _is_explanation(before: str, right: str, names: Collection[str]) -> bool:
     """Tell whether R = crank radius explains a letter: nothing but words stands right of the relation."""
     phrase = re.split(r"[.,;:()、。]|\s[-–—]\s", right, maxsplit=1)[0].replace("$", " ").strip()
-    found = re.findall(r"[^\W\d_][\w'’-]*", phrase)
-    if (
-        len(phrase) < 3
-        or not found
-        or not _is_word(found[0], names)
-        or not re.fullmatch(r"[\w'’ /-]+", phrase)
-    ):
-        return False
-    if any(word.lower() in _OPERATIONS for word in found) or re.search(r"\d", phrase):
-        return False
-    is_letter = len(before) == 1 or not _is_word(before, names)
-    return is_letter and any(len(word) > 2 for word in found)
-
-
-_OPERATIONS = word_set(
-    "plus minus times half twice double squared cubed over divided product sum mal durch halbe doppelte"
-    " quarter third thirds tenth"
-)
+    is_letter = len(before) == 1 or not is_word(before, names)
+    return is_letter and len(phrase) > 2 and is_meaning(phrase, names)
 
 
 def _running_ends(spans: Sequence[Unreadable]) -> list[int]:

@@ -24,7 +24,15 @@ from symbalance.notes.reading.brace_labels import (
 )
 from symbalance.notes.reading.continued_lines import goes_on_below, goes_on_from
 from symbalance.notes.reading.differentials import with_differentials
-from symbalance.notes.reading.equations import Chain, Passed, ReadNotes, Relation, Side, Unreadable
+from symbalance.notes.reading.equations import (
+    Chain,
+    Explained,
+    Passed,
+    ReadNotes,
+    Relation,
+    Side,
+    Unreadable,
+)
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.free_letters import is_plain, with_real_letters
 from symbalance.notes.reading.letter_names import matching_brace
@@ -90,9 +98,11 @@ def read_document(
     assembler.free_letters |= {name: 1 for name in source.own_letters if name not in names(1)}
     assembler.run()
     chains, unreadable, passed = assembler.chains, assembler.unreadable, assembler.not_mathematics
+    explained = assembler.explained
     if source.origin is not None:
         chains = [_chain_in_place(chain, source.origin) for chain in chains]
         passed = [_passed_in_place(part, source.origin, text) for part in passed]
+        explained = [_explained_in_place(part, source.origin, text) for part in explained]
     if source.origin is not None or source.refusals:
         unreadable = [_unreadable_in_place(part, source, text) for part in unreadable]
     chains.sort(key=lambda chain: chain.sides[0].span)
@@ -103,7 +113,15 @@ def read_document(
         letters = ", ".join(map(plain_letter, free))
         notes = (*notes, f"not declared: {letters}")
     return ReadNotes(
-        name, text, tuple(chains), tuple(unreadable), notes, tuple(passed), free, source.own_letters
+        name,
+        text,
+        tuple(chains),
+        tuple(unreadable),
+        notes,
+        tuple(passed),
+        free,
+        source.own_letters,
+        tuple(explained),
     )
 
 
@@ -125,6 +143,12 @@ def _in_place(node: Formula, origin: Rewritten) -> Formula:
 def _passed_in_place(part: Passed, origin: Rewritten, text: str) -> Passed:
     span = origin.span(part.span)
     return Passed(part.line, max(span[0] - text.rfind("\n", 0, span[0]), 1), part.why, span)
+
+
+def _explained_in_place(part: Explained, origin: Rewritten, text: str) -> Explained:
+    span = origin.span(part.span)
+    column = max(span[0] - text.rfind("\n", 0, span[0]), 1)
+    return replace(part, column=column, span=span)
 
 
 def _unreadable_in_place(part: Unreadable, source: Source, text: str) -> Unreadable:
@@ -204,6 +228,7 @@ class Assembler:
         self.chains: list[Chain] = []
         self.unreadable: list[Unreadable] = []
         self.not_mathematics: list[Passed] = []
+        self.explained: list[Explained] = []
         self.account = Account(self.text, finder.source.codes)
         self.draft: Draft | None = None
         self._refused_item: Item | None = None
@@ -219,7 +244,9 @@ class Assembler:
         for failure in self.finder.failures:
             self._report(failure, (failure.offset, failure.offset + 1))
         names = frozenset(self.names_at(1)) | self.defined_letters
-        more, self.not_mathematics = self.account.settle(self.unreadable, names, self._place_of)
+        more, self.not_mathematics, self.explained = self.account.settle(
+            self.unreadable, names, self._place_of
+        )
         self.unreadable += more
 
     def _place_of(self, offset: int) -> tuple[int, int]:

@@ -100,6 +100,17 @@ class Passed:
 
 
 @dataclass(frozen=True, slots=True)
+class Explained:
+    """A letter explained in words, m = recip mass: the place of the sign, the letter and its meaning."""
+
+    line: int
+    column: int
+    letter: str
+    words: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class ReadNotes:
     """A text with the equations found in it, in the order of their lines.
 
@@ -118,6 +129,8 @@ class ReadNotes:
     """Letters that nobody declared and no line defines, read as letters of their own."""
     own_letters: frozenset[str] = frozenset()
     """Letters that elsewhere are numbers, as e, and are none on this page."""
+    explained: tuple[Explained, ...] = ()
+    """The relation signs that explain a letter in words."""
 
     def line_of(self, offset: int) -> int:
         """Return the line, from 1, of a character offset."""

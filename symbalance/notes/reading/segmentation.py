@@ -18,6 +18,7 @@ from symbalance.document.wordlists import word_set, words
 from symbalance.notes.reading.continued_lines import goes_on_below, is_first_side
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.lexer import Vocabulary, vocabulary
+from symbalance.notes.reading.meanings_in_words import is_explained_by_text, is_meaning
 from symbalance.notes.reading.prose import line_rules, parts_at_lone_brackets, segments, trim_segment
 from symbalance.notes.reading.set_words import doubt_of_words_set
 from symbalance.notes.reading.signs import CELLS, ENVIRONMENTS, RELATION, relation_at_start
@@ -38,6 +39,12 @@ _DASH = re.compile(r"[-*•]\s+(?=[^\s=])")
 _EXPLAINED = re.compile(
     r"\s*(?:[-*•]\s+)?([^\W\d_](?:_?[A-Za-z0-9]{1,3})?)\s*[:：]\s*([^:=0-9+*/]{2,60})$"
 )
+_NAMED_BY_WORDS = re.compile(
+    r"(?:^|[,;:(]|(?<![^\W\d_])(?:where|with|and|mit|und|wo))\s*(?:[-*•]\s+)?"
+    r"([^\W\d_](?:_?[A-Za-z0-9]{1,4})?)\s*=\s*([^\W\d_][\w'’ -]{2,60})$",
+    re.MULTILINE,
+)
+"""A letter with its meaning before the sign that gives its value: A = piston area = π d²/4."""
 _DEFINED = re.compile(r"(?<![A-Za-z\\_^{\"'.])([A-Za-z])(?:_\w{1,4})?[ \t]*=(?![=>])")
 _PHRASE = re.compile(
     r"(?:^|[.;:,(。、：|\ue000]|(?<=[.;:,])\s|[-*•]\s)\s*(?:(?:The|the|Die|Der|Das|die|der|das|A|An|Our)\s+)?"
@@ -322,6 +329,7 @@ class ItemFinder:
                 yield from self._items_of_segment(part, line, lenient, words)
             return
         start, end = trim_segment(self.text, *span, words)
+        start = _sign_behind_arrow(self.text, span[0], start)
         if not has_relation(self.text, start, end):
             if is_first_side(self.text, start, end):
                 yield Item(start, end, "prose", False, line, line)
@@ -329,7 +337,9 @@ class ItemFinder:
         for piece in pieces_of(self.text, start, end):
             if has_relation(self.text, piece.start, piece.end):
                 inner = trim_segment(self.text, piece.start, piece.end, words)
+                inner = _sign_behind_arrow(self.text, piece.start, inner[0]), inner[1]
                 inner = _behind_named_letter(self.text, *inner), _before_next_letter(self.text, *inner)
+                inner = inner[0], _before_words(self.text, *inner, words)
                 doubt = piece.doubt or doubt_around(self.text, *inner, words)
                 head = self._letter_explained(inner[0], line) or self._named_in_words(
                     inner[0], line, words
@@ -342,6 +352,9 @@ class ItemFinder:
             return None
         begin = self.line_span(line)[0]
         match = _EXPLAINED.match(self.text, begin, place)
+        if match is None:
+            match = _NAMED_BY_WORDS.search(self.text, max(begin, place - _MARGIN), place)
+            match = match if match and _is_long_meaning(match[2], ()) else None
         return match.span(1) if match else None
 
     def _named_in_words(self, place: int, line: int, words: Vocabulary) -> tuple[int, int] | None:
@@ -540,6 +553,7 @@ def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Pa
         if len(spans) > 1:
             doubts = _doubts(text, spans)
             spans = [span for span in spans if has_any_relation(text, *span)] or spans[:1]
+        spans = [span for span in spans if not is_explained_by_text(text, *span)]
         for span in spans:
             if span not in doubts and (doubt := doubt_of_words_set(text, *span, last)):
                 doubts[span] = doubt
@@ -866,7 +880,8 @@ def _join_spans(
     spans: list[tuple[int, int]] = []
     first, before, cut = start, start, start
     for at, after, prose in [*cuts, (end, end, True)]:
-        if before > first and _stands_alone(text, before, at):
+        behind_arrow = text[cut:before].strip() in _ARROWS
+        if before > first and _stands_alone(text, before, at, behind_arrow=behind_arrow):
             if has_relation(text, first, cut):
                 spans.append((first, cut))
                 first = before
@@ -879,9 +894,42 @@ def _join_spans(
     return spans
 
 
-def _stands_alone(text: str, start: int, end: int) -> bool:
-    begin = text[start:end].lstrip()
-    if not begin or begin[0] in "+-−=<>" or RELATION.match(begin):
+def _before_words(text: str, start: int, end: int, words: Vocabulary) -> int:
+    """Return where an equation ends whose last sign leads to words: λ = r/l = rod ratio."""
+    own = text[start:end].rstrip()
+    before = start + len(own[:-1].rstrip())
+    if not own.endswith("=") or not has_relation(text, start, before):
+        return end
+    phrase = _WORDS_BEHIND.match(text, end)
+    return before if phrase and _is_long_meaning(phrase["words"], words.names) else end
+
+
+def _is_long_meaning(phrase: str, names: Collection[str]) -> bool:
+    """Tell whether words are a meaning by more than short ones, which may be a product: = mrw."""
+    is_long = _LONG_WORD.search(phrase) is not None or not phrase.isascii()
+    return is_long and is_meaning(phrase.strip(), names)
+
+
+_WORDS_BEHIND = re.compile(r"\s*(?P<words>[^\W\d_][\w'’ -]{2,80})(?=[.,;:()]|\n|\Z)")
+
+
+def _sign_behind_arrow(text: str, start: int, trimmed: int) -> int:
+    """Return where an equation begins whose first sign was taken for a dash: ⇒ - b = c."""
+    before = text[max(start - _MARGIN, 0) : start].rstrip(" \t&$")
+    sign = text[start:trimmed].strip()
+    is_sign = len(sign) == 1 and sign in "-−" and (before.endswith(_ARROWS) or before.endswith("=>"))
+    return text.index(sign, start) if is_sign else trimmed
+
+
+def _stands_alone(text: str, start: int, end: int, *, behind_arrow: bool) -> bool:
+    """Tell whether an equation of its own begins at a cut: with a sign only behind an arrow, ⇒ -y = 3."""
+    begin = text[start:end].lstrip(" \t\n&")
+    if (
+        not begin
+        or (begin[0] in "+-−" and not behind_arrow)
+        or begin[0] in "=<>"
+        or RELATION.match(begin)
+    ):
         return False
     return has_relation(text, start, end)
 

@@ -167,7 +167,7 @@ def prepare(
     elif kind == "markdown":
         current, formulas, codes = mask_markdown(current)
     else:
-        current = mask_plain(current)
+        current = mask_plain(with_letters_shown(current).translate(_SHOWN_IN_CODE))
     refusals = tuple(sorted(macros.refusals.items()))
     return Source(
         current, kind, tuple(formulas), tuple(codes), origin, refusals, reader.notes, own_letters
@@ -568,10 +568,11 @@ def mask_markdown(text: str) -> tuple[str, list[Span], list[Span]]:
             fence, language, begin = match.group(1), match.group(2).lower(), offset + len(line)
             lines.append(blank(line))
         else:
-            for code in _CODE.finditer(line):
+            shown = with_letters_shown(line)
+            for code in _CODE.finditer(shown):
                 ticks = len(code.group(1))
                 codes.append((offset + code.start() + ticks, offset + code.end() - ticks))
-            without_ticks = _CODE.sub(_without_ticks, line)
+            without_ticks = _CODE.sub(_without_ticks, shown)
             plain = _BOLD.sub(lambda m: f"  {m.group(1)}  ", without_ticks)
             slanted = _ITALIC.sub(lambda m: f" {m.group(1) or m.group(2)} ", plain)
             lines.append(slanted.translate(_SHOWN_IN_CODE))
@@ -582,6 +583,24 @@ def mask_markdown(text: str) -> tuple[str, list[Span], list[Span]]:
 _HIDDEN_IN_CODE = {ord("*"): "\ue001", ord("_"): "\ue002"}
 _SHOWN_IN_CODE = {ord(hidden): chr(sign) for sign, hidden in _HIDDEN_IN_CODE.items()}
 """Signs of emphasis that are none in code: `a*b*c` is a product."""
+
+
+_LETTER_IN_CODE = re.compile(
+    r"(?<!`)`(?P<letter>(?:\\?[A-Za-z]+|[^\W\d_])(?:_\{[^{}`\n]{1,12}\}|_\w{1,12}|[0-9₀-₉]{1,2})?['′]?)`(?!`)"
+    r"(?P<sign>[ \t]*[=≈][ \t]*)(?:(?<!`)`(?P<side>[^`\n]{1,200})`(?!`))?"
+)
+"""A letter in code left of a sign that is not: `λ` = r/l."""
+
+
+def with_letters_shown(text: str) -> str:
+    """Return a text with the letters in code that a formula outside is about as that formula's."""
+    return _LETTER_IN_CODE.sub(_shown_letter, text) if "`" in text else text
+
+
+def _shown_letter(match: re.Match[str]) -> str:
+    """Return it as a formula of prose, with what code stands right of it."""
+    side = "" if match["side"] is None else f" {match['side'].translate(_HIDDEN_IN_CODE)} "
+    return f" {match['letter'].translate(_HIDDEN_IN_CODE)} {match['sign']}{side}"
 
 
 def _without_ticks(match: re.Match[str]) -> str:

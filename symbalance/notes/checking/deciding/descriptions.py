@@ -39,6 +39,7 @@ from symbalance.notes.checking.deciding.equality import Decision, digits
 from symbalance.notes.checking.verdicts import (
     BAD,
     CONDITIONAL,
+    DEFINITION,
     HOLDS,
     HOLDS_TO_ORDER,
     REFUTED,
@@ -56,8 +57,10 @@ from symbalance.notes.checking.words.written_numbers import (
     nearer,
     written_number,
 )
-from symbalance.notes.reading.equations import Chain, ReadNotes, Side, Unreadable
+from symbalance.notes.reading.equations import Chain, Explained, ReadNotes, Side, Unreadable
 
+IN_WORDS = "a meaning in words"
+"""The reason of a definition that explains a letter."""
 MOST_DIFFERENCES = 12
 DETAILS = Budget(2)
 """For the exact value and the differences: a line that is decided stays so without them."""
@@ -243,6 +246,21 @@ def unreadable_verdict(document: ReadNotes, part: Unreadable) -> Verdict:
         reason,
         lines=(part.line,),
         column=part.column,
+        span=part.span,
+    )
+
+
+def explained_verdict(document: ReadNotes, part: Explained) -> Verdict:
+    """Return the verdict on a sign that explains a letter in words, a definition."""
+    return Verdict(
+        part.line,
+        1,
+        document.source(part.span).strip(),
+        DEFINITION,
+        IN_WORDS,
+        lines=(part.line,),
+        column=part.column,
+        inline=True,
         span=part.span,
     )
 

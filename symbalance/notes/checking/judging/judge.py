@@ -12,7 +12,12 @@ from symbalance.document.formula import Call, Formula, Name, names, walk
 from symbalance.document.letters import plain_letter
 from symbalance.errors import SymbalanceError
 from symbalance.notes.algebra.tree_values import names_behind
-from symbalance.notes.checking.deciding.descriptions import describe, unreadable_verdict, with_fault
+from symbalance.notes.checking.deciding.descriptions import (
+    describe,
+    explained_verdict,
+    unreadable_verdict,
+    with_fault,
+)
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.guarded_verdicts import PAGE, Guard
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -107,6 +112,7 @@ class Judge:
         """Return the document with its verdicts."""
         bindings = assertions.by_line(self.declarations.bindings)
         verdicts: list[Verdict] = [unreadable_verdict(self.document, u) for u in self.document.unreadable]
+        verdicts += [explained_verdict(self.document, each) for each in self.document.explained]
         for chain in chains_in_turn(self.document, self.state.sections):
             self._take_data(chain)
             self.blocks.enter(chain.lines[0], self.state.definitions)

@@ -60,6 +60,8 @@ def _certificate(verdict: Verdict, sides: Sides) -> dict[str, Any]:
         "verdict": verdict.verdict,
         "premises": [],
     }
+    if verdict.sign:
+        return entry | {"proof": "nothing", "why": "an arrow: it rests on the relation it leads to"}
     decision = verdict.decision
     if decision is None or verdict.node is None or decision.level is None:
         return entry | {"proof": "nothing", "why": verdict.reason or "no comparison of two sides"}

@@ -33,6 +33,7 @@ from symbalance.notes.checking.verdicts import (
     PROVED_WORDS,
     REFUTED,
     STATED,
+    TO_ITS_RIGHT,
     UNDECIDED,
     UNDECLARED,
     UNREADABLE,
@@ -167,7 +168,8 @@ class DocumentTable(Result):
         shown: dict[tuple[Any, ...], Words] = {}
         for k, row in enumerate(self.rows):
             for entry in _entries(row):
-                if entry["verdict"] in FAILING:
+                repeats = "sign" in entry and str(entry["reason"]).startswith(TO_ITS_RIGHT)
+                if entry["verdict"] in FAILING and not repeats:
                     key, words = _error(entry)
                     people.setdefault(key, {}).setdefault(k, []).append(_place(entry))
                     shown.setdefault(key, words)

@@ -34,6 +34,7 @@ from symbalance.document.nodes import (
 from symbalance.notes.checking.reports.document_table import line_anchor
 from symbalance.notes.checking.reports.page_prose import DISPLAY, END, INLINE, OWN_SIGNS, Prose, Stretch
 from symbalance.notes.checking.reports.report_document import (
+    arrow_source,
     difference_words,
     fault_words,
     legend,
@@ -52,7 +53,15 @@ from symbalance.notes.checking.reports.typeset_relations import (
     typeset,
     whole_chain,
 )
-from symbalance.notes.checking.verdicts import FAILING, REFUTED, UNDECIDED, UNREADABLE, Checked, Verdict
+from symbalance.notes.checking.verdicts import (
+    FAILING,
+    REFUTED,
+    TO_ITS_RIGHT,
+    UNDECIDED,
+    UNREADABLE,
+    Checked,
+    Verdict,
+)
 from symbalance.notes.reading import ReadingError, read_equation
 
 TOP = "top"
@@ -72,7 +81,8 @@ _RIGHT = ("holds", "holds_to_order", "conditional")
 
 def marked_page(checked: Checked) -> Document:
     """Return a page with its summary, what is wrong with links into it, and the page itself."""
-    wrong = [v for v in checked.verdicts if v.verdict in FAILING]
+    failing = (v for v in checked.verdicts if v.verdict in FAILING)
+    wrong = [v for v in failing if not (v.sign and v.reason.startswith(TO_ITS_RIGHT))]
     wrong.sort(key=lambda v: (FAILING.index(v.verdict), v.line))
     remarks = tuple(map(Paragraph, checked.remarks))
     if not checked.verdicts:
@@ -104,7 +114,11 @@ def _entry(verdict: Verdict, page: _Page) -> tuple[Words, Words]:
         )
     if (relation := typeset(verdict, page.sides, page.text)) is not None:
         return where, (f"{verdict_words(verdict)}: ", relation)
-    return where, (f"{verdict_words(verdict)}: ", Code(one_line(verdict.source, 80)))
+    return where, (f"{verdict_words(verdict)}: ", Code(one_line(_typed(verdict), 80)))
+
+
+def _typed(verdict: Verdict) -> str:
+    return arrow_source(verdict) if verdict.sign else verdict.source
 
 
 def _anchor(verdict: Verdict) -> str:
@@ -221,8 +235,10 @@ class _Page:
                 placed.append(_Piece(*span, (), (whole_chain(chain, self.text),), chain.inline))
         for (start, end), verdicts in stretches.items():
             chain = self.sides.get(verdicts[0].span, (None, 0))[0]
-            if chain is None:  # not read: it stands in its sentence as it was typed
-                words: tuple[Inline, ...] = (Code(one_line(verdicts[0].source, LONGEST_PROSE)),)
+            if chain is None:  # an arrow; or not read: it stands in its sentence as it was typed
+                sign = verdicts[0].sign
+                typed = sign or Code(one_line(verdicts[0].source, LONGEST_PROSE))
+                words: tuple[Inline, ...] = (typed,)
                 placed.append(_Piece(start, end, tuple(verdicts), words, verdicts[0].inline))
             else:
                 placed.append(
@@ -253,7 +269,7 @@ class _Page:
     def _line(self, verdict: Verdict) -> Marked:
         """Return a relation as a line that opens."""
         shown = typeset(verdict, self.sides, self.text)
-        words: Words = Code(one_line(verdict.source, LONGEST_PROSE)) if shown is None else shown
+        words: Words = Code(one_line(_typed(verdict), LONGEST_PROSE)) if shown is None else shown
         return Marked(
             place(verdict),
             words,
@@ -265,7 +281,9 @@ class _Page:
 
     def _inside(self, verdict: Verdict) -> Iterator[Block]:
         """Yield what is said of a relation: why, what differs, a witness, the sides drawn, the change."""
-        entries: list[tuple[Words, Words]] = [("As typed", Code(one_line(verdict.source, LONGEST_PROSE)))]
+        entries: list[tuple[Words, Words]] = [
+            ("As typed", Code(one_line(_typed(verdict), LONGEST_PROSE)))
+        ]
         if len(verdict_words(verdict)) > LONGEST_VERDICT:
             entries.append(("Holds if", verdict.assumption))
         if verdict.bind:

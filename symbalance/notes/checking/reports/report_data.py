@@ -76,6 +76,7 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
     cell, line = verdict.cell or (0, 0)
     place = {"cell": cell, "cell_line": line}
     optional = place | {"bind": verdict.bind, "tag": verdict.tag, "notes": list(verdict.notes)}
+    optional |= {"left": verdict.left, "sign": verdict.sign}  # of an arrow
     return entry | {key: value for key, value in optional.items() if value}
 
 
@@ -104,7 +105,7 @@ def verdict_records(verdicts: Iterable[Verdict]) -> list[dict[str, Any]]:
             "link": v.link,
             "column": v.column,
             "verdict": v.verdict,
-            "source": v.source,
+            "source": f"{v.left} {v.sign} {v.source}" if v.sign else v.source,
             "order": v.order or None,
             "assumption": v.assumption or None,
             "bind": v.bind or None,

@@ -190,12 +190,19 @@ def _line(verdict: Verdict, sides: Sides, text: str) -> SourceLine:
 
 def _source(verdict: Verdict, sides: Sides, text: str) -> str:
     """Return the side of a relation that is shown: the right one; of a wrong relation both, if short."""
+    if verdict.sign:
+        return arrow_source(verdict)
     chain, k = sides.get(verdict.span, (None, 0))
     if verdict.verdict not in FAILING or chain is None or not k:
         return verdict.source
     left = text[slice(*chain.sides[k - 1].span)].strip().strip("&$ ")
     whole = f"{left} {chain.relations[k - 1].sign} {verdict.source}"
     return whole if left and len(whole) <= LONGEST_BOTH else verdict.source
+
+
+def arrow_source(verdict: Verdict) -> str:
+    """Return an arrow with the relations on either side of it, as they are typed."""
+    return f"{verdict.left} {verdict.sign} {verdict.source}"
 
 
 def _notes(verdict: Verdict) -> Iterable[Words]:
@@ -288,6 +295,11 @@ def legend(verdicts: tuple[Verdict, ...]) -> Facts:
     second = next((place(verdict) for verdict in verdicts if verdict.link == 2), None)
     if second:
         entries.append((second, f"the second relation of line {second.rpartition('.')[0]}"))
+    if any(verdict.sign for verdict in verdicts):
+        meaning = (
+            "an arrow, numbered behind the relations of its line: does the relation to its right follow"
+        )
+        entries.append(("⇒, ⇔", meaning))
     if any(verdict.differences for verdict in verdicts):
         entries.append(("claimed, exact", "a term's coefficient in the line, and the right one"))
     if any(verdict.fix for verdict in verdicts):
