@@ -207,6 +207,7 @@ def _judge_step(
     if by_name is None and decision.status == UNDECIDED:
         by_name = state.engine_resultants.judge(chain, k, knowledge)
         by_name = by_name or state.named.judge(chain, k, knowledge)
+        by_name = by_name or state.patterns.judge(chain, k, knowledge)
     if by_name is None and decision.status == REFUTED:
         by_name = _as_another_named(state, chain, k, knowledge)
     if by_name is not None and not _is_left_open(by_name):
@@ -410,6 +411,7 @@ def _as_meant(
         outcome = outcome or decide_two_discs(chain, k, state.document)
         outcome = outcome or decide_order_speed(chain, k, state.document, knowledge)
         outcome = outcome or state.crank_motions.judge(chain, k, knowledge)
+        outcome = outcome or state.patterns.judge(chain, k, knowledge)
         if outcome is not None and _is_left_open(outcome):
             return replace(definition, reason=outcome.reason)
     if isinstance(outcome, Verdict) and outcome.verdict == UNDECIDED:
