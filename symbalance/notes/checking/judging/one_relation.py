@@ -412,6 +412,7 @@ def _as_meant(
         outcome = outcome or decide_order_speed(chain, k, state.document, knowledge)
         outcome = outcome or state.crank_motions.judge(chain, k, knowledge)
         outcome = outcome or state.patterns.judge(chain, k, knowledge)
+        outcome = outcome or state.parity.judge(chain, k)
         if outcome is not None and _is_left_open(outcome):
             return replace(definition, reason=outcome.reason)
     if isinstance(outcome, Verdict) and outcome.verdict == UNDECIDED:

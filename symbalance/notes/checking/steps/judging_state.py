@@ -36,6 +36,7 @@ from symbalance.notes.checking.meant.named_orders import NamedOrders
 from symbalance.notes.checking.meant.named_quantities import NamedQuantities
 from symbalance.notes.checking.meant.pistons.crank_motions import CrankMotions
 from symbalance.notes.checking.meant.pistons.formula_patterns import FormulaPatterns
+from symbalance.notes.checking.meant.pistons.motion_parity import MotionParity
 from symbalance.notes.checking.motions.equations_of_motion import EquationOfMotion
 from symbalance.notes.checking.motions.fourier_series import FourierSeries
 from symbalance.notes.checking.page.cranks_of_engines import CranksOfEngines
@@ -92,6 +93,7 @@ class JudgingState:
         self.engine_resultants = EngineResultants(self.meant.words, self.sections)
         self.crank_motions = CrankMotions(self.document, self.sections, self.meant.words)
         self.patterns = FormulaPatterns(self.document, self.sections, self.meant.words)
+        self.parity = MotionParity(self.patterns)
         self.harmonics = HarmonicCoefficients(self.sections)
         self.small_letters = small_letters(self.document.text)
         self.counts = _counts(self.document)

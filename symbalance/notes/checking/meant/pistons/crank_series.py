@@ -104,7 +104,8 @@ def _root(exponent: Fraction) -> list[Fraction]:
 def _arcsine() -> list[Fraction]:
     """Return the coefficients of asin(u)/u by powers of u²."""
     return [
-        Fraction(factorial(2 * k), 4**k * factorial(k) ** 2 * (2 * k + 1)) for k in range(HIGHEST // 2 + 1)
+        Fraction(factorial(2 * k), 4**k * factorial(k) ** 2 * (2 * k + 1))
+        for k in range(HIGHEST // 2 + 1)
     ]
 
 
@@ -179,4 +180,6 @@ def in_powers_of_sine(series: Series) -> Series:
                 key = Harmonic("cos" if is_odd else "1", j + 2 * k)
                 for p, c in powers.items():
                     result[key][p] += c * size * comb(pairs, k) * (-1) ** k
-    return {key: own for key, each in sorted(result.items()) if (own := {p: c for p, c in each.items() if c})}
+    return {
+        key: own for key, each in sorted(result.items()) if (own := {p: c for p, c in each.items() if c})
+    }

@@ -83,7 +83,8 @@ _ANOTHER = re.compile(
 )
 """Words of a sentence, a paragraph or a heading by which the terms may have other factors."""
 _FROM_TOP = re.compile(
-    r"top dead|upper dead|inner dead|\bTDC\b|\bIDC\b|\bOT\b|oberen? totp|上死点|\bPMH\b|\bPMS\b", re.IGNORECASE
+    r"top dead|upper dead|inner dead|\bTDC\b|\bIDC\b|\bOT\b|oberen? totp|上死点|\bPMH\b|\bPMS\b",
+    re.IGNORECASE,
 )
 _NUMBERS = frozenset({1, 2, 3, 4, 6, 8, 9, 16, 32, 64})
 """Numerators and denominators of a factor that is a slip."""
@@ -159,10 +160,10 @@ class FormulaPatterns:
         is_certain = ratio is not None
         if not quantity and has_waves(left):
             return None
-        if not is_certain and (self._is_of_more(chain) or not (quantity or _is_series(right))):
+        if not is_certain and (self.is_of_more(chain) or not (quantity or _is_series(right))):
             return None
         outcomes = list(self._outcomes(right, knowledge, chain, quantity, ratio))
-        starts = self._starts_near(chain)
+        starts = self.starts_near(chain)
         if len(starts) == 1:
             outcomes = [each for each in outcomes if each.match.quarters in starts]
         if any(each.match.is_whole for each in outcomes):
@@ -170,7 +171,7 @@ class FormulaPatterns:
         least = _FEWEST + 1 if any(not each.match.wrong for each in outcomes) else 0
         outcomes = [each for each in outcomes if each.match.wrong and len(each.match.agreeing) >= least]
         outcomes = [each for each in outcomes if not each.match.quarters or len(starts) == 1]
-        outcomes = [each for each in outcomes if _is_sure(each.match, starts)]
+        outcomes = [each for each in outcomes if is_certain or _is_sure(each.match, starts)]
         if len({each.match.quantity for each in outcomes}) != 1:
             return None
         return self._refuted(outcomes[0], chain, k, right, knowledge)
@@ -196,14 +197,21 @@ class FormulaPatterns:
                     fewest = 1 if is_certain or has_ratio else _FEWEST
                     for shift in _SHIFTS:
                         match = _compare(own, target, shift, fewest, is_exact=bool(quantity))
-                        may_slip = is_ratio and (not shift or is_certain or bool(profile.ratio.below and not quantity))
+                        may_slip = is_ratio and (
+                            not shift or is_certain or bool(profile.ratio.below and not quantity)
+                        )
                         if match is None or (match.wrong and not may_slip):
                             continue
-                        if shift and not profile.ratio.below and len(match.agreeing) <= _FEWEST and not quantity:
+                        if (
+                            shift
+                            and not profile.ratio.below
+                            and len(match.agreeing) <= _FEWEST
+                            and not quantity
+                        ):
                             continue
                         yield _Outcome(profile, match._replace(quantity=name, quarters=quarters))
 
-    def _starts_near(self, chain: Chain) -> frozenset[int]:
+    def starts_near(self, chain: Chain) -> frozenset[int]:
         """Return the quarter turns from which the section counts the crank angle; none if that is open.
 
         By the other series of the section that agree, or as words say.
@@ -232,7 +240,7 @@ class FormulaPatterns:
                     starts.append((chain.lines[0], own))
         return starts
 
-    def _is_of_more(self, chain: Chain) -> bool:
+    def is_of_more(self, chain: Chain) -> bool:
         """Tell whether words near speak of a rest, of several cylinders, or of another mechanism."""
         heading = self.sections.heading_above(chain.lines[0])
         behind = self.document.text[chain.end : chain.end + 80].split("\n\n")[0]
@@ -281,10 +289,18 @@ class FormulaPatterns:
         if decision.status != REFUTED:
             return None
         count = len(match.agreeing)
-        where = ("", ", its angle counted from a quarter turn before", ", its angle counted from bottom dead centre",
-                 ", its angle counted from a quarter turn behind")[match.quarters]
+        where = (
+            "",
+            ", its angle counted from a quarter turn before",
+            ", its angle counted from bottom dead centre",
+            ", its angle counted from a quarter turn behind",
+        )[match.quarters]
         ratio = plain_text(profile.ratio.node)
-        means = "" if profile.ratio.below else f" with {ratio} = {'l/r' if profile.ratio.is_inverse else 'r/l'}"
+        means = (
+            ""
+            if profile.ratio.below
+            else f" with {ratio} = {'l/r' if profile.ratio.is_inverse else 'r/l'}"
+        )
         reason = (
             f"by its pattern it is the {match.quantity} of one slider-crank{means}{where}:"
             f" {count} {'terms agree' if count > 1 else 'term agrees'},"
@@ -342,7 +358,11 @@ def _quantity_of_root(node: Formula) -> tuple[str, Formula | None]:
         powers = in_powers_of_sine(profile.series)
         first, second = powers.get(Harmonic("1", 0), {}), powers.get(Harmonic("1", 2), {})
         is_root = len(powers) == 2 and len(first) == len(second) == 1
-        if is_root and [p + 2 for p in first] == [*second] and [-v for v in first.values()] == [*second.values()]:
+        if (
+            is_root
+            and [p + 2 for p in first] == [*second]
+            and [-v for v in first.values()] == [*second.values()]
+        ):
             return quantity, profile.ratio.node
     return "", None
 
@@ -359,7 +379,9 @@ def _quantity_of_angle(node: Formula, knowledge: Knowledge) -> tuple[str, Formul
     if definition is None:
         return ("" if name in knowledge.letters else quantity), None
     value = definition.node
-    for profile in profiles(value.argument) if isinstance(value, Call) and value.function == "asin" else ():
+    for profile in (
+        profiles(value.argument) if isinstance(value, Call) and value.function == "asin" else ()
+    ):
         if profile.series == {Harmonic("sin", 1): {1: Fraction(1)}} and not profile.factor:
             return quantity, profile.ratio.node
     return "", None
@@ -378,7 +400,9 @@ def _number(node: Formula) -> Fraction:
 def _is_ratio(node: Formula, is_inverse: bool) -> bool:
     """Tell whether a letter's value is r/l, or l/r where it is inverse; two other letters may be either."""
     if not (
-        isinstance(node, Quotient) and isinstance(node.numerator, Name) and isinstance(node.denominator, Name)
+        isinstance(node, Quotient)
+        and isinstance(node.numerator, Name)
+        and isinstance(node.denominator, Name)
     ):
         return False
     above, below = (each.name.partition("_")[0] for each in (node.numerator, node.denominator))
@@ -399,9 +423,7 @@ def _by_letter(head: Name, profile: Profile) -> str:
     return motion if len(radius) == len(speed) == 1 and len(factor) == 2 else ""
 
 
-def _compare(
-    own: Series, target: Series, shift: int, fewest: int, *, is_exact: bool
-) -> _Match | None:
+def _compare(own: Series, target: Series, shift: int, fewest: int, *, is_exact: bool) -> _Match | None:
     """Return how a formula's terms compare with those of a quantity; None if by more than one slip.
 
     A constant may come from elsewhere: it counts where it agrees, and is not wrong; but where the other
@@ -462,7 +484,9 @@ def _right_term(
     """Return the term that has to stand in the place of a wrong one; None where no one slip leads there."""
     (harmonic, power), value = key, terms[key]
     if missing:
-        first = min(p for h, p in known if h == harmonic) if any(h == harmonic for h, _ in known) else None
+        first = (
+            min(p for h, p in known if h == harmonic) if any(h == harmonic for h, _ in known) else None
+        )
         is_power = len(own[harmonic]) == 1 and all(h == harmonic for h, _ in missing)
         is_power = is_power and first is not None and known[harmonic, first] == value
         return (harmonic, first) if is_power and first is not None and abs(first - power) <= 2 else None
@@ -486,7 +510,9 @@ def _right_term(
 
 def _factor(profile: Profile) -> list[Formula]:
     """Return the letters before all terms of a formula."""
-    return [Power(Name(n), rational_node(e)) if e != 1 else Name(n) for n, e in sorted(profile.factor.items())]
+    return [
+        Power(Name(n), rational_node(e)) if e != 1 else Name(n) for n, e in sorted(profile.factor.items())
+    ]
 
 
 def _with_terms(node: Formula, profile: Profile, match: _Match) -> Formula:

@@ -61,7 +61,9 @@ class Profile:
             parts.append(self.ratio.node if exponent == 1 else Power(self.ratio.node, raised))
         node: Formula | None = Product(tuple(parts)) if len(parts) > 1 else parts[0] if parts else None
         if exponent < 0:
-            below = self.ratio.node if exponent == -1 else Power(self.ratio.node, Number(Fraction(-exponent)))
+            below = (
+                self.ratio.node if exponent == -1 else Power(self.ratio.node, Number(Fraction(-exponent)))
+            )
             node = Quotient(node or Number(Fraction(1)), below)
         waves = self._waves(function, order)
         if waves:
@@ -135,6 +137,23 @@ def profiles(node: Formula) -> Iterator[Profile]:
             yield profile
 
 
+def harmonics_of(node: Formula) -> frozenset[Harmonic]:
+    """Return the harmonics of one angle that a formula has, whatever stands before them; none of others."""
+    try:
+        form = FormEvaluator(Domain(), SymbolValue()).form(node)
+        if len(form.denominator) != 1 or form.domain.radicals or form.domain.opaque:
+            return frozenset()
+        keys = list(components(form.domain, form.numerator))
+    except (NoFormError, TooLargeError):
+        return frozenset()
+    angles = {key.angle[0][0] for key in keys if key.angle}
+    orders = [key.angle[0][1] for key in keys if key.angle]
+    is_of_one = len(angles) == 1 and all(len(key.angle) <= 1 for key in keys)
+    if not is_of_one or any(Fraction(order).denominator != 1 for order in orders):
+        return frozenset()
+    return frozenset(Harmonic(key.function, int(key.angle[0][1])) for key in keys if key.angle)
+
+
 def _exponents(domain: Domain, monomial: Monomial) -> dict[str, Fraction] | None:
     """Return the powers of a monomial's letters; None where it has anything else."""
     if any(domain.generators[g].kind != "symbol" for g, _ in monomial):
@@ -175,7 +194,9 @@ def _in_ratio(
     return Profile(dict(first[0]), angle, ratio, dict(series))
 
 
-def _split(letters: Mapping[str, Fraction], ratio: Ratio) -> tuple[tuple[tuple[str, Fraction], ...], int] | None:
+def _split(
+    letters: Mapping[str, Fraction], ratio: Ratio
+) -> tuple[tuple[tuple[str, Fraction], ...], int] | None:
     """Return the other letters' powers and the ratio's power; None where that is no whole number."""
     rest = {n: e for n, e in letters.items() if n not in (ratio.letter, ratio.below)}
     power = letters.get(ratio.letter, Fraction(0))
