@@ -33,9 +33,9 @@ from symbalance.document.formula import (
     Quotient,
     Sum,
 )
-from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.document.letters import plain_letter
 from symbalance.notes.algebra.evaluation import SymbolValue
+from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import (
     PROVED,
