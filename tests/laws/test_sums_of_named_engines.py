@@ -21,7 +21,8 @@ RIGHT = [
     THREE + r"$\sum_{i=1}^{3} \sin\alpha_i = 0$",
     THREE + r"$\sum_k z_k\cos 3(\theta - \gamma_k) = 0$",
     r"Der Vierzylinder: $\sum_i \cos\varphi_i = 0$",
-    "The four-cylinder engine has cranks at 0°, 180°, 180°, 0°.\n\n" + r"$\sum_k z_k\cos(\theta-\gamma_k) = 0$",
+    "The four-cylinder engine has cranks at 0°, 180°, 180°, 0°.\n\n"
+    + r"$\sum_k z_k\cos(\theta-\gamma_k) = 0$",
 ]
 WRONG = [
     SIX + r"$\sum_k \cos 6(\theta - \gamma_k) = 0$",

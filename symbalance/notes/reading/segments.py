@@ -26,12 +26,16 @@ _NO_LENGTH = re.compile(
     r"|hat|tilde|bar|angle|sphericalangle|triangle|Delta)\s*\{?\s*$"
 )
 _TEXT = re.compile(r"\\(?:text\w*|mathrm|operatorname|label|ref|tag|begin|end)\s*\{[^{}]{0,60}\}")
-_ANGLE = re.compile(r"(?:\\(?:angle|sphericalangle|triangle|Delta)|∠|△)\s*\{?\s*[A-Z]\s?[A-Z]\s?[A-Z]?\}?")
+_ANGLE = re.compile(
+    r"(?:\\(?:angle|sphericalangle|triangle|Delta)|∠|△)\s*\{?\s*[A-Z]\s?[A-Z]\s?[A-Z]?\}?"
+)
 _SUBSCRIPT = re.compile(r"[_^]\s*(?:\{[^{}]{0,30}\}|[A-Za-z0-9])")
 _ALONE = re.compile(r"(?<![A-Za-z\\])([A-Z])(?![A-Za-z])")
-_OPERATOR = re.compile(r"[=<>+*/^≈·≤≥]|\\(?:frac|cdot|times|approx|sin|cos|tan|le|ge)(?![A-Za-z])|(?<=\w)\s?-")
+_OPERATOR = re.compile(
+    r"[=<>+*/^≈·≤≥]|\\(?:frac|cdot|times|approx|sin|cos|tan|le|ge)(?![A-Za-z])|(?<=\w)\s?-"
+)
 _SIDE = r"(?:\\(?:,|;|quad|qquad|!)|[\s$&])*"
-_LENGTH = rf"(?:[a-z](?:_\{{?\w\}}?)?|\\ell)(?![A-Za-z_({{^])"
+_LENGTH = r"(?:[a-z](?:_\{?\w\}?)?|\\ell)(?![A-Za-z_({^])"
 _BEHIND = re.compile(rf"{_SIDE}=\s*{_LENGTH}")
 _BEFORE = re.compile(rf"(?<![A-Za-z\\]){_LENGTH}\s*=\s*$")
 _POINTS = (
@@ -76,7 +80,9 @@ def with_segments(text: str) -> tuple[Rewritten | None, tuple[str, ...]]:
     first = {pair.points: pair.written for pair in reversed(pairs)}
     letters = {points: f"{written[0]}_{{{written[1]}}}" for points, written in first.items()}
     parted = _parted(text, kinds)
-    read = {points: "(" + "+".join(letters[part] for part in parts) + ")" for points, parts in parted.items()}
+    read = {
+        points: "(" + "+".join(letters[part] for part in parts) + ")" for points, parts in parted.items()
+    }
     rewriter = Rewriter(text)
     for pair in sorted(pairs, key=lambda pair: pair.span):
         rewriter.replace(*pair.span, read.get(pair.points, letters[pair.points]))

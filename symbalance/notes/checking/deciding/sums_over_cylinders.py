@@ -94,7 +94,9 @@ def decide_over_cylinders(
         if angles.is_usual and decision.status == REFUTED and _open_order(left, right, knowledge):
             decision = Decision(UNDECIDED, OF_SOME_ORDERS)
         if _PITCH in names(first) | names(second) and decision.status == REFUTED:
-            decision = replace(decision, reason="; ".join(filter(None, (f"if {SPACED}", decision.reason))))
+            decision = replace(
+                decision, reason="; ".join(filter(None, (f"if {SPACED}", decision.reason)))
+            )
         if angles.is_usual and not decision.is_proved:
             decision = replace(
                 decision, reason="; ".join(filter(None, (f"if {angles.text}", decision.reason)))

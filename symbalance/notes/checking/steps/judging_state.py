@@ -39,6 +39,7 @@ from symbalance.notes.checking.meant.pistons.formula_patterns import FormulaPatt
 from symbalance.notes.checking.meant.pistons.motion_parity import MotionParity
 from symbalance.notes.checking.motions.equations_of_motion import EquationOfMotion
 from symbalance.notes.checking.motions.fourier_series import FourierSeries
+from symbalance.notes.checking.motions.trial_solutions import Trial
 from symbalance.notes.checking.page.cranks_of_engines import CranksOfEngines
 from symbalance.notes.checking.page.solutions import turned_letters
 from symbalance.notes.checking.premises import constraints
@@ -116,6 +117,8 @@ class JudgingState:
         self.conditions = equalities_behind(self.document)
         """Where equations begin that are conditions of the relation before them alone: (m = n)."""
         self.equations_of_motion: list[EquationOfMotion] = []
+        self.trials: list[Trial] = []
+        """Motions of letters that are put into the equations of motion."""
         self.fourier_series: list[FourierSeries] = []
         self.not_judged: dict[str, int] = {}
         """Letters that a relation may define which was not judged, with its line."""

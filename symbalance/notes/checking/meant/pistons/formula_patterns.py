@@ -109,7 +109,7 @@ _BY_LETTER = {
 """What usual letters are of with the factor r ω or r ω² before the harmonics."""
 _SPEEDS = {"velocity": 1, "acceleration": 2}
 _OVER_ROD, _OVER_CRANK = CONVENTIONS["r/l"], CONVENTIONS["l/r"]
-_OMEGAS = frozenset({"omega", "Omega", "w"})
+_OMEGAS = frozenset({"omega", "Omega"})
 
 
 class _Term(NamedTuple):
@@ -271,6 +271,8 @@ class FormulaPatterns:
 
     def _has_ratio(self, ratio: Ratio, knowledge: Knowledge, line: int) -> bool:
         """Tell whether the page says that a letter is the crank over the rod, or writes these."""
+        if any(self._meaning_of(name, line) not in ("", "angular speed") for name in _OMEGAS):
+            return False
         if ratio.below or self._meaning_of(ratio.letter, line):
             return True
         definition = knowledge.definitions.get(ratio.letter)
