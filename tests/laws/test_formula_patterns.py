@@ -82,7 +82,8 @@ def test_the_series_are_those_of_the_slider_crank():
     exact = {
         "displacement": way(ANGLE), "velocity": slope(way), "cosine of the rod's angle": cos(rod),
         "acceleration": slope(lambda a: slope(way, a)), "tangent of the rod's angle": tan(rod),
-        "position": cos(ANGLE) + cos(rod) / RATIO, "rod's angle": rod, "secant of the rod's angle": 1 / cos(rod),
+        "position": cos(ANGLE) + cos(rod) / RATIO, "rod's angle": rod,
+        "secant of the rod's angle": 1 / cos(rod),
         "inertia torque": slope(way) * slope(lambda a: slope(way, a)),
         "radial force": cos(ANGLE + rod) / cos(rod),
     }  # fmt: skip

@@ -61,7 +61,7 @@ class _Pair:
 
 
 def with_segments(text: str) -> tuple[Rewritten | None, tuple[str, ...]]:
-    r"""Return a text with each distance of two points as one letter, None where there are none, and notes.
+    r"""Return a text with distances of two points as one letter each, None for none, and notes.
 
     >>> with_segments("Let $a = AG$ and $b = GB$: $a + b = l$")[0].text
     'Let $a = A_{G}$ and $b = G_{B}$: $a + b = l$'
@@ -167,7 +167,7 @@ def _parted(text: str, kinds: list[str]) -> dict[str, tuple[str, str]]:
 
 
 def _lies_between(text: str, point: str, ends: str) -> bool:
-    """Tell whether words put a point between two others: G divides AB, G is the centre of gravity of AB."""
+    """Tell whether words put a point between two others: G divides AB, G is the centroid of AB."""
     own = rf"(?<![A-Za-z]){point}(?![A-Za-z])"
     join = r"\W{0,6}(?:and|und|と)?\W{0,6}"
     both = rf"(?<![A-Za-z])(?:{ends[0]}{join}{ends[1]}|{ends[1]}{join}{ends[0]})(?![A-Za-z])"

@@ -309,9 +309,9 @@ def _indexed_terms(
     indexed = indexed_letters(node.body, node.index.name)
     own = [name for name in indexed if is_greek(name.split("_")[0])]
     places = [name for name in indexed if name not in own]
-    if len(own) != 1 or any(knowledge.knows(name) for name in (*indexed, _PITCH)):
-        return None
-    if places and not (len(places) == 1 and places[0].split("_")[0] in _PLACES and not angles.signs):
+    is_of_places = len(places) == 1 and places[0].split("_")[0] in _PLACES and not angles.signs
+    is_known = any(knowledge.knows(name) for name in (*indexed, _PITCH))
+    if len(own) != 1 or is_known or (places and not is_of_places):
         return None
     is_of_cranks = not angles.signs and own[0].split("_")[0] in _OF_CRANKS
     if angles.is_usual and not (is_of_cranks and _turns_with(node.body, own[0])):
@@ -322,12 +322,8 @@ def _indexed_terms(
     stem = own[0][: -len(node.index.name)]
     if any(name.startswith(stem) and name[len(stem) :].isdecimal() for name in knowledge.definitions):
         return None  # δ_1, δ_2 have values of their own
-    if node.upper is not None:
-        if node.lower is None or not isinstance(node.lower, Number):
-            return None
-        last = _number(node.upper, knowledge)
-        if last is None or last.value - node.lower.value + 1 != len(angles.degrees):
-            return None
+    if node.upper is not None and _count(node, knowledge) != len(angles.degrees):
+        return None
     # Σ cos θ_i is of whole angles; beside θ, in cos(θ + θ_i), they are those of the cranks
     is_beside = isinstance(theta, Name) and theta.name in names(node.body)
     stem = own[0].split("_")[0]
@@ -341,6 +337,17 @@ def _indexed_terms(
         bodies = [substitute(body, places[0], place) for body, place in zip(bodies, at, strict=True)]
     numbers = [Number(first + place) for place in range(len(bodies))]
     return [substitute(b, node.index.name, n) for b, n in zip(bodies, numbers, strict=True)]
+
+
+def _count(node: Summation, knowledge: Knowledge) -> Fraction | None:
+    """Return how many terms a sum with bounds has, None where these are no numbers."""
+    last = None if node.upper is None else _number(node.upper, knowledge)
+    is_number = last is not None and isinstance(node.lower, Number)
+    return (
+        last.value - node.lower.value + 1
+        if is_number and last and isinstance(node.lower, Number)
+        else None
+    )
 
 
 def _even_arms(count: int) -> tuple[Fraction, ...]:

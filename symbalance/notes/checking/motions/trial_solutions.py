@@ -1,7 +1,7 @@
 """Trial solutions of free vibrations: with y₁ = A sin pt and y₂ = B sin pt the equations of motion above
 become linear in the amplitudes A and B, and what a page says of these and of p is judged by that.
 
-    (k - I₁ p²) A - k B = 0         a row of them, or what follows from them wherever their determinant is 0
+    (k - I₁ p²) A - k B = 0         a row of them, or what follows wherever their determinant is 0
     A/B = -I₂/I₁                    the ratio in one of the modes
     I₁ I₂ p² - k (I₁ + I₂) = 0      the determinant, a factor p² left out where p = 0 is a root
     p² = k (I₁ + I₂)/(I₁ I₂)        one of its roots
@@ -144,29 +144,32 @@ def decide_by_trial(
     `equal` are letters that words near set equal to each other.
     """
     left, right = chain.sides[k].node, chain.sides[k + 1].node
-    own, p = names(left) | names(right), vibration.frequency
-    is_pair = isinstance(left, Name) and isinstance(right, Name) and own <= vibration.letters
-    if k and is_pair and chain.relations[k].sign == "=":
+    is_pair = isinstance(left, Name) and isinstance(right, Name)
+    if k and is_pair and names(left) | names(right) <= vibration.letters:
         return Decision(PREMISE, "a special case of the equations of motion")
     if k or chain.relations[0].sign != "=":
         return None
-    head = left.base if isinstance(left, Power) and left.exponent == _TWO else left
-    is_frequency = isinstance(head, Name) and (head == p or head.name.startswith(f"{p.name}_"))
     try:
-        if is_frequency and right != _ZERO and not own & {*vibration.amplitudes}:
-            square = right if head is not left else Power(right, _TWO)
-            is_own = any(name.partition("_")[0] == p.name for name in names(right))
-            return None if is_own else _decide_root(square, vibration, equal)
-        if len(chain.relations) != 1:
-            return None
-        if own == {p.name} and p in (left, right) and _ZERO in (left, right):
-            at_rest = decide_equality(determinant(vibration.rows(_ZERO)), _ZERO, _BARE)
-            return Decision(CONDITION, "a root of the frequency equation") if at_rest.is_proved else None
-        if own & {*vibration.amplitudes}:
-            return _decide_amplitudes(left, right, vibration)
-        return _decide_frequency_equation(left, right, vibration) if p.name in own else None
+        return _decide(left, right, vibration, equal)
     except (NoFormError, TooLargeError):
         return None
+
+
+def _decide(
+    left: Formula, right: Formula, vibration: FreeVibration, equal: Sequence[Sequence[str]]
+) -> Decision | None:
+    """Return the decision on an equation by what stands in it: amplitudes, p alone, or p and the rest."""
+    own, p = names(left) | names(right), vibration.frequency
+    head = left.base if isinstance(left, Power) and left.exponent == _TWO else left
+    is_frequency = isinstance(head, Name) and (head == p or head.name.startswith(f"{p.name}_"))
+    if own & {*vibration.amplitudes}:
+        return _decide_amplitudes(left, right, vibration)
+    if is_frequency and right == _ZERO:
+        at_rest = decide_equality(determinant(vibration.rows(_ZERO)), _ZERO, _BARE)
+        return Decision(CONDITION, "a root of the frequency equation") if at_rest.is_proved else None
+    if is_frequency and not any(name.partition("_")[0] == p.name for name in names(right)):
+        return _decide_root(right if head is not left else Power(right, _TWO), vibration, equal)
+    return _decide_frequency_equation(left, right, vibration) if p.name in own else None
 
 
 def _decide_root(
@@ -231,26 +234,33 @@ def _decide_amplitudes(left: Formula, right: Formula, vibration: FreeVibration) 
     if any(_is_multiple(factors, row) for row in rows):
         return Decision(PROVED, f"by {vibration.where}, with this motion put in")
     if p.name not in own and len(amplitudes) == 2 and {*amplitudes} <= own:
-        of_mode = f"of {plain_text(Name(amplitudes[0]))} and {plain_text(Name(amplitudes[1]))}"
-        if _is_ratio_of_mode(factors, vibration):
-            return Decision(PROVED, f"the ratio {of_mode} in a natural mode by {vibration.where}")
-        is_told = bool(own - {*amplitudes})
-        reason = f"the ratio {of_mode} in no natural mode by {vibration.where}"
-        return Decision(REFUTED, reason) if is_told else None
+        return _decide_ratio(factors, vibration, is_told=bool(own - {*amplitudes}))
     mode = [Product((factor, each)) for factor, each in zip(factors, _cofactors(rows), strict=True)]
-    for count in (0, 1):
-        if _vanishes_with(Sum(tuple(mode)), determinant(rows), p.name, count):
-            assumptions = (f"{plain_text(p)} ≠ 0",) if count else ()
-            return Decision(
-                PROVED, f"by {vibration.where}, at a natural frequency", assumptions=assumptions
-            )
-    if p.name not in own:
-        return None  # of one mode, or of a special case
-    return Decision(REFUTED, f"does not follow from {vibration.where} with this motion put in")
+    whole = determinant(rows)
+    counts = [n for n in (0, 1) if _vanishes_with(Sum(tuple(mode)), whole, p.name, n)]
+    if counts:
+        assumptions = (f"{plain_text(p)} ≠ 0",) if counts[0] else ()
+        reason = f"by {vibration.where}, at a natural frequency"
+        return Decision(PROVED, reason, assumptions=assumptions)
+    # without p it may be of one mode, or of a special case
+    reason = f"does not follow from {vibration.where} with this motion put in"
+    return Decision(REFUTED, reason) if p.name in own else None
+
+
+def _decide_ratio(
+    factors: Sequence[Formula], vibration: FreeVibration, *, is_told: bool
+) -> Decision | None:
+    """Return whether two amplitudes have the ratio of a mode; None for one without masses, if wrong."""
+    one, other = (plain_text(Name(name)) for name in vibration.amplitudes)
+    if _is_ratio_of_mode(factors, vibration):
+        reason = f"the ratio of {one} and {other} in a natural mode by {vibration.where}"
+        return Decision(PROVED, reason)
+    reason = f"the ratio of {one} and {other} in no natural mode by {vibration.where}"
+    return Decision(REFUTED, reason) if is_told else None
 
 
 def _cofactors(rows: Sequence[Sequence[Formula]]) -> list[Formula]:
-    """Return the cofactors of a matrix's first row: the amplitudes of a mode, where the determinant is 0."""
+    """Return the cofactors of a matrix's first row: a mode, where the determinant is 0."""
     cofactors: list[Formula] = []
     for column in range(len(rows)):
         minor = [[*row[:column], *row[column + 1 :]] for row in rows[1:]]

@@ -94,7 +94,7 @@ class CranksOfEngines:
         return EnginesInWords(self.text)
 
     def _by_number_alone(self, first: int, last: int, line: int) -> CrankAngles | None:
-        """Return the cranks of a three- or four-cylinder engine of which nothing says that it has banks."""
+        """Return the cranks of a three- or four-cylinder engine that nothing says to have banks."""
         engines = self._named_by_number.between(first, last)
         if len({engine.key for engine in engines}) != 1 or engines[0].cylinders not in _USUALLY_IN_LINE:
             return None

@@ -76,7 +76,8 @@ _ANOTHER = re.compile(
     r"|\brest(?:kraft|moment|lich|anteil|\b)|gegengewicht|釣合|つり合|釣り合|残|équilibr|contrepoids|equilibr|contrapeso"
     r"|\bV-?\d|\bV-?(?:engine|motor|twin)|V型|V形|\bbanks?\b|\bradial engine|sternmotor|星型|星形|boxer"
     r"|opposed|水平対向"
-    r"|cylinders\b|zylindern\b|(?:aller|beider|zwei|drei|vier|sechs|acht) zylinder|\w+-cylinder|[2-9２-９二三四六八]\s?気筒"
+    r"|cylinders\b|zylindern\b|(?:aller|beider|zwei|drei|vier|sechs|acht) zylinder|\w+-cylinder"
+    r"|[2-9２-９二三四六八]\s?気筒"
     r"|全気筒|offset|desax|dés?ax|geschränkt|オフセット|articulated|slave rod|nebenpleuel|副連"
     r"|scotch|yoke|\bcams?\b|nocken|カム|wrong|mistak|instead|falsch|誤",
     re.IGNORECASE,
@@ -244,11 +245,11 @@ class FormulaPatterns:
         """Tell whether words near speak of a rest, of several cylinders, or of another mechanism."""
         heading = self.sections.heading_above(chain.lines[0])
         behind = self.document.text[chain.end : chain.end + 80].split("\n\n")[0]
-        words = f"{heading}\n{self.words.paragraph(chain)}\n{self.sections.sentence_leading_to(chain)}{behind}"
-        return _ANOTHER.search(words) is not None
+        before = f"{self.words.paragraph(chain)}\n{self.sections.sentence_leading_to(chain)}"
+        return _ANOTHER.search(f"{heading}\n{before}{behind}") is not None
 
     def _may_be_ratio(self, ratio: Ratio, knowledge: Knowledge, other: Formula | None, line: int) -> bool:
-        """Tell whether a letter may be r/l, or l/r where it is inverse, by all that the page says of it."""
+        """Tell whether a letter may be r/l, or l/r where it is inverse, by what the page says."""
         if other is not None:
             return ratio.node == other
         if ratio.below:
@@ -339,7 +340,7 @@ def _agreeing(outcomes: list[_Outcome], chain: Chain, k: int) -> Decision | None
 
 
 def _is_sure(match: _Match, starts: frozenset[int]) -> bool:
-    """Tell whether a term is wrong wherever the angle is counted from, of a motion by its letter alone."""
+    """Tell whether a term is wrong wherever the angle is counted from, for a motion by letter alone."""
     is_sign = [abs(t.value) for t in match.wrong] == [abs(t.value) for t in match.right]
     return len(match.agreeing) >= _FEWEST or not is_sign or len(starts) == 1
 
@@ -370,7 +371,7 @@ def _quantity_of_root(node: Formula) -> tuple[str, Formula | None]:
 
 
 def _quantity_of_angle(node: Formula, knowledge: Knowledge) -> tuple[str, Formula | None]:
-    """Return which function of the rod's angle cos β is, and the ratio where the page says sin β = λ sin θ.
+    """Return which function of the rod's angle cos β is, and λ where the page says sin β = λ sin θ.
 
     A letter that is declared, or has another value, is no angle of a rod.
     """
@@ -400,7 +401,7 @@ def _number(node: Formula) -> Fraction:
 
 
 def _is_ratio(node: Formula, is_inverse: bool) -> bool:
-    """Tell whether a letter's value is r/l, or l/r where it is inverse; two other letters may be either."""
+    """Tell whether a letter's value is r/l, or l/r where it is inverse; other letters may be either."""
     if not (
         isinstance(node, Quotient)
         and isinstance(node.numerator, Name)
@@ -483,7 +484,7 @@ def _right_term(
     missing: list[tuple[Harmonic, int]],
     own: Series,
 ) -> tuple[Harmonic, int] | None:
-    """Return the term that has to stand in the place of a wrong one; None where no one slip leads there."""
+    """Return the term that belongs in the place of a wrong one; None where no one slip leads there."""
     (harmonic, power), value = key, terms[key]
     if missing:
         first = (

@@ -1,9 +1,9 @@
 """Which harmonics a motion named by words can have: an inertia torque has sines alone, a way cosines.
 
-Turned backwards from top dead centre a slider-crank without offset is where it was turned forwards, so
-that its piston's way, its acceleration and the mass force are even in the crank angle; the velocity and the
-torque of the mass forces are odd. Counted from a quarter turn, odd orders have the other function. A line
-is refuted where one harmonic of several can stand in neither.
+Turned backwards from top dead centre a slider-crank without offset is where it is turned forwards, so
+that its piston's way, its acceleration and the mass force are even in the crank angle; the velocity and
+the torque of the mass forces are odd. Counted from a quarter turn, odd orders have the other function.
+A line is refuted where one harmonic of several can stand in neither.
 """
 
 from __future__ import annotations
@@ -28,7 +28,8 @@ _FUNCTIONS: Mapping[str, str] = {
     FROM_TOP: "cos", FROM_PIN: "cos", FROM_MIDDLE: "cos",
 }  # fmt: skip
 _TORQUE = re.compile(
-    r"(?:inertia|mass)[- ]torque|torque (?:of|from|by|due to|exerted by) the (?:inertia|mass|reciprocating)"
+    r"(?:inertia|mass)[- ]torque"
+    r"|torque (?:of|from|by|due to|exerted by) the (?:inertia|mass|reciprocating)"
     r"|massen(?:kraft)?(?:dreh)?moment|慣性(?:力による|力の)?トルク",
     re.IGNORECASE,
 )

@@ -1,7 +1,7 @@
 """Formulas read as harmonics of one angle whose coefficients are numbers times powers of a ratio.
 
-m r² ω² (λ/4 sin φ - ½ sin 2φ) is the factor m r² ω², the angle φ, and of sin φ the coefficient ¼ at λ¹, of
-sin 2φ -½ at λ⁰. The ratio may be a letter, λ or its inverse n, or r/l of two letters.
+m r² ω² (λ/4 sin φ - ½ sin 2φ) is the factor m r² ω², the angle φ, and of sin φ the coefficient ¼ at λ¹,
+of sin 2φ -½ at λ⁰. The ratio may be a letter, λ or its inverse n, or r/l of two letters.
 """
 
 from __future__ import annotations
@@ -138,7 +138,7 @@ def profiles(node: Formula) -> Iterator[Profile]:
 
 
 def harmonics_of(node: Formula) -> frozenset[Harmonic]:
-    """Return the harmonics of one angle that a formula has, whatever stands before them; none of others."""
+    """Return the harmonics of one angle that a formula has, whatever stands before them; none else."""
     try:
         form = FormEvaluator(Domain(), SymbolValue()).form(node)
         if len(form.denominator) != 1 or form.domain.radicals or form.domain.opaque:
