@@ -83,6 +83,13 @@ _ANOTHER = re.compile(
     re.IGNORECASE,
 )
 """Words of a sentence, a paragraph or a heading by which the terms may have other factors."""
+_WEIGHTS = re.compile(
+    r"balanc|weight|gewicht|gegen|ausgleich|(?<!crank)(?<!crank )shaft|lanchester|residu|remain"
+    r"|\brest|half|hälfte|compensat|釣|つり合|バランス|残|半分|おもり|contrepoids|équilib|equilib|contrapeso|masselotte",
+    re.IGNORECASE,
+)
+_FORCES = frozenset({"acceleration", "inertia torque"})
+"""What counterweights and balance shafts take a part of: forces over a mass, and torques."""
 _FROM_TOP = re.compile(
     r"top dead|upper dead|inner dead|\bTDC\b|\bIDC\b|\bOT\b|oberen? totp|上死点|\bPMH\b|\bPMS\b",
     re.IGNORECASE,
@@ -173,7 +180,7 @@ class FormulaPatterns:
         outcomes = [each for each in outcomes if each.match.wrong and len(each.match.agreeing) >= least]
         outcomes = [each for each in outcomes if not each.match.quarters or len(starts) == 1]
         outcomes = [each for each in outcomes if is_certain or _is_sure(each.match, starts)]
-        if len({each.match.quantity for each in outcomes}) != 1:
+        if len({each.match.quantity for each in outcomes}) != 1 or self._may_be_rest(outcomes[0]):
             return None
         return self._refuted(outcomes[0], chain, k, right, knowledge)
 
@@ -247,6 +254,23 @@ class FormulaPatterns:
         behind = self.document.text[chain.end : chain.end + 80].split("\n\n")[0]
         before = f"{self.words.paragraph(chain)}\n{self.sections.sentence_leading_to(chain)}"
         return _ANOTHER.search(f"{heading}\n{before}{behind}") is not None
+
+    def _may_be_rest(self, outcome: _Outcome) -> bool:
+        """Tell whether a first or second order may be what a counterweight or a shaft leaves of it.
+
+        A force or a torque, not a motion: the first order of any other size or sign, the second one too
+        where the page speaks of weights or shafts anywhere.
+        """
+        wrong, right = outcome.match.wrong[0], outcome.match.right[0]
+        motion = {
+            n for n in outcome.profile.factor if n.partition("_")[0] in RADII | RODS or n in _OMEGAS
+        }
+        is_size = wrong.harmonic == right.harmonic and wrong.power == right.power
+        if not is_size or outcome.match.quantity not in _FORCES or motion == {*outcome.profile.factor}:
+            return False
+        if wrong.harmonic.order == 1:
+            return outcome.match.quantity == "acceleration"
+        return wrong.harmonic.order == 2 and _WEIGHTS.search(self.document.text) is not None
 
     def _may_be_ratio(self, ratio: Ratio, knowledge: Knowledge, other: Formula | None, line: int) -> bool:
         """Tell whether a letter may be r/l, or l/r where it is inverse, by what the page says."""
