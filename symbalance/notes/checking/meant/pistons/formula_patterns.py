@@ -56,6 +56,7 @@ from symbalance.notes.checking.meant.pistons.crank_series import (
     known_series,
     turned,
 )
+from symbalance.notes.checking.meant.pistons.motion_words import motions_named
 from symbalance.notes.checking.meant.pistons.wave_profiles import (
     RADII,
     RODS,
@@ -79,6 +80,7 @@ _ANOTHER = re.compile(
     r"|cylinders\b|zylindern\b|(?:aller|beider|zwei|drei|vier|sechs|acht) zylinder|\w+-cylinder"
     r"|[2-9２-９二三四六八]\s?気筒"
     r"|全気筒|offset|desax|dés?ax|geschränkt|オフセット|articulated|slave rod|nebenpleuel|副連"
+    r"|\brod'?s? (?:cent(?:re|er)|middle)|cent(?:re|er) of (?:gravity|mass)|mid-?point|schwerpunkt|重心"
     r"|scotch|yoke|\bcams?\b|nocken|カム|wrong|mistak|instead|falsch|誤",
     re.IGNORECASE,
 )
@@ -90,6 +92,14 @@ _WEIGHTS = re.compile(
 )
 _FORCES = frozenset({"acceleration", "inertia torque"})
 """What counterweights and balance shafts take a part of: forces over a mass, and torques."""
+_OF_PISTON = frozenset(
+    {"displacement", "displacement from the bottom", "position", "velocity", "acceleration"}
+)
+_OTHER_BODY = re.compile(
+    r"\brods?\b|cent(?:re|er) of|midpoint|mid-point|middle|\bpoint\b|pleuel|stange|schwerpunkt|mitte"
+    r"|punkt\b|コンロッド|連接棒|重心|bielle|biela",
+    re.IGNORECASE,
+)
 _FROM_TOP = re.compile(
     r"top dead|upper dead|inner dead|\bTDC\b|\bIDC\b|\bOT\b|oberen? totp|上死点|\bPMH\b|\bPMS\b",
     re.IGNORECASE,
@@ -192,6 +202,8 @@ class FormulaPatterns:
         for profile in profiles(node):
             is_ratio = self._may_be_ratio(profile.ratio, knowledge, other, chain.lines[0])
             by_letter = _by_letter(head, profile) if isinstance(head, Name) else ""
+            words = self.words.sentence_before(chain) if by_letter else ""
+            by_letter = "" if motions_named(words) or _OTHER_BODY.search(words) else by_letter
             is_certain = other is not None
             has_ratio = bool(by_letter) and self._has_ratio(profile.ratio, knowledge, chain.lines[0])
             is_in_sines = has_powers_of_sine(node)
@@ -258,19 +270,20 @@ class FormulaPatterns:
     def _may_be_rest(self, outcome: _Outcome) -> bool:
         """Tell whether a first or second order may be what a counterweight or a shaft leaves of it.
 
-        A force or a torque, not a motion: the first order of any other size or sign, the second one too
-        where the page speaks of weights or shafts anywhere.
+        The first order of a force of any other size or sign, the second one too where the page speaks of
+        weights or shafts anywhere. Of a point within the rod the first order is larger than the others.
         """
         wrong, right = outcome.match.wrong[0], outcome.match.right[0]
         motion = {
             n for n in outcome.profile.factor if n.partition("_")[0] in RADII | RODS or n in _OMEGAS
         }
-        is_size = wrong.harmonic == right.harmonic and wrong.power == right.power
-        if not is_size or outcome.match.quantity not in _FORCES or motion == {*outcome.profile.factor}:
+        is_motion, quantity = motion == {*outcome.profile.factor}, outcome.match.quantity
+        if wrong.harmonic != right.harmonic or wrong.power != right.power:
             return False
-        if wrong.harmonic.order == 1:
-            return outcome.match.quantity == "acceleration"
-        return wrong.harmonic.order == 2 and _WEIGHTS.search(self.document.text) is not None
+        if wrong.harmonic.order == 1 and quantity in _OF_PISTON:  # or of the rod's middle
+            return not is_motion or abs(wrong.value) > abs(right.value)
+        is_of_weights = quantity in _FORCES and not is_motion and wrong.harmonic.order == 2
+        return is_of_weights and _WEIGHTS.search(self.document.text) is not None
 
     def _may_be_ratio(self, ratio: Ratio, knowledge: Knowledge, other: Formula | None, line: int) -> bool:
         """Tell whether a letter may be r/l, or l/r where it is inverse, by what the page says."""
