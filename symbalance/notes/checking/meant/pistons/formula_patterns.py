@@ -19,7 +19,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property
+from functools import cache, cached_property
 from typing import NamedTuple
 
 from symbalance.document.formula import (
@@ -147,7 +147,9 @@ class _Match(NamedTuple):
     wrong: tuple[_Term, ...]
     right: tuple[_Term, ...]
     """What has to stand in the place of the wrong ones."""
-    has_other_constant: bool = False
+    has_other_constant: bool
+    shift: int = 0
+    """The power of the ratio that stands before the whole formula."""
 
     @property
     def is_whole(self) -> bool:
@@ -181,7 +183,7 @@ class FormulaPatterns:
         if not is_certain and (self.is_of_more(chain) or not (quantity or _is_series(right))):
             return None
         outcomes = list(self._outcomes(right, knowledge, chain, quantity, ratio))
-        starts = self.starts_near(chain)
+        starts = self.starts_near(chain) if outcomes else frozenset[int]()
         if len(starts) == 1:
             outcomes = [each for each in outcomes if each.match.quarters in starts]
         if any(each.match.is_whole for each in outcomes):
@@ -206,30 +208,13 @@ class FormulaPatterns:
             by_letter = "" if motions_named(words) or _OTHER_BODY.search(words) else by_letter
             is_certain = other is not None
             has_ratio = bool(by_letter) and self._has_ratio(profile.ratio, knowledge, chain.lines[0])
-            is_in_sines = has_powers_of_sine(node)
-            own = in_powers_of_sine(profile.series) if is_in_sines else profile.series
-            for name, series in known_series().items():
-                if name != (quantity or by_letter or name):
-                    continue
-                for quarters in range(_QUARTERS if not quantity else 1):
-                    target = turned(series, quarters)
-                    target = in_powers_of_sine(target) if is_in_sines else target
-                    fewest = 1 if is_certain or has_ratio else _FEWEST
-                    for shift in _SHIFTS:
-                        match = _compare(own, target, shift, fewest, is_exact=bool(quantity))
-                        may_slip = is_ratio and (
-                            not shift or is_certain or bool(profile.ratio.below and not quantity)
-                        )
-                        if match is None or (match.wrong and not may_slip):
-                            continue
-                        if (
-                            shift
-                            and not profile.ratio.below
-                            and len(match.agreeing) <= _FEWEST
-                            and not quantity
-                        ):
-                            continue
-                        yield _Outcome(profile, match._replace(quantity=name, quarters=quarters))
+            fewest = 1 if is_certain or has_ratio else _FEWEST
+            has_pair, only = bool(profile.ratio.below), quantity or by_letter
+            for match in _matches(profile.series, has_powers_of_sine(node), only, fewest, bool(quantity)):
+                is_plain = not match.shift or is_certain or (has_pair and not quantity)
+                is_enough = not match.shift or has_pair or len(match.agreeing) > _FEWEST or quantity
+                if is_enough and (not match.wrong or (is_ratio and is_plain)):
+                    yield _Outcome(profile, match)
 
     def starts_near(self, chain: Chain) -> frozenset[int]:
         """Return the quarter turns from which the section counts the crank angle; none if that is open.
@@ -463,6 +448,31 @@ def _by_letter(head: Name, profile: Profile) -> str:
     return motion if len(radius) == len(speed) == 1 and len(factor) == 2 else ""
 
 
+@cache
+def _targets(is_in_sines: bool) -> tuple[tuple[str, int, Series], ...]:
+    """Return the known series with their angle counted from each quarter turn."""
+    return tuple(
+        (name, quarters, in_powers_of_sine(own) if is_in_sines else own)
+        for name, series in known_series().items()
+        for quarters in range(_QUARTERS)
+        for own in [turned(series, quarters)]
+    )
+
+
+def _matches(
+    series: Series, is_in_sines: bool, only: str, fewest: int, is_exact: bool
+) -> Iterator[_Match]:
+    """Yield how a series compares with the known ones, or with one alone; an exact one as it stands."""
+    own = in_powers_of_sine(series) if is_in_sines else series
+    for name, quarters, target in _targets(is_in_sines):
+        if (only and name != only) or (is_exact and quarters):
+            continue
+        for shift in _SHIFTS:
+            match = _compare(own, target, shift, fewest, is_exact=is_exact)
+            if match is not None:
+                yield match._replace(quantity=name, quarters=quarters)
+
+
 def _compare(own: Series, target: Series, shift: int, fewest: int, *, is_exact: bool) -> _Match | None:
     """Return how a formula's terms compare with those of a quantity; None if by more than one slip.
 
@@ -492,20 +502,21 @@ def _compare(own: Series, target: Series, shift: int, fewest: int, *, is_exact: 
     if fewest == _FEWEST and not is_exact and not _is_told(agreeing):
         return None
 
-    def match(wrong: list[tuple[Harmonic, int]], right: list[tuple[Harmonic, int]]) -> _Match:
-        return _Match(
-            "", 0, *(tuple(_Term(*key, terms[key]) for key in keys) for keys in (agreeing, wrong)),
-            tuple(_Term(*key, factor * known[key]) for key in right),
-            any(not h.order and (h, p) not in agreeing for h, p in terms),
-        )  # fmt: skip
-
-    if not wrong and not missing:
-        return match([], [])
-    if len(wrong) != 1:
-        return None
-    (key,) = wrong
-    right = _right_term(key, terms, {k: factor * v for k, v in known.items()}, missing, own)
-    return match(wrong, [right]) if right is not None else None
+    right: list[tuple[Harmonic, int]] = []
+    if wrong or missing:
+        of_page = {key: factor * value for key, value in known.items()}
+        own_right = _right_term(wrong[0], terms, of_page, missing, own) if len(wrong) == 1 else None
+        if own_right is None:
+            return None
+        right = [own_right]
+    return _Match(
+        "", 0,
+        tuple(_Term(*key, terms[key]) for key in agreeing),
+        tuple(_Term(*key, terms[key]) for key in wrong),
+        tuple(_Term(*key, factor * known[key]) for key in right),
+        any(not h.order and (h, p) not in agreeing for h, p in terms),
+        shift,
+    )  # fmt: skip
 
 
 def _is_told(agreeing: list[tuple[Harmonic, int]]) -> bool:
