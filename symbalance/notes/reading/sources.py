@@ -42,6 +42,7 @@ from symbalance.notes.reading.ranges import with_ranges
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.row_vectors import with_row_vectors
 from symbalance.notes.reading.scanned_letters import with_scanned_letters
+from symbalance.notes.reading.segments import with_segments
 from symbalance.notes.reading.short_greek import with_short_greek
 from symbalance.notes.reading.systems_in_braces import with_rows_of_relations, with_systems
 from symbalance.notes.reading.tables_of_quantities import with_equations_of_tables
@@ -126,6 +127,7 @@ def prepare(
     if kind in ("tex", "markdown"):
         reader.apply(with_equations_of_tables(reader.text, kind))
         reader.apply(with_joined_dollars(reader.text))
+    reader.apply_noted(with_segments(reader.text))
     reader.apply(with_abbreviations(reader.text))
     for rewrite in (
         with_letters_unbraced,

@@ -27,18 +27,29 @@ from symbalance.document.formula import (
 )
 from symbalance.document.letters import is_greek
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.algebra.sums import indexed_letters
 from symbalance.notes.algebra.tree_values import names_behind
-from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
+from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
 
 NO_ANGLES = "a sum over cylinders whose crank angles the page does not list here: say them"
+OF_SOME_ORDERS = "it is true of some orders and not of others: say which are meant"
 NO_BODY = "a sum over cylinders of what no line gives for one of them"
 _MOMENT = re.compile(r"moment|couple|torque|偶力|モーメント", re.IGNORECASE)
-_OF_CRANKS = frozenset({"alpha", "delta", "theta", "phi", "varphi"})
+_OF_CRANKS = frozenset(
+    {"alpha", "beta", "gamma", "delta", "theta", "vartheta", "phi", "varphi", "psi", "epsilon"}
+)
 """Letters that Σ cos α_i is of cranks by, where only an engine's name says where these stand."""
+_PLACES = frozenset({"z", "x", "y", "l", "a", "b", "d", "s", "L", "ell"})
+"""Letters of the cylinders' places along the crank, in the sums of couples."""
+_PITCH, _ORIGIN = "Delta_z", "first_of_places"
+"""What the places are written in where a page gives them no values."""
+SPACED = "the cylinders stand at equal distances Δ_z, in the order of their numbers"
+FROM_MIDDLE = "their places are counted from the middle"
+_ORDER_LETTERS = frozenset({"n", "k", "p", "m", "i", "j", "h", "nu", "q"})
 _FORCES = frozenset("FKPf")
 _ORDERS = {"1": 1, "I": 1, "2": 2, "II": 2, "4": 4, "IV": 4, "6": 6, "VI": 6}
 _ANY_ANGLE = "theta"
@@ -56,7 +67,7 @@ def decide_over_cylinders(
     Where the words leave two sets of angles open, it is refuted only if it is false for both.
     """
     left, right = (_with_bounds(node, knowledge) for node in (left, right))
-    is_open = any(_is_without_index(part) for node in (left, right) for part in walk(node))
+    is_unsaid = any(_is_without_index(part) for node in (left, right) for part in walk(node))
     listed = knowledge.crank_angles
     last: Decision | None = None
     ways = (
@@ -75,10 +86,17 @@ def decide_over_cylinders(
             return Decision(UNDECIDED, str(problem))
         if first is left and second is right:
             break
-        decision = decide(first, second)
-        if known is not knowledge and not _is_settled_of_any_size(decision, first, second, decide):
+        decision = _decide_at_places(first, second, decide)
+        is_open = known is not knowledge or _PITCH in names(first) | names(second)
+        if is_open and not _is_settled_of_any_size(decision, first, second, decide):
             continue
         decision = replace(decision, assumptions=(*decision.assumptions, angles.text))
+        if angles.is_usual and decision.status == REFUTED and _open_order(left, right, knowledge):
+            decision = Decision(UNDECIDED, OF_SOME_ORDERS)
+        if _PITCH in names(first) | names(second) and decision.status == REFUTED:
+            decision = replace(
+                decision, reason="; ".join(filter(None, (f"if {SPACED}", decision.reason)))
+            )
         if angles.is_usual and not decision.is_proved:
             decision = replace(
                 decision, reason="; ".join(filter(None, (f"if {angles.text}", decision.reason)))
@@ -89,9 +107,41 @@ def decide_over_cylinders(
     if last is not None:
         return last
     decision = decide(left, right)
-    is_unsaid = is_open and decision.status == UNDECIDED
+    is_unsaid = is_unsaid and decision.status == UNDECIDED
     reason = NO_ANGLES if listed is None else f"{NO_BODY} ({listed.text})"
     return replace(decision, reason=reason) if is_unsaid else decision
+
+
+def _open_order(left: Formula, right: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a sum is of waves of an order that is a letter without a value."""
+    orders = {
+        factor.name
+        for node in (left, right)
+        for call in walk(node)
+        if isinstance(call, Call) and call.function in ("sin", "cos")
+        for part in walk(call.argument)
+        if isinstance(part, Product)
+        for factor in part.factors
+        if isinstance(factor, Name) and factor.name in _ORDER_LETTERS
+    }
+    return any(name not in knowledge.definitions for name in orders)
+
+
+def _decide_at_places(left: Formula, right: Formula, decide: Decide) -> Decision:
+    """Decide a relation with the cylinders' places evenly spaced, counted from anywhere.
+
+    What is true where they are counted from the middle is so on that condition.
+    """
+    if _ORIGIN not in names(left) | names(right):
+        return decide(left, right)
+    anywhere = decide(left, right)
+    if anywhere.is_proved:
+        return replace(anywhere, assumptions=(*anywhere.assumptions, SPACED))
+    zero = Number(Fraction(0))
+    middle = decide(*(substitute(node, _ORIGIN, zero) for node in (left, right)))
+    if middle.is_proved:
+        return replace(middle, assumptions=(*middle.assumptions, SPACED, FROM_MIDDLE))
+    return anywhere if anywhere.status == UNDECIDED else middle
 
 
 def _with_orders(
@@ -142,8 +192,6 @@ def _angles_at(left: Formula, right: Formula, knowledge: Knowledge) -> list[Form
     """
     if (own := _turning_in_bodies(left, right, knowledge)) is not None:
         return [own]
-    if knowledge.crank is not None and knowledge.crank.theta is not None:
-        return [knowledge.crank.theta]
     stems = {
         name.rpartition("_")[0]
         for node in (left, right)
@@ -151,6 +199,12 @@ def _angles_at(left: Formula, right: Formula, knowledge: Knowledge) -> list[Form
         if isinstance(part, Summation) and part.index is not None
         for name in indexed_letters(part.body, part.index.name)
     }
+    beside = names(left) | names(right)
+    firsts = [n for stem in sorted(stems) for n in (stem, f"{stem}_1") if n in beside and is_greek(stem)]
+    if len(firsts) == 1 and not knowledge.knows(firsts[0]):
+        return [Name(firsts[0])]  # Σ cos 2φ_i = 4 cos 2φ, or 4 cos 2φ_1
+    if knowledge.crank is not None and knowledge.crank.theta is not None:
+        return [knowledge.crank.theta]
     wholes = sorted(stem for stem in stems if is_greek(stem) and not knowledge.knows(stem))
     return [*map(Name, wholes[:1]), None]
 
@@ -252,31 +306,53 @@ def _indexed_terms(
     node: Summation, angles: CrankAngles, knowledge: Knowledge, theta: Formula | None
 ) -> list[Formula] | None:
     assert node.index is not None
-    own = indexed_letters(node.body, node.index.name)
-    is_one = len(own) == 1 and is_greek(own[0].split("_")[0])
-    if not is_one or knowledge.knows(own[0]):
+    indexed = indexed_letters(node.body, node.index.name)
+    own = [name for name in indexed if is_greek(name.split("_")[0])]
+    places = [name for name in indexed if name not in own]
+    is_of_places = len(places) == 1 and places[0].split("_")[0] in _PLACES and not angles.signs
+    is_known = any(knowledge.knows(name) for name in (*indexed, _PITCH))
+    if len(own) != 1 or is_known or (places and not is_of_places):
         return None
     is_of_cranks = not angles.signs and own[0].split("_")[0] in _OF_CRANKS
     if angles.is_usual and not (is_of_cranks and _turns_with(node.body, own[0])):
         return None
+    arms = angles.arms or () if angles.is_usual else _even_arms(len(angles.degrees))
+    if places and len(arms) != len(angles.degrees):
+        return None
     stem = own[0][: -len(node.index.name)]
     if any(name.startswith(stem) and name[len(stem) :].isdecimal() for name in knowledge.definitions):
         return None  # δ_1, δ_2 have values of their own
-    if node.upper is not None:
-        if node.lower is None or not isinstance(node.lower, Number):
-            return None
-        last = _number(node.upper, knowledge)
-        if last is None or last.value - node.lower.value + 1 != len(angles.degrees):
-            return None
+    if node.upper is not None and _count(node, knowledge) != len(angles.degrees):
+        return None
     # Σ cos θ_i is of whole angles; beside θ, in cos(θ + θ_i), they are those of the cranks
     is_beside = isinstance(theta, Name) and theta.name in names(node.body)
-    is_whole_angle = isinstance(theta, Name) and own[0].split("_")[0] == theta.name and not is_beside
+    stem = own[0].split("_")[0]
+    is_whole_angle = isinstance(theta, Name) and theta.name in (stem, f"{stem}_1") and not is_beside
     nodes = angles.nodes
     values = [Sum((theta, a)) if is_whole_angle and theta is not None else a for a in nodes]
     first = node.lower.value if isinstance(node.lower, Number) else Fraction(1)
     bodies = [substitute(node.body, own[0], value) for value in values]
+    if places:
+        at = [Sum((Name(_ORIGIN), Product((rational_node(arm), Name(_PITCH))))) for arm in arms]
+        bodies = [substitute(body, places[0], place) for body, place in zip(bodies, at, strict=True)]
     numbers = [Number(first + place) for place in range(len(bodies))]
     return [substitute(b, node.index.name, n) for b, n in zip(bodies, numbers, strict=True)]
+
+
+def _count(node: Summation, knowledge: Knowledge) -> Fraction | None:
+    """Return how many terms a sum with bounds has, None where these are no numbers."""
+    last = None if node.upper is None else _number(node.upper, knowledge)
+    is_number = last is not None and isinstance(node.lower, Number)
+    return (
+        last.value - node.lower.value + 1
+        if is_number and last and isinstance(node.lower, Number)
+        else None
+    )
+
+
+def _even_arms(count: int) -> tuple[Fraction, ...]:
+    """Return the places of so many cylinders from the middle, over their distance."""
+    return tuple(Fraction(2 * k - count + 1, 2) for k in range(count))
 
 
 def _opposed_terms(body: Name, angles: CrankAngles) -> list[Formula] | None:
@@ -333,7 +409,11 @@ def _whole_multiple(node: Formula, name: str) -> Fraction | None:
     if isinstance(node, Product):
         own = [p for p in node.factors if name in names(p)]
         others = [p for p in node.factors if name not in names(p)]
-        is_whole = all(isinstance(p, Number) and p.value.denominator == 1 for p in others)
+        is_whole = all(
+            (isinstance(p, Number) and p.value.denominator == 1)
+            or (isinstance(p, Name) and p.name in _ORDER_LETTERS)
+            for p in others
+        )
         return _whole_multiple(own[0], name) if len(own) == 1 and is_whole else None
     return None
 

@@ -34,6 +34,7 @@ from symbalance.notes.checking.meant.left_sides import head_of
 from symbalance.notes.checking.meant.order_speeds import decide_order_speed
 from symbalance.notes.checking.meant.two_discs import decide_two_discs
 from symbalance.notes.checking.motions.equations_of_motion import (
+    EquationOfMotion,
     decide_motion,
     decide_natural_frequency,
     equation_of_motion,
@@ -43,6 +44,11 @@ from symbalance.notes.checking.motions.listed_values import decide_for_values
 from symbalance.notes.checking.motions.matrix_equations_of_motion import rows_of_motion
 from symbalance.notes.checking.motions.mean_values import decide_by_mean
 from symbalance.notes.checking.motions.solutions_of_motion import decide_motion_solution
+from symbalance.notes.checking.motions.trial_solutions import (
+    decide_by_trial,
+    free_vibration,
+    trial_of,
+)
 from symbalance.notes.checking.page.solutions import solution_below
 from symbalance.notes.checking.premises.conditions_behind import values_behind
 from symbalance.notes.checking.premises.constraints import Constraint
@@ -85,6 +91,8 @@ from symbalance.notes.checking.verdicts import (
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Relation, Side
 
+NEAR_CASE = 3
+"""Lines above a formula in which a special case sets letters equal: for I₁ = I₂ = I."""
 FOLLOWS = "follows from the side before, which is refuted"
 
 
@@ -209,6 +217,7 @@ def _judge_step(
     if by_name is None and decision.status == UNDECIDED:
         by_name = state.engine_resultants.judge(chain, k, knowledge)
         by_name = by_name or state.named.judge(chain, k, knowledge)
+        by_name = by_name or state.patterns.judge(chain, k, knowledge)
     if by_name is None and decision.status == REFUTED:
         by_name = _as_another_named(state, chain, k, knowledge)
     if by_name is not None and not _is_left_open(by_name):
@@ -326,6 +335,9 @@ def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
     above = state.equations_of_motion
     if equation is None:
         here = [e for e in above if state.sections.same_section(e.line, chain.lines[0])]
+        by_trial = _by_trial(state, chain, k, here)
+        if by_trial is not None:
+            return by_trial
         by_motion = decide_natural_frequency(chain, k, here, knowledge)
         head = chain.sides[0].node
         words = state.sections.sentence_before(chain) if here else ""
@@ -341,6 +353,30 @@ def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
     if decision.status == CONDITION and equation.lone_rate is not None:
         state.definitions.fix(Constraint(*equation.lone_rate), chain)
     return decision
+
+
+def _by_trial(
+    state: JudgingState, chain: Chain, k: int, equations: list[EquationOfMotion]
+) -> Decision | None:
+    """Return the decision on amplitudes and frequencies of a motion that is put into equations above."""
+    if not equations:
+        return None
+    if (trial := trial_of(chain, k, equations)) is not None:
+        state.trials.append(trial)
+        return None
+    line = chain.lines[0]
+    trials = [each for each in state.trials if state.sections.same_section(each.line, line)]
+    vibration = free_vibration(equations, trials) if trials else None
+    if vibration is None:
+        return None
+    equal = [
+        [side.node.name for side in each.sides if isinstance(side.node, Name)]
+        for each in state.document.chains
+        if 0 <= line - each.lines[0] <= NEAR_CASE and each.start < chain.start
+        if all(isinstance(side.node, Name) for side in each.sides)
+        if all(relation.sign == "=" for relation in each.relations)
+    ]
+    return decide_by_trial(chain, k, vibration, equal)
 
 
 def _demanded(relation: Relation) -> Decision | None:
@@ -412,6 +448,8 @@ def _as_meant(
         outcome = outcome or decide_two_discs(chain, k, state.document)
         outcome = outcome or decide_order_speed(chain, k, state.document, knowledge)
         outcome = outcome or state.crank_motions.judge(chain, k, knowledge)
+        outcome = outcome or state.patterns.judge(chain, k, knowledge)
+        outcome = outcome or state.parity.judge(chain, k)
         if outcome is not None and _is_left_open(outcome):
             return _unless_left_open(outcome, definition)
     if isinstance(outcome, Verdict) and outcome.verdict == UNDECIDED:

@@ -168,7 +168,7 @@ def _decide_system(
     where = f"line {first}" if first == last else f"lines {first} and {last}"
     is_damped = any(order == 1 for e in system for _, order in e.factors)
     rows = [[_at_frequency(e, name, square) for name in moving] for e in system]
-    decision = decide_equality(_determinant(rows), _ZERO, known)
+    decision = decide_equality(determinant(rows), _ZERO, known)
     if not decision.is_proved and is_damped and len(system) == 1:
         decision = decide_equality(square, _damped_square(system[0], moving[0]), known)
     if decision.is_proved:
@@ -317,13 +317,13 @@ def _damped_square(equation: EquationOfMotion, name: str) -> Formula:
     return Sum((stiffness, Negative(Power(decay, _TWO))))
 
 
-def _determinant(rows: Sequence[Sequence[Formula]]) -> Formula:
+def determinant(rows: Sequence[Sequence[Formula]]) -> Formula:
     """Return the determinant of a matrix of formulas, by its first row."""
     if len(rows) == 1:
         return rows[0][0]
     terms: list[Formula] = []
     for column, entry in enumerate(rows[0]):
         minor = [[*row[:column], *row[column + 1 :]] for row in rows[1:]]
-        term = Product((entry, _determinant(minor)))
+        term = Product((entry, determinant(minor)))
         terms.append(Negative(term) if column % 2 else term)
     return Sum(tuple(terms))

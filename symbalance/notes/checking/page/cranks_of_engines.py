@@ -17,6 +17,7 @@ from symbalance.errors import SymbalanceError
 from symbalance.notes.checking.declared.engines import KnownEngine, Sources
 from symbalance.notes.checking.words.case_words import ENGINE, engine_of
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
+from symbalance.notes.checking.words.engines_in_words import EnginesInWords
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END
 
@@ -51,6 +52,8 @@ _LONGEST, _TITLE = 400, 3
 """Characters of a sentence that are looked through, and lines of a page that may be its title."""
 FEWEST, FULL_TURN = 3, 360
 """An engine in line with two cylinders has its cranks at 0° or at 180°: its name says too little."""
+_USUALLY_IN_LINE = (3, 4)
+"""Numbers of cylinders by which an engine is in line where nothing else is said of it."""
 _ONE_CRANK = 4
 """The engine in line whose usual crank is not that of evenly spaced throws."""
 
@@ -73,10 +76,10 @@ class CranksOfEngines:
 
         `start` and `end` are where the relation stands, `line` is its line.
         """
-        if not self._mentions:
-            return None
         for first, last in self._scopes(start, end, line):
             names = {name for place, name in self._mentions if first <= place < last}
+            if not names and (bare := self._by_number_alone(first, last, line)) is not None:
+                return bare
             if not names:
                 if self._names_another(first, last, None):
                     return None
@@ -84,6 +87,29 @@ class CranksOfEngines:
             own = "" if len(names) > 1 else next(iter(names))
             return self._cranks(own, first, last, line) if own else None
         return None
+
+    @cached_property
+    def _named_by_number(self) -> EnginesInWords:
+        """The engines that the page names by the number of their cylinders alone."""
+        return EnginesInWords(self.text)
+
+    def _by_number_alone(self, first: int, last: int, line: int) -> CrankAngles | None:
+        """Return the cranks of a three- or four-cylinder engine that nothing says to have banks."""
+        engines = self._named_by_number.between(first, last)
+        if len({engine.key for engine in engines}) != 1 or engines[0].cylinders not in _USUALLY_IN_LINE:
+            return None
+        engine, words = engines[0], self.text[first:last]
+        section = self._section(line, words)
+        is_other = engine.is_boxer or _BANKS.search(section) or _UNUSUAL.search(section)
+        if is_other or _PART.search(words) or self._names_another(first, last, None, engine.cylinders):
+            return None
+        stars = self._named_by_number.with_stars(engine, first, last, "", words).stars
+        if len(stars) != 1 or stars[0].signs:
+            return None
+        own, count = tuple(map(Fraction, stars[0].degrees)), engine.cylinders
+        arms = tuple(Fraction(2 * k - count + 1, 2) for k in range(count))
+        at = self.text.count("\n", 0, engine.place) + 1
+        return CrankAngles(own, at, engine.place, is_usual=True, arms=arms)
 
     def _scopes(self, start: int, end: int, line: int) -> Iterator[tuple[int, int]]:
         """Yield where an engine may be named, the nearest first: sentence, paragraph, section, title."""
@@ -137,10 +163,12 @@ class CranksOfEngines:
             return section
         return "\n".join([own, *(row for row in section.split("\n") if not _ROW.match(row))])
 
-    def _names_another(self, first: int, last: int, engine: KnownEngine | None) -> bool:
+    def _names_another(
+        self, first: int, last: int, engine: KnownEngine | None, count: int | None = None
+    ) -> bool:
         """Tell whether words name an engine that is not the known one: other cylinders, or banks."""
         words = self.text[first:last]
-        count = None if engine is None else len(engine.cylinders)
+        count = count if engine is None else len(engine.cylinders)
         others = [
             named[0] for m in ENGINE.finditer(words) if (named := engine_of(m)) and named[0] != count
         ]

@@ -35,8 +35,11 @@ from symbalance.notes.checking.meant.named_numbers import NamedNumbers
 from symbalance.notes.checking.meant.named_orders import NamedOrders
 from symbalance.notes.checking.meant.named_quantities import NamedQuantities
 from symbalance.notes.checking.meant.pistons.crank_motions import CrankMotions
+from symbalance.notes.checking.meant.pistons.formula_patterns import FormulaPatterns
+from symbalance.notes.checking.meant.pistons.motion_parity import MotionParity
 from symbalance.notes.checking.motions.equations_of_motion import EquationOfMotion
 from symbalance.notes.checking.motions.fourier_series import FourierSeries
+from symbalance.notes.checking.motions.trial_solutions import Trial
 from symbalance.notes.checking.page.cranks_of_engines import CranksOfEngines
 from symbalance.notes.checking.page.solutions import turned_letters
 from symbalance.notes.checking.premises import constraints
@@ -90,6 +93,8 @@ class JudgingState:
         self.named_orders = NamedOrders(self.meant)
         self.engine_resultants = EngineResultants(self.meant.words, self.sections)
         self.crank_motions = CrankMotions(self.document, self.sections, self.meant.words)
+        self.patterns = FormulaPatterns(self.document, self.sections, self.meant.words)
+        self.parity = MotionParity(self.patterns)
         self.harmonics = HarmonicCoefficients(self.sections)
         self.small_letters = small_letters(self.document.text)
         self.counts = _counts(self.document)
@@ -112,6 +117,8 @@ class JudgingState:
         self.conditions = equalities_behind(self.document)
         """Where equations begin that are conditions of the relation before them alone: (m = n)."""
         self.equations_of_motion: list[EquationOfMotion] = []
+        self.trials: list[Trial] = []
+        """Motions of letters that are put into the equations of motion."""
         self.fourier_series: list[FourierSeries] = []
         self.not_judged: dict[str, int] = {}
         """Letters that a relation may define which was not judged, with its line."""
