@@ -40,6 +40,12 @@ from symbalance.notes.checking.steps.another_body import (
     leave_cycle,
     leave_quotation,
 )
+from symbalance.notes.checking.steps.another_case import (
+    as_case_of_multiple,
+    at_another_value,
+    leave_named_case,
+    puts_another_engines_numbers_in,
+)
 from symbalance.notes.checking.steps.another_engine import leave_cranks, leave_engine, leave_premises
 from symbalance.notes.checking.steps.another_place import is_multiple_of_angle, leave_place
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
@@ -233,7 +239,8 @@ class Judge:
         verdict = self._unless_excepted(chain, k, self._link_by_cases(chain, k, sound, bad))
         verdict = unless_angle_unknown(self.state, chain, k, verdict)
         verdict = unless_offset(self.state, chain, k, verdict)
-        return unless_other_case(self.state, chain, k, verdict)
+        verdict = unless_other_case(self.state, chain, k, verdict)
+        return self._unless_at_another_value(chain, k, verdict)
 
     def _unless_excepted(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict, undecided where words behind say in which cases the relation fails."""
@@ -276,6 +283,8 @@ class Judge:
         verdict = self._link_in_scope(chain, k, sound, bad)
         is_open = verdict.verdict == UNDECIDED and (verdict.reason or "").startswith("with line")
         is_against = verdict.verdict in (REFUTED, CONTRADICTION)
+        if is_against and (case := self._case_of_other_numbers(chain, k)) is not None:
+            return describe(self.document, chain, k, case)
         if ((is_against or is_open) and leave_cycle(self.state, chain, k)) or (
             is_against
             and (
@@ -285,6 +294,7 @@ class Judge:
                 or leave_quotation(self.state, chain, k, self.quotations.is_quoted)
                 or leave_engine(self.state, chain, k)
                 or leave_cranks(self.state, chain, k)
+                or leave_named_case(self.state, chain, k)
             )
         ):
             return self._anew(chain, k) or self._link_in_scope(chain, k, sound, bad)
@@ -302,6 +312,20 @@ class Judge:
             end_cases(self.state.definitions, others, chain.start)
             return self._link_in_scope(chain, k, sound, bad)
         return verdict
+
+    def _case_of_other_numbers(self, chain: Chain, k: int) -> Decision | None:
+        """Return what a relation that lines above refute says of a case of its own; None for most."""
+        knowledge = self.state.knowledge(chain.lines[0])
+        return as_case_of_multiple(self.state, chain, k) or puts_another_engines_numbers_in(
+            self.state, chain, k, knowledge
+        )
+
+    def _unless_at_another_value(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+        """Return a verdict, undecided where a refuted relation is true with a letter's other number."""
+        if verdict.verdict not in (REFUTED, CONTRADICTION):
+            return verdict
+        reason = at_another_value(self.state, chain, k, self.state.knowledge(chain.lines[0]))
+        return describe(self.document, chain, k, Decision(UNDECIDED, reason)) if reason else verdict
 
     def _without_constant(
         self, chain: Chain, k: int, sound: int, bad: bool, changing: frozenset[str]

@@ -42,6 +42,9 @@ FEWEST_NEW = 2
 NEARLY = 0.1
 """Relative difference: a second value closer to the first is a slip, not a new case."""
 
+ROUNDED = 0.05
+"""Relative difference up to which a number may stand for one with more digits, where words say so."""
+
 
 def define_anew(
     definitions: Definitions, name: str, value: Formula, chain: Chain, k: int, knowledge: Knowledge
@@ -114,6 +117,11 @@ def _of_its_own_case(
             return None
         definitions.define(name, without_dots(value)[0], chain)
         return Decision(PREMISE, f"chosen: line {earlier.line} had another value")
+    if not names(value) and definitions.sections.is_rounded_choice(chain):
+        points = sample_trees([earlier.node, value], SymbolValue(), 1)
+        if points and abs(points[0][1][0] - points[0][1][1]) <= ROUNDED * abs(points[0][1][0]):
+            definitions.define(name, without_dots(value)[0], chain)
+            return Decision(PREMISE, f"rounded: line {earlier.line} has more digits")
     case_end = _end_of_listed_case(definitions, earlier, chain)
     if case_end is None:
         return None

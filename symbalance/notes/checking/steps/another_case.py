@@ -1,0 +1,271 @@
+"""Cases that words beside a letter name: other cranks, another order, another value for one sentence.
+
+C_1 of a twin with cranks at 180° is not C_1 of one with 270°, and n_0/2 is the critical speed of order 2
+alone. "For 2α = 60° the backward part is" opens a case after 2α = 90°: it ends with its paragraph, and
+the value before comes back. Where numbers are put into a formula that are none of those above, another
+engine's are meant.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+
+from symbalance.document.formula import (
+    Call,
+    Constant,
+    Formula,
+    Name,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    names,
+    walk,
+)
+from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
+from symbalance.notes.checking.deciding.numbers_put_in import without_unit
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.premises.impossible_values import number_of
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.verdicts import PREMISE, UNDECIDED
+from symbalance.notes.checking.words.case_words import clause_start
+from symbalance.notes.checking.words.cases_named import (
+    crank_spread_named,
+    names_another_example,
+    orders_named,
+)
+from symbalance.notes.checking.words.plain_formulas import plain_text
+from symbalance.notes.reading.equations import Chain
+
+_OPENS = re.compile(
+    r"(?<![A-Za-zÀ-ÿ])(?:for|with|if|when|where|at|having|suppose|supposing|take|let|choose|say|für|bei|mit|wenn|falls"
+    r"|nimm|sei|pour|avec|si|par|para|con|per)\s[^.;:!?\n=$]{0,40}[\s$\\(\[]*$",
+    re.IGNORECASE,
+)
+_BEHIND = re.compile(r"[\s$)\]}\\,]{0,6}(?:なら|のとき|の時|の場合|では|とすると|とすれば|に対して)")
+"""What opens a case, before a letter's value or behind it."""
+FEWEST = 2
+"""Numbers of another engine that are put in together; one alone may be a slip."""
+MOST_VALUES = 6
+"""Other values of letters that are tried."""
+
+
+def leave_named_case(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Forget the formula that a letter has of other cranks, or of another order; tell if there was one."""
+    head = chain.sides[0].node
+    if k or not isinstance(head, Name) or not names(chain.sides[1].node):
+        return False
+    above = [c for c in state.document.chains if c.start < chain.start and c.sides[0].node == head]
+    lines = {c.lines[0] for c in above if _is_another_case(state, c, chain)}
+    others = {c.lines[0] for c in above} - lines
+    known = [state.definitions.forget_line(head.name, line) for line in sorted(lines - others)]
+    return any(known)
+
+
+def _is_another_case(state: JudgingState, earlier: Chain, chain: Chain) -> bool:
+    """Tell whether words, or the formulas themselves, part two formulas of one letter."""
+    text, end = state.document.text, earlier.end
+    before = crank_spread_named(text, 0, earlier.start)
+    now = crank_spread_named(text, end, chain.start)
+    turns = (_phase_shifts(earlier) or {before[1]}) if before else _phase_shifts(earlier)
+    own = _phase_shifts(chain) or ({now[1]} if now else set[int]())
+    if turns and own and turns.isdisjoint(own):
+        return True
+    first, second = (
+        orders_named(text[clause_start(text, each.start) : each.start]) for each in (earlier, chain)
+    )
+    return len(first) == len(second) == 1 and first != second
+
+
+def _phase_shifts(chain: Chain) -> set[int]:
+    """Return the numbers of degrees by which a formula's waves stand apart: 270 of cos(θ + 270°)."""
+    shifts: set[int] = set()
+    for side in chain.sides[1:]:
+        for call in walk(side.node):
+            if not isinstance(call, Call) or not isinstance(call.argument, Sum):
+                continue
+            for term in call.argument.terms:
+                if not names(term) and (turn := _degrees(term)) is not None:
+                    shifts.add(turn)
+    return shifts
+
+
+def _degrees(node: Formula) -> int | None:
+    """Return an angle's whole number of degrees, None for anything else: 3π/2 is 270."""
+    value, power = Fraction(1), 0
+    parts = [(node, 1)]
+    while parts:
+        part, sign = parts.pop()
+        if isinstance(part, Product):
+            parts += [(factor, sign) for factor in part.factors]
+        elif isinstance(part, Quotient):
+            parts += [(part.numerator, sign), (part.denominator, -sign)]
+        elif isinstance(part, Number) and part.value:
+            value *= part.value**sign
+        elif isinstance(part, Constant) and part.name == "pi":
+            power += sign
+        else:
+            return None
+    degrees = value * 180
+    return int(degrees) if power == 1 and degrees.denominator == 1 else None
+
+
+def as_case_of_multiple(state: JudgingState, chain: Chain, k: int) -> Decision | None:
+    """Return that 2α = 60° behind "for" is a case, after 2α = 90°; None for other relations.
+
+    The value reaches as far as its paragraph and its displays, and the one before it counts again below.
+    """
+    left, value, line = chain.sides[0].node, chain.sides[-1].node, chain.lines[0]
+    factors = left.factors if isinstance(left, Product) else ()
+    if k or len(chain.relations) != 1 or len(factors) != 2 or names(value):  # noqa: PLR2004
+        return None
+    number, letter = factors
+    if not isinstance(number, Number) or not isinstance(letter, Name) or not number.value:
+        return None
+    text = state.document.text
+    before = text[max(0, clause_start(text, chain.start)) : chain.start]
+    if not _OPENS.search(before) and not _BEHIND.match(text, chain.end):
+        return None
+    if state.sections.is_consequence(chain) or not chain.inline:
+        return None
+    definitions, name = state.definitions, letter.name
+    if name in state.knowledge(line).angles:
+        return None
+    definitions.premises = [p for p in definitions.premises if p.names != {name}]
+    definitions.define(name, Quotient(value, number), chain, definitions.sections.case_end(line))
+    return Decision(PREMISE, "a case, by the words around it: lines above have another value")
+
+
+def puts_another_engines_numbers_in(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> Decision | None:
+    """Return what 4π·142/0.0016 for 4πT/V is, where T and V have other numbers above; None if they have not.
+
+    All of them are other ones, two at least: with words that name another engine they are its data.
+    Without such words it may be wrong.
+    """
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    if names(right) or isinstance(right, Number) or isinstance(left, Name):
+        return None
+    others: dict[str, Formula] = {}
+    for part, number in _numbers_for_letters(left, without_unit(right)):
+        if part.name in others:
+            return None
+        known = number_of(part, knowledge)
+        put_in = number_of(number, knowledge)
+        if known is None or put_in is None or not known or not put_in:
+            return None
+        if _may_be_slip(float(known / put_in)):
+            return None
+        others[part.name] = number
+    if len(others) < FEWEST:
+        return None
+    shown = ", ".join(f"{plain_text(Name(name))} = {plain_text(node)}" for name, node in others.items())
+    text = state.document.text
+    words = text[max(clause_start(text, chain.start), 0) : chain.start]
+    if not names_another_example(words):
+        return Decision(UNDECIDED, f"numbers of another case are put in, or wrong ones: {shown}")
+    for name, node in others.items():
+        state.definitions.define(name, node, chain, state.sections.case_end(chain.lines[0]))
+    return Decision(PREMISE, f"another engine's numbers put in: {shown}")
+
+
+def _numbers_for_letters(left: Formula, right: Formula) -> list[tuple[Name, Formula]]:
+    """Return the letters of a product or quotient with the numbers that stand for them; none elsewhere.
+
+    The numbers that both have are left out: 4 and π of 4πT/V and 4π·142/0.0016.
+    """
+    wanted, given = list(_factors(left)), _with_powers_of_ten(list(_factors(right)))
+    pairs: list[tuple[Name, Formula]] = []
+    for part, power in wanted:
+        place = next((n for n, each in enumerate(given) if each == (part, power)), None)
+        if place is None and isinstance(part, Name):
+            place = next((n for n, (_, other) in enumerate(given) if other == power), None)
+        if place is None:
+            return []
+        number, _ = given.pop(place)
+        if isinstance(part, Name):
+            pairs.append((part, number))
+    return [] if given else pairs
+
+
+def _factors(node: Formula, sign: int = 1) -> Iterator[tuple[Formula, Fraction]]:
+    """Yield the factors of a formula with their exponents."""
+    match node:
+        case Product(factors=parts):
+            for part in parts:
+                yield from _factors(part, sign)
+        case Quotient(numerator=above, denominator=below):
+            yield from _factors(above, sign)
+            yield from _factors(below, -sign)
+        case Power(base=base, exponent=Number(value=exponent)) if names(base) or base != _TEN:
+            yield base, sign * exponent
+        case _:
+            yield node, Fraction(sign)
+
+
+def _with_powers_of_ten(factors: list[tuple[Formula, Fraction]]) -> list[tuple[Formula, Fraction]]:
+    """Return factors with each power of ten as a part of the number before it."""
+    whole: list[tuple[Formula, Fraction]] = []
+    for part, power in factors:
+        is_ten = isinstance(part, Power) or part == _TEN
+        if is_ten and whole and whole[-1][1] == power:
+            whole[-1] = (Product((whole[-1][0], part)), power)
+        else:
+            whole.append((part, power))
+    return whole
+
+
+_TEN = Number(Fraction(10))
+_ONE = 0.03
+_SHIFTED = tuple(10.0**power for power in range(-6, 7))
+
+
+def _may_be_slip(ratio: float) -> bool:
+    """Tell whether one number may stand for another: rounded, or in another unit, by a power of ten."""
+    return ratio < 0 or any(abs(ratio / shift - 1) < _ONE for shift in _SHIFTED)
+
+
+def at_another_value(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> str:
+    """Return why a refuted relation may be meant otherwise: it is true with another value of a letter.
+
+    The letter has several numbers on the page, each of a case, and the relation stands in no clause that
+    says which. "" where none makes it true.
+    """
+    text = state.document.text
+    left, right = chain.sides[k], chain.sides[k + 1]
+    if k and not names(left.node):
+        left = next((side for side in reversed(chain.sides[:k]) if names(side.node)), left)
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    own = {*names(left.node), *names(right.node)}
+    behind = {*own, *names_behind(left.node, values), *names_behind(right.node, values)}
+    first = state.document.line_of(clause_start(text, chain.start))
+    tried = 0
+    for name in sorted(behind & values.keys()):
+        now = knowledge.definitions[name]
+        if not now.numeric or now.line >= first or isinstance(left.node, Name) and left.node.name == name:
+            continue
+        for other in _other_numbers(state, name, now):
+            tried += 1
+            if tried > MOST_VALUES:
+                return ""
+            definitions = {**knowledge.definitions, name: other}
+            there = decide(
+                left, right, chain.relations[k].sign, replace(knowledge, definitions=definitions)
+            )
+            if there.is_proved:
+                shown = f"{plain_text(Name(name))} = {plain_text(other.node)}"
+                return f"it holds with {shown} of line {other.line}: say whether that is meant"
+    return ""
+
+
+def _other_numbers(state: JudgingState, name: str, now: Definition) -> list[Definition]:
+    """Return the other numbers that lines give a letter, the nearest first."""
+    entries = [e.definition for e in state.definitions.values.get(name, ())]
+    return [d for d in reversed(entries) if d.numeric and d.line != now.line and d.node != now.node]

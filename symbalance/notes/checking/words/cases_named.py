@@ -1,0 +1,87 @@
+"""Cases that words name beside a formula: how far apart cranks are, which order, another engine's data.
+
+A page gives F and C of a twin with cranks at 180° and goes on to cranks at 270°; its critical speed of
+order 2 and then that of order 4; a pressure of one engine and then of a larger one. The letters stay the
+same, and what they are does not.
+"""
+
+from __future__ import annotations
+
+import re
+
+_DEGREES = r"(?<![0-9.,+*/^-])(?P<{}>[1-9][0-9]{{1,2}})\s?\$?\s?(?:°|\^\s?\{{?\\circ\}}?|-?\s?(?:degrees?|deg(?![a-z]))|Grad(?![a-z])|度)\$?"
+_SHAFT = (
+    r"(?:cranks(?![a-z])|crank-?\s?shafts?(?![a-z])|crank-?\s?pins(?![a-z])|throws(?![a-z])|twins?(?![a-z])"
+    r"|Kurbelwellen?(?![a-z])|Kurbelversatz|Kröpfungen|Kurbelzapfen|Hubzapfen(?:versatz)?|クランク(?!角)|位相|vilebrequin|manivelles"
+    r"|calage|cig[uü]eñal|manovelle)"
+)
+_SPREAD = re.compile(
+    rf"{_DEGREES.format('behind')}[\s-]{{0,3}}(?:{_SHAFT}|crank(?![a-z])(?!\s+(?:angle|position)))"
+    rf"|(?:{_SHAFT}|(?<![A-Za-z])an?\s+crank\s+of)[^.;:=\n0-9。]{{0,25}}{_DEGREES.format('before')}(?!\s?(?:after|past|before|nach|vor))",
+    re.IGNORECASE,
+)
+_ORDINALS = {
+    "first": 1, "second": 2, "third": 3, "fourth": 4, "sixth": 6, "eighth": 8, "primary": 1, "secondary": 2,
+    "erste": 1, "zweite": 2, "dritte": 3, "vierte": 4, "sechste": 6, "achte": 8,
+    "premier": 1, "deuxième": 2, "quatrième": 4, "一": 1, "二": 2, "三": 3, "四": 4,
+}  # fmt: skip
+_ORDINAL = "|".join(sorted(_ORDINALS, key=len, reverse=True))
+_ORDER = re.compile(
+    r"(?<![A-Za-z])(?:order|Ordnung|ordre|orden)\s+(?:No\.?\s?)?\$?(?P<behind>[0-9]{1,2}(?:[.,]5)?)(?![0-9.,]*[0-9A-Za-z/])"
+    rf"|(?<![A-Za-z0-9.,])(?:(?P<number>[0-9]{{1,2}}(?:[.,]5)?)\s?(?:st|nd|rd|th|\.|e|次)|(?P<word>{_ORDINAL})(?:[a-zè]{{0,2}}|次))"
+    r"[\s-]{0,2}(?:orders?(?![a-z])|Ordnung|ordre|(?<=次))",
+    re.IGNORECASE,
+)
+_THING = (
+    r"(?:engines?|motors?|machines?|units?|compressors?|versions?|variants?|designs?|models?|examples?|cases?|shafts?|pumps?"
+    r"|cars?|bikes?|motorcycles?|cylinders|twins?|singles?|fours?|sixes|diesels?|rotors?|crankshafts?)"
+)
+_ANOTHER = re.compile(
+    r"(?<![A-Za-z])(?:another|(?:the|an?|its|our|my)\s+(?:(?:other|second|third|larger|bigger|smaller|next|new|newer|old|older"
+    r"|earlier|later|former|successor|rival|racing|sister|original|production|modern|competing|turbocharged|tuned|long-stroke"
+    r"|short-stroke)))"
+    rf"\s+(?:[\w.-]+\s+){{0,2}}?{_THING}(?![A-Za-z])"
+    r"|(?<![A-Za-z])(?:its\s+(?:successor|predecessor|rival|sister)|by\s+comparison|for\s+comparison|suppose|supposing|imagine"
+    r"|instead(?!\s+of\s+(?:sin|cos))|had\s+(?:we|it|the|been)|if\s+(?:we|it|the\s+\w+)\s+(?:were|had)|in\s+contrast|whereas)(?![A-Za-z])"
+    r"|(?<![A-Za-zäöü])(?:ein|der|die|das|beim?|eines?|einem?|einen|dem|den)\s*(?:ander|zweit|dritt|größer|kleiner|nächst|neu|alt|früher"
+    r"|älter|ursprünglich)e[rnms]?\s+(?:[\w.-]+\s+){0,2}?[\w-]*(?:motor|maschine|ausführung|variante|beispiel|fall|version|verdichter)"
+    r"|(?<![A-Za-zäöü])(?:zum\s+Vergleich|dagegen|hingegen|angenommen|stattdessen)(?![A-Za-zäöü])"
+    r"|(?:別の|他の|もう一つの|もう一方の|次の|旧|新しい|大型の|小型の)[^。、\n]{0,12}(?:機関|エンジン|例|場合|仕様)|仮に|代わりに|これに対し|一方"
+    r"|(?<![A-Za-z])(?:un(?:e)?\s+autre|l'autre|le\s+second|la\s+seconde)\s+(?:moteur|machine|exemple|version|cas)",
+    re.IGNORECASE,
+)
+
+
+def crank_spread_named(text: str, first: int, last: int) -> tuple[int, int] | None:
+    """Return where a part of a text last says how far apart cranks are, and the angle in degrees.
+
+    >>> crank_spread_named("a twin with 270° cranks", 0, 23), crank_spread_named("at a crank angle of 90°", 0, 23)
+    ((12, 270), None)
+    """
+    match = None
+    for match in _SPREAD.finditer(text, first, last):
+        pass
+    return None if match is None else (match.start(), int(match["behind"] or match["before"]))
+
+
+def orders_named(words: str) -> frozenset[str]:
+    """Return the orders that words name.
+
+    >>> sorted(orders_named("the critical speed of order 4")), sorted(orders_named("a second-order force"))
+    (['4'], ['2'])
+    """
+    return frozenset(
+        str(_ORDINALS[word.lower()])
+        if (word := match["word"])
+        else (match["behind"] or match["number"]).replace(",", ".")
+        for match in _ORDER.finditer(words)
+    )
+
+
+def names_another_example(words: str) -> bool:
+    """Tell whether words speak of another engine than the one before, or of what is only supposed.
+
+    >>> names_another_example("the larger engine has"), names_another_example("the engine has")
+    (True, False)
+    """
+    return _ANOTHER.search(words) is not None
