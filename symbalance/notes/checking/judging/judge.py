@@ -42,6 +42,7 @@ from symbalance.notes.checking.steps.another_body import (
 )
 from symbalance.notes.checking.steps.another_case import (
     as_case_of_multiple,
+    as_number_of_another,
     at_another_value,
     leave_named_case,
     puts_another_engines_numbers_in,
@@ -64,6 +65,7 @@ from symbalance.notes.checking.units.dimensions import Dimensions, Mismatch, dec
 from symbalance.notes.checking.units.formulas_between_numbers import BETWEEN_NUMBERS
 from symbalance.notes.checking.units.own_units import with_speeds
 from symbalance.notes.checking.units.rates_by_name import rate_dimension
+from symbalance.notes.checking.units.speeds_as_numbers import without_minutes
 from symbalance.notes.checking.units.turns_in_radians import with_turns
 from symbalance.notes.checking.verdicts import (
     CONDITION,
@@ -283,6 +285,10 @@ class Judge:
         verdict = self._link_in_scope(chain, k, sound, bad)
         is_open = verdict.verdict == UNDECIDED and (verdict.reason or "").startswith("with line")
         is_against = verdict.verdict in (REFUTED, CONTRADICTION)
+        if verdict.verdict == CONTRADICTION and (bare := without_minutes(chain, k, self.document)):
+            counted = self._link_in_scope(bare, k, sound, bad)
+            if counted.verdict not in (REFUTED, CONTRADICTION, UNDECIDED):
+                return counted  # N² = 2.543·10⁸ has the number of revolutions per minute
         if is_against and (case := self._case_of_other_numbers(chain, k)) is not None:
             return describe(self.document, chain, k, case)
         if ((is_against or is_open) and leave_cycle(self.state, chain, k)) or (
@@ -316,9 +322,8 @@ class Judge:
     def _case_of_other_numbers(self, chain: Chain, k: int) -> Decision | None:
         """Return what a relation that lines above refute says of a case of its own; None for most."""
         knowledge = self.state.knowledge(chain.lines[0])
-        return as_case_of_multiple(self.state, chain, k) or puts_another_engines_numbers_in(
-            self.state, chain, k, knowledge
-        )
+        case = as_case_of_multiple(self.state, chain, k) or as_number_of_another(self.state, chain, k)
+        return case or puts_another_engines_numbers_in(self.state, chain, k, knowledge)
 
     def _unless_at_another_value(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict, undecided where a refuted relation is true with a letter's other number."""

@@ -117,16 +117,27 @@ def _of_its_own_case(
             return None
         definitions.define(name, without_dots(value)[0], chain)
         return Decision(PREMISE, f"chosen: line {earlier.line} had another value")
-    if not names(value) and definitions.sections.is_rounded_choice(chain):
-        points = sample_trees([earlier.node, value], SymbolValue(), 1)
-        if points and abs(points[0][1][0] - points[0][1][1]) <= ROUNDED * abs(points[0][1][0]):
-            definitions.define(name, without_dots(value)[0], chain)
-            return Decision(PREMISE, f"rounded: line {earlier.line} has more digits")
+    if not names(value) and _is_rounded_choice(definitions, earlier, value, chain):
+        definitions.define(name, without_dots(value)[0], chain)
+        return Decision(PREMISE, f"rounded: line {earlier.line} has more digits")
     case_end = _end_of_listed_case(definitions, earlier, chain)
     if case_end is None:
         return None
     definitions.define(name, without_dots(value)[0], chain, case_end)
     return Decision(DEFINITION, f"another case than in line {earlier.line}")
+
+
+def _is_rounded_choice(
+    definitions: Definitions, earlier: Definition, value: Formula, chain: Chain
+) -> bool:
+    """Tell whether a number stands, by its words, for one with more digits: 15947, say 16000."""
+    if not definitions.sections.is_rounded_choice(chain):
+        return False
+    for node in (earlier.node, earlier.rounded):
+        points = [] if node is None else sample_trees([node, value], SymbolValue(), 1)
+        if points and abs(points[0][1][0] - points[0][1][1]) <= ROUNDED * abs(points[0][1][0]):
+            return True
+    return False
 
 
 def _end_of_listed_case(definitions: Definitions, earlier: Definition, chain: Chain) -> int | None:

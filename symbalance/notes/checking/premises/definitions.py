@@ -139,6 +139,11 @@ class Definitions:
         self.premises = premises
         return is_known
 
+    def forget_all(self, name: str) -> None:
+        """Forget every value of a letter, and the equations of that letter alone."""
+        self.values.pop(name, None)
+        self.premises = [p for p in self.premises if p.fixes != name and p.names != {name}]
+
     def lapse(self, name: str) -> None:
         """Forget the formulas that fix a letter and the equations they came from: it is measured now."""
         self.values.pop(name, None)

@@ -38,9 +38,10 @@ from symbalance.notes.checking.words.case_words import clause_start
 from symbalance.notes.checking.words.cases_named import (
     crank_spread_named,
     names_another_example,
+    names_some_engine,
     orders_named,
 )
-from symbalance.notes.checking.words.plain_formulas import plain_text
+from symbalance.notes.checking.words.plain_formulas import lone_side, plain_text
 from symbalance.notes.reading.equations import Chain
 
 _OPENS = re.compile(
@@ -50,6 +51,10 @@ _OPENS = re.compile(
 )
 _BEHIND = re.compile(r"[\s$)\]}\\,]{0,6}(?:なら|のとき|の時|の場合|では|とすると|とすれば|に対して)")
 """What opens a case, before a letter's value or behind it."""
+_CRITICAL = re.compile(r"critical|kritisch|resonan|危険|共振|critique", re.IGNORECASE)
+"""On pages of critical speeds these go with one over the order, and a formula that does not is wrong."""
+REACH = 120
+"""Characters beside a formula in which its order is named."""
 FEWEST = 2
 """Numbers of another engine that are put in together; one alone may be a slip."""
 MOST_VALUES = 6
@@ -62,9 +67,12 @@ def leave_named_case(state: JudgingState, chain: Chain, k: int) -> bool:
     if k or not isinstance(head, Name) or not names(chain.sides[1].node):
         return False
     above = [c for c in state.document.chains if c.start < chain.start and c.sides[0].node == head]
-    lines = {c.lines[0] for c in above if _is_another_case(state, c, chain)}
-    others = {c.lines[0] for c in above} - lines
-    known = [state.definitions.forget_line(head.name, line) for line in sorted(lines - others)]
+    formulas = [c for c in above if c.relations and names(c.sides[1].node)]
+    if not formulas or not _is_another_case(state, max(formulas, key=lambda c: c.start), chain):
+        return False
+    known = [
+        state.definitions.forget_line(head.name, line) for line in sorted({c.lines[0] for c in above})
+    ]
     return any(known)
 
 
@@ -77,10 +85,29 @@ def _is_another_case(state: JudgingState, earlier: Chain, chain: Chain) -> bool:
     own = _phase_shifts(chain) or ({now[1]} if now else set[int]())
     if turns and own and turns.isdisjoint(own):
         return True
+    orders = _order_beside(state, earlier), _order_beside(state, chain)
+    if None in orders or orders[0] == orders[1]:
+        return False
+    if not _CRITICAL.search(text):
+        return True
     first, second = (
-        orders_named(text[clause_start(text, each.start) : each.start]) for each in (earlier, chain)
+        lone_side(Product((Number(Fraction(order)), each.sides[1].node)))
+        for order, each in zip(orders, (earlier, chain), strict=True)
+        if order is not None
     )
-    return len(first) == len(second) == 1 and first != second
+    return decide(first, second, "=", state.knowledge(chain.lines[0])).is_proved
+
+
+def _order_beside(state: JudgingState, chain: Chain) -> str | None:
+    """Return the order that the words before a relation name last, or those right behind it."""
+    text = state.document.text
+    starts = [c.end for c in state.document.chains if c.end <= chain.start]
+    first = max(*starts, chain.start - REACH, 0) if starts else max(chain.start - REACH, 0)
+    if orders := orders_named(text[first : chain.start]):
+        return orders[-1]
+    behind = re.split(r"[.;:,。；\n=]", text[chain.end : chain.end + REACH], maxsplit=1)[0]
+    orders = orders_named(behind)
+    return orders[0] if orders else None
 
 
 def _phase_shifts(chain: Chain) -> set[int]:
@@ -123,7 +150,7 @@ def as_case_of_multiple(state: JudgingState, chain: Chain, k: int) -> Decision |
     """
     left, value, line = chain.sides[0].node, chain.sides[-1].node, chain.lines[0]
     factors = left.factors if isinstance(left, Product) else ()
-    if k or len(chain.relations) != 1 or len(factors) != 2 or names(value):  # noqa: PLR2004
+    if k or len(chain.relations) != 1 or len(factors) != 2 or names(value):
         return None
     number, letter = factors
     if not isinstance(number, Number) or not isinstance(letter, Name) or not number.value:
@@ -223,6 +250,28 @@ def _with_powers_of_ten(factors: list[tuple[Formula, Fraction]]) -> list[tuple[F
 
 
 _TEN = Number(Fraction(10))
+
+
+def as_number_of_another(state: JudgingState, chain: Chain, k: int) -> Decision | None:
+    """Return that a letter has its number in another engine, which the words before name; or None."""
+    head, value = chain.sides[0].node, chain.sides[-1].node
+    if k or not isinstance(head, Name) or len(chain.relations) != 1 or names(value):
+        return None
+    text, line = state.document.text, chain.lines[0]
+    words = text[max(clause_start(text, chain.start), 0) : chain.start]
+    if state.sections.is_consequence(chain):
+        return None
+    if names_another_example(words):
+        state.definitions.forget_all(head.name)
+        state.definitions.define(head.name, value, chain)
+        return Decision(PREMISE, "of another engine than above")
+    earlier = state.definitions.at(line).get(head.name)
+    is_below = earlier is not None and earlier.line < state.sections.paragraph_start(line)
+    if is_below and names_some_engine(words):
+        return Decision(UNDECIDED, "of the engine above it is another number: say which is meant")
+    return None
+
+
 _ONE = 0.03
 _SHIFTED = tuple(10.0**power for power in range(-6, 7))
 
@@ -249,7 +298,11 @@ def at_another_value(state: JudgingState, chain: Chain, k: int, knowledge: Knowl
     tried = 0
     for name in sorted(behind & values.keys()):
         now = knowledge.definitions[name]
-        if not now.numeric or now.line >= first or isinstance(left.node, Name) and left.node.name == name:
+        if (
+            not now.numeric
+            or now.line >= first
+            or (isinstance(left.node, Name) and left.node.name == name)
+        ):
             continue
         for other in _other_numbers(state, name, now):
             tried += 1

@@ -58,24 +58,22 @@ def crank_spread_named(text: str, first: int, last: int) -> tuple[int, int] | No
     >>> crank_spread_named("a twin with 270° cranks", 0, 23), crank_spread_named("at a crank angle of 90°", 0, 23)
     ((12, 270), None)
     """
-    match = None
-    for match in _SPREAD.finditer(text, first, last):
-        pass
+    match = max(_SPREAD.finditer(text, first, last), key=lambda m: m.start(), default=None)
     return None if match is None else (match.start(), int(match["behind"] or match["before"]))
 
 
-def orders_named(words: str) -> frozenset[str]:
-    """Return the orders that words name.
+def orders_named(words: str) -> list[str]:
+    """Return the orders that words name, in their order.
 
-    >>> sorted(orders_named("the critical speed of order 4")), sorted(orders_named("a second-order force"))
-    (['4'], ['2'])
+    >>> orders_named("the critical speed of order 4"), orders_named("a second-order force, 6. Ordnung")
+    (['4'], ['2', '6'])
     """
-    return frozenset(
-        str(_ORDINALS[word.lower()])
-        if (word := match["word"])
+    return [
+        str(_ORDINALS[match["word"].lower()])
+        if match["word"]
         else (match["behind"] or match["number"]).replace(",", ".")
         for match in _ORDER.finditer(words)
-    )
+    ]
 
 
 def names_another_example(words: str) -> bool:
@@ -85,3 +83,20 @@ def names_another_example(words: str) -> bool:
     (True, False)
     """
     return _ANOTHER.search(words) is not None
+
+
+_SOME = re.compile(
+    rf"(?<![A-Za-z])an?\s+(?:[\w-]+\s+){{1,3}}{_THING}(?![A-Za-z])"
+    r"|(?<![A-Za-z])(?:eine?[rnm]?|einem)\s+(?:[\w-]+\s+){0,3}[\w-]*(?:motor|maschine|verdichter)s?(?![a-z])"
+    r"|(?<![A-Za-z])une?\s+(?:[\w-]+\s+){0,2}(?:moteur|machine)|(?:ある|別の)[^。、\n]{0,10}(?:機関|エンジン)",
+    re.IGNORECASE,
+)
+
+
+def names_some_engine(words: str) -> bool:
+    """Tell whether words begin to speak of an engine: a marine engine has; not of the one at hand.
+
+    >>> names_some_engine("A marine engine has "), names_some_engine("the engine has ")
+    (True, False)
+    """
+    return _SOME.search(words) is not None
