@@ -71,6 +71,7 @@ from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONTRADICTION,
     DEFINITION,
+    PREMISE,
     PROVED_WORDS,
     REFUTED,
     UNDECIDED,
@@ -241,6 +242,7 @@ class Judge:
         verdict = self._unless_excepted(chain, k, self._link_by_cases(chain, k, sound, bad))
         verdict = unless_angle_unknown(self.state, chain, k, verdict)
         verdict = unless_offset(self.state, chain, k, verdict)
+        verdict = self._unless_between_numbers(chain, k, verdict)
         verdict = unless_other_case(self.state, chain, k, verdict)
         return self._unless_at_another_value(chain, k, verdict)
 
@@ -318,6 +320,13 @@ class Judge:
             end_cases(self.state.definitions, others, chain.start)
             return self._link_in_scope(chain, k, sound, bad)
         return verdict
+
+    def _unless_between_numbers(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+        """Return a verdict on a formula by the units that words give its letters, where they differ."""
+        if verdict.verdict not in (*PROVED_WORDS, DEFINITION, PREMISE):
+            return verdict
+        by_units = self.state.stated_units.decide(chain, k)
+        return verdict if by_units is None else describe(self.document, chain, k, by_units)
 
     def _case_of_other_numbers(self, chain: Chain, k: int) -> Decision | None:
         """Return what a relation that lines above refute says of a case of its own; None for most."""
