@@ -27,6 +27,7 @@ from symbalance.notes.checking.judging.offset_cranks import unless_offset
 from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
 from symbalance.notes.checking.judging.unknown_crank_angle import unless_angle_unknown
 from symbalance.notes.checking.meant.motion_in_time import with_rates_of_rates
+from symbalance.notes.checking.meant.ring_or_disc import decide_ring_or_disc
 from symbalance.notes.checking.page import assertions
 from symbalance.notes.checking.page.consequences import decide_consequence
 from symbalance.notes.checking.page.engine_blocks import EngineBlocks
@@ -325,7 +326,7 @@ class Judge:
         """Return a verdict on a formula by the units that words give its letters, where they differ."""
         if verdict.verdict not in (*PROVED_WORDS, DEFINITION, PREMISE):
             return verdict
-        by_units = self.state.stated_units.decide(chain, k)
+        by_units = self.state.stated_units.decide(chain, k) or decide_ring_or_disc(chain, k, self.document)
         return verdict if by_units is None else describe(self.document, chain, k, by_units)
 
     def _case_of_other_numbers(self, chain: Chain, k: int) -> Decision | None:

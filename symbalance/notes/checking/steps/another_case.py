@@ -188,7 +188,10 @@ def puts_another_engines_numbers_in(
         put_in = number_of(number, knowledge)
         if known is None or put_in is None or not known or not put_in:
             return None
-        if _may_be_slip(float(known / put_in)):
+        definition = knowledge.definitions.get(part.name)
+        typed = walk(definition.node) if definition is not None else ()
+        own = [known, *(each.value for each in typed if isinstance(each, Number))]
+        if any(_may_be_slip(float(each / put_in)) for each in own if each):
             return None
         others[part.name] = number
     if len(others) < FEWEST:
