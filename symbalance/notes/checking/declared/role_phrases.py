@@ -182,7 +182,8 @@ _PARTS = frozenset(phrase.casefold() for phrase in PARTS)
 
 
 _MEAN = re.compile(
-    r"(?:(?<![A-Za-z])(?:mean|average|mittlere[rnms]?|durchschnittliche[rnms]?)[\s-]*|平均の?)$", re.IGNORECASE
+    r"(?:(?<![A-Za-z])(?:mean|average|mittlere[rnms]?|durchschnittliche[rnms]?)[\s-]*|平均の?)$",
+    re.IGNORECASE,
 )
 
 

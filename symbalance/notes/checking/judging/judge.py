@@ -34,6 +34,7 @@ from symbalance.notes.checking.page.engine_blocks import EngineBlocks
 from symbalance.notes.checking.page.letters_of_sections import numbers_of_this_section
 from symbalance.notes.checking.page.page_data import data_of
 from symbalance.notes.checking.page.quotations import Quotations
+from symbalance.notes.checking.premises.another_value import NO_WORDS
 from symbalance.notes.checking.steps.angle_equations import lines_of_angles
 from symbalance.notes.checking.steps.another_body import (
     leave_body,
@@ -44,9 +45,10 @@ from symbalance.notes.checking.steps.another_body import (
 from symbalance.notes.checking.steps.another_case import (
     as_case_of_multiple,
     as_number_of_another,
-    at_another_value,
     leave_named_case,
+    leave_products_of_another,
     puts_another_engines_numbers_in,
+    with_other_values,
 )
 from symbalance.notes.checking.steps.another_engine import leave_cranks, leave_engine, leave_premises
 from symbalance.notes.checking.steps.another_place import is_multiple_of_angle, leave_place
@@ -292,7 +294,8 @@ class Judge:
             counted = self._link_in_scope(bare, k, sound, bad)
             if counted.verdict not in (REFUTED, CONTRADICTION, UNDECIDED):
                 return counted  # N² = 2.543·10⁸ has the number of revolutions per minute
-        if is_against and (case := self._case_of_other_numbers(chain, k)) is not None:
+        is_unsaid = verdict.verdict == UNDECIDED and (verdict.reason or "").endswith(NO_WORDS)
+        if (is_against or is_unsaid) and (case := self._case_of_other_numbers(chain, k)) is not None:
             return describe(self.document, chain, k, case)
         if ((is_against or is_open) and leave_cycle(self.state, chain, k)) or (
             is_against
@@ -304,6 +307,7 @@ class Judge:
                 or leave_engine(self.state, chain, k)
                 or leave_cranks(self.state, chain, k)
                 or leave_named_case(self.state, chain, k)
+                or leave_products_of_another(self.state, chain, k)
             )
         ):
             return self._anew(chain, k) or self._link_in_scope(chain, k, sound, bad)
@@ -326,7 +330,9 @@ class Judge:
         """Return a verdict on a formula by the units that words give its letters, where they differ."""
         if verdict.verdict not in (*PROVED_WORDS, DEFINITION, PREMISE):
             return verdict
-        by_units = self.state.stated_units.decide(chain, k) or decide_ring_or_disc(chain, k, self.document)
+        by_units = self.state.stated_units.decide(chain, k) or decide_ring_or_disc(
+            chain, k, self.document
+        )
         return verdict if by_units is None else describe(self.document, chain, k, by_units)
 
     def _case_of_other_numbers(self, chain: Chain, k: int) -> Decision | None:
@@ -336,11 +342,11 @@ class Judge:
         return case or puts_another_engines_numbers_in(self.state, chain, k, knowledge)
 
     def _unless_at_another_value(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
-        """Return a verdict, undecided where a refuted relation is true with a letter's other number."""
+        """Return a verdict; what is refuted by one number of a letter may be true by another."""
         if verdict.verdict not in (REFUTED, CONTRADICTION):
             return verdict
-        reason = at_another_value(self.state, chain, k, self.state.knowledge(chain.lines[0]))
-        return describe(self.document, chain, k, Decision(UNDECIDED, reason)) if reason else verdict
+        there = with_other_values(self.state, chain, k, self.state.knowledge(chain.lines[0]))
+        return verdict if there is None else describe(self.document, chain, k, there)
 
     def _without_constant(
         self, chain: Chain, k: int, sound: int, bad: bool, changing: frozenset[str]

@@ -21,7 +21,9 @@ _DISC = re.compile(
     r"(?<![A-Za-z])(?:dis[ck]s?|solid\s+cylinders?|Scheiben?|Vollzylinders?)(?![A-Za-z])|円板|円盤",
     re.IGNORECASE,
 )
-_OTHERS = re.compile(r"thick|annular|hollow|hohl|inner|outer|spoke|speich|half|halb(?!messer)|厚|diameter", re.IGNORECASE)
+_OTHERS = re.compile(
+    r"thick|annular|hollow|hohl|inner|outer|spoke|speich|half|halb(?!messer)|厚|diameter", re.IGNORECASE
+)
 _SENTENCE = re.compile(r"[.;!?]\s|[。；]|\n\s*\n")
 _REACH = 200
 _INERTIAS = frozenset(("J", "I", "Theta"))

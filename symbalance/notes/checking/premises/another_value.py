@@ -42,6 +42,7 @@ FEWEST_NEW = 2
 NEARLY = 0.1
 """Relative difference: a second value closer to the first is a slip, not a new case."""
 
+NO_WORDS = "and no words say that it is another case"
 ROUNDED = 0.05
 """Relative difference up to which a number may stand for one with more digits, where words say so."""
 
@@ -489,7 +490,7 @@ def refuse_case(
     if not is_excluded or _is_another_solution(definitions, name, value, line, knowledge):
         return None
     if is_case is None or line - earlier.line > FAR:
-        reason = f"not {text} of line {earlier.line}, and no words say that it is another case"
+        reason = f"not {text} of line {earlier.line}, {NO_WORDS}"
         return Decision(UNDECIDED, reason)
     return Decision(CONTRADICTION, f"contradicts {text} of line {earlier.line}")
 

@@ -57,8 +57,8 @@ REACH = 120
 """Characters beside a formula in which its order is named."""
 FEWEST = 2
 """Numbers of another engine that are put in together; one alone may be a slip."""
-MOST_VALUES = 6
-"""Other values of letters that are tried."""
+MOST_VALUES = 4
+"""Other values of letters that are tried, the nearest first."""
 
 
 def leave_named_case(state: JudgingState, chain: Chain, k: int) -> bool:
@@ -262,17 +262,33 @@ def as_number_of_another(state: JudgingState, chain: Chain, k: int) -> Decision 
         return None
     text, line = state.document.text, chain.lines[0]
     words = text[max(clause_start(text, chain.start), 0) : chain.start]
+    behind = re.split(r"[.;,。；\n=$]", text[chain.end : chain.end + 30], maxsplit=1)[0]
     if state.sections.is_consequence(chain):
         return None
-    if names_another_example(words):
+    given = state.definitions.at(line).get(head.name)
+    is_datum = given is not None and given.numeric and given.formula is None
+    is_elsewhere = is_datum and given is not None and not state.sections.same_exercise(given.line, line)
+    if is_elsewhere or names_another_example(words) or names_another_example(behind):
         state.definitions.forget_all(head.name)
         state.definitions.define(head.name, value, chain)
         return Decision(PREMISE, "of another engine than above")
-    earlier = state.definitions.at(line).get(head.name)
-    is_below = earlier is not None and earlier.line < state.sections.paragraph_start(line)
+    is_below = given is not None and given.line < state.sections.paragraph_start(line)
     if is_below and names_some_engine(words):
         return Decision(UNDECIDED, "of the engine above it is another number: say which is meant")
     return None
+
+
+def leave_products_of_another(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Forget m r = 20 of engine A before m r = 0.6·44 of engine B; tell if there was such an equation."""
+    left, right = chain.sides[0].node, chain.sides[1].node
+    text, own = state.document.text, names(left)
+    words = text[max(clause_start(text, chain.start), 0) : chain.start]
+    if k or isinstance(left, Name) or names(right) or not own or not names_another_example(words):
+        return False
+    rest = [p for p in state.definitions.premises if p.names != own]
+    is_known = len(rest) < len(state.definitions.premises)
+    state.definitions.premises = rest
+    return is_known
 
 
 _ONE = 0.03
@@ -284,44 +300,60 @@ def _may_be_slip(ratio: float) -> bool:
     return ratio < 0 or any(abs(ratio / shift - 1) < _ONE for shift in _SHIFTED)
 
 
-def at_another_value(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> str:
-    """Return why a refuted relation may be meant otherwise: it is true with another value of a letter.
+def with_other_values(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on a refuted relation by other numbers that the page gives its letters.
 
-    The letter has several numbers on the page, each of a case, and the relation stands in no clause that
-    says which. "" where none makes it true.
+    It is proved, on that condition, with those given last before it, as one reads; with any others it is
+    open. None where none of them make it true.
     """
-    text = state.document.text
     left, right = chain.sides[k], chain.sides[k + 1]
     if k and not names(left.node):
         left = next((side for side in reversed(chain.sides[:k]) if names(side.node)), left)
     values = {name: d.node for name, d in knowledge.definitions.items()}
-    own = {*names(left.node), *names(right.node)}
-    behind = {*own, *names_behind(left.node, values), *names_behind(right.node, values)}
-    first = state.document.line_of(clause_start(text, chain.start))
-    tried = 0
-    for name in sorted(behind & values.keys()):
-        now = knowledge.definitions[name]
-        if (
-            not now.numeric
-            or now.line >= first
-            or (isinstance(left.node, Name) and left.node.name == name)
-        ):
-            continue
-        for other in _other_numbers(state, name, now):
-            tried += 1
-            if tried > MOST_VALUES:
-                return ""
-            definitions = {**knowledge.definitions, name: other}
-            there = decide(
-                left, right, chain.relations[k].sign, replace(knowledge, definitions=definitions)
-            )
+    behind = {*names(left.node), *names(right.node)}
+    behind |= {*names_behind(left.node, values), *names_behind(right.node, values)}
+    if isinstance(left.node, Name) and knowledge.definitions.get(left.node.name) is not None:
+        is_datum = knowledge.definitions[left.node.name].numeric and not names(right.node)
+        behind -= {left.node.name} if is_datum else set()
+    given = {name: _numbers_given(state, name, chain) for name in sorted(behind & values.keys())}
+    given = {
+        name: chains for name, chains in given.items() if chains and knowledge.definitions[name].numeric
+    }
+    for rank in range(MOST_VALUES if given else 0):
+        here = {name: chains[rank] for name, chains in given.items() if len(chains) > rank}
+        sets = [here] if not rank else [here, *({name: c} for name, c in here.items())]
+        for chosen in sets:
+            others = {
+                n: c for n, c in chosen.items() if c.sides[-1].node != knowledge.definitions[n].node
+            }
+            if not others:
+                continue
+            definitions = {n: _definition_of(c) for n, c in others.items()}
+            known = replace(knowledge, definitions={**knowledge.definitions, **definitions})
+            there = decide(left, right, chain.relations[k].sign, known)
             if there.is_proved:
-                shown = f"{plain_text(Name(name))} = {plain_text(other.node)}"
-                return f"it holds with {shown} of line {other.line}: say whether that is meant"
-    return ""
+                shown = tuple(_shown(n, c) for n, c in others.items())
+                if not rank:
+                    return replace(there, assumptions=(*there.assumptions, *shown))
+                words = " and ".join(shown)
+                return Decision(UNDECIDED, f"it holds with {words}: say whether that is meant")
+    return None
 
 
-def _other_numbers(state: JudgingState, name: str, now: Definition) -> list[Definition]:
-    """Return the other numbers that lines give a letter, the nearest first."""
-    entries = [e.definition for e in state.definitions.values.get(name, ())]
-    return [d for d in reversed(entries) if d.numeric and d.line != now.line and d.node != now.node]
+def _shown(name: str, chain: Chain) -> str:
+    return f"{plain_text(Name(name))} = {plain_text(chain.sides[-1].node)} of line {chain.lines[0]}"
+
+
+def _definition_of(chain: Chain) -> Definition:
+    return Definition(chain.sides[-1].node, chain.lines[0], True)
+
+
+def _numbers_given(state: JudgingState, name: str, chain: Chain) -> list[Chain]:
+    """Return the relations above that give a letter a number, the nearest first."""
+    above = [
+        c
+        for c in state.document.chains
+        if c.start < chain.start and len(c.relations) == 1 and c.sides[0].node == Name(name)
+    ]
+    given = [c for c in above if not names(c.sides[1].node) and c.relations[0].sign in "=≈"]
+    return sorted(given, key=lambda c: -c.start)

@@ -25,9 +25,7 @@ from symbalance.notes.reading.numerals import unit_in_words
 from symbalance.notes.reading.result_units import value_of
 from symbalance.notes.reading.units import scale_of
 
-_LETTER = (
-    r"(?<![\w\\^{])\$?(?P<letter>\\?[^\W\d_]+(?:_(?:\{[A-Za-z0-9,]{1,8}\}|[A-Za-z0-9]))?|[A-Za-z][₀-₉ₐ-ₜ]?)\$?"
-)
+_LETTER = r"(?<![\w\\^{])\$?(?P<letter>\\?[^\W\d_]+(?:_(?:\{[A-Za-z0-9,]{1,8}\}|[A-Za-z0-9]))?|[A-Za-z][₀-₉ₐ-ₜ]?)\$?"
 _WORD = r"[A-Za-z1µ°][A-Za-zµ0-9/²³⁴⁻¹^·.°\\-]{0,20}"
 _UNIT = rf"(?P<unit>{_WORD}(?:\s{_WORD}){{0,3}})"
 _SAID = re.compile(
@@ -130,7 +128,9 @@ class StatedUnits:
         if _is_pure(factor):
             is_sure = is_whole and is_near
             return Decision(REFUTED if is_sure else UNDECIDED, f"{reason}; nothing converts them")
-        slips = [s for s in _SLIPS if s != 1 and any(_is_near(factor / scale * s, each) for each in _USUAL)]
+        slips = [
+            s for s in _SLIPS if s != 1 and any(_is_near(factor / scale * s, each) for each in _USUAL)
+        ]
         if is_whole and slips and _has_whole_constants(right):
             return Decision(REFUTED, f"{reason}; its constant does not convert them")
         return None
@@ -189,7 +189,9 @@ def _unit(text: str, place: int) -> StatedUnit | None:
 
 _BRACED = re.compile(r"\{\s*([-−]?\s*[0-9])\s*\}")
 _WORDS = re.compile(r"[A-Za-z][a-z]{3,}(?:\s(?:per|a|[a-z]{3,}))*")
-_NO_UNITS = frozenset(["and", "the", "a", "an", "in", "at", "is", "of", "und", "et", "with", "mit", "so", "for", "we", "h"])
+_NO_UNITS = frozenset(
+    ["and", "the", "a", "an", "in", "at", "is", "of", "und", "et", "with", "mit", "so", "for", "we", "h"]
+)
 
 
 def _scale_of(

@@ -36,18 +36,35 @@ _THING = (
     r"(?:engines?|motors?|machines?|units?|compressors?|versions?|variants?|designs?|models?|examples?|cases?|shafts?|pumps?"
     r"|cars?|bikes?|motorcycles?|cylinders|twins?|singles?|fours?|sixes|diesels?|rotors?|crankshafts?)"
 )
+_ADJECTIVE = (
+    r"(?:other|second|third|fourth|next|new|newer|old|older|earlier|later|former|original|modern|competing|final|larger|bigger"
+    r"|smaller|longer|shorter|heavier|lighter|wider|stiffer|softer|stronger|thicker|thinner|higher|lower|faster|slower"
+    r"|turbocharged|tuned|racing|sister)"
+)
+_MEASURED = (
+    r"(?:measurements?|tests?|runs?|trials?|gears?|experiments?|attempts?|readings?|sets?|series|specimens?|journals?|springs?"
+    r"|pistons?|rods?|flywheels?|cranks?|levers?|ones?|speeds?|points?|rows?|values?)"
+)
+_ADJEKTIV = (
+    r"(?:ander|zweit|dritt|größer|kleiner|länger|kürzer|schwerer|leichter|nächst|neu|neuer|alt|älter|früher|später|ursprünglich)"
+    r"e[rnms]?"
+)
 _ANOTHER = re.compile(
-    r"(?<![A-Za-z])(?:another|(?:the|an?|its|our|my)\s+(?:(?:other|second|third|larger|bigger|smaller|next|new|newer|old|older"
-    r"|earlier|later|former|successor|rival|racing|sister|original|production|modern|competing|turbocharged|tuned|long-stroke"
-    r"|short-stroke)))"
-    rf"\s+(?:[\w.-]+\s+){{0,2}}?{_THING}(?![A-Za-z])"
-    r"|(?<![A-Za-z])(?:its\s+(?:successor|predecessor|rival|sister)|by\s+comparison|for\s+comparison|suppose|supposing|imagine"
-    r"|instead(?!\s+of\s+(?:sin|cos))|had\s+(?:we|it|the|been)|if\s+(?:we|it|the\s+\w+)\s+(?:were|had)|in\s+contrast|whereas)(?![A-Za-z])"
-    r"|(?<![A-Za-zäöü])(?:ein|der|die|das|beim?|eines?|einem?|einen|dem|den)\s*(?:ander|zweit|dritt|größer|kleiner|nächst|neu|alt|früher"
-    r"|älter|ursprünglich)e[rnms]?\s+(?:[\w.-]+\s+){0,2}?[\w-]*(?:motor|maschine|ausführung|variante|beispiel|fall|version|verdichter)"
-    r"|(?<![A-Za-zäöü])(?:zum\s+Vergleich|dagegen|hingegen|angenommen|stattdessen)(?![A-Za-zäöü])"
-    r"|(?:別の|他の|もう一つの|もう一方の|次の|旧|新しい|大型の|小型の)[^。、\n]{0,12}(?:機関|エンジン|例|場合|仕様)|仮に|代わりに|これに対し|一方"
-    r"|(?<![A-Za-z])(?:un(?:e)?\s+autre|l'autre|le\s+second|la\s+seconde)\s+(?:moteur|machine|exemple|version|cas)",
+    rf"(?<![A-Za-z])(?:another|(?:the|an?|its|our|my)\s+{_ADJECTIVE})\s+(?:[\w.-]+\s+){{0,2}}?(?:{_THING}|{_MEASURED})(?![A-Za-z])"
+    rf"|(?<![A-Za-z])(?:first|{_ADJECTIVE})\s+{_MEASURED}(?![A-Za-z])"
+    rf"|(?<![A-Za-z])the\s+(?:first|{_ADJECTIVE})\s+(?:with|has|had|is|was|one|gives?|runs)(?![A-Za-z])"
+    r"|(?<![A-Za-z])(?:successor|predecessor|rival|by\s+comparison|for\s+comparison|suppose|supposing|imagine|instead|try|trying"
+    r"|doubling|halving|nominal(?:ly)?|worn|would|nowadays|today|had\s+(?:we|it|been)|in\s+contrast|whereas|typical(?:ly)?|usual(?:ly)?"
+    r"|in\s+(?:18|19|20)[0-9]{2})(?![A-Za-z0-9])"
+    r"|(?<![A-Za-z])(?:for|of|in|für|bei|pour|de)\s+(?:the\s+)?(?:(?:engine|twin|motor|Motor|moteur|machine|case|variant|set)\s+)?"
+    r"[A-D1-9]\s?[:,]"
+    r"|(?<![A-Za-z])(?:engine|twin|motor|moteur|machine|case|variant|set)\s+[A-D1-9](?![A-Za-z0-9])"
+    rf"|(?<![A-Za-zäöü])(?:der|die|das|beim?|eine?[rnms]?|dem|den)\s+{_ADJEKTIV}(?![a-zäöü])"
+    r"|(?<![A-Za-zäöü])(?:zum\s+Vergleich|dagegen|hingegen|angenommen|stattdessen|wäre|nominell|gemessen|üblich\w*|heute"
+    r"|im\s+Jahre?\s+[0-9]{4})(?![A-Za-zäöü])"
+    r"|(?:別の|他の|もう一つの|もう一方の|次の|新しい|大型の|小型の)[^。、\n]{0,12}(?:機関|エンジン|例|場合|仕様)|新型|旧型|改良型|[二2]回目"
+    r"|仮に|代わりに|これに対し|一方"
+    r"|(?<![A-Za-z])(?:un(?:e)?\s+autre|l'autre|le\s+second|la\s+seconde|le\s+nouveau|l'ancien)(?![A-Za-z])",
     re.IGNORECASE,
 )
 
