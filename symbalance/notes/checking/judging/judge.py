@@ -48,6 +48,7 @@ from symbalance.notes.checking.steps.another_case import (
     leave_named_case,
     leave_products_of_another,
     puts_another_engines_numbers_in,
+    refuted_by_nearest,
     with_other_values,
 )
 from symbalance.notes.checking.steps.another_engine import leave_cranks, leave_engine, leave_premises
@@ -343,9 +344,13 @@ class Judge:
 
     def _unless_at_another_value(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict; what is refuted by one number of a letter may be true by another."""
-        if verdict.verdict not in (REFUTED, CONTRADICTION):
+        knowledge = self.state.knowledge(chain.lines[0])
+        if verdict.verdict in PROVED_WORDS:
+            there = refuted_by_nearest(self.state, chain, k, knowledge)
+        elif verdict.verdict in (REFUTED, CONTRADICTION):
+            there = with_other_values(self.state, chain, k, knowledge)
+        else:
             return verdict
-        there = with_other_values(self.state, chain, k, self.state.knowledge(chain.lines[0]))
         return verdict if there is None else describe(self.document, chain, k, there)
 
     def _without_constant(

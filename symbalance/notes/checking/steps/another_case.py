@@ -33,7 +33,7 @@ from symbalance.notes.checking.deciding.numbers_put_in import without_unit
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
-from symbalance.notes.checking.verdicts import PREMISE, UNDECIDED
+from symbalance.notes.checking.verdicts import PREMISE, REFUTED, UNDECIDED
 from symbalance.notes.checking.words.case_words import clause_start
 from symbalance.notes.checking.words.cases_named import (
     crank_spread_named,
@@ -42,7 +42,7 @@ from symbalance.notes.checking.words.cases_named import (
     orders_named,
 )
 from symbalance.notes.checking.words.plain_formulas import lone_side, plain_text
-from symbalance.notes.reading.equations import Chain
+from symbalance.notes.reading.equations import Chain, Side
 
 _OPENS = re.compile(
     r"(?<![A-Za-zÀ-ÿ])(?:for|with|if|when|where|at|having|suppose|supposing|take|let|choose|say|für|bei|mit|wenn|falls"
@@ -268,6 +268,7 @@ def as_number_of_another(state: JudgingState, chain: Chain, k: int) -> Decision 
     given = state.definitions.at(line).get(head.name)
     is_datum = given is not None and given.numeric and given.formula is None
     is_elsewhere = is_datum and given is not None and not state.sections.same_exercise(given.line, line)
+    is_elsewhere = is_elsewhere or (given is not None and _has_another_subject(state, chain, given.line))
     if is_elsewhere or names_another_example(words) or names_another_example(behind):
         state.definitions.forget_all(head.name)
         state.definitions.define(head.name, value, chain)
@@ -276,6 +277,25 @@ def as_number_of_another(state: JudgingState, chain: Chain, k: int) -> Decision 
     if is_below and names_some_engine(words):
         return Decision(UNDECIDED, "of the engine above it is another number: say which is meant")
     return None
+
+
+_SUBJECT = re.compile(
+    r"(?<![A-Za-z])(?:the|die|der|das)\s+(?P<kind>[\w-]+)\s+(?P<noun>[\w-]+)\s+(?:is|was|ist|war|beträgt)[\s$]*$",
+    re.IGNORECASE,
+)
+
+
+def _has_another_subject(state: JudgingState, chain: Chain, line: int) -> bool:
+    """Tell whether a letter is that of two things by their sentences: the gas force, the inertia force."""
+    text = state.document.text
+    now = _SUBJECT.search(text, max(0, chain.start - REACH), chain.start)
+    above = [c for c in state.sections.chains_on(line) if c.sides[0].node == chain.sides[0].node]
+    matches = (_SUBJECT.search(text, max(0, c.start - REACH), c.start) for c in above if c is not chain)
+    before = [match for match in matches if match is not None]
+    return now is not None and any(
+        match["noun"].lower() == now["noun"].lower() and match["kind"].lower() != now["kind"].lower()
+        for match in before
+    )
 
 
 def leave_products_of_another(state: JudgingState, chain: Chain, k: int) -> bool:
@@ -319,33 +339,101 @@ def with_other_values(state: JudgingState, chain: Chain, k: int, knowledge: Know
     given = {
         name: chains for name, chains in given.items() if chains and knowledge.definitions[name].numeric
     }
+    given = {
+        name: chains
+        for name, chains in given.items()
+        if len(chains) > 1 or _is_stale(chains, name, knowledge)
+    }
     for rank in range(MOST_VALUES if given else 0):
         here = {name: chains[rank] for name, chains in given.items() if len(chains) > rank}
         sets = [here] if not rank else [here, *({name: c} for name, c in here.items())]
         for chosen in sets:
-            others = {
-                n: c for n, c in chosen.items() if c.sides[-1].node != knowledge.definitions[n].node
-            }
-            if not others:
+            there = _decide_with(chosen, left, right, chain.relations[k].sign, knowledge)
+            if there is None or not there.is_proved:
                 continue
-            definitions = {n: _definition_of(c) for n, c in others.items()}
-            known = replace(knowledge, definitions={**knowledge.definitions, **definitions})
-            there = decide(left, right, chain.relations[k].sign, known)
-            if there.is_proved:
-                shown = tuple(_shown(n, c) for n, c in others.items())
-                if not rank:
-                    return replace(there, assumptions=(*there.assumptions, *shown))
-                words = " and ".join(shown)
-                return Decision(UNDECIDED, f"it holds with {words}: say whether that is meant")
+            shown = tuple(_shown(n, c) for n, c in chosen.items())
+            if not rank:
+                return replace(there, assumptions=(*there.assumptions, *shown))
+            if _stands_with(state, chain, chosen, {n: chains[0] for n, chains in given.items()}):
+                return None
+            words = " and ".join(shown)
+            return Decision(UNDECIDED, f"it holds with {words}: say whether that is meant")
     return None
+
+
+def refuted_by_nearest(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> Decision | None:
+    """Return that a proved relation is true by an older number of a letter only, not by the nearest one.
+
+    Below d = 60 mm and I = 1.27·10⁶ mm⁴ the next journal has d = 50 mm, and the same I.
+    """
+    left, right = chain.sides[k], chain.sides[k + 1]
+    if k and not names(left.node):
+        left = next((side for side in reversed(chain.sides[:k]) if names(side.node)), left)
+    if names(right.node) or isinstance(right.node, Name):
+        return None
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    behind = {*names(left.node), *names_behind(left.node, values)}
+    behind -= {left.node.name} if isinstance(left.node, Name) else set()
+    given = {name: _numbers_given(state, name, chain) for name in sorted(behind & values.keys())}
+    given = {name: c for name, c in given.items() if len(c) > 1 and knowledge.definitions[name].numeric}
+    nearest = {name: chains[0] for name, chains in given.items()}
+    older = {name: chains[1] for name, chains in given.items()}
+    if not given or all(_is_same(nearest[n], older[n]) for n in given):
+        return None
+    sign = chain.relations[k].sign
+    there = _decide_with(nearest, left, right, sign, knowledge)
+    before = _decide_with(older, left, right, sign, knowledge)
+    if there is None or there.status != REFUTED or before is None or not before.is_proved:
+        return None
+    words = " and ".join(_shown(name, c) for name, c in older.items())
+    return Decision(UNDECIDED, f"it holds with {words}, and another number stands nearer")
+
+
+def _is_same(first: Chain, second: Chain) -> bool:
+    return first.sides[-1].node == second.sides[-1].node
+
+
+def _is_stale(chains: list[Chain], name: str, knowledge: Knowledge) -> bool:
+    """Tell whether a letter's nearest number is not the one that is in force."""
+    return bool(chains) and chains[0].sides[-1].node != knowledge.definitions[name].node
+
+
+def _decide_with(
+    chosen: dict[str, Chain], left: Side, right: Side, sign: str, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision with the numbers that lines give letters; None where these are in force."""
+    others = {n: c for n, c in chosen.items() if c.sides[-1].node != knowledge.definitions[n].node}
+    definitions = {n: Definition(c.sides[-1].node, c.lines[0], True) for n, c in others.items()}
+    known = replace(knowledge, definitions={**knowledge.definitions, **definitions})
+    return decide(left, right, sign, known)
+
+
+def _stands_with(
+    state: JudgingState, chain: Chain, older: dict[str, Chain], nearest: dict[str, Chain]
+) -> bool:
+    """Tell whether a relation speaks of the numbers given last: in their paragraph, or their section.
+
+    Words that name the example before, "the first has", lead away from them.
+    """
+    text, sections, line = state.document.text, state.sections, chain.lines[0]
+    start = clause_start(text, chain.start)
+    words = text[max(start, 0) : chain.start]
+    is_here = any(c.start >= start for c in nearest.values())
+    if not is_here and names_another_example(words):
+        return False
+    last = max((c for n, c in nearest.items() if n in older), key=lambda c: c.start, default=None)
+    if last is None:
+        return False
+    if sections.paragraph_start(line) == sections.paragraph_start(last.lines[0]):
+        return True
+    is_of_section = sections.same_section(last.lines[0], line)
+    return is_of_section and not any(sections.same_section(c.lines[0], line) for c in older.values())
 
 
 def _shown(name: str, chain: Chain) -> str:
     return f"{plain_text(Name(name))} = {plain_text(chain.sides[-1].node)} of line {chain.lines[0]}"
-
-
-def _definition_of(chain: Chain) -> Definition:
-    return Definition(chain.sides[-1].node, chain.lines[0], True)
 
 
 def _numbers_given(state: JudgingState, name: str, chain: Chain) -> list[Chain]:

@@ -30,7 +30,7 @@ _WORD = r"[A-Za-z1µ°][A-Za-zµ0-9/²³⁴⁻¹^·.°\\-]{0,20}"
 _UNIT = rf"(?P<unit>{_WORD}(?:\s{_WORD}){{0,3}})"
 _SAID = re.compile(
     rf"{_LETTER}(?:\s+(?:is|are|being|be|always|again|measured|given|taken|expressed|counted|ist|wird|gemessen|eingesetzt))*"
-    rf",?\s*(?:(?:\(\s*)?\bin\s+|\[|\((?=[A-Za-z1]))(?:the\s+unit\s+)?\$?(?:\\(?:mathrm|text|unit|si)\s*\{{)?{_UNIT}",
+    rf",?\s*(?:(?:\(\s*)?\b(?:in|en)\s+|\[|\((?=[A-Za-z1]))(?:the\s+unit\s+)?\$?(?:\\(?:mathrm|text|unit|si)\s*\{{)?{_UNIT}",
     re.IGNORECASE,
 )
 """P is in W; torque T in N m; speed n [rpm]; ω (in rad/s)."""
