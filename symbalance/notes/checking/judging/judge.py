@@ -45,6 +45,7 @@ from symbalance.notes.checking.steps.another_body import (
 from symbalance.notes.checking.steps.another_case import (
     as_case_of_multiple,
     as_number_of_another,
+    as_supposed,
     leave_named_case,
     leave_products_of_another,
     puts_another_engines_numbers_in,
@@ -348,7 +349,7 @@ class Judge:
         if verdict.verdict in PROVED_WORDS:
             there = refuted_by_nearest(self.state, chain, k, knowledge)
         elif verdict.verdict in (REFUTED, CONTRADICTION):
-            there = with_other_values(self.state, chain, k, knowledge)
+            there = with_other_values(self.state, chain, k, knowledge) or as_supposed(self.state, chain)
         else:
             return verdict
         return verdict if there is None else describe(self.document, chain, k, there)

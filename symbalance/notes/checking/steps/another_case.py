@@ -33,8 +33,9 @@ from symbalance.notes.checking.deciding.numbers_put_in import without_unit
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.units.conversions import quantity_of
 from symbalance.notes.checking.verdicts import PREMISE, REFUTED, UNDECIDED
-from symbalance.notes.checking.words.case_words import clause_start
+from symbalance.notes.checking.words.case_words import clause_start, is_place_behind
 from symbalance.notes.checking.words.cases_named import (
     crank_spread_named,
     names_another_example,
@@ -180,6 +181,8 @@ def puts_another_engines_numbers_in(
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     if names(right) or isinstance(right, Number) or isinstance(left, Name):
         return None
+    if quantity_of(chain.sides[k + 1], state.document) is not None:
+        return None
     others: dict[str, Formula] = {}
     for part, number in _numbers_for_letters(left, without_unit(right)):
         if part.name in others:
@@ -191,7 +194,7 @@ def puts_another_engines_numbers_in(
         definition = knowledge.definitions.get(part.name)
         typed = walk(definition.node) if definition is not None else ()
         own = [known, *(each.value for each in typed if isinstance(each, Number))]
-        if any(_may_be_slip(float(each / put_in)) for each in own if each):
+        if any(_may_be_slip(float(each) / float(put_in)) for each in own if each):
             return None
         others[part.name] = number
     if len(others) < FEWEST:
@@ -263,9 +266,13 @@ def as_number_of_another(state: JudgingState, chain: Chain, k: int) -> Decision 
     text, line = state.document.text, chain.lines[0]
     words = text[max(clause_start(text, chain.start), 0) : chain.start]
     behind = re.split(r"[.;,。；\n=$]", text[chain.end : chain.end + 30], maxsplit=1)[0]
-    if state.sections.is_consequence(chain):
-        return None
     given = state.definitions.at(line).get(head.name)
+    is_known = given is not None or any(p.names == {head.name} for p in state.definitions.premises)
+    if not is_known:
+        return None
+    if state.sections.is_consequence(chain):
+        is_open = _SUPPOSED.search(words) is not None
+        return Decision(UNDECIDED, "supposed, and not so above") if is_open else None
     is_datum = given is not None and given.numeric and given.formula is None
     is_elsewhere = is_datum and given is not None and not state.sections.same_exercise(given.line, line)
     is_elsewhere = is_elsewhere or (given is not None and _has_another_subject(state, chain, given.line))
@@ -277,6 +284,21 @@ def as_number_of_another(state: JudgingState, chain: Chain, k: int) -> Decision 
     if is_below and names_some_engine(words):
         return Decision(UNDECIDED, "of the engine above it is another number: say which is meant")
     return None
+
+
+_SUPPOSED = re.compile(
+    r"(?<![A-Za-zäöü])(?:were|would|had\s+been|wären?|würden?)(?![A-Za-zäöü])|仮に", re.IGNORECASE
+)
+"""In a clause that speaks of what is not so: if γ were 60°."""
+
+
+def as_supposed(state: JudgingState, chain: Chain) -> Decision | None:
+    """Return that a relation refuted by lines above is one of a clause that only supposes; or None."""
+    text = state.document.text
+    words = text[max(clause_start(text, chain.start), 0) : chain.start]
+    if _SUPPOSED.search(words) is None or not chain.letters:
+        return None
+    return Decision(UNDECIDED, "supposed, and not so above")
 
 
 _SUBJECT = re.compile(
@@ -352,9 +374,9 @@ def with_other_values(state: JudgingState, chain: Chain, k: int, knowledge: Know
             if there is None or not there.is_proved:
                 continue
             shown = tuple(_shown(n, c) for n, c in chosen.items())
-            if not rank:
+            if not rank and not _names_older(state, chain, chosen):
                 return replace(there, assumptions=(*there.assumptions, *shown))
-            if _stands_with(state, chain, chosen, {n: chains[0] for n, chains in given.items()}):
+            if rank and _stands_with(state, chain, chosen, {n: chains[0] for n, chains in given.items()}):
                 return None
             words = " and ".join(shown)
             return Decision(UNDECIDED, f"it holds with {words}: say whether that is meant")
@@ -410,6 +432,14 @@ def _decide_with(
     return decide(left, right, sign, known)
 
 
+def _names_older(state: JudgingState, chain: Chain, nearest: dict[str, Chain]) -> bool:
+    """Tell whether a clause names an example, "the first has", and gives it no number of its own."""
+    text = state.document.text
+    start = clause_start(text, chain.start)
+    is_here = any(c.start >= start for c in nearest.values())
+    return not is_here and names_another_example(text[max(start, 0) : chain.start])
+
+
 def _stands_with(
     state: JudgingState, chain: Chain, older: dict[str, Chain], nearest: dict[str, Chain]
 ) -> bool:
@@ -417,11 +447,8 @@ def _stands_with(
 
     Words that name the example before, "the first has", lead away from them.
     """
-    text, sections, line = state.document.text, state.sections, chain.lines[0]
-    start = clause_start(text, chain.start)
-    words = text[max(start, 0) : chain.start]
-    is_here = any(c.start >= start for c in nearest.values())
-    if not is_here and names_another_example(words):
+    sections, line = state.sections, chain.lines[0]
+    if _names_older(state, chain, nearest):
         return False
     last = max((c for n, c in nearest.items() if n in older), key=lambda c: c.start, default=None)
     if last is None:
@@ -437,7 +464,16 @@ def _shown(name: str, chain: Chain) -> str:
 
 
 def _numbers_given(state: JudgingState, name: str, chain: Chain) -> list[Chain]:
-    """Return the relations above that give a letter a number, the nearest first."""
+    """Return the relations above that give a letter a number, the nearest first.
+
+    None where it gets one right behind the relation: S = 1278 lb at a = 0.
+    """
+    text = state.document.text
+    own = [
+        c for c in state.sections.chains_on(chain.lines[-1]) if is_place_behind(text, chain.end, c.start)
+    ]
+    if any(c.sides[0].node == Name(name) and not names(c.sides[-1].node) for c in own):
+        return []
     above = [
         c
         for c in state.document.chains

@@ -83,11 +83,10 @@ def _of_another_kind(
 ) -> Decision | None:
     """Return that N times m is no N; None where a number's unit is not sure.
 
-    Decimals and large numbers have to have their units above, small whole ones none.
+    All of them have to have their units above.
     """
     for value, _ in factors:
-        is_measured = value.denominator != 1 or value > LARGEST_PLAIN
-        if is_measured != bool(above.get(value)):
+        if value != 1 and not above.get(value):
             return None
     words = document.text[max(0, chain.start - NEAR) : chain.end]
     if _WEIGHTS.search(words) or made == NONE:
@@ -96,8 +95,6 @@ def _of_another_kind(
     return Decision(REFUTED, "the numbers' units above make another unit", witness=witness)
 
 
-LARGEST_PLAIN = 64
-"""A whole number up to it may be a factor of a formula."""
 _WEIGHTS = re.compile(r"(?<![A-Za-z])(?:lbs?|lbf|kgf|kp|tf|oz|pounds?|ounces?)(?![A-Za-z])")
 """Units that are weights in one place and masses in another."""
 

@@ -59,7 +59,7 @@ _ANOTHER = re.compile(
     r"|(?<![A-Za-z])(?:for|of|in|für|bei|pour|de)\s+(?:the\s+)?(?:(?:engine|twin|motor|Motor|moteur|machine|case|variant|set)\s+)?"
     r"[A-D1-9]\s?[:,]"
     r"|(?<![A-Za-z])(?:engine|twin|motor|moteur|machine|case|variant|set)\s+[A-D1-9](?![A-Za-z0-9])"
-    rf"|(?<![A-Za-zäöü])(?:der|die|das|beim?|eine?[rnms]?|dem|den)\s+{_ADJEKTIV}(?![a-zäöü])"
+    rf"|(?<![A-Za-zäöü])(?:der|die|das|beim?|eine?[rnms]?|dem|den)\s+{_ADJEKTIV}(?![a-zäöü])(?!\s+(?:Ordnung|Harmonische|Kritische))"
     r"|(?<![A-Za-zäöü])(?:zum\s+Vergleich|dagegen|hingegen|angenommen|stattdessen|wäre|nominell|gemessen|üblich\w*|heute"
     r"|im\s+Jahre?\s+[0-9]{4})(?![A-Za-zäöü])"
     r"|(?:別の|他の|もう一つの|もう一方の|次の|新しい|大型の|小型の)[^。、\n]{0,12}(?:機関|エンジン|例|場合|仕様)|新型|旧型|改良型|[二2]回目"
