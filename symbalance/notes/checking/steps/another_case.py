@@ -56,6 +56,8 @@ _CRITICAL = re.compile(r"critical|kritisch|resonan|危険|共振|critique", re.I
 """On pages of critical speeds these go with one over the order, and a formula that does not is wrong."""
 REACH = 120
 """Characters beside a formula in which its order is named."""
+FARTHEST = 3000
+"""Characters above a formula in which its cranks are named."""
 FEWEST = 2
 """Numbers of another engine that are put in together; one alone may be a slip."""
 MOST_VALUES = 4
@@ -80,8 +82,8 @@ def leave_named_case(state: JudgingState, chain: Chain, k: int) -> bool:
 def _is_another_case(state: JudgingState, earlier: Chain, chain: Chain) -> bool:
     """Tell whether words, or the formulas themselves, part two formulas of one letter."""
     text, end = state.document.text, earlier.end
-    before = crank_spread_named(text, 0, earlier.start)
-    now = crank_spread_named(text, end, chain.start)
+    before = crank_spread_named(text, max(0, earlier.start - FARTHEST), earlier.start)
+    now = crank_spread_named(text, max(end, chain.start - FARTHEST), chain.start)
     turns = (_phase_shifts(earlier) or {before[1]}) if before else _phase_shifts(earlier)
     own = _phase_shifts(chain) or ({now[1]} if now else set[int]())
     if turns and own and turns.isdisjoint(own):

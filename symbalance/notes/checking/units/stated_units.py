@@ -9,6 +9,7 @@ quantities: wrong beside such words, and open where the units stand elsewhere on
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -30,7 +31,7 @@ _WORD = r"[A-Za-z1µ°][A-Za-zµ0-9/²³⁴⁻¹^·.°\\-]{0,20}"
 _UNIT = rf"(?P<unit>{_WORD}(?:\s{_WORD}){{0,3}})"
 _SAID = re.compile(
     rf"{_LETTER}(?:\s+(?:is|are|being|be|always|again|measured|given|taken|expressed|counted|ist|wird|gemessen|eingesetzt))*"
-    rf",?\s*(?:(?:\(\s*)?\b(?:in|en)\s+|\[|\((?=[A-Za-z1]))(?:the\s+unit\s+)?\$?(?:\\(?:mathrm|text|unit|si)\s*\{{)?{_UNIT}",
+    rf",?\s*(?:(?:\(\s*)?\b(?:in|en)\s+|\[|\((?=[A-Za-z1]))(?:the\s+unit\s+)?\$?(?:\\(?:mathrm|text|unit|si)\s*\{{)?(?={_UNIT})",
     re.IGNORECASE,
 )
 """P is in W; torque T in N m; speed n [rpm]; ω (in rad/s)."""
@@ -90,8 +91,13 @@ class StatedUnits:
 
     def _statements(self) -> Iterator[tuple[str, str, int]]:
         text = self.document.text
+        formulas = sorted(side.span for chain in self.document.chains for side in chain.sides[1:])
+        firsts = [first for first, _ in formulas]
         for pattern in (_SAID, _LISTED):
             for match in pattern.finditer(text):
+                place = bisect_right(firsts, match.start("letter")) - 1
+                if place >= 0 and match.start("letter") < formulas[place][1]:
+                    continue  # behind ω = 2πn it is the unit of ω
                 yield match["letter"], match["unit"], match.start("letter")
         for row in _ROW.finditer(text):
             for cell in row["cells"].split("|")[1:]:
