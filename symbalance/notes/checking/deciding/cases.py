@@ -90,13 +90,12 @@ def decide_case(
     if not signs.tried and refutation.left is not None and refutation.right is not None:
         first, second = _written(refutation.left), _written(refutation.right)
         signs = survey(first, second, meaning)  # what it comes to: a derivative has no value at a point
-    if not signs.has_root and not names(right) and _is_solvable(left, right, refutation):
-        return Decision(word, reason)
-    if signs.is_equal_in_places:
+    is_solvable = not names(right) and _is_solvable(left, right, refutation)
+    if signs.is_equal_in_places and not is_solvable:
         return replace(refutation, status=UNDECIDED, reason=ON_A_BRANCH)
     status, why = (REFUTED, NO_VALUES) if signs.tried else (UNDECIDED, NO_POINT)
     given = Decision(word, reason)
-    return given if signs.has_root else replace(refutation, status=status, reason=why)
+    return given if signs.has_root or is_solvable else replace(refutation, status=status, reason=why)
 
 
 def _is_solvable(left: Formula, right: Formula, refutation: Decision) -> bool:

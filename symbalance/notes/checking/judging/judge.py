@@ -263,6 +263,14 @@ class Judge:
         reason = "the words behind name cases in which it does not hold"
         return describe(self.document, chain, k, Decision(UNDECIDED, reason))
 
+    def _with_numbers_of_minutes(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
+        """Return the verdict on a relation; N² = 2.543·10⁸ has the number of revolutions per minute."""
+        verdict = self._link_in_scope(chain, k, sound, bad)
+        if verdict.verdict != CONTRADICTION or not (bare := without_minutes(chain, k, self.document)):
+            return verdict
+        counted = self._link_in_scope(bare, k, sound, bad)
+        return verdict if counted.verdict in (REFUTED, CONTRADICTION, UNDECIDED) else counted
+
     def _link_by_cases(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on the k-th relation of a chain, whatever its letters are declared to be.
 
@@ -289,16 +297,10 @@ class Judge:
                 verdict = self._link_in_scope(chain, k, sound, bad)
             end_cases(self.state.definitions, left, chain.start)
             return verdict
-        verdict = self._link_in_scope(chain, k, sound, bad)
+        verdict = self._with_numbers_of_minutes(chain, k, sound, bad)
+        verdict = self._case_of_other_numbers(chain, k, verdict) or verdict
         is_open = verdict.verdict == UNDECIDED and (verdict.reason or "").startswith("with line")
         is_against = verdict.verdict in (REFUTED, CONTRADICTION)
-        if verdict.verdict == CONTRADICTION and (bare := without_minutes(chain, k, self.document)):
-            counted = self._link_in_scope(bare, k, sound, bad)
-            if counted.verdict not in (REFUTED, CONTRADICTION, UNDECIDED):
-                return counted  # N² = 2.543·10⁸ has the number of revolutions per minute
-        is_unsaid = verdict.verdict == UNDECIDED and (verdict.reason or "").endswith(NO_WORDS)
-        if (is_against or is_unsaid) and (case := self._case_of_other_numbers(chain, k)) is not None:
-            return describe(self.document, chain, k, case)
         if ((is_against or is_open) and leave_cycle(self.state, chain, k)) or (
             is_against
             and (
@@ -337,11 +339,15 @@ class Judge:
         )
         return verdict if by_units is None else describe(self.document, chain, k, by_units)
 
-    def _case_of_other_numbers(self, chain: Chain, k: int) -> Decision | None:
+    def _case_of_other_numbers(self, chain: Chain, k: int, verdict: Verdict) -> Verdict | None:
         """Return what a relation that lines above refute says of a case of its own; None for most."""
+        is_unsaid = verdict.verdict == UNDECIDED and (verdict.reason or "").endswith(NO_WORDS)
+        if not is_unsaid and verdict.verdict not in (REFUTED, CONTRADICTION):
+            return None
         knowledge = self.state.knowledge(chain.lines[0])
         case = as_case_of_multiple(self.state, chain, k) or as_number_of_another(self.state, chain, k)
-        return case or puts_another_engines_numbers_in(self.state, chain, k, knowledge)
+        case = case or puts_another_engines_numbers_in(self.state, chain, k, knowledge)
+        return None if case is None else describe(self.document, chain, k, case)
 
     def _unless_at_another_value(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict; what is refuted by one number of a letter may be true by another."""

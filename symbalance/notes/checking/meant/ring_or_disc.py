@@ -13,8 +13,8 @@ from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _RING = re.compile(
-    r"(?<![A-Za-z])(?:(?<!piston )(?<!slip )(?<!half )rings?|rims?|hoops?|(?:Rad|Schwungrad)?[Kk]ranz(?:es)?|Rings?)(?![A-Za-z])"
-    r"|円環|リム",
+    r"(?<![A-Za-z])(?:(?<!piston )(?<!slip )(?<!half )rings?|rims?|hoops?"
+    r"|(?:Rad|Schwungrad)?kranz(?:es)?)(?![A-Za-z])|円環|リム",
     re.IGNORECASE,
 )
 _DISC = re.compile(

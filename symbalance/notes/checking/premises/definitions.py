@@ -129,7 +129,7 @@ class Definitions:
             self.values[name] = entries
 
     def forget_line(self, name: str, line: int) -> bool:
-        """Forget what a line says a letter is, as its value and as an equation; tell if it said anything."""
+        """Forget what a line says a letter is, its value or an equation; tell if it said anything."""
         premises = [p for p in self.premises if p.line != line or p.left != Name(name)]
         lines = [e.definition.line for e in self.values.get(name, ())]
         is_known = line in lines or len(premises) < len(self.premises)

@@ -65,7 +65,7 @@ MOST_VALUES = 4
 
 
 def leave_named_case(state: JudgingState, chain: Chain, k: int) -> bool:
-    """Forget the formula that a letter has of other cranks, or of another order; tell if there was one."""
+    """Forget the formula that a letter has of other cranks, or of another order; tell of any."""
     head = chain.sides[0].node
     if k or not isinstance(head, Name) or not names(chain.sides[1].node):
         return False
@@ -175,31 +175,20 @@ def as_case_of_multiple(state: JudgingState, chain: Chain, k: int) -> Decision |
 def puts_another_engines_numbers_in(
     state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
 ) -> Decision | None:
-    """Return what 4π·142/0.0016 for 4πT/V is, where T and V have other numbers above; None if they have not.
+    """Return what 4π·142/0.0016 for 4πT/V is, where T and V have other numbers above; else None.
 
     All of them are other ones, two at least: with words that name another engine they are its data.
     Without such words it may be wrong.
     """
     left, right = chain.sides[k].node, chain.sides[k + 1].node
-    if names(right) or isinstance(right, Number) or isinstance(left, Name):
+    is_result = names(right) or isinstance(right, Number) or isinstance(left, Name)
+    if is_result or quantity_of(chain.sides[k + 1], state.document) is not None:
         return None
-    if quantity_of(chain.sides[k + 1], state.document) is not None:
-        return None
-    others: dict[str, Formula] = {}
-    for part, number in _numbers_for_letters(left, without_unit(right)):
-        if part.name in others:
-            return None
-        known = number_of(part, knowledge)
-        put_in = number_of(number, knowledge)
-        if known is None or put_in is None or not known or not put_in:
-            return None
-        definition = knowledge.definitions.get(part.name)
-        typed = walk(definition.node) if definition is not None else ()
-        own = [known, *(each.value for each in typed if isinstance(each, Number))]
-        if any(_may_be_slip(float(each) / float(put_in)) for each in own if each):
-            return None
-        others[part.name] = number
-    if len(others) < FEWEST:
+    pairs = _numbers_for_letters(left, without_unit(right))
+    others = {part.name: number for part, number in pairs}
+    if not FEWEST <= len(others) == len(pairs) or not all(
+        _is_another(*pair, knowledge) for pair in pairs
+    ):
         return None
     shown = ", ".join(f"{plain_text(Name(name))} = {plain_text(node)}" for name, node in others.items())
     text = state.document.text
@@ -209,6 +198,17 @@ def puts_another_engines_numbers_in(
     for name, node in others.items():
         state.definitions.define(name, node, chain, state.sections.case_end(chain.lines[0]))
     return Decision(PREMISE, f"another engine's numbers put in: {shown}")
+
+
+def _is_another(letter: Name, number: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a number is none that a letter has above, in any unit, nor a slip of it."""
+    known, put_in = number_of(letter, knowledge), number_of(number, knowledge)
+    if not known or not put_in:
+        return False
+    definition = knowledge.definitions.get(letter.name)
+    typed = walk(definition.node) if definition is not None else ()
+    own = [known, *(each.value for each in typed if isinstance(each, Number))]
+    return not any(_may_be_slip(float(each) / float(put_in)) for each in own if each)
 
 
 def _numbers_for_letters(left: Formula, right: Formula) -> list[tuple[Name, Formula]]:
@@ -304,13 +304,14 @@ def as_supposed(state: JudgingState, chain: Chain) -> Decision | None:
 
 
 _SUBJECT = re.compile(
-    r"(?<![A-Za-z])(?:the|die|der|das)\s+(?P<kind>[\w-]+)\s+(?P<noun>[\w-]+)\s+(?:is|was|ist|war|beträgt)[\s$]*$",
+    r"(?<![A-Za-z])(?:the|die|der|das)\s+(?P<kind>[\w-]+)\s+(?P<noun>[\w-]+)"
+    r"\s+(?:is|was|ist|war|beträgt)[\s$]*$",
     re.IGNORECASE,
 )
 
 
 def _has_another_subject(state: JudgingState, chain: Chain, line: int) -> bool:
-    """Tell whether a letter is that of two things by their sentences: the gas force, the inertia force."""
+    """Tell whether a letter is that of two things by their sentences: the gas force, the drag force."""
     text = state.document.text
     now = _SUBJECT.search(text, max(0, chain.start - REACH), chain.start)
     above = [c for c in state.sections.chains_on(line) if c.sides[0].node == chain.sides[0].node]
@@ -405,6 +406,8 @@ def refuted_by_nearest(
     nearest = {name: chains[0] for name, chains in given.items()}
     older = {name: chains[1] for name, chains in given.items()}
     if not given or all(_is_same(nearest[n], older[n]) for n in given):
+        return None
+    if _names_older(state, chain, nearest):
         return None
     sign = chain.relations[k].sign
     there = _decide_with(nearest, left, right, sign, knowledge)

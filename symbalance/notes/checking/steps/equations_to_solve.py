@@ -14,13 +14,16 @@ from symbalance.notes.reading.equations import Chain
 
 
 def is_to_be_solved(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Tell whether an equation is to be solved: by a formula's slope, words, or a value below it."""
+    return _is_where_derivative_vanishes(state, chain, k) or _is_solved_by_words(state, chain, k)
+
+
+def _is_solved_by_words(state: JudgingState, chain: Chain, k: int) -> bool:
     """Tell whether an equation is to be solved: by the words before it, or by a value right below.
 
     cos θ + λ cos 2θ = 0 may be a claim; behind "where", or with θ = 76° next, it is none. Numbers may
     follow what the equation says: where cos θ = −1/(4λ) = −0.833.
     """
-    if _is_where_derivative_vanishes(state, chain, k):
-        return True
     if len(chain.relations) != 1 and (k or any(names(side.node) for side in chain.sides[2:])):
         return False
     own = names(chain.sides[k].node) | names(chain.sides[k + 1].node)

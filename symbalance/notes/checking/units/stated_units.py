@@ -26,7 +26,11 @@ from symbalance.notes.reading.numerals import unit_in_words
 from symbalance.notes.reading.result_units import value_of
 from symbalance.notes.reading.units import scale_of
 
-_LETTER = r"(?<![\w\\^{])\$?(?P<letter>\\?[^\W\d_]+(?:_(?:\{[A-Za-z0-9,]{1,8}\}|[A-Za-z0-9]))?|[A-Za-z][₀-₉ₐ-ₜ]?)\$?"
+_LETTER = (
+    r"(?<![\w\\^{])\$?(?P<letter>\\?[^\W\d_]+(?:_(?:\{[A-Za-z0-9,]{1,8}\}|[A-Za-z0-9]))?"
+    r""
+    r"|[A-Za-z][₀-₉ₐ-ₜ]?)\$?"
+)
 _WORD = r"[A-Za-z1µ°][A-Za-zµ0-9/²³⁴⁻¹^·.°\\-]{0,20}"
 _UNIT = rf"(?P<unit>{_WORD}(?:\s{_WORD}){{0,3}})"
 _SAID = re.compile(
@@ -107,10 +111,9 @@ class StatedUnits:
         """Return that a formula is none between the numbers of its letters' units; None for others."""
         head, right = chain.sides[0].node, chain.sides[1].node
         own = names(right)
-        if k or not isinstance(head, Name) or not own or len(chain.relations) > 1:
-            return None
-        powers = _powers(right)
-        if powers is None or head.name in own:
+        is_formula = not k and own and len(chain.relations) == 1
+        powers = _powers(right) if is_formula else None
+        if powers is None or not isinstance(head, Name) or head.name in own:
             return None
         factor, letters = powers
         units = {name: self._unit_of(name, chain) for name in (head.name, *letters)}
@@ -120,9 +123,7 @@ class StatedUnits:
         if not given or self._puts_numbers_in(chain) or not factor:
             return None
         scale = _scale_of(head.name, letters, units)
-        if scale is None or isclose(scale, 1, rel_tol=1e-9):
-            return None
-        if _is_pure(factor / scale):
+        if scale is None or isclose(scale, 1, rel_tol=1e-9) or _is_pure(factor / scale):
             return None
         first = self._start_of_paragraph(chain)
         is_whole = all(
@@ -134,12 +135,10 @@ class StatedUnits:
         if _is_pure(factor):
             is_sure = is_whole and is_near
             return Decision(REFUTED if is_sure else UNDECIDED, f"{reason}; nothing converts them")
-        slips = [
-            s for s in _SLIPS if s != 1 and any(_is_near(factor / scale * s, each) for each in _USUAL)
-        ]
-        if is_whole and slips and _has_whole_constants(right):
-            return Decision(REFUTED, f"{reason}; its constant does not convert them")
-        return None
+        ratio = factor / scale
+        is_slip = any(s != 1 and _is_near(ratio * s, each) for s in _SLIPS for each in _USUAL)
+        is_wrong = is_whole and is_slip and _has_whole_constants(right)
+        return Decision(REFUTED, f"{reason}; its constant does not convert them") if is_wrong else None
 
     def _unit_of(self, name: str, chain: Chain) -> StatedUnit | None:
         """Return the unit of a letter: of its own paragraph if that gives one, or the page's only one."""
@@ -168,11 +167,12 @@ class StatedUnits:
         return len(self.document.text) if place < 0 else place
 
     def _puts_numbers_in(self, chain: Chain) -> bool:
-        """Tell whether numbers are put into a letter's formula on the page: 2π·50, which tells its units."""
+        """Tell whether numbers are put into a letter's formula on the page, 2π·50: they tell its units."""
         head = chain.sides[0].node
         for other in self.document.chains:
             nodes = [side.node for side in other.sides]
-            arithmetics = [n for n in nodes if not names(n) and isinstance(n, Product | Quotient | Power)]
+            numbers = [node for node in nodes if not names(node)]
+            arithmetics = [n for n in numbers if isinstance(n, Product | Quotient | Power)]
             if nodes[0] == head and any(value_of(node) is not None for node in arithmetics):
                 return True
         return False

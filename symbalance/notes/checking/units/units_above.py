@@ -42,10 +42,8 @@ def refuted_by_units_above(chain: Chain, k: int, document: ReadNotes) -> Decisio
         return None  # a power of ten may convert
     above = _numbers_above(document, chain.start)
     made = _made_of(factors, above)
-    if made is not None and made[0] != unit:
-        return _of_another_kind(chain, document, factors, above, made[0], unit)
-    if made is None:
-        return None
+    if made is None or made[0] != unit:
+        return None if made is None else _of_another_kind(chain, document, factors, above, made[0], unit)
     total = value_of(left.node)
     is_arithmetic = total is not None and isclose(total, float(result.value), rel_tol=0.01)
     ratio = float(made[1] / result.scale)
@@ -85,11 +83,9 @@ def _of_another_kind(
 
     All of them have to have their units above.
     """
-    for value, _ in factors:
-        if value != 1 and not above.get(value):
-            return None
     words = document.text[max(0, chain.start - NEAR) : chain.end]
-    if _WEIGHTS.search(words) or made == NONE:
+    is_open = _WEIGHTS.search(words) is not None or made == NONE
+    if is_open or any(value != 1 and not above.get(value) for value, _ in factors):
         return None
     witness = {"left": unit_text(made), "right": unit_text(unit)}
     return Decision(REFUTED, "the numbers' units above make another unit", witness=witness)
@@ -110,8 +106,6 @@ def _factors(node: Formula, power: int = 1) -> list[tuple[Fraction, int]]:
     match node:
         case Number(value=value) if value > 0:
             return [(value, power)]
-        case Call(function="sqrt", argument=Number(value=value)) if value > 0:
-            return [(Fraction(1), 0)]  # a pure number
         case Negative(operand=operand):
             return _factors(operand, power)
         case Product(factors=parts):
@@ -124,7 +118,8 @@ def _factors(node: Formula, power: int = 1) -> list[tuple[Fraction, int]]:
             value > 0 and exponent.denominator == 1
         ):
             return [(value, power * int(exponent))]
-    return []
+    is_root = isinstance(node, Call) and node.function == "sqrt" and isinstance(node.argument, Number)
+    return [(Fraction(1), 0)] if is_root else []  # √10 is a pure number
 
 
 def _is_power_of_ten(value: Fraction) -> bool:

@@ -9,7 +9,10 @@ from __future__ import annotations
 
 import re
 
-_DEGREES = r"(?<![0-9.,+*/^-])(?P<{}>[1-9][0-9]{{1,2}})\s?\$?\s?(?:°|\^\s?\{{?\\circ\}}?|-?\s?(?:degrees?|deg(?![a-z]))|Grad(?![a-z])|度)\$?"
+_DEGREES = (
+    r"(?<![0-9.,+*/^-])(?P<{}>[1-9][0-9]{{1,2}})\s?\$?\s?"
+    r"(?:°|\^\s?\{{?\\circ\}}?|-?\s?(?:degrees?|deg(?![a-z]))|Grad(?![a-z])|度)\$?"
+)
 _SHAFT = (
     r"(?:cranks(?![a-z])|crank-?\s?shafts?(?![a-z])|crank-?\s?pins(?![a-z])|throws(?![a-z])|twins?(?![a-z])"
     r"|Kurbelwellen?(?![a-z])|Kurbelversatz|Kröpfungen|Kurbelzapfen|Hubzapfen(?:versatz)?|クランク(?!角)|位相|vilebrequin|manivelles"
@@ -21,7 +24,8 @@ _SPREAD = re.compile(
     re.IGNORECASE,
 )
 _ORDINALS = {
-    "first": 1, "second": 2, "third": 3, "fourth": 4, "sixth": 6, "eighth": 8, "primary": 1, "secondary": 2,
+    "first": 1, "second": 2, "third": 3, "fourth": 4, "sixth": 6, "eighth": 8,
+    "primary": 1, "secondary": 2,
     "erste": 1, "zweite": 2, "dritte": 3, "vierte": 4, "sechste": 6, "achte": 8,
     "premier": 1, "deuxième": 2, "quatrième": 4, "一": 1, "二": 2, "三": 3, "四": 4,
 }  # fmt: skip
@@ -72,8 +76,10 @@ _ANOTHER = re.compile(
 def crank_spread_named(text: str, first: int, last: int) -> tuple[int, int] | None:
     """Return where a part of a text last says how far apart cranks are, and the angle in degrees.
 
-    >>> crank_spread_named("a twin with 270° cranks", 0, 23), crank_spread_named("at a crank angle of 90°", 0, 23)
-    ((12, 270), None)
+    >>> crank_spread_named("a twin with 270° cranks", 0, 23)
+    (12, 270)
+    >>> crank_spread_named("at a crank angle of 90°", 0, 23) is None
+    True
     """
     match = max(_SPREAD.finditer(text, first, last), key=lambda m: m.start(), default=None)
     return None if match is None else (match.start(), int(match["behind"] or match["before"]))
