@@ -167,7 +167,7 @@ class StatedUnits:
         return len(self.document.text) if place < 0 else place
 
     def _puts_numbers_in(self, chain: Chain) -> bool:
-        """Tell whether numbers are put into a letter's formula on the page, 2π·50: they tell its units."""
+        """Tell whether numbers are put into a letter's formula on the page, 2π·50: so in its units."""
         head = chain.sides[0].node
         for other in self.document.chains:
             nodes = [side.node for side in other.sides]
