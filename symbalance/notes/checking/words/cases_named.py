@@ -77,7 +77,7 @@ def crank_spread_named(text: str, first: int, last: int) -> tuple[int, int] | No
     """Return where a part of a text last says how far apart cranks are, and the angle in degrees.
 
     >>> crank_spread_named("a twin with 270° cranks", 0, 23)
-    (12, 270)
+    (2, 270)
     >>> crank_spread_named("at a crank angle of 90°", 0, 23) is None
     True
     """
