@@ -184,11 +184,37 @@ def _unit_of(tokens: Sequence[Token]) -> tuple[float, Formula] | None:
         return None
     sign = -1 if len(rest) < len(tokens) else 1
     scale = rest[0].scale
-    if scale not in (None, 0, 1) and [token.kind for token in rest[1:]] == ["open", "number", "close"]:
+    if scale not in (None, 0, 1) and [token.kind for token in rest[1:]] == _IN_BRACES:
         return sign * float(rest[0].number), Number(Fraction(scale or 1))
+    power, behind = _power_of_ten(rest[1:])
+    if power is not None and [token.kind for token in behind] == _IN_BRACES:
+        return sign * float(rest[0].number * power), Number(behind[1].number)
     if len(rest) == 2 and rest[1].kind == "degree":
         return sign * float(rest[0].number), Quotient(Constant("pi"), Number(Fraction(180)))
     return None
+
+
+_IN_BRACES = ["open", "number", "close"]
+_MOST_TENS = 30
+
+
+def _power_of_ten(tokens: Sequence[Token]) -> tuple[Fraction | None, Sequence[Token]]:
+    """Return the power of ten that tokens begin with, × 10^6 of 4.69 × 10^6, and what stands behind."""
+    is_times_ten = len(tokens) > 3 and tokens[0].is_op("*") and tokens[2].kind == "sup"
+    if not is_times_ten or tokens[1].kind != "number" or tokens[1].number != 10:
+        return None, tokens
+    kinds = [token.kind for token in tokens[3:]]
+    if kinds[:1] == ["number"]:
+        exponent, behind = tokens[3].number, tokens[4:]
+    elif kinds[:3] == _IN_BRACES:
+        exponent, behind = tokens[4].number, tokens[6:]
+    elif kinds[:4] == ["open", "op", "number", "close"] and tokens[4].is_op("-"):
+        exponent, behind = -tokens[5].number, tokens[7:]
+    else:
+        return None, tokens
+    if exponent.denominator != 1 or abs(exponent) > _MOST_TENS:
+        return None, tokens
+    return Fraction(10) ** int(exponent), behind
 
 
 def _is_bare(tokens: Sequence[Token]) -> bool:

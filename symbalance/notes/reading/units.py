@@ -83,6 +83,8 @@ _TURNS |= {"rps": Fraction(2), "rev/s": Fraction(2)}
 _ANGLES = {"deg": Fraction(1, 180)}
 _PLAIN_SURE = word_set("mm cm km kg cc ccm oz rpm kW kHz Hz kN Nm rad lbs lb ft psi kgf mph")
 
+_PREPOSITION = re.compile(r"in (?!lbs?\b|lbf\b|ozf?\b|kips?\b)")
+"""What is in a unit, 30 in rad/s; inches stand before pounds and ounces alone."""
 _MOST_PARTS, _LONGEST = 6, 100
 
 _PART = re.compile(r"(1(?=/)|[A-Za-z]+)(?:\^(-?[0-9]))?")
@@ -207,7 +209,7 @@ def scale_of(unit: str) -> Scale | None:
     ((Fraction(1, 1000), False), (Fraction(1, 1), False), (Fraction(1, 30), True), None)
     """
     plain = _plain(unit)
-    if len(plain) > _LONGEST:
+    if len(plain) > _LONGEST or _PREPOSITION.match(plain):
         return None
     if plain in _TURNS or plain in _ANGLES:
         return _TURNS.get(plain) or _ANGLES[plain], True

@@ -90,11 +90,29 @@ def decide_case(
     if not signs.tried and refutation.left is not None and refutation.right is not None:
         first, second = _written(refutation.left), _written(refutation.right)
         signs = survey(first, second, meaning)  # what it comes to: a derivative has no value at a point
-    if signs.is_equal_in_places:
+    is_solvable = not names(right) and _is_solvable(left, right, refutation)
+    if signs.is_equal_in_places and not is_solvable:
         return replace(refutation, status=UNDECIDED, reason=ON_A_BRANCH)
     status, why = (REFUTED, NO_VALUES) if signs.tried else (UNDECIDED, NO_POINT)
     given = Decision(word, reason)
-    return given if signs.has_root else replace(refutation, status=status, reason=why)
+    return given if signs.has_root or is_solvable else replace(refutation, status=status, reason=why)
+
+
+def _is_solvable(left: Formula, right: Formula, refutation: Decision) -> bool:
+    """Tell whether a product has a letter without a value that takes any number: G I/L = 4.69·10⁶."""
+    if refutation.left is None or any(isinstance(part, Negative) for part in (*walk(left), *walk(right))):
+        return False
+    free, factors = {*letters(refutation.left)}, [left]
+    lone: list[str] = []
+    while factors:
+        part = factors.pop()
+        if isinstance(part, Product):
+            factors += part.factors
+        elif isinstance(part, Quotient):
+            factors += [part.numerator, part.denominator]
+        elif names(part) & free:
+            lone += [part.name] if isinstance(part, Name) else [*names(part)] * 2
+    return right != Number(Fraction(0)) and any(lone.count(name) == 1 for name in free)
 
 
 def _written(form: Form) -> Formula:

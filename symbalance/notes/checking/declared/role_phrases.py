@@ -181,6 +181,12 @@ class NamedRole:
 _PARTS = frozenset(phrase.casefold() for phrase in PARTS)
 
 
+_MEAN = re.compile(
+    r"(?:(?<![A-Za-z])(?:mean|average|mittlere[rnms]?|durchschnittliche[rnms]?)[\s-]*|平均の?)$",
+    re.IGNORECASE,
+)
+
+
 def roles_named(line: str) -> Iterator[NamedRole]:
     """Yield the roles that a line names, each by its longest phrase, from left to right.
 
@@ -189,7 +195,10 @@ def roles_named(line: str) -> Iterator[NamedRole]:
     """
     pattern, roles = _pattern()
     for match in pattern.finditer(line):
-        yield NamedRole(match.start(), match.end(), roles[match[0].casefold()], match[0])
+        role = roles[match[0].casefold()]
+        if role == "piston velocity" and _MEAN.search(line[max(match.start() - 20, 0) : match.start()]):
+            continue  # of a whole stroke, and no velocity that turns with the crank
+        yield NamedRole(match.start(), match.end(), role, match[0])
 
 
 @cache

@@ -32,18 +32,30 @@ from symbalance.notes.checking.judging.offset_cranks import unless_offset
 from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
 from symbalance.notes.checking.judging.unknown_crank_angle import unless_angle_unknown
 from symbalance.notes.checking.meant.motion_in_time import with_rates_of_rates
+from symbalance.notes.checking.meant.ring_or_disc import decide_ring_or_disc
 from symbalance.notes.checking.page import assertions
 from symbalance.notes.checking.page.consequences import decide_consequence
 from symbalance.notes.checking.page.engine_blocks import EngineBlocks
 from symbalance.notes.checking.page.letters_of_sections import numbers_of_this_section
 from symbalance.notes.checking.page.page_data import data_of
 from symbalance.notes.checking.page.quotations import Quotations
+from symbalance.notes.checking.premises.another_value import NO_WORDS
 from symbalance.notes.checking.steps.angle_equations import lines_of_angles
 from symbalance.notes.checking.steps.another_body import (
     leave_body,
     leave_choice,
     leave_cycle,
     leave_quotation,
+)
+from symbalance.notes.checking.steps.another_case import (
+    as_case_of_multiple,
+    as_number_of_another,
+    as_supposed,
+    leave_named_case,
+    leave_products_of_another,
+    puts_another_engines_numbers_in,
+    refuted_by_nearest,
+    with_other_values,
 )
 from symbalance.notes.checking.steps.another_engine import leave_cranks, leave_engine, leave_premises
 from symbalance.notes.checking.steps.another_place import is_multiple_of_angle, leave_place
@@ -63,11 +75,13 @@ from symbalance.notes.checking.units.dimensions import Dimensions, Mismatch, dec
 from symbalance.notes.checking.units.formulas_between_numbers import BETWEEN_NUMBERS
 from symbalance.notes.checking.units.own_units import with_speeds
 from symbalance.notes.checking.units.rates_by_name import rate_dimension
+from symbalance.notes.checking.units.speeds_as_numbers import without_minutes
 from symbalance.notes.checking.units.turns_in_radians import with_turns
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONTRADICTION,
     DEFINITION,
+    PREMISE,
     PROVED_WORDS,
     REFUTED,
     UNDECIDED,
@@ -239,7 +253,9 @@ class Judge:
         verdict = self._unless_excepted(chain, k, self._link_by_cases(chain, k, sound, bad))
         verdict = unless_angle_unknown(self.state, chain, k, verdict)
         verdict = unless_offset(self.state, chain, k, verdict)
-        return unless_other_case(self.state, chain, k, verdict)
+        verdict = self._unless_between_numbers(chain, k, verdict)
+        verdict = unless_other_case(self.state, chain, k, verdict)
+        return self._unless_at_another_value(chain, k, verdict)
 
     def _unless_excepted(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict, undecided where words behind say in which cases the relation fails."""
@@ -252,6 +268,14 @@ class Judge:
             return verdict
         reason = "the words behind name cases in which it does not hold"
         return describe(self.document, chain, k, Decision(UNDECIDED, reason))
+
+    def _with_numbers_of_minutes(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
+        """Return the verdict on a relation; N² = 2.543·10⁸ has the number of revolutions per minute."""
+        verdict = self._link_in_scope(chain, k, sound, bad)
+        if verdict.verdict != CONTRADICTION or not (bare := without_minutes(chain, k, self.document)):
+            return verdict
+        counted = self._link_in_scope(bare, k, sound, bad)
+        return verdict if counted.verdict in (REFUTED, CONTRADICTION, UNDECIDED) else counted
 
     def _link_by_cases(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on the k-th relation of a chain, whatever its letters are declared to be.
@@ -279,7 +303,8 @@ class Judge:
                 verdict = self._link_in_scope(chain, k, sound, bad)
             end_cases(self.state.definitions, left, chain.start)
             return verdict
-        verdict = self._link_in_scope(chain, k, sound, bad)
+        verdict = self._with_numbers_of_minutes(chain, k, sound, bad)
+        verdict = self._case_of_other_numbers(chain, k, verdict) or verdict
         is_open = verdict.verdict == UNDECIDED and (verdict.reason or "").startswith("with line")
         is_against = verdict.verdict in (REFUTED, CONTRADICTION)
         if ((is_against or is_open) and leave_cycle(self.state, chain, k)) or (
@@ -291,6 +316,8 @@ class Judge:
                 or leave_quotation(self.state, chain, k, self.quotations.is_quoted)
                 or leave_engine(self.state, chain, k)
                 or leave_cranks(self.state, chain, k)
+                or leave_named_case(self.state, chain, k)
+                or leave_products_of_another(self.state, chain, k)
             )
         ):
             return self._anew(chain, k) or self._link_in_scope(chain, k, sound, bad)
@@ -308,6 +335,36 @@ class Judge:
             end_cases(self.state.definitions, others, chain.start)
             return self._link_in_scope(chain, k, sound, bad)
         return verdict
+
+    def _unless_between_numbers(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+        """Return a verdict on a formula by the units that words give its letters, where they differ."""
+        if verdict.verdict not in (*PROVED_WORDS, DEFINITION, PREMISE):
+            return verdict
+        by_units = self.state.stated_units.decide(chain, k) or decide_ring_or_disc(
+            chain, k, self.document
+        )
+        return verdict if by_units is None else describe(self.document, chain, k, by_units)
+
+    def _case_of_other_numbers(self, chain: Chain, k: int, verdict: Verdict) -> Verdict | None:
+        """Return what a relation that lines above refute says of a case of its own; None for most."""
+        is_unsaid = verdict.verdict == UNDECIDED and (verdict.reason or "").endswith(NO_WORDS)
+        if not is_unsaid and verdict.verdict not in (REFUTED, CONTRADICTION):
+            return None
+        knowledge = self.state.knowledge(chain.lines[0])
+        case = as_case_of_multiple(self.state, chain, k) or as_number_of_another(self.state, chain, k)
+        case = case or puts_another_engines_numbers_in(self.state, chain, k, knowledge)
+        return None if case is None else describe(self.document, chain, k, case)
+
+    def _unless_at_another_value(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+        """Return a verdict; what is refuted by one number of a letter may be true by another."""
+        knowledge = self.state.knowledge(chain.lines[0])
+        if verdict.verdict in PROVED_WORDS:
+            there = refuted_by_nearest(self.state, chain, k, knowledge)
+        elif verdict.verdict in (REFUTED, CONTRADICTION):
+            there = with_other_values(self.state, chain, k, knowledge) or as_supposed(self.state, chain)
+        else:
+            return verdict
+        return verdict if there is None else describe(self.document, chain, k, there)
 
     def _without_constant(
         self, chain: Chain, k: int, sound: int, bad: bool, changing: frozenset[str]

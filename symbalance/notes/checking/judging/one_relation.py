@@ -71,6 +71,7 @@ from symbalance.notes.checking.steps.solved_below import as_proved_solution, as_
 from symbalance.notes.checking.steps.solved_waves import decide_solved_wave
 from symbalance.notes.checking.steps.stated_matrices import no_relation_of_matrices
 from symbalance.notes.checking.steps.steps_by_premises import unless_given, with_premises
+from symbalance.notes.checking.steps.usual_ranges import is_usual_range
 from symbalance.notes.checking.units.conversions import decide_conversion
 from symbalance.notes.checking.units.numbers_in_units import decide_after_units_left_out
 from symbalance.notes.checking.units.printed_units import decide_by_printed_units
@@ -133,6 +134,8 @@ def _judge_inequality(state: JudgingState, chain: Chain, k: int, knowledge: Know
     if case_of_a_letter(state, chain, k, knowledge):
         return Decision(RANGE, "a case, whatever value the letter has above")
     decision = decide_inequality(chain, k, knowledge)
+    if decision.status == REFUTED and is_usual_range(state, chain, k, knowledge):
+        return Decision(RANGE, "what is usual, whatever the value is here")
     near = ranges_near(state.document, chain)
     decision = decide_claimed(chain, k, decision, state.general, near, knowledge)
     state.definitions.note_range(chain, k, decision)

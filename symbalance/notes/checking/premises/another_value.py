@@ -42,6 +42,10 @@ FEWEST_NEW = 2
 NEARLY = 0.1
 """Relative difference: a second value closer to the first is a slip, not a new case."""
 
+NO_WORDS = "and no words say that it is another case"
+ROUNDED = 0.05
+"""Relative difference up to which a number may stand for one with more digits, where words say so."""
+
 
 def define_anew(
     definitions: Definitions, name: str, value: Formula, chain: Chain, k: int, knowledge: Knowledge
@@ -114,11 +118,27 @@ def _of_its_own_case(
             return None
         definitions.define(name, without_dots(value)[0], chain)
         return Decision(PREMISE, f"chosen: line {earlier.line} had another value")
+    if not names(value) and _is_rounded_choice(definitions, earlier, value, chain):
+        definitions.define(name, without_dots(value)[0], chain)
+        return Decision(PREMISE, f"rounded: line {earlier.line} has more digits")
     case_end = _end_of_listed_case(definitions, earlier, chain)
     if case_end is None:
         return None
     definitions.define(name, without_dots(value)[0], chain, case_end)
     return Decision(DEFINITION, f"another case than in line {earlier.line}")
+
+
+def _is_rounded_choice(
+    definitions: Definitions, earlier: Definition, value: Formula, chain: Chain
+) -> bool:
+    """Tell whether a number stands, by its words, for one with more digits: 15947, say 16000."""
+    if not definitions.sections.is_rounded_choice(chain):
+        return False
+    for node in (earlier.node, earlier.rounded):
+        points = [] if node is None else sample_trees([node, value], SymbolValue(), 1)
+        if points and abs(points[0][1][0] - points[0][1][1]) <= ROUNDED * abs(points[0][1][0]):
+            return True
+    return False
 
 
 def _end_of_listed_case(definitions: Definitions, earlier: Definition, chain: Chain) -> int | None:
@@ -472,7 +492,7 @@ def refuse_case(
     if not is_excluded or _is_another_solution(definitions, name, value, line, knowledge):
         return None
     if is_case is None or line - earlier.line > FAR:
-        reason = f"not {text} of line {earlier.line}, and no words say that it is another case"
+        reason = f"not {text} of line {earlier.line}, {NO_WORDS}"
         return Decision(UNDECIDED, reason)
     return Decision(CONTRADICTION, f"contradicts {text} of line {earlier.line}")
 

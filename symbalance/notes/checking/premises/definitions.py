@@ -128,6 +128,22 @@ class Definitions:
         if entries:
             self.values[name] = entries
 
+    def forget_line(self, name: str, line: int) -> bool:
+        """Forget what a line says a letter is, its value or an equation; tell if it said anything."""
+        premises = [p for p in self.premises if p.line != line or p.left != Name(name)]
+        lines = [e.definition.line for e in self.values.get(name, ())]
+        is_known = line in lines or len(premises) < len(self.premises)
+        for other, entries in list(self.values.items()):
+            if any(e.definition.line == line and (other == name or e.definition.solved) for e in entries):
+                self.forget(other, line)
+        self.premises = premises
+        return is_known
+
+    def forget_all(self, name: str) -> None:
+        """Forget every value of a letter, and the equations of that letter alone."""
+        self.values.pop(name, None)
+        self.premises = [p for p in self.premises if p.fixes != name and p.names != {name}]
+
     def lapse(self, name: str) -> None:
         """Forget the formulas that fix a letter and the equations they came from: it is measured now."""
         self.values.pop(name, None)

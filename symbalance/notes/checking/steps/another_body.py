@@ -40,7 +40,7 @@ def leave_choice(state: JudgingState, chain: Chain, k: int) -> bool:
         return False
     lines = {e.definition.line for e in state.definitions.values.get(head.name, ())}
     lines |= {p.line for p in state.definitions.premises if p.left == head}
-    known = [_leave_line(state, head.name, line) for line in sorted(lines)]
+    known = [state.definitions.forget_line(head.name, line) for line in sorted(lines)]
     return any(known)
 
 
@@ -51,7 +51,7 @@ def leave_body(state: JudgingState, chain: Chain, k: int) -> bool:
         return False
     if not state.sections.is_of_another_body(chain, head.name):
         return False
-    return _leave_line(state, head.name, _last_above(state, chain, head).lines[0])
+    return state.definitions.forget_line(head.name, _last_above(state, chain, head).lines[0])
 
 
 def leave_cycle(state: JudgingState, chain: Chain, k: int) -> bool:
@@ -62,7 +62,7 @@ def leave_cycle(state: JudgingState, chain: Chain, k: int) -> bool:
     lines = {e.definition.line for e in state.definitions.values.get(head.name, ())}
     lines |= {p.line for p in state.definitions.premises if p.left == head}
     others = [line for line in sorted(lines) if state.sections.is_of_another_cycle(chain, line)]
-    left = [_leave_line(state, head.name, line) for line in others]
+    left = [state.definitions.forget_line(head.name, line) for line in others]
     return any(left)
 
 
@@ -76,22 +76,9 @@ def leave_quotation(state: JudgingState, chain: Chain, k: int, is_quoted: Callab
     if last is None or not is_quoted(last.start):
         return False
     between = state.document.text[last.end : chain.start]
-    return _DENIES.search(between) is not None and _leave_line(state, head.name, last.lines[0])
+    return _DENIES.search(between) is not None and state.definitions.forget_line(head.name, last.lines[0])
 
 
 def _last_above(state: JudgingState, chain: Chain, head: Name) -> Chain:
     above = (c for c in state.document.chains if c.sides[0].node == head and c.start < chain.start)
     return max(above, key=lambda c: c.start)
-
-
-def _leave_line(state: JudgingState, name: str, line: int) -> bool:
-    """Forget what a line says a letter is, as its value and as an equation; tell if it said anything."""
-    definitions = state.definitions
-    premises = [p for p in definitions.premises if p.line != line or p.left != Name(name)]
-    lines = [e.definition.line for e in definitions.values.get(name, ())]
-    is_known = line in lines or len(premises) < len(definitions.premises)
-    for other, entries in list(definitions.values.items()):
-        if any(e.definition.line == line and (other == name or e.definition.solved) for e in entries):
-            definitions.forget(other, line)
-    definitions.premises = premises
-    return is_known

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from symbalance.document.formula import Name, names
+from collections.abc import Iterator
+from fractions import Fraction
+
+from symbalance.document.formula import Call, Derivative, Formula, Name, Number, Product, names, walk
+from symbalance.notes.checking.deciding.equality import decide_equality
 from symbalance.notes.checking.declared.symbol_roles import letters_by_role
 from symbalance.notes.checking.page.solutions import chains_below
 from symbalance.notes.checking.steps.judging_state import ANGLES, JudgingState
@@ -10,6 +14,11 @@ from symbalance.notes.reading.equations import Chain
 
 
 def is_to_be_solved(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Tell whether an equation is to be solved: by a formula's slope, words, or a value below it."""
+    return _is_where_derivative_vanishes(state, chain, k) or _is_solved_by_words(state, chain, k)
+
+
+def _is_solved_by_words(state: JudgingState, chain: Chain, k: int) -> bool:
     """Tell whether an equation is to be solved: by the words before it, or by a value right below.
 
     cos θ + λ cos 2θ = 0 may be a claim; behind "where", or with θ = 76° next, it is none. Numbers may
@@ -37,6 +46,43 @@ def is_to_be_solved(state: JudgingState, chain: Chain, k: int) -> bool:
         and following.sides[0].node.name in own
         and not names(following.sides[1].node)
     )
+
+
+def _is_where_derivative_vanishes(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Tell whether a side that is set to 0 is, but for a factor, the derivative of a formula above by θ.
+
+    -sin θ - cos θ = 0 below F = K (cos θ - sin θ): it is largest there, and the sides are not the same.
+    """
+    left, right, line = chain.sides[k].node, chain.sides[k + 1].node, chain.lines[0]
+    if right != Number(Fraction(0)) or k + 1 < len(chain.relations):
+        return False
+    knowledge = state.knowledge(line)
+    turning = {name for call in _waves(left) for name in names(call.argument)}
+    if len(turning) != 1:
+        return False
+    (name,) = turning
+    if any(isinstance(s.node, Derivative) and s.node.variable == Name(name) for s in chain.sides[:k]):
+        return True
+    angle = Name(name)
+    for definition in knowledge.definitions.values():
+        if definition.line > line or not any(name in names(c.argument) for c in _waves(definition.node)):
+            continue
+        slope = Derivative(definition.node, angle, 1)
+        sides = (
+            Product((left, Derivative(definition.node, angle, 2))),
+            Product((Derivative(left, angle, 1), slope)),
+        )
+        is_constant = decide_equality(slope, Number(Fraction(0)), knowledge).is_proved
+        if not is_constant and decide_equality(*sides, knowledge).is_proved:
+            return True
+    return False
+
+
+def _waves(node: Formula) -> Iterator[Call]:
+    """Yield the sines and cosines of a formula."""
+    for part in walk(node):
+        if isinstance(part, Call) and part.function in ("sin", "cos"):
+            yield part
 
 
 def _is_solved_next(state: JudgingState, chain: Chain, own: frozenset[str]) -> bool:

@@ -49,6 +49,7 @@ from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.premises.rounded_values import values_put_in
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.printed_results import PrintedResults
+from symbalance.notes.checking.units.stated_units import StatedUnits
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
 from symbalance.notes.checking.words.integer_words import integers_said
 from symbalance.notes.checking.words.sections import Sections
@@ -85,6 +86,7 @@ class JudgingState:
     def __post_init__(self) -> None:
         self.sections = Sections(self.document)
         self.definitions = Definitions(self.declarations, self.sections)
+        self.stated_units = StatedUnits(self.document)
         self.meant = MeantQuantities(
             MeantWords(self.document, self.declarations, self.sections), self.sources
         )

@@ -37,7 +37,7 @@ PER_MINUTE = (
 _UNIT_BEHIND = re.compile(BETWEEN + PER_MINUTE)
 ROLE = "engine speed rpm"
 ANGULAR = "angular speed"
-_ANGULAR_LETTERS = ("omega", "Omega")
+ANGULAR_LETTERS = ("omega", "Omega")
 _PER_MINUTE = Quotient(Constant("pi"), Number(Fraction(30)))
 _A_SIXTIETH = Number(Fraction(1, 60))
 _BY_NUMBER = {Number(Fraction(60)), Number(Fraction(30))}
@@ -61,7 +61,7 @@ def with_speeds(document: ReadNotes, symbols_at: Symbols) -> ReadNotes:
         for side in chain.sides[1:]
         if isinstance(chain.sides[0].node, Name) and not _BY_NUMBER.isdisjoint(_factors_above(side.node))
     }
-    stems = {_stem(name) for name in numbers if _stem(name) not in _ANGULAR_LETTERS}
+    stems = {_stem(name) for name in numbers if _stem(name) not in ANGULAR_LETTERS}
     speeds = {
         chain.sides[0].node.name
         for chain in document.chains
@@ -89,7 +89,7 @@ def _chain(
     head = chain.sides[0].node
     name = head.name if isinstance(head, Name) else None
     role = role_of(symbols.get(name, "")) if name else ""
-    is_angular = role == ANGULAR or name in _ANGULAR_LETTERS
+    is_angular = role == ANGULAR or name in ANGULAR_LETTERS
     counted = _speeds_in(chain, speeds) if name is None else set()
     by_minute = name is None and any(map(_is_of_sixty, chain.sides))
     as_number = (
@@ -179,7 +179,7 @@ def _speeds_in(chain: Chain, speeds: set[str]) -> set[str]:
     parts = [part for side in chain.sides for part in _outside_units(side.node)]
     own = {part.name for part in parts if isinstance(part, Name)}
     turns = any(isinstance(part, Constant) and part.name == "pi" for part in parts)
-    is_angular = any(_stem(name) in _ANGULAR_LETTERS for name in own)
+    is_angular = any(_stem(name) in ANGULAR_LETTERS for name in own)
     return set() if is_angular or turns else own & speeds
 
 
@@ -229,7 +229,7 @@ def divides_by_minute(node: Formula) -> bool:
 
 def is_angular_speed(name: str, symbols: Mapping[str, str]) -> bool:
     """Tell whether a letter is an angular speed, by its meaning or by its usual letter."""
-    return role_of(symbols.get(name, "")) == ANGULAR or (name in _ANGULAR_LETTERS and name not in symbols)
+    return role_of(symbols.get(name, "")) == ANGULAR or (name in ANGULAR_LETTERS and name not in symbols)
 
 
 def _is_quantity(node: Formula) -> bool:

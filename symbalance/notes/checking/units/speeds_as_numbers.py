@@ -71,6 +71,20 @@ def wrong_as_quantity(chain: Chain, k: int, document: ReadNotes, knowledge: Know
     return replace(decisions[0], reason=f"{text} is in revolutions per minute, and nothing converts it")
 
 
+def without_minutes(chain: Chain, k: int, document: ReadNotes) -> Chain | None:
+    """Return a chain with a speed in revolutions per minute as the number typed; None for other sides."""
+    right = chain.sides[k + 1]
+    node = right.node
+    if not isinstance(node, Product) or len(node.factors) != 2:
+        return None
+    number, unit = node.factors
+    is_speed = isinstance(number, Number) and not names(unit) and number.span is not None
+    if not is_speed or not is_per_minute(document.text, number.span[1]):
+        return None
+    bare = replace(right, readings=(number,))
+    return replace(chain, sides=(*chain.sides[: k + 1], bare, *chain.sides[k + 2 :]))
+
+
 def _converts(node: Formula) -> bool:
     return divides_by_minute(node) or converts(node)
 

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
-from math import isclose, log10, prod
+from math import isclose, log10
 
-from symbalance.document.formula import Formula, Negative, Number, Power, Product, Quotient, names
+from symbalance.document.formula import Call, Formula, Negative, Number, Power, Product, Quotient, names
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.units.conversions import quantity_of, scale_of, sign_of_unit
-from symbalance.notes.checking.units.dimensions import NONE, Dimension, unit_of
+from symbalance.notes.checking.units.dimensions import NONE, Dimension, unit_of, unit_text
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.notes.reading.result_units import value_of
 
 NEAR = 700
 """Characters above in which a number's unit is looked for."""
@@ -22,7 +23,7 @@ _UNITS = 3
 """Words that a unit has at most: kg m s⁻¹."""
 _MARKUP = re.compile(r"\\(?:mathrm|text|textrm|mbox|,|;|:|!|quad|ensuremath)|[~${}]|</?[a-z]+>")
 _NUMERAL = re.compile(r"(?<![\w.,^_])[0-9]+(?:[.,][0-9]+)?(?![0-9])")
-_SIGNS = re.compile(r"\\(?:cdot|times|[dt]?frac|left|right|,|;|:|!|quad)|(?<![A-Za-z])x(?![A-Za-z])")
+_SIGNS = re.compile(r"\\(?:cdot|times|sqrt|[dt]?frac|left|right|,|;|:|!|quad)|(?<![A-Za-z])x(?![A-Za-z])")
 _LETTER = re.compile(r"[^\W\d_]|°")
 _CLOSE = 1e-9
 _KILO = Fraction(1000)
@@ -39,11 +40,12 @@ def refuted_by_units_above(chain: Chain, k: int, document: ReadNotes) -> Decisio
     has_units = _LETTER.search(_SIGNS.sub(" ", document.source(left.span))) is not None
     if has_units or any(_is_power_of_ten(value) for value, _ in factors):
         return None  # a power of ten may convert
-    made = _made_of(factors, _numbers_above(document, chain.start))
+    above = _numbers_above(document, chain.start)
+    made = _made_of(factors, above)
     if made is None or made[0] != unit:
-        return None
-    total = prod((value**power for value, power in factors), start=Fraction(1))
-    is_arithmetic = isclose(float(total), float(result.value), rel_tol=0.01)
+        return None if made is None else _of_another_kind(chain, document, factors, above, made[0], unit)
+    total = value_of(left.node)
+    is_arithmetic = total is not None and isclose(total, float(result.value), rel_tol=0.01)
     ratio = float(made[1] / result.scale)
     powers = log10(ratio)
     if not is_arithmetic or abs(powers) < 1 or abs(powers - round(powers)) > _CLOSE:
@@ -69,6 +71,30 @@ def _made_of(
     return dimension, size
 
 
+def _of_another_kind(
+    chain: Chain,
+    document: ReadNotes,
+    factors: list[tuple[Fraction, int]],
+    above: dict[Fraction, dict[Dimension, Fraction]],
+    made: Dimension,
+    unit: Dimension,
+) -> Decision | None:
+    """Return that N times m is no N; None where a number's unit is not sure.
+
+    All of them have to have their units above.
+    """
+    words = document.text[max(0, chain.start - NEAR) : chain.end]
+    is_open = _WEIGHTS.search(words) is not None or made == NONE
+    if is_open or any(value != 1 and not above.get(value) for value, _ in factors):
+        return None
+    witness = {"left": unit_text(made), "right": unit_text(unit)}
+    return Decision(REFUTED, "the numbers' units above make another unit", witness=witness)
+
+
+_WEIGHTS = re.compile(r"(?<![A-Za-z])(?:lbs?|lbf|kgf|kp|tf|oz|pounds?|ounces?)(?![A-Za-z])")
+"""Units that are weights in one place and masses in another."""
+
+
 def _times(ratio: float) -> str:
     words = {3: "a thousand times", 6: "a million times"}
     power = round(abs(log10(ratio)))
@@ -92,7 +118,8 @@ def _factors(node: Formula, power: int = 1) -> list[tuple[Fraction, int]]:
             value > 0 and exponent.denominator == 1
         ):
             return [(value, power * int(exponent))]
-    return []
+    is_root = isinstance(node, Call) and node.function == "sqrt" and isinstance(node.argument, Number)
+    return [(Fraction(1), 0)] if is_root else []  # √10 is a pure number
 
 
 def _is_power_of_ten(value: Fraction) -> bool:

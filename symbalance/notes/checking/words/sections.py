@@ -117,6 +117,17 @@ _CHOSEN = re.compile(
     r"(?<![A-Za-z])(?:(?:I|we)\s+(?:shall\s+|will\s+)?(?:take|choose|took|chose)|(?:nehme|wähle)n?\s+(?:ich|wir))$"
 )
 """Before a number that is the author's choice, whatever an equation above gives."""
+_ROUNDED = re.compile(
+    r"(?<![A-Za-z])(?:say|rounded(?:\s+(?:up|down|off))?(?:\s+to)?|in\s+round\s+(?:numbers|figures)|rund|gerundet|aufgerundet"
+    r"|abgerundet|sagen\s+wir|disons|soit\s+environ|丸めて)[,:]?[\s(]*$",
+    re.IGNORECASE,
+)
+"""Before a number that is put in the place of one with more digits: 15947, say N = 16000."""
+_ROUNDED_BEHIND = re.compile(
+    r"[\s$)\]}~,(]{0,6}(?:(?:rpm|kg|mm|N|kN|min⁻¹|m)(?![A-Za-z])[\s$]{0,2},?\s?\(?)?"
+    r"(?:say|rounded|in\s+round\s+(?:numbers|figures)|gerundet|aufgerundet|abgerundet|とする)(?![A-Za-z])",
+    re.IGNORECASE,
+)
 _FOR_ONE = re.compile(
     r"(?<![A-Za-z])(?:(?:for|with|at)\s+an?|(?:für|bei|mit)\s+eine[mnr]?)\s+[^\W\d_][\w-]{2,30}"
     r"(?:\s+[^\W\d_][\w-]{1,30}){0,2}$",
@@ -733,6 +744,14 @@ class Sections:
             return True
         is_below = self.paragraph_start(chain.lines[0]) > earlier_line
         return is_below and _FOR_ONE.search(before) is not None
+
+    def is_rounded_choice(self, chain: Chain) -> bool:
+        """Tell whether words give a number in the place of one with more digits: say N = 16000."""
+        before = self.document.text[max(0, chain.start - LONGEST_INTRODUCTION) : chain.start].rstrip(" $")
+        is_alone = len(chain.relations) == 1 and chain.inline
+        return is_alone and bool(
+            _ROUNDED.search(before) or _ROUNDED_BEHIND.match(self.document.text, chain.end)
+        )
 
     def is_said_to_be_constant(self, chain: Chain) -> bool:
         """Tell whether the words right before a relation say that its left side is constant."""
