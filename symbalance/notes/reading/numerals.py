@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, LOWERED, NAME_OF_SIGN, RAISED
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
-from symbalance.notes.reading.signs import COMBINED, RELATION, accented
+from symbalance.notes.reading.signs import COMBINED, RELATION, VULGAR, accented
 from symbalance.notes.reading.units import is_of_volume, scale_of
 
 _APART = (
@@ -83,7 +83,7 @@ _SPELLED = (
     ("°", "degrees?|deg|Grad|degrés|° ?(?:KW|CA|crank)|deg ?CA"), ("%", "percent|per cent|Prozent"),
 )  # fmt: skip
 _SPELLED_UNIT = re.compile(
-    r"(?:(?<=[0-9])|(?<=[0-9]O))(?<!_[0-9])(\$?|\\\))[ ~]?(\$?)(?:"
+    rf"(?:(?<=[0-9{''.join(VULGAR)}])|(?<=[0-9]O))(?<!_[0-9])(\$?|\\\))[ ~]?(\$?)(?:"
     + "|".join(f"(?P<u{n}>{names})" for n, (_, names) in enumerate(_SPELLED))
     + r")(?![A-Za-z])",
     re.IGNORECASE,

@@ -42,8 +42,8 @@ from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek, plain_lett
 from symbalance.notes.reading import constructs
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.free_letters import may_be_free, unclear
-from symbalance.notes.reading.lexer import AT, CLOSER, VULGAR, Token
-from symbalance.notes.reading.signs import CELLS
+from symbalance.notes.reading.lexer import AT, CLOSER, Token
+from symbalance.notes.reading.signs import CELLS, VULGAR
 
 # A formula with n doubtful places has 2^n readings: the number kept and the number tried are limited.
 MOST_READINGS = 8

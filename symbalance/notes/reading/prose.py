@@ -21,7 +21,7 @@ from symbalance.document.letters import (
 )
 from symbalance.document.wordlists import word_set
 from symbalance.notes.reading import signs
-from symbalance.notes.reading.lexer import VULGAR, Vocabulary
+from symbalance.notes.reading.lexer import Vocabulary
 from symbalance.notes.reading.units import follows_number, plain_unit_at, scale_of, unit_set_at
 
 _UNIT = r"(?P<unit>\[\s*[A-Za-zµμ]+[A-Za-z0-9^/²³⁻¹-]*\s*\])|"
@@ -44,7 +44,7 @@ _PIECE_BUT_UNITS = re.compile(_PIECE.pattern.replace(_UNIT, ""), re.DOTALL)
 _MATHEMATICAL = frozenset(
     "0123456789 \t()[]{}|^_,;'′″°√∂∞Σ∑.&~"
     + "".join(signs.OPERATOR_SIGNS) + "".join(signs.RELATION_SIGNS) + "".join(RAISED) + "".join(LOWERED)
-    + "".join(VULGAR) + "".join(NAME_OF_SIGN) + "".join(DOTTED) + "…⋯±∓∫∮∏⊤"
+    + "".join(signs.VULGAR) + "".join(NAME_OF_SIGN) + "".join(DOTTED) + "…⋯±∓∫∮∏⊤"
 )  # fmt: skip
 _COMMANDS = (
     frozenset(GREEK_SIGN) | frozenset(FUNCTION_WORDS) | frozenset(signs.RELATION_COMMANDS)

@@ -743,7 +743,7 @@ def _goes_on(behind: str, after: str, words: Vocabulary) -> bool:
     operation = re.match(
         r"(?:[A-Za-z]{2,8}\s+){0,3}?([+*×·/÷^±∓]|[−—–-](?=\s*[0-9(\\]|\s[A-Za-z]\b))\s*", behind
     )
-    if operation is None:
+    if operation is None or _OPENS_CASE.match(behind):
         return False
     operand = behind[operation.end() :]
     word = re.match(r"[A-Za-z]+", operand)
@@ -752,6 +752,12 @@ def _goes_on(behind: str, after: str, words: Vocabulary) -> bool:
             operand[:1].isdecimal() or operand[:1] in ("(", "\\", "√", "$") or operand[:1] in NAME_OF_SIGN
         )
     return (len(word.group()) == 1 and word.group() not in "aAI") or word.group() in words.names
+
+
+_OPENS_CASE = re.compile(
+    r"(?:for|when|if|where|at|with|als|für|wenn|wo|bei|mit|falls|pour|si|où)\s+[-−–+±]", re.IGNORECASE
+)
+"""Words between a relation and the case it is said for, and no sum: for -a < z < a."""
 
 
 def _without_box(text: str, start: int, end: int) -> tuple[int, int]:
