@@ -88,6 +88,8 @@ _ENDS_OPEN = re.compile(
     rf"(?:{signs.RELATION.pattern}|[*·×/]|(?<![A-Za-z])(?:{'|'.join(FUNCTION_WORDS)})[²³]?)\s*$"
 )
 _ARTICLE_LAST = re.compile(r"\s(a|I|A)$")
+_WORD_BEHIND = re.compile(r"[ \t~]*(?:\n[ \t]*)?[^\W\d_]{2}")
+"""What an article stands before: the a of "F = m r a." is a letter."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -282,7 +284,8 @@ def trim_segment(text: str, start: int, end: int, words: Vocabulary) -> tuple[in
     if clause and signs.RELATION.search(text, start, clause.start()):
         end = clause.start()  # s = 88 mm; r is half the stroke
     match = _ARTICLE_LAST.search(text[max(start, end - 4) : end])
-    if match and match.group(1) not in words.names and not _ENDS_OPEN.search(text, start, end - 1):
+    is_article = match is not None and _WORD_BEHIND.match(text, end) is not None
+    if match and is_article and match[1] not in words.names and not _ENDS_OPEN.search(text, start, end - 1):
         end -= len(match.group())
         if dash := _DASH_LAST.search(text[max(start, end - 4) : end]):
             end -= len(dash.group())  # "… - a known identity": the dash is the prose's too
