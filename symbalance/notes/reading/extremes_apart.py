@@ -38,10 +38,10 @@ _CLOSING = r"(?:\\right\s*|\\[bB]igg?r?\s*)?(?:\||\\vert(?![A-Za-z])|\\rvert(?![
 _FONT = r"\\(?:mathrm|text|textrm|mathsf|mathit|rm|operatorname)\s*"
 _WORD = r"\\?(?P<word>max|min)(?![A-Za-z])"
 _OF_BARS = re.compile(
-    rf"{_BAR}(?P<inside>[^|$\n=<>]{{1,80}}?){_CLOSING}\s*_\s*"
+    rf"{_BAR}(?P<inside>[^|$\n=<>]{{1,80}}?){_CLOSING}(?:\s*_\s*"
     rf"(?:\{{\s*(?:{_FONT}\{{?\s*)?{_WORD}\s*\}}{{1,2}}"
     rf"|{_FONT}\{{\s*{_WORD.replace('word', 'upright')}\s*\}}"
-    rf"|{_WORD.replace('word', 'bare')})"
+    rf"|{_WORD.replace('word', 'bare')})|(?P<touching>max|min)(?=\s?(?:[≈≤≥<>]|=(?!=))))"
 )
 
 
@@ -53,7 +53,7 @@ def with_extremes_of_bars(text: str) -> Rewritten | None:
     """
     rewriter, changed = Rewriter(text), False
     for match in _OF_BARS.finditer(text):
-        word = match["word"] or match["upright"] or match["bare"]
+        word = match["word"] or match["upright"] or match["bare"] or match["touching"]
         rewriter.replace(*match.span(), f"\\{word} \\left|", match.span("inside"), "\\right|")
         changed = True
     return rewriter.finish() if changed else None

@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable
 
 from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, LOWERED, NAME_OF_SIGN, RAISED
+from symbalance.notes.reading.pointed_units import compound_unit
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import COMBINED, RELATION, VULGAR, accented
 from symbalance.notes.reading.units import is_of_volume, scale_of
@@ -88,12 +89,12 @@ _SPELLED_UNIT = re.compile(
     + r")(?![A-Za-z])",
     re.IGNORECASE,
 )
-_PART_BEHIND = r"(?:1|[A-Za-zµμΩ]+)(?:\^?\{?[-−]?[1-4]\}?|[⁻]?[¹²³⁴])?"
+_PART_BEHIND = r"(?:1|[A-Za-zµμΩ]+)(?:\^?\{?[-−]?[1-4]\}?|[⁻]?[¹²³⁴]|\$\^\{?[-−]?[1-4]\}?\$)?"
 _BEHIND_DOLLAR = re.compile(
     r"(?:(?<=[0-9])|(?<=\^\{[0-9]\})|(?<=\^\{-[0-9]\}))(?<!_[0-9])(?:\\[,;: ]|~)?(?P<mark>\$"
     r"|\\\))(?:[ ~]|\\[,;: ])?"
-    rf"(?P<unit>°|\\?%|{_PART_BEHIND}(?:[ ]?[/·⋅*]?[ ]?{_PART_BEHIND}){{0,3}})"
-    r"(?=[.,;:)]?(?:\s*$|[\s|)])|[.,;:)]\s|[\u3001-\u9fff\uff08-\uff1f])(?! ?[=<>≈+*/])",
+    rf"(?P<unit>°|\\?%|{_PART_BEHIND}(?:(?:[ ]?[/·⋅*]?[ ]?|\\,|~){_PART_BEHIND}){{0,3}})"
+    r"(?=[.,;:)]{0,2}(?:\s*$|[\s|)\ue000])|[.,;:)]\s|[\u3001-\u9fff\uff08-\uff1f])(?! ?[=<>≈+*/])",
     re.MULTILINE,
 )
 """A unit behind the dollar or `\\)` that ends a formula: N m/rad as a whole, but m of `40$ m long`."""
@@ -494,23 +495,26 @@ def _units_in_words(text: str) -> dict[int, tuple[int, str]]:
         if match["unit"].split()[0] in ("l", "L") and is_of_volume(text, match.start()):
             changes[match.start()] = (match.start("unit") + 1, _unit_sign("dm^3", True) + match["mark"])
             continue
-        unit = _unit_behind(match["unit"], text[match.end() :][:1])
+        unit, length = _unit_behind(match["unit"], text[match.end() :][:1])
         if unit and _closes(text, match.start(), match["mark"]):
-            end = match.start("unit") + len(unit)
+            end = match.start("unit") + length
             changes[match.start()] = (end, _unit_sign(unit, True) + match["mark"])
     return changes
 
 
-def _unit_behind(words: str, after: str) -> str:
-    """Return the longest beginning of some words that is a unit, "" for none."""
-    ends = [m.start() for m in re.finditer(" ", words)]
+def _unit_behind(words: str, after: str) -> tuple[str, int]:
+    """Return the longest beginning of some words that is a unit, and its length; "" and 0 for none."""
+    ends = [m.start() for m in re.finditer(r" |\\,|~", words)]
     for end in [len(words), *reversed(ends)]:
-        unit = words[:end]
+        unit = _SPACE_IN_UNIT.sub(" ", words[:end]).replace("$", "")
         if unit in ("°", "%", "\\%") or (unit == "in" and after == "."):
-            return unit
+            return unit, end
         if scale_of(unit) is not None:
-            return unit
-    return ""
+            return unit, end
+    return "", 0
+
+
+_SPACE_IN_UNIT = re.compile(r"\\,|~")
 
 
 def unit_in_words(text: str) -> str:
@@ -537,6 +541,8 @@ def sign_of_unit(words: str) -> str:
             return sign
     if words.rstrip(".") == "in":
         return "inch"
+    if compound := compound_unit(words):
+        return compound
     return words if scale_of(words) is not None else ""
 
 

@@ -37,6 +37,7 @@ from symbalance.notes.reading.numerals import with_plain_numerals
 from symbalance.notes.reading.operator_words import with_operator_words
 from symbalance.notes.reading.page_marks import with_page_marks
 from symbalance.notes.reading.places_in_brackets import with_places
+from symbalance.notes.reading.pointed_units import with_compound_units
 from symbalance.notes.reading.pointed_words import with_points_left_out
 from symbalance.notes.reading.ranges import with_ranges
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
@@ -154,6 +155,7 @@ def prepare(
     if kind == "plain":
         reader.apply(with_points_left_out(reader.text))
         reader.apply_noted(with_scanned_letters(reader.text))
+    reader.apply(with_compound_units(reader.text))
     reader.apply_noted(with_plain_numerals(reader.text, is_letter))
     reader.apply(with_units_of_waves(reader.text, is_letter))
     if kind in ("tex", "markdown"):
