@@ -197,11 +197,11 @@ class Lexer:
         """Tell whether a unit may begin at the place: behind a number, or in square brackets."""
         if sign == "[":
             return True
-        if not self.tokens or not (sign in " \u2009\u202f" or sign.isalpha()):
+        if not self.tokens or not (sign in " \u2009\u202f\u205f" or sign.isalpha()):
             return False
         between = self.text[self.tokens[-1].end : self.place]
         return (not between or _TYPED_SPACE.fullmatch(between) is not None) and (
-            self.tokens[-1].kind in ("number", "close") or self.tokens[-1].value == "pi"
+            self.tokens[-1].kind in ("number", "vulgar", "close") or self.tokens[-1].value == "pi"
         )
 
     def _is_behind_power(self) -> bool:

@@ -1,4 +1,4 @@
-r"""Compound units of English prints in signs that are read: lb.-in.-sec.² is lbf·inch·s², ft./sec.² ft/s².
+"""Compound units of English prints in plain signs: lb.-in.-sec.² is lbf·inch·s², ft./sec.² is ft/s².
 
 Their words are abbreviated with points and joined by hyphens. A pound beside the square of a time, or
 times a length, is a force; on an area it is one by its own sign, and else a mass.
@@ -13,9 +13,9 @@ from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 _SIGNS = {
     "lb": "lb", "lbs": "lb", "lbf": "lbf", "in": "inch", "inch": "inch", "inches": "inch", "ft": "ft",
     "feet": "ft", "foot": "ft", "sec": "s", "secs": "s", "s": "s", "min": "min", "hr": "h", "hrs": "h",
-    "h": "h", "rad": "rad", "rev": "rev", "revs": "rev", "oz": "oz", "ton": "ton", "tons": "ton", "slug": "slug",
-    "slugs": "slug", "gm": "g", "gms": "g", "kg": "kg", "cm": "cm", "mm": "mm", "m": "m", "N": "N", "kN": "kN",
-    "deg": "deg",
+    "h": "h", "rad": "rad", "rev": "rev", "revs": "rev", "oz": "oz", "ton": "ton", "tons": "ton",
+    "slug": "slug", "slugs": "slug", "gm": "g", "gms": "g", "kg": "kg", "cm": "cm", "mm": "mm", "m": "m",
+    "N": "N", "kN": "kN", "deg": "deg",
 }  # fmt: skip
 """The words of compound units, and what each is written as."""
 _WORD = "|".join(sorted(_SIGNS, key=len, reverse=True))
@@ -25,7 +25,9 @@ _JOINT = r"(?:(?<=[A-Za-z.²³⁴}])[-‐‑](?=[A-Za-z])|[ ]?[·⋅/][ ]?|[ ]?\
 _JOINT += r"|(?<=\.)[ ](?=(?:in|ft|lbs?)\.))"
 _NUMBER_END = r"(?<=[0-9⁰¹²³⁴⁵⁶⁷⁸⁹}½¼¾])(?<!_[0-9])"
 _GAP = r"(?:\$|\\\))?(?:[ ~\u2009\u202f]|\\[,;: ])?(?:\\(?:text|mathrm|mbox|textrm)\s?\{\s?)?"
-_COMPOUND = re.compile(rf"{_NUMBER_END}{_GAP}(?P<unit>{_PART}(?:{_JOINT}{_PART}){{1,3}}+)(?![A-Za-z0-9(])")
+_COMPOUND = re.compile(
+    rf"{_NUMBER_END}{_GAP}(?P<unit>{_PART}(?:{_JOINT}{_PART}){{1,3}}+)(?![A-Za-z0-9(])"
+)
 _ONE_PART = re.compile(rf"(?P<joint>{_JOINT})?(?P<word>{_WORD})(?![A-Za-z])\.?(?P<power>{_POWER})?\.?")
 _ABBREVIATED = re.compile(
     rf"{_NUMBER_END}{_GAP}(?:{_WORD}|hp)(?P<point>\.)(?=[ ]?(?:[=≈≤≥+×·*)]|<[^/]|{_POWER}|\$|\\approx))"

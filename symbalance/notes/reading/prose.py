@@ -26,7 +26,7 @@ from symbalance.notes.reading.units import follows_number, plain_unit_at, scale_
 
 _UNIT = r"(?P<unit>\[\s*[A-Za-zµμ]+[A-Za-z0-9^/²³⁻¹-]*\s*\])|"
 _PLAIN_UNIT = re.compile(r"(?P<unit>.+)", re.DOTALL)
-_BEHIND_NUMBER = frozenset("0123456789)]⁰¹²³⁴⁵⁶⁷⁸⁹π}")
+_BEHIND_NUMBER = frozenset("0123456789)]⁰¹²³⁴⁵⁶⁷⁸⁹π}") | frozenset(signs.VULGAR)
 _ARGUED = "unit|si|mathrm|mathit|mathbf|operatorname|tag|label|mathsf|bm|boldsymbol"
 _UMLAUTS = "ÄÖÜäöüßàáâãçèéêëíîñóôõøåæœú"
 _PIECE = re.compile(
@@ -42,7 +42,7 @@ _PIECE = re.compile(
 )
 _PIECE_BUT_UNITS = re.compile(_PIECE.pattern.replace(_UNIT, ""), re.DOTALL)
 _MATHEMATICAL = frozenset(
-    "0123456789 \t()[]{}|^_,;'′″°√∂∞Σ∑.&~"
+    "0123456789 \t\u205f()[]{}|^_,;'′″°√∂∞Σ∑.&~"
     + "".join(signs.OPERATOR_SIGNS) + "".join(signs.RELATION_SIGNS) + "".join(RAISED) + "".join(LOWERED)
     + "".join(signs.VULGAR) + "".join(NAME_OF_SIGN) + "".join(DOTTED) + "…⋯±∓∫∮∏⊤"
 )  # fmt: skip
@@ -88,8 +88,12 @@ _ENDS_OPEN = re.compile(
     rf"(?:{signs.RELATION.pattern}|[*·×/]|(?<![A-Za-z])(?:{'|'.join(FUNCTION_WORDS)})[²³]?)\s*$"
 )
 _ARTICLE_LAST = re.compile(r"\s(a|I|A)$")
-_WORD_BEHIND = re.compile(r"[ \t~]*(?:\n[ \t]*)?[^\W\d_]{2}")
-"""What an article stands before: the a of "F = m r a." is a letter."""
+_WORD_BEHIND = re.compile(
+    r"[ \t~]*(?:\n[ \t]*)?"
+    r"(?!(?:and|or|is|are|was|so|but|which|where|when|while|if|for|with|at|as|in|on|to|by|of|the|we|it|this|that"
+    r"|per|then|thus|hence)(?![^\W\d_]))[^\W\d_]{2}"
+)
+"""What an article stands before: the a of "F = m r a." and of "F = m r a and" is a letter."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -285,7 +289,12 @@ def trim_segment(text: str, start: int, end: int, words: Vocabulary) -> tuple[in
         end = clause.start()  # s = 88 mm; r is half the stroke
     match = _ARTICLE_LAST.search(text[max(start, end - 4) : end])
     is_article = match is not None and _WORD_BEHIND.match(text, end) is not None
-    if match and is_article and match[1] not in words.names and not _ENDS_OPEN.search(text, start, end - 1):
+    if (
+        match
+        and is_article
+        and match[1] not in words.names
+        and not _ENDS_OPEN.search(text, start, end - 1)
+    ):
         end -= len(match.group())
         if dash := _DASH_LAST.search(text[max(start, end - 4) : end]):
             end -= len(dash.group())  # "… - a known identity": the dash is the prose's too

@@ -49,6 +49,7 @@ from symbalance.notes.reading.tables_of_quantities import with_equations_of_tabl
 from symbalance.notes.reading.templates import formula_of_template, stands_in_formula
 from symbalance.notes.reading.times_in_parts import with_times_in_one
 from symbalance.notes.reading.units_behind_waves import with_units_of_waves
+from symbalance.notes.reading.wrapped_lines import SOFT_END, with_soft_ends
 
 CELL_END = "\ue000"
 """Stands between the cells of a table: no formula goes over it. (A sign that nobody types.)"""
@@ -162,18 +163,23 @@ def prepare(
         reader.apply(with_units_between_dollars(reader.text))
     reader.apply_noted(with_ranges(reader.text))
     current, origin = reader.text, reader.origin
-    formulas: list[Span] = []
-    codes: list[Span] = []
-    if kind == "tex":
-        current = mask_tex(current)
-    elif kind == "markdown":
-        current, formulas, codes = mask_markdown(current)
-    else:
-        current = mask_plain(current)
+    current, formulas, codes = _masked(current, kind)
     refusals = tuple(sorted(macros.refusals.items()))
     return Source(
         current, kind, tuple(formulas), tuple(codes), origin, refusals, reader.notes, own_letters
     )
+
+
+def _masked(text: str, kind: str) -> tuple[str, list[Span], list[Span]]:
+    """Return a text with what is no mathematics blank, and its blocks of formulas and of codes."""
+    if kind == "tex":
+        return mask_tex(text), [], []
+    formulas, codes = list[Span](), list[Span]()
+    if kind == "markdown":
+        text, formulas, codes = mask_markdown(text)
+    else:
+        text = mask_plain(text)
+    return with_soft_ends(text, (*formulas, *codes), has_bullets=kind != "plain"), formulas, codes
 
 
 def kind_of(text: str, suffix: str) -> str:
@@ -500,7 +506,7 @@ def blank(text: str) -> str:
 
 def to_half_width(text: str) -> str:
     """Return the text with full-width signs as plain ones, of the same length; m・r is a product."""
-    narrow = _DEGREE_TYPED.sub("°", text.translate(_WIDE))
+    narrow = _DEGREE_TYPED.sub("°", text.translate(_WIDE)).replace(SOFT_END, " ")
     return _DOT_OF_PRODUCT.sub("·", narrow) if "・" in narrow else narrow
 
 

@@ -31,12 +31,17 @@ def decide_largest_size(left: Side, right: Side, sign: str, knowledge: Knowledge
     own = names(right.node)
     if motion is None or not own or own & (knowledge.angles | knowledge.moving):
         return None
+    return _decide_size(motion, right, sign, knowledge)
+
+
+def _decide_size(motion: Formula, right: Side, sign: str, knowledge: Knowledge) -> Decision:
+    """Decide what a line says of the largest size of a known motion; a size is never negative."""
     rows = values_over_turn(motion, right.node, knowledge)
     if not rows:
         return Decision(UNDECIDED, "the extreme of what has no values here")
     sizes = [max(abs(value) for value in turn) for _, turn, _ in rows]
     is_signed = any(claim < 0 for _, _, claim in rows)
-    if is_signed and own <= knowledge.meaning.positive:
+    if is_signed and names(right.node) <= knowledge.meaning.positive:
         return Decision(REFUTED, "a size is never negative")
     least = (f"{formula_text(right.node, plain=True)} ≥ 0",) if is_signed else ()
     claims = [abs(claim) for _, _, claim in rows]
@@ -47,9 +52,7 @@ def decide_largest_size(left: Side, right: Side, sign: str, knowledge: Knowledge
                 at_centre = at_dead_centre(each, right, sign, place, knowledge)
                 if at_centre.is_proved:
                     where = f"at θ = {'π' if place else '0'}"
-                    return replace(
-                        at_centre, reason=where, assumptions=(*at_centre.assumptions, *least)
-                    )
+                    return replace(at_centre, reason=where, assumptions=(*at_centre.assumptions, *least))
     errors: list[Any] = [abs(c - s) / s for c, s in zip(claims, sizes, strict=True) if s]
     worst = digits(context().mpf(max(errors, default=0)), 2)
     if len(errors) == len(rows) and max(errors) <= NEAR:

@@ -100,7 +100,7 @@ _TYPED_NUMBER = re.compile(r"[\s$(]*(?P<digits>[0-9]+(?:\.[0-9]+)?)(?![0-9.,]*[0
 
 
 def _is_same_turning(left: Side, right: Side, document: ReadNotes) -> bool:
-    """Tell whether a speed of so many turns is written as another one: 1500 rpm = 25 rev/s = 157 rad/s."""
+    """Tell whether a speed in turns is written in another unit: 1500 rpm = 25 rev/s = 157 rad/s."""
     speeds = [_turning_speed(side, document) for side in (left, right)]
     first, second = speeds
     if first is None or second is None or not first[2]:
