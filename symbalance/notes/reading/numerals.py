@@ -140,7 +140,7 @@ def with_plain_numerals(
     changes |= _units_in_words(text)
     changes |= _crosses(text)
     changes |= _parts_of(text)
-    changes |= {m.start(): (m.end(), f"({m[1]} + {m[2]})") for m in _MIXED.finditer(text)}
+    changes |= {m.start(): (m.end(), _mixed(m[1], m[2])) for m in _MIXED.finditer(text)}
     changes |= _mixed_and_inches(text)
     changes |= {
         m.start(): (m.end(), f"({_small(m[1])}/{_small(m[2])})") for m in _SMALL_FRACTION.finditer(text)
@@ -347,6 +347,12 @@ def _powers_before_units(text: str) -> dict[int, tuple[int, str]]:
     return changes
 
 
+def _mixed(whole: str, part: str) -> str:
+    """Return 7 and 1/2 as one number."""
+    above, _, below = part.partition("/")
+    return f"({int(whole) * int(below) + int(above)}/{below})"
+
+
 def _small(digits: str) -> str:
     return "".join({**RAISED, **LOWERED}[digit] for digit in digits)
 
@@ -359,12 +365,12 @@ _SPACED_POINT = re.compile(r"[\w)] ?· |(?<=[^\W\dO])·|·(?=[^\W\dO])")
 
 
 def _mixed_and_inches(text: str) -> dict[int, tuple[int, str]]:
-    """Return 3½ in as a sum of two numbers, and the inches of 5.8" on a page that quotes nothing so."""
+    """Return 3½ in with its unit in letters, and the inches of 5.8" on a page that quotes nothing so."""
     changes: dict[int, tuple[int, str]] = {}
     for match in _MIXED_SIGN.finditer(text):
         unit = " inch" if match["inch"] else ""
         end = match.end("inch") if match["inch"] else match.end()
-        changes[match.start()] = end, f"({match['whole']} + {match['part']}){unit}"
+        changes[match.start()] = end, f"{match['whole']}{match['part']}{unit}"
     if _OPENED_QUOTE.search(text) is None:
         changes |= {m.start(): (m.end(), " inch") for m in _INCH_SIGN.finditer(text)}
     return changes

@@ -503,7 +503,7 @@ class _PlainUnit:
         """Tell whether a factor follows: 2 m r, 3 N sin x."""
         after = self.text[self.stop : min(self.stop + 12, self.end)]
         bare = after.lstrip(" ~")
-        if _SECOND_VALUE.match(self.text, self.stop, self.end):
+        if _SECOND_VALUE.match(self.text, self.stop, self.end) or after.startswith(" ~ "):
             return False
         if not bare or bare[0] in _STOPS or bare[0] == "\n" or ord(bare[0]) >= 0x2E80:
             return False

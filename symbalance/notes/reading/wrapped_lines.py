@@ -26,7 +26,7 @@ _OPERAND_LAST = (
 )
 _FUNCTION = r"(?:sin|cos|tan|cot|sqrt|exp|ln)"
 _OPEN_END = re.compile(
-    rf"(?:{_OPERAND_LAST}(?:[ ]?[=≈≤≥×·⋅+−/(]|[ ][-–*<>])|[=≈+−×·⋅*/(][ ]?\("
+    rf"(?:{_OPERAND_LAST}(?:[ ]?[=≈≤≥×·⋅+−/(]|[ ][-–*<>]|(?<=[0-9)])\*)|[=≈+−×·⋅*/(][ ]?\("
     rf"|(?<![A-Za-z]){_FUNCTION}[²³]?)[ \t]*$"
 )
 _OPERAND_FIRST = re.compile(
@@ -40,7 +40,7 @@ _OPERATOR_FIRST = re.compile(
 _FUNCTION_FIRST = re.compile(rf"[ \t]*{_FUNCTION}(?![A-Za-z])")
 _BEGUN = re.compile(r"[=≈≤≥+×·⋅−(]|[0-9) ]/")
 """What a line has that ends within a formula."""
-_WORD = re.compile(r"(?<![^\W_])[^\W\d_]{3,}")
+_WORD = re.compile(r"(?<![^\W_])(?<!\\)[^\W\d_]{3,}")
 _TABLE_OR_HEADING = re.compile(r"[ \t]*[|#]")
 _BULLET = re.compile(r"[ \t]*(?:[|#>]|[-*+•][ ]|[0-9]{1,2}[.)][ ])")
 _UNIT_FIRST = re.compile(
@@ -67,7 +67,9 @@ def with_soft_ends(text: str, spans: Sequence[Span] = (), *, has_bullets: bool =
         is_prose = _has_words(line) or (is_prose and bool(places) and places[-1] == start - 1)
         stop = text.find("\n", end + 1)
         below = text[end + 1 : stop if stop >= 0 else len(text)]
-        is_cut = is_prose and below.strip() and _TABLE_OR_HEADING.match(line) is None
+        is_cut = (
+            (is_prose or _has_words(below)) and below.strip() and _TABLE_OR_HEADING.match(line) is None
+        )
         if is_cut and _goes_on(line, below, has_bullets) and not is_inside(end, inside):
             places.append(end)
         start = end + 1

@@ -16,6 +16,7 @@ from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decisio
 from symbalance.notes.checking.units.dimensions import Dimension, unit_of, written_unit
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.numerals import sign_of_unit
+from symbalance.notes.reading.signs import VULGAR
 from symbalance.notes.reading.units import GRAVITY, scale_of
 
 POUND, POUND_FORCE = Fraction(45359237, 10**8), Fraction(44482216152605, 10**13)
@@ -62,7 +63,8 @@ def quantity_of(side: Side, document: ReadNotes) -> Quantity | None:
     if number.last_place is not None:
         return Quantity(value, number.last_place / factor / 2, sign, scale[0])
     if value.denominator != 1:
-        return None
+        is_mixed = any(part in document.source(side.span) for part in VULGAR)
+        return Quantity(value, Fraction(0), sign, scale[0]) if is_mixed else None
     digits = str(abs(value.numerator))
     zeros = min(len(digits) - len(digits.rstrip("0")), max(len(digits) - FEWEST_DIGITS, 0))
     half = Fraction(10**zeros, 2) if len(digits) >= FEWEST_DIGITS else ROUGHLY * abs(value)
