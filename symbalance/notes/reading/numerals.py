@@ -269,16 +269,32 @@ def _spaced_thousands(text: str, notes: list[str]) -> dict[int, tuple[int, str]]
 _ARROW = re.compile(r"(?<=\s)(?:<=+>|<-+>|=+>|-+>)(?=\s)")
 
 
-_CROSS = re.compile(r"(?<=[0-9)²³])[ ]?[xX][ ](?=[0-9(.])|(?<=[0-9)²³])[ ][xX](?=[0-9(.])")
+_CROSS = re.compile(
+    r"(?<=[0-9)²³])(?:[ ]?[xX][ ](?=[0-9.])|[ ][xX](?=[0-9.])|[ ](?P<letter>[xX])[ ]?(?=\())"
+)
+_LETTER_X = re.compile(
+    r"(?:sin|cos|tan)(?:\^?\{?[²³23]?\}?)\s?\(?[0-9]?\s?[xX](?![A-Za-z])|[xX]\s?(?:=|[²³^])"
+)
+"""Where a line has x as a letter of its own."""
 _CROSS_BEHIND_UNIT = re.compile(
     r"(?<=[0-9])[ ]?(?P<unit>[A-Za-z.]{1,6}(?:[-/·][A-Za-z.]{1,4})?)(?P<cross>[ ][xX][ ])(?=[0-9(.])"
 )
 _SMALL_FRACTION = re.compile("([⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3})[/⁄∕]([₀₁₂₃₄₅₆₇₈₉]{1,3})")
 
 
+def _line_around(text: str, place: int) -> str:
+    """Return the line of a place, so far as it is near."""
+    before = text[max(place - _AROUND, 0) : place].rpartition("\n")[2]
+    return before + text[place : place + _AROUND].partition("\n")[0]
+
+
 def _crosses(text: str) -> dict[int, tuple[int, str]]:
     """Return the letters x that stand for a multiplication sign between numbers, 2 x 0.5."""
-    changes = {match.start(): (match.end(), " × ") for match in _CROSS.finditer(text)}
+    changes = {
+        match.start(): (match.end(), " × ")
+        for match in _CROSS.finditer(text)
+        if match["letter"] is None or _LETTER_X.search(_line_around(text, match.start())) is None
+    }
     for match in _CROSS_BEHIND_UNIT.finditer(text):
         if sign_of_unit(match["unit"]):
             changes[match.start("cross")] = (match.end("cross"), " × ")

@@ -15,6 +15,7 @@ from html import unescape
 from symbalance.document.wordlists import words
 from symbalance.notes.reading.and_so_on import with_dots
 from symbalance.notes.reading.ascii_math import with_ascii_math
+from symbalance.notes.reading.component_names import with_components
 from symbalance.notes.reading.compound_names import with_compound_names
 from symbalance.notes.reading.division_colons import with_divisions
 from symbalance.notes.reading.engine_abbreviations import with_abbreviations
@@ -152,6 +153,7 @@ def prepare(
         reader.apply_noted(with_short_greek(reader.text, is_letter))
         reader.apply(with_greek_words(reader.text, is_letter))
         reader.apply(with_extremes_apart(reader.text))
+        reader.apply(with_components(reader.text))
         reader.apply_noted(with_compound_names(reader.text, is_letter))
     if kind == "plain":
         reader.apply(with_points_left_out(reader.text))
