@@ -36,7 +36,7 @@ CASES = [
     ("F = m r b. The quotient is F/m = r b; F/r = m b.", "holds"),
     ("F = m r b. The quotient is F/m = r b; F/r = 2 m b.", "refuted"),
     # components
-    ("F2x = √2 P cos 2θ, F2y = 0 and F2x² + F2y² = 2 P² cos² 2θ.", "holds"),
+    ("F2x = √2 P cos 2θ, F2y = 0 and F2x² + F2y² = 2 P² cos² 2θ.", "conditional"),
     ("F2x = √2 P cos 2θ, F2y = 0 and F2x² + F2y² = 4 P² cos² 2θ.", "refuted"),
     # mixed numbers
     ("2 × 4½ = 9.", "holds"),

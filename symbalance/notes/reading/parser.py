@@ -845,10 +845,10 @@ class Parser:
         return whole == bool(self.choose())
 
     def _goes_on_in_bracket(self, factors: list[Formula]) -> bool:
-        """Tell whether the bracket behind no whole angle is of the argument: cos n(θ + α), not sin t (1 + q).
+        """Tell whether a bracket behind Latin letters is of the argument: cos n(θ + α), not sin t (1 + q).
 
-        A function within says that it is a factor of its own, sin t(1 + q cos t). Behind a space it is one
-        too, unless it holds an angle or the time.
+        A function within says that it is a factor of its own: sin t(1 + q cos t). Behind a space it is
+        one too, unless it holds an angle or the time.
         """
         last = factors[-1]
         if self.at("open", "{") or not isinstance(last, Name) or last.name in _INDICES:
