@@ -845,7 +845,7 @@ class Parser:
         return whole == bool(self.choose())
 
     def _goes_on_in_bracket(self, factors: list[Formula]) -> bool:
-        """Tell whether a bracket behind Latin letters is of the argument: cos n(θ + α), not sin t (1 + q).
+        """Tell whether a bracket behind letters is of the argument: cos n(θ + α), not sin t (1 + q).
 
         A function within says that it is a factor of its own: sin t(1 + q cos t). Behind a space it is
         one too, unless it holds an angle or the time.

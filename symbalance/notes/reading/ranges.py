@@ -20,7 +20,7 @@ _DOTS = r"(?:\\(?:l|c)?dots[a-z]?(?![A-Za-z])|…|⋯|\.{2,3}|・・・)"
 _HEAD = r"(?<![\w\\}\])'′⁄])(?P<letter>(?:\\[A-Za-z]+|[^\W\d_])(?:_\{\w{1,6}\}|_\w{1,4}|[₀-₉])?)\s*&?=\s*"
 _NOT_BEFORE_FORMULA = (
     r"(?!\.?[0-9]|\.\.)(?![^\S\n]*(?:[-+−*/·×=^_<>(≈≤≥≠√°]|\\(?!\)|\]|q?quad|text|end|\\|,|;)"
-    r"|[^\W\d_](?![^\W\d_])|(?:sin|cos|tan)\b))"
+    r"|[A-Za-zα-ωϕϑΑ-Ω](?![^\W\d_])|(?:sin|cos|tan)\b))"
 )
 _RANGE = re.compile(
     rf"{_HEAD}(?P<first>{_NUMBER})(?:{_UNIT.replace('unit', 'one')})?\s*"
