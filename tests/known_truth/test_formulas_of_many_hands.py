@@ -38,6 +38,14 @@ CASES = [
     # components
     ("F2x = √2 P cos 2θ, F2y = 0 and F2x² + F2y² = 2 P² cos² 2θ.", "conditional"),
     ("F2x = √2 P cos 2θ, F2y = 0 and F2x² + F2y² = 4 P² cos² 2θ.", "refuted"),
+    # a number put in for a multiple of a letter that has none
+    (r"v = 25 m/s. $$c = \dfrac{v}{D/2} = \dfrac{25}{0.9}$$", "premise"),
+    (r"v = 25 m/s, D = 1.8 m. $$c = \dfrac{v}{D/2} = \dfrac{25}{0.9}$$", "holds"),
+    (r"v = 25 m/s, D = 1.8 m. $$c = \dfrac{v}{D/2} = \dfrac{25}{0.8}$$", "refuted"),
+    (r"v = 25 m/s. $$c = \dfrac{v}{D/2} = \dfrac{35}{0.9}$$", "undecided"),
+    # two hyphens before words
+    ("We have 3 · 2 = 6 -- right?", "holds"),
+    ("We have 3 · 2 = 7 -- right?", "refuted"),
     # mixed numbers
     ("2 × 4½ = 9.", "holds"),
     ("2 × 4½ = 8.", "refuted"),

@@ -16,6 +16,9 @@ LISTS = [
     ("z = 1.5a, 0.5a, −0.5a and −1.5a.", "-3a/2 ≤ z ≤ 3a/2."),
     ("order n = 1/2, 1, 3/2, ... occur", "order n ≥ 1/2 occur"),
     ("n = ½, 1½, 2½.", "1/2 ≤ n ≤ 5/2."),
+    ("n = ½, 1½, 2½ ….", "n ≥ 1/2."),
+    ("For z = ±a/2, ±3a/2 it is", "For -3a/2 ≤ z ≤ 3a/2 it is"),
+    ("位相 θ = 0, 90°, 180° で", "位相 0° ≤ θ ≤ 180° で"),
     (r"$\theta = 0, \frac{\pi}{2}, \pi$", r"$0 ≤ \theta ≤ \pi$"),
     (r"$\alpha = \pm 30^\circ, \pm 90^\circ$", r"$-90^\circ ≤ \alpha ≤ 90^\circ$"),
     ("z = L/2, −L/2.", "-L/2 ≤ z ≤ L/2."),
@@ -61,6 +64,7 @@ SAID_FOR_VALUES = [
     ("A cos θ = B at θ = 0, π.", "definition"),
     ("At n = 4 it is half. The orders n = 1, 2, 3 occur.", "range"),
     ("For order n = 4½ it vanishes. The orders n = ½, 1½, 2½ remain.", "range"),
+    ("At n = 6000 rpm. The half orders n = ½, 1½, 2½ …, remain.", "range"),
     ("With n = 3 the sum is 3. The orders n = 4, 5, 6 remain, and 2·3 = 7.", "refuted"),
 ]
 

@@ -9,6 +9,10 @@ from symbalance.notes.checking import check
 
 PAGES = [
     (
+        "1 + 2 = 3\nG = cos²θ + sin²θ\nG = 1\n",
+        [(1, "holds"), (2, "definition"), (3, "holds")],
+    ),
+    (
         "The torque is then T = 4.69 × 10⁶ ×\n0.00873 = 40.9 × 10³ lb.-in.\n",
         [(1, "definition"), (2, "holds_to_order")],
     ),

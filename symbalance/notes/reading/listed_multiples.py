@@ -82,6 +82,16 @@ def multiple(text: str) -> Multiple | None:
     )
 
 
+def is_multiple(text: str) -> bool:
+    """Tell whether a value is no bare letter, and no bare number: 3a, a/2, ±a.
+
+    >>> is_multiple("3a/2"), is_multiple("-a"), is_multiple("r"), is_multiple("0")
+    (True, True, False, False)
+    """
+    part = multiple(text)
+    return part is not None and part.letter != "" and re.fullmatch(_LETTER, text.strip()) is None
+
+
 def _number(body: str) -> tuple[Fraction, str] | None:
     """Return the number that a value begins with, 1 where none is typed, and what stands behind it."""
     if match := _FRACTION.match(body):

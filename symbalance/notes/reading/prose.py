@@ -317,7 +317,7 @@ def _behind_quantity(text: str, start: int, end: int) -> tuple[int, int]:
 
 
 _CLAUSE_BEGUN = re.compile(r";\s+[^\W\d_](?:_\w{1,4})?$")
-_SPACED_DASH = re.compile(r"(?<=[^\s=≈<>+\-*/·×(])\s+[–—](?=\s*$)")
+_SPACED_DASH = re.compile(r"(?<=[^\s=≈<>+\-*/·×(])\s+(?:[–—]|(?P<typed>-{2,3}))(?=\s*$)")
 _FIRST_WORD = re.compile(r"\s*([^\W\d_]+)(?:[\s,]|$)")
 
 
@@ -326,7 +326,8 @@ def _before_dash_of_prose(text: str, start: int, end: int) -> int:
     match = _SPACED_DASH.search(text, max(start, end - 4), end)
     word = _FIRST_WORD.match(text, end) if match else None
     is_clause = word is not None and word[1].lower() in _PLAIN_WORDS | _CLAUSE_WORDS
-    return match.start() if match and is_clause else end
+    is_typed = match is not None and match["typed"] is not None  # two hyphens are no minus
+    return match.start() if match and (is_clause or is_typed) else end
 
 
 def parts_at_lone_brackets(text: str, start: int, end: int) -> list[tuple[int, int]]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from itertools import pairwise
 
-from symbalance.notes.reading.listed_multiples import VALUE, range_of
+from symbalance.notes.reading.listed_multiples import VALUE, is_multiple, range_of
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 
 _NUMBER = (
@@ -19,7 +19,7 @@ _UNIT = r"(?P<unit>(?:\\[,;: ]|~| )*\\mathrm\{[^{}]{1,12}\}|[^\S\n]?(?:mm|cm|rpm
 _DOTS = r"(?:\\(?:l|c)?dots[a-z]?(?![A-Za-z])|…|⋯|\.{2,3}|・・・)"
 _HEAD = r"(?<![\w\\}\])'′⁄])(?P<letter>(?:\\[A-Za-z]+|[^\W\d_])(?:_\{\w{1,6}\}|_\w{1,4}|[₀-₉])?)\s*&?=\s*"
 _NOT_BEFORE_FORMULA = (
-    r"(?!\.?[0-9]|\.\.)(?![^\S\n]*(?:[-+−*/·×=^_<>(≈≤≥≠√°]|\\(?!\)|\]|q?quad|text|end|\\|,|;)"
+    r"(?!\.?[0-9]|\.\.)(?![^\S\n]*(?:[-+−*/·×=^_<>(≈≤≥≠√°²³]|\\(?!\)|\]|q?quad|text|end|\\|,|;)"
     r"|[A-Za-zα-ωϕϑΑ-Ω](?![^\W\d_])|(?:sin|cos|tan)\b))"
 )
 _RANGE = re.compile(
@@ -40,7 +40,7 @@ _LIST = re.compile(
 _HEAD_OF_LIST = _HEAD.replace(r"_\{\w{1,6}\}", r"_\{[\w,]{1,8}\}")
 _MULTIPLES = re.compile(
     rf"{_HEAD_OF_LIST}(?P<values>{VALUE}(?:{_COMMA}{VALUE}){{0,11}}+)"
-    rf"(?:{_COMMA}(?P<dots>{_DOTS})(?:{_COMMA}(?P<last>{VALUE}))?+)?+{_NOT_BEFORE_FORMULA}"
+    rf"(?:(?:{_COMMA}|\s)(?P<dots>{_DOTS})(?:{_COMMA}(?P<last>{VALUE}))?+)?+{_NOT_BEFORE_FORMULA}"
 )
 """Where cranks stand: z = +a, 0, -a, multiples of one length; n = 1/2, 1, 3/2, … of one number."""
 _END_OF_FORMULA = re.compile(r"\s*(?:\$|\\[)\]]|\\\\|\\end\{|[.;)](?![0-9A-Za-z])|\n|$)")
@@ -130,7 +130,7 @@ def _of_one_letter(match: re.Match[str]) -> str | None:
     before = match.string[max(match.start() - _LONGEST_BEFORE, 0) : match.start()].rstrip()
     if before.endswith((",", "dots", "…")) and _NUMBERED.search(match["letter"]):
         return None  # x_1, x_2, x_3 = -a, 0, a: a value for each
-    is_short = len(values) + len(last) == _PAIR and not match["dots"]
+    is_short = len(values) == _PAIR and not match["dots"] and not is_multiple(values[-1])
     if is_short and _END_OF_FORMULA.match(match.string, match.end()) is None:
         return None
     is_endless = match["dots"] is not None and not last

@@ -40,15 +40,15 @@ _OPERATOR_FIRST = re.compile(
 _FUNCTION_FIRST = re.compile(rf"[ \t]*{_FUNCTION}(?![A-Za-z])")
 _BEGUN = re.compile(r"[=≈≤≥+×·⋅−(]|[0-9) ]/")
 """What a line has that ends within a formula."""
-_WORD = re.compile(r"(?<![^\W_])(?<!\\)[^\W\d_]{3,}")
+_WORD = re.compile(r"(?<![^\W_])(?<!\\)[A-Za-zÀ-ÖØ-öø-ÿ\u3040-\u30ff\u4e00-\u9fff]{3,}")
 _TABLE_OR_HEADING = re.compile(r"[ \t]*[|#]")
 _BULLET = re.compile(r"[ \t]*(?:[|#>]|[-*+•][ ]|[0-9]{1,2}[.)][ ])")
 _UNIT_FIRST = re.compile(
     r"[ \t]*(?P<unit>[A-Za-zµ]{1,4}(?:[/·][A-Za-z]{1,3})?[²³]?)(?![^\W_])(?P<behind>[.,;)]|[ ]|$)"
 )
 _VALUE_LAST = re.compile(r"[=≈][ ]?[-−]?[0-9][0-9.,]*(?<=[0-9])(?:[ ]?[×·][ ]?10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?[ \t]*$")
-_NO_UNITS = frozenset(("in", "min", "a", "m", "s", "g", "h", "to", "hp"))
-"""Words of the language, or letters, that a line may begin with."""
+_NO_UNITS = frozenset(("in", "min", "to", "hp"))
+"""Words that a line may begin with; so it may with a letter."""
 
 
 def with_soft_ends(text: str, spans: Sequence[Span] = (), *, has_bullets: bool = False) -> str:
@@ -102,7 +102,9 @@ def _goes_on(line: str, below: str, has_bullets: bool) -> bool:
     unit = _UNIT_FIRST.match(below)
     if unit is None or _VALUE_LAST.search(last) is None or scale_of(unit["unit"]) is None:
         return False
-    return unit["unit"] not in _NO_UNITS or unit["behind"] in (".", ",", ";", ")")
+    is_letter = len(unit["unit"]) == 1 or unit["unit"] in _NO_UNITS
+    is_last = unit["behind"] in (".", ",", ";", ")")
+    return is_last if is_letter else RELATION.match(below[unit.end() :].lstrip()) is None
 
 
 def _last_word_end(line: str) -> int:

@@ -54,7 +54,7 @@ from symbalance.notes.checking.steps.another_engine import as_new_extreme
 from symbalance.notes.checking.steps.dead_centres import value_at_dead_centre
 from symbalance.notes.checking.steps.gravity import decide_with_gravity
 from symbalance.notes.checking.steps.judging_state import JudgingState
-from symbalance.notes.checking.steps.listed_cases_of_letters import case_of_listed_values
+from symbalance.notes.checking.steps.listed_cases_of_letters import case_of_listed_values, case_of_run
 from symbalance.notes.checking.steps.mean_piston_speed import mean_piston_speed
 from symbalance.notes.checking.steps.much_larger import PLAIN, decide_much_larger, decide_where_larger
 from symbalance.notes.checking.steps.named_roots import as_named_root, as_one_solution
@@ -128,6 +128,8 @@ def _judge_inequality(state: JudgingState, chain: Chain, k: int, knowledge: Know
     if (listed := case_of_listed_values(state.document, chain)) is not None:
         return listed
     decision = decide_inequality(chain, k, knowledge)
+    if decision.status != RANGE and (run := case_of_run(state.document, chain)) is not None:
+        return run
     near = ranges_near(state.document, chain)
     decision = decide_claimed(chain, k, decision, state.general, near, knowledge)
     state.definitions.note_range(chain, k, decision)
