@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 import symbalance as sb
-from symbalance.notes.reading.lexer import VULGAR
+from symbalance.notes.reading.signs import VULGAR
 from symbalance.notes.reading.units import (
     bracketed_unit_at,
     follows_number,

@@ -54,6 +54,7 @@ SAID = [
     ("√(1-X)", "sqrt(1 - X)"),
     ("4sqrt(2) F", "4 sqrt(2) F"),
     ("½ m v²", "1/2 m v^2"),
+    ("2½ m + 4 ½", "5/2 m + 9/2"),
     # products and slashes
     (r"a \cdot b \times c", "a b c"),
     ("a*b×c·x", "a b c x"),
@@ -197,7 +198,8 @@ REFUSED = [
     (r"F \propto a", 2, "proportionality is not read"),
     (r"\log_{10} x", 4, "a logarithm's base is not read"),
     (r"\cot^{-1} x", 11, "the inverse of cot is not read"),
-    ("2½", 1, "a mixed number is not read"),
+    ("x^{10^1½}", 7, "1½, a mixed number or a product"),
+    ("2 ½ m", 2, "2½, a mixed number or a product"),
     ("a, b", 1, ", within a formula"),
     (r"\begin{cases} a \end{cases}", 0, "cases without conditions"),
     (r"\begin{cases} x = a \\ y = b \end{cases}", 0, "a system of equations in one brace"),

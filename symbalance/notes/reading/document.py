@@ -11,6 +11,7 @@ import re
 import unicodedata
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import islice
 from pathlib import PurePath
 from typing import NamedTuple
 
@@ -51,6 +52,7 @@ from symbalance.notes.reading.signs import CELLS, relation_at_start
 from symbalance.notes.reading.sources import Source, prepare, to_half_width
 from symbalance.notes.reading.unit_places import with_unit_of_whole, with_units_of_divisors
 from symbalance.notes.reading.units import explained_letters
+from symbalance.notes.reading.wrapped_lines import ENDS
 
 LONGEST_DOCUMENT = 1_000_000  # characters
 MOST_LINES_OF_PROSE = 2  # that a chain may go past: "= …" further down is an equation of its own
@@ -154,9 +156,8 @@ def _explained_in_place(part: Explained, origin: Rewritten, text: str) -> Explai
 def _unreadable_in_place(part: Unreadable, source: Source, text: str) -> Unreadable:
     """Return a refusal at its place in the document, with the reason of a macro that was not replaced."""
     origin = source.origin or rewritten((Piece(text, 0, len(text), True),))
-    begin = 0
-    for _ in range(part.line - 1):
-        begin = source.text.find("\n", begin) + 1
+    ends = islice(re.finditer(f"[{ENDS}]", source.text), part.line - 1)
+    begin = max((match.end() for match in ends), default=0)
     offset = origin.offset(begin + part.column - 1)
     what, remedy = dict(source.refusals).get(offset, (part.what, part.remedy))
     line = text.count("\n", 0, offset) + 1
@@ -252,7 +253,7 @@ class Assembler:
     def _place_of(self, offset: int) -> tuple[int, int]:
         offset = min(max(offset, 0), len(self.text))
         line = self.finder.line_of(offset)
-        return line, offset - self.finder.line_span(line)[0] + 1
+        return line, offset - self.finder.line_start(line) + 1
 
     def _add_item(self, item: Item) -> None:
         """Add an item to the chain so far, or begin a chain with it; what explains stands alone."""

@@ -12,7 +12,7 @@ from symbalance.notes.reading.units import scale_of
 
 _QUANTITY = r"[-−]?[0-9]++(?:[.,]++[0-9]++)*+(?:\\,|~| )?(?:\\mathrm\{[^{}]{1,20}\}|\^\{?\\circ\}?)?"
 _FORMULA = r"(?<!\\)\$[^$\n]{1,200}(?<!\\)\$"
-_SEQUENCE = re.compile(rf"(?:{_FORMULA}|{_QUANTITY})(?:[ ~]*(?:{_FORMULA}|{_QUANTITY}))+")
+_SEQUENCE = re.compile(rf"(?:{_FORMULA}|{_QUANTITY})(?:[ ~]*(?:{_FORMULA}|{_QUANTITY})){{1,12}}+")
 _PART = re.compile(rf"({_FORMULA})|({_QUANTITY})")
 _OPERATION = re.compile(
     r"(?:\\[,;: ]|\{\}|[ ~])*(?:[-+−·×=≈<>]|\\(?:cdot|times|approx|le|ge|leq|geq)(?![A-Za-z]))"
@@ -111,9 +111,13 @@ def with_joined_dollars(text: str) -> Rewritten | None:
             unit = match["unit"].removeprefix("\\")
             sign = {"°": "^{\\circ}", "%": "\\%"}.get(unit, f"\\,\\mathrm{{{unit}}}")
             changes[match.end(1) - 1] = match.start("rest"), (sign,)
-    for match in _SEQUENCE.finditer(text):
+    place = 0
+    while match := _SEQUENCE.search(text, place):
         if match.start() in changes or not dollars.opens(match.start()):
+            first = _PART.match(text, match.start())
+            place = first.end() - (first[1] is not None) if first else match.end()
             continue
+        place = match.end()
         parts = list(_PART.finditer(text, *match.span()))
         formulas = [part[1][1:-1] for part in parts if part[1]]
         if any(_OPERATION.match(inside) or _ends_open(inside) for inside in formulas):

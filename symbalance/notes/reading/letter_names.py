@@ -194,14 +194,26 @@ def may_be_letters(rest: str, names: Collection[str]) -> bool:
     return not rest or begins_function or rest[0] in names or rest[0] in "deij" or rest[0].isdecimal()
 
 
+_EXTREME_IN_BRACKETS = re.compile(
+    rf"(?P<comma>,?)\s*(?:\\left)?\(\s*(?:\\(?:{'|'.join(sorted(FONTS | WORDS))})\s*\{{\s*)?"
+    rf"\\?(?P<word>{'|'.join(EXTREMES)})\s*\}}?\s*(?:\\right)?\)"
+)
+
+
+def _beside(match: re.Match[str]) -> str:
+    """Return the (max) of F_{S(max)} as that of F_{S,max}."""
+    return f",{match['word']}" if match.start() else match["word"]
+
+
 def subscript_name(text: str, offset: int) -> str:
     r"""Return a subscript in plain letters.
 
     >>> subscript_name(r"\mathrm{rec},\theta", 0)
     'rec,theta'
-    >>> subscript_name("(1)", 0)
-    '(1)'
+    >>> subscript_name("(1)", 0), subscript_name(r"S(\max)", 0)
+    ('(1)', 'S,max')
     """
+    text = _EXTREME_IN_BRACKETS.sub(_beside, text)
     pieces: list[str] = []
     orders = {place for match in _ORDER.finditer(text) for place in range(*match.span())}
     for match in re.finditer(r"\\([A-Za-z]+)|\\[,;: !]|(.)", text, re.DOTALL):

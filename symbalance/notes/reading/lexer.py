@@ -81,13 +81,6 @@ _OWN_FUNCTION = re.compile(r"(Re|Im|conj|lg)(?=\s*(?:[({]|\\left))|lg(?=\s+[0-9A
 _WORD_FONTS = ("text", "textrm", "mbox")
 _UNIT_COMMANDS = ("mathrm", "unit", "si", *_WORD_FONTS)
 
-VULGAR = {
-    "½": (1, 2), "⅓": (1, 3), "⅔": (2, 3), "¼": (1, 4), "¾": (3, 4), "⅕": (1, 5), "⅖": (2, 5),
-    "⅗": (3, 5), "⅘": (4, 5), "⅙": (1, 6),
-    "⅚": (5, 6), "⅛": (1, 8), "⅜": (3, 8), "⅝": (5, 8), "⅞": (7, 8),
-}  # fmt: skip
-"""Fractions of one sign, as numerator and denominator."""
-
 
 @dataclass(frozen=True, slots=True)
 class Token:
@@ -204,11 +197,11 @@ class Lexer:
         """Tell whether a unit may begin at the place: behind a number, or in square brackets."""
         if sign == "[":
             return True
-        if not self.tokens or not (sign in " \u2009\u202f" or sign.isalpha()):
+        if not self.tokens or not (sign in " \u2009\u202f\u205f" or sign.isalpha()):
             return False
         between = self.text[self.tokens[-1].end : self.place]
         return (not between or _TYPED_SPACE.fullmatch(between) is not None) and (
-            self.tokens[-1].kind in ("number", "close") or self.tokens[-1].value == "pi"
+            self.tokens[-1].kind in ("number", "vulgar", "close") or self.tokens[-1].value == "pi"
         )
 
     def _is_behind_power(self) -> bool:
@@ -278,7 +271,7 @@ class Lexer:
             sign in LOWERED and self.tokens and self.tokens[-1].is_cmd(*signs.WITH_BOUNDS.values(), "sum")
         ):
             self._lowered_bound()
-        elif sign in VULGAR:
+        elif sign in signs.VULGAR:
             self._vulgar(sign)
         elif sign in ("√", "∂", "∞", "Σ", "∑", "∫", "∮", "∏", "⊤"):
             self._named_sign(sign)
@@ -302,9 +295,21 @@ class Lexer:
             self._add("cmd", name, self.place + 1)
 
     def _vulgar(self, sign: str) -> None:
-        if self.tokens and self.tokens[-1].kind == "number" and self.tokens[-1].end == self.place:
-            raise ReadingError(self.place, "a mixed number is not read", "write 5/2 for 2½")
-        self._add("vulgar", sign, self.place + 1)
+        """Take ½ as a number, and 4½ as one that is a half larger than 4."""
+        last = self.tokens[-1] if self.tokens else None
+        if last is None or last.kind != "number" or last.place is not None:
+            self._add("vulgar", sign, self.place + 1)
+            return
+        before = self.tokens[-2].kind if len(self.tokens) > 1 else ""
+        is_apart = last.end < self.place
+        behind = self.text[self.place + 1 : min(self.place + 3, self.end)].lstrip()
+        is_factor = is_apart and (behind[:1].isalpha() or behind[:1] in ("(", "\\"))
+        if before in ("sup", "sub", "under", "cmd") or last.scale is not None or is_factor:
+            what = f"{last.value}{sign}, a mixed number or a product"
+            raise ReadingError(self.place, what, "write 5/2 for 2½")
+        whole = last.number + Fraction(*signs.VULGAR[sign])
+        self.tokens[-1] = replace(last, value=str(whole), end=self.place + 1, number=whole)
+        self.place += 1
 
     def _underscore(self) -> None:
         last = self.tokens[-1] if self.tokens else None

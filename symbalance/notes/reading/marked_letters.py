@@ -48,12 +48,30 @@ def with_marked_letters(text: str) -> Rewritten | None:
     for match in stars:
         if match["letter"] in defined:
             changes[match.start()] = match.end(), f"{match['letter']}_{{{_script(match, '*')}}}"
+    changes |= _starred_in_plain_text(text)
     if not changes:
         return None
     rewriter = Rewriter(text)
     for start, (end, written) in sorted(changes.items()):
         rewriter.replace(start, end, written)
     return rewriter.finish()
+
+
+_PLAIN_STAR = re.compile(r"(?<![\w\\*^{}$`])(?P<letter>[A-Za-z\u03b1-\u03c9])(?P<star>\*)(?![\w*`(\[\\])")
+_SET_EQUAL = re.compile(r"[ ]?(?:=(?!=)|≈)")
+_OPERATION_BEFORE = re.compile(r"[+\-−*/·×=≈<>(^][ ]?$")
+
+
+def _starred_in_plain_text(text: str) -> dict[int, tuple[int, str]]:
+    """Return the stars of letters typed J* = J + m r², where one of them is set equal to something."""
+    stars = list(_PLAIN_STAR.finditer(text))
+    defined = {
+        match["letter"]
+        for match in stars
+        if _SET_EQUAL.match(text, match.end())
+        and _OPERATION_BEFORE.search(text, max(match.start() - 2, 0), match.start()) is None
+    }
+    return {m.start("star"): (m.end(), "_{*}") for m in stars if m["letter"] in defined}
 
 
 def _script(match: re.Match[str], mark: str) -> str:

@@ -10,8 +10,9 @@ import re
 from collections.abc import Callable
 
 from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, LOWERED, NAME_OF_SIGN, RAISED
+from symbalance.notes.reading.pointed_units import compound_unit
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
-from symbalance.notes.reading.signs import COMBINED, RELATION, accented
+from symbalance.notes.reading.signs import COMBINED, RELATION, VULGAR, accented
 from symbalance.notes.reading.units import is_of_volume, scale_of
 
 _APART = (
@@ -83,17 +84,17 @@ _SPELLED = (
     ("°", "degrees?|deg|Grad|degrés|° ?(?:KW|CA|crank)|deg ?CA"), ("%", "percent|per cent|Prozent"),
 )  # fmt: skip
 _SPELLED_UNIT = re.compile(
-    r"(?:(?<=[0-9])|(?<=[0-9]O))(?<!_[0-9])(\$?|\\\))[ ~]?(\$?)(?:"
+    rf"(?:(?<=[0-9{''.join(VULGAR)}])|(?<=[0-9]O))(?<!_[0-9])(\$?|\\\))[ ~]?(\$?)(?:"
     + "|".join(f"(?P<u{n}>{names})" for n, (_, names) in enumerate(_SPELLED))
     + r")(?![A-Za-z])",
     re.IGNORECASE,
 )
-_PART_BEHIND = r"(?:1|[A-Za-zµμΩ]+)(?:\^?\{?[-−]?[1-4]\}?|[⁻]?[¹²³⁴])?"
+_PART_BEHIND = r"(?:1|[A-Za-zµμΩ]+)(?:\^?\{?[-−]?[1-4]\}?|[⁻]?[¹²³⁴]|\$\^\{?[-−]?[1-4]\}?\$)?"
 _BEHIND_DOLLAR = re.compile(
     r"(?:(?<=[0-9])|(?<=\^\{[0-9]\})|(?<=\^\{-[0-9]\}))(?<!_[0-9])(?:\\[,;: ]|~)?(?P<mark>\$"
     r"|\\\))(?:[ ~]|\\[,;: ])?"
-    rf"(?P<unit>°|\\?%|{_PART_BEHIND}(?:[ ]?[/·⋅*]?[ ]?{_PART_BEHIND}){{0,3}})"
-    r"(?=[.,;:)]?(?:\s*$|[\s|)])|[.,;:)]\s|[\u3001-\u9fff\uff08-\uff1f])(?! ?[=<>≈+*/])",
+    rf"(?P<unit>°|\\?%|{_PART_BEHIND}(?:(?:[ ]?[/·⋅*]?[ ]?|\\,|~){_PART_BEHIND}){{0,3}})"
+    r"(?=[.,;:)]{0,2}(?:\s*$|[\s|)\ue000])|[.,;:)]\s|[\u3001-\u9fff\uff08-\uff1f])(?! ?[=<>≈+*/])",
     re.MULTILINE,
 )
 """A unit behind the dollar or `\\)` that ends a formula: N m/rad as a whole, but m of `40$ m long`."""
@@ -139,7 +140,7 @@ def with_plain_numerals(
     changes |= _units_in_words(text)
     changes |= _crosses(text)
     changes |= _parts_of(text)
-    changes |= {m.start(): (m.end(), f"({m[1]} + {m[2]})") for m in _MIXED.finditer(text)}
+    changes |= {m.start(): (m.end(), _mixed(m[1], m[2])) for m in _MIXED.finditer(text)}
     changes |= _mixed_and_inches(text)
     changes |= {
         m.start(): (m.end(), f"({_small(m[1])}/{_small(m[2])})") for m in _SMALL_FRACTION.finditer(text)
@@ -268,16 +269,32 @@ def _spaced_thousands(text: str, notes: list[str]) -> dict[int, tuple[int, str]]
 _ARROW = re.compile(r"(?<=\s)(?:<=+>|<-+>|=+>|-+>)(?=\s)")
 
 
-_CROSS = re.compile(r"(?<=[0-9)²³])[ ]?[xX][ ](?=[0-9(.])|(?<=[0-9)²³])[ ][xX](?=[0-9(.])")
+_CROSS = re.compile(
+    r"(?<=[0-9)²³])(?:[ ]?[xX][ ](?=[0-9.])|[ ][xX](?=[0-9.])|[ ](?P<letter>[xX])[ ]?(?=\())"
+)
+_LETTER_X = re.compile(
+    r"(?:sin|cos|tan)(?:\^?\{?[²³23]?\}?)\s?\(?[0-9]?\s?[xX](?![A-Za-z])|[xX]\s?(?:=|[²³^])"
+)
+"""Where a line has x as a letter of its own."""
 _CROSS_BEHIND_UNIT = re.compile(
     r"(?<=[0-9])[ ]?(?P<unit>[A-Za-z.]{1,6}(?:[-/·][A-Za-z.]{1,4})?)(?P<cross>[ ][xX][ ])(?=[0-9(.])"
 )
 _SMALL_FRACTION = re.compile("([⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3})[/⁄∕]([₀₁₂₃₄₅₆₇₈₉]{1,3})")
 
 
+def _line_around(text: str, place: int) -> str:
+    """Return the line of a place, so far as it is near."""
+    before = text[max(place - _AROUND, 0) : place].rpartition("\n")[2]
+    return before + text[place : place + _AROUND].partition("\n")[0]
+
+
 def _crosses(text: str) -> dict[int, tuple[int, str]]:
     """Return the letters x that stand for a multiplication sign between numbers, 2 x 0.5."""
-    changes = {match.start(): (match.end(), " × ") for match in _CROSS.finditer(text)}
+    changes = {
+        match.start(): (match.end(), " × ")
+        for match in _CROSS.finditer(text)
+        if match["letter"] is None or _LETTER_X.search(_line_around(text, match.start())) is None
+    }
     for match in _CROSS_BEHIND_UNIT.finditer(text):
         if sign_of_unit(match["unit"]):
             changes[match.start("cross")] = (match.end("cross"), " × ")
@@ -346,6 +363,12 @@ def _powers_before_units(text: str) -> dict[int, tuple[int, str]]:
     return changes
 
 
+def _mixed(whole: str, part: str) -> str:
+    """Return 7 and 1/2 as one number."""
+    above, _, below = part.partition("/")
+    return f"({int(whole) * int(below) + int(above)}/{below})"
+
+
 def _small(digits: str) -> str:
     return "".join({**RAISED, **LOWERED}[digit] for digit in digits)
 
@@ -358,12 +381,12 @@ _SPACED_POINT = re.compile(r"[\w)] ?· |(?<=[^\W\dO])·|·(?=[^\W\dO])")
 
 
 def _mixed_and_inches(text: str) -> dict[int, tuple[int, str]]:
-    """Return 3½ in as a sum of two numbers, and the inches of 5.8" on a page that quotes nothing so."""
+    """Return 3½ in with its unit in letters, and the inches of 5.8" on a page that quotes nothing so."""
     changes: dict[int, tuple[int, str]] = {}
     for match in _MIXED_SIGN.finditer(text):
         unit = " inch" if match["inch"] else ""
         end = match.end("inch") if match["inch"] else match.end()
-        changes[match.start()] = end, f"({match['whole']} + {match['part']}){unit}"
+        changes[match.start()] = end, f"{match['whole']}{match['part']}{unit}"
     if _OPENED_QUOTE.search(text) is None:
         changes |= {m.start(): (m.end(), " inch") for m in _INCH_SIGN.finditer(text)}
     return changes
@@ -494,23 +517,26 @@ def _units_in_words(text: str) -> dict[int, tuple[int, str]]:
         if match["unit"].split()[0] in ("l", "L") and is_of_volume(text, match.start()):
             changes[match.start()] = (match.start("unit") + 1, _unit_sign("dm^3", True) + match["mark"])
             continue
-        unit = _unit_behind(match["unit"], text[match.end() :][:1])
+        unit, length = _unit_behind(match["unit"], text[match.end() :][:1])
         if unit and _closes(text, match.start(), match["mark"]):
-            end = match.start("unit") + len(unit)
+            end = match.start("unit") + length
             changes[match.start()] = (end, _unit_sign(unit, True) + match["mark"])
     return changes
 
 
-def _unit_behind(words: str, after: str) -> str:
-    """Return the longest beginning of some words that is a unit, "" for none."""
-    ends = [m.start() for m in re.finditer(" ", words)]
+def _unit_behind(words: str, after: str) -> tuple[str, int]:
+    """Return the longest beginning of some words that is a unit, and its length; "" and 0 for none."""
+    ends = [m.start() for m in re.finditer(r" |\\,|~", words)]
     for end in [len(words), *reversed(ends)]:
-        unit = words[:end]
+        unit = _SPACE_IN_UNIT.sub(" ", words[:end]).replace("$", "")
         if unit in ("°", "%", "\\%") or (unit == "in" and after == "."):
-            return unit
+            return unit, end
         if scale_of(unit) is not None:
-            return unit
-    return ""
+            return unit, end
+    return "", 0
+
+
+_SPACE_IN_UNIT = re.compile(r"\\,|~")
 
 
 def unit_in_words(text: str) -> str:
@@ -537,6 +563,8 @@ def sign_of_unit(words: str) -> str:
             return sign
     if words.rstrip(".") == "in":
         return "inch"
+    if compound := compound_unit(words):
+        return compound
     return words if scale_of(words) is not None else ""
 
 

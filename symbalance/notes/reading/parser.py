@@ -42,8 +42,8 @@ from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek, plain_lett
 from symbalance.notes.reading import constructs
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.free_letters import may_be_free, unclear
-from symbalance.notes.reading.lexer import AT, CLOSER, VULGAR, Token
-from symbalance.notes.reading.signs import CELLS
+from symbalance.notes.reading.lexer import AT, CLOSER, Token
+from symbalance.notes.reading.signs import CELLS, VULGAR
 
 # A formula with n doubtful places has 2^n readings: the number kept and the number tried are limited.
 MOST_READINGS = 8
@@ -839,10 +839,37 @@ class Parser:
         if not (token.kind in ("open", "vulgar", "bar") or token.is_cmd("frac", "sqrt", "surd")):
             return True
         if token.kind == "open" and not whole:
-            return True
+            return self._goes_on_in_bracket(factors)
         if token.kind == "open" and not any(map(names, factors)):
             return False  # cos 45° [...]: an angle in numbers is complete
         return whole == bool(self.choose())
+
+    def _goes_on_in_bracket(self, factors: list[Formula]) -> bool:
+        """Tell whether a bracket behind letters is of the argument: cos n(θ + α), not sin t (1 + q).
+
+        A function within says that it is a factor of its own: sin t(1 + q cos t). Behind a space it is
+        one too, unless it holds an angle or the time.
+        """
+        last = factors[-1]
+        if self.at("open", "{") or not isinstance(last, Name) or last.name in _INDICES:
+            return True
+        inside = self._tokens_in_bracket()
+        if any(token.kind == "function" for token in inside):
+            return False
+        letters = [token for token in inside if token.kind == "name"]
+        has_angle = any(is_greek(token.value) or _is_time(token) for token in letters)
+        if self.is_tight() or (has_angle and not _is_angle_of_time(last)):
+            return True
+        return bool(self.choose())
+
+    def _tokens_in_bracket(self) -> list[Token]:
+        """Return the tokens between the bracket at the place and the one that closes it."""
+        depth = 0
+        for stop in range(self.place, len(self.tokens)):
+            depth += {"open": 1, "close": -1}.get(self.tokens[stop].kind, 0)
+            if not depth:
+                return list(self.tokens[self.place + 1 : stop])
+        return []
 
     def _leaves_angle(self, token: Token) -> bool:
         """Tell whether a factor after a whole angle is outside: \\cos\\phi\\,r, \\cos\\phi\\dot\\phi."""
@@ -1143,6 +1170,10 @@ def _is_latin(token: Token) -> bool:
 
 def _is_time(token: Token) -> bool:
     return token.kind == "name" and token.value.split("_")[0] == "t"
+
+
+def _is_angle_of_time(letter: Name) -> bool:
+    return letter.name.split("_")[0] == "t"
 
 
 def _is_minus_one(power: Formula) -> bool:

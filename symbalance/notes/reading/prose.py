@@ -21,12 +21,12 @@ from symbalance.document.letters import (
 )
 from symbalance.document.wordlists import word_set
 from symbalance.notes.reading import signs
-from symbalance.notes.reading.lexer import VULGAR, Vocabulary
+from symbalance.notes.reading.lexer import Vocabulary
 from symbalance.notes.reading.units import follows_number, plain_unit_at, scale_of, unit_set_at
 
 _UNIT = r"(?P<unit>\[\s*[A-Za-zµμ]+[A-Za-z0-9^/²³⁻¹-]*\s*\])|"
 _PLAIN_UNIT = re.compile(r"(?P<unit>.+)", re.DOTALL)
-_BEHIND_NUMBER = frozenset("0123456789)]⁰¹²³⁴⁵⁶⁷⁸⁹π}")
+_BEHIND_NUMBER = frozenset("0123456789)]⁰¹²³⁴⁵⁶⁷⁸⁹π}") | frozenset(signs.VULGAR)
 _ARGUED = "unit|si|mathrm|mathit|mathbf|operatorname|tag|label|mathsf|bm|boldsymbol"
 _UMLAUTS = "ÄÖÜäöüßàáâãçèéêëíîñóôõøåæœú"
 _PIECE = re.compile(
@@ -42,9 +42,9 @@ _PIECE = re.compile(
 )
 _PIECE_BUT_UNITS = re.compile(_PIECE.pattern.replace(_UNIT, ""), re.DOTALL)
 _MATHEMATICAL = frozenset(
-    "0123456789 \t()[]{}|^_,;'′″°√∂∞Σ∑.&~"
+    "0123456789 \t\u205f()[]{}|^_,;'′″°√∂∞Σ∑.&~"
     + "".join(signs.OPERATOR_SIGNS) + "".join(signs.RELATION_SIGNS) + "".join(RAISED) + "".join(LOWERED)
-    + "".join(VULGAR) + "".join(NAME_OF_SIGN) + "".join(DOTTED) + "…⋯±∓∫∮∏⊤"
+    + "".join(signs.VULGAR) + "".join(NAME_OF_SIGN) + "".join(DOTTED) + "…⋯±∓∫∮∏⊤"
 )  # fmt: skip
 _COMMANDS = (
     frozenset(GREEK_SIGN) | frozenset(FUNCTION_WORDS) | frozenset(signs.RELATION_COMMANDS)
@@ -88,6 +88,12 @@ _ENDS_OPEN = re.compile(
     rf"(?:{signs.RELATION.pattern}|[*·×/]|(?<![A-Za-z])(?:{'|'.join(FUNCTION_WORDS)})[²³]?)\s*$"
 )
 _ARTICLE_LAST = re.compile(r"\s(a|I|A)$")
+_WORD_BEHIND = re.compile(
+    r"[ \t~]*(?:\n[ \t]*)?"
+    r"(?!(?:and|or|is|are|was|so|but|which|where|when|while|if|for|with|at|as|in|on|to|by|of|the|we|it|this|that"
+    r"|per|then|thus|hence)(?![^\W\d_]))[^\W\d_]{2}"
+)
+"""What an article stands before: the a of "F = m r a." and of "F = m r a and" is a letter."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -282,7 +288,13 @@ def trim_segment(text: str, start: int, end: int, words: Vocabulary) -> tuple[in
     if clause and signs.RELATION.search(text, start, clause.start()):
         end = clause.start()  # s = 88 mm; r is half the stroke
     match = _ARTICLE_LAST.search(text[max(start, end - 4) : end])
-    if match and match.group(1) not in words.names and not _ENDS_OPEN.search(text, start, end - 1):
+    is_article = match is not None and _WORD_BEHIND.match(text, end) is not None
+    if (
+        match
+        and is_article
+        and match[1] not in words.names
+        and not _ENDS_OPEN.search(text, start, end - 1)
+    ):
         end -= len(match.group())
         if dash := _DASH_LAST.search(text[max(start, end - 4) : end]):
             end -= len(dash.group())  # "… - a known identity": the dash is the prose's too
@@ -305,7 +317,7 @@ def _behind_quantity(text: str, start: int, end: int) -> tuple[int, int]:
 
 
 _CLAUSE_BEGUN = re.compile(r";\s+[^\W\d_](?:_\w{1,4})?$")
-_SPACED_DASH = re.compile(r"(?<=[^\s=≈<>+\-*/·×(])\s+[–—](?=\s*$)")
+_SPACED_DASH = re.compile(r"(?<=[^\s=≈<>+\-*/·×(])\s+(?:[–—]|(?P<typed>-{2,3}))(?=\s*$)")
 _FIRST_WORD = re.compile(r"\s*([^\W\d_]+)(?:[\s,]|$)")
 
 
@@ -314,7 +326,8 @@ def _before_dash_of_prose(text: str, start: int, end: int) -> int:
     match = _SPACED_DASH.search(text, max(start, end - 4), end)
     word = _FIRST_WORD.match(text, end) if match else None
     is_clause = word is not None and word[1].lower() in _PLAIN_WORDS | _CLAUSE_WORDS
-    return match.start() if match and is_clause else end
+    is_typed = match is not None and match["typed"] is not None  # two hyphens are no minus
+    return match.start() if match and (is_clause or is_typed) else end
 
 
 def parts_at_lone_brackets(text: str, start: int, end: int) -> list[tuple[int, int]]:

@@ -6,9 +6,9 @@ Such a letter has no single value; what is known of it is where its values lie, 
 from __future__ import annotations
 
 import re
-from fractions import Fraction
 from itertools import pairwise
 
+from symbalance.notes.reading.listed_multiples import VALUE, is_multiple, range_of
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 
 _NUMBER = (
@@ -19,8 +19,8 @@ _UNIT = r"(?P<unit>(?:\\[,;: ]|~| )*\\mathrm\{[^{}]{1,12}\}|[^\S\n]?(?:mm|cm|rpm
 _DOTS = r"(?:\\(?:l|c)?dots[a-z]?(?![A-Za-z])|…|⋯|\.{2,3}|・・・)"
 _HEAD = r"(?<![\w\\}\])'′⁄])(?P<letter>(?:\\[A-Za-z]+|[^\W\d_])(?:_\{\w{1,6}\}|_\w{1,4}|[₀-₉])?)\s*&?=\s*"
 _NOT_BEFORE_FORMULA = (
-    r"(?![0-9.])(?![^\S\n]*(?:[-+−*/·×=^_<>(≈≤≥≠√°]|\\(?!\)|\]|q?quad|text|end|\\|,|;)"
-    r"|[^\W\d_](?![^\W\d_])|(?:sin|cos|tan)\b))"
+    r"(?!\.?[0-9]|\.\.)(?![^\S\n]*(?:[-+−*/·×=^_<>(≈≤≥≠√°²³]|\\(?!\)|\]|q?quad|text|end|\\|,|;)"
+    r"|[A-Za-zα-ωϕϑΑ-Ω](?![^\W\d_])|(?:sin|cos|tan)\b))"
 )
 _RANGE = re.compile(
     rf"{_HEAD}(?P<first>{_NUMBER})(?:{_UNIT.replace('unit', 'one')})?\s*"
@@ -37,13 +37,16 @@ _LIST = re.compile(
     rf"(?:(?:{_COMMA})?\s*(?P<dots>{_DOTS})(?:{_COMMA}(?P<last>{_NUMBER}|[A-Za-z](?:\s*[-−+]\s*[0-9])?))?+)?+"
     rf"{_NOT_BEFORE_FORMULA}"
 )
-_MULTIPLE = r"[-−+]?\s*(?:[0-9]*(?:\.[0-9]+|/[0-9]+)?\s*[a-zA-Z](?![A-Za-z])|0(?![0-9.]))"
+_HEAD_OF_LIST = _HEAD.replace(r"_\{\w{1,6}\}", r"_\{[\w,]{1,8}\}")
 _MULTIPLES = re.compile(
-    rf"{_HEAD}(?P<values>{_MULTIPLE}(?:\s*,\s*{_MULTIPLE}){{2,7}}){_NOT_BEFORE_FORMULA}"
+    rf"{_HEAD_OF_LIST}(?P<values>{VALUE}(?:{_COMMA}{VALUE}){{0,11}}+)"
+    rf"(?:(?:{_COMMA}|\s)(?P<dots>{_DOTS})(?:{_COMMA}(?P<last>{VALUE}))?+)?+{_NOT_BEFORE_FORMULA}"
 )
-"""Where cranks stand: z = +a, 0, -a, multiples of one length."""
+"""Where cranks stand: z = +a, 0, -a, multiples of one length; n = 1/2, 1, 3/2, … of one number."""
+_END_OF_FORMULA = re.compile(r"\s*(?:\$|\\[)\]]|\\\\|\\end\{|[.;)](?![0-9A-Za-z])|\n|$)")
 _OPERATOR_BEFORE = re.compile(r"(?:[-+−*/·×^=<>≤≥≈]|\\(?:cdot|times|pm|sum|prod|int|lim)|[_^]\s*\{)\s*$")
 _LONGEST_BEFORE = 12
+_BETWEEN = re.compile(_COMMA)
 _DEGREES = re.compile(r"(?:\s?°|\^\\circ|\^\{\\circ\})$")
 _INDEXED = re.compile(r"[^_]+_\{?[ijkn]\}?")
 _NUMBERED = re.compile(r"_\{?[0-9]+\}?$|[₀-₉]$")
@@ -116,18 +119,22 @@ def _turned_through(match: re.Match[str], plain: list[str], bare: list[str]) -> 
 
 
 def _of_one_letter(match: re.Match[str]) -> str | None:
-    """Return a list of multiples of one letter as the range that holds them, None for other lists."""
-    sizes: dict[Fraction, str] = {}
-    letters: set[str] = set()
-    for value in match["values"].split(","):
-        bare = re.sub(r"\s", "", value).replace("−", "-").lstrip("+")
-        letters |= set(re.findall("[A-Za-z]", bare))
-        number = re.sub("[A-Za-z]", "", bare)
-        size = Fraction(f"{number}1" if number in ("", "-") else number)
-        sizes[size] = bare
-    if len(letters) != 1 or len(sizes) != match["values"].count(",") + 1:
+    """Return a list of multiples of one letter as the range that holds them, None for other lists.
+
+    Two values in a row are a list where the formula ends behind them: "for l = 4r, r being …" has one.
+    """
+    values = _BETWEEN.split(match["values"])
+    last = [match["last"]] if match["last"] else []
+    if len(values) + len(last) < _PAIR or match["letter"].startswith("\\text"):
         return None
-    return f"{sizes[min(sizes)]} ≤ {match['letter']} ≤ {sizes[max(sizes)]}"
+    before = match.string[max(match.start() - _LONGEST_BEFORE, 0) : match.start()].rstrip()
+    if before.endswith((",", "dots", "…")) and _NUMBERED.search(match["letter"]):
+        return None  # x_1, x_2, x_3 = -a, 0, a: a value for each
+    is_short = len(values) == _PAIR and not match["dots"] and not is_multiple(values[-1])
+    if is_short and _END_OF_FORMULA.match(match.string, match.end()) is None:
+        return None
+    is_endless = match["dots"] is not None and not last
+    return range_of(match["letter"], [*values, *last], is_endless=is_endless)
 
 
 def _listed(match: re.Match[str]) -> str | None:

@@ -191,7 +191,28 @@ def _unit_of(tokens: Sequence[Token]) -> tuple[float, Formula] | None:
         return sign * float(rest[0].number * power), Number(behind[1].number)
     if len(rest) == 2 and rest[1].kind == "degree":
         return sign * float(rest[0].number), Quotient(Constant("pi"), Number(Fraction(180)))
-    return None
+    return _unit_of_power(tokens)
+
+
+_POWER_OF_TEN = ("number", "op", "number", "sup")
+
+
+def _unit_of_power(tokens: Sequence[Token]) -> tuple[float, Formula] | None:
+    """Return the number of 40.9 × 10³ lb as printed, and what its unit multiplies it by."""
+    kinds = tuple(token.kind for token in tokens)
+    has_unit = kinds[-3:] == ("open", "number", "close") and tokens[-4].scale is not None
+    if kinds[:4] != _POWER_OF_TEN or not has_unit or tokens[2].number != _TEN or not tokens[1].is_op("*"):
+        return None
+    exponent = [token for token in tokens[4:-3] if token.kind not in ("open", "close")]
+    is_negative = bool(exponent) and exponent[0].is_op("-")
+    digits = exponent[is_negative:]
+    if [token.kind for token in digits] != ["number"] or not digits[0].number < _LARGEST_POWER:
+        return None
+    power = (-1 if is_negative else 1) * float(digits[0].number)
+    return float(tokens[0].number) * 10.0**power, Number(tokens[-2].number)
+
+
+_TEN, _LARGEST_POWER = 10, 40
 
 
 _IN_BRACES = ["open", "number", "close"]

@@ -31,6 +31,7 @@ from symbalance.notes.reading.units import (
     unit_set_at,
 )
 from symbalance.notes.reading.words_behind_numbers import says_multiple_of
+from symbalance.notes.reading.wrapped_lines import ENDS
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _BULLET = re.compile(r"\s*(?:\(?(?:[0-9]{1,3}[.)]|(?:[a-h]|i{1,3}|i?v)\))(?=\s))?\s*")
@@ -110,7 +111,8 @@ class ItemFinder:
     def __init__(self, source: Source, names_at: Callable[[int], Collection[str]]) -> None:
         self.source, self.names_at = source, names_at
         self.kind, self.fences, self.text = source.kind, source.formulas, source.text
-        self.breaks = [place for place, sign in enumerate(self.text) if sign == "\n"]
+        self.breaks = [place for place, sign in enumerate(self.text) if sign in ENDS]
+        self._hard_breaks = [place for place in self.breaks if self.text[place] == "\n"]
         self.own_letters = frozenset(_DEFINED.findall(self.text))
         self._vocabularies: dict[int, Vocabulary] = {}
         self.failures: list[ReadingError] = []
@@ -119,10 +121,15 @@ class ItemFinder:
         """Return the line, from 1, of an offset."""
         return bisect_right(self.breaks, offset - 1) + 1
 
+    def line_start(self, line: int) -> int:
+        """Return where a line begins, be its formula begun above or not."""
+        return self.breaks[line - 2] + 1 if line > 1 else 0
+
     def line_span(self, line: int) -> tuple[int, int]:
-        """Return where a line begins and ends."""
-        start = self.breaks[line - 2] + 1 if line > 1 else 0
-        return start, self.breaks[line - 1] if line <= len(self.breaks) else len(self.text)
+        """Return where a line begins and ends; lines that a formula goes over are one."""
+        before = bisect_right(self._hard_breaks, self.line_start(line) - 1)
+        start = self._hard_breaks[before - 1] + 1 if before else 0
+        return start, self._hard_breaks[before] if before < len(self._hard_breaks) else len(self.text)
 
     def run(self) -> list[Item]:
         """Return the items, in order."""
@@ -215,7 +222,8 @@ class ItemFinder:
                 if self.text[first:last_of_cell].strip():
                     is_whole = whole and first == start and last_of_cell == end
                     yield from self._items_of_line(first, last_of_cell, line, is_whole)
-            start, line = last + 1, line + 1
+            start = last + 1
+            line = self.line_of(start)
 
     def _cells(self, start: int, end: int) -> list[tuple[int, int]]:
         """Return the cells of a line that is a row of a table, else the line."""
@@ -332,7 +340,7 @@ class ItemFinder:
         start = _sign_behind_arrow(self.text, span[0], start)
         if not has_relation(self.text, start, end):
             if is_first_side(self.text, start, end):
-                yield Item(start, end, "prose", False, line, line)
+                yield Item(start, end, "prose", False, self.line_of(start), self.line_of(end - 1))
             return
         for piece in pieces_of(self.text, start, end):
             if has_relation(self.text, piece.start, piece.end):
@@ -344,7 +352,8 @@ class ItemFinder:
                 head = self._letter_explained(inner[0], line) or self._named_in_words(
                     inner[0], line, words
                 )
-                yield Item(*inner, "prose", display >= 0, line, line, piece.tag, doubt=doubt, head=head)
+                lines = self.line_of(inner[0]), self.line_of(inner[1] - 1)
+                yield Item(*inner, "prose", display >= 0, *lines, piece.tag, doubt=doubt, head=head)
 
     def _letter_explained(self, place: int, line: int) -> tuple[int, int] | None:
         """Return the letter of `l: rod length = λ s` before the relation at a place."""
@@ -757,7 +766,7 @@ def _goes_on(behind: str, after: str, words: Vocabulary) -> bool:
     operation = re.match(
         r"(?:[A-Za-z]{2,8}\s+){0,3}?([+*×·/÷^±∓]|[−—–-](?=\s*[0-9(\\]|\s[A-Za-z]\b))\s*", behind
     )
-    if operation is None:
+    if operation is None or _OPENS_CASE.match(behind):
         return False
     operand = behind[operation.end() :]
     word = re.match(r"[A-Za-z]+", operand)
@@ -766,6 +775,12 @@ def _goes_on(behind: str, after: str, words: Vocabulary) -> bool:
             operand[:1].isdecimal() or operand[:1] in ("(", "\\", "√", "$") or operand[:1] in NAME_OF_SIGN
         )
     return (len(word.group()) == 1 and word.group() not in "aAI") or word.group() in words.names
+
+
+_OPENS_CASE = re.compile(
+    r"(?:for|when|if|where|at|with|als|für|wenn|wo|bei|mit|falls|pour|si|où)\s+[-−–+±]", re.IGNORECASE
+)
+"""Words between a relation and the case it is said for, and no sum: for -a < z < a."""
 
 
 def _without_box(text: str, start: int, end: int) -> tuple[int, int]:

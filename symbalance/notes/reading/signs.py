@@ -162,6 +162,13 @@ RELATION = re.compile(
 )  # fmt: skip
 """A relation wherever it may stand; arrows such as => and -> are none, x<-2 is one, ~ between spaces."""
 
+VULGAR = {
+    "½": (1, 2), "⅓": (1, 3), "⅔": (2, 3), "¼": (1, 4), "¾": (3, 4), "⅕": (1, 5), "⅖": (2, 5),
+    "⅗": (3, 5), "⅘": (4, 5), "⅙": (1, 6),
+    "⅚": (5, 6), "⅛": (1, 8), "⅜": (3, 8), "⅝": (5, 8), "⅞": (7, 8),
+}  # fmt: skip
+"""Fractions of one sign, as numerator and denominator."""
+
 
 def relation_at_start(text: str) -> str:
     """Return the relation a text begins with, "" if none."""

@@ -15,6 +15,7 @@ from html import unescape
 from symbalance.document.wordlists import words
 from symbalance.notes.reading.and_so_on import with_dots
 from symbalance.notes.reading.ascii_math import with_ascii_math
+from symbalance.notes.reading.component_names import with_components
 from symbalance.notes.reading.compound_names import with_compound_names
 from symbalance.notes.reading.division_colons import with_divisions
 from symbalance.notes.reading.engine_abbreviations import with_abbreviations
@@ -37,6 +38,7 @@ from symbalance.notes.reading.numerals import with_plain_numerals
 from symbalance.notes.reading.operator_words import with_operator_words
 from symbalance.notes.reading.page_marks import with_page_marks
 from symbalance.notes.reading.places_in_brackets import with_places
+from symbalance.notes.reading.pointed_units import with_compound_units
 from symbalance.notes.reading.pointed_words import with_points_left_out
 from symbalance.notes.reading.ranges import with_ranges
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
@@ -49,6 +51,7 @@ from symbalance.notes.reading.tables_of_quantities import with_equations_of_tabl
 from symbalance.notes.reading.templates import formula_of_template, stands_in_formula
 from symbalance.notes.reading.times_in_parts import with_times_in_one
 from symbalance.notes.reading.units_behind_waves import with_units_of_waves
+from symbalance.notes.reading.wrapped_lines import SOFT_END, with_soft_ends
 
 CELL_END = "\ue000"
 """Stands between the cells of a table: no formula goes over it. (A sign that nobody types.)"""
@@ -152,28 +155,35 @@ def prepare(
         reader.apply_noted(with_short_greek(reader.text, is_letter))
         reader.apply(with_greek_words(reader.text, is_letter))
         reader.apply(with_extremes_apart(reader.text))
+        reader.apply(with_components(reader.text))
         reader.apply_noted(with_compound_names(reader.text, is_letter))
     if kind == "plain":
         reader.apply(with_points_left_out(reader.text))
         reader.apply_noted(with_scanned_letters(reader.text))
+    reader.apply(with_compound_units(reader.text))
     reader.apply_noted(with_plain_numerals(reader.text, is_letter))
     reader.apply(with_units_of_waves(reader.text, is_letter))
     if kind in ("tex", "markdown"):
         reader.apply(with_units_between_dollars(reader.text))
     reader.apply_noted(with_ranges(reader.text))
     current, origin = reader.text, reader.origin
-    formulas: list[Span] = []
-    codes: list[Span] = []
-    if kind == "tex":
-        current = mask_tex(current)
-    elif kind == "markdown":
-        current, formulas, codes = mask_markdown(current)
-    else:
-        current = mask_plain(with_letters_shown(current).translate(_SHOWN_IN_CODE))
+    current, formulas, codes = _masked(current, kind)
     refusals = tuple(sorted(macros.refusals.items()))
     return Source(
         current, kind, tuple(formulas), tuple(codes), origin, refusals, reader.notes, own_letters
     )
+
+
+def _masked(text: str, kind: str) -> tuple[str, list[Span], list[Span]]:
+    """Return a text with what is no mathematics blank, and its blocks of formulas and of codes."""
+    if kind == "tex":
+        return mask_tex(text), [], []
+    formulas, codes = list[Span](), list[Span]()
+    if kind == "markdown":
+        text, formulas, codes = mask_markdown(text)
+    else:
+        text = mask_plain(with_letters_shown(text).translate(_SHOWN_IN_CODE))
+    return with_soft_ends(text, (*formulas, *codes), has_bullets=kind != "plain"), formulas, codes
 
 
 def kind_of(text: str, suffix: str) -> str:
@@ -500,7 +510,7 @@ def blank(text: str) -> str:
 
 def to_half_width(text: str) -> str:
     """Return the text with full-width signs as plain ones, of the same length; m・r is a product."""
-    narrow = _DEGREE_TYPED.sub("°", text.translate(_WIDE))
+    narrow = _DEGREE_TYPED.sub("°", text.translate(_WIDE)).replace(SOFT_END, " ")
     return _DOT_OF_PRODUCT.sub("·", narrow) if "・" in narrow else narrow
 
 

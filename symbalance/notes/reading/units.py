@@ -8,6 +8,7 @@ from fractions import Fraction
 from functools import lru_cache
 
 from symbalance.document.wordlists import word_set, words
+from symbalance.notes.reading.signs import VULGAR
 
 Scale = tuple[Fraction, bool]
 """The factor to the unit without prefix, and whether π multiplies it."""
@@ -110,11 +111,13 @@ _BRACKETED = re.compile(rf"\[\s*(?:{_UNNAMED}|[A-Za-zµμ/^0-9·⁻¹² -]{{1,20
 _RAISED_UNIT = r"(?:\^\{[-−]?[0-9]\}|\^[-−]?[0-9]|\^\([-−]?[0-9]\)|[⁻]?[¹²³⁴])"
 _PART_OF_UNIT = rf"[A-Za-zµμ]+{_RAISED_UNIT}?"
 _PLAIN_UNIT = re.compile(
-    rf"(?P<space>[ \u2009\u202f]?)(?P<plain>(?:1/)?{_PART_OF_UNIT}"
+    rf"(?P<space>[ \u2009\u202f\u205f]?)(?P<plain>(?:1/)?{_PART_OF_UNIT}"
     rf"(?:(?:/|[·⋅・*]|[ \u2009\u202f](?=(?:[cm]?m|s|g|kg|rad)(?![A-Za-z]))){_PART_OF_UNIT}){{0,3}})"
     r"(?![A-Za-z0-9_('^′⁻¹²³⁴])"
 )
-_NUMBER_BEFORE = re.compile(r"(?<![A-Za-z_^\w])(?P<digits>[0-9][0-9.,]*)$")
+_NUMBER_BEFORE = re.compile(
+    rf"(?<![A-Za-z_^\w])(?P<digits>[0-9][0-9.,]*[{''.join(VULGAR)}]?|[{''.join(VULGAR)}])$"
+)
 _POWER_BEFORE = re.compile(r"[0-9)\]](?:\^\{?[0-9]\}?|[²³⁴])$|[)\]]$|(?<![A-Za-z])[0-9.,]*π$")
 _SPACE_BEFORE = re.compile(r"(?:\\[,;: ]|~)+$")
 _POWER_OF_TEN = re.compile(r"(?<![\w.])(?P<digits>10(?:\^\{?[-−]?[0-9]{1,2}\}?|⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]))$")
@@ -502,7 +505,7 @@ class _PlainUnit:
         """Tell whether a factor follows: 2 m r, 3 N sin x."""
         after = self.text[self.stop : min(self.stop + 12, self.end)]
         bare = after.lstrip(" ~")
-        if _SECOND_VALUE.match(self.text, self.stop, self.end):
+        if _SECOND_VALUE.match(self.text, self.stop, self.end) or after.startswith(" ~ "):
             return False
         if not bare or bare[0] in _STOPS or bare[0] == "\n" or ord(bare[0]) >= 0x2E80:
             return False

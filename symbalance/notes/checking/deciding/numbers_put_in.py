@@ -321,8 +321,8 @@ def is_put_in(node: Formula, other: Formula) -> bool:
 def paired(left: Formula, right: Formula) -> list[tuple[Formula, Formula]] | None:
     """Return the parts of a product with the numbers put in for them, in order; None for other shapes.
 
-    m r ω² = 0.5·0.04·628² puts 0.5 in for m, 0.04 for r, 628 for ω; λ m r ω² = 0.3·4605 puts in
-    something else, and m r ω² = 7888 nothing.
+    m r ω² = 0.5·0.04·628² puts 0.5 in for m, 0.04 for r, 628 for ω, and v/(D/2) = 25/0.9 puts 0.9 in
+    for D/2; λ m r ω² = 0.3·4605 puts in something else, and m r ω² = 7888 nothing.
     """
     by_parts = _paired_parts(left, without_unit(right))
     if by_parts is not None and isinstance(left, formula.Product | formula.Quotient):
@@ -353,8 +353,17 @@ def _paired_parts(left: Formula, right: Formula) -> list[tuple[Formula, Formula]
     first, second = formula.children(left), formula.children(right)
     if type(left) is not type(right) or len(first) != len(second):
         return None
-    parts = [_paired_parts(a, b) for a, b in zip(first, second, strict=True)]
+    parts = [
+        [(a, b)] if _is_multiple_put_in(a, b) else _paired_parts(a, b)
+        for a, b in zip(first, second, strict=True)
+    ]
     return None if None in parts else [pair for part in parts if part for pair in part]
+
+
+def _is_multiple_put_in(part: Formula, number: Formula) -> bool:
+    """Tell whether one number is put in for a multiple of a letter: 0.9 for D/2, 50 for 2v."""
+    is_multiple = isinstance(part, formula.Product | formula.Quotient) and len(names(part)) == 1
+    return is_multiple and isinstance(number, Number)
 
 
 def _bases(node: Formula, sign: int = 1) -> Iterator[tuple[Formula, Fraction]]:

@@ -60,6 +60,7 @@ from symbalance.notes.checking.steps.another_engine import as_new_extreme
 from symbalance.notes.checking.steps.dead_centres import value_at_dead_centre
 from symbalance.notes.checking.steps.gravity import decide_with_gravity
 from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.steps.listed_cases_of_letters import case_of_listed_values, case_of_run
 from symbalance.notes.checking.steps.mean_piston_speed import mean_piston_speed
 from symbalance.notes.checking.steps.much_larger import PLAIN, decide_much_larger, decide_where_larger
 from symbalance.notes.checking.steps.named_roots import as_named_root, as_one_solution
@@ -133,9 +134,13 @@ def _judge_inequality(state: JudgingState, chain: Chain, k: int, knowledge: Know
         return decision
     if case_of_a_letter(state, chain, k, knowledge):
         return Decision(RANGE, "a case, whatever value the letter has above")
+    if (listed := case_of_listed_values(state.document, chain)) is not None:
+        return listed
     decision = decide_inequality(chain, k, knowledge)
     if decision.status == REFUTED and is_usual_range(state, chain, k, knowledge):
         return Decision(RANGE, "what is usual, whatever the value is here")
+    if decision.status != RANGE and (run := case_of_run(state.document, chain)) is not None:
+        return run
     near = ranges_near(state.document, chain)
     decision = decide_claimed(chain, k, decision, state.general, near, knowledge)
     state.definitions.note_range(chain, k, decision)
@@ -151,7 +156,9 @@ def _judge_equality(
         if of_engine is not None and not _is_left_open(of_engine):
             return of_engine
     definition = decide_temperature(chain, k, state.document) or _demanded(chain.relations[k])
-    definition = definition or _denied(state, chain) or as_balance_solution(state, chain, k)
+    definition = definition or _denied(state, chain)
+    definition = definition or _for_values(state, chain, k, knowledge)
+    definition = definition or as_balance_solution(state, chain, k)
     definition = definition or as_equation_for_angle(state, chain, k, knowledge)
     definition = definition or as_new_extreme(state, chain, k, knowledge)
     definition = definition or as_proved_solution(state, chain, k)
@@ -380,6 +387,16 @@ def _by_trial(
         if all(relation.sign == "=" for relation in each.relations)
     ]
     return decide_by_trial(chain, k, vibration, equal)
+
+
+def _for_values(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on a relation said for listed values, which is no equation to be solved.
+
+    One that does not hold may be an equation all the same, if other letters stand in it.
+    """
+    decision = decide_for_values(state.document, chain, k, knowledge)
+    is_of_one = len(chain.letters) == 1
+    return decision if decision is not None and (decision.is_proved or is_of_one) else None
 
 
 def _demanded(relation: Relation) -> Decision | None:

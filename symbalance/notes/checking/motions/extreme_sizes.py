@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import Any
 
 from symbalance.document.formula import Call, Derivative, Extremum, Formula, Name, Negative, names
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import context
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision, digits
@@ -30,23 +31,33 @@ def decide_largest_size(left: Side, right: Side, sign: str, knowledge: Knowledge
     own = names(right.node)
     if motion is None or not own or own & (knowledge.angles | knowledge.moving):
         return None
+    return _decide_size(motion, right, sign, knowledge)
+
+
+def _decide_size(motion: Formula, right: Side, sign: str, knowledge: Knowledge) -> Decision:
+    """Decide what a line says of the largest size of a known motion; a size is never negative."""
     rows = values_over_turn(motion, right.node, knowledge)
     if not rows:
         return Decision(UNDECIDED, "the extreme of what has no values here")
     sizes = [max(abs(value) for value in turn) for _, turn, _ in rows]
-    claims = [claim for _, _, claim in rows]
+    is_signed = any(claim < 0 for _, _, claim in rows)
+    if is_signed and names(right.node) <= knowledge.meaning.positive:
+        return Decision(REFUTED, "a size is never negative")
+    least = (f"{formula_text(right.node, plain=True)} ≥ 0",) if is_signed else ()
+    claims = [abs(claim) for _, _, claim in rows]
     tiny = context().mpf(10) ** -12
     if all(size <= claim * (1 + tiny) for size, claim in zip(sizes, claims, strict=True)):
         for each in (motion, Negative(motion)):
             for place in (0, 1):
                 at_centre = at_dead_centre(each, right, sign, place, knowledge)
                 if at_centre.is_proved:
-                    return replace(at_centre, reason=f"at θ = {'π' if place else '0'}")
+                    where = f"at θ = {'π' if place else '0'}"
+                    return replace(at_centre, reason=where, assumptions=(*at_centre.assumptions, *least))
     errors: list[Any] = [abs(c - s) / s for c, s in zip(claims, sizes, strict=True) if s]
     worst = digits(context().mpf(max(errors, default=0)), 2)
     if len(errors) == len(rows) and max(errors) <= NEAR:
         reason = f"within {worst} of the largest size, by numbers"
-        return Decision(PROVED, reason, order=f"{BY_NUMBERS} {worst}")
+        return Decision(PROVED, reason, order=f"{BY_NUMBERS} {worst}", assumptions=least)
     if len(errors) < len(rows) or min(errors) <= FAR:
         return Decision(
             UNDECIDED, f"off by up to {worst} of the largest size: say ≈, and in which letter"

@@ -16,6 +16,7 @@ from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decisio
 from symbalance.notes.checking.units.dimensions import Dimension, unit_of, written_unit
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.numerals import sign_of_unit
+from symbalance.notes.reading.signs import VULGAR
 from symbalance.notes.reading.units import GRAVITY, scale_of
 
 POUND, POUND_FORCE = Fraction(45359237, 10**8), Fraction(44482216152605, 10**13)
@@ -62,7 +63,8 @@ def quantity_of(side: Side, document: ReadNotes) -> Quantity | None:
     if number.last_place is not None:
         return Quantity(value, number.last_place / factor / 2, sign, scale[0])
     if value.denominator != 1:
-        return None
+        is_mixed = any(part in document.source(side.span) for part in VULGAR)
+        return Quantity(value, Fraction(0), sign, scale[0]) if is_mixed else None
     digits = str(abs(value.numerator))
     zeros = min(len(digits) - len(digits.rstrip("0")), max(len(digits) - FEWEST_DIGITS, 0))
     half = Fraction(10**zeros, 2) if len(digits) >= FEWEST_DIGITS else ROUGHLY * abs(value)
@@ -87,11 +89,40 @@ def decide_conversion(chain: Chain, k: int, document: ReadNotes) -> Decision | N
     nothing is said: 0.65 kg may be 654 g.
     """
     first, second = (quantity_of(side, document) for side in chain.sides[k : k + 2])
+    if chain.relations[k].sign in "=≈" and _is_same_turning(*chain.sides[k : k + 2], document):
+        return Decision(PROVED, order="the digits printed")
     if chain.relations[k].sign not in "=≈" or not (first and second and first.value and second.value):
         return None
     decisions = [_decide(chain, k, *pair) for pair in _with_every_ton(first, second)]
     proved = (d for d in decisions if d is not None and d.is_proved)
     return next(proved, None if None in decisions else decisions[0])
+
+
+_TYPED_NUMBER = re.compile(r"[\s$(]*(?P<digits>[0-9]+(?:\.[0-9]+)?)(?![0-9.,]*[0-9])")
+
+
+def _is_same_turning(left: Side, right: Side, document: ReadNotes) -> bool:
+    """Tell whether a speed in turns is written in another unit: 1500 rpm = 25 rev/s = 157 rad/s."""
+    speeds = [_turning_speed(side, document) for side in (left, right)]
+    first, second = speeds
+    if first is None or second is None or not first[2]:
+        return False
+    exact, shown, half = first[0], second[0], second[1]
+    return abs(exact - shown) <= half * (1 + 1e-9) and half < abs(shown) / FEWEST_DIGITS
+
+
+def _turning_speed(side: Side, document: ReadNotes) -> tuple[float, float, bool] | None:
+    """Return a typed speed in rad/s with half a unit of its last digit, and whether turns are counted."""
+    source = document.source(side.span)
+    number, (has_number, words) = _TYPED_NUMBER.match(_SPACED.sub("", source)), written_unit(source)
+    sign = sign_of_unit(words) if has_number and words else ""
+    scale = scale_of(sign) if sign else None
+    is_turning = scale is not None and (scale[1] or sign == "rad/s") and sign != "deg"
+    if number is None or scale is None or not is_turning:
+        return None
+    size = float(scale[0]) * (math.pi if scale[1] else 1)
+    decimals = len(number["digits"].partition(".")[2])
+    return float(number["digits"]) * size, 0.5 * 10.0**-decimals * size, scale[1]
 
 
 def _with_every_ton(first: Quantity, second: Quantity) -> list[tuple[Quantity, Quantity]]:

@@ -118,7 +118,9 @@ _SETTING = re.compile(
     r"\\(?:mathrm|text|textrm|mbox|unit|si|rm|cdot|left|right|[bB]igg?[lr]?)(?![A-Za-z])"
     r"|\\[,;:! ]|[~${}()\[\]]"
 )
-_QUANTITY = re.compile(r"\s*(?P<number>[-+−]?[0-9][0-9.,]*)?\s*(?P<unit>\S.*?)?[\s.,;]*$", re.DOTALL)
+_QUANTITY = re.compile(
+    r"\s*(?P<number>[-+−]?[0-9][0-9.,]*[½⅓⅔¼¾⅛⅜⅝⅞]?)?\s*(?P<unit>\S.*?)?[\s.,;]*$", re.DOTALL
+)
 
 
 @dataclass(frozen=True, slots=True)

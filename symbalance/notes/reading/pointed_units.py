@@ -1,0 +1,103 @@
+"""Compound units of English prints in plain signs: lb.-in.-sec.² is lbf·inch·s², ft./sec.² is ft/s².
+
+Their words are abbreviated with points and joined by hyphens. A pound beside the square of a time, or
+times a length, is a force; on an area it is one by its own sign, and else a mass.
+"""
+
+from __future__ import annotations
+
+import re
+
+from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+
+_SIGNS = {
+    "lb": "lb", "lbs": "lb", "lbf": "lbf", "in": "inch", "inch": "inch", "inches": "inch", "ft": "ft",
+    "feet": "ft", "foot": "ft", "sec": "s", "secs": "s", "s": "s", "min": "min", "hr": "h", "hrs": "h",
+    "h": "h", "rad": "rad", "rev": "rev", "revs": "rev", "oz": "oz", "ton": "ton", "tons": "ton",
+    "slug": "slug", "slugs": "slug", "gm": "g", "gms": "g", "kg": "kg", "cm": "cm", "mm": "mm", "m": "m",
+    "N": "N", "kN": "kN", "deg": "deg",
+}  # fmt: skip
+"""The words of compound units, and what each is written as."""
+_WORD = "|".join(sorted(_SIGNS, key=len, reverse=True))
+_POWER = r"(?:\^\{?[-−]?[1-4]\}?|⁻?[¹²³⁴])"
+_PART = rf"(?:{_WORD})(?![A-Za-z])(?:\.?{_POWER}\.?|\.)?"
+_JOINT = r"(?:(?<=[A-Za-z.²³⁴}])[-‐‑](?=[A-Za-z])|[ ]?[·⋅/][ ]?|[ ]?\\cdot[ ]|[ ]per[ ]"
+_JOINT += r"|(?<=\.)[ ](?=(?:in|ft|lbs?)\.))"
+_NUMBER_END = r"(?<=[0-9⁰¹²³⁴⁵⁶⁷⁸⁹}½¼¾])(?<!_[0-9])"
+_GAP = r"(?:\$|\\\))?(?:[ ~\u2009\u202f]|\\[,;: ])?(?:\\(?:text|mathrm|mbox|textrm)\s?\{\s?)?"
+_COMPOUND = re.compile(
+    rf"{_NUMBER_END}{_GAP}(?P<unit>{_PART}(?:{_JOINT}{_PART}){{1,3}}+)(?![A-Za-z0-9(])"
+)
+_ONE_PART = re.compile(rf"(?P<joint>{_JOINT})?(?P<word>{_WORD})(?![A-Za-z])\.?(?P<power>{_POWER})?\.?")
+_ABBREVIATED = re.compile(
+    rf"{_NUMBER_END}{_GAP}(?:{_WORD}|hp)(?P<point>\.)(?=[ ]?(?:[=≈≤≥+×·*)]|<[^/]|{_POWER}|\$|\\approx))"
+)
+"""A unit with a point behind which its formula goes on: 0.5 deg. = 0.0087, 3.5 in.⁴."""
+_GOES_ON = re.compile(r"[ ]?(?:[=≈<>≤≥+×·*/,;)$]|\\approx)|[ ][a-z]{2,}(?![ ]?[=(])")
+_LENGTHS = frozenset(("inch", "ft", "cm", "mm", "m"))
+
+
+def with_compound_units(text: str) -> Rewritten | None:
+    """Return a text with such units in plain signs, None where there are none.
+
+    >>> with_compound_units("J = 12.5 lb.-in.-sec.² here").text, with_compound_units("6 in-line engines")
+    ('J = 12.5 lbf·inch·s² here', None)
+    >>> with_compound_units("0.5 deg. = 0.00873 rad").text
+    '0.5 deg = 0.00873 rad'
+    """
+    changes: dict[int, tuple[int, str]] = {}
+    for match in _COMPOUND.finditer(text):
+        start, end = match.span("unit")
+        sign = compound_unit(match["unit"])
+        if sign and sign != match["unit"].rstrip("."):
+            is_end = text[end - 1] == "." and _GOES_ON.match(text, end) is None
+            changes[start] = end - is_end, sign
+    for match in _ABBREVIATED.finditer(text):
+        if not any(start <= match.start("point") < end for start, (end, _) in changes.items()):
+            changes[match.start("point")] = match.end("point"), ""
+    if not changes:
+        return None
+    rewriter = Rewriter(text)
+    for start, (end, written) in sorted(changes.items()):
+        rewriter.replace(start, end, written)
+    return rewriter.finish()
+
+
+def compound_unit(words: str) -> str:
+    """Return a compound unit in plain signs, "" for what is none.
+
+    >>> compound_unit("lb.-in./rad"), compound_unit("ft./sec.²"), compound_unit("lb·s²/in")
+    ('lbf·inch/rad', 'ft/s²', 'lbf·s²/inch')
+    """
+    parts: list[tuple[str, str, str]] = []
+    place = 0
+    while match := _ONE_PART.match(words, place):
+        joint = (match["joint"] or "").strip()
+        is_bare = match["joint"] is None
+        if is_bare == bool(parts) or (joint in _HYPHENS and _may_subtract(parts[-1][1])):
+            return ""
+        sign = "/" if joint in ("/", "per") else "·" if parts else ""
+        parts.append((sign, _SIGNS[match["word"]], match["power"] or ""))
+        place = match.end()
+    if place < len(words) or len(parts) < _FEWEST:
+        return ""
+    is_force = _is_of_force(parts)
+    return "".join(f"{j}{'lbf' if w == 'lb' and is_force else w}{p}" for j, w, p in parts)
+
+
+_HYPHENS = frozenset("-‐‑")
+_FEWEST = 2
+
+
+def _may_subtract(word: str) -> bool:
+    """Tell whether a hyphen behind a word may be a minus sign: 2 m-s, but not 10 N-m."""
+    return len(word) == 1 and word != "N"
+
+
+def _is_of_force(parts: list[tuple[str, str, str]]) -> bool:
+    """Tell whether the pound of a unit is a force: lb·in, lb·s²/in; lb·ft² and lb/ft³ weigh."""
+    above = {(word, power.strip("^{}")) for joint, word, power in parts if joint != "/"}
+    below = {word for joint, word, _ in parts if joint == "/"}
+    times_square = ("s", "²") in above or ("s", "2") in above
+    is_moment = any((length, "") in above for length in _LENGTHS) and not below & {"s", "min"}
+    return times_square or is_moment
