@@ -13,8 +13,10 @@ _NAMES = {
 _CAPITALS = ("SQRT", "SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN", "EXP", "ABS", "LN")
 """As in the cells of a sheet, SQRT(L^2-(R*SIN(a))^2)."""
 _NAMES |= {name: name.lower() for name in _CAPITALS}
+_ANGLE = r"(?:[0-9]{1,2}(?:[.,][0-9])?[ ]?)?[α-ω](?![a-z])|(?<=[²³] )[a-z](?![A-Za-z])"
+"""A Greek letter or a multiple of one, without brackets; behind a power any letter."""
 _NAME = re.compile(
-    rf"(?<![A-Za-z\\_])(?P<plain>{'|'.join(_NAMES)})(?=(?:[²³]|\^[0-9])?[ ]?\()"
+    rf"(?<![A-Za-z\\_])(?P<plain>{'|'.join(_NAMES)})(?=(?:[²³]|\^[0-9])?[ ]?(?:\(|{_ANGLE}))"
     rf"|\\(?P<command>{'|'.join(_NAMES)})(?![A-Za-z])"
 )
 
@@ -22,10 +24,10 @@ _NAME = re.compile(
 def with_function_names(text: str) -> Rewritten | None:
     """Return a text with such functions under their usual names, None where there are none.
 
-    A word counts only before brackets: tg alone is a letter.
+    A word counts only before brackets or a Greek letter: tg alone is a letter, t times g.
 
-    >>> with_function_names("tg(x) = sen(x)/cos(x)").text
-    'tan(x) = sin(x)/cos(x)'
+    >>> with_function_names("tg(x) = sen(x)/cos(x), sen² α + sen 2β").text
+    'tan(x) = sin(x)/cos(x), sin² α + sin 2β'
     """
     rewriter, changed = Rewriter(text), False
     for match in _NAME.finditer(text):

@@ -13,7 +13,7 @@ from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
 from itertools import islice, pairwise
 
-from symbalance.document.letters import NAME_OF_SIGN, WORDS
+from symbalance.document.letters import WORDS
 from symbalance.document.wordlists import word_set, words
 from symbalance.notes.reading.continued_lines import goes_on_below, is_first_side
 from symbalance.notes.reading.failures import ReadingError
@@ -30,7 +30,7 @@ from symbalance.notes.reading.units import (
     scale_of,
     unit_set_at,
 )
-from symbalance.notes.reading.words_behind_numbers import says_multiple_of
+from symbalance.notes.reading.whole_formulas import JOINING, MARGIN, OPERATION, cut_error, doubt_around
 from symbalance.notes.reading.wrapped_lines import ENDS
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
@@ -78,7 +78,6 @@ _RULE = re.compile(r"\s*([-=_*~#+])\1{2,}\s*")
 # Limits for text that is no derivation, so that its cost stays in proportion to its length.
 LONGEST_LINE = 20_000
 MOST_ITEMS = 20_000
-_MARGIN = 200  # characters searched for the ends of the line that a formula may stand alone on
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,7 +186,7 @@ class ItemFinder:
         """Return the words of \\text{mean speed} = 2 s n that stand alone left of a relation."""
         if not relation_at_start(self.text[place : place + 20]):
             return None
-        match = _WORDS_ALONE.search(self.text, max(start - 1, place - _MARGIN), place)
+        match = _WORDS_ALONE.search(self.text, max(start - 1, place - MARGIN), place)
         return match.span("words") if match else None
 
     def _doubt_around_region(self, region: Region) -> ReadingError | None:
@@ -196,10 +195,10 @@ class ItemFinder:
         return doubt_around(self.text, region.first, region.last, words)
 
     def _is_alone(self, region: Region) -> bool:
-        before = self.text[max(0, region.first - _MARGIN) : region.first].rpartition("\n")
-        after = self.text[region.last : region.last + _MARGIN].partition("\n")
-        edges = (before[1] or region.first < _MARGIN) and (
-            after[1] or region.last + _MARGIN > len(self.text)
+        before = self.text[max(0, region.first - MARGIN) : region.first].rpartition("\n")
+        after = self.text[region.last : region.last + MARGIN].partition("\n")
+        edges = (before[1] or region.first < MARGIN) and (
+            after[1] or region.last + MARGIN > len(self.text)
         )
         return bool(edges) and not (before[2] + after[0]).strip(" \t.,;。、")
 
@@ -362,7 +361,7 @@ class ItemFinder:
         begin = self.line_span(line)[0]
         match = _EXPLAINED.match(self.text, begin, place)
         if match is None:
-            match = _NAMED_BY_WORDS.search(self.text, max(begin, place - _MARGIN), place)
+            match = _NAMED_BY_WORDS.search(self.text, max(begin, place - MARGIN), place)
             match = match if match and _is_long_meaning(match[2], ()) else None
         return match.span(1) if match else None
 
@@ -370,7 +369,7 @@ class ItemFinder:
         """Return the words that stand for a letter in `amax = 3` and `mean piston speed = 2 s n`."""
         if self.text[place : place + 1] not in ("=", "≈"):
             return None
-        begin = max(self.line_span(line)[0], place - _MARGIN)
+        begin = max(self.line_span(line)[0], place - MARGIN)
         match = _PHRASE.search(self.text, begin, place)
         named = match["words"].lower().split() if match else []
         if match is None or _VERBS & set(named) or named[0] in _PARTICLES or named[-1] in _PARTICLES:
@@ -392,7 +391,7 @@ _WORD_BEFORE = re.compile(r"([^\W\d_]{3,})\s+$")
 def _behind_named_letter(text: str, start: int, end: int) -> int:
     """Return where λ = l/r begins in "crank radius r, λ = l/r": the letter before it is the noun's."""
     match = _NAMED_LETTER.match(text, start, end)
-    word = _WORD_BEFORE.search(text, max(start - _MARGIN, 0), start)
+    word = _WORD_BEFORE.search(text, max(start - MARGIN, 0), start)
     if match is None or word is None or word[1].lower() in _VERBS | _PARTICLES:
         return start
     return match.end() if has_relation(text, match.end(), end) else start
@@ -634,38 +633,6 @@ _WORDS_WITH_DOLLARS = re.compile(
     r"\{((?:[^{}$]|\$[^$]{1,400}\$|\{[^{}]{0,80}\}){1,1000})\}"
 )
 _DOLLARS = re.compile(r"\$([^$]{1,400})\$")
-_JOINING = re.compile(
-    r"(?:(?:plus|minus|times(?!\s+(?:per|a|an|each|every|in|as)\b)|divided|multiplied|mal(?!\s+(?:pro|je)\b)|geteilt|fois|por|moins|squared|cubed"
-    r"|percent|prozent|thousand|million|hundred|half|twice|tausend|hundert)\b"
-    r"|(?:over|durch|less|weniger)\s+(?:[0-9$\\(√]|(?![aAI]\b)[^\W_]\b)|and\s+so\s+[-+−*×·/^])",
-    re.IGNORECASE,
-)
-"""Words that go on with a formula; over one turn, and so θ = 77° do not."""
-_WRITE_WHOLE = "write it whole, between dollars"
-_UNKNOWN_UNIT = re.compile(
-    r"(?<=[0-9])\s?(?:°C|°F|dB|oz|slugs?|cps|HP|CV|ch|kcal|cal|dyn|erg|t|[kM]?V|mA|kWh|l|L|cl|ml)"
-    r"(?![\w(^])(?=[\s.,;)]|$)"
-    r"|(?<=[0-9]\$)\s?(?:t[ ·]?m|tf|Mp)(?![\w(^])(?=[\s.,;)]|$)"
-)
-_PART_OF = re.compile(r"(?:of|von|de)\b", re.IGNORECASE)
-_JOINED_BEFORE = re.compile(
-    r"(?:(?<=[0-9%)½¼¾²³}$])\s*(?:of|von|de)|\b(?:twice|(?:half|halves|quarters?"
-    r"|(?:thir|four|fif|six|seven|eigh|nin|ten)(?:d|th)s?|per ?cent|squared?|cube|root|reciprocal) of"
-    r"|(?:[^\W\d_]{2,8}tel|Prozent|Hälfte|Quadrat|Kehrwert) von)"
-    r"|(?:\b|\s)(?:plus|minus|times|mal|divided by|multiplied by|geteilt durch)"
-    r"|(?:[0-9$)}\]²³%]|(?<![^\W_])d?[^\W_])\s+(?:over|durch|über))$",
-    re.IGNORECASE,
-)
-_BOUNDS_BEFORE = re.compile(r"\b(?:from|von|de)\s+\S{1,12}\s+(?:to|bis|à)$", re.IGNORECASE)
-_CHANGE_BEFORE = re.compile(
-    r"\b(?:up|down|rises?|rose|falls?|fell|drops?|dropped|grows?|grew|sinks?|sank|increases?"
-    r"|increased|decreases?|decreased|reduces?|reduced|lowers?|lowered|raised?|raises|changes?|changed|halved|doubled"
-    r"|shrinks?|shrank|steigt|sinkt|fällt|wächst|verringert|erhöht|reduziert|monte|baisse|tombe)"
-    r"(?:\s+(?!over|sum)[^\W\d_]+){0,2}\s+(?:from|von|de)\s+\S{1,12}\s+(?:to|bis|à)$",
-    re.IGNORECASE,
-)
-"""A change between two values, the second of which begins a relation: down from 2 to √2 ≈ 1.41."""
-_OPERATION = re.compile(r"[+\-−–*×·⋅∙/÷^±∓!]|\\(?:cdot|times|div|pm|mp|over)(?![A-Za-z])|\*\*")
 
 
 def _doubts(text: str, spans: list[tuple[int, int]]) -> dict[tuple[int, int], ReadingError]:
@@ -676,111 +643,9 @@ def _doubts(text: str, spans: list[tuple[int, int]]) -> dict[tuple[int, int], Re
             continue
         between = text[before[1] : after[0]]
         prose = re.sub(r"\\[A-Za-z]+\s*\{|[{}]", " ", between)
-        if _OPERATION.match(text, *after) or _JOINING.search(prose):
-            result[before] = _cut(after[0], text[before[1] : after[1]])
+        if OPERATION.match(text, *after) or JOINING.search(prose):
+            result[before] = cut_error(after[0], text[before[1] : after[1]])
     return result
-
-
-def _cut(place: int, rest: str) -> ReadingError:
-    words_left = " ".join(rest.split())
-    shown = words_left if len(words_left) <= 30 else words_left[:29] + "…"
-    return ReadingError(
-        place, f"a formula that goes on in words: {shown}", "write it in signs, or end it"
-    )
-
-
-def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingError | None:
-    """Return why an equation in prose is not whole: what stands right before or behind it belongs to it.
-
-    >>> text = "cos 2t = 1 - 2 sin^2 t plus 3"
-    >>> print(doubt_around(text, 0, 22, vocabulary({"t"})))
-    at character 24: a formula that goes on in words: plus 3; write it in signs, or end it
-    """
-    if _is_cut_from(text, start - 1) and not text[start].isspace():
-        return ReadingError(start, "a formula that begins before what is read", _WRITE_WHOLE)
-    is_pointed = re.match(r"\.[a-z0-9α-ω\\(]", text[end : end + 2]) is not None
-    if (is_pointed or _is_cut_from(text, end)) and not text[end - 1].isspace():
-        return ReadingError(end, "a formula that goes on behind what is read", _WRITE_WHOLE)
-    line_end = text.find("\n", end)
-    stop = min(line_end if line_end >= 0 else len(text), end + _MARGIN)
-    after = text[end:stop].partition(CELL_END)[0]
-    behind = after.lstrip(" \t~)")
-    place = end + len(after) - len(behind)
-    if unit := _UNKNOWN_UNIT.match(text, end, stop):
-        what = f"a unit that is not known: {unit.group().strip()}"
-        return ReadingError(end, what, "give the value in SI units")
-    if says_multiple_of(text, start, end, behind):
-        behind = ""
-    if _goes_on(behind, after, words) or (text[end - 1 : end] == "%" and _PART_OF.match(behind)):
-        return _cut(place, behind)
-    line_begin = text.rfind("\n", 0, start) + 1
-    before = text[max(line_begin, start - _MARGIN) : start].rpartition(CELL_END)[2].rstrip()
-    return _doubt_of_place(text, start, end, before) or _doubt_before(start, before)
-
-
-_NUMBER_FIRST = re.compile(r"[0-9][0-9.,]*[ ]?(?:°|deg\b)?[ ]?=")
-_PLACE_BEFORE = re.compile(r"[^\W\d_]{2,}[ ](?:at|for|bei|für|à|pour)$")
-
-
-def _doubt_of_place(text: str, start: int, end: int, before: str) -> ReadingError | None:
-    """Return why "drop at 90 = 7.5 - 5.8" gives no number another value: the words are its side."""
-    if _NUMBER_FIRST.match(text, start, end) is None or _PLACE_BEFORE.search(before) is None:
-        return None
-    what = f"a formula that begins in words: {before.rpartition(' ')[2]}"
-    return ReadingError(start, what, "write a letter for what has the value")
-
-
-def _doubt_before(start: int, before: str) -> ReadingError | None:
-    """Return why an equation in prose begins with what stands before it."""
-    operation = re.search(r"([\w)\]}²³])\s*([+*×·/^÷−])$", before)
-    operation = operation or re.search(r"((?<!\w)\w|[0-9)²³])\s+([—–])$", before)
-    if operation:
-        word = re.search(r"\w+$", before[: operation.start(2)].rstrip())
-        what = f"a formula that begins in words: {word.group() if word else ''} {operation[2]}"
-        return ReadingError(start, what, "declare the word, or write the relation in signs")
-    joined = _JOINED_BEFORE.search(before)
-    joined = joined or (not _CHANGE_BEFORE.search(before) and _BOUNDS_BEFORE.search(before)) or None
-    if joined:
-        what = f"a formula that begins in words: {joined.group()}"
-        return ReadingError(start, what, "write the relation in signs")
-    return None
-
-
-def _is_cut_from(text: str, place: int) -> bool:
-    """Tell whether a letter or digit, or a bracket that goes with one, stands at a place."""
-    sign = text[place : place + 1] if place >= 0 else ""
-    if sign in (")", "]"):
-        place, sign = place + 1, text[place + 1 : place + 2]
-        return sign in ("(", "[") or (sign.isascii() and sign.isalnum())
-    return sign.isascii() and sign.isalnum()
-
-
-def _goes_on(behind: str, after: str, words: Vocabulary) -> bool:
-    """Tell whether what stands behind an equation in prose goes on with it."""
-    if not behind:
-        return False
-    if after[:1] == "," and after[1:2].isdecimal():
-        return True
-    if _JOINING.match(behind):
-        return True
-    operation = re.match(
-        r"(?:[A-Za-z]{2,8}\s+){0,3}?([+*×·/÷^±∓]|[−—–-](?=\s*[0-9(\\]|\s[A-Za-z]\b))\s*", behind
-    )
-    if operation is None or _OPENS_CASE.match(behind):
-        return False
-    operand = behind[operation.end() :]
-    word = re.match(r"[A-Za-z]+", operand)
-    if word is None:
-        return (
-            operand[:1].isdecimal() or operand[:1] in ("(", "\\", "√", "$") or operand[:1] in NAME_OF_SIGN
-        )
-    return (len(word.group()) == 1 and word.group() not in "aAI") or word.group() in words.names
-
-
-_OPENS_CASE = re.compile(
-    r"(?:for|when|if|where|at|with|als|für|wenn|wo|bei|mit|falls|pour|si|où)\s+[-−–+±]", re.IGNORECASE
-)
-"""Words between a relation and the case it is said for, and no sum: for -a < z < a."""
 
 
 def _without_box(text: str, start: int, end: int) -> tuple[int, int]:
@@ -930,7 +795,7 @@ _WORDS_BEHIND = re.compile(r"\s*(?P<words>[^\W\d_][\w'’ -]{2,80})(?=[.,;:()]|\
 
 def _sign_behind_arrow(text: str, start: int, trimmed: int) -> int:
     """Return where an equation begins whose first sign was taken for a dash: ⇒ - b = c."""
-    before = text[max(start - _MARGIN, 0) : start].rstrip(" \t&$")
+    before = text[max(start - MARGIN, 0) : start].rstrip(" \t&$")
     sign = text[start:trimmed].strip()
     is_sign = len(sign) == 1 and sign in "-−" and (before.endswith(_ARROWS) or before.endswith("=>"))
     return text.index(sign, start) if is_sign else trimmed
