@@ -44,3 +44,10 @@ def test_words_behind_a_formula_are_no_functions(tmp_path, line):
     page = tmp_path / "notes.txt"
     page.write_text(f"We have\n\n     {line}\n\n.\n")
     assert [link["verdict"] for link in check(page).data()["links"]] == ["definition"]
+
+
+def test_one_letter_words_are_no_factors_of_a_unit(tmp_path):
+    page = tmp_path / "notes.txt"
+    page.write_text("La biela es larga. Con el radio r = 3,5 m y l = 2,5 m se tiene para x = 2 y un valor.\n")
+    links = check(page).data()["links"]
+    assert [link["claimed"] for link in links] == ["3.5", "2.5", "2y"]

@@ -15,10 +15,12 @@ _PRESSURE = r"(?:[bifp]?mep|[BIFP]?MEP)"
 _POWER = r"[BIF]\.?H?\.?P\.?"
 _END = r"(?![A-Za-z0-9_^])"
 _WORD = re.compile(
-    rf"{_SETTING}(?:(?P<set_pressure>{_PRESSURE})|(?P<set_power>{_POWER}))\s*\}}"
+    rf"{_SETTING}(?:(?P<set_pressure>{_PRESSURE})|(?P<set_power>{_POWER}|H\.?P\.?(?=\s*\}}\s*&?=)))\s*\}}"
     rf"|(?<![A-Za-z0-9\\_^{{.])(?:(?P<pressure>{_PRESSURE})|(?P<power>{_POWER})){_END}"
 )
-_NAMES_POWER = re.compile(r"(?:indicated|brake|friction|shaft)\s+(?:horse\s?)?power", re.IGNORECASE)
+_NAMES_POWER = re.compile(
+    r"(?:indicated|brake|friction|shaft)\s+(?:horse[\s-]?)?power|horse[\s-]?power", re.IGNORECASE
+)
 _BEFORE = re.compile(r"(?:[=≈+−*·/(]|\\(?:frac|cdot|times)\b.{0,2}|\{|\s-|\$)\s?$")
 _BEHIND = re.compile(r"\s?(?:[=≈*·/−)]|\+|\}|\s-\s|-\s|\\(?:approx|cdot|times|,)|\$)")
 _LOOK = 12

@@ -59,6 +59,10 @@ _NUMBERED = re.compile(
 """Words that end with the number of a thing: displacement of piston 1."""
 _SPOKEN = re.compile(r"[aeiouyAEIOUY]|[^\x00-\x7f]")
 """A word has a vowel, or no Latin letters: m r w without spaces is no word."""
+_HALF_STROKE = re.compile(
+    r"half (?:of )?(?:the )?(?:piston )?stroke|half-stroke|halber (?:Kolben)?hub", re.IGNORECASE
+)
+"""A crank's radius, whose name has a word of an operation."""
 OPERATIONS = word_set(
     "plus minus times half twice double squared cubed over divided product sum mal durch halbe doppelte"
     " quarter third thirds tenth multiplied subtracted added"
@@ -130,6 +134,8 @@ def letter_before(text: str, place: int) -> Span | None:
 
 def is_meaning(phrase: str, names: Collection[str]) -> bool:
     """Tell whether a phrase is a meaning in words: no letters of formulas, numbers or operations."""
+    if _HALF_STROKE.match(phrase) is not None:
+        return True
     numbered = _NUMBERED.match(phrase)
     phrase = numbered["words"] if numbered else phrase
     own = _WORD.findall(phrase)

@@ -89,12 +89,19 @@ _SPELLED_UNIT = re.compile(
     + r")(?![A-Za-z])",
     re.IGNORECASE,
 )
+_SET_UNIT = re.compile(
+    r"(?<=[0-9])(?:\\[,;: ]|~)?\\(?:text|textrm|mathrm|mbox)\s*\{[ ~]*(?:"
+    + "|".join(f"(?P<u{n}>{names})" for n, (_, names) in enumerate(_SPELLED))
+    + r")(?P<behind>[.,;: ~]*)\}",
+    re.IGNORECASE,
+)
+"""A unit written out, or abbreviated with points, within the words of a display."""
 _PART_BEHIND = r"(?:1|[A-Za-zµμΩ]+)(?:\^?\{?[-−]?[1-4]\}?|[⁻]?[¹²³⁴]|\$\^\{?[-−]?[1-4]\}?\$)?"
 _BEHIND_DOLLAR = re.compile(
     r"(?:(?<=[0-9])|(?<=\^\{[0-9]\})|(?<=\^\{-[0-9]\}))(?<!_[0-9])(?:\\[,;: ]|~)?(?P<mark>\$"
     r"|\\\))(?:[ ~]|\\[,;: ])?"
     rf"(?P<unit>°|\\?%|{_PART_BEHIND}(?:(?:[ ]?[/·⋅*]?[ ]?|\\,|~){_PART_BEHIND}){{0,3}})"
-    r"(?=[.,;:)]{0,2}(?:\s*$|[\s|)\ue000])|[.,;:)]\s|[\u3001-\u9fff\uff08-\uff1f])(?! ?[=<>≈+*/])",
+    r"(?=[.,;:)]{0,2}(?:\s*$|[\s|)\ue000])|[.,;:)][\s$]|[\u3001-\u9fff\uff08-\uff1f])(?! ?[=<>≈+*/])",
     re.MULTILINE,
 )
 """A unit behind the dollar or `\\)` that ends a formula: N m/rad as a whole, but m of `40$ m long`."""
@@ -513,6 +520,9 @@ def _units_in_words(text: str) -> dict[int, tuple[int, str]]:
             end = match.start() + match.group().index("\n")
             changes[end + 1] = (match.end(), "")
         changes[match.start()] = (end, _unit_sign(unit, bool(dollars)) + dollars)
+    for match in _SET_UNIT.finditer(text):
+        which = next(n for n in range(len(_SPELLED)) if match[f"u{n}"])
+        changes[match.start()] = (match.end(), _unit_sign(_SPELLED[which][0], True) + match["behind"])
     for match in _BEHIND_DOLLAR.finditer(text):
         if match["unit"].split()[0] in ("l", "L") and is_of_volume(text, match.start()):
             changes[match.start()] = (match.start("unit") + 1, _unit_sign("dm^3", True) + match["mark"])

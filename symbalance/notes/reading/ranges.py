@@ -53,6 +53,8 @@ _NUMBERED = re.compile(r"_\{?[0-9]+\}?$|[₀-₉]$")
 WIDEST = 1000
 """How many times larger the next of several values of a letter may be."""
 _PAIR = 2
+_STEP, _TWO_TURNS = 6, 720
+"""Degrees by which cranks are apart, and those of a whole cycle."""
 _LENGTHS = frozenset(("mm", "cm", "m"))
 """Units between which a list of values may change."""
 _PROGRAM = re.compile(r"^(`{3,}+|~{3,}+)[^\n]*+\n.*?^\1", re.MULTILINE | re.DOTALL)
@@ -151,7 +153,15 @@ def _listed(match: re.Match[str]) -> str | None:
         return _turned_through(match, [p if p != "0" else "0°" for p in plain], bare)  # 0, 120°, 240°
     if not all(re.fullmatch(r"-?[0-9.]+", value) for value in bare):
         return None
+    if bare == plain and _are_cranks(sizes := [float(value) for value in plain]):
+        return f"0 ≤ {match['letter']} ≤ {max(sizes):g}"
     return _plain_list(match, values, plain, bare)
+
+
+def _are_cranks(sizes: list[float]) -> bool:
+    """Tell whether numbers are the angles of an engine's cranks in degrees: 0, 240, 120, 120, 240, 0."""
+    is_turned = len(sizes) > _PAIR and sizes[0] == 0 and 0 < max(sizes) < _TWO_TURNS and min(sizes) >= 0
+    return is_turned and all(size % _STEP == 0 for size in sizes)
 
 
 def _plain_list(match: re.Match[str], values: list[str], plain: list[str], bare: list[str]) -> str | None:

@@ -35,6 +35,7 @@ from symbalance.notes.reading.mathml import is_mathml, mathml_text
 from symbalance.notes.reading.memberships import with_memberships
 from symbalance.notes.reading.multiples_in_words import with_multiples_in_signs
 from symbalance.notes.reading.numerals import with_plain_numerals
+from symbalance.notes.reading.one_letter_words import with_one_letter_words
 from symbalance.notes.reading.operator_words import with_operator_words
 from symbalance.notes.reading.page_marks import with_page_marks
 from symbalance.notes.reading.places_in_brackets import with_places
@@ -145,6 +146,7 @@ def prepare(
         with_systems,
         with_memberships,
         with_function_names,
+        with_one_letter_words,
         with_dots,
         with_places,
         with_divisions,

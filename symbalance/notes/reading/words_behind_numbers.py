@@ -3,6 +3,7 @@
     √3 ≈ 1.732 times the first          7200/1800 = 4 times that of one cylinder
     1/4 = 25 % of the first order       √2 ≈ 1.414 mal so groß
     6/2 = 3 times per revolution        6/2 = 3 mal pro Umdrehung
+    4973/670 ≈ 7.42 times the speed     a quotient, whose decimal is whole
 
 Both sides are numbers, so the relation is whole without the words. With a letter on a side it is not: F =
 4 times that of one cylinder gives F no value of 4. So it is with 2 + 3 = 5 times the mass, which goes on.
@@ -31,6 +32,13 @@ _SPAN = (
 _MULTIPLE = re.compile(
     rf"(?:times|mal|fois)\s+(?:(?=(?:[^\W\d_]+\s+)??{_NAMED}\b)|(?={_SPAN}(?![A-Za-z])))", re.IGNORECASE
 )
+_TIMES = re.compile(
+    r"(?:times|mal|fois|veces|volte)\s+(?=(?:the|its|der|die|das|la|le|el|il)\s)", re.IGNORECASE
+)
+_RATIO = re.compile(
+    r"[^=≈]{1,40}(?:/|\\[dt]?frac)[^=≈]{1,40}(?:[=≈]|\\approx(?![A-Za-z]))\s*[0-9]+[.,][0-9]+\s*\$?"
+)
+"""A quotient with its decimal, which words can only say to be a multiple of something."""
 _SHARE = re.compile(rf"(?:of|von|de)\s+(?={_NAMED}\b)", re.IGNORECASE)
 _COMPUTED = re.compile(
     r"\b(?:root|square|squared|cube|cubed|sum|difference|product|quotient|ratio|reciprocal|inverse|sine|cosine"
@@ -55,6 +63,8 @@ def says_multiple_of(text: str, start: int, end: int, behind: str) -> bool:
     False
     """
     lead = _MULTIPLE.match(behind)
+    if lead is None and _RATIO.fullmatch(text, start, end):
+        lead = _TIMES.match(behind)
     if lead is None and text[end - 1 : end] == "%":
         lead = _SHARE.match(behind)
     if lead is None or re.search(r"[^\W\d_]", _CONSTANT.sub(" ", text[start:end])):

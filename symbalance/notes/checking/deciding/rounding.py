@@ -424,7 +424,8 @@ def _coefficients(typed: Formula, other: Formula, values: Mapping[str, Formula])
     ):
         return []
     factors = _factors_of_products(typed)
-    return [number for number in _coefficients_typed(typed) if id(number) not in factors]
+    below = _divisors_typed(typed) if formula.Constant("pi") in formula.walk(other) else []
+    return [number for number in [*_coefficients_typed(typed), *below] if id(number) not in factors]
 
 
 def _coefficients_typed(typed: Formula) -> list[Number]:
@@ -433,14 +434,19 @@ def _coefficients_typed(typed: Formula) -> list[Number]:
         for part in _outside_functions(typed)
         if isinstance(part, formula.Product) and all(names(factor) for factor in part.factors[1:])
     )
-    return [
-        first
-        for first in firsts
-        if isinstance(first, Number)
-        and first.last_place is None
-        and first.value.denominator == 1
-        and LONG <= len(str(abs(first.value.numerator)).rstrip("0")) <= LONGEST
-    ]
+    return [first for first in firsts if isinstance(first, Number) and _is_long_whole(first)]
+
+
+def _divisors_typed(typed: Formula) -> list[Number]:
+    """Return the whole numbers of three digits below letters: 63025 of T N/63025, which is 198000/π."""
+    quotients = (part for part in _outside_functions(typed) if isinstance(part, formula.Quotient))
+    below = (part.denominator for part in quotients if names(part.numerator))
+    return [number for number in below if isinstance(number, Number) and _is_long_whole(number)]
+
+
+def _is_long_whole(number: Number) -> bool:
+    is_whole = number.last_place is None and number.value.denominator == 1
+    return is_whole and LONG <= len(str(abs(number.value.numerator)).rstrip("0")) <= LONGEST
 
 
 def _outside_functions(node: Formula) -> Iterator[Formula]:

@@ -1,0 +1,52 @@
+"""One-letter words of Romance and Slavic languages between a unit and what follows: r = 3 m y l = 2 m.
+
+The Spanish y, the Italian e and o, the Polish i and z would be letters that the unit is multiplied by.
+They become a comma where the page is in such a language, a unit or a degree stands before them, and a
+word, or a letter with its equals sign, behind.
+"""
+
+from __future__ import annotations
+
+import re
+
+from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.notes.reading.units import scale_of
+
+_LANGUAGES = {
+    "yeo": r"\b(?:el|los|las|del|una|por|para|con|que|la|es|se|il|lo|gli|della|che|per|di|è|si)\b",
+    "eao": r"\b(?:do|da|dos|das|uma|para|com|que|não|os|as|é)\b",
+    "izwau": r"\b(?:jest|się|dla|oraz|przy|nie|na|od|do|pro|při|je|se|ve|podle|které|który|siły|wału)\b",
+}
+_MOST_WORDS = 4
+"""Words of a language that tell a page to be in it."""
+_WORD = re.compile(
+    r"(?<=[0-9])(?P<unit>[ ~]?(?:°|[A-Za-zµ]{1,5}(?:[/·][A-Za-z]{1,3})?[²³]?))"
+    r"(?P<gap>[ ])(?P<word>[a-z])[ ]"
+    r"(?=[^\W\d_]{2}|[^\W\d_](?:_?\w{1,3})?[ ]?=)"
+)
+
+
+def with_one_letter_words(text: str) -> Rewritten | None:
+    """Return a text with such words as commas, None where there are none.
+
+    >>> page = "Sea el radio r de la manivela y l la biela; con r = 3,5 m y l = 2,5 m"
+    >>> with_one_letter_words(page).text
+    'Sea el radio r de la manivela y l la biela; con r = 3,5 m, l = 2,5 m'
+    """
+    words = _words_of(text)
+    rewriter, changed = Rewriter(text), False
+    for match in _WORD.finditer(text):
+        unit = match["unit"].strip(" ~")
+        if match["word"] in words and (unit == "°" or scale_of(unit) is not None):
+            rewriter.replace(match.start("gap"), match.end("word"), ",")
+            changed = True
+    return rewriter.finish() if changed else None
+
+
+def _words_of(text: str) -> str:
+    """Return the one-letter words of the languages that a page may be in."""
+    return "".join(
+        words
+        for words, common in _LANGUAGES.items()
+        if sum(1 for _ in zip(range(_MOST_WORDS), re.finditer(common, text), strict=False)) == _MOST_WORDS
+    )
