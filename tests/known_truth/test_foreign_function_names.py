@@ -48,6 +48,8 @@ def test_words_behind_a_formula_are_no_functions(tmp_path, line):
 
 def test_one_letter_words_are_no_factors_of_a_unit(tmp_path):
     page = tmp_path / "notes.txt"
-    page.write_text("La biela es larga. Con el radio r = 3,5 m y l = 2,5 m se tiene para x = 2 y un valor.\n")
+    page.write_text(
+        "La biela es larga. Con el radio r = 3,5 m y l = 2,5 m se tiene para x = 2 y un valor.\n"
+    )
     links = check(page).data()["links"]
     assert [link["claimed"] for link in links] == ["3.5", "2.5", "2y"]

@@ -361,7 +361,9 @@ class Judge:
         if verdict.verdict in PROVED_WORDS:
             there = refuted_by_nearest(self.state, chain, k, knowledge)
         elif verdict.verdict in (REFUTED, CONTRADICTION):
-            there = with_other_values(self.state, chain, k, knowledge) or as_supposed(self.state, chain)
+            there = with_other_values(self.state, chain, k, knowledge) or as_supposed(
+                self.state, chain, k
+            )
         else:
             return verdict
         return verdict if there is None else describe(self.document, chain, k, there)

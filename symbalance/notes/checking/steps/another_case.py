@@ -294,15 +294,20 @@ _SUPPOSED = re.compile(
 """In a clause that speaks of what is not so: if γ were 60°."""
 
 
-def as_supposed(state: JudgingState, chain: Chain) -> Decision | None:
-    """Return that a relation refuted by lines above is one of a clause that only supposes; or None."""
+def as_supposed(state: JudgingState, chain: Chain, k: int) -> Decision | None:
+    """Return that a relation refuted by lines above is one of a clause that only supposes; or None.
+
+    A step from a formula to its value supposes nothing, nor does a line that was ended before.
+    """
     text = state.document.text
     words = text[max(clause_start(text, chain.start), 0) : chain.start]
-    if _SUPPOSED.search(words) is None or not chain.letters:
+    if k or _RELATION_ABOVE.search(words) or _SUPPOSED.search(words) is None or not chain.letters:
         return None
     return Decision(UNDECIDED, "supposed, and not so above")
 
 
+_RELATION_ABOVE = re.compile(r"[=≈][^\n]*\n")
+"""A line of its own above, with a relation: its words say nothing of the next."""
 _SUBJECT = re.compile(
     r"(?<![A-Za-z])(?:the|die|der|das)\s+(?P<kind>[\w-]+)\s+(?P<noun>[\w-]+)"
     r"\s+(?:is|was|ist|war|beträgt)[\s$]*$",

@@ -10,8 +10,10 @@ import re
 from dataclasses import replace
 
 from symbalance.document.formula import Call, Derivative, Formula, Name, names, walk
+from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.page.solutions import WAVES
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.judging_state import JudgingState
@@ -37,25 +39,41 @@ _ONLY_MARKS = re.compile(r"[\s$.:,)\]\\]*(?:we\s+have|is|gilt|ist|wird)?[\s$.:,(
 
 
 def decide_derived(
-    state: JudgingState, chain: Chain, k: int, as_step: Decision, is_following: bool
+    state: JudgingState,
+    chain: Chain,
+    k: int,
+    as_step: Decision,
+    knowledge: Knowledge,
+    *,
+    is_following: bool,
 ) -> Decision | None:
     """Return the decision on an equation of letters that one above connects, None where it may be new.
 
     `as_step` is that on it with the letter that the equation above fixes put in; `is_following` tells
-    that it follows from all equations above together.
+    that it follows from all equations above together. Letters behind those of the equation count where
+    words say that it follows: u b = M/2 gives u in the letters of M.
     """
     if as_step.status != REFUTED or is_following:
         return None
     own = _letters(chain.sides[k].node, chain.sides[k + 1].node)
     line = chain.lines[0]
-    above = [p for p in state.definitions.premises_at(line) if own <= p.names and p.line <= line]
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    head = chain.sides[0].node
+    behind = {
+        p.line: p.names.union(*({*names_behind(values[n], values)} for n in p.names & values.keys()))
+        for p in state.definitions.premises_at(line)
+        if isinstance(head, Name) and head.name in p.names
+    }
+    premises = [p for p in state.definitions.premises_at(line) if p.line <= line]
+    above = [p for p in premises if own <= p.names or own <= behind.get(p.line, frozenset())]
     if k or not above or len(chain.relations) > 1:
         return None
     premise = above[-1]
     reason = f"does not follow from {premise.text} of line {premise.line}"
     if _is_said_to_follow(state, chain, premise):
         return replace(as_step, reason=as_step.reason or reason)
-    head = chain.sides[0].node
+    if not own <= premise.names:
+        return None
     if isinstance(head, Name) or _turned_letters(chain, k) & _free(as_step):
         return Decision(UNDECIDED, f"{reason}, of whose letters it has no others: say what it fixes")
     return None

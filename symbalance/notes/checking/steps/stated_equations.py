@@ -140,7 +140,7 @@ def _fix(
         if as_step.status == REFUTED and sides and all(constraint.name not in letters(f) for f in sides):
             return as_step  # the letter cancels: nothing is fixed
         is_following = by_premises is not None and by_premises.is_proved
-        derived = decide_derived(state, chain, k, as_step, is_following)
+        derived = decide_derived(state, chain, k, as_step, knowledge, is_following=is_following)
         if derived is not None:
             return derived
         state.definitions.note_premise(chain, k)

@@ -22,6 +22,8 @@ NEAR = 700
 _UNITS = 3
 """Words that a unit has at most: kg m s⁻¹."""
 _MARKUP = re.compile(r"\\(?:mathrm|text|textrm|mbox|,|;|:|!|quad|ensuremath)|[~${}]|</?[a-z]+>")
+_EXPONENT = re.compile(r"\$?\^\{?([-−]?[0-9])\}?\$?")
+"""The exponent of a unit, which may stand between dollars of its own: s$^{-1}$."""
 _NUMERAL = re.compile(r"(?<![\w.,^_])[0-9]+(?:[.,][0-9]+)?(?![0-9])")
 _SIGNS = re.compile(r"\\(?:cdot|times|sqrt|[dt]?frac|left|right|,|;|:|!|quad)|(?<![A-Za-z])x(?![A-Za-z])")
 _LETTER = re.compile(r"[^\W\d_]|°")
@@ -145,7 +147,8 @@ def _numbers_above(document: ReadNotes, start: int) -> dict[Fraction, dict[Dimen
 
 def _unit_behind(text: str) -> tuple[Dimension, Fraction] | None:
     """Return the dimension and the scale of the longest unit that a text begins with."""
-    words = _MARKUP.sub(" ", text.split("\n\n", maxsplit=1)[0]).split()
+    text = _EXPONENT.sub(r"^\1", text.split("\n\n", maxsplit=1)[0])
+    words = _MARKUP.sub(" ", text).split()
     for count in range(min(_UNITS, len(words)), 0, -1):
         source = " ".join(words[:count]).rstrip(".,;:)")
         dimension = unit_of(source) if source and source[0].isalpha() else None
