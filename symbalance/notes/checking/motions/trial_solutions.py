@@ -1,5 +1,6 @@
-"""Trial solutions of free vibrations: with y₁ = A sin pt and y₂ = B sin pt the equations of motion above
-become linear in the amplitudes A and B, and what a page says of these and of p is judged by that.
+"""Trial solutions of free vibrations: y₁ = A sin pt and y₂ = B sin pt in the equations of motion above.
+
+They become linear in the amplitudes A and B, and what a page says of these and of p is judged by that.
 
     (k - I₁ p²) A - k B = 0         a row of them, or what follows wherever their determinant is 0
     A/B = -I₂/I₁                    the ratio in one of the modes

@@ -56,7 +56,7 @@ class CarriedValues:
         of = next((s.node for s in reversed(chain.sides[: k + 1]) if names(s.node)), None)
         head = chain.sides[0].node
         is_result = isinstance(number, Number) and significant_digits(number) >= LONG
-        if isinstance(node, Number) and is_result and of is not None:
+        if is_result and of is not None:
             name = head.name if isinstance(head, Name) else ""
             self.results.append(WrongResult(node, of, name, chain.lines[0]))
         elif k and isinstance(head, Name) and names(node) and head.name not in names(node):

@@ -396,7 +396,8 @@ def refuted_by_nearest(
 ) -> Decision | None:
     """Return that a proved relation is true by an older number of a letter only, not by the nearest one.
 
-    Below d = 60 mm and I = 1.27·10⁶ mm⁴ the next journal has d = 50 mm, and the same I.
+    Below d = 60 mm and I = 1.27·10⁶ mm⁴ the next journal has d = 50 mm, and the same I. A number that is
+    refuted is none.
     """
     left, right = chain.sides[k], chain.sides[k + 1]
     if k and not names(left.node):
@@ -407,6 +408,8 @@ def refuted_by_nearest(
     behind = {*names(left.node), *names_behind(left.node, values)}
     behind -= {left.node.name} if isinstance(left.node, Name) else set()
     given = {name: _numbers_given(state, name, chain) for name in sorted(behind & values.keys())}
+    wrong = {(each.name, each.line) for each in state.wrong_numbers.results}
+    given = {n: [c for c in chains if (n, c.lines[0]) not in wrong] for n, chains in given.items()}
     given = {name: c for name, c in given.items() if len(c) > 1 and knowledge.definitions[name].numeric}
     nearest = {name: chains[0] for name, chains in given.items()}
     older = {name: chains[1] for name, chains in given.items()}

@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
+from math import prod
 
 from symbalance.document.formula import Formula, Name, Number, Product, Quotient, names, walk
 from symbalance.notes.algebra.tree_values import names_behind
@@ -92,9 +93,11 @@ def _stands_open(chain: Chain, k: int, knowledge: Knowledge) -> bool:
 def _is_in_feet(knowledge: Knowledge) -> bool:
     """Tell whether a page gives g in feet or inches: a constant that it computes is for feet then."""
     definition = knowledge.definitions.get("g")
-    if definition is None or not isinstance(definition.node, Number):
-        return False
-    return any(definition.node.value == Fraction(size) * foot for size in GRAVITIES for foot in _FEET)
+    node = None if definition is None else definition.node
+    factors = node.factors if isinstance(node, Product) else (node,)
+    numbers = [factor.value for factor in factors if isinstance(factor, Number)]
+    value = prod(numbers) if len(numbers) == len(factors) else Fraction(0)
+    return any(value == Fraction(size) * foot for size in GRAVITIES for foot in _FEET)
 
 
 def _in_feet(side: Side) -> Side:
