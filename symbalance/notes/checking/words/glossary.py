@@ -8,13 +8,16 @@ languages' tables, in `tongues`, are loaded and compiled only for a page that is
 from __future__ import annotations
 
 import re
+from collections import Counter
 from dataclasses import dataclass, field
 from functools import cache, lru_cache
 from importlib import import_module
 
-_MARKERS = {
-    "english": "the and is of with for are from by this that at its we as force torque speed",
-    "german": "der die das und ist mit des im für den dem ein eine einer von bei zur zum kraft wird sind",
+_WORDS = {
+    "english": "the and is of with for are from by this that at its we as in on force torque speed mass engine"
+    " crank piston rod shaft cylinder cylinders four per each moment",
+    "german": "der die das und ist mit des im für den dem ein eine einer von bei zur zum kraft wird"
+    " sind je pro zwei drei vier zylinder masse kurbel kolben ordnung moment motor welle",
     "french": "le la les des du de une un est et dans pour avec sur par aux où sont cette vaut que moteur"
     " bielle manivelle couple vitesse effort ordre gaz masse rayon contrainte",
     "spanish": "el la los las del de una un es con por para que donde al en son vale fuerza orden pistón"
@@ -32,15 +35,14 @@ _MARKERS = {
     "czech": "je na pro při se ve kde síla síly pístu kliky řádu rychlost moment hřídele setrvačná"
     " setrvačnosti motoru ojnice úvrati hmotnost úhel",
 }
-_LANGUAGE_OF: dict[str, list[str]] = {}
-for _language, _words in _MARKERS.items():
-    for _word in _words.split():
-        _LANGUAGE_OF.setdefault(_word, []).append(_language)
+_MARKERS = {language: frozenset(words.split()) for language, words in _WORDS.items()}
 _OWN = frozenset({"english", "german"})
 _WORD = re.compile(r"(?<![\w\\{])[^\W_]+")
 _KANA = re.compile("[\u3040-\u30ff]")
 _LOOKED_AT, _FEWEST = 20_000, 2
 """Characters of a page that tell its language, and how many words of it there have to be."""
+_SHORTEST = 4
+"""Letters of an English term that is put back into the page's own words; "of" is none."""
 _LINE = re.compile(r"^(?P<english>[^:\n]+): (?P<own>.+)$", re.MULTILINE)
 
 
@@ -72,7 +74,7 @@ class Glossary:
             if match is None:
                 continue
             term = table[(match.lastindex or 1) - 1][1]
-            if " " in term or len(term) > 5:
+            if len(term) >= _SHORTEST:
                 self.spoken.setdefault(term, match[0])
             end = match.end()
             parts += [text[last:start], term, " " if match[0].endswith(("'", "’")) else ""]
@@ -85,7 +87,8 @@ class Glossary:
             return self._sources[words]
         for term in sorted(self.spoken, key=len, reverse=True):
             if term in words:
-                words = words.replace(term, self.spoken[term])
+                own = self.spoken[term].replace("\\", r"\\")
+                words = re.sub(rf"(?<!\w){term}(?!\w)", own, words)
         return words
 
 
@@ -123,12 +126,14 @@ def language_of(text: str) -> str:
     start = text[:_LOOKED_AT]
     if _KANA.search(start):
         return ""
-    scores = dict.fromkeys(_MARKERS, 0)
-    for word in _WORD.findall(start):
-        for language in _LANGUAGE_OF.get(word.casefold(), ()):
-            scores[language] += 1
+    counts = Counter(map(str.casefold, _WORD.findall(start)))
+    scores = {
+        language: sum(counts[word] for word in words) + sum(word in counts for word in words) / 1000
+        for language, words in _MARKERS.items()
+    }
     first, second = sorted(scores, key=lambda language: scores[language])[:-3:-1]
-    is_clear = scores[first] >= _FEWEST and scores[first] > scores[second]
+    several = sum(word in counts for word in _MARKERS[first]) >= _FEWEST
+    is_clear = several and scores[first] > scores[second]
     return first if is_clear and first not in _OWN else ""
 
 
@@ -139,7 +144,8 @@ def _tables(language: str) -> dict[str, list[tuple[str, str]]]:
     tables: dict[str, list[tuple[str, str]]] = {}
     for line in _LINE.finditer(module.TERMS):
         for own in _alternatives(line["own"].replace("§", "§ ")):
-            pattern = own.replace(" ", r"\s+").replace(r"§\s+", module.OF).replace("'", "['’]")
+            pattern = own.replace(" ?", r"\s*").replace(" ", r"\s+").replace("'", "['’]")
+            pattern = pattern.replace(r"§\s+", module.OF.replace("'", "['’]"))
             for first in _first_letters(own):
                 tables.setdefault(first, []).append((pattern, line["english"]))
     for table in tables.values():

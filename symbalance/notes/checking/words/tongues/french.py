@@ -123,7 +123,8 @@ energy: énergie
 work of one cycle: travail (?:par|d'un|§) ?cycle
 work: travail
 two discs: deux (?:disques|volants|inerties)
-thin ring: (?:anneau|couronne|jante) mince
+thin ring: (?:anneau|couronne) mince
+thin rim: jante mince
 solid disc: disque plein
 disc: disque
 rim: jante

@@ -41,7 +41,7 @@ to the small end: (?:dal|al|fino al) piede(?: di biella| della biella)?
 big end: testa di biella|testa della biella
 small end: piede di biella|piede della biella
 crank pin: perno di (?:manovella|biella)|bottone di manovella
-degree of irregularity: (?:grado|coefficiente) d[i'] ?(?:irregolarità(?: periodica)?|fluttuazione)|irregolarità periodica
+degree of irregularity: (?:grado|coefficiente) (?:d'|di )(?:irregolarità(?: periodica)?|fluttuazione)|irregolarità periodica
 fluctuation of energy: fluttuazione (?:di|dell') ?energia|variazione (?:massima )?(?:di|dell') ?energia|eccesso di lavoro
 kinetic energy: energia cinetica
 flywheel: volano

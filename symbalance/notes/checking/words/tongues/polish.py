@@ -10,7 +10,7 @@ piston acceleration: przyspieszeni\w* tłoka
 piston displacement: (?:przemieszczeni|przesunięci)\w* tłoka|drog\w+ tłoka
 piston area: (?:powierzchni\w*|pol\w) (?:przekroju )?tłoka|pole (?:powierzchni )?tłoka
 swept volume: objętoś\w* skokow\w*|pojemnoś\w* skokow\w*
-compression ratio: stopie?ni?\w* sprężania
+compression ratio: stop(?:ień|ni\w*) sprężania
 clearance volume: objętoś\w* komory spalania|objętoś\w* szkodliw\w*
 gas force: sił\w (?:ciśnienia )?gaz(?:ów|owa|owej|u)
 side thrust: nacisk\w* (?:boczn\w* )?(?:tłoka )?na (?:gładź|ściankę)(?: cylindra)?|sił\w (?:boczn\w+|normaln\w+)|nacisk boczny
@@ -41,7 +41,7 @@ reciprocating mass: mas\w+ (?:posuwisto-?\s?zwrotn\w+|w ruchu posuwisto-?\s?zwro
 rotating mass: mas\w+ (?:wirując\w+|obracając\w+ się|w ruchu obrotowym)
 rod mass: mas\w korbowodu
 piston mass: mas\w tłoka
-degree of irregularity: stopie?ni?\w* nierównomierności(?: biegu)?|współczynnik\w* nierównomierności(?: biegu)?
+degree of irregularity: stop(?:ień|ni\w*) nierównomierności(?: biegu)?|współczynnik\w* nierównomierności(?: biegu)?
 fluctuation of energy: nadwyżk\w+ pracy|wahani\w+ energii
 kinetic energy: energi\w+ kinetyczn\w+
 flywheel: koł\w+ zamachow\w+
@@ -59,7 +59,7 @@ position of the node: położeni\w+ węzła|odległoś\w* węzła
 node: węz\w+
 critical speed: prędkoś\w* (?:obrotow\w+ )?krytyczn\w+
 magnification factor: współczynnik\w* (?:wzmocnienia|zwielokrotnienia)(?: drgań| amplitudy)?
-damping ratio: stopie?ni?\w* tłumienia|bezwymiarow\w+ współczynnik\w* tłumienia
+damping ratio: stop(?:ień|ni\w*) tłumienia|bezwymiarow\w+ współczynnik\w* tłumienia
 logarithmic decrement: logarytmiczn\w+ dekrement\w*(?: tłumienia)?
 critical damping: tłumieni\w+ krytyczn\w+
 undamped: nietłumion\w+
@@ -71,7 +71,7 @@ firing frequency: częstotliwoś\w* zapłonów
 counterweight: przeciwciężar\w*|przeciwwag\w+
 balance shaft: wał\w* (?:wyrównoważając|wyważając)\w+
 balance shafts: wał(?:y|ów|ki|ków) (?:wyrównoważając|wyważając)\w+
-crank radius: promie?ni?\w* (?:korby|wykorbienia)
+crank radius: promie(?:ń|ni\w*) (?:korby|wykorbienia)
 connecting rod length: długoś\w* korbowodu
 crank angle: kąt\w* (?:obrotu )?(?:korby|wału korbowego)|kąt\w* obrotu wału
 rod angle: kąt\w* (?:odchylenia |wychylenia )?korbowodu
@@ -94,7 +94,7 @@ stroke: skok(?:u|iem)?
 bore: średnic\w+ cylindra
 top dead centre: (?:górn\w+|zewnętrzn\w+) (?:martwy\w*|martwym|zwrotny\w*) (?:punkt\w*|położeni\w+)|GMP|ZZ
 bottom dead centre: (?:dolny|dolnym|dolnego|wewnętrzn\w+) (?:martwy\w*|zwrotny\w*) (?:punkt\w*|położeni\w+)|DMP
-radius of gyration: promie?ni?\w* bezwładności
+radius of gyration: promie(?:ń|ni\w*) bezwładności
 radius: promie(?:ń|nia|niu|niem)
 diameter: średnic\w+
 density: gęstoś\w*
