@@ -102,7 +102,6 @@ force: síl[aouy]+
 forces: sil
 pressure: tlak(?:u|em)?
 area: ploch[aouy]+|obsah\w*
-stress: napět\w+
 stiffness: tuhost\w*
 speed: rychlost\w*
 acceleration: zrychlen\w+
@@ -161,4 +160,28 @@ three: tři|tří
 four: čtyři|čtyř
 six: šest|šesti
 centre of gravity: těžišt\w+
+pair: pár(?:y|u)?
+proportional: úměrn\w+
+unit: jednot\w+
+specific: měrn\w+
+divided: dělen\w+
+squared: na druhou|kvadrát\w*
+square section: čtvercov\w+
+rectangular: obdélníkov\w+
+annular: prstencov\w+|mezikruh\w*|mezikruž\w*
+solid: pln(?:ý|á|é|ého)
+amplitude: amplitud\w+
+harmonic: harmonick\w+
+coefficient: koeficient\w*|součinitel\w*
+distance: vzdálenost\w*|rozteč\w*
+height: výšk\w+
+width: šířk\w+
+gear: ozuben\w+|převod\w*
+pendulum: kyvadl\w+
+spring: pružin\w+
+friction: třen\w+
+belt: řemen\w*
+notch: vrub\w*
+thin-walled: tenkostěnn\w+
+rotating: rotujíc\w+
 """

@@ -104,7 +104,7 @@ force: kracht
 forces: krachten
 pressure: druk
 area: oppervlakte?
-stress: spanning
+couple: koppel(?= van de (?:eerste|tweede))
 stiffness: stijfheid
 speed: snelheid
 acceleration: versnelling
@@ -170,4 +170,30 @@ three: drie
 four: vier
 six: zes
 centre of gravity: zwaartepunt|massamiddelpunt
+pair: paar
+proportional: evenredig\w*
+unit: eenheid
+specific: specifieke?
+divided: gedeeld
+squared: kwadraat|in het kwadraat
+square section: vierkante doorsnede
+rectangular: rechthoekige?
+annular: ringvormige?
+solid: massieve?
+amplitude: amplitude
+harmonic: harmonische?
+coefficient: coëfficiënt
+distance: afstand
+height: hoogte
+width: breedte
+gear: tandwiel\w*
+pendulum: slinger
+spring: veer
+springs: veren
+friction: wrijving\w*
+belt: riem
+notch: kerf
+thin-walled: dunwandig\w*
+rotating: roterende?|draaiende?
+uneven: ongelijkmatig\w*
 """

@@ -26,9 +26,10 @@ engine torque: couple moteur|couple §(?:moteur|vilebrequin)
 equivalent twisting moment: moment de torsion (?:équivalent|idéal)|moment idéal de torsion
 equivalent bending moment: moment (?:de flexion|fléchissant) (?:équivalent|idéal)|moment idéal de flexion
 bending moment: moment (?:de flexion|fléchissant)
-torque: couple(?: (?:instantané|de torsion))?|moment de torsion
+torque: couple (?:instantané|de torsion)|couple(?! de (?!torsion|serrage|rappel))|moment de torsion
+couple: couples?(?= (?:du |de )?(?:premier|second|deuxième))
 torques: couples
-inertia force: forces? §inertie
+inertia force: (?:force|effort)s? §inertie
 first order: (?:premier|1er) ordre|ordre (?:1|un)
 second order: (?:second|deuxième|2e|2ème) ordre|ordre (?:2|deux)
 fourth order: (?:quatrième|4e|4ème) ordre|ordre (?:4|quatre)
@@ -47,7 +48,8 @@ fluctuation of energy: fluctuation d'énergie|variation (?:maximale )?d'énergie
 kinetic energy: énergie cinétique
 flywheel: volant(?: (?:d'inertie|moteur))?
 polar moment of inertia: moment d'inertie polaire
-moment of inertia: moments? d'inertie|inertie
+moment of inertia: moments? d'inertie
+inertia: inertie
 polar second moment of area: moment quadratique polaire|moment polaire
 second moment of area: moment quadratique(?: axial)?
 polar section modulus: module de résistance (?:polaire|(?:à la|en|de) torsion)
@@ -103,7 +105,7 @@ bore: alésage
 top dead centre: point mort haut|PMH
 bottom dead centre: point mort bas|PMB
 dead centre: point mort
-radius of gyration: rayon de giration
+radius of gyration: rayon (?:de giration|d'inertie)
 radius: rayon
 diameter: diamètre
 density: masse volumique
@@ -186,4 +188,30 @@ six: six
 residual force along the line of stroke: force résiduelle (?:suivant|selon|dans|le long de) (?:l'axe|la direction)(?: du cylindre)?
 residual force perpendicular to it: force résiduelle (?:perpendiculaire|transversale)(?: à (?:l'axe|celui-ci))?
 centre of gravity: centre (?:de gravité|de masse|d'inertie)
+pair: paire
+proportional: proportionnel\w*
+unit: unités?|unitaires?
+specific: spécifique
+divided: divisée?s?
+squared: au carré|carré
+square section: section carrée
+rectangular: rectangulaire
+annular: annulaire
+solid: pleine?|massi(?:f|ve)
+amplitude: amplitude
+harmonic: harmonique
+coefficient: coefficient
+distance: distance
+height: hauteur
+width: largeur
+gear: engrenage|roue dentée
+pendulum: pendule
+spring: ressort
+springs: ressorts
+friction: frottement
+belt: courroie
+notch: entaille|congé
+thin-walled: paroi mince
+rotating: tournante?s?|rotati(?:f|ve)s?
+uneven: irréguli(?:er|ère)s?
 """

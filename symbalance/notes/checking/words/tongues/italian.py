@@ -25,9 +25,11 @@ engine torque: coppia motrice|momento motore|coppia §motore
 equivalent twisting moment: momento torcente (?:equivalente|ideale)|momento torcente ideale
 equivalent bending moment: momento flettente (?:equivalente|ideale)
 bending moment: momento flettente
-torque: coppia(?: istantanea| torcente)?|momento torcente
+torque: coppia (?:istantanea|torcente)|coppia(?! di (?!torsione|serraggio))|momento torcente
+couple: coppi[ae](?= (?:del |di )?(?:primo|secondo))
+pair: coppi[ae] di (?:cilindri|pistoni|dischi|ruote|masse|alberi)
 inertia couple: (?:coppi[ae]|momenti?) d'inerzia(?= (?:del |di )?(?:primo|secondo|1|2))
-inertia force: forz[ae] (?:d'|di )inerzia
+inertia force: (?:forz[ae]|sforz[oi]) (?:d'|di )inerzia
 first order: (?:primo|1°|1º) ordine|ordine (?:1|uno)
 second order: (?:secondo|2°|2º) ordine|ordine (?:2|due)
 fourth order: (?:quarto|4°|4º) ordine|ordine (?:4|quattro)
@@ -46,7 +48,8 @@ fluctuation of energy: fluttuazione (?:di|dell') ?energia|variazione (?:massima 
 kinetic energy: energia cinetica
 flywheel: volano
 polar moment of inertia: momento (?:d'|di )inerzia polare|momento polare d'inerzia
-moment of inertia: moment[oi] (?:d'|di )inerzia|inerzia
+moment of inertia: moment[oi] (?:d'|di )inerzia
+inertia: inerzia
 polar second moment of area: momento quadratico polare
 second moment of area: momento quadratico(?: assiale)?
 polar section modulus: modulo di resistenza (?:polare|a torsione)
@@ -113,7 +116,6 @@ force: forza
 forces: forze
 pressure: pressione
 area: area|superficie
-stress: tensione|sollecitazione
 stiffness: rigidezza|rigidità
 speed: velocità
 acceleration: accelerazione
@@ -184,4 +186,29 @@ six: sei
 residual force along the line of stroke: forza residua (?:lungo|secondo) l'asse(?: del cilindro)?
 residual force perpendicular to it: forza residua (?:perpendicolare|trasversale)(?: all'asse)?
 centre of gravity: baricentro|centro di (?:gravità|massa)
+proportional: proporzional\w*
+unit: unità|unitari[oa]
+specific: specific[oa]
+divided: divis[oa]
+squared: al quadrato|quadrato
+square section: sezione quadrata
+rectangular: rettangolare
+annular: anulare
+solid: pien[oa]
+amplitude: ampiezza
+harmonic: armonic[oa]
+coefficient: coefficiente
+distance: distanza
+height: altezza
+width: larghezza
+gear: ingranaggio|ruota dentata
+pendulum: pendolo
+spring: molla
+springs: molle
+friction: attrito
+belt: cinghia
+notch: intaglio
+thin-walled: parete sottile
+rotating: rotant[ei]|rotativ[oaei]
+uneven: irregolar[ei]
 """

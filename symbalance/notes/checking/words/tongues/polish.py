@@ -165,4 +165,28 @@ three: trzy|trzech
 four: cztery|czterech
 six: sześć|sześciu
 centre of gravity: środ\w+ (?:ciężkości|masy)
+pair: par[aęy]
+proportional: proporcjonaln\w+
+unit: jednost\w+
+specific: właściw\w+
+divided: podzielon\w+
+squared: kwadrat\w*
+square section: kwadratow\w+ przekr\w+
+rectangular: prostokątn\w+
+annular: pierścieniow\w+
+solid: pełn\w+
+amplitude: amplitud\w+
+harmonic: harmoniczn\w+
+coefficient: współczynnik\w*
+distance: odległoś\w*|rozstaw\w*
+height: wysokoś\w*
+width: szerokoś\w*
+gear: koł\w+ zębat\w+|przekładni\w*
+pendulum: wahadł\w*
+spring: sprężyn\w+
+friction: tarci\w+
+belt: pas(?:a|em|ek|owy|owa)
+notch: karb\w*
+thin-walled: cienkościenn\w+
+rotating: wirując\w+|obracając\w+
 """

@@ -25,7 +25,7 @@ engine torque: (?:torque|binário) (?:motor|§motor)
 equivalent twisting moment: momento torsor equivalente|torque equivalente
 equivalent bending moment: momento fletor equivalente|momento flector equivalente
 bending moment: momento flec?tor
-torque: torque|binário|momento torsor|momento de torção
+torque: torque|binário(?! de (?!torção))|momento torsor|momento de torção
 inertia couple: (?:binário|momento|conjugado)s? de inércia(?= (?:de )?(?:primeira|segunda|1|2))
 inertia force: forças? de inércia
 first order: (?:primeira|1ª) ordem|ordem (?:1|um)
@@ -41,7 +41,8 @@ fluctuation of energy: flutuação (?:de|da) energia|variação (?:máxima )?(?:
 kinetic energy: energia cinética
 flywheel: volante(?: de inércia)?
 polar moment of inertia: momento polar de inércia|momento de inércia polar
-moment of inertia: momentos? de inércia|inércia
+moment of inertia: momentos? de inércia
+inertia: inércia
 second moment of area: segundo momento de área|momento de inércia da sec?ção
 polar section modulus: módulo de resistência (?:polar|à torção)
 section modulus in bending: módulo de resistência à flexão
@@ -106,7 +107,6 @@ force: força
 forces: forças
 pressure: pressão
 area: área
-stress: tensão
 stiffness: rigidez
 speed: velocidade
 acceleration: aceleração
@@ -174,4 +174,30 @@ three: três
 four: quatro
 six: seis
 centre of gravity: centro de (?:gravidade|massa)
+pair: par de (?:cilindros|pistões|discos)|pares
+proportional: proporciona(?:l|is)
+unit: unidade|unitári[oa]
+specific: específic[oa]
+divided: dividid[oa]
+squared: ao quadrado|quadrado
+square section: sec?ção quadrada|seção quadrada
+rectangular: retangular
+annular: anelar|anular
+solid: maciç[oa]
+amplitude: amplitude
+harmonic: harmônic[oa]|harmónic[oa]
+coefficient: coeficiente
+distance: distância
+height: altura
+width: largura
+gear: engrenagem
+pendulum: pêndulo
+spring: mola
+springs: molas
+friction: atrito
+belt: correia
+notch: entalhe
+thin-walled: parede fina
+rotating: rotativ[oa]s?|girantes?
+uneven: irregular(?:es)?
 """

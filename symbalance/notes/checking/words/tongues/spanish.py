@@ -25,9 +25,12 @@ engine torque: par (?:motor|§motor)
 equivalent twisting moment: momento torsor equivalente|par equivalente|momento de torsión equivalente
 equivalent bending moment: momento flector equivalente
 bending moment: momento flector
-torque: par(?= (?:instantáneo|torsor|que|es|en))|par torsor|momento torsor|momento de torsión|par
+torque: par (?:torsor|instantáneo|resistente|transmitido)|momento torsor|momento de torsión
+the torque: (?:el|un|este) par(?! de (?!torsión|giro|apriete))
+couple: par(?= de (?:primer|segundo))|par de fuerzas
+pair: par de (?:cilindros|pistones|discos|ruedas|masas|ejes)|pareja
 inertia couple: (?:par|momento)s? de inercia(?= (?:de )?(?:primer|segundo|1|2))
-inertia force: fuerzas? de inercia
+inertia force: (?:fuerza|esfuerzo)s? de inercia
 first order: (?:primer|1er) orden|orden (?:1|uno)
 second order: (?:segundo|2º|2\.º) orden|orden (?:2|dos)
 fourth order: (?:cuarto|4º|4\.º) orden|orden (?:4|cuatro)
@@ -46,7 +49,8 @@ fluctuation of energy: fluctuación de (?:la )?energía|variación (?:máxima )?
 kinetic energy: energía cinética
 flywheel: volante(?: de inercia)?
 polar moment of inertia: momento polar de inercia|momento de inercia polar
-moment of inertia: momentos? de inercia|inercia
+moment of inertia: momentos? de inercia
+inertia: inercia
 second moment of area: segundo momento de área|momento de inercia de la sección
 polar section modulus: módulo (?:resistente )?(?:polar|a (?:la )?torsión|de torsión)
 section modulus in bending: módulo resistente a (?:la )?flexión
@@ -101,7 +105,7 @@ bore: diámetro del cilindro
 top dead centre: punto muerto superior|PMS
 bottom dead centre: punto muerto inferior|PMI
 dead centre: punto muerto
-radius of gyration: radio de giro
+radius of gyration: radio de (?:giro|inercia)
 radius: radio
 diameter: diámetro
 density: densidad
@@ -112,7 +116,6 @@ force: fuerza
 forces: fuerzas
 pressure: presión
 area: área|superficie
-stress: tensión|esfuerzo
 stiffness: rigidez
 speed: velocidad
 acceleration: aceleración
@@ -183,4 +186,29 @@ residual force along the line of stroke: fuerza residual (?:en|según) (?:la dir
 residual force perpendicular to it: fuerza residual (?:perpendicular|transversal)(?: al eje)?
 balance shafts: ejes? contrarrotantes?
 centre of gravity: centro de (?:gravedad|masas?)
+proportional: proporcional\w*
+unit: unidad|unitari[oa]
+specific: específic[oa]
+divided: dividid[oa]
+squared: al cuadrado|cuadrado
+square section: sección cuadrada
+rectangular: rectangular
+annular: anular
+solid: maciz[oa]|llen[oa]
+amplitude: amplitud
+harmonic: armónic[oa]
+coefficient: coeficiente
+distance: distancia
+height: altura
+width: anchura|ancho
+gear: engranaje
+pendulum: péndulo
+spring: muelle|resorte
+springs: muelles|resortes
+friction: rozamiento|fricción
+belt: correa
+notch: entalla
+thin-walled: pared delgada
+rotating: rotativ[oa]s?|giratori[oa]s?
+uneven: irregular(?:es)?
 """

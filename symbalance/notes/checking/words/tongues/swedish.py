@@ -86,7 +86,7 @@ mechanical efficiency: mekanisk\w* verkningsgrad\w*
 efficiency: verkningsgrad\w*
 brake power: effektiv\w* effekt\w*
 indicated power: indikera\w* effekt\w*
-power: effekten?
+power: effekt(?:en)?
 four-stroke: fyrtakt\w*
 two-stroke: tvåtakt\w*
 stroke: slaglängd\w*
@@ -98,13 +98,12 @@ radius: radien?
 diameter: diameter\w*
 density: densitet\w*
 mass: massan?
-length: längden?
+length: längd(?:en)?
 thickness: tjocklek\w*
 force: kraft(?:en)?
 forces: krafter(?:na)?
 pressure: trycket|tryck
 area: area|arean|ytan?
-stress: spänning(?:en)?
 stiffness: styvhet\w*
 speed: hastighet\w*
 frequency: frekvens\w*
@@ -117,7 +116,7 @@ solid disc: homogen skiva
 disc: skivan?
 rim: ringen|kransen
 shaft: axeln?
-hollow: ihålig\w*|rör\w*
+hollow: ihålig\w*|rör(?:et|formig\w*)?
 fixed: fast inspänd\w*|inspänd\w*
 offset: desaxer\w*|excentrisk\w*
 piston: kolv(?:en)?
@@ -150,7 +149,7 @@ not: inte|ej
 from the: från
 is: är|blir
 the: den|det
-a: ett?n?
+a: en|ett
 of: av
 and: och
 with: med
@@ -166,4 +165,29 @@ three: tre
 four: fyra
 six: sex
 centre of gravity: tyngdpunkt\w*|masscentrum
+pair: par
+proportional: proportionell\w*
+unit: enhet\w*
+specific: specifik\w*
+divided: delad|dividera\w*
+squared: kvadraten? på|i kvadrat
+square section: kvadratisk\w*
+rectangular: rektangulär\w*
+annular: ringformig\w*
+solid: massiv\w*
+amplitude: amplitud\w*
+harmonic: harmonisk\w*|deltonen?
+coefficient: koefficient\w*
+distance: avstånd\w*
+height: höjd\w*
+width: bredd\w*
+gear: kugghjul\w*|växel\w*
+pendulum: pendel\w*
+spring: fjäder\w*
+springs: fjädrar\w*
+friction: friktion\w*
+belt: rem(?:men)?
+notch: anvisning\w*
+thin-walled: tunnväggig\w*
+rotating: roterande
 """
