@@ -12,10 +12,11 @@ from collections import Counter
 from dataclasses import dataclass, field
 from functools import cache, lru_cache
 from importlib import import_module
+from itertools import accumulate
 
 _WORDS = {
-    "english": "the and is of with for are from by this that at its we as in on force torque speed mass engine"
-    " crank piston rod shaft cylinder cylinders four per each moment",
+    "english": "the and is of with for are from by this that at its we as in on force torque speed"
+    " mass engine crank piston rod shaft cylinder cylinders four per each moment",
     "german": "der die das und ist mit des im für den dem ein eine einer von bei zur zum kraft wird"
     " sind je pro zwei drei vier zylinder masse kurbel kolben ordnung moment motor welle",
     "french": "le la les des du de une un est et dans pour avec sur par aux où sont cette vaut que moteur"
@@ -31,11 +32,20 @@ _WORDS = {
     "portuguese": "os as do da dos das de um uma é com por para no na ao em que onde são vale força"
     " pistão êmbolo biela manivela velocidade ordem momento massa motor inércia",
     "swedish": "och av är den det ett en med för vid som där kraft kraften kolven vevstaken veven ordningen"
-    " masskraften hastighet blir två svänghjulet axeln",
+    " masskraften hastighet blir två svänghjulet axeln kolvens vevens motorn massan varvtalet"
+    " dödpunkten vevaxeln övre undre",
     "czech": "je na pro při se ve kde síla síly pístu kliky řádu rychlost moment hřídele setrvačná"
     " setrvačnosti motoru ojnice úvrati hmotnost úhel",
 }
 _MARKERS = {language: frozenset(words.split()) for language, words in _WORDS.items()}
+_LETTERS = {language: frozenset[str]() for language in _WORDS} | {
+    "polish": frozenset("łżąęśź"),
+    "czech": frozenset("řěů"),
+    "swedish": frozenset("å"),
+    "portuguese": frozenset("ãõ"),
+    "spanish": frozenset("ñ"),
+}
+"""Letters that no other of the languages has."""
 _OWN = frozenset({"english", "german"})
 _WORD = re.compile(r"(?<![\w\\{])[^\W_]+")
 _KANA = re.compile("[\u3040-\u30ff]")
@@ -43,6 +53,7 @@ _LOOKED_AT, _FEWEST = 20_000, 2
 """Characters of a page that tell its language, and how many words of it there have to be."""
 _SHORTEST = 4
 """Letters of an English term that is put back into the page's own words; "of" is none."""
+_TERM_END = r"(?:(?<=['’])|(?![^\W_]))"
 _LINE = re.compile(r"^(?P<english>[^:\n]+): (?P<own>.+)$", re.MULTILINE)
 
 
@@ -70,10 +81,10 @@ class Glossary:
             start = word.start()
             if start < last or (table := tables.get(text[start].casefold())) is None:
                 continue
-            match = _pattern_of(self.language, text[start].casefold()).match(text, start)
-            if match is None:
+            if _any_of(self.language, text[start].casefold()).match(text, start) is None:
                 continue
-            term = table[(match.lastindex or 1) - 1][1]
+            matches = [(found, term) for own, term in table if (found := own.match(text, start))]
+            match, term = max(matches, key=lambda pair: pair[0].end())
             if len(term) >= _SHORTEST:
                 self.spoken.setdefault(term, match[0])
             end = match.end()
@@ -85,6 +96,9 @@ class Glossary:
         """Return words that were put in English as the page has them, a whole text or its terms."""
         if words in self._sources:
             return self._sources[words]
+        whole = next((own for term, own in self.spoken.items() if words in term), "")
+        if whole and words not in self.spoken:
+            return whole
         for term in sorted(self.spoken, key=len, reverse=True):
             if term in words:
                 own = self.spoken[term].replace("\\", r"\\")
@@ -127,38 +141,35 @@ def language_of(text: str) -> str:
     if _KANA.search(start):
         return ""
     counts = Counter(map(str.casefold, _WORD.findall(start)))
-    scores = {
-        language: sum(counts[word] for word in words) + sum(word in counts for word in words) / 1000
-        for language, words in _MARKERS.items()
-    }
+    scores, several = dict[str, float](), dict[str, int]()
+    for language, words in _MARKERS.items():
+        own = [word for word in counts if word in words or not _LETTERS[language].isdisjoint(word)]
+        several[language] = len(own)
+        scores[language] = sum(counts[word] for word in own) + len(own) / 1000
     first, second = sorted(scores, key=lambda language: scores[language])[:-3:-1]
-    several = sum(word in counts for word in _MARKERS[first]) >= _FEWEST
-    is_clear = several and scores[first] > scores[second]
+    is_clear = several[first] >= _FEWEST and scores[first] > scores[second]
     return first if is_clear and first not in _OWN else ""
 
 
 @cache
-def _tables(language: str) -> dict[str, list[tuple[str, str]]]:
+def _tables(language: str) -> dict[str, list[tuple[re.Pattern[str], str]]]:
     """Return the patterns of a language's terms with the English ones, by their first letter."""
     module = import_module(f"{__package__}.tongues.{language}")
-    tables: dict[str, list[tuple[str, str]]] = {}
+    tables: dict[str, list[tuple[re.Pattern[str], str]]] = {}
     for line in _LINE.finditer(module.TERMS):
         for own in _alternatives(line["own"].replace("§", "§ ")):
             pattern = own.replace(" ?", r"\s*").replace(" ", r"\s+").replace("'", "['’]")
             pattern = pattern.replace(r"§\s+", module.OF.replace("'", "['’]"))
+            whole = re.compile(rf"(?:{pattern}){_TERM_END}", re.IGNORECASE)
             for first in _first_letters(own):
-                tables.setdefault(first, []).append((pattern, line["english"]))
-    for table in tables.values():
-        table.sort(key=lambda entry: len(entry[0]), reverse=True)
+                tables.setdefault(first, []).append((whole, line["english"]))
     return tables
 
 
 @cache
-def _pattern_of(language: str, first: str) -> re.Pattern[str]:
-    """Return one pattern for a language's terms that begin with a letter, the longest first."""
-    parts = (f"({pattern})" for pattern, _ in _tables(language)[first])
-    text = "|".join(parts)
-    return re.compile(rf"(?:{text})(?:(?<=['’])|(?![^\W_]))", re.IGNORECASE)
+def _any_of(language: str, first: str) -> re.Pattern[str]:
+    """Return one pattern for all of a language's terms that begin with a letter."""
+    return re.compile("|".join(own.pattern for own, _ in _tables(language)[first]), re.IGNORECASE)
 
 
 def _alternatives(text: str) -> list[str]:
@@ -177,10 +188,7 @@ def _first_letters(pattern: str) -> set[str]:
     """Return the letters that a pattern's matches may begin with."""
     if not pattern.startswith("(?:"):
         return {pattern[0].casefold()}
-    depth, end = 0, 0
-    for end, sign in enumerate(pattern):
-        depth += (sign == "(") - (sign == ")")
-        if not depth:
-            break
+    depths = accumulate((sign == "(") - (sign == ")") for sign in pattern)
+    end = next(place for place, depth in enumerate(depths) if not depth)
     firsts = {first for part in _alternatives(pattern[3:end]) for first in _first_letters(part)}
     return firsts | (_first_letters(pattern[end + 2 :]) if pattern[end + 1 : end + 2] == "?" else set())

@@ -34,8 +34,8 @@ _ORDER = re.compile(
             r"|second[oa](?![a-z])"
                r"|drugi\w+|druhého|tweede|andra|втор\w+|[二2２]\s?次|orders?\s(?:of\s)?(?:2|two)(?![0-9])"
                r"|ordnung\s(?:2|II)(?![0-9])",
-            4: r"fourth|4th|vierte[rsnm]?|4\.|IV\.|quatrième|cuart[oa]|quart[oa]|czwart\w+|čtvrtého|fjärde|vierde"
-            r"|[四4４]\s?次"
+            4: r"fourth|4th|vierte[rsnm]?|4\.|IV\.|quatrième|cuart[oa]|quart[oa]|czwart\w+|vierde"
+            r"|čtvrtého|fjärde|[四4４]\s?次"
                r"|orders?\s(?:of\s)?(?:4|four)(?![0-9])",
             6: r"sixth|6th|sechste[rsnm]?|6\.|VI\.|sixième|sext[oa]|sest[oa]|szóst\w+|zesde|[六6６]\s?次"
                r"|orders?\s(?:of\s)?(?:6|six)(?![0-9])",
@@ -64,10 +64,12 @@ _FORCE = re.compile(
 )
 _TORQUE = re.compile(
     r"torque|drehmoment|couple\s+moteur|par\s+motor|coppia\s+motrice|motorkoppel|obrotow|vridmoment"
-    r"|točiv|krout|トルク|of\s+inertia\b(?!\s+(?:force|couple))|trägheitsm", re.IGNORECASE
+    r"|točiv|krout|トルク|of\s+inertia\b(?!\s+(?:force|couple))|trägheitsm",
+    re.IGNORECASE,
 )
 _ROTATING = re.compile(
-    r"rotating|revolving|rotierend|umlaufend|回転(?:部分|質量)|tournant|rotante|rotativ|roterend|roterande|wirując|rotujíc|girante", re.IGNORECASE
+    r"rotating|revolving|rotierend|umlaufend|回転(?:部分|質量)|tournant|rotante|rotativ|roterend|roterande|wirując|rotujíc|girante",
+    re.IGNORECASE,
 )
 WHOLE = re.compile(
     r"\bfree\b|freie|resultant|resultier|\btotal|gesamt|\bsum\b|summe|合力|合計|全体|whole|engine'?s\b"

@@ -26,7 +26,8 @@ equivalent twisting moment: (?:redukovan|ekvivalentn)\w+ krout\w+ moment\w*
 bending moment: ohybov\w+ moment\w*
 polar second moment of area: polárn\w+ (?:kvadratick\w+ )?moment\w*(?: setrvačnosti)?(?: průřezu)?
 second moment of area: (?:osov\w+ )?kvadratick\w+ moment\w*(?: průřezu)?
-polar section modulus: (?:průřezov\w+ modul\w* )?v krutu průřezov\w+ modul\w*|modul\w* (?:průřezu )?v krutu|průřezov\w+ modul\w* v krutu
+polar section modulus: (?:průřezov\w+ modul\w* )?v krutu průřezov\w+ modul\w*
+polar section modulus: modul\w* (?:průřezu )?v krutu|průřezov\w+ modul\w* v krutu
 section modulus in bending: modul\w* (?:průřezu )?v ohybu|průřezov\w+ modul\w* v ohybu
 section modulus: průřezov\w+ modul\w*
 moment of inertia: moment\w* setrvačnosti
@@ -36,7 +37,8 @@ first order: (?:prvního|1\.|I\.) řádu
 second order: (?:druhého|2\.|II\.) řádu
 fourth order: (?:čtvrtého|4\.|IV\.) řádu
 centrifugal force: odstřediv\w+ s[ií]l\w*
-reciprocating mass: (?:posuvn\w+|vratn\w+) (?:se pohybující )?hmot\w+|hmotnost\w* posuvn\w+ (?:hmot|část\w+)
+reciprocating mass: (?:posuvn\w+|vratn\w+) (?:se pohybující )?hmot\w+
+reciprocating mass: hmotnost\w* posuvn\w+ (?:hmot|část\w+)
 rotating mass: rotujíc\w+ hmot\w+|hmotnost\w* rotujíc\w+ (?:hmot|část\w+)
 rod mass: hmotnost\w* ojnice
 piston mass: hmotnost\w* pístu
@@ -120,7 +122,7 @@ fixed: vetknut\w+
 offset: vyosen\w+|přesazen\w+|excentrick\w+
 piston: píst(?:u|em)?
 crankshaft: klikov\w+ hřídel\w*
-crank: klik[ayouě]+
+crank: klik(?:[ayuě]|ou)
 connecting rod: ojnic\w+
 engine: motor(?:u|em)?
 cylinder: vál(?:ec|ce|ci)
@@ -184,4 +186,10 @@ belt: řemen\w*
 notch: vrub\w*
 thin-walled: tenkostěnn\w+
 rotating: rotujíc\w+
+dead centres: úvrat(?:ě|ích)
+if: pokud|jestliže
+when: když
+another: jin(?:ý|á|é|ého)
+case: případ\w*
+whereas: zatímco
 """

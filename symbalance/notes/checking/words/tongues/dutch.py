@@ -196,4 +196,10 @@ notch: kerf
 thin-walled: dunwandig\w*
 rotating: roterende?|draaiende?
 uneven: ongelijkmatig\w*
+dead centres: dode punten
+if: als|indien
+when: wanneer
+another: een andere?
+case: geval
+whereas: terwijl
 """

@@ -24,7 +24,8 @@ inertia torque: couple §(?:forces d')?inertie
 inertia couple: (?:couple|moment)s? d'inertie(?= (?:du |de )?(?:premier|second|deuxième|1er|2e))
 engine torque: couple moteur|couple §(?:moteur|vilebrequin)
 equivalent twisting moment: moment de torsion (?:équivalent|idéal)|moment idéal de torsion
-equivalent bending moment: moment (?:de flexion|fléchissant) (?:équivalent|idéal)|moment idéal de flexion
+equivalent bending moment: moment (?:de flexion|fléchissant) (?:équivalent|idéal)
+equivalent bending moment: moment idéal de flexion
 bending moment: moment (?:de flexion|fléchissant)
 torque: couple (?:instantané|de torsion)|couple(?! de (?!torsion|serrage|rappel))|moment de torsion
 couple: couples?(?= (?:du |de )?(?:premier|second|deuxième))
@@ -43,7 +44,8 @@ to the small end: (?:au|depuis le|jusqu'au) pied(?: de bielle)?
 big end: tête de bielle
 small end: pied de bielle
 crank pin: maneton
-degree of irregularity: (?:coefficient|degré) d'irrégularité|irrégularité cyclique|coefficient de fluctuation(?: de (?:la )?vitesse)?
+degree of irregularity: (?:coefficient|degré) d'irrégularité|irrégularité cyclique
+degree of irregularity: coefficient de fluctuation(?: de (?:la )?vitesse)?
 fluctuation of energy: fluctuation d'énergie|variation (?:maximale )?d'énergie|excédent de travail
 kinetic energy: énergie cinétique
 flywheel: volant(?: (?:d'inertie|moteur))?
@@ -76,7 +78,8 @@ damping: amortissement
 undamped: non amorti\w*|sans amortissement
 damped: amorti(?:e|s|es)?
 period: période
-firing interval: intervalle (?:angulaire )?(?:d'allumage|entre (?:deux )?(?:allumages|explosions)(?: successi\w*)?)
+firing interval: intervalle (?:angulaire )?d'allumage
+firing interval: intervalle entre (?:deux )?(?:allumages|explosions)(?: successi\w*)?
 firing frequency: fréquence (?:d'allumage|§explosions)
 counterweight: contre-?poids
 balance shaft: arbre (?:d'équilibrage|équilibreur)
@@ -185,8 +188,9 @@ two: deux
 three: trois
 four: quatre
 six: six
-residual force along the line of stroke: force résiduelle (?:suivant|selon|dans|le long de) (?:l'axe|la direction)(?: du cylindre)?
-residual force perpendicular to it: force résiduelle (?:perpendiculaire|transversale)(?: à (?:l'axe|celui-ci))?
+residual force along the line of stroke: force résiduelle (?:suivant|selon|dans) (?:l'axe|la direction)
+residual force along the line of stroke: force résiduelle suivant l'axe du cylindre
+residual force perpendicular to it: force résiduelle (?:perpendiculaire|transversale)
 centre of gravity: centre (?:de gravité|de masse|d'inertie)
 pair: paire
 proportional: proportionnel\w*
@@ -214,4 +218,11 @@ notch: entaille|congé
 thin-walled: paroi mince
 rotating: tournante?s?|rotati(?:f|ve)s?
 uneven: irréguli(?:er|ère)s?
+dead centres: points morts
+at: à|aux
+if: si
+when: quand|lorsqu(?:e|')
+another: une? autre
+case: cas
+whereas: tandis qu(?:e|')|alors que
 """

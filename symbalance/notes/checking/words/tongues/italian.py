@@ -43,8 +43,10 @@ to the small end: (?:dal|al|fino al) piede(?: di biella| della biella)?
 big end: testa di biella|testa della biella
 small end: piede di biella|piede della biella
 crank pin: perno di (?:manovella|biella)|bottone di manovella
-degree of irregularity: (?:grado|coefficiente) (?:d'|di )(?:irregolarità(?: periodica)?|fluttuazione)|irregolarità periodica
-fluctuation of energy: fluttuazione (?:di|dell') ?energia|variazione (?:massima )?(?:di|dell') ?energia|eccesso di lavoro
+degree of irregularity: (?:grado|coefficiente) (?:d'|di )(?:irregolarità(?: periodica)?|fluttuazione)
+degree of irregularity: irregolarità periodica
+fluctuation of energy: fluttuazione (?:di|dell') ?energia|variazione (?:massima )?(?:di|dell') ?energia
+fluctuation of energy: eccesso di lavoro
 kinetic energy: energia cinetica
 flywheel: volano
 polar moment of inertia: momento (?:d'|di )inerzia polare|momento polare d'inerzia
@@ -69,14 +71,16 @@ position of the node: (?:posizione|distanza) §nodo
 node: nodo
 critical speed: velocità critic(?:a|he)|regime critico
 magnification factor: (?:fattore|coefficiente) di amplificazione
-damping ratio: (?:fattore|rapporto) di smorzamento|smorzamento relativo|coefficiente di smorzamento relativo
+damping ratio: (?:fattore|rapporto) di smorzamento|smorzamento relativo
+damping ratio: coefficiente di smorzamento relativo
 logarithmic decrement: decremento logaritmico
 critical damping: smorzamento critico
 damping: smorzamento
 undamped: non smorzat\w*|senza smorzamento
 damped: smorzat\w*
 period: periodo
-firing interval: intervallo (?:angolare )?(?:di accensione|(?:tra|fra) (?:due )?(?:accensioni|scoppi)(?: successiv\w*| consecutiv\w*)?)
+firing interval: intervallo (?:angolare )?di accensione
+firing interval: intervallo (?:tra|fra) (?:due )?(?:accensioni|scoppi)(?: successiv\w*| consecutiv\w*)?
 firing frequency: frequenza (?:di accensione|degli scoppi)
 counterweight: contrappes[oi]
 balance shaft: albero (?:di equilibratura|equilibratore|controrotante)
@@ -211,4 +215,11 @@ notch: intaglio
 thin-walled: parete sottile
 rotating: rotant[ei]|rotativ[oaei]
 uneven: irregolar[ei]
+dead centres: punti morti
+at the: alla|all'
+if: se
+when: quando
+another: un altro|un'altra
+case: caso
+whereas: mentre
 """

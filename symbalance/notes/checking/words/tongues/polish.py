@@ -13,7 +13,8 @@ swept volume: objętoś\w* skokow\w*|pojemnoś\w* skokow\w*
 compression ratio: stop(?:ień|ni\w*) sprężania
 clearance volume: objętoś\w* komory spalania|objętoś\w* szkodliw\w*
 gas force: sił\w (?:ciśnienia )?gaz(?:ów|owa|owej|u)
-side thrust: nacisk\w* (?:boczn\w* )?(?:tłoka )?na (?:gładź|ściankę)(?: cylindra)?|sił\w (?:boczn\w+|normaln\w+)|nacisk boczny
+side thrust on the cylinder wall: nacisk\w* (?:boczn\w* )?(?:tłoka )?na (?:gładź|ściankę)(?: cylindra)?
+side thrust: sił\w (?:boczn\w+|normaln\w+)|nacisk boczny
 connecting rod force: sił\w (?:w korbowodzie|wzdłuż korbowodu|w osi korbowodu)
 tangential force: sił\w styczn\w+
 radial force: sił\w (?:promieniow|radialn)\w+
@@ -21,8 +22,10 @@ piston force: sił\w (?:tłokow\w+|na tłok\w*)
 mean torque: średni\w* moment\w* obrotow\w*
 inertia torque: moment\w* (?:obrotow\w* )?(?:od )?sił bezwładności
 engine torque: moment\w* (?:obrotow\w* )?silnika
-equivalent bending moment: (?:zastępcz|zredukowan)\w* moment\w* (?:gnąc|zginając)\w*|moment\w* (?:gnąc|zginając)\w* (?:zastępcz|zredukowan)\w*
-equivalent twisting moment: (?:zastępcz|zredukowan)\w* moment\w* skręcając\w*|moment\w* skręcając\w* (?:zastępcz|zredukowan)\w*
+equivalent bending moment: (?:zastępcz|zredukowan)\w* moment\w* (?:gnąc|zginając)\w*
+equivalent bending moment: moment\w* (?:gnąc|zginając)\w* (?:zastępcz|zredukowan)\w*
+equivalent twisting moment: (?:zastępcz|zredukowan)\w* moment\w* skręcając\w*
+equivalent twisting moment: moment\w* skręcając\w* (?:zastępcz|zredukowan)\w*
 bending moment: moment\w* (?:gnąc|zginając)\w*
 polar second moment of area: biegunow\w* moment\w* bezwładności|moment\w* bezwładności biegunow\w*
 second moment of area: (?:osiow|geometryczn)\w* moment\w* bezwładności|moment\w* bezwładności przekroju
@@ -37,11 +40,12 @@ first order: (?:pierwszego|I|1\.) rzędu
 second order: (?:drugiego|II|2\.) rzędu
 fourth order: (?:czwartego|IV|4\.) rzędu
 centrifugal force: sił\w? odśrodkow\w+
-reciprocating mass: mas\w+ (?:posuwisto-?\s?zwrotn\w+|w ruchu posuwisto-?\s?zwrotnym|będących w ruchu postępowo-?zwrotnym|oscylując\w+)
+reciprocating mass: mas\w+ (?:posuwisto-?\s?zwrotn\w+|w ruchu posuwisto-?\s?zwrotnym|oscylując\w+)
 rotating mass: mas\w+ (?:wirując\w+|obracając\w+ się|w ruchu obrotowym)
 rod mass: mas\w korbowodu
 piston mass: mas\w tłoka
-degree of irregularity: stop(?:ień|ni\w*) nierównomierności(?: biegu)?|współczynnik\w* nierównomierności(?: biegu)?
+degree of irregularity: stop(?:ień|ni\w*) nierównomierności(?: biegu)?
+degree of irregularity: współczynnik\w* nierównomierności(?: biegu)?
 fluctuation of energy: nadwyżk\w+ pracy|wahani\w+ energii
 kinetic energy: energi\w+ kinetyczn\w+
 flywheel: koł\w+ zamachow\w+
@@ -92,8 +96,10 @@ four-stroke: czterosuw\w*
 two-stroke: dwusuw\w*
 stroke: skok(?:u|iem)?
 bore: średnic\w+ cylindra
-top dead centre: (?:górn\w+|zewnętrzn\w+) (?:martwy\w*|martwym|zwrotny\w*) (?:punkt\w*|położeni\w+)|GMP|ZZ
-bottom dead centre: (?:dolny|dolnym|dolnego|wewnętrzn\w+) (?:martwy\w*|zwrotny\w*) (?:punkt\w*|położeni\w+)|DMP
+top dead centre: (?:górn\w+|zewnętrzn\w+) (?:martwy\w*|martwym|zwrotny\w*) (?:punkt\w*|położeni\w+)|GMP
+top dead centre: ZZ
+bottom dead centre: (?:dolny|dolnym|dolnego) (?:martwy\w*|zwrotny\w*) (?:punkt\w*|położeni\w+)|DMP
+bottom dead centre: DMP
 radius of gyration: promie(?:ń|ni\w*) bezwładności
 radius: promie(?:ń|nia|niu|niem)
 diameter: średnic\w+
@@ -124,7 +130,7 @@ fixed: utwierdzon\w+|zamocowan\w+
 offset: przesunięt\w+ oś|mimośrodow\w+|niesymetryczn\w+
 piston: tłok\w*
 crankshaft: wał\w* korbow\w+
-crank: korb[ayęą]
+crank: korb(?:[ayęą]|ie)
 connecting rod: korbow[oó]d\w*
 engine: silnik\w*
 cylinder: cylindr(?:a|ze|em|owi)|cylinder
@@ -189,4 +195,10 @@ belt: pas(?:a|em|ek|owy|owa)
 notch: karb\w*
 thin-walled: cienkościenn\w+
 rotating: wirując\w+|obracając\w+
+dead centres: (?:martwych|martwe|zwrotnych|zwrotne) (?:punkt|położeni)\w+|punktach zwrotnych
+if: jeśli|jeżeli
+when: gdy|kiedy
+another: inn(?:y|a|e|ego|ej)
+case: przypad\w+
+whereas: natomiast|podczas gdy
 """

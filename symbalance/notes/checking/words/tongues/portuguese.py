@@ -54,7 +54,8 @@ equivalent stress: tensão equivalente
 torsional stiffness: rigidez (?:torcional|torsional|à torção)
 angle of twist: ângulo de torção
 damped natural angular frequency: frequência (?:angular |circular |natural )*amortecida
-natural angular frequency: frequência (?:angular|circular) (?:natural|própria)|frequência (?:natural|própria) (?:angular|circular)|pulsação própria
+natural angular frequency: frequência (?:angular|circular) (?:natural|própria)
+natural angular frequency: frequência (?:natural|própria) (?:angular|circular)|pulsação própria
 natural frequency: frequências? (?:natura(?:l|is)|próprias?)
 amplitude ratio: (?:relação|razão) (?:de|das|entre as) amplitudes
 position of the node: (?:posição|distância) §(?:nó|nodo)
@@ -67,7 +68,8 @@ damping: amortecimento
 undamped: não amortecid\w*|sem amortecimento
 damped: amortecid\w*
 period: período
-firing interval: intervalo (?:angular )?(?:de ignição|entre (?:duas )?(?:ignições|explosões)(?: consecutivas| sucessivas)?)
+firing interval: intervalo (?:angular )?de ignição
+firing interval: intervalo entre (?:duas )?(?:ignições|explosões)(?: consecutivas| sucessivas)?
 firing frequency: frequência de (?:ignição|explosão)
 counterweight: contrapesos?
 balance shaft: (?:eixo|veio|árvore) (?:balanceador|de balanceamento|de equilíbrio|de equilibragem)
@@ -200,4 +202,10 @@ notch: entalhe
 thin-walled: parede fina
 rotating: rotativ[oa]s?|girantes?
 uneven: irregular(?:es)?
+dead centres: pontos mortos
+at the: na
+when: quando
+another: outr[oa]
+case: caso
+whereas: enquanto
 """

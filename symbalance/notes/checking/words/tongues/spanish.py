@@ -26,7 +26,7 @@ equivalent twisting moment: momento torsor equivalente|par equivalente|momento d
 equivalent bending moment: momento flector equivalente
 bending moment: momento flector
 torque: par (?:torsor|instantáneo|resistente|transmitido)|momento torsor|momento de torsión
-the torque: (?:el|un|este) par(?! de (?!torsión|giro|apriete))
+the torque: (?:el|un|este) par(?! (?:medio|motor|torsor|de (?!torsión|giro|apriete)))
 couple: par(?= de (?:primer|segundo))|par de fuerzas
 pair: par de (?:cilindros|pistones|discos|ruedas|masas|ejes)|pareja
 inertia couple: (?:par|momento)s? de inercia(?= (?:de )?(?:primer|segundo|1|2))
@@ -45,7 +45,8 @@ big end: cabeza de (?:la )?biela
 small end: pie de (?:la )?biela
 crank pin: muñequilla|muñón de biela
 degree of irregularity: (?:grado|coeficiente) de (?:irregularidad|fluctuación(?: de (?:la )?velocidad)?)
-fluctuation of energy: fluctuación de (?:la )?energía|variación (?:máxima )?de (?:la )?energía|exceso de trabajo
+fluctuation of energy: fluctuación de (?:la )?energía|variación (?:máxima )?de (?:la )?energía
+fluctuation of energy: exceso de trabajo
 kinetic energy: energía cinética
 flywheel: volante(?: de inercia)?
 polar moment of inertia: momento polar de inercia|momento de inercia polar
@@ -62,7 +63,9 @@ equivalent stress: (?:tensión|esfuerzo) equivalente
 torsional stiffness: rigidez (?:torsional|(?:a|de) (?:la )?torsión)|constante torsional
 angle of twist: ángulo de (?:torsión|giro por torsión)
 damped natural angular frequency: (?:pulsación|frecuencia angular) (?:propia |natural )?amortiguada
-natural angular frequency: pulsaci(?:ón|ones) (?:propia|natural)(?:es|s)?|frecuencia (?:angular|circular) (?:natural|propia)|frecuencia (?:natural|propia) (?:angular|circular)
+natural angular frequency: pulsaci(?:ón|ones) (?:propia|natural)(?:es|s)?
+natural angular frequency: frecuencia (?:angular|circular) (?:natural|propia)
+natural angular frequency: frecuencia (?:natural|propia) (?:angular|circular)
 natural frequency: frecuencias? (?:natural(?:es)?|propias?)
 amplitude ratio: (?:relación|cociente) de (?:las )?amplitudes
 position of the node: (?:posición|distancia) §nodo
@@ -76,7 +79,8 @@ damping: amortiguamiento
 undamped: no amortiguad\w*|sin amortiguamiento
 damped: amortiguad\w*
 period: per[ií]odo
-firing interval: intervalo (?:angular )?(?:de encendido|entre (?:dos )?(?:encendidos|explosiones)(?: consecutiv\w*| sucesiv\w*)?)
+firing interval: intervalo (?:angular )?de encendido
+firing interval: intervalo entre (?:dos )?(?:encendidos|explosiones)(?: consecutiv\w*| sucesiv\w*)?
 firing frequency: frecuencia de (?:encendido|explosi[oó]n(?:es)?)
 counterweight: contrapesos?
 balance shaft: (?:eje|árbol) (?:de equilibrado|equilibrador|compensador)
@@ -182,7 +186,8 @@ two: dos
 three: tres
 four: cuatro
 six: seis
-residual force along the line of stroke: fuerza residual (?:en|según) (?:la dirección|el eje)(?: del cilindro)?
+residual force along the line of stroke: fuerza residual (?:en|según) (?:la dirección|el eje)
+residual force along the line of stroke: fuerza residual según el eje del cilindro
 residual force perpendicular to it: fuerza residual (?:perpendicular|transversal)(?: al eje)?
 balance shafts: ejes? contrarrotantes?
 centre of gravity: centro de (?:gravedad|masas?)
@@ -211,4 +216,10 @@ notch: entalla
 thin-walled: pared delgada
 rotating: rotativ[oa]s?|giratori[oa]s?
 uneven: irregular(?:es)?
+dead centres: puntos muertos
+if: si
+when: cuando
+another: otr[oa]
+case: caso
+whereas: mientras que
 """

@@ -3,9 +3,11 @@
 OF = ""
 TERMS = r"""
 mean piston speed: medelkolvhastighet\w*|kolvmedelhastighet\w*|kolvens medelhastighet
-largest piston speed: (?:största|maximala|högsta) kolvhastighet\w*|kolvens (?:största|maximala|högsta) hastighet
+largest piston speed: (?:största|maximala|högsta) kolvhastighet\w*
+largest piston speed: kolvens (?:största|maximala|högsta) hastighet
 piston velocity: kolvhastighet\w*|kolvens hastighet
-largest piston acceleration: (?:största|maximala) kolvacceleration\w*|kolvens (?:största|maximala) acceleration
+largest piston acceleration: (?:största|maximala) kolvacceleration\w*
+largest piston acceleration: kolvens (?:största|maximala) acceleration
 piston acceleration: kolvacceleration\w*|kolvens acceleration
 piston displacement: kolvförskjutning\w*|kolvens (?:förskjutning|läge)|kolvväg\w*
 piston area: kolvare[ao]\w*|kolvyta\w*|kolvens (?:area|yta)
@@ -190,4 +192,10 @@ belt: rem(?:men)?
 notch: anvisning\w*
 thin-walled: tunnväggig\w*
 rotating: roterande
+dead centres: dödpunkterna|vändlägena
+if: om
+when: när
+another: en annan|ett annat
+case: fall(?:et)?
+whereas: medan
 """
