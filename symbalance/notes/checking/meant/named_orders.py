@@ -298,8 +298,8 @@ class NamedOrders:
             header if _ORDER.search(header) else ""
         )  # the row's first cell may name it: formula, value
         own = header or self.meant.words.before(chain)
-        spoken = self.meant.words.glossary.own_words(own)
-        quote = "" if spoken == own else spoken
+        original = self.meant.words.glossary.own_words(own)
+        quote = "" if original == own else original
         if _OF_HALVES.search(own):
             return None
         clause = re.split(r"[,;:、](?=\s|\$)|\b(?:and|und)\b", own)[-1]

@@ -31,8 +31,8 @@ _WORDS = {
     " bezwładności silnika masa koła korbowodu kąt",
     "portuguese": "os as do da dos das de um uma é com por para no na ao em que onde são vale força"
     " pistão êmbolo biela manivela velocidade ordem momento massa motor inércia",
-    "swedish": "och av är den det ett en med för vid som där kraft kraften kolven vevstaken veven ordningen"
-    " masskraften hastighet blir två svänghjulet axeln kolvens vevens motorn massan varvtalet"
+    "swedish": "och av är den det ett en med för vid som där kraft kraften kolven vevstaken veven"
+    " ordningen masskraften hastighet blir två svänghjulet axeln kolvens vevens motorn massan varvtalet"
     " dödpunkten vevaxeln övre undre",
     "czech": "je na pro při se ve kde síla síly pístu kliky řádu rychlost moment hřídele setrvačná"
     " setrvačnosti motoru ojnice úvrati hmotnost úhel",
@@ -62,17 +62,17 @@ class Glossary:
     """The terms of one language, and those that a page was read with."""
 
     language: str
-    spoken: dict[str, str] = field(default_factory=dict)
+    originals: dict[str, str] = field(default_factory=dict)
     """The page's own words of the terms that were put in English."""
-    _read: dict[str, str] = field(default_factory=dict)
+    _memo: dict[str, str] = field(default_factory=dict)
     _sources: dict[str, str] = field(default_factory=dict)
 
     def english(self, text: str) -> str:
         """Return a text with its technical terms in English."""
-        if text not in self._read:
-            self._read[text] = self._put_in_english(text)
-            self._sources.setdefault(self._read[text], text)
-        return self._read[text]
+        if text not in self._memo:
+            self._memo[text] = self._put_in_english(text)
+            self._sources.setdefault(self._memo[text], text)
+        return self._memo[text]
 
     def _put_in_english(self, text: str) -> str:
         tables = _tables(self.language)
@@ -83,10 +83,10 @@ class Glossary:
                 continue
             if _any_of(self.language, text[start].casefold()).match(text, start) is None:
                 continue
-            matches = [(found, term) for own, term in table if (found := own.match(text, start))]
+            matches = [(match, term) for own, term in table if (match := own.match(text, start))]
             match, term = max(matches, key=lambda pair: pair[0].end())
             if len(term) >= _SHORTEST:
-                self.spoken.setdefault(term, match[0])
+                self.originals.setdefault(term, match[0])
             end = match.end()
             parts += [text[last:start], term, " " if match[0].endswith(("'", "’")) else ""]
             last = end
@@ -96,12 +96,12 @@ class Glossary:
         """Return words that were put in English as the page has them, a whole text or its terms."""
         if words in self._sources:
             return self._sources[words]
-        whole = next((own for term, own in self.spoken.items() if words in term), "")
-        if whole and words not in self.spoken:
+        whole = next((own for term, own in self.originals.items() if words in term), "")
+        if whole and words not in self.originals:
             return whole
-        for term in sorted(self.spoken, key=len, reverse=True):
+        for term in sorted(self.originals, key=len, reverse=True):
             if term in words:
-                own = self.spoken[term].replace("\\", r"\\")
+                own = self.originals[term].replace("\\", r"\\")
                 words = re.sub(rf"(?<!\w){term}(?!\w)", own, words)
         return words
 
