@@ -128,7 +128,9 @@ def glossary_of(text: str) -> Glossary:
     'de la bielle'
     """
     language = language_of(text)
-    return Glossary(language) if language else NoGlossary("")
+    glossary = Glossary(language) if language else NoGlossary("")
+    glossary.english(text)  # so that a term is quoted as the page has it first
+    return glossary
 
 
 def language_of(text: str) -> str:
