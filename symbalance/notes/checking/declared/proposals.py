@@ -74,18 +74,21 @@ def propose(
 
 
 def meanings_from_words(
-    page: ReadNotes, declared_at: Callable[[int], Collection[str]]
+    page: ReadNotes,
+    declared_at: Callable[[int], Collection[str]],
+    in_english: Callable[[str], str] = str,
 ) -> dict[str, Proposal]:
     """Return the first meaning that a page's words propose for each letter of its formulas.
 
-    Of a page as it was read; lines of prose that were broken are read on to the next one.
+    Of a page as it was read; lines of prose that were broken are read on to the next one, and words of
+    another language are put in English first.
     """
     letters: dict[str, int] = {}
     for chain in page.chains:
         for letter in sorted({n for side in chain.sides for n in names(side.node)}):
             if letter not in declared_at(chain.lines[0]) and not letter.endswith("'"):
                 letters.setdefault(letter, chain.lines[0])
-    lines = list(_read_on(page.text.split("\n")))
+    lines = [in_english(line) for line in _read_on(page.text.split("\n"))]
     return MeaningsFromWords(lines, page, letters, declared_at).gather()[0]
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 
@@ -33,6 +33,7 @@ from symbalance.notes.checking.declared.symbol_roles import (
     role_of,
 )
 from symbalance.notes.checking.units.dimensions import Dimension, unit_of, written_unit
+from symbalance.notes.checking.words.glossary import Glossary, glossary_of
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END, bare
@@ -123,14 +124,24 @@ class MeantWords:
     sections: Sections
 
     @cached_property
+    def glossary(self) -> Glossary:
+        """The English terms of the page's language."""
+        return glossary_of(self.document.text)
+
+    @cached_property
+    def page(self) -> str:
+        """The text of the page with its terms in English."""
+        return self.glossary.english(self.document.text)
+
+    @cached_property
     def proposals(self) -> Mapping[str, Proposal]:
         """The meanings that words propose for letters that are not declared."""
-        return meanings_from_words(self.document, self.declarations.symbols_at)
+        return meanings_from_words(self.document, self.declarations.symbols_at, self.glossary.english)
 
     @cached_property
     def counts_from_bottom(self) -> bool:
         """Tell whether the page speaks of the bottom dead centre: an angle may be counted from there."""
-        return _BOTTOM.search(self.document.text) is not None
+        return _BOTTOM.search(self.page) is not None
 
     @cached_property
     def _sizes_proposed(self) -> dict[str, Proposal]:
@@ -206,18 +217,18 @@ class MeantWords:
         text, start = self.document.text, chain.start
         place = bisect_right(self._ends, start)
         first = max(start - LONGEST_WORDS, self._ends[place - 1] if place else 0)
-        return SENTENCE_END.split(bare(text[first:start]))[-1]
+        return self.glossary.english(SENTENCE_END.split(bare(text[first:start]))[-1])
 
     def sentence_before(self, chain: Chain) -> str:
         """Return the sentence before a relation, other relations in it included."""
         start = chain.start
         words = bare(self.document.text[max(0, start - 2 * LONGEST_WORDS) : start])
-        return SENTENCE_END.split(words)[-1]
+        return self.glossary.english(SENTENCE_END.split(words)[-1])
 
     def header_of_column(self, chain: Chain) -> str:
         """Return the head of the column of a table that a relation stands in, "" outside of tables."""
         cell = self.cells.at(chain.start)
-        return "" if cell is None else cell.column
+        return "" if cell is None else self.glossary.english(cell.column)
 
     @cached_property
     def cells(self) -> TableCells:
@@ -228,10 +239,15 @@ class MeantWords:
         """Return the paragraph of a relation up to its end, with what stands before a display."""
         text, end = self.document.text, chain.end
         first = max(text.rfind("\n\n", 0, max(chain.start - 2, 0)), chain.start - 4 * LONGEST_WORDS, 0)
-        return text[first:end]
+        return self.glossary.english(text[first:end])
 
     def named(self, name: str, chain: Chain) -> Named | None:
         """Return what words say of the letter that a relation defines; None where they say nothing."""
+        named = self._named(name, chain)
+        return named and replace(named, words=self.glossary.own_words(named.words))
+
+    def _named(self, name: str, chain: Chain) -> Named | None:
+        """Return the same with the words in English."""
         own = self._without_letters_told(self.before(chain))
         proposal = self.proposals.get(name)
         if proposal is not None and proposal.words and proposal.line <= chain.lines[0]:

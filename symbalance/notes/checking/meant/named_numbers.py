@@ -230,7 +230,7 @@ class NamedNumbers:
         start = chain.start
         text = self.named.document.text[max(0, start - REACH) : start]
         opening = max(text.rfind("\n#"), text.rfind("\\section"), text.rfind("<h"))
-        text = text[opening + 1 :]
+        text = self.named.words.glossary.english(text[opening + 1 :])
         several: dict[str, list[float]] = {
             role: list(_numbers(pattern, text, _KIND_OF[role])) for role, pattern in _PATTERNS.items()
         }

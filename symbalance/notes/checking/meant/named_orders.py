@@ -168,11 +168,13 @@ class _Order:
     """Whether it stands in a table, whose row names the engine."""
     is_left: bool = False
     """Whether words say that it is what the whole engine has left."""
+    quote: str = ""
+    """The words as the page has them, where it is in another language."""
 
     @property
     def source(self) -> str:
         """What says so."""
-        words = self.words.strip(" \n\t$,.;:、は\\([")
+        words = (self.quote or self.words).strip(" \n\t$,.;:、は\\([")
         return f"taken from the words “{words}”" if words else "by the series it stands in"
 
 
@@ -189,7 +191,7 @@ class NamedOrders:
     @cached_property
     def _speaks_of_more(self) -> bool:
         """Tell whether the page speaks of more or less than one cylinder's piston."""
-        return _OF_MORE.search(self.meant.words.document.text) is not None
+        return _OF_MORE.search(self.meant.words.page) is not None
 
     def judge(
         self,
@@ -302,6 +304,8 @@ class NamedOrders:
             header if _ORDER.search(header) else ""
         )  # the row's first cell may name it: formula, value
         own = header or self.meant.words.before(chain)
+        original = self.meant.words.glossary.own_words(own)
+        quote = "" if original == own else original
         if _OF_HALVES.search(own):
             return None
         clause = re.split(r"[,;:、](?=\s|\$)|\b(?:and|und)\b", own)[-1]
@@ -309,6 +313,7 @@ class NamedOrders:
         numbers = {int((m.lastgroup or "n0")[1:]) for m in _ORDER.finditer(own)}
         kinds = [kind for kind, pattern in _KINDS.items() if pattern.search(own)]
         whole = self.meant.words.document.text[max(0, chain.start - REACH) : chain.start]
+        whole = self.meant.words.glossary.english(whole)
         is_left = _CANCEL.search(whole) is not None and _LEFT.search(own) is not None
         if is_left:  # of the first and second orders the torques cancel, of the third there remains
             kinds = kinds or [kind for kind, pattern in _KINDS.items() if pattern.search(whole)]
@@ -331,6 +336,7 @@ class NamedOrders:
             is_of_engine=is_of_engine,
             is_in_row=bool(header) or is_left,
             is_left=is_left,
+            quote=quote,
         )
 
     def _coefficient(self, name: str, value: Formula, chain: Chain) -> _Order | None:

@@ -60,6 +60,7 @@ from symbalance.notes.checking.meant.quantity_words import Named, Places, Quanti
 from symbalance.notes.checking.meant.stated_numbers import StatedNumbers
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
+from symbalance.notes.checking.words.glossary import glossary_of
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
@@ -141,9 +142,14 @@ class NamedQuantities:
     sections: Sections
 
     @cached_property
+    def page(self) -> str:
+        """The text of the document with its technical terms in English."""
+        return glossary_of(self.document.text).english(self.document.text)
+
+    @cached_property
     def roles(self) -> LetterRoles:
         """The roles that the letters of the document may have."""
-        return LetterRoles(self.document.text)
+        return LetterRoles(self.page)
 
     @cached_property
     def words(self) -> QuantityWords:
@@ -153,17 +159,17 @@ class NamedQuantities:
     @cached_property
     def planes(self) -> CorrectionPlanes:
         """The planes between which something acts, with their distances from it."""
-        return CorrectionPlanes(self.document.text)
+        return CorrectionPlanes(self.page)
 
     @cached_property
     def stated(self) -> StatedNumbers:
         """The numbers that words of the document give for a share, or for the cylinders."""
-        return StatedNumbers(self.document.text)
+        return StatedNumbers(self.page)
 
     @cached_property
     def counts_from_elsewhere(self) -> bool:
         """Tell whether an angle is counted from somewhere else than the top dead centre."""
-        return _FROM_ELSEWHERE.search(self.document.text) is not None
+        return _FROM_ELSEWHERE.search(self.page) is not None
 
     def judge(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
         """Return the verdict on a relation that gives a named quantity a formula; None for others.
@@ -303,7 +309,8 @@ class NamedQuantities:
 
     def text(self, name: str, named: Named) -> str:
         """Return what a letter is taken to be, and what says so."""
-        source = f"{NOBODY}; taken from the words “{named.words}”"
+        said = self.words.glossary.own_words(named.words)
+        source = f"{NOBODY}; taken from the words “{said}”"
         source = f"declared as “{named.words}”" if named.is_declared else source
         return f"{' '.join(map(plain_letter, name.split()))} is the {named.quantity.name} ({source})"
 
@@ -381,7 +388,7 @@ class NamedQuantities:
         F/cos φ or F tan φ too, F is the piston's.
         """
         known = named.quantity.mistakes
-        other_words = self.document.text.replace(named.words, "")
+        other_words = self.page.replace(named.words, "")
         is_open = any(
             isinstance(part, Call) and part.function == "cos"
             for n in names(claim) & knowledge.definitions.keys()

@@ -29,6 +29,7 @@ from symbalance.notes.checking.meant.letter_roles import (
     without_accent,
 )
 from symbalance.notes.checking.words.case_words import engine_named
+from symbalance.notes.checking.words.glossary import Glossary, glossary_of
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END, bare
 from symbalance.notes.reading.equations import Chain, ReadNotes
@@ -150,6 +151,20 @@ class QuantityWords:
     words_above: dict[str, str] = field(default_factory=dict)
     """The words by which letters were named that had a standard formula."""
 
+    @cached_property
+    def glossary(self) -> Glossary:
+        """The English terms of the page's language."""
+        return glossary_of(self.document.text)
+
+    @cached_property
+    def page(self) -> str:
+        """The text of the page with its terms in English."""
+        return self.glossary.english(self.document.text)
+
+    def _heading(self, chain: Chain) -> str:
+        """Return the heading above a relation with its terms in English."""
+        return self.glossary.english(self.sections.heading_above(chain.lines[0]))
+
     def named(self, name: str, chain: Chain, knowledge: Knowledge) -> Iterator[Named]:
         """Yield the quantities that a letter may be, by its declared meaning or the words around it."""
         sentence, _, _ = self._texts(chain)
@@ -167,9 +182,9 @@ class QuantityWords:
         stem = PRODUCT if " " in name else stem
         declared = knowledge.meanings.get(name, "")
         sentence, before, around = self._texts(chain)
-        heading = self.sections.heading_above(chain.lines[0])
+        heading = self._heading(chain)
         meanings = " ".join(knowledge.meanings.values())
-        places = Places(around, heading, f"{self.document.text} {meanings}")
+        places = Places(around, heading, f"{self.page} {meanings}")
         by_meaning = [
             replace(named, is_declared=True)
             for named in self._by_phrases(declared, stem, places, declared)
@@ -219,8 +234,8 @@ class QuantityWords:
     def by_words(self, words: str, name: str, chain: Chain) -> Iterator[Named]:
         """Yield the quantities that words name which stand elsewhere, in a unit."""
         sentence, _, around = self._texts(chain)
-        heading = self.sections.heading_above(chain.lines[0])
-        places = Places(around, heading, self.document.text)
+        heading = self._heading(chain)
+        places = Places(around, heading, self.page)
         yield from self._by_phrases(words, name.partition("_")[0], places, sentence)
 
     def by_clause(self, name: str, chain: Chain, stem: str, places: Places) -> Iterator[Named]:
@@ -237,6 +252,7 @@ class QuantityWords:
         clause = self.document.text[end:start]
         if len(clause) > SENTENCE or SENTENCE_END.search(clause):
             return
+        clause = self.glossary.english(clause)
         sentence, before, _ = self._texts(above)
         if _AND.fullmatch(clause) and head.name.partition("_")[0] == stem:
             own = replace(places, around=sentence)
@@ -251,14 +267,15 @@ class QuantityWords:
     def _by_words_behind(self, chain: Chain, stem: str, places: Places, sentence: str) -> Iterator[Named]:
         """Yield the quantities that words right behind a formula name: σ = M/W is the bending stress."""
         end = chain.end
-        link = _BEHIND.match(self.document.text, end)
+        behind = self.glossary.english(self.document.text[end : end + SENTENCE])
+        link = _BEHIND.match(behind)
         if link is None:
             return
         matches = [
             (match.end(), quantity, match[0])
             for quantity in QUANTITIES
             if stem in quantity.letters
-            and (match := quantity.phrases.match(self.document.text, link.end())) is not None
+            and (match := quantity.phrases.match(behind, link.end())) is not None
         ]
         last = max((stop for stop, _, _ in matches), default=0)
         for stop, quantity, words in matches:
@@ -276,7 +293,7 @@ class QuantityWords:
             or not names(other.sides[-1].node)
             or self.document.source(other.sides[0].span) + " " not in above
         )
-        match = _LEAD.match(above)
+        match = _LEAD.match(self.glossary.english(above))
         return match[1] if match is not None and is_first else ""
 
     def _by_words_around(
@@ -285,6 +302,7 @@ class QuantityWords:
         """Yield the quantities that words name around a formula: the thrust H = … against the liner."""
         end = chain.end
         after = SENTENCE_END.split(self.document.text[end : end + AFTER])[0].lstrip(" $)\\]")
+        after = self.glossary.english(after)
         words = before.rstrip(" $(\\[") + " "
         matches = [
             (match, quantity)
@@ -304,7 +322,7 @@ class QuantityWords:
             return
         start = chain.start
         above = self.document.text[max(0, start - PARAGRAPH) : start]
-        above = _BLANK.split(bare(above))[-1].removesuffix(before)
+        above = self.glossary.english(_BLANK.split(bare(above))[-1]).removesuffix(before)
         for named in self._by_phrases(
             SENTENCE_END.split(above.rstrip(" .;\n"))[-1], stem, places, sentence
         ):
@@ -379,7 +397,8 @@ class QuantityWords:
         item = _ITEM.fullmatch(words[words.rfind("\n") + 1 :])
         if item is not None and sentence.endswith(item[0]):
             sentence = item[0]
-        return f"{sentence} {after}", before, f"{paragraphs} {after}"
+        english = self.glossary.english
+        return english(f"{sentence} {after}"), english(before), english(f"{paragraphs} {after}")
 
 
 def _named(quantity: Quantity, words: str, places: Places, sentence: str) -> Named:

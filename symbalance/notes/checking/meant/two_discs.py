@@ -19,6 +19,7 @@ from symbalance.notes.algebra.tree_values import NO_VALUE, TreeValues
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
 from symbalance.notes.checking.meant.letter_roles import without_accent
 from symbalance.notes.checking.meant.meant_words import NOBODY
+from symbalance.notes.checking.words.glossary import glossary_of
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _INERTIAS = frozenset({"J", "I", "Theta"})
@@ -48,7 +49,7 @@ def decide_two_discs(chain: Chain, k: int, document: ReadNotes) -> Decision | No
         return None
     (one, other), inertias = letters
     start = chain.start
-    words = document.text[max(0, start - NEAR) : start]
+    words = glossary_of(document.text).english(document.text[max(0, start - NEAR) : start])
     stem = without_accent(one).partition("_")[0]
     of_node = _OF_NODE.search(words) if stem in _LENGTHS else None
     of_modes = _OF_AMPLITUDES.search(words) if stem in _AMPLITUDES and of_node is None else None

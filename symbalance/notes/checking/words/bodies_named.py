@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from symbalance.notes.checking.words.glossary import glossary_of
+
 _BODY = re.compile(
     r"(?<![A-Za-z])(?:(?:thin|solid|hollow|slender|full|heavy|dünne[rsn]?|volle[rsn]?|hohle[rsn]?)[ -])?"
     r"(?:discs?|disks?|rims?|rings?|hoops?|rods?|bars?|spheres?|balls?|cylinders?|shells?|tubes?|plates?"
@@ -23,6 +25,6 @@ def body_named(text: str, start: int) -> str:
     >>> body_named(text, 6), body_named(text, 29), body_named(text, 3)
     ('disc', 'thin rim', '')
     """
-    before = _CLAUSE.split(text[max(start - _REACH, 0) : start])[-1]
+    before = glossary_of(text).english(_CLAUSE.split(text[max(start - _REACH, 0) : start])[-1])
     named = [match[0].lower() for match in _BODY.finditer(before)]
     return named[-1] if named else ""

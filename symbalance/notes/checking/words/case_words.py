@@ -9,6 +9,8 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 
+from symbalance.notes.checking.words.glossary import glossary_of
+
 _END = r"\s[^.;:!?\n=<>≤≥]{0,30}$"
 _CASE = re.compile(
     r"(?<![A-Za-z])(?:for|if|when|whenever|where|at|only for|provided(?:\s+that)?"
@@ -123,7 +125,7 @@ PROBLEM = re.compile(
 def opens_case(text: str, start: int, end: int) -> bool:
     """Tell whether a relation, from `start` to `end`, is introduced as a case: for x > 0, bei θ = 0."""
     bare = _TAG.sub(" ", text[max(0, start - 80) : start])
-    before = _CLAUSE.split(bare)[-1].rstrip(" \t\n$\\([{")
+    before = glossary_of(text).english(_CLAUSE.split(bare)[-1].rstrip(" \t\n$\\([{"))
     return _CASE.search(before + " ") is not None or _CASE_BEHIND.match(text, end) is not None
 
 

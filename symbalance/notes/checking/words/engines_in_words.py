@@ -19,12 +19,12 @@ from symbalance.notes.checking.words.working_cycles import strokes_named
 _NOTHING = 1e-9
 _WORDS = {
     1: "single one ein mono mono einen un uno één jedno одно 単 単 1",
-    2: "two twin twins zwei deux dos due dois twee två to dwu двух bi 二 2",
-    3: "three triple triples drei trois tres tre três drie trzy tri трёх трех 三 3",
-    4: "four vier quatre cuatro quattro quatro fyra fire cztero quadri tetra четырёх четырех 四 4",
-    5: "five fünf cinq cinco cinque vijf fem pięcio penta пяти 五 5",
-    6: "six sechs seis sei zes sex sześcio esa шести 六 6",
-    8: "eight acht huit ocho otto oito åtta ośmio восьми 八 8",
+    2: "two twin twins zwei deux dos due dois twee två to dwu dvou dois двух bi 二 2",
+    3: "three triple triples drei trois tres tre três drie trzy tří três tri трёх трех 三 3",
+    4: "four vier quatre cuatro quattro quatro fyra fire cztero čtyř quadri tetra четырёх четырех 四 4",
+    5: "five fünf cinq cinco cinque vijf fem pięcio pěti penta пяти 五 5",
+    6: "six sechs seis sei zes sex sześcio šesti esa шести 六 6",
+    8: "eight acht huit ocho otto oito åtta ośmio osmi восьми 八 8",
     10: "ten zehn dix diez 十 10",
     12: "twelve zwölf douze doce 十二 12",
     16: "sixteen sechzehn 16",
@@ -34,7 +34,7 @@ _ANY = "|".join(sorted(_COUNTS, key=len, reverse=True))
 _ONE_OF_MANY = (
     r"cylinder(?!s)|cyl(?!ind)|pot(?![a-z])|zylind(?:er|rig)|cilinder|cilindr(?!os|i(?![a-zà-ü]))"
     r"|cylindre(?!s)"
-    r"|cylindr(?:ow|ig)|цилиндров|気筒|シリンダ"
+    r"|cylindr(?:ow|ig)|válc|цилиндров|気筒|シリンダ"
 )
 _SEVERAL = r"cylinders|zylindern?|cylindres|cilindros|cilindri|cilinders|cylindrów|cylindrar|цилиндрами"
 _MACHINE = r"(?:engines?|motor\w*|moteurs?|machine|maschine|silnik|двигатель)\W+(?:\w+\W+){0,2}?"

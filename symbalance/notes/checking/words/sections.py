@@ -19,6 +19,7 @@ from symbalance.notes.checking.words.engines_in_words import (
     NamedEngine,
     is_another_engine,
 )
+from symbalance.notes.checking.words.glossary import glossary_of
 from symbalance.notes.checking.words.items import item_end
 from symbalance.notes.checking.words.listed_cases import item_of_cases
 from symbalance.notes.checking.words.value_groups import in_next_groups
@@ -257,6 +258,10 @@ class Sections:
     def _lines(self) -> list[str]:
         return self.document.text.split("\n")
 
+    def _english(self, words: str) -> str:
+        """Return words with their terms in English, where the document is in another language."""
+        return glossary_of(self.document.text).english(words)
+
     @cached_property
     def _headings(self) -> list[int]:
         """The lines, from 1, that begin a section."""
@@ -482,7 +487,7 @@ class Sections:
         if _LINK.fullmatch(words):
             return None if ";" in words and any(c.isdigit() for c in text[end:start]) else False
         clause = _SPLIT_CLAUSE.split(words)[-1]
-        return True if _NEW_CASE.search(clause) else None
+        return True if _NEW_CASE.search(clause) or _NEW_CASE.search(self._english(clause)) else None
 
     def opens_case(self, chain: Chain) -> bool:
         """Tell whether a relation is introduced as a case, which the next one ends: for x > 0."""
@@ -759,10 +764,10 @@ class Sections:
 
     def dead_centre(self, chain: Chain) -> bool | None:
         """Return whether a relation's sentence names bottom dead centre, False for top, else None."""
-        named = dead_centre_named(self.sentence_before(chain))
+        named = dead_centre_named(self._english(self.sentence_before(chain)))
         if named is not None or _THERE.match(self.document.text, chain.end) is None:
             return named
-        return dead_centre_named(self._section_before(chain))
+        return dead_centre_named(self._english(self._section_before(chain)))
 
     def sentence_before(self, chain: Chain) -> str:
         """Return what a relation's sentence says before it."""
@@ -777,8 +782,9 @@ class Sections:
         if last is None or chain.start - last.end > LONGEST_SENTENCE:
             return False
         text = self.document.text
-        here = _last_place(text[last.end : chain.start])
-        there = _last_place(text[max(0, last.start - LONGEST_INTRODUCTION) : last.start])
+        here = _last_place(self._english(text[last.end : chain.start]))
+        before = self._english(text[max(0, last.start - LONGEST_INTRODUCTION) : last.start])
+        there = _last_place(before)
         return here is not None and there is not None and here != there
 
     def is_of_another_body(self, chain: Chain, name: str) -> bool:

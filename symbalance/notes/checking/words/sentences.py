@@ -6,7 +6,7 @@ import re
 
 SENTENCE_END = re.compile(
     r"[;!?](?:\s|$)"
-    r"|\.(?:\s+(?!(?:(?:und|bzw\.|oder|and|or)\s)?(?:[IVX0-9]{1,3}\.)?\s?(?:Ordnung|Harmonische|order))|$)"
+    r"|\.(?:\s+(?!(?:(?:und|bzw\.|oder|and|or)\s)?(?:[IVX0-9]{1,3}\.)?\s?(?:Ordnung|Harmonische|order|rzędu|řádu|ordning|orde|ordine|ordre|orden|ordem))|$)"
     r"|[。；]|\n\s*\n|\n#|\n\s*\||\n\s*(?:[-*+•]|[0-9]{1,3}[.)])\s|\\item|\\section|<p\b|<li\b|<td\b"
 )
 """The end of a sentence, an item, a cell or a paragraph; "2. Ordnung" does not end one."""

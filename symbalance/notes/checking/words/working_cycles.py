@@ -11,9 +11,10 @@ from symbalance.notes.checking.words.sentences import SENTENCE_END
 
 _KINDS = {
     "four": r"(?:four|4)[-\s]?stroke(?!s)|(?:vier|4)[-\s]?takt|(?:4|四)\s?(?:ストローク|サイクル)"
-    r"|quatre\s+temps|cuatro\s+tiempos|quattro\s+tempi",
+    r"|quatre\s+temps|cuatro\s+tiempos|quattro\s+tempi|quatro\s+tempos|czterosuw|fyrtakt"
+    r"|čtyřdob",
     "two": r"(?:two|2)[-\s]?stroke(?!s)|(?:zwei|2)[-\s]?takt|(?:2|二)\s?(?:ストローク|サイクル)"
-    r"|deux\s+temps|dos\s+tiempos|due\s+tempi",
+    r"|deux\s+temps|dos\s+tiempos|due\s+tempi|dois\s+tempos|tweetakt|dwusuw|tvåtakt|dvoudob",
     "double": r"double[-\s]acting|doppelt\s?wirkend|複動",
     "single": r"single[-\s]acting|einfach\s?wirkend|単動",
 }

@@ -27,15 +27,15 @@ _ORDER = re.compile(
         rf"(?P<n{n}>(?<![A-Za-z0-9.])(?:{pattern}))"
         for n, pattern in {
             1: r"first|primary|1st|erste[rsnm]?|1\.|I\.|premi(?:er|ère)|primer[ao]?|prim[oa](?![a-z])"
-            r"|pierwsz\w+|eerste"
+            r"|primeir[oa]|pierwsz\w+|prvního|eerste"
                r"|första|перв\w+|[一1１]\s?次|orders?\s(?:of\s)?(?:1|one)(?![0-9])|ordnung\s(?:1"
                r"|I)(?![0-9])",
             2: r"second(?![a-z])|secondary|2nd|zweite[rsnm]?|2\.|II\.|secondaire|deuxième|segund[oa]"
             r"|second[oa](?![a-z])"
-               r"|drugi\w+|tweede|andra|втор\w+|[二2２]\s?次|orders?\s(?:of\s)?(?:2|two)(?![0-9])"
+               r"|drugi\w+|druhého|tweede|andra|втор\w+|[二2２]\s?次|orders?\s(?:of\s)?(?:2|two)(?![0-9])"
                r"|ordnung\s(?:2|II)(?![0-9])",
             4: r"fourth|4th|vierte[rsnm]?|4\.|IV\.|quatrième|cuart[oa]|quart[oa]|czwart\w+|vierde"
-            r"|[四4４]\s?次"
+            r"|čtvrtého|fjärde|[四4４]\s?次"
                r"|orders?\s(?:of\s)?(?:4|four)(?![0-9])",
             6: r"sixth|6th|sechste[rsnm]?|6\.|VI\.|sixième|sext[oa]|sest[oa]|szóst\w+|zesde|[六6６]\s?次"
                r"|orders?\s(?:of\s)?(?:6|six)(?![0-9])",
@@ -46,8 +46,8 @@ _ORDER = re.compile(
     re.IGNORECASE,
 )  # fmt: skip
 _ORDER_WORD = re.compile(
-    r"order|harmonic|ordnung|harmonische|primary|secondary|ordre|secondaire|primaire|orden|ordine|rzędu"
-    r"|\borde\b|порядк|次",
+    r"order|harmonic|ordnung|harmonische|primary|secondary|ordre|secondaire|primaire|orden|ordine|ordem|rzędu|řádu"
+    r"|\borde\b|ordning|порядк|次",
     re.IGNORECASE,
 )
 _COUPLE = re.compile(
@@ -57,21 +57,24 @@ _COUPLE = re.compile(
     re.IGNORECASE,
 )
 _FORCE = re.compile(
-    r"forces?(?![a-z])|kraft(?![a-z])|kräften?(?![a-z])|fuerzas?|forz[ae]|sił[ay]?\b|kracht(?:en)?"
+    r"forces?(?![a-z])|kraft(?![a-z])|kräften?(?![a-z])|fuerzas?|forz[ae]|forças?|sił[ay]?\b|s[ií]l[ay]?\b|kracht(?:en)?"
     r"|krafter?|慣性力|合力|сил[аы]"
     r"|massenkr|shaking|imbalance|unbalance",
     re.IGNORECASE,
 )
 _TORQUE = re.compile(
-    r"torque|drehmoment|トルク|of\s+inertia\b(?!\s+(?:force|couple))|trägheitsm", re.IGNORECASE
+    r"torque|drehmoment|couple\s+moteur|par\s+motor|coppia\s+motrice|motorkoppel|obrotow|vridmoment"
+    r"|točiv|krout|トルク|of\s+inertia\b(?!\s+(?:force|couple))|trägheitsm",
+    re.IGNORECASE,
 )
 _ROTATING = re.compile(
-    r"rotating|revolving|rotierend|umlaufend|回転(?:部分|質量)|tournant|rotante|rotativ", re.IGNORECASE
+    r"rotating|revolving|rotierend|umlaufend|回転(?:部分|質量)|tournant|rotante|rotativ|roterend|roterande|wirując|rotujíc|girante",
+    re.IGNORECASE,
 )
 WHOLE = re.compile(
     r"\bfree\b|freie|resultant|resultier|\btotal|gesamt|\bsum\b|summe|合力|合計|全体|whole|engine'?s\b"
     r"|add\s+up|altogether"
-    r"|remain|surviv|bleib|resultante|totale|risultant|libre|\bliber|wypadkow|together|zusammen"
+    r"|remain|surviv|bleib|resultante|totale|risultant|libre|\bliber|wypadkow|výsledn|celkov|całkowit|totaal|totale|together|zusammen"
     r"|insgesamt"
     r"|of\s+the\s+(?:whole\s+)?engine|of\s+the\s+motor|des\s+(?:ganzen\s+)?motors|du\s+moteur"
     r"|del\s+motore?|エンジン",

@@ -143,12 +143,12 @@ class CrankMotions:
     @cached_property
     def is_of_crank(self) -> bool:
         """Tell whether the page is about a slider-crank at all."""
-        return OF_ENGINE.search(self.document.text) is not None
+        return OF_ENGINE.search(self.named.page) is not None
 
     @cached_property
     def counts_from_elsewhere(self) -> bool:
         """Tell whether an angle may be counted from another place than the top dead centre."""
-        return _FROM_ELSEWHERE.search(self.document.text) is not None
+        return _FROM_ELSEWHERE.search(self.named.page) is not None
 
     def judge(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
         """Return the verdict on a relation that gives a named motion its formula; None for others.

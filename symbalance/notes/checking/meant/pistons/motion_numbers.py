@@ -34,6 +34,7 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
 )
 from symbalance.notes.checking.meant.engine_speeds import speeds_of
 from symbalance.notes.checking.meant.pistons.motion_slips import SAME, value_at
+from symbalance.notes.checking.words.glossary import glossary_of
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _NUMBER = r"(?P<number>[0-9]+(?:[.,][0-9]+)?(?:\s?/\s?[0-9]+)?)"
@@ -114,7 +115,7 @@ class MotionNumbers:
     def sizes(self) -> dict[str, float]:
         """Return the sizes of which the page has one value: r, lam (r/l), w in rad/s, mean."""
         known: dict[str, set[float]] = {"r": set(), "l": set(), "s": set(), "ratio": set(), "mean": set()}
-        text = self.document.text
+        text = glossary_of(self.document.text).english(self.document.text)
         for role, pattern in _LENGTHS.items():
             known[role] |= {_number(m["number"]) * _SCALES[m["unit"]] for m in pattern.finditer(text)}
         known["ratio"] |= {_number(m["number"]) for m in _RATIO.finditer(text)}

@@ -40,6 +40,7 @@ from symbalance.notes.checking.meant.pistons.motion_words import (
     place_of_index,
     places_named,
 )
+from symbalance.notes.checking.words.glossary import Glossary, glossary_of
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END
 from symbalance.notes.checking.words.table_cells import TableCells
@@ -133,6 +134,16 @@ class NamedMotions:
     directions: dict[tuple[str, int], int] = field(default_factory=dict)
     """The direction in which a letter's motion was counted first: it stays that one."""
 
+    @cached_property
+    def glossary(self) -> Glossary:
+        """The English terms of the page's language."""
+        return glossary_of(self.document.text)
+
+    @cached_property
+    def page(self) -> str:
+        """The text of the page with its terms in English."""
+        return self.glossary.english(self.document.text)
+
     def named(self, chain: Chain, head: Head, claim: Formula) -> NamedMotion | None:
         """Return the motion that the words around a relation name, with its places; None for none."""
         texts = self._texts(chain)
@@ -147,7 +158,7 @@ class NamedMotions:
             kind = replace(kind, name=_crank_angle(around, kind.name, spots), is_sure=True)
         if not kind.name or (head.function and kind.name not in (ROD_ANGLE, FASTEST, HUMP)):
             return None
-        words = " ".join(kind.words.split())[-60:].strip(" ,:;([|")
+        words = " ".join(self.glossary.own_words(kind.words).split())[-60:].strip(" ,:;([|")
         if is_turned and kind.name in TURNED:
             return NamedMotion(kind.name, ("",), words, kind.is_sure)
         if kind.name in (STROKE, FASTEST, HUMP):
@@ -177,7 +188,7 @@ class NamedMotions:
     @cached_property
     def is_offset(self) -> bool:
         """Whether the page speaks of an offset line of stroke."""
-        return HAS_OFFSET.search(self.document.text) is not None
+        return HAS_OFFSET.search(self.page) is not None
 
     def _kind(self, texts: _Texts, head: Head, claim: Formula) -> _Kind | None:
         """Return which motion is meant: "" where nothing names it, None where it is another body's."""
@@ -250,7 +261,8 @@ class NamedMotions:
         heading = self.sections.heading_above(chain.lines[0])
         clause = _plain(_CELL_OR_SENTENCE.split(since)[-1])
         row, above_it = self._row(chain), _plain(heading)
-        return _Texts(clause, _plain(since), sentence, _plain(behind), row, above_it)
+        plain = (clause, _plain(since), sentence, _plain(behind), row, above_it)
+        return _Texts(*map(self.glossary.english, plain))
 
     def _row(self, chain: Chain) -> str:
         """Return the first cell of a relation's row in a table and the head of its column, "" outside."""
@@ -269,7 +281,7 @@ class NamedMotions:
     @cached_property
     def _named_on_page(self) -> frozenset[str]:
         """The motions that words name anywhere."""
-        return frozenset(motions_named(_plain(self.document.text)))
+        return frozenset(motions_named(_plain(self.page)))
 
     @cached_property
     def _rod_angles(self) -> frozenset[str]:
