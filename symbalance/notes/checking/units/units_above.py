@@ -19,6 +19,8 @@ from symbalance.notes.reading.result_units import value_of
 
 NEAR = 700
 """Characters above in which a number's unit is looked for."""
+MOST_COUNTED = 20
+"""A whole number up to this may count something or come from a formula."""
 _UNITS = 3
 """Words that a unit has at most: kg m s⁻¹."""
 _MARKUP = re.compile(r"\\(?:mathrm|text|textrm|mbox|,|;|:|!|quad|ensuremath)|[~${}]|</?[a-z]+>")
@@ -83,11 +85,15 @@ def _of_another_kind(
 ) -> Decision | None:
     """Return that N times m is no N; None where a number's unit is not sure.
 
-    All of them have to have their units above.
+    All of them have to have their units above; the 4 of 4 m r² ω² is in no metres.
     """
     words = document.text[max(0, chain.start - NEAR) : chain.end]
     is_open = _WEIGHTS.search(words) is not None or made == NONE
-    if is_open or any(value != 1 and not above.get(value) for value, _ in factors):
+    sizes = [(value, power) for value, power in factors if value.denominator > 1 or value > MOST_COUNTED]
+    if is_open or not sizes or any(not above.get(value) for value, _ in sizes):
+        return None
+    without_counts = _made_of(sizes, above)
+    if without_counts is None or without_counts[0] in (unit, NONE):
         return None
     witness = {"left": unit_text(made), "right": unit_text(unit)}
     return Decision(REFUTED, "the numbers' units above make another unit", witness=witness)
