@@ -60,6 +60,7 @@ from symbalance.notes.checking.steps.another_case import (
 from symbalance.notes.checking.steps.another_engine import leave_cranks, leave_engine, leave_premises
 from symbalance.notes.checking.steps.another_place import is_multiple_of_angle, leave_place
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
+from symbalance.notes.checking.steps.data_lists import open_if_datum
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
 from symbalance.notes.checking.steps.open_cases import (
@@ -334,7 +335,7 @@ class Judge:
         ):
             end_cases(self.state.definitions, others, chain.start)
             return self._link_in_scope(chain, k, sound, bad)
-        return verdict
+        return open_if_datum(self.state, chain, k, verdict)
 
     def _unless_between_numbers(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict on a formula by the units that words give its letters, where they differ."""

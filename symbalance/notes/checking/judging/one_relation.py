@@ -405,10 +405,12 @@ def _demanded(relation: Relation) -> Decision | None:
 
 
 def _denied(state: JudgingState, chain: Chain) -> Decision | None:
-    """Return that a relation is a condition of which the words below say that it fails."""
+    """Return that a relation is a condition: by the words below it fails, or something else takes it."""
     is_one = len(chain.relations) == 1 and chain.relations[0].sign == "="
     if not is_one or not (names(chain.sides[0].node) and names(chain.sides[1].node)):
         return None
+    if state.sections.is_only_if(chain):
+        return Decision(CONDITION, "what something else takes, by the words before it")
     return Decision(CONDITION, "said to fail") if state.sections.is_said_to_fail(chain) else None
 
 

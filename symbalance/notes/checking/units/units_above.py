@@ -89,11 +89,11 @@ def _of_another_kind(
     """
     words = document.text[max(0, chain.start - NEAR) : chain.end]
     is_open = _WEIGHTS.search(words) is not None or made == NONE
-    sizes = [(value, power) for value, power in factors if value.denominator > 1 or value > MOST_COUNTED]
-    if is_open or not sizes or any(not above.get(value) for value, _ in sizes):
+    if is_open or any(value != 1 and not above.get(value) for value, _ in factors):
         return None
+    sizes = [(value, power) for value, power in factors if value.denominator > 1 or value > MOST_COUNTED]
     without_counts = _made_of(sizes, above)
-    if without_counts is None or without_counts[0] in (unit, NONE):
+    if without_counts is not None and without_counts[0] == unit:
         return None
     witness = {"left": unit_text(made), "right": unit_text(unit)}
     return Decision(REFUTED, "the numbers' units above make another unit", witness=witness)

@@ -93,6 +93,13 @@ _EQUATION = re.compile(
     re.IGNORECASE,
 )
 """Before something that is to vanish."""
+_ONLY_IF = re.compile(
+    r"(?<![^\W\d_])(?:only\s+(?:if|when|for)|iff|exactly\s+(?:if|when)|unless|provided(?:\s+that)?|nur(?:\s+dann)?,?\s+wenn"
+    r"|genau\s+dann[^.;=]{0,30}wenn|sofern|seulement\s+si|si\s+et\s+seulement\s+si|sólo\s+si|solo\s+se|se\s+e\s+solo\s+se)"
+    r"[\s$\\(\[]*$",
+    re.IGNORECASE,
+)
+"""Right before an equation that is not said to be so, but without which something else is not."""
 _FAILS = re.compile(
     r"(?:(?<![A-Za-z])(?:third|fourth|last|latter|this|it|which|dritte|vierte|letzte|letztere|diese|sie)"
     r"(?![A-Za-z])[^.;\n=$]{0,40}(?<![A-Za-z])(?:fails|(?:is|are)\s+(?:in\s+general\s+)?not\s+(?:satisfied|fulfilled|met)"
@@ -713,6 +720,11 @@ class Sections:
             end, chain.end + LONGEST_INTRODUCTION, self._end_of_line(self.section_end(chain.lines[0]))
         )
         return _FAILS.search(self.document.text, chain.end, end) is not None
+
+    def is_only_if(self, chain: Chain) -> bool:
+        """Tell whether an equation stands right behind "only if" or "iff": what something else takes."""
+        text = self.document.text
+        return _ONLY_IF.search(text[max(0, chain.start - LONGEST_SENTENCE) : chain.start]) is not None
 
     def _end_of_line(self, line: int) -> int:
         return self._line_starts[line] if line < len(self._line_starts) else len(self.document.text)

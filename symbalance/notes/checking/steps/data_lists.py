@@ -1,0 +1,68 @@
+"""Data of an example that an equation above does not allow: With m = 0.4 kg, r = 40 mm, a = 85 mm.
+
+An example has its own numbers, whatever equation stands above; only numbers that stand by themselves, or
+that follow from something, claim that they fit. So a datum is open, with the lines it does not fit.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from symbalance.document.formula import Name, names
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.verdicts import CONTRADICTION, REFUTED, UNDECIDED, Verdict
+from symbalance.notes.reading.equations import Chain
+
+FEWEST = 3
+"""Data in a row that make a list, whatever words open it."""
+_NEAR = 60
+"""Characters at most between two data of a list: units and words such as "stroke"."""
+_OPENS = re.compile(
+    r"(?<![^\W\d_])(?:with|for|at|let|take|taking|given|has|have|mit|für|bei|hat|sei(?:en)?|avec|pour|soit|con|per|para|sea"
+    r"|met|voor|dla|przy|med|för)[\s$\\(\[`*]*$|[:：][\s$\\(\[`*]*$",
+    re.IGNORECASE,
+)
+_BETWEEN = re.compile(r"[^=.;:。；\n]*(?:\n(?!\s*\n)[^=.;:。；\n]*)?")
+
+
+def open_if_datum(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+    """Return a verdict; a number of an example that contradicts an equation above is undecided."""
+    is_against = verdict.verdict == CONTRADICTION or (
+        verdict.verdict == REFUTED and (verdict.reason or "").startswith("does not satisfy")
+    )
+    if not is_against or not is_datum(state, chain, k):
+        return verdict
+    reason = (verdict.reason or "").removeprefix("contradicts ").removeprefix("does not satisfy ")
+    reason = f"a number of an example, which does not fit {reason}: another case, or wrong"
+    return replace(verdict, verdict=UNDECIDED, reason=reason, fix=None)
+
+
+def is_datum(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Tell whether a letter has its number in a list of data, or right behind "with" or "for"."""
+    if k or not _is_number(chain):
+        return False
+    chains = sorted(state.document.chains, key=lambda each: each.start)
+    place = next(n for n, each in enumerate(chains) if each is chain)
+    first = last = place
+    while first and _is_number(chains[first - 1]) and _follows(state, chains[first - 1], chains[first]):
+        first -= 1
+    while last + 1 < len(chains) and _is_number(chains[last + 1]):
+        if not _follows(state, chains[last], chains[last + 1]):
+            break
+        last += 1
+    start = chains[first].start
+    opened = _OPENS.search(state.document.text[max(0, start - _NEAR) : start]) is not None
+    count = last - first + 1
+    return (opened and count > 1) or (count >= FEWEST and not state.sections.is_consequence(chain))
+
+
+def _is_number(chain: Chain) -> bool:
+    """Tell whether a chain does nothing but give a letter a number."""
+    is_plain = len(chain.relations) == 1 and isinstance(chain.sides[0].node, Name)
+    return is_plain and not names(chain.sides[1].node)
+
+
+def _follows(state: JudgingState, before: Chain, after: Chain) -> bool:
+    between = state.document.text[before.end : after.start]
+    return len(between) <= _NEAR and _BETWEEN.fullmatch(between) is not None

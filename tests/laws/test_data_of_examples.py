@@ -1,0 +1,39 @@
+"""A number in a list of data is no contradiction of an equation above; one that is claimed still is."""
+
+import pytest
+
+from symbalance.checking import check
+
+ABOVE = "We have $c + d = 3$ and $c - d = 1$.\n\n"
+
+
+def last_word(page: str) -> str:
+    return check(page).data()["links"][-1]["verdict"]
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        "With $r = 40$ mm, $l = 150$ mm, $c = 5$",
+        "For $n = 50$ and $c = 5$",
+        "Beispiel: $r = 40$ mm, $l = 150$ mm, $c = 5$",
+    ],
+)
+def test_a_datum_is_open(data):
+    assert last_word(ABOVE + data) == "undecided"
+
+
+@pytest.mark.parametrize("claim", ["So $c = 5$.", "Hence $c = 5$.", "$c = 5$"])
+def test_a_claim_is_not(claim):
+    assert last_word(ABOVE + claim) in ("refuted", "contradiction")
+
+
+@pytest.mark.parametrize(
+    "words",
+    ["It is exact if and only if", "It is exact only if", "Es ist genau dann exakt, wenn"],
+)
+def test_what_something_takes_binds_no_line_below(words):
+    page = f"Let $J = m k^2$. {words} $k^2 = a b$.\n\nA bar has $a = b = l/2$ and $J = m l^2/12$."
+    found = [link["verdict"] for link in check(page).data()["links"]]
+    assert found[1] == "condition"
+    assert found[-1] not in ("refuted", "contradiction")
