@@ -37,3 +37,21 @@ def test_what_something_takes_binds_no_line_below(words):
     found = [link["verdict"] for link in check(page).data()["links"]]
     assert found[1] == "condition"
     assert found[-1] not in ("refuted", "contradiction")
+
+
+RATIO = "The ratio is $n = l/r = 3.494$ with $l = 138$ mm and $r = 39.5$ mm.\n\n"
+
+
+def test_a_number_that_the_words_give_is_another_case():
+    links = check(RATIO + "With a 150 mm rod $n = 150/39.5 = 3.797$.").data()["links"]
+    assert [link["verdict"] for link in links[-2:]] == ["premise", "holds_to_order"]
+    assert last_word(RATIO + "It is said that $n = 160/39.5$.") == "refuted"
+
+
+def test_a_number_printed_for_a_formula_stands_for_it():
+    page = (
+        "$m = 0.45$ kg, $r = 40$ mm, $q = 0.3125$, $\\omega = 2\\pi\\cdot 4800/60 = 502.7$ rad/s.\n\n"
+        "$m r\\omega^2 = 0.45\\cdot0.04\\cdot502.7^2 = 4549$ N.\n\n"
+    )
+    assert last_word(page + "$4 q m r\\omega^2 = 4(0.3125)(4549)$") in ("holds", "holds_to_order")
+    assert last_word(page + "$4 q m r\\omega^2 = 4(0.3215)(4549)$") == "refuted"

@@ -105,6 +105,12 @@ _BEHIND_DOLLAR = re.compile(
     re.MULTILINE,
 )
 """A unit behind the dollar or `\\)` that ends a formula: N m/rad as a whole, but m of `40$ m long`."""
+_EXCLAIMED = re.compile(
+    r"(?:(?<=[0-9])!|(?<=[0-9] [A-Za-z°%])!|(?<=[0-9] [A-Za-z]{2})!|(?<=[0-9] [A-Za-z]{3})!)"
+    r"!{1,2}(?=\s|$)"
+    r"|(?<=[0-9] (?:Hz|mm|cm|kg|kN|Nm))!(?=\s|$)"
+)
+"""Marks that end a sentence with a quantity, 300 Hz!!, and are no factorials."""
 _NEARLY = re.compile(r"(?<=[\s\w)\]])(?:~=|=~|≈=|=≈)(?=[\s\w(√-])")
 _PLUS_MINUS = re.compile(
     r"(?<=[0-9A-Za-z)][ ])\+[ ]?/[ ]?[-−](?=[ ]?[0-9A-Za-z(])|(?<=[0-9)])\+/[-−](?=[0-9])"
@@ -145,6 +151,7 @@ def with_plain_numerals(
     changes |= {m.start(): (m.end(), "±") for m in _PLUS_MINUS.finditer(text)}
     changes |= _powers_before_units(text)
     changes |= _units_in_words(text)
+    changes |= {m.start(): (m.end(), ".") for m in _EXCLAIMED.finditer(text)}
     changes |= _crosses(text)
     changes |= _parts_of(text)
     changes |= {m.start(): (m.end(), _mixed(m[1], m[2])) for m in _MIXED.finditer(text)}

@@ -49,6 +49,7 @@ from symbalance.notes.checking.steps.another_body import (
 )
 from symbalance.notes.checking.steps.another_case import (
     as_case_of_multiple,
+    as_number_in_words,
     as_number_of_another,
     as_supposed,
     leave_named_case,
@@ -353,6 +354,7 @@ class Judge:
             return None
         knowledge = self.state.knowledge(chain.lines[0])
         case = as_case_of_multiple(self.state, chain, k) or as_number_of_another(self.state, chain, k)
+        case = case or as_number_in_words(self.state, chain, k)
         case = case or puts_another_engines_numbers_in(self.state, chain, k, knowledge)
         return None if case is None else describe(self.document, chain, k, case)
 

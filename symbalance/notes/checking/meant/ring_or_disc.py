@@ -62,8 +62,9 @@ def _factor(node: Formula) -> Fraction | None:
     if not isinstance(node, Quotient) or isinstance(node, Negative):
         return None
     below = node.denominator
-    is_radius = isinstance(below, Power) and isinstance(below.base, Name) and _stem(below.base) in _RADII
-    if not is_radius or below.exponent != Number(Fraction(2)):
+    if not isinstance(below, Power) or below.exponent != Number(Fraction(2)):
+        return None
+    if not isinstance(below.base, Name) or _stem(below.base) not in _RADII:
         return None
     above = node.numerator
     parts = above.factors if isinstance(above, Product) else (above,)

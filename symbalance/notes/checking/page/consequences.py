@@ -10,7 +10,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from symbalance.document.formula import Derivative, Formula, Name, Negative, Number, names, walk
+from symbalance.document.formula import Call, Derivative, Formula, Name, Negative, Number, names, walk
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.tree_values import names_behind
@@ -179,13 +179,23 @@ def _equivalence(
     decision: Decision,
     knowledge: Knowledge,
 ) -> Decision:
-    """Refute an equivalence by a solution of one of the two equations alone."""
-    if lost is not None:
-        return Decision(REFUTED, _too(lost, first))
-    gained = solution_lost(second, first, knowledge)
-    if gained is None:
+    """Refute an equivalence by a solution of one of the two equations alone.
+
+    A further angle is no reason: cos² = sin² has several, and the text says between which it lies.
+    """
+    gained = None if lost is not None else solution_lost(second, first, knowledge)
+    if lost is None and gained is None:
         return decision
-    return Decision(REFUTED, f"{point_text(gained)} satisfies it, but not {_text(first)}")
+    point = lost or gained or {}
+    parts = [part for node in (*first, *second) for part in walk(node)]
+    angles = {n for part in parts if isinstance(part, Call) for n in names(part.argument)}
+    if lost is not None:
+        reason = _too(lost, first)
+    else:
+        reason = f"{point_text(point)} satisfies it, but not {_text(first)}"
+    if angles and point.keys() <= angles:
+        return Decision(UNDECIDED, f"{reason}: say where the angle lies")
+    return Decision(REFUTED, reason)
 
 
 def _too(point: Mapping[str, Formula], equation: tuple[Formula, Formula]) -> str:

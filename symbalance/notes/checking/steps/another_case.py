@@ -288,6 +288,33 @@ def as_number_of_another(state: JudgingState, chain: Chain, k: int) -> Decision 
     return None
 
 
+def as_number_in_words(state: JudgingState, chain: Chain, k: int) -> Decision | None:
+    """Return that a letter has its number anew, with one that the words before give; or None."""
+    head, value, text = chain.sides[0].node, chain.sides[1].node, state.document.text
+    words = text[max(clause_start(text, chain.start), 0) : chain.start]
+    if k or not isinstance(head, Name) or names(value) or not _is_in_words(value, words):
+        return None
+    state.definitions.forget_all(head.name)
+    state.definitions.define(head.name, value, chain)
+    return Decision(PREMISE, "with a number that the words before it give")
+
+
+def _is_in_words(value: Formula, words: str) -> bool:
+    """Tell whether words give a number that is put in: with a 150 mm rod n = 150/39.5."""
+    numbers = [part for part in walk(value) if isinstance(part, Number)]
+    if value in numbers:
+        return False
+    typed = {number.value for number in numbers if abs(number.value.numerator) >= _COUNTS}
+    return any(Fraction(match[1].replace(",", ".")) in typed for match in _WITH_UNIT.finditer(words))
+
+
+_COUNTS = 10
+_WITH_UNIT = re.compile(
+    r"(?:\b(?:with|mit|avec|con|for|für|a|an|ein(?:er|em)?|une?)\s)(?:an?\s|ein(?:er|em)?\s|une?\s)?"
+    r"([0-9]+(?:[.,][0-9]+)?)(?:&nbsp;|[\s~]|\\,)?(?:mm|cm|m|kg|g|rpm|min|N|kN|%)(?![A-Za-z])",
+    re.IGNORECASE,
+)
+"""A size in words, which a letter may have from there on."""
 _SUPPOSED = re.compile(
     r"(?<![A-Za-zäöü])(?:were|would|had\s+been|wären?|würden?)(?![A-Za-zäöü])|仮に", re.IGNORECASE
 )

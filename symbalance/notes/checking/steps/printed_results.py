@@ -7,17 +7,19 @@ behind the letter has another number since.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, Negative, Number, Product, names
+from symbalance.document.formula import Formula, Name, Negative, Number, Product, names, walk
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.numbers_put_in import LONG, significant_digits
 from symbalance.notes.checking.deciding.relations import decide
-from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.words.plain_formulas import lone_side
-from symbalance.notes.reading.equations import Chain
+from symbalance.notes.reading.equations import Chain, Side
 
 
 def is_lone_number(node: Formula) -> bool:
@@ -42,12 +44,31 @@ class PrintedResults:
     """The last number that a page has proved for each of its letters, with its line."""
 
     numbers: dict[str, tuple[int, Formula]] = field(default_factory=dict)
+    of_formulas: dict[Fraction, Formula] = field(default_factory=dict)
+    """The formulas that printed numbers of three digits stand for: 4549 for m r ω²."""
 
     def note(self, chain: Chain, k: int) -> None:
-        """Note the number of a letter that a proved relation gives at the end of its chain."""
+        """Note the number of a letter, or of a formula, that a proved relation gives in its chain."""
         head, value = chain.sides[0].node, chain.sides[k + 1].node
-        if isinstance(head, Name) and not names(value):
+        if names(value):
+            return
+        if isinstance(head, Name):
             self.numbers[head.name] = (chain.lines[0], value)
+        number = value.factors[0] if isinstance(value, Product) else value
+        formula = next((s.node for s in reversed(chain.sides[: k + 1]) if names(s.node)), None)
+        is_long = isinstance(number, Number) and significant_digits(number) >= LONG
+        if isinstance(number, Number) and is_long and formula is not None and is_lone_number(value):
+            self.of_formulas[number.value] = formula
+
+    def with_formulas(self, side: Side) -> Side | None:
+        """Return an arithmetic with the formulas that its numbers were printed for, None without any."""
+        node = side.node
+        if is_lone_number(node):
+            return None
+        for part in [p for p in walk(node) if isinstance(p, Number)]:
+            if part.value in self.of_formulas and significant_digits(part) >= LONG:
+                node = replace_part(node, part, self.of_formulas[part.value])
+        return None if node is side.node else replace(side, readings=(node,))
 
     def decide(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
         """Return the decision on a number by those of the letters beside it; None where one has none."""

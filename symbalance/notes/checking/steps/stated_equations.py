@@ -159,6 +159,11 @@ def unless_stated(
 ) -> Decision:
     """Return the decision on a refuted relation that may be a premise, a condition or a case."""
     is_solved = is_to_be_solved(state, chain, k)
+    typed = state.results.with_formulas(chain.sides[k + 1])
+    if typed is not None:
+        there = decide(chain.sides[k], typed, chain.relations[k].sign, knowledge)
+        if there.is_proved:
+            return there
     if not is_solved and (by_results := state.results.decide(chain, k, knowledge)) is not None:
         head = chain.sides[k].node
         if isinstance(head, Name) and by_results.is_proved:

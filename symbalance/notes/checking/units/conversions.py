@@ -88,8 +88,9 @@ def decide_conversion(chain: Chain, k: int, document: ReadNotes) -> Decision | N
     Of units that differ by a power of ten the second number is the first one with fewer digits, or
     nothing is said: 0.65 kg may be 654 g.
     """
-    first, second = (quantity_of(side, document) for side in chain.sides[k : k + 2])
-    if chain.relations[k].sign in "=≈" and _is_same_turning(*chain.sides[k : k + 2], document):
+    left, right = chain.sides[k], chain.sides[k + 1]
+    first, second = quantity_of(left, document), quantity_of(right, document)
+    if chain.relations[k].sign in "=≈" and _is_same_turning(left, right, document):
         return Decision(PROVED, order="the digits printed")
     if chain.relations[k].sign not in "=≈" or not (first and second and first.value and second.value):
         return None
