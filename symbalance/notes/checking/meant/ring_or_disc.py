@@ -49,6 +49,12 @@ def decide_ring_or_disc(chain: Chain, k: int, document: ReadNotes) -> Decision |
     return Decision(REFUTED, reason, witness={"left": f"{times}J/R²", "right": f"{factor} J/R²"})
 
 
+def _is_square_of_radius(node: Formula) -> bool:
+    if not isinstance(node, Power) or node.exponent != Number(Fraction(2)):
+        return False
+    return isinstance(node.base, Name) and _stem(node.base) in _RADII
+
+
 def _factor(node: Formula) -> Fraction | None:
     """Return the factor of J/R² in a formula; None for any other."""
     if isinstance(node, Product):
@@ -61,10 +67,7 @@ def _factor(node: Formula) -> Fraction | None:
         return None
     if not isinstance(node, Quotient) or isinstance(node, Negative):
         return None
-    below = node.denominator
-    if not isinstance(below, Power) or below.exponent != Number(Fraction(2)):
-        return None
-    if not isinstance(below.base, Name) or _stem(below.base) not in _RADII:
+    if not _is_square_of_radius(node.denominator):
         return None
     above = node.numerator
     parts = above.factors if isinstance(above, Product) else (above,)
