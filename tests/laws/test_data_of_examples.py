@@ -55,3 +55,8 @@ def test_a_number_printed_for_a_formula_stands_for_it():
     )
     assert last_word(page + "$4 q m r\\omega^2 = 4(0.3125)(4549)$") in ("holds", "holds_to_order")
     assert last_word(page + "$4 q m r\\omega^2 = 4(0.3215)(4549)$") == "refuted"
+
+
+@pytest.mark.parametrize("claim", ["n = 39.5/150", "n = 150/40.5", "n = 2\\cdot150/39.5"])
+def test_such_a_number_makes_no_other_formula_right(claim):
+    assert last_word(RATIO + f"With a 150 mm rod ${claim}$.") in ("refuted", "undecided")

@@ -29,7 +29,7 @@ from symbalance.document.formula import (
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
-from symbalance.notes.checking.deciding.numbers_put_in import without_unit
+from symbalance.notes.checking.deciding.numbers_put_in import paired, without_unit
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
@@ -294,6 +294,11 @@ def as_number_in_words(state: JudgingState, chain: Chain, k: int) -> Decision | 
     words = text[max(clause_start(text, chain.start), 0) : chain.start]
     if k or not isinstance(head, Name) or names(value) or not _is_in_words(value, words):
         return None
+    knowledge = state.knowledge(chain.lines[0])
+    given = knowledge.definitions.get(head.name)
+    formula = None if given is None else given.formula if given.numeric else given.node
+    if formula is not None and not _puts_words_in(formula, value, words, knowledge):
+        return None
     state.definitions.forget_all(head.name)
     state.definitions.define(head.name, value, chain)
     return Decision(PREMISE, "with a number that the words before it give")
@@ -308,6 +313,21 @@ def _is_in_words(value: Formula, words: str) -> bool:
     return any(Fraction(match[1].replace(",", ".")) in typed for match in _WITH_UNIT.finditer(words))
 
 
+def _puts_words_in(formula: Formula, value: Formula, words: str, knowledge: Knowledge) -> bool:
+    """Tell whether an arithmetic is a letter's formula with numbers of the words or of the page."""
+    pairs = paired(formula, without_unit(value))
+    for part, number in pairs or ():
+        known, put_in = number_of(part, knowledge), number_of(number, knowledge)
+        if isinstance(number, Number) and _is_in_words(Product((number, number)), words):
+            continue
+        if not known or not put_in:
+            return False
+        if not any(abs(float(known) / float(put_in) / shift - 1) < _EXACT for shift in _SHIFTED):
+            return False
+    return bool(pairs)
+
+
+_EXACT = 1e-3
 _COUNTS = 10
 _WITH_UNIT = re.compile(
     r"(?:\b(?:with|mit|avec|con|for|für|a|an|ein(?:er|em)?|une?)\s)(?:an?\s|ein(?:er|em)?\s|une?\s)?"
