@@ -60,3 +60,16 @@ def test_a_number_printed_for_a_formula_stands_for_it():
 @pytest.mark.parametrize("claim", ["n = 39.5/150", "n = 150/40.5", "n = 2\\cdot150/39.5"])
 def test_such_a_number_makes_no_other_formula_right(claim):
     assert last_word(RATIO + f"With a 150 mm rod ${claim}$.") in ("refuted", "undecided")
+
+
+def test_a_result_behind_the_data_is_claimed():
+    above = "We have $m_1 = m b/l$.\n\n"
+    data = "With $m = 0.6$ kg, $l = 150$ mm and $b = 45$ mm "
+    assert last_word(above + data + "is $m_1 = 0.28$ kg.") in ("refuted", "contradiction")
+    assert last_word(above + data + "and $m_1 = 0.28$ kg.") in ("refuted", "contradiction")
+    assert last_word(above + data + "is $m_1 = 0.18$ kg.") in ("holds", "holds_to_order", "conditional")
+
+
+def test_words_name_nothing_of_another_thing_behind_and():
+    page = "$R = 0.04$ m. Put in the inertia force and the largest term is $T_2 = -m R^2\\omega^2$."
+    assert last_word(page) != "refuted"

@@ -453,7 +453,8 @@ class MeantQuantities:
     ) -> Decision | None:
         """Refute a formula whose dimension cannot be that which the words, or the page's unit, say.
 
-        By one length or one time only: a force without its mass, or in units of m r ω², is usual.
+        By one length or one time only: a force without its mass, or in units of m r ω², is usual. A mass
+        too much, as in ω = √(k J₁ J₂/(J₁ + J₂)), is left out nowhere.
         """
         line = chain.lines[0]
         units = self.words.units_on_page
@@ -477,7 +478,9 @@ class MeantQuantities:
         if self.words.has_result_in(name, dimension):
             return None
         gap = [a - b for a, b in zip(dimension, expected[1], strict=True)]
-        if [place for place, e in enumerate(gap) if e] not in ([1], [2]):  # of kg, m, s
+        is_of_one = [place for place, e in enumerate(gap) if e] in ([1], [2])  # of kg, m, s
+        has_mass_more = unit is not None and gap[0] > 0 and not expected[1][0]
+        if not is_of_one and not has_mass_more:
             return None
         reason = (
             f"dimensions: {expected[0]}, which is {unit_text(expected[1])}, and the right side is in"

@@ -70,6 +70,10 @@ _CLAUSE_DONE = re.compile(
     r"|[,，](?=\s+(?:and|while|whereas|but|und|während|aber|et|mais)\s)"
 )
 """Behind a statement of its own, whose words say nothing of what follows: 偶力は零であり、F = 0."""
+_AND_ANOTHER = re.compile(
+    r"\b(?:and\s+(?:the|its|an?|we|so)|und\s+(?:d(?:er|ie|as)|sein|ihr|ein)|et\s+l[ea]|y\s+(?:el|la))\b"
+)
+"""Behind it another thing is named: put in the force, and the largest term is T."""
 _NO_UNIT = re.compile(
     r"per\b|\bje\b|\bpro\b|proportional|specific|spezifisch|bezogen|relative|unit|of\s+inertia|Trägheits"
     r"|Widerstands|Flächen|moments?\s+of\s+(?:area|resistance)|慣性モーメント|断面|momentum|ratio|Verhältnis|比"
@@ -288,7 +292,7 @@ class MeantWords:
 
     def unit_named(self, chain: Chain) -> tuple[str, Dimension] | None:
         """Return the kind of size that the sentence before a relation names, with its dimension."""
-        own = _CLAUSE_DONE.split(self.before(chain))[-1]
+        own = _AND_ANOTHER.split(_CLAUSE_DONE.split(self.before(chain))[-1])[-1]
         kinds = {match.lastgroup or "": match[0] for match in _KIND.finditer(own)}
         if len(kinds) != 1 or _NO_UNIT.search(own):
             return None
@@ -302,15 +306,16 @@ class MeantWords:
         units: dict[str, tuple[str, Dimension, int]] = {}
         several: set[str] = set()
         for chain in self.document.chains:
-            for left, right in zip(chain.sides, chain.sides[1:], strict=False):
-                if not isinstance(left.node, Name) or names(right.node):
+            head = chain.sides[0].node
+            for right in chain.sides[1:]:
+                if not isinstance(head, Name) or names(right.node):
                     continue
                 source = self.document.source(right.span).replace("{,}", ",").replace("}^", "^")
                 has_number, unit = written_unit(source)
                 dimension = unit_of(unit) if has_number and unit else None
                 if dimension is None:
                     continue
-                name = left.node.name
+                name = head.name
                 if name in units and units[name][1] != dimension:
                     several.add(name)
                 units.setdefault(name, (unit, dimension, chain.lines[0]))

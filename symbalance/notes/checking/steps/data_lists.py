@@ -25,6 +25,13 @@ _OPENS = re.compile(
 )
 _BETWEEN = re.compile(r"[^=.;:。；\n]*(?:\n(?!\s*\n)[^=.;:。；\n]*)?")
 
+_RESULT = re.compile(
+    r"(?<![^\W\d_])(?:wird|werden|ist|sind|is|are|gives?|get|becomes?|follows?|folgt|ergibt|so|hence|then|therefore|we"
+    r"|one|also|daher|damit|donne|est|vaut|resulta|risulta|wordt|daje|blir)(?![^\W\d_])|となる|より|よって|から",
+    re.IGNORECASE,
+)
+"""Words behind which the results of the data stand."""
+
 
 def open_if_datum(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
     """Return a verdict; a number of an example that contradicts an equation above is undecided."""
@@ -40,7 +47,7 @@ def open_if_datum(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -
 
 def is_datum(state: JudgingState, chain: Chain, k: int) -> bool:
     """Tell whether a letter has its number in a list of data, or right behind "with" or "for"."""
-    if k or not _is_number(chain):
+    if k or not _is_number(chain) or _has_formula_above(state, chain):
         return False
     chains = sorted(state.document.chains, key=lambda each: each.start)
     place = next(n for n, each in enumerate(chains) if each is chain)
@@ -65,4 +72,12 @@ def _is_number(chain: Chain) -> bool:
 
 def _follows(state: JudgingState, before: Chain, after: Chain) -> bool:
     between = state.document.text[before.end : after.start]
-    return len(between) <= _NEAR and _BETWEEN.fullmatch(between) is not None
+    is_list = len(between) <= _NEAR and _BETWEEN.fullmatch(between) is not None
+    return is_list and _RESULT.search(between) is None
+
+
+def _has_formula_above(state: JudgingState, chain: Chain) -> bool:
+    """Tell whether a line above gives the letter a formula: its number is a result then."""
+    head = chain.sides[0].node
+    above = (each for each in state.document.chains if each.start < chain.start)
+    return any(each.sides[0].node == head and names(each.sides[1].node) for each in above)
