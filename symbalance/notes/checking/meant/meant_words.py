@@ -306,16 +306,15 @@ class MeantWords:
         units: dict[str, tuple[str, Dimension, int]] = {}
         several: set[str] = set()
         for chain in self.document.chains:
-            head = chain.sides[0].node
-            for right in chain.sides[1:]:
-                if not isinstance(head, Name) or names(right.node):
+            for left, right in zip(chain.sides, chain.sides[1:], strict=False):
+                if not isinstance(left.node, Name) or names(right.node):
                     continue
                 source = self.document.source(right.span).replace("{,}", ",").replace("}^", "^")
                 has_number, unit = written_unit(source)
                 dimension = unit_of(unit) if has_number and unit else None
                 if dimension is None:
                     continue
-                name = head.name
+                name = left.node.name
                 if name in units and units[name][1] != dimension:
                     several.add(name)
                 units.setdefault(name, (unit, dimension, chain.lines[0]))
