@@ -201,15 +201,16 @@ class _ArrowJudge:
         is_proved = sign == IMPLIES and conclusion.verdict in PROVED_WORDS
         if is_proved or (is_wrong and not is_left_wrong):
             return by_conclusion
-        conditions = self._rearranged(left, right, sign)
+        conditions, unsaid = self._rearranged(left, right, sign)
         if conditions is not None:
             word, assumption = CONDITIONAL if conditions else HOLDS, ", ".join(conditions)
             reason = "what follows from the relation to its left, which is refuted" if is_wrong else ""
             return word, reason, replace(conclusion, verdict=word, assumption=assumption)
         if is_wrong:
-            return UNDECIDED, "both relations are refuted: whether one follows is not shown", None
+            why = f"both relations are refuted: whether one follows is not shown{unsaid}"
+            return UNDECIDED, why, None
         if sign == EQUIVALENT and conclusion.verdict != UNDECIDED:
-            return UNDECIDED, "the converse, from right to left, is not shown", None
+            return UNDECIDED, f"the converse, from right to left, is not shown{unsaid}", None
         return by_conclusion
 
     def _by_conclusion(self, right: Chain, conclusion: Verdict) -> tuple[str, str]:
@@ -224,15 +225,18 @@ class _ArrowJudge:
             return word, f"its conclusion introduces {plain_letter(head.name)}"
         return word, f"its conclusion is a {word}" if word in STATED else ""
 
-    def _rearranged(self, left: Chain, right: Chain, sign: str) -> tuple[str, ...] | None:
-        """Return on what conditions one relation is the other rearranged, None if not shown."""
+    def _rearranged(self, left: Chain, right: Chain, sign: str) -> tuple[tuple[str, ...] | None, str]:
+        """Return on what conditions one relation is the other rearranged, None if not shown.
+
+        And what to say where it was not looked for to the end, "" where it was.
+        """
         if self.comparisons >= MOST_COMPARED:
-            return None
+            return None, f"; only the first {MOST_COMPARED} arrows of a page are compared"
         self.comparisons += 1
         symbols = self.declarations.symbols_at(right.lines[0])
         positive = meaning_of(symbols)[0].positive
         compare = partial(rearrangement, left, right, positive, is_both_ways=sign == EQUIVALENT)
         try:
-            return run_within(COMPARISON, compare)
-        except OverBudgetError:
-            return None
+            return run_within(COMPARISON, compare), ""
+        except OverBudgetError as problem:
+            return None, f" within {problem.spent}"

@@ -47,23 +47,21 @@ from symbalance.notes.checking.steps.another_body import (
     leave_cycle,
     leave_quotation,
 )
-from symbalance.notes.checking.steps.another_case import (
-    as_case_of_multiple,
+from symbalance.notes.checking.steps.another_case import as_case_of_multiple, leave_named_case
+from symbalance.notes.checking.steps.another_engine import leave_cranks, leave_engine, leave_premises
+from symbalance.notes.checking.steps.another_engines_numbers import (
     as_number_in_words,
     as_number_of_another,
     as_supposed,
-    leave_named_case,
     leave_products_of_another,
     puts_another_engines_numbers_in,
-    refuted_by_nearest,
-    with_other_values,
 )
-from symbalance.notes.checking.steps.another_engine import leave_cranks, leave_engine, leave_premises
 from symbalance.notes.checking.steps.another_place import is_multiple_of_angle, leave_place
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.data_lists import open_if_datum
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
+from symbalance.notes.checking.steps.nearest_numbers import refuted_by_nearest, with_other_values
 from symbalance.notes.checking.steps.open_cases import (
     cases_left_by,
     cases_replaced_by,

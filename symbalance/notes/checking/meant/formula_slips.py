@@ -58,7 +58,7 @@ def differs(target: Formula, claim: Formula) -> bool:
     return bool(finite) and all(not isclose(ratio, 1, rel_tol=_FAR) for ratio in finite)
 
 
-def _values(node: Formula, point: Mapping[str, Fraction]) -> float:
+def value_at(node: Formula, point: Mapping[str, Fraction]) -> float:
     """Return a formula's value at a point; NaN where it has none."""
     try:
         value = TreeValues(SymbolValue(), dict(point)).value(node)
@@ -80,8 +80,8 @@ def _ratio_of(
     letters = sorted(names(target) | names(claim))
     ratios = []
     for point in _points(letters, rows, unit):
-        below = _values(target, point)
-        ratio = _values(claim, point) / below if below else float("nan")
+        below = value_at(target, point)
+        ratio = value_at(claim, point) / below if below else float("nan")
         ratios.append(1.0 if isclose(ratio, 1, rel_tol=_EXACT) else ratio)
     return tuple(ratios)
 
@@ -146,7 +146,7 @@ def _has_number(node: Formula) -> bool:
     values = {name: Number(Fraction(1)) for name in names(node)}
     for name, value in values.items():
         node = substitute(node, name, value)
-    return not isclose(_values(node, {}), 1)
+    return not isclose(value_at(node, {}), 1)
 
 
 def _is_slip_factor(ratio: float) -> bool:

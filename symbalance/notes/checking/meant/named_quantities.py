@@ -277,8 +277,8 @@ class NamedQuantities:
         fitting = {n.quantity.name: n for n in candidates if n.may_refute}
         if len(fitting) > 1:  # words that name several: by the letters of their formulas
             fitting = {n: each for n, each in fitting.items() if any(p is each for p, _ in pairs)}
-            told = {n: each for n, each in fitting.items() if each.quantity.only is not None}
-            fitting = told if len(told) == 1 else fitting
+            special = {n: each for n, each in fitting.items() if each.quantity.only is not None}
+            fitting = special if len(special) == 1 else fitting
         if len(fitting) != 1:
             return None
         (named,) = fitting.values()
@@ -309,8 +309,8 @@ class NamedQuantities:
 
     def text(self, name: str, named: Named) -> str:
         """Return what a letter is taken to be, and what says so."""
-        said = self.words.glossary.own_words(named.words)
-        source = f"{NOBODY}; taken from the words “{said}”"
+        own = self.words.glossary.own_words(named.words)
+        source = f"{NOBODY}; taken from the words “{own}”"
         source = f"declared as “{named.words}”" if named.is_declared else source
         return f"{' '.join(map(plain_letter, name.split()))} is the {named.quantity.name} ({source})"
 

@@ -351,8 +351,8 @@ class QuantityWords:
             if _may_apply(quantity, f"{words} {places.around} {places.heading} {places.page}")
         ]
         matches = [each for each in matches if not self._is_of_another_letter(words, each[1], name)]
-        told = [each for each in matches if _is_told(each[2], places, sentence)]
-        matches = told or matches  # an order is a pendulum's on pages of pendulums only
+        special = [each for each in matches if _is_told(each[2], places, sentence)]
+        matches = special or matches  # an order is a pendulum's on pages of pendulums only
         longest = [
             (start, end, quantity)
             for start, end, quantity in matches

@@ -49,7 +49,7 @@ def is_datum(state: JudgingState, chain: Chain, k: int) -> bool:
     """Tell whether a letter has its number in a list of data, or right behind "with" or "for"."""
     if k or not _is_number(chain) or _has_formula_above(state, chain):
         return False
-    chains = sorted(state.document.chains, key=lambda each: each.start)
+    chains = state.sections.in_order
     place = next(n for n, each in enumerate(chains) if each is chain)
     first = last = place
     while first and _is_number(chains[first - 1]) and _follows(state, chains[first - 1], chains[first]):
@@ -78,6 +78,5 @@ def _follows(state: JudgingState, before: Chain, after: Chain) -> bool:
 
 def _has_formula_above(state: JudgingState, chain: Chain) -> bool:
     """Tell whether a line above gives the letter a formula: its number is a result then."""
-    head = chain.sides[0].node
-    above = (each for each in state.document.chains if each.start < chain.start)
-    return any(each.sides[0].node == head and names(each.sides[1].node) for each in above)
+    same = state.sections.chains_of(chain.sides[0].node)
+    return any(each.start < chain.start and names(each.sides[1].node) for each in same)

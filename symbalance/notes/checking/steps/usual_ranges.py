@@ -13,7 +13,7 @@ from symbalance.notes.checking.deciding.inequalities import compare
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
-from symbalance.notes.checking.words.case_words import clause_start
+from symbalance.notes.checking.words.case_words import clause_before
 from symbalance.notes.reading.equations import Chain
 
 _USUAL = re.compile(
@@ -32,7 +32,7 @@ _FAR = 3
 def is_usual_range(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> bool:
     """Tell whether words give a range as what is usual, and the page's own value is not far from it."""
     text, start, end = state.document.text, chain.start, chain.end
-    before = text[max(clause_start(text, start), 0) : start]
+    before = clause_before(text, start)
     behind = re.split(r"[.;。；:\n=]", text[end : end + _BEHIND], maxsplit=1)[0]
     if not _USUAL.search(before) and not _USUAL.search(behind):
         return False

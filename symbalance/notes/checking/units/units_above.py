@@ -45,12 +45,14 @@ def refuted_by_units_above(chain: Chain, k: int, document: ReadNotes) -> Decisio
     if has_units or any(_is_power_of_ten(value) for value, _ in factors):
         return None  # a power of ten may convert
     above = _numbers_above(document, chain.start)
-    made = _made_of(factors, above)
-    if made is None or made[0] != unit:
-        return None if made is None else _of_another_kind(chain, document, factors, above, made[0], unit)
+    numbers_unit = _made_of(factors, above)
+    if numbers_unit is None or numbers_unit[0] != unit:
+        if numbers_unit is None:
+            return None
+        return _of_another_kind(chain, document, factors, above, numbers_unit[0], unit)
     total = value_of(left.node)
     is_arithmetic = total is not None and isclose(total, float(result.value), rel_tol=0.01)
-    ratio = float(made[1] / result.scale)
+    ratio = float(numbers_unit[1] / result.scale)
     powers = log10(ratio)
     if not is_arithmetic or abs(powers) < 1 or abs(powers - round(powers)) > _CLOSE:
         return None
@@ -80,7 +82,7 @@ def _of_another_kind(
     document: ReadNotes,
     factors: list[tuple[Fraction, int]],
     above: dict[Fraction, dict[Dimension, Fraction]],
-    made: Dimension,
+    numbers_unit: Dimension,
     unit: Dimension,
 ) -> Decision | None:
     """Return that N times m is no N; None where a number's unit is not sure.
@@ -88,14 +90,14 @@ def _of_another_kind(
     All of them have to have their units above; the 4 of 4 m r² ω² is in no metres.
     """
     words = document.text[max(0, chain.start - NEAR) : chain.end]
-    is_open = _WEIGHTS.search(words) is not None or made == NONE
+    is_open = _WEIGHTS.search(words) is not None or numbers_unit == NONE
     if is_open or any(value != 1 and not above.get(value) for value, _ in factors):
         return None
     sizes = [(value, power) for value, power in factors if value.denominator > 1 or value > MOST_COUNTED]
     without_counts = _made_of(sizes, above)
     if without_counts is not None and without_counts[0] == unit:
         return None
-    witness = {"left": unit_text(made), "right": unit_text(unit)}
+    witness = {"left": unit_text(numbers_unit), "right": unit_text(unit)}
     return Decision(REFUTED, "the numbers' units above make another unit", witness=witness)
 
 

@@ -213,6 +213,11 @@ def clause_start(text: str, start: int) -> int:
     return ends[-1] if ends else first
 
 
+def clause_before(text: str, start: int) -> str:
+    """Return the words of a relation's clause that stand before it."""
+    return text[clause_start(text, start) : start]
+
+
 def speaks_of_all(before: str, letters: dict[str, bool], *, named: bool = False) -> set[str]:
     """Return the letters that a claim is made for all values of, by the words before it.
 

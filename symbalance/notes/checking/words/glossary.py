@@ -96,12 +96,13 @@ class Glossary:
         """Return words that were put in English as the page has them, a whole text or its terms."""
         if words in self._sources:
             return self._sources[words]
-        whole = next((own for term, own in self.originals.items() if words in term), "")
+        originals = [*self.originals.items()]  # another thread may add some meanwhile
+        whole = next((own for term, own in originals if words in term), "")
         if whole and words not in self.originals:
             return whole
-        for term in sorted(self.originals, key=len, reverse=True):
+        for term, source in sorted(originals, key=lambda each: len(each[0]), reverse=True):
             if term in words:
-                own = self.originals[term].replace("\\", r"\\")
+                own = source.replace("\\", r"\\")
                 words = re.sub(rf"(?<!\w){term}(?!\w)", own, words)
         return words
 

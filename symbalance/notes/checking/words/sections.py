@@ -9,7 +9,7 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import accumulate
 
-from symbalance.document.formula import Constant, Name, Number, names, walk
+from symbalance.document.formula import Constant, Formula, Name, Number, names, walk
 from symbalance.document.letters import is_greek
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.words import case_words
@@ -302,6 +302,11 @@ class Sections:
         """The places behind the relations, in their order in the text."""
         return sorted(chain.end for chain in self.document.chains)
 
+    @property
+    def in_order(self) -> list[Chain]:
+        """The relations in the order of the text."""
+        return self._by_start[1]
+
     @cached_property
     def _by_start(self) -> tuple[list[int], list[Chain]]:
         """The relations by where their first side begins, in the order of the text."""
@@ -511,7 +516,7 @@ class Sections:
         if case_words.is_said_of_all_behind(self.document.text, chain.end):
             return frozenset(letters)
         start = chain.start
-        first = max(case_words.clause_start(self.document.text, start), self._end_before(start) or 0)
+        first = max(case_words.clause_start(self.document.text, start), self.end_before(start) or 0)
         before = self.document.text[first:start]
         written = {formula_text(Name(name), plain=True): is_angle for name, is_angle in letters.items()}
         written |= letters | {f"\\{name}": is_angle for name, is_angle in letters.items()}
@@ -532,7 +537,7 @@ class Sections:
         place = bisect_left(starts, end)
         return starts[place] if place < len(starts) else len(self.document.text)
 
-    def _end_before(self, start: int) -> int | None:
+    def end_before(self, start: int) -> int | None:
         """Return where the last relation ends that stands before a place, None where there is none."""
         place = bisect_right(self._chain_ends, start)
         return self._chain_ends[place - 1] if place else None
@@ -564,7 +569,7 @@ class Sections:
         )
         if by_headings is None and case_words.is_other_engine(before, now):
             return True
-        own_engine = case_words.engine_named(text[case_words.clause_start(text, start) : start], start)
+        own_engine = case_words.engine_named(case_words.clause_before(text, start), start)
         if before is None and own_engine is not None and own_engine[0] > 1:
             return True  # of one cylinder above, and here its own clause says: for an inline four
         if self.same_section(earlier_line, chain.lines[0]):
@@ -622,6 +627,18 @@ class Sections:
         before, now = last_strokes(text[first:clause]), strokes_named(text[clause:start])
         return before > 0 and len(now) == 1 and before not in now
 
+    def chains_of(self, head: Formula) -> list[Chain]:
+        """Return the chains that begin with a formula, a letter say, in the order of the text."""
+        return self._by_head.get(head, [])
+
+    @cached_property
+    def _by_head(self) -> dict[Formula, list[Chain]]:
+        chains: dict[Formula, list[Chain]] = {}
+        for chain in self.in_order:
+            if chain.relations:
+                chains.setdefault(chain.sides[0].node, []).append(chain)
+        return chains
+
     def chains_on(self, line: int) -> list[Chain]:
         """Return the relations that begin on a line."""
         return self._by_line.get(line, [])
@@ -666,7 +683,7 @@ class Sections:
     def follows_at_once(self, chain: Chain) -> bool:
         """Tell whether nothing but words such as "hence" stands behind the relation before."""
         start = chain.start
-        end = self._end_before(start)
+        end = self.end_before(start)
         return end is not None and _LINK.fullmatch(self._words_between(end, start)) is not None
 
     def is_one_of_several(self, chain: Chain) -> bool:
@@ -685,7 +702,7 @@ class Sections:
 
     def _between(self, chain: Chain) -> str:
         start = chain.start
-        end = self._end_before(start)
+        end = self.end_before(start)
         return "" if end is None else self.document.text[end:start].strip(" \t\n$}")
 
     def _words_between(self, end: int, start: int) -> str:
@@ -702,7 +719,7 @@ class Sections:
         """Tell whether a relation is in the mood of what is not so: it would be, es wäre."""
         start = chain.start
         text = self.document.text
-        return _SUPPOSED.search(text[case_words.clause_start(text, start) : start]) is not None
+        return _SUPPOSED.search(case_words.clause_before(text, start)) is not None
 
     def stands_next(self, chain: Chain, line: int) -> bool:
         """Tell whether no other relation stands between a line and a relation below it."""

@@ -150,28 +150,28 @@ class EngineClaims:
         start, end = chain.start, chain.end
         before, behind, sentence, own = self._words_around(chain, start, end)
         heading = self.sections.heading_above(chain.lines[0])
-        order, said = 0, ""
+        order, source = 0, ""
         title = self._text[: self._line_starts[1]]
         for words in (before, behind, heading, title):
             if _ORDER_WORD.search(words) and (order := _order_in(words, name)):
-                said = words
+                source = words
                 break
         if not order:
-            order, said = self._order_otherwise(name, chain, before, sentence)
-        kind = next((k for w in (before, behind, said) if (k := _kind_in(w, name))), "")
+            order, source = self._order_otherwise(name, chain, before, sentence)
+        kind = next((k for w in (before, behind, source) if (k := _kind_in(w, name))), "")
         is_rotating = _ROTATING.search(before) is not None
         if is_rotating and not order:
-            order, said = 1, before
+            order, source = 1, before
         kind = kind or (FORCE if VECTORS.search(sentence) else "")
         kind = kind or _kind_by_letter(name) or _kind_in(heading, name)
-        if not order or not kind or _TORQUE.search(f"{before} {said}") or not _fits_index(name, order):
+        if not order or not kind or _TORQUE.search(f"{before} {source}") or not _fits_index(name, order):
             return None
         engine = self._engine(chain, start, end)
         if engine is None:
             return None
         paragraph = self._text[self._line_starts[self.sections.paragraph_start(chain.lines[0]) - 1] : end]
         around = f"{heading} {paragraph} {sentence}"
-        return EngineClaim(engine, order, kind, _plain(said), own, sentence, around, is_rotating)
+        return EngineClaim(engine, order, kind, _plain(source), own, sentence, around, is_rotating)
 
     def engine_of(self, chain: Chain) -> NamedEngine | None:
         """Return the engine that a relation is of, None where words name none or several."""

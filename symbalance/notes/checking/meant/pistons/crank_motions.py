@@ -64,6 +64,7 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
     TURNED,
     Motion,
 )
+from symbalance.notes.checking.meant.formula_slips import value_at
 from symbalance.notes.checking.meant.letter_roles import renamed
 from symbalance.notes.checking.meant.meant_words import NOBODY, MeantWords
 from symbalance.notes.checking.meant.pistons.motion_letters import (
@@ -82,7 +83,6 @@ from symbalance.notes.checking.meant.pistons.motion_slips import (
     agreement,
     factor_between,
     slips,
-    value_at,
 )
 from symbalance.notes.checking.meant.pistons.motion_words import OF_ENGINE
 from symbalance.notes.checking.meant.pistons.named_motions import Head, NamedMotion, NamedMotions

@@ -30,8 +30,9 @@ from symbalance.document.formula import (
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.declared.symbol_roles import role_of
+from symbalance.notes.checking.meant.formula_slips import value_at
 from symbalance.notes.checking.meant.meant_words import MeantWords
-from symbalance.notes.checking.meant.pistons.motion_slips import Point, Values, value_at
+from symbalance.notes.checking.meant.pistons.motion_slips import Point, Values
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 WAVES = frozenset({"sin", "cos", "tan"})

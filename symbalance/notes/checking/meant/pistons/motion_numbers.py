@@ -33,7 +33,8 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
     TURNED,
 )
 from symbalance.notes.checking.meant.engine_speeds import speeds_of
-from symbalance.notes.checking.meant.pistons.motion_slips import SAME, value_at
+from symbalance.notes.checking.meant.formula_slips import value_at
+from symbalance.notes.checking.meant.pistons.motion_slips import SAME
 from symbalance.notes.checking.words.glossary import glossary_of
 from symbalance.notes.reading.equations import Chain, ReadNotes
 

@@ -25,9 +25,8 @@ from symbalance.document.formula import (
     walk,
     with_children,
 )
-from symbalance.notes.algebra.evaluation import SymbolValue
-from symbalance.notes.algebra.tree_values import NO_VALUE, TreeValues
 from symbalance.notes.checking.meant.catalogue.kinematics import Motion
+from symbalance.notes.checking.meant.formula_slips import value_at
 from symbalance.notes.checking.repair.edits import edits, parents_of
 
 Point = Mapping[str, Fraction]
@@ -53,15 +52,6 @@ _INVERSE = ("asin", "acos", "atan")
 
 Values = Callable[[Formula, Point], float]
 """The value of a claim in the letters of its page, at a point of the roles."""
-
-
-def value_at(node: Formula, point: Mapping[str, Fraction]) -> float:
-    """Return a formula's value at a point; NaN where it has none."""
-    try:
-        value = TreeValues(SymbolValue(), dict(point)).value(node)
-    except NO_VALUE:
-        return float("nan")
-    return float(value.real) if abs(value.imag) <= SAME * abs(value) else float("nan")
 
 
 def same_values(first: Formula, second: Formula, claimed: Values, sign: int = 1) -> bool:
