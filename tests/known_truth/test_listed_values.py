@@ -6,7 +6,7 @@ import pytest
 
 from symbalance.checking import check as check_with_engines
 from symbalance.notes.checking import check
-from symbalance.notes.reading.ranges import with_ranges
+from symbalance.notes.reading.spellings.ranges import with_ranges
 
 LISTS = [
     (r"$z = \pm a/2, \pm 3a/2, \pm 5a/2$", r"$-5a/2 ≤ z ≤ 5a/2$"),

@@ -5,13 +5,13 @@ from fractions import Fraction
 
 import pytest
 
-from symbalance.notes.reading.greek_words import with_greek_words
-from symbalance.notes.reading.lexer import Token
-from symbalance.notes.reading.memberships import with_memberships
-from symbalance.notes.reading.operator_words import with_operator_words
+from symbalance.notes.reading.formulas.lexer import Token
+from symbalance.notes.reading.formulas.second_values import with_second_values
+from symbalance.notes.reading.letters.greek_words import with_greek_words
 from symbalance.notes.reading.rewriting import Rewritten
-from symbalance.notes.reading.second_values import with_second_values
-from symbalance.notes.reading.systems_in_braces import with_systems
+from symbalance.notes.reading.spellings.memberships import with_memberships
+from symbalance.notes.reading.spellings.operator_words import with_operator_words
+from symbalance.notes.reading.spellings.systems_in_braces import with_systems
 
 REWRITTEN = {
     "several letters of a set": (

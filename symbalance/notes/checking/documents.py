@@ -47,8 +47,8 @@ from symbalance.notes.checking.words.degrees_without_sign import judge_in_one_un
 from symbalance.notes.checking.words.one_reading import judge_in_one_reading
 from symbalance.notes.reading import Motions, read_document
 from symbalance.notes.reading.equations import ReadNotes
-from symbalance.notes.reading.notebooks import SUFFIX as NOTEBOOK
-from symbalance.notes.reading.notebooks import notebook_text
+from symbalance.notes.reading.markup.notebooks import SUFFIX as NOTEBOOK
+from symbalance.notes.reading.markup.notebooks import notebook_text
 from symbalance.text.files import STANDARD_INPUT, file_name, read_text
 
 if TYPE_CHECKING:

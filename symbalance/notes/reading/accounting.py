@@ -16,7 +16,7 @@ from functools import cached_property
 from symbalance.document.wordlists import word_set
 from symbalance.notes.reading.equations import Explained, Passed, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
-from symbalance.notes.reading.meanings_in_words import Meaning, is_meaning, is_word, meaning_at
+from symbalance.notes.reading.passages.meanings_in_words import Meaning, is_meaning, is_word, meaning_at
 from symbalance.notes.reading.signs import REFUSED, RELATION, UNREAD_RELATIONS
 from symbalance.notes.reading.sources import CELL_END
 from symbalance.notes.reading.units import is_unit_of_letter

@@ -18,13 +18,6 @@ from typing import NamedTuple
 from symbalance.document.formula import Formula, children, with_children
 from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek, plain_letter
 from symbalance.notes.reading.accounting import Account
-from symbalance.notes.reading.brace_labels import (
-    COUNT_OR_VALUE,
-    numbers_its_braces,
-    with_equality_at_brace,
-)
-from symbalance.notes.reading.continued_lines import goes_on_below, goes_on_from
-from symbalance.notes.reading.differentials import with_differentials
 from symbalance.notes.reading.equations import (
     Chain,
     Explained,
@@ -35,24 +28,38 @@ from symbalance.notes.reading.equations import (
     Unreadable,
 )
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
-from symbalance.notes.reading.free_letters import is_plain, with_real_letters
-from symbalance.notes.reading.letter_names import matching_brace
-from symbalance.notes.reading.lexer import AT, CLOSER, LONGEST_ANNOTATED, LONGEST_EQUATION, Token, lex
-from symbalance.notes.reading.parser import is_extreme, other_form, read_tokens
-from symbalance.notes.reading.result_units import (
+from symbalance.notes.reading.formulas.brace_labels import (
+    COUNT_OR_VALUE,
+    numbers_its_braces,
+    with_equality_at_brace,
+)
+from symbalance.notes.reading.formulas.differentials import with_differentials
+from symbalance.notes.reading.formulas.free_letters import is_plain, with_real_letters
+from symbalance.notes.reading.formulas.lexer import (
+    AT,
+    CLOSER,
+    LONGEST_ANNOTATED,
+    LONGEST_EQUATION,
+    Token,
+    lex,
+)
+from symbalance.notes.reading.formulas.parser import is_extreme, other_form, read_tokens
+from symbalance.notes.reading.formulas.result_units import (
     as_printed,
     in_unit_of_result,
     value_of,
     with_rounded_results,
 )
+from symbalance.notes.reading.formulas.second_values import with_second_values
+from symbalance.notes.reading.formulas.unit_places import with_unit_of_whole, with_units_of_divisors
+from symbalance.notes.reading.letters.letter_names import matching_brace
+from symbalance.notes.reading.passages.continued_lines import goes_on_below, goes_on_from
+from symbalance.notes.reading.passages.segmentation import Item, ItemFinder, has_relation
 from symbalance.notes.reading.rewriting import Piece, Rewritten, rewritten
-from symbalance.notes.reading.second_values import with_second_values
-from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation
 from symbalance.notes.reading.signs import CELLS, relation_at_start
 from symbalance.notes.reading.sources import Source, prepare, to_half_width
-from symbalance.notes.reading.unit_places import with_unit_of_whole, with_units_of_divisors
+from symbalance.notes.reading.spellings.wrapped_lines import ENDS
 from symbalance.notes.reading.units import explained_letters
-from symbalance.notes.reading.wrapped_lines import ENDS
 
 LONGEST_DOCUMENT = 1_000_000  # characters
 MOST_LINES_OF_PROSE = 2  # that a chain may go past: "= …" further down is an equation of its own

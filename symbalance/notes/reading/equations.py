@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from symbalance.document.formula import Formula, Span, Summation, names, walk
-from symbalance.notes.reading.notebooks import SUFFIX, cell_place
+from symbalance.notes.reading.markup.notebooks import SUFFIX, cell_place
 
 RELATIONS = ("=", "≈", "<", ">", "≤", "≥", "≡", "≠", "≪", "≫")
 

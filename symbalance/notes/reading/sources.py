@@ -13,46 +13,46 @@ from dataclasses import dataclass
 from html import unescape
 
 from symbalance.document.wordlists import words
-from symbalance.notes.reading.and_so_on import with_dots
-from symbalance.notes.reading.ascii_math import with_ascii_math
-from symbalance.notes.reading.component_names import with_components
-from symbalance.notes.reading.compound_names import with_compound_names
-from symbalance.notes.reading.division_colons import with_divisions
-from symbalance.notes.reading.engine_abbreviations import with_abbreviations
-from symbalance.notes.reading.extremes_apart import with_extremes_apart, with_extremes_of_bars
-from symbalance.notes.reading.function_names import with_function_names
-from symbalance.notes.reading.greek_words import with_greek_words
-from symbalance.notes.reading.imaginary_j import with_imaginary_j
-from symbalance.notes.reading.joined_dollars import with_joined_dollars, with_units_between_dollars
-from symbalance.notes.reading.letter_d import means_diameter
-from symbalance.notes.reading.letter_e import lengths_named, means_letter, with_number_e
-from symbalance.notes.reading.letter_i import counts_by_i
-from symbalance.notes.reading.letters_in_braces import with_letters_unbraced
-from symbalance.notes.reading.listed_letters import with_bounds_of_each
-from symbalance.notes.reading.macros import expand_macros
-from symbalance.notes.reading.marked_letters import with_marked_letters
-from symbalance.notes.reading.mathml import is_mathml, mathml_text
-from symbalance.notes.reading.memberships import with_memberships
-from symbalance.notes.reading.multiples_in_words import with_multiples_in_signs
-from symbalance.notes.reading.numerals import with_plain_numerals
-from symbalance.notes.reading.one_letter_words import with_one_letter_words
-from symbalance.notes.reading.operator_words import with_operator_words
-from symbalance.notes.reading.page_marks import with_page_marks
-from symbalance.notes.reading.places_in_brackets import with_places
-from symbalance.notes.reading.pointed_units import with_compound_units
-from symbalance.notes.reading.pointed_words import with_points_left_out
-from symbalance.notes.reading.ranges import with_ranges
+from symbalance.notes.reading.letters.component_names import with_components
+from symbalance.notes.reading.letters.compound_names import with_compound_names
+from symbalance.notes.reading.letters.engine_abbreviations import with_abbreviations
+from symbalance.notes.reading.letters.extremes_apart import with_extremes_apart, with_extremes_of_bars
+from symbalance.notes.reading.letters.function_names import with_function_names
+from symbalance.notes.reading.letters.greek_words import with_greek_words
+from symbalance.notes.reading.letters.imaginary_j import with_imaginary_j
+from symbalance.notes.reading.letters.letter_d import means_diameter
+from symbalance.notes.reading.letters.letter_e import lengths_named, means_letter, with_number_e
+from symbalance.notes.reading.letters.letter_i import counts_by_i
+from symbalance.notes.reading.letters.letters_in_braces import with_letters_unbraced
+from symbalance.notes.reading.letters.listed_letters import with_bounds_of_each
+from symbalance.notes.reading.letters.marked_letters import with_marked_letters
+from symbalance.notes.reading.letters.pointed_words import with_points_left_out
+from symbalance.notes.reading.letters.scanned_letters import with_scanned_letters
+from symbalance.notes.reading.letters.segments import with_segments
+from symbalance.notes.reading.letters.short_greek import with_short_greek
+from symbalance.notes.reading.markup.ascii_math import with_ascii_math
+from symbalance.notes.reading.markup.joined_dollars import with_joined_dollars, with_units_between_dollars
+from symbalance.notes.reading.markup.macros import expand_macros
+from symbalance.notes.reading.markup.mathml import is_mathml, mathml_text
+from symbalance.notes.reading.markup.page_marks import with_page_marks
+from symbalance.notes.reading.markup.templates import formula_of_template, stands_in_formula
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
-from symbalance.notes.reading.row_vectors import with_row_vectors
-from symbalance.notes.reading.scanned_letters import with_scanned_letters
-from symbalance.notes.reading.segments import with_segments
-from symbalance.notes.reading.short_greek import with_short_greek
-from symbalance.notes.reading.systems_in_braces import with_rows_of_relations, with_systems
-from symbalance.notes.reading.tables_of_quantities import with_equations_of_tables
-from symbalance.notes.reading.templates import formula_of_template, stands_in_formula
-from symbalance.notes.reading.times_in_parts import with_times_in_one
-from symbalance.notes.reading.units_behind_waves import with_units_of_waves
-from symbalance.notes.reading.wrapped_lines import SOFT_END, with_soft_ends
+from symbalance.notes.reading.spellings.and_so_on import with_dots
+from symbalance.notes.reading.spellings.division_colons import with_divisions
+from symbalance.notes.reading.spellings.memberships import with_memberships
+from symbalance.notes.reading.spellings.multiples_in_words import with_multiples_in_signs
+from symbalance.notes.reading.spellings.numerals import with_plain_numerals
+from symbalance.notes.reading.spellings.one_letter_words import with_one_letter_words
+from symbalance.notes.reading.spellings.operator_words import with_operator_words
+from symbalance.notes.reading.spellings.places_in_brackets import with_places
+from symbalance.notes.reading.spellings.pointed_units import with_compound_units
+from symbalance.notes.reading.spellings.ranges import with_ranges
+from symbalance.notes.reading.spellings.row_vectors import with_row_vectors
+from symbalance.notes.reading.spellings.systems_in_braces import with_rows_of_relations, with_systems
+from symbalance.notes.reading.spellings.tables_of_quantities import with_equations_of_tables
+from symbalance.notes.reading.spellings.times_in_parts import with_times_in_one
+from symbalance.notes.reading.spellings.units_behind_waves import with_units_of_waves
+from symbalance.notes.reading.spellings.wrapped_lines import SOFT_END, with_soft_ends
 
 CELL_END = "\ue000"
 """Stands between the cells of a table: no formula goes over it. (A sign that nobody types.)"""

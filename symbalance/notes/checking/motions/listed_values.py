@@ -20,8 +20,8 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
-from symbalance.notes.reading.letter_names import canonical_name
-from symbalance.notes.reading.listed_multiples import VALUE, is_of_degrees, multiple, written
+from symbalance.notes.reading.letters.letter_names import canonical_name
+from symbalance.notes.reading.spellings.listed_multiples import VALUE, is_of_degrees, multiple, written
 
 _WORDS = r"(?:for|für|with|where|when|if|at|bei|mit|wenn|all|alle|both)(?![A-Za-z])"
 _BLANK = r"[\s$)}\].,;:~(]|\\\)|\\\(|\\q?quad|\\[,;: ]"

@@ -14,8 +14,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from html import unescape
 
-from symbalance.notes.reading.macros import expand_macros
-from symbalance.notes.reading.mathml import is_mathml, mathml_text
+from symbalance.notes.reading.markup.macros import expand_macros
+from symbalance.notes.reading.markup.mathml import is_mathml, mathml_text
 from symbalance.notes.reading.sources import kind_of
 
 INLINE, DISPLAY, END = "\ue010", "\ue011", "\ue012"

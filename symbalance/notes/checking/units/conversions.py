@@ -15,8 +15,8 @@ from symbalance.document.formula import Formula, Name, Negative, Number, Product
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
 from symbalance.notes.checking.units.dimensions import Dimension, unit_of, written_unit
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
-from symbalance.notes.reading.numerals import sign_of_unit
 from symbalance.notes.reading.signs import VULGAR
+from symbalance.notes.reading.spellings.numerals import sign_of_unit
 from symbalance.notes.reading.units import GRAVITY, scale_of
 
 POUND, POUND_FORCE = Fraction(45359237, 10**8), Fraction(44482216152605, 10**13)

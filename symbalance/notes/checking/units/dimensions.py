@@ -21,8 +21,8 @@ from symbalance.document.letters import raised
 from symbalance.document.text_writer import formula_text
 from symbalance.document.wordlists import words
 from symbalance.notes.checking.declared.symbol_roles import FROM_MIDDLE, FROM_PIN, FROM_TOP, role_of
-from symbalance.notes.reading import siunitx
-from symbalance.notes.reading.numerals import sign_of_unit
+from symbalance.notes.reading.markup import siunitx
+from symbalance.notes.reading.spellings.numerals import sign_of_unit
 from symbalance.notes.reading.units import GRAVITY
 
 Dimension = tuple[Fraction, ...]

@@ -38,8 +38,8 @@ from symbalance.notes.checking.units.conversions import POUND, POUND_FORCE, quan
 from symbalance.notes.checking.units.dimensions import written_unit
 from symbalance.notes.checking.units.own_units import is_per_minute
 from symbalance.notes.reading.equations import ReadNotes, Side
-from symbalance.notes.reading.numerals import sign_of_unit
-from symbalance.notes.reading.result_units import value_of
+from symbalance.notes.reading.formulas.result_units import value_of
+from symbalance.notes.reading.spellings.numerals import sign_of_unit
 from symbalance.notes.reading.units import scale_of
 
 BETWEEN_NUMBERS = "a formula between the numbers of quantities, whose constant converts their units"

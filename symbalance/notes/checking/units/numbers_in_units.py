@@ -57,7 +57,7 @@ from symbalance.notes.checking.units.rounded_wholes import decide_rounded_wholes
 from symbalance.notes.checking.units.units_behind import decide_as_counted
 from symbalance.notes.checking.units.unrounded_numbers import decide_unrounded
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
-from symbalance.notes.reading.numerals import unit_in_words
+from symbalance.notes.reading.spellings.numerals import unit_in_words
 from symbalance.notes.reading.units import Scale, scale_of
 
 RPM = Fraction(1, 30), True

@@ -19,7 +19,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.units.conversions import is_power_of_ten, quantity_of
 from symbalance.notes.checking.units.dimensions import Dimension, unit_of
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
-from symbalance.notes.reading.numerals import sign_of_unit
+from symbalance.notes.reading.spellings.numerals import sign_of_unit
 from symbalance.notes.reading.units import scale_of
 
 NEAREST = 400

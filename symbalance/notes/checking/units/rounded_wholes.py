@@ -16,7 +16,7 @@ from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
-from symbalance.notes.reading.result_units import value_of
+from symbalance.notes.reading.formulas.result_units import value_of
 
 FEWEST_DIGITS = 1000
 """The least whole number that may be rounded."""

@@ -22,8 +22,8 @@ from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Deci
 from symbalance.notes.checking.units.dimensions import Dimension, unit_of
 from symbalance.notes.checking.units.own_units import ANGULAR_LETTERS
 from symbalance.notes.reading.equations import Chain, ReadNotes
-from symbalance.notes.reading.numerals import unit_in_words
-from symbalance.notes.reading.result_units import value_of
+from symbalance.notes.reading.formulas.result_units import value_of
+from symbalance.notes.reading.spellings.numerals import unit_in_words
 from symbalance.notes.reading.units import scale_of
 
 _LETTER = (

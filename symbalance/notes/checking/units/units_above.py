@@ -15,7 +15,7 @@ from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.units.conversions import quantity_of, scale_of, sign_of_unit
 from symbalance.notes.checking.units.dimensions import NONE, Dimension, unit_of, unit_text
 from symbalance.notes.reading.equations import Chain, ReadNotes
-from symbalance.notes.reading.result_units import value_of
+from symbalance.notes.reading.formulas.result_units import value_of
 
 NEAR = 700
 """Characters above in which a number's unit is looked for."""

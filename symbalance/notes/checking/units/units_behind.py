@@ -20,7 +20,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.units.own_units import is_angular_speed
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
-from symbalance.notes.reading.numerals import unit_in_words
+from symbalance.notes.reading.spellings.numerals import unit_in_words
 from symbalance.notes.reading.units import scale_of
 
 _OPENED = re.compile(

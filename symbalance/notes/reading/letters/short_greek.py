@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable
 
 from symbalance.document.letters import GREEK_SIGN
-from symbalance.notes.reading.marked_formulas import is_inside, marked_formulas
+from symbalance.notes.reading.markup.marked_formulas import is_inside, marked_formulas
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 
 _SHORT = {

@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable
 
 from symbalance.document.wordlists import words
-from symbalance.notes.reading.differential_signs import without_definition
+from symbalance.notes.reading.markup.differential_signs import without_definition
 from symbalance.notes.reading.rewriting import Span
 
 Texts = list[str | Span]

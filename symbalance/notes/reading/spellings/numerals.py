@@ -10,9 +10,9 @@ import re
 from collections.abc import Callable
 
 from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, LOWERED, NAME_OF_SIGN, RAISED
-from symbalance.notes.reading.pointed_units import compound_unit
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import COMBINED, RELATION, VULGAR, accented
+from symbalance.notes.reading.spellings.pointed_units import compound_unit
 from symbalance.notes.reading.units import is_of_volume, scale_of
 
 _APART = (

@@ -13,7 +13,7 @@ import re
 from bisect import bisect_right
 from dataclasses import dataclass
 
-from symbalance.notes.reading.marked_formulas import marked_formulas
+from symbalance.notes.reading.markup.marked_formulas import marked_formulas
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 
 _PAIR = re.compile(

@@ -13,11 +13,11 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from symbalance.document.wordlists import word_set, words
-from symbalance.notes.reading import differential_signs, siunitx
-from symbalance.notes.reading.physics_macros import PHYSICS
+from symbalance.notes.reading.markup import differential_signs, siunitx
+from symbalance.notes.reading.markup.physics_macros import PHYSICS
+from symbalance.notes.reading.markup.underlined_letters import is_underlined_letter
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.signs import RELATION
-from symbalance.notes.reading.underlined_letters import is_underlined_letter
 
 # A macro in its own body doubles the text every round: rounds and growth are both bounded.
 MOST_ROUNDS = 30

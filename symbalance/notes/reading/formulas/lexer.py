@@ -25,7 +25,7 @@ from symbalance.document.letters import (
 )
 from symbalance.notes.reading import signs
 from symbalance.notes.reading.failures import ReadingError
-from symbalance.notes.reading.letter_names import (
+from symbalance.notes.reading.letters.letter_names import (
     EXTREMES,
     matching_brace,
     may_be_letters,

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 
-from symbalance.notes.reading.marked_formulas import is_inside, marked_formulas
+from symbalance.notes.reading.markup.marked_formulas import is_inside, marked_formulas
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 
 _APART = re.compile(

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 
 from symbalance.notes.reading.failures import ReadingError
-from symbalance.notes.reading.letter_names import matching_brace
+from symbalance.notes.reading.letters.letter_names import matching_brace
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 
 _E = r"(?<![A-Za-z0-9\\_^{}.'’])e(?![A-Za-z_'’])"

@@ -32,11 +32,11 @@ from symbalance.document.formula import (
     Sum,
 )
 from symbalance.notes.reading.failures import ReadingError
-from symbalance.notes.reading.lexer import AT, Token
+from symbalance.notes.reading.formulas.lexer import AT, Token
 from symbalance.notes.reading.signs import MULTIPLE
 
 if TYPE_CHECKING:
-    from symbalance.notes.reading.parser import Parser
+    from symbalance.notes.reading.formulas.parser import Parser
 
 UNNAMED = Name("")
 """The letter of `\\max f` or `[f]_a^b`, which names none: the algebra takes the only one there is."""

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from symbalance.document.formula import Span
 from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, NAME_OF_SIGN
 from symbalance.document.wordlists import word_set
-from symbalance.notes.reading.prose import is_function_of_letter
+from symbalance.notes.reading.passages.prose import is_function_of_letter
 from symbalance.notes.reading.sources import CELL_END
 
 LONGEST_BEFORE = 60

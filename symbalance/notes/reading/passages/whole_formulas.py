@@ -11,9 +11,9 @@ import re
 from symbalance.document.letters import NAME_OF_SIGN
 from symbalance.document.wordlists import words
 from symbalance.notes.reading.failures import ReadingError
-from symbalance.notes.reading.lexer import Vocabulary
+from symbalance.notes.reading.formulas.lexer import Vocabulary
+from symbalance.notes.reading.passages.words_behind_numbers import says_multiple_of
 from symbalance.notes.reading.sources import CELL_END
-from symbalance.notes.reading.words_behind_numbers import says_multiple_of
 
 MARGIN = 200
 """Characters of the line around a formula that are looked at."""
@@ -63,7 +63,7 @@ def cut_error(place: int, rest: str) -> ReadingError:
 def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingError | None:
     """Return why an equation in prose is not whole: what stands right before or behind it belongs to it.
 
-    >>> from symbalance.notes.reading.lexer import vocabulary
+    >>> from symbalance.notes.reading.formulas.lexer import vocabulary
     >>> text = "cos 2t = 1 - 2 sin^2 t plus 3"
     >>> print(doubt_around(text, 0, 22, vocabulary({"t"})))
     at character 24: a formula that goes on in words: plus 3; write it in signs, or end it

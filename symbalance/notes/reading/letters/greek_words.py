@@ -9,7 +9,7 @@ import re
 from collections.abc import Callable
 
 from symbalance.document.letters import GREEK_SIGN, SHORT_NAMES
-from symbalance.notes.reading.marked_formulas import is_inside, marked_formulas
+from symbalance.notes.reading.markup.marked_formulas import is_inside, marked_formulas
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 
 _SIGNS = {**GREEK_SIGN, **{short: GREEK_SIGN[name] for short, name in SHORT_NAMES.items()}}

@@ -14,7 +14,7 @@ from fractions import Fraction
 
 from symbalance.document.formula import Constant, Formula, Number, Product, Quotient, Sum
 from symbalance.notes.reading.equations import Side
-from symbalance.notes.reading.lexer import Token
+from symbalance.notes.reading.formulas.lexer import Token
 
 _DIGITS = re.compile(r"[0-9](?:[0-9.,{}  ]*[0-9])?")
 _LONG = 3

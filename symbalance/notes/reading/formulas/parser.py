@@ -39,10 +39,10 @@ from symbalance.document.formula import (
     walk,
 )
 from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek, plain_letter
-from symbalance.notes.reading import constructs
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
-from symbalance.notes.reading.free_letters import may_be_free, unclear
-from symbalance.notes.reading.lexer import AT, CLOSER, Token
+from symbalance.notes.reading.formulas import constructs
+from symbalance.notes.reading.formulas.free_letters import may_be_free, unclear
+from symbalance.notes.reading.formulas.lexer import AT, CLOSER, Token
 from symbalance.notes.reading.signs import CELLS, VULGAR
 
 # A formula with n doubtful places has 2^n readings: the number kept and the number tried are limited.

@@ -27,7 +27,7 @@ from symbalance.document.formula import (
     walk,
 )
 from symbalance.notes.reading.equations import Side
-from symbalance.notes.reading.lexer import PERCENT, Token
+from symbalance.notes.reading.formulas.lexer import PERCENT, Token
 
 _CLOSE = 0.005  # of the number printed: a rounded result is nearer than that, another unit is not
 _NEAR = 0.25  # of the number printed: a slip in its digits, seldom another unit

@@ -11,7 +11,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.letters import is_greek
-from symbalance.notes.reading.lexer import Token
+from symbalance.notes.reading.formulas.lexer import Token
 
 
 def with_differentials(sides: Sequence[list[Token]], names: Collection[str]) -> list[list[Token]]:

@@ -8,8 +8,8 @@ from __future__ import annotations
 import re
 from itertools import pairwise
 
-from symbalance.notes.reading.listed_multiples import VALUE, is_multiple, range_of
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.notes.reading.spellings.listed_multiples import VALUE, is_multiple, range_of
 
 _NUMBER = (
     r"[-−]?(?:[0-9]+(?:\.[0-9]+|\{,\}[0-9]+)?(?:\s*(?:\\pi(?![A-Za-z])|π))?|\\pi(?![A-Za-z])|π)"

@@ -15,14 +15,27 @@ from itertools import islice, pairwise
 
 from symbalance.document.letters import WORDS
 from symbalance.document.wordlists import word_set, words
-from symbalance.notes.reading.continued_lines import goes_on_below, is_first_side
 from symbalance.notes.reading.failures import ReadingError
-from symbalance.notes.reading.lexer import Vocabulary, vocabulary
-from symbalance.notes.reading.meanings_in_words import is_explained_by_text, is_meaning
-from symbalance.notes.reading.prose import line_rules, parts_at_lone_brackets, segments, trim_segment
-from symbalance.notes.reading.set_words import doubt_of_words_set
+from symbalance.notes.reading.formulas.lexer import Vocabulary, vocabulary
+from symbalance.notes.reading.passages.continued_lines import goes_on_below, is_first_side
+from symbalance.notes.reading.passages.meanings_in_words import is_explained_by_text, is_meaning
+from symbalance.notes.reading.passages.prose import (
+    line_rules,
+    parts_at_lone_brackets,
+    segments,
+    trim_segment,
+)
+from symbalance.notes.reading.passages.set_words import doubt_of_words_set
+from symbalance.notes.reading.passages.whole_formulas import (
+    JOINING,
+    MARGIN,
+    OPERATION,
+    cut_error,
+    doubt_around,
+)
 from symbalance.notes.reading.signs import CELLS, ENVIRONMENTS, RELATION, relation_at_start
 from symbalance.notes.reading.sources import CELL_END, Source
+from symbalance.notes.reading.spellings.wrapped_lines import ENDS
 from symbalance.notes.reading.units import (
     follows_number,
     is_quantity,
@@ -30,8 +43,6 @@ from symbalance.notes.reading.units import (
     scale_of,
     unit_set_at,
 )
-from symbalance.notes.reading.whole_formulas import JOINING, MARGIN, OPERATION, cut_error, doubt_around
-from symbalance.notes.reading.wrapped_lines import ENDS
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _BULLET = re.compile(r"\s*(?:\(?(?:[0-9]{1,3}[.)]|(?:[a-h]|i{1,3}|i?v)\))(?=\s))?\s*")

@@ -10,8 +10,8 @@ import re
 
 from symbalance.document.wordlists import word_set
 from symbalance.notes.reading.failures import ReadingError
+from symbalance.notes.reading.passages.words_behind_numbers import says_multiple_of
 from symbalance.notes.reading.units import scale_of
-from symbalance.notes.reading.words_behind_numbers import says_multiple_of
 
 _SPACE = r"(?:\s|~|\\[,;:! ])*"
 _SET = re.compile(

@@ -10,7 +10,7 @@ import re
 from collections.abc import Collection, Sequence
 
 from symbalance.notes.reading.failures import ReadingError
-from symbalance.notes.reading.lexer import Token
+from symbalance.notes.reading.formulas.lexer import Token
 
 COUNT_OR_VALUE = "a number at a brace, which may be its value or a count"
 _NUMBERED = re.compile(r"\}\s*[_^]\s*\{\s*(?P<number>[0-9])\s*\}")

@@ -21,7 +21,7 @@ from symbalance.document.letters import (
 )
 from symbalance.document.wordlists import word_set
 from symbalance.notes.reading import signs
-from symbalance.notes.reading.lexer import Vocabulary
+from symbalance.notes.reading.formulas.lexer import Vocabulary
 from symbalance.notes.reading.units import follows_number, plain_unit_at, scale_of, unit_set_at
 
 _UNIT = r"(?P<unit>\[\s*[A-Za-zµμ]+[A-Za-z0-9^/²³⁻¹-]*\s*\])|"

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from symbalance.notes.reading.lexer import Token
+from symbalance.notes.reading.formulas.lexer import Token
 
 
 def with_second_values(

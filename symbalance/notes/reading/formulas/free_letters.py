@@ -13,7 +13,7 @@ from collections.abc import Collection, Sequence
 from symbalance.document.formula import Call, Constant, Derivative, Formula, Name, Summation, names, walk
 from symbalance.document.letters import ACCENTS, GREEK_SIGN, TIME_DOTS
 from symbalance.notes.reading.equations import Side
-from symbalance.notes.reading.lexer import Token
+from symbalance.notes.reading.formulas.lexer import Token
 from symbalance.notes.reading.units import scale_of
 
 _MARKS = frozenset(ACCENTS.values()) | frozenset(TIME_DOTS) | {"Delta", "delta"}

@@ -21,8 +21,8 @@ from symbalance.document.letters import (
     SHORT_NAMES,
     plain_letter,
 )
-from symbalance.notes.reading.letter_names import canonical_name
-from symbalance.notes.reading.marked_formulas import marked_formulas
+from symbalance.notes.reading.letters.letter_names import canonical_name
+from symbalance.notes.reading.markup.marked_formulas import marked_formulas
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.units import scale_of
 

@@ -10,7 +10,7 @@ import re
 from collections.abc import Sequence
 
 from symbalance.document.letters import FUNCTION_WORDS
-from symbalance.notes.reading.marked_formulas import is_inside, marked_formulas
+from symbalance.notes.reading.markup.marked_formulas import is_inside, marked_formulas
 from symbalance.notes.reading.rewriting import Span
 from symbalance.notes.reading.signs import RELATION
 from symbalance.notes.reading.units import scale_of

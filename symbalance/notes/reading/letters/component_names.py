@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from symbalance.notes.reading.marked_formulas import is_inside, marked_formulas
+from symbalance.notes.reading.markup.marked_formulas import is_inside, marked_formulas
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 
 _COMPONENT = re.compile(r"(?<![\w\\^{}$'’])(?P<letter>[A-Z])(?P<script>[0-9][xyzhv])(?![A-Za-z0-9_('’])")
