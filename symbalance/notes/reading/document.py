@@ -53,6 +53,7 @@ from symbalance.notes.reading.formulas.result_units import (
 from symbalance.notes.reading.formulas.second_values import with_second_values
 from symbalance.notes.reading.formulas.unit_places import with_unit_of_whole, with_units_of_divisors
 from symbalance.notes.reading.letters.letter_names import matching_brace
+from symbalance.notes.reading.markup.type_settings import with_styles_blank
 from symbalance.notes.reading.passages.continued_lines import goes_on_below, goes_on_from
 from symbalance.notes.reading.passages.segmentation import Item, ItemFinder, has_relation
 from symbalance.notes.reading.rewriting import Piece, Rewritten, rewritten
@@ -95,6 +96,7 @@ def read_document(
     if len(text) > LONGEST_DOCUMENT:
         what = f"a document of more than {LONGEST_DOCUMENT} characters"
         return ReadNotes(name, text, (), (Unreadable(1, 1, what, "split it", (0, 0)),))
+    text = with_styles_blank(text)
     cache: dict[int, frozenset[str]] = {}
 
     def names(line: int) -> frozenset[str]:

@@ -36,6 +36,7 @@ from symbalance.notes.reading.markup.macros import expand_macros
 from symbalance.notes.reading.markup.mathml import is_mathml, mathml_text
 from symbalance.notes.reading.markup.page_marks import with_page_marks
 from symbalance.notes.reading.markup.templates import formula_of_template, stands_in_formula
+from symbalance.notes.reading.markup.type_settings import with_upright_parts
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.spellings.and_so_on import with_dots
 from symbalance.notes.reading.spellings.division_colons import with_divisions
@@ -122,6 +123,7 @@ def prepare(
         reader.apply(with_ascii_math(reader.text))
     macros = expand_macros(reader.text)
     reader.apply(macros.source)
+    reader.apply(with_upright_parts(reader.text))
     own_letters = frozenset({"i"} if counts_by_i(reader.text) else ())
     own_letters |= lengths_named(reader.text)
     own_letters |= {"d"} if means_diameter(reader.text) else frozenset()

@@ -44,6 +44,7 @@ _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 _TO_RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _RAISED_TEN = re.compile("10([⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)")
 _DEGREES = re.compile(r"\^?\s*\{?\s*(?:\\circ|°|∘)\s*\}?|\\degree|degrees?|deg|Grad|度")
+_PERCENT = re.compile(r"\\?%")
 _UNIT_SHOWN = re.compile(r"\\(?:mathrm|text|textrm|mbox|unit|si|rm|operatorname)(?![A-Za-z])|[{}]")
 _UNKNOWN_UNIT = re.compile(r"[^\W\d_][^\d+=×*(){}\\<>]*[⁰¹²³⁴⁵⁶⁷⁸⁹]*")
 _PREFIXES = ("", "k", "M", "G", "m", "c")
@@ -192,6 +193,8 @@ def _candidates(source: str) -> Iterator[WrittenNumber]:
     scales: list[tuple[str, Fraction, bool]] = []
     if _DEGREES.fullmatch(text["unit"].strip(" .,;")):
         scales.append(("°", Fraction(1, 180), True))
+    elif _PERCENT.fullmatch(unit):
+        scales.append(("%", Fraction(1, 100), False))
     elif unit and (scale := scale_of(text["unit"].strip(" .,;:")) or scale_of(unit)) is not None:
         scales += [(unit, *scale), (unit, Fraction(1), False)]
         if scale == (Fraction(1, 30), True):  # turns a minute, counted and not in radians

@@ -14,7 +14,7 @@ from symbalance.notes.reading.units import scale_of
 
 _FORCE = r"(?:[kMmc]?(?:N|Pa|W|J|m|g)|lbf?|kp)"
 _BEHIND = re.compile(
-    r"(?<=[A-Za-z\u03b1-\u03c9})])(?P<close>\$?)(?:[ ~]|\\[,;: ])"
+    r"(?<=[A-Za-z\u03b1-\u03c9})])(?P<close>\$?)(?:[ ~]|\\[,;: ]|\\quad(?![a-z])){1,3}"
     r"(?:\\(?:mathrm|text|textrm)\{(?P<set>[A-Za-z/²³·\\ ]{1,12})\}"
     rf"|(?P<plain>{_FORCE}(?:[·][mc]?m|[ ][mc]?m(?![A-Za-z])|m)?(?:/(?:s|mm|m|cm)[²³]?)?))"
     r"(?=\$?[.,;:]?(?:\s|$)|[\u3001\u3002])",
