@@ -36,7 +36,7 @@ from symbalance.notes.reading.markup.macros import expand_macros
 from symbalance.notes.reading.markup.mathml import is_mathml, mathml_text
 from symbalance.notes.reading.markup.page_marks import with_page_marks
 from symbalance.notes.reading.markup.templates import formula_of_template, stands_in_formula
-from symbalance.notes.reading.markup.type_settings import with_upright_parts
+from symbalance.notes.reading.markup.type_settings import with_one_inline_mark, with_upright_parts
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.spellings.and_so_on import with_dots
 from symbalance.notes.reading.spellings.division_colons import with_divisions
@@ -121,6 +121,7 @@ def prepare(
         reader.apply(_rewritten(reader.text, rules))
     if kind == "asciidoc":
         reader.apply(with_ascii_math(reader.text))
+    reader.apply(with_one_inline_mark(reader.text))
     macros = expand_macros(reader.text)
     reader.apply(macros.source)
     reader.apply(with_upright_parts(reader.text))
@@ -132,6 +133,8 @@ def prepare(
         reader.apply(with_number_e(reader.text))
     if kind in ("tex", "markdown"):
         reader.apply(with_equations_of_tables(reader.text, kind))
+    has_dollars = kind != "plain" or "\\(" in text  # else they may be money
+    if has_dollars:
         reader.apply(with_joined_dollars(reader.text))
     reader.apply_noted(with_segments(reader.text))
     reader.apply(with_abbreviations(reader.text))
@@ -167,7 +170,7 @@ def prepare(
     reader.apply(with_compound_units(reader.text))
     reader.apply_noted(with_plain_numerals(reader.text, is_letter))
     reader.apply(with_units_of_waves(reader.text, is_letter))
-    if kind in ("tex", "markdown"):
+    if has_dollars:
         reader.apply(with_units_between_dollars(reader.text))
     reader.apply_noted(with_ranges(reader.text))
     current, origin = reader.text, reader.origin

@@ -15,6 +15,7 @@ _UPRIGHT = re.compile(
     r"(?P<upright>(?:[^{}\\]|\\[,;: !]){1,24})\})"
     r"|\\(?:textrm|textnormal|textup|textsf|hbox)(?=\s*\{)"
 )
+_ROUND = re.compile(r"(?<!\\)\\\((?P<inside>(?:[^$\\\n]|\n(?!\s*\n)|\\(?![()\[\]])){1,2000}+)\\\)")
 _SCRIPT_BEFORE = re.compile(r"[_^]\s*$")
 
 
@@ -42,5 +43,18 @@ def with_upright_parts(text: str) -> Rewritten | None:
             continue
         else:
             rewriter.replace(start, end, "\\mathrm{", match.span("upright"), "}")
+        changed = True
+    return rewriter.finish() if changed else None
+
+
+def with_one_inline_mark(text: str) -> Rewritten | None:
+    r"""Return a text with its inline formulas between dollars, None where they are.
+
+    >>> with_one_inline_mark(r"the spring \(c\) = 150 N/mm").text
+    'the spring $c$ = 150 N/mm'
+    """
+    rewriter, changed = Rewriter(text), False
+    for match in _ROUND.finditer(text):
+        rewriter.replace(*match.span(), "$", match.span("inside"), "$")
         changed = True
     return rewriter.finish() if changed else None
