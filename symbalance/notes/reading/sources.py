@@ -36,7 +36,11 @@ from symbalance.notes.reading.markup.macros import expand_macros
 from symbalance.notes.reading.markup.mathml import is_mathml, mathml_text
 from symbalance.notes.reading.markup.page_marks import with_page_marks
 from symbalance.notes.reading.markup.templates import formula_of_template, stands_in_formula
-from symbalance.notes.reading.markup.type_settings import with_one_inline_mark, with_upright_parts
+from symbalance.notes.reading.markup.type_settings import (
+    with_one_inline_mark,
+    with_tildes_blank,
+    with_upright_parts,
+)
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.spellings.and_so_on import with_dots
 from symbalance.notes.reading.spellings.division_colons import with_divisions
@@ -116,6 +120,7 @@ def prepare(
     kind = kind_of(reader.text, suffix)
     if kind == "tex":
         reader.text = mask_code_of_tex(reader.text)
+    reader.text = with_tildes_blank(reader.text, is_tex=kind == "tex")
     reader.apply(with_page_marks(reader.text, kind, suffix))
     for rules in _RULES.get(kind, ()):
         reader.apply(_rewritten(reader.text, rules))
@@ -133,7 +138,7 @@ def prepare(
         reader.apply(with_number_e(reader.text))
     if kind in ("tex", "markdown"):
         reader.apply(with_equations_of_tables(reader.text, kind))
-    has_dollars = kind != "plain" or "\\(" in text  # else they may be money
+    has_dollars = kind != "plain" or _TEX_FORMULA.search(text) is not None  # not money
     if has_dollars:
         reader.apply(with_joined_dollars(reader.text))
     reader.apply_noted(with_segments(reader.text))
@@ -515,9 +520,19 @@ def blank(text: str) -> str:
     return "".join("\n" if c == "\n" else " " for c in text) if "\n" in text else " " * len(text)
 
 
+_TEX_FORMULA = re.compile(r"\$[^$\n]{0,200}(?<!\\)\\[A-Za-z,;][^$\n]{0,200}\$|\\\(")
+_NARROW_SPACE = re.compile(
+    "[\u00a0\u2002-\u200a\u202f\u205f](?![0-9])|(?<![0-9])[\u00a0\u2002-\u200a\u202f\u205f]"
+)
+
+
 def to_half_width(text: str) -> str:
-    """Return the text with full-width signs as plain ones, of the same length; m・r is a product."""
+    """Return the text with full-width signs and typographic spaces as plain ones, of the same length.
+
+    m・r is a product. Between figures a thin space may group thousands, and stays.
+    """
     narrow = _DEGREE_TYPED.sub("°", text.translate(_WIDE)).replace(SOFT_END, " ")
+    narrow = _NARROW_SPACE.sub(" ", narrow)
     return _DOT_OF_PRODUCT.sub("·", narrow) if "・" in narrow else narrow
 
 

@@ -24,6 +24,7 @@ from symbalance.document.formula import (
     Product,
     Quotient,
     Sum,
+    names,
     walk,
 )
 from symbalance.notes.reading.equations import Side
@@ -33,7 +34,11 @@ _CLOSE = 0.005  # of the number printed: a rounded result is nearer than that, a
 _NEAR = 0.25  # of the number printed: a slip in its digits, seldom another unit
 _PREFIX = 1000
 _HUNDRED = 100
-_FUNCTIONS = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "tan": math.tan}
+_WAVES = {"sin": math.sin, "cos": math.cos, "tan": math.tan}
+_FUNCTIONS = {
+    **_WAVES, "sqrt": math.sqrt, "exp": math.exp, "ln": math.log, "asin": math.asin, "acos": math.acos,
+    "atan": math.atan, "sinh": math.sinh, "cosh": math.cosh, "tanh": math.tanh,
+}  # fmt: skip
 
 
 def in_unit_of_result(
@@ -51,7 +56,7 @@ def in_unit_of_result(
         printed, factor = unit
         for before in range(place - 1, -1, -1):
             other = done[before]
-            if other is None or not _is_bare(tokens[before]):
+            if other is None or not _is_bare(other.node, tokens[before]):
                 break
             value = value_of(other.node)
             if value is None or not _is_meant(value, printed, _size(factor)):
@@ -103,7 +108,7 @@ def with_rounded_results(
     done = list(sides)
     for place, side in enumerate(sides):
         before = sides[place - 1] if place else None
-        if side is None or before is None or not _is_bare(tokens[place - 1]):
+        if side is None or before is None or not _is_bare(before.node, tokens[place - 1]):
             continue
         number, factor = _whole_result(tokens[place])
         value = value_of(before.node)
@@ -238,12 +243,12 @@ def _power_of_ten(tokens: Sequence[Token]) -> tuple[Fraction | None, Sequence[To
     return Fraction(10) ** int(exponent), behind
 
 
-def _is_bare(tokens: Sequence[Token]) -> bool:
-    """Tell whether a side holds numbers without any unit or letter."""
-    return not any(
+def _is_bare(node: Formula, tokens: Sequence[Token]) -> bool:
+    """Tell whether a side holds numbers without any letter or unit, but for the angles of its waves."""
+    waves = [part.span for part in walk(node) if isinstance(part, Call) and part.function in _WAVES]
+    return not names(node) and not any(
         token.scale is not None
-        or token.kind == "degree"
-        or (token.kind == "name" and token.value != "pi")
+        or (token.kind == "degree" and not any(start <= token.start < end for start, end in waves))
         for token in tokens
     )
 

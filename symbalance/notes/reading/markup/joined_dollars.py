@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left
-from itertools import accumulate
+from itertools import accumulate, pairwise
 
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import RELATION
@@ -26,6 +26,11 @@ _OUTSIDE = re.compile(
     rf"({_FORMULA})(?P<sign>[ ~]*(?:[=≈<>≤≥])[ ~]*)(?P<number>{_NUMBER_OUTSIDE})"
     rf"(?:[ ~](?P<unit>{_UNIT}))?(?![\w$^]|[ ~][0-9]|[ ]?[-+−·×*/=(\\$])"
 )
+_SIGN = r"[ ~]*[=≈<>≤≥][ ~]*"
+_SIDES_APART = re.compile(
+    rf"{_FORMULA}(?:[ ~]?{_UNIT})?(?:{_SIGN}{_FORMULA}(?:[ ~]?{_UNIT}(?={_SIGN}))?){{1,6}}+"
+)
+_SIDE = re.compile(rf"(?P<formula>{_FORMULA})(?:[ ~]?(?P<unit>{_UNIT})(?={_SIGN}))?")
 _PART_OF_UNIT = r"(?:1|[A-Za-zµμ]{1,6}\.?)(?:\^?[-−]?[1-4]|⁻?[¹²³⁴])?"
 _UNIT_IN_PROSE = rf"{_PART_OF_UNIT}(?:[ ]?[/·⋅*‐‑-][ ]?{_PART_OF_UNIT}|[ ]{_PART_OF_UNIT}){{0,3}}"
 _GOES_ON = re.compile(
@@ -35,6 +40,10 @@ _GOES_ON = re.compile(
 _RESULT = re.compile(rf"[ ~]*[=≈][ ~]*[-−]?[0-9][0-9.,]*(?<=[0-9])(?:[ ~]?(?P<unit>{_UNIT_IN_PROSE}))?")
 _OPERATION_BEHIND = re.compile(r"[\w$^]|[ ]?[-+−·×*/(\\$]|[ ]?[=≈]|[ ][A-Za-zα-ω](?![A-Za-z])")
 """What goes on with a formula behind a unit in prose, `$P = 8000$ lb $= 35.6$ kN`, `$…$ psi = 44 MPa`."""
+
+
+Changes = dict[int, tuple[int, tuple[str | tuple[int, int], ...]]]
+"""What is replaced, by where it begins: its end, and the texts and stretches put in its place."""
 
 
 def with_units_between_dollars(text: str) -> Rewritten | None:
@@ -96,24 +105,24 @@ def with_joined_dollars(text: str) -> Rewritten | None:
     """
     if "$" not in text:
         return None
-    changes: dict[int, tuple[int, tuple[str | tuple[int, int], ...]]] = {}
-    dollars = _Dollars(text)
+    changes: Changes = {}
+    dollars, joined = _Dollars(text), set[int]()
+    for match in _SIDES_APART.finditer(text):
+        if dollars.opens(match.start()):
+            changes |= _joints(text, *match.span())
+            joined.add(match.start())
     for match in _OUTSIDE.finditer(text):
         start, end = match.span(1)
-        if RELATION.search(match[1]) or not dollars.opens(start):
+        if start in joined or RELATION.search(match[1]) or not dollars.opens(start):
             continue
         unit = match["unit"]
         tail = f"\\,\\mathrm{{{unit}}}$" if unit and unit not in "°%\\%" else f"{unit or ''}$"
         tail = "^{\\circ}$" if unit == "°" else tail.replace("%", "\\%") if unit == "%" else tail
         changes[start] = match.end(), ((start, end - 1), (end, match.end("number")), tail)
-    for match in _UNIT_BETWEEN.finditer(text):
-        if match.start() not in changes and dollars.opens(match.start(1)):
-            unit = match["unit"].removeprefix("\\")
-            sign = {"°": "^{\\circ}", "%": "\\%"}.get(unit, f"\\,\\mathrm{{{unit}}}")
-            changes[match.end(1) - 1] = match.start("rest"), (sign,)
+    _add_units_between(text, dollars, changes)
     place = 0
     while match := _SEQUENCE.search(text, place):
-        if match.start() in changes or not dollars.opens(match.start()):
+        if match.start() in joined or match.start() in changes or not dollars.opens(match.start()):
             first = _PART.match(text, match.start())
             place = first.end() - (first[1] is not None) if first else match.end()
             continue
@@ -130,6 +139,28 @@ def with_joined_dollars(text: str) -> Rewritten | None:
         if start >= rewriter.place:
             rewriter.replace(start, end, *texts)
     return rewriter.finish()
+
+
+def _add_units_between(text: str, dollars: _Dollars, changes: Changes) -> None:
+    for match in _UNIT_BETWEEN.finditer(text):
+        if match.start() not in changes and dollars.opens(match.start(1)):
+            changes[match.end(1) - 1] = match.start("rest"), (_set_unit(match["unit"]),)
+
+
+def _joints(text: str, start: int, end: int) -> Changes:
+    """Return what joins the sides of `$2m$ = $3$ kg = $3000$`: their dollars go, units come inside."""
+    joints: Changes = {}
+    sides = list(_SIDE.finditer(text, start, end))
+    for side, following in pairwise(sides):
+        unit = (_set_unit(side["unit"]),) if side["unit"] else ()
+        joints[side.end("formula") - 1] = following.start() + 1, (*unit, (side.end(), following.start()))
+    return joints
+
+
+def _set_unit(unit: str) -> str:
+    """Return a unit of the prose as a formula has it."""
+    unit = unit.strip().removeprefix("\\")
+    return {"°": "^{\\circ}", "%": "\\%"}.get(unit, f"\\,\\mathrm{{{unit}}}")
 
 
 def _ends_open(inside: str) -> bool:

@@ -548,11 +548,13 @@ def _unit_behind(words: str, after: str) -> tuple[str, int]:
         unit = _SPACE_IN_UNIT.sub(" ", words[:end]).replace("$", "")
         if unit in ("°", "%", "\\%") or (unit == "in" and after == "."):
             return unit, end
-        if scale_of(unit) is not None:
+        if scale_of(unit) is not None and not _ENDS_IN_WORD.search(unit):
             return unit, end
     return "", 0
 
 
+_ENDS_IN_WORD = re.compile(r"(?<!lb)(?<!lbf)(?<!oz)(?<!ft) in$| (?:min|a|d|l|L|t)$|(?<!W) h$")
+"""A word of the sentence that is spelled like a unit: 90 mm in both engines, 9 mm min., 3 N a piece."""
 _SPACE_IN_UNIT = re.compile(r"\\,|~")
 
 
