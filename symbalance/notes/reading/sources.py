@@ -520,7 +520,11 @@ def blank(text: str) -> str:
     return "".join("\n" if c == "\n" else " " for c in text) if "\n" in text else " " * len(text)
 
 
-_TEX_FORMULA = re.compile(r"\$[^$\n]{0,200}(?<!\\)\\[A-Za-z,;][^$\n]{0,200}\$|\\\(")
+_TEX_FORMULA = re.compile(
+    r"\$[^$\n]{0,200}(?<!\\)\\[A-Za-z,;][^$\n]{0,200}\$|\\\("
+    r"|\$(?! )[^$\n]{1,80}(?<![ =])\$[^$\n]{0,8}[=≈] ?\$(?! )"
+)
+"""In plain text: dollars that set formulas, $3$ kg = $3000$ g, and are no money."""
 _NARROW_SPACE = re.compile(
     "[\u00a0\u2002-\u200a\u202f\u205f](?![0-9])|(?<![0-9])[\u00a0\u2002-\u200a\u202f\u205f]"
 )
