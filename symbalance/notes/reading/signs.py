@@ -44,7 +44,9 @@ SPACE_COMMANDS = word_set(
 
 SPACE_WITH_ARGUMENT = word_set("label tag hspace vspace phantom hphantom vphantom hskip mspace")
 
-STRUCTURE = word_set("frac dfrac tfrac cfrac sqrt over sum partial dot ddot dddot boxed infty surd")
+STRUCTURE = word_set(
+    "frac dfrac tfrac cfrac sqrt over sum partial dot ddot dddot boxed infty surd surd3 surd4"
+)
 
 WITH_BOUNDS = {
     "int": "int", "intop": "int", "smallint": "int", "oint": "oint", "prod": "prod", "lim": "lim",

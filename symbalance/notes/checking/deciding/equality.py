@@ -11,13 +11,14 @@ from symbalance.document import formula
 from symbalance.document.formula import Formula, Number
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra import values
-from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.open_sums import goes_on_within
 from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
 from symbalance.notes.checking.deciding.numbers_put_in import may_be_rounded
+from symbalance.notes.checking.deciding.parts_apart import parts_apart
 from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals
 from symbalance.notes.checking.deciding.substitution import replace_part
 
@@ -139,7 +140,10 @@ def _by_trees(
     Two numbers may differ by what the results among the numbers typed are rounded by.
     """
     points = sample_trees([left, right], meaning)
-    if points and not points[0][0] and _agree_as_typed(left, right, meaning, points[0][1], printed):
+    is_number = bool(points) and not points[0][0]
+    if is_number and (
+        _agree_as_typed(left, right, meaning, points[0][1], printed) or _agree_in_part(left, right)
+    ):
         return Decision(PROVED, order="the digits printed", assumptions=level.assumptions, level=level)
     for point, pair in points:
         if not _close(*pair):
@@ -164,6 +168,17 @@ def _agree_as_typed(
                 return False
             margin += abs(there[0][1][0] - value)
     return bool(margin) and abs(pair[0] - pair[1]) <= margin
+
+
+def _agree_in_part(left: Formula, right: Formula) -> bool:
+    """Tell whether two numbers of one build differ in a part alone that is rounded: √(4.2·3) = √12.6."""
+    parts = parts_apart(left, right)
+    if parts is None or not any(isinstance(part, formula.Number) for part in parts):
+        return False
+    try:
+        return agrees_as_printed(*parts, FormEvaluator(Domain()).form)
+    except (NoFormError, TooLargeError):
+        return False
 
 
 def _by_numbers(
@@ -194,7 +209,7 @@ def _by_numbers(
         return Decision(PROVED, assumptions=assumptions, level=level, left=first, right=second)
     if agrees_as_printed(
         left, right, evaluator.form, level.values, printed=knowledge.printed, counted=knowledge.counted
-    ):
+    ) or _agree_in_part(left, right):
         order = "the digits printed"
         return Decision(
             PROVED, order=order, assumptions=level.assumptions, level=level, left=first, right=second

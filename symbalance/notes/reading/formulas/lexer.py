@@ -273,7 +273,7 @@ class Lexer:
             self._lowered_bound()
         elif sign in signs.VULGAR:
             self._vulgar(sign)
-        elif sign in ("√", "∂", "∞", "Σ", "∑", "∫", "∮", "∏", "⊤"):
+        elif sign in ("√", "∛", "∜", "∂", "∞", "Σ", "∑", "∫", "∮", "∏", "⊤"):
             self._named_sign(sign)
         elif sign in DOTTED:
             letter, order = DOTTED[sign]
@@ -289,8 +289,8 @@ class Lexer:
             self._letter("Sigma", self.place + 1)
         else:
             name = {
-                "√": "surd", "∂": "partial", "∞": "infty", "Σ": "sum", "∑": "sum", "∫": "int",
-                "∮": "oint", "∏": "prod", "⊤": "top",
+                "√": "surd", "∛": "surd3", "∜": "surd4", "∂": "partial", "∞": "infty",
+                "Σ": "sum", "∑": "sum", "∫": "int", "∮": "oint", "∏": "prod", "⊤": "top",
             }[sign]  # fmt: skip
             self._add("cmd", name, self.place + 1)
 

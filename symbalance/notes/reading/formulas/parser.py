@@ -620,7 +620,7 @@ class Parser:
         readers = {
             "frac": self._fraction,
             "sqrt": self._root,
-            "surd": self._root,
+            **dict.fromkeys(("surd", "surd3", "surd4"), self._root),
             "sum": self.summation,
             "infty": self._infinity,
             "boxed": self._box,
@@ -662,7 +662,11 @@ class Parser:
 
     def _root(self) -> Formula:
         first = self.place
-        self.take()
+        degree = self.take().value.removeprefix("surd")
+        if degree.isdecimal():
+            return self._indexed_root(
+                Number(Fraction(degree)), self.argument(True), self.span_since(first)
+            )
         if self.at("open", "[") and self.tokens[first].value == "sqrt" and self._has_index():
             index = self.group()
             return self._indexed_root(index, self.argument(True), self.span_since(first))
@@ -836,7 +840,10 @@ class Parser:
         whole = any(map(_is_whole_angle, factors))
         if whole and (self._leaves_angle(token) or self._may_leave_angle(token, factors)):
             return not self._leaves_angle(token) and self.choose() == 1
-        if not (token.kind in ("open", "vulgar", "bar") or token.is_cmd("frac", "sqrt", "surd")):
+        if not (
+            token.kind in ("open", "vulgar", "bar")
+            or token.is_cmd("frac", "sqrt", "surd", "surd3", "surd4")
+        ):
             return True
         if token.kind == "open" and not whole:
             return self._goes_on_in_bracket(factors)

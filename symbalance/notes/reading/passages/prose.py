@@ -42,7 +42,7 @@ _PIECE = re.compile(
 )
 _PIECE_BUT_UNITS = re.compile(_PIECE.pattern.replace(_UNIT, ""), re.DOTALL)
 _MATHEMATICAL = frozenset(
-    "0123456789 \t\u205f()[]{}|^_,;'′″°√∂∞Σ∑.&~"
+    "0123456789 \t\u205f()[]{}|^_,;'′″°√∛∜∂∞Σ∑.&~"
     + "".join(signs.OPERATOR_SIGNS) + "".join(signs.RELATION_SIGNS) + "".join(RAISED) + "".join(LOWERED)
     + "".join(signs.VULGAR) + "".join(NAME_OF_SIGN) + "".join(DOTTED) + "…⋯±∓∫∮∏⊤"
 )  # fmt: skip
