@@ -56,11 +56,17 @@ from symbalance.notes.checking.steps.another_engines_numbers import (
     leave_products_of_another,
     puts_another_engines_numbers_in,
 )
-from symbalance.notes.checking.steps.another_place import is_multiple_of_angle, leave_place
+from symbalance.notes.checking.steps.another_place import (
+    is_multiple_of_angle,
+    leave_condition_of_place,
+    leave_number_of_place,
+    leave_place,
+)
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.data_lists import open_if_datum
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
+from symbalance.notes.checking.steps.nearest_equation import by_nearest_equation
 from symbalance.notes.checking.steps.nearest_numbers import refuted_by_nearest, with_other_values
 from symbalance.notes.checking.steps.open_cases import (
     cases_left_by,
@@ -70,6 +76,7 @@ from symbalance.notes.checking.steps.open_cases import (
     past_cases,
     without_cases,
 )
+from symbalance.notes.checking.steps.rates_with_numbers import with_numbers_of_rates
 from symbalance.notes.checking.steps.series_relations import judge_series
 from symbalance.notes.checking.units.dimensions import Dimensions, Mismatch, declared_dimension, unit_text
 from symbalance.notes.checking.units.formulas_between_numbers import BETWEEN_NUMBERS
@@ -79,6 +86,7 @@ from symbalance.notes.checking.units.speeds_as_numbers import without_minutes
 from symbalance.notes.checking.units.turns_in_radians import with_turns
 from symbalance.notes.checking.verdicts import (
     CONDITION,
+    CONDITIONAL,
     CONTRADICTION,
     DEFINITION,
     PREMISE,
@@ -200,6 +208,8 @@ class Judge:
                 is_excused = bad or isinstance(chain.sides[k].node, Name)
                 verdict = self.assertion(chain, k + 1, bound[k + 1], verdict, is_excused)
             verdicts.append(verdict)
+            if verdict.verdict in (REFUTED, CONTRADICTION):
+                self.state.refuted.add(span[0])
             if verdict.verdict == REFUTED:
                 self.state.wrong_numbers.note(chain, k)
                 self.state.definitions.forget_moment(chain.sides[k + 1].node)
@@ -255,7 +265,21 @@ class Judge:
         verdict = unless_offset(self.state, chain, k, verdict)
         verdict = self._unless_between_numbers(chain, k, verdict)
         verdict = unless_other_case(self.state, chain, k, verdict)
+        verdict = self._with_numbers_of_rates(chain, k, verdict)
         return self._unless_at_another_value(chain, k, verdict)
+
+    def _with_numbers_of_rates(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+        """Return a verdict; one that is not proved is judged with the numbers that rates have above."""
+        if verdict.verdict not in (REFUTED, UNDECIDED):
+            return verdict
+        numbered, words = with_numbers_of_rates(self.state, chain, k)
+        if not words:
+            return verdict
+        there = self._link_in_scope(numbered, k, k, bad=False)
+        if there.verdict in PROVED_WORDS:
+            assumption = "; ".join(filter(None, (there.assumption, *words)))
+            return replace(there, verdict=CONDITIONAL, assumption=assumption)
+        return there
 
     def _unless_excepted(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict, undecided where words behind say in which cases the relation fails."""
@@ -311,6 +335,8 @@ class Judge:
             is_against
             and (
                 leave_place(self.state, chain)
+                or leave_number_of_place(self.state, chain, k)
+                or leave_condition_of_place(self.state, chain)
                 or leave_body(self.state, chain, k)
                 or leave_choice(self.state, chain, k)
                 or leave_quotation(self.state, chain, k, self.quotations.is_quoted)
@@ -362,9 +388,9 @@ class Judge:
         if verdict.verdict in PROVED_WORDS:
             there = refuted_by_nearest(self.state, chain, k, knowledge)
         elif verdict.verdict in (REFUTED, CONTRADICTION):
-            there = with_other_values(self.state, chain, k, knowledge) or as_supposed(
-                self.state, chain, k
-            )
+            there = with_other_values(self.state, chain, k, knowledge)
+            there = there or by_nearest_equation(self.state, chain, k, knowledge)
+            there = there or as_supposed(self.state, chain, k)
         else:
             return verdict
         return verdict if there is None else describe(self.document, chain, k, there)
