@@ -47,7 +47,11 @@ from symbalance.notes.checking.steps.another_body import (
     leave_cycle,
     leave_quotation,
 )
-from symbalance.notes.checking.steps.another_case import as_case_of_multiple, leave_named_case
+from symbalance.notes.checking.steps.another_case import (
+    as_case_of_multiple,
+    leave_named_case,
+    leave_value_of_case,
+)
 from symbalance.notes.checking.steps.another_engine import leave_cranks, leave_engine, leave_premises
 from symbalance.notes.checking.steps.another_engines_numbers import (
     as_number_in_words,
@@ -66,7 +70,11 @@ from symbalance.notes.checking.steps.changing_letters import changing_letters, w
 from symbalance.notes.checking.steps.data_lists import open_if_datum
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
-from symbalance.notes.checking.steps.nearest_equation import by_nearest_equation
+from symbalance.notes.checking.steps.nearest_equation import (
+    by_nearest_equation,
+    by_nearest_formulas,
+    by_square_above,
+)
 from symbalance.notes.checking.steps.nearest_numbers import refuted_by_nearest, with_other_values
 from symbalance.notes.checking.steps.open_cases import (
     cases_left_by,
@@ -347,9 +355,12 @@ class Judge:
             )
         ):
             return self._anew(chain, k) or self._link_in_scope(chain, k, sound, bad)
+        is_unsaid = verdict.verdict == UNDECIDED and (verdict.reason or "").endswith(NO_WORDS)
+        if (is_against or is_unsaid) and leave_value_of_case(self.state, chain, k):
+            return self._link_in_scope(chain, k, sound, bad)
         contradicts = verdict.verdict == CONTRADICTION or (
             verdict.verdict in (REFUTED, UNDECIDED)
-            and (verdict.reason or "").startswith(("contradicts", "does not fit"))
+            and (verdict.reason or "").startswith(("contradicts", "does not fit", "no values satisfy"))
         )
         if contradicts and leave_premises(self.state, chain):
             return self._link_in_scope(chain, k, sound, bad)
@@ -390,7 +401,11 @@ class Judge:
         elif verdict.verdict in (REFUTED, CONTRADICTION):
             there = with_other_values(self.state, chain, k, knowledge)
             there = there or by_nearest_equation(self.state, chain, k, knowledge)
+            there = there or by_nearest_formulas(self.state, chain, k, knowledge)
             there = there or as_supposed(self.state, chain, k)
+        elif verdict.verdict == UNDECIDED:
+            there = by_square_above(self.state, chain, k, knowledge)
+            there = there or by_nearest_formulas(self.state, chain, k, knowledge)
         else:
             return verdict
         return verdict if there is None else describe(self.document, chain, k, there)
@@ -460,9 +475,10 @@ class Judge:
         turned = (_turned(left.node) | _turned(right.node)) - again
         values = {name: d.node for name, d in knowledge.definitions.items()}
         behind = names(left.node) if k else {*names_behind(left.node, values)}
-        rests_on_case = bool((turning | turned) & behind & names(right.node)) and _is_proved(outcome)
+        on_both_sides = (turning | turned) & behind & names(right.node)
+        rests_on_case = bool(on_both_sides) and _is_proved(outcome)
         past = frozenset[int]()
-        angles = turning | turned if rests_on_case else angles
+        angles = on_both_sides if rests_on_case else angles
         if _word(outcome) in (REFUTED, CONTRADICTION) or rests_on_case:
             past = past_cases(self.state.definitions, line, angles, turned)
         if past:

@@ -25,7 +25,7 @@ from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.relations import decide_at_value
 from symbalance.notes.checking.steps.judging_state import JudgingState
-from symbalance.notes.checking.verdicts import PREMISE, UNDECIDED
+from symbalance.notes.checking.verdicts import PREMISE, REFUTED, UNDECIDED
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
 
@@ -41,7 +41,7 @@ def value_at_named_place(
     Where it cannot be proved for want of numbers it is a premise of that place alone.
     """
     head, right = chain.sides[0].node, chain.sides[1]
-    if k or not isinstance(head, Name) or names(right.node) or not chain.inline:
+    if k or not isinstance(head, Name) or not chain.inline:
         return None
     formula = _formula_of(knowledge.definitions.get(head.name))
     degrees = None if formula is None else state.sections.place_before(chain)
@@ -53,11 +53,16 @@ def value_at_named_place(
     if len(turning) != 1:
         return None
     theta = next(iter(turning))
+    behind = {*names(right.node), *names_behind(right.node, values)}
+    if theta in behind or head.name in behind:
+        return None
     rest = {n: d for n, d in knowledge.definitions.items() if n not in (head.name, theta)}
     freer = replace(knowledge, definitions=rest, solved={}, solved_from=())
     motion = replace(chain.sides[0], readings=(formula,))
     there = decide_at_value(motion, right, chain.relations[0].sign, freer, theta, angle)
     text = f"at {plain_text(Name(theta))} = {plain_text(angle)}"
+    if names(right.node) and there.status == REFUTED:
+        return replace(there, reason=text)
     if there.status == UNDECIDED:
         return Decision(PREMISE, text)  # letters have no numbers, and this one gives them none
     if not there.is_proved:
