@@ -358,9 +358,9 @@ class Judge:
         is_unsaid = verdict.verdict == UNDECIDED and (verdict.reason or "").endswith(NO_WORDS)
         if (is_against or is_unsaid) and leave_value_of_case(self.state, chain, k):
             return self._link_in_scope(chain, k, sound, bad)
-        contradicts = verdict.verdict == CONTRADICTION or (
-            verdict.verdict in (REFUTED, UNDECIDED)
-            and (verdict.reason or "").startswith(("contradicts", "does not fit", "no values satisfy"))
+        contradicts = is_against or (
+            verdict.verdict == UNDECIDED
+            and (verdict.reason or "").startswith(("contradicts", "does not fit"))
         )
         if contradicts and leave_premises(self.state, chain):
             return self._link_in_scope(chain, k, sound, bad)
@@ -403,9 +403,10 @@ class Judge:
             there = there or by_nearest_equation(self.state, chain, k, knowledge)
             there = there or by_nearest_formulas(self.state, chain, k, knowledge)
             there = there or as_supposed(self.state, chain, k)
-        elif verdict.verdict == UNDECIDED:
+        elif verdict.verdict in (UNDECIDED, CONDITION):
             there = by_square_above(self.state, chain, k, knowledge)
-            there = there or by_nearest_formulas(self.state, chain, k, knowledge)
+            if verdict.verdict == UNDECIDED:
+                there = there or by_nearest_formulas(self.state, chain, k, knowledge)
         else:
             return verdict
         return verdict if there is None else describe(self.document, chain, k, there)

@@ -43,9 +43,12 @@ def value_at_named_place(
     head, right = chain.sides[0].node, chain.sides[1]
     if k or not isinstance(head, Name) or not chain.inline:
         return None
-    formula = _formula_of(knowledge.definitions.get(head.name))
-    degrees = None if formula is None else state.sections.place_before(chain)
-    if formula is None or degrees is None:
+    formula = _formula_of(knowledge.definitions.get(head.name)) or knowledge.meaning.values.get(head.name)
+    if formula is None:
+        return None
+    behind = state.sections.place_behind(chain)
+    degrees = state.sections.place_before(chain) if behind is None else behind
+    if degrees is None:
         return None
     angle = _angle(degrees)
     values = {n: d.node for n, d in knowledge.definitions.items() if n != head.name}
@@ -53,8 +56,8 @@ def value_at_named_place(
     if len(turning) != 1:
         return None
     theta = next(iter(turning))
-    behind = {*names(right.node), *names_behind(right.node, values)}
-    if theta in behind or head.name in behind:
+    rests_on = {*names(right.node), *names_behind(right.node, values)}
+    if theta in rests_on or head.name in rests_on:
         return None
     rest = {n: d for n, d in knowledge.definitions.items() if n not in (head.name, theta)}
     freer = replace(knowledge, definitions=rest, solved={}, solved_from=())

@@ -246,6 +246,10 @@ _PLACE = re.compile(
     re.IGNORECASE,
 )
 """Where a value is taken: at a dead centre, or at an angle."""
+_RIGHT_BEHIND = re.compile(
+    r"[\s$)}\]\\]{0,4}(?:\\?(?:text|mathrm)\{[^{}]{0,12}\}[\s$)}\]\\]{0,4})?(?:</?\w{1,5}>)?\s?(?:[^\W\d_]{1,3}(?:/[^\W\d_]{1,3})?\s)?(?:at\s|in\s|the\s|its\s){0,2}"
+)
+"""What may stand between a value and its place: 8 in at top dead centre."""
 _SENTENCE_OR_ITEM = re.compile(
     r"[.;!?。]\s|\n\s*\n|\n[ \t]{0,8}(?:[-*+•·–]|\(?[a-z0-9]{1,2}[.)]|\\item)(?=\s)"
 )
@@ -817,6 +821,13 @@ class Sections:
         first = max([chain.start - LONGEST_INTRODUCTION, 0, *(c.end for c in above)])
         words = self.document.text[first : chain.start]
         return _last_place(self._english(_SENTENCE_OR_ITEM.split(words)[-1]))
+
+    def place_behind(self, chain: Chain) -> int | None:
+        """Return the angle in degrees at which words right behind a letter's value place it, or None."""
+        words = re.split(r"[.;,:。、=]", self.document.text[chain.end : chain.end + LONGEST_INTRODUCTION])[0]
+        match = _PLACE.search(self._english(words))
+        is_next = match is not None and _RIGHT_BEHIND.fullmatch(words[: match.start()]) is not None
+        return _last_place(match[0]) if match is not None and is_next else None
 
     def is_at_another_place(self, chain: Chain, name: str) -> bool:
         """Tell whether words place a letter's value elsewhere than its last one: at 0°, then at 180°."""
