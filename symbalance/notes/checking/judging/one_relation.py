@@ -199,12 +199,7 @@ def _judge_step(
             return with_premises(state, first, second, "=", refuted, known)[0]
 
         text = state.document.text
-        by_gravity = decide_with_gravity(chain, k, decision, text, knowledge, by_premises)
-        is_unfounded = by_gravity is not None and by_gravity.status == REFUTED and bool(decision.reason)
-        if by_gravity is not None and not (
-            is_unfounded and decision.status == UNDECIDED and by_gravity.reason == decision.reason
-        ):
-            decision = by_gravity
+        decision = decide_with_gravity(chain, k, decision, text, knowledge, by_premises) or decision
     if decision.status in STATED:
         by_words = value_at_dead_centre(state, chain, k, knowledge)
         by_words = by_words or decide_two_discs(chain, k, state.document)
