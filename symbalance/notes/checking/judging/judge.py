@@ -84,6 +84,7 @@ from symbalance.notes.checking.steps.open_cases import (
     past_cases,
     without_cases,
 )
+from symbalance.notes.checking.steps.open_against_lines import open_against_lines
 from symbalance.notes.checking.steps.rates_with_numbers import with_numbers_of_rates
 from symbalance.notes.checking.steps.series_relations import judge_series
 from symbalance.notes.checking.units.dimensions import Dimensions, Mismatch, declared_dimension, unit_text
@@ -403,6 +404,7 @@ class Judge:
             there = there or by_nearest_equation(self.state, chain, k, knowledge)
             there = there or by_nearest_formulas(self.state, chain, k, knowledge)
             there = there or as_supposed(self.state, chain, k)
+            there = there or open_against_lines(self.state, chain, k, knowledge)
         elif verdict.verdict in (UNDECIDED, CONDITION):
             there = by_square_above(self.state, chain, k, knowledge)
             if verdict.verdict == UNDECIDED:

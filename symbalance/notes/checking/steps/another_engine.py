@@ -110,7 +110,9 @@ def leave_premises(state: JudgingState, chain: Chain) -> bool:
     line = chain.lines[0]
     own = chain.letters - set(state.declarations.symbols_at(line))
     other = state.sections.headings_name_other_engines
-    premises = [p for p in state.definitions.premises_at(line) if p.fixes in own or p.names & own == p.names]
+    premises = [
+        p for p in state.definitions.premises_at(line) if p.fixes in own or p.names & own == p.names
+    ]
     premises = [p for p in premises if other(line, p.line)]
     for premise in premises:
         state.definitions.forget(premise.fixes, premise.line)

@@ -24,7 +24,9 @@ FEWEST = 2
 """Letters with numbers that an equation has besides the one that is worked out."""
 
 
-def by_nearest_equation(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+def by_nearest_equation(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> Decision | None:
     """Return the proof that a refuted number of a letter is what the equation nearest above gives it.
 
     None where it is not, where that equation is refuted itself, or is the one that the letter has its

@@ -66,7 +66,8 @@ def value_at_named_place(
     text = f"at {plain_text(Name(theta))} = {plain_text(angle)}"
     if names(right.node) and there.status == REFUTED:
         return replace(there, reason=text)
-    if there.status == UNDECIDED:
+    unknown = {*names(formula), *names_behind(formula, values)} - values.keys() - {theta}
+    if there.status == UNDECIDED or (unknown and not there.is_proved):
         return Decision(PREMISE, text)  # letters have no numbers, and this one gives them none
     if not there.is_proved:
         return None

@@ -824,7 +824,9 @@ class Sections:
 
     def place_behind(self, chain: Chain) -> int | None:
         """Return the angle in degrees at which words right behind a letter's value place it, or None."""
-        words = re.split(r"[.;,:。、=]", self.document.text[chain.end : chain.end + LONGEST_INTRODUCTION])[0]
+        words = re.split(
+            r"[.;,:。、=]", self.document.text[chain.end : chain.end + LONGEST_INTRODUCTION]
+        )[0]
         match = _PLACE.search(self._english(words))
         is_next = match is not None and _RIGHT_BEHIND.fullmatch(words[: match.start()]) is not None
         return _last_place(match[0]) if match is not None and is_next else None
