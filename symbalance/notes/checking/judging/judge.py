@@ -76,6 +76,7 @@ from symbalance.notes.checking.steps.nearest_equation import (
     by_square_above,
 )
 from symbalance.notes.checking.steps.nearest_numbers import refuted_by_nearest, with_other_values
+from symbalance.notes.checking.steps.open_against_lines import open_against_lines
 from symbalance.notes.checking.steps.open_cases import (
     cases_left_by,
     cases_replaced_by,
@@ -84,7 +85,6 @@ from symbalance.notes.checking.steps.open_cases import (
     past_cases,
     without_cases,
 )
-from symbalance.notes.checking.steps.open_against_lines import open_against_lines
 from symbalance.notes.checking.steps.rates_with_numbers import with_numbers_of_rates
 from symbalance.notes.checking.steps.series_relations import judge_series
 from symbalance.notes.checking.units.dimensions import Dimensions, Mismatch, declared_dimension, unit_text
@@ -356,14 +356,13 @@ class Judge:
             )
         ):
             return self._anew(chain, k) or self._link_in_scope(chain, k, sound, bad)
-        is_unsaid = verdict.verdict == UNDECIDED and (verdict.reason or "").endswith(NO_WORDS)
-        if (is_against or is_unsaid) and leave_value_of_case(self.state, chain, k):
-            return self._link_in_scope(chain, k, sound, bad)
         contradicts = is_against or (
             verdict.verdict == UNDECIDED
             and (verdict.reason or "").startswith(("contradicts", "does not fit"))
         )
-        if contradicts and leave_premises(self.state, chain):
+        is_unsaid = verdict.verdict == UNDECIDED and (verdict.reason or "").endswith(NO_WORDS)
+        is_left = (is_against or is_unsaid) and leave_value_of_case(self.state, chain, k)
+        if is_left or (contradicts and leave_premises(self.state, chain)):
             return self._link_in_scope(chain, k, sound, bad)
         if verdict.verdict == REFUTED and (changing := changing_letters(self.state, chain, k)):
             return self._without_constant(chain, k, sound, bad, changing)

@@ -29,7 +29,7 @@ _GIVES = re.compile(
     r"|(?:^|[.;:]\s{1,3}|\n)(?:an?|eine?)\s(?:[^\W\d_]{2,15}\s){1,3}(?:of|with|von|mit))[\s$\\(\[`*]{0,6}$",
     re.IGNORECASE,
 )
-"""Words that give the number right behind them, whatever it is above: if P = 75 kN, a disc of A = 60 mm²."""
+"""Words that give the number right behind them, whatever it is above: if P = 75 kN."""
 _AND = re.compile(r"[\s$)\]\\,]{0,6}(?:[^\W\d_]{1,4}\s)?(?:,|and|und|et|y|e|con|with|mit)[\s$(\[\\]{0,6}")
 _BETWEEN = re.compile(r"[^=.;:。；\n]*(?:\n(?!\s*\n)[^=.;:。；\n]*)?")
 
@@ -119,7 +119,7 @@ def _follows(state: JudgingState, before: Chain, after: Chain) -> bool:
 
 
 def _has_formula_above(state: JudgingState, chain: Chain) -> bool:
-    """Tell whether a line of its section above gives the letter a formula: its number is a result then."""
+    """Tell whether a line of its section above has a formula for the letter: its number is a result."""
     same = [c for c in state.sections.chains_of(chain.sides[0].node) if c.start < chain.start]
     same = [c for c in same if state.sections.same_section(c.lines[0], chain.lines[0])]
     return any(names(each.sides[1].node) for each in same)

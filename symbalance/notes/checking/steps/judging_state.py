@@ -82,6 +82,8 @@ class JudgingState:
     sources: Sources
     corrects: bool
     motions: Motions = field(default_factory=Motions)
+    refuted: set[int] = field(default_factory=set)
+    """Places where the right sides of refuted relations begin."""
 
     def __post_init__(self) -> None:
         self.sections = Sections(self.document)
@@ -122,8 +124,6 @@ class JudgingState:
         self.trials: list[Trial] = []
         """Motions of letters that are put into the equations of motion."""
         self.fourier_series: list[FourierSeries] = []
-        self.refuted: set[int] = set()
-        """Places where the right sides of refuted relations begin."""
         self.not_judged: dict[str, int] = {}
         """Letters that a relation may define which was not judged, with its line."""
         self.solutions: dict[int, tuple[Premise, Decision]] = {}

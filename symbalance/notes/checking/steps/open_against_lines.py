@@ -25,9 +25,7 @@ def open_against_lines(
     if not isinstance(left.node, Name):
         return None
     if puts_in_as_typed(left, right, state.document, knowledge):
-        return Decision(
-            UNDECIDED, "true of the numbers as typed: say in which units the formula above is"
-        )
+        return Decision(UNDECIDED, "true of the numbers as typed: say in which units its formula is")
     known = knowledge.definitions.get(left.node.name)
     if k or known is None or not known.numeric:
         return None
@@ -39,7 +37,7 @@ def open_against_lines(
 
 
 def _new_letters(state: JudgingState, chain: Chain, knowledge: Knowledge) -> list[str]:
-    """Return the letters of a formula that no relation above gives a value, and that mean nothing known."""
+    """Return the letters of a formula that have no value above, and no known meaning."""
     values = {name: d.node for name, d in knowledge.definitions.items()}
     own = {*names(chain.sides[1].node), *names_behind(chain.sides[1].node, values)} - values.keys()
     return sorted(n for n in own if not knowledge.has_meaning(n) and n not in knowledge.angles)

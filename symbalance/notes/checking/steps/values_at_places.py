@@ -41,37 +41,45 @@ def value_at_named_place(
     Where it cannot be proved for want of numbers it is a premise of that place alone.
     """
     head, right = chain.sides[0].node, chain.sides[1]
-    if k or not isinstance(head, Name) or not chain.inline:
+    place = None if k or not chain.inline else _place_of(state, chain, knowledge)
+    if place is None or not isinstance(head, Name):
         return None
-    formula = _formula_of(knowledge.definitions.get(head.name)) or knowledge.meaning.values.get(head.name)
-    if formula is None:
-        return None
-    behind = state.sections.place_behind(chain)
-    degrees = state.sections.place_before(chain) if behind is None else behind
-    if degrees is None:
-        return None
-    angle = _angle(degrees)
-    values = {n: d.node for n, d in knowledge.definitions.items() if n != head.name}
-    turning = {n for n in (*names(formula), *names_behind(formula, values)) if _turns(n, formula, values)}
-    if len(turning) != 1:
-        return None
-    theta = next(iter(turning))
-    rests_on = {*names(right.node), *names_behind(right.node, values)}
-    if theta in rests_on or head.name in rests_on:
-        return None
+    formula, theta, angle = place
     rest = {n: d for n, d in knowledge.definitions.items() if n not in (head.name, theta)}
     freer = replace(knowledge, definitions=rest, solved={}, solved_from=())
     motion = replace(chain.sides[0], readings=(formula,))
     there = decide_at_value(motion, right, chain.relations[0].sign, freer, theta, angle)
     text = f"at {plain_text(Name(theta))} = {plain_text(angle)}"
+    if there.is_proved:
+        return replace(there, assumptions=(*there.assumptions, text))
     if names(right.node) and there.status == REFUTED:
         return replace(there, reason=text)
+    values = {n: d.node for n, d in rest.items()}
     unknown = {*names(formula), *names_behind(formula, values)} - values.keys() - {theta}
-    if there.status == UNDECIDED or (unknown and not there.is_proved):
-        return Decision(PREMISE, text)  # letters have no numbers, and this one gives them none
-    if not there.is_proved:
+    is_open = there.status == UNDECIDED or bool(unknown)
+    return Decision(PREMISE, text) if is_open else None  # no letter has its number by it
+
+
+def _place_of(
+    state: JudgingState, chain: Chain, knowledge: Knowledge
+) -> tuple[Formula, str, Formula] | None:
+    """Return a motion's formula, its angle and the value of that, which words beside a value name."""
+    head = chain.sides[0].node
+    if not isinstance(head, Name):
         return None
-    return replace(there, assumptions=(*there.assumptions, text))
+    formula = _formula_of(knowledge.definitions.get(head.name))
+    formula = formula or knowledge.meaning.values.get(head.name)
+    behind = state.sections.place_behind(chain)
+    degrees = state.sections.place_before(chain) if behind is None else behind
+    if formula is None or degrees is None:
+        return None
+    values = {n: d.node for n, d in knowledge.definitions.items() if n != head.name}
+    turning = {n for n in (*names(formula), *names_behind(formula, values)) if _turns(n, formula, values)}
+    right = chain.sides[1].node
+    rests_on = {*names(right), *names_behind(right, values)}
+    if len(turning) != 1 or (turning | {head.name}) & rests_on:
+        return None
+    return formula, turning.pop(), _angle(degrees)
 
 
 def _formula_of(definition: Definition | None) -> Formula | None:

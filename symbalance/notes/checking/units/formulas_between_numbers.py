@@ -153,7 +153,7 @@ def decide_numbers_put_in(
 
 
 def puts_in_as_typed(left: Side, right: Side, document: ReadNotes, knowledge: Knowledge) -> bool:
-    """Tell whether an arithmetic has the numbers of a letter's formula as typed, one of them in inches or so.
+    """Tell whether an arithmetic has the numbers of a letter's formula as typed, one of them in inches.
 
     V = S N/6 is meant in feet per minute, S in inches: 6 may convert units, though 6 alone tells nothing.
     """

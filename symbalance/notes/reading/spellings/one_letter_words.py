@@ -25,7 +25,8 @@ _WORD = re.compile(
     r"(?=[^\W\d_]{2}|[^\W\d_](?:_?\w{1,3})?[ ]?=)"
 )
 _BEHIND_WORD = re.compile(
-    r"(?<![\\\w])(?P<before>[^\W\d_]{3,20})(?P<gap>[ ])(?P<word>[a-z])[ ](?=[^\W\d_](?:_?\w{1,3})?[ ]?[=≈])"
+    r"(?<![\\\w])(?P<before>[^\W\d_]{3,20})(?P<gap>[ ])(?P<word>[a-z])[ ]"
+    r"(?=[^\W\d_](?:_?\w{1,3})?[ ]?[=≈])"
 )
 _FUNCTIONS = frozenset(["sen", "sin", "cos", "tan", "cot", "sec", "log", "exp", "arc"])
 
