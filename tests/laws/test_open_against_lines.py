@@ -10,7 +10,8 @@ from symbalance.notes.checking.verdicts import REFUTED, UNDECIDED
 OPEN = (
     "Here $d = 30$ mm and $W = \\pi d^3/16$.\n\nWith $W = 2651$ mm³",
     "$N = 60 p/(2\\pi)$ with $p = 1670$ rad/s, $N = 15947$.\n\nThe speed is $N/n$. For $N = 16000$",
-    "$m_c = 0.92$ kg, $m_p = 0.68$ kg, $r = 45$ mm. Each web would need\n\n$$2 m_g r_g = (m_c + m_p) r$$\n\n"
+    "$m_c = 0.92$ kg, $m_p = 0.68$ kg, $r = 45$ mm. Each web would need\n\n"
+    "$$2 m_g r_g = (m_c + m_p) r$$\n\n"
     "For the release the weights are made $2 m_g r_g = (m_c + \\frac12 m_p) r$",
     "The speed in feet per minute is $V = S N/6$. For S = 4.5 in. and N = 3600, $V = 4.5\\times3600/6$",
 )
