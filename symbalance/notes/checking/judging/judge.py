@@ -45,6 +45,7 @@ from symbalance.notes.checking.steps.another_body import (
     leave_body,
     leave_choice,
     leave_cycle,
+    leave_product_given_anew,
     leave_quotation,
 )
 from symbalance.notes.checking.steps.another_case import (
@@ -269,6 +270,7 @@ class Judge:
 
     def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on the k-th relation of a chain."""
+        leave_product_given_anew(self.state, chain, k)
         verdict = self._unless_excepted(chain, k, self._link_by_cases(chain, k, sound, bad))
         verdict = unless_angle_unknown(self.state, chain, k, verdict)
         verdict = unless_offset(self.state, chain, k, verdict)

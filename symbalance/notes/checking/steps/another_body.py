@@ -53,6 +53,13 @@ def leave_choice(state: JudgingState, chain: Chain, k: int) -> bool:
     return any(known)
 
 
+def leave_product_given_anew(state: JudgingState, chain: Chain, k: int) -> None:
+    """Forget what a product is above, where "with" gives it anew: a letter in it is not fixed by both."""
+    is_given = _WITH.search(state.document.text[max(0, chain.start - 60) : chain.start])
+    if not k and is_given and isinstance(chain.sides[0].node, Product):
+        _leave_product(state, chain)
+
+
 def _leave_product(state: JudgingState, chain: Chain) -> bool:
     """Forget what a product would have to be, 2 m_g r_g = (m_c + m_p) r, where it is made another one.
 
