@@ -45,9 +45,14 @@ from symbalance.notes.checking.steps.another_body import (
     leave_body,
     leave_choice,
     leave_cycle,
+    leave_product_given_anew,
     leave_quotation,
 )
-from symbalance.notes.checking.steps.another_case import as_case_of_multiple, leave_named_case
+from symbalance.notes.checking.steps.another_case import (
+    as_case_of_multiple,
+    leave_named_case,
+    leave_value_of_case,
+)
 from symbalance.notes.checking.steps.another_engine import leave_cranks, leave_engine, leave_premises
 from symbalance.notes.checking.steps.another_engines_numbers import (
     as_number_in_words,
@@ -56,12 +61,23 @@ from symbalance.notes.checking.steps.another_engines_numbers import (
     leave_products_of_another,
     puts_another_engines_numbers_in,
 )
-from symbalance.notes.checking.steps.another_place import is_multiple_of_angle, leave_place
+from symbalance.notes.checking.steps.another_place import (
+    is_multiple_of_angle,
+    leave_condition_of_place,
+    leave_number_of_place,
+    leave_place,
+)
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.data_lists import open_if_datum
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
+from symbalance.notes.checking.steps.nearest_equation import (
+    by_nearest_equation,
+    by_nearest_formulas,
+    by_square_above,
+)
 from symbalance.notes.checking.steps.nearest_numbers import refuted_by_nearest, with_other_values
+from symbalance.notes.checking.steps.open_against_lines import open_against_lines
 from symbalance.notes.checking.steps.open_cases import (
     cases_left_by,
     cases_replaced_by,
@@ -70,6 +86,7 @@ from symbalance.notes.checking.steps.open_cases import (
     past_cases,
     without_cases,
 )
+from symbalance.notes.checking.steps.rates_with_numbers import with_numbers_of_rates
 from symbalance.notes.checking.steps.series_relations import judge_series
 from symbalance.notes.checking.units.dimensions import Dimensions, Mismatch, declared_dimension, unit_text
 from symbalance.notes.checking.units.formulas_between_numbers import BETWEEN_NUMBERS
@@ -79,6 +96,7 @@ from symbalance.notes.checking.units.speeds_as_numbers import without_minutes
 from symbalance.notes.checking.units.turns_in_radians import with_turns
 from symbalance.notes.checking.verdicts import (
     CONDITION,
+    CONDITIONAL,
     CONTRADICTION,
     DEFINITION,
     PREMISE,
@@ -200,6 +218,8 @@ class Judge:
                 is_excused = bad or isinstance(chain.sides[k].node, Name)
                 verdict = self.assertion(chain, k + 1, bound[k + 1], verdict, is_excused)
             verdicts.append(verdict)
+            if verdict.verdict in (REFUTED, CONTRADICTION):
+                self.state.refuted.add(span[0])
             if verdict.verdict == REFUTED:
                 self.state.wrong_numbers.note(chain, k)
                 self.state.definitions.forget_moment(chain.sides[k + 1].node)
@@ -250,12 +270,27 @@ class Judge:
 
     def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on the k-th relation of a chain."""
+        leave_product_given_anew(self.state, chain, k)
         verdict = self._unless_excepted(chain, k, self._link_by_cases(chain, k, sound, bad))
         verdict = unless_angle_unknown(self.state, chain, k, verdict)
         verdict = unless_offset(self.state, chain, k, verdict)
         verdict = self._unless_between_numbers(chain, k, verdict)
         verdict = unless_other_case(self.state, chain, k, verdict)
+        verdict = self._with_numbers_of_rates(chain, k, verdict)
         return self._unless_at_another_value(chain, k, verdict)
+
+    def _with_numbers_of_rates(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+        """Return a verdict; one that is not proved is judged with the numbers that rates have above."""
+        if verdict.verdict not in (REFUTED, UNDECIDED):
+            return verdict
+        numbered, words = with_numbers_of_rates(self.state, chain, k)
+        if not words:
+            return verdict
+        there = self._link_in_scope(numbered, k, k, bad=False)
+        if there.verdict in PROVED_WORDS:
+            assumption = "; ".join(filter(None, (there.assumption, *words)))
+            return replace(there, verdict=CONDITIONAL, assumption=assumption)
+        return there
 
     def _unless_excepted(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict, undecided where words behind say in which cases the relation fails."""
@@ -311,6 +346,8 @@ class Judge:
             is_against
             and (
                 leave_place(self.state, chain)
+                or leave_number_of_place(self.state, chain, k)
+                or leave_condition_of_place(self.state, chain)
                 or leave_body(self.state, chain, k)
                 or leave_choice(self.state, chain, k)
                 or leave_quotation(self.state, chain, k, self.quotations.is_quoted)
@@ -321,11 +358,13 @@ class Judge:
             )
         ):
             return self._anew(chain, k) or self._link_in_scope(chain, k, sound, bad)
-        contradicts = verdict.verdict == CONTRADICTION or (
-            verdict.verdict in (REFUTED, UNDECIDED)
+        contradicts = is_against or (
+            verdict.verdict == UNDECIDED
             and (verdict.reason or "").startswith(("contradicts", "does not fit"))
         )
-        if contradicts and leave_premises(self.state, chain):
+        is_unsaid = verdict.verdict == UNDECIDED and (verdict.reason or "").endswith(NO_WORDS)
+        is_left = (is_against or is_unsaid) and leave_value_of_case(self.state, chain, k)
+        if is_left or (contradicts and leave_premises(self.state, chain)):
             return self._link_in_scope(chain, k, sound, bad)
         if verdict.verdict == REFUTED and (changing := changing_letters(self.state, chain, k)):
             return self._without_constant(chain, k, sound, bad, changing)
@@ -362,9 +401,15 @@ class Judge:
         if verdict.verdict in PROVED_WORDS:
             there = refuted_by_nearest(self.state, chain, k, knowledge)
         elif verdict.verdict in (REFUTED, CONTRADICTION):
-            there = with_other_values(self.state, chain, k, knowledge) or as_supposed(
-                self.state, chain, k
-            )
+            there = with_other_values(self.state, chain, k, knowledge)
+            there = there or by_nearest_equation(self.state, chain, k, knowledge)
+            there = there or by_nearest_formulas(self.state, chain, k, knowledge)
+            there = there or as_supposed(self.state, chain, k)
+            there = there or open_against_lines(self.state, chain, k, knowledge)
+        elif verdict.verdict in (UNDECIDED, CONDITION):
+            there = by_square_above(self.state, chain, k, knowledge)
+            if verdict.verdict == UNDECIDED:
+                there = there or by_nearest_formulas(self.state, chain, k, knowledge)
         else:
             return verdict
         return verdict if there is None else describe(self.document, chain, k, there)
@@ -434,9 +479,10 @@ class Judge:
         turned = (_turned(left.node) | _turned(right.node)) - again
         values = {name: d.node for name, d in knowledge.definitions.items()}
         behind = names(left.node) if k else {*names_behind(left.node, values)}
-        rests_on_case = bool((turning | turned) & behind & names(right.node)) and _is_proved(outcome)
+        on_both_sides = (turning | turned) & behind & names(right.node)
+        rests_on_case = bool(on_both_sides) and _is_proved(outcome)
         past = frozenset[int]()
-        angles = turning | turned if rests_on_case else angles
+        angles = on_both_sides if rests_on_case else angles
         if _word(outcome) in (REFUTED, CONTRADICTION) or rests_on_case:
             past = past_cases(self.state.definitions, line, angles, turned)
         if past:

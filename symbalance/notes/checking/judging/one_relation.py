@@ -73,6 +73,7 @@ from symbalance.notes.checking.steps.solved_waves import decide_solved_wave
 from symbalance.notes.checking.steps.stated_matrices import no_relation_of_matrices
 from symbalance.notes.checking.steps.steps_by_premises import unless_given, with_premises
 from symbalance.notes.checking.steps.usual_ranges import is_usual_range
+from symbalance.notes.checking.steps.values_at_places import value_at_named_place
 from symbalance.notes.checking.units.conversions import decide_conversion
 from symbalance.notes.checking.units.numbers_in_units import decide_after_units_left_out
 from symbalance.notes.checking.units.printed_units import decide_by_printed_units
@@ -165,6 +166,7 @@ def _judge_equality(
     definition = definition or as_named_root(state, chain, k, knowledge)
     definition = definition or as_one_solution(state, chain, k)
     definition = definition or decide_solved_wave(state, chain, k, knowledge)
+    definition = definition or value_at_named_place(state, chain, k, knowledge)
     definition = definition or _define(state, chain, k, knowledge)
     definition = definition or decide_for_values(state.document, chain, k, knowledge)
     wrong = None if k else state.wrong_angles.get(chain.sides[0].span[0])

@@ -170,7 +170,8 @@ def _is_at_another_place(
     earlier = knowledge.definitions[name].node
     turning = names(knowledge.crank.theta) if knowledge.crank is not None else frozenset[str]()
     for node in (earlier, value):
-        waves = any(isinstance(p, Call) and p.function in ("sin", "cos") for p in walk(node))
+        calls = [p for p in walk(node) if isinstance(p, Call) and names(p.argument)]
+        waves = any(call.function in ("sin", "cos") for call in calls)
         if waves or not names(node) or turning.intersection(_letters_behind([node], knowledge)):
             return False
     return definitions.sections.is_at_another_place(chain, name)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from symbalance.document.formula import Name, names
+from symbalance.document.formula import Name, Product, names
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain
 
@@ -30,18 +30,55 @@ _CHOICE = re.compile(
     re.IGNORECASE,
 )
 """Before a value that is chosen in the place of what a condition would ask for."""
+_WOULD = re.compile(r"(?<![A-Za-zäöü])(?:would|could|might|würden?|müssten?|könnten?)(?![A-Za-zäöü])")
+_WITH = re.compile(
+    r"(?:(?<![^\W\d_])(?:with|if|mit|wenn|avec|si|con|se)|(?:^|[.;:,(]\s{1,3}|\n)(?:for|für|pour|per|para)"
+    r"|(?:made|chosen|gewählt|ausgeführt))[\s$`\\(\[]{0,6}$",
+    re.IGNORECASE,
+)
+"""Words right before a product that is made so, whatever would be needed."""
 
 
 def leave_choice(state: JudgingState, chain: Chain, k: int) -> bool:
     """Forget what a condition gives a letter, where words say that another value is chosen."""
     head = chain.sides[0].node
     before = state.document.text[max(chain.start - 60, 0) : chain.start]
+    if not k and not isinstance(head, Name):
+        return _leave_product(state, chain)
     if k or not isinstance(head, Name) or not _CHOICE.search(before):
         return False
     lines = {e.definition.line for e in state.definitions.values.get(head.name, ())}
     lines |= {p.line for p in state.definitions.premises if p.left == head}
     known = [state.definitions.forget_line(head.name, line) for line in sorted(lines)]
     return any(known)
+
+
+def leave_product_given_anew(state: JudgingState, chain: Chain, k: int) -> None:
+    """Forget what a product is above, where "with" gives it anew: a letter in it is not fixed by both."""
+    is_given = _WITH.search(state.document.text[max(0, chain.start - 60) : chain.start])
+    if not k and is_given and isinstance(chain.sides[0].node, Product):
+        _leave_product(state, chain)
+
+
+def _leave_product(state: JudgingState, chain: Chain) -> bool:
+    """Forget what a product would have to be, 2 m_g r_g = (m_c + m_p) r, where it is made another one.
+
+    The line above only says what would be needed, or this one has the product behind "with" or "for".
+    """
+    left, text = chain.sides[0].node, state.document.text
+    above = [c for c in state.sections.chains_of(left) if c.end <= chain.start]
+    premises = [p for p in state.definitions.premises if p.left == left]
+    last = max(above, key=lambda each: each.start, default=None)
+    if last is None or not isinstance(left, Product) or not premises:
+        return False
+    would = _WOULD.search(state.sections.sentence_leading_to(last)) is not None
+    if not would and not _WITH.search(text[max(0, chain.start - 60) : chain.start]):
+        return False
+    state.definitions.premises = [p for p in state.definitions.premises if p not in premises]
+    for premise in premises:
+        for name in premise.names:
+            state.definitions.forget(name, premise.line)
+    return True
 
 
 def leave_body(state: JudgingState, chain: Chain, k: int) -> bool:

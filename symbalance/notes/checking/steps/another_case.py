@@ -64,6 +64,37 @@ def leave_named_case(state: JudgingState, chain: Chain, k: int) -> bool:
     return any(known)
 
 
+def leave_value_of_case(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Forget what a letter is "for N = 2" where "for N = 3" stands before it again; tell of any.
+
+    A formula in that letter has the letter's values in it: it is not forgotten.
+    """
+    head, line = chain.sides[0].node, chain.lines[0]
+    if k or not isinstance(head, Name) or head.name in state.declarations.symbols_at(line):
+        return False
+    own = [c for c in state.sections.chains_of(head) if c.end <= chain.start]
+    last = max(own, key=lambda each: each.start, default=None)
+    if last is None or not state.sections.same_section(last.lines[0], line):
+        return False
+    opened = [c for c in state.sections.in_order if c.end <= chain.start and _opens_with_number(state, c)]
+    for now in (c for c in opened if c.start > last.end):
+        before = [c for c in opened if c.end <= last.start and c.sides[0].node == now.sides[0].node]
+        is_of_letter = any(names(now.sides[0].node) & names(c.sides[1].node) for c in own)
+        if not before or is_of_letter:
+            continue
+        if before[-1].sides[1].node != now.sides[1].node:
+            state.definitions.forget_all(head.name)
+            return True
+    return False
+
+
+def _opens_with_number(state: JudgingState, chain: Chain) -> bool:
+    """Tell whether a relation opens a case by a letter's number: for N = 3."""
+    is_plain = len(chain.relations) == 1 and isinstance(chain.sides[0].node, Name) and chain.inline
+    is_number = is_plain and chain.relations[0].sign == "=" and not names(chain.sides[1].node)
+    return is_number and state.sections.opens_case(chain)
+
+
 def _is_another_case(state: JudgingState, earlier: Chain, chain: Chain) -> bool:
     """Tell whether words, or the formulas themselves, part two formulas of one letter."""
     text, end = state.document.text, earlier.end

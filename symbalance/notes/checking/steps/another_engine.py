@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Call, Extremum, Formula, Name, Negative, names
+from symbalance.document.formula import Call, Extremum, Formula, Name, Negative, names, walk
 from symbalance.document.letters import is_greek
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator
@@ -31,8 +31,9 @@ def leave_engine(state: JudgingState, chain: Chain, k: int) -> bool:
     """
     left, line = chain.sides[k].node, chain.lines[0]
     name = left.name if k and isinstance(left, Name) else "" if k else _measured(left)
+    is_known = False if k or name else _leave_sizes(state, chain)
     if not name or name in state.declarations.symbols_at(line):
-        return False
+        return is_known
     knowledge, claim = state.knowledge(line), chain.sides[k + 1].node
     lines = [
         entry.definition.line
@@ -43,6 +44,19 @@ def leave_engine(state: JudgingState, chain: Chain, k: int) -> bool:
     for earlier in lines:
         state.definitions.forget(name, earlier)
     return bool(lines)
+
+
+def _leave_sizes(state: JudgingState, chain: Chain) -> bool:
+    """Forget what letters are in sections whose headings name another engine, of |S_1|² + |S_2|² = 25."""
+    line, sections = chain.lines[0], state.sections
+    sizes = {_measured(part) for part in walk(chain.sides[0].node)} - {""}
+    is_known = False
+    for name in sizes - set(state.declarations.symbols_at(line)):
+        for entry in list(state.definitions.values.get(name, ())):
+            if sections.headings_name_other_engines(line, entry.definition.line):
+                state.definitions.forget(name, entry.definition.line)
+                is_known = True
+    return is_known
 
 
 def leave_cranks(state: JudgingState, chain: Chain, k: int) -> bool:
@@ -96,7 +110,10 @@ def leave_premises(state: JudgingState, chain: Chain) -> bool:
     line = chain.lines[0]
     own = chain.letters - set(state.declarations.symbols_at(line))
     other = state.sections.headings_name_other_engines
-    premises = [p for p in state.definitions.premises_at(line) if p.fixes in own and other(line, p.line)]
+    premises = [
+        p for p in state.definitions.premises_at(line) if p.fixes in own or p.names & own == p.names
+    ]
+    premises = [p for p in premises if other(line, p.line)]
     for premise in premises:
         state.definitions.forget(premise.fixes, premise.line)
         state.definitions.premises.remove(premise)

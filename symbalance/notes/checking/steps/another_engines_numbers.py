@@ -175,8 +175,10 @@ def as_number_of_another(state: JudgingState, chain: Chain, k: int) -> Decision 
     is_elsewhere = is_datum and given is not None and not state.sections.same_exercise(given.line, line)
     is_elsewhere = is_elsewhere or (given is not None and _has_another_subject(state, chain, given.line))
     if is_elsewhere or names_another_example(words) or names_another_example(behind):
-        state.definitions.forget_all(head.name)
-        state.definitions.define(head.name, value, chain)
+        has_formula = given is not None and not given.numeric and given.formula is None
+        if given is None or not has_formula or given.solved:  # a formula is as good there
+            state.definitions.forget_all(head.name)
+            state.definitions.define(head.name, value, chain)
         return Decision(PREMISE, "of another engine than above")
     is_below = given is not None and given.line < state.sections.paragraph_start(line)
     if is_below and names_some_engine(words):

@@ -2,9 +2,12 @@
 
 A second condition on an angle, in a paragraph of its own and introduced as one ("it vanishes where"), is
 not to be satisfied together with the first: it is about another angle, and what fixed the first is left.
+A number that a letter has at one place, a = 5519 at top dead centre, is not its number at the next.
 """
 
 from __future__ import annotations
+
+import re
 
 from symbalance.document.formula import Call, Formula, Name, Number, Product, names, walk
 from symbalance.notes.checking.premises.system import Premise
@@ -12,6 +15,12 @@ from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain
 
 _TURNING = ("sin", "cos", "tan")
+_MEANS_THE_SAME = re.compile(
+    r"(?<![^\W\d_])(?:maxim|largest|greatest|highest|peak|top|smallest|minim|größt|höchst|kleinst|is|lies"
+    r"|stands|occurs|liegt|ist|steht|folgt|so|thus|then|hence|also|est|vaut|donc)(?:[a-zäöü]{0,8})(?![^\W\d_])",
+    re.IGNORECASE,
+)
+"""Words by which a number is that of the place above, and no place of its own."""
 
 
 def leave_place(state: JudgingState, chain: Chain) -> bool:
@@ -34,6 +43,45 @@ def leave_place(state: JudgingState, chain: Chain) -> bool:
             if entry.definition.line < first:
                 definitions.forget(name, entry.definition.line)
     return True
+
+
+def leave_condition_of_place(state: JudgingState, chain: Chain) -> bool:
+    """Forget where a letter is looked at, "largest at η² = 1 - 2D²", before "at η = 2"; tell of any.
+
+    Both are introduced as cases. The next place is not one that the first equation claims anything of.
+    """
+    head, sections, definitions = chain.sides[0].node, state.sections, state.definitions
+    is_case = len(chain.relations) == 1 and isinstance(head, Name) and not names(chain.sides[1].node)
+    if not is_case or not isinstance(head, Name) or not sections.opens_case(chain):
+        return False
+    if _MEANS_THE_SAME.search(sections.sentence_before(chain)):
+        return False
+    places = [p for p in definitions.premises if head.name in p.names and p.names != {head.name}]
+    places = [p for p in places if _opened_as_case(state, p, chain)]
+    definitions.premises = [p for p in definitions.premises if p not in places]
+    for premise in places:
+        for name in premise.names:
+            definitions.forget(name, premise.line)
+    return bool(places)
+
+
+def _opened_as_case(state: JudgingState, premise: Premise, chain: Chain) -> bool:
+    """Tell whether a premise stands above in a line of its own as a case: largest at η² = 1 - 2D²."""
+    above = [c for c in state.sections.chains_of(premise.left) if c.lines[0] == premise.line]
+    before = [c for c in above if c.lines[-1] < chain.lines[0]]
+    return bool(before) and all(state.sections.opens_case(c) for c in before)
+
+
+def leave_number_of_place(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Forget the number that a letter has at another place, a at TDC before a at 90°; tell of any."""
+    head = chain.sides[0].node
+    if k or not isinstance(head, Name) or not state.sections.is_at_another_place(chain, head.name):
+        return False
+    is_known = False
+    for entry in list(state.definitions.values.get(head.name, ())):
+        if entry.definition.numeric:
+            is_known |= state.definitions.forget_line(head.name, entry.definition.line)
+    return is_known
 
 
 def is_multiple_of_angle(chain: Chain) -> bool:

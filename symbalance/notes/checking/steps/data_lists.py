@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from symbalance.document.formula import Name, names
+from symbalance.document.formula import Name, Product, names
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import CONTRADICTION, REFUTED, UNDECIDED, Verdict
 from symbalance.notes.reading.equations import Chain
@@ -23,6 +23,14 @@ _OPENS = re.compile(
     r"|met|voor|dla|przy|med|för)[\s$\\(\[`*]*$|[:：][\s$\\(\[`*]*$",
     re.IGNORECASE,
 )
+_GIVES = re.compile(
+    r"(?:(?<![^\W\d_])(?:with|if|mit|wenn|avec|si|con|se|med|met|przy)"
+    r"|(?:^|[.;:,(]\s{1,3}|\n)(?:and\s|und\s)?(?:for|für|pour|per|para|voor|dla|för)"
+    r"|(?:^|[.;:]\s{1,3}|\n)(?:an?|eine?)\s(?:[^\W\d_]{2,15}\s){1,3}(?:of|with|von|mit))[\s$\\(\[`*]{0,6}$",
+    re.IGNORECASE,
+)
+"""Words that give the number right behind them, whatever it is above: if P = 75 kN."""
+_AND = re.compile(r"[\s$)\]\\,]{0,6}(?:[^\W\d_]{1,4}\s)?(?:,|and|und|et|y|e|con|with|mit)[\s$(\[\\]{0,6}")
 _BETWEEN = re.compile(r"[^=.;:。；\n]*(?:\n(?!\s*\n)[^=.;:。；\n]*)?")
 
 _RESULT = re.compile(
@@ -38,11 +46,45 @@ def open_if_datum(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -
     is_against = verdict.verdict == CONTRADICTION or (
         verdict.verdict == REFUTED and (verdict.reason or "").startswith("does not satisfy")
     )
+    if (is_against or verdict.verdict == REFUTED) and _is_given(state, chain, k):
+        return _given_number(state, chain, verdict)
     if not is_against or not is_datum(state, chain, k):
         return verdict
     reason = (verdict.reason or "").removeprefix("contradicts ").removeprefix("does not satisfy ")
     reason = f"a number of an example, which does not fit {reason}: another case, or wrong"
     return replace(verdict, verdict=UNDECIDED, reason=reason, fix=None)
+
+
+def _given_number(state: JudgingState, chain: Chain, verdict: Verdict) -> Verdict:
+    """Return that a number is given against what is known of its letter, which has it from here on."""
+    head, line = chain.sides[0].node, chain.lines[0]
+    exact = f", {verdict.exact}" if verdict.exact else ""
+    if isinstance(head, Name):
+        state.definitions.forget_all(head.name)
+        state.definitions.define(head.name, chain.sides[1].node, chain, state.sections.case_end(line))
+    reason = f"given here, and the lines above have another value{exact}: another case, or one is wrong"
+    return replace(verdict, verdict=UNDECIDED, reason=reason, fix=None)
+
+
+def _is_given(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Tell whether words right before a letter's number give it: with W = 2651 mm³ the stress is."""
+    if k or not chain.inline or not _is_size(chain) or state.sections.is_consequence(chain):
+        return False
+    text = state.document.text
+    if _GIVES.search(text[max(0, chain.start - _NEAR) : chain.start]):
+        return True
+    above = [c for c in state.sections.chains_on(chain.lines[0]) if c.end <= chain.start]
+    last = max(above, key=lambda each: each.end, default=None)
+    is_next = last is not None and _AND.fullmatch(text, last.end, chain.start) is not None
+    return is_next and last is not None and _is_given(state, last, 0)
+
+
+def _is_size(chain: Chain) -> bool:
+    """Tell whether a chain does nothing but give a letter, or a product of letters, a number."""
+    left = chain.sides[0].node
+    is_product = isinstance(left, Product) and all(isinstance(f, Name) for f in left.factors)
+    is_plain = len(chain.relations) == 1 and (is_product or isinstance(left, Name))
+    return is_plain and not names(chain.sides[1].node)
 
 
 def is_datum(state: JudgingState, chain: Chain, k: int) -> bool:
@@ -77,6 +119,7 @@ def _follows(state: JudgingState, before: Chain, after: Chain) -> bool:
 
 
 def _has_formula_above(state: JudgingState, chain: Chain) -> bool:
-    """Tell whether a line above gives the letter a formula: its number is a result then."""
-    same = state.sections.chains_of(chain.sides[0].node)
-    return any(each.start < chain.start and names(each.sides[1].node) for each in same)
+    """Tell whether a line of its section above has a formula for the letter: its number is a result."""
+    same = [c for c in state.sections.chains_of(chain.sides[0].node) if c.start < chain.start]
+    same = [c for c in same if state.sections.same_section(c.lines[0], chain.lines[0])]
+    return any(names(each.sides[1].node) for each in same)

@@ -82,6 +82,8 @@ class JudgingState:
     sources: Sources
     corrects: bool
     motions: Motions = field(default_factory=Motions)
+    refuted: set[int] = field(default_factory=set)
+    """Places where the right sides of refuted relations begin."""
 
     def __post_init__(self) -> None:
         self.sections = Sections(self.document)

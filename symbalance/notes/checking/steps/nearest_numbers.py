@@ -165,8 +165,15 @@ def _numbers_given(state: JudgingState, name: str, chain: Chain) -> list[Chain]:
     ]
     if any(c.sides[0].node == Name(name) and not names(c.sides[-1].node) for c in own):
         return []
-    above = [
-        c for c in state.sections.chains_of(Name(name)) if c.start < chain.start and len(c.relations) == 1
-    ]
-    given = [c for c in above if not names(c.sides[1].node) and c.relations[0].sign in "=≈"]
+    above = [c for c in state.sections.chains_of(Name(name)) if c.start < chain.start]
+    of_one = [c for c in above if len(c.relations) == 1 and not names(c.sides[1].node)]
+    of_several = [c for c in above if len(c.relations) > 1 and _ends_in_number(state, c)]
+    given = [c for c in (*of_one, *of_several) if c.relations[-1].sign in "=≈"]
     return sorted(given, key=lambda c: -c.start)
+
+
+def _ends_in_number(state: JudgingState, chain: Chain) -> bool:
+    """Tell whether a chain comes to a number, T = P/ω = 142 N m, in a step that is not refuted."""
+    value = chain.sides[-1]
+    is_of_formula = bool(names(chain.sides[1].node)) and not names(value.node)
+    return is_of_formula and value.span[0] not in state.refuted

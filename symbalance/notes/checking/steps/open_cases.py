@@ -126,5 +126,13 @@ def case_of_a_letter(state: JudgingState, chain: Chain, k: int, knowledge: Knowl
     if len(chain.relations) != 1 or len(letters) != 1 or names(left) & names(right):
         return False
     definition = knowledge.definitions.get(letters[0].name)
-    is_above = definition is not None and definition.numeric and definition.line < chain.lines[0]
-    return is_above and state.sections.opens_case(chain)
+    if definition is None or not definition.numeric or not state.sections.opens_case(chain):
+        return False
+    return definition.line < chain.lines[0] or _has_value_in_another_case(state, letters[0], chain)
+
+
+def _has_value_in_another_case(state: JudgingState, letter: Name, chain: Chain) -> bool:
+    """Tell whether a letter has its value in a case before, on one line: for λ = 0 …, for λ > 0 …"""
+    own = [c for c in state.sections.chains_of(letter) if c.lines[0] == chain.lines[0]]
+    before = [c for c in own if c.start < chain.start]
+    return bool(before) and all(state.sections.opens_case(c) for c in before)

@@ -152,6 +152,31 @@ def decide_numbers_put_in(
     return None
 
 
+def puts_in_as_typed(left: Side, right: Side, document: ReadNotes, knowledge: Knowledge) -> bool:
+    """Tell whether an arithmetic has the numbers of a letter's formula as typed, one of them in inches.
+
+    V = S N/6 is meant in feet per minute, S in inches: 6 may convert units, though 6 alone tells nothing.
+    """
+    value = value_of(_as_typed(without_unit(right.node), document))
+    if not names(left.node) or names(right.node) or isinstance(right.node, Number) or value is None:
+        return False
+    nodes = _formulas_behind(left.node, knowledge)
+    own = {name for node in nodes for name in names(node)}
+    sources = (document.source(d.node.span) for n, d in knowledge.definitions.items() if n in own)
+    if not any(_OTHER_UNIT.search(source) for source in sources):
+        return False
+    for chosen in _numbers_behind(nodes, document, knowledge):
+        node = _with_numbers(left.node, chosen, knowledge)
+        first = None if node is None else value_of(node)
+        if first is not None and math.isclose(first, value, rel_tol=SAME):
+            return True
+    return False
+
+
+_OTHER_UNIT = re.compile(
+    r"[0-9¼½¾][\s~$]*\\?(?:text\{\s?)?(?:in|ft|lbs?|inch(?:es)?|feet|foot|miles?|mph)\b"
+)
+"""A number in a unit that is no decimal one: formulas of such have factors of 12, 60 and 5280."""
 _OF_CONSTANTS = 0.002
 """What constants of three digits, 28.0 for 88/π, put a result off by."""
 _DEEPEST = 12

@@ -17,7 +17,7 @@ _CASE = re.compile(
     rf"|as\s+long\s+as|in\s+the\s+case|für|bei|falls|wenn|sofern|solange|im\s+Fall|pour|si){_END}",
     re.IGNORECASE,
 )
-_CASE_BEHIND = re.compile(r"[\s$)\]}\\,]{0,6}(?:なら|のとき|の時|の場合)")
+_CASE_BEHIND = re.compile(r"[\s$)\]}\\,]{0,6}(?:なら|のとき|の時|の場合|では(?!な))")
 _EXCEPTION = re.compile(
     r"[\s$)}\],\\]{0,6}(?:unless|except(?:\s+(?:if|when|where|for))?|save\s+(?:when|for)|but\s+for"
     r"|außer(?:\s+(?:wenn|für|bei|falls))?|es\s+sei\s+denn|sofern\s+nicht|wenn\s+nicht|falls\s+nicht"

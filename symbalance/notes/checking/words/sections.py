@@ -241,10 +241,19 @@ _DEAD_CENTRE = re.compile(
 _PLACE = re.compile(
     rf"({_TOP}|{_SHORT_TOP})|({_BOTTOM}|{_SHORT_BOTTOM})"
     r"|(?<![A-Za-z])(?:at|for|bei|für)\s+(?:an?\s+angle\s+of\s+)?(?:\$?\\?[a-zθφα]{1,8}\s?=\s?)?\$?"
-    r"([0-9]{1,3})\s?\$?(?:°|\^\{?\\circ|degrees?|Grad)|([0-9]{1,3})\s?(?:°|度)\$?(?:では|のとき)",
+    r"([0-9]{1,3})\s?\$?(?:°|\^\{?\\circ|degrees?|Grad)|([0-9]{1,3})\s?(?:°|度)\$?(?:では|のとき)"
+    r"|(?:[αβγθφϕψ]|\\(?:alpha|beta|gamma|theta|varphi|phi|psi))\s?=\s?([0-9]{1,3})\s?(?:°|\^\{?\\circ)",
     re.IGNORECASE,
 )
 """Where a value is taken: at a dead centre, or at an angle."""
+_RIGHT_BEHIND = re.compile(
+    r"[\s$)}\]\\]{0,4}(?:\\?(?:text|mathrm)\{[^{}]{0,12}\}[\s$)}\]\\]{0,4})?(?:</?\w{1,5}>)?\s?(?:[^\W\d_]{1,3}(?:/[^\W\d_]{1,3})?\s)?(?:at\s|in\s|the\s|its\s){0,2}"
+)
+"""What may stand between a value and its place: 8 in at top dead centre."""
+_SENTENCE_OR_ITEM = re.compile(
+    r"[.;!?。]\s|\n\s*\n|\n[ \t]{0,8}(?:[-*+•·–]|\(?[a-z0-9]{1,2}[.)]|\\item)(?=\s)"
+)
+"""What ends a sentence, or begins an item of a list."""
 _THERE = re.compile(r"[\s$)\]}\\,]{0,6}(?:there|here|dort|hier)(?![A-Za-zäöüß])")
 """Words behind a relation by which it is meant at the place that its section named last."""
 _OPENING = " \t\n$\\([{&"
@@ -793,7 +802,10 @@ class Sections:
 
     def dead_centre(self, chain: Chain) -> bool | None:
         """Return whether a relation's sentence names bottom dead centre, False for top, else None."""
-        named = dead_centre_named(self._english(self.sentence_before(chain)))
+        words = self._english(self.sentence_before(chain))
+        named = dead_centre_named(words)
+        if named is not None and _last_place(words) not in (None, 0, 180):
+            return None  # at another angle since
         if named is not None or _THERE.match(self.document.text, chain.end) is None:
             return named
         return dead_centre_named(self._english(self._section_before(chain)))
@@ -801,7 +813,23 @@ class Sections:
     def sentence_before(self, chain: Chain) -> str:
         """Return what a relation's sentence says before it."""
         text = self.document.text[max(0, chain.start - LONGEST_SENTENCE) : chain.start]
-        return re.split(r"[.;!?。]\s|\n\s*\n", text)[-1]
+        return _SENTENCE_OR_ITEM.split(text)[-1]
+
+    def place_before(self, chain: Chain) -> int | None:
+        """Return the angle in degrees at which words right before a letter's value place it, or None."""
+        above = [c for c in self.chains_of(chain.sides[0].node) if c.end <= chain.start]
+        first = max([chain.start - LONGEST_INTRODUCTION, 0, *(c.end for c in above)])
+        words = self.document.text[first : chain.start]
+        return _last_place(self._english(_SENTENCE_OR_ITEM.split(words)[-1]))
+
+    def place_behind(self, chain: Chain) -> int | None:
+        """Return the angle in degrees at which words right behind a letter's value place it, or None."""
+        words = re.split(
+            r"[.;,:。、=]", self.document.text[chain.end : chain.end + LONGEST_INTRODUCTION]
+        )[0]
+        match = _PLACE.search(self._english(words))
+        is_next = match is not None and _RIGHT_BEHIND.fullmatch(words[: match.start()]) is not None
+        return _last_place(match[0]) if match is not None and is_next else None
 
     def is_at_another_place(self, chain: Chain, name: str) -> bool:
         """Tell whether words place a letter's value elsewhere than its last one: at 0°, then at 180°."""
@@ -882,7 +910,7 @@ def _last_place(words: str) -> int | None:
         last = match
     if last is None:
         return None
-    return 0 if last[1] else 180 if last[2] else int(last[3] or last[4])
+    return 0 if last[1] else 180 if last[2] else int(last[3] or last[4] or last[5])
 
 
 def dead_centre_named(words: str) -> bool | None:

@@ -2,7 +2,7 @@
 
 The Spanish y, the Italian e and o, the Polish i and z would be letters that the unit is multiplied by.
 They become a comma where the page is in such a language, a unit or a degree stands before them, and a
-word, or a letter with its equals sign, behind.
+word, or a letter with its equals sign, behind: "la biela y λ = r/l" is no product either.
 """
 
 from __future__ import annotations
@@ -24,6 +24,11 @@ _WORD = re.compile(
     r"(?P<gap>[ ])(?P<word>[a-z])[ ]"
     r"(?=[^\W\d_]{2}|[^\W\d_](?:_?\w{1,3})?[ ]?=)"
 )
+_BEHIND_WORD = re.compile(
+    r"(?<![\\\w])(?P<before>[^\W\d_]{3,20})(?P<gap>[ ])(?P<word>[a-z])[ ]"
+    r"(?=[^\W\d_](?:_?\w{1,3})?[ ]?[=≈])"
+)
+_FUNCTIONS = frozenset(["sen", "sin", "cos", "tan", "cot", "sec", "log", "exp", "arc"])
 
 
 def with_one_letter_words(text: str) -> Rewritten | None:
@@ -32,15 +37,21 @@ def with_one_letter_words(text: str) -> Rewritten | None:
     >>> page = "Sea el radio r de la manivela y l la biela; con r = 3,5 m y l = 2,5 m"
     >>> with_one_letter_words(page).text
     'Sea el radio r de la manivela y l la biela; con r = 3,5 m, l = 2,5 m'
+    >>> with_one_letter_words("Sea el radio r de la manivela, l el largo de la biela y λ = r/l").text
+    'Sea el radio r de la manivela, l el largo de la biela, λ = r/l'
     """
     words = _words_of(text)
-    rewriter, changed = Rewriter(text), False
+    rewriter, places = Rewriter(text), list[tuple[int, int]]()
     for match in _WORD.finditer(text):
         unit = match["unit"].strip(" ~")
         if match["word"] in words and (unit == "°" or scale_of(unit) is not None):
-            rewriter.replace(match.start("gap"), match.end("word"), ",")
-            changed = True
-    return rewriter.finish() if changed else None
+            places.append((match.start("gap"), match.end("word")))
+    for match in _BEHIND_WORD.finditer(text):
+        if match["word"] in words and match["before"].lower() not in _FUNCTIONS:
+            places.append((match.start("gap"), match.end("word")))
+    for start, end in sorted(set(places)):
+        rewriter.replace(start, end, ",")
+    return rewriter.finish() if places else None
 
 
 def _words_of(text: str) -> str:

@@ -1,0 +1,49 @@
+"""Rates of change that a line above gives a number: ẍ = 9381 m/s², and then F = -m ẍ = -6098 N.
+
+A dot is the derivative of a letter, and no letter itself, so that its number defines nothing. A relation
+between it and a number is judged with the number that was worked out last.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from symbalance.document.formula import Derivative, Formula, Name, names, walk
+from symbalance.notes.checking.deciding.substitution import replace_part
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.words.plain_formulas import plain_text
+from symbalance.notes.reading.equations import Chain, Side
+
+
+def with_numbers_of_rates(state: JudgingState, chain: Chain, k: int) -> tuple[Chain, tuple[str, ...]]:
+    """Return a chain with the numbers that lines above give its rates, and in words which they are.
+
+    The chain as it is, and no words, where a rate has none in its section, or where the relation is not
+    between a formula with a rate in it and a number.
+    """
+    left, right = chain.sides[k], chain.sides[k + 1]
+    rates = [part for part in walk(left.node) if isinstance(part, Derivative)]
+    if names(right.node) or left.node in rates or len(left.readings) > 1:
+        return chain, ()
+    side, words = left, tuple[str, ...]()
+    for rate in rates:
+        number = _number_above(state, rate, chain)
+        if number is None:
+            return chain, ()
+        value, line = number
+        side = side.changed(lambda node, old=rate, new=value: replace_part(node, old, new))
+        words += (f"{plain_text(rate)} = {plain_text(value)} of line {line}",)
+    sides = (*chain.sides[:k], side, *chain.sides[k + 1 :])
+    return (replace(chain, sides=sides), words) if words else (chain, ())
+
+
+def _number_above(state: JudgingState, rate: Derivative, chain: Chain) -> tuple[Formula, int] | None:
+    """Return the number that a rate has last above a relation, in its section, with its line."""
+    line = chain.lines[0]
+    above = [c for c in state.sections.chains_of(rate) if c.end <= chain.start]
+    above = [c for c in above if state.sections.same_section(c.lines[0], line)]
+    last: Chain | None = max(above, key=lambda each: each.start, default=None)
+    if last is None or any(relation.sign not in "=≈" for relation in last.relations):
+        return None
+    value: Side = last.sides[-1]
+    return None if names(value.node) or isinstance(value.node, Name) else (value.node, last.lines[0])

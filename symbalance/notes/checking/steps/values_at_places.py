@@ -1,0 +1,110 @@
+"""Numbers of a motion at angles that words name, one after another: TDC: a = 4680, BDC: a = -2520.
+
+Where the page has the motion's formula above, each number is its value at the angle named right before
+it. None of them says anything of the next: the letter is not defined by it, nor is the angle.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+from symbalance.document.formula import (
+    Call,
+    Constant,
+    Formula,
+    Name,
+    Number,
+    Product,
+    Quotient,
+    names,
+    walk,
+)
+from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
+from symbalance.notes.checking.deciding.relations import decide_at_value
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.verdicts import PREMISE, REFUTED, UNDECIDED
+from symbalance.notes.checking.words.plain_formulas import plain_text
+from symbalance.notes.reading.equations import Chain
+
+HALF_TURN = 180
+"""Degrees."""
+
+
+def value_at_named_place(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> Decision | None:
+    """Return the proof that a number is a motion's value at the angle named before it; None for others.
+
+    Where it cannot be proved for want of numbers it is a premise of that place alone.
+    """
+    head, right = chain.sides[0].node, chain.sides[1]
+    place = None if k or not chain.inline else _place_of(state, chain, knowledge)
+    if place is None or not isinstance(head, Name):
+        return None
+    formula, theta, angle = place
+    rest = {n: d for n, d in knowledge.definitions.items() if n not in (head.name, theta)}
+    freer = replace(knowledge, definitions=rest, solved={}, solved_from=())
+    motion = replace(chain.sides[0], readings=(formula,))
+    there = decide_at_value(motion, right, chain.relations[0].sign, freer, theta, angle)
+    text = f"at {plain_text(Name(theta))} = {plain_text(angle)}"
+    if there.is_proved:
+        return replace(there, assumptions=(*there.assumptions, text))
+    if names(right.node) and there.status == REFUTED:
+        return replace(there, reason=text)
+    values = {n: d.node for n, d in rest.items()}
+    unknown = {*names(formula), *names_behind(formula, values)} - values.keys() - {theta}
+    is_open = there.status == UNDECIDED or bool(unknown)
+    return Decision(PREMISE, text) if is_open else None  # no letter has its number by it
+
+
+def _place_of(
+    state: JudgingState, chain: Chain, knowledge: Knowledge
+) -> tuple[Formula, str, Formula] | None:
+    """Return a motion's formula, its angle and the value of that, which words beside a value name."""
+    head = chain.sides[0].node
+    if not isinstance(head, Name):
+        return None
+    formula = _formula_of(knowledge.definitions.get(head.name))
+    formula = formula or knowledge.meaning.values.get(head.name)
+    behind = state.sections.place_behind(chain)
+    degrees = state.sections.place_before(chain) if behind is None else behind
+    if formula is None or degrees is None:
+        return None
+    values = {n: d.node for n, d in knowledge.definitions.items() if n != head.name}
+    turning = {n for n in (*names(formula), *names_behind(formula, values)) if _turns(n, formula, values)}
+    right = chain.sides[1].node
+    rests_on = {*names(right), *names_behind(right, values)}
+    if len(turning) != 1 or (turning | {head.name}) & rests_on:
+        return None
+    return formula, turning.pop(), _angle(degrees)
+
+
+def _formula_of(definition: Definition | None) -> Formula | None:
+    """Return the formula that a letter has, before the number that it was given last."""
+    if definition is None:
+        return None
+    return definition.formula if definition.numeric else definition.node
+
+
+def _angle(degrees: int) -> Formula:
+    """Return an angle of whole degrees as a formula in radians."""
+    turn = Fraction(degrees, HALF_TURN)
+    if turn.denominator == 1:
+        return _times_pi(turn) if turn else Number(turn)
+    return Quotient(_times_pi(Fraction(turn.numerator)), Number(Fraction(turn.denominator)))
+
+
+def _times_pi(number: Fraction) -> Formula:
+    return Constant("pi") if number == 1 else Product((Number(number), Constant("pi")))
+
+
+def _turns(name: str, formula: Formula, values: dict[str, Formula]) -> bool:
+    """Tell whether a letter without a formula stands in a sine or a cosine of a formula, or behind it."""
+    if name in values and names(values[name]):
+        return False
+    nodes = [formula, *(values[n] for n in names_behind(formula, values) if n in values)]
+    waves = (p for node in nodes for p in walk(node) if isinstance(p, Call))
+    return any(wave.function in ("sin", "cos") and name in names(wave.argument) for wave in waves)
