@@ -117,6 +117,8 @@ _MASS_OF_ONE = re.compile(
     re.IGNORECASE,
 )
 _SUMMED = re.compile(r"\\sum|Σ|∑|_\{?[ijk]\b")
+_NEARLY = 2e-3
+"""How near a rounded number has to come to the amplitude of one of several crankshafts."""
 _KINDS = {
     "ratio": "exponent",
     "rod": "exponent",
@@ -124,6 +126,7 @@ _KINDS = {
     "speed": "exponent",
     "radius": "exponent",
     "wave": "order",
+    "function": "cos for sin",
 }
 _IN_A_CASE = re.compile(
     r"\b(?:if|when|where|speed|wenn|falls|doubles?|doubled|increas\w*|grows?)\b|のとき|の場合|same\s+as"
@@ -192,7 +195,7 @@ class EngineResultants:
             slips.append("factor")
         if not slips:
             return Decision(
-                PROVED, assumptions=(self._assumption(name, claim), *self._conditions(claim, parts))
+                PROVED, assumptions=(self._assumption(name, claim), *self._conditions(claim, parts, number / float(first)))
             )
         if len(slips) != 1 or not self._may_accuse(
             chain, knowledge, claim, parts, product, slips[0], sizes, float(first)
@@ -202,15 +205,15 @@ class EngineResultants:
 
     def _assumption(self, name: str, claim: EngineClaim) -> str:
         of = "rotating " if claim.is_rotating else ""
+        source = f"taken from the words “{claim.words}”" if claim.words else "by its index and its wave"
         return (
             f"{plain_letter(name)} is order {claim.order} of the whole engine's {of}{claim.kind}"
-            f" ({NOBODY}; taken from the words “{claim.words}”)"
+            f" ({NOBODY}; {source})"
         )
 
     @staticmethod
-    def _conditions(claim: EngineClaim, parts: Parts) -> Iterator[str]:
-        stars = claim.engine.stars
-        yield f"the cranks are at {stars[0].text} (“{claim.engine.words}”)"
+    def _conditions(claim: EngineClaim, parts: Parts, amount: float | None = None) -> Iterator[str]:
+        yield from EngineResultants._star(claim, amount)
         if parts.arm:
             yield f"{plain_letter(parts.arm)} is the distance of neighbouring cylinders"
         if claim.order > 1:
@@ -222,9 +225,9 @@ class EngineResultants:
         if not isinstance(value, Number) or value.value or _PART.search(claim.sentence):
             return None
         sizes = claim.sizes()
-        if not any(sizes):
-            return Decision(PROVED, assumptions=(self._assumption(name, claim), *self._star(claim)))
-        if all(sizes) and not _BALANCED.search(claim.around) and not claim.engine.is_boxer:
+        if not all(sizes):
+            return Decision(PROVED, assumptions=(self._assumption(name, claim), *self._star(claim, 0.0)))
+        if not claim.is_inferred and not _BALANCED.search(claim.around) and not claim.engine.is_boxer:
             reason = "; ".join((f"if {self._assumption(name, claim)}", *self._star(claim)))
             return Decision(REFUTED, f"{reason}: the {claim.kind}s of order {claim.order} do not cancel")
         return None
@@ -248,8 +251,10 @@ class EngineResultants:
         )
 
     @staticmethod
-    def _star(claim: EngineClaim) -> Iterator[str]:
-        yield f"the cranks are at {claim.engine.stars[0].text} (“{claim.engine.words}”)"
+    def _star(claim: EngineClaim, amount: float | None = None) -> Iterator[str]:
+        stars = claim.engine.stars
+        fitting = [s for s in stars if amount is not None and abs(claim.size(s) - amount) < _NEARLY]
+        yield f"the cranks are at {(fitting or stars)[0].text} (“{claim.engine.words}”)"
 
     def _may_accuse(
         self,
@@ -265,13 +270,15 @@ class EngineResultants:
         """Tell whether the words leave no other meaning under which a formula is right."""
         if _IN_A_CASE.search(claim.sentence):
             return False
+        if claim.is_inferred and not self._is_of_no_other(claim, product, sizes, first):
+            return False
         if slip != "factor":
             return not _OF_ANOTHER.search(claim.sentence)
         own = f"{claim.words} {claim.own}".replace(claim.engine.words, "")
         is_part = any(words.search(own) for words in (_PART, _OF_ONE)) or _BALANCED.search(claim.around)
         is_part = is_part or _SHARE.search(claim.around) is not None
         is_part = is_part or _TOTAL_MASS.search(self._text) is not None
-        if len(sizes) != 1 or is_part or not self._is_told(parts.letter.get("base", "")):
+        if len(sizes) != 1 or is_part or not self._is_told(parts.letter.get("base", ""), knowledge):
             return False
         number, size = abs(product.number) / first, sizes[0]
         is_of_one = same(number, 1, product.rounding)
@@ -291,9 +298,23 @@ class EngineResultants:
         is_pitch = any(not _FAR_APART.search(w) for w in self._letters.pitch_words(parts.arm))
         return not is_scaled or (is_pitch and not _FAR_APART.search(claim.around))
 
-    def _is_told(self, base: str) -> bool:
+    def _is_of_no_other(
+        self, claim: EngineClaim, product: ProductOfPowers, sizes: list[float], first: float
+    ) -> bool:
+        """Tell whether a formula whose order or engine no words beside it name is right of no other one.
+
+        Where the engine's order cancels it may be another's, too.
+        """
+        stars = [star for each in self.claims.usual_engines for star in each.stars]
+        others = [claim.size(star) for star in stars]
+        number = abs(product.number) / first
+        is_own = any(same(number, size, product.rounding) for size in sizes)
+        is_of_other = any(size and same(number, size, product.rounding) for size in others)
+        return all(sizes) and (is_own or not is_of_other)
+
+    def _is_told(self, base: str, knowledge: Knowledge) -> bool:
         """Tell whether a letter for an amplitude is said to be one cylinder's, or there is none."""
-        if not base:
+        if not base or self._letters.is_inertia_of_one(base, knowledge):
             return True
         sign = re.compile(rf"(?<![\\A-Za-z_]){re.escape(plain_letter(base))}(?![A-Za-z])")
         places = [m.start() for m in sign.finditer(self._text)]
