@@ -25,6 +25,8 @@ from symbalance.notes.checking.declared.symbol_roles import (
 )
 from symbalance.notes.checking.declared.symbols import meaning_of
 from symbalance.notes.checking.meant.engine_speeds import speeds_of
+from symbalance.notes.checking.meant.engines.bank_resultants import BankResultants
+from symbalance.notes.checking.meant.engines.dead_centre_sizes import DeadCentreSizes
 from symbalance.notes.checking.meant.engines.engine_resultants import EngineResultants
 from symbalance.notes.checking.meant.given_numbers import GivenNumbers
 from symbalance.notes.checking.meant.harmonic_coefficients import HarmonicCoefficients
@@ -94,6 +96,8 @@ class JudgingState:
         self.named_numbers = NamedNumbers(self.named)
         self.named_orders = NamedOrders(self.meant)
         self.engine_resultants = EngineResultants(self.meant.words, self.sections)
+        self.bank_resultants = BankResultants(self.engine_resultants)
+        self.dead_centre_sizes = DeadCentreSizes(self.engine_resultants)
         self.crank_motions = CrankMotions(self.document, self.sections, self.meant.words)
         self.patterns = FormulaPatterns(self.document, self.sections, self.meant.words)
         self.parity = MotionParity(self.patterns)

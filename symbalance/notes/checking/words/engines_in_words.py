@@ -90,7 +90,9 @@ _LABEL = re.compile(
     re.MULTILINE,
 )
 """An angle that a paragraph or an item begins with, on a page about twins."""
-_QUARTER = re.compile(r"(?<![0-9.])(?:90|270)(?![0-9])|right\s+angles?|crossplane|T-?plane|直角", re.IGNORECASE)
+_QUARTER = re.compile(
+    r"(?<![0-9.])(?:90|270)(?![0-9])|right\s+angles?|crossplane|T-?plane|直角", re.IGNORECASE
+)
 """Words by which a twin's cranks may stand neither together nor opposite to each other."""
 _NEAR, _BESIDE = 40, 12
 _FIRES = re.compile(
@@ -264,7 +266,11 @@ class EnginesInWords:
             engine = replace(engine, turn=turn)
         around = f"{heading}\n{self.text[first:last]}"
         stars = _stars_of(engine, around)
-        if not stars and engine.cylinders == 2 and not (_BANKS.search(self.text) or _QUARTER.search(self.text)):
+        if (
+            not stars
+            and engine.cylinders == 2
+            and not (_BANKS.search(self.text) or _QUARTER.search(self.text))
+        ):
             stars = (CrankStar((0, 180)), CrankStar((0, 0)))
         is_told = _FLAT.search(f"{heading}\n{near}") is not None
         if stars == (_FLAT_THREE,) and not is_told:  # half a turn may be of another engine of the section

@@ -621,7 +621,8 @@ class Sections:
         before, now = (self._named_in_paragraph(place) for place in (earlier, chain.start))
         if before is None and now is not None:
             before = self._named_in_paragraph(now.place)  # named behind the earlier relation
-            before = before or self._named_in_heading(earlier_line)
+            is_below = not self.same_section(earlier_line, chain.lines[0])
+            before = before or (self._named_in_heading(earlier_line) if is_below else None)
         return before is not None and now is not None and is_another_engine(before, now)
 
     def _names_another_cycle(self, chain: Chain, earlier_line: int) -> bool:

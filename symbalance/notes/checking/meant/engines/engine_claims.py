@@ -9,7 +9,7 @@ import re
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from symbalance.document.formula import Call, Name, walk
+from symbalance.document.formula import Call, Name, Summation, walk
 from symbalance.notes.checking.meant.engines.order_indices import (
     POWERS,
     are_orders,
@@ -117,6 +117,10 @@ class EngineClaim:
     is_rotating: bool = False
     is_inferred: bool = False
     """Whether no words beside the formula name the order or the engine, but its index or words further off."""
+    is_total: bool = False
+    """Whether the formula is a sum over all cylinders, or another term of it is of all of them."""
+    clause: str = ""
+    """The sentence from the engine's name on, where that stands before the formula in it."""
 
     @property
     def is_in_phase(self) -> bool:
@@ -203,8 +207,11 @@ class EngineClaims:
             return None
         paragraph = self._text[self._line_starts[self.sections.paragraph_start(chain.lines[0]) - 1] : end]
         around = f"{heading} {paragraph} {sentence}"
-        words = _plain(source)
-        return EngineClaim(engine, order, kind, words, own, sentence, around, is_rotating, is_inferred)
+        words, is_sum = _plain(source), isinstance(chain.sides[0].node, Summation)
+        clause = self._text[max(engine.place, start - _MOST) : end] if engine.place < start else sentence
+        return EngineClaim(
+            engine, order, kind, words, own, sentence, around, is_rotating, is_inferred, is_sum, clause
+        )
 
     def _order_by_index(self, name: str, chain: Chain) -> int:
         """Return the order that a letter's index says, or the wave of its formula; 0 for none.
@@ -216,8 +223,8 @@ class EngineClaims:
         if stem not in _INDEXED:
             return 0
         multiples = wave_multiples(chain.sides[1].node)
-        if not index and len(multiples) == 1:
-            return next(iter(multiples & POWERS.keys()), 0)
+        if not index and multiples and multiples <= POWERS.keys():
+            return min(multiples)
         is_order = index in POWERS and are_orders(self.words.document.chains)
         return index if is_order else 0
 

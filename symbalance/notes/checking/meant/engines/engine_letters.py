@@ -192,6 +192,10 @@ class EngineLetters:
                  "arm": is_couple and stem in _ARMS}  # fmt: skip
         return next((role for role, is_it in usual.items() if is_it), "other")
 
+    def role(self, name: str, knowledge: Knowledge) -> str:
+        """Return what a letter is in a force: mass, radius, speed, rod, ratio, inverse ratio, or another."""
+        return self._role(name, self._letter_roles(knowledge), None)
+
     def is_inertia_of_one(self, name: str, knowledge: Knowledge) -> bool:
         """Tell whether the page gives a letter as m r ω², or a power of the ratio times it, and no multiple."""
         roles = self._letter_roles(knowledge)
@@ -254,7 +258,7 @@ def mended(
                 powers[letter] = powers.get(letter, Fraction(0)) + sign * parts.missing
     elif slip == "wave" and wave is not None:
         angle = Name(parts.angle)
-        if isinstance(wave.argument, Sum):
+        if isinstance(wave.argument, Sum) or " " in parts.angle:
             return None
         turned = angle if claim.order == 1 else Product((Number(Fraction(claim.order)), angle))
         wave = Call(wave.function, turned)

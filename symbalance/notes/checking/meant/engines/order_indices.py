@@ -61,7 +61,7 @@ def wave_multiples(node: Formula) -> set[int]:
 
 
 def wave_of(wave: Call) -> tuple[int, str]:
-    """Return n and θ of cos nθ and of cos(nθ + δ), δ a number of degrees; 0 for another argument."""
+    """Return n and θ of cos nθ, of cos nωt and of cos(nθ + δ), δ a number of degrees; 0 for another argument."""
     terms = wave.argument.terms if isinstance(wave.argument, Sum) else (wave.argument,)
     turning = [term for term in terms if names(term)]
     if len(turning) != 1:
@@ -71,7 +71,8 @@ def wave_of(wave: Call) -> tuple[int, str]:
     except NoProductError:
         return 0, ""
     number = abs(argument.number)
-    letters = [n for n, p in argument.powers.items() if p == 1]
-    if len(letters) != 1 or len(argument.powers) != 1 or not number.is_integer() or not number:
+    letters = sorted(n for n, p in argument.powers.items() if p == 1)
+    is_angle = len(letters) == 1 or (len(letters) == 2 and "t" in letters)
+    if not is_angle or len(argument.powers) != len(letters) or not number.is_integer() or not number:
         return 0, ""
-    return int(number), letters[0]
+    return int(number), " ".join(letters)
