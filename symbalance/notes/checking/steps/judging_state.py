@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from symbalance.document.formula import Integral, Summation, names, walk
 from symbalance.errors import SymbalanceError
@@ -96,8 +97,6 @@ class JudgingState:
         self.named_numbers = NamedNumbers(self.named)
         self.named_orders = NamedOrders(self.meant)
         self.engine_resultants = EngineResultants(self.meant.words, self.sections)
-        self.bank_resultants = BankResultants(self.engine_resultants)
-        self.dead_centre_sizes = DeadCentreSizes(self.engine_resultants)
         self.crank_motions = CrankMotions(self.document, self.sections, self.meant.words)
         self.patterns = FormulaPatterns(self.document, self.sections, self.meant.words)
         self.parity = MotionParity(self.patterns)
@@ -139,6 +138,16 @@ class JudgingState:
         self.turned = turned_letters(self.document)
         self.general: frozenset[str] = frozenset()
         """Letters of all of whose values the relation in hand is claimed, whatever case stands before."""
+
+    @cached_property
+    def bank_resultants(self) -> BankResultants:
+        """The forces of two cylinders on one pin."""
+        return BankResultants(self.engine_resultants)
+
+    @cached_property
+    def dead_centre_sizes(self) -> DeadCentreSizes:
+        """The sizes of a piston's acceleration at the dead centres."""
+        return DeadCentreSizes(self.engine_resultants)
 
     def knowledge(self, line: int, convention: str = "") -> Knowledge:
         """Return what is known at a line."""

@@ -94,7 +94,10 @@ _FROM_ELSEWHERE = re.compile(
     re.IGNORECASE,
 )
 """Words by which the crank's angle is counted from one bank, or that of the banks from another line."""
-_DEGREES = r"(?<![0-9.,])(?P<{}>45|50|60|65|72|75|80|90|120)\s?(?:°|º|&deg;|\^\s*\{{?\s*\\circ\s*\}}?|[\s-]?deg|\s?Grad|度)"
+_DEGREES = (
+    r"(?<![0-9.,])(?P<{}>45|50|60|65|72|75|80|90|120)"
+    r"\s?(?:°|º|&deg;|\^\s*\{{?\s*\\circ\s*\}}?|[\s-]?deg|\s?Grad|度)"
+)
 _BANKS = r"(?:(?<![A-Za-z])V(?![A-Za-z])|\bvee\b|\bbanks?\b|V[形型]|Gabel|Bankwinkel|バンク)"
 _ANGLE = re.compile(
     rf"{_DEGREES.format('a')}[^.=。\n]{{0,20}}?{_BANKS}|{_BANKS}[^.=。\n]{{0,30}}?{_DEGREES.format('b')}"
@@ -106,7 +109,7 @@ _CRANK_ANGLES = frozenset({"theta", "phi", "varphi", "t"})
 
 
 class _Component(NamedTuple):
-    """A force of two banks as printed: its order, its wave, and its factor over one cylinder's amplitude."""
+    """A force of two banks as printed: its order, its wave, its factor over one cylinder's amplitude."""
 
     order: int
     wave: Call
@@ -165,7 +168,8 @@ class BankResultants:
             if len(scales) != 1:
                 continue
             (usual,) = scales
-            text = f"{own.bank and plain_letter(own.bank)} is {'half ' if half == 1 else ''}the angle between the banks"
+            share = "half " if half == 1 else ""
+            text = f"{plain_letter(own.bank)} is {share}the angle between the banks"
             return self._compared(chain, own, half, usual, text)
         return None
 
@@ -181,6 +185,12 @@ class BankResultants:
         angle = self._angle(chain, own)
         if not angle or not self._is_from_the_middle(chain, section, angle, knowledge):
             return None
+        return self._at_angle(chain, own, angle, sentence)
+
+    def _at_angle(
+        self, chain: Chain, own: _Component, angle: int, sentence: str
+    ) -> Verdict | Decision | None:
+        """Return the verdict on a component whose banks are some degrees apart."""
         text = f"the banks are {angle}° apart, two cylinders on one pin"
         half = angle * pi / 360
         own = own._replace(factors=own.factors[:1])
@@ -196,11 +206,10 @@ class BankResultants:
             is_open = same(factor, 1, own.rounding) and not is_directed
             return None if is_open else self._refuted(chain, own, "function", 1.0, text)
         is_usual = any(same(factor, n, own.rounding) for n in (1, 2))
-        if not expected or (is_usual and not is_directed):
-            return None
-        if any(same(factor, abs(expected) * slip, max(own.rounding, 1e-3)) for slip in _SLIPS):
-            return self._refuted(chain, own, "factor", abs(expected) / factor, text)
-        return None
+        is_open = not expected or (is_usual and not is_directed)
+        rounding = max(own.rounding, 1e-3)
+        is_slip = not is_open and any(same(factor, abs(expected) * slip, rounding) for slip in _SLIPS)
+        return self._refuted(chain, own, "factor", abs(expected) / factor, text) if is_slip else None
 
     def _compared(
         self, chain: Chain, own: _Component, half: float, usual: float, text: str
@@ -212,7 +221,8 @@ class BankResultants:
         other = _scale(own, _OTHER[own.wave.function], half)
         if other and same(other, usual):
             return self._refuted(chain, own, "function", 1.0, text)
-        words = f"{self.resultants.claims.sentence(chain)} {self.resultants.claims.sections.heading_above(chain.lines[0])}"
+        claims = self.resultants.claims
+        words = f"{claims.sentence(chain)} {claims.sections.heading_above(chain.lines[0])}"
         is_slip = scale and usual == 1 and any(same(scale, s) for s in (2, 0.5))
         if is_slip and not _OF_LESS.search(words) and not _OF_MORE.search(words):
             return self._refuted(chain, own, "factor", usual / scale, text)

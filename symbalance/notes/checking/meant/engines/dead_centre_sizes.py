@@ -97,7 +97,7 @@ class DeadCentreSizes:
         return replace(verdict, fix=fix_of(repair, document, side))
 
     def _is_top(self, chain: Chain, name: str) -> bool | None:
-        """Return whether an index or words name the top or the bottom dead centre; None where they differ."""
+        """Return whether an index or words name top dead centre, False for bottom, else None."""
         index = {part.casefold() for part in re.split(r"[_,\s]+", name)}
         by_index = {True for _ in index & _TOP} | {False for _ in index & _BOTTOM}
         named = self.resultants.sections.dead_centre(chain)

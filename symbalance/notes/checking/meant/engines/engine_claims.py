@@ -116,7 +116,7 @@ class EngineClaim:
     around: str
     is_rotating: bool = False
     is_inferred: bool = False
-    """Whether no words beside the formula name the order or the engine, but its index or words further off."""
+    """Whether no words beside the formula name the order or the engine, but an index or others."""
     is_total: bool = False
     """Whether the formula is a sum over all cylinders, or another term of it is of all of them."""
     clause: str = ""
@@ -351,7 +351,7 @@ class EngineClaims:
         return None
 
     def _nearest_engine(self, chain: Chain, start: int, end: int) -> NamedEngine | None:
-        """Return the engine that the nearest sentence before a relation names, in its section and alone."""
+        """Return the engine that the nearest sentence before a relation names, and alone."""
         line, at = chain.lines[0], self._line_starts
         section = at[self.sections.section_start(line) - 1]
         section_end = at[min(self.sections.section_end(line), len(at) - 1)]
@@ -380,7 +380,7 @@ class EngineClaims:
 
 
 def _without_units(named: list[NamedEngine], start: int) -> list[NamedEngine]:
-    """Return the engines of several mentions without the one cylinder that an engine's name comes behind."""
+    """Return several mentions without the one cylinder that an engine's name comes behind."""
     last = next((m for m in reversed(named) if m.place < start), None)
     if last is None or last.cylinders == 1:
         return named

@@ -193,11 +193,11 @@ class EngineLetters:
         return next((role for role, is_it in usual.items() if is_it), "other")
 
     def role(self, name: str, knowledge: Knowledge) -> str:
-        """Return what a letter is in a force: mass, radius, speed, rod, ratio, inverse ratio, or another."""
+        """Return what a letter is in a force: mass, radius, speed, rod, ratio, or another."""
         return self._role(name, self._letter_roles(knowledge), None)
 
     def is_inertia_of_one(self, name: str, knowledge: Knowledge) -> bool:
-        """Tell whether the page gives a letter as m r ω², or a power of the ratio times it, and no multiple."""
+        """Tell whether the page gives a letter as m r ω², or a power of the ratio times it."""
         roles = self._letter_roles(knowledge)
         for chain in self.words.document.chains:
             head = chain.sides[0].node

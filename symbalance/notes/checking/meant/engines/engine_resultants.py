@@ -209,17 +209,9 @@ class EngineResultants:
         terms = terms_of(value)
         if len(terms) < _FEWEST_TERMS:
             return None
-        products: list[tuple[EngineClaim, ProductOfPowers]] = []
-        for term in terms:
-            try:
-                product = self.letters.expanded(product_of(term), name, knowledge)
-            except NoProductError:
-                return None
-            order = 0 if product.wave is None else wave_of(product.wave)[0]
-            own = replace(claim, order=order)
-            if order not in POWERS or order in {c.order for c, _ in products} or not any(own.sizes()):
-                return None
-            products.append((own, product))
+        products = self._orders(terms, name, claim, knowledge)
+        if not products:
+            return None
         outcomes = [
             self._compared(chain, name, own, product, knowledge, term)
             for term, (own, product) in zip(terms, products, strict=True)
@@ -231,15 +223,28 @@ class EngineResultants:
             if outcomes[k] is None:  # one cylinder's, beside a term that is of all
                 of_all = replace(own, is_total=not same(own.sizes()[0], 1))
                 outcomes[k] = self._compared(chain, name, of_all, product, knowledge, terms[k])
-        if None in outcomes:
-            return None
         wrong = [each for each in outcomes if isinstance(each, Verdict)]
-        if len(wrong) > 1:
-            return None
-        if wrong:
-            return wrong[0]
+        if None in outcomes or wrong:
+            return wrong[0] if None not in outcomes and len(wrong) == 1 else None
         texts = (text for each in outcomes if isinstance(each, Decision) for text in each.assumptions)
         return Decision(PROVED, assumptions=tuple(dict.fromkeys(texts)))
+
+    def _orders(
+        self, terms: tuple[Formula, ...], name: str, claim: EngineClaim, knowledge: Knowledge
+    ) -> list[tuple[EngineClaim, ProductOfPowers]]:
+        """Return what each term claims and its product; nothing where one is no order, or cancels."""
+        products: list[tuple[EngineClaim, ProductOfPowers]] = []
+        for term in terms:
+            try:
+                product = self.letters.expanded(product_of(term), name, knowledge)
+            except NoProductError:
+                return []
+            order = 0 if product.wave is None else wave_of(product.wave)[0]
+            own = replace(claim, order=order)
+            if order not in POWERS or order in {c.order for c, _ in products} or not any(own.sizes()):
+                return []
+            products.append((own, product))
+        return products
 
     def _compared(
         self,
@@ -342,9 +347,8 @@ class EngineResultants:
         first: float,
     ) -> bool:
         """Tell whether the words leave no other meaning under which a formula is right."""
-        if _IN_A_CASE.search(claim.sentence):
-            return False
-        if claim.is_inferred and not self._is_of_no_other(claim, product, sizes, first):
+        is_of_other = claim.is_inferred and not self._is_of_no_other(claim, product, sizes, first)
+        if is_of_other or _IN_A_CASE.search(claim.sentence):
             return False
         if slip != "factor":
             return not _OF_ANOTHER.search(claim.sentence)

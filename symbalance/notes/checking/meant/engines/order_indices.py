@@ -1,4 +1,4 @@
-"""Whether a page's indices are orders: F_2 beside cos 2θ, or P_2 = λ m r ω², and not the second cylinder's.
+"""Whether a page's indices are orders: F_2 beside cos 2θ, and not the force of the second cylinder.
 
 The index of a letter is an order where the page's other formulas show it: the wave of the letter with
 index n is that of nθ, or its power of the rod's ratio that of order n.
@@ -61,7 +61,7 @@ def wave_multiples(node: Formula) -> set[int]:
 
 
 def wave_of(wave: Call) -> tuple[int, str]:
-    """Return n and θ of cos nθ, of cos nωt and of cos(nθ + δ), δ a number of degrees; 0 for another argument."""
+    """Return n and θ of cos nθ, of cos nωt and of cos(nθ + δ), δ in degrees; 0 for another argument."""
     terms = wave.argument.terms if isinstance(wave.argument, Sum) else (wave.argument,)
     turning = [term for term in terms if names(term)]
     if len(turning) != 1:
