@@ -228,6 +228,8 @@ def _judge_step(
         by_name = None if by_name is not None and _is_left_open(by_name) else by_name
     if by_name is None and decision.status == UNDECIDED:
         by_name = state.engine_resultants.judge(chain, k, knowledge)
+        by_name = by_name or state.bank_resultants.judge(chain, k, knowledge)
+        by_name = by_name or state.dead_centre_sizes.refute(chain, k, knowledge)
         by_name = by_name or state.named.judge(chain, k, knowledge)
         by_name = by_name or state.patterns.judge(chain, k, knowledge)
     if by_name is None and decision.status == REFUTED:
@@ -455,6 +457,8 @@ def _as_meant(
         outcome = refute_repeated_interval(state.engine_resultants.claims, chain, k)
     if definition.status in (DEFINITION, PREMISE):
         outcome = state.engine_resultants.judge(chain, k, knowledge)
+        outcome = outcome or state.bank_resultants.judge(chain, k, knowledge)
+        outcome = outcome or state.dead_centre_sizes.refute(chain, k, knowledge)
         outcome = outcome or decide_firing_interval(state.engine_resultants.claims, chain, k)
         outcome = outcome or decide_order_frequency(state.engine_resultants.claims, chain, k)
         outcome = outcome or refute_lever_arm(state.engine_resultants.claims, chain, k)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from symbalance.document.formula import Integral, Summation, names, walk
 from symbalance.errors import SymbalanceError
@@ -25,6 +26,8 @@ from symbalance.notes.checking.declared.symbol_roles import (
 )
 from symbalance.notes.checking.declared.symbols import meaning_of
 from symbalance.notes.checking.meant.engine_speeds import speeds_of
+from symbalance.notes.checking.meant.engines.bank_resultants import BankResultants
+from symbalance.notes.checking.meant.engines.dead_centre_sizes import DeadCentreSizes
 from symbalance.notes.checking.meant.engines.engine_resultants import EngineResultants
 from symbalance.notes.checking.meant.given_numbers import GivenNumbers
 from symbalance.notes.checking.meant.harmonic_coefficients import HarmonicCoefficients
@@ -137,6 +140,16 @@ class JudgingState:
         self.turned = turned_letters(self.document)
         self.general: frozenset[str] = frozenset()
         """Letters of all of whose values the relation in hand is claimed, whatever case stands before."""
+
+    @cached_property
+    def bank_resultants(self) -> BankResultants:
+        """The forces of two cylinders on one pin."""
+        return BankResultants(self.engine_resultants)
+
+    @cached_property
+    def dead_centre_sizes(self) -> DeadCentreSizes:
+        """The sizes of a piston's acceleration at the dead centres."""
+        return DeadCentreSizes(self.engine_resultants)
 
     def knowledge(self, line: int, convention: str = "") -> Knowledge:
         """Return what is known at a line."""

@@ -54,12 +54,12 @@ _MENTION = re.compile(
     r"|(?<![A-Za-z])(?P<noun>twins?|triples?)(?![A-Za-z])"
     r"|(?<![A-Za-z])(?:an?|the|of|our|this|as|old|every)\s+(?:[a-z-]+\s)?(?P<bare>three|four|five|six"
     r"|eight|single)"
-    r"(?=\s*(?:[.,:;)!?*—–$]|\\\(|\n|$)|\s(?:has|have|is|shows|with|vibrates?|at|shakes?|produces|gives"
+    r"(?=\s*(?:[.,:;)(!?*—–$]|\\\(|\n|$)|\s(?:has|have|is|shows|with|vibrates?|at|shakes?|produces|gives"
     r"|suffers|generates|again|runs|needs|turns?|fires?|by|and)\b)",
     re.IGNORECASE | re.MULTILINE,
 )
 _BANKS = re.compile(
-    r"(?<![A-Za-z])(?:V|W|VR)[-\s]?(?:[0-9]{1,2}(?![0-9])|engine|twin|motor|型|four|six|eight)"
+    r"(?<![A-Za-z])(?:V|W|VR)(?:[-\s]?(?:[0-9]{1,2}(?![0-9])|型)|[-\s](?:engine|twin|motor|four|six|eight))"
     r"|(?<![A-Za-z])(?:banks?|radial|narrow[- ]angle)\b|bankwinkel|Gabelmotor|Sternmotor|gegenkolben"
     r"|opposed[\s-]piston"
     r"|バンク|星[型形]|[VＶ]型|en\s+V\b|a\s+V\b",
@@ -80,7 +80,7 @@ _FLAT = re.compile(
     re.IGNORECASE,
 )
 _ANGLE = re.compile(
-    r"(?<![0-9.,])(?P<turn>90|180|270|360)(?![0-9.,])[\s~-]?\s*(?:°|º|\^\s*\\?\{?\s*\\circ\}?|degrees?"
+    r"(?<![0-9.,])(?P<turn>90|180|270|360)(?![0-9.,])[\s~-]?\s*(?:°|º|&deg;|\^\s*\\?\{?\s*\\circ\}?|degrees?"
     r"|deg\b|Grad|度|gradi)"
     r"|\\ang\{(?P<ang>90|180|270|360)\}|(?<=twin )(?P<bare>90|180|270|360)(?=\s*[:,)]|\s*$)",
     re.IGNORECASE,
@@ -90,6 +90,10 @@ _LABEL = re.compile(
     re.MULTILINE,
 )
 """An angle that a paragraph or an item begins with, on a page about twins."""
+_QUARTER = re.compile(
+    r"(?<![0-9.])(?:90|270)(?![0-9])|right\s+angles?|crossplane|T-?plane|直角", re.IGNORECASE
+)
+"""Words by which a twin's cranks may stand neither together nor opposite to each other."""
 _NEAR, _BESIDE = 40, 12
 _FIRES = re.compile(
     r"fir(?:es?|ing)|ignit|zünd|allum|encend|accens|点火|爆発|着火|zapł|ontstek|interval|abst[aä]nd|720",
@@ -157,6 +161,9 @@ class CrankStar:
         """The angles for an assumption."""
         opposed = ", the cylinders opposed" if self.signs else ""
         return ", ".join(f"{float(d):g}°" for d in self.degrees) + opposed
+
+
+_FLAT_THREE = CrankStar((0, 180, 0))
 
 
 @dataclass(frozen=True, slots=True)
@@ -258,7 +265,17 @@ class EnginesInWords:
         if engine.cylinders == 2 and not engine.turn and (turn := _turn_told(near)):
             engine = replace(engine, turn=turn)
         around = f"{heading}\n{self.text[first:last]}"
-        return replace(engine, stars=_stars_of(engine, around))
+        stars = _stars_of(engine, around)
+        if (
+            not stars
+            and engine.cylinders == 2
+            and not (_BANKS.search(self.text) or _QUARTER.search(self.text))
+        ):
+            stars = (CrankStar((0, 180)), CrankStar((0, 0)))
+        is_told = _FLAT.search(f"{heading}\n{near}") is not None
+        if stars == (_FLAT_THREE,) and not is_told:  # half a turn may be of another engine of the section
+            stars = (CrankStar(_INLINE[3]), _FLAT_THREE)
+        return replace(engine, stars=stars)
 
 
 def is_another_engine(before: NamedEngine, now: NamedEngine) -> bool:
@@ -299,7 +316,9 @@ def _usual_stars(engine: NamedEngine, around: str) -> tuple[CrankStar, ...]:
         return ()
     if count == _FIVE:
         return tuple(CrankStar((0, *(72 * k for k in way))) for way in permutations(range(1, _FIVE)))
-    degrees = (0, 180, 0) if count == 3 and is_flat else _INLINE.get(count)
+    if count == 3 and is_flat:
+        return (_FLAT_THREE,)
+    degrees = _INLINE.get(count)
     return () if degrees is None else (CrankStar(degrees),)
 
 

@@ -592,6 +592,12 @@ class Sections:
         line = self.document.line_of(place)
         return self._named_engines.last_before(self._start_of_line(self.paragraph_start(line)), place)
 
+    def _named_in_heading(self, line: int) -> NamedEngine | None:
+        """Return the engine that the heading of a line's section names."""
+        first = self.section_start(line)
+        end = self._start_of_line(first + 1) if first < len(self._lines) else len(self.document.text)
+        return self._named_engines.last_before(self._start_of_line(first), end)
+
     @cached_property
     def _named_engines(self) -> EnginesInWords:
         return EnginesInWords(self.document.text)
@@ -624,6 +630,8 @@ class Sections:
         before, now = (self._named_in_paragraph(place) for place in (earlier, chain.start))
         if before is None and now is not None:
             before = self._named_in_paragraph(now.place)  # named behind the earlier relation
+            is_below = not self.same_section(earlier_line, chain.lines[0])
+            before = before or (self._named_in_heading(earlier_line) if is_below else None)
         return before is not None and now is not None and is_another_engine(before, now)
 
     def _names_another_cycle(self, chain: Chain, earlier_line: int) -> bool:

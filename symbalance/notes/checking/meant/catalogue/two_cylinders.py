@@ -39,6 +39,9 @@ _MORE = (
     r"\bfour\b|\bsix\b|\beight\b|\bvier|\bsechs|\bacht|V-?(?:[4-9]|1[0-9])\b|W-?12|boxer|flat twin"
     r"|opposed|offset|counterweight|gegengewicht|after balanc|each cylinder|one cylinder|per cylinder"
     r"|single cylinder|cylinder alone|one bank|each bank"
+    r"|(?:from|ab|von) (?:the |der )?(?:axis of |achse )?(?:the |des )?"
+    r"(?:cylinder|left|right|first|ersten|linken|rechten|zylinders?)"
+    r"|(?:to|from|against) the horizontal|gegen die (?:waag|horizont)|zur (?:waag|horizont)"
 )
 _FORCES = (
     r"(?:resultant|primary|secondary|first[- ]order|second[- ]order|inertia|unbalanced|shaking|total)"

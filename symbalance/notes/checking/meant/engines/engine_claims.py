@@ -9,8 +9,14 @@ import re
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from symbalance.document.formula import Call, Name, walk
-from symbalance.notes.checking.meant.engines.products import NoProductError, product_of
+from symbalance.document.formula import Call, Name, Summation, walk
+from symbalance.notes.checking.meant.engines.order_indices import (
+    POWERS,
+    are_orders,
+    index_of,
+    wave_multiples,
+    wave_of,
+)
 from symbalance.notes.checking.meant.meant_words import MeantWords
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
 from symbalance.notes.checking.words.engines_in_words import CrankStar, EnginesInWords, NamedEngine
@@ -20,8 +26,6 @@ from symbalance.notes.checking.words.working_cycles import strokes_named
 from symbalance.notes.reading.equations import Chain
 
 FORCE, COUPLE = "force", "couple"
-POWERS = {1: 0, 2: 1, 4: 3, 6: 5}
-_ROMAN = {"I": 1, "II": 2, "IV": 4, "VI": 6}
 _ORDER = re.compile(
     "|".join(
         rf"(?P<n{n}>(?<![A-Za-z0-9.])(?:{pattern}))"
@@ -80,7 +84,12 @@ WHOLE = re.compile(
     r"|del\s+motore?|エンジン",
     re.IGNORECASE,
 )
+_AND = re.compile(r"\b(?:and|und|et|y|ed?|en)\b")
+"""Words behind which something else is said."""
 _MOST = 400
+_FEWEST_TOGETHER = 2
+_INDEXED = frozenset({"M", "C", "F", "P", "R", "K"})
+"""Letters of forces and couples whose index may be an order."""
 _OF_SOME = re.compile(
     r"\b(?:of|for|von|für|bei)\s+(?:two|three|four|five|six|eight|both|zwei|drei|vier|sechs|beiden?)\b",
     re.IGNORECASE,
@@ -106,12 +115,28 @@ class EngineClaim:
     sentence: str
     around: str
     is_rotating: bool = False
+    is_inferred: bool = False
+    """Whether no words beside the formula name the order or the engine, but an index or others."""
+    is_total: bool = False
+    """Whether the formula is a sum over all cylinders, or another term of it is of all of them."""
+    clause: str = ""
+    """The sentence from the engine's name on, where that stands before the formula in it."""
+
+    @property
+    def is_in_phase(self) -> bool:
+        """Whether all pistons' forces of an even order rise and fall with cos nθ, not with sin nθ."""
+        stars = self.engine.stars
+        is_even = self.kind == FORCE and not self.order % 2 and not self.is_rotating
+        phases = {degrees * self.order % 360 for star in stars for degrees in star.degrees}
+        return is_even and phases == {0} and not any(star.signs for star in stars)
+
+    def size(self, star: CrankStar) -> float:
+        """Return how many times one cylinder's amplitude it is with one crankshaft."""
+        return star.couple(self.order) if self.kind == COUPLE else star.force(self.order)
 
     def sizes(self) -> list[float]:
         """Return how many times one cylinder's amplitude it may be."""
-        stars: tuple[CrankStar, ...] = self.engine.stars
-        sizes = [s.couple(self.order) if self.kind == COUPLE else s.force(self.order) for s in stars]
-        return sorted(set(sizes))
+        return sorted({self.size(star) for star in self.engine.stars})
 
 
 @dataclass
@@ -134,6 +159,12 @@ class EngineClaims:
     @cached_property
     def _crank_lists(self) -> list[CrankAngles]:
         return crank_angles(self._text)
+
+    @cached_property
+    def usual_engines(self) -> list[NamedEngine]:
+        """The engines that the page names anywhere, each with the cranks that are usual for it."""
+        keys = {named.key: named for named in self.engines.mentions}
+        return [self.engines.with_stars(named, 0, 0, "", "") for named in keys.values()]
 
     @property
     def _text(self) -> str:
@@ -158,6 +189,9 @@ class EngineClaims:
                 break
         if not order:
             order, source = self._order_otherwise(name, chain, before, sentence)
+        is_inferred = not order or not _fits_index(name, order)
+        if is_inferred:
+            order, source = self._order_by_index(name, chain), ""
         kind = next((k for w in (before, behind, source) if (k := _kind_in(w, name))), "")
         is_rotating = _ROTATING.search(before) is not None
         if is_rotating and not order:
@@ -168,10 +202,31 @@ class EngineClaims:
             return None
         engine = self._engine(chain, start, end)
         if engine is None:
+            engine, is_inferred = self._nearest_engine(chain, start, end), True
+        if engine is None:
             return None
         paragraph = self._text[self._line_starts[self.sections.paragraph_start(chain.lines[0]) - 1] : end]
         around = f"{heading} {paragraph} {sentence}"
-        return EngineClaim(engine, order, kind, _plain(source), own, sentence, around, is_rotating)
+        words, is_sum = _plain(source), isinstance(chain.sides[0].node, Summation)
+        clause = self._text[max(engine.place, start - _MOST) : end] if engine.place < start else sentence
+        return EngineClaim(
+            engine, order, kind, words, own, sentence, around, is_rotating, is_inferred, is_sum, clause
+        )
+
+    def _order_by_index(self, name: str, chain: Chain) -> int:
+        """Return the order that a letter's index says, or the wave of its formula; 0 for none.
+
+        An index is an order where the page's indices are: F_2 = 4 λ m r ω² cos 2θ, M_II = √3 λ a F.
+        """
+        stem = name.removeprefix("hat_").partition("_")[0].rstrip("0123456789")
+        index = index_of(name)
+        if stem not in _INDEXED:
+            return 0
+        multiples = wave_multiples(chain.sides[1].node)
+        if not index and multiples and multiples <= POWERS.keys():
+            return min(multiples)
+        is_order = index in POWERS and are_orders(self.words.document.chains)
+        return index if is_order else 0
 
     def engine_of(self, chain: Chain) -> NamedEngine | None:
         """Return the engine that a relation is of, None where words name none or several."""
@@ -235,12 +290,13 @@ class EngineClaims:
         earlier = max((c.end for c in others if first <= c.end <= start), default=first)
         later = min((c.start for c in others if end <= c.start < last), default=last)
         before = self._text[earlier:start]
-        clause = re.split(r"[,;:、](?=\s|\$)|\b(?:and|und|et|y|ed?|en)\b", before)
+        clause = re.split(rf"[,;:、](?=\s|\$)|{_AND.pattern}", before)
         before = next((c for c in clause[:0:-1] if _ORDER_WORD.search(c)), before)
         if header := self.words.header_of_column(chain):
             before = f"{header} {self._row_label(start)} {before}"
         behind, own = self._text[end : min(later, end + 90)], self._text[earlier:start]
-        return before, behind, self._text[first:last], f"{own} {behind}"
+        following = _AND.split(behind)[0]
+        return before, following, self._text[first:last], f"{own} {behind}"
 
     def _opening(self, start: int) -> int:
         """Return where the words end that a formula is set off from, by a line of its own or by signs."""
@@ -277,7 +333,7 @@ class EngineClaims:
             (section, heading_end), (section, start), (0, min(title_end, start)),
         ]  # fmt: skip
         for number, (first, last) in enumerate(scopes):
-            named = self.engines.between(first, last)
+            named = _without_units(self.engines.between(first, last), start)
             if number == 1 and _OF_SOME.search(self._text, *scopes[0]):
                 return None
             if self.engines.has_banks(first, last):
@@ -291,17 +347,44 @@ class EngineClaims:
             around = f"{title}\n{self._text[section:heading_end]}"
             cell = self.words.cells.at(start)
             near = (cell and cell.row) or self._text[slice(*self._sentence(start, end))]
-            engine = self.engines.with_stars(engine, section, section_end, around, near)
-            listed = listed_at(self._crank_lists, start, self._text, self.sections.same_section)
-            if (
-                listed is None
-                or listed.is_by_firing
-                or len(listed.degrees) != engine.cylinders
-                or engine.is_boxer
-            ):
-                return engine
-            return replace(engine, stars=(CrankStar(listed.degrees),))
+            return self._with_cranks(engine, start, (section, section_end), around, near)
         return None
+
+    def _nearest_engine(self, chain: Chain, start: int, end: int) -> NamedEngine | None:
+        """Return the engine that the nearest sentence before a relation names, and alone."""
+        line, at = chain.lines[0], self._line_starts
+        section = at[self.sections.section_start(line) - 1]
+        section_end = at[min(self.sections.section_end(line), len(at) - 1)]
+        last = self.engines.last_before(max(section, start - _MOST), start)
+        if last is None or not last.cylinders or _OF_SOME.search(self._text, *self._sentence(start, end)):
+            return None
+        first, sentence_end = self._sentence(last.place, last.place + len(last.words))
+        if self.engines.has_banks(first, start):
+            return None
+        engine = _only_one(_without_units(self.engines.between(first, start), start))
+        if engine is None or engine.cylinders < _FEWEST_TOGETHER:
+            return None
+        near = f"{self._text[first:sentence_end]} {self._text[slice(*self._sentence(start, end))]}"
+        return self._with_cranks(engine, start, (section, section_end), "", near)
+
+    def _with_cranks(
+        self, engine: NamedEngine, start: int, section: tuple[int, int], around: str, near: str
+    ) -> NamedEngine:
+        """Return an engine with the cranks that its name, its section or a list says."""
+        engine = self.engines.with_stars(engine, *section, around, near)
+        listed = listed_at(self._crank_lists, start, self._text, self.sections.same_section)
+        is_other = listed is None or listed.is_by_firing or len(listed.degrees) != engine.cylinders
+        if listed is None or is_other or engine.is_boxer:
+            return engine
+        return replace(engine, stars=(CrankStar(listed.degrees),))
+
+
+def _without_units(named: list[NamedEngine], start: int) -> list[NamedEngine]:
+    """Return several mentions without the one cylinder that an engine's name comes behind."""
+    last = next((m for m in reversed(named) if m.place < start), None)
+    if last is None or last.cylinders == 1:
+        return named
+    return [m for m in named if m.cylinders != 1]
 
 
 def _only_one(named: list[NamedEngine]) -> NamedEngine | None:
@@ -324,15 +407,6 @@ def _order_in(words: str, name: str) -> int:
     return number if number in POWERS else 0
 
 
-def index_of(name: str) -> int:
-    """Return the number that a letter has as index, 0 for none."""
-    for part in re.split(r"[_,\s]+", name)[1:]:
-        if part in _ROMAN or part.isdecimal():
-            return _ROMAN.get(part) or int(part)
-    match = re.fullmatch(r"[A-Za-z]+([1-9])", name)
-    return int(match[1]) if match else 0
-
-
 def _fits_index(name: str, order: int) -> bool:
     return index_of(name) in (0, order)
 
@@ -344,21 +418,8 @@ def _kind_in(words: str, name: str) -> str:
 
 
 def _kind_by_letter(name: str) -> str:
-    stem = name.partition("_")[0].rstrip("'")
+    stem = name.removeprefix("hat_").partition("_")[0].rstrip("'0123456789")
     return COUPLE if stem in ("M", "C", "T") else FORCE if stem in ("F", "P", "R", "K") else ""
-
-
-def wave_of(wave: Call) -> tuple[int, str]:
-    """Return n and θ of cos nθ, of cos nωt the angle's letters together; 0 for another argument."""
-    try:
-        argument = product_of(wave.argument)
-    except NoProductError:
-        return 0, ""
-    number = argument.number
-    letters = [n for n, p in argument.powers.items() if p == 1]
-    if len(letters) != 1 or len(argument.powers) != 1 or not number.is_integer() or number <= 0:
-        return 0, ""
-    return int(number), letters[0]
 
 
 def _plain(words: str) -> str:

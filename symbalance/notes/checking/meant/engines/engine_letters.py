@@ -12,16 +12,11 @@ from fractions import Fraction
 from functools import cached_property
 from math import isclose
 
-from symbalance.document.formula import Call, Formula, Name, Number, Product, Quotient, names
+from symbalance.document.formula import Call, Formula, Name, Number, Product, Quotient, Sum, names
 from symbalance.document.letters import plain_letter
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.meant.engines.engine_claims import (
-    COUPLE,
-    POWERS,
-    EngineClaim,
-    index_of,
-    wave_of,
-)
+from symbalance.notes.checking.meant.engines.engine_claims import COUPLE, EngineClaim
+from symbalance.notes.checking.meant.engines.order_indices import POWERS, index_of, wave_of
 from symbalance.notes.checking.meant.engines.products import NoProductError, ProductOfPowers, product_of
 from symbalance.notes.checking.meant.letter_roles import LetterRoles
 from symbalance.notes.checking.meant.meant_words import MeantWords
@@ -50,6 +45,8 @@ _BY_MEANING = {
     "reciprocating mass": "mass",
     "rotating mass": "mass", "rod ratio l/r": "inverse", "crank ratio r/l": "ratio",
 }  # fmt: skip
+_DEPTH = 3
+"""How many definitions deep a letter is followed: P_2 = λ P_1, P_1 = m r ω²."""
 _BEHIND_PITCH = re.compile(
     r"(?:[\s,(:]|\b(?:of|the|two|between|neighbou?ring|adjacent|cylinders?|bores?|cent(?:re|er)s?"
     r"|throws?|pins?|der|den|des|zweier"
@@ -96,6 +93,13 @@ class EngineLetters:
 
     def expanded(self, product: ProductOfPowers, head: str, knowledge: Knowledge) -> ProductOfPowers:
         """Return a product with the letters put in that the page has defined as products."""
+        for _ in range(_DEPTH):
+            product = self._expanded_once(product, head, knowledge)
+        return product
+
+    def _expanded_once(
+        self, product: ProductOfPowers, head: str, knowledge: Knowledge
+    ) -> ProductOfPowers:
         for name in [*product.powers]:
             definition = knowledge.definitions.get(name)
             is_size = self._role(name, self._letter_roles(knowledge), None) not in (
@@ -156,6 +160,8 @@ class EngineLetters:
             slips.append("ratio")
         if product.wave is not None and multiple != claim.order:
             slips.append("wave")
+        elif product.wave is not None and product.wave.function == "sin" and claim.is_in_phase:
+            slips.append("function")
         return Parts(
             letter, dict(product.powers), tuple(slips), has_amplitude, expected - of_ratio, angle
         )
@@ -185,6 +191,28 @@ class EngineLetters:
                  "base": stem in _AMPLITUDES and not (stem == "p" and is_couple),
                  "arm": is_couple and stem in _ARMS}  # fmt: skip
         return next((role for role, is_it in usual.items() if is_it), "other")
+
+    def role(self, name: str, knowledge: Knowledge) -> str:
+        """Return what a letter is in a force: mass, radius, speed, rod, ratio, or another."""
+        return self._role(name, self._letter_roles(knowledge), None)
+
+    def is_inertia_of_one(self, name: str, knowledge: Knowledge) -> bool:
+        """Tell whether the page gives a letter as m r ω², or a power of the ratio times it."""
+        roles = self._letter_roles(knowledge)
+        for chain in self.words.document.chains:
+            head = chain.sides[0].node
+            if not isinstance(head, Name) or head.name != name:
+                continue
+            for side in chain.sides[1:]:
+                try:
+                    product = product_of(side.node)
+                except NoProductError:
+                    continue
+                own = [self._role(n, roles, None) for n in product.powers]
+                is_whole = {"mass", "radius", "speed"} <= set(own) or own == ["ratio", "base"]
+                if is_whole and same(abs(product.number), 1) and product.wave is None:
+                    return True
+        return False
 
     def pitch_words(self, name: str) -> list[str]:
         """Return the words that call a letter the distance of cylinders, before or behind it."""
@@ -230,8 +258,12 @@ def mended(
                 powers[letter] = powers.get(letter, Fraction(0)) + sign * parts.missing
     elif slip == "wave" and wave is not None:
         angle = Name(parts.angle)
+        if isinstance(wave.argument, Sum) or " " in parts.angle:
+            return None
         turned = angle if claim.order == 1 else Product((Number(Fraction(claim.order)), angle))
         wave = Call(wave.function, turned)
+    elif slip == "function" and wave is not None:
+        wave = Call("cos", wave.argument)
     else:
         wanted = {
             "rod": -POWERS[claim.order],

@@ -23,6 +23,8 @@ from symbalance.document.formula import (
     Formula,
     Name,
     Number,
+    Sum,
+    Summation,
     names,
 )
 from symbalance.document.letters import plain_letter
@@ -46,7 +48,13 @@ from symbalance.notes.checking.meant.engines.engine_letters import (
     mended,
     same,
 )
-from symbalance.notes.checking.meant.engines.products import NoProductError, ProductOfPowers, product_of
+from symbalance.notes.checking.meant.engines.order_indices import POWERS, wave_of
+from symbalance.notes.checking.meant.engines.products import (
+    NoProductError,
+    ProductOfPowers,
+    product_of,
+    terms_of,
+)
 from symbalance.notes.checking.meant.meant_words import NOBODY, MeantWords
 from symbalance.notes.checking.repair.fixes import Repair, fix_of
 from symbalance.notes.checking.verdicts import Verdict
@@ -117,6 +125,18 @@ _MASS_OF_ONE = re.compile(
     re.IGNORECASE,
 )
 _SUMMED = re.compile(r"\\sum|Σ|∑|_\{?[ijk]\b")
+_FEWEST_TERMS = _EITHER = 2
+_ALL_OF = {
+    2: re.compile(
+        r"\b(?:two|both)\s+(?:cylinders?|pistons?)|\b(?:zwei|beiden?)\s+(?:zylindern?|kolben)",
+        re.IGNORECASE,
+    ),
+    3: re.compile(r"\bthree\s+(?:cylinders?|pistons?)|\bdrei\s+(?:zylindern?|kolben)", re.IGNORECASE),
+}
+"""Words for all cylinders of an engine, by their number."""
+_NONE = re.compile(r"(?!)")
+_NEARLY = 2e-3
+"""How near a rounded number has to come to the amplitude of one of several crankshafts."""
 _KINDS = {
     "ratio": "exponent",
     "rod": "exponent",
@@ -124,6 +144,7 @@ _KINDS = {
     "speed": "exponent",
     "radius": "exponent",
     "wave": "order",
+    "function": "cos for sin",
 }
 _IN_A_CASE = re.compile(
     r"\b(?:if|when|where|speed|wenn|falls|doubles?|doubled|increas\w*|grows?)\b|のとき|の場合|same\s+as"
@@ -149,7 +170,8 @@ class EngineResultants:
         return EngineClaims(self.words, self.sections)
 
     @cached_property
-    def _letters(self) -> EngineLetters:
+    def letters(self) -> EngineLetters:
+        """What the letters of the page stand for."""
         return EngineLetters(self.words)
 
     @property
@@ -160,25 +182,80 @@ class EngineResultants:
         """Return the verdict on a relation that gives a letter a formula; None for others."""
         head = chain.sides[0].node
         head = head.argument if isinstance(head, Call) and head.function == "abs" else head
+        is_sum = isinstance(head, Summation) and head.index is None
+        head = head.body if isinstance(head, Summation) and is_sum else head
         if k or not isinstance(head, Name) or chain.relations[0].sign not in "=≈":
             return None
         value = without_dots(chain.sides[1].node)[0]
-        is_open = head.name not in knowledge.letters and head.name not in names(value)
+        is_open = (is_sum or head.name not in knowledge.letters) and head.name not in names(value)
         claim = self.claims.claim(head.name, chain) if is_open and self.claims.engines.mentions else None
         if claim is None or not claim.engine.stars:
             return None
         if not names(value):
             return self._vanishing(head.name, claim, value)
         try:
-            product = self._letters.expanded(product_of(value), head.name, knowledge)
+            product = self.letters.expanded(product_of(value), head.name, knowledge)
             return self._compared(chain, head.name, claim, product, knowledge)
         except NoProductError:
+            return self._by_terms(chain, head.name, claim, value, knowledge)
+
+    def _by_terms(
+        self, chain: Chain, name: str, claim: EngineClaim, value: Formula, knowledge: Knowledge
+    ) -> Verdict | Decision | None:
+        """Return the verdict on a sum of several orders, each of them one product with its own wave.
+
+        It is refuted where one term is wrong by one slip and all others are the engine's.
+        """
+        terms = terms_of(value)
+        if len(terms) < _FEWEST_TERMS:
             return None
+        products = self._orders(terms, name, claim, knowledge)
+        if not products:
+            return None
+        outcomes = [
+            self._compared(chain, name, own, product, knowledge, term)
+            for term, (own, product) in zip(terms, products, strict=True)
+        ]
+        is_proved = [isinstance(each, Decision) and each.is_proved for each in outcomes]
+        if is_proved.count(True) != len(terms) - 1 + all(is_proved):
+            return None
+        for k, (own, product) in enumerate(products):
+            if outcomes[k] is None:  # one cylinder's, beside a term that is of all
+                of_all = replace(own, is_total=not same(own.sizes()[0], 1))
+                outcomes[k] = self._compared(chain, name, of_all, product, knowledge, terms[k])
+        wrong = [each for each in outcomes if isinstance(each, Verdict)]
+        if None in outcomes or wrong:
+            return wrong[0] if None not in outcomes and len(wrong) == 1 else None
+        texts = (text for each in outcomes if isinstance(each, Decision) for text in each.assumptions)
+        return Decision(PROVED, assumptions=tuple(dict.fromkeys(texts)))
+
+    def _orders(
+        self, terms: tuple[Formula, ...], name: str, claim: EngineClaim, knowledge: Knowledge
+    ) -> list[tuple[EngineClaim, ProductOfPowers]]:
+        """Return what each term claims and its product; nothing where one is no order, or cancels."""
+        products: list[tuple[EngineClaim, ProductOfPowers]] = []
+        for term in terms:
+            try:
+                product = self.letters.expanded(product_of(term), name, knowledge)
+            except NoProductError:
+                return []
+            order = 0 if product.wave is None else wave_of(product.wave)[0]
+            own = replace(claim, order=order)
+            if order not in POWERS or order in {c.order for c, _ in products} or not any(own.sizes()):
+                return []
+            products.append((own, product))
+        return products
 
     def _compared(
-        self, chain: Chain, name: str, claim: EngineClaim, product: ProductOfPowers, knowledge: Knowledge
+        self,
+        chain: Chain,
+        name: str,
+        claim: EngineClaim,
+        product: ProductOfPowers,
+        knowledge: Knowledge,
+        term: Formula | None = None,
     ) -> Verdict | Decision | None:
-        parts = self._letters.parts(product, claim, knowledge)
+        parts = self.letters.parts(product, claim, knowledge)
         if parts is None:
             return None
         sizes = claim.sizes()
@@ -192,25 +269,29 @@ class EngineResultants:
             slips.append("factor")
         if not slips:
             return Decision(
-                PROVED, assumptions=(self._assumption(name, claim), *self._conditions(claim, parts))
+                PROVED,
+                assumptions=(
+                    self._assumption(name, claim),
+                    *self._conditions(claim, parts, number / float(first)),
+                ),
             )
         if len(slips) != 1 or not self._may_accuse(
             chain, knowledge, claim, parts, product, slips[0], sizes, float(first)
         ):
             return None
-        return self._refuted(chain, name, claim, parts, slips[0], sizes[0] * float(first) / number)
+        return self._refuted(chain, name, claim, parts, slips[0], sizes[0] * float(first) / number, term)
 
     def _assumption(self, name: str, claim: EngineClaim) -> str:
         of = "rotating " if claim.is_rotating else ""
+        source = f"taken from the words “{claim.words}”" if claim.words else "by its index and its wave"
         return (
             f"{plain_letter(name)} is order {claim.order} of the whole engine's {of}{claim.kind}"
-            f" ({NOBODY}; taken from the words “{claim.words}”)"
+            f" ({NOBODY}; {source})"
         )
 
     @staticmethod
-    def _conditions(claim: EngineClaim, parts: Parts) -> Iterator[str]:
-        stars = claim.engine.stars
-        yield f"the cranks are at {stars[0].text} (“{claim.engine.words}”)"
+    def _conditions(claim: EngineClaim, parts: Parts, amount: float | None = None) -> Iterator[str]:
+        yield from EngineResultants._star(claim, amount)
         if parts.arm:
             yield f"{plain_letter(parts.arm)} is the distance of neighbouring cylinders"
         if claim.order > 1:
@@ -222,9 +303,9 @@ class EngineResultants:
         if not isinstance(value, Number) or value.value or _PART.search(claim.sentence):
             return None
         sizes = claim.sizes()
-        if not any(sizes):
-            return Decision(PROVED, assumptions=(self._assumption(name, claim), *self._star(claim)))
-        if all(sizes) and not _BALANCED.search(claim.around) and not claim.engine.is_boxer:
+        if not all(sizes):
+            return Decision(PROVED, assumptions=(self._assumption(name, claim), *self._star(claim, 0.0)))
+        if not claim.is_inferred and not _BALANCED.search(claim.around) and not claim.engine.is_boxer:
             reason = "; ".join((f"if {self._assumption(name, claim)}", *self._star(claim)))
             return Decision(REFUTED, f"{reason}: the {claim.kind}s of order {claim.order} do not cancel")
         return None
@@ -248,8 +329,11 @@ class EngineResultants:
         )
 
     @staticmethod
-    def _star(claim: EngineClaim) -> Iterator[str]:
-        yield f"the cranks are at {claim.engine.stars[0].text} (“{claim.engine.words}”)"
+    def _star(claim: EngineClaim, amount: float | None = None) -> Iterator[str]:
+        stars = claim.engine.stars
+        fitting = [s for s in stars if amount is not None and abs(claim.size(s) - amount) < _NEARLY]
+        shown = fitting[:1] or (stars if len(stars) == _EITHER else stars[:1])
+        yield f"the cranks are at {' or at '.join(s.text for s in shown)} (“{claim.engine.words}”)"
 
     def _may_accuse(
         self,
@@ -263,15 +347,17 @@ class EngineResultants:
         first: float,
     ) -> bool:
         """Tell whether the words leave no other meaning under which a formula is right."""
-        if _IN_A_CASE.search(claim.sentence):
+        is_of_other = claim.is_inferred and not self._is_of_no_other(claim, product, sizes, first)
+        if is_of_other or _IN_A_CASE.search(claim.sentence):
             return False
         if slip != "factor":
             return not _OF_ANOTHER.search(claim.sentence)
-        own = f"{claim.words} {claim.own}".replace(claim.engine.words, "")
+        own = f"{claim.words} {claim.own} {claim.clause if claim.is_inferred else ''}"
+        own = _ALL_OF.get(claim.engine.cylinders, _NONE).sub("", own.replace(claim.engine.words, ""))
         is_part = any(words.search(own) for words in (_PART, _OF_ONE)) or _BALANCED.search(claim.around)
         is_part = is_part or _SHARE.search(claim.around) is not None
         is_part = is_part or _TOTAL_MASS.search(self._text) is not None
-        if len(sizes) != 1 or is_part or not self._is_told(parts.letter.get("base", "")):
+        if len(sizes) != 1 or is_part or not self._is_told(parts.letter.get("base", ""), knowledge):
             return False
         number, size = abs(product.number) / first, sizes[0]
         is_of_one = same(number, 1, product.rounding)
@@ -288,12 +374,26 @@ class EngineResultants:
         count = len(claim.engine.stars[0].degrees)
         scales = (2.0, 0.5, count - 1.0, 1 / (count - 1.0), (count - 1) / 2, 2 / (count - 1.0))
         is_scaled = any(same(number, size * scale, rounding) for scale in scales)
-        is_pitch = any(not _FAR_APART.search(w) for w in self._letters.pitch_words(parts.arm))
+        is_pitch = any(not _FAR_APART.search(w) for w in self.letters.pitch_words(parts.arm))
         return not is_scaled or (is_pitch and not _FAR_APART.search(claim.around))
 
-    def _is_told(self, base: str) -> bool:
+    def _is_of_no_other(
+        self, claim: EngineClaim, product: ProductOfPowers, sizes: list[float], first: float
+    ) -> bool:
+        """Tell whether a formula whose order or engine no words beside it name is right of no other one.
+
+        Where the engine's order cancels it may be another's, too.
+        """
+        stars = [star for each in self.claims.usual_engines for star in each.stars]
+        others = [claim.size(star) for star in stars]
+        number = abs(product.number) / first
+        is_own = any(same(number, size, product.rounding) for size in sizes)
+        is_of_other = any(size and same(number, size, product.rounding) for size in others)
+        return all(sizes) and (is_own or not is_of_other)
+
+    def _is_told(self, base: str, knowledge: Knowledge) -> bool:
         """Tell whether a letter for an amplitude is said to be one cylinder's, or there is none."""
-        if not base:
+        if not base or self.letters.is_inertia_of_one(base, knowledge):
             return True
         sign = re.compile(rf"(?<![\\A-Za-z_]){re.escape(plain_letter(base))}(?![A-Za-z])")
         places = [m.start() for m in sign.finditer(self._text)]
@@ -305,6 +405,8 @@ class EngineResultants:
         The words say so, or another line of the section is the whole engine's: then a formula of one
         cylinder would be told apart. Where the letter is used further on, it may be one cylinder's.
         """
+        if claim.is_total:
+            return True
         if _OF_ONE.search(_MASS_OF_ONE.sub("", self._text)) or _SUMMED.search(self._text):
             return False
         head = chain.sides[0].node
@@ -333,7 +435,7 @@ class EngineResultants:
             is_zero = isinstance(value, Number) and not value.value
             return (claim.order, claim.kind), is_zero and not any(sizes)
         try:
-            number = abs(self._letters.expanded(product_of(value), "", knowledge).number)
+            number = abs(self.letters.expanded(product_of(value), "", knowledge).number)
         except NoProductError:
             return (0, ""), False
         firsts = (1.0, float(FIRST_TERMS[claim.order]))
@@ -348,12 +450,16 @@ class EngineResultants:
         parts: Parts,
         slip: str,
         factor: float,
+        term: Formula | None = None,
     ) -> Verdict | None:
         side = chain.sides[1]
-        own = product_of(without_dots(side.node)[0])
+        whole = without_dots(side.node)[0]
+        own = product_of(term or whole)
         target = mended(own, parts, slip, factor, claim)
         if target is None:
             return None
+        if term is not None:
+            target = Sum(tuple(target if each == term else each for each in terms_of(whole)))
         known = Knowledge(SymbolValue(positive=frozenset(names(side.node))), corrects=True)
         decision = decide(Side((target,), chain.sides[0].span), side, chain.relations[0].sign, known)
         if decision.status != REFUTED:

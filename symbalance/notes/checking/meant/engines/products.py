@@ -93,6 +93,26 @@ def product_of(node: Formula) -> ProductOfPowers:
     return product
 
 
+def terms_of(node: Formula) -> tuple[Formula, ...]:
+    """Return the terms of a sum, and of a product with one sum each of its terms times the rest.
+
+    >>> a, b, c = Name("a"), Name("b"), Name("c")
+    >>> terms_of(a * (b + c)) == (a * b, a * c)
+    True
+    """
+    if isinstance(node, Sum):
+        return tuple(part for term in node.terms for part in terms_of(term))
+    if isinstance(node, Negative):
+        return tuple(Negative(part) for part in terms_of(node.operand))
+    if not isinstance(node, Product):
+        return (node,)
+    sums = [factor for factor in node.factors if isinstance(factor, Sum) and names(factor)]
+    if len(sums) != 1:
+        return (node,)
+    rest = tuple(factor for factor in node.factors if factor is not sums[0])
+    return tuple(Product((*rest, term)) for term in sums[0].terms)
+
+
 def _number(node: Formula) -> ProductOfPowers:
     try:
         value = TreeValues(SymbolValue(), {}).value(node)

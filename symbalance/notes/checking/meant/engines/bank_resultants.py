@@ -1,0 +1,418 @@
+"""Forces of two cylinders on one crank pin, along the line between their banks and across it.
+
+With the crank angle θ counted from the line between the banks and A half the angle between them, order n
+of both pistons' forces is
+
+    along     2 cos A cos nA · cos nθ
+    across    2 sin A sin nA · sin nθ        times one cylinder's amplitude
+
+A formula that is one product shows by its size which of the two it is, or by its wave. One with the
+size of one component and the wave of the other is refuted; so is one whose wave fits and whose factor
+is off by 2 or √2. What the angle is counted from has to be shown: by another formula of the page that is
+a component as it should be, by waves of θ + A and θ - A, or by words.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from math import cos, pi, sin, sqrt
+from typing import NamedTuple
+
+from symbalance.document.formula import (
+    Call,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    children,
+    names,
+    walk,
+    with_children,
+)
+from symbalance.document.letters import plain_letter
+from symbalance.notes.algebra.evaluation import SymbolValue
+from symbalance.notes.checking.deciding.descriptions import describe
+from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision, without_dots
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.meant.engines.engine_claims import FORCE, EngineClaim
+from symbalance.notes.checking.meant.engines.engine_letters import (
+    FIRST_TERMS,
+    Parts,
+    mended,
+    same,
+)
+from symbalance.notes.checking.meant.engines.engine_resultants import EngineResultants
+from symbalance.notes.checking.meant.engines.order_indices import POWERS, wave_of
+from symbalance.notes.checking.meant.engines.products import NoProductError, ProductOfPowers, product_of
+from symbalance.notes.checking.meant.meant_words import NOBODY
+from symbalance.notes.checking.repair.fixes import Repair, fix_of
+from symbalance.notes.checking.verdicts import Verdict
+from symbalance.notes.checking.words.engines_in_words import NamedEngine
+from symbalance.notes.reading.equations import Chain, Side
+
+_WAVES = ("cos", "sin")
+_OTHER = {"cos": "sin", "sin": "cos"}
+_COMPONENT = {"cos": "along the line between the banks", "sin": "across the line between the banks"}
+_SAMPLES = (Fraction(3, 10), Fraction(7, 10), Fraction(11, 10))
+"""Angles in radians at which a factor with a letter for the angle of the banks is compared."""
+_PLACES = 9
+"""To which factors are compared that come from floating-point numbers."""
+_SLIPS = (2.0, 0.5, sqrt(2.0), sqrt(0.5), sqrt(3.0), sqrt(1 / 3), 4.0, 0.25)
+_FROM_THE_MIDDLE = re.compile(
+    r"bisect|winkelhalbierend|symmetr|二等分|between\s+the\s+(?:banks|cylinders)|bissectrice|bisectriz|bisettrice"
+    r"|(?:measured|counted|reckoned)\s+from\s+the\s+vertical|(?:\\pm|±)\s*\$?\s*(?:\\?[a-z]+|[0-9])",
+    re.IGNORECASE,
+)
+_DIRECTED = re.compile(
+    r"component|komponente|horizontal|vertical|transverse|across|along|\bquer|längs|sideways|水平|鉛直|垂直|成分"
+    r"|composante|componente|bisect|symmetr",
+    re.IGNORECASE,
+)
+_OF_MORE = re.compile(
+    r"\bfour\b|\bsix\b|\beight\b|\bvier|\bsechs|\bacht(?:zyl)|(?<![A-Za-z])V-?\s?(?:[4-9]|1[0-9])(?![0-9])|W-?12"
+    r"|[四六八4-8]\s?気筒|pairs|paare",
+    re.IGNORECASE,
+)
+_OF_LESS = re.compile(
+    r"\beach\b|\bper\s+(?:bank|cylinder|piston)|\bone\s+(?:bank|cylinder)|\bsingle|left\s+over|remain\w*\s+(?:after|of)|residu|counter-?weight"
+    r"|counterbalanc|gegengewicht|\bhal(?:f|b)|\bje\s+(?:zylinder|bank|seite)|\bje(?:der|des|dem|den)\b|eines\s+zylinders|\brest|after\s+balanc|offset|split|釣合いおもり|残",
+    re.IGNORECASE,
+)
+_FROM_ELSEWHERE = re.compile(
+    r"(?:from|ab|von)\s+(?:the\s+|der\s+)?(?:axis\s+of\s+|achse\s+)?(?:the\s+|des\s+)?"
+    r"(?:cylinder|left|right|first|ersten|linken|rechten|zylinders?)"
+    r"|(?:to|from|against)\s+the\s+horizontal|gegen\s+die\s+(?:waag|horizont)|zur\s+(?:waag|horizont)",
+    re.IGNORECASE,
+)
+"""Words by which the crank's angle is counted from one bank, or that of the banks from another line."""
+_DEGREES = (
+    r"(?<![0-9.,])(?P<{}>45|50|60|65|72|75|80|90|120)"
+    r"\s?(?:°|º|&deg;|\^\s*\{{?\s*\\circ\s*\}}?|[\s-]?deg|\s?Grad|度)"
+)
+_BANKS = r"(?:(?<![A-Za-z])V(?![A-Za-z])|\bvee\b|\bbanks?\b|V[形型]|Gabel|Bankwinkel|バンク)"
+_ANGLE = re.compile(
+    rf"{_DEGREES.format('a')}[^.=。\n]{{0,20}}?{_BANKS}|{_BANKS}[^.=。\n]{{0,30}}?{_DEGREES.format('b')}"
+    rf"|\\ang\{{(?P<c>45|60|72|75|90|120)\}}[^.=。\n]{{0,20}}?{_BANKS}"
+    rf"|(?P<letter>[α-ωΑ-Ω]|\\[a-z]+)\s*\$?\s*=\s*\$?\s*{_DEGREES.format('d')}",
+    re.IGNORECASE,
+)
+_CRANK_ANGLES = frozenset({"theta", "phi", "varphi", "t"})
+
+
+class _Component(NamedTuple):
+    """A force of two banks as printed: its order, its wave, its factor over one cylinder's amplitude."""
+
+    order: int
+    wave: Call
+    factors: tuple[float, ...]
+    bank: str
+    """The letter of an angle of the banks, "" where the factor is a number."""
+    parts: Parts
+    product: ProductOfPowers
+    rounding: float
+
+
+def component_factor(function: str, order: int, half: float) -> float:
+    """Return what both pistons give along ("cos") or across ("sin"), over one cylinder's amplitude.
+
+    >>> round(component_factor("sin", 2, pi / 4), 6)
+    1.414214
+    """
+    f = cos if function == "cos" else sin
+    return 2 * f(half) * f(order * half)
+
+
+@dataclass
+class BankResultants:
+    """Judges the forces of two cylinders on one pin on one page."""
+
+    resultants: EngineResultants
+    _components: dict[int, list[_Component]] = field(default_factory=dict)
+
+    @property
+    def _text(self) -> str:
+        return self.resultants.words.document.text
+
+    def judge(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
+        """Return the verdict on a component of two banks' forces; None for other relations."""
+        head = chain.sides[0].node
+        if k or not isinstance(head, Name) or chain.relations[0].sign not in "=≈":
+            return None
+        claims = self.resultants.claims
+        if not claims.engines.has_banks(0, len(self._text)) or head.name in knowledge.letters:
+            return None
+        own = next(self._resolved(chain.sides[1], knowledge), None)
+        if own is None or _FROM_ELSEWHERE.search(claims.section(chain)):
+            return None
+        return (self._by_letter if own.bank else self._by_number)(chain, own, knowledge)
+
+    def _by_letter(
+        self, chain: Chain, own: _Component, knowledge: Knowledge
+    ) -> Verdict | Decision | None:
+        """Return the verdict by another component of the page that is as it should be."""
+        for half in (1.0, 0.5):
+            scales = {
+                scale
+                for other in self._others(chain, knowledge)
+                if other.bank == own.bank and (scale := _scale(other, other.wave.function, half))
+            }
+            if len(scales) != 1:
+                continue
+            (usual,) = scales
+            share = "half " if half == 1 else ""
+            text = f"{plain_letter(own.bank)} is {share}the angle between the banks"
+            return self._compared(chain, own, half, usual, text)
+        return None
+
+    def _by_number(
+        self, chain: Chain, own: _Component, knowledge: Knowledge
+    ) -> Verdict | Decision | None:
+        """Return the verdict by the angle between the banks that words near a formula name."""
+        claims = self.resultants.claims
+        sentence, section = claims.sentence(chain), claims.section(chain)
+        heading = claims.sections.heading_above(chain.lines[0])
+        if _OF_MORE.search(f"{heading} {sentence}") or _OF_LESS.search(f"{sentence} {heading}"):
+            return None
+        angle = self._angle(chain, own)
+        if not angle or not self._is_from_the_middle(chain, section, angle, knowledge):
+            return None
+        return self._at_angle(chain, own, angle, sentence)
+
+    def _at_angle(
+        self, chain: Chain, own: _Component, angle: int, sentence: str
+    ) -> Verdict | Decision | None:
+        """Return the verdict on a component whose banks are some degrees apart."""
+        text = f"the banks are {angle}° apart, two cylinders on one pin"
+        half = angle * pi / 360
+        own = own._replace(factors=own.factors[:1])
+        function = own.wave.function
+        expected, other = (
+            round(component_factor(f, own.order, half), _PLACES) for f in (function, _OTHER[function])
+        )
+        factor = own.factors[0]
+        if same(factor, abs(expected), own.rounding):
+            return self._proved(chain, own, text) if expected else None
+        is_directed = _DIRECTED.search(sentence) is not None
+        if same(factor, abs(other), own.rounding):
+            is_open = same(factor, 1, own.rounding) and not is_directed
+            return None if is_open else self._refuted(chain, own, "function", 1.0, text)
+        is_usual = any(same(factor, n, own.rounding) for n in (1, 2))
+        is_open = not expected or (is_usual and not is_directed)
+        rounding = max(own.rounding, 1e-3)
+        is_slip = not is_open and any(same(factor, abs(expected) * slip, rounding) for slip in _SLIPS)
+        return self._refuted(chain, own, "factor", abs(expected) / factor, text) if is_slip else None
+
+    def _compared(
+        self, chain: Chain, own: _Component, half: float, usual: float, text: str
+    ) -> Verdict | Decision | None:
+        """Return the verdict on a component whose factor has the letter of the banks' angle."""
+        scale = _scale(own, own.wave.function, half)
+        if scale and same(scale, usual):
+            return self._proved(chain, own, text)
+        other = _scale(own, _OTHER[own.wave.function], half)
+        if other and same(other, usual):
+            return self._refuted(chain, own, "function", 1.0, text)
+        claims = self.resultants.claims
+        words = f"{claims.sentence(chain)} {claims.sections.heading_above(chain.lines[0])}"
+        is_slip = scale and usual == 1 and any(same(scale, s) for s in (2, 0.5))
+        if is_slip and not _OF_LESS.search(words) and not _OF_MORE.search(words):
+            return self._refuted(chain, own, "factor", usual / scale, text)
+        return None
+
+    def _others(self, chain: Chain, knowledge: Knowledge) -> Iterator[_Component]:
+        """Yield the components that the page's other formulas are, by any of their sides."""
+        document = self.resultants.words.document
+        for number, other in enumerate(document.chains):
+            if other is chain:
+                continue
+            if number not in self._components:
+                sides = other.sides if isinstance(other.sides[0].node, Name) else ()
+                self._components[number] = [c for s in sides[1:] for c in self._resolved(s, knowledge)]
+            yield from self._components[number]
+
+    def _resolved(self, side: Side, knowledge: Knowledge) -> Iterator[_Component]:
+        """Yield a formula as a component of two banks' forces, if it is one product of that kind."""
+        node = without_dots(side.node)[0]
+        calls = [
+            p for p in walk(node) if isinstance(p, Call) and p.function in _WAVES and names(p.argument)
+        ]
+        letters = sorted({n for c in calls for n in names(c.argument)})
+        if not calls:
+            return
+        for bank in ("", *letters):
+            rest, of_bank = _split(node, bank)
+            try:
+                product = self.resultants.letters.expanded(product_of(rest), "", knowledge)
+            except NoProductError:
+                continue
+            order = 0 if product.wave is None else wave_of(product.wave)[0]
+            if product.wave is None or order not in POWERS or isinstance(product.wave.argument, Sum):
+                continue
+            if bank and (not of_bank or bank in names(product.wave)):
+                continue
+            claim = EngineClaim(NamedEngine(0, "", 2), order, FORCE, "", "", "", "")
+            parts = self.resultants.letters.parts(product, claim, knowledge)
+            if parts is None or parts.slips:
+                continue
+            first = 1.0 if parts.has_amplitude else float(FIRST_TERMS[order])
+            try:
+                factors = tuple(_at(of_bank, bank, angle) * product.number / first for angle in _SAMPLES)
+            except NoProductError:
+                continue
+            factors = factors if bank else (abs(factors[0]),)
+            yield _Component(order, product.wave, factors, bank, parts, product, product.rounding)
+            return
+
+    def _angle(self, chain: Chain, own: _Component) -> int:
+        """Return the one angle between two banks that the nearest words name, 0 for none or several."""
+        claims = self.resultants.claims
+        before = self._text[max(0, chain.start - 200) : chain.start]
+        scopes = (
+            claims.sentence(chain), claims.sections.heading_above(chain.lines[0]), before,
+            claims.section(chain), self._text.lstrip().partition("\n")[0],
+        )  # fmt: skip
+        turning = names(own.wave) | _CRANK_ANGLES
+        for words in scopes:
+            angles = set()
+            for match in _ANGLE.finditer(words):
+                letter = (match["letter"] or "").removeprefix("\\")
+                is_crank = letter in turning or any(plain_letter(n) == letter for n in turning)
+                if not is_crank:
+                    angles.add(int(match["a"] or match["b"] or match["c"] or match["d"]))
+            if angles:
+                return angles.pop() if len(angles) == 1 else 0
+        return 0
+
+    def _is_from_the_middle(self, chain: Chain, section: str, angle: int, knowledge: Knowledge) -> bool:
+        """Tell whether the crank angle is counted from the line between the banks."""
+        if _FROM_THE_MIDDLE.search(section):
+            return True
+        for other in self._others(chain, knowledge):
+            if other.bank and any(_scale(other, other.wave.function, half) for half in (1.0, 0.5)):
+                return True
+        near = self.resultants.claims.sections.same_section
+        halves = set()
+        for each in self.resultants.words.document.chains:
+            for side in each.sides if near(each.lines[0], chain.lines[0]) else ():
+                halves |= {round(s, 6) for s in _shifts(side.node)}
+        sizes = [angle * pi / 360 * n for n in (1, 2)]
+        return any({round(s, 6), round(-s, 6)} <= halves for s in sizes)
+
+    def _proved(self, chain: Chain, own: _Component, text: str) -> Decision:
+        return Decision(PROVED, assumptions=(*self._assumptions(chain, own, text),))
+
+    def _assumptions(self, chain: Chain, own: _Component, text: str, function: str = "") -> Iterator[str]:
+        name = chain.sides[0].node
+        letter = plain_letter(name.name) if isinstance(name, Name) else ""
+        where = _COMPONENT[function or own.wave.function]
+        yield f"{letter} is order {own.order} of two cylinders' force {where} ({NOBODY}; by its formula)"
+        yield text
+        yield "the crank angle is counted from the line between the banks"
+        if own.order > 1:
+            yield "the rod is long"
+
+    def _refuted(
+        self, chain: Chain, own: _Component, slip: str, ratio: float, text: str
+    ) -> Verdict | None:
+        """Return the refutation of a component, with its wave or its factor put right."""
+        side = chain.sides[1]
+        node = without_dots(side.node)[0]
+        function = own.wave.function
+        if slip == "function":
+            function = _OTHER[function]
+            target = _exchanged(node, own.wave, Call(function, own.wave.argument))
+            kind = f"{function} for {own.wave.function}"
+        elif own.bank:
+            target, kind = Product((Number(Fraction(ratio).limit_denominator(8)), node)), "factor"
+        else:
+            claim = EngineClaim(NamedEngine(0, "", 2), own.order, FORCE, "", "", "", "")
+            mend = mended(product_of(node), own.parts, "factor", ratio, claim)
+            if mend is None:
+                return None
+            target, kind = mend, "factor"
+        known = Knowledge(SymbolValue(positive=frozenset(names(node))), corrects=True)
+        decision = decide(Side((target,), chain.sides[0].span), side, chain.relations[0].sign, known)
+        if decision.status != REFUTED:
+            return None
+        reason = "if " + "; ".join(self._assumptions(chain, own, text, function))
+        document = self.resultants.words.document
+        verdict = describe(document, chain, 0, Decision(REFUTED, reason, witness=decision.witness))
+        repair = Repair(kind, target, ((side.node, target),), 1.0)
+        return replace(verdict, fix=fix_of(repair, document, side))
+
+
+def _scale(own: _Component, function: str, half: float) -> float:
+    """Return how many times a component a factor is, at all sampled angles; 0 where it is none."""
+    sizes = [component_factor(function, own.order, half * float(angle)) for angle in _SAMPLES]
+    if not own.bank or not all(sizes):
+        return 0.0
+    ratios = [factor / size for factor, size in zip(own.factors, sizes, strict=True)]
+    return round(ratios[0], _PLACES) if all(same(each, ratios[0]) for each in ratios) else 0.0
+
+
+def _split(node: Formula, bank: str) -> tuple[Formula, list[Formula]]:
+    """Return a product without its factors of one letter's sine and cosine, and these."""
+    if not bank:
+        return node, []
+    of_bank: list[Formula] = []
+
+    def without(part: Formula) -> Formula:
+        base = part.base if isinstance(part, Power) else part
+        if isinstance(base, Call) and base.function in _WAVES and names(base.argument) == {bank}:
+            of_bank.append(part)
+            return Number(Fraction(1))
+        if isinstance(part, Sum) and names(part) == {bank}:
+            of_bank.append(part)
+            return Number(Fraction(1))
+        match part:
+            case Product(factors=factors):
+                return Product(tuple(without(factor) for factor in factors))
+            case Quotient(numerator=above, denominator=below):
+                return Quotient(without(above), below)
+            case Negative(operand=operand):
+                return Negative(without(operand))
+        return part
+
+    return without(node), of_bank
+
+
+def _at(of_bank: list[Formula], bank: str, angle: Fraction) -> float:
+    """Return the product of factors at one angle between the banks."""
+    value = 1.0
+    for part in of_bank:
+        value *= product_of(substitute(part, bank, Number(angle))).number
+    return value
+
+
+def _exchanged(node: Formula, old: Formula, new: Formula) -> Formula:
+    """Return a formula with one part exchanged."""
+    if node == old:
+        return new
+    parts = children(node)
+    return with_children(node, tuple(_exchanged(part, old, new) for part in parts)) if parts else node
+
+
+def _shifts(node: Formula) -> Iterator[float]:
+    """Yield δ of each cos(nθ + δ) and sin(nθ + δ) of a formula."""
+    for part in walk(node):
+        if (
+            not isinstance(part, Call)
+            or part.function not in _WAVES
+            or not isinstance(part.argument, Sum)
+        ):
+            continue
+        fixed = [term for term in part.argument.terms if not names(term)]
+        if len(fixed) == 1 and len(part.argument.terms) == 2:
+            try:
+                yield product_of(fixed[0]).number
+            except NoProductError:
+                continue
