@@ -228,7 +228,7 @@ def _judge_step(
         by_name = state.engine_resultants.judge(chain, k, knowledge)
         by_name = by_name or state.named.judge(chain, k, knowledge)
         by_name = by_name or state.patterns.judge(chain, k, knowledge)
-    if by_name is None and decision.status == REFUTED:
+    if by_name is None and decision.status == REFUTED and by_special is None:
         by_name = _as_another_named(state, chain, k, knowledge)
     if by_name is not None and not _is_left_open(by_name):
         return by_name
