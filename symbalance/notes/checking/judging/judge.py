@@ -31,6 +31,7 @@ from symbalance.notes.checking.judging.lines_at_odds import unless_other_case
 from symbalance.notes.checking.judging.offset_cranks import unless_offset
 from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
 from symbalance.notes.checking.judging.unknown_crank_angle import unless_angle_unknown
+from symbalance.notes.checking.meant.given_numbers import size_given
 from symbalance.notes.checking.meant.motion_in_time import with_rates_of_rates
 from symbalance.notes.checking.meant.ring_or_disc import decide_ring_or_disc
 from symbalance.notes.checking.page import assertions
@@ -71,6 +72,7 @@ from symbalance.notes.checking.steps.open_cases import (
     without_cases,
 )
 from symbalance.notes.checking.steps.series_relations import judge_series
+from symbalance.notes.checking.steps.values_at_places import unless_wrong_at_place
 from symbalance.notes.checking.units.dimensions import Dimensions, Mismatch, declared_dimension, unit_text
 from symbalance.notes.checking.units.formulas_between_numbers import BETWEEN_NUMBERS
 from symbalance.notes.checking.units.own_units import with_speeds
@@ -255,7 +257,19 @@ class Judge:
         verdict = unless_offset(self.state, chain, k, verdict)
         verdict = self._unless_between_numbers(chain, k, verdict)
         verdict = unless_other_case(self.state, chain, k, verdict)
-        return self._unless_at_another_value(chain, k, verdict)
+        verdict = self._unless_at_another_value(chain, k, verdict)
+        verdict = self._unless_wrong_size(chain, k, verdict)
+        return unless_wrong_at_place(self.state, chain, k, verdict)
+
+    def _unless_wrong_size(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+        """Return a verdict; a size |K| = 4.98 is judged by what equations above give, as |K|² = 24.8."""
+        pair = size_given(chain, k)
+        if pair is None or verdict.verdict != CONDITION:
+            return verdict
+        line = chain.lines[0]
+        first, knowledge = self.state.sections.paragraph_start(line), self.state.knowledge(line)
+        by_given = self.state.given_numbers.decide(*pair, line, first, knowledge)
+        return verdict if by_given is None else describe(self.document, chain, k, by_given)
 
     def _unless_excepted(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict, undecided where words behind say in which cases the relation fails."""

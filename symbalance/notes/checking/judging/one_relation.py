@@ -432,10 +432,10 @@ def _define(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> 
             return by_speed
     is_given = definition is not None and definition.status in (PREMISE, DEFINITION)
     is_given = is_given and not (definition and definition.reason.startswith(MEASURED))
-    if pair is None or not is_given or pair[0] in knowledge.meaning.values or sections.opens_case(chain):
+    if pair is None or not is_given or sections.opens_case(chain):
         return definition
-    first = sections.paragraph_start(line)
-    by_given = state.given_numbers.decide(*pair, line, first, knowledge)
+    first, is_known = sections.paragraph_start(line), pair[0] in knowledge.meaning.values
+    by_given = state.given_numbers.decide(*pair, line, first, knowledge, of_it_alone=is_known)
     if by_given is not None and by_given.status == REFUTED:
         state.definitions.values, state.definitions.premises = values, premises
     return by_given or definition

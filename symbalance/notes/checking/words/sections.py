@@ -245,6 +245,8 @@ _PLACE = re.compile(
     re.IGNORECASE,
 )
 """Where a value is taken: at a dead centre, or at an angle."""
+_SENTENCES = re.compile(r"(?<![A-Za-z]\.[A-Za-z]\.[A-Za-z])[.;!?。]\s|\n\s*\n")
+"""Ends of sentences, but not of p.m.s. and other abbreviations of three words."""
 _THERE = re.compile(r"[\s$)\]}\\,]{0,6}(?:there|here|dort|hier)(?![A-Za-zäöüß])")
 """Words behind a relation by which it is meant at the place that its section named last."""
 _OPENING = " \t\n$\\([{&"
@@ -801,7 +803,7 @@ class Sections:
     def sentence_before(self, chain: Chain) -> str:
         """Return what a relation's sentence says before it."""
         text = self.document.text[max(0, chain.start - LONGEST_SENTENCE) : chain.start]
-        return re.split(r"[.;!?。]\s|\n\s*\n", text)[-1]
+        return _SENTENCES.split(text)[-1]
 
     def is_at_another_place(self, chain: Chain, name: str) -> bool:
         """Tell whether words place a letter's value elsewhere than its last one: at 0°, then at 180°."""

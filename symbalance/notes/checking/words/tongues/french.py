@@ -105,7 +105,7 @@ four-stroke: (?:à )?(?:quatre|4) temps
 two-stroke: (?:à )?(?:deux|2) temps
 stroke: course
 bore: alésage
-top dead centre: point mort haut|PMH
+top dead centre: point mort haut|PMH|p\.\s?m\.\s?h\.?
 bottom dead centre: point mort bas|PMB
 dead centre: point mort
 radius of gyration: rayon (?:de giration|d'inertie)
