@@ -61,6 +61,7 @@ from symbalance.notes.checking.steps.another_place import is_multiple_of_angle, 
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.data_lists import open_if_datum
 from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
 from symbalance.notes.checking.steps.nearest_numbers import refuted_by_nearest, with_other_values
 from symbalance.notes.checking.steps.open_cases import (
@@ -71,6 +72,7 @@ from symbalance.notes.checking.steps.open_cases import (
     past_cases,
     without_cases,
 )
+from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
 from symbalance.notes.checking.steps.series_relations import judge_series
 from symbalance.notes.checking.steps.values_at_places import unless_wrong_at_place
 from symbalance.notes.checking.units.dimensions import Dimensions, Mismatch, declared_dimension, unit_text
@@ -259,7 +261,9 @@ class Judge:
         verdict = unless_other_case(self.state, chain, k, verdict)
         verdict = self._unless_at_another_value(chain, k, verdict)
         verdict = self._unless_wrong_size(chain, k, verdict)
-        return unless_wrong_at_place(self.state, chain, k, verdict)
+        verdict = unless_wrong_at_place(self.state, chain, k, verdict)
+        verdict = unless_scaled_wrongly(self.state, chain, k, verdict)
+        return unless_plain_sum(self.state, chain, k, verdict)
 
     def _unless_wrong_size(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict; a size |K| = 4.98 is judged by what equations above give, as |K|² = 24.8."""

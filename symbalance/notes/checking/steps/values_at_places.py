@@ -89,7 +89,7 @@ def unless_wrong_at_place(state: JudgingState, chain: Chain, k: int, verdict: Ve
 def _with_printed(
     definitions: Mapping[str, Definition], motion: Formula, state: JudgingState
 ) -> dict[str, Definition]:
-    """Return definitions with the numbers that the page has printed for letters of a formula: λ = 0.281."""
+    """Return definitions with the numbers that the page has printed for letters: λ = r/l = 0.281."""
     numbers = {n: state.results.numbers[n] for n in names(motion) if n in state.results.numbers}
     printed = {n: Definition(value, line, True) for n, (line, value) in numbers.items()}
     return {**definitions, **{n: d for n, d in printed.items() if not _is_number(definitions.get(n))}}
