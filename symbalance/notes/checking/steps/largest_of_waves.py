@@ -57,7 +57,7 @@ def unless_plain_sum(state: JudgingState, chain: Chain, k: int, verdict: Verdict
 
 
 def _parts(node: Formula) -> tuple[tuple[Formula, ...], tuple[Formula, Formula]] | None:
-    """Return what stands still in a formula, and the amplitudes of its sine and its cosine of one angle."""
+    """Return what stands still in a formula, and the amplitudes of its sine and its cosine."""
     if not isinstance(node, Sum):
         return None
     rest, waves = list[Formula](), list[tuple[Call, Formula]]()

@@ -34,7 +34,7 @@ from symbalance.notes.checking.verdicts import CONDITION, DEFINITION, PREMISE, U
 from symbalance.notes.reading.equations import Chain
 
 _OPEN = (DEFINITION, PREMISE, CONDITION, UNDECIDED)
-_NUMBER = r"(?<![\w.,^_])(?P<number>[0-9]+(?:[ ,.~]|\\,)?[0-9]*(?:[.,][0-9]+)?)"
+_NUMBER = r"(?<![\w.,^_])(?P<number>[0-9]{1,9}(?:(?:[ ,.~]|\\,)[0-9]{1,9}){0,2})(?![0-9])"
 _GAP = r"(?:[ ~$}]|\\[,;: ]|\\(?:mathrm|text|textrm|mbox|unit|si|rm)\s*\{?|[{(]){0,6}"
 _SPEED_UNIT = (
     r"(?:rpm|r\.?p\.?m\.|rev(?:olutions|s)?\.?\s*(?:/|per|a)\s*min|r/min|U/min|Upm|1/min|min\s*\^?\{?-1|min⁻¹"
@@ -59,6 +59,7 @@ _SPEED_WORDS = (
 _SURE = ("omega", "Omega", "w")
 _TURNS = ("n", "N")
 _STOPS = re.compile(r"[.;!?]\s|[。；]|\n\s*\n|\n\s*[-*•]")
+_WITH_UNIT = 2
 REACH = 200
 """Characters before a relation in which its sentence is looked at."""
 
@@ -98,8 +99,9 @@ def _wrong_ratio(state: JudgingState, chain: Chain, head: Name) -> tuple[str, Fo
             reason = "it grows as the square of the speed, and the ratio stands in the first power"
             return reason, part, Power(quotient, rational_node(Fraction(2)))
     is_speed = isinstance(base, Number) and base.value in speeds
-    is_limit = is_speed and {first, second} <= forces and not {first, second} & speeds and power == 1
-    if is_limit and (_is_of_square(state, second) or _is_of_square(state, first)):
+    of_square = {value for value in (first, second) if _is_of_square(state, value)}
+    is_limit = {first, second} & forces and {first, second} <= forces | of_square
+    if is_speed and is_limit and of_square and not {first, second} & speeds and power == 1:
         reason = "the force grows as the square of the speed, so the speed as the root of the force"
         return reason, part, Call("sqrt", quotient)
     return None
@@ -111,18 +113,22 @@ def _wrong_divisor(state: JudgingState, chain: Chain, head: Name) -> tuple[str, 
     node = node.factors[0] if isinstance(node, Product) and len(node.factors) == 2 else node
     match node:
         case Quotient(numerator=Number(value=base), denominator=Number(value=times) as divisor):
-            is_part = times > 1 and _is_number_above(state, chain, head, base)
+            is_part = times > 1 and _is_printed_above(state, chain, base)
         case _:
             return None
     text = state.document.text
     sentence = _STOPS.split(text[max(0, chain.start - REACH) : chain.start])[-1]
     here, above = _numbers(sentence, _SPEED), _numbers(text[: chain.start - len(sentence)], _SPEED)
     is_ratio = len(here) == 1 and any(times * speed in above for speed in here)
-    is_ratio = is_ratio and not any(times**2 * speed in above for speed in here)
+    is_ratio = is_ratio and not any(_is_near((a / b) ** 2, times) for a in above for b in here if b)
     if not is_part or not is_ratio or _power_of_speed(state, chain, head, node.numerator) != 2:
         return None
     reason = f"it goes with the square of the speed, which is 1/{times} of that above"
     return reason, divisor, Number(times**2)
+
+
+def _is_near(first: Fraction, second: Fraction) -> bool:
+    return abs(first - second) <= second / 100
 
 
 def _factors(node: Formula) -> Iterator[Formula]:
@@ -159,16 +165,20 @@ def _numbers(text: str, pattern: re.Pattern[str]) -> set[Fraction]:
     return values
 
 
-def _is_number_above(state: JudgingState, chain: Chain, head: Name, value: Fraction) -> bool:
-    above = [c for c in state.sections.chains_of(head) if c.start < chain.start]
+def _is_printed_above(state: JudgingState, chain: Chain, value: Fraction) -> bool:
+    """Tell whether a relation above comes to a number, in its unit or without the unit's prefix."""
+    above = (c for c in state.document.chains if c.start < chain.start)
     numbers = (_leading(side.node) for c in above for side in c.sides[1:])
     return any(number in (value, value * 1000, value / 1000) for number in numbers)
 
 
 def _leading(node: Formula) -> Fraction | None:
-    """Return the number that a side consists of, without its unit."""
-    if isinstance(node, Product) and len(node.factors) == 2 and not names(node):
-        node = node.factors[0]
+    """Return the number that a side consists of, without its unit and the wave it is the amplitude of."""
+    if isinstance(node, Product):
+        rest = [part for part in node.factors if not isinstance(part, Call)]
+        unit = rest[1] if len(rest) == _WITH_UNIT else None
+        is_unit = len(rest) == 1 or (isinstance(unit, Number) and unit.last_place is None)
+        node = rest[0] if rest and is_unit and not any(map(names, rest)) else node
     return node.value if isinstance(node, Number) else None
 
 
