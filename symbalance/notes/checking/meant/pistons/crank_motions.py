@@ -317,6 +317,13 @@ class CrankMotions:
             return (-1,)
         return _signs(kind, case.head) if first is None else (first,)
 
+    def _is_fixed_by_another(self, kind: str, case: _Claim, place: str) -> bool:
+        """Tell whether another letter, or another place, fixes the direction in which a motion counts."""
+        if (case.head.stem, case.head.order) in self.named.directions:
+            return False
+        directions = self._directions(kind, case, place)
+        return len(directions) == 1 and directions != _signs(kind, case.head)
+
     def _direction_of_rod(self, case: _Claim) -> int | None:
         """Return the direction in which a line above counts the angular velocity ω_rod; or None."""
         for chain in self.document.chains:
@@ -360,6 +367,8 @@ class CrankMotions:
         if named.places in ((TOP,), (BOTTOM,), (RIGHT,)) and not named.may_be_other:
             return False
         head = case.head
+        if self._is_fixed_by_another(named.kind, case, named.places[0]):
+            return False
         return any(
             agreement(
                 _inside(motion, head.function), case.formula, values_in(reading), _signs(kind, head)
@@ -385,8 +394,7 @@ class CrankMotions:
         is_part = _PART.search(self.named.clause(case.chain)) is not None
         changes = (*slips(case.formula), *_wholes(case.formula, reading, is_sole, is_part))
         directions = self._directions(named.kind, case, named.places[0])
-        is_fixed = len(directions) == 1 and (case.head.stem, case.head.order) not in self.named.directions
-        is_fixed = is_fixed and directions != _signs(named.kind, case.head)
+        is_fixed = self._is_fixed_by_another(named.kind, case, named.places[0])
         if is_fixed:  # by another letter, or by another place: the sign is no matter of taste
             changes = (*changes, ("sign", Negative(case.formula)))
         for sign, (kind, changed) in product(directions, changes):
