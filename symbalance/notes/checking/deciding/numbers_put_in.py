@@ -391,3 +391,20 @@ def _bases(node: Formula, sign: int = 1) -> Iterator[tuple[Formula, Fraction]]:
 def _is_unit(number: Number) -> bool:
     """Tell the factor of a unit, 1/1000 of mm, which no one types as a number."""
     return number.last_place is None and number.value.denominator > 1
+
+
+def is_lone_number(node: Formula) -> bool:
+    """Tell whether a side is one number with its unit, and no arithmetic."""
+    if isinstance(node, Negative):
+        return is_lone_number(node.operand)
+    if isinstance(node, Product) and not names(node):
+        number, *units = node.factors
+        return isinstance(number, Number) and all(_is_factor(unit) for unit in units)
+    return isinstance(node, Number)
+
+
+def _is_factor(node: Formula) -> bool:
+    """Tell whether a factor behind a number is a unit's or a power of ten."""
+    if not isinstance(node, Number) or node.value.denominator > 1:
+        return not isinstance(node, Number) or node.last_place is None
+    return set(str(node.value)) <= {"1", "0"}

@@ -31,6 +31,7 @@ from symbalance.notes.checking.judging.lines_at_odds import unless_other_case
 from symbalance.notes.checking.judging.offset_cranks import unless_offset
 from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
 from symbalance.notes.checking.judging.unknown_crank_angle import unless_angle_unknown
+from symbalance.notes.checking.meant.given_numbers import size_given
 from symbalance.notes.checking.meant.motion_in_time import with_rates_of_rates
 from symbalance.notes.checking.meant.ring_or_disc import decide_ring_or_disc
 from symbalance.notes.checking.page import assertions
@@ -70,6 +71,7 @@ from symbalance.notes.checking.steps.another_place import (
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.data_lists import open_if_datum
 from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
 from symbalance.notes.checking.steps.nearest_equation import (
     by_nearest_equation,
@@ -87,7 +89,9 @@ from symbalance.notes.checking.steps.open_cases import (
     without_cases,
 )
 from symbalance.notes.checking.steps.rates_with_numbers import with_numbers_of_rates
+from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
 from symbalance.notes.checking.steps.series_relations import judge_series
+from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_place
 from symbalance.notes.checking.units.dimensions import Dimensions, Mismatch, declared_dimension, unit_text
 from symbalance.notes.checking.units.formulas_between_numbers import BETWEEN_NUMBERS
 from symbalance.notes.checking.units.own_units import with_speeds
@@ -277,7 +281,21 @@ class Judge:
         verdict = self._unless_between_numbers(chain, k, verdict)
         verdict = unless_other_case(self.state, chain, k, verdict)
         verdict = self._with_numbers_of_rates(chain, k, verdict)
-        return self._unless_at_another_value(chain, k, verdict)
+        verdict = self._unless_at_another_value(chain, k, verdict)
+        verdict = self._unless_wrong_size(chain, k, verdict)
+        verdict = unless_wrong_at_place(self.state, chain, k, verdict)
+        verdict = unless_scaled_wrongly(self.state, chain, k, verdict)
+        return unless_plain_sum(self.state, chain, k, verdict)
+
+    def _unless_wrong_size(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+        """Return a verdict; a size |K| = 4.98 is judged by what equations above give, as |K|² = 24.8."""
+        pair = size_given(chain, k)
+        if pair is None or verdict.verdict != CONDITION:
+            return verdict
+        line = chain.lines[0]
+        first, knowledge = self.state.sections.paragraph_start(line), self.state.knowledge(line)
+        by_given = self.state.given_numbers.decide(*pair, line, first, knowledge)
+        return verdict if by_given is None else describe(self.document, chain, k, by_given)
 
     def _with_numbers_of_rates(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict; one that is not proved is judged with the numbers that rates have above."""

@@ -232,7 +232,7 @@ def _judge_step(
         by_name = by_name or state.dead_centre_sizes.refute(chain, k, knowledge)
         by_name = by_name or state.named.judge(chain, k, knowledge)
         by_name = by_name or state.patterns.judge(chain, k, knowledge)
-    if by_name is None and decision.status == REFUTED:
+    if by_name is None and decision.status == REFUTED and by_special is None:
         by_name = _as_another_named(state, chain, k, knowledge)
     if by_name is not None and not _is_left_open(by_name):
         return by_name
@@ -436,10 +436,10 @@ def _define(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> 
             return by_speed
     is_given = definition is not None and definition.status in (PREMISE, DEFINITION)
     is_given = is_given and not (definition and definition.reason.startswith(MEASURED))
-    if pair is None or not is_given or pair[0] in knowledge.meaning.values or sections.opens_case(chain):
+    if pair is None or not is_given or sections.opens_case(chain):
         return definition
-    first = sections.paragraph_start(line)
-    by_given = state.given_numbers.decide(*pair, line, first, knowledge)
+    first, is_known = sections.paragraph_start(line), pair[0] in knowledge.meaning.values
+    by_given = state.given_numbers.decide(*pair, line, first, knowledge, of_it_alone=is_known)
     if by_given is not None and by_given.status == REFUTED:
         state.definitions.values, state.definitions.premises = values, premises
     return by_given or definition

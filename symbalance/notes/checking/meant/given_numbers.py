@@ -12,19 +12,27 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
 
-from symbalance.document.formula import Formula, Name, Negative, Number, Product, Sum, names
+from symbalance.document.formula import Call, Formula, Name, Negative, Number, Product, Sum, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision, digits, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.units.formulas_between_numbers import may_convert
-from symbalance.notes.checking.verdicts import CONDITION, DEFINITION, PREMISE, UNDECIDED, Verdict
+from symbalance.notes.checking.verdicts import (
+    CONDITION,
+    DEFINITION,
+    PREMISE,
+    PROVED_WORDS,
+    UNDECIDED,
+    Verdict,
+)
 from symbalance.notes.reading.equations import Chain
 
 MOST = 12
@@ -45,6 +53,8 @@ class GivenEquation:
     @property
     def converts_units(self) -> bool:
         """Whether it is between the numbers of quantities, and the quantities do not satisfy it."""
+        if is_lone_number(self.right):  # a result: no constant stands there that could convert
+            return may_convert(self.left)
         return may_convert(self.left) or may_convert(self.right)
 
     @property
@@ -62,6 +72,8 @@ class GivenNumbers:
     def note(self, chain: Chain, k: int, verdict: Verdict) -> None:
         """Note a relation that is given, as a definition or condition; a series and ≈ fix no number."""
         left, right = chain.sides[k].node, chain.sides[k + 1].node
+        if k and verdict.verdict in (*PROVED_WORDS, PREMISE):
+            self._note_result(chain, right)
         is_given = verdict.verdict in (DEFINITION, PREMISE, CONDITION) or NOBODY in verdict.assumption
         if chain.relations[k].sign != "=" or not (is_given or verdict.verdict == UNDECIDED):
             return
@@ -70,13 +82,28 @@ class GivenNumbers:
         if names(left) | names(right) and not is_series and not is_value:
             self.equations.append(GivenEquation(left, right, chain.lines[0], is_given))
 
+    def _note_result(self, chain: Chain, right: Formula) -> None:
+        """Note the number at the end of a chain that begins with a formula: sin β = λ/2 = 0.1435."""
+        head = chain.sides[0].node
+        is_formula = bool(names(head)) and not isinstance(head, Name)
+        if is_formula and is_lone_number(right) and all(each.sign in "=≈" for each in chain.relations):
+            self.equations.append(GivenEquation(head, right, chain.lines[0], True))
+
     def decide(
-        self, name: str, value: Formula, line: int, first: int, knowledge: Knowledge
+        self,
+        name: str,
+        value: Formula,
+        line: int,
+        first: int,
+        knowledge: Knowledge,
+        *,
+        of_it_alone: bool = False,
     ) -> Decision | None:
         """Return the decision on a number by what equations give; None where none gives one.
 
         It is refuted where an equation from line `first` on, or one with a letter that has its number
-        there, gives another: what stands apart may be of another engine.
+        there, gives another: what stands apart may be of another engine. With `of_it_alone` only
+        equations without other letters count, sin β = 0.1435.
         """
         others = {n: d for n, d in knowledge.definitions.items() if n != name}
         known = replace(knowledge, definitions=others)
@@ -85,6 +112,8 @@ class GivenNumbers:
         wrong: GivenEquation | None = None
         for equation in self._about(name, known):
             if equation.line == line and equation.right is value:
+                continue
+            if of_it_alone and names(equation.left) | names(equation.right) != {name}:
                 continue
             is_solution = _has_root(equation, name, near, known)
             if is_solution:
@@ -191,3 +220,12 @@ def number_given(chain: Chain, k: int) -> tuple[str, Formula] | None:
     left, right = chain.sides[0].node, chain.sides[1].node
     is_number = isinstance(left, Name) and not names(right) and chain.relations[0].sign in "=≈"
     return (left.name, right) if not k and isinstance(left, Name) and is_number else None
+
+
+def size_given(chain: Chain, k: int) -> tuple[str, Formula] | None:
+    """Return the letter whose size a relation gives as a number, |K| ≈ 4.98, and that; or None."""
+    left, right = chain.sides[0].node, chain.sides[1].node
+    if k or not isinstance(left, Call) or left.function != "abs" or chain.relations[0].sign not in "=≈":
+        return None
+    letter = left.argument
+    return (letter.name, right) if isinstance(letter, Name) and is_lone_number(right) else None

@@ -100,6 +100,14 @@ _BOTTOM = re.compile(
     r"bottom dead|lower dead|outer dead|\bBDC\b|\bUT\b|unteren? Totpunkt|下死点|crank[- ]end",
     re.IGNORECASE,
 )
+_ANGLE_FROM = (
+    r"(?:angle|winkel|ángulo|angolo|ângulo|kąt|úhel|hoek|vinkel|角)[^.]{0,80}?"
+    r"(?:\bfrom|\bvon|\bvom|\bab|\bdesde|\bdal|\bdepuis|\bpartir|\bod|\bvanaf|\bfrån)\s[^.]{0,16}?"
+)
+_ANGLE_FROM_TOP = re.compile(rf"{_ANGLE_FROM}(?:top|upper|inner) dead|{_ANGLE_FROM}\b(?:TDC|OT)\b", re.I)
+_ANGLE_FROM_BOTTOM = re.compile(
+    rf"{_ANGLE_FROM}(?:bottom|lower|outer) dead|{_ANGLE_FROM}\b(?:BDC|UT)\b", re.I
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,7 +153,12 @@ class MeantWords:
 
     @cached_property
     def counts_from_bottom(self) -> bool:
-        """Tell whether the page speaks of the bottom dead centre: an angle may be counted from there."""
+        """Tell whether the page speaks of the bottom dead centre: an angle may be counted from there.
+
+        Where it says that its angle is counted from the top, it is not.
+        """
+        if _ANGLE_FROM_TOP.search(self.page) and not _ANGLE_FROM_BOTTOM.search(self.page):
+            return False
         return _BOTTOM.search(self.page) is not None
 
     @cached_property

@@ -19,7 +19,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.meant.given_numbers import number_in_example
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
-_GAP = r"(?:\s|\\[,;]|~|\$|\\(?:mathrm|text|unit|,)|\{|\}){0,8}"
+_GAP = r"(?:\s|\\[,; ]|~|\$|\\(?:mathrm|text|unit|,)|\{|\}){0,8}"
 _FREQUENCY = re.compile(
     rf"(?<![\w.,])(?P<number>[0-9]{{1,5}}(?:[.,][0-9]{{1,3}})?){_GAP}(?P<unit>Hz|cps)\b"
 )

@@ -14,15 +14,20 @@ from symbalance.notes.reading.equations import Chain, ReadNotes
 
 _RING = re.compile(
     r"(?<![A-Za-z])(?:(?<!piston )(?<!slip )(?<!half )rings?|rims?|hoops?"
-    r"|(?:Rad|Schwungrad)?kranz(?:es)?)(?![A-Za-z])|円環|リム",
+    r"|(?:Rad|Schwungrad)?kranz(?:es)?|anell[oi]|anneaux?|jantes?|anillos?|llantas?|an[eé](?:l|is)"
+    r"|krans(?:en)?|pier[sś]cie[nń](?:ia)?|wien(?:iec|ca)|prsten(?:ec|ce)|v[eě]n(?:ec|ce))(?![^\W\d_])|円環|リム",
     re.IGNORECASE,
 )
 _DISC = re.compile(
-    r"(?<![A-Za-z])(?:dis[ck]s?|solid\s+cylinders?|Scheiben?|Vollzylinders?)(?![A-Za-z])|円板|円盤",
+    r"(?<![A-Za-z])(?:dis[ck]s?|solid\s+cylinders?|Scheiben?|Vollzylinders?|dis[ck]os?|dischi|disques?"
+    r"|schij(?:f|ven)|skiv(?:a|an|or)|tarcz[ay]?|kotou[cč]e?)(?![^\W\d_])|円板|円盤",
     re.IGNORECASE,
 )
 _OTHERS = re.compile(
-    r"thick|annular|hollow|hohl|inner|outer|spoke|speich|half|halb(?!messer)|厚|diameter", re.IGNORECASE
+    r"thick|annular|hollow|hohl|inner|outer|spoke|speich|half|halb(?!messer)|厚|diameter|spess[oi]|cav[oi]"
+    r"|forat[oi]|épais|creux|gruesos?|huecos?|dik(?:ke)?\b|ihålig|tjock|grub[ya]|wydrąż|dut[ýá]|tlust"
+    r"|espess[oa]|oc[oa]\b|mezz[oi]|demi-",
+    re.IGNORECASE,
 )
 _SENTENCE = re.compile(r"[.;!?]\s|[。；]|\n\s*\n")
 _REACH = 200
@@ -38,6 +43,7 @@ def decide_ring_or_disc(chain: Chain, k: int, document: ReadNotes) -> Decision |
         return None
     text = document.text
     words = _SENTENCE.split(text[max(0, chain.start - _REACH) : chain.start])[-1]
+    words = _behind_other_formula(words, head, chain, document)
     is_ring, is_disc = _RING.search(words) is not None, _DISC.search(words) is not None
     if is_ring == is_disc or _OTHERS.search(words):
         return None
@@ -47,6 +53,16 @@ def decide_ring_or_disc(chain: Chain, k: int, document: ReadNotes) -> Decision |
     times = "" if expected == 1 else f"{expected} "
     reason = f"the moment of inertia over the radius squared, times {expected}, is the mass of a {name}"
     return Decision(REFUTED, reason, witness={"left": f"{times}J/R²", "right": f"{factor} J/R²"})
+
+
+def _behind_other_formula(words: str, head: Name, chain: Chain, document: ReadNotes) -> str:
+    """Return what stands behind the last formula that the same sentence has for the letter.
+
+    "A disc has m = 2J/R² = 29 kg, while a thin ring would have m = …" speaks of a ring where it ends.
+    """
+    start = chain.start - len(words)
+    ends = [c.end for c in document.chains if c.sides[0].node == head and start <= c.start < chain.start]
+    return document.text[max(ends) : chain.start] if ends else words
 
 
 def _is_square_of_radius(node: Formula) -> bool:

@@ -18,8 +18,8 @@ from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
+from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number
 from symbalance.notes.checking.deciding.relations import decide
-from symbalance.notes.checking.steps.printed_results import is_lone_number
 from symbalance.notes.reading.equations import Chain, Side
 
 GRAVITIES = ("9.81", "9.80665", "9.8", "9.807", "10", "32.2", "32.17", "32.16", "32.174", "386", "386.4")

@@ -10,33 +10,16 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, Negative, Number, Product, names, walk
+from symbalance.document.formula import Formula, Name, Number, Product, names, walk
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.numbers_put_in import LONG, significant_digits
+from symbalance.notes.checking.deciding.numbers_put_in import LONG, is_lone_number, significant_digits
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.words.plain_formulas import lone_side
 from symbalance.notes.reading.equations import Chain, Side
-
-
-def is_lone_number(node: Formula) -> bool:
-    """Tell whether a side is one number with its unit, and no arithmetic."""
-    if isinstance(node, Negative):
-        return is_lone_number(node.operand)
-    if isinstance(node, Product) and not names(node):
-        number, *units = node.factors
-        return isinstance(number, Number) and all(_is_factor(unit) for unit in units)
-    return isinstance(node, Number)
-
-
-def _is_factor(node: Formula) -> bool:
-    """Tell whether a factor behind a number is a unit's or a power of ten."""
-    if not isinstance(node, Number) or node.value.denominator > 1:
-        return not isinstance(node, Number) or node.last_place is None
-    return set(str(node.value)) <= {"1", "0"}
 
 
 @dataclass

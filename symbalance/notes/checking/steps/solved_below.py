@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symbalance.document.formula import Formula, Name
+from symbalance.document.formula import Formula, Name, names
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -27,8 +27,10 @@ def as_solved(
         return None
     head, value = following.sides[0].node, following.sides[1].node
     assert isinstance(head, Name)
-    at_value = _decide_with(chain.sides[0], chain.sides[1], head.name, value, knowledge)
-    state.solutions[following.sides[0].span[0]] = state.definitions.premise_of(chain, 0), at_value
+    is_solved_already = chain.sides[0].node == head and head.name not in names(chain.sides[1].node)
+    if not is_solved_already:  # s = r (1 + λ/2) is no equation for s = 2r below, its value elsewhere
+        at_value = _decide_with(chain.sides[0], chain.sides[1], head.name, value, knowledge)
+        state.solutions[following.sides[0].span[0]] = state.definitions.premise_of(chain, 0), at_value
     return Decision(CONDITION, f"solved for {plain_text(head)} below")
 
 

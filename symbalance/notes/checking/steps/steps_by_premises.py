@@ -9,6 +9,7 @@ from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
+from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.premises.leftover_premises import decide_with_sizes
@@ -18,7 +19,6 @@ from symbalance.notes.checking.premises.solved_premises import concerns, solve_p
 from symbalance.notes.checking.premises.system import Premise, implied, lines_of
 from symbalance.notes.checking.premises.witness_angles import refuted_at_angles
 from symbalance.notes.checking.steps.judging_state import JudgingState
-from symbalance.notes.checking.steps.printed_results import is_lone_number
 from symbalance.notes.checking.steps.stated_equations import fix_letter, unless_stated
 from symbalance.notes.checking.steps.stated_matrices import fix_matrix
 from symbalance.notes.checking.verdicts import CONTRADICTION, PREMISE, REFUTED, STATED, UNDECIDED

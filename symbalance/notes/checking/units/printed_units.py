@@ -48,7 +48,7 @@ def decide_by_printed_units(
     source = document.source(left.span)
     if result is None or kind is None or any(m[0] not in _PLAIN for m in _LETTERS.finditer(source)):
         return None
-    numbers = _in_units(_of_arithmetic(left.node, left.span), left.span[0], document.text)
+    numbers = _in_units(without_unit_of_result(left.node, left.span), left.span[0], document.text)
     if numbers is None:
         return None
     value, dimension = numbers
@@ -80,7 +80,7 @@ def _nearest_power(ratio: Fraction) -> int | None:
     return power if abs(ratio - 1) < Fraction(1, 50) else None
 
 
-def _of_arithmetic(node: Formula, span: tuple[int, int]) -> Formula:
+def without_unit_of_result(node: Formula, span: tuple[int, int]) -> Formula:
     """Return an arithmetic without the unit of its result, which was read into it."""
     if isinstance(node, Product) and len(node.factors) == 2:
         inner, unit = node.factors

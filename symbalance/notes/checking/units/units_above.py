@@ -14,6 +14,7 @@ from symbalance.document.formula import Call, Formula, Negative, Number, Power, 
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.units.conversions import quantity_of, scale_of, sign_of_unit
 from symbalance.notes.checking.units.dimensions import NONE, Dimension, unit_of, unit_text
+from symbalance.notes.checking.units.printed_units import without_unit_of_result
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.notes.reading.formulas.result_units import value_of
 
@@ -23,7 +24,7 @@ MOST_COUNTED = 20
 """A whole number up to this may count something or come from a formula."""
 _UNITS = 3
 """Words that a unit has at most: kg m s⁻¹."""
-_MARKUP = re.compile(r"\\(?:mathrm|text|textrm|mbox|,|;|:|!|quad|ensuremath)|[~${}]|</?[a-z]+>")
+_MARKUP = re.compile(r"\\(?:mathrm|text|textrm|mbox|,|;|:|!|[ ]|quad|ensuremath)|[~${}]|</?[a-z]+>")
 _EXPONENT = re.compile(r"\$?\^\{?([-−]?[0-9])\}?\$?")
 """The exponent of a unit, which may stand between dollars of its own: s$^{-1}$."""
 _NUMERAL = re.compile(r"(?<![\w.,^_])[0-9]+(?:[.,][0-9]+)?(?![0-9])")
@@ -38,19 +39,21 @@ def refuted_by_units_above(chain: Chain, k: int, document: ReadNotes) -> Decisio
     left, right = chain.sides[k], chain.sides[k + 1]
     result = quantity_of(right, document)
     unit = None if result is None else unit_of(result.unit)
-    factors = None if result is None or unit is None else _factors(left.node)
+    bare = without_unit_of_result(left.node, left.span)
+    factors = None if result is None or unit is None else _factors(bare)
     if not factors or result is None or unit is None or names(left.node) or unit == NONE:
         return None
     has_units = _LETTER.search(_SIGNS.sub(" ", document.source(left.span))) is not None
     if has_units or any(_is_power_of_ten(value) for value, _ in factors):
         return None  # a power of ten may convert
     above = _numbers_above(document, chain.start)
+    above |= _lone_data_above(document, chain, [value for value, _ in factors if value not in above])
     numbers_unit = _made_of(factors, above)
     if numbers_unit is None or numbers_unit[0] != unit:
         if numbers_unit is None:
             return None
         return _of_another_kind(chain, document, factors, above, numbers_unit[0], unit)
-    total = value_of(left.node)
+    total = value_of(bare)
     is_arithmetic = total is not None and isclose(total, float(result.value), rel_tol=0.01)
     ratio = float(numbers_unit[1] / result.scale)
     powers = log10(ratio)
@@ -137,9 +140,28 @@ def _is_power_of_ten(value: Fraction) -> bool:
     return value != 1 and isclose(powers, round(powers), abs_tol=_CLOSE)
 
 
-def _numbers_above(document: ReadNotes, start: int) -> dict[Fraction, dict[Dimension, Fraction]]:
+def _lone_data_above(
+    document: ReadNotes, chain: Chain, values: list[Fraction]
+) -> dict[Fraction, dict[Dimension, Fraction]]:
+    """Return numbers with the units that they have anywhere above, where the page has them nowhere else.
+
+    The spacing 35.0 mm of a table of data is 0.035 in an arithmetic pages below; a 0.035 that stands
+    alone somewhere may be any number.
+    """
+    text = document.text.replace("{,}", ".")
+    written = [Fraction(m[0].replace(",", ".")) for m in _NUMERAL.finditer(text)]
+    alone = [value for value in values if value.denominator > 1 and written.count(value) == 1]
+    if not alone:
+        return {}
+    above = _numbers_above(document, chain.start, chain.start)
+    return {value: above[value] for value in alone if value in above}
+
+
+def _numbers_above(
+    document: ReadNotes, start: int, near: int = NEAR
+) -> dict[Fraction, dict[Dimension, Fraction]]:
     """Return the numbers right above a place with the units behind them, 1590 g as 1.590 kg too."""
-    text = document.text[max(0, start - NEAR) : start].replace("{,}", ".")
+    text = document.text[max(0, start - near) : start].replace("{,}", ".")
     found: dict[Fraction, dict[Dimension, Fraction]] = {}
     for match in _NUMERAL.finditer(text):
         value = Fraction(match[0].replace(",", "."))

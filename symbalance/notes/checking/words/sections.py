@@ -251,9 +251,9 @@ _RIGHT_BEHIND = re.compile(
 )
 """What may stand between a value and its place: 8 in at top dead centre."""
 _SENTENCE_OR_ITEM = re.compile(
-    r"[.;!?。]\s|\n\s*\n|\n[ \t]{0,8}(?:[-*+•·–]|\(?[a-z0-9]{1,2}[.)]|\\item)(?=\s)"
+    r"(?<![A-Za-z]\.[A-Za-z]\.[A-Za-z])[.;!?。]\s|\n\s*\n|\n[ \t]{0,8}(?:[-*+•·–]|\(?[a-z0-9]{1,2}[.)]|\\item)(?=\s)"
 )
-"""What ends a sentence, or begins an item of a list."""
+"""What ends a sentence, but not the points of p.m.s., or begins an item of a list."""
 _THERE = re.compile(r"[\s$)\]}\\,]{0,6}(?:there|here|dort|hier)(?![A-Za-zäöüß])")
 """Words behind a relation by which it is meant at the place that its section named last."""
 _OPENING = " \t\n$\\([{&"

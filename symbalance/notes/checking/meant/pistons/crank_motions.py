@@ -280,8 +280,8 @@ class CrankMotions:
         An angle of the rod with dots has its own direction: β̈ = -λ ω² sin θ of sin β = λ sin θ.
         """
         counted = (case.head.stem, case.head.order)
-        signs = self._directions(named.kind, case.head)
         for place in named.places:
+            signs = self._directions(named.kind, case, place)
             motion = self.table.get((named.kind, place))
             for turned in () if motion is None else self._counted(motion, named):
                 agreeing = agreement(
@@ -304,10 +304,53 @@ class CrankMotions:
                 return Decision(PROVED, order=order, assumptions=tuple(texts))
         return None
 
-    def _directions(self, kind: str, head: Head) -> tuple[int, ...]:
-        """Return the directions in which a motion may be counted: as it was above, or either."""
-        first = self.named.directions.get((head.stem, head.order))
-        return _signs(kind, head) if first is None else (first,)
+    def _directions(self, kind: str, case: _Claim, place: str) -> tuple[int, ...]:
+        """Return the directions in which a motion may be counted: as it was above, or either.
+
+        The rod's angular acceleration is counted as its angular velocity is, and the acceleration a
+        quarter turn behind the top has the sign that the page has written at the bottom.
+        """
+        first = self.named.directions.get((case.head.stem, case.head.order))
+        if kind == ROD_ACCELERATION and not place and first is None:
+            first = self._direction_of_rod(case)
+        if kind == ACCELERATION and place == RIGHT and self._is_negative_at_bottom(case):
+            return (-1,)
+        return _signs(kind, case.head) if first is None else (first,)
+
+    def _is_fixed_by_another(self, kind: str, case: _Claim, place: str) -> bool:
+        """Tell whether another letter, or another place, fixes the direction in which a motion counts."""
+        if (case.head.stem, case.head.order) in self.named.directions:
+            return False
+        directions = self._directions(kind, case, place)
+        return len(directions) == 1 and directions != _signs(kind, case.head)
+
+    def _direction_of_rod(self, case: _Claim) -> int | None:
+        """Return the direction in which a line above counts the angular velocity ω_rod; or None."""
+        for chain in self.document.chains:
+            head = _head(chain.sides[0].node)
+            if head is None or head.stem != "omega" or len(chain.sides) == 1:
+                continue
+            if chain.start < case.chain.start and (sign := self._sign_of(chain, case, (ROD_SPEED, ""))):
+                return sign
+        return None
+
+    def _is_negative_at_bottom(self, case: _Claim) -> bool:
+        """Tell whether a line above has the acceleration at the bottom with its minus sign."""
+        above = self.sections.chains_of(Name(case.head.name))
+        near = (c for c in above if c.start < case.chain.start and isinstance(c.sides[1].node, Negative))
+        return any(self._sign_of(chain, case, (ACCELERATION, BOTTOM)) == -1 for chain in near)
+
+    def _sign_of(self, chain: Chain, case: _Claim, motion: tuple[str, str]) -> int | None:
+        """Return the sign with which a relation gives a motion's formula; None for another formula."""
+        formula = without_dots(chain.sides[1].node)[0]
+        if not _has_motion_form(formula):
+            return None
+        other = case._replace(chain=chain, formula=formula)
+        for reading in self._readings(other):
+            agreeing = agreement(self.table[motion], formula, values_in(reading), (1, -1))
+            if agreeing is not None:
+                return agreeing[1]
+        return None
 
     def _counted(self, motion: Motion, named: NamedMotion) -> Iterator[Motion]:
         """Yield a motion, and with the crank angle counted from the bottom where the page may do so."""
@@ -324,6 +367,8 @@ class CrankMotions:
         if named.places in ((TOP,), (BOTTOM,), (RIGHT,)) and not named.may_be_other:
             return False
         head = case.head
+        if self._is_fixed_by_another(named.kind, case, named.places[0]):
+            return False
         return any(
             agreement(
                 _inside(motion, head.function), case.formula, values_in(reading), _signs(kind, head)
@@ -348,13 +393,17 @@ class CrankMotions:
         motion, side = _inside(motion, case.head.function), case.chain.sides[1]
         is_part = _PART.search(self.named.clause(case.chain)) is not None
         changes = (*slips(case.formula), *_wholes(case.formula, reading, is_sole, is_part))
-        for sign, (kind, changed) in product(self._directions(named.kind, case.head), changes):
+        directions = self._directions(named.kind, case, named.places[0])
+        is_fixed = self._is_fixed_by_another(named.kind, case, named.places[0])
+        if is_fixed:  # by another letter, or by another place: the sign is no matter of taste
+            changes = (*changes, ("sign", Negative(case.formula)))
+        for sign, (kind, changed) in product(directions, changes):
             if names(changed) - names(case.formula) or changed == case.formula or _UNCERTAIN.search(kind):
                 continue
             if agreement(motion, changed, values_in(reading), (sign,)) is None:
                 continue
             factor = factor_between(case.formula, changed, values_in(reading))
-            if factor is not None and (factor < 0 or is_part):
+            if factor is not None and ((factor < 0 and not is_fixed) or is_part):
                 continue
             known = known_of(case.formula, reading, case.chain)
             if decide(Side((changed,), case.chain.sides[0].span), side, "=", known).status == PROVED:

@@ -105,8 +105,8 @@ four-stroke: (?:à )?(?:quatre|4) temps
 two-stroke: (?:à )?(?:deux|2) temps
 stroke: course
 bore: alésage
-top dead centre: point mort haut|PMH
-bottom dead centre: point mort bas|PMB
+top dead centre: point mort haut|PMH|p\.\s?m\.\s?h\.?
+bottom dead centre: point mort bas|PMB|p\.\s?m\.\s?b\.?
 dead centre: point mort
 radius of gyration: rayon (?:de giration|d'inertie)
 radius: rayon

@@ -106,8 +106,8 @@ four-stroke: (?:a )?(?:quattro|4) tempi
 two-stroke: (?:a )?(?:due|2) tempi
 stroke: corsa
 bore: alesaggio
-top dead centre: punto morto superiore|PMS
-bottom dead centre: punto morto inferiore|PMI
+top dead centre: punto morto superiore|PMS|p\.\s?m\.\s?s\.?
+bottom dead centre: punto morto inferiore|PMI|p\.\s?m\.\s?i\.?
 dead centre: punto morto
 radius of gyration: raggio (?:d'inerzia|giratore|di girazione)
 radius: raggio

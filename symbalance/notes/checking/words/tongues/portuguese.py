@@ -95,8 +95,8 @@ four-stroke: (?:de |a )?(?:quatro|4) tempos
 two-stroke: (?:de |a )?(?:dois|2) tempos
 stroke: curso
 bore: diâmetro do cilindro
-top dead centre: ponto morto superior|PMS
-bottom dead centre: ponto morto inferior|PMI
+top dead centre: ponto morto superior|PMS|p\.\s?m\.\s?s\.?
+bottom dead centre: ponto morto inferior|PMI|p\.\s?m\.\s?i\.?
 dead centre: ponto morto
 radius of gyration: raio de giração
 radius: raio

@@ -106,8 +106,8 @@ four-stroke: (?:de )?(?:cuatro|4) tiempos
 two-stroke: (?:de )?(?:dos|2) tiempos
 stroke: carrera
 bore: diámetro del cilindro
-top dead centre: punto muerto superior|PMS
-bottom dead centre: punto muerto inferior|PMI
+top dead centre: punto muerto superior|PMS|p\.\s?m\.\s?s\.?
+bottom dead centre: punto muerto inferior|PMI|p\.\s?m\.\s?i\.?
 dead centre: punto muerto
 radius of gyration: radio de (?:giro|inercia)
 radius: radio
