@@ -278,7 +278,8 @@ class Sections:
             for k in range(1, len(self._lines))
             if _UNDERLINE.match(self._lines[k]) and self._lines[k - 1].strip()
         ]
-        return sorted({*marked, *underlined})
+        lines = {k + 1 for k in underlined} - set(underlined)
+        return sorted(({*marked} - lines) | {*underlined})
 
     def heading_above(self, line: int) -> str:
         """Return the heading of the section that a line stands in, "" where there is none."""

@@ -14,6 +14,8 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     eccentricity,
     gravity,
     letters,
+    force,
+    centrifugal,
     mass,
     omega,
     pin,
@@ -150,6 +152,14 @@ BALANCE: tuple[Quantity, ...] = (
         r"(?<!rest)unwucht(?!kraft|güte)",
               r"不釣り?合い量?(?!力)"),
         (unbalanced * eccentricity,), ("power",), unless=words(r"couple|force|kraft|dynamic|moment|力"),
+    ),
+    Quantity(
+        "unbalance by its force", letters("U u D S"),
+        words(r"(?:static\s+)?(?:unbalance|imbalance|mass\s+moment)", r"static\s+moment", r"unwucht(?!kraft|güte)",
+              r"statisches?\s+moment", r"不釣り?合い量?(?!力)"),
+        (force / omega**2, centrifugal / omega**2), ("power",),
+        others=(force / (4 * omega**2), force / (2 * omega) ** 2),
+        only=words(r"force|kraft|力|\bN\b|load"),
     ),
     Quantity(
         "centrifugal force of an unbalance", letters("F Z"),

@@ -288,6 +288,8 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
         mistakes=(omega * (1 + fluctuation), rotation * (1 + fluctuation)),
         only=words(r"irregularity|fluctuation|ungleichförm|変動率|fly-?wheel|schwung"),
         unless=words(r"±|plus or minus|amplitude|ausschlag|振幅|half|halb|piston|kolben"),
+        context=words(r"irregularity|fluctuation|ungleichförm|変動率|irregolarit|irrégularité"),
+        indices=letters("max"),
     ),
     Quantity(
         "smallest speed of rotation", letters("omega Omega n N"),
@@ -299,6 +301,8 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
         mistakes=(omega * (1 - fluctuation), rotation * (1 - fluctuation)),
         only=words(r"irregularity|fluctuation|ungleichförm|変動率|fly-?wheel|schwung"),
         unless=words(r"±|plus or minus|amplitude|ausschlag|振幅|half|halb|piston|kolben"),
+        context=words(r"irregularity|fluctuation|ungleichförm|変動率|irregolarit|irrégularité"),
+        indices=letters("min"),
     ),
     Quantity(
         "coefficient of fluctuation of energy", letters("C K k c e E beta zeta xi"),
