@@ -52,7 +52,7 @@ from symbalance.notes.checking.meant.claims_in_letters import (
 from symbalance.notes.checking.meant.correction_planes import CorrectionPlanes
 from symbalance.notes.checking.meant.formula_slips import agrees, differs, is_multiple, slip_of
 from symbalance.notes.checking.meant.left_sides import LETTER, as_side, end_named, head_of
-from symbalance.notes.checking.meant.letter_roles import LetterRoles, index_of
+from symbalance.notes.checking.meant.letter_roles import LetterRoles, index_of, stem_of
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.meant.quantity_forms import QuantityForms, is_telling
 from symbalance.notes.checking.meant.quantity_words import Named, Places, QuantityWords
@@ -288,7 +288,8 @@ class NamedQuantities:
             fitting = {n: each for n, each in fitting.items() if any(p is each for p, _ in pairs)}
             special = {n: each for n, each in fitting.items() if each.quantity.only is not None}
             fitting = special if len(special) == 1 else fitting
-        if not candidates:
+        stems = {stem_of(name).rstrip("'"), name}
+        if " " not in name and not any(stems & each.quantity.letters for each in candidates):
             return self._by_form(chain, name, claim, knowledge, known)
         if len(fitting) != 1:
             return None
@@ -309,7 +310,7 @@ class NamedQuantities:
         self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge, known: Knowledge
     ) -> Verdict | None:
         """Return that a formula that no words name is one slip from the only one that it may be."""
-        if " " in name or not isinstance(chain.sides[0].node, Name) or not is_telling(claim):
+        if not isinstance(chain.sides[0].node, Name) or not is_telling(claim):
             return None
         candidates = [
             replace(named, left=chain.sides[0].node, end=self._end(chain))

@@ -19,6 +19,8 @@ from functools import cached_property
 
 from symbalance.document.formula import Call, Formula, Name, Product, Quotient, Sum, names, walk
 from symbalance.notes.checking.meant.catalogue import QUANTITIES, Quantity
+from symbalance.notes.checking.meant.catalogue.roles import words
+from symbalance.notes.checking.meant.catalogue.strength import HOLLOW
 from symbalance.notes.checking.meant.letter_roles import index_of, stem_of, without_accent
 from symbalance.notes.checking.meant.quantity_words import Named, QuantityWords
 from symbalance.notes.reading.equations import Chain
@@ -28,6 +30,7 @@ _USES = {
     "axial second moment of area of a round section": _BENDING,
     "section modulus of a round section in bending": _BENDING,
     "section modulus of a hollow round section in bending": _BENDING,
+    "section modulus of a round section by which bending is reckoned": _BENDING,
     "second moment of area of a round section": _EITHER,
     "second moment of area of a hollow round section": _EITHER,
     "section modulus of a round section": _EITHER,
@@ -41,6 +44,10 @@ _BESIDE = {"E": _BENDING, "G": _TORSION}
 """What stands beside a second moment of area: E I is of bending, G I of torsion."""
 _STRESSES = {"sigma": _BENDING, "tau": _TORSION}
 """What is a moment over a section modulus."""
+_SECTIONS = frozenset("W Z I J".split())
+_SUBSCRIPTS = {_TORSION: frozenset("p t P T pol".split()), _BENDING: frozenset({"ax"})}
+"""Letters of sections, and the subscripts that say what they are used for."""
+_HOLLOW = words(HOLLOW)
 _OF_THE_ROD = {
     "side force on the cylinder wall": frozenset("N H G L".split()),
     "force in the connecting rod": frozenset("K S Q".split()),
@@ -65,7 +72,8 @@ class QuantityForms:
 
         `forces` are the letters that other lines show to be forces along the stroke.
         """
-        use, around = self.uses.get(name, ""), self.words.around(chain)
+        use, around = self.use_of(name), self.words.around(chain)
+        by_use = name in self.uses
         if around is None:
             return
         claim = chain.sides[1].node
@@ -79,7 +87,11 @@ class QuantityForms:
             return
         for quantity in _of_letter(name):
             if use and _USES.get(quantity.name) == use:
-                yield around.by_use(quantity, f"other formulas use it for {use}")
+                if "hollow" in quantity.name or not _HOLLOW.search(around.places.around):
+                    yield around.by_use(
+                        quantity,
+                        f"other formulas use it for {use}" if by_use else f"its subscript says {use}",
+                    )
             elif not use or quantity.name not in _USES:
                 named = around.by_topic(quantity, name)
                 if named is not None:
@@ -90,7 +102,7 @@ class QuantityForms:
 
         The largest acceleration a_max is not that at the bottom, which has no such subscript.
         """
-        use, index = self.uses.get(name, ""), index_of(name)
+        use, index = self.use_of(name), index_of(name)
         is_telling_index = index not in _PLAIN_INDICES and any(
             index in named.quantity.indices for named in candidates
         )
@@ -101,6 +113,12 @@ class QuantityForms:
             if not is_telling_index or not quantity.indices or index in quantity.indices:
                 if not (is_telling_index and quantity.name in _NEVER_LARGEST and index == "max"):
                     yield quantity
+
+    def use_of(self, name: str) -> str:
+        """Return what the letter of a section is used for elsewhere, or by its subscript; "" if unknown."""
+        is_section = stem_of(name) in _SECTIONS
+        by_index = next((use for use, own in _SUBSCRIPTS.items() if index_of(name) in own), "")
+        return self.uses.get(name, by_index if is_section else "")
 
     @cached_property
     def rod_angles(self) -> frozenset[str]:
@@ -166,5 +184,5 @@ def _below_moment(chain: Chain) -> Iterator[tuple[str, str]]:
         node = side.node
         if use and isinstance(node, Quotient) and isinstance(node.denominator, Name):
             below = node.denominator.name
-            if below.partition("_")[0] in ("W", "Z", "S") and not isinstance(node.numerator, Sum):
+            if below.partition("_")[0] in (*_SECTIONS, "S") and not isinstance(node.numerator, Sum):
                 yield below, use

@@ -209,6 +209,7 @@ class QuantityWords:
     def _every_named(self, name: str, chain: Chain, knowledge: Knowledge) -> Iterator[Named]:
         name_alone = without_accent(name)
         stem, _, index = name_alone.removeprefix("Delta_").partition("_")
+        stem = stem.rstrip("'")
         stem = f"Delta_{stem}" if name.startswith("Delta_") else stem
         stem = PRODUCT if " " in name else stem
         declared = knowledge.meanings.get(name, "")

@@ -108,7 +108,7 @@ FORCED: tuple[Quantity, ...] = (
     ),
     Quantity(
         "energy lost per cycle in a viscous damper", letters("W E D A Delta_E Delta_W U Q"),
-        words(r"energy|heat|wärme|熱|\bwork|\bloss|dissipat\w+|arbeit|energie|verlust|エネルギー?|仕事"),
+        words(r"per\s+(?:vibration|oscillation|cycle)(?:\s+it)?\s+is|energy|heat|wärme|熱|\bwork|\bloss|dissipat\w+|arbeit|energie|verlust|エネルギー?|仕事"),
         (PI * damping * omega * amplitude**2,), ("factor", "power", "part"),
         mistakes=(PI * damping * omega**2 * amplitude**2, PI * damping * omega * amplitude,
                   PI * damping * omega**2 * amplitude),

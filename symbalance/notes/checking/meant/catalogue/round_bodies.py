@@ -21,7 +21,9 @@ from symbalance.notes.checking.meant.catalogue.roles import (
 )
 
 _RING = r"hollow|\bbored\b|annul|\brings?\b|hohl|ring|中空|円環|内径"
-_RIM = words(r"\brims?\b|flywheel|schwung(?:rad|ring)|kranz|rotating|umlaufend|リム|はずみ車|フライホイール")
+_RIM = words(
+    r"\brims?\b|flywheel|schwung(?:rad|ring)|kranz|rotating|umlaufend|リム|はずみ車|フライホイール"
+)
 _THICKNESSES = (wall_of_weight, length)
 _INERTIA = words(
     r"(?:mass\s+)?moment\s+of\s+inertia", r"(?:massen)?trägheitsmoment", r"慣性モーメント",
