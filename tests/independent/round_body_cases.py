@@ -9,7 +9,8 @@ from mpmath import mp, mpf
 F = Fraction
 INSIDE, OUTSIDE, THICK, HEAVY, TURNS = F(3, 100), F(5, 100), F(2, 100), F(7850), F(40)
 FULL = {
-    "radius": OUTSIDE, "diameter": 2 * OUTSIDE, "wall_of_weight": THICK, "length": THICK, "density": HEAVY,
+    "radius": OUTSIDE, "diameter": 2 * OUTSIDE, "wall_of_weight": THICK, "length": THICK,
+    "density": HEAVY,
 }  # fmt: skip
 BORED = {
     "outer_radius": OUTSIDE, "inner_radius": INSIDE, "outer": 2 * OUTSIDE, "inner": 2 * INSIDE,

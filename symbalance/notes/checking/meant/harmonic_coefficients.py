@@ -6,8 +6,8 @@ Of x = r (1 - cos θ) + l (1 - √(1 - λ² sin²θ)) the acceleration over r ω
 
 and what a page writes of its A_n, cut off anywhere, says by its first term whether it means these. From
 then on a wrong one is refuted: a page may count with other signs, and it may mean the harmonics of the
-velocity or the displacement, so that before one coefficient has agreed only a leading term is refuted that
-is none of these.
+velocity or the displacement, so that before one coefficient has agreed only a leading term is refuted
+that is none of these.
 """
 
 from __future__ import annotations
@@ -38,7 +38,8 @@ _WORDS = re.compile(
     re.IGNORECASE,
 )
 _TORQUE = re.compile(
-    r"torque|moment|energy|inertia of|トルク|モーメント|peak[- ]to|double amplitude|spitze[- ]spitze|complex|komplex",
+    r"torque|moment|energy|inertia of|トルク|モーメント|peak[- ]to|double amplitude|spitze[- ]spitze"
+    r"|complex|komplex",
     re.IGNORECASE,
 )
 """Words for coefficients of something else, or of twice or half of it."""
@@ -46,6 +47,9 @@ _COEFFICIENTS = frozenset({"A", "B", "a", "b", "k"})
 """Letters of the coefficients of a piston's acceleration on most pages."""
 _FACTORS = frozenset(Fraction(n) for n in (2, 4, 8)) | {Fraction(1, n) for n in (2, 4, 8)}
 """By what a coefficient that is one of a known series may be wrong."""
+_NO_LETTER = re.compile(r"[\W\d_]+")
+BARE, REACH = 12, 160
+"""Letters of a sentence that is only the opening of a display, and characters before it that are read."""
 _RATIOS = frozenset({"lambda", "rho", "epsilon", "n", "kappa", "mu", "q", "nu", "k"})
 """Letters of r/l or l/r on most pages."""
 
@@ -105,10 +109,10 @@ class HarmonicCoefficients:
     def _with_slip(
         self, chain: Chain, k: int, powers: Mapping[int, Fraction], direction: int
     ) -> Decision | None:
-        """Return that the leading term alone is wrong by its power or its number; None where that is open.
+        """Return that the leading term alone is wrong by its power or its number; else None.
 
-        Another power needs a coefficient that agreed before: one over l ω² has another power than one over
-        r ω². A coefficient twice or four times too large is none of an acceleration, velocity or position.
+        Another power needs a coefficient that agreed before: one over l ω² has another power than one
+        over r ω². One twice or four times too large is none of an acceleration, velocity or position.
         """
         left = chain.sides[k].node
         match = _NAME.fullmatch(left.name) if isinstance(left, Name) else None
@@ -146,13 +150,18 @@ class HarmonicCoefficients:
 
     def _is_of_torque(self, chain: Chain) -> bool:
         """Tell whether the sentence or heading speaks of a torque, whose coefficients are others."""
-        words = self.sections.sentence_leading_to(chain) + self.sections.heading_above(chain.lines[0])
-        return _TORQUE.search(words) is not None
+        return _TORQUE.search(self._words(chain)) is not None
 
     def _is_said(self, chain: Chain) -> bool:
         """Tell whether the sentence or its section's heading speaks of harmonics."""
-        words = self.sections.sentence_leading_to(chain) + self.sections.heading_above(chain.lines[0])
-        return _WORDS.search(words) is not None
+        return _WORDS.search(self._words(chain)) is not None
+
+    def _words(self, chain: Chain) -> str:
+        """Return the words of a relation's sentence, or else of the lines before, and its heading."""
+        sentence = self.sections.sentence_leading_to(chain)
+        if len(_NO_LETTER.sub("", sentence)) <= BARE:
+            sentence = self.sections.document.text[max(0, chain.start - REACH) : chain.start]
+        return sentence + self.sections.heading_above(chain.lines[0])
 
 
 def coefficients(order: int, highest: int) -> dict[int, Fraction]:

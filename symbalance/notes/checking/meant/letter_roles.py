@@ -63,6 +63,11 @@ _FROM_END = (
     r"(?:(?:from|to|vom?|von\s+de[rmn]|bis\s+zu[mr]?)\s+(?:the\s+|de[rmn]\s+)?(?:{})(?![A-Za-z])"
     r"|(?:{})から)"
 )
+_KINDS = {
+    **dict.fromkeys(("first_inertia", "second_inertia", "own_inertia", "other_inertia"), "inertia"),
+    **dict.fromkeys(("first_rate", "second_rate", "third_rate"), "stiffness"),
+}
+"""Roles of one of several, and the role that words give each of them: the flywheel J2."""
 ROD_ENDS = {
     "to_big": _FROM_END.format(
         r"(?:big|large)[- ]end|crank[- ]?pin|großen\s+\w*(?:auge|kopf)|(?:kurbel|hub)zapfen",
@@ -138,6 +143,8 @@ class LetterRoles:
             return True
         if letter.partition("_")[0] in _ANGULAR and "frequency" in roles:
             roles = (roles | {"omega"}) - {"frequency"}  # a frequency ω counts radians
+        if _KINDS.get(role) in roles:
+            return True
         return role in roles if roles else not is_other and _is_usual(letter, role)
 
     def _roles_named(self, letter: str) -> tuple[frozenset[str], bool]:

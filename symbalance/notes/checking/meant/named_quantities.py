@@ -23,6 +23,7 @@ from symbalance.document.formula import (
     Call,
     Formula,
     Name,
+    Negative,
     Number,
     Product,
     Quotient,
@@ -289,7 +290,8 @@ class NamedQuantities:
             special = {n: each for n, each in fitting.items() if each.quantity.only is not None}
             fitting = special if len(special) == 1 else fitting
         stems = {stem_of(name).rstrip("'"), name}
-        if " " not in name and not any(stems & each.quantity.letters for each in candidates):
+        own = [each for each in candidates if stems & each.quantity.letters]
+        if " " not in name and all(each.is_other for each in own):
             return self._by_form(chain, name, claim, knowledge, known)
         if len(fitting) != 1:
             return None
@@ -331,6 +333,8 @@ class NamedQuantities:
                 verdicts.append(verdict)
         mended = [verdict.fix.node for verdict in verdicts if verdict.fix is not None]
         is_one = bool(mended) and all(agrees(mended[0], node) for node in mended[1:])
+        if is_one:
+            self.forms.refuted.add(name)
         return verdicts[0] if is_one else None
 
     def _targets(
@@ -513,10 +517,17 @@ def _has_own_convention(claim: Formula, knowledge: Knowledge) -> bool:
     formulas = [d.formula if d.numeric else d.node for d in own]
     parts = [list(walk(node)) for node in formulas if node is not None]
     return any(
-        any(isinstance(part, Sum) for part in each)
+        any(map(_is_of_letters, each))
         and any(isinstance(part, Number) and part.value != 1 for part in each)
         for each in parts
     )
+
+
+def _is_of_letters(node: Formula) -> bool:
+    """Tell whether a formula is a sum or difference of letters."""
+    terms = node.terms if isinstance(node, Sum) else ()
+    bare = [term.operand if isinstance(term, Negative) else term for term in terms]
+    return bool(bare) and all(isinstance(term, Name) for term in bare)
 
 
 def _has_complement(claim: Formula, knowledge: Knowledge) -> bool:

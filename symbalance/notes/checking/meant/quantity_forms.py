@@ -1,7 +1,7 @@
 """Quantities known by the form of their formula, where no words beside a letter name it.
 
-τ = 32 T/(π d³) differs by one factor from the torsional stress, whose letters these are, and the paragraph
-speaks of shear stress: that is what τ must be. Such a formula is compared with every formula of the
+τ = 32 T/(π d³) differs by one factor from the torsional stress, whose letters these are, and the
+paragraph speaks of shear stress: that is what τ must be. Such a formula is compared with every one of the
 catalogue whose left letter it has. It is left alone where it is any of them, whatever the words are; and
 where it is none, it is wrong only if
 
@@ -14,7 +14,7 @@ where it is none, it is wrong only if
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from symbalance.document.formula import Call, Formula, Name, Product, Quotient, Sum, names, walk
@@ -44,15 +44,15 @@ _BESIDE = {"E": _BENDING, "G": _TORSION}
 """What stands beside a second moment of area: E I is of bending, G I of torsion."""
 _STRESSES = {"sigma": _BENDING, "tau": _TORSION}
 """What is a moment over a section modulus."""
-_SECTIONS = frozenset("W Z I J".split())
-_SUBSCRIPTS = {_TORSION: frozenset("p t P T pol".split()), _BENDING: frozenset({"ax"})}
+_SECTIONS = frozenset(["W", "Z", "I", "J"])
+_SUBSCRIPTS = {_TORSION: frozenset(["p", "t", "P", "T", "pol"]), _BENDING: frozenset({"ax"})}
 """Letters of sections, and the subscripts that say what they are used for."""
 _HOLLOW = words(HOLLOW)
 _OF_THE_ROD = {
-    "side force on the cylinder wall": frozenset("N H G L".split()),
-    "force in the connecting rod": frozenset("K S Q".split()),
+    "side force on the cylinder wall": frozenset(["N", "H", "G", "L"]),
+    "force in the connecting rod": frozenset(["K", "S", "Q"]),
 }
-"""Letters of what a force along the stroke gives with the rod's angle, of which each is one of the two."""
+"""Letters of what a force along the stroke gives with the rod's angle, each of one of the two."""
 _NEVER_LARGEST = frozenset({"piston acceleration at the bottom dead centre"})
 """Quantities that no largest value is, whatever its formula looks like."""
 _PLAIN_INDICES = frozenset({"", "0", "1", "2", "3", "a", "b", "d", "e", "i", "k", "m", "n"})
@@ -66,6 +66,8 @@ class QuantityForms:
     """Looks for the quantities that a formula of one document may be by its form."""
 
     words: QuantityWords
+    refuted: set[str] = field(default_factory=set)
+    """Letters of formulas that were refuted by their form: other lines may mean something else."""
 
     def candidates(self, name: str, chain: Chain, forces: Collection[str]) -> Iterator[Named]:
         """Yield the quantities that a letter may be by the words around, or by its use elsewhere.
@@ -110,12 +112,13 @@ class QuantityForms:
             other = _USES.get(quantity.name)
             if use and other and other != use:
                 continue
-            if not is_telling_index or not quantity.indices or index in quantity.indices:
-                if not (is_telling_index and quantity.name in _NEVER_LARGEST and index == "max"):
-                    yield quantity
+            is_never = is_telling_index and quantity.name in _NEVER_LARGEST and index == "max"
+            fits = not is_telling_index or not quantity.indices or index in quantity.indices
+            if fits and not is_never:
+                yield quantity
 
     def use_of(self, name: str) -> str:
-        """Return what the letter of a section is used for elsewhere, or by its subscript; "" if unknown."""
+        """Return what the letter of a section is used for elsewhere or by its subscript, or ""."""
         is_section = stem_of(name) in _SECTIONS
         by_index = next((use for use, own in _SUBSCRIPTS.items() if index_of(name) in own), "")
         return self.uses.get(name, by_index if is_section else "")

@@ -72,11 +72,12 @@ def decide_two_discs(chain: Chain, k: int, document: ReadNotes) -> Decision | No
     wanted = SECOND / FIRST if of_node else -SECOND / FIRST
     if isclose(ratio, wanted):
         return Decision(PROVED, assumptions=(what,))
+    reason = ""
     if isclose(abs(ratio), FIRST / SECOND):
-        return Decision(REFUTED, f"if {what}, of which the smaller belongs to the larger inertia")
-    if of_modes and isclose(ratio, -wanted) and _OF_SIGNED.search(words[-NEXT:]):
-        return Decision(REFUTED, f"if {what}, which have opposite signs in the shape of a mode")
-    return None
+        reason = "of which the smaller belongs to the larger inertia"
+    elif of_modes and isclose(ratio, -wanted) and _OF_SIGNED.search(words[-NEXT:]):
+        reason = "which have opposite signs in the shape of a mode"
+    return Decision(REFUTED, f"if {what}, {reason}") if reason else None
 
 
 def _letters_of(left: Formula, right: Formula) -> tuple[tuple[str, str], tuple[str, str]] | None:

@@ -1,4 +1,4 @@
-"""Round bodies by their density: half discs and rings, their masses and inertia, the stress of a turning rim."""
+"""Round bodies by their density: areas, masses and inertia of discs and rings, the stress of a rim."""
 
 from __future__ import annotations
 
@@ -46,22 +46,27 @@ ROUND_BODIES: tuple[Quantity, ...] = (
               r"(?:umfangs|kranz|tangential)spannung", r"(?:zug)?spannung\s+im\s+(?:kranz|schwungring)",
               r"(?:フープ|円周|周方向)応力"),
         (density * velocity**2, density * radius**2 * omega**2), ("bare factor", "power", "part"),
-        only=_RIM, unless=words(r"thick|dick|厚|solid\s+dis[ck]|vollscheibe|pressure|druck|圧力|spoke|specific\s+weight"),
+        only=_RIM, unless=words(r"thick|dick|厚|solid\s+dis[ck]|vollscheibe|pressure|druck|圧力|spoke"
+                                r"|specific\s+weight"),
         is_told_once=True,
     ),
     Quantity(
         "area of a half disc", letters("A S F"),
         words(r"area\s+of\s+(?:the|a|each|one)\s+(?:half[- ]?(?:dis[ck]|circle)|semi-?circ\w+)",
-              r"(?:half[- ]?dis[ck]|semi-?circular)\s+area", r"(?:fläche\s+(?:der|einer)\s+halb(?:scheibe|kreis\w*)"
+              r"(?:half[- ]?dis[ck]|semi-?circular)\s+area",
+              r"(?:fläche\s+(?:der|einer)\s+halb(?:scheibe|kreis\w*)"
               r"|halbkreisfläche|fläche\s+des\s+halbkreises)", r"半円(?:板)?の面積"),
         (PI * radius**2 / 2, PI * diameter**2 / 8), ("factor", "power", "part"),
-        others=(PI * radius**2, PI * diameter**2 / 4), mistakes=(PI * radius**2 / 4, PI * diameter**2 / 16),
+        others=(PI * radius**2, PI * diameter**2 / 4),
+        mistakes=(PI * radius**2 / 4, PI * diameter**2 / 16),
         unless=words(r"quarter|viertel|hole|bohrung|minus|less\s+the"),
     ),
     Quantity(
         "area of a ring", letters("A S F"),
-        words(r"(?:cross[- ]?section(?:al)?\s+|annular\s+|ring\s+)?area(?:\s+of\s+(?:the|a)\s+(?:ring|annulus|hollow"
-              r"\s+\w+))?", r"(?:ringfläche|ringquerschnitt|querschnitt(?:sfläche)?)", r"(?:断面積|環状面積)"),
+        words(r"(?:cross[- ]?section(?:al)?\s+|annular\s+|ring\s+)?area"
+              r"(?:\s+of\s+(?:the|a)\s+(?:ring|annulus"
+              r"|hollow\s+\w+))?", r"(?:ringfläche|ringquerschnitt|querschnitt(?:sfläche)?)",
+              r"(?:断面積|環状面積)"),
         (PI * (outer**2 - inner**2) / 4, PI * (outer_radius**2 - inner_radius**2)), ("factor", "edit"),
         only=words(_RING), unless=words(r"half|halb|半|two\s+rings|sector"),
     ),
@@ -88,7 +93,8 @@ ROUND_BODIES: tuple[Quantity, ...] = (
               r"masse\s+(?:der|des|einer|eines)\s+\w*(?:scheibe|kranzes|rings?|zylinders)",
               r"(?:円環|リム|円板|中空円板|中空円筒)の質量"),
         tuple(node for b in _THICKNESSES for node in (
-            PI * density * b * (outer_radius**2 - inner_radius**2), PI * density * b * (outer**2 - inner**2) / 4)),
+            PI * density * b * (outer_radius**2 - inner_radius**2),
+            PI * density * b * (outer**2 - inner**2) / 4)),
         ("factor", "edit"), unless=words(r"half|halb|半|sector|sektor|spoke|speich"),
     ),
 )  # fmt: skip
