@@ -239,7 +239,7 @@ def _judge_step(
 
 
 def _unless_by_form(state: JudgingState, chain: Chain, k: int, decision: Decision) -> Decision:
-    """Return a decision, left open where a refutation rests on what a line above should be by its form."""
+    """Return a decision, left open where it only says that a line above should be another by its form."""
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     is_of_form = not k and isinstance(left, Name) and left.name in state.named.forms.refuted
     if not is_of_form or decision.status != REFUTED or not names(right):
