@@ -241,7 +241,8 @@ def _judge_step(
 def _unless_by_form(state: JudgingState, chain: Chain, k: int, decision: Decision) -> Decision:
     """Return a decision, left open where it only says that a line above should be another by its form."""
     left, right = chain.sides[k].node, chain.sides[k + 1].node
-    is_of_form = not k and isinstance(left, Name) and left.name in state.named.forms.refuted
+    first = state.named.forms.refuted.get(left.name) if isinstance(left, Name) and not k else None
+    is_of_form = first is not None and first < chain.start
     if not is_of_form or decision.status != REFUTED or not names(right):
         return decision
     reason = "at odds with what a line above should be by its form: another case, or wrong"

@@ -334,7 +334,7 @@ class NamedQuantities:
         mended = [verdict.fix.node for verdict in verdicts if verdict.fix is not None]
         is_one = bool(mended) and all(agrees(mended[0], node) for node in mended[1:])
         if is_one:
-            self.forms.refuted.add(name)
+            self.forms.refuted.setdefault(name, chain.start)
         return verdicts[0] if is_one else None
 
     def _targets(

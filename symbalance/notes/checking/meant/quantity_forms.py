@@ -66,8 +66,8 @@ class QuantityForms:
     """Looks for the quantities that a formula of one document may be by its form."""
 
     words: QuantityWords
-    refuted: set[str] = field(default_factory=set)
-    """Letters of formulas that were refuted by their form: other lines may mean something else."""
+    refuted: dict[str, int] = field(default_factory=dict)
+    """Letters of formulas that were refuted by their form, with the place of the first."""
 
     def candidates(self, name: str, chain: Chain, forces: Collection[str]) -> Iterator[Named]:
         """Yield the quantities that a letter may be by the words around, or by its use elsewhere.
