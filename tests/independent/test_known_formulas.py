@@ -14,6 +14,7 @@ from symbalance.notes.algebra.tree_values import TreeValues
 from symbalance.notes.checking.meant.catalogue import QUANTITIES, Quantity
 from tests.independent.balance_cases import BALANCE_CASES
 from tests.independent.catalogue_cases import CASES as OTHER_CASES
+from tests.independent.round_body_cases import ROUND_BODIES
 
 F = Fraction
 R, INNER = F(2, 100), F(1, 100)
@@ -244,6 +245,7 @@ CASES = {
     "firing interval of a two-stroke engine": [(ENGINE, 2 * mp.pi / 6)],
     **OTHER_CASES,
     **BALANCE_CASES,
+    **ROUND_BODIES,
 }
 
 

@@ -236,9 +236,21 @@ def _judge_step(
         by_name = _as_another_named(state, chain, k, knowledge)
     if by_name is not None and not _is_left_open(by_name):
         return by_name
+    decision = _unless_by_form(state, chain, k, decision)
     verdict = describe(state.document, chain, k, decision)
     verdict = add_fix_of_relation(state, verdict, chain, k, against, decision, knowledge)
     return note_other_case(state, chain, k, verdict, against, decision, knowledge)
+
+
+def _unless_by_form(state: JudgingState, chain: Chain, k: int, decision: Decision) -> Decision:
+    """Return a decision, left open where it only says that a line above should be another by its form."""
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    first = state.named.forms.refuted.get(left.name) if isinstance(left, Name) and not k else None
+    is_of_form = first is not None and first < chain.start
+    if not is_of_form or decision.status != REFUTED or not names(right):
+        return decision
+    reason = "at odds with what a line above should be by its form: another case, or wrong"
+    return Decision(UNDECIDED, reason)
 
 
 def _moment_by_name(

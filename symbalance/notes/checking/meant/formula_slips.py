@@ -96,10 +96,14 @@ def slip_of(target: Formula, claim: Formula, slips: tuple[str, ...], may_be_part
     is_finite = _is_finite(ratios)
     if is_finite and all(isclose(ratio, ratios[0], rel_tol=_EXACT) for ratio in ratios):
         return _slip_by_factor(target, ratios[0], slips, may_be_part)
-    if "edit" in slips and any(agrees(each, claim) for each in single_edits(target)):
-        return "one change"
-    if "exchange" in slips and _is_any_exchange(target, claim):
-        return "exchange"
+    changes = {
+        "one change": ("edit", lambda: any(agrees(each, claim) for each in single_edits(target))),
+        "factor of a term": ("term", lambda: any(agrees(e, claim) for e in _without_a_number(target))),
+        "exchange": ("exchange", lambda: _is_any_exchange(target, claim)),
+    }
+    for kind, (allowed, test) in changes.items():
+        if allowed in slips and test():
+            return kind
     if not is_finite:
         return "term" if "term" in slips else ""  # σ² - 3 τ² below a root
     letters = sorted(names(claim))
@@ -202,6 +206,18 @@ def is_multiple(target: Formula, claim: Formula) -> bool:
     """Tell whether a formula is another one with a factor."""
     ratios = _ratio_of(target, claim)
     return isfinite(ratios[0]) and all(isclose(each, ratios[0], rel_tol=_EXACT) for each in ratios)
+
+
+def _without_a_number(node: Formula) -> Iterator[Formula]:
+    """Yield a formula with one of its numbers left out: σ² + τ² for σ² + 3 τ²."""
+    if isinstance(node, Product):
+        for factor in node.factors:
+            if isinstance(factor, Number):
+                yield Product(tuple(f for f in node.factors if f is not factor))
+    parts = children(node)
+    for k, part in enumerate(parts):
+        for edit in _without_a_number(part):
+            yield with_children(node, (*parts[:k], edit, *parts[k + 1 :]))
 
 
 def single_edits(node: Formula) -> Iterator[Formula]:

@@ -6,18 +6,21 @@ Of x = r (1 - cos θ) + l (1 - √(1 - λ² sin²θ)) the acceleration over r ω
 
 and what a page writes of its A_n, cut off anywhere, says by its first term whether it means these. From
 then on a wrong one is refuted: a page may count with other signs, and it may mean the harmonics of the
-velocity or the displacement, so that nothing is refuted before one coefficient has agreed.
+velocity or the displacement, so that before one coefficient has agreed only a leading term is refuted
+that is none of these.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import comb
 
 from symbalance.document.formula import Formula, Name, Number, Power, Product, Quotient, Sum, names
 from symbalance.document.letters import plain_letter
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
 from symbalance.notes.algebra.number_formulas import rational_node
@@ -34,6 +37,19 @@ _WORDS = re.compile(
     r"|係数|[2468二四六八]\s*次|高調波|級数",
     re.IGNORECASE,
 )
+_TORQUE = re.compile(
+    r"torque|moment|energy|inertia of|トルク|モーメント|peak[- ]to|double amplitude|spitze[- ]spitze"
+    r"|complex|komplex",
+    re.IGNORECASE,
+)
+"""Words for coefficients of something else, or of twice or half of it."""
+_COEFFICIENTS = frozenset({"A", "B", "a", "b", "k"})
+"""Letters of the coefficients of a piston's acceleration on most pages."""
+_FACTORS = frozenset(Fraction(n) for n in (2, 4, 8)) | {Fraction(1, n) for n in (2, 4, 8)}
+"""By what a coefficient that is one of a known series may be wrong."""
+_NO_LETTER = re.compile(r"[\W\d_]+")
+BARE, REACH = 12, 160
+"""Letters of a sentence that is only the opening of a display, and characters before it that are read."""
 _RATIOS = frozenset({"lambda", "rho", "epsilon", "n", "kappa", "mu", "q", "nu", "k"})
 """Letters of r/l or l/r on most pages."""
 
@@ -69,7 +85,7 @@ class HarmonicCoefficients:
         is_said = key in self.agreed or (norm is not None and self._is_said(chain))
         known_norm = self.norms.get(key) if order else 0
         if not scale or not is_said or (known_norm is None and norm is None):
-            return None
+            return self._with_slip(chain, k, powers, -1 if is_inverse else 1)
         norm = known_norm if known_norm is not None else norm or 0
         size = Fraction(1, max(order, 1) ** norm)
         target = _series_node(series, ratio, -1 if is_inverse else 1, -size if scale < 0 else size)
@@ -90,10 +106,62 @@ class HarmonicCoefficients:
         refuted = replace(decision, reason=f"if {text}", assumptions=())
         return refuted if decision.status == REFUTED else None
 
+    def _with_slip(
+        self, chain: Chain, k: int, powers: Mapping[int, Fraction], direction: int
+    ) -> Decision | None:
+        """Return that the leading term alone is wrong by its power or its number; else None.
+
+        Another power needs a coefficient that agreed before: one over l ω² has another power than one
+        over r ω². One twice or four times too large is none of an acceleration, velocity or position.
+        """
+        left = chain.sides[k].node
+        match = _NAME.fullmatch(left.name) if isinstance(left, Name) else None
+        if match is None or not isinstance(left, Name) or len(powers) != 1 or not int(match["order"]):
+            return None
+        (ratio,), order = names(chain.sides[k + 1].node), int(match["order"])
+        ((power, value),) = powers.items()
+        leading = order - 1
+        size = coefficients(order, leading)[leading]
+        norm = self.norms.get((match["stem"], ratio))
+        scales = {n: abs(value) / abs(size) * order**n for n in ((0, 1, 2) if norm is None else (norm,))}
+        if norm is not None:
+            is_slip = power != leading and abs(power - leading) <= 2 and scales[norm] == 1
+            is_slip |= power == leading and scales[norm] in _FACTORS
+        else:
+            is_slip = (
+                power == leading and scales[0] in (2, 4) and not {1, Fraction(1, 2)} & {*scales.values()}
+            )
+            is_slip &= (
+                match["stem"] in _COEFFICIENTS and self._is_said(chain) and not self._is_of_torque(chain)
+            )
+        if not is_slip:
+            return None
+        number = Fraction(size, order ** (norm or 0))
+        target = _series_node({leading: abs(number)}, ratio, direction, Fraction(1 if value > 0 else -1))
+        what = f"the leading term of the coefficient of order {order} in the piston's motion"
+        source = (
+            f"as in line {self.agreed[match['stem'], ratio]}" if norm is not None else "its form says so"
+        )
+        text = f"{plain_letter(left.name)} is {what} ({NOBODY}; {source}), {formula_text(target)}"
+        bare = Knowledge(SymbolValue(positive=frozenset({ratio})))
+        decision = decide(Side((target,), chain.sides[k].span), chain.sides[k + 1], "=", bare)
+        refuted = replace(decision, reason=f"if {text}", assumptions=())
+        return refuted if decision.status == REFUTED else None
+
+    def _is_of_torque(self, chain: Chain) -> bool:
+        """Tell whether the sentence or heading speaks of a torque, whose coefficients are others."""
+        return _TORQUE.search(self._words(chain)) is not None
+
     def _is_said(self, chain: Chain) -> bool:
         """Tell whether the sentence or its section's heading speaks of harmonics."""
-        words = self.sections.sentence_leading_to(chain) + self.sections.heading_above(chain.lines[0])
-        return _WORDS.search(words) is not None
+        return _WORDS.search(self._words(chain)) is not None
+
+    def _words(self, chain: Chain) -> str:
+        """Return the words of a relation's sentence, or else of the lines before, and its heading."""
+        sentence = self.sections.sentence_leading_to(chain)
+        if len(_NO_LETTER.sub("", sentence)) <= BARE:
+            sentence = self.sections.document.text[max(0, chain.start - REACH) : chain.start]
+        return sentence + self.sections.heading_above(chain.lines[0])
 
 
 def coefficients(order: int, highest: int) -> dict[int, Fraction]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 
 from symbalance.document.formula import Call, Formula, Name, Number, Power, Quotient, names
@@ -9,6 +10,14 @@ from symbalance.notes.checking.deciding.substitution import substitute
 
 LETTER = Name("x")
 """A side that is a lone letter."""
+_FROM = re.compile(
+    r"(?:\bfrom|\bvom?|\bvon|\bab)\s+(?:(?:the|der|dem)\s+)?(?:(?P<first>first|left|ersten|linken)\b"
+    r"|(?:second|right|zweiten|rechten)\b"
+    r"|(?:dis[ck]|mass|rotor|inertia|wheel|scheibe|masse)\s*(?:no\.\s?)?(?:\$?\\?[A-Za-z]_?\{?)?(?P<number>[12])"
+    r"|\$?[JIm]_?\{?(?P<index>[12]))",
+    re.IGNORECASE,
+)
+"""Words for the end of a shaft from which a distance is taken."""
 _ONE = Number(Fraction(1))
 
 
@@ -28,6 +37,18 @@ def head_of(side: Formula) -> str | None:
         case Call(function="tan", argument=Name(name=name)):
             return name
     return None
+
+
+def end_named(words: str) -> str:
+    """Return the number of the disc from which words measure a distance; "" where they name none.
+
+    >>> end_named("at x from the first"), end_named("from disc 2"), end_named("from the wall")
+    ('1', '2', '')
+    """
+    match = _FROM.search(words)
+    if match is None:
+        return ""
+    return match["number"] or match["index"] or ("1" if match["first"] else "2")
 
 
 def as_side(side: Formula, formula: Formula) -> Formula:

@@ -23,9 +23,11 @@ _NO_ROLE = frozenset(
 )
 """Subscripts of a diameter or a radius that is one of two."""
 _OUTER, _INNER = (frozenset(text.split()) for text in ("a o e out outer", "i in inner innen"))
-_OF_TWO = {"outer": (_OUTER, _INNER, "D"), "inner": (_INNER, _OUTER, "d"),
-           "outer_radius": (_OUTER, _INNER, "R"), "inner_radius": (_INNER, _OUTER, "r")}  # fmt: skip
-"""Subscripts of the two diameters of a hollow section; without one D is the larger."""
+_OF_TWO = {"outer": (_OUTER, _INNER, "D d"), "inner": (_INNER, _OUTER, "d"),
+           "outer_radius": (_OUTER, _INNER, "R r"), "inner_radius": (_INNER, _OUTER, "r")}  # fmt: skip
+"""Subscripts of the two diameters of a hollow section; without one D is the larger, and d beside d_i."""
+_WITH_NUMBER = re.compile(r"([A-Za-z]|[a-z]{2,8})([0-9])")
+"""A letter with a number behind it, as a page without subscripts writes it: J1, omega0."""
 LONGEST_NAME = 48
 """Characters of the words before a letter that may name it."""
 _GOES_ON = re.compile(r"\}?\s*(?:[A-Za-z0-9(+*/·^-]|\\(?:[a-z]+))(?<!\\approx)(?<!\\in)(?<!\\to)")
@@ -61,6 +63,11 @@ _FROM_END = (
     r"(?:(?:from|to|vom?|von\s+de[rmn]|bis\s+zu[mr]?)\s+(?:the\s+|de[rmn]\s+)?(?:{})(?![A-Za-z])"
     r"|(?:{})から)"
 )
+_KINDS = {
+    **dict.fromkeys(("first_inertia", "second_inertia", "own_inertia", "other_inertia"), "inertia"),
+    **dict.fromkeys(("first_rate", "second_rate", "third_rate"), "stiffness"),
+}
+"""Roles of one of several, and the role that words give each of them: the flywheel J2."""
 ROD_ENDS = {
     "to_big": _FROM_END.format(
         r"(?:big|large)[- ]end|crank[- ]?pin|großen\s+\w*(?:auge|kopf)|(?:kurbel|hub)zapfen",
@@ -136,6 +143,8 @@ class LetterRoles:
             return True
         if letter.partition("_")[0] in _ANGULAR and "frequency" in roles:
             roles = (roles | {"omega"}) - {"frequency"}  # a frequency ω counts radians
+        if _KINDS.get(role) in roles:
+            return True
         return role in roles if roles else not is_other and _is_usual(letter, role)
 
     def _roles_named(self, letter: str) -> tuple[frozenset[str], bool]:
@@ -229,6 +238,32 @@ def without_accent(letter: str) -> str:
     return letter.removeprefix("hat_").removeprefix("bar_")
 
 
+def index_of(letter: str) -> str:
+    """Return the subscript of a letter, written below or behind it.
+
+    >>> index_of("J_1"), index_of("J1"), index_of("hat_varphi")
+    ('1', '1', '')
+    """
+    return _parts_of(letter)[1]
+
+
+def stem_of(letter: str) -> str:
+    """Return a letter without its subscript.
+
+    >>> stem_of("J_1"), stem_of("J1"), stem_of("hat_varphi")
+    ('J', 'J', 'varphi')
+    """
+    return _parts_of(letter)[0]
+
+
+def _parts_of(letter: str) -> tuple[str, str]:
+    """Return a letter without its subscript, and the subscript."""
+    plain = without_accent(letter)
+    stem, _, index = plain.partition("_")
+    match = None if index else _WITH_NUMBER.fullmatch(plain)
+    return (match[1], match[2]) if match is not None else (stem, index)
+
+
 def sign_of(letter: str) -> str:
     """Return a pattern for a letter as a page may write it: \\omega_0, ω_{0}, \\hat\\varphi."""
     plain = without_accent(letter)
@@ -279,18 +314,18 @@ def _is_of_one_index(pairs: Mapping[str, str], head: str, first: str, second: st
     """Tell whether two roles have letters of one subscript, if a formula has both."""
     if second not in pairs or (first and first not in pairs):
         return True
-    index = (pairs[first] if first else head).partition("_")[2]
-    return pairs[second].partition("_")[2] == index or (not first and index not in ("1", "2", "a", "b"))
+    index = index_of(pairs[first] if first else head)
+    return index_of(pairs[second]) == index or (not first and index not in ("1", "2", "a", "b"))
 
 
 def _is_usual(letter: str, role: str) -> bool:
     """Tell whether a letter of which no words say anything stands for a role on most pages."""
+    stem, index = _parts_of(letter)
     letter = without_accent(letter)
-    stem, _, index = letter.partition("_")
     stem = letter if letter.startswith("Delta_") else stem
     if role in _OF_TWO:
         own, other, alone = _OF_TWO[role]
-        return index in own or (stem == alone and index not in other)
+        return index in own or (stem in alone.split() and index not in other)
     if role in ("diameter", "radius", "crank") and index in _NO_ROLE:
         return False
     usual = ROLES[role]

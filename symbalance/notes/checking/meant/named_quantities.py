@@ -23,6 +23,7 @@ from symbalance.document.formula import (
     Call,
     Formula,
     Name,
+    Negative,
     Number,
     Product,
     Quotient,
@@ -51,11 +52,10 @@ from symbalance.notes.checking.meant.claims_in_letters import (
 )
 from symbalance.notes.checking.meant.correction_planes import CorrectionPlanes
 from symbalance.notes.checking.meant.formula_slips import agrees, differs, is_multiple, slip_of
-from symbalance.notes.checking.meant.left_sides import LETTER, as_side, head_of
-from symbalance.notes.checking.meant.letter_roles import (
-    LetterRoles,
-)
+from symbalance.notes.checking.meant.left_sides import LETTER, as_side, end_named, head_of
+from symbalance.notes.checking.meant.letter_roles import LetterRoles, index_of, stem_of
 from symbalance.notes.checking.meant.meant_words import NOBODY
+from symbalance.notes.checking.meant.quantity_forms import QuantityForms, is_telling
 from symbalance.notes.checking.meant.quantity_words import Named, Places, QuantityWords
 from symbalance.notes.checking.meant.stated_numbers import StatedNumbers
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
@@ -101,6 +101,8 @@ _FROM_ELSEWHERE = re.compile(
     re.IGNORECASE,
 )
 """Words for another place where an angle begins: a sine is a cosine there."""
+BEHIND = 40
+"""Characters behind a relation in which words may say from where it measures."""
 MOST_LETTERS = 7
 """Letters that a standard formula has at most."""
 _ROLE_OF = {
@@ -155,6 +157,11 @@ class NamedQuantities:
     def words(self) -> QuantityWords:
         """The words of the document around its formulas."""
         return QuantityWords(self.document, self.sections, self.roles)
+
+    @cached_property
+    def forms(self) -> QuantityForms:
+        """What the letters of the document may be by the form of their formulas."""
+        return QuantityForms(self.words)
 
     @cached_property
     def planes(self) -> CorrectionPlanes:
@@ -254,7 +261,10 @@ class NamedQuantities:
         known = Knowledge(SymbolValue(positive=frozenset(names(claim))), corrects=True)
         side = chain.sides[1]
         left = LETTER if " " in name else chain.sides[0].node
-        candidates = [replace(each, left=left) for each in self.words.named(name, chain, knowledge)]
+        candidates = [
+            replace(each, left=left, end=self._end(chain))
+            for each in self.words.named(name, chain, knowledge)
+        ]
         sign = chain.relations[0].sign
         pairs = [
             (named, target)
@@ -279,6 +289,10 @@ class NamedQuantities:
             fitting = {n: each for n, each in fitting.items() if any(p is each for p, _ in pairs)}
             special = {n: each for n, each in fitting.items() if each.quantity.only is not None}
             fitting = special if len(special) == 1 else fitting
+        stems = {stem_of(name).rstrip("'"), name}
+        own = [each for each in candidates if stems & each.quantity.letters]
+        if " " not in name and all(each.is_other for each in own):
+            return self._by_form(chain, name, claim, knowledge, known)
         if len(fitting) != 1:
             return None
         (named,) = fitting.values()
@@ -288,6 +302,40 @@ class NamedQuantities:
         targets = [target for each, target in pairs if each is named]
         targets += self._targets(named.quantity.approximate, claim, name, named, knowledge)
         return self._with_slip(chain, name, claim, named, targets, known, knowledge)
+
+    def _end(self, chain: Chain) -> str:
+        """Return the number of the end from which the words beside a relation measure."""
+        behind = self.document.text[chain.end : chain.end + BEHIND]
+        return end_named(behind) or end_named(self.words.sentence_before(chain))
+
+    def _by_form(
+        self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge, known: Knowledge
+    ) -> Verdict | None:
+        """Return that a formula that no words name is one slip from the only one that it may be."""
+        if not isinstance(chain.sides[0].node, Name) or not is_telling(claim):
+            return None
+        candidates = [
+            replace(named, left=chain.sides[0].node, end=self._end(chain))
+            for named in self.forms.candidates(name, chain, self.piston_forces)
+            if not (named.quantity.turns and self.counts_from_elsewhere)
+        ]
+        for quantity in self.forms.possible(name, candidates):
+            every = (*quantity.formulas, *quantity.approximate)
+            every = every if any(each.is_by_use for each in candidates) else (*every, *quantity.others)
+            targets = self.roles.targets(every, claim, knowledge.meanings, quantity.together, name)
+            if any(agrees(target, claim) for target in targets):
+                return None
+        verdicts: list[Verdict] = []
+        for named in candidates:
+            targets = self._targets(named.quantity.formulas, claim, name, named, knowledge)
+            verdict = self._with_slip(chain, name, claim, named, targets, known, knowledge)
+            if verdict is not None and verdict.fix is not None:
+                verdicts.append(verdict)
+        mended = [verdict.fix.node for verdict in verdicts if verdict.fix is not None]
+        is_one = bool(mended) and all(agrees(mended[0], node) for node in mended[1:])
+        if is_one:
+            self.forms.refuted.setdefault(name, chain.start)
+        return verdicts[0] if is_one else None
 
     def _targets(
         self,
@@ -305,12 +353,18 @@ class NamedQuantities:
             formulas = (*formulas, *(f for f in put_in if f not in formulas))
         every = self.stated.with_numbers(formulas, named.quantity.stated)
         shaped = tuple(as_side(named.left, formula) for formula in every)
-        return list(self.roles.targets(shaped, claim, knowledge.meanings, together, name))
+        head = name
+        if ("", "own_inertia") in together and not index_of(name):
+            head = f"{name}_{named.end}"
+        return list(self.roles.targets(shaped, claim, knowledge.meanings, together, head))
 
     def text(self, name: str, named: Named) -> str:
         """Return what a letter is taken to be, and what says so."""
         own = self.words.glossary.own_words(named.words)
         source = f"{NOBODY}; taken from the words “{own}”"
+        if named.is_by_form:
+            source = f"{NOBODY}; it has the form of that, and “{own}” stands near"
+            source = f"{NOBODY}; {own}" if named.is_by_use else source
         source = f"declared as “{named.words}”" if named.is_declared else source
         return f"{' '.join(map(plain_letter, name.split()))} is the {named.quantity.name} ({source})"
 
@@ -429,13 +483,21 @@ def _over_cosine(node: Formula) -> set[str]:
     match node:
         case Quotient(numerator=above, denominator=Call(function="cos", argument=Name())):
             factors = above.factors if isinstance(above, Product) else (above,)
-        case Product(factors=factors) if any(
-            isinstance(f, Call) and f.function == "tan" and isinstance(f.argument, Name) for f in factors
-        ):
+        case Product(factors=factors) if any(map(_is_tangent, factors)):
             pass
         case _:
             return set()
     return {factor.name for factor in factors if isinstance(factor, Name)}
+
+
+def _is_tangent(node: Formula) -> bool:
+    """Tell whether a formula is the tangent of an angle, or anything over the cosine of one."""
+    match node:
+        case Call(function="tan", argument=Name()):
+            return True
+        case Quotient(denominator=Call(function="cos", argument=Name())):
+            return True
+    return False
 
 
 def _without_letters_named(sentence: str, own: frozenset[str]) -> str:
@@ -455,10 +517,17 @@ def _has_own_convention(claim: Formula, knowledge: Knowledge) -> bool:
     formulas = [d.formula if d.numeric else d.node for d in own]
     parts = [list(walk(node)) for node in formulas if node is not None]
     return any(
-        any(isinstance(part, Sum) for part in each)
+        any(map(_is_of_letters, each))
         and any(isinstance(part, Number) and part.value != 1 for part in each)
         for each in parts
     )
+
+
+def _is_of_letters(node: Formula) -> bool:
+    """Tell whether a formula is a sum or difference of letters."""
+    terms = node.terms if isinstance(node, Sum) else ()
+    bare = [term.operand if isinstance(term, Negative) else term for term in terms]
+    return bool(bare) and all(isinstance(term, Name) for term in bare)
 
 
 def _has_complement(claim: Formula, knowledge: Knowledge) -> bool:

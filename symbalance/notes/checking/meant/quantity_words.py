@@ -25,6 +25,7 @@ from symbalance.notes.checking.meant.letter_roles import (
     UNITS_ONLY,
     LetterRoles,
     ends_with,
+    index_of,
     sign_of,
     without_accent,
 )
@@ -103,6 +104,9 @@ class Named:
 
     is_declared: bool = False
     heading: str = ""
+    is_by_form: bool = False
+    """Whether the words only stand near, or tell how other formulas use the letter."""
+    is_by_use: bool = False
     is_above: bool = False
     """Whether words above name the letter: another formula of it may be that, and is never refuted."""
 
@@ -118,6 +122,8 @@ class Named:
         """Whether the words name this quantity and no other shape or setup."""
         return not (self.is_other or self.is_above)
 
+    end: str = ""
+    """The number of the disc from which the words measure, where they say."""
     left: Formula = LETTER
     """The side that the letter stands on: ω² of ω² = k/m."""
 
@@ -140,6 +146,31 @@ class Places:
     around: str
     heading: str
     page: str
+
+
+@dataclass(frozen=True, slots=True)
+class Around:
+    """The words around a formula of which none stands right beside it: its sentence, and all others."""
+
+    sentence: str
+    places: Places
+
+    def by_topic(self, quantity: Quantity, name: str) -> Named | None:
+        """Return a quantity of which the paragraph or heading of a letter's formula speaks; else None."""
+        near = self.places.around
+        topic = quantity.phrases.search(near)
+        index = index_of(name)
+        if topic is None and quantity.context is not None and index and index in quantity.indices:
+            topic = quantity.context.search(near)
+        if topic is None or not topic[0].strip():
+            return None
+        named = _named(quantity, topic[0].strip(), self.places, self.sentence)
+        return replace(named, is_by_form=True) if named.may_refute else None
+
+    def by_use(self, quantity: Quantity, use: str) -> Named:
+        """Return a quantity that other formulas use a letter for."""
+        named = _named(quantity, use, self.places, self.sentence)
+        return replace(named, is_by_form=True, is_by_use=True)
 
 
 @dataclass
@@ -184,6 +215,7 @@ class QuantityWords:
     def _every_named(self, name: str, chain: Chain, knowledge: Knowledge) -> Iterator[Named]:
         name_alone = without_accent(name)
         stem, _, index = name_alone.removeprefix("Delta_").partition("_")
+        stem = stem.rstrip("'")
         stem = f"Delta_{stem}" if name.startswith("Delta_") else stem
         stem = PRODUCT if " " in name else stem
         declared = knowledge.meanings.get(name, "")
@@ -238,6 +270,20 @@ class QuantityWords:
             if match is not None:
                 wider = replace(places, around=f"{around} {heading}")
                 yield _named(quantity, match[0].strip(), wider, sentence)
+
+    def sentence_before(self, chain: Chain) -> str:
+        """Return the words of a relation's sentence that stand before it."""
+        return self._texts(chain)[1]
+
+    def around(self, chain: Chain) -> Around | None:
+        """Return the words of a relation's paragraph and heading; None where they deny or approximate."""
+        sentence, _, around = self._texts(chain)
+        heading = self._heading(chain)
+        behind = _BLANK.split(self.document.text[chain.end : chain.end + SENTENCE])[0]
+        near = f"{heading}\n{around}\n{self.glossary.english(behind)}"
+        if _DENIED.search(near) or ROUGHLY.search(sentence):
+            return None
+        return Around(sentence, Places(near, heading, self.page))
 
     def by_words(self, words: str, name: str, chain: Chain) -> Iterator[Named]:
         """Yield the quantities that words name which stand elsewhere, in a unit."""

@@ -17,7 +17,7 @@ from symbalance.document.letters import plain_letter
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.algebra.tree_values import NO_VALUE, TreeValues
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
-from symbalance.notes.checking.meant.letter_roles import without_accent
+from symbalance.notes.checking.meant.letter_roles import index_of, stem_of
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.words.glossary import glossary_of
 from symbalance.notes.reading.equations import Chain, ReadNotes
@@ -36,6 +36,12 @@ _OF_MORE = re.compile(
     r"|wrong|falsch|\bnot\b",
     re.IGNORECASE,
 )
+_OF_SIGNED = re.compile(
+    r"mode[- ]?(?:shape|vector)|eigen(?:vector|vektor|form|mode)|固有モード", re.IGNORECASE
+)
+"""Words for amplitudes that have a sign."""
+NEXT = 60
+"""Characters before an equation in which words say that its amplitudes have signs."""
 NEAR = 700
 """Characters before an equation in which the words stand."""
 FIRST, SECOND = Fraction(2), Fraction(3)
@@ -50,7 +56,7 @@ def decide_two_discs(chain: Chain, k: int, document: ReadNotes) -> Decision | No
     (one, other), inertias = letters
     start = chain.start
     words = glossary_of(document.text).english(document.text[max(0, start - NEAR) : start])
-    stem = without_accent(one).partition("_")[0]
+    stem = stem_of(one)
     of_node = _OF_NODE.search(words) if stem in _LENGTHS else None
     of_modes = _OF_AMPLITUDES.search(words) if stem in _AMPLITUDES and of_node is None else None
     meant = of_node or of_modes
@@ -66,22 +72,25 @@ def decide_two_discs(chain: Chain, k: int, document: ReadNotes) -> Decision | No
     wanted = SECOND / FIRST if of_node else -SECOND / FIRST
     if isclose(ratio, wanted):
         return Decision(PROVED, assumptions=(what,))
+    reason = ""
     if isclose(abs(ratio), FIRST / SECOND):
-        return Decision(REFUTED, f"if {what}, of which the smaller belongs to the larger inertia")
-    return None
+        reason = "of which the smaller belongs to the larger inertia"
+    elif of_modes and isclose(ratio, -wanted) and _OF_SIGNED.search(words[-NEXT:]):
+        reason = "which have opposite signs in the shape of a mode"
+    return Decision(REFUTED, f"if {what}, {reason}") if reason else None
 
 
 def _letters_of(left: Formula, right: Formula) -> tuple[tuple[str, str], tuple[str, str]] | None:
     """Return the two amplitudes or lengths and the two inertias of an equation, by subscript."""
     by_stem: dict[str, list[str]] = {}
     for name in sorted(names(left) | names(right)):
-        by_stem.setdefault(without_accent(name).partition("_")[0], []).append(name)
+        by_stem.setdefault(stem_of(name), []).append(name)
     usual = _INERTIAS - {"Theta"} if by_stem.keys() & {"J", "I"} else _INERTIAS
     inertias = [pair for stem, pair in by_stem.items() if stem in usual]
     others = [pair for stem, pair in by_stem.items() if stem not in usual]
     if len(inertias) != 1 or len(others) != 1 or len(inertias[0]) != 2 or len(others[0]) != 2:
         return None
-    indices = [[without_accent(name).partition("_")[2] for name in pair] for pair in (*others, *inertias)]
+    indices = [[index_of(name) for name in pair] for pair in (*others, *inertias)]
     if indices[0] != indices[1] or not all(indices[0]):
         return None
     (one, other), (first, second) = others[0], inertias[0]

@@ -251,7 +251,8 @@ _RIGHT_BEHIND = re.compile(
 )
 """What may stand between a value and its place: 8 in at top dead centre."""
 _SENTENCE_OR_ITEM = re.compile(
-    r"(?<![A-Za-z]\.[A-Za-z]\.[A-Za-z])[.;!?。]\s|\n\s*\n|\n[ \t]{0,8}(?:[-*+•·–]|\(?[a-z0-9]{1,2}[.)]|\\item)(?=\s)"
+    r"(?<![A-Za-z]\.[A-Za-z]\.[A-Za-z])[.;!?。]\s|\n\s*\n"
+    r"|\n[ \t]{0,8}(?:[-*+•·–]|\(?[a-z0-9]{1,2}[.)]|\\item)(?=\s)"
 )
 """What ends a sentence, but not the points of p.m.s., or begins an item of a list."""
 _THERE = re.compile(r"[\s$)\]}\\,]{0,6}(?:there|here|dort|hier)(?![A-Za-zäöüß])")
@@ -287,7 +288,8 @@ class Sections:
             for k in range(1, len(self._lines))
             if _UNDERLINE.match(self._lines[k]) and self._lines[k - 1].strip()
         ]
-        return sorted({*marked, *underlined})
+        lines = {k + 1 for k in underlined} - set(underlined)
+        return sorted(({*marked} - lines) | {*underlined})
 
     def heading_above(self, line: int) -> str:
         """Return the heading of the section that a line stands in, "" where there is none."""

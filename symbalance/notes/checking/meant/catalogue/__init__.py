@@ -20,6 +20,7 @@ formula by a route of its own (integrals over the section, eigenvalues, the path
     engine_rates  firings per second and per turn, frequencies of orders, speeds of balance shafts
     locomotives   wheels, tractive force and swaying couple of two cranks at right angles
     two_cylinders the forces of two cylinders on one pin, along and across the line between them
+    round_bodies  half discs and rings, their masses and inertia, the stress of a turning rim
     counterweights  moments of counterweights and balance shafts, the shapes of weights
 """
 
@@ -40,6 +41,7 @@ from symbalance.notes.checking.meant.catalogue.roles import OTHER_LENGTHS as OTH
 from symbalance.notes.checking.meant.catalogue.roles import ROLES as FIRST_ROLES
 from symbalance.notes.checking.meant.catalogue.roles import Quantity as Quantity
 from symbalance.notes.checking.meant.catalogue.roles import Role
+from symbalance.notes.checking.meant.catalogue.round_bodies import ROUND_BODIES
 from symbalance.notes.checking.meant.catalogue.shaft_roles import SHAFT_ROLES
 from symbalance.notes.checking.meant.catalogue.strength import STRENGTH
 from symbalance.notes.checking.meant.catalogue.trains import TRAINS
@@ -52,5 +54,6 @@ ROLES: Mapping[str, Role] = {**FIRST_ROLES, **SHAFT_ROLES}
 QUANTITIES = (
     *STRENGTH, *PARTS, *FATIGUE, *VIBRATION, *FORCED, *RESONANCE, *TRAINS, *INERTIA, *CRANK_DRIVE,
     *WORK, *CRANK_TORQUE, *BALANCE, *LOCOMOTIVES, *TWO_CYLINDERS, *COUNTERWEIGHTS, *ENGINE_RATES,
+    *ROUND_BODIES,
 )  # fmt: skip
 """All quantities, each name once."""

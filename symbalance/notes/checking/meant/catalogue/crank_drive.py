@@ -142,7 +142,8 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         words(r"(?:side|lateral|normal|wall|piston\s+side|guide|slide[- ]?bar|skirt|slipper)\s+(?:force"
             r"|thrust|pressure|load|loading|reaction)", r"side[- ]thrust",
               r"thrust\s+(?:on|against)\s+the\s+(?:cylinder\s+)?(?:wall|liner|bore)",
-              r"force\s+(?:on|against)\s+the\s+(?:cylinder\s+)?wall",
+              r"(?:force|pressure|thrust)\s+(?:up)?(?:on|against)\s+the\s+(?:cylinder\s+)?"
+              r"(?:wall|guides?|slide[- ]?bars?)",
               r"(?:kolben)?(?:seiten|normal|führungs|gleitbahn)(?:druck)?kraft",
               r"(?:側圧|側方力|サイドスラスト|スラスト力)", r"(?:effort|force|poussée)\s+latérale?",
               r"fuerza\s+(?:lateral|normal)"),
@@ -295,6 +296,10 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         unless=words(_OFFSET, r"inner|crank end|away from|bottom|lower|outer|unteren|\bUT\b|下死点"
         r"|smallest|kleinste|first order"
                      r"|erste[rn]? ordnung|l\s*/\s*r|simple harmonic"),
+        context=words(
+            r"accelerat|beschleunig|加速|accélérat|accelerazion|aceleraci|piston|kolben|inertia|ピストン"
+        ),
+        indices=letters("max"),
     ),
     Quantity(
         "piston acceleration at the bottom dead centre", letters("a ddot_x b"),

@@ -287,7 +287,9 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
         (omega * (1 + fluctuation / 2), rotation * (1 + fluctuation / 2)), ("edit", "part"),
         mistakes=(omega * (1 + fluctuation), rotation * (1 + fluctuation)),
         only=words(r"irregularity|fluctuation|ungleichförm|変動率|fly-?wheel|schwung"),
-        unless=words(r"±|plus or minus|amplitude|ausschlag|振幅|half|halb|piston|kolben"),
+        unless=words(r"±|\\pm\b|plus or minus|amplitude|ausschlag|振幅|half|halb|piston|kolben"),
+        context=words(r"irregularity|fluctuation|ungleichförm|変動率|irregolarit|irrégularité"),
+        indices=letters("max"),
     ),
     Quantity(
         "smallest speed of rotation", letters("omega Omega n N"),
@@ -298,7 +300,9 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
         (omega * (1 - fluctuation / 2), rotation * (1 - fluctuation / 2)), ("edit", "part"),
         mistakes=(omega * (1 - fluctuation), rotation * (1 - fluctuation)),
         only=words(r"irregularity|fluctuation|ungleichförm|変動率|fly-?wheel|schwung"),
-        unless=words(r"±|plus or minus|amplitude|ausschlag|振幅|half|halb|piston|kolben"),
+        unless=words(r"±|\\pm\b|plus or minus|amplitude|ausschlag|振幅|half|halb|piston|kolben"),
+        context=words(r"irregularity|fluctuation|ungleichförm|変動率|irregolarit|irrégularité"),
+        indices=letters("min"),
     ),
     Quantity(
         "coefficient of fluctuation of energy", letters("C K k c e E beta zeta xi"),

@@ -9,9 +9,11 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     damping,
     damping_ratio,
     eccentricity,
+    inertia,
     letters,
     mass,
     omega,
+    order,
     root,
     stiffness,
     tuning,
@@ -106,15 +108,50 @@ FORCED: tuple[Quantity, ...] = (
     ),
     Quantity(
         "energy lost per cycle in a viscous damper", letters("W E D A Delta_E Delta_W U Q"),
-        words(r"energy|heat|wärme|熱|\bwork|\bloss|dissipat\w+|arbeit|energie|verlust|エネルギー?|仕事"),
+        words(r"per\s+(?:vibration|oscillation|cycle)(?:\s+it)?\s+is|energy|heat|wärme|熱|\bwork|\bloss|dissipat\w+|arbeit|energie|verlust|エネルギー?|仕事"),
         (PI * damping * omega * amplitude**2,), ("factor", "power", "part"),
         mistakes=(PI * damping * omega**2 * amplitude**2, PI * damping * omega * amplitude,
                   PI * damping * omega**2 * amplitude),
         only=words(r"per (?:full )?(?:cycle|period|oscillation|vibration|turn|swing)|(?:each|one"
         r"|a) cycle|je (?:periode"
                    r"|schwingung|zyklus)|pro (?:periode|schwingung|zyklus)|[1一]周期|[1一]サイクル"),
-        unless=words(r"power|leistung|動力|half a cycle|quarter|hysteretic|peak[- ]to[- ]peak"
+        unless=words(r"power (?!lost|dissipated|absorbed)|leistung|動力|half a cycle|quarter"
+        r"|hysteretic|peak[- ]to[- ]peak"
         r"|four pistons"),
+    ),
+    Quantity(
+        "power lost in a viscous damper", letters("P W N L"),
+        words(r"(?:mean\s+|average\s+)?power\s+(?:lost|dissipated|absorbed|consumed)(?:\s+(?:in|by)\s+(?:a|the)"
+              r"\s+(?:viscous\s+)?damper)?", r"(?:mean\s+|average\s+)?damp(?:er|ing)\s+power",
+              r"(?:mittlere\s+)?(?:dämpfungs|verlust|dämpfer)leistung",
+              r"(?:減衰器?の?)?(?:消費|散逸|損失)動力"),
+        (damping * omega**2 * amplitude**2 / 2,), ("factor", "power"),
+        mistakes=(damping * omega * amplitude**2 / 2, damping * omega * amplitude / 2),
+        only=words(r"damp|dämpf|減衰|dashpot|viscous"),
+        unless=words(r"hysteretic|structural|friction|reibung|peak[- ]to[- ]peak"
+                     r"|relative\s+amplitude\s+is"),
+    ),
+    Quantity(
+        "amplitude of the angle by one harmonic of the torque",
+        letters("Theta theta Phi phi varphi A X hat_theta"),
+        words(r"amplitude\s+of\s+(?:the\s+)?(?:angle|twist|rotation|θ|theta|φ|phi)",
+              r"ang(?:ular|le)\s+amplitude", r"winkelamplitude", r"amplitude\s+des\s+(?:dreh)?winkels",
+              r"角(?:度|変位)?(?:の)?振幅"),
+        (excitation / (inertia * order**2 * omega**2),), ("power",),
+        only=words(r"harmonic|\border|harmonisch|ordnung|次|調和|single torque"),
+        unless=words(r"stiffness|spring|steif|feder|ばね|剛性|resonan|relative"),
+    ),
+    Quantity(
+        "amplitude of the speed by one harmonic of the torque",
+        letters("Omega omega Delta_omega dot_theta hat_omega"),
+        words(r"(?:angular\s+)?(?:speed|velocity)\s+amplitude",
+              r"amplitude\s+of\s+(?:the\s+)?(?:angular\s+)?(?:speed|velocity)",
+              r"(?:drehzahl|geschwindigkeits|winkelgeschwindigkeits)(?:amplitude|schwankung)",
+              r"(?:角速度|回転速度)(?:の)?振幅"),
+        (excitation / (inertia * order * omega),), ("power",),
+        mistakes=(excitation / (inertia * order**2 * omega),),
+        only=words(r"harmonic|\border|harmonisch|ordnung|次|調和|single torque"),
+        unless=words(r"stiffness|spring|steif|feder|ばね|剛性|resonan|relative"),
     ),
     Quantity(
         "work of an excitation per cycle at resonance", letters("W E A Delta_E Delta_W U"),

@@ -194,7 +194,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("decay", "delta sigma alpha", r"decay(?: constant| rate)?|abklingkonstante|abklingkoeffizient"
     r"|減衰定数"),
     ("damping", "d c b r k", r"damping(?: constant| coefficient)?|dämpfungs(?:konstante|koeffizient)"
-     r"|dämpfung|減衰係数|dashpot"),
+     r"|dämpfung|減衰係数|dashpot|(?:damper|dämpfer)[^.,;]{0,12}(?:constant|konstante)"),
     ("damping_ratio", "D zeta xi vartheta theta", r"damping(?: ratio| factor)?|dämpfungs(?:grad|maß)"
     r"|lehr\w*"
      r"|減衰比"),

@@ -293,7 +293,7 @@ STRENGTH: tuple[Quantity, ...] = (
         "polar section modulus of a hollow round section", letters("W Z"), _POLAR_MODULUS,
         (PI * _ANNULUS / (16 * outer),), ("factor", "power", "edit"),
         mistakes=(PI * (outer**3 - inner**3) / 16, PI * _ANNULUS / (16 * inner)),
-        only=_BORED, unless=_NO_ANNULUS,
+        only=_BORED, unless=_NO_ANNULUS, context=_BORED, indices=letters("p t P T pol"),
     ),
     Quantity(
         "section modulus of a hollow round section in bending", letters("W Z S"),
@@ -303,6 +303,7 @@ STRENGTH: tuple[Quantity, ...] = (
         mistakes=(PI * (outer**3 - inner**3) / 16, PI * (outer**3 - inner**3) / 32,
         PI * _ANNULUS / (32 * inner)),
         only=_BORED, unless=words(_NO_ANNULUS.pattern, r"polar|極|torsion|ねじり"),
+        context=_BORED, indices=letters("b x y z ax"),
     ),
     Quantity(
         "second moment of area of a rectangle", letters("I J"), _AREA_MOMENT,

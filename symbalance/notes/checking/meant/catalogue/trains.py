@@ -129,7 +129,10 @@ def _on_mounts(number: int) -> tuple[Quantity, ...]:
 TRAINS: tuple[Quantity, ...] = (
     Quantity(
         "natural angular frequency of two discs on a shaft", letters("omega Omega w p"), _FREQUENCY,
-        (_FREE,), ("root", "turn"), mistakes=_NOT_FREE, only=_TWO_DISCS, unless=_HELD,
+        (_FREE,), ("root", "turn"), mistakes=_NOT_FREE, only=_TWO_DISCS, unless=_HELD, is_told_once=True,
+        context=words(r"torsion|two[- ](?:mass|dis[ck])|zweimassen|drehschwing|stiffness|steif"
+                      r"|ねじり|node|knoten"),
+        indices=letters("0 e n 1 2"),
     ),
     Quantity(
         "natural frequency in cycles of two discs on a shaft", letters("f nu n F"), _FREQUENCY,
