@@ -148,10 +148,12 @@ def decide_by_trial(
     is_pair = isinstance(left, Name) and isinstance(right, Name)
     if k and is_pair and names(left) | names(right) <= vibration.letters:
         return Decision(PREMISE, "a special case of the equations of motion")
-    if k or chain.relations[0].sign != "=":
+    if any(relation.sign != "=" for relation in chain.relations[: k + 1]):
         return None
     try:
-        return _decide(left, right, vibration, equal)
+        if k and decide_equality(left, right, _BARE).is_proved:
+            return None  # a step like any other
+        return _decide(chain.sides[0].node, right, vibration, equal)
     except (NoFormError, TooLargeError):
         return None
 
