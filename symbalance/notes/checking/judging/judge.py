@@ -120,7 +120,7 @@ class Judge:
         )
         self.state = JudgingState(self.document, self.declarations, self.sources, self.corrects, motions)
         self.blocks = EngineBlocks(self.document.text, self.state.sections)
-        self.exercises = OwnExercises(self.document.text)
+        self.exercises = OwnExercises(self.document)
         self.guard = Guard(self.document, self.budget)
         self.quotations = Quotations(self.document)
 

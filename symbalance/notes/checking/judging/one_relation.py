@@ -66,8 +66,12 @@ from symbalance.notes.checking.steps.solved_below import as_proved_solution, as_
 from symbalance.notes.checking.steps.solved_waves import decide_solved_wave
 from symbalance.notes.checking.steps.stated_matrices import no_relation_of_matrices
 from symbalance.notes.checking.steps.steps_by_premises import unless_given, with_premises
+from symbalance.notes.checking.steps.trial_motions import (
+    decide_sum_of_equations,
+    decide_trial_motion,
+    without_trials,
+)
 from symbalance.notes.checking.steps.usual_ranges import is_usual_range
-from symbalance.notes.checking.steps.trial_motions import decide_sum_of_equations, decide_trial_motion
 from symbalance.notes.checking.units.conversions import decide_conversion
 from symbalance.notes.checking.units.numbers_in_units import decide_after_units_left_out
 from symbalance.notes.checking.units.printed_units import decide_by_printed_units
@@ -334,7 +338,8 @@ def _differentiated(state: JudgingState, knowledge: Knowledge) -> set[str]:
 
 def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
     """Return the decision on an equation of motion, or on a natural frequency; None for others."""
-    equation = equation_of_motion(chain, k, _differentiated(state, knowledge), knowledge)
+    moving = without_trials(state, knowledge)
+    equation = equation_of_motion(chain, k, _differentiated(state, moving), moving)
     above = state.equations_of_motion
     if equation is None:
         here = [e for e in above if state.sections.same_section(e.line, chain.lines[0])]

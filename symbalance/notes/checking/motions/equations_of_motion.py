@@ -140,7 +140,9 @@ def is_combination(equation: EquationOfMotion, others: Sequence[EquationOfMotion
         if len(terms) < 2:
             continue
         keys = equation.factors.keys() | {key for _, each in terms for key in each.factors}
-        if all(_is_sum([(s, e.factors.get(key, _ZERO)) for s, e in terms], equation, key) for key in keys):
+        if all(
+            _is_sum([(s, e.factors.get(key, _ZERO)) for s, e in terms], equation, key) for key in keys
+        ):
             rests = Sum(tuple(e.rest if s > 0 else Negative(e.rest) for s, e in terms))
             if decide_equality(equation.rest, rests, Knowledge()).is_proved:
                 return sorted({each.line for _, each in terms})

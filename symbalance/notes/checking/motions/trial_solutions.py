@@ -45,7 +45,7 @@ from symbalance.notes.checking.motions.special_systems import (
     number_of,
     with_letters_chosen,
 )
-from symbalance.notes.checking.verdicts import CONDITION, PREMISE
+from symbalance.notes.checking.verdicts import CONDITION
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
 
@@ -167,8 +167,6 @@ def decide_by_trial(
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     if any(relation.sign != "=" for relation in chain.relations[: k + 1]):
         return None
-    if _is_special_case(chain, vibration):
-        return Decision(PREMISE, "a special case of the equations of motion")
     amplitudes = {*vibration.amplitudes}
     head = left if names(left) & amplitudes else chain.sides[0].node
     try:
@@ -177,32 +175,27 @@ def decide_by_trial(
         own = (names(head) | names(right)) - amplitudes
         own -= {n for n in own if n.partition("_")[0] == vibration.frequency.name.partition("_")[0]}
         decision = None if own - vibration.letters else _decide(head, right, vibration)
-        if decision is not None:
-            return decision
-        chosen = chosen_letters(equal, own, vibration.letters)
-        if not chosen:
-            return None
-        special = vibration.in_case(chosen)
-        in_case = _decide(head, right, special) if special.is_independent else None
-        if in_case is None and not own:
-            in_case = _decide_bare_ratio(head, right, special)
+        return decision or _decide_special(
+            head, right, vibration, chosen_letters(equal, own, vibration.letters)
+        )
     except (NoFormError, TooLargeError):
         return None
-    if in_case is None:
+
+
+def _decide_special(
+    left: Formula, right: Formula, vibration: FreeVibration, chosen: Mapping[str, Formula]
+) -> Decision | None:
+    """Return the decision on an equation where letters are set equal to others; None if none are."""
+    special = vibration.in_case(chosen)
+    if not chosen or not special.is_independent:
+        return None
+    decision = _decide(left, right, special) or _decide_bare_ratio(left, right, special)
+    if decision is None:
         return None
     case = ", ".join(f"{plain_text(Name(a))} = {plain_text(b)}" for a, b in sorted(chosen.items()))
-    if in_case.is_proved:
-        return replace(in_case, assumptions=(*in_case.assumptions, case))
-    return replace(in_case, reason=f"{in_case.reason}, with {case}")
-
-
-def _is_special_case(chain: Chain, vibration: FreeVibration) -> bool:
-    """Tell whether a chain sets masses or stiffnesses equal to each other: J₁ = J₂ = J."""
-    sides = [side.node for side in chain.sides]
-    if not all(isinstance(side, Name) for side in sides):
-        return False
-    own = [side.name for side in sides if isinstance(side, Name)]
-    return len(own) > 1 and {*own[:-1]} <= vibration.letters and (own[-1] in vibration.letters or len(own) > 2)
+    if decision.is_proved:
+        return replace(decision, assumptions=(*decision.assumptions, case))
+    return replace(decision, reason=f"{decision.reason}, with {case}")
 
 
 def _decide(left: Formula, right: Formula, vibration: FreeVibration) -> Decision | None:
@@ -282,7 +275,10 @@ def _decide_bare_ratio(left: Formula, right: Formula, vibration: FreeVibration) 
     if ratio is None or not {*pair} <= {*amplitudes} or pair[0] == pair[1]:
         return None
     inertia, still = (
-        [[each.factors.get((t.moving, order), _ZERO) for t in vibration.trials] for each in vibration.equations]
+        [
+            [each.factors.get((t.moving, order), _ZERO) for t in vibration.trials]
+            for each in vibration.equations
+        ]
         for order in (2, 0)
     )
     places = amplitudes.index(pair[0]), amplitudes.index(pair[1])

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 
 from symbalance.document.formula import Call, Formula, Name, Power, Product
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
@@ -21,6 +22,7 @@ from symbalance.notes.checking.motions.trial_solutions import (
     trial_of,
 )
 from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.verdicts import PREMISE
 from symbalance.notes.reading.equations import Chain
 
 _SUM_OF_ALL = re.compile(
@@ -35,6 +37,8 @@ def decide_trial_motion(
     state: JudgingState, chain: Chain, k: int, equations: Sequence[EquationOfMotion], knowledge: Knowledge
 ) -> Decision | None:
     """Return the decision on amplitudes and frequencies of a motion that is put into equations above."""
+    if _is_special_case(state, chain, knowledge):
+        return Decision(PREMISE, "a special case of the equations of motion")
     if not equations:
         return None
     if (trial := trial_of(chain, k, equations)) is not None:
@@ -42,7 +46,8 @@ def decide_trial_motion(
         return None
     line = chain.lines[0]
     trials = [each for each in state.trials if state.sections.same_section(each.line, line)]
-    vibration = free_vibration(equations, trials) if trials else None
+    is_stated = equations[-1].moving <= {trial.moving for trial in trials}
+    vibration = free_vibration(equations, trials) if is_stated else None
     vibration = vibration or free_vibration(equations, _by_analogy(equations, state.trials, knowledge))
     if vibration is None:
         return None
@@ -53,8 +58,17 @@ def decide_trial_motion(
     ]
     decision = decide_by_trial(chain, k, vibration, equalities_in(above, vibration.letters))
     if decision is not None and decision.is_proved and not k:
-        _define_frequency(state, chain)
+        _define_frequency(state, chain, vibration.frequency.name)
     return decision
+
+
+def without_trials(state: JudgingState, knowledge: Knowledge) -> Knowledge:
+    """Return what is known without the trial motions: their letters move in the equations to come."""
+    lines = {trial.moving: trial.line for trial in state.trials}
+    others = {name: each for name, each in knowledge.definitions.items() if lines.get(name) != each.line}
+    return (
+        replace(knowledge, definitions=others) if len(others) < len(knowledge.definitions) else knowledge
+    )
 
 
 def decide_sum_of_equations(
@@ -93,9 +107,7 @@ def _by_analogy(
         return [Trial(name, f"amplitude of {name}", frequency, wave, line) for name in moving]
     own = {trial.moving: trial for trial in trials}
     last = trials[-1]
-    return [
-        Trial(name, _amplitude(name, own, last), last.frequency, last.wave, line) for name in moving
-    ]
+    return [Trial(name, _amplitude(name, own, last), last.frequency, last.wave, line) for name in moving]
 
 
 def _amplitude(name: str, own: dict[str, Trial], last: Trial) -> str:
@@ -110,14 +122,31 @@ def _amplitude(name: str, own: dict[str, Trial], last: Trial) -> str:
     return f"amplitude of {name}"
 
 
-def _define_frequency(state: JudgingState, chain: Chain) -> None:
-    """Let what follows put numbers into a formula of a natural frequency."""
+def _define_frequency(state: JudgingState, chain: Chain, general: str) -> None:
+    """Let what follows put numbers into a formula of one natural frequency: ω₁² = k/J.
+
+    The letter of the trial motions itself stands for any of them.
+    """
     head, value = chain.sides[0].node, chain.sides[1].node
-    if isinstance(head, Name):
+    if isinstance(head, Name) and head.name != general:
         state.definitions.define(head.name, value, chain)
-    elif isinstance(head, Power) and isinstance(head.base, Name) and not _is_zero(value):
+    elif isinstance(head, Power) and isinstance(head.base, Name) and head.base.name != general:
         state.definitions.define(head.base.name, Call("sqrt", value), chain)
 
 
-def _is_zero(node: Formula) -> bool:
-    return getattr(node, "value", None) == 0
+def _is_special_case(state: JudgingState, chain: Chain, knowledge: Knowledge) -> bool:
+    """Tell whether a chain sets letters of equations of motion equal to each other: J₁ = J₂ = J."""
+    sides = [side.node for side in chain.sides]
+    if len(sides) < 3 or any(relation.sign != "=" for relation in chain.relations):
+        return False
+    own = {side.name for side in sides if isinstance(side, Name)}
+    last = sides[-1]
+    is_named_anew = isinstance(last, Name) and not knowledge.knows(last.name)
+    if len(own) < len(sides) or (not is_named_anew and any(_has_number(name, knowledge) for name in own)):
+        return False
+    return any(own & equation.letters for equation in state.equations_of_motion)
+
+
+def _has_number(name: str, knowledge: Knowledge) -> bool:
+    definition = knowledge.definitions.get(name)
+    return definition is not None and definition.numeric

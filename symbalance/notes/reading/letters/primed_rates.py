@@ -15,7 +15,10 @@ from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 _GREEK = "|".join(sorted(GREEK_SIGN, key=len, reverse=True))
 _SIGNS = "".join(sign for sign in NAME_OF_SIGN if sign != "π")
 _LOW = "₀₁₂₃₄₅₆₇₈₉"
-_SCRIPT = rf"(?:_(?:\{{[A-Za-z0-9]{{1,4}}\}}|[A-Za-z0-9]{{1,2}}(?![A-Za-z0-9]))|[{_LOW}]{{1,2}}|[0-9]{{1,2}}(?![0-9]))"
+_SCRIPT = (
+    r"(?:_(?:\{[A-Za-z0-9]{1,4}\}|[A-Za-z0-9]{1,2}(?![A-Za-z0-9]))"
+    rf"|[{_LOW}]{{1,2}}|[0-9]{{1,2}}(?![0-9]))"
+)
 _PRIMES = r"(?P<marks>['′’″]{1,2}|\^\{\s?(?:\\prime\s?){1,2}\})(?!['′’″\w])"
 _TWICE = re.compile(r"['′’]{2}|″|\\prime\s?\\prime")
 _PRIMED = re.compile(
@@ -106,7 +109,10 @@ def _has_bare(text: str, match: re.Match[str]) -> bool:
     if bare is None:
         return False
     is_multiplied = _FACTOR_BEFORE.search(text, max(match.start() - 8, 0), match.start()) is not None
-    return is_multiplied or _FACTOR_BEFORE.search(others[max(bare.start() - 8, 0) : bare.start()]) is not None
+    return (
+        is_multiplied
+        or _FACTOR_BEFORE.search(others[max(bare.start() - 8, 0) : bare.start()]) is not None
+    )
 
 
 def _formula_around(text: str, match: re.Match[str]) -> str:
