@@ -33,6 +33,9 @@ def equalities_in(chains: Sequence[Chain], known: frozenset[str]) -> list[tuple[
         if not isinstance(head, Name) or head.name not in known:
             continue
         has_new = bool(names(sides[-1]))
+        letters = {side.name for side in sides[:-1] if isinstance(side, Name)}
+        if not letters <= known:
+            continue  # of a system with more discs
         if all(isinstance(side, Name) for side in sides) or (len(sides) == 2 and has_new):
             equal.append(sides)
     return equal

@@ -10,7 +10,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from symbalance.document.formula import Call, Formula, Name, Power, Product
+from symbalance.document.formula import Call, Formula, Name, Power, Product, names
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.motions.equations_of_motion import EquationOfMotion, is_combination
@@ -22,7 +22,7 @@ from symbalance.notes.checking.motions.trial_solutions import (
     trial_of,
 )
 from symbalance.notes.checking.steps.judging_state import JudgingState
-from symbalance.notes.checking.verdicts import PREMISE
+from symbalance.notes.checking.verdicts import CONDITION, PREMISE
 from symbalance.notes.reading.equations import Chain
 
 _SUM_OF_ALL = re.compile(
@@ -57,6 +57,8 @@ def decide_trial_motion(
         if each.start < chain.start and state.sections.same_section(each.lines[0], line)
     ]
     decision = decide_by_trial(chain, k, vibration, equalities_in(above, vibration.letters))
+    if decision is None and _is_root_elsewhere(chain, k, above, vibration.frequency.name):
+        return Decision(CONDITION, "a natural frequency of another system's special case")
     if decision is not None and decision.is_proved and not k:
         _define_frequency(state, chain, vibration.frequency.name)
     return decision
@@ -132,6 +134,22 @@ def _define_frequency(state: JudgingState, chain: Chain, general: str) -> None:
         state.definitions.define(head.name, value, chain)
     elif isinstance(head, Power) and isinstance(head.base, Name) and head.base.name != general:
         state.definitions.define(head.base.name, Call("sqrt", value), chain)
+
+
+def _is_root_elsewhere(chain: Chain, k: int, above: Sequence[Chain], general: str) -> bool:
+    """Tell whether p² is written in the letters of a special case of more discs: I₁ = I₂ = I₃ = I."""
+    head, value = chain.sides[0].node, chain.sides[1].node
+    base = head.base if isinstance(head, Power) else head
+    if k or base != Name(general):
+        return False
+    ends = {
+        each.sides[-1].node.name
+        for each in above
+        if len(each.sides) > 2
+        and all(isinstance(side.node, Name) for side in each.sides)
+        and isinstance(each.sides[-1].node, Name)
+    }
+    return bool(names(value) & ends)
 
 
 def _is_special_case(state: JudgingState, chain: Chain, knowledge: Knowledge) -> bool:
