@@ -39,6 +39,31 @@ def decide_trial_motion(
     """Return the decision on amplitudes and frequencies of a motion that is put into equations above."""
     if _is_special_case(state, chain, knowledge):
         return Decision(PREMISE, "a special case of the equations of motion")
+    line = chain.lines[0]
+    above = [
+        each
+        for each in state.document.chains
+        if each.start < chain.start and state.sections.same_section(each.lines[0], line)
+    ]
+    decision = _decide_by_system(state, chain, k, equations, above, knowledge)
+    if (
+        decision is None
+        and state.trials
+        and _is_root_elsewhere(chain, k, above, state.trials[-1].frequency)
+    ):
+        return Decision(CONDITION, "a natural frequency of another system's special case")
+    return decision
+
+
+def _decide_by_system(
+    state: JudgingState,
+    chain: Chain,
+    k: int,
+    equations: Sequence[EquationOfMotion],
+    above: Sequence[Chain],
+    knowledge: Knowledge,
+) -> Decision | None:
+    """Return the decision by the free vibration whose equations stand above; None where none does."""
     if not equations:
         return None
     if (trial := trial_of(chain, k, equations)) is not None:
@@ -51,14 +76,7 @@ def decide_trial_motion(
     vibration = vibration or free_vibration(equations, _by_analogy(equations, state.trials, knowledge))
     if vibration is None:
         return None
-    above = [
-        each
-        for each in state.document.chains
-        if each.start < chain.start and state.sections.same_section(each.lines[0], line)
-    ]
     decision = decide_by_trial(chain, k, vibration, equalities_in(above, vibration.letters))
-    if decision is None and _is_root_elsewhere(chain, k, above, vibration.frequency.name):
-        return Decision(CONDITION, "a natural frequency of another system's special case")
     if decision is not None and decision.is_proved and not k:
         _define_frequency(state, chain, vibration.frequency.name)
     return decision
