@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from symbalance.document.letters import DOTTED
 from symbalance.document.wordlists import word_set, words
 
 RELATION_SIGNS = {
@@ -185,8 +186,10 @@ _COMBINING = {
     "\u0302": "hat", "\u0304": "bar", "\u0303": "tilde", "\u0307": "dot", "\u0308": "ddot",
     "\u20d7": "vec",
 }  # fmt: skip
-COMBINED = re.compile(rf"([A-Za-zα-ω])([{''.join(_COMBINING)}])([₀₁₂₃₄₅₆₇₈₉]*|_[A-Za-z0-9]+)")
-"""A letter with an accent that Unicode sets above it, and its subscript."""
+COMBINED = re.compile(
+    rf"([A-Za-zα-ω])([{''.join(_COMBINING)}])([₀₁₂₃₄₅₆₇₈₉]+|[0-9]{{1,2}}(?![0-9]|[.,][0-9])|)"
+)
+"""A letter with an accent that Unicode sets above it, and its subscript, be it typed on the line: φ̈1."""
 
 
 def accented(match: re.Match[str]) -> str:
@@ -194,5 +197,21 @@ def accented(match: re.Match[str]) -> str:
 
     >>> accented(COMBINED.match("F\u0302₂"))
     '\\hat{F₂}'
+    >>> accented(COMBINED.match("φ\u03081"))
+    '\\ddot{φ1}'
     """
     return f"\\{_COMBINING[match[2]]}{{{match[1]}{match[3]}}}"
+
+
+DOTTED_NUMBERED = re.compile(rf"(?<![^\W\d_])([{''.join(DOTTED)}])([0-9]{{1,2}})(?![0-9]|[.,][0-9])")
+"""A letter that Unicode has with its dots, and its subscript typed on the line: ẍ1."""
+
+
+def dotted_numbered(match: re.Match[str]) -> str:
+    r"""Return such a letter as LaTeX has it.
+
+    >>> dotted_numbered(DOTTED_NUMBERED.match("ẍ1"))
+    '\\ddot{x1}'
+    """
+    letter, order = DOTTED[match[1]]
+    return f"\\{'dot' if order == 1 else 'ddot'}{{{letter}{match[2]}}}"

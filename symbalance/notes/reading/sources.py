@@ -27,6 +27,7 @@ from symbalance.notes.reading.letters.letters_in_braces import with_letters_unbr
 from symbalance.notes.reading.letters.listed_letters import with_bounds_of_each
 from symbalance.notes.reading.letters.marked_letters import with_marked_letters
 from symbalance.notes.reading.letters.pointed_words import with_points_left_out
+from symbalance.notes.reading.letters.primed_rates import with_dots_for_primes
 from symbalance.notes.reading.letters.scanned_letters import with_scanned_letters
 from symbalance.notes.reading.letters.segments import with_segments
 from symbalance.notes.reading.letters.short_greek import with_short_greek
@@ -143,6 +144,8 @@ def prepare(
         reader.apply(with_joined_dollars(reader.text))
     reader.apply_noted(with_segments(reader.text))
     reader.apply(with_abbreviations(reader.text))
+    if kind != "wiki":  # there two quotation marks begin italics
+        reader.apply(with_dots_for_primes(reader.text))
     for rewrite in (
         with_letters_unbraced,
         with_marked_letters,

@@ -38,6 +38,7 @@ from symbalance.notes.checking.page import assertions
 from symbalance.notes.checking.page.consequences import decide_consequence
 from symbalance.notes.checking.page.engine_blocks import EngineBlocks
 from symbalance.notes.checking.page.letters_of_sections import numbers_of_this_section
+from symbalance.notes.checking.page.own_exercises import OwnExercises
 from symbalance.notes.checking.page.page_data import data_of
 from symbalance.notes.checking.page.quotations import Quotations
 from symbalance.notes.checking.premises.another_value import NO_WORDS
@@ -141,6 +142,7 @@ class Judge:
         )
         self.state = JudgingState(self.document, self.declarations, self.sources, self.corrects, motions)
         self.blocks = EngineBlocks(self.document.text, self.state.sections)
+        self.exercises = OwnExercises(self.document)
         self.guard = Guard(self.document, self.budget)
         self.quotations = Quotations(self.document)
 
@@ -152,6 +154,7 @@ class Judge:
         for chain in chains_in_turn(self.document, self.state.sections):
             self._take_data(chain)
             self.blocks.enter(chain.lines[0], self.state.definitions)
+            self.exercises.enter(chain.lines[0], self.state.definitions, self.declarations)
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
             verdicts += self.chain(chain, chain_binds)
         for binding in (b for rest in bindings.values() for b in rest):

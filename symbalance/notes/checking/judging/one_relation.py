@@ -34,7 +34,6 @@ from symbalance.notes.checking.meant.left_sides import head_of
 from symbalance.notes.checking.meant.order_speeds import decide_order_speed
 from symbalance.notes.checking.meant.two_discs import decide_two_discs
 from symbalance.notes.checking.motions.equations_of_motion import (
-    EquationOfMotion,
     decide_motion,
     decide_natural_frequency,
     equation_of_motion,
@@ -44,11 +43,6 @@ from symbalance.notes.checking.motions.listed_values import decide_for_values
 from symbalance.notes.checking.motions.matrix_equations_of_motion import rows_of_motion
 from symbalance.notes.checking.motions.mean_values import decide_by_mean
 from symbalance.notes.checking.motions.solutions_of_motion import decide_motion_solution
-from symbalance.notes.checking.motions.trial_solutions import (
-    decide_by_trial,
-    free_vibration,
-    trial_of,
-)
 from symbalance.notes.checking.page.solutions import solution_below
 from symbalance.notes.checking.premises.conditions_behind import values_behind
 from symbalance.notes.checking.premises.constraints import Constraint
@@ -72,6 +66,11 @@ from symbalance.notes.checking.steps.solved_below import as_proved_solution, as_
 from symbalance.notes.checking.steps.solved_waves import decide_solved_wave
 from symbalance.notes.checking.steps.stated_matrices import no_relation_of_matrices
 from symbalance.notes.checking.steps.steps_by_premises import unless_given, with_premises
+from symbalance.notes.checking.steps.trial_motions import (
+    decide_sum_of_equations,
+    decide_trial_motion,
+    without_trials,
+)
 from symbalance.notes.checking.steps.usual_ranges import is_usual_range
 from symbalance.notes.checking.steps.values_at_places import value_at_named_place
 from symbalance.notes.checking.units.conversions import decide_conversion
@@ -94,8 +93,6 @@ from symbalance.notes.checking.verdicts import (
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Relation, Side
 
-NEAR_CASE = 3
-"""Lines above a formula in which a special case sets letters equal: for I₁ = I₂ = I."""
 FOLLOWS = "follows from the side before, which is refuted"
 
 
@@ -227,11 +224,7 @@ def _judge_step(
         by_name = again(chain, k, knowledge)
         by_name = None if by_name is not None and _is_left_open(by_name) else by_name
     if by_name is None and decision.status == UNDECIDED:
-        by_name = state.engine_resultants.judge(chain, k, knowledge)
-        by_name = by_name or state.bank_resultants.judge(chain, k, knowledge)
-        by_name = by_name or state.dead_centre_sizes.refute(chain, k, knowledge)
-        by_name = by_name or state.named.judge(chain, k, knowledge)
-        by_name = by_name or state.patterns.judge(chain, k, knowledge)
+        by_name = _as_anything_named(state, chain, k, knowledge)
     if by_name is None and decision.status == REFUTED and by_special is None:
         by_name = _as_another_named(state, chain, k, knowledge)
     if by_name is not None and not _is_left_open(by_name):
@@ -240,6 +233,17 @@ def _judge_step(
     verdict = describe(state.document, chain, k, decision)
     verdict = add_fix_of_relation(state, verdict, chain, k, against, decision, knowledge)
     return note_other_case(state, chain, k, verdict, against, decision, knowledge)
+
+
+def _as_anything_named(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> Verdict | Decision | None:
+    """Return the verdict on what words, letters or patterns name: of engines, banks, quantities, series."""
+    by_name = state.engine_resultants.judge(chain, k, knowledge)
+    by_name = by_name or state.bank_resultants.judge(chain, k, knowledge)
+    by_name = by_name or state.dead_centre_sizes.refute(chain, k, knowledge)
+    by_name = by_name or state.named.judge(chain, k, knowledge)
+    return by_name or state.patterns.judge(chain, k, knowledge)
 
 
 def _unless_by_form(state: JudgingState, chain: Chain, k: int, decision: Decision) -> Decision:
@@ -357,11 +361,12 @@ def _differentiated(state: JudgingState, knowledge: Knowledge) -> set[str]:
 
 def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
     """Return the decision on an equation of motion, or on a natural frequency; None for others."""
-    equation = equation_of_motion(chain, k, _differentiated(state, knowledge), knowledge)
+    moving = without_trials(state, knowledge)
+    equation = equation_of_motion(chain, k, _differentiated(state, moving), moving)
     above = state.equations_of_motion
     if equation is None:
         here = [e for e in above if state.sections.same_section(e.line, chain.lines[0])]
-        by_trial = _by_trial(state, chain, k, here)
+        by_trial = decide_trial_motion(state, chain, k, here, knowledge)
         if by_trial is not None:
             return by_trial
         by_motion = decide_natural_frequency(chain, k, here, knowledge)
@@ -374,35 +379,14 @@ def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
     last = above[-1].line if above else 0
     follows = bool(above) and state.sections.stands_next(chain, last)
     follows = follows and state.sections.follows_at_once(chain)
+    by_sum = decide_sum_of_equations(state, chain, equation, above)
+    if by_sum is not None:
+        return by_sum  # no equation of its own
     decision = decide_motion(equation, above, knowledge, follows=follows)
     above.append(equation)
     if decision.status == CONDITION and equation.lone_rate is not None:
         state.definitions.fix(Constraint(*equation.lone_rate), chain)
     return decision
-
-
-def _by_trial(
-    state: JudgingState, chain: Chain, k: int, equations: list[EquationOfMotion]
-) -> Decision | None:
-    """Return the decision on amplitudes and frequencies of a motion that is put into equations above."""
-    if not equations:
-        return None
-    if (trial := trial_of(chain, k, equations)) is not None:
-        state.trials.append(trial)
-        return None
-    line = chain.lines[0]
-    trials = [each for each in state.trials if state.sections.same_section(each.line, line)]
-    vibration = free_vibration(equations, trials) if trials else None
-    if vibration is None:
-        return None
-    equal = [
-        [side.node.name for side in each.sides if isinstance(side.node, Name)]
-        for each in state.document.chains
-        if 0 <= line - each.lines[0] <= NEAR_CASE and each.start < chain.start
-        if all(isinstance(side.node, Name) for side in each.sides)
-        if all(relation.sign == "=" for relation in each.relations)
-    ]
-    return decide_by_trial(chain, k, vibration, equal)
 
 
 def _for_values(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:

@@ -11,7 +11,7 @@ import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, product
 
 from symbalance.document.formula import (
     Constant,
@@ -130,6 +130,30 @@ def decide_motion(
         if follows and other is earlier[-1] and equation.letters <= other.letters:
             return Decision(REFUTED, f"is another equation than {other.text} of line {other.line}")
     return Decision(CONDITION, "equation of motion")
+
+
+def is_combination(equation: EquationOfMotion, others: Sequence[EquationOfMotion]) -> list[int]:
+    """Return the lines of equations of which another one is a sum or difference; [] for none."""
+    nearest = list(others)[-MOST:]
+    for signs in product((0, 1, -1), repeat=len(nearest)):
+        terms = [(sign, each) for sign, each in zip(signs, nearest, strict=True) if sign]
+        if len(terms) < 2:
+            continue
+        keys = equation.factors.keys() | {key for _, each in terms for key in each.factors}
+        if all(
+            _is_sum([(s, e.factors.get(key, _ZERO)) for s, e in terms], equation, key) for key in keys
+        ):
+            rests = Sum(tuple(e.rest if s > 0 else Negative(e.rest) for s, e in terms))
+            if decide_equality(equation.rest, rests, Knowledge()).is_proved:
+                return sorted({each.line for _, each in terms})
+    return []
+
+
+def _is_sum(
+    terms: Sequence[tuple[int, Formula]], equation: EquationOfMotion, key: tuple[str, int]
+) -> bool:
+    total = Sum(tuple(node if sign > 0 else Negative(node) for sign, node in terms))
+    return decide_equality(equation.factors.get(key, _ZERO), total, Knowledge()).is_proved
 
 
 def decide_natural_frequency(

@@ -8,13 +8,13 @@ They become linear in the amplitudes A and B, and what a page says of these and 
     p² = k (I₁ + I₂)/(I₁ I₂)        one of its roots
     p = 0                           a root that says nothing of p in the lines below
 
-Letters may be equal in a special case: "for I₁ = I₂ = I and k₁ = k₂ = k", p² = 3k/I.
+Letters may be equal in a special case: "for I₁ = I₂ = I and k₁ = k₂ = k", p² = 3k/I and A/B = 1 - 3.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import combinations
 
@@ -26,8 +26,10 @@ from symbalance.document.formula import (
     Number,
     Power,
     Product,
+    Quotient,
     Sum,
     names,
+    walk,
 )
 from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
@@ -37,7 +39,13 @@ from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decisio
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.motions.equations_of_motion import MOST, EquationOfMotion, determinant
-from symbalance.notes.checking.verdicts import CONDITION, PREMISE
+from symbalance.notes.checking.motions.special_systems import (
+    chosen_letters,
+    is_ratio_in_mode,
+    number_of,
+    with_letters_chosen,
+)
+from symbalance.notes.checking.verdicts import CONDITION
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
 
@@ -79,6 +87,17 @@ class FreeVibration:
     def letters(self) -> frozenset[str]:
         """The masses and stiffnesses."""
         return frozenset[str]().union(*(equation.letters for equation in self.equations))
+
+    @property
+    def is_independent(self) -> bool:
+        """Whether no equation follows from the others: else every frequency would be a natural one."""
+        whole = determinant(self.rows(Power(self.frequency, _TWO)))
+        return not decide_equality(whole, _ZERO, _BARE).is_proved
+
+    def in_case(self, chosen: Mapping[str, Formula]) -> FreeVibration:
+        """Return the vibration with letters that are set equal to others written by them."""
+        equations = tuple(with_letters_chosen(each, chosen) for each in self.equations)
+        return replace(self, equations=equations)
 
     @property
     def where(self) -> str:
@@ -132,70 +151,144 @@ def free_vibration(
             is_apart = len({trial.amplitude for trial in own}) == count
             vibration = FreeVibration(tuple(reversed(system)), own)
             known = {*vibration.letters, *moving}
-            if is_one and is_apart and not known & {own[0].frequency, *vibration.amplitudes}:
+            is_new = not known & {own[0].frequency, *vibration.amplitudes}
+            if is_one and is_apart and is_new and vibration.is_independent:
                 return vibration
     return None
 
 
 def decide_by_trial(
-    chain: Chain, k: int, vibration: FreeVibration, equal: Sequence[Sequence[str]]
+    chain: Chain, k: int, vibration: FreeVibration, equal: Sequence[tuple[Formula, ...]]
 ) -> Decision | None:
     """Return the decision on what a page says of amplitudes and frequencies; None for other relations.
 
-    `equal` are letters that words near set equal to each other.
+    `equal` is what words near set equal: masses and stiffnesses to each other or to new letters.
     """
     left, right = chain.sides[k].node, chain.sides[k + 1].node
-    is_pair = isinstance(left, Name) and isinstance(right, Name)
-    if k and is_pair and names(left) | names(right) <= vibration.letters:
-        return Decision(PREMISE, "a special case of the equations of motion")
-    if k or chain.relations[0].sign != "=":
+    if any(relation.sign != "=" for relation in chain.relations[: k + 1]):
         return None
+    amplitudes = {*vibration.amplitudes}
+    head = left if names(left) & amplitudes else chain.sides[0].node
     try:
-        return _decide(left, right, vibration, equal)
+        if k and decide_equality(left, right, _BARE).is_proved:
+            return None  # a step like any other
+        own = (names(head) | names(right)) - amplitudes
+        own -= {n for n in own if n.partition("_")[0] == vibration.frequency.name.partition("_")[0]}
+        decision = None if own - vibration.letters else _decide(head, right, vibration)
+        return decision or _decide_special(
+            head, right, vibration, chosen_letters(equal, own, vibration.letters)
+        )
     except (NoFormError, TooLargeError):
         return None
 
 
-def _decide(
-    left: Formula, right: Formula, vibration: FreeVibration, equal: Sequence[Sequence[str]]
+def _decide_special(
+    left: Formula, right: Formula, vibration: FreeVibration, chosen: Mapping[str, Formula]
 ) -> Decision | None:
+    """Return the decision on an equation where letters are set equal to others; None if none are."""
+    special = vibration.in_case(chosen)
+    if not chosen or not special.is_independent:
+        return None
+    decision = _decide(left, right, special) or _decide_bare_ratio(left, right, special)
+    if decision is None:
+        return None
+    case = ", ".join(f"{plain_text(Name(a))} = {plain_text(b)}" for a, b in sorted(chosen.items()))
+    if decision.is_proved:
+        return replace(decision, assumptions=(*decision.assumptions, case))
+    return replace(decision, reason=f"{decision.reason}, with {case}")
+
+
+def _decide(left: Formula, right: Formula, vibration: FreeVibration) -> Decision | None:
     """Return the decision on an equation by what stands in it: amplitudes, p alone, or p and the rest."""
     own, p = names(left) | names(right), vibration.frequency
     head = left.base if isinstance(left, Power) and left.exponent == _TWO else left
     is_frequency = isinstance(head, Name) and (head == p or head.name.startswith(f"{p.name}_"))
     if own & {*vibration.amplitudes}:
-        return _decide_amplitudes(left, right, vibration)
+        sizes = _sizes_of_amplitudes(left, right, vibration)
+        return sizes or _decide_amplitudes(left, right, vibration)
     if is_frequency and right == _ZERO:
         at_rest = decide_equality(determinant(vibration.rows(_ZERO)), _ZERO, _BARE)
         return Decision(CONDITION, "a root of the frequency equation") if at_rest.is_proved else None
     if is_frequency and not any(name.partition("_")[0] == p.name for name in names(right)):
-        return _decide_root(right if head is not left else Power(right, _TWO), vibration, equal)
+        return _decide_root(right if head is not left else Power(right, _TWO), vibration)
     return _decide_frequency_equation(left, right, vibration) if p.name in own else None
 
 
-def _decide_root(
-    square: Formula, vibration: FreeVibration, equal: Sequence[Sequence[str]]
-) -> Decision | None:
+def _decide_root(square: Formula, vibration: FreeVibration) -> Decision | None:
     """Return whether a formula for p² is a root of the frequency equation."""
     own, known = names(square), vibration.letters
-    rows = vibration.rows(square)
-    case = ""
-    if not own <= known:
-        chosen = _chosen(equal, own, known)
-        rows = [[_renamed(entry, chosen) for entry in row] for row in rows]
-        known = frozenset(chosen.get(name, name) for name in known)
-        shown = sorted((a, b) for a, b in chosen.items() if a != b)
-        case = ", ".join(f"{plain_text(Name(a))} = {plain_text(Name(b))}" for a, b in shown)
     if not own or not own <= known:
         return None
-    decision = decide_equality(determinant(rows), _ZERO, _BARE)
-    assumptions = (case,) if case else ()
+    decision = decide_equality(determinant(vibration.rows(square)), _ZERO, _BARE)
     if decision.is_proved:
-        return Decision(PROVED, f"a natural frequency by {vibration.where}", assumptions=assumptions)
+        return Decision(PROVED, f"a natural frequency by {vibration.where}")
     if decision.status != REFUTED or own != known:
         return None
-    reason = f"no natural frequency by {vibration.where}" + (f", with {case}" if case else "")
+    reason = f"no natural frequency by {vibration.where}"
     return Decision(REFUTED, reason, witness=decision.witness)
+
+
+def _sizes_of_amplitudes(left: Formula, right: Formula, vibration: FreeVibration) -> Decision | None:
+    """Return the decision on a ratio of sizes, |A|/|B| = I₂/I₁; None where no size of amplitudes stands.
+
+    Masses and stiffnesses are positive, and so is what has plus signs only.
+    """
+    bare = _without_sizes(left)
+    if bare == left or not _is_positive(right) or names(right) & {*vibration.amplitudes}:
+        return None
+    ways = [_decide_amplitudes(bare, value, vibration) for value in (right, Negative(right))]
+    for way in ways:
+        if way is not None and way.is_proved:
+            return way
+    return ways[0] if all(way is not None and way.status == REFUTED for way in ways) else None
+
+
+def _without_sizes(node: Formula) -> Formula:
+    """Return a quotient of two sizes without the strokes, |A/B| as A/B."""
+    if isinstance(node, Call) and node.function == "abs":
+        return node.argument
+    if isinstance(node, Quotient):
+        above, below = _without_sizes(node.numerator), _without_sizes(node.denominator)
+        is_both = above != node.numerator and below != node.denominator
+        return Quotient(above, below) if is_both else node
+    return node
+
+
+def _is_positive(node: Formula) -> bool:
+    """Tell whether a formula of positive letters has no minus sign."""
+    return all(
+        isinstance(part, Name | Sum | Product | Quotient | Power)
+        or (isinstance(part, Number) and part.value > 0)
+        for part in walk(node)
+    )
+
+
+def _decide_bare_ratio(left: Formula, right: Formula, vibration: FreeVibration) -> Decision | None:
+    """Return whether a ratio of two amplitudes as a number, A₂/A₁ = 1 - 3, is one of a natural mode."""
+    amplitudes = vibration.amplitudes
+    if not isinstance(left, Quotient) or names(right):
+        return None
+    if not isinstance(left.numerator, Name) or not isinstance(left.denominator, Name):
+        return None
+    pair = left.numerator.name, left.denominator.name
+    ratio = number_of(right)
+    if ratio is None or not {*pair} <= {*amplitudes} or pair[0] == pair[1]:
+        return None
+    inertia, still = (
+        [
+            [each.factors.get((t.moving, order), _ZERO) for t in vibration.trials]
+            for each in vibration.equations
+        ]
+        for order in (2, 0)
+    )
+    places = amplitudes.index(pair[0]), amplitudes.index(pair[1])
+    is_mode = is_ratio_in_mode(still, inertia, places, ratio)
+    one, other = (plain_text(Name(name)) for name in pair)
+    if is_mode is None:
+        return None
+    kind = "a" if is_mode else "no"
+    reason = f"the ratio of {one} and {other} in {kind} natural mode by {vibration.where}"
+    return Decision(PROVED if is_mode else REFUTED, reason)
 
 
 def _decide_frequency_equation(
@@ -346,28 +439,6 @@ def _by_powers(evaluator: FormEvaluator, node: Formula, name: str) -> dict[int, 
         rest = tuple(entry for entry in monomial if entry[0] != symbol)
         parts.setdefault(int(power), {})[rest] = coefficient
     return parts
-
-
-def _chosen(
-    equal: Sequence[Sequence[str]], own: frozenset[str] | set[str], known: frozenset[str]
-) -> Mapping[str, str]:
-    """Return for each mass or stiffness that is set equal to others the letter it is written by."""
-    classes: list[set[str]] = []
-    for letters in equal:
-        joined = {*letters}.union(*(each for each in classes if each & {*letters}))
-        classes = [each for each in classes if not each & joined] + [joined]
-    chosen: dict[str, str] = {}
-    for each in classes:
-        written = sorted(each & own) or sorted(each & known)
-        chosen |= {name: written[0] for name in each & known if written}
-    return chosen
-
-
-def _renamed(node: Formula, chosen: Mapping[str, str]) -> Formula:
-    for name, other in chosen.items():
-        if name != other:
-            node = substitute(node, name, Name(other))
-    return node
 
 
 def _factor(equation: EquationOfMotion, name: str, square: Formula) -> Formula:

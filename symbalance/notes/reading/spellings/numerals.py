@@ -11,7 +11,14 @@ from collections.abc import Callable
 
 from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, LOWERED, NAME_OF_SIGN, RAISED
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
-from symbalance.notes.reading.signs import COMBINED, RELATION, VULGAR, accented
+from symbalance.notes.reading.signs import (
+    COMBINED,
+    DOTTED_NUMBERED,
+    RELATION,
+    VULGAR,
+    accented,
+    dotted_numbered,
+)
 from symbalance.notes.reading.spellings.pointed_units import compound_unit
 from symbalance.notes.reading.units import is_of_volume, scale_of
 
@@ -407,8 +414,11 @@ def _mixed_and_inches(text: str) -> dict[int, tuple[int, str]]:
 
 
 def _accents(text: str) -> dict[int, tuple[int, str]]:
-    """Return the letters with a combining accent, F̂₂, as those of LaTeX."""
-    return {m.start(): (m.end(), f"{accented(m)} ") for m in COMBINED.finditer(text)}
+    """Return the letters with an accent of Unicode, F̂₂ and ẍ1, as those of LaTeX."""
+    combined = {m.start(): (m.end(), f"{accented(m)} ") for m in COMBINED.finditer(text)}
+    return combined | {
+        m.start(): (m.end(), f"{dotted_numbered(m)} ") for m in DOTTED_NUMBERED.finditer(text)
+    }
 
 
 def _subscript_words(text: str, is_letter: Callable[[str, int], bool]) -> dict[int, tuple[int, str]]:
