@@ -238,7 +238,7 @@ def _judge_step(
 def _as_anything_named(
     state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
 ) -> Verdict | Decision | None:
-    """Return the verdict on what words, letters or patterns name: of engines, banks, quantities, series."""
+    """Return the verdict on what words, letters or patterns name: engines, quantities, series."""
     by_name = state.engine_resultants.judge(chain, k, knowledge)
     by_name = by_name or state.bank_resultants.judge(chain, k, knowledge)
     by_name = by_name or state.dead_centre_sizes.refute(chain, k, knowledge)

@@ -151,8 +151,9 @@ class QuantityForms:
 
 def _angle_of_sine(node: Formula) -> str:
     """Return the letter of which a formula is the sine; "" for any other."""
-    is_sine = isinstance(node, Call) and node.function == "sin" and isinstance(node.argument, Name)
-    return node.argument.name if is_sine else ""
+    if not isinstance(node, Call) or node.function != "sin" or not isinstance(node.argument, Name):
+        return ""
+    return node.argument.name
 
 
 def is_telling(formula: Formula) -> bool:

@@ -46,8 +46,8 @@ def by_nearest_equation(
         return None
     rest = {name: each for name, each in knowledge.definitions.items() if name != head.name}
     freer = replace(knowledge, definitions={**rest, **given}, solved={}, solved_from=())
-    sides = (substitute(side.node, head.name, value) for side in equation.sides)
-    decision = decide(*map(lone_side, sides), chain.relations[k].sign, freer)
+    left, right = (lone_side(substitute(side.node, head.name, value)) for side in equation.sides[:2])
+    decision = decide(left, right, chain.relations[k].sign, freer)
     if not decision.is_proved:
         return None
     by_line = f"by line {equation.lines[0]}"
