@@ -191,6 +191,8 @@ class EngineResultants:
         claim = self.claims.claim(head.name, chain) if is_open and self.claims.engines.mentions else None
         if claim is None or not claim.engine.stars:
             return None
+        if not claim.words and head.name in knowledge.definitions:
+            return None  # what nothing but its wave says gives a letter no second formula
         if not names(value):
             return self._vanishing(head.name, claim, value)
         try:
