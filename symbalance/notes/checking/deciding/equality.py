@@ -163,6 +163,8 @@ def _agree_as_typed(
             if not there:
                 return False
             margin += abs(there[0][1][0] - value)
+    if not margin and (decimals(left) or decimals(right)):
+        return _close(*pair)  # 10^(-0.4) by the letters and by the numbers put in
     return bool(margin) and abs(pair[0] - pair[1]) <= margin
 
 

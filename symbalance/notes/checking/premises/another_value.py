@@ -402,7 +402,8 @@ def _comes_to_a_number(node: Formula, knowledge: Knowledge, *beside: Formula) ->
     try:
         return not letters(knowledge.evaluator(level).form(node))
     except (NoFormError, TooLargeError):
-        return False
+        meaning = replace(knowledge.meaning, values=level.values)
+        return not letters_behind(node, meaning.values) and bool(sample_trees([node], meaning, 1))
 
 
 def _define_case_anew(
