@@ -161,7 +161,10 @@ def _is_of_formulas(value: Fraction) -> bool:
 
 
 def _shifted(value: Fraction, above: _Above) -> list[Unit]:
-    """Return the units of a number with its decimal point elsewhere: 0.04 where 40 mm stands above."""
+    """Return the units of a number with its decimal point elsewhere: 0.04 where 40 mm stands above.
+
+    Who converts means metres and kilograms, also where the unit above is a slip: 35.3 cm, then 0.0353.
+    """
     units = []
     for known, rows in above.items():
         ratio = value / known
@@ -170,6 +173,7 @@ def _shifted(value: Fraction, above: _Above) -> list[Unit]:
         is_kilo = abs(round(log10(ratio))) == _THOUSAND
         if is_kilo or len(str(value.numerator * value.denominator).strip("0")) > 1:
             units += [Unit(size, scale / float(ratio), is_shifted=not is_kilo) for size, scale in rows]
+            units += [Unit(size, is_shifted=True) for size, _ in rows]
     return units
 
 
