@@ -1,4 +1,4 @@
-"""The largest or the least value of a quantity that the page has just given: M = a m r ω² (cos θ + λ cos 2θ), M_max.
+"""The largest or least value of a quantity that has a formula: M = m r ω² (cos θ + λ cos 2θ), M_max.
 
 Nobody has declared M, and its formula says how it changes with the crank angle. What stands for M_max in
 the same section, in M's own letters, is compared with the largest size of a turn; the sign of the value
