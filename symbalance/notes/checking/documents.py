@@ -41,6 +41,7 @@ from symbalance.notes.checking.page.sums_by_rule import with_sums_by_rule
 from symbalance.notes.checking.page.time_letters import with_time
 from symbalance.notes.checking.page.whole_letters import with_whole_letters
 from symbalance.notes.checking.reports.written_assumptions import with_written_assumptions
+from symbalance.notes.checking.units.angles_per_turn import with_turns_divided
 from symbalance.notes.checking.verdicts import MOST_LETTERS, UNDECLARED, Checked
 from symbalance.notes.checking.words.bare_degrees import with_bare_degrees
 from symbalance.notes.checking.words.degrees_without_sign import judge_in_one_unit_of_angle
@@ -126,7 +127,7 @@ def check(
     declarations = with_matrix_letters(page, declarations)
     declarations = with_whole_letters(page, with_time(page, declarations))
     page = with_continued_sums(with_sums_by_rule(page))
-    page = with_expanded_sums(page, data_of(page, declarations.symbols_at))
+    page = with_expanded_sums(with_turns_divided(page), data_of(page, declarations.symbols_at))
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
     sources = Sources(provider, beside)
     start = time.monotonic()

@@ -18,6 +18,7 @@ from symbalance.document.formula import (
     Name,
     Negative,
     Number,
+    Power,
     Product,
     Quotient,
     Sum,
@@ -29,6 +30,7 @@ from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import polynomial_node
 from symbalance.notes.algebra.series import Expansion
+from symbalance.notes.algebra.tree_values import letters_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import (
     PROVED,
@@ -161,7 +163,7 @@ def _decide_put_in(left: Formula, right: Formula, refutation: Decision, knowledg
     Put in one for each, m r ω² = 0.5·0.04·628², they are given, but for those that have other values; one
     result for several letters could be judged only if all had values.
     """
-    missing = sorted(letters(refutation.left)) if refutation.left is not None else []
+    missing = sorted(_free_letters(left, refutation))
     texts = ", ".join(formula_text(Name(name), plain=True) for name in missing)
     have = "has no value" if len(missing) == 1 else "have no values"
     pairs = paired(left, right)
@@ -176,13 +178,21 @@ def _decide_put_in(left: Formula, right: Formula, refutation: Decision, knowledg
     return Decision(PREMISE, f"{NUMBERS_PUT_IN}; {texts} {have} above")
 
 
+def _free_letters(node: Formula, refutation: Decision) -> set[str]:
+    """Return the letters without values in a side, by its form; by its text where it has none: ε^κ."""
+    if refutation.left is not None:
+        return set(letters(refutation.left))
+    has_power = any(isinstance(part, Power) and names(part.exponent) for part in walk(node))
+    return set(letters_behind(node, refutation.level.values)) if has_power and refutation.level else set()
+
+
 def _kind_of_statement(
     chain: Chain, k: int, refutation: Decision, knowledge: Knowledge
 ) -> tuple[str, str]:
     """Return the verdict's word for what a relation states, and the reason; "" for a claim."""
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     is_alone, is_zero = k == 0 and len(chain.relations) == 1, right == Number(Fraction(0))
-    free = set() if refutation.left is None else set(letters(refutation.left))
+    free = _free_letters(left, refutation)
     if is_alone and _is_balance_of_unknowns(left, right, knowledge):
         return PREMISE, ""
     if not k and _is_of_an_angle(left, right, knowledge):

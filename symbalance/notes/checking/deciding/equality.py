@@ -19,7 +19,7 @@ from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
 from symbalance.notes.checking.deciding.numbers_put_in import may_be_rounded
 from symbalance.notes.checking.deciding.parts_apart import parts_apart
-from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals
+from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals, with_decimals
 from symbalance.notes.checking.deciding.substitution import replace_part
 
 NOISE = values.DIGITS - 5
@@ -158,7 +158,8 @@ def _agree_as_typed(
 ) -> bool:
     """Tell whether two numbers differ by no more than the rounding of the results they are typed with."""
     margin: Any = 0
-    for node, value in zip((left, right), pair, strict=True):
+    for side, value in zip((left, right), pair, strict=True):
+        node = with_decimals(side, meaning.values)  # β = 17.5° too stands for all that is rounded to it
         for number in decimals(node):
             if number.last_place is None or not may_be_rounded(number, printed):
                 continue
@@ -167,6 +168,8 @@ def _agree_as_typed(
             if not there:
                 return False
             margin += abs(there[0][1][0] - value)
+    if not margin and (decimals(left) or decimals(right)):
+        return _close(*pair)  # 10^(-0.4) by the letters and by the numbers put in
     return bool(margin) and abs(pair[0] - pair[1]) <= margin
 
 

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import product
+from math import ceil, floor
 from typing import Any
 
 from symbalance.document.formula import Constant, Formula, Name, Negative, Number, Product, Sum, names
@@ -53,18 +54,30 @@ def range_that_fails(stated: StatedRange, given: Sequence[StatedRange], knowledg
 
 
 def _around(stated: StatedRange, given: Sequence[StatedRange]) -> dict[str, tuple[int, int]]:
-    """Return where to draw the letters that stand alone beside numbers: around all of those numbers."""
-    bounds: dict[str, list[Fraction]] = {}
+    """Return where to draw the letters that stand alone beside numbers: between or around all of those.
+
+    Between them a letter is drawn that has a least and a largest value: few points around 0.25 ≤ λ ≤ 0.3
+    satisfy both.
+    """
+    bounds: dict[str, list[tuple[Fraction, str]]] = {}
     for r in (stated, *given):
         for node, other in ((r.left, r.right), (r.right, r.left)):
             number = other.operand if isinstance(other, Negative) else other
             if isinstance(node, Name) and isinstance(number, Number):
                 value = number.value if number is other else -number.value
-                bounds.setdefault(node.name, []).append(value)
-    return {
-        name: (int(100 * (min(values) - 1)), int(100 * (max(values) + 1)))
-        for name, values in bounds.items()
-    }
+                is_lower = (r.sign in _LESS) is (node is r.right)
+                kind = "" if r is stated else "least" if is_lower else "largest"
+                bounds.setdefault(node.name, []).append((value, kind))
+    spans = {}
+    for name, rows in bounds.items():
+        values = [value for value, _ in rows]
+        margin = 0 if {"least", "largest"} <= {kind for _, kind in rows} else 1
+        least, largest = 100 * (min(values) - margin), 100 * (max(values) + margin)
+        spans[name] = (floor(least), max(ceil(largest), floor(least) + 1))
+    return spans
+
+
+_LESS = ("<", "≤", "≪")
 
 
 def solution_lost(

@@ -347,7 +347,7 @@ def _paired_parts(left: Formula, right: Formula) -> list[tuple[Formula, Formula]
     if isinstance(left, Name):
         return [(left, right)]
     if isinstance(left, formula.Power) and isinstance(right, formula.Power):
-        return _paired_parts(left.base, right.base) if left.exponent == right.exponent else None
+        return _paired_power(left, right)
     if not names(left):
         return []
     first, second = formula.children(left), formula.children(right)
@@ -358,6 +358,19 @@ def _paired_parts(left: Formula, right: Formula) -> list[tuple[Formula, Formula]
         for a, b in zip(first, second, strict=True)
     ]
     return None if None in parts else [pair for part in parts if part for pair in part]
+
+
+def _paired_power(left: formula.Power, right: formula.Power) -> list[tuple[Formula, Formula]] | None:
+    """Return the letters of a power with the numbers put in, those of its exponent too: ε^κ = 11^1.35."""
+    bases = _paired_parts(left.base, right.base)
+    if left.exponent == right.exponent or bases is None:
+        return bases
+    if not names(left.exponent) or names(right.exponent):
+        return None
+    is_number = isinstance(right.exponent, Number)
+    exponents = [(left.exponent, right.exponent)] if is_number else None
+    exponents = exponents or _paired_parts(left.exponent, right.exponent)
+    return None if exponents is None else bases + exponents
 
 
 def _is_multiple_put_in(part: Formula, number: Formula) -> bool:

@@ -20,6 +20,7 @@ from symbalance.notes.checking.deciding.descriptions import (
 )
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.guarded_verdicts import PAGE, Guard
+from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import NO_VALUES_HERE, decide
 from symbalance.notes.checking.deciding.remainders import is_remainder
@@ -569,11 +570,12 @@ class Judge:
         decision = outcome if isinstance(outcome, Decision) else outcome.decision
         if isinstance(outcome, Verdict) and outcome.verdict in PROVED_WORDS:
             decision = decision or Decision(PROVED)
-        if k or decision is None or decision.status in (REFUTED, CONTRADICTION):
+        is_later = k and not all(relation.sign in SATISFIED_BY for relation in chain.relations)
+        if is_later or decision is None or decision.status in (REFUTED, CONTRADICTION):
             return outcome
         known = replace(knowledge, ranges=tuple(self.state.definitions.ranges_at(chain.lines[0])))
         sections = self.state.sections
-        judged = decide_consequence(self.document, sections, chain, decision, known)
+        judged = decide_consequence(self.document, sections, chain, decision, known, k)
         if judged is decision:
             return outcome
         if judged.status == REFUTED:

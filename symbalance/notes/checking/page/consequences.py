@@ -25,7 +25,12 @@ from symbalance.notes.reading.equations import Chain, ReadNotes
 
 
 def decide_consequence(
-    document: ReadNotes, sections: Sections, chain: Chain, decision: Decision, knowledge: Knowledge
+    document: ReadNotes,
+    sections: Sections,
+    chain: Chain,
+    decision: Decision,
+    knowledge: Knowledge,
+    k: int = 0,
 ) -> Decision:
     """Return the decision on a relation as what follows from the one before, where it is not: x > 5.
 
@@ -36,18 +41,25 @@ def decide_consequence(
     # a rate follows from how a quantity is defined, not from one of its values
     is_rate = any(isinstance(part, Derivative) for side in chain.sides for part in walk(side.node))
     before = _before(document, chain) if (follows or is_converse) and not is_rate else None
-    if before is None or len(before.relations) != 1 or len(chain.relations) != 1:
+    if before is None or not (_is_one_statement(before) and _is_one_statement(chain)):
         return decision
+    sign, first = chain.relations[k].sign, before.relations[0].sign
+    is_lone = len(before.relations) == len(chain.relations) == 1
+    judged = decision
     if is_converse:
-        return _converse(before, chain, decision, knowledge)
-    sign, first = chain.relations[0].sign, before.relations[0].sign
-    if sign in SATISFIED_BY and first in SATISFIED_BY and decision.status == RANGE:
-        return _range_after_range(sections, before, chain, decision, knowledge)
-    if sign == "=" and first in SATISFIED_BY and decision.status in (DEFINITION, CONDITION):
-        return _equation_after_range(before, chain, decision, knowledge)
-    if sign == "=" == first and decision.status != REFUTED:
-        return _equation_after_equation(sections, before, chain, decision, knowledge)
-    return decision
+        judged = _converse(before, chain, decision, knowledge) if is_lone else decision
+    elif sign in SATISFIED_BY and first in SATISFIED_BY and decision.status == RANGE:
+        judged = _range_after_range(sections, before, chain, decision, knowledge, k)
+    elif is_lone and sign == "=" and first in SATISFIED_BY and decision.status in (DEFINITION, CONDITION):
+        judged = _equation_after_range(before, chain, decision, knowledge)
+    elif is_lone and sign == "=" == first and decision.status != REFUTED:
+        judged = _equation_after_equation(sections, before, chain, decision, knowledge)
+    return judged
+
+
+def _is_one_statement(chain: Chain) -> bool:
+    """Tell whether a chain is one relation, or a range: 0.25 ≤ λ ≤ 0.3."""
+    return len(chain.relations) == 1 or all(r.sign in SATISFIED_BY for r in chain.relations)
 
 
 def _converse(before: Chain, chain: Chain, decision: Decision, knowledge: Knowledge) -> Decision:
@@ -79,23 +91,45 @@ def _before(document: ReadNotes, chain: Chain) -> Chain | None:
     return max(earlier, key=lambda c: c.sides[-1].span[1], default=None)
 
 
-def _stated(chain: Chain) -> StatedRange:
-    return StatedRange(chain.sides[0].node, chain.relations[0].sign, chain.sides[1].node, chain.lines[0])
+def _stated(chain: Chain, k: int = 0) -> StatedRange:
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    return StatedRange(left, chain.relations[k].sign, right, chain.lines[0])
+
+
+def _as_rounded(stated: StatedRange) -> StatedRange:
+    """Return a range with its printed decimals half a place wider: 1/λ ≤ 3.8 where it is up to 3.846."""
+    sign = stated.sign
+    widening = {"<": (-1, 1), "≤": (-1, 1), ">": (1, -1), "≥": (1, -1)}.get(sign, (0, 0))
+    left, right = (
+        replace(node, value=node.value + way * node.last_place / 2)
+        if isinstance(node, Number) and node.last_place is not None
+        else node
+        for node, way in zip((stated.left, stated.right), widening, strict=True)
+    )
+    return replace(stated, left=left, right=right)
 
 
 def _range_after_range(
-    sections: Sections, before: Chain, chain: Chain, decision: Decision, knowledge: Knowledge
+    sections: Sections,
+    before: Chain,
+    chain: Chain,
+    decision: Decision,
+    knowledge: Knowledge,
+    k: int = 0,
 ) -> Decision:
-    own, earlier = _stated(chain), _stated(before)
-    given = [r for r in knowledge.ranges if r.line <= chain.lines[0] and not _same(r, own)]
-    witness = _fails_by_formula(own, earlier, knowledge)
-    is_stated = any(_same(r, earlier) for r in given)
+    own, earlier = _stated(chain, k), _stated(before)
+    own = own if len(chain.relations) == 1 else _as_rounded(own)
+    given = [r for r in knowledge.ranges if r.line <= chain.lines[0] and not _same(r, _stated(chain, k))]
+    witness = _fails_by_formula(own, earlier, knowledge) if len(chain.relations) == 1 else None
+    stated = [_stated(before, n) for n in range(len(before.relations))]
+    is_stated = all(any(_same(r, each) for r in given) for each in stated)
     if not is_stated and witness is None:
         return decision
     witness = witness or range_that_fails(own, given, knowledge)
     if witness is not None:
-        return Decision(REFUTED, f"does not follow from {earlier.text}", witness=witness)
-    if sections.is_equivalence(chain):
+        text = ", ".join(each.text for each in stated)
+        return Decision(REFUTED, f"does not follow from {text}", witness=witness)
+    if sections.is_equivalence(chain) and len(stated) == 1:
         others = [r for r in given if not _same(r, earlier)]
         witness = range_that_fails(earlier, [*others, own], knowledge)
         if witness is not None:

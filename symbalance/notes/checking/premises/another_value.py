@@ -402,8 +402,11 @@ def _comes_to_a_number(node: Formula, knowledge: Knowledge, *beside: Formula) ->
     level = list(knowledge.levels(node, *beside))[-1]
     try:
         return not letters(knowledge.evaluator(level).form(node))
-    except (NoFormError, TooLargeError):
+    except TooLargeError:
         return False
+    except NoFormError:  # ε^κ with numbers for both
+        meaning = replace(knowledge.meaning, values=level.values)
+        return not letters_behind(node, meaning.values) and bool(sample_trees([node], meaning, 1))
 
 
 def _define_case_anew(

@@ -161,6 +161,28 @@ def _degrees(node: Formula) -> int | None:
     return int(degrees) if power == 1 and degrees.denominator == 1 else None
 
 
+_AT = re.compile(r"(?<![A-Za-zÀ-ÿ])(?:at|bei|à|con)[\s$\\(\[]*$", re.IGNORECASE)
+"""A word before a value that may open a case, or go with what was said: the shafts turn at 2n."""
+
+
+def _has_value_in_clause(state: JudgingState, chain: Chain, name: str) -> bool:
+    """Tell whether a sentence gives a letter its value, and says of a multiple of it what is "at" that.
+
+    "For n = 5000 rpm the shafts turn at 2n = 10000 rpm"; after "at n = …" an "at" opens another case.
+    """
+    text, start = state.document.text, chain.sides[0].span[0]
+    if not _AT.search(text, max(0, start - REACH), start):
+        return False
+    for other in state.document.chains:
+        head, end = other.sides[0], other.end
+        if not isinstance(head.node, Name) or head.node.name != name or not 0 < start - end < REACH:
+            continue
+        between, first = text[end:start], head.span[0]
+        is_at = _AT.search(text, max(0, first - REACH), first) is not None
+        return not is_at and re.search(r"[.;:!?。](?=\s)|\n\s*\n", between) is None
+    return False
+
+
 def as_case_of_multiple(state: JudgingState, chain: Chain, k: int) -> Decision | None:
     """Return that 2α = 60° behind "for" is a case, after 2α = 90°; None for other relations.
 
@@ -180,7 +202,7 @@ def as_case_of_multiple(state: JudgingState, chain: Chain, k: int) -> Decision |
     if state.sections.is_consequence(chain) or not chain.inline:
         return None
     definitions, name = state.definitions, letter.name
-    if name in state.knowledge(line).angles:
+    if _has_value_in_clause(state, chain, name) or name in state.knowledge(line).angles:
         return None
     definitions.premises = [p for p in definitions.premises if p.names != {name}]
     definitions.define(name, Quotient(value, number), chain, definitions.sections.case_end(line))

@@ -9,12 +9,16 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from fractions import Fraction
 
-from symbalance.document.formula import Name, names
+from symbalance.document.formula import Name, Negative, Number, names
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.premises.angles_at import solves_as_printed
+from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.words.plain_formulas import lone_side
 from symbalance.notes.reading.equations import Chain
@@ -43,12 +47,21 @@ def as_named_root(state: JudgingState, chain: Chain, k: int, knowledge: Knowledg
         return None
     unknown = head.name.partition("_")[0]
     equation = _equation_above(state, chain, unknown)
-    if equation is None or not names(value) or unknown in names(value) or head.name in names(value):
+    if equation is None or {unknown, head.name} & names(value):
         return None
+    if not names(value):
+        return _as_number(state, chain, equation, unknown)
+    return _as_formula(state, chain, equation, unknown, knowledge)
+
+
+def _as_formula(
+    state: JudgingState, chain: Chain, equation: Chain, unknown: str, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision on a formula in the letters of an equation as its root."""
+    head, value = chain.sides[0].node, chain.sides[1].node
     sides = [side.node for side in equation.sides]
-    if head.name in names(sides[0]) | names(sides[1]) or not names(value) <= names(sides[0]) | names(
-        sides[1]
-    ):
+    own = names(sides[0]) | names(sides[1])
+    if not isinstance(head, Name) or head.name in own or not names(value) <= own:
         return None
     left, right = (lone_side(substitute(node, unknown, value)) for node in sides)
     formulas = {
@@ -63,6 +76,33 @@ def as_named_root(state: JudgingState, chain: Chain, k: int, knowledge: Knowledg
     if decision.status == REFUTED:
         return Decision(REFUTED, f"does not satisfy line {equation.lines[0]}", witness=decision.witness)
     return None
+
+
+def _as_number(state: JudgingState, chain: Chain, equation: Chain, unknown: str) -> Decision | None:
+    """Return the decision on a number as a root of an equation between numbers, each as it is printed.
+
+    A whole number may be rounded to its last digit; one with a unit is left open.
+    """
+    head, value = chain.sides[0].node, chain.sides[1].node
+    own = names(equation.sides[0].node) | names(equation.sides[1].node)
+    is_bare = re.search(r"[^\W\d_]", state.document.source(chain.sides[1].span)) is None
+    if own != {unknown} or not isinstance(head, Name) or not is_bare:
+        return None
+    condition = Premise(equation.sides[0].node, equation.sides[1].node, equation.lines[0])
+    free = Knowledge()
+    number = value.operand if isinstance(value, Negative) else value
+    is_solution = solves_as_printed(condition, unknown, value, free)
+    if is_solution:
+        state.definitions.define(head.name, value, chain)
+        is_printed = any(decimals(node) for node in (value, condition.left, condition.right))
+        reason = f"satisfies line {equation.lines[0]}"
+        return Decision(PROVED, reason, order="the digits printed" if is_printed else "")
+    if isinstance(number, Number) and number.last_place is None:
+        rough = replace(number, last_place=Fraction(1))
+        rough_value = Negative(rough) if isinstance(value, Negative) else rough
+        is_solution = None if solves_as_printed(condition, unknown, rough_value, free) else is_solution
+    reason = f"does not satisfy line {equation.lines[0]}"
+    return Decision(REFUTED, reason) if is_solution is False else None
 
 
 def as_one_solution(state: JudgingState, chain: Chain, k: int) -> Decision | None:

@@ -14,7 +14,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.meant.meant_extremes import decide_meant_extreme
 from symbalance.notes.checking.motions.extreme_sizes import decide_largest_size
 from symbalance.notes.checking.motions.extremes import decide_extreme, decide_place
-from symbalance.notes.checking.motions.named_extremes import base_of_largest, decide_named_extreme
+from symbalance.notes.checking.motions.named_extremes import base_of_extreme, decide_named_extreme
 from symbalance.notes.checking.motions.series_coefficients import (
     coefficient_values,
     decide_coefficient,
@@ -64,9 +64,9 @@ def judge_series(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
 
 
 def _extreme_of_formula(state: JudgingState, chain: Chain, knowledge: Knowledge) -> Decision | None:
-    """Decide the largest value of a letter with a formula in the same section, of the same engine."""
+    """Decide the largest or least value of a letter with a formula of the same section and engine."""
     head = chain.sides[0].node
-    definition = knowledge.definitions.get(base_of_largest(head.name)) if isinstance(head, Name) else None
+    definition = knowledge.definitions.get(base_of_extreme(head.name)) if isinstance(head, Name) else None
     if definition is None or not state.sections.same_section(definition.line, chain.lines[0]):
         return None
     words = state.sections.sentence_leading_to(chain)

@@ -185,7 +185,7 @@ def _speeds_in(chain: Chain, speeds: set[str]) -> set[str]:
 
 def _outside_units(node: Formula) -> Iterator[Formula]:
     """Yield the parts of a formula but those of the units of speeds, π/30 of rpm."""
-    if not _is_unit(node):
+    if not is_unit_of_speed(node):
         yield node
         for part in children(node):
             yield from _outside_units(part)
@@ -201,12 +201,12 @@ def _is_of_speeds(node: Formula, document: ReadNotes) -> bool:
 
 
 def _has_speed(node: Formula) -> bool:
-    return any(_is_unit(part) for part in walk(node))
+    return any(is_unit_of_speed(part) for part in walk(node))
 
 
 def _by_the_second(node: Formula) -> Formula:
     """Return a formula whose speeds are in revolutions per second."""
-    if _is_unit(node):
+    if is_unit_of_speed(node):
         return replace(_A_SIXTIETH, span=node.span)
     parts = children(node)
     return with_children(node, tuple(map(_by_the_second, parts))) if parts else node
@@ -234,7 +234,7 @@ def is_angular_speed(name: str, symbols: Mapping[str, str]) -> bool:
 
 def _is_quantity(node: Formula) -> bool:
     """Tell whether a side is a number with its unit and nothing else."""
-    return isinstance(node, Product) and len(node.factors) == 2 and _is_unit(node.factors[1])
+    return isinstance(node, Product) and len(node.factors) == 2 and is_unit_of_speed(node.factors[1])
 
 
 def _without_unit(node: Formula, as_number: bool) -> Formula:
@@ -250,7 +250,7 @@ def _in_product(node: Formula, document: ReadNotes, with_pi: bool = False) -> Fo
 
     2·π·6000 rpm has its own 2π, and 2·86 mm·5000 min⁻¹ counts strokes; (6000 rpm)² is an angular speed's.
     """
-    if _is_unit(node):
+    if is_unit_of_speed(node):
         is_frequency = with_pi or "rpm" not in document.source(node.span)
         return replace(_A_SIXTIETH, span=node.span) if is_frequency else node
     if isinstance(node, Power) or not (parts := children(node)):
@@ -262,7 +262,7 @@ def _in_product(node: Formula, document: ReadNotes, with_pi: bool = False) -> Fo
 
 def _divisors(node: Formula) -> set[Formula]:
     """Return the factors that anything in a formula is divided by: 60 of 4000 rpm · 2π/60."""
-    if isinstance(node, Quotient) and not _is_unit(node):
+    if isinstance(node, Quotient) and not is_unit_of_speed(node):
         return _factors_above(node.denominator) | _divisors(node.numerator)
     return {divisor for part in children(node) for divisor in _divisors(part)}
 
@@ -270,17 +270,17 @@ def _divisors(node: Formula) -> set[Formula]:
 def _without_units(node: Formula) -> Formula:
     """Return a formula whose speeds are the numbers typed."""
     if isinstance(node, Product):
-        factors = tuple(_without_units(part) for part in node.factors if not _is_unit(part))
+        factors = tuple(_without_units(part) for part in node.factors if not is_unit_of_speed(part))
         return factors[0] if len(factors) == 1 else replace(node, factors=factors)
     parts = children(node)
     return with_children(node, tuple(map(_without_units, parts))) if parts else node
 
 
 def _has_unit(side: Side) -> bool:
-    return any(_is_unit(part) for node in side.readings for part in walk(node))
+    return any(is_unit_of_speed(part) for node in side.readings for part in walk(node))
 
 
-def _is_unit(node: Formula) -> bool:
+def is_unit_of_speed(node: Formula) -> bool:
     """Tell the factor of a unit from π/30 as an author writes it."""
     return (
         isinstance(node, Quotient)
@@ -291,7 +291,7 @@ def _is_unit(node: Formula) -> bool:
 
 def _factors_above(node: Formula) -> set[Formula]:
     """Return the factors of a product but those it is divided by: n = 60 f/q counts revolutions."""
-    if isinstance(node, Quotient) and not _is_unit(node):
+    if isinstance(node, Quotient) and not is_unit_of_speed(node):
         return _factors_above(node.numerator)
     if isinstance(node, Product):
         return {factor for part in node.factors for factor in _factors_above(part)}
@@ -300,7 +300,7 @@ def _factors_above(node: Formula) -> set[Formula]:
 
 def _typed_numbers(node: Formula) -> set[Formula]:
     """Return the whole numbers of a formula but those of units."""
-    if _is_unit(node):
+    if is_unit_of_speed(node):
         return set()
     if isinstance(node, Number):
         return {node}

@@ -1,20 +1,26 @@
 """Units of bare numbers by the lines above: 1.590 x 33 is no 52.5 kg m where 33 was 33 mm.
 
 An arithmetic may leave its units out, and its result name one. Where numbers of it stand above with their
-units, the result has to be in these: its number may be right and its unit a thousand times too large.
+units, the result has to be in these: its number may be right and its unit a thousand times too large, or
+its speed revolutions per minute where the unit needs radians per second.
 """
 
 from __future__ import annotations
 
 import re
 from fractions import Fraction
-from math import isclose, log10
+from math import isclose, log10, pi
 
-from symbalance.document.formula import Call, Formula, Negative, Number, Power, Product, Quotient, names
+from symbalance.document.formula import Formula, Number, Product, names
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
-from symbalance.notes.checking.units.conversions import quantity_of, scale_of, sign_of_unit
+from symbalance.notes.checking.units.conversions import Quantity, quantity_of, scale_of, sign_of_unit
 from symbalance.notes.checking.units.dimensions import NONE, Dimension, unit_of, unit_text
-from symbalance.notes.checking.units.printed_units import without_unit_of_result
+from symbalance.notes.checking.units.units_of_arithmetic import (
+    Unit,
+    UnitReading,
+    numbers_of,
+    unit_readings,
+)
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.notes.reading.formulas.result_units import value_of
 
@@ -22,16 +28,34 @@ NEAR = 700
 """Characters above in which a number's unit is looked for."""
 MOST_COUNTED = 20
 """A whole number up to this may count something or come from a formula."""
+_OF_FORMULAS = {24, 32, 48, 64, 96, 192, 384}
+"""Larger whole numbers that formulas have: F l³/48 E I, 32 M/π d³."""
+_CONVERTERS = {Fraction(n) for n in (12, 30, 36, 60, 75, 3600)} | {Fraction(18, 5)}
+"""Numbers of time, feet and horse-power: s n/30."""
 _UNITS = 3
 """Words that a unit has at most: kg m s⁻¹."""
-_MARKUP = re.compile(r"\\(?:mathrm|text|textrm|mbox|,|;|:|!|[ ]|quad|ensuremath)|[~${}]|</?[a-z]+>")
+_MARKUP = re.compile(r"\\(?:mathrm|text|textrm|mbox|,|;|:|!|quad|ensuremath)|[~${}]|</?[a-z]+>")
 _EXPONENT = re.compile(r"\$?\^\{?([-−]?[0-9])\}?\$?")
 """The exponent of a unit, which may stand between dollars of its own: s$^{-1}$."""
 _NUMERAL = re.compile(r"(?<![\w.,^_])[0-9]+(?:[.,][0-9]+)?(?![0-9])")
-_SIGNS = re.compile(r"\\(?:cdot|times|sqrt|[dt]?frac|left|right|,|;|:|!|quad)|(?<![A-Za-z])x(?![A-Za-z])")
-_LETTER = re.compile(r"[^\W\d_]|°")
+_THOUSANDS = re.compile(r"(?<=[0-9])(?:[ ~\u00a0\u2009\u202f]|\\,)(?=[0-9]{3}(?![0-9]))")
+_BARE = re.compile(
+    r"(?:=|≈|\\approx)[\s$]*(?P<number>[0-9]+(?:[.,][0-9]+)?)(?=[\s$]*(?:[,.;:)]|and |und |$))"
+)
+"""The number of a letter that has no unit: λ = 0.28."""
+_SIGNS = re.compile(
+    r"\\(?:cdot|times|sqrt|[dt]?frac|left|right|quad|pi|circ|cos|sin|tan|ln|log|exp|arctan|arcsin|arccos"
+    r"|degree)(?![a-z])|\\[,;:!]|(?<![A-Za-z])(?:x|sqrt|pi|cos|sin|tan|ln|exp)(?![A-Za-z])|[π°⁰¹²³⁴⁵⁶⁷⁸⁹½¼¾]"
+)
+_LETTER = re.compile(r"[^\W\d_]")
 _CLOSE = 1e-9
-_KILO = Fraction(1000)
+_SAME = 1e-6
+_THOUSAND = 3
+_AROUND_ONE = 100
+"""A number from a hundredth to this is no conversion by a power of ten."""
+_WEIGHTS = re.compile(r"(?<![A-Za-z])(?:lbs?|lbf|kgf|kp|tf|oz|pounds?|ounces?)(?![A-Za-z])")
+"""Units that are weights in one place and masses in another."""
+_Above = dict[Fraction, set[tuple[Dimension, float]]]
 
 
 def refuted_by_units_above(chain: Chain, k: int, document: ReadNotes) -> Decision | None:
@@ -39,73 +63,163 @@ def refuted_by_units_above(chain: Chain, k: int, document: ReadNotes) -> Decisio
     left, right = chain.sides[k], chain.sides[k + 1]
     result = quantity_of(right, document)
     unit = None if result is None else unit_of(result.unit)
-    bare = without_unit_of_result(left.node, left.span)
-    factors = None if result is None or unit is None else _factors(bare)
-    if not factors or result is None or unit is None or names(left.node) or unit == NONE:
+    is_arithmetic = result is not None and not names(left.node) and not isinstance(left.node, Number)
+    arithmetic = left.node if result is None else _without_unit(left.node, result)
+    numbers = numbers_of(arithmetic) if is_arithmetic else None
+    if not numbers or result is None or unit is None or unit == NONE:
         return None
-    has_units = _LETTER.search(_SIGNS.sub(" ", document.source(left.span))) is not None
-    if has_units or any(_is_power_of_ten(value) for value, _ in factors):
-        return None  # a power of ten may convert
-    above = _numbers_above(document, chain.start)
-    above |= _lone_data_above(document, chain, [value for value, _ in factors if value not in above])
-    numbers_unit = _made_of(factors, above)
-    if numbers_unit is None or numbers_unit[0] != unit:
-        if numbers_unit is None:
-            return None
-        return _of_another_kind(chain, document, factors, above, numbers_unit[0], unit)
-    total = value_of(bare)
-    is_arithmetic = total is not None and isclose(total, float(result.value), rel_tol=0.01)
-    ratio = float(numbers_unit[1] / result.scale)
+    text = document.text[max(0, chain.start - NEAR) : chain.start]
+    above = _numbers_above(text)
+    above |= _lone_data_above(
+        document, chain, [n.value for n in numbers if not _units_at(n.value, above)]
+    )
+    has_own = _LETTER.search(_SIGNS.sub(" ", document.source(left.span))) is not None
+    if has_own or not any(_units_at(number.value, above) for number in numbers):
+        return None
+    bare = {Fraction(match["number"].replace(",", ".")) for match in _BARE.finditer(_plain(text))}
+    readings = unit_readings(arithmetic, [_options(number, numbers, above, bare) for number in numbers])
+    if readings is None:
+        return None
+    in_unit = [reading for reading in readings if reading.dimension == unit]
+    if not in_unit:
+        words = text + document.text[chain.start : chain.end]
+        return _of_another_kind(readings, numbers, above, unit, words)
+    scale = _scale_of_arithmetic(arithmetic, result)
+    if scale is None or not all(_is_wrong(reading, reading.scale / scale) for reading in in_unit):
+        return None
+    plain = [reading for reading in in_unit if not reading.is_shifted]
+    return (
+        None if not plain else Decision(REFUTED, _reason(plain[0], plain[0].scale / scale, result.unit))
+    )
+
+
+def _without_unit(node: Formula, result: Quantity) -> Formula:
+    """Return an arithmetic without the unit of its result, which it was read with."""
+    match node:
+        case Product(factors=(inner, Number(value=value))) if value == result.scale:
+            factor = node.factors[1]
+            return inner if factor.span == Number(value).span else node
+    return node
+
+
+def _scale_of_arithmetic(node: Formula, result: Quantity) -> float | None:
+    """Return what the result of an arithmetic is counted in: the unit printed, or metres and newtons."""
+    total = value_of(node)
+    for scale in (float(result.scale), 1.0) if total is not None else ():
+        if isclose(total or 0.0, float(result.value * result.scale) / scale, rel_tol=0.01):
+            return scale
+    return None
+
+
+def _is_wrong(reading: UnitReading, ratio: float) -> bool:
+    """Tell whether an arithmetic is surely in another unit than its result, `ratio` times as large."""
+    if isclose(ratio, 1, rel_tol=_SAME):
+        return False
     powers = log10(ratio)
-    if not is_arithmetic or abs(powers) < 1 or abs(powers - round(powers)) > _CLOSE:
-        return None
-    reason = f"the numbers' units above make it {_times(ratio)} than {result.unit}"
-    return Decision(REFUTED, reason)
+    is_prefix = abs(powers) >= 1 and abs(powers - round(powers)) < _CLOSE
+    return all(is_prefix and _is_no_prefix(value) for value in reading.open_numbers)
 
 
-def _made_of(
-    factors: list[tuple[Fraction, int]], above: dict[Fraction, dict[Dimension, Fraction]]
-) -> tuple[Dimension, Fraction] | None:
-    """Return the dimension and the scale that numbers have together by their units above."""
-    dimension, size = NONE, Fraction(1)
-    if not any(above.get(value) for value, _ in factors):
-        return None
-    for value, power in factors:
-        known = above.get(value, {})
-        if len(known) > 1:
-            return None
-        for own, scale in known.items():
-            dimension = tuple(a + power * b for a, b in zip(dimension, own, strict=True))
-            size *= scale**power
-    return dimension, size
+def _is_no_prefix(value: Fraction) -> bool:
+    """Tell whether a number is not what units a thousand times larger are converted by."""
+    return not _is_power_of_ten(value) and Fraction(1, _AROUND_ONE) < value < _AROUND_ONE
+
+
+def _reason(reading: UnitReading, ratio: float, unit: str) -> str:
+    speeds = [value for value, unit_there in reading.numbers if _is_per_minute(unit_there)]
+    powers = log10(ratio)
+    if speeds:
+        return f"{speeds[0]} is the speed per minute by the units above, and nothing converts it"
+    if abs(powers - round(powers)) < _CLOSE:
+        return f"the numbers' units above make it {_times(ratio)} than {unit}"
+    return f"the numbers' units above make it {ratio:.4g} times as large as {unit}"
+
+
+def _is_per_minute(unit: Unit) -> bool:
+    return unit.dimension == unit_of("1/s") and any(
+        isclose(unit.scale, scale, rel_tol=_SAME) for scale in (1 / 60, pi / 30)
+    )
+
+
+def _options(
+    number: Number, numbers: list[Number], above: _Above, bare: set[Fraction]
+) -> tuple[Unit, ...]:
+    """Return what a number may be: a quantity as above, one that formulas have, or something open."""
+    value = number.value
+    units = {Unit(*unit) for unit in above.get(value, ())}
+    if not _is_power_of_ten(value) or value == 1:
+        units |= set(_shifted(value, above))
+    elif not units or [n.value for n in numbers].count(value) > 1:
+        units.add(Unit(is_open=True))
+    if value in bare or (_is_of_formulas(value) and not _is_power_of_ten(value)) or value == 1:
+        units.add(Unit())
+    if value in _CONVERTERS or not units:
+        units.add(Unit(is_open=True))
+    return tuple(sorted(units, key=repr))
+
+
+def _is_of_formulas(value: Fraction) -> bool:
+    """Tell whether a number is one that formulas have: a count, a half, a quarter, 48."""
+    return value in _OF_FORMULAS or (value <= MOST_COUNTED and value.denominator in (1, 2, 4))
+
+
+def _shifted(value: Fraction, above: _Above) -> list[Unit]:
+    """Return the units of a number with its decimal point elsewhere: 0.04 where 40 mm stands above.
+
+    Who converts means metres and kilograms, also where the unit above is a slip: 35.3 cm, then 0.0353.
+    """
+    units = []
+    for known, rows in above.items():
+        ratio = value / known
+        if ratio == 1 or ratio <= 0 or not _is_power_of_ten(ratio):
+            continue
+        is_kilo = abs(round(log10(ratio))) == _THOUSAND
+        if is_kilo or len(str(value.numerator * value.denominator).strip("0")) > 1:
+            units += [Unit(size, scale / float(ratio), is_shifted=not is_kilo) for size, scale in rows]
+            units += [Unit(size, is_shifted=True) for size, _ in rows]
+    return units
+
+
+def _units_at(value: Fraction, above: _Above) -> bool:
+    return bool(above.get(value)) or any(not unit.is_shifted for unit in _shifted(value, above))
+
+
+def _lone_data_above(document: ReadNotes, chain: Chain, values: list[Fraction]) -> _Above:
+    """Return numbers with the units that they have anywhere above, where the page has them nowhere else.
+
+    The spacing 35.0 mm of a table of data is 0.035 in an arithmetic pages below; a 0.035 that stands
+    alone somewhere may be any number.
+    """
+    written = [Fraction(match[0].replace(",", ".")) for match in _NUMERAL.finditer(_plain(document.text))]
+    alone = [value for value in values if value.denominator > 1 and written.count(value) == 1]
+    far = _numbers_above(document.text[: chain.start]) if alone else {}
+    return {
+        known: rows
+        for known, rows in far.items()
+        if any(_is_power_of_ten(value / known) for value in alone)
+    }
 
 
 def _of_another_kind(
-    chain: Chain,
-    document: ReadNotes,
-    factors: list[tuple[Fraction, int]],
-    above: dict[Fraction, dict[Dimension, Fraction]],
-    numbers_unit: Dimension,
+    readings: list[UnitReading],
+    numbers: list[Number],
+    above: _Above,
     unit: Dimension,
+    words: str,
 ) -> Decision | None:
     """Return that N times m is no N; None where a number's unit is not sure.
 
     All of them have to have their units above; the 4 of 4 m r² ω² is in no metres.
     """
-    words = document.text[max(0, chain.start - NEAR) : chain.end]
-    is_open = _WEIGHTS.search(words) is not None or numbers_unit == NONE
-    if is_open or any(value != 1 and not above.get(value) for value, _ in factors):
+    values = [number.value for number in numbers]
+    is_sure = all(value == 1 or _units_at(value, above) for value in values)
+    is_sure = is_sure and not any(_is_power_of_ten(value) and value != 1 for value in values)
+    of_units = [r for r in readings if not r.is_shifted and not r.open_numbers and r.dimension != NONE]
+    if not is_sure or not of_units or _WEIGHTS.search(words) is not None:
         return None
-    sizes = [(value, power) for value, power in factors if value.denominator > 1 or value > MOST_COUNTED]
-    without_counts = _made_of(sizes, above)
-    if without_counts is not None and without_counts[0] == unit:
-        return None
-    witness = {"left": unit_text(numbers_unit), "right": unit_text(unit)}
+    most = max(of_units, key=lambda reading: sum(u.dimension != NONE for _, u in reading.numbers))
+    witness = {"left": unit_text(most.dimension), "right": unit_text(unit)}
     return Decision(REFUTED, "the numbers' units above make another unit", witness=witness)
-
-
-_WEIGHTS = re.compile(r"(?<![A-Za-z])(?:lbs?|lbf|kgf|kp|tf|oz|pounds?|ounces?)(?![A-Za-z])")
-"""Units that are weights in one place and masses in another."""
 
 
 def _times(ratio: float) -> str:
@@ -114,75 +228,47 @@ def _times(ratio: float) -> str:
     return f"{words.get(power, f'{10**power} times')} {'larger' if ratio > 1 else 'smaller'}"
 
 
-def _factors(node: Formula, power: int = 1) -> list[tuple[Fraction, int]]:
-    """Return the numbers of a product or quotient with their powers; none for a sum."""
-    match node:
-        case Number(value=value) if value > 0:
-            return [(value, power)]
-        case Negative(operand=operand):
-            return _factors(operand, power)
-        case Product(factors=parts):
-            rows = [_factors(part, power) for part in parts]
-            return [pair for row in rows for pair in row] if all(rows) else []
-        case Quotient(numerator=above, denominator=below):
-            first, second = _factors(above, power), _factors(below, -power)
-            return first + second if first and second else []
-        case Power(base=Number(value=value), exponent=Number(value=exponent)) if (
-            value > 0 and exponent.denominator == 1
-        ):
-            return [(value, power * int(exponent))]
-    is_root = isinstance(node, Call) and node.function == "sqrt" and isinstance(node.argument, Number)
-    return [(Fraction(1), 0)] if is_root else []  # √10 is a pure number
-
-
 def _is_power_of_ten(value: Fraction) -> bool:
+    if value <= 0:
+        return False
     powers = log10(value)
     return value != 1 and isclose(powers, round(powers), abs_tol=_CLOSE)
 
 
-def _lone_data_above(
-    document: ReadNotes, chain: Chain, values: list[Fraction]
-) -> dict[Fraction, dict[Dimension, Fraction]]:
-    """Return numbers with the units that they have anywhere above, where the page has them nowhere else.
-
-    The spacing 35.0 mm of a table of data is 0.035 in an arithmetic pages below; a 0.035 that stands
-    alone somewhere may be any number.
-    """
-    text = document.text.replace("{,}", ".")
-    written = [Fraction(m[0].replace(",", ".")) for m in _NUMERAL.finditer(text)]
-    alone = [value for value in values if value.denominator > 1 and written.count(value) == 1]
-    if not alone:
-        return {}
-    above = _numbers_above(document, chain.start, chain.start)
-    return {value: above[value] for value in alone if value in above}
+def _plain(text: str) -> str:
+    return _THOUSANDS.sub("", text.replace("{,}", "."))
 
 
-def _numbers_above(
-    document: ReadNotes, start: int, near: int = NEAR
-) -> dict[Fraction, dict[Dimension, Fraction]]:
-    """Return the numbers right above a place with the units behind them, 1590 g as 1.590 kg too."""
-    text = document.text[max(0, start - near) : start].replace("{,}", ".")
-    found: dict[Fraction, dict[Dimension, Fraction]] = {}
+def _numbers_above(text: str) -> _Above:
+    """Return the numbers of a text with the units behind them."""
+    text = _plain(text)
+    units_of: _Above = {}
     for match in _NUMERAL.finditer(text):
         value = Fraction(match[0].replace(",", "."))
-        named = _unit_behind(text[match.end() : match.end() + 40])
-        if named is None or not value:
+        units = _units_behind(text[match.end() : match.end() + 40])
+        if not units or not value:
             continue
-        dimension, scale = named
-        found.setdefault(value, {})[dimension] = scale
-        for shift in (_KILO, 1 / _KILO):
-            found.setdefault(value * shift, {}).setdefault(dimension, scale / shift)
-    return found
+        units_of.setdefault(value, set()).update(units)
+        whole, comma, rest = match[0].partition(",")
+        if comma and len(rest) == _THOUSAND:  # 12,500 mm may be either
+            units_of.setdefault(Fraction(whole + rest), set()).update(units)
+    return units_of
 
 
-def _unit_behind(text: str) -> tuple[Dimension, Fraction] | None:
-    """Return the dimension and the scale of the longest unit that a text begins with."""
+def _units_behind(text: str) -> list[tuple[Dimension, float]]:
+    """Return the dimension and the scale of the longest unit that a text begins with.
+
+    Revolutions per minute are a rate and an angular speed.
+    """
     text = _EXPONENT.sub(r"^\1", text.split("\n\n", maxsplit=1)[0])
     words = _MARKUP.sub(" ", text).split()
     for count in range(min(_UNITS, len(words)), 0, -1):
         source = " ".join(words[:count]).rstrip(".,;:)")
-        dimension = unit_of(source) if source and source[0].isalpha() else None
+        is_unit = source[:1].isalpha() or source.startswith("1/")
+        dimension = unit_of(source) or unit_of(sign_of_unit(source) or source) if is_unit else None
         scale = scale_of(sign_of_unit(source)) if dimension not in (None, NONE) else None
-        if dimension is not None and scale is not None and not scale[1]:
-            return dimension, scale[0]
-    return None
+        if dimension is None or scale is None:
+            continue
+        size = float(scale[0])
+        return [(dimension, size / 2), (dimension, size * pi)] if scale[1] else [(dimension, size)]
+    return []

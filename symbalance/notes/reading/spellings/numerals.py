@@ -88,7 +88,8 @@ _SPELLED = (
      r"|in(?=\s*(?:$|[,;.)=≈\n]|so\b|and\b|or\b|und\b|long\b|\$))"),
     ("kgf", "kg[ -]?force|kilogram(?:me)?[ -]force|kg[ -]weight|kilopond"),
     ("lbf", "pounds?[ -]force"), ("lb", "pounds?|lbs?(?=\\.)"),
-    ("°", "degrees?|deg|Grad|degrés|° ?(?:KW|CA|crank)|deg ?CA"), ("%", "percent|per cent|Prozent"),
+    ("°", "degrees?|deg|Grad|degrés|° ?(?:KW|CA|crank)|deg ?CA"),
+    ("%", "per ?cent|Prozent|pour ?cent|por ciento|per cento|por cento|procent"),
 )  # fmt: skip
 _SPELLED_UNIT = re.compile(
     rf"(?:(?<=[0-9{''.join(VULGAR)}])|(?<=[0-9]O))(?<!_[0-9])(\$?|\\\))[ ~]?(\$?)(?:"
@@ -337,9 +338,14 @@ _OPENED_QUOTE = re.compile(r"(?:^|[\s(\[=])[\"″](?=\w)|[A-Za-z.,!?][\"″]", r
 """A page that quotes with the same sign has no inches in it."""
 
 _PER_MILLE = re.compile(
-    r"(?<![\w.,])(?P<whole>[0-9]{1,6})(?:(?P<point>[.,])(?P<rest>[0-9]{1,6}))?(?:[ ~]|\\[,;: ])?"
-    r"(?:‰|\\permil(?![a-z]))"
+    r"(?<![\w.,])(?P<whole>[0-9]{1,6})(?:(?:[.,]|\{,\})(?P<rest>[0-9]{1,6}))?"
+    r"(?:[ ~]|\\[,;: ])?(?P<mark>\$|\\\))?(?:[ ~]|\\[,;: ])?"
+    r"(?P<open>\\(?:text|textrm|mathrm|mbox)\{[ ~]?)?(?:‰|\\permil(?![a-z])"
+    r"|(?P<millionth>(?i:ppm|parts[ ]per[ ]million)(?![\w/]))"
+    r"|(?i:per[ ]?mille?|promille|pour[ ]mille|por[ ]mil|per[ ]mil|o/oo|parts[ ]per[ ]thousand)(?!\w))"
+    r"(?(open)[ ~]?\})"
 )
+"""A number per mille or per million, with the dollar that may end its formula before the word."""
 _PART_OF = re.compile(
     r"(?<=[0-9])(?P<gap>[ ~]|\\[,;: ])?(?P<sign>\\?%|‰|percent|per cent|Prozent)[ ~]+(?:of|von|de)[ ~]+"
     r"(?:the[ ~]+|der[ ~]+)?(?=[0-9]+(?:[.,][0-9]+)?[^\n]{0,40}?[=≈])"
@@ -347,15 +353,15 @@ _PART_OF = re.compile(
 
 
 def _parts_of(text: str) -> dict[int, tuple[int, str]]:
-    """Return 5 ‰ as 0.5 %, and 12 % of 26.3 kN, part of a relation, as a product."""
+    """Return 5 ‰ as 0.5 %, 200 ppm as 0.0200 %, and 12 % of 26.3 kN in a relation as a product."""
     changes: dict[int, tuple[int, str]] = {}
     for match in _PER_MILLE.finditer(text):
-        whole = match["whole"].rjust(2, "0")
-        shifted = f"{whole[:-1]}.{whole[-1]}{match['rest'] or ''}"
-        escape = (
-            "\\" if text.count("$", text.rfind("\n", 0, match.start()) + 1, match.start()) % 2 else ""
-        )
-        changes[match.start()] = (match.end(), f"{shifted} {escape}%")
+        places = 4 if match["millionth"] else 1
+        whole = match["whole"].rjust(places + 1, "0")
+        shifted = f"{whole[:-places]}.{whole[-places:]}{match['rest'] or ''}"
+        is_inside = text.count("$", text.rfind("\n", 0, match.start()) + 1, match.start()) % 2
+        escape = "\\" if is_inside or match["mark"] else ""
+        changes[match.start()] = (match.end(), f"{shifted} {escape}%{match['mark'] or ''}")
     for match in _PART_OF.finditer(text):
         if match["sign"] == "‰":
             start = match.start("sign") + 1
