@@ -117,7 +117,9 @@ class Judge:
         self.document, motions = with_rates_of_rates(
             self.document, self.declarations, self.sources.engines
         )
-        self.state = JudgingState(self.document, self.declarations, self.sources, self.corrects, motions)
+        self.state = JudgingState(
+            self.document, self.declarations, self.sources, self.corrects, motions, tuple(self.data)
+        )
         self.blocks = EngineBlocks(self.document.text, self.state.sections)
         self.guard = Guard(self.document, self.budget)
         self.quotations = Quotations(self.document)
@@ -130,6 +132,7 @@ class Judge:
         for chain in chains_in_turn(self.document, self.state.sections):
             self._take_data(chain)
             self.blocks.enter(chain.lines[0], self.state.definitions)
+            self.state.cases.enter(chain.lines[0], self.state.definitions)
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
             verdicts += self.chain(chain, chain_binds)
         for binding in (b for rest in bindings.values() for b in rest):
@@ -152,6 +155,7 @@ class Judge:
             or (self.data[0].lines[0] == line and self.data[0].sides[-1].span[1] <= start)
         ):
             datum = self.data.pop(0)
+            self.state.cases.enter(datum.lines[0], self.state.definitions)
             name = next(iter(names(datum.sides[0].node)))
             earlier = self.state.knowledge(datum.lines[0]).definitions.get(name)
             if earlier is not None and not earlier.numeric:
@@ -255,7 +259,17 @@ class Judge:
         verdict = unless_offset(self.state, chain, k, verdict)
         verdict = self._unless_between_numbers(chain, k, verdict)
         verdict = unless_other_case(self.state, chain, k, verdict)
-        return self._unless_at_another_value(chain, k, verdict)
+        return self._of_its_case(chain, k, self._unless_at_another_value(chain, k, verdict))
+
+    def _of_its_case(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+        """Return a verdict; a number that replaces one of the case before is a premise of its own case."""
+        head = chain.sides[0].node
+        if k or verdict.verdict != DEFINITION or not isinstance(head, Name):
+            return verdict
+        line = self.state.cases.line_replaced(head.name, chain.lines[0])
+        if line is None:
+            return verdict
+        return replace(verdict, verdict=PREMISE, reason=f"a new case: line {line} has that of another")
 
     def _unless_excepted(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict, undecided where words behind say in which cases the relation fails."""

@@ -168,5 +168,6 @@ def _numbers_given(state: JudgingState, name: str, chain: Chain) -> list[Chain]:
     above = [
         c for c in state.sections.chains_of(Name(name)) if c.start < chain.start and len(c.relations) == 1
     ]
+    above = [c for c in above if not state.cases.is_of_case_before(c.lines[0], chain.lines[0])]
     given = [c for c in above if not names(c.sides[1].node) and c.relations[0].sign in "=≈"]
     return sorted(given, key=lambda c: -c.start)

@@ -1,0 +1,221 @@
+"""Cases side by side: Engine A with s = 88 mm, then Engine B with s = 84 mm, each with its own results.
+
+Which case a line stands in decides which data are in force. Two parts of a page that are opened alike are
+cases if the second gives the letters of the first numbers anew: its data, and what follows from them.
+There the numbers of the case before hold no longer, nor do its results; the formulas in letters do, and
+so does what the second case does not give anew.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence, Set
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+from symbalance.document.formula import Name, names
+from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.checking.premises.definitions import Definitions
+from symbalance.notes.checking.words.case_markers import CaseMark, case_marks
+from symbalance.notes.checking.words.sections import Sections
+from symbalance.notes.reading.equations import Chain, ReadNotes
+
+FEWEST = 2
+"""Letters in common, or sizes in words, by which parts without a name are cases."""
+_SIZE_IN_WORDS = re.compile(
+    r"(?<![\w$])(?P<what>[^\W\d_]{3,20})\s(?:of\s|is\s|von\s|=\s)?\$?(?P<size>[0-9]+(?:[.,][0-9]+)?)"
+    r"(?:[\s~$]|\\,){0,3}(?:mm|cm|m|kg|g|rpm|min|1/min|k?N|kW|bar|°|Hz|cc)(?![A-Za-z])"
+)
+_POWER_OF_TEN = re.compile(r"(?:\\cdot|\\times|[·×*])\s*10\s*(?:\^\s*\{?\s*-?[0-9]{1,2}\s*\}?|[⁰¹²³⁴-⁹⁻]{1,3})")
+_ARITHMETIC = re.compile(r"\\(?:cdot|times|[dt]?frac|sqrt)|[·×*+√]|[0-9)}]\s*[/−-]\s*[0-9]")
+_UNIT_BELOW_ONE = re.compile(r"(?<![0-9.,])1/(?:min|s)")
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A number that a case gives a letter, or a word for it."""
+
+    text: str
+    is_datum: bool
+    line: int
+
+
+@dataclass
+class Part:
+    """What a mark opens: its lines, and the numbers it gives letters first, in their order."""
+
+    mark: CaseMark
+    last: int
+    numbers: dict[str, Number] = field(default_factory=dict)
+
+    @property
+    def data(self) -> dict[str, Number]:
+        """The numbers that follow from nothing."""
+        return {name: number for name, number in self.numbers.items() if number.is_datum}
+
+
+@dataclass
+class CasesSideBySide:
+    """The cases of a page, and the one that was entered last."""
+
+    document: ReadNotes
+    sections: Sections
+    data: Sequence[Chain] = ()
+    _entered: int = 0
+    _replaced: dict[tuple[str, int], int] = field(default_factory=dict)
+
+    def enter(self, line: int, definitions: Definitions) -> None:
+        """End the numbers of the cases before where a line is the first of the next case."""
+        for part, earlier in self.cases:
+            if self._entered < part.mark.line <= line:
+                _end_numbers(part, earlier, definitions)
+        self._entered = max(self._entered, line)
+
+    def line_replaced(self, name: str, line: int) -> int | None:
+        """Return the line of the case before whose number of a letter the case of a line gives anew."""
+        for part, earlier in self.cases:
+            if part.mark.line <= line <= part.last and name in part.data:
+                lines = [p.numbers[name].line for p in earlier if name in p.numbers]
+                return lines[-1] if lines else None
+        return None
+
+    def is_of_case_before(self, earlier_line: int, line: int) -> bool:
+        """Tell whether a line is of a case before the one that another line stands in."""
+        return any(
+            part.mark.line <= line <= part.last
+            and any(p.mark.line <= earlier_line <= p.last for p in earlier)
+            for part, earlier in self.cases
+        )
+
+    def gives_all_anew(self, letters: Set[str], line: int) -> bool:
+        """Tell whether the case of a line gives all those letters numbers that the case before gave."""
+        for part, earlier in self.cases:
+            if part.mark.line <= line <= part.last:
+                before = [letters & p.numbers.keys() for p in earlier]
+                return any(own and own <= part.numbers.keys() for own in before[-1:])
+        return False
+
+    @cached_property
+    def cases(self) -> list[tuple[Part, list[Part]]]:
+        """The parts that are a case beside others before them, with those."""
+        cases: list[tuple[Part, list[Part]]] = []
+        for group in self._groups():
+            for n, part in enumerate(group):
+                earlier = [p for p in group[:n] if p.mark.label != part.mark.label]
+                if any(_is_case_beside(p, part) for p in earlier):
+                    cases.append((part, earlier))
+        return sorted(cases, key=lambda case: case[0].mark.line)
+
+    def _groups(self) -> Iterator[list[Part]]:
+        """Yield the parts that are opened alike, without a mark of a higher kind between them."""
+        lines = self.document.text.split("\n")
+        marks = list(case_marks(lines, self.sections.heading_lines))
+        by_shape: dict[tuple[str, int], list[CaseMark]] = {}
+        for mark in marks:
+            home = 1 if mark.shape.startswith("heading") else self.sections.section_start(mark.line)
+            by_shape.setdefault((mark.shape, home), []).append(mark)
+        for (shape, _), alike in by_shape.items():
+            if len(alike) > 1:
+                yield self._parts(shape, alike, marks, len(lines))
+
+    def _parts(self, shape: str, alike: list[CaseMark], marks: list[CaseMark], last: int) -> list[Part]:
+        """Return the parts that marks of one shape open, with their numbers."""
+        ends: list[int] = [mark.line - 1 for mark in alike[1:]]
+        is_heading = shape.startswith("heading")
+        ends.append(last if is_heading else self.sections.section_end(alike[-1].line))
+        if is_heading:
+            higher = [m.line for m in marks if m.shape.startswith("heading") and _level(m.shape) < _level(shape)]
+            ends = [min([e, *(h - 1 for h in higher if h > a.line)]) for e, a in zip(ends, alike, strict=True)]
+        elif shape == "bullet":
+            ends = [min(e, self.sections.paragraph_end(a.line)) for e, a in zip(ends, alike, strict=True)]
+        parts = [Part(mark, end) for mark, end in zip(alike, ends, strict=True)]
+        for part in parts:
+            part.numbers = dict(self._numbers(part))
+        return parts
+
+    def _numbers(self, part: Part) -> Iterator[tuple[str, Number]]:
+        """Yield the letters to which a part gives a number, each once, and the sizes it has in words."""
+        given: dict[str, tuple[int, Number]] = {}
+        start, end = self.sections.start_of_line(part.mark.line), self.sections.end_of_line(part.last)
+        own = [c for c in self._chains if part.mark.line <= c.lines[0] <= part.last]
+        for chain in own:
+            head, value = chain.sides[0].node, chain.sides[-1]
+            if not isinstance(head, Name) or names(value.node) or head.name in given:
+                continue
+            source = self.document.source(chain.sides[1].span).strip()
+            is_datum = _is_datum(chain, source) and not self.sections.is_consequence(chain)
+            given[head.name] = (chain.start, Number(source, is_datum, chain.lines[0]))
+        spans = [(c.start, c.end) for c in own]
+        for match in _SIZE_IN_WORDS.finditer(self.document.text, start, end):
+            if not any(first <= match.start() < last for first, last in spans):
+                word = f"in words: {match['what'].lower()}"
+                line = self.document.line_of(match.start())
+                given.setdefault(word, (match.start(), Number(match["size"], True, line)))
+        for name, (_, number) in sorted(given.items(), key=lambda item: item[1][0]):
+            yield name, number
+
+    @cached_property
+    def _chains(self) -> list[Chain]:
+        chains = [c for c in (*self.document.chains, *self.data) if c.relations]
+        return sorted(chains, key=lambda c: (c.lines[0], c.start))
+
+
+def _level(shape: str) -> tuple[int, str]:
+    """Return how deep a heading is, by its mark; marks of several kinds are not compared."""
+    mark = shape.removeprefix("heading ")
+    names_of_levels = ("part", "chapter", "section", "subsection", "subsubsection", "paragraph", "subparagraph")
+    if mark in names_of_levels:
+        return names_of_levels.index(mark), ""
+    return (int(mark[-1]), "") if mark[-1].isdigit() else (len(mark), "")
+
+
+def _is_datum(chain: Chain, source: str) -> bool:
+    """Tell whether a relation gives one number that is not worked out: 84 mm, 2·10⁵ N/m."""
+    bare = _UNIT_BELOW_ONE.sub("", _POWER_OF_TEN.sub("", source))
+    is_single = len(chain.relations) == 1 and not names(chain.sides[1].node)
+    return is_single and _ARITHMETIC.search(bare) is None
+
+
+def _is_case_beside(earlier: Part, part: Part) -> bool:
+    """Tell whether a part gives anew what an earlier one gave: its own data, and another number."""
+    common = [name for name in part.numbers if name in earlier.numbers]
+    if part.mark.is_named and earlier.mark.is_named:
+        given = [n for n in common if part.numbers[n].is_datum or _is_worked_out(part.numbers[n])]
+        return any(part.numbers[n].text != earlier.numbers[n].text for n in given)
+    first = next(iter(part.numbers), None)
+    if first is None or len(common) < FEWEST or first not in earlier.data or first not in part.data:
+        return False
+    return any(part.data[n].text != earlier.data[n].text for n in common if n in part.data and n in earlier.data)
+
+
+def _is_worked_out(number: Number) -> bool:
+    return _ARITHMETIC.search(_POWER_OF_TEN.sub("", number.text)) is not None
+
+
+def _end_numbers(part: Part, earlier: Sequence[Part], definitions: Definitions) -> None:
+    """Let the numbers of earlier cases that a part gives anew, and what follows from them, reach no further."""
+    last = part.mark.line - 1
+    formulas = {
+        name: entry.definition.node
+        for name, entries in definitions.values.items()
+        for entry in entries
+        if names(entry.definition.node)
+    }
+
+    def is_replaced(name: str, line: int) -> bool:
+        if not any(p.mark.line <= line <= p.last for p in earlier):
+            return False
+        behind = {*names_behind(formulas[name], formulas)} | names(formulas[name]) if name in formulas else set()
+        return name in part.numbers or not behind.isdisjoint(part.numbers)
+
+    for name, entries in definitions.values.items():
+        for n, entry in enumerate(entries):
+            is_number = entry.definition.numeric
+            if is_number and is_replaced(name, entry.definition.line):
+                entries[n] = replace(entry, last_line=min(last, entry.last_line or last))
+    definitions.premises = [
+        replace(p, last_line=min(last, p.last_line))
+        if not names(p.right) and any(is_replaced(name, p.line) for name in p.names)
+        else p
+        for p in definitions.premises
+    ]
