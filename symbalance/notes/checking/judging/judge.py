@@ -40,6 +40,7 @@ from symbalance.notes.checking.page.letters_of_sections import numbers_of_this_s
 from symbalance.notes.checking.page.page_data import data_of
 from symbalance.notes.checking.page.quotations import Quotations
 from symbalance.notes.checking.premises.another_value import NO_WORDS
+from symbalance.notes.checking.premises.results_as_cases import NO_RESULT
 from symbalance.notes.checking.steps.angle_equations import lines_of_angles
 from symbalance.notes.checking.steps.another_body import (
     leave_body,
@@ -363,6 +364,8 @@ class Judge:
         """Return what a relation that lines above refute says of a case of its own; None for most."""
         is_unsaid = verdict.verdict == UNDECIDED and (verdict.reason or "").endswith(NO_WORDS)
         if not is_unsaid and verdict.verdict not in (REFUTED, CONTRADICTION):
+            return None
+        if (verdict.reason or "").startswith(NO_RESULT):
             return None
         knowledge = self.state.knowledge(chain.lines[0])
         case = as_case_of_multiple(self.state, chain, k) or as_number_of_another(self.state, chain, k)

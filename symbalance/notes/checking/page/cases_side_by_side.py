@@ -18,6 +18,7 @@ from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.words.case_markers import CaseMark, case_marks
 from symbalance.notes.checking.words.sections import Sections
+from symbalance.notes.checking.words.worked_out import is_worked_out
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
 FEWEST = 2
@@ -26,9 +27,6 @@ _SIZE_IN_WORDS = re.compile(
     r"(?<![\w$])(?P<what>[^\W\d_]{3,20})\s(?:of\s|is\s|von\s|=\s)?\$?(?P<size>[0-9]+(?:[.,][0-9]+)?)"
     r"(?:[\s~$]|\\,){0,3}(?:mm|cm|m|kg|g|rpm|min|1/min|k?N|kW|bar|°|Hz|cc)(?![A-Za-z])"
 )
-_POWER_OF_TEN = re.compile(r"(?:\\cdot|\\times|[·×*])\s*10\s*(?:\^\s*\{?\s*-?[0-9]{1,2}\s*\}?|[⁰¹²³⁴-⁹⁻]{1,3})")
-_ARITHMETIC = re.compile(r"\\(?:cdot|times|[dt]?frac|sqrt)|[·×*+√]|[0-9)}]\s*[/−-]\s*[0-9]")
-_UNIT_BELOW_ONE = re.compile(r"(?<![0-9.,])1/(?:min|s)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,25 +169,20 @@ def _level(shape: str) -> tuple[int, str]:
 
 def _is_datum(chain: Chain, source: str) -> bool:
     """Tell whether a relation gives one number that is not worked out: 84 mm, 2·10⁵ N/m."""
-    bare = _UNIT_BELOW_ONE.sub("", _POWER_OF_TEN.sub("", source))
     is_single = len(chain.relations) == 1 and not names(chain.sides[1].node)
-    return is_single and _ARITHMETIC.search(bare) is None
+    return is_single and not is_worked_out(source)
 
 
 def _is_case_beside(earlier: Part, part: Part) -> bool:
     """Tell whether a part gives anew what an earlier one gave: its own data, and another number."""
     common = [name for name in part.numbers if name in earlier.numbers]
     if part.mark.is_named and earlier.mark.is_named:
-        given = [n for n in common if part.numbers[n].is_datum or _is_worked_out(part.numbers[n])]
+        given = [n for n in common if part.numbers[n].is_datum or is_worked_out(part.numbers[n].text)]
         return any(part.numbers[n].text != earlier.numbers[n].text for n in given)
     first = next(iter(part.numbers), None)
     if first is None or len(common) < FEWEST or first not in earlier.data or first not in part.data:
         return False
     return any(part.data[n].text != earlier.data[n].text for n in common if n in part.data and n in earlier.data)
-
-
-def _is_worked_out(number: Number) -> bool:
-    return _ARITHMETIC.search(_POWER_OF_TEN.sub("", number.text)) is not None
 
 
 def _end_numbers(part: Part, earlier: Sequence[Part], definitions: Definitions) -> None:
@@ -210,9 +203,12 @@ def _end_numbers(part: Part, earlier: Sequence[Part], definitions: Definitions) 
 
     for name, entries in definitions.values.items():
         for n, entry in enumerate(entries):
-            is_number = entry.definition.numeric
-            if is_number and is_replaced(name, entry.definition.line):
+            if not is_replaced(name, entry.definition.line):
+                continue
+            if entry.definition.numeric:
                 entries[n] = replace(entry, last_line=min(last, entry.last_line or last))
+            elif entry.definition.rounded is not None:  # r = s/2 = 38 is r = s/2, and what it comes to here
+                entries[n] = replace(entry, definition=replace(entry.definition, rounded=None))
     definitions.premises = [
         replace(p, last_line=min(last, p.last_line))
         if not names(p.right) and any(is_replaced(name, p.line) for name in p.names)
