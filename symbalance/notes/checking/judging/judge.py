@@ -263,7 +263,7 @@ class Judge:
         return self._of_its_case(chain, k, self._unless_at_another_value(chain, k, verdict))
 
     def _of_its_case(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
-        """Return a verdict; a number that replaces one of the case before is a premise of its own case."""
+        """Return a verdict; a number that replaces one of the case before is a premise of its case."""
         head = chain.sides[0].node
         if k or verdict.verdict != DEFINITION or not isinstance(head, Name):
             return verdict

@@ -19,7 +19,9 @@ _LEADS = re.compile(
     r"|avec|où|pour|si|car|con|donde|para|per|dove|med|met|waar|dla|gdzie)\s[^.;:!?。；\n=]*$",
     re.IGNORECASE,
 )
-_BETWEEN = re.compile(r"[^.;:!?。；\n=]*(?:,|(?<![^\W\d_])(?:and|und|et|y|e|och|en|i)(?![^\W\d_]))[\s$\\(\[`]*")
+_BETWEEN = re.compile(
+    r"[^.;:!?。；\n=]*(?:,|(?<![^\W\d_])(?:and|und|et|y|e|och|en|i)(?![^\W\d_]))[\s$\\(\[`]*"
+)
 _RESULT = re.compile(
     r"(?<![^\W\d_])(?:so|hence|thus|then|therefore|gives?|giving|yields?|becomes?|is|are|also|daher|somit|damit|folgt|ergibt"
     r"|wird|ist|donc|donne|est)(?![^\W\d_])|よって|⇒|\\Rightarrow",
@@ -28,7 +30,7 @@ _RESULT = re.compile(
 
 
 def is_worked_out_behind(document: ReadNotes, chain: Chain, row: Sequence[Chain]) -> bool:
-    """Tell whether a chain gives a letter its number in steps, behind a formula of the row with the letter."""
+    """Tell whether a chain works out a letter behind a formula of its row that has the letter."""
     head = chain.sides[0].node
     is_worked_out = len(chain.sides) > 2 and isinstance(head, Name) and _gives_number(chain)
     if not is_worked_out or not isinstance(head, Name):
@@ -41,7 +43,11 @@ def is_worked_out_behind(document: ReadNotes, chain: Chain, row: Sequence[Chain]
 def _gives_number(chain: Chain) -> bool:
     """Tell whether a chain does nothing but give a letter numbers."""
     is_equal = all(relation.sign in "=≈" for relation in chain.relations)
-    return is_equal and isinstance(chain.sides[0].node, Name) and not any(names(s.node) for s in chain.sides[1:])
+    return (
+        is_equal
+        and isinstance(chain.sides[0].node, Name)
+        and not any(names(s.node) for s in chain.sides[1:])
+    )
 
 
 def _is_led_to(text: str, chain: Chain, before: Sequence[Chain]) -> bool:

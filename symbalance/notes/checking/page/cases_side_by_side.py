@@ -9,11 +9,13 @@ so does what the second case does not give anew.
 from __future__ import annotations
 
 import re
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from symbalance.document.formula import Name, names
+from symbalance.document.formula import Number as Digits
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.words.case_markers import CaseMark, case_marks
@@ -21,6 +23,8 @@ from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.worked_out import is_worked_out
 from symbalance.notes.reading.equations import Chain, ReadNotes
 
+MOST = 30
+"""Parts before one with which it is compared."""
 FEWEST = 2
 """Letters in common, or sizes in words, by which parts without a name are cases."""
 _SIZE_IN_WORDS = re.compile(
@@ -60,19 +64,18 @@ class CasesSideBySide:
     sections: Sections
     data: Sequence[Chain] = ()
     _entered: int = 0
-    _replaced: dict[tuple[str, int], int] = field(default_factory=dict)
+    _by_line: dict[int, list[tuple[Part, list[Part]]]] = field(default_factory=dict)
 
     def enter(self, line: int, definitions: Definitions) -> None:
         """End the numbers of the cases before where a line is the first of the next case."""
-        for part, earlier in self.cases:
-            if self._entered < part.mark.line <= line:
-                _end_numbers(part, earlier, definitions)
-        self._entered = max(self._entered, line)
+        while self._entered < len(self.cases) and self.cases[self._entered][0].mark.line <= line:
+            _end_numbers(*self.cases[self._entered], definitions)
+            self._entered += 1
 
     def line_replaced(self, name: str, line: int) -> int | None:
         """Return the line of the case before whose number of a letter the case of a line gives anew."""
-        for part, earlier in self.cases:
-            if part.mark.line <= line <= part.last and name in part.data:
+        for part, earlier in self._cases_at(line):
+            if name in part.data:
                 lines = [p.numbers[name].line for p in earlier if name in p.numbers]
                 return lines[-1] if lines else None
         return None
@@ -80,26 +83,31 @@ class CasesSideBySide:
     def is_of_case_before(self, earlier_line: int, line: int) -> bool:
         """Tell whether a line is of a case before the one that another line stands in."""
         return any(
-            part.mark.line <= line <= part.last
-            and any(p.mark.line <= earlier_line <= p.last for p in earlier)
-            for part, earlier in self.cases
+            p.mark.line <= earlier_line <= p.last for _, earlier in self._cases_at(line) for p in earlier
         )
 
     def gives_all_anew(self, letters: Set[str], line: int) -> bool:
         """Tell whether the case of a line gives all those letters numbers that the case before gave."""
-        for part, earlier in self.cases:
-            if part.mark.line <= line <= part.last:
-                before = [letters & p.numbers.keys() for p in earlier]
-                return any(own and own <= part.numbers.keys() for own in before[-1:])
+        for part, earlier in self._cases_at(line):
+            own = letters & earlier[-1].numbers.keys()
+            return bool(own) and own <= part.numbers.keys()
         return False
+
+    def _cases_at(self, line: int) -> list[tuple[Part, list[Part]]]:
+        """Return the cases that a line stands in, with those before each."""
+        if line not in self._by_line:
+            self._by_line[line] = [c for c in self.cases if c[0].mark.line <= line <= c[0].last]
+        return self._by_line[line]
 
     @cached_property
     def cases(self) -> list[tuple[Part, list[Part]]]:
         """The parts that are a case beside others before them, with those."""
         cases: list[tuple[Part, list[Part]]] = []
-        for group in self._groups():
+        for parts in self._groups():
+            group = [part for part in parts if part.numbers]
             for n, part in enumerate(group):
-                earlier = [p for p in group[:n] if p.mark.label != part.mark.label]
+                before = group[max(0, n - MOST) : n]
+                earlier = [p for p in before if p.mark.label != part.mark.label]
                 if any(_is_case_beside(p, part) for p in earlier):
                     cases.append((part, earlier))
         return sorted(cases, key=lambda case: case[0].mark.line)
@@ -122,8 +130,12 @@ class CasesSideBySide:
         is_heading = shape.startswith("heading")
         ends.append(last if is_heading else self.sections.section_end(alike[-1].line))
         if is_heading:
-            higher = [m.line for m in marks if m.shape.startswith("heading") and _level(m.shape) < _level(shape)]
-            ends = [min([e, *(h - 1 for h in higher if h > a.line)]) for e, a in zip(ends, alike, strict=True)]
+            higher = [
+                m.line for m in marks if m.shape.startswith("heading") and _level(m.shape) < _level(shape)
+            ]
+            ends = [
+                min([e, *(h - 1 for h in higher if h > a.line)]) for e, a in zip(ends, alike, strict=True)
+            ]
         elif shape == "bullet":
             ends = [min(e, self.sections.paragraph_end(a.line)) for e, a in zip(ends, alike, strict=True)]
         parts = [Part(mark, end) for mark, end in zip(alike, ends, strict=True)]
@@ -135,17 +147,20 @@ class CasesSideBySide:
         """Yield the letters to which a part gives a number, each once, and the sizes it has in words."""
         given: dict[str, tuple[int, Number]] = {}
         start, end = self.sections.start_of_line(part.mark.line), self.sections.end_of_line(part.last)
-        own = [c for c in self._chains if part.mark.line <= c.lines[0] <= part.last]
+        first, stop = bisect_left(self._lines, part.mark.line), bisect_right(self._lines, part.last)
+        own = self._chains[first:stop]
         for chain in own:
             head, value = chain.sides[0].node, chain.sides[-1]
             if not isinstance(head, Name) or names(value.node) or head.name in given:
                 continue
+            is_zero = isinstance(value.node, Digits) and not value.node.value
+            if is_zero and self.sections.is_condition(chain):
+                continue  # where a = 0 is no datum of a case
             source = self.document.source(chain.sides[1].span).strip()
             is_datum = _is_datum(chain, source) and not self.sections.is_consequence(chain)
             given[head.name] = (chain.start, Number(source, is_datum, chain.lines[0]))
-        spans = [(c.start, c.end) for c in own]
         for match in _SIZE_IN_WORDS.finditer(self.document.text, start, end):
-            if not any(first <= match.start() < last for first, last in spans):
+            if not any(c.start <= match.start() < c.end for c in own[:MOST]):
                 word = f"in words: {match['what'].lower()}"
                 line = self.document.line_of(match.start())
                 given.setdefault(word, (match.start(), Number(match["size"], True, line)))
@@ -157,11 +172,23 @@ class CasesSideBySide:
         chains = [c for c in (*self.document.chains, *self.data) if c.relations]
         return sorted(chains, key=lambda c: (c.lines[0], c.start))
 
+    @cached_property
+    def _lines(self) -> list[int]:
+        return [chain.lines[0] for chain in self._chains]
+
 
 def _level(shape: str) -> tuple[int, str]:
     """Return how deep a heading is, by its mark; marks of several kinds are not compared."""
     mark = shape.removeprefix("heading ")
-    names_of_levels = ("part", "chapter", "section", "subsection", "subsubsection", "paragraph", "subparagraph")
+    names_of_levels = (
+        "part",
+        "chapter",
+        "section",
+        "subsection",
+        "subsubsection",
+        "paragraph",
+        "subparagraph",
+    )
     if mark in names_of_levels:
         return names_of_levels.index(mark), ""
     return (int(mark[-1]), "") if mark[-1].isdigit() else (len(mark), "")
@@ -182,11 +209,13 @@ def _is_case_beside(earlier: Part, part: Part) -> bool:
     first = next(iter(part.numbers), None)
     if first is None or len(common) < FEWEST or first not in earlier.data or first not in part.data:
         return False
-    return any(part.data[n].text != earlier.data[n].text for n in common if n in part.data and n in earlier.data)
+    return any(
+        part.data[n].text != earlier.data[n].text for n in common if n in part.data and n in earlier.data
+    )
 
 
 def _end_numbers(part: Part, earlier: Sequence[Part], definitions: Definitions) -> None:
-    """Let the numbers of earlier cases that a part gives anew, and what follows from them, reach no further."""
+    """End the numbers of earlier cases that a part gives anew, and what follows from them."""
     last = part.mark.line - 1
     formulas = {
         name: entry.definition.node
@@ -198,7 +227,11 @@ def _end_numbers(part: Part, earlier: Sequence[Part], definitions: Definitions) 
     def is_replaced(name: str, line: int) -> bool:
         if not any(p.mark.line <= line <= p.last for p in earlier):
             return False
-        behind = {*names_behind(formulas[name], formulas)} | names(formulas[name]) if name in formulas else set()
+        behind = (
+            {*names_behind(formulas[name], formulas)} | names(formulas[name])
+            if name in formulas
+            else set()
+        )
         return name in part.numbers or not behind.isdisjoint(part.numbers)
 
     for name, entries in definitions.values.items():
@@ -207,7 +240,9 @@ def _end_numbers(part: Part, earlier: Sequence[Part], definitions: Definitions) 
                 continue
             if entry.definition.numeric:
                 entries[n] = replace(entry, last_line=min(last, entry.last_line or last))
-            elif entry.definition.rounded is not None:  # r = s/2 = 38 is r = s/2, and what it comes to here
+            elif (
+                entry.definition.rounded is not None
+            ):  # r = s/2 = 38 is r = s/2, and what it comes to here
                 entries[n] = replace(entry, definition=replace(entry.definition, rounded=None))
     definitions.premises = [
         replace(p, last_line=min(last, p.last_line))

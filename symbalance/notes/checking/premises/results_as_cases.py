@@ -1,4 +1,4 @@
-"""Results that look like new cases: M = F a - F a/3, so M = 0; 1. ω = 2π·3000/60, 2. this gives ω = 364.2.
+"""Results that look like new cases: M = F a - F a/3, so M = 0; 1. ω = 2π·3000/60, 2. so ω = 364.2.
 
 Another value of a letter may be that of another case. It is none where words lead to it from the formula
 or the arithmetic right above as to its result, or where a summary states it once more.
@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Iterable
 
 from symbalance.document.formula import (
     Call,
@@ -21,7 +22,6 @@ from symbalance.document.formula import (
     Sum,
     Summation,
     names,
-    walk,
 )
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
@@ -47,7 +47,9 @@ _CANCELS = (
     r"cancels?|cancell?ed|cancell?ing|vanish(?:es)?|disappears?|out|off|altogether|completely|hebt|heben|auf|weg|verschwindet"
     r"|s'annule|se|anula|annulla|compensates?"
 )
-_JAPANESE = r"よって|したがって|従って|ゆえに|すなわち|これより|より|となる|打ち消し合(?:う|い)|結果|は|が|、|。"
+_JAPANESE = (
+    r"よって|したがって|従って|ゆえに|すなわち|これより|より|となる|打ち消し合(?:う|い)|結果|は|が|、|。"
+)
 _LINKS = re.compile(
     rf"(?:{_ENDS}|{_ARROW}|(?<![^\W\d_])(?:{_LEADS}|{_CANCELS})(?![^\W\d_])|{_JAPANESE})*", re.IGNORECASE
 )
@@ -65,7 +67,8 @@ _NOT_ALWAYS = re.compile(
 )
 """Words by which a formula is of one place or one kind, and 0 there."""
 _MARK = re.compile(
-    r"(?:^|\n)[ \t>]*(?:[-*+•]|\\item|\(?(?:[0-9]{1,2}|[a-h])[.)]|(?:step|part|schritt|teil|étape|paso|手順)\s*[0-9a-h]{1,2}\s*[:.)]?)"
+    r"(?:^|\n)[ \t>]*(?:[-*+•]|\\item|\(?(?:[0-9]{1,2}|[a-h])[.)]|"
+    r"(?:step|part|schritt|teil|étape|paso|手順)\s*[0-9a-h]{1,2}\s*[:.)]?)"
     r"[*_]{0,2}[ \t]*",
     re.IGNORECASE,
 )
@@ -87,13 +90,17 @@ def refute_result(
     chain: Chain,
     knowledge: Knowledge,
 ) -> Decision | None:
-    """Return the contradiction between a letter's result and its formula or arithmetic; None for a case."""
+    """Return that a number is not what its formula or arithmetic comes to; None for a case."""
     if names(value) or len(chain.relations) != 1 or chain.relations[0].sign not in "=≈":
         return None
     sections = definitions.sections
     own = [c for c in sections.chains_of(Name(name)) if c.start < chain.start]
     above = max(own, key=lambda c: c.start, default=None)
-    if above is None or above.lines[0] != earlier.line or opens_case(sections.document.text, chain.start, chain.end):
+    if (
+        above is None
+        or above.lines[0] != earlier.line
+        or opens_case(sections.document.text, chain.start, chain.end)
+    ):
         return None
     if names(earlier.node):
         is_wrong = _is_false_zero(definitions, value, earlier.node, above, chain, knowledge)
@@ -106,7 +113,12 @@ def refute_result(
 
 
 def _is_false_zero(
-    definitions: Definitions, value: Formula, formula: Formula, above: Chain, chain: Chain, knowledge: Knowledge
+    definitions: Definitions,
+    value: Formula,
+    formula: Formula,
+    above: Chain,
+    chain: Chain,
+    knowledge: Knowledge,
 ) -> bool:
     """Tell whether words lead from a formula right above to 0, and it is 0 for none of its letters."""
     sections, text = definitions.sections, definitions.sections.document.text
@@ -123,7 +135,9 @@ def _is_false_zero(
     values = {n: d.node for n, d in knowledge.definitions.items()}
     letters = {*names(formula), *names_behind(formula, values)}
     known = [knowledge.definitions[n] for n in letters if n in knowledge.definitions]
-    if any(d.numeric for d in known) or any(p.names & letters for p in definitions.premises_at(chain.lines[0])):
+    if any(d.numeric for d in known) or any(
+        p.names & letters for p in definitions.premises_at(chain.lines[0])
+    ):
         return False
     if not _has_one_size(formula):
         return False
@@ -131,47 +145,54 @@ def _is_false_zero(
 
 
 def _has_one_size(formula: Formula) -> bool:
-    """Tell whether all terms of a formula have the same letters, but for what turns: none cancels another."""
+    """Tell whether all terms have the same letters, but for what turns: none cancels another."""
     terms = formula.terms if isinstance(formula, Sum) else (formula,)
     sizes = [_size(term) for term in terms]
     return None not in sizes and all(size == sizes[0] for size in sizes)
 
 
 def _size(node: Formula, sign: int = 1) -> Counter[str] | None:
-    """Return the letters of a product, each with its power; None where a factor is a sum of several sizes."""
+    """Return the letters of a product, each with its power; None where a factor has several sizes."""
+    size: Counter[str] | None = None
     match node:
-        case Negative(operand=inner):
-            return _size(inner, sign)
-        case Summation(body=body):
-            return _size(body, sign)
+        case Negative(operand=inner) | Summation(body=inner):
+            size = _size(inner, sign)
         case Number() | Call():
-            return Counter()
+            size = Counter()
         case Name(name=name):
-            return Counter({name: sign})
+            size = Counter({name: sign})
         case Product(factors=factors):
-            parts = [_size(factor, sign) for factor in factors]
+            size = _together(_size(factor, sign) for factor in factors)
         case Quotient(numerator=above, denominator=below):
-            parts = [_size(above, sign), _size(below, -sign)]
+            size = _together((_size(above, sign), _size(below, -sign)))
         case Power(base=Name(name=name), exponent=Number(value=power)) if power.denominator == 1:
-            return Counter({name: sign * int(power)})
+            size = Counter({name: sign * int(power)})
         case Sum(terms=terms) if _has_one_size(node):
-            return _size(terms[0], sign)
+            size = _size(terms[0], sign)
+        case _ if not names(node):
+            size = Counter()
         case _:
-            is_number = not names(node) and not any(isinstance(part, Call) for part in walk(node))
-            return Counter() if is_number else None
+            pass
+    return size
+
+
+def _together(sizes: Iterable[Counter[str] | None]) -> Counter[str] | None:
+    """Return the letters of factors, each with its power; None where one has none."""
     total: Counter[str] = Counter()
-    for part in parts:
-        if part is None:
+    for size in sizes:
+        if size is None:
             return None
-        total.update(part)
+        total.update(size)
     return total
 
 
 def _is_of_arithmetic(definitions: Definitions, value: Formula, above: Chain, chain: Chain) -> bool:
-    """Tell whether a number is said to be what an arithmetic above comes to, or is stated once more."""
+    """Tell whether a number is said to be what an arithmetic comes to, or is stated once more."""
     sections = definitions.sections
     document = sections.document
-    if not is_worked_out(document.source(above.sides[1].span)) or is_worked_out(document.source(chain.sides[1].span)):
+    if not is_worked_out(document.source(above.sides[1].span)) or is_worked_out(
+        document.source(chain.sides[1].span)
+    ):
         return False
     between = document.text[above.end : chain.start]
     if names_another_example(between[-FARTHEST:]):
@@ -185,7 +206,9 @@ def _is_of_arithmetic(definitions: Definitions, value: Formula, above: Chain, ch
 
 def _without_unit(words: str) -> str:
     """Return the words behind a number without the unit that they begin with."""
-    return re.sub(r"^[\s$}]*(?:k?N(?:\s?m)?|mm|cm|m/s²?|m|kg|g|rad/s|1/s|rpm|k?W|MPa|bar)(?![A-Za-z])", " ", words)
+    return re.sub(
+        r"^[\s$}]*(?:k?N(?:\s?m)?|mm|cm|m/s²?|m|kg|g|rad/s|1/s|rpm|k?W|MPa|bar)(?![A-Za-z])", " ", words
+    )
 
 
 def _is_in_summary(definitions: Definitions, above: Chain, chain: Chain) -> bool:

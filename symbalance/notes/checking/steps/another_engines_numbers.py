@@ -169,16 +169,16 @@ def as_number_of_another(state: JudgingState, chain: Chain, k: int) -> Decision 
     behind = re.split(r"[.;,。；\n=$]", text[chain.end : chain.end + 30], maxsplit=1)[0]
     given = state.definitions.at(line).get(head.name)
     is_known = given is not None or any(p.names == {head.name} for p in state.definitions.premises)
-    if not is_known:
+    is_result = state.sections.is_consequence(chain)
+    is_own = given is not None and not is_result and _is_by_its_own_data(state, chain, given)
+    if not is_known or is_own:
         return None
-    if state.sections.is_consequence(chain):
+    if is_result:
         is_open = _SUPPOSED.search(words) is not None
         return Decision(UNDECIDED, "supposed, and not so above") if is_open else None
     is_datum = given is not None and given.numeric and given.formula is None
     is_elsewhere = is_datum and given is not None and not state.sections.same_exercise(given.line, line)
     is_elsewhere = is_elsewhere or (given is not None and _has_another_subject(state, chain, given.line))
-    if given is not None and _is_by_its_own_data(state, chain, given):
-        return None
     if is_elsewhere or names_another_example(words) or names_another_example(behind):
         state.definitions.forget_all(head.name)
         state.definitions.define(head.name, value, chain)

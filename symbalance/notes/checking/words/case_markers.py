@@ -1,4 +1,4 @@
-"""Marks that open a case of a page: "## Engine B", "**Motor B**", "Case II.", "(b)", "Yamaha:", "- V6: …".
+"""Marks that open a case of a page: "## Engine B", "**Motor B**", "Case II.", "(b)", "- V6: …".
 
 A page that works out one thing after another opens each in the same way. The lines that do are its marks;
 what stands from one to the next is a case if its data say so, and that is no matter of words.
@@ -23,7 +23,9 @@ _LABELLED = re.compile(
 _HEADING = re.compile(
     r"(?P<mark>#{1,6}|={1,6}|\*{1,6}(?=\s)|\\(?:part|chapter|(?:sub){0,2}section|(?:sub)?paragraph)\*?|<h[1-6])[\s{\[>]*"
 )
-_OPEN = re.compile(r"[ \t>]*(?:(?P<bullet>[-*+•]|\\item)(?=[\s\[]))?[\s\[]*(?P<bold>\*\*|__|'''|\\textbf\{)?[ \t]*")
+_OPEN = re.compile(
+    r"[ \t>]*(?:(?P<bullet>[-*+•]|\\item)(?=[\s\[]))?[\s\[]*(?P<bold>\*\*|__|'''|\\textbf\{)?[ \t]*"
+)
 _LETTER = re.compile(r"\(?(?P<own>[a-h]|[ivx]{1,4}|[A-H])\)(?=[\s*_.:]|$)")
 _NUMBER = re.compile(r"\(?(?P<own>[0-9]{1,2})[.)](?=[\s*_]|$)")
 _LEAD = re.compile(r"(?P<own>[^=$:：`|<\\\n]{1,40}?)[\s*_}']{0,4}(?:[:：]|$)")
@@ -86,11 +88,15 @@ def _of_line(number: int, text: str) -> CaseMark | None:
     bare = words[numbered.end() :].lstrip(" \t*_") if numbered else words
     named = _LABELLED.match(bare)
     if named is not None:
-        return CaseMark(number, bare[: named.start("own")].strip(" ~(").lower(), named["own"].lower(), True)
+        return CaseMark(
+            number, bare[: named.start("own")].strip(" ~(").lower(), named["own"].lower(), True
+        )
     if letter := _LETTER.match(words):
         return CaseMark(number, "letter", letter["own"].lower(), False)
     lead = (_BOLD_LEAD if opened["bold"] else _LEAD).match(bare)
-    shape = "bold" if opened["bold"] else "number" if numbered else "bullet" if opened["bullet"] else "lead"
+    shape = (
+        "bold" if opened["bold"] else "number" if numbered else "bullet" if opened["bullet"] else "lead"
+    )
     if lead is None or not lead["own"].strip() or _NO_CASE.match(lead["own"].lstrip()):
         return None
     is_sentence = shape == "lead" and len(lead["own"].split()) > MOST_WORDS

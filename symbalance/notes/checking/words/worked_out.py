@@ -1,10 +1,12 @@
-"""Numbers that are worked out in the line, 2π·3000/60, and those that are only given, 84 mm or 2·10⁵ N/m."""
+"""Numbers that are worked out in the line, 2π·3000/60, and those only given, 84 mm or 2·10⁵ N/m."""
 
 from __future__ import annotations
 
 import re
 
-_POWER_OF_TEN = re.compile(r"(?:\\cdot|\\times|[·×*])\s*10\s*(?:\^\s*\{?\s*-?[0-9]{1,2}\s*\}?|[⁰¹²³⁴-⁹⁻]{1,3})")
+_POWER_OF_TEN = re.compile(
+    r"(?:\\cdot|\\times|[·×*])\s*10\s*(?:\^\s*\{?\s*-?[0-9]{1,2}\s*\}?|[⁰¹²³⁴-⁹⁻]{1,3})"
+)
 _ARITHMETIC = re.compile(r"\\(?:cdot|times|[dt]?frac|sqrt)|[·×*+√]|[0-9)}]\s*[/−-]\s*[0-9]")
 _UNIT_BELOW_ONE = re.compile(r"(?<![0-9.,])1/(?:min|s)")
 _UNITS = re.compile(r"[^\W\d_]\s*(?:\\cdot|[·*])\s*(?=[^\W\d_])")
