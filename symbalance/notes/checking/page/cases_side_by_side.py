@@ -32,6 +32,8 @@ _SIZE_IN_WORDS = re.compile(
     r"(?:[\s~$]|\\,){0,3}(?:mm|cm|m|kg|g|rpm|min|1/min|k?N|kW|bar|°|Hz|cc)(?![A-Za-z])"
 )
 
+_DIGITS = re.compile(r"[0-9]+(?:[.,][0-9]+)*")
+
 
 @dataclass(frozen=True, slots=True)
 class Number:
@@ -207,11 +209,18 @@ def _is_case_beside(earlier: Part, part: Part) -> bool:
         given = [n for n in common if part.numbers[n].is_datum or is_worked_out(part.numbers[n].text)]
         return any(part.numbers[n].text != earlier.numbers[n].text for n in given)
     first = next(iter(part.numbers), None)
-    if first is None or len(common) < FEWEST or first not in earlier.data or first not in part.data:
+    alike = [name for name in common if _are_given_alike(earlier.numbers[name], part.numbers[name])]
+    if first not in alike or len(common) < FEWEST:
         return False
-    return any(
-        part.data[n].text != earlier.data[n].text for n in common if n in part.data and n in earlier.data
-    )
+    return any(part.numbers[n].text != earlier.numbers[n].text for n in alike)
+
+
+def _are_given_alike(first: Number, second: Number) -> bool:
+    """Tell whether two numbers are both data, or both worked out in the same way: 2π·3000/60."""
+    if first.is_datum or second.is_datum:
+        return first.is_datum and second.is_datum
+    is_same = _DIGITS.sub("#", first.text) == _DIGITS.sub("#", second.text)
+    return is_same and is_worked_out(first.text)
 
 
 def _end_numbers(part: Part, earlier: Sequence[Part], definitions: Definitions) -> None:
