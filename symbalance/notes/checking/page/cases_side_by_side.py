@@ -40,6 +40,7 @@ class Number:
     """A number that a case gives a letter, or a word for it."""
 
     text: str
+    value: str
     is_datum: bool
     line: int
 
@@ -51,6 +52,8 @@ class Part:
     mark: CaseMark
     last: int
     numbers: dict[str, Number] = field(default_factory=dict)
+    zeros: set[str] = field(default_factory=set)
+    """Letters that it looks at where they are 0."""
 
     @property
     def data(self) -> dict[str, Number]:
@@ -157,15 +160,17 @@ class CasesSideBySide:
                 continue
             is_zero = isinstance(value.node, Digits) and not value.node.value
             if is_zero and self.sections.is_condition(chain):
-                continue  # where a = 0 is no datum of a case
+                part.zeros.add(head.name)  # where a = 0 is no datum of a case
+                continue
             source = self.document.source(chain.sides[1].span).strip()
+            result = self.document.source(value.span).strip()
             is_datum = _is_datum(chain, source) and not self.sections.is_consequence(chain)
-            given[head.name] = (chain.start, Number(source, is_datum, chain.lines[0]))
+            given[head.name] = (chain.start, Number(source, result, is_datum, chain.lines[0]))
         for match in _SIZE_IN_WORDS.finditer(self.document.text, start, end):
             if not any(c.start <= match.start() < c.end for c in own[:MOST]):
                 word = f"in words: {match['what'].lower()}"
                 line = self.document.line_of(match.start())
-                given.setdefault(word, (match.start(), Number(match["size"], True, line)))
+                given.setdefault(word, (match.start(), Number(match["size"], match["size"], True, line)))
         for name, (_, number) in sorted(given.items(), key=lambda item: item[1][0]):
             yield name, number
 
@@ -207,12 +212,18 @@ def _is_case_beside(earlier: Part, part: Part) -> bool:
     common = [name for name in part.numbers if name in earlier.numbers]
     if part.mark.is_named and earlier.mark.is_named:
         given = [n for n in common if part.numbers[n].is_datum or is_worked_out(part.numbers[n].text)]
-        return any(part.numbers[n].text != earlier.numbers[n].text for n in given)
+        return any(_is_other(earlier.numbers[n], part.numbers[n]) for n in given)
     first = next(iter(part.numbers), None)
     alike = [name for name in common if _are_given_alike(earlier.numbers[name], part.numbers[name])]
     if first not in alike or len(common) < FEWEST:
         return False
-    return any(part.numbers[n].text != earlier.numbers[n].text for n in alike)
+    return any(_is_other(earlier.numbers[n], part.numbers[n]) for n in alike)
+
+
+def _is_other(first: Number, second: Number) -> bool:
+    """Tell whether two numbers differ, or are worked out from others."""
+    both = is_worked_out(first.text) and is_worked_out(second.text)
+    return first.value != second.value or (both and first.text != second.text)
 
 
 def _are_given_alike(first: Number, second: Number) -> bool:
@@ -225,7 +236,13 @@ def _are_given_alike(first: Number, second: Number) -> bool:
 
 def _end_numbers(part: Part, earlier: Sequence[Part], definitions: Definitions) -> None:
     """End the numbers of earlier cases that a part gives anew, and what follows from them."""
-    last = part.mark.line - 1
+    last, numbers = part.mark.line - 1, part.numbers
+    before = {name: [p.numbers[name] for p in earlier if name in p.numbers] for name in numbers}
+    changed = {
+        name
+        for name, number in numbers.items()
+        if not before[name] or any(_is_other(each, number) for each in before[name])
+    } - part.zeros
     formulas = {
         name: entry.definition.node
         for name, entries in definitions.values.items()
@@ -236,12 +253,9 @@ def _end_numbers(part: Part, earlier: Sequence[Part], definitions: Definitions) 
     def is_replaced(name: str, line: int) -> bool:
         if not any(p.mark.line <= line <= p.last for p in earlier):
             return False
-        behind = (
-            {*names_behind(formulas[name], formulas)} | names(formulas[name])
-            if name in formulas
-            else set()
-        )
-        return name in part.numbers or not behind.isdisjoint(part.numbers)
+        formula = formulas.get(name)
+        behind = set() if formula is None else {*names(formula), *names_behind(formula, formulas)}
+        return name in changed or (name not in part.zeros and not behind.isdisjoint(changed))
 
     for name, entries in definitions.values.items():
         for n, entry in enumerate(entries):
@@ -249,9 +263,7 @@ def _end_numbers(part: Part, earlier: Sequence[Part], definitions: Definitions) 
                 continue
             if entry.definition.numeric:
                 entries[n] = replace(entry, last_line=min(last, entry.last_line or last))
-            elif (
-                entry.definition.rounded is not None
-            ):  # r = s/2 = 38 is r = s/2, and what it comes to here
+            elif entry.definition.rounded is not None:  # r = s/2 = 38 is s/2 here
                 entries[n] = replace(entry, definition=replace(entry.definition, rounded=None))
     definitions.premises = [
         replace(p, last_line=min(last, p.last_line))
