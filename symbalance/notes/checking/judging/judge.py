@@ -43,6 +43,7 @@ from symbalance.notes.checking.page.own_exercises import OwnExercises
 from symbalance.notes.checking.page.page_data import data_of
 from symbalance.notes.checking.page.quotations import Quotations
 from symbalance.notes.checking.premises.another_value import NO_WORDS
+from symbalance.notes.checking.premises.results_as_cases import NO_RESULT
 from symbalance.notes.checking.steps.angle_equations import lines_of_angles
 from symbalance.notes.checking.steps.another_body import (
     leave_body,
@@ -141,7 +142,9 @@ class Judge:
         self.document, motions = with_rates_of_rates(
             self.document, self.declarations, self.sources.engines
         )
-        self.state = JudgingState(self.document, self.declarations, self.sources, self.corrects, motions)
+        self.state = JudgingState(
+            self.document, self.declarations, self.sources, self.corrects, motions, tuple(self.data)
+        )
         self.blocks = EngineBlocks(self.document.text, self.state.sections)
         self.exercises = OwnExercises(self.document)
         self.guard = Guard(self.document, self.budget)
@@ -156,6 +159,7 @@ class Judge:
             self._take_data(chain)
             self.blocks.enter(chain.lines[0], self.state.definitions)
             self.exercises.enter(chain.lines[0], self.state.definitions, self.declarations)
+            self.state.cases.enter(chain.lines[0], self.state.definitions)
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
             verdicts += self.chain(chain, chain_binds)
         for binding in (b for rest in bindings.values() for b in rest):
@@ -178,6 +182,7 @@ class Judge:
             or (self.data[0].lines[0] == line and self.data[0].sides[-1].span[1] <= start)
         ):
             datum = self.data.pop(0)
+            self.state.cases.enter(datum.lines[0], self.state.definitions)
             name = next(iter(names(datum.sides[0].node)))
             earlier = self.state.knowledge(datum.lines[0]).definitions.get(name)
             if earlier is not None and not earlier.numeric:
@@ -289,7 +294,8 @@ class Judge:
         verdict = self._unless_wrong_size(chain, k, verdict)
         verdict = unless_wrong_at_place(self.state, chain, k, verdict)
         verdict = unless_scaled_wrongly(self.state, chain, k, verdict)
-        return unless_plain_sum(self.state, chain, k, verdict)
+        verdict = unless_plain_sum(self.state, chain, k, verdict)
+        return self._of_its_case(chain, k, verdict)
 
     def _unless_wrong_size(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict; a size |K| = 4.98 is judged by what equations above give, as |K|² = 24.8."""
@@ -313,6 +319,16 @@ class Judge:
             assumption = "; ".join(filter(None, (there.assumption, *words)))
             return replace(there, verdict=CONDITIONAL, assumption=assumption)
         return there
+
+    def _of_its_case(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+        """Return a verdict; a number that replaces one of the case before is a premise of its case."""
+        head = chain.sides[0].node
+        if k or verdict.verdict != DEFINITION or not isinstance(head, Name):
+            return verdict
+        line = self.state.cases.line_replaced(head.name, chain.lines[0])
+        if line is None:
+            return verdict
+        return replace(verdict, verdict=PREMISE, reason=f"a new case: line {line} has that of another")
 
     def _unless_excepted(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict, undecided where words behind say in which cases the relation fails."""
@@ -410,6 +426,8 @@ class Judge:
         """Return what a relation that lines above refute says of a case of its own; None for most."""
         is_unsaid = verdict.verdict == UNDECIDED and (verdict.reason or "").endswith(NO_WORDS)
         if not is_unsaid and verdict.verdict not in (REFUTED, CONTRADICTION):
+            return None
+        if (verdict.reason or "").startswith(NO_RESULT):
             return None
         knowledge = self.state.knowledge(chain.lines[0])
         case = as_case_of_multiple(self.state, chain, k) or as_number_of_another(self.state, chain, k)

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from symbalance.document.formula import Call, Name, names
 from symbalance.notes.checking.deciding.cases import states_a_case
+from symbalance.notes.checking.judging.premises_behind import is_worked_out_behind
 from symbalance.notes.checking.page.solutions import WAVES
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.case_words import LONGEST_PLACE, is_case_behind, is_place_behind
@@ -35,7 +36,8 @@ def chains_in_turn(document: ReadNotes, sections: Sections) -> list[Chain]:
             is_second = is_second or (own in first and states_a_case(chain))
             is_result = sections.is_consequence(chain) or own in heads_above | with_formula or is_second
             is_result = is_result or any(relation.sign == "≈" for relation in chain.relations)
-            if states_a_case(chain) and not is_result:
+            is_case = states_a_case(chain) or is_worked_out_behind(document, chain, by_line[line])
+            if is_case and not is_result:
                 first[own] = chain
             is_letter = isinstance(chain.sides[0].node, Name) or _asks_for_angle(chain)
             if is_letter or not any(names(s.node) for s in chain.sides[1:]):

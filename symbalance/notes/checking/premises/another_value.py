@@ -30,6 +30,7 @@ from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.premises.impossible_values import outside_range
 from symbalance.notes.checking.premises.premise_decisions import FAR, decide_by_premises
+from symbalance.notes.checking.premises.results_as_cases import refute_result
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.verdicts import CONDITION, CONTRADICTION, DEFINITION, PREMISE
 from symbalance.notes.checking.words.angles_of_time import is_time_of_angle
@@ -419,6 +420,8 @@ def _define_case_anew(
 ) -> Decision:
     """Return the decision on a value that may start a new case, after defining it."""
     line = chain.lines[0]
+    if (wrong := refute_result(definitions, name, value, earlier, chain, knowledge)) is not None:
+        return wrong
     if isinstance(value, Name) and value.name in knowledge.definitions:
         definitions.conditions[line] = frozenset(_letters_behind([earlier.node, value], knowledge))
         return Decision(CONDITION, "sets two quantities equal")

@@ -37,6 +37,12 @@ _RESULT = re.compile(
     r"|よって|すなわち|つまり|ゆえに"
 )
 
+_LISTED = re.compile(
+    r"(?:[\s$,;)\]}]|\\[,;: ]|\\q?quad(?![a-z]))*(?:(?:and|und|et|y|e)(?![A-Za-z]))?[\s$(\[]*",
+    re.IGNORECASE,
+)
+"""Between an equation that was worked out, cos θ = λ/2 = 0.125, and its angle: a comma, or "and"."""
+
 
 def lines_of_angles(
     state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
@@ -106,6 +112,10 @@ def _value_behind(state: JudgingState, chain: Chain, name: str) -> Chain | None:
     head, end = following.sides[0].node, chain.end
     between = state.document.text[end : following.sides[0].span[0]]
     is_result = _RESULT.search(between) is not None and not re.search(r"\n\s*\n", between)
+    line, ends_in_number = chain.lines[0], not names(chain.sides[-1].node)
+    is_free = not any(name in p.names for p in state.definitions.premises_at(line))
+    if is_free and ends_in_number and names(chain.sides[1].node):
+        is_result = is_result or _LISTED.fullmatch(between) is not None
     is_value = isinstance(head, Name) and head.name == name and not names(following.sides[1].node)
     return following if is_value and is_result and len(between) < 80 else None
 

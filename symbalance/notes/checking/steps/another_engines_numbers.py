@@ -20,8 +20,9 @@ from symbalance.document.formula import (
     names,
     walk,
 )
+from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import Decision
-from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import paired, without_unit
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
@@ -63,6 +64,8 @@ _SUBJECT = re.compile(
     r"\s+(?:is|was|ist|war|beträgt)[\s$]*$",
     re.IGNORECASE,
 )
+_RESULT_COLON = re.compile(r"[^,;.:=\n]{0,14}[:：][\s$\\(\[`]*")
+"""Behind a datum, before what it comes to."""
 _TEN = Number(Fraction(10))
 
 
@@ -166,9 +169,11 @@ def as_number_of_another(state: JudgingState, chain: Chain, k: int) -> Decision 
     behind = re.split(r"[.;,。；\n=$]", text[chain.end : chain.end + 30], maxsplit=1)[0]
     given = state.definitions.at(line).get(head.name)
     is_known = given is not None or any(p.names == {head.name} for p in state.definitions.premises)
-    if not is_known:
+    is_result = state.sections.is_consequence(chain)
+    is_own = given is not None and not is_result and _is_by_its_own_data(state, chain, given)
+    if not is_known or is_own:
         return None
-    if state.sections.is_consequence(chain):
+    if is_result:
         is_open = _SUPPOSED.search(words) is not None
         return Decision(UNDECIDED, "supposed, and not so above") if is_open else None
     is_datum = given is not None and given.numeric and given.formula is None
@@ -184,6 +189,28 @@ def as_number_of_another(state: JudgingState, chain: Chain, k: int) -> Decision 
     if is_below and names_some_engine(words):
         return Decision(UNDECIDED, "of the engine above it is another number: say which is meant")
     return None
+
+
+def _is_by_its_own_data(state: JudgingState, chain: Chain, given: Definition) -> bool:
+    """Tell whether a letter's number is the result of data of its own case, by a formula of the page.
+
+    The case gives anew all that the one before gave for it, or it stands right behind its datum and a
+    colon: with the lighter piston, m = 0.4 kg: F = 4000 N.
+    """
+    formula = given.node if given.formula is None else given.formula
+    if not names(formula):
+        return False
+    line = chain.lines[0]
+    values = {name: d.node for name, d in state.definitions.at(line).items()}
+    behind = {*names(formula), *names_behind(formula, values)}
+    if state.cases.gives_all_anew(behind, line):
+        return True
+    before = [c for c in state.sections.chains_on(line) if c.end <= chain.start]
+    last = max(before, key=lambda c: c.end, default=None)
+    if last is None or not isinstance(last.sides[0].node, Name) or names(last.sides[-1].node):
+        return False
+    between = state.document.text[last.end : chain.start]
+    return last.sides[0].node.name in behind and _RESULT_COLON.fullmatch(between) is not None
 
 
 def _has_another_subject(state: JudgingState, chain: Chain, line: int) -> bool:

@@ -43,6 +43,7 @@ from symbalance.notes.checking.meant.pistons.motion_parity import MotionParity
 from symbalance.notes.checking.motions.equations_of_motion import EquationOfMotion
 from symbalance.notes.checking.motions.fourier_series import FourierSeries
 from symbalance.notes.checking.motions.trial_solutions import Trial
+from symbalance.notes.checking.page.cases_side_by_side import CasesSideBySide
 from symbalance.notes.checking.page.cranks_of_engines import CranksOfEngines
 from symbalance.notes.checking.page.solutions import turned_letters
 from symbalance.notes.checking.premises import constraints
@@ -85,12 +86,15 @@ class JudgingState:
     sources: Sources
     corrects: bool
     motions: Motions = field(default_factory=Motions)
+    data: tuple[Chain, ...] = ()
+    """What tables, lists and code give letters."""
     refuted: set[int] = field(default_factory=set)
     """Places where the right sides of refuted relations begin."""
 
     def __post_init__(self) -> None:
         self.sections = Sections(self.document)
         self.definitions = Definitions(self.declarations, self.sections)
+        self.cases = CasesSideBySide(self.document, self.sections, self.data)
         self.stated_units = StatedUnits(self.document)
         self.meant = MeantQuantities(
             MeantWords(self.document, self.declarations, self.sections), self.sources

@@ -279,6 +279,11 @@ class Sections:
         """Return words with their terms in English, where the document is in another language."""
         return glossary_of(self.document.text).english(words)
 
+    @property
+    def heading_lines(self) -> list[int]:
+        """The lines, from 1, that begin a section."""
+        return self._headings
+
     @cached_property
     def _headings(self) -> list[int]:
         """The lines, from 1, that begin a section."""
@@ -430,7 +435,7 @@ class Sections:
 
     def item_of_cases(self, line: int, start: int) -> tuple[int, int] | None:
         """Return the list of cases and the end of its item that a formula at a place of a line opens."""
-        return item_of_cases(self._lines, line, start - self._start_of_line(line))
+        return item_of_cases(self._lines, line, start - self.start_of_line(line))
 
     def _next_text(self, line: int) -> int | None:
         """Return the next line that is not blank."""
@@ -568,9 +573,9 @@ class Sections:
         if by_headings or self.is_of_another_cycle(chain, earlier_line):
             return True
         start = chain.start
-        earlier = self._start_of_line(earlier_line)
+        earlier = self.start_of_line(earlier_line)
         starts = self._by_start[0]
-        place = bisect_left(starts, min(start, self._start_of_line(earlier_line + 1)))
+        place = bisect_left(starts, min(start, self.start_of_line(earlier_line + 1)))
         earlier = max(earlier, starts[place - 1] if place else 0)  # where the last one on its line begins
         if self.names_another_case(chain, earlier_line):
             return True
@@ -592,7 +597,7 @@ class Sections:
     def _named_in_paragraph(self, place: int) -> NamedEngine | None:
         """Return the engine that the paragraph of a place names last before it."""
         line = self.document.line_of(place)
-        return self._named_engines.last_before(self._start_of_line(self.paragraph_start(line)), place)
+        return self._named_engines.last_before(self.start_of_line(self.paragraph_start(line)), place)
 
     def _named_in_heading(self, line: int) -> NamedEngine | None:
         """Return the engine that the heading of a line's section names."""
@@ -614,7 +619,7 @@ class Sections:
         if earlier_line >= line or not all(row.lstrip().startswith("|") for row in between):
             return False
         first, second = (row.split("|")[1].strip() for row in rows)
-        start = self._start_of_line(line)
+        start = self.start_of_line(line)
         column = self.document.text[start : chain.start].count("|")
         cells = rows[0].split("|")
         own = self.document.text[chain.sides[0].span[0] : chain.sides[0].span[1]].strip()
@@ -625,10 +630,10 @@ class Sections:
         """Tell whether a relation's own words name other strokes, another engine, another row's case."""
         if self._names_another_cycle(chain, earlier_line) or self._is_in_another_row(chain, earlier_line):
             return True
-        end = self._start_of_line(earlier_line + 1) if earlier_line < len(self._lines) else chain.start
+        end = self.start_of_line(earlier_line + 1) if earlier_line < len(self._lines) else chain.start
         starts = self._by_start[0]
         place = bisect_left(starts, min(chain.start, end))
-        earlier = max(self._start_of_line(earlier_line), starts[place - 1] if place else 0)
+        earlier = max(self.start_of_line(earlier_line), starts[place - 1] if place else 0)
         before, now = (self._named_in_paragraph(place) for place in (earlier, chain.start))
         if before is None and now is not None:
             before = self._named_in_paragraph(now.place)  # named behind the earlier relation
@@ -641,7 +646,7 @@ class Sections:
         if not self._names_strokes:
             return False
         text, start = self.document.text, chain.start
-        first = self._start_of_line(self.paragraph_start(earlier_line))
+        first = self.start_of_line(self.paragraph_start(earlier_line))
         clause = case_words.clause_start(text, start)
         before, now = last_strokes(text[first:clause]), strokes_named(text[clause:start])
         return before > 0 and len(now) == 1 and before not in now
@@ -677,8 +682,8 @@ class Sections:
         if not self._names_cycles:
             return False
         starts, chains = self._by_start
-        place = bisect_left(starts, min(chain.start, self._start_of_line(earlier_line + 1)))
-        start = self._start_of_line(earlier_line)
+        place = bisect_left(starts, min(chain.start, self.start_of_line(earlier_line + 1)))
+        start = self.start_of_line(earlier_line)
         before = (start, start)
         if place and starts[place - 1] >= start:
             before = (starts[place - 1], chains[place - 1].end)
@@ -696,7 +701,8 @@ class Sections:
             return None
         return case_words.is_other_engine(before, now)
 
-    def _start_of_line(self, line: int) -> int:
+    def start_of_line(self, line: int) -> int:
+        """Return the place of a line's first character."""
         return self._line_starts[line - 1]
 
     def follows_at_once(self, chain: Chain) -> bool:
@@ -744,7 +750,7 @@ class Sections:
         """Tell whether no other relation stands between a line and a relation below it."""
         start = chain.start
         starts, chains = self._by_start
-        first = bisect_left(starts, self._start_of_line(line + 1))
+        first = bisect_left(starts, self.start_of_line(line + 1))
         return not any(line < other.lines[0] for other in chains[first : bisect_left(starts, start)])
 
     def is_said_to_fail(self, chain: Chain) -> bool:
@@ -753,7 +759,7 @@ class Sections:
         place = bisect_right(following, chain.sides[0].span[0])
         end = following[place] if place < len(following) else len(self.document.text)
         end = min(
-            end, chain.end + LONGEST_INTRODUCTION, self._end_of_line(self.section_end(chain.lines[0]))
+            end, chain.end + LONGEST_INTRODUCTION, self.end_of_line(self.section_end(chain.lines[0]))
         )
         return _FAILS.search(self.document.text, chain.end, end) is not None
 
@@ -762,7 +768,8 @@ class Sections:
         text = self.document.text
         return _ONLY_IF.search(text[max(0, chain.start - LONGEST_SENTENCE) : chain.start]) is not None
 
-    def _end_of_line(self, line: int) -> int:
+    def end_of_line(self, line: int) -> int:
+        """Return the place behind a line."""
         return self._line_starts[line] if line < len(self._line_starts) else len(self.document.text)
 
     def is_condition(self, chain: Chain) -> bool:
@@ -872,7 +879,7 @@ class Sections:
             if not above:
                 break
             first = self.paragraph_start(above)
-        begin = max(self._start_of_line(first), chain.start - 4 * LONGEST_SENTENCE)
+        begin = max(self.start_of_line(first), chain.start - 4 * LONGEST_SENTENCE)
         ways = "|".join(
             re.escape(way) for way in {f"\\{name}", name, formula_text(Name(name), plain=True)}
         )
@@ -890,7 +897,7 @@ class Sections:
         line = chain.lines[0]
         first = max((heading for heading in self._headings if heading <= line), default=1)
         start = chain.start
-        return self.document.text[self._start_of_line(first) : start]
+        return self.document.text[self.start_of_line(first) : start]
 
     def _text_before(self, chain: Chain) -> str:
         """Return the words before a relation, without the marks that begin and end displays."""

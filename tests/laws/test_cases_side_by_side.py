@@ -1,0 +1,69 @@
+"""Which case of a page a line stands in decides which numbers are in force there."""
+
+import pytest
+
+from symbalance.checking import check
+from symbalance.notes.checking.words.case_markers import case_marks
+
+ACCUSED = ("refuted", "contradiction")
+
+
+def words_of(page: str) -> list[str]:
+    return [link["verdict"] for link in check(page).data()["links"]]
+
+
+OPENINGS = [
+    ("## Engine A\n\n", "## Engine B\n\n"),
+    ("**Motor A**\n\n", "**Motor B**\n\n"),
+    ("(a) ", "(b) "),
+    ("Beispiel 1: ", "Beispiel 2: "),
+    ("Case I. ", "Case II. "),
+    ("Honda: ", "Yamaha: "),
+    ("例1: ", "例2: "),
+    ("- V8: ", "- V6: "),
+    ("**Petrol.** ", "**Diesel.** "),
+]
+
+
+@pytest.mark.parametrize(("first", "second"), OPENINGS)
+def test_the_second_case_has_its_own_data_and_results(first, second):
+    right = f"{first}$s = 88$ mm, so $r = s/2 = 44$ mm.\n\n{second}$s = 84$ mm, so $r = s/2 = 42$ mm.\n"
+    assert words_of(right)[3:] == ["premise", "holds", "holds"]
+    stale = right.replace("= 42$", "= 44$")
+    assert words_of(stale)[3:] == ["premise", "holds", "refuted"]
+
+
+def test_a_result_without_its_formula_is_judged_by_the_formula_of_the_page():
+    page = "**A**\n\n$s = 88$ mm, so $r = s/2 = 44$ mm.\n\n**B**\n\n$s = 84$ mm, so $r = {}$ mm.\n"
+    assert words_of(page.format(42))[-1] in ("holds", "holds_to_order")
+    assert words_of(page.format(44))[-1] in ACCUSED
+
+
+def test_what_a_case_does_not_give_anew_is_that_of_the_case_before():
+    page = (
+        "(a) With $m = 0.5$ kg, $r = 0.04$ m and $\\omega = 300$ 1/s, $F = m r\\omega^2 = 1800$ N.\n\n"
+        "(b) With $\\omega = 310$ 1/s, $F = {}$ N.\n"
+    )
+    assert words_of(page.format(1922))[-1] not in ACCUSED
+    assert words_of(page.format(1822))[-1] in ACCUSED
+
+
+@pytest.mark.parametrize(
+    "page",
+    [
+        "**Radius.** The crank has $r = 40$ mm.\n\n**Speed.** $r = 42$ mm.\n",
+        "**Data.** $r = 40$ mm, $s = 80$ mm.\n\n**Check.** $r = 42$ mm, $s = 80$ mm.\n",
+    ],
+)
+def test_steps_of_one_case_keep_its_numbers(page):
+    assert any(word in ACCUSED for word in words_of(page))
+
+
+def test_no_mark_of_a_part_of_one_case_opens_another():
+    lines = ["Given: m = 1", "Solution: m = 2", "**Summary**", "Step 2: m = 3", "so that: m = 4"]
+    assert list(case_marks(lines, [])) == []
+
+
+def test_a_place_where_something_is_zero_is_no_datum():
+    page = "## Example 1\n\n$a = 3\\cdot 4 = 12$.\n\n## Example 2\n\nIt is largest when $a = 0$.\n"
+    assert words_of(page)[-1] not in ACCUSED
