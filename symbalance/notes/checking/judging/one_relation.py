@@ -240,10 +240,10 @@ def _as_anything_named(
 ) -> Verdict | Decision | None:
     """Return the verdict on what words, letters or patterns name: engines, quantities, series."""
     by_name = state.engine_resultants.judge(chain, k, knowledge)
-    by_name = by_name or state.bank_resultants.judge(chain, k, knowledge)
-    by_name = by_name or state.dead_centre_sizes.refute(chain, k, knowledge)
     by_name = by_name or state.named.judge(chain, k, knowledge)
-    return by_name or state.patterns.judge(chain, k, knowledge)
+    by_name = by_name or state.patterns.judge(chain, k, knowledge)
+    by_name = by_name or state.bank_resultants.judge(chain, k, knowledge)
+    return by_name or state.dead_centre_sizes.refute(chain, k, knowledge)
 
 
 def _unless_by_form(state: JudgingState, chain: Chain, k: int, decision: Decision) -> Decision:
@@ -453,8 +453,6 @@ def _as_meant(
         outcome = refute_repeated_interval(state.engine_resultants.claims, chain, k)
     if definition.status in (DEFINITION, PREMISE):
         outcome = state.engine_resultants.judge(chain, k, knowledge)
-        outcome = outcome or state.bank_resultants.judge(chain, k, knowledge)
-        outcome = outcome or state.dead_centre_sizes.refute(chain, k, knowledge)
         outcome = outcome or decide_firing_interval(state.engine_resultants.claims, chain, k)
         outcome = outcome or decide_order_frequency(state.engine_resultants.claims, chain, k)
         outcome = outcome or refute_lever_arm(state.engine_resultants.claims, chain, k)
@@ -473,6 +471,8 @@ def _as_meant(
         outcome = outcome or decide_order_speed(chain, k, state.document, knowledge)
         outcome = outcome or state.crank_motions.judge(chain, k, knowledge)
         outcome = outcome or state.patterns.judge(chain, k, knowledge)
+        outcome = outcome or state.bank_resultants.judge(chain, k, knowledge)
+        outcome = outcome or state.dead_centre_sizes.refute(chain, k, knowledge)
         outcome = outcome or state.parity.judge(chain, k)
         if outcome is not None and _is_left_open(outcome):
             return _unless_left_open(outcome, definition)

@@ -291,10 +291,9 @@ class NamedQuantities:
             fitting = special if len(special) == 1 else fitting
         stems = {stem_of(name).rstrip("'"), name}
         own = [each for each in candidates if stems & each.quantity.letters]
-        if " " not in name and all(each.is_other for each in own):
-            return self._by_form(chain, name, claim, knowledge, known)
         if len(fitting) != 1:
-            return None
+            is_unnamed = " " not in name and all(each.is_other for each in own)
+            return self._by_form(chain, name, claim, knowledge, known) if is_unnamed else None
         (named,) = fitting.values()
         if named.quantity.turns and self.counts_from_elsewhere:
             return None

@@ -56,5 +56,7 @@ def _in_turns(node: Formula) -> Formula | None:
     number, unit = node.factors
     if is_unit_of_speed(unit):
         return Product((number, replace(_A_SIXTIETH, span=unit.span)), span=node.span)
-    is_turn = unit == Product((_TWO, _PI)) and unit.factors[0].span == unit.factors[1].span
+    if not isinstance(unit, Product) or unit != Product((_TWO, _PI)):
+        return None
+    is_turn = unit.factors[0].span == unit.factors[1].span
     return replace(number, span=node.span) if is_turn else None

@@ -602,8 +602,8 @@ class Sections:
     def _named_in_heading(self, line: int) -> NamedEngine | None:
         """Return the engine that the heading of a line's section names."""
         first = self.section_start(line)
-        end = self._start_of_line(first + 1) if first < len(self._lines) else len(self.document.text)
-        return self._named_engines.last_before(self._start_of_line(first), end)
+        end = self.start_of_line(first + 1) if first < len(self._lines) else len(self.document.text)
+        return self._named_engines.last_before(self.start_of_line(first), end)
 
     @cached_property
     def _named_engines(self) -> EnginesInWords:

@@ -112,9 +112,10 @@ FORCED: tuple[Quantity, ...] = (
         (PI * damping * omega * amplitude**2,), ("factor", "power", "part"),
         mistakes=(PI * damping * omega**2 * amplitude**2, PI * damping * omega * amplitude,
                   PI * damping * omega**2 * amplitude),
-        only=words(r"per (?:full )?(?:cycle|period|oscillation|vibration|turn|swing)|(?:each|one"
-        r"|a) cycle|je (?:periode"
-                   r"|schwingung|zyklus)|pro (?:periode|schwingung|zyklus)|[1一]周期|[1一]サイクル"),
+        only=words(r"\A(?=(?s:.*?)(?:damp|dämpf|減衰|dashpot|viscous|friction|hysteres))(?s:.*?)"
+                   r"(?:per (?:full )?(?:cycle|period|oscillation|vibration|turn|swing)"
+                   r"|(?:each|one|a) cycle"
+                   r"|(?:je|pro) (?:periode|schwingung|zyklus)|[1一](?:周期|サイクル))"),
         unless=words(r"power (?!lost|dissipated|absorbed)|leistung|動力|half a cycle|quarter"
         r"|hysteretic|peak[- ]to[- ]peak"
         r"|four pistons"),

@@ -77,7 +77,8 @@ ROUND_BODIES: tuple[Quantity, ...] = (
         ("factor", "power"),
         others=tuple(node for b in _THICKNESSES
               for node in (PI * density * b * radius**4 / 4, PI * density * b * diameter**4 / 64)),
-        only=words(r"\bdis[ck]s?\b|scheibe|円板|円盤|cylinder|zylinder|flywheel|schwung"),
+        only=words(r"\A(?=(?s:.*?)(?:densit|dichte|密度|ρ|\\rho))(?s:.*?)"
+                   r"(?:\bdis[ck]s?\b|scheibe|円板|円盤|cylinder|zylinder|flywheel|schwung)"),
         unless=words(_NO_DISC, r"\brims?\b|kranz"),
     ),
     Quantity(

@@ -43,6 +43,10 @@ _OTHER_MECHANISM = re.compile(
     r"|\bvalves?\b|ventil",
     re.IGNORECASE,
 )
+_FROM_EITHER_END = re.compile(
+    r"\b(?:inner|outer)\b|\b(?:inner|äußer|ausser)e[nmrs]?\b|[内外](?:側|死点)", re.IGNORECASE
+)
+"""Words for a dead centre that are counted from the crank in one book, from the cylinder in another."""
 _STEMS = frozenset({"a", "b", "j", "f", "p", "k", "x", "s", "z", "ddot", "f_in", "acc"})
 _SIZES = ({"radius": 1, "speed": 2}, {"radius": 1, "speed": 2, "mass": 1})
 _WORDS = {
@@ -101,7 +105,9 @@ class DeadCentreSizes:
         index = {part.casefold() for part in re.split(r"[_,\s]+", name)}
         by_index = {True for _ in index & _TOP} | {False for _ in index & _BOTTOM}
         named = self.resultants.sections.dead_centre(chain)
-        by_words = set() if named is None else {not named}
+        sentence = self.resultants.sections.sentence_before(chain)
+        is_open = named is None or _FROM_EITHER_END.search(sentence) is not None
+        by_words = set() if is_open else {not named}
         if by_index - by_words and by_words and not index & (_BOTTOM | (_TOP - {"max", "hat"})):
             return None  # the largest at bottom dead centre, whatever that is
         places = by_index or by_words
