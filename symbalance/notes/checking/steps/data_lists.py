@@ -66,8 +66,11 @@ def _given_number(state: JudgingState, chain: Chain, verdict: Verdict) -> Verdic
     return replace(verdict, verdict=UNDECIDED, reason=reason, fix=None)
 
 
-def _is_given(state: JudgingState, chain: Chain, k: int) -> bool:
-    """Tell whether words right before a letter's number give it: with W = 2651 mm³ the stress is."""
+def _is_given(state: JudgingState, chain: Chain, k: int, behind: frozenset[str] = frozenset()) -> bool:
+    """Tell whether words right before a letter's number give it: with W = 2651 mm³ the stress is.
+
+    What stands `behind` its formula may not be given beside it: with ω = 310 1/s, F = 1822 N is a result.
+    """
     if k or not chain.inline or not _is_size(chain) or state.sections.is_consequence(chain):
         return False
     text = state.document.text
@@ -75,8 +78,16 @@ def _is_given(state: JudgingState, chain: Chain, k: int) -> bool:
         return True
     above = [c for c in state.sections.chains_on(chain.lines[0]) if c.end <= chain.start]
     last = max(above, key=lambda each: each.end, default=None)
-    is_next = last is not None and _AND.fullmatch(text, last.end, chain.start) is not None
-    return is_next and last is not None and _is_given(state, last, 0)
+    if last is None or _AND.fullmatch(text, last.end, chain.start) is None:
+        return False
+    behind |= _letters_behind(state, chain)
+    return not (names(last.sides[0].node) & behind) and _is_given(state, last, 0, behind)
+
+
+def _letters_behind(state: JudgingState, chain: Chain) -> frozenset[str]:
+    """Return the letters of the formulas that lines above have for a letter."""
+    above = [c for c in state.sections.chains_of(chain.sides[0].node) if c.start < chain.start]
+    return frozenset(name for c in above for side in c.sides[1:] for name in names(side.node))
 
 
 def _is_size(chain: Chain) -> bool:

@@ -21,6 +21,7 @@ from symbalance.document.formula import (
     walk,
 )
 from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.relations import decide_at_value
@@ -56,7 +57,10 @@ def value_at_named_place(
         return replace(there, reason=text)
     values = {n: d.node for n, d in rest.items()}
     unknown = {*names(formula), *names_behind(formula, values)} - values.keys() - {theta}
-    is_open = there.status == UNDECIDED or bool(unknown)
+    is_number = there.left is not None and not letters(there.left)  # 2 m cos 90°, whatever m is
+    is_open = there.status == UNDECIDED or (bool(unknown) and not is_number)
+    if is_number and there.status == REFUTED:
+        return replace(there, reason=text)
     return Decision(PREMISE, text) if is_open else None  # no letter has its number by it
 
 

@@ -11,7 +11,7 @@ import re
 from fractions import Fraction
 from math import isclose, log10, pi
 
-from symbalance.document.formula import Formula, Number, Product, names
+from symbalance.document.formula import Formula, Name, Number, Product, names
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.units.conversions import Quantity, quantity_of, scale_of, sign_of_unit
 from symbalance.notes.checking.units.dimensions import NONE, Dimension, unit_of, unit_text
@@ -31,6 +31,8 @@ MOST_COUNTED = 20
 _OF_FORMULAS = {24, 32, 48, 64, 96, 192, 384}
 """Larger whole numbers that formulas have: F l³/48 E I, 32 M/π d³."""
 _CONVERTERS = {Fraction(n) for n in (12, 30, 36, 60, 75, 3600)} | {Fraction(18, 5)}
+_TURNS = (pi / 30, 30 / pi, pi / 180, 180 / pi)
+"""Numbers that convert turns a minute or degrees, printed in digits: 0.10472, 9.55."""
 """Numbers of time, feet and horse-power: s n/30."""
 _UNITS = 3
 """Words that a unit has at most: kg m s⁻¹."""
@@ -61,7 +63,9 @@ _Above = dict[Fraction, set[tuple[Dimension, float]]]
 def refuted_by_units_above(chain: Chain, k: int, document: ReadNotes) -> Decision | None:
     """Return that a result is in another unit than its numbers make; None where that is open."""
     left, right = chain.sides[k], chain.sides[k + 1]
-    result = quantity_of(right, document)
+    # Numbers put into a formula of the same chain are judged by that.
+    is_put_in = any(names(side.node) and not isinstance(side.node, Name) for side in chain.sides[:k])
+    result = None if is_put_in else quantity_of(right, document)
     unit = None if result is None else unit_of(result.unit)
     is_arithmetic = result is not None and not names(left.node) and not isinstance(left.node, Number)
     arithmetic = left.node if result is None else _without_unit(left.node, result)
@@ -153,7 +157,7 @@ def _options(
         units.add(Unit(is_open=True))
     if value in bare or (_is_of_formulas(value) and not _is_power_of_ten(value)) or value == 1:
         units.add(Unit())
-    if value in _CONVERTERS or not units:
+    if value in _CONVERTERS or any(isclose(value, turn, rel_tol=0.003) for turn in _TURNS) or not units:
         units.add(Unit(is_open=True))
     return tuple(sorted(units, key=repr))
 
@@ -185,13 +189,15 @@ def _units_at(value: Fraction, above: _Above) -> bool:
 
 
 def _lone_data_above(document: ReadNotes, chain: Chain, values: list[Fraction]) -> _Above:
-    """Return numbers with the units that they have anywhere above, where the page has them nowhere else.
+    """Return numbers with the units that they have anywhere above, where no letter has them without.
 
-    The spacing 35.0 mm of a table of data is 0.035 in an arithmetic pages below; a 0.035 that stands
-    alone somewhere may be any number.
+    The spacing 35.0 mm of a table of data is 0.035 in an arithmetic pages below; where λ = 0.035 stands
+    somewhere it may be that.
     """
-    written = [Fraction(match[0].replace(",", ".")) for match in _NUMERAL.finditer(_plain(document.text))]
-    alone = [value for value in values if value.denominator > 1 and written.count(value) == 1]
+    bare = {
+        Fraction(match["number"].replace(",", ".")) for match in _BARE.finditer(_plain(document.text))
+    }
+    alone = [value for value in values if value.denominator > 1 and value not in bare]
     far = _numbers_above(document.text[: chain.start]) if alone else {}
     return {
         known: rows

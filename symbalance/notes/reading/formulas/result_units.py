@@ -35,6 +35,7 @@ _NEAR = 0.25  # of the number printed: a slip in its digits, seldom another unit
 _PREFIX = 1000
 _HUNDRED = 100
 _WAVES = {"sin": math.sin, "cos": math.cos, "tan": math.tan}
+_ANGLES = ("asin", "acos", "atan")
 _FUNCTIONS = {
     **_WAVES, "sqrt": math.sqrt, "exp": math.exp, "ln": math.log, "asin": math.asin, "acos": math.acos,
     "atan": math.atan, "sinh": math.sinh, "cosh": math.cosh, "tanh": math.tanh,
@@ -58,6 +59,8 @@ def in_unit_of_result(
             other = done[before]
             if other is None or not _is_bare(other.node, tokens[before]):
                 break
+            if not isinstance(factor, Number) and _is_angle(other.node):
+                break  # arcsin 0.15 is in radians, whatever is printed behind it
             value = value_of(other.node)
             if value is None or not _is_meant(value, printed, _size(factor)):
                 break
@@ -251,6 +254,11 @@ def _is_bare(node: Formula, tokens: Sequence[Token]) -> bool:
         or (token.kind == "degree" and not any(start <= token.start < end for start, end in waves))
         for token in tokens
     )
+
+
+def _is_angle(node: Formula) -> bool:
+    """Tell whether an arithmetic holds an angle by its sine, cosine or tangent."""
+    return any(isinstance(part, Call) and part.function in _ANGLES for part in walk(node))
 
 
 def _is_meant(value: float, printed: float, size: float) -> bool:
