@@ -18,20 +18,25 @@ _ANGLE = r"(?:[0-9]{1,2}(?:[.,][0-9])?[ ]?)?[α-ω](?![a-z])|(?<=[²³] )[a-z](?
 _NAME = re.compile(
     rf"(?<![A-Za-z\\_])(?P<plain>{'|'.join(_NAMES)})(?=(?:[²³]|\^[0-9])?[ ]?(?:\(|{_ANGLE}))"
     rf"|\\(?P<command>{'|'.join(_NAMES)})(?![A-Za-z])"
+    rf"|\\operatorname\*?\s*\{{\s*(?P<operator>{'|'.join(_NAMES)})\s*\}}"
+    rf"|\\(?:mathrm|text|mathop)\s*\{{\s*(?P<upright>{'|'.join(_NAMES)})\s*\}}(?=(?:\s|\\[,;:!])*(?:\^|\(|\\left|\\[a-z]))"
 )
 
 
 def with_function_names(text: str) -> Rewritten | None:
-    """Return a text with such functions under their usual names, None where there are none.
+    r"""Return a text with such functions under their usual names, None where there are none.
 
     A word counts only before brackets or a Greek letter: tg alone is a letter, t times g.
 
     >>> with_function_names("tg(x) = sen(x)/cos(x), sen² α + sen 2β").text
     'tan(x) = sin(x)/cos(x), sin² α + sin 2β'
+    >>> with_function_names(r"\operatorname{sen}\beta = \mathrm{tg}^2\alpha").text
+    '\\sin \\beta = \\tan ^2\\alpha'
     """
     rewriter, changed = Rewriter(text), False
     for match in _NAME.finditer(text):
-        plain, command = match["plain"], match["command"]
+        plain = match["plain"]
+        command = match["command"] or match["operator"] or match["upright"]
         rewriter.replace(*match.span(), _NAMES[plain] if plain else f"\\{_NAMES[command]} ")
         changed = True
     return rewriter.finish() if changed else None
