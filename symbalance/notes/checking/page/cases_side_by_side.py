@@ -46,7 +46,7 @@ class Number:
 
 
 @dataclass
-class Part:
+class CasePart:
     """What a mark opens: its lines, and the numbers it gives letters first, in their order."""
 
     mark: CaseMark
@@ -69,7 +69,7 @@ class CasesSideBySide:
     sections: Sections
     data: Sequence[Chain] = ()
     _entered: int = 0
-    _by_line: dict[int, list[tuple[Part, list[Part]]]] = field(default_factory=dict)
+    _by_line: dict[int, list[tuple[CasePart, list[CasePart]]]] = field(default_factory=dict)
 
     def enter(self, line: int, definitions: Definitions) -> None:
         """End the numbers of the cases before where a line is the first of the next case."""
@@ -98,16 +98,16 @@ class CasesSideBySide:
             return bool(own) and own <= part.numbers.keys()
         return False
 
-    def _cases_at(self, line: int) -> list[tuple[Part, list[Part]]]:
+    def _cases_at(self, line: int) -> list[tuple[CasePart, list[CasePart]]]:
         """Return the cases that a line stands in, with those before each."""
         if line not in self._by_line:
             self._by_line[line] = [c for c in self.cases if c[0].mark.line <= line <= c[0].last]
         return self._by_line[line]
 
     @cached_property
-    def cases(self) -> list[tuple[Part, list[Part]]]:
+    def cases(self) -> list[tuple[CasePart, list[CasePart]]]:
         """The parts that are a case beside others before them, with those."""
-        cases: list[tuple[Part, list[Part]]] = []
+        cases: list[tuple[CasePart, list[CasePart]]] = []
         for parts in self._groups():
             group = [part for part in parts if part.numbers]
             for n, part in enumerate(group):
@@ -117,7 +117,7 @@ class CasesSideBySide:
                     cases.append((part, earlier))
         return sorted(cases, key=lambda case: case[0].mark.line)
 
-    def _groups(self) -> Iterator[list[Part]]:
+    def _groups(self) -> Iterator[list[CasePart]]:
         """Yield the parts that are opened alike, without a mark of a higher kind between them."""
         lines = self.document.text.split("\n")
         marks = list(case_marks(lines, self.sections.heading_lines))
@@ -129,7 +129,9 @@ class CasesSideBySide:
             if len(alike) > 1:
                 yield self._parts(shape, alike, marks, len(lines))
 
-    def _parts(self, shape: str, alike: list[CaseMark], marks: list[CaseMark], last: int) -> list[Part]:
+    def _parts(
+        self, shape: str, alike: list[CaseMark], marks: list[CaseMark], last: int
+    ) -> list[CasePart]:
         """Return the parts that marks of one shape open, with their numbers."""
         ends: list[int] = [mark.line - 1 for mark in alike[1:]]
         is_heading = shape.startswith("heading")
@@ -143,12 +145,12 @@ class CasesSideBySide:
             ]
         elif shape == "bullet":
             ends = [min(e, self.sections.paragraph_end(a.line)) for e, a in zip(ends, alike, strict=True)]
-        parts = [Part(mark, end) for mark, end in zip(alike, ends, strict=True)]
+        parts = [CasePart(mark, end) for mark, end in zip(alike, ends, strict=True)]
         for part in parts:
             part.numbers = dict(self._numbers(part))
         return parts
 
-    def _numbers(self, part: Part) -> Iterator[tuple[str, Number]]:
+    def _numbers(self, part: CasePart) -> Iterator[tuple[str, Number]]:
         """Yield the letters to which a part gives a number, each once, and the sizes it has in words."""
         given: dict[str, tuple[int, Number]] = {}
         start, end = self.sections.start_of_line(part.mark.line), self.sections.end_of_line(part.last)
@@ -207,7 +209,7 @@ def _is_datum(chain: Chain, source: str) -> bool:
     return is_single and not is_worked_out(source)
 
 
-def _is_case_beside(earlier: Part, part: Part) -> bool:
+def _is_case_beside(earlier: CasePart, part: CasePart) -> bool:
     """Tell whether a part gives anew what an earlier one gave: its own data, and another number."""
     common = [name for name in part.numbers if name in earlier.numbers]
     if part.mark.is_named and earlier.mark.is_named:
@@ -234,7 +236,7 @@ def _are_given_alike(first: Number, second: Number) -> bool:
     return is_same and is_worked_out(first.text)
 
 
-def _end_numbers(part: Part, earlier: Sequence[Part], definitions: Definitions) -> None:
+def _end_numbers(part: CasePart, earlier: Sequence[CasePart], definitions: Definitions) -> None:
     """End the numbers of earlier cases that a part gives anew, and what follows from them."""
     last, numbers = part.mark.line - 1, part.numbers
     before = {name: [p.numbers[name] for p in earlier if name in p.numbers] for name in numbers}

@@ -39,6 +39,8 @@ def decide_trial_motion(
     """Return the decision on amplitudes and frequencies of a motion that is put into equations above."""
     if _is_special_case(state, chain, knowledge):
         return Decision(PREMISE, "a special case of the equations of motion")
+    if not equations and not state.trials:
+        return None
     line = chain.lines[0]
     above = [
         each
