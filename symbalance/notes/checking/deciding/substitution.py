@@ -53,6 +53,13 @@ def replace_part(node: Formula, old: Formula, new: Formula) -> Formula:
     return _with_parts(node, lambda part: replace_part(part, old, new))
 
 
+def with_every(node: Formula, old: Formula, new: Formula) -> Formula:
+    """Return a formula with each part that equals another formula replaced."""
+    if node == old:
+        return new
+    return _with_parts(node, lambda part: with_every(part, old, new))
+
+
 def without_stacked_fractions(node: Formula) -> Formula:
     """Return a formula without fractions below a fraction: a/(b/c) is a c/b.
 

@@ -34,7 +34,6 @@ from symbalance.notes.checking.declared.symbol_roles import (
 )
 from symbalance.notes.checking.units.dimensions import Dimension, unit_of, written_unit
 from symbalance.notes.checking.words.glossary import Glossary, glossary_of
-from symbalance.notes.checking.words.phrases_in_order import PhrasesInOrder
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END, bare
@@ -230,14 +229,9 @@ class MeantWords:
             if isinstance(right.node, Product)
         ]
 
-    @cached_property
-    def phrases(self) -> PhrasesInOrder:
-        """The phrases of sentences that name several formulas in a row."""
-        return PhrasesInOrder(self.sections)
-
     def before(self, chain: Chain) -> str:
         """Return the words of the sentence before a relation, behind the relation before it."""
-        if phrase := self.phrases.of(chain):
+        if phrase := self.sections.phrases_in_order.of(chain):
             return self.glossary.english(phrase)
         text, start = self.document.text, chain.start
         place = bisect_right(self._ends, start)

@@ -31,7 +31,6 @@ from symbalance.notes.checking.meant.letter_roles import (
 )
 from symbalance.notes.checking.words.case_words import engine_named
 from symbalance.notes.checking.words.glossary import Glossary, glossary_of
-from symbalance.notes.checking.words.phrases_in_order import PhrasesInOrder
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END, bare
 from symbalance.notes.reading.equations import Chain, ReadNotes
@@ -193,11 +192,6 @@ class QuantityWords:
         """The text of the page with its terms in English."""
         return self.glossary.english(self.document.text)
 
-    @cached_property
-    def phrases(self) -> PhrasesInOrder:
-        """The phrases of sentences that name several formulas in a row."""
-        return PhrasesInOrder(self.sections)
-
     def _heading(self, chain: Chain) -> str:
         """Return the heading above a relation with its terms in English."""
         return self.glossary.english(self.sections.heading_above(chain.lines[0]))
@@ -227,7 +221,7 @@ class QuantityWords:
             replace(named, is_declared=True)
             for named in self._by_phrases(declared, stem, places, declared)
         ]
-        phrase = self.glossary.english(self.phrases.of(chain))
+        phrase = self.glossary.english(self.sections.phrases_in_order.of(chain))
         by_phrase = list(self._by_phrases(phrase, stem, places, sentence, name))
         by_phrase = by_phrase or list(self._by_phrases(before, stem, places, sentence, name))
         if by_meaning or (declared and not UNITS_ONLY.fullmatch(declared)):

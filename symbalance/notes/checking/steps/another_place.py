@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import re
 
-from symbalance.document.formula import Call, Formula, Name, Number, Product, names, walk
+from symbalance.document.formula import Name, Number, Product, names
+from symbalance.notes.checking.meant.pistons.motion_letters import angles_in
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain
 
-_TURNING = ("sin", "cos", "tan")
 _MEANS_THE_SAME = re.compile(
     r"(?<![^\W\d_])(?:maxim|largest|greatest|highest|peak|top|smallest|minim|größt|höchst|kleinst|is|lies"
     r"|stands|occurs|liegt|ist|steht|folgt|so|thus|then|hence|also|est|vaut|donc)(?:[a-zäöü]{0,8})(?![^\W\d_])",
@@ -31,7 +31,7 @@ def leave_place(state: JudgingState, chain: Chain) -> bool:
         return False
     first = sections.paragraph_start(chain.lines[0])
     angles = {
-        name for side in chain.sides for name in (names(side.node) if is_angle else _turning(side.node))
+        name for side in chain.sides for name in (names(side.node) if is_angle else angles_in(side.node))
     }
     fixing = [p for p in definitions.premises if p.line < first and _is_condition_on(p, angles)]
     fixed = {name for premise in fixing for name in premise.names & angles}
@@ -94,13 +94,8 @@ def is_multiple_of_angle(chain: Chain) -> bool:
 
 def _is_condition_on(premise: Premise, angles: set[str]) -> bool:
     """Tell whether an equation fixes an angle: one in its sine or cosine, or its value, or that of 2θ."""
-    turning = _turning(premise.left) | _turning(premise.right)
+    turning = angles_in(premise.left) | angles_in(premise.right)
     lone = {side.name for side in (premise.left, premise.right) if isinstance(side, Name)}
     own = names(premise.left) | names(premise.right)
     is_multiple = len(own) == 1 and own <= angles
     return len(turning & angles) == 1 == len(turning) or bool(lone & angles) or is_multiple
-
-
-def _turning(node: Formula) -> set[str]:
-    calls = (part for part in walk(node) if isinstance(part, Call) and part.function in _TURNING)
-    return {name for call in calls for name in names(call.argument)}

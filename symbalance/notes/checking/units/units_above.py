@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
+from functools import lru_cache
 from math import isclose, log10, pi
 
 from symbalance.document.formula import Formula, Name, Number, Product, names
@@ -80,7 +81,7 @@ def refuted_by_units_above(chain: Chain, k: int, document: ReadNotes) -> Decisio
     has_own = _LETTER.search(_SIGNS.sub(" ", document.source(left.span))) is not None
     if has_own or not any(_units_at(number.value, above) for number in numbers):
         return None
-    bare = {Fraction(match["number"].replace(",", ".")) for match in _BARE.finditer(_plain(text))}
+    bare = _bare_numbers(text)
     readings = unit_readings(arithmetic, [_options(number, numbers, above, bare) for number in numbers])
     if readings is None:
         return None
@@ -146,7 +147,7 @@ def _is_per_minute(unit: Unit) -> bool:
 
 
 def _options(
-    number: Number, numbers: list[Number], above: _Above, bare: set[Fraction]
+    number: Number, numbers: list[Number], above: _Above, bare: frozenset[Fraction]
 ) -> tuple[Unit, ...]:
     """Return what a number may be: a quantity as above, one that formulas have, or something open."""
     value = number.value
@@ -194,10 +195,9 @@ def _lone_data_above(document: ReadNotes, chain: Chain, values: list[Fraction]) 
     The spacing 35.0 mm of a table of data is 0.035 in an arithmetic pages below; where λ = 0.035 stands
     somewhere it may be that.
     """
-    bare = {
-        Fraction(match["number"].replace(",", ".")) for match in _BARE.finditer(_plain(document.text))
-    }
-    alone = [value for value in values if value.denominator > 1 and value not in bare]
+    values = [value for value in values if value.denominator > 1]
+    bare = _bare_numbers(document.text) if values else frozenset()
+    alone = [value for value in values if value not in bare]
     far = _numbers_above(document.text[: chain.start]) if alone else {}
     return {
         known: rows
@@ -243,6 +243,14 @@ def _is_power_of_ten(value: Fraction) -> bool:
 
 def _plain(text: str) -> str:
     return _THOUSANDS.sub("", text.replace("{,}", "."))
+
+
+@lru_cache(maxsize=4)
+def _bare_numbers(text: str) -> frozenset[Fraction]:
+    """Return the numbers that letters have without a unit: λ = 0.28."""
+    return frozenset(
+        Fraction(match["number"].replace(",", ".")) for match in _BARE.finditer(_plain(text))
+    )
 
 
 def _numbers_above(text: str) -> _Above:

@@ -28,7 +28,7 @@ from symbalance.notes.checking.units.dimensions import NONE, Dimension
 
 MOST_READINGS = 600
 """Choices of units for the numbers of one arithmetic that are looked at."""
-_Made = tuple[Dimension, float]
+_ScaledUnit = tuple[Dimension, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,37 +98,37 @@ def unit_readings(node: Formula, options: list[tuple[Unit, ...]]) -> list[UnitRe
         return None
     readings = []
     for units in product(*options):
-        made = _made(node, iter(units))
-        if made is not None:
+        whole = _unit_of_formula(node, iter(units))
+        if whole is not None:
             pairs = tuple((number.value, unit) for number, unit in zip(numbers, units, strict=True))
-            readings.append(UnitReading(*made, pairs))
+            readings.append(UnitReading(*whole, pairs))
     return readings
 
 
-def _made(node: Formula, units: Iterator[Unit]) -> _Made | None:
+def _unit_of_formula(node: Formula, units: Iterator[Unit]) -> _ScaledUnit | None:
     """Return the dimension and the scale of a formula, its numbers' units taken in order."""
-    made: _Made | None = NONE, 1.0  # of constants and functions
+    scaled: _ScaledUnit | None = NONE, 1.0  # of constants and functions
     match node:
         case Number():
             unit = next(units)
-            made = unit.dimension, unit.scale
+            scaled = unit.dimension, unit.scale
         case Negative(operand=operand):
-            made = _made(operand, units)
+            scaled = _unit_of_formula(operand, units)
         case Power(base=base, exponent=exponent):
-            made = _raised(_made(base, units), _rational(exponent))
+            scaled = _raised(_unit_of_formula(base, units), _rational(exponent))
         case Call(function="sqrt", argument=argument) if not isinstance(argument, Number):
-            made = _raised(_made(argument, units), Fraction(1, 2))
+            scaled = _raised(_unit_of_formula(argument, units), Fraction(1, 2))
         case Product(factors=parts):
-            made = _times([_made(part, units) for part in parts])
+            scaled = _times([_unit_of_formula(part, units) for part in parts])
         case Quotient(numerator=above, denominator=below):
-            over, under = _made(above, units), _made(below, units)
-            made = _times([over, _raised(under, Fraction(-1))])
+            over, under = _unit_of_formula(above, units), _unit_of_formula(below, units)
+            scaled = _times([over, _raised(under, Fraction(-1))])
         case Sum(terms=parts):
-            made = _common([_made(part, units) for part in parts])
-    return made
+            scaled = _common([_unit_of_formula(part, units) for part in parts])
+    return scaled
 
 
-def _common(rows: list[_Made | None]) -> _Made | None:
+def _common(rows: list[_ScaledUnit | None]) -> _ScaledUnit | None:
     """Return the unit that the terms of a sum have together; None where they differ."""
     first = rows[0]
     for row in rows:
@@ -138,7 +138,7 @@ def _common(rows: list[_Made | None]) -> _Made | None:
     return first
 
 
-def _times(rows: list[_Made | None]) -> _Made | None:
+def _times(rows: list[_ScaledUnit | None]) -> _ScaledUnit | None:
     dimension, scale = NONE, 1.0
     for row in rows:
         if row is None:
@@ -148,7 +148,7 @@ def _times(rows: list[_Made | None]) -> _Made | None:
     return dimension, scale
 
 
-def _raised(row: _Made | None, exponent: Fraction | None) -> _Made | None:
+def _raised(row: _ScaledUnit | None, exponent: Fraction | None) -> _ScaledUnit | None:
     if row is None or exponent is None:
         return None
     return tuple(exponent * part for part in row[0]), row[1] ** float(exponent)

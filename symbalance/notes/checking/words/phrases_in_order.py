@@ -6,10 +6,10 @@ r"""Quantities that one sentence names in a row, and the formulas that follow in
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Sequence
 from functools import cached_property
 
 from symbalance.document.formula import Name
-from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END, bare
 from symbalance.notes.reading.equations import Chain
 
@@ -30,15 +30,18 @@ _WORD = re.compile(r"[^\W\d_]{3,}|[\u3040-\u9fff]{2,}")
 class PhrasesInOrder:
     """The phrases of one page's sentences that name formulas in a row."""
 
-    def __init__(self, sections: Sections) -> None:
-        self.sections = sections
+    def __init__(
+        self, text: str, chains: Sequence[Chain], section_start: Callable[[int], int | None]
+    ) -> None:
+        """Take a page's text, its formulas in order, and what tells where a section begins."""
+        self.text, self.chains, self.section_start = text, chains, section_start
 
     @cached_property
     def _phrases(self) -> dict[int, str]:
         """The phrase of each formula, by the place where it begins."""
         phrases: dict[int, str] = {}
         row: list[Chain] = []
-        for chain in self.sections.in_order:
+        for chain in self.chains:
             if row and not self._follows(row[-1], chain):
                 phrases |= self._of_row(row)
                 row = []
@@ -51,7 +54,7 @@ class PhrasesInOrder:
 
     def _follows(self, before: Chain, chain: Chain) -> bool:
         """Tell whether nothing but what sets the formulas stands between two of them."""
-        between = self.sections.document.text[before.end : chain.start]
+        between = self.text[before.end : chain.start]
         return len(between) <= LONGEST and _WORD.search(_SET.sub(" ", between)) is None
 
     def _of_row(self, row: list[Chain]) -> dict[int, str]:
@@ -60,8 +63,8 @@ class PhrasesInOrder:
         if len(row) < 2 or len(heads) < len(row):
             return {}
         start = row[0].start
-        first = max(start - LONGEST, self.sections.end_before(start) or 0)
-        sentence = SENTENCE_END.split(bare(self.sections.document.text[first:start]))[-1]
+        first = max(start - LONGEST, self.section_start(start) or 0)
+        sentence = SENTENCE_END.split(bare(self.text[first:start]))[-1]
         *_, joint = [None, *_AND.finditer(sentence)]
         if joint is None:
             return {}

@@ -22,6 +22,7 @@ from symbalance.notes.checking.words.engines_in_words import (
 from symbalance.notes.checking.words.glossary import glossary_of
 from symbalance.notes.checking.words.items import item_end
 from symbalance.notes.checking.words.listed_cases import item_of_cases
+from symbalance.notes.checking.words.phrases_in_order import PhrasesInOrder
 from symbalance.notes.checking.words.value_groups import in_next_groups
 from symbalance.notes.checking.words.working_cycles import (
     is_another_cycle,
@@ -552,6 +553,11 @@ class Sections:
         starts = self._by_start[0]
         place = bisect_left(starts, end)
         return starts[place] if place < len(starts) else len(self.document.text)
+
+    @cached_property
+    def phrases_in_order(self) -> PhrasesInOrder:
+        """The phrases of sentences that name several formulas in a row."""
+        return PhrasesInOrder(self.document.text, self.in_order, self.end_before)
 
     def end_before(self, start: int) -> int | None:
         """Return where the last relation ends that stands before a place, None where there is none."""

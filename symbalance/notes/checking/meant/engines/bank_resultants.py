@@ -31,10 +31,8 @@ from symbalance.document.formula import (
     Product,
     Quotient,
     Sum,
-    children,
     names,
     walk,
-    with_children,
 )
 from symbalance.document.letters import plain_letter
 from symbalance.notes.algebra.evaluation import SymbolValue
@@ -42,7 +40,7 @@ from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
-from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.deciding.substitution import substitute, with_every
 from symbalance.notes.checking.meant.engines.engine_claims import FORCE, EngineClaim
 from symbalance.notes.checking.meant.engines.engine_letters import (
     FIRST_TERMS,
@@ -329,7 +327,7 @@ class BankResultants:
         function = own.wave.function
         if slip == "function":
             function = _OTHER[function]
-            target = _exchanged(node, own.wave, Call(function, own.wave.argument))
+            target = with_every(node, own.wave, Call(function, own.wave.argument))
             kind = f"{function} for {own.wave.function}"
         elif own.bank:
             target, kind = Product((Number(Fraction(ratio).limit_denominator(8)), node)), "factor"
@@ -391,14 +389,6 @@ def _at(of_bank: list[Formula], bank: str, angle: Fraction) -> float:
     for part in of_bank:
         value *= product_of(substitute(part, bank, Number(angle))).number
     return value
-
-
-def _exchanged(node: Formula, old: Formula, new: Formula) -> Formula:
-    """Return a formula with one part exchanged."""
-    if node == old:
-        return new
-    parts = children(node)
-    return with_children(node, tuple(_exchanged(part, old, new) for part in parts)) if parts else node
 
 
 def _shifts(node: Formula) -> Iterator[float]:

@@ -19,16 +19,15 @@ from symbalance.document.formula import (
     Negative,
     Number,
     Sum,
-    children,
     names,
     walk,
-    with_children,
 )
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.substitution import with_every
 from symbalance.notes.checking.meant.engines.engine_letters import same
 from symbalance.notes.checking.meant.engines.engine_resultants import EngineResultants
 from symbalance.notes.checking.meant.engines.products import NoProductError, product_of
@@ -85,7 +84,7 @@ class DeadCentreSizes:
         if _OTHER_MECHANISM.search(self.resultants.words.document.text):
             return None
         opposite = _opposite(shape.term)
-        target = _exchanged(node, shape.term, opposite)
+        target = with_every(node, shape.term, opposite)
         side = chain.sides[1]
         known = Knowledge(SymbolValue(positive=frozenset(names(node))), corrects=True)
         decision = decide(Side((target,), chain.sides[0].span), side, chain.relations[0].sign, known)
@@ -122,7 +121,7 @@ class DeadCentreSizes:
         try:
             ratio = product_of(term)
             rest = product_of(
-                _exchanged(node, sums[0], Number(one.value)) if isinstance(one, Number) else node
+                with_every(node, sums[0], Number(one.value)) if isinstance(one, Number) else node
             )
         except NoProductError:
             return None
@@ -139,11 +138,3 @@ class DeadCentreSizes:
 
 def _opposite(term: Formula) -> Formula:
     return term.operand if isinstance(term, Negative) else Negative(term)
-
-
-def _exchanged(node: Formula, old: Formula, new: Formula) -> Formula:
-    """Return a formula with one part exchanged."""
-    if node == old:
-        return new
-    parts = children(node)
-    return with_children(node, tuple(_exchanged(part, old, new) for part in parts)) if parts else node

@@ -41,7 +41,6 @@ from symbalance.notes.checking.meant.pistons.motion_words import (
     places_named,
 )
 from symbalance.notes.checking.words.glossary import Glossary, glossary_of
-from symbalance.notes.checking.words.phrases_in_order import PhrasesInOrder
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END
 from symbalance.notes.checking.words.table_cells import TableCells
@@ -252,11 +251,6 @@ class NamedMotions:
             return spots or [LARGEST]
         return [place] if place and (is_sure or not spots) else spots
 
-    @cached_property
-    def phrases(self) -> PhrasesInOrder:
-        """The phrases of sentences that name several formulas in a row."""
-        return PhrasesInOrder(self.sections)
-
     def _texts(self, chain: Chain) -> _Texts:
         text, start = self.document.text, chain.start
         above = bisect_right(self._ends, start)
@@ -265,7 +259,7 @@ class NamedMotions:
         sentence = _CELL_OR_SENTENCE.split(text[max(0, start - BEFORE) : start].rstrip(_SET_OFF))[-1]
         behind = _CELL_OR_SENTENCE.split(text[chain.end : chain.end + BEHIND])[0]
         heading = self.sections.heading_above(chain.lines[0])
-        since = self.phrases.of(chain) or since
+        since = self.sections.phrases_in_order.of(chain) or since
         clause = _plain(_CELL_OR_SENTENCE.split(since)[-1])
         row, above_it = self._row(chain), _plain(heading)
         plain = (clause, _plain(since), sentence, _plain(behind), row, above_it)
