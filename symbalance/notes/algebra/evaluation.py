@@ -291,8 +291,27 @@ def _derivative(evaluator: FormEvaluator, node: formula.Derivative) -> Form:
         typed = formula.names(inner) & set(letters(form))
         assume_constant(form, (meaning.undeclared & typed) - changing, variable)
     for _ in range(node.order):
+        _refuse_open_rates(evaluator, form, variable)
         form = differentiate(form, rates)
     return form
+
+
+def _refuse_open_rates(evaluator: FormEvaluator, form: Form, variable: str) -> None:
+    """Refuse to call constant what may change: E in dE/dt where ẋ is in it and nothing gives its motion.
+
+    The rate of a sum in which some letters do change takes the others as constant; one in which none
+    does would be zero whatever it is.
+    """
+    meaning = evaluator.meaning
+    changing = {variable, *meaning.rates.get(variable, ())}
+    own = {*letters(form)}
+    open_letters = own - changing
+    derivatives = sorted(name for name in open_letters if is_derivative_name(name))
+    if derivatives:
+        raise NoFormError(f"the rate of {derivatives[0]}, whose motion nothing gives")
+    unknown = sorted(open_letters & meaning.undeclared)
+    if unknown and not own & changing:
+        raise NoFormError(f"a rate of {unknown[0]}, of which nothing says whether it is constant")
 
 
 def _by_chain_rule(evaluator: FormEvaluator, form: Form, node: formula.Derivative) -> Form:
@@ -328,6 +347,15 @@ def derivative_name(node: formula.Derivative) -> str:
     order = "" if node.order == 1 else str(node.order)
     inner = node.expression.name if isinstance(node.expression, formula.Name) else "(...)"
     return f"d{order}{inner}/d{node.variable.name}{order}"
+
+
+def is_derivative_name(name: str) -> bool:
+    """Tell whether a letter stands for the derivative of another one.
+
+    >>> is_derivative_name("d2S/dt2"), is_derivative_name("d")
+    (True, False)
+    """
+    return name.startswith("d") and "/d" in name
 
 
 def _summation(evaluator: FormEvaluator, node: formula.Summation) -> Form:
