@@ -22,6 +22,7 @@ from symbalance.notes.checking.deciding.guarded_verdicts import PAGE
 from symbalance.notes.checking.declared.engines import Engines, NoEngines, Sources
 from symbalance.notes.checking.declared.sidecar import (
     Declarations,
+    Letter,
     declarations_in,
     parse_sidecar,
     read_sidecar,
@@ -48,6 +49,7 @@ from symbalance.notes.checking.words.degrees_without_sign import judge_in_one_un
 from symbalance.notes.checking.words.one_reading import judge_in_one_reading
 from symbalance.notes.reading import Motions, read_document
 from symbalance.notes.reading.equations import ReadNotes
+from symbalance.notes.reading.letters.macro_letters import letters_of
 from symbalance.notes.reading.markup.notebooks import SUFFIX as NOTEBOOK
 from symbalance.notes.reading.markup.notebooks import notebook_text
 from symbalance.text.files import STANDARD_INPUT, file_name, read_text
@@ -193,22 +195,23 @@ def declarations_of(
 ) -> tuple[Declarations, str]:
     """Return what is declared about a document, and its text without a header that declared it."""
     path = None if name == "text" else Path(document)
-    declarations = _declarations_apart(symbols, path)
+    letter = letters_of(text)
+    declarations = _declarations_apart(symbols, path, letter)
     body, header = without_header(text, Path(name).suffix)
     if declarations is not None:
         return declarations, text
     if header:
-        declarations, text = parse_sidecar(header, name), body
+        declarations, text = parse_sidecar(header, name, letter), body
     course = course_file(path) if path is not None and symbols is None else None
     if course is None:
         return declarations or Declarations(), text
-    of_course = _course(course)
+    of_course = _course(course, letter)
     return (declarations.below(of_course) if declarations else of_course), text
 
 
-def _course(path: Path) -> Declarations:
+def _course(path: Path, letter: Letter) -> Declarations:
     """Return what a folder's file declares for every document in it; what is of lines, it cannot say."""
-    declarations = read_sidecar(path)
+    declarations = read_sidecar(path, letter)
     of_lines = (declarations.scopes, declarations.bindings, declarations.proposed_scopes)
     if any(of_lines) or declarations.proposed_bindings:
         rule = "holds a [[scope]] or [[bind]], and is for every document of its folder"
@@ -265,17 +268,17 @@ def is_file_name(document: str) -> bool:
 
 
 def _declarations_apart(
-    symbols: Mapping[str, Any] | str | Path | None, path: Path | None
+    symbols: Mapping[str, Any] | str | Path | None, path: Path | None, letter: Letter
 ) -> Declarations | None:
     """Return what is declared apart from the document; None where it may have a header of its own."""
     if isinstance(symbols, Mapping):
-        return declarations_in(symbols)
+        return declarations_in(symbols, letter)
     if symbols is not None:
-        return read_sidecar(symbols)
+        return read_sidecar(symbols, letter)
     if path is not None:
         for beside in own_sidecars(path):
-            declarations, course = read_sidecar(beside), course_file(path)
-            return declarations if course is None else declarations.below(_course(course))
+            declarations, course = read_sidecar(beside, letter), course_file(path)
+            return declarations if course is None else declarations.below(_course(course, letter))
     return None
 
 

@@ -26,7 +26,7 @@ have any of the three.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Set
+from collections.abc import Callable, Mapping, Set
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -39,6 +39,8 @@ from symbalance.text.key_tables import Key, TableKeys
 from symbalance.text.kinds import Choice, Flag, ListOf, Text, Whole
 from symbalance.text.sections import Section, SourceText, read_sections
 
+Letter = Callable[[str], str]
+"""What names a letter by its spelling, as `canonical_name` does; raises ReadingError for no letter."""
 CONVENTIONS = ("l/r", "r/l", "l/s")
 _MOST = 10**9
 _COUNT = Whole(1, _MOST)
@@ -254,33 +256,31 @@ class Declarations:
         return tuple(k for k, scope in enumerate(self.scopes) if scope.holds(line))
 
 
-def read_sidecar(path: str | Path) -> Declarations:
-    """Return the declarations of a sidecar file."""
-    return parse_sidecar(read_text(path, what="a symbols file"), file_name(path))
+def read_sidecar(path: str | Path, letter: Letter = canonical_name) -> Declarations:
+    """Return the declarations of a sidecar file; `letter` reads a letter as the document writes it."""
+    return parse_sidecar(read_text(path, what="a symbols file"), file_name(path), letter)
 
 
-def parse_sidecar(text: str, place: str) -> Declarations:
+def parse_sidecar(text: str, place: str, letter: Letter = canonical_name) -> Declarations:
     """Return the declarations in the text of a sidecar; `place` is what errors call it."""
     remedy = 'correct the line; a letter such as θ stands in quotes: "θ" = "crank angle"'
-    return _declarations(read_sections(text, place, SIDECAR, remedy))
+    return _declarations(read_sections(text, place, SIDECAR, remedy), letter)
 
 
-def declarations_in(symbols: Mapping[str, Any]) -> Declarations:
+def declarations_in(symbols: Mapping[str, Any], letter: Letter = canonical_name) -> Declarations:
     """Return the declarations in a Python mapping: letters to meanings, or a sidecar's whole table."""
     table = dict(symbols)
     if any(isinstance(value, str) for value in table.values()) or not set(table) <= set(SIDECAR.by_name):
         table = {"symbols": table}
-    return _declarations(Section(table, SIDECAR, SourceText("", "symbols")).check())
+    return _declarations(Section(table, SIDECAR, SourceText("", "symbols")).check(), letter)
 
 
-def _declarations(file: Section) -> Declarations:
-    scopes = tuple(_scope(table) for table in file.sections("scope"))
+def _declarations(file: Section, letter: Letter) -> Declarations:
+    scopes = tuple(_scope(table, letter) for table in file.sections("scope"))
     bindings = tuple(Binding(**table.values(), place=table.place()) for table in file.sections("bind"))
-    usual = {
-        canonical_name(letter): text for letter, text in USUAL.get(file.value("letters"), {}).items()
-    }
+    usual = {canonical_name(usual): text for usual, text in USUAL.get(file.value("letters"), {}).items()}
     return Declarations(
-        usual | _symbols(file.section("symbols")),
+        usual | _symbols(file.section("symbols"), letter),
         tuple(scope for scope in scopes if not scope.proposed),
         tuple(binding for binding in bindings if not binding.proposed),
         file.source.place,
@@ -293,15 +293,15 @@ def _confirmed(symbols: Mapping[str, str]) -> dict[str, str]:
     return {name: text.removeprefix(PROPOSED).strip() for name, text in symbols.items()}
 
 
-def _symbols(table: Section) -> dict[str, str]:
+def _symbols(table: Section, letter: Letter) -> dict[str, str]:
     meanings: dict[str, str] = {}
-    for letter, meaning in table.values().items():
+    for spelling, meaning in table.values().items():
         try:
-            name = canonical_name(letter)
+            name = letter(spelling)
         except ReadingError as problem:
-            raise table.refusal(letter, problem.what, "write one letter") from None
-        if name in meanings:
-            raise table.refusal(letter, "is declared twice", "keep one line of it")
+            raise table.refusal(spelling, problem.what, "write one letter") from None
+        if meanings.get(name, meaning.strip()) != meaning.strip():
+            raise table.refusal(spelling, "is declared twice", "keep one line of it")
         nearest = misspelt_role(meaning)
         if nearest is not None:
             remedy = f'write "{nearest}", or "variable, {meaning.strip()}" for just a letter'
@@ -310,11 +310,11 @@ def _symbols(table: Section) -> dict[str, str]:
     return meanings
 
 
-def _scope(table: Section) -> Scope:
+def _scope(table: Section, letter: Letter) -> Scope:
     first, last = table.value("lines")
     if first > last:
         raise table.refusal("lines", "must go upwards", "write lines = [10, 20]")
-    symbols = _symbols(table.section("symbols"))
+    symbols = _symbols(table.section("symbols"), letter)
     return Scope(first, last, symbols, tuple(table.value("given") or ()), bool(table.value("proposed")))
 
 

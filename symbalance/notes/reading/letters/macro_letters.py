@@ -1,0 +1,32 @@
+r"""Letters as a document writes them, in macros of its own: \crank, which it defines as \varphi."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from symbalance.notes.reading.letters.letter_names import canonical_name
+from symbalance.notes.reading.markup.macros import definitions_in, expand_macros
+
+_COMMAND = re.compile(r"\\([A-Za-z]+)")
+
+
+def letters_of(document: str) -> Callable[[str], str]:
+    r"""Return what names a letter by a document's own spelling of it, as `canonical_name` does.
+
+    >>> letters_of(r"\newcommand{\crank}{\varphi}")(r"\crank_1"), letters_of("")("λ")
+    ('varphi_1', 'lambda')
+
+    What is returned raises ReadingError for anything but one letter.
+    """
+    definitions = definitions_in(document) if "\\" in document else None
+    preamble = "" if definitions is None else "".join(document[a:b] for a, b in definitions.spans)
+    macros = set() if definitions is None else set(definitions.by_name)
+
+    def letter(text: str) -> str:
+        if macros.isdisjoint(_COMMAND.findall(text)):
+            return canonical_name(text)
+        expanded = expand_macros(f"{preamble}\n{text}").source
+        return canonical_name(text if expanded is None else expanded.text)
+
+    return letter
