@@ -44,6 +44,8 @@ LONG = 3
 """A decimal of this many digits on the way to a result may itself be rounded."""
 SHORT_WHOLE = 100
 """A whole number below it has too few digits to be half a unit short."""
+KILO = 1000
+"""A power of ten from here on, behind a whole number, is a unit's: 254 kN."""
 MEASURED = 2
 """Digits of a whole number with a unit, at least, that is a result and rounded: 33° for 360°/11."""
 
@@ -279,13 +281,14 @@ def _whole_before_unit(node: Formula) -> Number | None:
 
 
 def _is_unit_factor(node: Formula) -> bool:
-    """Tell the factor of a unit, 1/1000 of mm or π/180 of °, from a fraction as an author types it."""
+    """Tell the factor of a unit, 1/1000 of mm, 1000 of kN or π/180 of °, from a number that computes."""
     if isinstance(node, formula.Quotient):
         is_turn = any(
             node == formula.Quotient(formula.Constant("pi"), Number(Fraction(part))) for part in (30, 180)
         )
         return is_turn and node.numerator.span == node.denominator.span
-    return isinstance(node, Number) and node.last_place is None and node.value.denominator > 1
+    is_number = isinstance(node, Number) and node.last_place is None
+    return is_number and (node.value.denominator > 1 or (_is_scale(node) and node.value >= KILO))
 
 
 def _is_in_degrees(node: Formula) -> bool:

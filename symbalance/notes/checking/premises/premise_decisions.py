@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, PlusMinus, names, walk
+from symbalance.document.formula import Formula, Name, Number, PlusMinus, names, walk
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.branches import with_sign
@@ -142,6 +143,11 @@ def _support_by(
     is_implied = statement in after.following or (
         bool(before.leftover) and implied(premises, statement.left, statement.right, knowledge) is True
     )
+    sizes = knowledge.meaning.positive & knowledge.meanings.keys()
+    forced = _forced_to_vanish(premises, before, sizes) & (names(statement.left) | names(statement.right))
+    if is_implied and forced:
+        letter = plain_text(Name(min(forced)))
+        return Decision(UNDECIDED, f"{lines_of(premises)} hold together only for {letter} = 0")
     if is_implied:
         texts = (*dict.fromkeys(p.text for p in premises), *nonzero_texts(after))
         return Decision(PROVED, f"by {lines_of(premises)}", assumptions=texts)
@@ -150,6 +156,20 @@ def _support_by(
     if any(p in after.following for p in premises if p not in before.following):
         return Decision(PREMISE, f"satisfies {lines_of(premises)}")
     return None
+
+
+def _forced_to_vanish(premises: list[Premise], before: Elimination, sizes: frozenset[str]) -> set[str]:
+    """Return the letters that premises make zero together, though none of them says so.
+
+    Whatever has such a letter as a factor would follow from them. One of a linear system may be zero; a
+    size may not, nor what is so only where another letter is not, κ m = 0.
+    """
+    if not before.nonzero and sizes.isdisjoint(before.vanishing):
+        return set()
+    stated = {
+        p.left.name for p in premises if isinstance(p.left, Name) and p.right == Number(Fraction(0))
+    }
+    return {*before.vanishing} - stated
 
 
 def must_follow(definitions: Definitions, chain: Chain, k: int) -> list[Premise]:

@@ -54,13 +54,21 @@ def leave_choice(state: JudgingState, chain: Chain, k: int) -> bool:
 
 
 def leave_product_given_anew(state: JudgingState, chain: Chain, k: int) -> None:
-    """Forget what a product is above, where "with" gives it anew: a letter in it is not fixed by both."""
-    is_given = _WITH.search(state.document.text[max(0, chain.start - 60) : chain.start])
-    if not k and is_given and isinstance(chain.sides[0].node, Product):
-        _leave_product(state, chain)
+    """Forget what a product is above, where it is given anew: a letter in it is not fixed by both.
+
+    It is behind "with", or by a letter more: m_g r_g = m_r r above, m_g r_g = (m_r + κ m_o) r here.
+    """
+    left = chain.sides[0].node
+    if k or not isinstance(left, Product):
+        return
+    is_given = _WITH.search(state.document.text[max(0, chain.start - 60) : chain.start]) is not None
+    above = [p.right for p in state.definitions.premises if p.left == left]
+    is_share = bool(above) and all(names(right) < names(chain.sides[1].node) for right in above)
+    if is_given or is_share:
+        _leave_product(state, chain, is_share=is_share)
 
 
-def _leave_product(state: JudgingState, chain: Chain) -> bool:
+def _leave_product(state: JudgingState, chain: Chain, *, is_share: bool = False) -> bool:
     """Forget what a product would have to be, 2 m_g r_g = (m_c + m_p) r, where it is made another one.
 
     The line above only says what would be needed, or this one has the product behind "with" or "for".
@@ -72,7 +80,8 @@ def _leave_product(state: JudgingState, chain: Chain) -> bool:
     if last is None or not isinstance(left, Product) or not premises:
         return False
     would = _WOULD.search(state.sections.sentence_leading_to(last)) is not None
-    if not would and not _WITH.search(text[max(0, chain.start - 60) : chain.start]):
+    is_made = would or is_share
+    if not is_made and not _WITH.search(text[max(0, chain.start - 60) : chain.start]):
         return False
     state.definitions.premises = [p for p in state.definitions.premises if p not in premises]
     for premise in premises:

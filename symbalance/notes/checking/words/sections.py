@@ -47,9 +47,12 @@ _BLOCK_ENDS = re.compile(rf"</(?:{_BLOCK})>\s*$", re.IGNORECASE)
 _UNDERLINE = re.compile(r"(?:={3,}|-{3,})\s*$")
 _CAPTION = re.compile(
     r"\s*(?:[*_]{0,2}(?:figure|fig\.|table|tab\.|abbildung|abb\.|bild|tabelle)\s*[\d.:a-z(]"
-    r"|[*_]{0,2}(?:caption|legende?|bildunterschrift)\s*:|図|表|!\[|\\caption\b)",
+    r"(?![\d.:a-z()~ ]{0,8}\s(?:shows?|gives?|lists?|depicts?|illustrates?|zeig(?:t|en)|enthält|gibt)\s)"
+    r"|[*_]{0,2}(?:caption|legende?|bildunterschrift)\s*:|!\[|\\caption\b"
+    r"|[図表](?!\s?[0-9０-９.．()（）-]{0,8}\s?(?:の|に|を|は|で|から|より)))",
     re.IGNORECASE,
 )
+"""The text of a figure or table; "Figure 3 shows the crank" and 図3のように begin a sentence."""
 _NUMBERED = re.compile(
     r" {0,3}(?:[*_]{1,2})?(?:(?:Q|Ex|Aufgabe|Exercise|Problem|Question|Task|Part|Teil|問題?)\.? ?)?"
     r"[0-9]{1,2}[.):]"
