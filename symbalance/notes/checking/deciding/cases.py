@@ -41,7 +41,7 @@ from symbalance.notes.checking.deciding.equality import (
     without_dots,
 )
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.numbers_put_in import paired
+from symbalance.notes.checking.deciding.numbers_put_in import constants_put_in, paired
 from symbalance.notes.checking.deciding.order_agreement import SmallLetter, truncated_sum
 from symbalance.notes.checking.deciding.remainders import has_remainder
 from symbalance.notes.checking.deciding.satisfiability import survey
@@ -128,6 +128,8 @@ def in_units_left_out(chain: Chain, k: int, knowledge: Knowledge) -> Decision | 
     if names(right) or not names(left) or isinstance(right, Number) or chain.relations[k].sign != "=":
         return None
     are_left_out = False
+    if _other_constant(left, right, knowledge) is not None:
+        return None
     for part, number in paired(left, right) or ():
         there = decide_equality(part, number, knowledge)
         is_known = there.left is not None and not letters(there.left)
@@ -135,6 +137,17 @@ def in_units_left_out(chain: Chain, k: int, knowledge: Knowledge) -> Decision | 
             return None
         are_left_out = are_left_out or not there.is_proved
     return Decision(PROVED, UNITS_LEFT_OUT) if are_left_out else None
+
+
+def _other_constant(
+    left: Formula, right: Formula, knowledge: Knowledge
+) -> tuple[Formula, Formula] | None:
+    """Return the constant of a formula that is another one among the numbers put in: d F/3 = 0.7·64/2."""
+    for constant, number in constants_put_in(left, right):
+        there = decide_equality(constant, number, knowledge)
+        if there.status == REFUTED and not _is_so_in_some_unit(constant, number, knowledge):
+            return constant, number
+    return None
 
 
 def _is_so_in_some_unit(part: Formula, number: Formula, knowledge: Knowledge) -> bool:
@@ -169,6 +182,9 @@ def _decide_put_in(left: Formula, right: Formula, refutation: Decision, knowledg
     pairs = paired(left, right)
     if pairs is None:
         return replace(refutation, status=UNDECIDED, reason=f"{texts} {have} here: give what is put in")
+    if (other := _other_constant(left, right, knowledge)) is not None:
+        stands, put = (formula_text(node, plain=True) for node in other)
+        return replace(refutation, reason=f"{put} is put in for {stands}")
     for part, number in pairs:
         there = decide_equality(part, number, knowledge)
         is_known = there.left is not None and not letters(there.left)

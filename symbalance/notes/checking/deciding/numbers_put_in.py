@@ -324,13 +324,24 @@ def paired(left: Formula, right: Formula) -> list[tuple[Formula, Formula]] | Non
     m r ω² = 0.5·0.04·628² puts 0.5 in for m, 0.04 for r, 628 for ω, and v/(D/2) = 25/0.9 puts 0.9 in
     for D/2; λ m r ω² = 0.3·4605 puts in something else, and m r ω² = 7888 nothing.
     """
+    pairs = _pairs(left, right)
+    return None if pairs is None else [pair for pair in pairs if names(pair[0])]
+
+
+def constants_put_in(left: Formula, right: Formula) -> list[tuple[Formula, Formula]]:
+    """Return the constants of a product with what stands for them among the numbers put in: 3 of d F/3."""
+    return [pair for pair in _pairs(left, right) or () if not names(pair[0])]
+
+
+def _pairs(left: Formula, right: Formula) -> list[tuple[Formula, Formula]] | None:
+    """Return the letters and constants of a product with the numbers at their places."""
     by_parts = _paired_parts(left, without_unit(right))
     if by_parts is not None and isinstance(left, formula.Product | formula.Quotient):
         return by_parts
     first, second = list(_bases(left)), list(_bases(without_unit(right)))
     if len(first) != len(second) or len(first) < 2 or [e for _, e in first] != [e for _, e in second]:
         return None
-    return [(part, number) for (part, _), (number, _) in zip(first, second, strict=True) if names(part)]
+    return [(part, number) for (part, _), (number, _) in zip(first, second, strict=True)]
 
 
 def without_unit(node: Formula) -> Formula:
@@ -349,7 +360,7 @@ def _paired_parts(left: Formula, right: Formula) -> list[tuple[Formula, Formula]
     if isinstance(left, formula.Power) and isinstance(right, formula.Power):
         return _paired_power(left, right)
     if not names(left):
-        return []
+        return None if names(right) else [(left, right)]
     first, second = formula.children(left), formula.children(right)
     if type(left) is not type(right) or len(first) != len(second):
         return None

@@ -96,7 +96,7 @@ def decide_in_units(
     for meant in (
         _put_in_bare, _term_by_term, _rounded_in_its_unit, _between_numbers, _in_unit_of_result,
         _converted, _of_weights, decide_as_counted, _with_numbers_of_units, _with_frequencies,
-        _in_unit_behind, _by_the_minute, decide_unrounded, decide_rounded_wholes,
+        _in_unit_behind, _in_unit_of_wrong_result, _by_the_minute, decide_unrounded, decide_rounded_wholes,
     ):  # fmt: skip
         there = meant(chain, k, document, knowledge)
         if there is not None and (there.is_proved or meant is _converted):
@@ -174,6 +174,22 @@ def _put_in_bare(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge
     if bare is None or not names(left.node):
         return None
     return decide(left, bare, chain.relations[k].sign, knowledge)
+
+
+def _in_unit_of_wrong_result(
+    chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision on numbers put in for letters in the unit of the result, miscalculated behind.
+
+    In C = √2 d F/3 = √2·0.7·64.2/3 = 15.0 kN m the numbers are in kN and m, whatever they come to.
+    """
+    left, right = chain.sides[k], chain.sides[k + 1]
+    result = quantity_of(chain.sides[k + 2], document) if k + 2 < len(chain.sides) else None
+    is_arithmetic = not names(right.node) and not isinstance(right.node, Number)
+    if result is None or result.scale == 1 or not names(left.node) or not is_arithmetic:
+        return None
+    put_in = Product((right.node, Number(result.scale)), span=right.node.span)
+    return decide(left, Side((put_in,), right.span), chain.relations[k].sign, knowledge)
 
 
 def _term_by_term(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
