@@ -329,7 +329,7 @@ def paired(left: Formula, right: Formula) -> list[tuple[Formula, Formula]] | Non
 
 
 def constants_put_in(left: Formula, right: Formula) -> list[tuple[Formula, Formula]]:
-    """Return the constants of a product with what stands for them among the numbers put in: 3 of d F/3."""
+    """Return the constants of a product with what stands at their places: the 3 of d F/3."""
     return [pair for pair in _pairs(left, right) or () if not names(pair[0])]
 
 

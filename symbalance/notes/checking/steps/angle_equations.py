@@ -25,6 +25,7 @@ from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.open_cases import lines_of_cases, without_cases
 from symbalance.notes.checking.verdicts import CONDITION
 from symbalance.notes.checking.words.plain_formulas import plain_text
+from symbalance.notes.checking.words.sentences import SENTENCE_END
 from symbalance.notes.reading.equations import Chain
 
 NEAR = 0.02
@@ -111,7 +112,8 @@ def _value_behind(state: JudgingState, chain: Chain, name: str) -> Chain | None:
         return None
     head, end = following.sides[0].node, chain.end
     between = state.document.text[end : following.sides[0].span[0]]
-    is_result = _RESULT.search(between) is not None and not re.search(r"\n\s*\n", between)
+    own_sentence = SENTENCE_END.split(between)[-1]
+    is_result = _RESULT.search(own_sentence) is not None and not re.search(r"\n\s*\n", between)
     line, ends_in_number = chain.lines[0], not names(chain.sides[-1].node)
     is_free = not any(name in p.names for p in state.definitions.premises_at(line))
     if is_free and ends_in_number and names(chain.sides[1].node):

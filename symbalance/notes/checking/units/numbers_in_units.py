@@ -96,7 +96,8 @@ def decide_in_units(
     for meant in (
         _put_in_bare, _term_by_term, _rounded_in_its_unit, _between_numbers, _in_unit_of_result,
         _converted, _of_weights, decide_as_counted, _with_numbers_of_units, _with_frequencies,
-        _in_unit_behind, _in_unit_of_wrong_result, _by_the_minute, decide_unrounded, decide_rounded_wholes,
+        _in_unit_behind, _in_unit_of_wrong_result, _by_the_minute, decide_unrounded,
+        decide_rounded_wholes,
     ):  # fmt: skip
         there = meant(chain, k, document, knowledge)
         if there is not None and (there.is_proved or meant is _converted):
