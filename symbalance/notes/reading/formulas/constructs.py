@@ -620,10 +620,18 @@ def _read_condition(parser: Parser) -> tuple[Formula, str, Formula] | None:
     is_multiple = len(bars) == 1 and parser.tokens[bars[0]].value == MULTIPLE
     if len(bars) == 1:  # N | n: N divides n
         parser.tokens[bars[0]] = replace(parser.tokens[bars[0]], kind="rel", value=_DIVIDES)
+    parity = parser.take() if parser.at("parity") else None
     left = parser.contents()
+    parity = parser.take() if parity is None and parser.at("parity") else parity
+    if parity is not None:
+        return _of_remainder(left, Number(Fraction(2), span=left.span), Number(Fraction(int(parity.value))))
+    if parser.at("remainder"):
+        return _read_remainder(parser, left)
     if not parser.at("rel"):
         raise ReadingError(parser.offset, "a condition that is not read", "write n = 0 or x > 0")
     sign, right = parser.take().value, parser.contents()
+    if parser.at("remainder") or (parser.at("open", "(") and _is_remainder(parser.peek(1))):
+        return _of_remainder(left, _read_divisor(parser), right)
     if sign == _DIVIDES:
         left, right = (right, left) if is_multiple else (left, right)
         zero = Number(Fraction(0), span=right.span)
@@ -631,6 +639,34 @@ def _read_condition(parser: Parser) -> tuple[Formula, str, Formula] | None:
     if parser.at("rel"):
         _skip_lower_bound(parser, sign)
     return left, sign, right
+
+
+def _of_remainder(left: Formula, divisor: Formula, rest: Formula) -> tuple[Formula, str, Formula]:
+    """Return the condition that a whole number leaves a rest."""
+    return Apply("mod", (left, divisor), span=left.span), "=", replace(rest, span=left.span)
+
+
+def _read_remainder(parser: Parser, left: Formula) -> tuple[Formula, str, Formula]:
+    """Read the rest of n \\bmod 4 = 1, the parser at the word between the numbers."""
+    divisor = _read_divisor(parser)
+    if not parser.at("rel", "="):
+        raise ReadingError(parser.offset, "a remainder without its value", "write n \\bmod 4 = 1")
+    parser.take()
+    return _of_remainder(left, divisor, parser.contents())
+
+
+def _is_remainder(token: Token | None) -> bool:
+    return token is not None and token.kind == "remainder"
+
+
+def _read_divisor(parser: Parser) -> Formula:
+    """Read the 4 of \\bmod 4, \\pmod{4} and (\\mod 4)."""
+    opener = parser.take() if parser.at("open", "(") else None
+    parser.take()
+    divisor = parser.atom()
+    if opener is not None:
+        parser.expect_close(opener)
+    return divisor
 
 
 _DIVIDES = "∣"

@@ -25,6 +25,7 @@ from symbalance.document.letters import (
 )
 from symbalance.notes.reading import signs
 from symbalance.notes.reading.failures import ReadingError
+from symbalance.notes.reading.formulas.minutes_of_angles import minutes_at
 from symbalance.notes.reading.letters.letter_names import (
     EXTREMES,
     matching_brace,
@@ -87,8 +88,8 @@ class Token:
     """A piece of a formula from `start` to `end` (offsets in the document).
 
     Kinds: number, name, function, op (+ - * /), rel, open, close, bar, sup, sub, under, cmd, sep,
-    dots, degree, arrow (of a limit), postfix (!), cell and row (of a matrix), differential (the d x of an
-    integral). `sub` carries a subscript that follows something other than a letter; `under` is a
+    dots, degree, arrow (of a limit), postfix (!), cell and row (of a matrix), parity and remainder (of a
+    case: even, odd, mod), differential (the d x of an integral). `sub` carries a subscript that follows something other than a letter; `under` is a
     bare underscore after a sum sign or a function. `spaced` tells of a space typed as such before it.
     `scale` is what the unit behind it multiplies it by, 0 where that is not sure. `upright` marks the e
     of e^{i φ} where a letter e is declared.
@@ -175,7 +176,7 @@ class Lexer:
         elif sign.isspace() or sign == "&" or not sign.isprintable():
             self.place += 1
         elif match := _DEGREE.match(self.text, self.place, self.end):
-            self._add("degree", "°", match.end())
+            self._degrees(match.end())
         elif sign == "\\":
             self._backslash()
         elif sign.isascii() and sign.isalpha():
@@ -389,6 +390,20 @@ class Lexer:
                 self.place, f"sign {sign} is not read", "write it in letters and operators"
             )
 
+    def _degrees(self, stop: int) -> None:
+        """Add a degree sign; the minutes and seconds of 18° 26' 30'' go with the degrees before it."""
+        last = self.tokens[-1] if self.tokens else None
+        parts = minutes_at(self.text, stop, self.end) if last is not None and last.kind == "number" else None
+        if last is None or parts is None:
+            self._add("degree", "°", stop)
+            return
+        if last.place is not None or last.scale is not None:
+            raise ReadingError(stop, "minutes behind degrees with decimals", "write the angle in degrees")
+        size, place, end = parts
+        number = last.number + size
+        self.tokens[-1] = replace(last, value=str(number), end=end, number=number, place=place)
+        self._add("degree", "°", end)
+
     def _percent(self, stop: int) -> None:
         """5 % is 5/100."""
         if not self.is_behind_number():
@@ -570,6 +585,8 @@ class Lexer:
             self.place = stop
         elif self.cells and name in WORDS and (words := _ARGUMENT.match(self.text, stop, self.end)):
             self._condition_word(words)
+        elif self.cells and name in signs.REMAINDERS:
+            self._add("remainder", "mod", stop)
         elif name in ("underbrace", "overbrace"):
             self._annotated_brace(stop)
         elif name in signs.SPACE_WITH_ARGUMENT:
@@ -587,6 +604,11 @@ class Lexer:
         word = " ".join(match.group().strip(" {}~.,;").lower().split())
         if word in signs.DIVIDES or word in signs.IS_DIVISIBLE:
             self._add("bar", "|" if word in signs.DIVIDES else signs.MULTIPLE, match.end())
+            return
+        first, _, behind = word.partition(" ")
+        bare = behind if first in signs.CONDITION_WORDS else word
+        if bare in signs.EVEN or bare in signs.ODD:
+            self._add("parity", "0" if bare in signs.EVEN else "1", match.end())
             return
         if word not in signs.CONDITION_WORDS:
             raise ReadingError(self.place, f"a condition in words: {word}", "write it as a relation")
