@@ -31,7 +31,7 @@ LineOf = Callable[[int], tuple[int, int]]
 MOST_SIGNS = 20_000
 """Signs looked at; a text with more is no derivation, and is said to have more."""
 _AROUND = 120  # characters looked at on either side of a sign
-_BOUNDS = re.compile(r"[_^]\s*\{[^{}\n]{0,60}\}")
+_BOUNDS = re.compile(r"[_^]\s*\{(?:[^{}\n]|\{[^{}\n]{0,60}\}){0,60}\}")
 _TAG = re.compile(
     r"</?[\u2e80-\u9fff][^<>\n=]{0,60}>|</?[A-Za-z!][\w-]*\s[^<>\n]{0,200}>|<[A-Za-z][\w.]{0,20}>"
 )

@@ -119,6 +119,7 @@ REFUSED: dict[str, tuple[str, str]] = {
         ("integrals over areas are not read", "write one integral in the other"),
     ),
     **dict.fromkeys(words("choose"), ("a binomial by \\choose is not read", "write \\binom{n}{k}")),
+    "substack": ("conditions stacked below a sum are not read", "write one range, \\sum_{k=1}^{n}"),
     **dict.fromkeys(words("coprod"), ("coproducts are not read", "write the factors")),
     **dict.fromkeys(
         words("limsup liminf"), ("upper and lower limits are not read", "write the limit's value")

@@ -82,7 +82,7 @@ _PRESSURES = {
 """Pounds on an area are forces, though a pound is a mass elsewhere."""
 _TURNS |= {"rps": Fraction(2), "rev/s": Fraction(2)}
 _ANGLES = {"deg": Fraction(1, 180)}
-_PLAIN_SURE = word_set("mm cm km kg cc ccm oz rpm kW kHz Hz kN Nm rad lbs lb ft psi kgf mph")
+_PLAIN_SURE = word_set("mm cm km kg cc ccm oz rpm kW kHz Hz kN Nm rad lbs lb ft psi kgf mph bar mbar kPa MPa GPa")
 
 _PREPOSITION = re.compile(r"in (?!lbs?\b|lbf\b|ozf?\b|kips?\b)")
 """What is in a unit, 30 in rad/s; inches stand before pounds and ounces alone."""
@@ -507,6 +507,8 @@ class _PlainUnit:
         bare = after.lstrip(" ~")
         if _SECOND_VALUE.match(self.text, self.stop, self.end) or after.startswith(" ~ "):
             return False
+        if re.match(r"[ ]\((?!sin|cos|tan|exp|sqr)[^\W\d_]{3,}[ )]", after):
+            return False  # 11 bar (four stroke)
         if not bare or bare[0] in _STOPS or bare[0] == "\n" or ord(bare[0]) >= 0x2E80:
             return False
         if bare.startswith(

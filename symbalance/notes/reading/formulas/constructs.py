@@ -208,6 +208,35 @@ def _bound(parser: Parser) -> Formula:
     return Negative(bound, span=parser.span_since(first)) if minus else bound
 
 
+def read_range_below(parser: Parser) -> tuple[Name, Formula, Formula] | None:
+    """Read the _{1 \\le k \\le 4} of a sum: index and bounds; None where no such range stands below."""
+    tokens = parser.tokens[parser.place : parser.place + _LONGEST_RANGE]
+    stop = next((n for n, token in enumerate(tokens) if token.kind == "close"), 0)
+    inside = tokens[2:stop]
+    signs = [n for n, token in enumerate(inside) if token.kind == "rel"]
+    if not parser.at("under") or tokens[1].value != "{" or len(signs) != 2 or signs[1] != signs[0] + 2:
+        return None
+    (lower_sign, letter, upper_sign) = inside[signs[0] : signs[1] + 1]
+    if letter.kind != "name" or not {lower_sign.value, upper_sign.value} <= {"<", "≤"}:
+        return None
+    parser.take()
+    opener = parser.take()
+    lower = parser.expression()
+    parser.place += 3
+    upper = parser.expression()
+    parser.expect_close(opener)
+    one = Number(Fraction(1), span=lower.span)
+    if lower_sign.value == "<":
+        lower = Sum((lower, one), span=lower.span)
+    if upper_sign.value == "<":
+        upper = Sum((upper, Negative(one, span=upper.span)), span=upper.span)
+    return Name(letter.value, span=(letter.start, letter.end)), lower, upper
+
+
+_LONGEST_RANGE = 40
+"""Tokens of a range below a sum sign, with room to spare."""
+
+
 # Product signs, limits and extrema ----------------------------------------------------------------
 
 

@@ -47,6 +47,7 @@ LONGEST_EQUATION = 20_000
 """Characters of one equation: text that is no derivation must not cost minutes."""
 
 _DEGREE = re.compile(r"\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![A-Za-z]))|[°˚º]|度|\\degree(?![A-Za-z])")
+_NUMBER_WITH_E = re.compile(r"[0-9]+(?:\.[0-9]+)?[eE]([+-]?[0-9]{1,2})(?![0-9A-Za-z_.])")
 _SPACE = re.compile(
     r"(?:\\[,;:> \t\n]|\\(?:q?quad|enspace|enskip|thinspace|medspace|thickspace|hspace)(?![A-Za-z])|~)"
 )
@@ -430,7 +431,7 @@ class Lexer:
         return sign == "." and self.text[self.place + 1 : min(self.place + 2, self.end)].isdecimal()
 
     def _number(self) -> None:
-        scientific = "e" not in self.words.names
+        scientific = "e" not in self.words.names or self._is_power_of_ten()
         last = self.tokens[-1] if self.tokens else None
         # 10^3 500 and x_1 200 end their index at the space; \frac 1 200 has two arguments
         is_apart = last is None or last.kind not in ("sup", "sub", "cmd")
@@ -438,6 +439,12 @@ class Lexer:
             raise ReadingError(self.place, "a digit that is not read", "write it as 0 to 9")
         self.tokens.append(token)
         self.place = token.end
+
+    def _is_power_of_ten(self) -> bool:
+        """Tell whether 11e5 is a number in plain text beside a letter e: no letter e_5 is known there."""
+        match = _NUMBER_WITH_E.match(self.text, self.place, self.end)
+        is_free = match is not None and not {f"e{match[1]}", f"e_{match[1]}"} & self.words.names
+        return is_free and not self.latex and (match[1][0] in "+-" or "." in match[0] or len(match[0]) > 3)
 
     def _word(self) -> None:
         if self._own_function():

@@ -90,6 +90,10 @@ def _closes_relation(text: str, place: int) -> bool:
     return line.count("$") % 2 == 1 and RELATION.search(line.rpartition("$")[2]) is not None
 
 
+_UNIT_AT_BAR = re.compile(
+    rf"(?<=[0-9}}])\$[ ~]?(?P<unit>{_UNIT_IN_PROSE})(?P<bar>[ \t]*\|[ \t]*)(?=\$?[ \t]*(?:=|≈|\\approx(?![A-Za-z])))"
+)
+"""A cell of a table that ends in a unit, and the next one that goes on with it: $2\\cdot 3$ N | $= 6$ N."""
 _UNIT_BETWEEN = re.compile(
     rf"({_FORMULA})[ ~]*(?P<unit>{_UNIT})[ ~]*"
     r"\$(?P<rest>[ ]*(?:[=≈]|\\approx(?![A-Za-z]))[^$\n]{1,200})(?<!\\)\$"
@@ -120,6 +124,9 @@ def with_joined_dollars(text: str) -> Rewritten | None:
         tail = "^{\\circ}$" if unit == "°" else tail.replace("%", "\\%") if unit == "%" else tail
         changes[start] = match.end(), ((start, end - 1), (end, match.end("number")), tail)
     _add_units_between(text, dollars, changes)
+    for match in _UNIT_AT_BAR.finditer(text):
+        if scale_of(match["unit"]) is not None:
+            changes.setdefault(match.start(), (match.start("bar"), (f"{_set_unit(match['unit'])}$",)))
     place = 0
     while match := _SEQUENCE.search(text, place):
         if match.start() in joined or match.start() in changes or not dollars.opens(match.start()):

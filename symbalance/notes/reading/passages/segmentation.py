@@ -25,6 +25,7 @@ from symbalance.notes.reading.passages.prose import (
     segments,
     trim_segment,
 )
+from symbalance.notes.reading.passages.numbers_behind_commas import before_next_number
 from symbalance.notes.reading.passages.set_words import doubt_of_words_set
 from symbalance.notes.reading.passages.whole_formulas import (
     JOINING,
@@ -357,6 +358,7 @@ class ItemFinder:
                 inner = trim_segment(self.text, piece.start, piece.end, words)
                 inner = _sign_behind_arrow(self.text, piece.start, inner[0]), inner[1]
                 inner = _behind_named_letter(self.text, *inner), _before_next_letter(self.text, *inner)
+                inner = inner[0], before_next_number(self.text, *inner)
                 inner = inner[0], _before_words(self.text, *inner, words)
                 doubt = piece.doubt or doubt_around(self.text, *inner, words)
                 head = self._letter_explained(inner[0], line) or self._named_in_words(

@@ -10,7 +10,8 @@ import re
 
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 
-_ENTRY = r"[^(),;=<>≤≥≈$\n]+(?:\([^(),;=$\n]*\)[^(),;=<>≤≥≈$\n]*)*"
+_SIGN = r"(?:\\[^()\[\]\n]|[^(),;=<>≤≥≈$\n\\])"
+_ENTRY = rf"{_SIGN}+(?:\((?:\\[^()\[\]\n]|[^(),;=$\n\\])*\){_SIGN}*)*"
 _GAP = r"(?:,\s|,(?=\D)|;)(?:\s|\\[,;:! ])*"
 _WHOLE = r"[-−]?[0-9]{1,9}(?:\.[0-9]{1,9})?"
 _TIGHT = rf"\s*{_WHOLE}(?:,{_WHOLE}){{1,60}}\s*"
