@@ -47,6 +47,8 @@ from symbalance.notes.reading.units import (
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _BULLET = re.compile(r"\s*(?:\(?(?:[0-9]{1,3}[.)]|(?:[a-h]|i{1,3}|i?v)\))(?=\s))?\s*")
+_LISTED = re.compile(r"(?<!\S)\((?:[a-h]|i{1,3}|i?v)\)(?=[ \t])")
+"""Letters that count the answers of a line: (a) 2 + 3 = 5   (b) 7 - 2 = 5."""
 _MARKDOWN_BULLET = re.compile(r"\s*(?:>\s*)*(?:[-*+]\s+|[0-9]{1,3}[.)]\s+)?\s*")
 _DASH = re.compile(r"[-*•]\s+(?=[^\s=])")
 _EXPLAINED = re.compile(
@@ -75,6 +77,18 @@ _PARTICLES = word_set(
 )
 _ONE_NUMBER = re.compile(
     r"[=≈]\s*[-−]?[0-9]+(?:[.,][0-9]+)?\s*(?:$|[.;,)](?:\s|$)|[^\W\d_]{2,}\b)", re.MULTILINE
+)
+_ONE_QUANTITY = re.compile(
+    r"[=≈]\s*[0-9]+(?:[.,][0-9]+)?[ ](?P<unit>(?!in\b|as\b|at\b|min\b|us\b)[A-Za-z]{2,4}(?:/[a-z]{1,3}[²2]?)?)"
+    r"(?=\s*(?:$|[.,;)](?:\s|$)))",
+    re.MULTILINE,
+)
+_WORD_BELOW = re.compile(r"/(?P<word>[^\W\d_]+(?:_\{\w{1,6}\})?)[ \t]*(?=[=≈])")
+_WORD_ABOVE = re.compile(r"(?<![\w$\\}])(?<![0-9][ ])(?P<word>[^\W\d_]{3,})$")
+_CONJUNCTIONS = re.compile(
+    r"(?:(?:hence|so|thus|then|therefore|also|where|and|or|but|with|for|if|when|since|because|also|somit|daher"
+    r"|damit|und|mit|bei|donc|alors|the|its|a|an|der|die|das|dann)\s+)+",
+    re.IGNORECASE,
 )
 _WORD_OF_OPERATION = re.compile(r"\b(?:plus|minus|times|mal|over|durch|divided|squared)\b")
 _WORDS_ALONE = re.compile(
@@ -244,7 +258,10 @@ class ItemFinder:
         elif self.kind == "markdown" and self._is_row_of_table(self.line_of(start)):
             gaps.append("|")
         cells, first = [], start
-        for match in re.finditer("|".join(map(re.escape, gaps)), self.text[start:end]):
+        pattern = "|".join(map(re.escape, gaps))
+        if len(_LISTED.findall(self.text, start, end)) > 1:
+            pattern += f"|{_LISTED.pattern}"
+        for match in re.finditer(pattern, self.text[start:end]):
             cells.append((first, start + match.start()))
             first = start + match.end()
         return [*cells, (first, end)]
@@ -360,12 +377,23 @@ class ItemFinder:
                 inner = _behind_named_letter(self.text, *inner), _before_next_letter(self.text, *inner)
                 inner = inner[0], before_next_number(self.text, *inner)
                 inner = inner[0], _before_words(self.text, *inner, words)
+                ratio = self._ratio_of_words(*inner)
+                inner = (ratio[1], inner[1]) if ratio else inner
                 doubt = piece.doubt or doubt_around(self.text, *inner, words)
-                head = self._letter_explained(inner[0], line) or self._named_in_words(
+                head = ratio[0] if ratio else None
+                head = head or self._letter_explained(inner[0], line) or self._named_in_words(
                     inner[0], line, words
                 )
                 lines = self.line_of(inner[0]), self.line_of(inner[1] - 1)
                 yield Item(*inner, "prose", display >= 0, *lines, piece.tag, doubt=doubt, head=head)
+
+    def _ratio_of_words(self, place: int, end: int) -> tuple[tuple[int, int], int] | None:
+        """Return the words of stroke/bore = 0.84 that stand for a letter, and where the sign stands."""
+        below = _WORD_BELOW.match(self.text, place, end)
+        above = _WORD_ABOVE.search(self.text, max(place - MARGIN, 0), place) if below else None
+        if below is None or above is None or above["word"].lower() in _VERBS | _PARTICLES:
+            return None
+        return (above.start("word"), below.end("word")), below.end()
 
     def _letter_explained(self, place: int, line: int) -> tuple[int, int] | None:
         """Return the letter of `l: rod length = λ s` before the relation at a place."""
@@ -384,14 +412,24 @@ class ItemFinder:
             return None
         begin = max(self.line_span(line)[0], place - MARGIN)
         match = _PHRASE.search(self.text, begin, place)
-        named = match["words"].lower().split() if match else []
-        if match is None or _VERBS & set(named) or named[0] in _PARTICLES or named[-1] in _PARTICLES:
+        if match is None:
             return None
-        if _WORD_OF_OPERATION.search(match["words"]) or match["words"] in words.names:
+        leading = _CONJUNCTIONS.match(match["words"])
+        start = match.start("words") + (leading.end() if leading else 0)
+        phrase = self.text[start : match.end("words")]
+        named = phrase.lower().split()
+        if not named or _VERBS & set(named) or named[0] in _PARTICLES or named[-1] in _PARTICLES:
             return None
-        if _ONE_NUMBER.match(self.text, place):
+        if len(phrase) < 3 or _WORD_OF_OPERATION.search(phrase) or phrase in words.names:
+            return None
+        if _ONE_NUMBER.match(self.text, place) and not self._is_quantity(place):
             return None  # cost = 4
-        return match.span("words")
+        return start, match.end("words")
+
+    def _is_quantity(self, place: int) -> bool:
+        """Tell whether a number with a unit of its own is all that a sign gives: stroke = 67 mm."""
+        match = _ONE_QUANTITY.match(self.text, place)
+        return match is not None and scale_of(match["unit"]) is not None
 
 
 _NEXT_LETTER = re.compile(r",\s+(?!π)[^\W\d](?:_\{[^{}]{1,12}\}|_?\w{1,3}|[₀-₉]+)?\s*$")
