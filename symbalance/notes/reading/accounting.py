@@ -48,9 +48,12 @@ _WORD = r"[^\W\d_][\w'’]*(?:-[^\W\d_]{2}[\w'’]*)*"
 _BEFORE = re.compile(rf"({_WORD}|\S)\s*$")
 _AFTER = re.compile(rf"\s*({_WORD}|\S)")
 _CONSTANT = re.compile(
-    r"(?:=|≈|\\approx)\s*(?:\\(?:text|mathrm|mbox|textrm|textit|operatorname)\s*\{\s*)?[ckCK]onst"
+    r"(?:=|≈|\\approx)\s*\$?\s*(?:\\(?:text|mathrm|mbox|textrm|textit|operatorname)\s*\{\s*)?[ckCK]onst"
     r"(?:ant|\.)?(?![A-Za-z])"
 )
+SAID_TO_BE_CONSTANT = "said to be constant"
+_WORDS_OF_PROSE = re.compile(r"(?<![\\A-Za-z])[^\W\d_]{3,}[ ]")
+_SIDE_BEFORE = re.compile(r"[^=<>≈≤≥,;:$\n&]{1,60}$")
 _SAID_IN_WORDS = ("words on both sides", "a letter explained in words")
 """Reasons for which a sign may explain a letter."""
 _EXPLAINING = ("=", ":=", "\\equiv", "≡", "≙", "\\triangleq", "≜", "≔", "\\coloneqq")
@@ -150,6 +153,8 @@ class Account:
         meaning = self._meaning(place, names) if why in ("", *_SAID_IN_WORDS) else None
         if meaning is not None:
             return self._explained(meaning, line_of)
+        if why == SAID_TO_BE_CONSTANT and (constant := self._constant(place)) is not None:
+            return self._explained(constant, line_of)
         if why:
             return Passed(line, column, why, span)
         if (reason := self._unread_sign(place)) is not None:
@@ -178,6 +183,20 @@ class Account:
         line, column = line_of(meaning.letter[0])
         letter, words = (self.text[slice(*span)] for span in meaning[:2])
         return Explained(line, column, letter, words, (meaning.letter[0], meaning.end))
+
+    def _constant(self, place: int) -> Meaning | None:
+        """Return what is said to be constant, ω = const., with the word that says so."""
+        said = _CONSTANT.match(self.text, place)
+        side = _SIDE_BEFORE.search(self.text, max(place - _AROUND, 0), place)
+        if said is None or side is None:
+            return None
+        words = [match.end() for match in _WORDS_OF_PROSE.finditer(side[0])]
+        bare = side[0][words[-1] if words else 0 :].lstrip()
+        if not bare.strip():
+            return None
+        start = place - len(bare)
+        word = said.start() + re.search("[ckCK]onst", said[0]).start()
+        return Meaning((start, start + len(bare.rstrip())), (word, said.end()), said.end())
 
     def _unread_sign(self, place: int) -> tuple[str, str] | None:
         """Return why a relation sign is never judged and what to write for it, None for others."""
@@ -223,7 +242,7 @@ class Account:
             "the value of a word that is no declared letter": is_value
             and is_word(before, names)
             and not _MEASURED_WORD.search(self.text[max(place - _AROUND, 0) : place]),
-            "said to be constant": _CONSTANT.match(self.text, place),
+            SAID_TO_BE_CONSTANT: _CONSTANT.match(self.text, place),
             "a letter explained in words": _is_explanation(before, self._right_side(place), names),
             "the unit of a letter": self._is_unit_of_letter(place),
             "a sum of money": re.match(r"\s*\$[0-9]", self.text[place + 1 : place + 4]),

@@ -193,7 +193,9 @@ class ItemFinder:
         if not alone and not is_first and not has_any_relation(self.text, region.start, region.end):
             return
         kind = "display" if alone else "inline"
-        pieces = pieces_of(self.text, region.start, region.end, region.environment)
+        end = self._before_constant(region)
+        pieces = pieces_of(self.text, region.start, end, region.environment)
+        pieces = [p for p in pieces if end == region.end or has_any_relation(self.text, p.start, p.end)]
         around = self._doubt_around_region(region) if pieces and not region.display else None
         for piece in pieces:
             if is_unit_of_letter(self.text, piece.start, piece.end):
@@ -207,6 +209,13 @@ class ItemFinder:
         for inner in formulas_in_words(self.text, region.start, region.end):
             lines = self.line_of(inner.start), self.line_of(inner.end - 1)
             yield Item(inner.start, inner.end, "inline", True, *lines, block=block, aside=True)
+
+    def _before_constant(self, region: Region) -> int:
+        """Return where $n =$ const. ends before its sign, for other formulas where they end."""
+        inside = self.text[region.start : region.end].rstrip()
+        if not inside.endswith("=") or _CONSTANT_BEHIND.match(self.text, region.last) is None:
+            return region.end
+        return region.start + len(inside) - 1
 
     def _words_before(self, place: int, start: int) -> tuple[int, int] | None:
         """Return the words of \\text{mean speed} = 2 s n that stand alone left of a relation."""
@@ -420,7 +429,7 @@ class ItemFinder:
         named = phrase.lower().split()
         if not named or _VERBS & set(named) or named[0] in _PARTICLES or named[-1] in _PARTICLES:
             return None
-        if len(phrase) < 3 or _WORD_OF_OPERATION.search(phrase) or phrase in words.names:
+        if len(phrase) < 2 or _WORD_OF_OPERATION.search(phrase) or phrase in words.names:
             return None
         if _ONE_NUMBER.match(self.text, place) and not self._is_quantity(place):
             return None  # cost = 4
@@ -665,6 +674,9 @@ _CONSTANT = re.compile(
     r"\s*(?:=|\\approx)\s*(?:\\(?:text|mathrm|mbox|textrm|textit|operatorname)\s*\{\s*)?[ckCK]onst"
     r"(?:ant|\.)?(?:\s*\.?\s*\})?[\s.,;]*$"
 )
+
+
+_CONSTANT_BEHIND = re.compile(r"\s*\(?[ckCK]onst(?:ant|ante|\.)?(?![A-Za-z])")
 
 
 def _explains(between: str) -> bool:
