@@ -155,8 +155,12 @@ _MASS = re.compile(
 )
 _GRAVITY = re.compile(r"(?:[ ~]|\\[,;: ])?[gG](?=[\s.,;)$=≈]|$)(?![ ]?[A-Za-z(\\](?![A-Za-z]))")
 _ACCELERATION = re.compile(
-    r"m/s(?:²|\^\{?2\}?|\$\^2\$)[\s}$]*(?:=|≈|\\approx)\s*\$?[-−]?[0-9.,]+(?:\s[0-9]{3})*$"
+    r"m/s(?:²|\^\{?2\}?|\$\^2\$)[\s}$]*\(?\$?(?:=|≈|\\approx)\s*\$?[-−]?[0-9.,]+(?:\s[0-9]{3})*(?:\\[,;: ]|[ ~])*$"
 )
+_OVER_GRAVITY = re.compile(
+    r"(?:/|÷|\}\{)[ ]?9[.,]8[0-9]{0,3}[ ]?\}?[ $]*(?:=|≈|\\approx)[ $]*[0-9][0-9.,]*(?:\\[,;: ]|[ ~])*$"
+)
+"""What stands before the g of 45 139/9.81 ≈ 4600 g: how many times gravity it is."""
 _TIMES_LENGTH = re.compile(r"[ ]?[·×*xX]?[ ]?(?:[0-9][0-9.,]*[ ]?)?[cm]m(?![\w/])")
 _COMPUTED = re.compile(
     r"(?:\\(?:cdot|times|approx|left|right)(?![A-Za-z])|\\[,;: ]|(?<=[0-9])[ ]?g(?![A-Za-z])"
@@ -346,10 +350,11 @@ def plain_unit_at(text: str, place: int, end: int, names: Collection[str]) -> tu
     """
     if litres := _litres_at(text, place, end):
         return litres
-    if (gravity := _GRAVITY.match(text, place, end)) and _ACCELERATION.search(
-        text[max(place - 60, 0) : place]
-    ):
+    gravity = _GRAVITY.match(text, place, end)
+    if gravity and _ACCELERATION.search(text[max(place - 60, 0) : place]):
         return "gn", gravity.end()
+    if gravity and _OVER_GRAVITY.search(text[max(place - 60, 0) : place]):
+        return "G", gravity.end()
     match = _PLAIN_UNIT.match(text, place, end)
     if not match or not scale_of(match["plain"]):
         return None
