@@ -151,10 +151,9 @@ class Account:
         span = self._clause(place)
         why = self._why_no_mathematics(place, span, names)
         meaning = self._meaning(place, names) if why in ("", *_SAID_IN_WORDS) else None
+        meaning = self._constant(place) if why == SAID_TO_BE_CONSTANT else meaning
         if meaning is not None:
             return self._explained(meaning, line_of)
-        if why == SAID_TO_BE_CONSTANT and (constant := self._constant(place)) is not None:
-            return self._explained(constant, line_of)
         if why:
             return Passed(line, column, why, span)
         if (reason := self._unread_sign(place)) is not None:
@@ -195,7 +194,7 @@ class Account:
         if not bare.strip():
             return None
         start = place - len(bare)
-        word = said.start() + re.search("[ckCK]onst", said[0]).start()
+        word = said.start() + said[0].lower().rindex("onst") - 1
         return Meaning((start, start + len(bare.rstrip())), (word, said.end()), said.end())
 
     def _unread_sign(self, place: int) -> tuple[str, str] | None:

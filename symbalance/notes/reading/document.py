@@ -347,8 +347,10 @@ class Assembler:
         The same words once more are another letter: "force = 3" on two lines is no contradiction.
         """
         written = self.text[slice(*head)]
-        if "/" not in written and len(written.split()) == 1 and (
-            len(written) < 2 or not written[1:].isalpha() or written in names
+        if (
+            "/" not in written
+            and len(written.split()) == 1
+            and (len(written) < 2 or not written[1:].isalpha() or written in names)
         ):
             return lex(self.text, *head, names)
         name = name_of_words(written)

@@ -99,9 +99,22 @@ IS_DIVISIBLE = frozenset(
 )
 """Words between two whole numbers of a case: N divides n, n is a multiple of N."""
 MULTIPLE = "⋮"
-EVEN = frozenset({"even", "is even", "gerade", "ist gerade", "pair", "est pair", "par", "es par", "pari", "偶数"})
+EVEN = frozenset(
+    {"even", "is even", "gerade", "ist gerade", "pair", "est pair", "par", "es par", "pari", "偶数"}
+)
 ODD = frozenset(
-    {"odd", "is odd", "ungerade", "ist ungerade", "impair", "est impair", "impar", "es impar", "dispari", "奇数"}
+    {
+        "odd",
+        "is odd",
+        "ungerade",
+        "ist ungerade",
+        "impair",
+        "est impair",
+        "impar",
+        "es impar",
+        "dispari",
+        "奇数",
+    }
 )
 """What a case says of a whole number: what is left of it, divided by two."""
 REMAINDERS = ("bmod", "mod", "pmod")

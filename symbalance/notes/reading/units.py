@@ -82,7 +82,9 @@ _PRESSURES = {
 """Pounds on an area are forces, though a pound is a mass elsewhere."""
 _TURNS |= {"rps": Fraction(2), "rev/s": Fraction(2)}
 _ANGLES = {"deg": Fraction(1, 180)}
-_PLAIN_SURE = word_set("mm cm km kg cc ccm oz rpm kW kHz Hz kN Nm rad lbs lb ft psi kgf mph bar mbar kPa MPa GPa")
+_PLAIN_SURE = word_set(
+    "mm cm km kg cc ccm oz rpm kW kHz Hz kN Nm rad lbs lb ft psi kgf mph bar mbar kPa MPa GPa"
+)
 
 _PREPOSITION = re.compile(r"in (?!lbs?\b|lbf\b|ozf?\b|kips?\b)")
 """What is in a unit, 30 in rad/s; inches stand before pounds and ounces alone."""
@@ -155,7 +157,8 @@ _MASS = re.compile(
 )
 _GRAVITY = re.compile(r"(?:[ ~]|\\[,;: ])?[gG](?=[\s.,;)$=≈]|$)(?![ ]?[A-Za-z(\\](?![A-Za-z]))")
 _ACCELERATION = re.compile(
-    r"m/s(?:²|\^\{?2\}?|\$\^2\$)[\s}$]*\(?\$?(?:=|≈|\\approx)\s*\$?[-−]?[0-9.,]+(?:\s[0-9]{3})*(?:\\[,;: ]|[ ~])*$"
+    r"m/s(?:²|\^\{?2\}?|\$\^2\$)[\s}$]*\(?\$?(?:=|≈|\\approx)\s*\$?[-−]?[0-9.,]+"
+    r"(?:\s[0-9]{3})*(?:\\[,;: ]|[ ~])*$"
 )
 _OVER_GRAVITY = re.compile(
     r"(?:/|÷|\}\{)[ ]?9[.,]8[0-9]{0,3}[ ]?\}?[ $]*(?:=|≈|\\approx)[ $]*[0-9][0-9.,]*(?:\\[,;: ]|[ ~])*$"

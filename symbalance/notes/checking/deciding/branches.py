@@ -344,7 +344,7 @@ def _of_multiples(case: Branch, title: str, divided: Name, divisor: Formula, res
 
 
 def _divided(condition: tuple[Formula, str, Formula]) -> tuple[Name, Formula, Formula] | None:
-    """Return p, N and the rest of the condition that p divided by N leaves it, None for other conditions."""
+    """Return p, N and the rest that p divided by N leaves by a condition, None for other conditions."""
     left, sign, right = condition
     if sign != "=" or not isinstance(left, Apply) or left.function != "mod":
         return None

@@ -653,7 +653,9 @@ def _read_condition(parser: Parser) -> tuple[Formula, str, Formula] | None:
     left = parser.contents()
     parity = parser.take() if parity is None and parser.at("parity") else parity
     if parity is not None:
-        return _of_remainder(left, Number(Fraction(2), span=left.span), Number(Fraction(int(parity.value))))
+        return _of_remainder(
+            left, Number(Fraction(2), span=left.span), Number(Fraction(int(parity.value)))
+        )
     if parser.at("remainder"):
         return _read_remainder(parser, left)
     if not parser.at("rel"):

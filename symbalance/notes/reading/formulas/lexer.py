@@ -90,8 +90,9 @@ class Token:
 
     Kinds: number, name, function, op (+ - * /), rel, open, close, bar, sup, sub, under, cmd, sep,
     dots, degree, arrow (of a limit), postfix (!), cell and row (of a matrix), parity and remainder (of a
-    case: even, odd, mod), differential (the d x of an integral). `sub` carries a subscript that follows something other than a letter; `under` is a
-    bare underscore after a sum sign or a function. `spaced` tells of a space typed as such before it.
+    case: even, odd, mod), differential (the d x of an integral). `sub` carries a subscript that follows
+    something other than a letter; `under` is a bare underscore after a sum sign or a
+    function. `spaced` tells of a space typed as such before it.
     `scale` is what the unit behind it multiplies it by, 0 where that is not sure. `upright` marks the e
     of e^{i φ} where a letter e is declared.
     """
@@ -394,7 +395,9 @@ class Lexer:
     def _degrees(self, stop: int) -> None:
         """Add a degree sign; the minutes and seconds of 18° 26' 30'' go with the degrees before it."""
         last = self.tokens[-1] if self.tokens else None
-        parts = minutes_at(self.text, stop, self.end) if last is not None and last.kind == "number" else None
+        parts = (
+            minutes_at(self.text, stop, self.end) if last is not None and last.kind == "number" else None
+        )
         if last is None or parts is None:
             self._add("degree", "°", stop)
             return
@@ -444,7 +447,9 @@ class Lexer:
         """Tell whether 11e5 is a number in plain text beside a letter e: no letter e_5 is known there."""
         match = _NUMBER_WITH_E.match(self.text, self.place, self.end)
         is_free = match is not None and not {f"e{match[1]}", f"e_{match[1]}"} & self.words.names
-        return is_free and not self.latex and (match[1][0] in "+-" or "." in match[0] or len(match[0]) > 3)
+        return (
+            is_free and not self.latex and (match[1][0] in "+-" or "." in match[0] or len(match[0]) > 3)
+        )
 
     def _word(self) -> None:
         if self._own_function():

@@ -98,7 +98,9 @@ def with_compound_names(
     known = _letters_of(plain, candidates)
     signed = len(_SIGNED_PRODUCT.findall(plain))
     has_signs = signed > 1 and not _has_bare_products(plain, [*candidates, *factors], known)
-    if has_signs or (factors and signed and not _has_bare_products(plain, [*candidates, *factors], known)):
+    if has_signs or (
+        factors and signed and not _has_bare_products(plain, [*candidates, *factors], known)
+    ):
         spellings = {name.spelling for name in candidates}
         candidates += [name for name in factors if name.spelling not in spellings]
         has_signs = True
@@ -255,7 +257,8 @@ def _ends_remark(plain: str, start: int, end: int) -> bool:
 
 _LONGEST_REMARK = 80
 _BESIDE_STAR = re.compile(
-    r"(?:(?<=[0-9A-Za-z)]\*)|(?<=[0-9A-Za-z)] \* ))(?P<base>[A-Za-z])(?P<suffix>[A-Za-z]{1,3})(?![A-Za-z_{(0-9])"
+    r"(?:(?<=[0-9A-Za-z)]\*)|(?<=[0-9A-Za-z)] \* ))"
+    r"(?P<base>[A-Za-z])(?P<suffix>[A-Za-z]{1,3})(?![A-Za-z_{(0-9])"
     r"|(?<![A-Za-z\\_{])(?P<first>[A-Za-z])(?P<rest>[A-Za-z]{1,3})(?=\*[0-9A-Za-z(]| \* [0-9A-Za-z(])"
 )
 """A run of letters beside a typed star, pme*Vh: on a page that types all its products it is one name."""

@@ -1,4 +1,4 @@
-r"""Superscripts that are no powers: F^{tot}_2 is the letter F_{2,tot}, and r^2_1 is r_1^2 in another order.
+r"""Superscripts that are no powers: F^{tot}_2 is the letter F_{2,tot}, and r^2_1 is r_1^2 turned.
 
 TeX sets a subscript and a superscript above each other, in whichever order they are typed. A word above
 a letter tells letters apart, as one below it does: \mathrm{max}, tot, II. A single letter may be a power.
@@ -25,7 +25,9 @@ _SCRIPTS = re.compile(
     rf"|_\s?(?P<first>{_BELOW})\s?\^\s?(?P<second>{_ABOVE}))"
 )
 _UPRIGHT = re.compile(rf"\{{?\s?{_SET}\s?\{{?\s?(?P<word>[A-Za-z]{{2,12}}\.?|[A-SU-Z])\s?\}}?\s?\}}?")
-_WORD = re.compile(r"\{\s?\\?(?P<word>(?=[a-z]*[aeou])[a-z]{3,8}|max|min|lim|kin|ind|lin|I{2,3}|IV|VI{0,2})\s?\}")
+_WORD = re.compile(
+    r"\{\s?\\?(?P<word>(?=[a-z]*[aeou])[a-z]{3,8}|max|min|lim|kin|ind|lin|I{2,3}|IV|VI{0,2})\s?\}"
+)
 _ORDINALS = word_set("th st nd rd te ten er e eme")
 
 

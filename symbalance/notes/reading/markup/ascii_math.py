@@ -13,7 +13,8 @@ from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 _FORMULA = re.compile(r"\\\((?P<inline>[^\\$]{1,2000}?)\\\)|\\\[(?P<display>[^\\$]{1,4000}?)\\\]")
 _SIGNS = {
     "xx": "\\times ", "oo": "\\infty ", "pm": "\\pm ", "approx": "\\approx ", "sum": "\\sum",
-    "prod": "\\prod", "int": "\\int ", "oint": "\\oint ", "dot": "\\dot ", "ddot": "\\ddot ", "bar": "\\bar ",
+    "prod": "\\prod", "int": "\\int ", "oint": "\\oint ", "dot": "\\dot ",
+    "ddot": "\\ddot ", "bar": "\\bar ",
 }  # fmt: skip
 _NAMES = "|".join(sorted((*GREEK_SIGN, *_SIGNS), key=len, reverse=True))
 _WORD = re.compile(

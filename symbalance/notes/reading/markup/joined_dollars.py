@@ -91,9 +91,10 @@ def _closes_relation(text: str, place: int) -> bool:
 
 
 _UNIT_AT_BAR = re.compile(
-    rf"(?<=[0-9}}])\$[ ~]?(?P<unit>{_UNIT_IN_PROSE})(?P<bar>[ \t]*\|[ \t]*)(?=\$?[ \t]*(?:=|≈|\\approx(?![A-Za-z])))"
+    rf"(?<=[0-9}}])\$[ ~]?(?P<unit>{_UNIT_IN_PROSE})(?P<bar>[ \t]*\|[ \t]*)"
+    r"(?=\$?[ \t]*(?:=|≈|\\approx(?![A-Za-z])))"
 )
-"""A cell of a table that ends in a unit, and the next one that goes on with it: $2\\cdot 3$ N | $= 6$ N."""
+"""A cell that ends in a unit, and the next one that goes on with it: $2\\cdot 3$ N | $= 6$ N."""
 _UNIT_BETWEEN = re.compile(
     rf"({_FORMULA})[ ~]*(?P<unit>{_UNIT})[ ~]*"
     r"\$(?P<rest>[ ]*(?:[=≈]|\\approx(?![A-Za-z]))[^$\n]{1,200})(?<!\\)\$"
@@ -124,9 +125,6 @@ def with_joined_dollars(text: str) -> Rewritten | None:
         tail = "^{\\circ}$" if unit == "°" else tail.replace("%", "\\%") if unit == "%" else tail
         changes[start] = match.end(), ((start, end - 1), (end, match.end("number")), tail)
     _add_units_between(text, dollars, changes)
-    for match in _UNIT_AT_BAR.finditer(text):
-        if scale_of(match["unit"]) is not None:
-            changes.setdefault(match.start(), (match.start("bar"), (f"{_set_unit(match['unit'])}$",)))
     place = 0
     while match := _SEQUENCE.search(text, place):
         if match.start() in joined or match.start() in changes or not dollars.opens(match.start()):
@@ -152,6 +150,9 @@ def _add_units_between(text: str, dollars: _Dollars, changes: Changes) -> None:
     for match in _UNIT_BETWEEN.finditer(text):
         if match.start() not in changes and dollars.opens(match.start(1)):
             changes[match.end(1) - 1] = match.start("rest"), (_set_unit(match["unit"]),)
+    for match in _UNIT_AT_BAR.finditer(text):
+        if scale_of(match["unit"]) is not None:
+            changes.setdefault(match.start(), (match.start("bar"), (f"{_set_unit(match['unit'])}$",)))
 
 
 def _joints(text: str, start: int, end: int) -> Changes:

@@ -19,13 +19,13 @@ from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.formulas.lexer import Vocabulary, vocabulary
 from symbalance.notes.reading.passages.continued_lines import goes_on_below, is_first_side
 from symbalance.notes.reading.passages.meanings_in_words import is_explained_by_text, is_meaning
+from symbalance.notes.reading.passages.numbers_behind_commas import before_next_number
 from symbalance.notes.reading.passages.prose import (
     line_rules,
     parts_at_lone_brackets,
     segments,
     trim_segment,
 )
-from symbalance.notes.reading.passages.numbers_behind_commas import before_next_number
 from symbalance.notes.reading.passages.set_words import doubt_of_words_set
 from symbalance.notes.reading.passages.whole_formulas import (
     JOINING,
@@ -79,7 +79,8 @@ _ONE_NUMBER = re.compile(
     r"[=≈]\s*[-−]?[0-9]+(?:[.,][0-9]+)?\s*(?:$|[.;,)](?:\s|$)|[^\W\d_]{2,}\b)", re.MULTILINE
 )
 _ONE_QUANTITY = re.compile(
-    r"[=≈]\s*[0-9]+(?:[.,][0-9]+)?[ ](?P<unit>(?!in\b|as\b|at\b|min\b|us\b)[A-Za-z]{2,4}(?:/[a-z]{1,3}[²2]?)?)"
+    r"[=≈]\s*[0-9]+(?:[.,][0-9]+)?[ ]"
+    r"(?P<unit>(?!in\b|as\b|at\b|min\b|us\b)[A-Za-z]{2,4}(?:/[a-z]{1,3}[²2]?)?)"
     r"(?=\s*(?:$|[.,;)](?:\s|$)))",
     re.MULTILINE,
 )
@@ -390,8 +391,10 @@ class ItemFinder:
                 inner = (ratio[1], inner[1]) if ratio else inner
                 doubt = piece.doubt or doubt_around(self.text, *inner, words)
                 head = ratio[0] if ratio else None
-                head = head or self._letter_explained(inner[0], line) or self._named_in_words(
-                    inner[0], line, words
+                head = (
+                    head
+                    or self._letter_explained(inner[0], line)
+                    or self._named_in_words(inner[0], line, words)
                 )
                 lines = self.line_of(inner[0]), self.line_of(inner[1] - 1)
                 yield Item(*inner, "prose", display >= 0, *lines, piece.tag, doubt=doubt, head=head)

@@ -6,8 +6,13 @@ import re
 
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 
-_CASES = re.compile(r"\\begin\s?\{d?cases\*?\}(?P<inside>(?:(?!\\(?:begin|end)\s?\{d?cases).){1,2000}?)\\end\s?\{d?cases", re.DOTALL)
-_WORDS = re.compile(r"\\(?P<font>text|textrm|mbox|mathrm)\s?\{(?P<inside>[^{}$\n]{0,40}\$[^{}\n]{1,80})\}")
+_CASES = re.compile(
+    r"\\begin\s?\{d?cases\*?\}(?P<inside>(?:(?!\\(?:begin|end)\s?\{d?cases).){1,2000}?)\\end\s?\{d?cases",
+    re.DOTALL,
+)
+_WORDS = re.compile(
+    r"\\(?P<font>text|textrm|mbox|mathrm)\s?\{(?P<inside>[^{}$\n]{0,40}\$[^{}\n]{1,80})\}"
+)
 
 
 def with_conditions_apart(text: str) -> Rewritten | None:

@@ -108,7 +108,9 @@ def _is_equation(first: str, second: str) -> bool:
     return _VALUE.search(value) is not None and scale_of(value) is None and not _says_words(value)
 
 
-_OWN_EQUATION = re.compile(r"(?:\\?[A-Za-z]+|[^\W\d_])(?:_(?:\{[^{}]{1,14}\}|\w{1,8}))?\s*(?:=|≈|\\approx)")
+_OWN_EQUATION = re.compile(
+    r"(?:\\?[A-Za-z]+|[^\W\d_])(?:_(?:\{[^{}]{1,14}\}|\w{1,8}))?\s*(?:=|≈|\\approx)"
+)
 """A cell that names its letter itself, D = 67: it is an equation without the cell before it."""
 
 
