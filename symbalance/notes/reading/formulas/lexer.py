@@ -446,10 +446,9 @@ class Lexer:
     def _is_power_of_ten(self) -> bool:
         """Tell whether 11e5 is a number in plain text beside a letter e: no letter e_5 is known there."""
         match = _NUMBER_WITH_E.match(self.text, self.place, self.end)
-        is_free = match is not None and not {f"e{match[1]}", f"e_{match[1]}"} & self.words.names
-        return (
-            is_free and not self.latex and (match[1][0] in "+-" or "." in match[0] or len(match[0]) > 3)
-        )
+        if match is None or self.latex or {f"e{match[1]}", f"e_{match[1]}"} & self.words.names:
+            return False
+        return match[1][0] in "+-" or "." in match[0] or len(match[0]) > 3
 
     def _word(self) -> None:
         if self._own_function():
