@@ -31,7 +31,7 @@ LineOf = Callable[[int], tuple[int, int]]
 MOST_SIGNS = 20_000
 """Signs looked at; a text with more is no derivation, and is said to have more."""
 _AROUND = 120  # characters looked at on either side of a sign
-_BOUNDS = re.compile(r"[_^]\s*\{[^{}\n]{0,60}\}")
+_BOUNDS = re.compile(r"[_^]\s*\{(?:[^{}\n]|\{[^{}\n]{0,60}\}){0,60}\}")
 _TAG = re.compile(
     r"</?[\u2e80-\u9fff][^<>\n=]{0,60}>|</?[A-Za-z!][\w-]*\s[^<>\n]{0,200}>|<[A-Za-z][\w.]{0,20}>"
 )
@@ -48,9 +48,12 @@ _WORD = r"[^\W\d_][\w'’]*(?:-[^\W\d_]{2}[\w'’]*)*"
 _BEFORE = re.compile(rf"({_WORD}|\S)\s*$")
 _AFTER = re.compile(rf"\s*({_WORD}|\S)")
 _CONSTANT = re.compile(
-    r"(?:=|≈|\\approx)\s*(?:\\(?:text|mathrm|mbox|textrm|textit|operatorname)\s*\{\s*)?[ckCK]onst"
+    r"(?:=|≈|\\approx)\s*\$?\s*(?:\\(?:text|mathrm|mbox|textrm|textit|operatorname)\s*\{\s*)?[ckCK]onst"
     r"(?:ant|\.)?(?![A-Za-z])"
 )
+SAID_TO_BE_CONSTANT = "said to be constant"
+_WORDS_OF_PROSE = re.compile(r"(?<![\\A-Za-z])[^\W\d_]{3,}[ ]")
+_SIDE_BEFORE = re.compile(r"[^=<>≈≤≥,;:$\n&]{1,60}$")
 _SAID_IN_WORDS = ("words on both sides", "a letter explained in words")
 """Reasons for which a sign may explain a letter."""
 _EXPLAINING = ("=", ":=", "\\equiv", "≡", "≙", "\\triangleq", "≜", "≔", "\\coloneqq")
@@ -148,6 +151,7 @@ class Account:
         span = self._clause(place)
         why = self._why_no_mathematics(place, span, names)
         meaning = self._meaning(place, names) if why in ("", *_SAID_IN_WORDS) else None
+        meaning = self._constant(place) if why == SAID_TO_BE_CONSTANT else meaning
         if meaning is not None:
             return self._explained(meaning, line_of)
         if why:
@@ -178,6 +182,20 @@ class Account:
         line, column = line_of(meaning.letter[0])
         letter, words = (self.text[slice(*span)] for span in meaning[:2])
         return Explained(line, column, letter, words, (meaning.letter[0], meaning.end))
+
+    def _constant(self, place: int) -> Meaning | None:
+        """Return what is said to be constant, ω = const., with the word that says so."""
+        said = _CONSTANT.match(self.text, place)
+        side = _SIDE_BEFORE.search(self.text, max(place - _AROUND, 0), place)
+        if said is None or side is None:
+            return None
+        words = [match.end() for match in _WORDS_OF_PROSE.finditer(side[0])]
+        bare = side[0][words[-1] if words else 0 :].lstrip()
+        if not bare.strip():
+            return None
+        start = place - len(bare)
+        word = said.start() + said[0].lower().rindex("onst") - 1
+        return Meaning((start, start + len(bare.rstrip())), (word, said.end()), said.end())
 
     def _unread_sign(self, place: int) -> tuple[str, str] | None:
         """Return why a relation sign is never judged and what to write for it, None for others."""
@@ -223,7 +241,7 @@ class Account:
             "the value of a word that is no declared letter": is_value
             and is_word(before, names)
             and not _MEASURED_WORD.search(self.text[max(place - _AROUND, 0) : place]),
-            "said to be constant": _CONSTANT.match(self.text, place),
+            SAID_TO_BE_CONSTANT: _CONSTANT.match(self.text, place),
             "a letter explained in words": _is_explanation(before, self._right_side(place), names),
             "the unit of a letter": self._is_unit_of_letter(place),
             "a sum of money": re.match(r"\s*\$[0-9]", self.text[place + 1 : place + 4]),

@@ -347,13 +347,16 @@ class Assembler:
         The same words once more are another letter: "force = 3" on two lines is no contradiction.
         """
         written = self.text[slice(*head)]
-        if len(written.split()) == 1 and (
-            len(written) < 2 or not written[1:].isalpha() or written in names
+        if (
+            "/" not in written
+            and len(written.split()) == 1
+            and (len(written) < 2 or not written[1:].isalpha() or written in names)
         ):
             return lex(self.text, *head, names)
         name = name_of_words(written)
         self.phrases[name] = self.phrases.get(name, 0) + 1
-        if len(written.split()) > 1 and self.phrases[name] > 1:
+        is_own = len(written.split()) > 1 or "/" in written
+        if is_own and self.phrases[name] > 1:
             name = f"{name}_{self.phrases[name]}"
         return [Token("name", name, *head)]
 

@@ -99,6 +99,26 @@ IS_DIVISIBLE = frozenset(
 )
 """Words between two whole numbers of a case: N divides n, n is a multiple of N."""
 MULTIPLE = "⋮"
+EVEN = frozenset(
+    {"even", "is even", "gerade", "ist gerade", "pair", "est pair", "par", "es par", "pari", "偶数"}
+)
+ODD = frozenset(
+    {
+        "odd",
+        "is odd",
+        "ungerade",
+        "ist ungerade",
+        "impair",
+        "est impair",
+        "impar",
+        "es impar",
+        "dispari",
+        "奇数",
+    }
+)
+"""What a case says of a whole number: what is left of it, divided by two."""
+REMAINDERS = ("bmod", "mod", "pmod")
+"""Commands for what is left of a whole number: n \\bmod 4 = 1, n \\equiv 1 \\pmod 4."""
 
 ARROWS = word_set("to rightarrow longrightarrow searrow nearrow")
 """Arrows that a limit may have."""
@@ -112,6 +132,7 @@ REFUSED: dict[str, tuple[str, str]] = {
         ("integrals over areas are not read", "write one integral in the other"),
     ),
     **dict.fromkeys(words("choose"), ("a binomial by \\choose is not read", "write \\binom{n}{k}")),
+    "substack": ("conditions stacked below a sum are not read", "write one range, \\sum_{k=1}^{n}"),
     **dict.fromkeys(words("coprod"), ("coproducts are not read", "write the factors")),
     **dict.fromkeys(
         words("limsup liminf"), ("upper and lower limits are not read", "write the limit's value")

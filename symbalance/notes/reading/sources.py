@@ -31,7 +31,9 @@ from symbalance.notes.reading.letters.primed_rates import with_dots_for_primes
 from symbalance.notes.reading.letters.scanned_letters import with_scanned_letters
 from symbalance.notes.reading.letters.segments import with_segments
 from symbalance.notes.reading.letters.short_greek import with_short_greek
+from symbalance.notes.reading.letters.turned_scripts import with_scripts_in_order
 from symbalance.notes.reading.markup.ascii_math import with_ascii_math
+from symbalance.notes.reading.markup.frames_and_overlaps import with_frames_opened
 from symbalance.notes.reading.markup.joined_dollars import with_joined_dollars, with_units_between_dollars
 from symbalance.notes.reading.markup.macros import expand_macros
 from symbalance.notes.reading.markup.mathml import is_mathml, mathml_text
@@ -44,6 +46,7 @@ from symbalance.notes.reading.markup.type_settings import (
 )
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.spellings.and_so_on import with_dots
+from symbalance.notes.reading.spellings.cases_in_words import with_conditions_apart
 from symbalance.notes.reading.spellings.division_colons import with_divisions
 from symbalance.notes.reading.spellings.memberships import with_memberships
 from symbalance.notes.reading.spellings.multiples_in_words import with_multiples_in_signs
@@ -131,6 +134,8 @@ def prepare(
     macros = expand_macros(reader.text)
     reader.apply(macros.source)
     reader.apply(with_upright_parts(reader.text))
+    reader.apply(with_frames_opened(reader.text))
+    reader.apply(with_scripts_in_order(reader.text))
     own_letters = frozenset({"i"} if counts_by_i(reader.text) else ())
     own_letters |= lengths_named(reader.text)
     own_letters |= {"d"} if means_diameter(reader.text) else frozenset()
@@ -152,6 +157,7 @@ def prepare(
         with_imaginary_j,
         with_bounds_of_each,
         with_row_vectors,
+        with_conditions_apart,
         with_extremes_of_bars,
         with_operator_words,
         with_multiples_in_signs,

@@ -82,7 +82,9 @@ _PRESSURES = {
 """Pounds on an area are forces, though a pound is a mass elsewhere."""
 _TURNS |= {"rps": Fraction(2), "rev/s": Fraction(2)}
 _ANGLES = {"deg": Fraction(1, 180)}
-_PLAIN_SURE = word_set("mm cm km kg cc ccm oz rpm kW kHz Hz kN Nm rad lbs lb ft psi kgf mph")
+_PLAIN_SURE = word_set(
+    "mm cm km kg cc ccm oz rpm kW kHz Hz kN Nm rad lbs lb ft psi kgf mph bar mbar kPa MPa GPa"
+)
 
 _PREPOSITION = re.compile(r"in (?!lbs?\b|lbf\b|ozf?\b|kips?\b)")
 """What is in a unit, 30 in rad/s; inches stand before pounds and ounces alone."""
@@ -155,8 +157,13 @@ _MASS = re.compile(
 )
 _GRAVITY = re.compile(r"(?:[ ~]|\\[,;: ])?[gG](?=[\s.,;)$=≈]|$)(?![ ]?[A-Za-z(\\](?![A-Za-z]))")
 _ACCELERATION = re.compile(
-    r"m/s(?:²|\^\{?2\}?|\$\^2\$)[\s}$]*(?:=|≈|\\approx)\s*\$?[-−]?[0-9.,]+(?:\s[0-9]{3})*$"
+    r"m/s(?:²|\^\{?2\}?|\$\^2\$)[\s}$]*\(?\$?(?:=|≈|\\approx)\s*\$?[-−]?[0-9.,]+"
+    r"(?:\s[0-9]{3})*(?:\\[,;: ]|[ ~])*$"
 )
+_OVER_GRAVITY = re.compile(
+    r"(?:/|÷|\}\{)[ ]?9[.,]8[0-9]{0,3}[ ]?\}?[ $]*(?:=|≈|\\approx)[ $]*[0-9][0-9.,]*(?:\\[,;: ]|[ ~])*$"
+)
+"""What stands before the g of 45 139/9.81 ≈ 4600 g: how many times gravity it is."""
 _TIMES_LENGTH = re.compile(r"[ ]?[·×*xX]?[ ]?(?:[0-9][0-9.,]*[ ]?)?[cm]m(?![\w/])")
 _COMPUTED = re.compile(
     r"(?:\\(?:cdot|times|approx|left|right)(?![A-Za-z])|\\[,;: ]|(?<=[0-9])[ ]?g(?![A-Za-z])"
@@ -346,10 +353,11 @@ def plain_unit_at(text: str, place: int, end: int, names: Collection[str]) -> tu
     """
     if litres := _litres_at(text, place, end):
         return litres
-    if (gravity := _GRAVITY.match(text, place, end)) and _ACCELERATION.search(
-        text[max(place - 60, 0) : place]
-    ):
+    gravity = _GRAVITY.match(text, place, end)
+    if gravity and _ACCELERATION.search(text[max(place - 60, 0) : place]):
         return "gn", gravity.end()
+    if gravity and _OVER_GRAVITY.search(text[max(place - 60, 0) : place]):
+        return "G", gravity.end()
     match = _PLAIN_UNIT.match(text, place, end)
     if not match or not scale_of(match["plain"]):
         return None
@@ -507,6 +515,8 @@ class _PlainUnit:
         bare = after.lstrip(" ~")
         if _SECOND_VALUE.match(self.text, self.stop, self.end) or after.startswith(" ~ "):
             return False
+        if re.match(r"[ ]\((?!sin|cos|tan|exp|sqr)[^\W\d_]{3,}[ )]", after):
+            return False  # 11 bar (four stroke)
         if not bare or bare[0] in _STOPS or bare[0] == "\n" or ord(bare[0]) >= 0x2E80:
             return False
         if bare.startswith(

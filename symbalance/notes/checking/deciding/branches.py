@@ -329,30 +329,42 @@ def _of_cases(branch: Branch, cases: Cases) -> list[Branch]:
     return result
 
 
-def _of_multiples(case: Branch, title: str, divided: Name, divisor: Formula) -> Branch:
-    """Return a branch on which one whole number is a multiple of another."""
+def _of_multiples(case: Branch, title: str, divided: Name, divisor: Formula, rest: Formula) -> Branch:
+    """Return a branch on which one whole number is a multiple of another, or leaves a rest."""
     meaning = case.knowledge.meaning
     meaning = replace(meaning, integer=meaning.integer | {ANY_WHOLE})
     case = replace(case, knowledge=replace(case.knowledge, meaning=meaning))
-    put_in = _under_condition(case, divided, "=", Product((Name(ANY_WHOLE), divisor)))
+    multiple: Formula = Product((Name(ANY_WHOLE), divisor))
     text = f"where {plain_text(divided)} is a multiple of {plain_text(divisor)}"
+    if rest != formula.number(0):
+        multiple = Sum((multiple, rest))
+        text = f"where {plain_text(divided)} leaves {plain_text(rest)}, divided by {plain_text(divisor)}"
+    put_in = _under_condition(case, divided, "=", multiple)
     return replace(put_in, title=_joined(title, text))
 
 
-def _divided(condition: tuple[Formula, str, Formula]) -> tuple[Name, Formula] | None:
-    """Return p and N of the condition that N divides p, None for other conditions."""
+def _divided(condition: tuple[Formula, str, Formula]) -> tuple[Name, Formula, Formula] | None:
+    """Return p, N and the rest that p divided by N leaves by a condition, None for other conditions."""
     left, sign, right = condition
-    if sign != "=" or right != formula.number(0) or not isinstance(left, Apply) or left.function != "mod":
+    if sign != "=" or not isinstance(left, Apply) or left.function != "mod":
         return None
     divided, divisor = left.arguments
-    return (divided, divisor) if isinstance(divided, Name) else None
+    is_rest = right == formula.number(0) or (
+        isinstance(right, Number)
+        and isinstance(divisor, Number)
+        and right.value.denominator == 1
+        and 0 <= right.value < divisor.value
+    )
+    return (divided, divisor, right) if isinstance(divided, Name) and is_rest else None
 
 
 def _not_divided(cases: Cases) -> str:
     """Return what "otherwise" says behind the one case that N divides p, "" behind others."""
     conditions = [condition for condition in cases.conditions if condition is not None]
     pair = _divided(conditions[0]) if len(conditions) == 1 else None
-    return f"{plain_text(pair[0])} is no multiple of {plain_text(pair[1])}" if pair else ""
+    if pair is None or pair[2] != formula.number(0):
+        return ""
+    return f"{plain_text(pair[0])} is no multiple of {plain_text(pair[1])}"
 
 
 def _under_condition(case: Branch, letter: Name, sign: str, limit: Formula) -> Branch:

@@ -208,6 +208,35 @@ def _bound(parser: Parser) -> Formula:
     return Negative(bound, span=parser.span_since(first)) if minus else bound
 
 
+def read_range_below(parser: Parser) -> tuple[Name, Formula, Formula] | None:
+    """Read the _{1 \\le k \\le 4} of a sum: index and bounds; None where no such range stands below."""
+    tokens = parser.tokens[parser.place : parser.place + _LONGEST_RANGE]
+    stop = next((n for n, token in enumerate(tokens) if token.kind == "close"), 0)
+    inside = tokens[2:stop]
+    signs = [n for n, token in enumerate(inside) if token.kind == "rel"]
+    if not parser.at("under") or tokens[1].value != "{" or len(signs) != 2 or signs[1] != signs[0] + 2:
+        return None
+    (lower_sign, letter, upper_sign) = inside[signs[0] : signs[1] + 1]
+    if letter.kind != "name" or not {lower_sign.value, upper_sign.value} <= {"<", "≤"}:
+        return None
+    parser.take()
+    opener = parser.take()
+    lower = parser.expression()
+    parser.place += 3
+    upper = parser.expression()
+    parser.expect_close(opener)
+    one = Number(Fraction(1), span=lower.span)
+    if lower_sign.value == "<":
+        lower = Sum((lower, one), span=lower.span)
+    if upper_sign.value == "<":
+        upper = Sum((upper, Negative(one, span=upper.span)), span=upper.span)
+    return Name(letter.value, span=(letter.start, letter.end)), lower, upper
+
+
+_LONGEST_RANGE = 40
+"""Tokens of a range below a sum sign, with room to spare."""
+
+
 # Product signs, limits and extrema ----------------------------------------------------------------
 
 
@@ -620,10 +649,20 @@ def _read_condition(parser: Parser) -> tuple[Formula, str, Formula] | None:
     is_multiple = len(bars) == 1 and parser.tokens[bars[0]].value == MULTIPLE
     if len(bars) == 1:  # N | n: N divides n
         parser.tokens[bars[0]] = replace(parser.tokens[bars[0]], kind="rel", value=_DIVIDES)
+    parity = parser.take() if parser.at("parity") else None
     left = parser.contents()
+    parity = parser.take() if parity is None and parser.at("parity") else parity
+    if parity is not None:
+        return _of_remainder(
+            left, Number(Fraction(2), span=left.span), Number(Fraction(int(parity.value)))
+        )
+    if parser.at("remainder"):
+        return _read_remainder(parser, left)
     if not parser.at("rel"):
         raise ReadingError(parser.offset, "a condition that is not read", "write n = 0 or x > 0")
     sign, right = parser.take().value, parser.contents()
+    if parser.at("remainder") or (parser.at("open", "(") and _is_remainder(parser.peek(1))):
+        return _of_remainder(left, _read_divisor(parser), right)
     if sign == _DIVIDES:
         left, right = (right, left) if is_multiple else (left, right)
         zero = Number(Fraction(0), span=right.span)
@@ -631,6 +670,34 @@ def _read_condition(parser: Parser) -> tuple[Formula, str, Formula] | None:
     if parser.at("rel"):
         _skip_lower_bound(parser, sign)
     return left, sign, right
+
+
+def _of_remainder(left: Formula, divisor: Formula, rest: Formula) -> tuple[Formula, str, Formula]:
+    """Return the condition that a whole number leaves a rest."""
+    return Apply("mod", (left, divisor), span=left.span), "=", replace(rest, span=left.span)
+
+
+def _read_remainder(parser: Parser, left: Formula) -> tuple[Formula, str, Formula]:
+    """Read the rest of n \\bmod 4 = 1, the parser at the word between the numbers."""
+    divisor = _read_divisor(parser)
+    if not parser.at("rel", "="):
+        raise ReadingError(parser.offset, "a remainder without its value", "write n \\bmod 4 = 1")
+    parser.take()
+    return _of_remainder(left, divisor, parser.contents())
+
+
+def _is_remainder(token: Token | None) -> bool:
+    return token is not None and token.kind == "remainder"
+
+
+def _read_divisor(parser: Parser) -> Formula:
+    """Read the 4 of \\bmod 4, \\pmod{4} and (\\mod 4)."""
+    opener = parser.take() if parser.at("open", "(") else None
+    parser.take()
+    divisor = parser.atom()
+    if opener is not None:
+        parser.expect_close(opener)
+    return divisor
 
 
 _DIVIDES = "∣"

@@ -25,6 +25,7 @@ from symbalance.document.letters import (
 )
 from symbalance.notes.reading import signs
 from symbalance.notes.reading.failures import ReadingError
+from symbalance.notes.reading.formulas.minutes_of_angles import minutes_at
 from symbalance.notes.reading.letters.letter_names import (
     EXTREMES,
     matching_brace,
@@ -46,6 +47,7 @@ LONGEST_EQUATION = 20_000
 """Characters of one equation: text that is no derivation must not cost minutes."""
 
 _DEGREE = re.compile(r"\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![A-Za-z]))|[°˚º]|度|\\degree(?![A-Za-z])")
+_NUMBER_WITH_E = re.compile(r"[0-9]+(?:\.[0-9]+)?[eE]([+-]?[0-9]{1,2})(?![0-9A-Za-z_.])")
 _SPACE = re.compile(
     r"(?:\\[,;:> \t\n]|\\(?:q?quad|enspace|enskip|thinspace|medspace|thickspace|hspace)(?![A-Za-z])|~)"
 )
@@ -87,9 +89,10 @@ class Token:
     """A piece of a formula from `start` to `end` (offsets in the document).
 
     Kinds: number, name, function, op (+ - * /), rel, open, close, bar, sup, sub, under, cmd, sep,
-    dots, degree, arrow (of a limit), postfix (!), cell and row (of a matrix), differential (the d x of an
-    integral). `sub` carries a subscript that follows something other than a letter; `under` is a
-    bare underscore after a sum sign or a function. `spaced` tells of a space typed as such before it.
+    dots, degree, arrow (of a limit), postfix (!), cell and row (of a matrix), parity and remainder (of a
+    case: even, odd, mod), differential (the d x of an integral). `sub` carries a subscript that follows
+    something other than a letter; `under` is a bare underscore after a sum sign or a
+    function. `spaced` tells of a space typed as such before it.
     `scale` is what the unit behind it multiplies it by, 0 where that is not sure. `upright` marks the e
     of e^{i φ} where a letter e is declared.
     """
@@ -175,7 +178,7 @@ class Lexer:
         elif sign.isspace() or sign == "&" or not sign.isprintable():
             self.place += 1
         elif match := _DEGREE.match(self.text, self.place, self.end):
-            self._add("degree", "°", match.end())
+            self._degrees(match.end())
         elif sign == "\\":
             self._backslash()
         elif sign.isascii() and sign.isalpha():
@@ -389,6 +392,22 @@ class Lexer:
                 self.place, f"sign {sign} is not read", "write it in letters and operators"
             )
 
+    def _degrees(self, stop: int) -> None:
+        """Add a degree sign; the minutes and seconds of 18° 26' 30'' go with the degrees before it."""
+        last = self.tokens[-1] if self.tokens else None
+        parts = (
+            minutes_at(self.text, stop, self.end) if last is not None and last.kind == "number" else None
+        )
+        if last is None or parts is None:
+            self._add("degree", "°", stop)
+            return
+        if last.place is not None or last.scale is not None:
+            raise ReadingError(stop, "minutes behind degrees with decimals", "write the angle in degrees")
+        size, place, end = parts
+        number = last.number + size
+        self.tokens[-1] = replace(last, value=str(number), end=end, number=number, place=place)
+        self._add("degree", "°", end)
+
     def _percent(self, stop: int) -> None:
         """5 % is 5/100."""
         if not self.is_behind_number():
@@ -415,7 +434,7 @@ class Lexer:
         return sign == "." and self.text[self.place + 1 : min(self.place + 2, self.end)].isdecimal()
 
     def _number(self) -> None:
-        scientific = "e" not in self.words.names
+        scientific = "e" not in self.words.names or self._is_power_of_ten()
         last = self.tokens[-1] if self.tokens else None
         # 10^3 500 and x_1 200 end their index at the space; \frac 1 200 has two arguments
         is_apart = last is None or last.kind not in ("sup", "sub", "cmd")
@@ -423,6 +442,13 @@ class Lexer:
             raise ReadingError(self.place, "a digit that is not read", "write it as 0 to 9")
         self.tokens.append(token)
         self.place = token.end
+
+    def _is_power_of_ten(self) -> bool:
+        """Tell whether 11e5 is a number in plain text beside a letter e: no letter e_5 is known there."""
+        match = _NUMBER_WITH_E.match(self.text, self.place, self.end)
+        if match is None or self.latex or {f"e{match[1]}", f"e_{match[1]}"} & self.words.names:
+            return False
+        return match[1][0] in "+-" or "." in match[0] or len(match[0]) > 3
 
     def _word(self) -> None:
         if self._own_function():
@@ -570,6 +596,8 @@ class Lexer:
             self.place = stop
         elif self.cells and name in WORDS and (words := _ARGUMENT.match(self.text, stop, self.end)):
             self._condition_word(words)
+        elif self.cells and name in signs.REMAINDERS:
+            self._add("remainder", "mod", stop)
         elif name in ("underbrace", "overbrace"):
             self._annotated_brace(stop)
         elif name in signs.SPACE_WITH_ARGUMENT:
@@ -587,6 +615,11 @@ class Lexer:
         word = " ".join(match.group().strip(" {}~.,;").lower().split())
         if word in signs.DIVIDES or word in signs.IS_DIVISIBLE:
             self._add("bar", "|" if word in signs.DIVIDES else signs.MULTIPLE, match.end())
+            return
+        first, _, behind = word.partition(" ")
+        bare = behind if first in signs.CONDITION_WORDS else word
+        if bare in signs.EVEN or bare in signs.ODD:
+            self._add("parity", "0" if bare in signs.EVEN else "1", match.end())
             return
         if word not in signs.CONDITION_WORDS:
             raise ReadingError(self.place, f"a condition in words: {word}", "write it as a relation")

@@ -1031,8 +1031,11 @@ class Parser:
         """Read \\sum_{k=0}^{N-1} body."""
         first = self.place
         self.take()
-        index, lower = self.lower_bound() if self.at("under") else (None, None)
-        upper = self.upper_bound() if self.at("sup") else None
+        index, lower, upper = constructs.read_range_below(self) or (None, None, None)
+        if index is None and self.at("under"):
+            index, lower = self.lower_bound()
+        if self.at("sup") and upper is None:
+            upper = self.upper_bound()
         if index is None and self.at("under"):
             index, lower = self.lower_bound()
         if upper is not None and lower is None:

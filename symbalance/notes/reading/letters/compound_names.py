@@ -92,12 +92,20 @@ def with_compound_names(
     formulas = marked_formulas(text)
     plain = _without(text, formulas)
     candidates = _candidates(plain, is_letter)
-    if not candidates:
+    factors = _beside_stars(plain)
+    if not candidates and not factors:
         return None, ()
     known = _letters_of(plain, candidates)
-    has_signs = len(_SIGNED_PRODUCT.findall(plain)) > 1 and not _has_bare_products(
-        plain, candidates, known
-    )
+    signed = len(_SIGNED_PRODUCT.findall(plain))
+    has_signs = signed > 1 and not _has_bare_products(plain, [*candidates, *factors], known)
+    if has_signs or (
+        factors and signed and not _has_bare_products(plain, [*candidates, *factors], known)
+    ):
+        spellings = {name.spelling for name in candidates}
+        candidates += [name for name in factors if name.spelling not in spellings]
+        has_signs = True
+    if not candidates:
+        return None, ()
     names: list[_Name] = []
     products: list[_Name] = []
     for name in candidates:
@@ -235,9 +243,35 @@ def _has_bare_products(plain: str, candidates: list[_Name], known: set[str]) -> 
         run = match.group()
         if run in spellings or run.lower() in FUNCTION_WORDS or not set(run) <= known or scale_of(run):
             continue
-        if _stands_in_formula(plain, *match.span()):
+        if _stands_in_formula(plain, *match.span()) and not _ends_remark(plain, *match.span()):
             return True
     return False
+
+
+def _ends_remark(plain: str, start: int, end: int) -> bool:
+    """Tell whether a run is the last word of a remark in brackets: (it should fit in the sump)."""
+    before = plain[max(start - _LONGEST_REMARK, 0) : start].rpartition("(")
+    is_last = plain[end : end + 4].lstrip(" \t").startswith(")")
+    return is_last and before[2][-1:] == " " and re.search(r"[0-9=*·/+^]", before[2]) is None
+
+
+_LONGEST_REMARK = 80
+_BESIDE_STAR = re.compile(
+    r"(?:(?<=[0-9A-Za-z)]\*)|(?<=[0-9A-Za-z)] \* ))"
+    r"(?P<base>[A-Za-z])(?P<suffix>[A-Za-z]{1,3})(?![A-Za-z_{(0-9])"
+    r"|(?<![A-Za-z\\_{])(?P<first>[A-Za-z])(?P<rest>[A-Za-z]{1,3})(?=\*[0-9A-Za-z(]| \* [0-9A-Za-z(])"
+)
+"""A run of letters beside a typed star, pme*Vh: on a page that types all its products it is one name."""
+
+
+def _beside_stars(plain: str) -> list[_Name]:
+    """Return the runs of letters that stand as factors beside a star, each once."""
+    names: dict[str, _Name] = {}
+    for match in _BESIDE_STAR.finditer(plain):
+        name = _Name(match["base"] or match["first"], match["suffix"] or match["rest"], match.start())
+        if not _has_other_meaning(name.spelling):
+            names.setdefault(name.spelling, name)
+    return list(names.values())[:MOST_NAMES]
 
 
 def _uses(name: _Name, plain: str) -> list[Span]:

@@ -14,8 +14,10 @@ from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 
 _SIGNS = {**GREEK_SIGN, **{short: GREEK_SIGN[name] for short, name in SHORT_NAMES.items()}}
 _WORDS = sorted((name for name in _SIGNS if name not in ("pi", "ell")), key=len, reverse=True)
-_WORD = re.compile(rf"(?<![A-Za-z\\_{{])(?P<name>{'|'.join(_WORDS)})(?![A-Za-z_{{'’])")
-_AFTER = re.compile(r"[0-9]|[ \t]*[=≈^*·/+²³<>≤≥)]|[ \t]+-[ \t]")
+_WORD = re.compile(
+    rf"(?<![A-Za-z\\_{{])(?P<name>{'|'.join(_WORDS)})(?![A-Za-z{{'’]|_(?![A-Za-z0-9]{{1,8}}(?![\w{{])))"
+)
+_AFTER = re.compile(r"[0-9]|_\w{1,8}[ \t]*[=≈^*·/+²³<>≤≥)]|[ \t]*[=≈^*·/+²³<>≤≥)]|[ \t]+-[ \t]")
 _BEFORE = re.compile(r"[0-9=≈*·/+(<>≤≥−][ \t]*$|[ \t]-[ \t]*$")
 
 

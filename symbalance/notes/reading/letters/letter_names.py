@@ -17,7 +17,7 @@ from symbalance.document.letters import (
     WORDS,
 )
 from symbalance.notes.reading.failures import ReadingError
-from symbalance.notes.reading.signs import COMBINED, accented
+from symbalance.notes.reading.signs import COMBINED, VULGAR, accented
 
 _COMMAND = re.compile(r"\\([A-Za-z]+)\s*")
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9]*")
@@ -200,6 +200,14 @@ _EXTREME_IN_BRACKETS = re.compile(
 )
 
 
+_FRACTION_BELOW = re.compile(
+    r"\\[td]?frac(?:\s*\{\s*([0-9]{1,2})\s*\}|\s*([0-9]))\s*(?:\{\s*([0-9]{1,2})\s*\}|([0-9]))"
+)
+_FRACTION_SIGN = re.compile(rf"(?<![0-9])[{''.join(VULGAR)}]")
+_ORDER_SLASH = re.compile(r"(?<=[0-9])/(?=[0-9])")
+"""The stroke of R_{1/2}, the wave of order one half."""
+
+
 def _beside(match: re.Match[str]) -> str:
     """Return the (max) of F_{S(max)} as that of F_{S,max}."""
     return f",{match['word']}" if match.start() else match["word"]
@@ -210,10 +218,13 @@ def subscript_name(text: str, offset: int) -> str:
 
     >>> subscript_name(r"\mathrm{rec},\theta", 0)
     'rec,theta'
-    >>> subscript_name("(1)", 0), subscript_name(r"S(\max)", 0)
-    ('(1)', 'S,max')
+    >>> subscript_name("(1)", 0), subscript_name(r"S(\max)", 0), subscript_name(r"\frac{3}{2}", 0)
+    ('(1)', 'S,max', '3/2')
     """
     text = _EXTREME_IN_BRACKETS.sub(_beside, text)
+    text = _FRACTION_BELOW.sub(lambda m: f"{m[1] or m[2]}/{m[3] or m[4]}", text)
+    text = _FRACTION_SIGN.sub(lambda m: "{}/{}".format(*VULGAR[m[0]]), text)
+    slashes = {match.start() for match in _ORDER_SLASH.finditer(text)}
     pieces: list[str] = []
     orders = {place for match in _ORDER.finditer(text) for place in range(*match.span())}
     for match in re.finditer(r"\\([A-Za-z]+)|\\[,;: !]|(.)", text, re.DOTALL):
@@ -224,6 +235,8 @@ def subscript_name(text: str, offset: int) -> str:
             continue
         elif sign and (sign.isalnum() or sign in ",.+-*"):
             pieces.append(NAME_OF_SIGN.get(sign, sign))
+        elif match.start() in slashes:
+            pieces.append("/")
         elif match.start() in orders:
             pieces.append(sign if sign in ("(", ")") else "")
         elif sign or command:

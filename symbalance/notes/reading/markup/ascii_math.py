@@ -11,13 +11,18 @@ from symbalance.document.letters import GREEK_SIGN
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 
 _FORMULA = re.compile(r"\\\((?P<inline>[^\\$]{1,2000}?)\\\)|\\\[(?P<display>[^\\$]{1,4000}?)\\\]")
-_SIGNS = {"xx": "\\times ", "oo": "\\infty ", "pm": "\\pm ", "approx": "\\approx "}
+_SIGNS = {
+    "xx": "\\times ", "oo": "\\infty ", "pm": "\\pm ", "approx": "\\approx ", "sum": "\\sum",
+    "prod": "\\prod", "int": "\\int ", "oint": "\\oint ", "dot": "\\dot ",
+    "ddot": "\\ddot ", "bar": "\\bar ",
+}  # fmt: skip
 _NAMES = "|".join(sorted((*GREEK_SIGN, *_SIGNS), key=len, reverse=True))
 _WORD = re.compile(
-    rf"(?<![A-Za-z\\])(?P<word>{_NAMES})(?![A-Za-z])"
-    r"|(?P<implies>=>)|(?P<below><=)|(?P<above>>=)|(?P<near>~~)|(?P<times>\*\*?)"
+    rf"(?P<end>\))|(?<![A-Za-z\\])(?P<word>{_NAMES})(?![A-Za-z])"
+    r"|(?P<script>(?<=[_^])\()|(?P<unequal>!=)|(?P<implies>=>)|(?P<below><=)|(?P<above>>=)|(?P<near>~~)|(?P<times>\*\*?)"
 )
 _MARKS = {
+    "unequal": " \\ne ",
     "implies": " \\Rightarrow ",
     "below": " \\le ",
     "above": " \\ge ",
@@ -31,14 +36,37 @@ def with_ascii_math(text: str) -> Rewritten | None:
 
     >>> with_ascii_math(r"\(E = 1/2 J omega^2\)").text
     '\\(E = 1/2 J \\omega^2\\)'
+    >>> with_ascii_math(r"\(sum_(k=1)^(n+1) k\)").text
+    '\\(\\sum_{k=1}^{n+1} k\\)'
     """
     rewriter, changed = Rewriter(text), False
     for formula in _FORMULA.finditer(text):
+        closing = _closing_of_scripts(text, *formula.span())
         for match in _WORD.finditer(text, formula.start() + 2, formula.end() - 2):
-            if match["word"]:
+            if match["end"]:
+                if match.start() in closing:
+                    rewriter.replace(*match.span(), "}")
+                continue
+            if match["script"]:
+                written = "{" if match.start() in closing.values() else "("
+            elif match["word"]:
                 written = _SIGNS.get(match["word"], f"\\{match['word']}")
             else:
                 written = _MARKS[match.lastgroup or ""]
             rewriter.replace(*match.span(), written)
             changed = True
     return rewriter.finish() if changed else None
+
+
+def _closing_of_scripts(text: str, start: int, end: int) -> dict[int, int]:
+    """Return where the brackets of scripts close, x^(n+1), and where each of them opens."""
+    waiting: list[int] = []
+    result: dict[int, int] = {}
+    for place in range(start + 2, end - 2):
+        if text[place] == "(":
+            waiting.append(place)
+        elif text[place] == ")" and waiting:
+            opener = waiting.pop()
+            if text[opener - 1] in "_^":
+                result[place] = opener
+    return result

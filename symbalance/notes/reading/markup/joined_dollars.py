@@ -90,6 +90,11 @@ def _closes_relation(text: str, place: int) -> bool:
     return line.count("$") % 2 == 1 and RELATION.search(line.rpartition("$")[2]) is not None
 
 
+_UNIT_AT_BAR = re.compile(
+    rf"(?<=[0-9}}])\$[ ~]?(?P<unit>{_UNIT_IN_PROSE})(?P<bar>[ \t]*\|[ \t]*)"
+    r"(?=\$?[ \t]*(?:=|≈|\\approx(?![A-Za-z])))"
+)
+"""A cell that ends in a unit, and the next one that goes on with it: $2\\cdot 3$ N | $= 6$ N."""
 _UNIT_BETWEEN = re.compile(
     rf"({_FORMULA})[ ~]*(?P<unit>{_UNIT})[ ~]*"
     r"\$(?P<rest>[ ]*(?:[=≈]|\\approx(?![A-Za-z]))[^$\n]{1,200})(?<!\\)\$"
@@ -145,6 +150,9 @@ def _add_units_between(text: str, dollars: _Dollars, changes: Changes) -> None:
     for match in _UNIT_BETWEEN.finditer(text):
         if match.start() not in changes and dollars.opens(match.start(1)):
             changes[match.end(1) - 1] = match.start("rest"), (_set_unit(match["unit"]),)
+    for match in _UNIT_AT_BAR.finditer(text):
+        if scale_of(match["unit"]) is not None:
+            changes.setdefault(match.start(), (match.start("bar"), (f"{_set_unit(match['unit'])}$",)))
 
 
 def _joints(text: str, start: int, end: int) -> Changes:

@@ -20,6 +20,8 @@ _BETWEEN = re.compile(rf"(?:[{_MARKS},;&]|\\[][()]|\\\\|\\(?:end|begin)\{{[a-z]+
 """Marks between the end of a formula and a sign that goes on with it."""
 _SHORT_UNIT = re.compile(r"(?<![A-Za-z])(?:lbs?|ft|in|oz|sec|min|hrs?|cwt|sq|cu|r\.?p\.?m|h\.?p|deg)$")
 """Units that are written with a point behind, which ends no sentence there."""
+_IN_BRACKETS = re.compile(r"(?:[ \t$`]|\\\))*[ \t]\([ \t]*(?:\$|\\\(|`)?[ \t]*")
+"""What stands before the second value of F = 4 kN (= 4000 N), the sign first in its brackets."""
 MOST_LINE_ENDS = 2
 """Ends of lines between a formula and the = that goes on with it: one empty line."""
 _EMPTY = re.compile(r"(?:[ \t]*\n){3,}")
@@ -66,6 +68,8 @@ def goes_on_from(text: str, end: int, start: int) -> bool:
         between = between[1:]
     if (edge := _CELL_EDGE.match(between)) is not None:
         between = between[edge.end() :]
+    if _IN_BRACKETS.fullmatch(between):
+        return True
     return between.count("\n") <= MOST_LINE_ENDS and _BETWEEN.fullmatch(between) is not None
 
 

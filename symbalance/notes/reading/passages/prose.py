@@ -219,9 +219,15 @@ def _is_mathematical_sign(sign: str, text: str, place: int, end: int) -> bool:
         before = text[max(place - 2, 0) : place]
         before = before.rstrip() if sign == "%" else before
         return _is_operation(sign, before[-1:], text[place + 1 : min(place + 9, end)])
+    if sign == '"':
+        return _SECONDS_BEFORE.search(text, max(place - 12, 0), place) is not None
     if sign == ".":
         return place + 1 < end and text[place + 1].isdecimal()
     return sign in _MATHEMATICAL
+
+
+_SECONDS_BEFORE = re.compile(r"['′’][ ]?[0-5]?[0-9](?:[.,][0-9]{1,3})?$")
+"""What the sign of seconds stands behind in 26° 33' 54"."""
 
 
 def _is_ratio(text: str, place: int) -> bool:

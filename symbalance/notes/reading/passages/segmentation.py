@@ -19,6 +19,7 @@ from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.formulas.lexer import Vocabulary, vocabulary
 from symbalance.notes.reading.passages.continued_lines import goes_on_below, is_first_side
 from symbalance.notes.reading.passages.meanings_in_words import is_explained_by_text, is_meaning
+from symbalance.notes.reading.passages.numbers_behind_commas import before_next_number
 from symbalance.notes.reading.passages.prose import (
     line_rules,
     parts_at_lone_brackets,
@@ -46,6 +47,8 @@ from symbalance.notes.reading.units import (
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _BULLET = re.compile(r"\s*(?:\(?(?:[0-9]{1,3}[.)]|(?:[a-h]|i{1,3}|i?v)\))(?=\s))?\s*")
+_LISTED = re.compile(r"(?<!\S)\((?:[a-h]|i{1,3}|i?v)\)(?=[ \t])")
+"""Letters that count the answers of a line: (a) 2 + 3 = 5   (b) 7 - 2 = 5."""
 _MARKDOWN_BULLET = re.compile(r"\s*(?:>\s*)*(?:[-*+]\s+|[0-9]{1,3}[.)]\s+)?\s*")
 _DASH = re.compile(r"[-*•]\s+(?=[^\s=])")
 _EXPLAINED = re.compile(
@@ -74,6 +77,19 @@ _PARTICLES = word_set(
 )
 _ONE_NUMBER = re.compile(
     r"[=≈]\s*[-−]?[0-9]+(?:[.,][0-9]+)?\s*(?:$|[.;,)](?:\s|$)|[^\W\d_]{2,}\b)", re.MULTILINE
+)
+_ONE_QUANTITY = re.compile(
+    r"[=≈]\s*[0-9]+(?:[.,][0-9]+)?[ ]"
+    r"(?P<unit>(?!in\b|as\b|at\b|min\b|us\b)[A-Za-z]{2,4}(?:/[a-z]{1,3}[²2]?)?)"
+    r"(?=\s*(?:$|[.,;)](?:\s|$)))",
+    re.MULTILINE,
+)
+_WORD_BELOW = re.compile(r"/(?P<word>[^\W\d_]+(?:_\{\w{1,6}\})?)[ \t]*(?=[=≈])")
+_WORD_ABOVE = re.compile(r"(?<![\w$\\}])(?<![0-9][ ])(?P<word>[^\W\d_]{3,})$")
+_CONJUNCTIONS = re.compile(
+    r"(?:(?:hence|so|thus|then|therefore|also|where|and|or|but|with|for|if|when|since|because|also|somit|daher"
+    r"|damit|und|mit|bei|donc|alors|the|its|a|an|der|die|das|dann)\s+)+",
+    re.IGNORECASE,
 )
 _WORD_OF_OPERATION = re.compile(r"\b(?:plus|minus|times|mal|over|durch|divided|squared)\b")
 _WORDS_ALONE = re.compile(
@@ -178,7 +194,9 @@ class ItemFinder:
         if not alone and not is_first and not has_any_relation(self.text, region.start, region.end):
             return
         kind = "display" if alone else "inline"
-        pieces = pieces_of(self.text, region.start, region.end, region.environment)
+        end = self._before_constant(region)
+        pieces = pieces_of(self.text, region.start, end, region.environment)
+        pieces = [p for p in pieces if end == region.end or has_any_relation(self.text, p.start, p.end)]
         around = self._doubt_around_region(region) if pieces and not region.display else None
         for piece in pieces:
             if is_unit_of_letter(self.text, piece.start, piece.end):
@@ -192,6 +210,13 @@ class ItemFinder:
         for inner in formulas_in_words(self.text, region.start, region.end):
             lines = self.line_of(inner.start), self.line_of(inner.end - 1)
             yield Item(inner.start, inner.end, "inline", True, *lines, block=block, aside=True)
+
+    def _before_constant(self, region: Region) -> int:
+        """Return where $n =$ const. ends before its sign, for other formulas where they end."""
+        inside = self.text[region.start : region.end].rstrip()
+        if not inside.endswith("=") or _CONSTANT_BEHIND.match(self.text, region.last) is None:
+            return region.end
+        return region.start + len(inside) - 1
 
     def _words_before(self, place: int, start: int) -> tuple[int, int] | None:
         """Return the words of \\text{mean speed} = 2 s n that stand alone left of a relation."""
@@ -243,7 +268,10 @@ class ItemFinder:
         elif self.kind == "markdown" and self._is_row_of_table(self.line_of(start)):
             gaps.append("|")
         cells, first = [], start
-        for match in re.finditer("|".join(map(re.escape, gaps)), self.text[start:end]):
+        pattern = "|".join(map(re.escape, gaps))
+        if len(_LISTED.findall(self.text, start, end)) > 1:
+            pattern += f"|{_LISTED.pattern}"
+        for match in re.finditer(pattern, self.text[start:end]):
             cells.append((first, start + match.start()))
             first = start + match.end()
         return [*cells, (first, end)]
@@ -357,13 +385,27 @@ class ItemFinder:
                 inner = trim_segment(self.text, piece.start, piece.end, words)
                 inner = _sign_behind_arrow(self.text, piece.start, inner[0]), inner[1]
                 inner = _behind_named_letter(self.text, *inner), _before_next_letter(self.text, *inner)
+                inner = inner[0], before_next_number(self.text, *inner)
                 inner = inner[0], _before_words(self.text, *inner, words)
+                ratio = self._ratio_of_words(*inner)
+                inner = (ratio[1], inner[1]) if ratio else inner
                 doubt = piece.doubt or doubt_around(self.text, *inner, words)
-                head = self._letter_explained(inner[0], line) or self._named_in_words(
-                    inner[0], line, words
+                head = ratio[0] if ratio else None
+                head = (
+                    head
+                    or self._letter_explained(inner[0], line)
+                    or self._named_in_words(inner[0], line, words)
                 )
                 lines = self.line_of(inner[0]), self.line_of(inner[1] - 1)
                 yield Item(*inner, "prose", display >= 0, *lines, piece.tag, doubt=doubt, head=head)
+
+    def _ratio_of_words(self, place: int, end: int) -> tuple[tuple[int, int], int] | None:
+        """Return the words of stroke/bore = 0.84 that stand for a letter, and where the sign stands."""
+        below = _WORD_BELOW.match(self.text, place, end)
+        above = _WORD_ABOVE.search(self.text, max(place - MARGIN, 0), place) if below else None
+        if below is None or above is None or above["word"].lower() in _VERBS | _PARTICLES:
+            return None
+        return (above.start("word"), below.end("word")), below.end()
 
     def _letter_explained(self, place: int, line: int) -> tuple[int, int] | None:
         """Return the letter of `l: rod length = λ s` before the relation at a place."""
@@ -382,14 +424,24 @@ class ItemFinder:
             return None
         begin = max(self.line_span(line)[0], place - MARGIN)
         match = _PHRASE.search(self.text, begin, place)
-        named = match["words"].lower().split() if match else []
-        if match is None or _VERBS & set(named) or named[0] in _PARTICLES or named[-1] in _PARTICLES:
+        if match is None:
             return None
-        if _WORD_OF_OPERATION.search(match["words"]) or match["words"] in words.names:
+        leading = _CONJUNCTIONS.match(match["words"])
+        start = match.start("words") + (leading.end() if leading else 0)
+        phrase = self.text[start : match.end("words")]
+        named = phrase.lower().split()
+        if not named or _VERBS & set(named) or named[0] in _PARTICLES or named[-1] in _PARTICLES:
             return None
-        if _ONE_NUMBER.match(self.text, place):
+        if len(phrase) < 2 or _WORD_OF_OPERATION.search(phrase) or phrase in words.names:
+            return None
+        if _ONE_NUMBER.match(self.text, place) and not self._is_quantity(place):
             return None  # cost = 4
-        return match.span("words")
+        return start, match.end("words")
+
+    def _is_quantity(self, place: int) -> bool:
+        """Tell whether a number with a unit of its own is all that a sign gives: stroke = 67 mm."""
+        match = _ONE_QUANTITY.match(self.text, place)
+        return match is not None and scale_of(match["unit"]) is not None
 
 
 _NEXT_LETTER = re.compile(r",\s+(?!π)[^\W\d](?:_\{[^{}]{1,12}\}|_?\w{1,3}|[₀-₉]+)?\s*$")
@@ -625,6 +677,9 @@ _CONSTANT = re.compile(
     r"\s*(?:=|\\approx)\s*(?:\\(?:text|mathrm|mbox|textrm|textit|operatorname)\s*\{\s*)?[ckCK]onst"
     r"(?:ant|\.)?(?:\s*\.?\s*\})?[\s.,;]*$"
 )
+
+
+_CONSTANT_BEHIND = re.compile(r"\s*\(?[ckCK]onst(?:ant|ante|\.)?(?![A-Za-z])")
 
 
 def _explains(between: str) -> bool:

@@ -9,11 +9,12 @@ from __future__ import annotations
 import re
 
 from symbalance.document.letters import NAME_OF_SIGN
-from symbalance.document.wordlists import words
+from symbalance.document.wordlists import word_set, words
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.formulas.lexer import Vocabulary
 from symbalance.notes.reading.passages.words_behind_numbers import says_multiple_of
 from symbalance.notes.reading.sources import CELL_END
+from symbalance.notes.reading.units import scale_of
 
 MARGIN = 200
 """Characters of the line around a formula that are looked at."""
@@ -30,6 +31,9 @@ _UNKNOWN_UNIT = re.compile(
     r"(?![\w(^])(?=[\s.,;)]|$)"
     r"|(?<=[0-9]\$)\s?(?:t[ ·]?m|tf|Mp)(?![\w(^])(?=[\s.,;)]|$)"
 )
+_UNIT_LEFT_OUT = re.compile(r"(?<=[0-9])[ ~](?P<unit>[A-Za-z]{2,5})(?=[\s.,;:)]|$)")
+_WORDS_LIKE_UNITS = word_set("in as at us per deg min cd do it be an")
+"""A known unit right behind a number that was taken for words, 11 bar where a, b and r are letters."""
 _PART_OF = re.compile(r"(?:of|von|de)\b", re.IGNORECASE)
 _JOINED_BEFORE = re.compile(
     r"(?:(?<=[0-9%)½¼¾²³}$])\s*(?:of|von|de)|\b(?:twice|(?:half|halves|quarters?"
@@ -81,6 +85,10 @@ def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingE
     if unit := _UNKNOWN_UNIT.match(text, end, stop):
         what = f"a unit that is not known: {unit.group().strip()}"
         return ReadingError(end, what, "give the value in SI units")
+    unit = _UNIT_LEFT_OUT.match(text, end, stop)
+    if unit and unit["unit"] not in _WORDS_LIKE_UNITS and scale_of(unit["unit"]) is not None:
+        what = f"{unit['unit']}, a unit or letters"
+        return ReadingError(unit.start("unit"), what, "write the unit upright, or the letters apart")
     if says_multiple_of(text, start, end, behind):
         behind = ""
     goes_on = _goes_on(behind, after, words) or _applies_a_word(text, start, behind)

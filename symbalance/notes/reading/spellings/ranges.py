@@ -153,6 +153,9 @@ def _listed(match: re.Match[str]) -> str | None:
         return _turned_through(match, [p if p != "0" else "0°" for p in plain], bare)  # 0, 120°, 240°
     if not all(re.fullmatch(r"-?[0-9.]+", value) for value in bare):
         return None
+    is_last_alone = bare[-1] != plain[-1] and bare[:-1] == plain[:-1]  # 0, 120, 240°
+    if is_last_alone and _are_cranks(sizes := [float(value) for value in bare]):
+        return f"0° ≤ {match['letter']} ≤ {max(sizes):g}°"
     if bare == plain and _are_cranks(sizes := [float(value) for value in plain]):
         return f"0 ≤ {match['letter']} ≤ {max(sizes):g}"
     return _plain_list(match, values, plain, bare)

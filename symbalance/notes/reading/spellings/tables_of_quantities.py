@@ -103,7 +103,15 @@ def _is_equation(first: str, second: str) -> bool:
     letters, value = (_MARKS.sub("", cell).strip() for cell in (first, second))
     if _LETTERS.fullmatch(letters) is None or _WORD.search(letters) or RELATION.match(value):
         return False
+    if _OWN_EQUATION.match(value):
+        return False
     return _VALUE.search(value) is not None and scale_of(value) is None and not _says_words(value)
+
+
+_OWN_EQUATION = re.compile(
+    r"(?:\\?[A-Za-z]+|[^\W\d_])(?:_(?:\{[^{}]{1,14}\}|\w{1,8}))?\s*(?:=|≈|\\approx)"
+)
+"""A cell that names its letter itself, D = 67: it is an equation without the cell before it."""
 
 
 def _says_words(value: str) -> bool:
