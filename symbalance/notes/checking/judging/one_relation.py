@@ -473,6 +473,7 @@ def _as_meant(
         outcome = outcome or state.patterns.judge(chain, k, knowledge)
         outcome = outcome or state.bank_resultants.judge(chain, k, knowledge)
         outcome = outcome or state.dead_centre_sizes.refute(chain, k, knowledge)
+        outcome = outcome or state.formulas_beside.judge(chain, k, knowledge)
         outcome = outcome or state.parity.judge(chain, k)
         if outcome is not None and _is_left_open(outcome):
             return _unless_left_open(outcome, definition)
