@@ -386,7 +386,12 @@ class QuantityWords:
     def _is_of_another_letter(self, words: str, end: int, name: str) -> bool:
         """Tell whether a phrase is followed by another letter at once: the mean stress s_m."""
         letter = _MARKED_BEHIND.match(words, end)
-        return bool(name) and letter is not None and not re.fullmatch(sign_of(name), letter["sign"])
+        own = name.split()  # of the product m_G r_G, each of its letters
+        return (
+            bool(own)
+            and letter is not None
+            and not any(re.fullmatch(sign_of(each), letter["sign"]) for each in own)
+        )
 
     def _by_phrases(
         self, words: str, stem: str, places: Places, sentence: str, name: str = ""

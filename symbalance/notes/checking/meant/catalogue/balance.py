@@ -51,6 +51,14 @@ BALANCE: tuple[Quantity, ...] = (
         slips=("power",),
     ),
     Quantity(
+        "centrifugal force of a weight", letters("F Z C P K"),
+        words(r"centrifugal\s+forces?", r"flieh-?kraft", r"zentrifugalkraft", r"遠心力"),
+        (weight * radius * omega**2 / gravity, weight * velocity**2 / (gravity * radius)), ("power",),
+        others=(mass * radius * omega**2,), mistakes=(weight * radius * omega**2,),
+        only=words(r"\bpounds?\b|\blbs?\b|\\[dt]?frac\s?\{?\s?[WG](?:_\w)?\s?\}?\s?\{?\s?g\b|\b[WG](?:_\w)?\s?/\s?g\b"),
+        unless=words(r"\bslugs?\b|mass(?:es)?\s+(?:in|of)\b"), is_told_once=True,
+    ),
+    Quantity(
         "hammer blow", letters("F Q B P H V"),
         words(r"hammer[\s-]?blow", r"hammerschlag", r"ハンマーブロー", r"(?:槌打|つち打ち)(?:力)?"),
         (share * mass * pin * omega**2 * SIN_CRANK, share * mass * pin * omega**2, mass * pin * omega**2,
@@ -194,7 +202,7 @@ BALANCE: tuple[Quantity, ...] = (
         mistakes=(root(Number(Fraction(2))) * mass * pin * omega**2,),
         only=both(words(r"90\s*(?:°|\\?deg|\^|\\\\circ|-degree| degree|\s*grad|度)"),
         words(r"[VL]-?twin|\bvee\b|Gabelmotor|\bV\b|V2|V-2|V-engine|V-motor|V形|V型")),
-        unless=words(r"both|together|beide|zusammen|合計|two pistons|zwei kolben|second|zweite|2次"
+        unless=words(r"both(?!\s+(?:connecting\s+)?rods)|together|beide(?!\s+pleuel)|zusammen|合計|two pistons|zwei kolben|second|zweite|2次"
         r"|four|vier|six|eight|cylinder(?:s)? (?:is|alone)|each|per cylinder|one cylinder|一つの"),
     ),
 )  # fmt: skip

@@ -54,6 +54,9 @@ _SHAFT = words(
     r"軸[一1]本当たり",
         r"不釣り?合い量",
     r"ejes?\s+contrarrotantes?", r"lanchester\w*",
+    r"(?:each|every)\s+(?:of\s+(?:the|these)\s+)?(?:two\s+)?(?:balance[r]?\s+)?shafts?\s+(?:\w+\s+){1,3}unbalance",
+    r"jede\s+(?:der\s+\w+\s+)?(?:ausgleichs)?wellen?\s+(?:\w+\s+){1,3}unwucht",
+    r"unwucht\s+(?:jeder|einer)\s+(?:der\s+)?(?:ausgleichs)?wellen?",
 )  # fmt: skip
 _TWICE = words(
     r"twice|double|second[- ]order|secondary|2\s?ω|2\\omega|zweiter\s+ordnung|2\.\s+ordnung|二次|2次"
