@@ -6,6 +6,8 @@ they are, and the first says how the second one counts:
     two orders of a piston's force       the second has the ratio of the crank to the rod once more, and
                                          the same function of twice the angle
     two components of a turning force    where one goes with the cosine, the other goes with the sine
+    a harmonic of several cylinders      a multiple of the one in the series of one cylinder above, with
+                                         the same function
     the sums at the two dead centres     where F_1 + F_2 is at the top, F_1 - F_2 is at the bottom
 
 A second order that is several times as large may be of several cylinders, and one with no ratio at all may
@@ -42,7 +44,12 @@ from symbalance.notes.checking.deciding.equality import REFUTED, Decision, witho
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.meant.engines.order_indices import wave_of
-from symbalance.notes.checking.meant.engines.products import NoProductError, ProductOfPowers, product_of
+from symbalance.notes.checking.meant.engines.products import (
+    NoProductError,
+    ProductOfPowers,
+    product_of,
+    terms_of,
+)
 from symbalance.notes.checking.meant.meant_words import MeantWords
 from symbalance.notes.checking.repair.fixes import Repair, fix_of
 from symbalance.notes.checking.verdicts import Verdict
@@ -51,8 +58,13 @@ from symbalance.notes.reading.equations import Chain, Side
 
 NEAR, BESIDE = 900, 320
 """Characters between the formulas of two orders at most, and between those of two components."""
+_FEWEST_HARMONICS = 2
 _OTHER_FUNCTION = {"cos": "sin", "sin": "cos"}
-_SPEEDS, _RADII, _RODS = frozenset({"omega", "Omega", "w"}), frozenset({"r", "R"}), frozenset({"l", "L", "ell"})
+_SPEEDS, _RADII, _RODS = (
+    frozenset({"omega", "Omega", "w"}),
+    frozenset({"r", "R"}),
+    frozenset({"l", "L", "ell"}),
+)
 _RATIOS = frozenset({"lambda", "lam", "rho", "varepsilon", "epsilon", "mu", "n", "kappa", "q"})
 _ORDERS = {
     "1": 1, "I": 1, "p": 1, "P": 1, "pri": 1, "prim": 1, "'": 1,
@@ -64,12 +76,16 @@ _PARTLY = re.compile(
     re.IGNORECASE,
 )
 _SIDEWAYS = re.compile(
-    r"(?:_|\A)(?:h|H|hor|horizontal|side|quer|q|lat|perp|across|t|transverse)\Z|\AH(?:_|\Z)|\\perp", re.IGNORECASE
+    r"(?:_|\A)(?:h|H|hor|horizontal|side|quer|q|lat|perp|across|t|transverse)\Z|\AH(?:_|\Z)|\\perp",
+    re.IGNORECASE,
 )
-_FIRST_AXIS, _SECOND_AXIS = re.compile(r"_[xX](?:[,_ ]|\Z)|[,_ ][xX]\Z|\AX(?:_|\Z)"), re.compile(
-    r"_[yY](?:[,_ ]|\Z)|[,_ ][yY]\Z|\AY(?:_|\Z)"
+_FIRST_AXIS, _SECOND_AXIS = (
+    re.compile(r"_[xX](?:[,_ ]|\Z)|[,_ ][xX]\Z|\AX(?:_|\Z)"),
+    re.compile(r"_[yY](?:[,_ ]|\Z)|[,_ ][yY]\Z|\AY(?:_|\Z)"),
 )
-_UPRIGHT = re.compile(r"(?:_|\A)(?:v|V|ver|vert|vertical|up|lon|par|along|l)\Z|\AV(?:_|\Z)", re.IGNORECASE)
+_UPRIGHT = re.compile(
+    r"(?:_|\A)(?:v|V|ver|vert|vertical|up|lon|par|along|l)\Z|\AV(?:_|\Z)", re.IGNORECASE
+)
 _ACROSS = re.compile(
     r"across|sideways|transverse|perpendicular|at\s+right\s+angles|horizontal\w*|\bquer|senkrecht\s+dazu|waagrecht\w*"
     r"|水平|直角(?:な|の)?方向|transversal\w*|perpendiculaire|orizzontal\w*|fore\s+and\s+aft",
@@ -88,7 +104,8 @@ _TURNS = re.compile(
 )
 """Words for a force that turns with the crank, or for the weight that makes one."""
 _INCLINED = re.compile(
-    r"inclin|geneigt|tilted|schräg|\bbank|\bV-|\bvee\b|V-?twin|gabel|傾|V型|V形|45\s*(?:°|\^|deg|\\deg)", re.IGNORECASE
+    r"inclin|geneigt|tilted|schräg|\bbank|\bV-|\bvee\b|V-?twin|gabel|傾|V型|V形|45\s*(?:°|\^|deg|\\deg)",
+    re.IGNORECASE,
 )
 _TOP = re.compile(r"_(?:TDC|OT|top|PMH|PMS|u)\Z|_(?:max)\Z")
 _BOTTOM = re.compile(r"_(?:BDC|UT|bottom|bot|PMB|PMI)\Z")
@@ -132,7 +149,8 @@ class FormulasBeside:
         if own is None:
             return None
         of_order = None if own.complements else self._second_order(chain, head.name, own.product)
-        return of_order or self._component(chain, head.name, own)
+        of_order = of_order or self._component(chain, head.name, own)
+        return of_order or self._harmonic(chain, head.name, value, own)
 
     def _above(self, chain: Chain, reach: int) -> Iterator[_Pair]:
         """Yield the formulas above that are products, the nearest first."""
@@ -142,7 +160,9 @@ class FormulasBeside:
             if chain.start - other.end > reach:
                 return
             head = other.sides[0].node
-            if not isinstance(head, Name) or not self.sections.same_section(other.lines[0], chain.lines[0]):
+            if not isinstance(head, Name) or not self.sections.same_section(
+                other.lines[0], chain.lines[0]
+            ):
                 continue
             nodes = (without_dots(side.node)[0] for side in other.sides[1:])
             products = ((node, own) for node in nodes if (own := _product(node)) is not None)
@@ -151,9 +171,7 @@ class FormulasBeside:
                     yield _Pair(other, head.name, *own, node)
                     break
 
-    def _second_order(
-        self, chain: Chain, name: str, product: ProductOfPowers
-    ) -> Verdict | None:
+    def _second_order(self, chain: Chain, name: str, product: ProductOfPowers) -> Verdict | None:
         """Return the refutation of a second order that is no multiple of the first one's ratio; or None."""
         if _order_of(name, product) != 2 or not _has_speed(product, with_crank=False):
             return None
@@ -178,21 +196,29 @@ class FormulasBeside:
             if slips[0] and not is_told:
                 return None
             near = text[max(0, pair.chain.start - NEAR // 2) : chain.end + 60]
-            is_of_one = isclose(abs(first.number), 1) and not (_PARTLY.search(near) or _INCLINED.search(near))
+            is_of_one = isclose(abs(first.number), 1) and not (
+                _PARTLY.search(near) or _INCLINED.search(near)
+            )
             if slips[3] and not (is_of_one and _is_of_path_or_speed(number)):
                 return None
             wave = _second_wave(first.wave)
             target = target_ratio * pair.node
             if first.wave is not None and wave is not None:
                 target = _with_wave(target, first.wave, wave)
-            kind = "rod ratio inverted" if slips[0] else "order" if slips[1] else "function" if slips[2] else "factor"
+            kind = (
+                "rod ratio inverted"
+                if slips[0]
+                else "order"
+                if slips[1]
+                else "function"
+                if slips[2]
+                else "factor"
+            )
             text_of = f"{plain_letter(name)} is the second order beside {plain_letter(pair.name)} of line"
             return self._refuted(chain, target, kind, f"if {text_of} {pair.chain.lines[0]}")
         return None
 
-    def _ratio(
-        self, powers: dict[str, Fraction], chain: Chain
-    ) -> tuple[Formula, bool, bool] | None:
+    def _ratio(self, powers: dict[str, Fraction], chain: Chain) -> tuple[Formula, bool, bool] | None:
         """Return the ratio of a second order as it should be, whether the one in hand is its inverse,
         and whether the page shows which of the two it is.
         """
@@ -223,7 +249,11 @@ class FormulasBeside:
         """Return what a letter is by a line that gives it as a quotient of crank and rod; "" for none."""
         for chain in self.sections.chains_of(Name(name)):
             value = chain.sides[1].node
-            if isinstance(value, Quotient) and isinstance(value.numerator, Name) and isinstance(value.denominator, Name):
+            if (
+                isinstance(value, Quotient)
+                and isinstance(value.numerator, Name)
+                and isinstance(value.denominator, Name)
+            ):
                 above, below = _stem(value.numerator.name), _stem(value.denominator.name)
                 if above in _RADII and below in _RODS:
                     return "crank ratio r/l"
@@ -260,6 +290,37 @@ class FormulasBeside:
                 " components of a force that turns, of which one goes with the sine"
             )
             return self._refuted(chain, target, "sin for cos", reason)
+        return None
+
+    def _harmonic(self, chain: Chain, name: str, value: Formula, own: _Shared) -> Verdict | None:
+        """Return the refutation of a multiple of a series' harmonic with the other function; or None."""
+        wave = own.product.wave
+        order, angle = (0, "") if wave is None else wave_of(wave)
+        if wave is None or own.complements or str(order) != _index(name):
+            return None
+        for other in reversed(self.sections.in_order):
+            head = other.sides[0].node
+            if other.end > chain.start or not isinstance(head, Name) or head.name != _stem(name):
+                continue
+            terms = [_product(term) for term in terms_of(without_dots(other.sides[-1].node)[0])]
+            products = [each.product for each in terms if each is not None]
+            if len(products) != len(terms) or len(terms) < _FEWEST_HARMONICS:
+                continue
+            waves = [each.wave for each in products if each.wave is not None]
+            if len(waves) != len(terms) or len({each.function for each in waves}) != 1:
+                return None
+            same = [each for each in products if each.wave and wave_of(each.wave) == (order, angle)]
+            if len(same) != 1 or waves[0].function == wave.function or _quotient(own.product, same[0]):
+                return None
+            number = own.product.number / same[0].number
+            near = self.words.document.text[max(0, chain.start - BESIDE) : chain.end]
+            if number < 1 or not isclose(number, round(number), rel_tol=1e-9) or _INCLINED.search(near):
+                return None
+            target = _with_wave(value, wave, Call(waves[0].function, wave.argument))
+            reason = (
+                f"if {plain_letter(name)} is {round(number)} times the harmonic of line {other.lines[0]}"
+            )
+            return self._refuted(chain, target, f"{waves[0].function} for {wave.function}", reason)
         return None
 
     def _are_across(self, pair: _Pair, chain: Chain, name: str) -> bool:
