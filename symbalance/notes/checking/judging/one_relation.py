@@ -482,11 +482,25 @@ def _as_meant(
         outcome = outcome if by_motion is None or _is_left_open(by_motion) else by_motion
     name = chain.sides[k].node
     if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
-        state.definitions.define(name.name, outcome.fix.node, chain)
+        if _has_number_behind(state, chain, name):
+            state.definitions.forget(name.name, chain.lines[0])  # the number goes with the wrong formula
+        else:
+            state.definitions.define(name.name, outcome.fix.node, chain)
         outcome = outcome if state.corrects else replace(outcome, fix=None)
     elif isinstance(outcome, Decision) and outcome.status == REFUTED and isinstance(name, Name):
         state.definitions.forget(name.name, chain.lines[0])
     return outcome or definition
+
+
+def _has_number_behind(state: JudgingState, chain: Chain, letter: Name) -> bool:
+    """Tell whether the section gives a letter a number further on, in another relation than a formula."""
+    return any(
+        other.start > chain.start
+        and state.sections.same_section(chain.lines[0], other.lines[0])
+        and len(other.sides) > 1
+        and not names(other.sides[1].node)
+        for other in state.sections.chains_of(letter)
+    )
 
 
 def _as_named_engine(

@@ -1,4 +1,4 @@
-"""The formula above of which a line gives the largest value: M(φ) = A (cos φ + λ cos 2φ), M_max = A (1 + λ).
+"""The formula above whose largest value a line gives: M(φ) = A (cos φ + λ cos 2φ), M_max = A (1 + λ).
 
 The letter itself may have no value by then: it was written as a function of its angle, or the formula is
 that of a sum, F_1 + F_2 = A cos(θ + 45°), whose greatest value the next sentence gives. What counts is
@@ -60,7 +60,7 @@ def _source_next(state: JudgingState, chain: Chain, above: list[Chain], base: st
     if last is None or chain.start - last.end > NEXT:
         return None
     words = state.document.text[last.end : chain.start]
-    stems = {name.partition("_")[0] for name in names(last.sides[0].node)}
+    stems = {name.partition("_")[0].rstrip("0123456789") for name in names(last.sides[0].node)}
     return last if _ITS_LARGEST.search(words) and stems == {base.partition("_")[0]} else None
 
 

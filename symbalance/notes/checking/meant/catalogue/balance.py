@@ -59,7 +59,8 @@ BALANCE: tuple[Quantity, ...] = (
         (weight * radius * omega**2 / gravity, weight * velocity**2 / (gravity * radius)), ("power",),
         others=(mass * radius * omega**2,), mistakes=(weight * radius * omega**2,),
         only=words(_IN_POUNDS),
-        unless=words(r"\bslugs?\b|mass(?:es)?\s+(?:in|of)\b|(?:weights?|gewichte?)\W{0,4}[mM]\b"), is_told_once=True,
+        unless=words(r"\bslugs?\b|mass(?:es)?\s+(?:in|of)\b|(?:weights?"
+                     r"|gewichte?)\W{0,4}[mM]\b"), is_told_once=True,
     ),
     Quantity(
         "hammer blow", letters("F Q B P H V"),
@@ -204,8 +205,10 @@ BALANCE: tuple[Quantity, ...] = (
         (mass * pin * omega**2,), ("bare factor", "power", "part"),
         mistakes=(root(Number(Fraction(2))) * mass * pin * omega**2,),
         only=both(words(r"90\s*(?:°|\\?deg|\^|\\\\circ|-degree| degree|\s*grad|度)"),
-        words(r"[VL]-?twin|\bvee\b|Gabelmotor|\bV\b|V2|V-2|V-engine|V-motor|V形|V型")),
-        unless=words(r"both(?!\s+(?:connecting\s+)?rods)|together|beide(?!\s+pleuel)|zusammen|合計|two pistons|zwei kolben|second|zweite|2次"
+        words(r"[VL]-?twin|\bvee\b|Gabelmotor|\bV\b|V2|V-2|V-engine|V-motor|V形"
+              r"|V型")),
+        unless=words(r"both(?!\s+(?:connecting\s+)?rods)|together|beide(?!\s+pleuel)|zusammen|合計"
+        r"|two pistons|zwei kolben|second|zweite|2次"
         r"|four|vier|six|eight|cylinder(?:s)? (?:is|alone)|each|per cylinder|one cylinder|一つの"),
     ),
 )  # fmt: skip

@@ -69,7 +69,8 @@ _TWICE = words(
     r"|doppelt|lanchester"
 )
 _FOUR = words(
-    r"\bfour\b|in-line[- ]four|\bvier|vierzylinder|(?:quattro|quatre|cuatro)\s+c[iy]l|4\s?気筒|4-?zylinder|\b4[- ]cyl|\bI4\b|\bR4\b"
+    r"\bfour\b|in-line[- ]four|\bvier|vierzylinder|(?:quattro|quatre|cuatro)\s+c[iy]l|4\s?気筒"
+    r"|4-?zylinder|\b4[- ]cyl|\bI4\b|\bR4\b"
 )
 _OTHER_SHAFTS = (
     r"\bthree\b|drei|\btwo cylinder|parallel twin|\bsix\b|only one shaft|single shaft"

@@ -6,12 +6,12 @@ they are, and the first says how the second one counts:
     two orders of a piston's force       the second has the ratio of the crank to the rod once more, and
                                          the same function of twice the angle
     two components of a turning force    where one goes with the cosine, the other goes with the sine
-    a harmonic of several cylinders      a multiple of the one in the series of one cylinder above, with
-                                         the same function
+    a harmonic of several cylinders      a multiple of the one in the series of one cylinder above
     the sums at the two dead centres     where F_1 + F_2 is at the top, F_1 - F_2 is at the bottom
 
-A second order that is several times as large may be of several cylinders, and one with no ratio at all may
-be of a shaft: such a number is left alone. Which convention the ratio follows has to be shown by the page.
+A second order that is several times as large may be of several cylinders, and one with no ratio
+at all may be of a shaft: such a number is left alone. Which convention the ratio follows has to be shown
+by the page.
 """
 
 from __future__ import annotations
@@ -38,11 +38,11 @@ from symbalance.document.formula import (
 )
 from symbalance.document.letters import plain_letter
 from symbalance.notes.algebra.evaluation import SymbolValue
-from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.declared.role_phrases import CONVENTIONS
 from symbalance.notes.checking.meant.engines.order_indices import wave_of
 from symbalance.notes.checking.meant.engines.products import (
     NoProductError,
@@ -58,6 +58,7 @@ from symbalance.notes.reading.equations import Chain, Side
 
 NEAR, BESIDE = 900, 320
 """Characters between the formulas of two orders at most, and between those of two components."""
+_OVER_ROD, _OVER_CRANK = CONVENTIONS["r/l"], CONVENTIONS["l/r"]
 _FEWEST_HARMONICS = 2
 _OTHER_FUNCTION = {"cos": "sin", "sin": "cos"}
 _SPEEDS, _RADII, _RODS = (
@@ -109,6 +110,15 @@ _INCLINED = re.compile(
 )
 _TOP = re.compile(r"_(?:TDC|OT|top|PMH|PMS|u)\Z|_(?:max)\Z")
 _BOTTOM = re.compile(r"_(?:BDC|UT|bottom|bot|PMB|PMI)\Z")
+
+
+class _Ratio(NamedTuple):
+    """The ratio of a second order as it should be, and whether the formula in hand has its inverse."""
+
+    node: Formula
+    is_inverted: bool = False
+    is_told: bool = False
+    """Whether the page shows which of the two ratios it is."""
 
 
 class _Shared(NamedTuple):
@@ -172,7 +182,7 @@ class FormulasBeside:
                     break
 
     def _second_order(self, chain: Chain, name: str, product: ProductOfPowers) -> Verdict | None:
-        """Return the refutation of a second order that is no multiple of the first one's ratio; or None."""
+        """Return the refutation of a second order that does not go with the first one; or None."""
         if _order_of(name, product) != 2 or not _has_speed(product, with_crank=False):
             return None
         text = self.words.document.text
@@ -181,69 +191,42 @@ class FormulasBeside:
             is_first = _stem(pair.name) == _stem(name) and _order_of(pair.name, first) == 1
             if not is_first or pair.complements or not _has_speed(first):
                 continue
-            if not _is_same_angle(first.wave, product.wave):
-                return None
             ratio = self._ratio(_quotient(product, first), chain)
-            if ratio is None or not first.number:
-                return None
-            target_ratio, is_inverted, is_told = ratio
-            number = product.number / first.number
-            has_order = product.wave is None or wave_of(product.wave)[0] == 2
-            has_function = _functions_agree(first.wave, product.wave)
-            slips = [is_inverted, not has_order, not has_function, not isclose(number, 1, rel_tol=1e-9)]
-            if sum(slips) != 1:
-                return None
-            if slips[0] and not is_told:
+            if ratio is None or not first.number or not _is_same_angle(first.wave, product.wave):
                 return None
             near = text[max(0, pair.chain.start - NEAR // 2) : chain.end + 60]
-            is_of_one = isclose(abs(first.number), 1) and not (
-                _PARTLY.search(near) or _INCLINED.search(near)
+            is_of_one = isclose(abs(first.number), 1) and not _PARTLY.search(near)
+            kind = _slip_of_order(
+                ratio, first, product, is_of_one=is_of_one and not _INCLINED.search(near)
             )
-            if slips[3] and not (is_of_one and _is_of_path_or_speed(number)):
+            if not kind:
                 return None
-            wave = _second_wave(first.wave)
-            target = target_ratio * pair.node
-            if first.wave is not None and wave is not None:
-                target = _with_wave(target, first.wave, wave)
-            kind = (
-                "rod ratio inverted"
-                if slips[0]
-                else "order"
-                if slips[1]
-                else "function"
-                if slips[2]
-                else "factor"
-            )
-            text_of = f"{plain_letter(name)} is the second order beside {plain_letter(pair.name)} of line"
-            return self._refuted(chain, target, kind, f"if {text_of} {pair.chain.lines[0]}")
+            target = ratio.node * pair.node
+            if first.wave is not None:
+                twice = Product((Number(Fraction(2)), first.wave.argument))
+                target = _with_wave(target, first.wave, Call(first.wave.function, twice))
+            beside = f"the second order beside {plain_letter(pair.name)} of line {pair.chain.lines[0]}"
+            return self._refuted(chain, target, kind, f"if {plain_letter(name)} is {beside}")
         return None
 
-    def _ratio(self, powers: dict[str, Fraction], chain: Chain) -> tuple[Formula, bool, bool] | None:
-        """Return the ratio of a second order as it should be, whether the one in hand is its inverse,
-        and whether the page shows which of the two it is.
-        """
-        declared, proposed = self.words.sizes(chain.lines[0])
-        roles = {**proposed, **declared}
-        if len(powers) == 2 and all(abs(p) == 1 for p in powers.values()) and not sum(powers.values()):
-            (above,) = (n for n, p in powers.items() if p == 1)
-            (below,) = (n for n, p in powers.items() if p == -1)
-            if _stem(above) in _RADII and _stem(below) in _RODS:
-                return Quotient(Name(above), Name(below)), False, True
+    def _ratio(self, powers: dict[str, Fraction], chain: Chain) -> _Ratio | None:
+        """Return the ratio of the crank to the rod that a second order has beside the first; or None."""
+        letters = {power: name for name, power in powers.items()}
+        if len(powers) == 2 and letters.keys() == {Fraction(1), Fraction(-1)}:
+            above, below = letters[Fraction(1)], letters[Fraction(-1)]
             if _stem(above) in _RODS and _stem(below) in _RADII:
-                return Quotient(Name(below), Name(above)), True, True
-            return None
-        if len(powers) != 1:
-            return None
-        ((name, power),) = powers.items()
+                return _Ratio(Quotient(Name(below), Name(above)), is_inverted=True, is_told=True)
+            is_usual = _stem(above) in _RADII and _stem(below) in _RODS
+            return _Ratio(Quotient(Name(above), Name(below)), is_told=True) if is_usual else None
+        ((name, power),) = powers.items() if len(powers) == 1 else (("", Fraction(0)),)
         if abs(power) != 1 or _stem(name) not in _RATIOS:
             return None
-        role = roles.get(name, "") or self._ratio_by_formula(name)
-        if role == "crank ratio r/l":
-            return Name(name), power == -1, True
-        if role == "rod ratio l/r":
-            return Quotient(Number(Fraction(1)), Name(name)), power == 1, True
-        node: Formula = Name(name) if power == 1 else Quotient(Number(Fraction(1)), Name(name))
-        return node, False, False
+        declared, proposed = self.words.sizes(chain.lines[0])
+        role = {**proposed, **declared}.get(name, "") or self._ratio_by_formula(name)
+        is_told = role in (_OVER_ROD, _OVER_CRANK)
+        is_over_crank = role == _OVER_CRANK or (not is_told and power == -1)
+        node: Formula = Quotient(Number(Fraction(1)), Name(name)) if is_over_crank else Name(name)
+        return _Ratio(node, is_inverted=(power == 1) == is_over_crank, is_told=is_told)
 
     def _ratio_by_formula(self, name: str) -> str:
         """Return what a letter is by a line that gives it as a quotient of crank and rod; "" for none."""
@@ -256,13 +239,13 @@ class FormulasBeside:
             ):
                 above, below = _stem(value.numerator.name), _stem(value.denominator.name)
                 if above in _RADII and below in _RODS:
-                    return "crank ratio r/l"
+                    return _OVER_ROD
                 if above in _RODS and below in _RADII:
-                    return "rod ratio l/r"
+                    return _OVER_CRANK
         return ""
 
     def _component(self, chain: Chain, name: str, own: _Shared) -> Verdict | None:
-        """Return the refutation of a component across the stroke that is in phase with the one along it."""
+        """Return the refutation of a component across the stroke in phase with that along it; or None."""
         product = own.product
         if product.wave is None:
             return None
@@ -285,10 +268,8 @@ class FormulasBeside:
             other = Call(_OTHER_FUNCTION[product.wave.function], product.wave.argument)
             value = without_dots(chain.sides[1].node)[0]
             target = _with_wave(value, product.wave, other)
-            reason = (
-                f"if {plain_letter(name)} and {plain_letter(pair.name)} of line {pair.chain.lines[0]} are the"
-                " components of a force that turns, of which one goes with the sine"
-            )
+            both = f"{plain_letter(name)} and {plain_letter(pair.name)} of line {pair.chain.lines[0]}"
+            reason = f"if {both} are the components of a force that turns: one goes with the sine"
             return self._refuted(chain, target, "sin for cos", reason)
         return None
 
@@ -412,9 +393,23 @@ def _is_same_angle(first: Call | None, second: Call | None) -> bool:
     return first.function == "cos" and order == 1 and angle == other != ""
 
 
-def _functions_agree(first: Call | None, second: Call | None) -> bool:
-    """Tell whether two waves are both cosines; of other ones nothing is said."""
-    return first is None or second is None or first.function == second.function
+def _slip_of_order(
+    ratio: _Ratio, first: ProductOfPowers, second: ProductOfPowers, *, is_of_one: bool
+) -> str:
+    """Return the one slip of a second order beside the first, "" for none or for several."""
+    number, one, other = second.number / first.number, first.wave, second.wave
+    slips = {
+        "rod ratio inverted": ratio.is_inverted,
+        "order": other is not None and wave_of(other)[0] != 2,
+        "function": one is not None and other is not None and one.function != other.function,
+        "factor": not isclose(number, 1, rel_tol=1e-9),
+    }
+    kinds = [kind for kind, has_slip in slips.items() if has_slip]
+    may_be_right = {
+        "rod ratio inverted": not ratio.is_told,
+        "factor": not (is_of_one and _is_of_path_or_speed(number)),
+    }
+    return kinds[0] if len(kinds) == 1 and not may_be_right.get(kinds[0]) else ""
 
 
 def _is_of_path_or_speed(number: float) -> bool:
