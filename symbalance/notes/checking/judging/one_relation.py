@@ -482,7 +482,7 @@ def _as_meant(
         outcome = outcome if by_motion is None or _is_left_open(by_motion) else by_motion
     name = chain.sides[k].node
     if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
-        if _has_number_behind(state, chain, name):
+        if _has_other_number_behind(state, chain, outcome.fix.node, knowledge):
             state.definitions.forget(name.name, chain.lines[0])  # the number goes with the wrong formula
         else:
             state.definitions.define(name.name, outcome.fix.node, chain)
@@ -492,15 +492,21 @@ def _as_meant(
     return outcome or definition
 
 
-def _has_number_behind(state: JudgingState, chain: Chain, letter: Name) -> bool:
-    """Tell whether the section gives a letter a number further on, in another relation than a formula."""
-    return any(
-        other.start > chain.start
-        and state.sections.same_section(chain.lines[0], other.lines[0])
-        and len(other.sides) > 1
+def _has_other_number_behind(
+    state: JudgingState, chain: Chain, mended: Formula, knowledge: Knowledge
+) -> bool:
+    """Tell whether a letter has a number further on that its mended formula does not give."""
+    head, line = chain.sides[0].node, chain.lines[0]
+    behind = [other for other in state.sections.chains_of(head) if other.start > chain.start]
+    numbers = [
+        other.sides[1]
+        for other in behind
+        if len(other.sides) > 1
         and not names(other.sides[1].node)
-        for other in state.sections.chains_of(letter)
-    )
+        and state.sections.same_section(line, other.lines[0])
+    ]
+    left = Side((mended,), chain.sides[0].span)
+    return any(not decide(left, number, "≈", knowledge).is_proved for number in numbers)
 
 
 def _as_named_engine(

@@ -130,6 +130,8 @@ def _at_its_place(motion: Formula, right: Side, knowledge: Knowledge) -> Decisio
 
 def _has_branches(node: Formula | None) -> bool:
     return node is not None and any(
-        isinstance(part, Call) and part.function in ("sqrt", "asin", "acos", "atan")
+        isinstance(part, Call)
+        and part.function in ("sqrt", "asin", "acos", "atan")
+        and bool(names(part.argument))
         for part in walk(node)
     )
