@@ -495,18 +495,17 @@ def _as_meant(
 def _has_other_number_behind(
     state: JudgingState, chain: Chain, mended: Formula, knowledge: Knowledge
 ) -> bool:
-    """Tell whether a letter has a number further on that its mended formula does not give."""
+    """Tell whether a letter has a number on its line, in the next cell, that its mended formula lacks."""
     head, line = chain.sides[0].node, chain.lines[0]
     behind = [other for other in state.sections.chains_of(head) if other.start > chain.start]
     numbers = [
         other.sides[1]
         for other in behind
-        if len(other.sides) > 1
-        and not names(other.sides[1].node)
-        and state.sections.same_section(line, other.lines[0])
+        if len(other.sides) > 1 and not names(other.sides[1].node) and other.lines[0] == line
     ]
     left = Side((mended,), chain.sides[0].span)
-    return any(not decide(left, number, "≈", knowledge).is_proved for number in numbers)
+    sizes = {n for n in names(mended) if not (known := knowledge.definitions.get(n)) or not known.numeric}
+    return bool(sizes) and any(not decide(left, number, "≈", knowledge).is_proved for number in numbers)
 
 
 def _as_named_engine(
