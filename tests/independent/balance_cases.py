@@ -226,6 +226,9 @@ COUNTERWEIGHTS = {
         (SIZES, NEEDED), (SIZES, mpf(3) / 5 * M * R), (SIZES, STAR_WEIGHT),
         ({**SIZES, "reciprocating": MASS}, 2 * R + STAR_WEIGHT),
     ],
+    "moment of a counterweight that takes up half of the reciprocating mass": [
+        (SIZES, (2 + mpf(3) / 2) * R)
+    ],
     "moment of each of two shafts against the second order of four cylinders in line": [
         (SIZES, FOUR / (2 * (2 * W) ** 2))
     ],

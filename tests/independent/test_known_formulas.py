@@ -196,6 +196,7 @@ CASES = {
         ({"omega": OMEGA, "frequency": TURN}, 1 / float(TURN)),
     ],
     "moment of inertia of a disc about its axis": [(MOVING, disc_inertia())],
+    "moment of inertia of a solid disc": [(MOVING, disc_inertia())],
     "moment of inertia of a thin ring about its axis": [
         (MOVING, sum(float(MASS) / 100 * abs(float(RADIUS) * mp.expj(k)) ** 2 for k in range(100)))
     ],
@@ -240,6 +241,9 @@ CASES = {
         )
     ],
     "centrifugal force": [(MOVING, float(MASS) * circle_motion(2))],
+    "centrifugal force of a weight": [
+        ({**MOVING, "weight": 9 * MASS, "gravity": Fraction(9)}, float(MASS) * circle_motion(2))
+    ],
     "circumferential speed": [(MOVING, circle_motion(1))],
     "firing interval of a four-stroke engine": [(ENGINE, 2 * 2 * mp.pi / 6)],
     "firing interval of a two-stroke engine": [(ENGINE, 2 * mp.pi / 6)],

@@ -473,6 +473,7 @@ def _as_meant(
         outcome = outcome or state.patterns.judge(chain, k, knowledge)
         outcome = outcome or state.bank_resultants.judge(chain, k, knowledge)
         outcome = outcome or state.dead_centre_sizes.refute(chain, k, knowledge)
+        outcome = outcome or state.formulas_beside.judge(chain, k, knowledge)
         outcome = outcome or state.parity.judge(chain, k)
         if outcome is not None and _is_left_open(outcome):
             return _unless_left_open(outcome, definition)
@@ -481,11 +482,30 @@ def _as_meant(
         outcome = outcome if by_motion is None or _is_left_open(by_motion) else by_motion
     name = chain.sides[k].node
     if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
-        state.definitions.define(name.name, outcome.fix.node, chain)
+        if _has_other_number_behind(state, chain, outcome.fix.node, knowledge):
+            state.definitions.forget(name.name, chain.lines[0])  # the number goes with the wrong formula
+        else:
+            state.definitions.define(name.name, outcome.fix.node, chain)
         outcome = outcome if state.corrects else replace(outcome, fix=None)
     elif isinstance(outcome, Decision) and outcome.status == REFUTED and isinstance(name, Name):
         state.definitions.forget(name.name, chain.lines[0])
     return outcome or definition
+
+
+def _has_other_number_behind(
+    state: JudgingState, chain: Chain, mended: Formula, knowledge: Knowledge
+) -> bool:
+    """Tell whether a letter has a number on its line, in the next cell, that its mended formula lacks."""
+    head, line = chain.sides[0].node, chain.lines[0]
+    behind = [other for other in state.sections.chains_of(head) if other.start > chain.start]
+    numbers = [
+        other.sides[1]
+        for other in behind
+        if len(other.sides) > 1 and not names(other.sides[1].node) and other.lines[0] == line
+    ]
+    left = Side((mended,), chain.sides[0].span)
+    sizes = {n for n in names(mended) if not (known := knowledge.definitions.get(n)) or not known.numeric}
+    return bool(sizes) and any(not decide(left, number, "≈", knowledge).is_proved for number in numbers)
 
 
 def _as_named_engine(

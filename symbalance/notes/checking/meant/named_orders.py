@@ -113,6 +113,7 @@ _IN_A_CASE = re.compile(
 """Words for a case in which an order is another than in general."""
 _FREE = re.compile(
     r"\bfree\b|freie|resultant|resultier|total|gesamt|\bsum\b|summe|合力|合計|全体|不?釣"
+    r"|\badds?\s+(?:up\s+)?(?:to|into)\b|addieren\s+sich|zusammen\s+ergeben"
     r"|\ball\s+(?:the\s+)?(?:\w+\s+)?cylinders|\balle[rn]?\s+(?:\w+\s+)?zylinder|whole\s+engine"
     r"|ganzen?\s+motors?|全気筒",
     re.IGNORECASE,
@@ -139,6 +140,12 @@ _CANCEL = re.compile(
 )
 _LEFT = re.compile(r"remain|is\s+left|bleib|übrig|残", re.IGNORECASE)
 """Words by which orders of the whole engine vanish, and by which one is all that it has left."""
+_BANKS = re.compile(
+    r"\bV-?\s?(?:twin|engine|motor|[2468]\b|1[026]\b)|\bvee\b|\bbanks?\b|gabelmotor|V型|V形|バンク|\ben\s+V\b|\ba\s+V\b"
+    r"|radial|stern(?:motor|form)|星[型形]",
+    re.IGNORECASE,
+)
+"""Words for engines of which a force of the whole is no multiple of one cylinder's."""
 _NOTHING = 1e-6
 _COEFFICIENT = re.compile(r"(?P<stem>[A-Za-z])_(?P<order>[1-9])")
 _FACTOR = re.compile(r"(?:factor|number misprinted) .*")
@@ -192,6 +199,11 @@ class NamedOrders:
     def _speaks_of_more(self) -> bool:
         """Tell whether the page speaks of more or less than one cylinder's piston."""
         return _OF_MORE.search(self.meant.words.page) is not None
+
+    @cached_property
+    def _speaks_of_banks(self) -> bool:
+        """Tell whether the page speaks of cylinders in banks, whose forces do not simply add up."""
+        return _BANKS.search(self.meant.words.page) is not None
 
     def judge(
         self,
@@ -415,7 +427,7 @@ class NamedOrders:
         if base is None:
             return
         factors: list[tuple[Fraction, tuple[str, ...]]] = []
-        if angles is None or not order.is_of_engine:
+        if not order.is_of_engine or (angles is None and not self._speaks_of_banks):
             factors.append((Fraction(1), ()))
         if order.is_coefficient:
             factors += [(Fraction(1, order.number**p), ()) for p in (1, 2)]

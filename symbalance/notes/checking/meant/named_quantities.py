@@ -286,7 +286,12 @@ class NamedQuantities:
                 return replace(decision, assumptions=(self.text(name, named), *rest))
         fitting = {n.quantity.name: n for n in candidates if n.may_refute}
         if len(fitting) > 1:  # words that name several: by the letters of their formulas
-            fitting = {n: each for n, each in fitting.items() if any(p is each for p, _ in pairs)}
+            fitting = {
+                n: each
+                for n, each in fitting.items()
+                if any(p is each for p, _ in pairs)
+                or any(agrees(node, claim) for node in self._mistakes(each, claim, name, knowledge))
+            }
             special = {n: each for n, each in fitting.items() if each.quantity.only is not None}
             fitting = special if len(special) == 1 else fitting
         stems = {stem_of(name).rstrip("'"), name}

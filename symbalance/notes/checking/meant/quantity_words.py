@@ -386,7 +386,12 @@ class QuantityWords:
     def _is_of_another_letter(self, words: str, end: int, name: str) -> bool:
         """Tell whether a phrase is followed by another letter at once: the mean stress s_m."""
         letter = _MARKED_BEHIND.match(words, end)
-        return bool(name) and letter is not None and not re.fullmatch(sign_of(name), letter["sign"])
+        own = name.split()  # of the product m_G r_G, each of its letters
+        return (
+            bool(own)
+            and letter is not None
+            and not any(re.fullmatch(sign_of(each), letter["sign"]) for each in own)
+        )
 
     def _by_phrases(
         self, words: str, stem: str, places: Places, sentence: str, name: str = ""
@@ -406,7 +411,7 @@ class QuantityWords:
             for start, end, quantity in matches
             if not any(s <= start and end <= e and e - s > end - start for s, e, _ in matches)
         ]
-        longest = [each for each in longest if not _names_another(words, each[1], stem)]
+        longest = [each for each in longest if not _names_another(words, each[1], stem, name)]
         usual = [each for each in longest if stem in each[2].letters]
         if not usual and stem not in _ANGULAR:
             last = max((end for _, end, _ in longest), default=0)
@@ -471,7 +476,7 @@ def _last_noun(before: str) -> str:
     return words[-1].casefold() if words else ""
 
 
-def _names_another(words: str, end: int, stem: str) -> bool:
+def _names_another(words: str, end: int, stem: str, name: str) -> bool:
     """Tell whether a letter stands right behind words that another letter is named by.
 
     In "the power for a mean effective pressure $p_e$ is P = …" the pressure is not what P is.
@@ -480,6 +485,8 @@ def _names_another(words: str, end: int, stem: str) -> bool:
     if match is None:
         return _NUMBER_BEHIND.match(words, end) is not None
     letter = match["marked"] or match["bare"]
+    if stem == PRODUCT and any(re.fullmatch(sign_of(each), letter) for each in name.split()):
+        return False  # the counterweight $m_G$, of which the product m_G r_G is
     return not re.match(rf"\\?{re.escape(stem)}(?![A-Za-z])", letter)
 
 

@@ -8,7 +8,17 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from symbalance.document.formula import Call, Derivative, Extremum, Formula, Name, Negative, names
+from symbalance.document.formula import (
+    Call,
+    Derivative,
+    Extremum,
+    Formula,
+    Name,
+    Negative,
+    Sum,
+    names,
+    walk,
+)
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import context
@@ -41,7 +51,8 @@ def _decide_size(motion: Formula, right: Side, sign: str, knowledge: Knowledge) 
         return Decision(UNDECIDED, "the extreme of what has no values here")
     sizes = [max(abs(value) for value in turn) for _, turn, _ in rows]
     is_signed = any(claim < 0 for _, _, claim in rows)
-    if is_signed and names(right.node) <= knowledge.meaning.positive:
+    has_either_sign = any(isinstance(part, Sum) and names(part) for part in walk(right.node))  # 1 - c
+    if is_signed and names(right.node) <= knowledge.meaning.positive and not has_either_sign:
         return Decision(REFUTED, "a size is never negative")
     least = (f"{formula_text(right.node, plain=True)} ≥ 0",) if is_signed else ()
     claims = [abs(claim) for _, _, claim in rows]

@@ -69,8 +69,8 @@ def decide_named_extreme(chain: Chain, knowledge: Knowledge) -> Decision | None:
     if not isinstance(head.node, Name) or definition is None or knowledge.has_meaning(head.node.name):
         return None
     values = {n: d.node for n, d in knowledge.definitions.items()} | dict(knowledge.meaning.values)
-    theta = theta_name(knowledge)
     behind = {*letters_behind(definition.node, values)}
+    theta = theta_name(knowledge)
     inside, own = {*names_behind(definition.node, values)}, names(right.node)
     is_formula = not (definition.numeric or definition.assumption) and theta in behind
     if not is_formula or not own or not own <= inside - {theta}:
@@ -130,6 +130,8 @@ def _at_its_place(motion: Formula, right: Side, knowledge: Knowledge) -> Decisio
 
 def _has_branches(node: Formula | None) -> bool:
     return node is not None and any(
-        isinstance(part, Call) and part.function in ("sqrt", "asin", "acos", "atan")
+        isinstance(part, Call)
+        and part.function in ("sqrt", "asin", "acos", "atan")
+        and bool(names(part.argument))
         for part in walk(node)
     )

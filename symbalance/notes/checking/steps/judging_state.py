@@ -29,6 +29,7 @@ from symbalance.notes.checking.meant.engine_speeds import speeds_of
 from symbalance.notes.checking.meant.engines.bank_resultants import BankResultants
 from symbalance.notes.checking.meant.engines.dead_centre_sizes import DeadCentreSizes
 from symbalance.notes.checking.meant.engines.engine_resultants import EngineResultants
+from symbalance.notes.checking.meant.engines.formulas_beside import FormulasBeside
 from symbalance.notes.checking.meant.given_numbers import GivenNumbers
 from symbalance.notes.checking.meant.harmonic_coefficients import HarmonicCoefficients
 from symbalance.notes.checking.meant.meant_quantities import MeantQuantities
@@ -149,6 +150,11 @@ class JudgingState:
     def bank_resultants(self) -> BankResultants:
         """The forces of two cylinders on one pin."""
         return BankResultants(self.engine_resultants)
+
+    @cached_property
+    def formulas_beside(self) -> FormulasBeside:
+        """Formulas that belong together: two orders, two components of a force."""
+        return FormulasBeside(self.meant.words, self.sections)
 
     @cached_property
     def dead_centre_sizes(self) -> DeadCentreSizes:

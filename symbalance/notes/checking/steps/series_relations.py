@@ -20,6 +20,7 @@ from symbalance.notes.checking.motions.series_coefficients import (
     decide_coefficient,
     exact_value,
 )
+from symbalance.notes.checking.steps.formulas_of_angles import with_formula_above
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.letters_below import with_letters_below
 from symbalance.notes.checking.steps.relation_fixes import add_fix_of_relation
@@ -51,7 +52,8 @@ def judge_series(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
             extreme = decide_meant_extreme(state.meant, chain, state.document, knowledge)
             extreme = extreme or _extreme_of_formula(state, chain, knowledge)
         if extreme is not None and isinstance(name, Name):
-            state.definitions.define(name.name, value, chain)
+            if extreme.status != REFUTED:  # what rests on a wrong one would confirm it
+                state.definitions.define(name.name, value, chain)
             return describe(state.document, chain, k, extreme)
     if decision is None:
         return None
@@ -67,14 +69,18 @@ def _extreme_of_formula(state: JudgingState, chain: Chain, knowledge: Knowledge)
     """Decide the largest or least value of a letter with a formula of the same section and engine."""
     head = chain.sides[0].node
     definition = knowledge.definitions.get(base_of_extreme(head.name)) if isinstance(head, Name) else None
-    if definition is None or not state.sections.same_section(definition.line, chain.lines[0]):
-        return None
     words = state.sections.sentence_leading_to(chain)
-    if state.sections.is_of_another_engine(chain, definition.line) or numbers_of_several(words):
+    if numbers_of_several(words) or _OF_ALL.search(words):
         return None
-    if _OF_ALL.search(words):
-        return None
-    return decide_named_extreme(chain, knowledge)
+    is_here = definition is not None and state.sections.same_section(definition.line, chain.lines[0])
+    decision: Decision | None = None
+    if definition is not None and is_here:
+        if state.sections.is_of_another_engine(chain, definition.line):
+            return None
+        decision = decide_named_extreme(chain, knowledge)
+    if decision is None and (known := with_formula_above(state, chain, knowledge)) is not None:
+        decision = decide_named_extreme(chain, known)
+    return decision
 
 
 def _by_coefficients(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:

@@ -40,7 +40,10 @@ _BALANCER = words(
     r"gegenläufige[nr]?\s+(?:ausgleichs)?(?:massen|gewichte)", r"ausgleichswellen?",
     r"(?:逆回転|反対回転)(?:する)?(?:おもり|錘|質量)", r"バランサ(?:軸|質量)?",
 )  # fmt: skip
-
+_IN_POUNDS = (
+    r"\bpounds?\b|\blbs?\b|\\[dt]?frac\s?\{?\s?[WG](?:_\w)?\s?\}?\s?\{?\s?g\b|\b[WG](?:_\w)?\s?/\s?g\b"
+)
+"""Words and quotients by which a page reckons with weights, and divides by g."""
 
 BALANCE: tuple[Quantity, ...] = (
     Quantity(
@@ -48,7 +51,16 @@ BALANCE: tuple[Quantity, ...] = (
         words(r"centrifugal\s+forces?", r"centripetal\s+force", r"flieh-?kraft", r"zentrifugalkraft",
                r"zentripetalkraft", r"遠心力", r"向心力"),
         (mass * radius * omega**2, mass * velocity**2 / radius, weight * radius * omega**2 / gravity),
-        slips=("power",),
+        slips=("power",), unless=words(_IN_POUNDS),
+    ),
+    Quantity(
+        "centrifugal force of a weight", letters("F Z C P K"),
+        words(r"centrifugal\s+forces?", r"flieh-?kraft", r"zentrifugalkraft", r"遠心力"),
+        (weight * radius * omega**2 / gravity, weight * velocity**2 / (gravity * radius)), ("power",),
+        others=(mass * radius * omega**2,), mistakes=(weight * radius * omega**2,),
+        only=words(_IN_POUNDS),
+        unless=words(r"\bslugs?\b|mass(?:es)?\s+(?:in|of)\b|(?:weights?"
+                     r"|gewichte?)\W{0,4}[mM]\b"), is_told_once=True,
     ),
     Quantity(
         "hammer blow", letters("F Q B P H V"),
@@ -193,8 +205,10 @@ BALANCE: tuple[Quantity, ...] = (
         (mass * pin * omega**2,), ("bare factor", "power", "part"),
         mistakes=(root(Number(Fraction(2))) * mass * pin * omega**2,),
         only=both(words(r"90\s*(?:°|\\?deg|\^|\\\\circ|-degree| degree|\s*grad|度)"),
-        words(r"[VL]-?twin|\bvee\b|Gabelmotor|\bV\b|V2|V-2|V-engine|V-motor|V形|V型")),
-        unless=words(r"both|together|beide|zusammen|合計|two pistons|zwei kolben|second|zweite|2次"
+        words(r"[VL]-?twin|\bvee\b|Gabelmotor|\bV\b|V2|V-2|V-engine|V-motor|V形"
+              r"|V型")),
+        unless=words(r"both(?!\s+(?:connecting\s+)?rods)|together|beide(?!\s+pleuel)|zusammen|合計"
+        r"|two pistons|zwei kolben|second|zweite|2次"
         r"|four|vier|six|eight|cylinder(?:s)? (?:is|alone)|each|per cylinder|one cylinder|一つの"),
     ),
 )  # fmt: skip

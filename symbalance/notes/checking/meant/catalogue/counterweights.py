@@ -46,7 +46,16 @@ _WEIGHT = words(
     r"contrepoids", r"contrapesos?", r"(?:釣り?合い|つりあい)(?:おもり|錘)", r"カウンタ(?:ー)?ウェイト",
     r"unbalance\s+of\s+the\s+counterweight", r"(?:crank\s+)?webs?", r"kurbelwangen?", r"ausgleich",
 )  # fmt: skip
+_HALF = words(
+    r"\bhalf\s+(?:of\s+)?(?:the\s+)?(?:oscillating|reciprocating)", r"hälfte\s+der\s+(?:oszill|hin)",
+    r"往復[^。\n]{0,8}(?:半分|1/2|½)", r"moitié\s+(?:de\s+la|des)\s+mass\w+\s+altern",
+    r"metà\s+dell[ae]\s+mass\w+\s+altern", r"mitad\s+de\s+la\s+masa\s+altern",
+)  # fmt: skip
+"""Words for half of what goes to and fro."""
 _SHAFT = words(
+    r"(?:each|every)\s+(?:of\s+(?:the|these)\s+)?(?:two\s+)?(?:balance[r]?\s+)?shafts?\s+(?:\w+\s+){1,3}unbalance",
+    r"jede\s+(?:der\s+\w+\s+)?(?:ausgleichs)?wellen?\s+(?:\w+\s+){1,3}unwucht",
+    r"unwucht\s+(?:jeder|einer)\s+(?:der\s+)?(?:ausgleichs)?wellen?",
     r"(?:unbalance|moment)\s+(?:of|for|on)\s+(?:each|one|every|a|the)\s+(?:balance[r]?\s+)?shafts?",
         r"each\s+(?:balance[r]?\s+)?shaft",
     r"balance[r]?\s+shafts?", r"(?:unwucht\s+)?je\s+(?:ausgleichs)?welle", r"ausgleichswellen?",
@@ -59,7 +68,10 @@ _TWICE = words(
     r"twice|double|second[- ]order|secondary|2\s?ω|2\\omega|zweiter\s+ordnung|2\.\s+ordnung|二次|2次"
     r"|doppelt|lanchester"
 )
-_FOUR = words(r"\bfour\b|in-line[- ]four|\bvier|4\s?気筒|4-?zylinder|\b4[- ]cyl|\bI4\b|\bR4\b")
+_FOUR = words(
+    r"\bfour\b|in-line[- ]four|\bvier|vierzylinder|(?:quattro|quatre|cuatro)\s+c[iy]l|4\s?気筒"
+    r"|4-?zylinder|\b4[- ]cyl|\bI4\b|\bR4\b"
+)
 _OTHER_SHAFTS = (
     r"\bthree\b|drei|\btwo cylinder|parallel twin|\bsix\b|only one shaft|single shaft"
     r"|einzige welle|both (?:shafts )?together|(?:one|per|each|a) weight|two weights"
@@ -111,6 +123,15 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
         unless=words(r"\bV\b|V-?twin|\btwo\b|\bzwei|\bboth\b|beide",
             r"balance shaft|ausgleichswelle|バランサ|lanchester|each web|je wange|both webs"),
         stated=frozenset({"share", "cylinders"}),
+    ),
+    Quantity(
+        "moment of a counterweight that takes up half of the reciprocating mass", _MOMENT, _WEIGHT,
+        ((rotating + reciprocating / 2) * pin,), ("edit",),
+        mistakes=((rotating + reciprocating) * pin, (rotating / 2 + reciprocating) * pin,
+                  (rotating + reciprocating) * pin / 2),
+        only=_HALF,
+        unless=words(r"\bV\b|V-?twin|\btwo\b|\bzwei|\bboth\b|beide|balance shaft|ausgleichswelle|バランサ"
+                     r"|lanchester|each web|je wange|all\s+of\s+the\s+recip|instead"),
     ),
     Quantity(
         "moment of each of two shafts against the second order of four cylinders in line", _MOMENT,

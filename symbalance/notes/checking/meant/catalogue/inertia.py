@@ -32,6 +32,17 @@ from symbalance.notes.checking.meant.catalogue.roles import (
 )
 from symbalance.notes.checking.meant.catalogue.strength import HOLLOW
 
+_NO_DISC = (
+    r"hollow|hohl|annul|\bbored|\brims?\b|hoop|kranz|リング|円環|リム|中空"
+    r"|two dis[ck]|dis[ck]s|scheiben\b"
+    r"|about (?:a|its|the) diam"
+    r"|durchmesserachse|直径(?:軸|まわり|を軸)"
+    r"|tapered|kegel|\bpins?\b|zapfen|gyration|trägheitsradius|回転半径"
+    r"|\bedge|point\b|piston|kolben|ピストン|\bcrank|kurbel|クランク|reduced|reduziert|換算|eccentric|exzent"
+    r"|offset"
+    r"|parallel axis|steiner|second moment of area|flächenträg|断面"
+    r"|half|halb(?!messer)|半円|sector|sektor|pulley|riemenscheibe"
+)
 INERTIA: tuple[Quantity, ...] = (
     Quantity(
         "moment of inertia of a disc about its axis", letters("J I Theta"),
@@ -48,6 +59,21 @@ INERTIA: tuple[Quantity, ...] = (
                       r"|\bpins?\b|zapfen"
                       r"|gyration"
                       r"|trägheitsradius|回転半径|edge|point on"),
+    ),
+    Quantity(
+        "moment of inertia of a solid disc", letters("J I Theta"),
+        words(r"(?:mass\s+)?moment\s+of\s+inertia", r"\binertia", r"(?:massen)?trägheitsmoment",
+              r"慣性モーメント"),
+        (mass * radius**2 / 2, mass * diameter**2 / 8), ("factor", "power"),
+        others=(mass * radius**2 / 4, mass * diameter**2 / 16, 3 * mass * radius**2 / 2),
+        only=words(r"(?:solid|full|plain|uniform|homogeneous|steel|cast[- ]iron|round)"
+                   r"\s+(?:\w+\s+)?dis[ck]\b"
+                   r"|(?:voll|schwung|stahl|guss|kreis|rund)scheibe\b|"
+                   r"(?:homogene|volle|massive|runde)\s+scheibe"
+                   r"|dis[ck]\s+of\s+(?:\w+\s+)?(?:radius|diameter|steel|[0-9])"
+                   r"|dis[ck][^.;\n]{0,30}(?:thick|diameter)"
+                   r"|scheibe[^.;\n]{0,30}(?:durchmesser|dick)|円板"),
+        unless=words(_NO_DISC), together=(("", "mass"),),
     ),
     Quantity(
         "moment of inertia of a thin ring about its axis", letters("J I Theta"),
