@@ -95,6 +95,7 @@ from symbalance.notes.checking.steps.rates_with_numbers import with_numbers_of_r
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
 from symbalance.notes.checking.steps.series_relations import judge_series
 from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_place
+from symbalance.notes.checking.steps.zeros_in_cases import unless_false_zero
 from symbalance.notes.checking.units.dimensions import Dimensions, Mismatch, declared_dimension, unit_text
 from symbalance.notes.checking.units.formulas_between_numbers import BETWEEN_NUMBERS
 from symbalance.notes.checking.units.own_units import with_speeds
@@ -295,6 +296,7 @@ class Judge:
         verdict = unless_wrong_at_place(self.state, chain, k, verdict)
         verdict = unless_scaled_wrongly(self.state, chain, k, verdict)
         verdict = unless_plain_sum(self.state, chain, k, verdict)
+        verdict = unless_false_zero(self.state, chain, k, verdict)
         return self._of_its_case(chain, k, verdict)
 
     def _unless_wrong_size(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
