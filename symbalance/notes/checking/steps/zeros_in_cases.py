@@ -25,7 +25,9 @@ _NEAR_LINES = 6
 """Lines above a value within which its formula stands."""
 _NEAR = 90
 """Characters between what opens a case and what is said of it."""
-_LEAVES = re.compile(r"[.;!?]\s|[。；]|\n\s*\n|(?<![^\W\d_])(?:but|while|whereas|except|aber|mais)(?![^\W\d_])")
+_LEAVES = re.compile(
+    r"[.;!?]\s|[。；]|\n\s*\n|(?<![^\W\d_])(?:but|while|whereas|except|aber|mais)(?![^\W\d_])"
+)
 
 
 def unless_false_zero(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
