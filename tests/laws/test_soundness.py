@@ -306,16 +306,12 @@ def test_a_meaning_that_is_not_known_accuses_nobody(meaning, word):
 @pytest.mark.parametrize(
     "page",
     [
-        "$F = A(1 - 2B + 2B^2)$. With $B = 0.65$ it is $F = 0.545 A$. The crank is lightest at $B = 0.65$.",
+        "$F = A(1 - 2B + 2B^2)$. With $B = 0.65$ $F = 0.545 A$. The crank is lightest at $B = 0.65$.",
         "$V = 1/(1 - q)$ with $q = 0.5$. Here $V = 2$, at $q = 0.5$.",
     ],
 )
 def test_nothing_holds_on_the_premise_that_it_states(page):
-    verdicts = check(page + "\n").verdicts
-    assert verdicts
-    assert [
-        v.assumption for v in verdicts if v.verdict == "conditional" and v.left + " = " in v.assumption
-    ] == []
+    assert last_word(page, {}) == PREMISE
 
 
 def test_a_range_that_follows_for_positive_letters_alone_is_not_accused():
