@@ -301,3 +301,25 @@ def test_a_meaning_that_is_not_known_accuses_nobody(meaning, word):
     (verdict,) = check(r"$$\phi = \arcsin(\rho\sin\theta)$$", letters).verdicts
     assert verdict.verdict == word
     assert word == "holds" or "ρ = r/l" in verdict.reason
+
+
+@pytest.mark.parametrize(
+    "page",
+    [
+        "$F = A(1 - 2B + 2B^2)$. With $B = 0.65$ $F = 0.545 A$. The crank is lightest at $B = 0.65$.",
+        "$V = 1/(1 - q)$ with $q = 0.5$. Here $V = 2$, at $q = 0.5$.",
+    ],
+)
+def test_nothing_holds_on_the_premise_that_it_states(page):
+    assert last_word(page, {}) == PREMISE
+
+
+def test_a_range_that_follows_for_positive_letters_alone_is_not_accused():
+    words = {
+        page: last_word(page, {})
+        for page in (
+            r"$\lambda \le 0.3$, so $1 - \lambda^2 \ge 0.91$.",
+            r"$\lambda < 0.3$, so $\lambda^2 < 0.05$.",
+        )
+    }
+    assert list(words.values()) == ["undecided", REFUTED]

@@ -73,6 +73,7 @@ from symbalance.notes.checking.steps.another_place import (
 )
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.data_lists import open_if_datum
+from symbalance.notes.checking.steps.extremal_values import unless_no_extreme
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
@@ -95,6 +96,7 @@ from symbalance.notes.checking.steps.rates_with_numbers import with_numbers_of_r
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
 from symbalance.notes.checking.steps.series_relations import judge_series
 from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_place
+from symbalance.notes.checking.steps.zeros_in_cases import unless_false_zero
 from symbalance.notes.checking.units.dimensions import Dimensions, Mismatch, declared_dimension, unit_text
 from symbalance.notes.checking.units.formulas_between_numbers import BETWEEN_NUMBERS
 from symbalance.notes.checking.units.own_units import with_speeds
@@ -115,6 +117,7 @@ from symbalance.notes.checking.verdicts import (
 )
 from symbalance.notes.checking.words.angles_of_time import with_angles_of_time
 from symbalance.notes.checking.words.case_words import has_exception_behind
+from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.terms_of_a_kind import unlike_terms
 from symbalance.notes.checking.words.unit_or_letter import with_both_readings
 from symbalance.notes.reading.equations import Chain, ReadNotes
@@ -295,7 +298,18 @@ class Judge:
         verdict = unless_wrong_at_place(self.state, chain, k, verdict)
         verdict = unless_scaled_wrongly(self.state, chain, k, verdict)
         verdict = unless_plain_sum(self.state, chain, k, verdict)
-        return self._of_its_case(chain, k, verdict)
+        verdict = unless_false_zero(self.state, chain, k, verdict)
+        verdict = self._unless_its_own_premise(chain, k, self._of_its_case(chain, k, verdict))
+        return unless_no_extreme(self.state, chain, k, verdict)
+
+    def _unless_its_own_premise(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+        """Return a verdict; what would hold on the premise that it states is that premise once more."""
+        if verdict.verdict != CONDITIONAL:
+            return verdict
+        left, right = (plain_text(side.node) for side in chain.sides[k : k + 2])
+        if not {f"{left} = {right}", f"{right} = {left}"} & set(verdict.assumption.split("; ")):
+            return verdict
+        return describe(self.document, chain, k, Decision(PREMISE, "as above"))
 
     def _unless_wrong_size(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict; a size |K| = 4.98 is judged by what equations above give, as |K|² = 24.8."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from symbalance.document.formula import Call, Name, names
@@ -19,8 +19,9 @@ from symbalance.notes.reading.equations import Chain, ReadNotes
 def chains_in_turn(document: ReadNotes, sections: Sections) -> list[Chain]:
     """Return the chains by lines, on one line first what states a case: x² = 4 for x = 2.
 
-    A result is no case (so x = 2; v = 2 s n, v = 9; k = G I/L above, k = 203), nor is the second value of
-    a letter on one line, nor what stands behind that: r = 40, l = 160; r = 45, l = 150, λ = 0.3.
+    A result is no case (so x = 2; v = 2 s n, v = 9; k = G I/L above, k = 203; the last number of an
+    equation before it), nor is the second value of a letter on one line, nor what stands behind that:
+    r = 40, l = 160; r = 45, l = 150, λ = 0.3.
     """
     by_line: dict[int, list[Chain]] = {}
     for chain in document.chains:
@@ -36,6 +37,7 @@ def chains_in_turn(document: ReadNotes, sections: Sections) -> list[Chain]:
             is_second = is_second or (own in first and states_a_case(chain))
             is_result = sections.is_consequence(chain) or own in heads_above | with_formula or is_second
             is_result = is_result or any(relation.sign == "≈" for relation in chain.relations)
+            is_result = is_result or _completes_equation(document, sections, chain, by_line[line])
             is_case = states_a_case(chain) or is_worked_out_behind(document, chain, by_line[line])
             if is_case and not is_result:
                 first[own] = chain
@@ -53,6 +55,39 @@ def chains_in_turn(document: ReadNotes, sections: Sections) -> list[Chain]:
 def _gives_formula(chain: Chain) -> bool:
     """Tell whether a chain gives a letter a formula: a number of it below is a result."""
     return isinstance(chain.sides[0].node, Name) and bool(names(chain.sides[1].node))
+
+
+def _completes_equation(
+    document: ReadNotes, sections: Sections, chain: Chain, row: Sequence[Chain]
+) -> bool:
+    """Tell whether a number is the last that an equation before it on its line wants.
+
+    m_1 r_1 = m_2 r_2; with m_1 = 2 kg, r_1 = 30 mm and r_2 = 40 mm it is m_2 = 1.5 kg, a result.
+    """
+    head = chain.sides[0].node
+    if not isinstance(head, Name) or not states_a_case(chain):
+        return False
+    equations = [
+        c
+        for c in row
+        if c.end <= chain.start and head.name in c.letters and _is_implicit(c)
+        if not (sections.is_only_if(c) or sections.is_said_to_fail(c))
+    ]
+    if not equations:
+        return False
+    given = {
+        c.sides[0].node.name
+        for c in document.chains
+        if c.end <= chain.start and isinstance(c.sides[0].node, Name) and not names(c.sides[-1].node)
+    }
+    return head.name not in given and any(c.letters - {head.name} <= given for c in equations)
+
+
+def _is_implicit(chain: Chain) -> bool:
+    """Tell whether a relation is an equation of several letters that gives none of them."""
+    is_one = len(chain.relations) == 1 and chain.relations[0].sign == "="
+    are_sizes = is_one and all(names(s.node) and not isinstance(s.node, Name) for s in chain.sides)
+    return are_sizes and len(chain.letters) > 1
 
 
 def _cases_before_claims(document: ReadNotes, chains: list[Chain]) -> list[Chain]:

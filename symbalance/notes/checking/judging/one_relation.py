@@ -4,7 +4,17 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symbalance.document.formula import Constant, Formula, Name, Number, Product, Summation, names
+from symbalance.document.formula import (
+    Call,
+    Constant,
+    Formula,
+    Name,
+    Number,
+    Product,
+    Summation,
+    names,
+    walk,
+)
 from symbalance.notes.checking.deciding.claimed_inequalities import decide_claimed, ranges_near
 from symbalance.notes.checking.deciding.denied_conditions import decide_within_ranges
 from symbalance.notes.checking.deciding.descriptions import describe
@@ -94,6 +104,8 @@ from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Relation, Side
 
 FOLLOWS = "follows from the side before, which is refuted"
+NEAR_RANGE = 60
+"""Characters between a range and an inequality that is said to follow from it."""
 
 
 def judge_relation(
@@ -141,8 +153,33 @@ def _judge_inequality(state: JudgingState, chain: Chain, k: int, knowledge: Know
         return run
     near = ranges_near(state.document, chain)
     decision = decide_claimed(chain, k, decision, state.general, near, knowledge)
+    if decision.status == RANGE and (letters := _bounded_before(state, chain)):
+        claimed = decide_claimed(chain, k, decision, letters, near, knowledge)
+        if claimed.status == REFUTED:
+            decision = replace(claimed, reason="does not follow from the range before it")
     state.definitions.note_range(chain, k, decision)
     return decision
+
+
+def _bounded_before(state: JudgingState, chain: Chain) -> frozenset[str]:
+    """Return the letters of an inequality that words draw from a range of the same letters before it.
+
+    From -1 ≤ cos θ ≤ 1 it does not follow that -2 ≤ 3 cos θ ≤ 2.
+    """
+    if not state.sections.is_consequence(chain) or state.sections.opens_case(chain):
+        return frozenset()
+    last = max((c for c in state.document.chains if c.end <= chain.start), key=_end_of, default=None)
+    is_range = last is not None and all(relation.sign in SATISFIED_BY for relation in last.relations)
+    if last is None or not is_range or not last.relations or not chain.letters <= last.letters:
+        return frozenset()
+    has_waves = any(isinstance(part, Call) for side in chain.sides for part in walk(side.node))
+    if not has_waves and all(isinstance(s.node, Name) or not names(s.node) for s in last.sides):
+        return frozenset()  # of lone letters: judged as a range that follows
+    return chain.letters if chain.start - last.end <= NEAR_RANGE else frozenset()
+
+
+def _end_of(chain: Chain) -> int:
+    return chain.end
 
 
 def _judge_equality(

@@ -125,9 +125,12 @@ def _range_after_range(
     is_stated = all(any(_same(r, each) for r in given) for each in stated)
     if not is_stated and witness is None:
         return decision
-    witness = witness or range_that_fails(own, given, knowledge)
+    text = ", ".join(each.text for each in stated)
+    by_formula, witness = witness, witness or range_that_fails(own, given, knowledge)
+    positive = "" if by_formula or not witness else _letters_that_are_positive(own, given, knowledge)
+    if positive:
+        return Decision(UNDECIDED, f"follows from {text} only if {positive}: say so")
     if witness is not None:
-        text = ", ".join(each.text for each in stated)
         return Decision(REFUTED, f"does not follow from {text}", witness=witness)
     if sections.is_equivalence(chain) and len(stated) == 1:
         others = [r for r in given if not _same(r, earlier)]
@@ -135,6 +138,15 @@ def _range_after_range(
         if witness is not None:
             return Decision(REFUTED, _not_from_it(earlier), witness=witness)
     return decision
+
+
+def _letters_that_are_positive(own: StatedRange, given: list[StatedRange], knowledge: Knowledge) -> str:
+    """Return what nobody has said of letters and would prove a range: λ > 0 for λ² ≤ 0.09."""
+    letters = sorted((names(own.left) | names(own.right)) - knowledge.meanings.keys() - knowledge.angles)
+    above_zero = [StatedRange(Name(n), ">", Number(Fraction(0)), 0) for n in letters]
+    if not letters or range_that_fails(own, [*given, *above_zero], knowledge) is not None:
+        return ""
+    return ", ".join(each.text for each in above_zero)
 
 
 def _fails_by_formula(own: StatedRange, earlier: StatedRange, knowledge: Knowledge) -> Any:
