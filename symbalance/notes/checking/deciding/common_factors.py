@@ -13,7 +13,7 @@ from symbalance.notes.reading.equations import Side
 
 
 def without_common_factor(left: Side, right: Side) -> tuple[Side, Side] | None:
-    """Return two sides without the factors with letters that both have as typed; None if they have none."""
+    """Return two sides without the factors with letters that both have as typed; None if none."""
     first, second = _factors(left.node), _factors(right.node)
     shared: list[Formula] = []
     for factor in second:

@@ -452,7 +452,8 @@ def _is_in_quotient(line: str, first: int, last: int) -> bool:
 
 
 _FACTOR_BEHIND = re.compile(
-    r"[ ]?(?P<sign>\\cdot(?![a-z])|\\,|[*·])?[ ]?(?:[A-Za-z](?![a-z])|\\(?:omega|lambda|theta|varphi|alpha)(?![a-z]))"
+    r"[ ]?(?P<sign>\\cdot(?![a-z])|\\,|[*·])?[ ]?"
+    r"(?:[A-Za-z](?![a-z])|\\(?:omega|lambda|theta|varphi|alpha)(?![a-z]))"
 )
 
 

@@ -71,10 +71,7 @@ from symbalance.notes.checking.steps.another_place import (
     leave_number_of_place,
     leave_place,
 )
-from symbalance.notes.checking.steps.another_section import (
-    leave_angle_of_section,
-    leave_formula_of_section,
-)
+from symbalance.notes.checking.steps.another_section import leave_angle_of_section
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.data_lists import open_if_datum
 from symbalance.notes.checking.steps.judging_state import JudgingState
@@ -303,7 +300,7 @@ class Judge:
         return self._of_its_case(chain, k, verdict)
 
     def _as_one_of_listed(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
-        """Return a verdict; S_1 = S_2 = 0 and k_1 = k_2 = k give each letter that no line has the last."""
+        """Return a verdict; S_1 = S_2 = 0 and k_1 = k_2 = k give each new letter the last."""
         heads = [side.node for side in chain.sides[:-1]]
         head, line = chain.sides[k].node, chain.lines[0]
         is_list = all(isinstance(node, Name) for node in heads) and isinstance(
@@ -414,7 +411,6 @@ class Judge:
                 or leave_cranks(self.state, chain, k)
                 or leave_named_case(self.state, chain, k)
                 or leave_products_of_another(self.state, chain, k)
-                or leave_formula_of_section(self.state, chain, k)
                 or leave_angle_of_section(self.state, chain, k)
             )
         ):

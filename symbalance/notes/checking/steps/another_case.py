@@ -132,21 +132,21 @@ def _is_of_another_angle(state: JudgingState, earlier: Chain, chain: Chain) -> b
     now = _angle_of_item(state, chain)
     if now is None:
         return False
-    degrees, start = now
+    degrees, start, end = now
     before = _angle_of_item(state, earlier)
     angles = _phase_shifts(earlier) if before is None else {before[0]}
     formula = {name for side in earlier.sides[1:] for name in names(side.node)}
-    given = [c for c in state.document.chains if start <= c.start < chain.start]
+    given = [c for c in state.document.chains if start <= c.start < end]
     heads = {name for c in given for name in names(c.sides[0].node)}
-    return bool(angles) and degrees not in angles and not heads & formula
+    return bool(angles and heads) and degrees not in angles and not heads & formula
 
 
-def _angle_of_item(state: JudgingState, chain: Chain) -> tuple[int, int] | None:
-    """Return the angle that a relation's item or clause is about, and where that begins."""
+def _angle_of_item(state: JudgingState, chain: Chain) -> tuple[int, int, int] | None:
+    """Return the angle that a relation's item or clause is about, and where its words begin and end."""
     text, first = state.document.text, max(0, chain.start - REACH)
     start = max((m.end() for m in _ITEM.finditer(text, first, chain.start)), default=first)
     match = next(_ANGLE_OF_CASE.finditer(text, start, chain.start), None)
-    return None if match is None else (int(match["degrees"]), start)
+    return None if match is None else (int(match["degrees"]), start, match.end())
 
 
 def _order_beside(state: JudgingState, chain: Chain) -> str | None:

@@ -131,9 +131,8 @@ def _at_named_place(state: JudgingState, chain: Chain, knowledge: Knowledge) -> 
     elif order:
         motion = Derivative(motion, Name(time), order)
     behind = {*names_behind(motion, values)}
-    if theta not in behind or not {*names_behind(right.node, values)} <= behind - {theta}:
-        return None
-    if not _is_symmetric(Name(base), theta, chain, knowledge):
+    is_of_motion = theta in behind and {*names_behind(right.node, values)} <= behind - {theta}
+    if not is_of_motion or not _is_symmetric(Name(base), theta, chain, knowledge):
         return None
     angle, sign = CENTRES[_PLACES[index.casefold()]], chain.relations[0].sign
     there = decide_at_value(Side((motion,), right.span), right, sign, knowledge, theta, angle)

@@ -77,11 +77,10 @@ def refuted_by_units_above(
     is_arithmetic = result is not None and not names(left.node) and not isinstance(left.node, Number)
     arithmetic = left.node if result is None else _without_unit(left.node, result)
     numbers = numbers_of(arithmetic) if is_arithmetic else None
-    if not numbers or result is None or unit is None or unit == NONE:
+    is_open = not numbers or {number.value for number in numbers} & _values_at(document, wrong)
+    if is_open or not numbers or result is None or unit is None or unit == NONE:
         return None
     text = document.text[max(0, chain.start - NEAR) : chain.start]
-    if {number.value for number in numbers} & _values_at(document, wrong):
-        return None
     above = _numbers_above(text)
     above |= _lone_data_above(
         document, chain, [n.value for n in numbers if not _units_at(n.value, above)]
