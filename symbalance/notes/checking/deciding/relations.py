@@ -38,6 +38,7 @@ from symbalance.notes.checking.deciding.infinite_series import decide_powers, st
 from symbalance.notes.checking.deciding.joint_orders import decide_jointly
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import decide_matrices, is_of_matrices
+from symbalance.notes.checking.deciding.numbers_put_in import is_put_in
 from symbalance.notes.checking.deciding.order_agreement import (
     IS_LARGE,
     IS_SMALL,
@@ -83,7 +84,9 @@ def decide(
     elif decision.status == REFUTED and not decision.of_matrices:
         decision = _in_letters(left, right, sign, knowledge, through) or decision
         bare = None if decision.is_proved or sign != "=" else without_common_factor(left, right)
-        if bare is not None and not (names(bare[0].node) and names(bare[1].node)):
+        if bare is not None and (
+            is_put_in(bare[1].node, bare[0].node) or is_put_in(bare[0].node, bare[1].node)
+        ):
             put_in = decide(*bare, sign, knowledge, through)
             decision = put_in if put_in.is_proved else decision
     branches = knowledge.branches_behind(left.node, right.node)
