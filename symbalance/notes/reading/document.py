@@ -491,7 +491,9 @@ class Assembler:
             self.defined_letters |= own_letter
             if draft.own_argument:
                 is_matrix = any(token.value in CELLS.values() for token in draft.sides[1])
-                functions = own_letter or ({lone_letter(draft.sides[0])} if is_matrix else ())
+                letter = lone_letter(draft.sides[0])
+                is_declared = letter in draft.names and letter not in draft.motions.letters
+                functions = own_letter or ({letter} if is_matrix or is_declared else ())
                 self.functions |= dict.fromkeys(functions, draft.own_argument)
 
     def _read_sides(self, draft: Draft, names: frozenset[str]) -> list[Side | None]:

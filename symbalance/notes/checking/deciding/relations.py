@@ -25,6 +25,7 @@ from symbalance.notes.algebra.open_sums import NUMBERS_WITHOUT_END, has_open_num
 from symbalance.notes.algebra.sums import NO_EQUAL_TERMS, indexed_letters
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.branches import decide_branches, has_branches
+from symbalance.notes.checking.deciding.common_factors import without_common_factor
 from symbalance.notes.checking.deciding.equality import (
     REFUTED,
     UNDECIDED,
@@ -37,6 +38,7 @@ from symbalance.notes.checking.deciding.infinite_series import decide_powers, st
 from symbalance.notes.checking.deciding.joint_orders import decide_jointly
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import decide_matrices, is_of_matrices
+from symbalance.notes.checking.deciding.numbers_put_in import is_put_in
 from symbalance.notes.checking.deciding.order_agreement import (
     IS_LARGE,
     IS_SMALL,
@@ -79,6 +81,14 @@ def decide(
     decision = _decide_as_defined(left, right, sign, knowledge, through)
     if decision.status == REFUTED and not (names(left.node) and names(right.node)):
         decision = _as_printed(left, right, sign, knowledge, through) or decision
+    elif decision.status == REFUTED and not decision.of_matrices:
+        decision = _in_letters(left, right, sign, knowledge, through) or decision
+        bare = None if decision.is_proved or sign != "=" else without_common_factor(left, right)
+        if bare is not None and (
+            is_put_in(bare[1].node, bare[0].node) or is_put_in(bare[0].node, bare[1].node)
+        ):
+            put_in = decide(*bare, sign, knowledge, through)
+            decision = put_in if put_in.is_proved else decision
     branches = knowledge.branches_behind(left.node, right.node)
     if not branches or (decision.level and branches.keys().isdisjoint(decision.level.values)):
         return decision
@@ -99,6 +109,33 @@ def decide(
         elif not all(other.is_proved for other, _ in others):
             conditions.append(definition.branch)
     return replace(decision, assumptions=(*decision.assumptions, *conditions)) if conditions else decision
+
+
+def _in_letters(
+    left: Side, right: Side, sign: str, knowledge: Knowledge, through: int | None
+) -> Decision | None:
+    """Return the proof of a relation between letters, whatever numbers the page gives them; or None.
+
+    A letter with a formula above its number has the formula: U = m r λ/2 = 5.3e-3 rounds no line below.
+    """
+    numeric = {name: d for name, d in knowledge.definitions.items() if d.numeric}
+    if numeric.keys().isdisjoint(_behind(left.node, right.node, knowledge)):
+        return None
+    formulas = {
+        name: replace(d, node=d.formula, numeric=False, rounded=None)
+        for name, d in numeric.items()
+        if d.formula is not None
+    }
+    others = {name: d for name, d in knowledge.definitions.items() if not d.numeric}
+    known = replace(knowledge, definitions={**others, **formulas})
+    decision = _decide_as_defined(left, right, sign, known, through)
+    return decision if decision.is_proved else None
+
+
+def _behind(left: Formula, right: Formula, knowledge: Knowledge) -> set[str]:
+    """Return the letters of two sides and of what they stand for."""
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    return {n for node in (left, right) for n in names_behind(node, values)}
 
 
 def decide_solution(left: Side, right: Side, knowledge: Knowledge) -> Decision:

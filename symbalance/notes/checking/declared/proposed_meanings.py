@@ -170,6 +170,7 @@ class MeaningsFromWords:
                 if role.may_name(letter)
                 and gap_is_naming(line, role.start, role.end, *place)
                 and not (role.role == RATIO and _is_in_quotient(line, *place))
+                and not (role.role in UNITS and _begins_product(line, *place))
             ]
             spent: set[object] = set()
             for _, _, place, role, letter in sorted(pairs, key=lambda pair: pair[:3]):
@@ -448,6 +449,19 @@ def _is_in_quotient(line: str, first: int, last: int) -> bool:
     return re.match(r"\s*/\s*[^\W\d]", line[last:]) is not None or (
         re.search(r"[^\W\d](?:_\w)?\s*/\s*$", line[:first]) is not None
     )
+
+
+_FACTOR_BEHIND = re.compile(
+    r"[ ]?(?P<sign>\\cdot(?![a-z])|\\,|[*·])?[ ]?"
+    r"(?:[A-Za-z](?![a-z])|\\(?:omega|lambda|theta|varphi|alpha)(?![a-z]))"
+)
+
+
+def _begins_product(line: str, first: int, last: int) -> bool:
+    """Tell whether a letter is a product's first factor: of "the couple $F_1 a$" F_1 is no couple."""
+    match = _FACTOR_BEHIND.match(line, last)
+    is_formula = line[:first].count("$") % 2 == 1 or line[:first].rstrip().endswith("\\(")
+    return match is not None and (is_formula or match["sign"] in ("*", "·"))
 
 
 def _is_asked(line: str, role: NamedRole) -> bool:

@@ -8,7 +8,7 @@ from functools import partial
 from itertools import product
 
 from symbalance.budgets import Budget
-from symbalance.document.formula import Call, Formula, Name, names, walk
+from symbalance.document.formula import Call, Formula, Name, Number, names, walk
 from symbalance.document.letters import plain_letter
 from symbalance.errors import SymbalanceError
 from symbalance.notes.algebra.tree_values import names_behind
@@ -71,6 +71,7 @@ from symbalance.notes.checking.steps.another_place import (
     leave_number_of_place,
     leave_place,
 )
+from symbalance.notes.checking.steps.another_section import leave_angle_of_section
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.data_lists import open_if_datum
 from symbalance.notes.checking.steps.extremal_values import unless_no_extreme
@@ -288,6 +289,7 @@ class Judge:
         """Return the verdict on the k-th relation of a chain."""
         leave_product_given_anew(self.state, chain, k)
         verdict = self._unless_excepted(chain, k, self._link_by_cases(chain, k, sound, bad))
+        verdict = self._as_one_of_listed(chain, k, verdict)
         verdict = unless_angle_unknown(self.state, chain, k, verdict)
         verdict = unless_offset(self.state, chain, k, verdict)
         verdict = self._unless_between_numbers(chain, k, verdict)
@@ -310,6 +312,22 @@ class Judge:
         if not {f"{left} = {right}", f"{right} = {left}"} & set(verdict.assumption.split("; ")):
             return verdict
         return describe(self.document, chain, k, Decision(PREMISE, "as above"))
+
+    def _as_one_of_listed(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+        """Return a verdict; S_1 = S_2 = 0 and k_1 = k_2 = k give each new letter the last."""
+        heads = [side.node for side in chain.sides[:-1]]
+        head, line = chain.sides[k].node, chain.lines[0]
+        is_list = all(isinstance(node, Name) for node in heads) and isinstance(
+            chain.sides[-1].node, Name | Number
+        )
+        is_open = verdict.verdict in (REFUTED, UNDECIDED) and is_list and k == len(heads) - 1 > 0
+        if not is_open or not isinstance(head, Name) or {r.sign for r in chain.relations} != {"="}:
+            return verdict
+        is_for_lack = not verdict.reason or verdict.reason.endswith("declare what it means")
+        if not is_for_lack or self.state.knowledge(line).knows(head.name):
+            return verdict
+        self.state.definitions.define(head.name, chain.sides[-1].node, chain)
+        return describe(self.document, chain, k, Decision(DEFINITION))
 
     def _unless_wrong_size(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict; a size |K| = 4.98 is judged by what equations above give, as |K|² = 24.8."""
@@ -407,6 +425,7 @@ class Judge:
                 or leave_cranks(self.state, chain, k)
                 or leave_named_case(self.state, chain, k)
                 or leave_products_of_another(self.state, chain, k)
+                or leave_angle_of_section(self.state, chain, k)
             )
         ):
             return self._anew(chain, k) or self._link_in_scope(chain, k, sound, bad)

@@ -104,6 +104,8 @@ def _is_another_case(state: JudgingState, earlier: Chain, chain: Chain) -> bool:
     own = _phase_shifts(chain) or ({now[1]} if now else set[int]())
     if turns and own and turns.isdisjoint(own):
         return True
+    if _is_of_another_angle(state, earlier, chain):
+        return True
     orders = _order_beside(state, earlier), _order_beside(state, chain)
     if None in orders or orders[0] == orders[1]:
         return False
@@ -115,6 +117,36 @@ def _is_another_case(state: JudgingState, earlier: Chain, chain: Chain) -> bool:
         if order is not None
     )
     return decide(first, second, "=", state.knowledge(chain.lines[0])).is_proved
+
+
+_ANGLE_OF_CASE = re.compile(
+    r"(?P<degrees>[0-9]{1,3})\s?(?:°|\^\s?\{?\s?\\circ\s?\}?|\\degree|\\ang|degrees?|deg|Grad)[\s$)}\]\\,]{0,6}"
+    r"(?:,?[^:。.;=]{0,12}=[^:。.;=]{0,12})?(?::|の場合|のとき|では)"
+)
+"""An angle that a list's item or a clause is about: β = 45°, n = 1: the force is."""
+_ITEM = re.compile(r"\\item|\n\s*\n|\n[ \t]{0,4}[-*•]\s|[。]|[.;]\s")
+
+
+def _is_of_another_angle(state: JudgingState, earlier: Chain, chain: Chain) -> bool:
+    """Tell whether items or clauses about two angles, none the crank's, part two formulas of a letter."""
+    now = _angle_of_item(state, chain)
+    if now is None:
+        return False
+    degrees, start, end = now
+    before = _angle_of_item(state, earlier)
+    angles = _phase_shifts(earlier) if before is None else {before[0]}
+    formula = {name for side in earlier.sides[1:] for name in names(side.node)}
+    given = [c for c in state.document.chains if start <= c.start < end]
+    heads = {name for c in given for name in names(c.sides[0].node)}
+    return bool(angles and heads) and degrees not in angles and not heads & formula
+
+
+def _angle_of_item(state: JudgingState, chain: Chain) -> tuple[int, int, int] | None:
+    """Return the angle that a relation's item or clause is about, and where its words begin and end."""
+    text, first = state.document.text, max(0, chain.start - REACH)
+    start = max((m.end() for m in _ITEM.finditer(text, first, chain.start)), default=first)
+    match = next(_ANGLE_OF_CASE.finditer(text, start, chain.start), None)
+    return None if match is None else (int(match["degrees"]), start, match.end())
 
 
 def _order_beside(state: JudgingState, chain: Chain) -> str | None:

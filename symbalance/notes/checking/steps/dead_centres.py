@@ -25,10 +25,12 @@ from symbalance.document.formula import (
     walk,
 )
 from symbalance.document.letters import plain_letter
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.relations import decide_at_value
+from symbalance.notes.checking.deciding.relations import decide, decide_at_value, written_out
+from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.words.plain_formulas import plain_text
@@ -129,7 +131,8 @@ def _at_named_place(state: JudgingState, chain: Chain, knowledge: Knowledge) -> 
     elif order:
         motion = Derivative(motion, Name(time), order)
     behind = {*names_behind(motion, values)}
-    if theta not in behind or not {*names_behind(right.node, values)} <= behind - {theta}:
+    is_of_motion = theta in behind and {*names_behind(right.node, values)} <= behind - {theta}
+    if not is_of_motion or not _is_symmetric(Name(base), theta, chain, knowledge):
         return None
     angle, sign = CENTRES[_PLACES[index.casefold()]], chain.relations[0].sign
     there = decide_at_value(Side((motion,), right.span), right, sign, knowledge, theta, angle)
@@ -142,6 +145,21 @@ def _at_named_place(state: JudgingState, chain: Chain, knowledge: Knowledge) -> 
     if there.status != REFUTED or opposite.is_proved or not names(right.node):
         return None
     return replace(there, reason=f"if {text}")
+
+
+def _is_symmetric(motion: Formula, theta: str, chain: Chain, knowledge: Knowledge) -> bool:
+    """Tell whether a motion is the same, or its negative, before and behind the angle zero.
+
+    That of a cylinder beside the crank is not: its dead centres are where crank and rod are in line.
+    """
+    try:
+        node = written_out(motion, knowledge, theta)
+        turned = substitute(node, theta, Negative(Name(theta)))
+        span = chain.sides[0].span
+        sides = [Side((each,), span) for each in (node, turned, Negative(turned))]
+        return any(decide(sides[0], side, "=", knowledge).is_proved for side in sides[1:])
+    except (NoFormError, TooLargeError):
+        return False
 
 
 def _beside_another(

@@ -8,6 +8,7 @@ its speed revolutions per minute where the unit needs radians per second.
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 from fractions import Fraction
 from functools import lru_cache
 from math import isclose, log10, pi
@@ -38,7 +39,7 @@ _TURNS = (pi / 30, 30 / pi, pi / 180, 180 / pi)
 _UNITS = 3
 """Words that a unit has at most: kg m s⁻¹."""
 _MARKUP = re.compile(r"\\(?:mathrm|text|textrm|mbox|,|;|:|!|quad|ensuremath)|[~${}]|</?[a-z]+>")
-_EXPONENT = re.compile(r"\$?\^\{?([-−]?[0-9])\}?\$?")
+_EXPONENT = re.compile(r"\}?\$?\^\{?([-−]?[0-9])\}?\$?")
 """The exponent of a unit, which may stand between dollars of its own: s$^{-1}$."""
 _NUMERAL = re.compile(r"(?<![\w.,^_])[0-9]+(?:[.,][0-9]+)?(?![0-9])")
 _THOUSANDS = re.compile(r"(?<=[0-9])(?:[ ~\u00a0\u2009\u202f]|\\,)(?=[0-9]{3}(?![0-9]))")
@@ -61,8 +62,13 @@ _WEIGHTS = re.compile(r"(?<![A-Za-z])(?:lbs?|lbf|kgf|kp|tf|oz|pounds?|ounces?)(?
 _Above = dict[Fraction, set[tuple[Dimension, float]]]
 
 
-def refuted_by_units_above(chain: Chain, k: int, document: ReadNotes) -> Decision | None:
-    """Return that a result is in another unit than its numbers make; None where that is open."""
+def refuted_by_units_above(
+    chain: Chain, k: int, document: ReadNotes, wrong: Collection[int] = ()
+) -> Decision | None:
+    """Return that a result is in another unit than its numbers make; None where that is open.
+
+    Numbers whose unit is refuted above, at the places `wrong`, say nothing of what goes on with them.
+    """
     left, right = chain.sides[k], chain.sides[k + 1]
     # Numbers put into a formula of the same chain are judged by that.
     is_put_in = any(names(side.node) and not isinstance(side.node, Name) for side in chain.sides[:k])
@@ -71,7 +77,8 @@ def refuted_by_units_above(chain: Chain, k: int, document: ReadNotes) -> Decisio
     is_arithmetic = result is not None and not names(left.node) and not isinstance(left.node, Number)
     arithmetic = left.node if result is None else _without_unit(left.node, result)
     numbers = numbers_of(arithmetic) if is_arithmetic else None
-    if not numbers or result is None or unit is None or unit == NONE:
+    is_open = not numbers or {number.value for number in numbers} & _values_at(document, wrong)
+    if is_open or not numbers or result is None or unit is None or unit == NONE:
         return None
     text = document.text[max(0, chain.start - NEAR) : chain.start]
     above = _numbers_above(text)
@@ -96,6 +103,13 @@ def refuted_by_units_above(chain: Chain, k: int, document: ReadNotes) -> Decisio
     return (
         None if not plain else Decision(REFUTED, _reason(plain[0], plain[0].scale / scale, result.unit))
     )
+
+
+def _values_at(document: ReadNotes, places: Collection[int]) -> set[Fraction]:
+    """Return the numbers that sides which begin at some places are, with their unit left out."""
+    sides = [side for chain in document.chains for side in chain.sides[1:] if side.span[0] in places]
+    quantities = [quantity for side in sides if (quantity := quantity_of(side, document)) is not None]
+    return {quantity.value for quantity in quantities}
 
 
 def _without_unit(node: Formula, result: Quantity) -> Formula:

@@ -14,7 +14,9 @@ from symbalance.notes.checking.words.glossary import glossary_of
 _END = r"\s[^.;:!?\n=<>≤≥]{0,30}$"
 _CASE = re.compile(
     r"(?<![A-Za-z])(?:for|if|when|whenever|where|at|only for|provided(?:\s+that)?"
-    rf"|as\s+long\s+as|in\s+the\s+case|für|bei|falls|wenn|sofern|solange|im\s+Fall|pour|si){_END}",
+    rf"|as\s+long\s+as|in\s+the\s+case|für|bei|falls|wenn|sofern|solange|im\s+Fall|pour|si"
+    r"|lorsque|quand|para|cuando|per|quando|voor|bij|wanneer|för|vid|när|dla|przy|gdy|při|když"
+    rf"|(?:da|alcanza|ocurre|produce|máxim[oa])\s+en|(?:^|[.:]\s)en){_END}",
     re.IGNORECASE,
 )
 _CASE_BEHIND = re.compile(r"[\s$)\]}\\,]{0,6}(?:なら|のとき|の時|の場合|では(?!な))")

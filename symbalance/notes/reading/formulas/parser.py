@@ -54,6 +54,8 @@ DEEPEST_TREE = 100
 MOST_SLASHES = 20
 HIGHEST_DERIVATIVE = 20
 _INDICES = ("i", "j", "k", "n", "N")
+_OF_ANGLES = ("sin", "cos", "tan", "cot", "sec", "csc")
+"""Functions whose values are numbers, and no angles as those of arcsin are."""
 _INVERSE = {"sin": "asin", "cos": "acos", "tan": "atan"}
 _WITH_BOUNDS = ("int", "oint", "prod", "lim", "max", "min", "det")
 _TWO_FORMS = ("phi", "theta", "epsilon", "rho", "sigma", "kappa")
@@ -857,10 +859,13 @@ class Parser:
         A function within says that it is a factor of its own: sin t(1 + q cos t). Behind a space it is
         one too, unless it holds an angle or the time.
         """
-        last = factors[-1]
+        last, inside = factors[-1], self._tokens_in_bracket()
+        has_angle_before = any(name not in _INDICES for factor in factors for name in names(factor))
+        is_bare = not self.at("open", "{") and has_angle_before
+        if is_bare and any(token.kind == "function" and token.value in _OF_ANGLES for token in inside):
+            return False  # cos V/2 [cos(θ - V/2) + …]
         if self.at("open", "{") or not isinstance(last, Name) or last.name in _INDICES:
             return True
-        inside = self._tokens_in_bracket()
         if any(token.kind == "function" for token in inside):
             return False
         letters = [token for token in inside if token.kind == "name"]
