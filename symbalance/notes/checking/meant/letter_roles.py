@@ -6,7 +6,6 @@ letter and its subscript: F_g is the force of the gas.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
@@ -15,6 +14,7 @@ from symbalance.document.formula import Formula, Name, names
 from symbalance.document.letters import ACCENTS, plain_letter
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.meant.catalogue import OTHER_LENGTHS, ROLES
+from symbalance.text import lazy_patterns as re
 
 UNITS_ONLY = re.compile(r"variable|positive|constant|[^\w]*|[A-Za-z°µ%/^*·0-9² ³⁴⁻¹-]{0,9}")
 """Declarations that say nothing of what a letter is."""

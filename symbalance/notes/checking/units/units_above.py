@@ -7,7 +7,6 @@ its speed revolutions per minute where the unit needs radians per second.
 
 from __future__ import annotations
 
-import re
 from fractions import Fraction
 from functools import lru_cache
 from math import isclose, log10, pi
@@ -24,6 +23,7 @@ from symbalance.notes.checking.units.units_of_arithmetic import (
 )
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.notes.reading.formulas.result_units import value_of
+from symbalance.text import lazy_patterns as re
 
 NEAR = 700
 """Characters above in which a number's unit is looked for."""

@@ -6,7 +6,6 @@ such angle a large bare number may be either: both readings stay, degrees first.
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from fractions import Fraction
 
@@ -24,6 +23,7 @@ from symbalance.document.formula import (
     with_children,
 )
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+from symbalance.text import lazy_patterns as re
 
 MORE_THAN_A_TURN = 7
 """A whole number from it on is no angle in radians that anyone would type: 2π is less."""

@@ -6,7 +6,6 @@ nothing else; what is read so is said in a note.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 
 from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, LOWERED, NAME_OF_SIGN, RAISED
@@ -21,6 +20,7 @@ from symbalance.notes.reading.signs import (
 )
 from symbalance.notes.reading.spellings.pointed_units import compound_unit
 from symbalance.notes.reading.units import is_of_volume, scale_of
+from symbalance.text import lazy_patterns as re
 
 _APART = (
     r"(?:(?<![\w.,\\])|(?<=\\cdot)|(?<=\\times)|(?<=\\approx)|(?<=\\simeq)|(?<=\\le)|(?<=\\ge)|(?<=\\leq)"

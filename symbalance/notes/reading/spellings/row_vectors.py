@@ -6,9 +6,8 @@ anything, three entries or numbers are a row.
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _ENTRY = r"[^(),;=<>≤≥≈$\n]+(?:\([^(),;=$\n]*\)[^(),;=<>≤≥≈$\n]*)*"
 _GAP = r"(?:,\s|,(?=\D)|;)\s*"

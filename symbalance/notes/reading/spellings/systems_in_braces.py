@@ -5,10 +5,9 @@ Behind a relation sign such a brace holds cases: f = { 0 for x < 0, 1 for x ≥ 
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import RELATION
+from symbalance.text import lazy_patterns as re
 
 _ROWS = r"(?P<rows>(?:(?!\\begin|\\end).){1,4000}?)"
 _BRACE = re.compile(
