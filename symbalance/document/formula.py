@@ -11,9 +11,11 @@ True
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from operator import attrgetter
+from typing import Any
 
 Span = tuple[int, int]
 """First and one past the last character, as offsets in the document's text; (0, 0): made by program."""
@@ -414,6 +416,11 @@ _SINGLE: dict[type[Formula], tuple[str, ...]] = {
     PlusMinus: ("operand",),
 }
 _SEVERAL: dict[type[Formula], str] = {Sum: "terms", Product: "factors", Apply: "arguments"}
+_PAIRS: dict[type[Formula], Callable[[Any], tuple[Formula, ...]]] = {
+    Quotient: attrgetter("numerator", "denominator"),
+    Power: attrgetter("base", "exponent"),
+}
+"""The most frequent formulas of two parts, which are always there."""
 _LEAVES = frozenset({Name, Number, Constant})
 """The most frequent formulas without parts."""
 
@@ -429,6 +436,8 @@ def children(node: Formula) -> tuple[Formula, ...]:
         return ()
     if kind in _SEVERAL:
         return getattr(node, _SEVERAL[kind])
+    if kind in _PAIRS:
+        return _PAIRS[kind](node)
     if isinstance(node, Matrix):
         return tuple(entry for row in node.rows for entry in row)
     if isinstance(node, Cases):
@@ -464,7 +473,8 @@ def walk(node: Formula) -> Iterator[Formula]:
     while waiting:
         part = waiting.pop()
         yield part
-        waiting.extend(reversed(children(part)))
+        if type(part) not in _LEAVES:
+            waiting.extend(reversed(children(part)))
 
 
 def names(node: Formula) -> frozenset[str]:

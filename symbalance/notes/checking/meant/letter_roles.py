@@ -282,7 +282,8 @@ def ends_with(words: re.Pattern[str], text: str) -> bool:
     >>> ends_with(re.compile("mass|masse"), "die Masse".lower())
     True
     """
-    return _at_end(words).search(text) is not None
+    is_in_it = words.search(text) is not None  # else its other pattern is not even compiled
+    return is_in_it and _at_end(words).search(text) is not None
 
 
 @cache

@@ -181,6 +181,8 @@ class QuantityWords:
     roles: LetterRoles
     words_above: dict[str, str] = field(default_factory=dict)
     """The words by which letters were named that had a standard formula."""
+    _phrases: dict[str, list[tuple[int, int, Quantity]]] = field(default_factory=dict, init=False)
+    """The phrases of quantities in a text, with their places: one text is asked for several letters."""
 
     @cached_property
     def glossary(self) -> Glossary:
@@ -392,11 +394,17 @@ class QuantityWords:
         self, words: str, stem: str, places: Places, sentence: str, name: str = ""
     ) -> Iterator[Named]:
         """Yield the quantities that words name, those with the letter's usual use first of all."""
+        if words not in self._phrases:
+            self._phrases[words] = [
+                (*match.span(), quantity)
+                for quantity in (QUANTITIES if words else ())
+                for match in quantity.phrases.finditer(words)
+            ]
+        everywhere = f"{words} {places.around} {places.heading} {places.page}"
         matches = [
-            (match.start(), match.end(), quantity)
-            for quantity in QUANTITIES
-            for match in quantity.phrases.finditer(words)
-            if _may_apply(quantity, f"{words} {places.around} {places.heading} {places.page}")
+            (start, end, quantity)
+            for start, end, quantity in self._phrases[words]
+            if _may_apply(quantity, everywhere)
         ]
         matches = [each for each in matches if not self._is_of_another_letter(words, each[1], name)]
         special = [each for each in matches if _is_told(each[2], places, sentence)]

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any
 
 from symbalance.document.formula import Integral, Summation, names, walk
 from symbalance.errors import SymbalanceError
+from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.inequalities import sample_ranges
 from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
@@ -16,6 +19,7 @@ from symbalance.notes.checking.deciding.numbers_put_in import (
 )
 from symbalance.notes.checking.deciding.whole_numbers import may_count, orders_in
 from symbalance.notes.checking.declared.engines import Sources
+from symbalance.notes.checking.declared.geometry import Geometry
 from symbalance.notes.checking.declared.sidecar import Declarations
 from symbalance.notes.checking.declared.symbol_roles import (
     MOVING,
@@ -90,6 +94,10 @@ class JudgingState:
     """What tables, lists and code give letters."""
     refuted: set[int] = field(default_factory=set)
     """Places where the right sides of refuted relations begin."""
+    _meanings: dict[tuple[Any, ...], tuple[SymbolValue, Geometry]] = field(
+        default_factory=dict, init=False
+    )
+    """What declared letters stand for, by the declarations that hold at a line."""
 
     def __post_init__(self) -> None:
         self.sections = Sections(self.document)
@@ -158,7 +166,7 @@ class JudgingState:
     def knowledge(self, line: int, convention: str = "") -> Knowledge:
         """Return what is known at a line."""
         symbols = {**self.counts, **self.declarations.symbols_at(line)}
-        meaning, crank = meaning_of(symbols, convention, self.sources.engines)
+        meaning, crank = self._meaning_of(symbols, convention)
         definitions = self.definitions.at(line)
         letters = letters_by_role(symbols)
         meaning = with_motions(meaning, self.motions, line, definitions, symbols)
@@ -197,6 +205,13 @@ class JudgingState:
             | self.small_letters,
         )
         return self.definitions.on_stated_branches(knowledge)
+
+    def _meaning_of(self, symbols: Mapping[str, str], convention: str) -> tuple[SymbolValue, Geometry]:
+        """Return what declared letters stand for, the same at every line of one scope."""
+        key = (convention, *symbols.items())
+        if key not in self._meanings:
+            self._meanings[key] = meaning_of(symbols, convention, self.sources.engines)
+        return self._meanings[key]
 
     def knowledge_of(self, chain: Chain, knowledge: Knowledge) -> Knowledge:
         """Return what is known with what stands around one relation on its line."""
