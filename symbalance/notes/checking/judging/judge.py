@@ -8,7 +8,7 @@ from functools import partial
 from itertools import product
 
 from symbalance.budgets import Budget
-from symbalance.document.formula import Call, Formula, Name, names, walk
+from symbalance.document.formula import Call, Formula, Name, names, parts_of_kind
 from symbalance.document.letters import plain_letter
 from symbalance.errors import SymbalanceError
 from symbalance.notes.algebra.tree_values import names_behind
@@ -678,7 +678,7 @@ def _is_proved(outcome: Verdict | Decision) -> bool:
 def _turned(node: Formula) -> frozenset[str]:
     """Return the letters within sines and cosines, angles though nobody has declared them."""
     turning = ("sin", "cos", "tan")
-    calls = (part for part in walk(node) if isinstance(part, Call) and part.function in turning)
+    calls = (part for part in parts_of_kind(node, Call) if part.function in turning)
     return frozenset(name for call in calls for name in names(call.argument))
 
 

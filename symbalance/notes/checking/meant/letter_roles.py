@@ -132,8 +132,8 @@ class LetterRoles:
     def may_be(self, letter: str, role: str, meanings: Mapping[str, str]) -> bool:
         """Tell whether a letter may play a role: by its meaning, the words before it, or as is usual."""
         declared = meanings.get(letter, "")
-        if declared and any(each.words.search(declared) for each in ROLES.values()):
-            return ROLES[role].words.search(declared) is not None
+        if declared and (roles := _roles_in(declared)):
+            return role in roles
         if declared and not UNITS_ONLY.fullmatch(declared):
             return False
         roles, is_other = self._roles_named(letter)
@@ -274,6 +274,12 @@ def sign_of(letter: str) -> str:
     signs = {stem, plain_letter(stem), "\\" + stem}
     tail = rf"_?\{{?{re.escape(index)}\}}?" if index else r"(?!_)"
     return rf"(?:{'|'.join(map(re.escape, sorted(signs)))}){tail}(?![^\W\d_])"
+
+
+@cache
+def _roles_in(meaning: str) -> frozenset[str]:
+    """Return the roles of which a declared meaning speaks."""
+    return frozenset(name for name, role in ROLES.items() if role.words.search(meaning))
 
 
 def ends_with(words: re.Pattern[str], text: str) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any
 
 from symbalance.document.formula import Integral, Summation, names, walk
@@ -201,8 +201,7 @@ class JudgingState:
             counted=self.counted,
             has_sums=self.has_sums,
             orders=self.orders,
-            small=frozenset(n for n, text in symbols.items() if SMALL_WORD.search(text))
-            | self.small_letters,
+            small=frozenset(n for n, text in symbols.items() if _is_small(text)) | self.small_letters,
         )
         return self.definitions.on_stated_branches(knowledge)
 
@@ -234,6 +233,12 @@ class JudgingState:
             read_assumption(text, letters, self.declarations.place)
             for text in self.declarations.assumptions_at(line)
         )
+
+
+@lru_cache(maxsize=1000)
+def _is_small(meaning: str) -> bool:
+    """Tell whether a letter's declared meaning says that it is small."""
+    return SMALL_WORD.search(meaning) is not None
 
 
 def _counts(document: ReadNotes) -> dict[str, str]:

@@ -19,7 +19,7 @@ from symbalance.document.formula import (
     Quotient,
     Span,
     children,
-    walk,
+    parts_of_kind,
     with_children,
 )
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
@@ -64,7 +64,7 @@ def _side(side: Side, angles: frozenset[Fraction], only_named: bool) -> Side:
 
 def _bare(node: Formula) -> list[Number]:
     """Return the bare numbers of which a formula takes sines and cosines."""
-    calls = (part for part in walk(node) if isinstance(part, Call) and part.function in _FUNCTIONS)
+    calls = (part for part in parts_of_kind(node, Call) if part.function in _FUNCTIONS)
     numbers = (_number(call.argument) for call in calls)
     return [number for number in numbers if number is not None]
 
