@@ -437,6 +437,8 @@ class Judge:
 
     def _unless_at_another_value(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict; what is refuted by one number of a letter may be true by another."""
+        if verdict.verdict not in (*PROVED_WORDS, REFUTED, CONTRADICTION, UNDECIDED, CONDITION):
+            return verdict
         knowledge = self.state.knowledge(chain.lines[0])
         if verdict.verdict in PROVED_WORDS:
             there = refuted_by_nearest(self.state, chain, k, knowledge)
@@ -446,12 +448,10 @@ class Judge:
             there = there or by_nearest_formulas(self.state, chain, k, knowledge)
             there = there or as_supposed(self.state, chain, k)
             there = there or open_against_lines(self.state, chain, k, knowledge)
-        elif verdict.verdict in (UNDECIDED, CONDITION):
+        else:
             there = by_square_above(self.state, chain, k, knowledge)
             if verdict.verdict == UNDECIDED:
                 there = there or by_nearest_formulas(self.state, chain, k, knowledge)
-        else:
-            return verdict
         return verdict if there is None else describe(self.document, chain, k, there)
 
     def _without_constant(
