@@ -7,6 +7,7 @@ this one in the place of `re`:
     from symbalance.text import lazy_patterns as re
 
 A pattern that is wrong is refused when it is first used; a test compiles them all.
+A match knows the pattern of `re` and not the lazy one: compare `match.re.pattern`, not `match.re`.
 """
 
 from __future__ import annotations

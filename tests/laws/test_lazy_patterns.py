@@ -8,10 +8,12 @@ import pkgutil
 import re
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
 import symbalance.notes
+from symbalance.notes.reading.letters.letter_e import with_number_e
 from symbalance.text import lazy_patterns
 from symbalance.text.lazy_patterns import LazyPattern
 
@@ -54,6 +56,19 @@ def test_a_wrong_pattern_is_refused_at_its_first_use():
     lazy = lazy_patterns.compile("(a")
     with pytest.raises(re.error, match="missing"):
         lazy.search("a")
+
+
+def test_no_match_is_asked_for_its_pattern_by_identity():
+    """`match.re` is the pattern of `re`, never the lazy one: a comparison with that is always false."""
+    files = [f for path in symbalance.notes.__path__ for f in Path(path).rglob("*.py")]
+    places = [f.name for f in files if re.search(r"\.re (?:is|==|!=|in) ", f.read_text(encoding="utf-8"))]
+    assert places == []
+
+
+def test_an_upright_e_with_a_plain_exponent_is_the_number():
+    rewritten = with_number_e(r"\mathrm{e}^{2}, \mathrm{e} and e^2")
+    assert rewritten is not None
+    assert rewritten.text == r"\exp{2}, \mathrm{e} and e^2"
 
 
 def test_a_page_without_formulas_compiles_few_patterns_and_loads_no_sympy(tmp_path):

@@ -210,7 +210,7 @@ class LetterRoles:
                 if follows is not None:
                     phrases.append(follows[1])
                 if follows is None or not words.rstrip().endswith(","):  # in the rod, φ being …
-                    phrases.append(_LINKS.sub("", words)[-LONGEST_NAME:])
+                    phrases.append(phrase[-LONGEST_NAME:])
             self._before[letter] = [words.replace("\n", " ") for words in phrases]
         return self._before[letter]
 

@@ -85,7 +85,7 @@ def with_number_e(text: str) -> Rewritten | None:
     for match in matches:
         if match.start() < rewriter.place:
             continue
-        is_upright = match.re is _UPRIGHT
+        is_upright = match.re.pattern == _UPRIGHT.pattern
         before = text[: match.start()].rstrip()[-1:]
         if before == "_" or (text[match.start()] != "{" and before == "{" and not match["power"]):
             continue  # a subscript, ω_{\mathrm e}

@@ -72,7 +72,7 @@ def with_rows_of_relations(text: str) -> Rewritten | None:
     for match in sorted(matches, key=lambda match: match.start()):
         if match.start() < rewriter.place:
             continue
-        if match.re is _RIGHT_BRACE:
+        if match.re.pattern == _RIGHT_BRACE.pattern:
             rewriter.replace(*match.span(), match.span("body"))
             changed = True
         elif all(map(_has_column_of_relation, _rows(match["rows"]))):
