@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -16,6 +15,7 @@ from symbalance.notes.checking import documents
 from symbalance.notes.checking.deciding.guarded_verdicts import PAGE
 from symbalance.notes.checking.declared.engines import KnownEngine
 from symbalance.notes.checking.verdicts import Checked
+from symbalance.text import lazy_patterns as re
 from symbalance.text.files import STANDARD_INPUT
 from symbalance.text.named_paths import NamingFolder
 

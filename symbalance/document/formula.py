@@ -11,9 +11,11 @@ True
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from operator import attrgetter
+from typing import Any, TypeVar
 
 Span = tuple[int, int]
 """First and one past the last character, as offsets in the document's text; (0, 0): made by program."""
@@ -27,10 +29,11 @@ FUNCTIONS = frozenset(
 
 
 class _Letters:
-    """A place in each formula for its letters, which `names` fills when they are first asked for."""
+    """Places in each formula for its letters and the kinds of its parts, filled when first asked for."""
 
-    __slots__ = ("_letters",)
+    __slots__ = ("_kinds", "_letters")
     _letters: frozenset[str]
+    _kinds: frozenset[type]
 
 
 @dataclass(frozen=True, slots=True)
@@ -396,6 +399,8 @@ def _factors(value: Formula) -> tuple[Formula, ...]:
     return value.factors if isinstance(value, Product) else (value,)
 
 
+Part = TypeVar("Part", bound=Formula)
+
 # Walking ----------------------------------------------------------------------------------------
 
 _SINGLE: dict[type[Formula], tuple[str, ...]] = {
@@ -414,6 +419,11 @@ _SINGLE: dict[type[Formula], tuple[str, ...]] = {
     PlusMinus: ("operand",),
 }
 _SEVERAL: dict[type[Formula], str] = {Sum: "terms", Product: "factors", Apply: "arguments"}
+_PAIRS: dict[type[Formula], Callable[[Any], tuple[Formula, ...]]] = {
+    Quotient: attrgetter("numerator", "denominator"),
+    Power: attrgetter("base", "exponent"),
+}
+"""The most frequent formulas of two parts, which are always there."""
 _LEAVES = frozenset({Name, Number, Constant})
 """The most frequent formulas without parts."""
 
@@ -429,6 +439,8 @@ def children(node: Formula) -> tuple[Formula, ...]:
         return ()
     if kind in _SEVERAL:
         return getattr(node, _SEVERAL[kind])
+    if kind in _PAIRS:
+        return _PAIRS[kind](node)
     if isinstance(node, Matrix):
         return tuple(entry for row in node.rows for entry in row)
     if isinstance(node, Cases):
@@ -464,7 +476,29 @@ def walk(node: Formula) -> Iterator[Formula]:
     while waiting:
         part = waiting.pop()
         yield part
-        waiting.extend(reversed(children(part)))
+        if type(part) not in _LEAVES:
+            waiting.extend(reversed(children(part)))
+
+
+def parts_of_kind(node: Formula, *kinds: type[Part]) -> Iterator[Part]:
+    """Yield the parts of a formula that are of a kind, outermost first; without any it costs one look.
+
+    >>> list(parts_of_kind(Name("s") * Call("sin", Name("theta")), Call))
+    [Call(span=(0, 0), function='sin', argument=Name(span=(0, 0), name='theta'))]
+    """
+    if not _kinds_in(node).isdisjoint(kinds):
+        for part in walk(node):
+            if isinstance(part, kinds):
+                yield part
+
+
+def _kinds_in(node: Formula) -> frozenset[type]:
+    try:
+        return node._kinds
+    except AttributeError:
+        kinds = frozenset({type(node)}.union(*map(_kinds_in, children(node))))
+        object.__setattr__(node, "_kinds", kinds)
+        return kinds
 
 
 def names(node: Formula) -> frozenset[str]:

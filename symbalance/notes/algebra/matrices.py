@@ -447,9 +447,7 @@ def _shape(literal: Literal) -> str:
 def holds_matrices(node: Formula, kinds: Kinds) -> bool:
     """Tell whether a formula holds a matrix: a letter that is one, or rows of entries."""
     matrix_letters = kinds.letters | kinds.identities
-    return any(
-        isinstance(part, Matrix)
-        or (isinstance(part, Name) and part.name in matrix_letters)
-        or (isinstance(part, formula.Apply) and part.function in ("det", "transpose"))
-        for part in formula.walk(node)
+    return not matrix_letters.isdisjoint(formula.names(node)) or any(
+        isinstance(part, Matrix) or part.function in ("det", "transpose")
+        for part in formula.parts_of_kind(node, Matrix, formula.Apply)
     )

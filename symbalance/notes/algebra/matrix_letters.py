@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+
+from symbalance.text import lazy_patterns as re
 
 _MATRIX = re.compile(r"\bmatri(?:x|ces)\b|行列", re.IGNORECASE)
 _VECTOR = re.compile(r"\bve[ck]tor\b|ベクトル", re.IGNORECASE)

@@ -14,7 +14,14 @@ from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.open_sums import NOT_CONTINUED, goes_on_within
 from symbalance.notes.algebra.sums import indexed_letters
 from symbalance.notes.algebra.tree_constructs import CONSTRUCTS
-from symbalance.notes.algebra.values import DIGITS, Point, Valuation, context, random_point
+from symbalance.notes.algebra.values import (
+    DIGITS,
+    Point,
+    Valuation,
+    context,
+    power_of_ten,
+    random_point,
+)
 
 DEEPEST = 40
 """Definitions that use definitions, one in the other."""
@@ -60,7 +67,7 @@ def sample_trees(
             row = [at.value(node) for node in nodes]
         except NO_VALUE:
             continue
-        if all(abs(v.imag) <= abs(v) * context().mpf(10) ** (-DIGITS // 2) for v in row):
+        if all(abs(v.imag) <= abs(v) * power_of_ten(context(), -DIGITS // 2) for v in row):
             samples.append((point, row))
         if len(samples) == count:
             break

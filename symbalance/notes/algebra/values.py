@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
 from symbalance.notes.algebra.domain import Domain, Monomial, NoFormError, Polynomial
@@ -34,6 +35,12 @@ class MeanNotReachedError(NoFormError):
 def context() -> Any:
     """Return this thread's own mpmath context: the precision of others does not count, nor changes."""
     return own_context(DIGITS)
+
+
+@lru_cache(maxsize=64)
+def power_of_ten(mp: Any, exponent: int) -> Any:
+    """Return 10^exponent in a context: the tolerances of comparisons, which are needed at every point."""
+    return mp.mpf(10) ** exponent
 
 
 def letters(form: Form) -> list[str]:
@@ -108,7 +115,7 @@ class Valuation:
         """Return the value of a form."""
         self._check_assumptions()
         below = self.polynomial(form.denominator)
-        if abs(below) < self.mp.mpf(10) ** (-DIGITS // 2):
+        if abs(below) < power_of_ten(self.mp, -DIGITS // 2):
             raise NoFormError("a division by nearly zero at this point")
         return self.polynomial(form.numerator) / below
 
@@ -246,7 +253,7 @@ class Valuation:
         if function.startswith("besselj"):
             return self.mp.besselj(int(function[-1]), argument)
         result = getattr(self.mp, {"ln": "log"}.get(function, function))(argument)
-        if abs(result.imag) > self.mp.mpf(10) ** (-DIGITS // 2):
+        if abs(result.imag) > power_of_ten(self.mp, -DIGITS // 2):
             raise NoFormError("a function outside its range at this point")
         return result
 

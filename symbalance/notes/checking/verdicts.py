@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from functools import partial
@@ -11,6 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from symbalance.document.formula import Formula, Span
 from symbalance.document.result import Result
 from symbalance.notes.reading.equations import ReadNotes
+from symbalance.text import lazy_patterns as re
 
 if TYPE_CHECKING:
     from symbalance.document import nodes

@@ -7,7 +7,6 @@ that the reader had, so that nothing vanishes.
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_right
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field
@@ -20,6 +19,7 @@ from symbalance.notes.reading.passages.meanings_in_words import Meaning, is_mean
 from symbalance.notes.reading.signs import REFUSED, RELATION, UNREAD_RELATIONS
 from symbalance.notes.reading.sources import CELL_END
 from symbalance.notes.reading.units import is_unit_of_letter
+from symbalance.text import lazy_patterns as re
 
 _SETTINGS = word_set(
     "magnification hsize vsize parindent parskip baselineskip tolerance hoffset voffset nopagenumbers"

@@ -7,7 +7,6 @@ place and a remedy.
 
 from __future__ import annotations
 
-import re
 import unicodedata
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -61,6 +60,7 @@ from symbalance.notes.reading.signs import CELLS, relation_at_start
 from symbalance.notes.reading.sources import Source, prepare, to_half_width
 from symbalance.notes.reading.spellings.wrapped_lines import ENDS
 from symbalance.notes.reading.units import explained_letters
+from symbalance.text import lazy_patterns as re
 
 LONGEST_DOCUMENT = 1_000_000  # characters
 MOST_LINES_OF_PROSE = 2  # that a chain may go past: "= …" further down is an equation of its own

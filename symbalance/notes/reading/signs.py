@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import re
-
 from symbalance.document.letters import DOTTED
 from symbalance.document.wordlists import word_set, words
+from symbalance.text import lazy_patterns as re
 
 RELATION_SIGNS = {
     "=": "=", "＝": "=", "≈": "≈", "≒": "≈", "≃": "≈", "≅": "≈", "≐": "≈", "∼": "≈", "≑": "≈", "<": "<",

@@ -7,7 +7,6 @@ Lines stay lines, and every character knows where it stands in the document.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from html import unescape
@@ -62,6 +61,7 @@ from symbalance.notes.reading.spellings.tables_of_quantities import with_equatio
 from symbalance.notes.reading.spellings.times_in_parts import with_times_in_one
 from symbalance.notes.reading.spellings.units_behind_waves import with_units_of_waves
 from symbalance.notes.reading.spellings.wrapped_lines import SOFT_END, with_soft_ends
+from symbalance.text import lazy_patterns as re
 
 CELL_END = "\ue000"
 """Stands between the cells of a table: no formula goes over it. (A sign that nobody types.)"""

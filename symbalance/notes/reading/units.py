@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection
 from fractions import Fraction
 from functools import lru_cache
 
 from symbalance.document.wordlists import word_set, words
 from symbalance.notes.reading.signs import VULGAR
+from symbalance.text import lazy_patterns as re
 
 Scale = tuple[Fraction, bool]
 """The factor to the unit without prefix, and whether π multiplies it."""

@@ -69,7 +69,7 @@ def has_branches(left: Formula, right: Formula, knowledge: Knowledge) -> bool:
 
 def _parts(*nodes: Formula) -> Iterator[Formula]:
     for node in nodes:
-        for part in formula.walk(node):
+        for part in formula.parts_of_kind(node, PlusMinus, Cases, Apply):
             is_delta = isinstance(part, Apply) and part.function == "kronecker"
             if isinstance(part, PlusMinus | Cases) or (is_delta and formula.names(part)):
                 yield part

@@ -231,10 +231,10 @@ def _by_numbers(
 
 
 def _close(left: Any, right: Any) -> bool:
-    ten, scale = values.context().mpf(10), max(abs(left), abs(right), 1e-300)
-    if not values.context().isfinite(scale):
+    mp, scale = values.context(), max(abs(left), abs(right), 1e-300)
+    if not mp.isfinite(scale):
         return False  # ln 0 is equal to nothing
-    return abs(left - right) <= max(scale * ten**-25, ten**-NOISE)
+    return abs(left - right) <= max(scale * values.power_of_ten(mp, -25), values.power_of_ten(mp, -NOISE))
 
 
 def _witness(point: values.Point, pair: list[Any]) -> dict[str, str]:

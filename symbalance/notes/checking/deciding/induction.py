@@ -38,7 +38,7 @@ class Progression:
 
 def progressions(node: Formula) -> Iterator[Progression]:
     """Yield the ways a formula's one sum with open bounds may be read as a progression in a letter."""
-    for part in formula.walk(node):
+    for part in formula.parts_of_kind(node, Summation, Sum):
         if isinstance(part, Summation) and part.index and part.lower and part.upper:
             yield from _of_summation(part)
         if isinstance(part, Sum) and any(isinstance(t, Dots) for t in part.terms[:-1]):

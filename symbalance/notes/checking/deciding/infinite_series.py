@@ -21,6 +21,7 @@ from symbalance.document.formula import (
     Sum,
     Summation,
     children,
+    parts_of_kind,
     walk,
     with_children,
 )
@@ -44,7 +45,7 @@ TERM_BY_TERM = "term by term"
 
 def has_infinite_sum(*nodes: Formula) -> bool:
     """Tell whether a sum over an index without end stands in formulas."""
-    return any(is_infinite(part) for node in nodes for part in walk(node))
+    return any(is_infinite(part) for node in nodes for part in parts_of_kind(node, Summation))
 
 
 def is_infinite(node: Formula) -> bool:

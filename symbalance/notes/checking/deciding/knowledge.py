@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from symbalance.document.formula import Formula, Name, Quotient, Summation, names, walk
+from symbalance.document.formula import Formula, Name, Quotient, Summation, names, parts_of_kind
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
 from symbalance.notes.algebra.sums import indexed_letters
@@ -282,7 +282,7 @@ def _summed_over(nodes: tuple[Formula, ...]) -> set[str]:
     return {
         own[: -len(part.index.name)]
         for node in nodes
-        for part in walk(node)
-        if isinstance(part, Summation) and part.index is not None
+        for part in parts_of_kind(node, Summation)
+        if part.index is not None
         for own in indexed_letters(part.body, part.index.name)
     } - {""}

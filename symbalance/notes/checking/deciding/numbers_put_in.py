@@ -9,7 +9,6 @@ a result elsewhere, or that stands for √3/2, π and the like: those have more 
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable, Collection, Iterator
 from fractions import Fraction
 from itertools import combinations, pairwise
@@ -22,6 +21,7 @@ from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.values import Valuation, letters
 from symbalance.notes.checking.deciding.substitution import replace_part
 from symbalance.notes.reading.equations import ReadNotes
+from symbalance.text import lazy_patterns as re
 
 LONG = 3
 """A decimal of this many digits on the way to a result may itself be rounded."""

@@ -8,7 +8,16 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.document.formula import Dots, Formula, Name, Product, children, walk, with_children
+from symbalance.document.formula import (
+    Dots,
+    Formula,
+    Name,
+    Product,
+    children,
+    parts_of_kind,
+    walk,
+    with_children,
+)
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.forms import Form
@@ -31,7 +40,7 @@ FACTOR = 6
 
 def has_remainder(node: Formula) -> bool:
     """Tell whether O( ) stands in a formula."""
-    return any(isinstance(part, Dots) and part.order is not None for part in walk(node))
+    return any(part.order is not None for part in parts_of_kind(node, Dots))
 
 
 def is_remainder(node: Formula) -> bool:

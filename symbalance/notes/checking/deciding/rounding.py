@@ -52,9 +52,7 @@ MEASURED = 2
 
 def decimals(node: Formula) -> list[Number]:
     """Return the numbers of a formula that are printed with a decimal point."""
-    return [
-        part for part in formula.walk(node) if isinstance(part, Number) and part.last_place is not None
-    ]
+    return [part for part in formula.parts_of_kind(node, Number) if part.last_place is not None]
 
 
 def _distinct(node: Formula) -> list[Number]:

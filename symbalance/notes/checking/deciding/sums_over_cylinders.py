@@ -6,7 +6,6 @@ of the listed angles, θ + δ_1, θ + δ_2, ….
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
@@ -34,6 +33,7 @@ from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Deci
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
+from symbalance.text import lazy_patterns as re
 
 NO_ANGLES = "a sum over cylinders whose crank angles the page does not list here: say them"
 OF_SOME_ORDERS = "it is true of some orders and not of others: say which are meant"

@@ -25,6 +25,7 @@ from symbalance.document.formula import (
     Sum,
     Summation,
     names,
+    parts_of_kind,
     walk,
 )
 from symbalance.notes.algebra.domain import NoFormError
@@ -53,8 +54,8 @@ def with_counts(left: Formula, right: Formula, knowledge: Knowledge) -> Knowledg
     ends = {
         name
         for node in behind(left, right, knowledge)
-        for part in walk(node)
-        if isinstance(part, Summation) and part.index is not None
+        for part in parts_of_kind(node, Summation)
+        if part.index is not None
         for bound in (part.lower, part.upper)
         if bound is not None
         for name in names(bound)

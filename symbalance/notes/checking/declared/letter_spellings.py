@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 
 from symbalance.document.letters import GREEK_SIGN, LOWERED
+from symbalance.text import lazy_patterns as re
 
 
 def letters_pattern(letters: Iterable[str]) -> re.Pattern[str] | None:

@@ -7,10 +7,9 @@ the other sign; one that names none has the sign of the formulas.
 
 from __future__ import annotations
 
-import re
-
 from symbalance.document.formula import Formula, Negative
 from symbalance.notes.checking.declared.symbol_roles import role_of
+from symbalance.text import lazy_patterns as re
 
 DIRECTED = ("piston velocity", "piston acceleration", "inertia force")
 """Meanings that have either sign, by the direction that a page counts as positive."""

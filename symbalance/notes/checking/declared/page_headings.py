@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
+
+from symbalance.text import lazy_patterns as re
 
 LONGEST_LINE = 2000
 """Characters of a line of prose that is searched: longer ones are no sentences of a derivation."""

@@ -10,7 +10,6 @@ Nothing here is believed. A proposal goes, marked, into a draft of the symbols f
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -30,6 +29,7 @@ from symbalance.notes.checking.declared.proposed_meanings import (
 from symbalance.notes.checking.declared.role_phrases import roles_named
 from symbalance.notes.reading import read_document
 from symbalance.notes.reading.equations import ReadNotes
+from symbalance.text import lazy_patterns as re
 
 MOST_ROUNDS = 60
 """Each round of reading finds the first undeclared letter of every equation."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -12,6 +11,7 @@ from symbalance.notes.checking.declared.engines import Engines
 from symbalance.notes.checking.declared.page_headings import is_heading, order_in
 from symbalance.notes.checking.declared.proposed_meanings import Proposal
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 _COUPLE = re.compile(r"偶力|モーメント|couple|moment", re.IGNORECASE)
 _FORCE = re.compile(r"慣性力|force|kraft|kräfte", re.IGNORECASE)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
@@ -10,6 +9,7 @@ from symbalance.document.letters import plain_letter
 from symbalance.notes.checking.declared.letter_spellings import spellings
 from symbalance.notes.checking.declared.page_headings import LONGEST_LINE, is_heading, short_words
 from symbalance.notes.checking.declared.proposed_meanings import Proposal, ScopeProposal
+from symbalance.text import lazy_patterns as re
 
 _COMPONENT = re.compile(
     r"(?<![A-Za-z])([A-Za-z][A-Za-z0-9_]{0,4})\s*は\s*([A-Za-z][A-Za-z0-9_]{0,4}?)\s*の?\s*(水平|鉛直|垂直)方向の?成分"

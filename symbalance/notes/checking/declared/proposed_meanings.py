@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -39,6 +38,7 @@ from symbalance.notes.checking.declared.role_phrases import (
 )
 from symbalance.notes.checking.declared.symbol_roles import FROM_TOP, KNOWN, UNITS
 from symbalance.notes.reading.equations import ReadNotes
+from symbalance.text import lazy_patterns as re
 
 _LEFT_ALONE = re.compile(
     r"(?:^|[^A-Za-z0-9\\_{}^)\]])(?:\\displaystyle\s+)?(\\?[A-Za-zα-ωΑ-Ω][A-Za-z0-9]*(?:_\{?[A-Za-z0-9]+\}?)?)"

@@ -6,12 +6,12 @@ part in a slider-crank. `USUAL` holds the standard letter sets: what a letter st
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 
 from symbalance.notes.checking.declared.symbol_roles import FROM_MIDDLE, FROM_PIN, FROM_TOP
+from symbalance.text import lazy_patterns as re
 
 RATIO = "rod ratio"
 """Not a role: which of l/r, l/s and r/l is meant, a page says by a formula."""

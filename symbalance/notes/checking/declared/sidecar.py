@@ -25,7 +25,6 @@ have any of the three.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping, Set
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -34,6 +33,7 @@ from typing import Any
 from symbalance.notes.checking.declared.role_phrases import USUAL
 from symbalance.notes.checking.declared.symbol_roles import KNOWN, letters_by_role, misspelt_role
 from symbalance.notes.reading import ReadingError, canonical_name
+from symbalance.text import lazy_patterns as re
 from symbalance.text.files import file_name, read_text
 from symbalance.text.key_tables import Key, TableKeys
 from symbalance.text.kinds import Choice, Flag, ListOf, Text, Whole

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from difflib import SequenceMatcher
 from functools import cache
+
+from symbalance.text import lazy_patterns as re
 
 FROM_TOP = "displacement from top dead centre"
 FROM_PIN = "piston position"

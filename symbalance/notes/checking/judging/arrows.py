@@ -7,7 +7,6 @@ converse counts too, which only a rearrangement shows. An arrow to or from words
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_left
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -34,6 +33,7 @@ from symbalance.notes.checking.verdicts import (
     Verdict,
 )
 from symbalance.notes.reading.equations import Chain, ReadNotes, Unreadable
+from symbalance.text import lazy_patterns as re
 
 IMPLIES, EQUIVALENT = "⇒", "⇔"
 WIDEST_GAP = 200

@@ -7,10 +7,9 @@ formula, and words of a conclusion, "so", "hence", go on with it.
 
 from __future__ import annotations
 
-import re
-
 from symbalance.document.formula import Call, Name, Number, names, walk
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 _OPENS = re.compile(
     r"(?<![A-Za-z])(?:if|when|without|otherwise|whereas|instead|for|in\s+the|in\s+an?|on|of\s+the|unlike|but)(?![A-Za-z])"

@@ -8,7 +8,7 @@ from functools import partial
 from itertools import product
 
 from symbalance.budgets import Budget
-from symbalance.document.formula import Call, Formula, Name, Number, names, walk
+from symbalance.document.formula import Call, Formula, Name, Number, names, parts_of_kind
 from symbalance.document.letters import plain_letter
 from symbalance.errors import SymbalanceError
 from symbalance.notes.algebra.tree_values import names_behind
@@ -470,6 +470,8 @@ class Judge:
 
     def _unless_at_another_value(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict; what is refuted by one number of a letter may be true by another."""
+        if verdict.verdict not in (*PROVED_WORDS, REFUTED, CONTRADICTION, UNDECIDED, CONDITION):
+            return verdict
         knowledge = self.state.knowledge(chain.lines[0])
         if verdict.verdict in PROVED_WORDS:
             there = refuted_by_nearest(self.state, chain, k, knowledge)
@@ -479,12 +481,10 @@ class Judge:
             there = there or by_nearest_formulas(self.state, chain, k, knowledge)
             there = there or as_supposed(self.state, chain, k)
             there = there or open_against_lines(self.state, chain, k, knowledge)
-        elif verdict.verdict in (UNDECIDED, CONDITION):
+        else:
             there = by_square_above(self.state, chain, k, knowledge)
             if verdict.verdict == UNDECIDED:
                 there = there or by_nearest_formulas(self.state, chain, k, knowledge)
-        else:
-            return verdict
         return verdict if there is None else describe(self.document, chain, k, there)
 
     def _without_constant(
@@ -711,7 +711,7 @@ def _is_proved(outcome: Verdict | Decision) -> bool:
 def _turned(node: Formula) -> frozenset[str]:
     """Return the letters within sines and cosines, angles though nobody has declared them."""
     turning = ("sin", "cos", "tan")
-    calls = (part for part in walk(node) if isinstance(part, Call) and part.function in turning)
+    calls = (part for part in parts_of_kind(node, Call) if part.function in turning)
     return frozenset(name for call in calls for name in names(call.argument))
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
@@ -14,6 +13,7 @@ from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.case_words import LONGEST_PLACE, is_case_behind, is_place_behind
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 
 def chains_in_turn(document: ReadNotes, sections: Sections) -> list[Chain]:

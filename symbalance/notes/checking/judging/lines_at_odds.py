@@ -9,7 +9,6 @@ else may speak of another case, and is said to be at odds with the lines above, 
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
@@ -33,6 +32,7 @@ from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.verdicts import REFUTED, UNDECIDED, Verdict
 from symbalance.notes.reading.equations import Chain, Side
+from symbalance.text import lazy_patterns as re
 
 _DIGITS = re.compile(r"\d[\d.,]*")
 MOST_APART = 4

@@ -6,7 +6,6 @@ than 2r, and the piston's motion has terms in e that the geometry of this checke
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from symbalance.document.formula import Name
@@ -16,6 +15,7 @@ from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import CONTRADICTION, REFUTED, UNDECIDED, Verdict
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _OFFSET = re.compile(
     r"(?:(?<![a-z])offset of (?:the )?(?:cylinder axis|cylinder(?!s)|crank|piston|bore|gudgeon|wrist)"

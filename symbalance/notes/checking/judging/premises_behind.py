@@ -6,11 +6,11 @@ lead to it, at once or over the other premises of a list: with m = 0.5 kg, r = 8
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from symbalance.document.formula import Name, names
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 FARTHEST = 60
 """Characters between "with" and the letter, or between two premises of a list."""

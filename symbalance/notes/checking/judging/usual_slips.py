@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-import re
 
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.verdicts import Fix
+from symbalance.text import lazy_patterns as re
 
 _NO_SLIP = ("value", "miscalculated", "term", "phase", "factor sqrt(-1)", "convention")
 """Kinds of corrections that put something else in the place of what is written."""

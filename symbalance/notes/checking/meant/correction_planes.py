@@ -6,12 +6,12 @@ other one, each takes the share of the other's distance; the shares exchanged ar
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from functools import cached_property
 
 from symbalance.document.formula import Formula, Name, Product, Quotient, Sum, names
 from symbalance.notes.checking.meant.formula_slips import agrees
+from symbalance.text import lazy_patterns as re
 
 _TAGS = re.compile(r"[$`*]|\\[,;: ]|<[^>]*>")
 _SIDES = (

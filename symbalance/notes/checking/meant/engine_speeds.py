@@ -6,7 +6,6 @@ angular speed that is 2π times no speed of the page is its definition, as befor
 
 from __future__ import annotations
 
-import re
 from math import pi
 
 from symbalance.document.formula import Formula, Name
@@ -14,6 +13,7 @@ from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.meant.given_numbers import number_in_example
 from symbalance.notes.checking.units.own_units import BETWEEN, PER_MINUTE, is_angular_speed
+from symbalance.text import lazy_patterns as re
 
 _SPEED = re.compile(
     rf"(?<![0-9.,])(?P<speed>[1-9][0-9]{{0,2}}(?:(?:[,.' ]|\\,|\{{,\}})?[0-9]{{3}})?|[1-9][0-9]{{3,4}})"

@@ -12,7 +12,6 @@ that is none of these.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -30,6 +29,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, Side
+from symbalance.text import lazy_patterns as re
 
 _NAME = re.compile(r"(?P<stem>.+)_(?P<order>[02468]|10|12)")
 _WORDS = re.compile(

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from fractions import Fraction
 
 from symbalance.document.formula import Call, Formula, Name, Number, Power, Quotient, names
 from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.text import lazy_patterns as re
 
 LETTER = Name("x")
 """A side that is a lone letter."""

@@ -6,7 +6,6 @@ letter and its subscript: F_g is the force of the gas.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
@@ -15,6 +14,7 @@ from symbalance.document.formula import Formula, Name, names
 from symbalance.document.letters import ACCENTS, plain_letter
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.meant.catalogue import OTHER_LENGTHS, ROLES
+from symbalance.text import lazy_patterns as re
 
 UNITS_ONLY = re.compile(r"variable|positive|constant|[^\w]*|[A-Za-z°µ%/^*·0-9² ³⁴⁻¹-]{0,9}")
 """Declarations that say nothing of what a letter is."""
@@ -132,8 +132,8 @@ class LetterRoles:
     def may_be(self, letter: str, role: str, meanings: Mapping[str, str]) -> bool:
         """Tell whether a letter may play a role: by its meaning, the words before it, or as is usual."""
         declared = meanings.get(letter, "")
-        if declared and any(each.words.search(declared) for each in ROLES.values()):
-            return ROLES[role].words.search(declared) is not None
+        if declared and (roles := _roles_in(declared)):
+            return role in roles
         if declared and not UNITS_ONLY.fullmatch(declared):
             return False
         roles, is_other = self._roles_named(letter)
@@ -210,7 +210,7 @@ class LetterRoles:
                 if follows is not None:
                     phrases.append(follows[1])
                 if follows is None or not words.rstrip().endswith(","):  # in the rod, φ being …
-                    phrases.append(_LINKS.sub("", words)[-LONGEST_NAME:])
+                    phrases.append(phrase[-LONGEST_NAME:])
             self._before[letter] = [words.replace("\n", " ") for words in phrases]
         return self._before[letter]
 
@@ -276,13 +276,20 @@ def sign_of(letter: str) -> str:
     return rf"(?:{'|'.join(map(re.escape, sorted(signs)))}){tail}(?![^\W\d_])"
 
 
+@cache
+def _roles_in(meaning: str) -> frozenset[str]:
+    """Return the roles of which a declared meaning speaks."""
+    return frozenset(name for name, role in ROLES.items() if role.words.search(meaning))
+
+
 def ends_with(words: re.Pattern[str], text: str) -> bool:
     """Tell whether a text ends with one of the words.
 
     >>> ends_with(re.compile("mass|masse"), "die Masse".lower())
     True
     """
-    return _at_end(words).search(text) is not None
+    is_in_it = words.search(text) is not None  # else its other pattern is not even compiled
+    return is_in_it and _at_end(words).search(text) is not None
 
 
 @cache

@@ -14,7 +14,6 @@ cylinders or a force in the other direction may be meant as it stands.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -60,6 +59,7 @@ from symbalance.notes.checking.units.dimensions import Dimension, Dimensions, un
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
 from symbalance.notes.checking.words.sections import dead_centre_named
 from symbalance.notes.reading.equations import Chain, Side
+from symbalance.text import lazy_patterns as re
 
 LONG, POINTS, NEAR = 1000, 4, 0.02
 """How much longer the rod is at the points at which numbers are compared, and how near they come."""

@@ -7,7 +7,6 @@ the unit of what they name still stands.
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -39,6 +38,7 @@ from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END, bare
 from symbalance.notes.checking.words.table_cells import TableCells
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 NOBODY = "nobody declared it"
 """In the assumption of every verdict that rests on what a letter is taken to be."""

@@ -13,7 +13,6 @@ Nothing is refuted where a size has two numbers on the page, or where words make
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -33,6 +32,7 @@ from symbalance.notes.checking.meant.quantity_words import Named
 from symbalance.notes.checking.units.dimensions import written_unit
 from symbalance.notes.checking.words.case_words import ENGINE, engine_of
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 REACH = 1500
 """Characters above a line, in its section, in which its sizes may be given."""

@@ -14,7 +14,6 @@ or the displacement): what one of these makes right is right.
 
 from __future__ import annotations
 
-import re
 from cmath import rect
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -61,6 +60,7 @@ from symbalance.notes.checking.verdicts import DEFINITION, Verdict
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Side
+from symbalance.text import lazy_patterns as re
 
 FORCE, ACCELERATION, TORQUE = "inertia force", "piston acceleration", "inertia torque"
 COUPLE = "couple"

@@ -13,7 +13,6 @@ letter that words call something else, or any formula that the same words may me
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -63,6 +62,7 @@ from symbalance.notes.checking.verdicts import DEFINITION, Verdict
 from symbalance.notes.checking.words.glossary import glossary_of
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+from symbalance.text import lazy_patterns as re
 
 SEARCH, SHARE = Budget(4), 0.6
 """What this may take, and of what is left of the relation's budget: a definition stays one without it."""

@@ -11,13 +11,12 @@ count (of turns, or of the four-stroke cycle with its two turns).
 
 from __future__ import annotations
 
-import re
-
 from symbalance.document.formula import Formula, Name, Number, names, walk
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.meant.given_numbers import number_in_example
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 _GAP = r"(?:\s|\\[,; ]|~|\$|\\(?:mathrm|text|unit|,)|\{|\}){0,8}"
 _FREQUENCY = re.compile(

@@ -7,7 +7,6 @@ goes with them.
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
@@ -34,6 +33,7 @@ from symbalance.notes.checking.words.glossary import Glossary, glossary_of
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END, bare
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 SENTENCE, PARAGRAPH, AFTER = 220, 500, 60
 """Characters that are looked through: before a formula for its name, and around for another shape."""
@@ -181,6 +181,8 @@ class QuantityWords:
     roles: LetterRoles
     words_above: dict[str, str] = field(default_factory=dict)
     """The words by which letters were named that had a standard formula."""
+    _phrases: dict[str, list[tuple[int, int, Quantity]]] = field(default_factory=dict, init=False)
+    """The phrases of quantities in a text, with their places: one text is asked for several letters."""
 
     @cached_property
     def glossary(self) -> Glossary:
@@ -397,11 +399,17 @@ class QuantityWords:
         self, words: str, stem: str, places: Places, sentence: str, name: str = ""
     ) -> Iterator[Named]:
         """Yield the quantities that words name, those with the letter's usual use first of all."""
+        if words not in self._phrases:
+            self._phrases[words] = [
+                (*match.span(), quantity)
+                for quantity in (QUANTITIES if words else ())
+                for match in quantity.phrases.finditer(words)
+            ]
+        everywhere = f"{words} {places.around} {places.heading} {places.page}"
         matches = [
-            (match.start(), match.end(), quantity)
-            for quantity in QUANTITIES
-            for match in quantity.phrases.finditer(words)
-            if _may_apply(quantity, f"{words} {places.around} {places.heading} {places.page}")
+            (start, end, quantity)
+            for start, end, quantity in self._phrases[words]
+            if _may_apply(quantity, everywhere)
         ]
         matches = [each for each in matches if not self._is_of_another_letter(words, each[1], name)]
         special = [each for each in matches if _is_told(each[2], places, sentence)]

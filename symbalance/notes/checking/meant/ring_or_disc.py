@@ -5,12 +5,12 @@ The two formulas differ by a factor that nobody sees in the letters, and the sen
 
 from __future__ import annotations
 
-import re
 from fractions import Fraction
 
 from symbalance.document.formula import Formula, Name, Negative, Number, Power, Product, Quotient
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 _RING = re.compile(
     r"(?<![A-Za-z])(?:(?<!piston )(?<!slip )(?<!half )rings?|rims?|hoops?"

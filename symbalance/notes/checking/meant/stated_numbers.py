@@ -5,7 +5,6 @@ A standard formula with that share or count then has the number in it: (1 - c) m
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -23,6 +22,7 @@ from symbalance.document.formula import (
 )
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.words.sentences import SENTENCE_END
+from symbalance.text import lazy_patterns as re
 
 _COUNTS = {
     "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "eight": 8, "nine": 9, "eleven": 11,

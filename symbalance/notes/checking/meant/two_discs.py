@@ -8,7 +8,6 @@ where words say that these are meant.
 
 from __future__ import annotations
 
-import re
 from fractions import Fraction
 from math import isclose
 
@@ -21,6 +20,7 @@ from symbalance.notes.checking.meant.letter_roles import index_of, stem_of
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.words.glossary import glossary_of
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 _INERTIAS = frozenset({"J", "I", "Theta"})
 _AMPLITUDES = frozenset({"theta", "Theta", "vartheta", "A", "a", "alpha", "phi", "varphi", "X", "beta"})

@@ -7,7 +7,6 @@ all is zero.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -37,6 +36,7 @@ from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.verdicts import CONDITION
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _ZERO, _TWO = Number(Fraction(0)), Number(Fraction(2))
 MOST = 3

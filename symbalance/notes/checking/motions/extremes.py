@@ -7,7 +7,6 @@ holds within the error that is named.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
@@ -23,6 +22,7 @@ from symbalance.notes.checking.deciding.relations import decide_at_value
 from symbalance.notes.checking.words.case_words import opens_case
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+from symbalance.text import lazy_patterns as re
 
 _PLACES = {"OT": 0, "TDC": 0, "top": 0, "UT": 1, "BDC": 1, "bot": 1, "bottom": 1}
 """Subscripts that name a dead centre: the crank angle there in half turns."""

@@ -6,7 +6,6 @@ without end, k = 3, 6, 9, …, the step is taken: k = 3 + 3n.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -22,6 +21,7 @@ from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.letters.letter_names import canonical_name
 from symbalance.notes.reading.spellings.listed_multiples import VALUE, is_of_degrees, multiple, written
+from symbalance.text import lazy_patterns as re
 
 _WORDS = r"(?:for|für|with|where|when|if|at|bei|mit|wenn|all|alle|both)(?![A-Za-z])"
 _BLANK = r"[\s$)}\].,;:~(]|\\\)|\\\(|\\q?quad|\\[,;: ]"

@@ -6,7 +6,6 @@ what is true with it is true on that condition.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
@@ -18,6 +17,7 @@ from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _ENDS = (("max", "min"), ("1", "2"), ("o", "u"), ("a", "b"))
 _MEANS = ("{}", "{}_0", "{}_m", "{}_mean", "{}_av", "{}_mittel", "{}_mit", "bar_{}")

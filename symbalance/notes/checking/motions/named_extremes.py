@@ -7,7 +7,6 @@ there is as the page counts it.
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from symbalance.document.formula import Call, Extremum, Formula, Name, Negative, names, walk
@@ -23,6 +22,7 @@ from symbalance.notes.checking.motions.extremes import (
     values_over_turn,
 )
 from symbalance.notes.reading.equations import Chain, Side
+from symbalance.text import lazy_patterns as re
 
 _LARGEST = re.compile(r"(?P<base>.+)_max|hat_(?P<hat>.+)")
 

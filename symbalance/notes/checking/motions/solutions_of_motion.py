@@ -5,7 +5,6 @@ Words have to say that a motion is the solution: with other letters it may be on
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -16,6 +15,7 @@ from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decisio
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.motions.equations_of_motion import EquationOfMotion
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _SOLUTION = re.compile(
     r"(?<![A-Za-zÀ-ÿ])(?:solution|solved\s+by|solves|satisfied\s+by|Lösung|gelöst\s+durch|löst)(?![A-Za-zÀ-ÿ])|解",

@@ -8,7 +8,6 @@ so does what the second case does not give anew.
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass, field, replace
@@ -22,6 +21,7 @@ from symbalance.notes.checking.words.case_markers import CaseMark, case_marks
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.worked_out import is_worked_out
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 MOST = 30
 """Parts before one with which it is compared."""

@@ -7,7 +7,6 @@ shafts that balance, or for a part of the engine leave the cranks open.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -20,6 +19,7 @@ from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
 from symbalance.notes.checking.words.engines_in_words import EnginesInWords
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END
+from symbalance.text import lazy_patterns as re
 
 _UNUSUAL = re.compile(
     r"two[\s-]?stroke|2[\s-]?stroke|zwei[\s-]?takt|2[\s-]?takt|2\s?サイクル|2\s?ストローク"

@@ -6,11 +6,11 @@ comes back to the label.
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.words.sections import Sections
+from symbalance.text import lazy_patterns as re
 
 _LABEL = re.compile(
     r"^[ \t>*_#|•-]*+(?P<kind>engine|motor|version|variante?|design|layout|machine|maschine|case|fall"

@@ -6,7 +6,6 @@ letter that the page defines for every index at once (α_k = 2πk/3) stays as it
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -26,6 +25,7 @@ from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.sums import at_index, indexed_letters
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 LONGEST = 24
 """Terms that are written out; engines have no more cylinders."""

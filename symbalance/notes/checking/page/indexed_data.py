@@ -11,7 +11,6 @@ z = (1, i, −i, −1)                       a row of values: z_k is the k-th of
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -34,6 +33,7 @@ from symbalance.notes.algebra.sums import at_index
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.reading import ReadingError, canonical_name, read_expression
 from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side
+from symbalance.text import lazy_patterns as re
 
 _INDEX = re.compile(r"(?P<stem>.+_)(?P<index>[ijkn]|nu|[0-9]{1,2})")
 _DEGREES = re.compile(

@@ -6,12 +6,12 @@ Where others stand beside them of which nobody says what they are, nothing is kn
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from symbalance.document.formula import Apply, Name, Product, names, walk
 from symbalance.notes.checking.declared.sidecar import Declarations
 from symbalance.notes.reading.equations import ReadNotes
+from symbalance.text import lazy_patterns as re
 
 _LETTER = (
     r"[\s$({]{0,4}(?:\\(?:mathbf|boldsymbol|bm|mathsf|underline)\s*)?\{?(?P<%s>[A-Z])\}?"

@@ -7,7 +7,6 @@ stand in its equations of motion, have none yet. Others keep theirs: problems sh
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_right
 
 from symbalance.document.formula import Derivative, walk
@@ -15,6 +14,7 @@ from symbalance.notes.checking.declared.sidecar import Declarations
 from symbalance.notes.checking.meant.left_sides import head_of
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.reading.equations import ReadNotes
+from symbalance.text import lazy_patterns as re
 
 _KIND = (
     r"(?:exercise|problem|question|task|aufgabe|übung|exercice|problème|esercizio|ejercicio|problema"

@@ -11,7 +11,6 @@ with two values in one table, a size without a unit, a name that stands in no fo
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
@@ -27,6 +26,7 @@ from symbalance.notes.checking.page.indexed_data import (
 from symbalance.notes.reading import ReadingError, canonical_name
 from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side
 from symbalance.notes.reading.units import scale_of
+from symbalance.text import lazy_patterns as re
 
 Symbols = Callable[[int], Mapping[str, str]]
 LONGEST_METRES = 3

@@ -6,7 +6,6 @@ is quoted and stands nowhere above is judged as any other line.
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_right
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -16,6 +15,7 @@ from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.verdicts import BAD, CONTRADICTION, Verdict
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 _MARKED = re.compile(r"^[ ]{0,3}>(?!=)[^\n]*$", re.MULTILINE)
 _SET_OFF = re.compile(

@@ -6,7 +6,6 @@ nothing of all of them. What it comes to with the solution put in is the verdict
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 
 from symbalance.document.formula import Call, Formula, Name, names, walk
@@ -14,6 +13,7 @@ from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 NEAR = 4
 """Lines below an equation in which its solution is looked for."""

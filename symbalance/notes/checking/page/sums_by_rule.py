@@ -9,7 +9,6 @@ sum, it may be any, and nothing is put in for it.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -30,6 +29,7 @@ from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.sums import indexed_letters
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 LONGEST = 24
 """Terms that are written out; engines have no more cylinders."""

@@ -6,7 +6,6 @@ declared. cos(2πk) = 1 holds by it, and cos(πk) = 1 does not.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -15,6 +14,7 @@ from symbalance.notes.checking.declared.sidecar import Declarations, Scope
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading import ReadingError, canonical_name
 from symbalance.notes.reading.equations import ReadNotes
+from symbalance.text import lazy_patterns as re
 
 _SINGLE = r"(?<![A-Za-z\\])[A-Za-z](?:_\{?[A-Za-z0-9]\}?)?(?![A-Za-z0-9])"
 _LIST = rf"(?P<letters>{_SINGLE}(?:\$?\s*,\s*(?:\\,)?\$?{_SINGLE})*)"

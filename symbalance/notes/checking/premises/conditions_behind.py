@@ -6,7 +6,6 @@ has its own.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -27,6 +26,7 @@ from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, 
 from symbalance.notes.checking.deciding.whole_numbers import orders_in
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 _WORDS = r"for|if|when|where|provided|für|wenn|falls|sofern|pour|si"
 _BLANK = r"\s|[$~&]|\\[,;:! ]|\\q?quad(?![a-z])|\\(?:text|mbox|mathrm|textrm)\s*\{|\\left|\\[bB]igg?l?|\}"

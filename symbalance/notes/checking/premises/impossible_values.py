@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import Any
 
 from symbalance.document.formula import Derivative, Formula, Matrix, Name, Number, Sum, names
@@ -17,6 +16,7 @@ from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.verdicts import CONTRADICTION
 from symbalance.notes.checking.words.plain_formulas import lone_side, plain_text
+from symbalance.text import lazy_patterns as re
 
 WHOLE = 1e-15
 """Difference from an integer, or from 0, that is one of computing: numbers have more digits than that."""

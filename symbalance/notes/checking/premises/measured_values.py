@@ -6,8 +6,6 @@ the formula's error. From there on the letter has the measured number, and formu
 
 from __future__ import annotations
 
-import re
-
 from symbalance.document.formula import Formula, names
 from symbalance.notes.checking.deciding.equality import Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -17,6 +15,7 @@ from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.verdicts import PREMISE
 from symbalance.notes.checking.words.plain_formulas import lone_side
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 MEASURED = "measured"
 """What the reason of such a number begins with."""

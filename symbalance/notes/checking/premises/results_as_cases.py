@@ -6,7 +6,6 @@ or the arithmetic right above as to its result, or where a summary states it onc
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterable
 
@@ -34,6 +33,7 @@ from symbalance.notes.checking.words.cases_named import names_another_example
 from symbalance.notes.checking.words.plain_formulas import lone_side, plain_text
 from symbalance.notes.checking.words.worked_out import is_worked_out
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _ENDS = r"(?:[\s$,;:.)\]}&|*_]|\\(?:[,;: \\\]\[()]|q?quad(?![a-z])|(?:begin|end)\{[a-z*]{1,12}\}))"
 _ARROW = r"\\(?:Rightarrow|implies|Longrightarrow|therefore)(?![A-Za-z])|[⇒⟹→∴]"

@@ -8,7 +8,6 @@ not proved is not reported.
 from __future__ import annotations
 
 import math
-import re
 from cmath import isfinite
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -47,6 +46,7 @@ from symbalance.notes.checking.verdicts import REFUTED, Fault, Fix, Verdict
 from symbalance.notes.checking.words.written_degrees import in_degrees
 from symbalance.notes.checking.words.written_numbers import corrected
 from symbalance.notes.reading.equations import ReadNotes, Side
+from symbalance.text import lazy_patterns as re
 
 OTHER_SIDE = 0.2
 """How much cheaper a change of the left side must be: the slip is usually on the right."""

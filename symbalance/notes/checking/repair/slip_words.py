@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from fractions import Fraction
 from math import prod
 
@@ -10,6 +9,7 @@ from symbalance.document import formula
 from symbalance.document.formula import Call, Formula, Negative, Number, Product, Quotient, Sum
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.number_formulas import rational_node
+from symbalance.text import lazy_patterns as re
 
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
 _MISPRINTED = re.compile(r"number misprinted \((\S+) for (\S+)\)")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
@@ -38,6 +37,7 @@ from symbalance.notes.checking.verdicts import (
     UNDECLARED,
     UNREADABLE,
 )
+from symbalance.text import lazy_patterns as re
 
 RIGHT = (*PROVED_WORDS, *STATED)
 """The verdicts that the table counts as holding."""

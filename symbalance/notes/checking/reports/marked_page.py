@@ -7,7 +7,6 @@ change that makes it true, in the author's letters.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import PurePath
@@ -63,6 +62,7 @@ from symbalance.notes.checking.verdicts import (
     Verdict,
 )
 from symbalance.notes.reading import ReadingError, read_equation
+from symbalance.text import lazy_patterns as re
 
 TOP = "top"
 """The head of a web page, by its name in HTML."""

@@ -8,7 +8,6 @@ where it sets type (`\noindent`) and stays where it says something.
 
 from __future__ import annotations
 
-import re
 import unicodedata
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -17,6 +16,7 @@ from html import unescape
 from symbalance.notes.reading.markup.macros import expand_macros
 from symbalance.notes.reading.markup.mathml import is_mathml, mathml_text
 from symbalance.notes.reading.sources import kind_of
+from symbalance.text import lazy_patterns as re
 
 INLINE, DISPLAY, END = "\ue010", "\ue011", "\ue012"
 """Around the number of a relation; signs that nobody types, and that are taken out of the page itself."""

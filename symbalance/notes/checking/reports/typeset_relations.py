@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Mapping, Sequence
 from itertools import islice
 from operator import is_
@@ -27,6 +26,7 @@ from symbalance.notes.checking.words.written_degrees import degrees_of
 from symbalance.notes.checking.words.written_numbers import written_number
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.notes.reading.units import USUAL_SCALES, scale_of
+from symbalance.text import lazy_patterns as re
 
 LARGEST_NUMBER = 10**60
 LARGEST_FORMULA = 300

@@ -5,7 +5,6 @@ What is calculated with stands in metres, kilograms and radians; a report names 
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from symbalance.document.formula import names
@@ -13,6 +12,7 @@ from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.reports.typeset_relations import as_written, is_readable
 from symbalance.notes.checking.verdicts import Checked, Verdict
 from symbalance.notes.reading.equations import ReadNotes
+from symbalance.text import lazy_patterns as re
 
 
 def with_written_assumptions(checked: Checked) -> Checked:

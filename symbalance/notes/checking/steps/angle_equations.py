@@ -8,7 +8,6 @@ general: that one is only as near as its ≈, and the angle only as near as it i
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from fractions import Fraction
 
@@ -27,6 +26,7 @@ from symbalance.notes.checking.verdicts import CONDITION
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.sentences import SENTENCE_END
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 NEAR = 0.02
 """Relative difference that a series cut off, and an angle printed in whole degrees, may explain."""

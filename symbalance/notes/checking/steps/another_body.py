@@ -6,12 +6,12 @@ What a mail quotes, and the answer denies ("No, you lost a factor"), binds the a
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 
 from symbalance.document.formula import Name, Product, names
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _DENIES = re.compile(
     r"(?<![A-Za-z])(?:no[,.!]|wrong|not\s+(?:right|correct|quite)|mistaken?|error|slip|lost"

@@ -7,7 +7,6 @@ the value before comes back.
 
 from __future__ import annotations
 
-import re
 from fractions import Fraction
 
 from symbalance.document.formula import (
@@ -33,6 +32,7 @@ from symbalance.notes.checking.words.cases_named import (
 )
 from symbalance.notes.checking.words.plain_formulas import lone_side
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _OPENS = re.compile(
     r"(?<![A-Za-zÀ-ÿ])(?:for|with|if|when|where|at|having|suppose|supposing|take|let|choose|say|für|bei|mit|wenn|falls"

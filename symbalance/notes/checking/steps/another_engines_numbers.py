@@ -6,7 +6,6 @@ its letters have them from there on. In a clause that only supposes, if γ were 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from fractions import Fraction
 
@@ -35,6 +34,7 @@ from symbalance.notes.checking.words.cases_named import (
 )
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 REACH = 120
 """Characters before a letter in which the thing is named that it is of."""

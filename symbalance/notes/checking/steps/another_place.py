@@ -7,13 +7,12 @@ A number that a letter has at one place, a = 5519 at top dead centre, is not its
 
 from __future__ import annotations
 
-import re
-
 from symbalance.document.formula import Name, Number, Product, names
 from symbalance.notes.checking.meant.pistons.motion_letters import angles_in
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _MEANS_THE_SAME = re.compile(
     r"(?<![^\W\d_])(?:maxim|largest|greatest|highest|peak|top|smallest|minim|größt|höchst|kleinst|is|lies"

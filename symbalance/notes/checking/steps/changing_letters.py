@@ -7,13 +7,13 @@ not refute it.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 
 from symbalance.document.formula import Derivative, Name, names, walk
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _RESONANCE = re.compile(
     r"(?<![A-Za-z])(?:resonan(?:ce|t)|critical\s+speed|Resonanz|kritische\s+Drehzahl)[^.;!?=]{0,50}"

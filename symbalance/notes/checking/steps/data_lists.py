@@ -6,13 +6,13 @@ that follow from something, claim that they fit. So a datum is open, with the li
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from symbalance.document.formula import Name, Product, names
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import CONTRADICTION, REFUTED, UNDECIDED, Verdict
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 FEWEST = 3
 """Data in a row that make a list, whatever words open it."""

@@ -8,7 +8,6 @@ with the other sign. Anything else stays a definition: b₁ and b₂ may be the 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
@@ -35,6 +34,7 @@ from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Side
+from symbalance.text import lazy_patterns as re
 
 CENTRES: tuple[Formula, ...] = (Number(Fraction(0)), Constant("pi"))
 """The crank angles at top and at bottom dead centre."""

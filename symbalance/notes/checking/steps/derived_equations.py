@@ -6,7 +6,6 @@ that it is solved, differentiated or rearranged it adds nothing, and has to be t
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from symbalance.document.formula import Call, Derivative, Formula, Name, names, walk
@@ -18,6 +17,7 @@ from symbalance.notes.checking.page.solutions import WAVES
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 LONGEST = 60
 """Characters before an equation in which words say that it is derived."""

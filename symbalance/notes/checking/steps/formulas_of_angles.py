@@ -7,7 +7,6 @@ one angle that stands in cosines and sines alone.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -17,6 +16,7 @@ from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.motions.named_extremes import base_of_extreme
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 NEXT = 240
 """Characters between a formula and the words of its greatest value."""

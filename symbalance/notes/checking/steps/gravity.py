@@ -7,7 +7,6 @@ one of its usual values holds with that; a number that none of them gives is wro
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
@@ -21,6 +20,7 @@ from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.reading.equations import Chain, Side
+from symbalance.text import lazy_patterns as re
 
 GRAVITIES = ("9.81", "9.80665", "9.8", "9.807", "10", "32.2", "32.17", "32.16", "32.174", "386", "386.4")
 """Its usual values, in m/s², ft/s² and in/s²."""

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
+from typing import Any
 
 from symbalance.document.formula import Integral, Summation, names, walk
 from symbalance.errors import SymbalanceError
+from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.inequalities import sample_ranges
 from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
@@ -17,6 +19,7 @@ from symbalance.notes.checking.deciding.numbers_put_in import (
 )
 from symbalance.notes.checking.deciding.whole_numbers import may_count, orders_in
 from symbalance.notes.checking.declared.engines import Sources
+from symbalance.notes.checking.declared.geometry import Geometry
 from symbalance.notes.checking.declared.sidecar import Declarations
 from symbalance.notes.checking.declared.symbol_roles import (
     MOVING,
@@ -60,6 +63,7 @@ from symbalance.notes.checking.words.integer_words import integers_said
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading import ReadingError, read_equation
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+from symbalance.text import lazy_patterns as re
 
 ANGLES = ("crank angle", "rod angle", "time", "integer")
 _COUNT = re.compile(r"\bnumber of|\bcount\b|integer|anzahl|zahl\b|気筒数|シリンダ数", re.IGNORECASE)
@@ -91,6 +95,10 @@ class JudgingState:
     """What tables, lists and code give letters."""
     refuted: set[int] = field(default_factory=set)
     """Places where the right sides of refuted relations begin."""
+    _meanings: dict[tuple[Any, ...], tuple[SymbolValue, Geometry]] = field(
+        default_factory=dict, init=False
+    )
+    """What declared letters stand for, by the declarations that hold at a line."""
 
     def __post_init__(self) -> None:
         self.sections = Sections(self.document)
@@ -164,7 +172,7 @@ class JudgingState:
     def knowledge(self, line: int, convention: str = "") -> Knowledge:
         """Return what is known at a line."""
         symbols = {**self.counts, **self.declarations.symbols_at(line)}
-        meaning, crank = meaning_of(symbols, convention, self.sources.engines)
+        meaning, crank = self._meaning_of(symbols, convention)
         definitions = self.definitions.at(line)
         letters = letters_by_role(symbols)
         meaning = with_motions(meaning, self.motions, line, definitions, symbols)
@@ -199,10 +207,16 @@ class JudgingState:
             counted=self.counted,
             has_sums=self.has_sums,
             orders=self.orders,
-            small=frozenset(n for n, text in symbols.items() if SMALL_WORD.search(text))
-            | self.small_letters,
+            small=frozenset(n for n, text in symbols.items() if _is_small(text)) | self.small_letters,
         )
         return self.definitions.on_stated_branches(knowledge)
+
+    def _meaning_of(self, symbols: Mapping[str, str], convention: str) -> tuple[SymbolValue, Geometry]:
+        """Return what declared letters stand for, the same at every line of one scope."""
+        key = (convention, *symbols.items())
+        if key not in self._meanings:
+            self._meanings[key] = meaning_of(symbols, convention, self.sources.engines)
+        return self._meanings[key]
 
     def knowledge_of(self, chain: Chain, knowledge: Knowledge) -> Knowledge:
         """Return what is known with what stands around one relation on its line."""
@@ -225,6 +239,12 @@ class JudgingState:
             read_assumption(text, letters, self.declarations.place)
             for text in self.declarations.assumptions_at(line)
         )
+
+
+@lru_cache(maxsize=1000)
+def _is_small(meaning: str) -> bool:
+    """Tell whether a letter's declared meaning says that it is small."""
+    return SMALL_WORD.search(meaning) is not None
 
 
 def _counts(document: ReadNotes) -> dict[str, str]:

@@ -6,12 +6,11 @@ n = 4", and a line below may: neither is at odds with the list.
 
 from __future__ import annotations
 
-import re
-
 from symbalance.document.formula import Name, Negative, Number, names
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.verdicts import RANGE
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 _INEQUALITY = re.compile(r"[<>≤≥≪≫≠]|\\(?:leq?|geq?|lt|gt|ll|gg|neq?|leqslant|geqslant)(?![A-Za-z])|!=")
 _RUN = re.compile(r"\.{2,}|…|⋯|・・・|\\(?:l|c)?dots|(?<![A-Za-z])(?:to|bis)(?![A-Za-z])")

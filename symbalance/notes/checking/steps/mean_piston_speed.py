@@ -7,7 +7,6 @@ are counted by the minute. Half or twice the number is a stroke forgotten; anyth
 
 from __future__ import annotations
 
-import re
 from fractions import Fraction
 from math import prod
 
@@ -16,6 +15,7 @@ from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.units.own_units import is_angular_speed
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _NAMED = re.compile(
     r"(?:mean\s+(?:piston\s+)?speed(?:\s+of\s+the\s+piston)?|average\s+piston\s+speed"

@@ -7,7 +7,6 @@ is the rigid rotation; the other is", gives the unknown no value for the lines b
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from fractions import Fraction
 
@@ -22,6 +21,7 @@ from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.words.plain_formulas import lone_side
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 FARTHEST = 400
 """Characters between an equation and its last root."""

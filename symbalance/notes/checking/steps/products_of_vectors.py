@@ -5,7 +5,6 @@ They are read as numbers, whose products commute; what holds of numbers, or fail
 
 from __future__ import annotations
 
-import re
 from fractions import Fraction
 
 from symbalance.document.formula import Apply, Formula, Matrix, Name, Number, names, walk
@@ -14,6 +13,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import decide_matrices, is_of_matrices
 from symbalance.notes.checking.verdicts import CONDITION, DEFINITION, UNDECIDED
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 _FONTS = r"\\(?:vec|mathbf|boldsymbol|bm|overrightarrow|mathbfit|vb|va|underline)(?![A-Za-z])\s*"
 _INDEX = r"(?:\s*_\s*(?:\{[^{}]{1,12}\}|[A-Za-z0-9]))?"

@@ -7,8 +7,6 @@ equation decides nothing.
 
 from __future__ import annotations
 
-import re
-
 from symbalance.document.formula import Call, Product
 from symbalance.notes.checking.deciding.equality import decide_equality
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -17,6 +15,7 @@ from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.premises.constraints import Constraint
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _RATIOS = ("rod ratio l/r", "rod ratio l/s", "crank ratio r/l")
 

@@ -7,7 +7,6 @@ that power; and a speed at which a force comes to a limit goes with the root of 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
@@ -32,6 +31,7 @@ from symbalance.notes.checking.repair.fixes import Repair, fix_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import CONDITION, DEFINITION, PREMISE, UNDECIDED, Verdict
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _OPEN = (DEFINITION, PREMISE, CONDITION, UNDECIDED)
 _NUMBER = r"(?<![\w.,^_])(?P<number>[0-9]{1,9}(?:(?:[ ,.~]|\\,)[0-9]{1,9}){0,2})(?![0-9])"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from symbalance.document.formula import Name, names
@@ -28,6 +27,7 @@ from symbalance.notes.checking.verdicts import PREMISE, REFUTED, UNDECIDED, Verd
 from symbalance.notes.checking.words.case_words import numbers_of_several
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Side
+from symbalance.text import lazy_patterns as re
 
 _OF_ALL = re.compile(
     r"(?<![A-Za-z])(?:all|total|whole|together|sum|per|each|mean|average|allowed|permissible|limit|zusammen|gesamt\w*"

@@ -6,7 +6,6 @@ is.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import replace
 
@@ -23,6 +22,7 @@ from symbalance.notes.checking.steps.solved_below import as_solution
 from symbalance.notes.checking.verdicts import CONDITION
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _SOLVED = re.compile(
     r"(?<![A-Za-z\\])(?:find|finds|gives?|get|gets|obtain|obtains|yields?|follows?|asks?\s+for|needs|requires?"

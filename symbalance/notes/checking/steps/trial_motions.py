@@ -6,7 +6,6 @@ moves by A₃ cos ω t. A letter that is set equal to others makes a case of its
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -24,6 +23,7 @@ from symbalance.notes.checking.motions.trial_solutions import (
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import CONDITION, PREMISE
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _SUM_OF_ALL = re.compile(
     r"\b(?:add(?:ing|ed|ition)?|sum(?:ming|med)?|addier\w*|addition|summe|summier\w*|addition\w*|sommand\w*"

@@ -6,8 +6,6 @@ the page's own value, stay what they are.
 
 from __future__ import annotations
 
-import re
-
 from symbalance.document.formula import names
 from symbalance.notes.checking.deciding.inequalities import compare
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -15,6 +13,7 @@ from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.words.case_words import clause_before
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _USUAL = re.compile(
     r"(?<![A-Za-zäöü])(?:typical(?:ly)?|usual(?:ly)?|normal(?:ly)?|commonly?|often|mostly|as\s+a\s+rule|in\s+practice|rules?\s+of\s+thumb"

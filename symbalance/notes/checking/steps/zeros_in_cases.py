@@ -6,7 +6,6 @@ letter. Zero fixes none where the case leaves one product of sizes: it would mak
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 
 from symbalance.document.formula import Call, Formula, Name, Number, Sum, names, walk
@@ -19,6 +18,7 @@ from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import CONDITION, DEFINITION, PREMISE, Verdict
 from symbalance.notes.checking.words.plain_formulas import lone_side, plain_text
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _OPEN = (DEFINITION, PREMISE, CONDITION)
 _NEAR_LINES = 6

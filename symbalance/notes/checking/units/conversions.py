@@ -7,7 +7,6 @@ s = 3.5 in = 89.8 mm, the second has to agree with it to its own digits: 3.5 in 
 from __future__ import annotations
 
 import math
-import re
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
@@ -18,6 +17,7 @@ from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.signs import VULGAR
 from symbalance.notes.reading.spellings.numerals import sign_of_unit
 from symbalance.notes.reading.units import GRAVITY, scale_of
+from symbalance.text import lazy_patterns as re
 
 POUND, POUND_FORCE = Fraction(45359237, 10**8), Fraction(44482216152605, 10**13)
 FEWEST_DIGITS = 2

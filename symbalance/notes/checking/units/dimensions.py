@@ -9,7 +9,6 @@ nothing.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -24,6 +23,7 @@ from symbalance.notes.checking.declared.symbol_roles import FROM_MIDDLE, FROM_PI
 from symbalance.notes.reading.markup import siunitx
 from symbalance.notes.reading.spellings.numerals import sign_of_unit
 from symbalance.notes.reading.units import GRAVITY
+from symbalance.text import lazy_patterns as re
 
 Dimension = tuple[Fraction, ...]
 """Exponents of kg, m, s, K and A."""

@@ -8,7 +8,6 @@ printed and the constant does convert: with all units the formula has a pure fac
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -41,6 +40,7 @@ from symbalance.notes.reading.equations import ReadNotes, Side
 from symbalance.notes.reading.formulas.result_units import value_of
 from symbalance.notes.reading.spellings.numerals import sign_of_unit
 from symbalance.notes.reading.units import scale_of
+from symbalance.text import lazy_patterns as re
 
 BETWEEN_NUMBERS = "a formula between the numbers of quantities, whose constant converts their units"
 FEWEST_DIGITS = 3

@@ -7,7 +7,6 @@ is refuted as it stands is read so where the page shows that it is meant so, and
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
@@ -59,6 +58,7 @@ from symbalance.notes.checking.units.unrounded_numbers import decide_unrounded
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.spellings.numerals import unit_in_words
 from symbalance.notes.reading.units import Scale, scale_of
+from symbalance.text import lazy_patterns as re
 
 RPM = Fraction(1, 30), True
 FEWEST_COUNTED, NEARLY_WHOLE = 10, Fraction(1, 100)

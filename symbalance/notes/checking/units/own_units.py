@@ -7,7 +7,6 @@ so a letter that is no angular speed is taken as the formulas of its own page us
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
@@ -27,6 +26,7 @@ from symbalance.document.formula import (
 )
 from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+from symbalance.text import lazy_patterns as re
 
 BETWEEN = r"(?:\s|[~$]|\\[,;: ]|\\(?:mathrm|text|textrm|unit|si)\s*\{|\}\{|</?[a-z]+>|&nbsp;){0,5}"
 PER_MINUTE = (

@@ -7,7 +7,6 @@ wrong.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
@@ -21,6 +20,7 @@ from symbalance.notes.checking.units.dimensions import Dimension, unit_of
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.spellings.numerals import sign_of_unit
 from symbalance.notes.reading.units import scale_of
+from symbalance.text import lazy_patterns as re
 
 NEAREST = 400
 """Characters before a result in which a number with its unit is looked for, in the same paragraph."""

@@ -8,7 +8,6 @@ quantities: wrong beside such words, and open where the units stand elsewhere on
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -25,6 +24,7 @@ from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.notes.reading.formulas.result_units import value_of
 from symbalance.notes.reading.spellings.numerals import unit_in_words
 from symbalance.notes.reading.units import scale_of
+from symbalance.text import lazy_patterns as re
 
 _LETTER = (
     r"(?<![\w\\^{])\$?(?P<letter>\\?[^\W\d_]+(?:_(?:\{[A-Za-z0-9,]{1,8}\}|[A-Za-z0-9]))?"

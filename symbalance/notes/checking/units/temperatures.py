@@ -5,12 +5,12 @@ A difference, as its letter says, goes by degrees alone: ΔT = 20 °C = 20 K.
 
 from __future__ import annotations
 
-import re
 from fractions import Fraction
 
 from symbalance.document.formula import Name
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 _DEGREE = r"(?:°|\^\s?\\circ|\^\s?\{\s?\\circ\s?\}|\\degree)"
 _SCALE = (

@@ -6,12 +6,12 @@ are turned into radians, elsewhere the radians into turns. 50 Hz = 50 rad/s is a
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.formula import Constant, Formula, Name, Number, Product, Quotient
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+from symbalance.text import lazy_patterns as re
 
 _TURNS = re.compile(r"(?<![A-Za-z])[kM]?Hz[\s}$]*$")
 _RADIANS = re.compile(

@@ -7,7 +7,6 @@ its speed revolutions per minute where the unit needs radians per second.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection
 from fractions import Fraction
 from functools import lru_cache
@@ -25,6 +24,7 @@ from symbalance.notes.checking.units.units_of_arithmetic import (
 )
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.notes.reading.formulas.result_units import value_of
+from symbalance.text import lazy_patterns as re
 
 NEAR = 700
 """Characters above in which a number's unit is looked for."""

@@ -6,7 +6,6 @@ the page's own condition, and named in the verdict.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
@@ -22,6 +21,7 @@ from symbalance.notes.checking.units.own_units import is_angular_speed
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.spellings.numerals import unit_in_words
 from symbalance.notes.reading.units import scale_of
+from symbalance.text import lazy_patterns as re
 
 _OPENED = re.compile(
     r"(?:[\s$\\,;~]|\\q?quad(?![a-z])|\\text\s*\{)*"

@@ -6,7 +6,6 @@ such angle a large bare number may be either: both readings stay, degrees first.
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from fractions import Fraction
 
@@ -20,10 +19,11 @@ from symbalance.document.formula import (
     Quotient,
     Span,
     children,
-    walk,
+    parts_of_kind,
     with_children,
 )
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+from symbalance.text import lazy_patterns as re
 
 MORE_THAN_A_TURN = 7
 """A whole number from it on is no angle in radians that anyone would type: 2π is less."""
@@ -64,7 +64,7 @@ def _side(side: Side, angles: frozenset[Fraction], only_named: bool) -> Side:
 
 def _bare(node: Formula) -> list[Number]:
     """Return the bare numbers of which a formula takes sines and cosines."""
-    calls = (part for part in walk(node) if isinstance(part, Call) and part.function in _FUNCTIONS)
+    calls = (part for part in parts_of_kind(node, Call) if part.function in _FUNCTIONS)
     numbers = (_number(call.argument) for call in calls)
     return [number for number in numbers if number is not None]
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.checking.words.glossary import glossary_of
+from symbalance.text import lazy_patterns as re
 
 _BODY = re.compile(
     r"(?<![A-Za-z])(?:(?:thin|solid|hollow|slender|full|heavy|dünne[rsn]?|volle[rsn]?|hohle[rsn]?)[ -])?"

@@ -6,9 +6,10 @@ what stands from one to the next is a case if its data say so, and that is no ma
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+
+from symbalance.text import lazy_patterns as re
 
 _NOUNS = (
     r"engines?|motors?|moteur|motore|machine|maschine|version|variante?|design|entwurf|layout|option|case|fall|cas|caso"

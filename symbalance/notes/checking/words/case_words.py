@@ -6,10 +6,10 @@ what a page says of all values, or of any, does not rest on it.
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_right
 
 from symbalance.notes.checking.words.glossary import glossary_of
+from symbalance.text import lazy_patterns as re
 
 _END = r"\s[^.;:!?\n=<>≤≥]{0,30}$"
 _CASE = re.compile(

@@ -7,7 +7,7 @@ same, and what they are does not.
 
 from __future__ import annotations
 
-import re
+from symbalance.text import lazy_patterns as re
 
 _DEGREES = (
     r"(?<![0-9.,+*/^-])(?P<{}>[1-9][0-9]{{1,2}})\s?\$?\s?"

@@ -7,13 +7,13 @@ say the angles too: one after the other, by two turns over the number of cylinde
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from symbalance.document.formula import Constant, Formula, Number, Product
 from symbalance.notes.checking.words.case_words import engine_named
+from symbalance.text import lazy_patterns as re
 
 _NUMBER = r"[0-9]{1,3}(?:\.[0-9]+)?"
 _DEGREE = r"(?:\s?(?:°|º|\^\s*\{?\s*\\circ\s*\}?|\\degree|\\textdegree|Grad|degrees?|deg|度))"

@@ -9,7 +9,6 @@ page does not show in which it is meant, the line is undecided.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
@@ -44,6 +43,7 @@ from symbalance.notes.checking.verdicts import (
 from symbalance.notes.checking.words.bare_degrees import MORE_THAN_A_TURN, with_bare_degrees
 from symbalance.notes.checking.words.written_degrees import degrees_of
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+from symbalance.text import lazy_patterns as re
 
 _TURNED = ("sin", "cos", "tan", "cot", "sec", "csc")
 _INVERSE = ("asin", "acos", "atan")

@@ -6,7 +6,6 @@ order. An engine in banks, and one of which the words leave the cranks open, is 
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_left
 from cmath import rect
 from dataclasses import dataclass, replace
@@ -15,6 +14,7 @@ from itertools import permutations
 from math import pi
 
 from symbalance.notes.checking.words.working_cycles import strokes_named
+from symbalance.text import lazy_patterns as re
 
 _NOTHING = 1e-9
 _WORDS = {

@@ -7,12 +7,13 @@ languages' tables, in `tongues`, are loaded and compiled only for a page that is
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from dataclasses import dataclass, field
 from functools import cache, lru_cache
 from importlib import import_module
 from itertools import accumulate
+
+from symbalance.text import lazy_patterns as re
 
 _WORDS = {
     "english": "the and is of with for are from by this that at its we as in on force torque speed"

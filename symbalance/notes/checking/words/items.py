@@ -6,8 +6,9 @@ begins, or one of a higher kind: a numbered article stands above an example, an 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
+
+from symbalance.text import lazy_patterns as re
 
 _OPEN = r"\s*(?:[-*+•>]\s+)?(?:\*{1,2}|_{1,2})?"
 _KINDS = (

@@ -5,8 +5,9 @@ A letter has a value of its own in each item, and none of them is said of the ot
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
+
+from symbalance.text import lazy_patterns as re
 
 FARTHEST = 4
 """Lines between the words that announce cases and the first item."""

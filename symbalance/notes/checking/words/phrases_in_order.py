@@ -5,13 +5,13 @@ r"""Quantities that one sentence names in a row, and the formulas that follow in
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Sequence
 from functools import cached_property
 
 from symbalance.document.formula import Name
 from symbalance.notes.checking.words.sentences import SENTENCE_END, bare
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 LONGEST = 300
 """Characters of a sentence that introduces formulas."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_left, bisect_right
 from dataclasses import dataclass
 from fractions import Fraction
@@ -31,6 +30,7 @@ from symbalance.notes.checking.words.working_cycles import (
     strokes_named,
 )
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 _HEADING = re.compile(
     r"#{1,6}\s|={2,6}\s*\S.*|<h[1-6]\b|-{2,6}\s+[^\s-][^\n-]{0,80}\s-{2,6}\s*$"

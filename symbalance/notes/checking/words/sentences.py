@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import re
+from symbalance.text import lazy_patterns as re
 
 SENTENCE_END = re.compile(
     r"[;!?](?:\s|$)"

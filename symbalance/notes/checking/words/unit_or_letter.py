@@ -8,7 +8,6 @@ that is wrong in both is accused in the likelier.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
@@ -17,6 +16,7 @@ from symbalance.document.formula import Formula, Name, Negative, Number, Product
 from symbalance.notes.reading import ReadingError, canonical_name
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.units import scale_of
+from symbalance.text import lazy_patterns as re
 
 Symbols = Callable[[int], Mapping[str, str]]
 _QUANTITY = re.compile(

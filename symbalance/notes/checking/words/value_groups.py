@@ -5,12 +5,12 @@ Semicolons part the groups, and each gives the same letters values, in the same 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from symbalance.document.formula import Name
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _PARTED = re.compile(r"[;；]")
 

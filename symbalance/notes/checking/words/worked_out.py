@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import re
+from symbalance.text import lazy_patterns as re
 
 _POWER_OF_TEN = re.compile(
     r"(?:\\cdot|\\times|[·×*])\s*10\s*(?:\^\s*\{?\s*-?[0-9]{1,2}\s*\}?|[⁰¹²³⁴-⁹⁻]{1,3})"

@@ -5,9 +5,8 @@ One page may go through several: what one of them has per turn, another has not.
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.checking.words.sentences import SENTENCE_END
+from symbalance.text import lazy_patterns as re
 
 _KINDS = {
     "four": r"(?:four|4)[-\s]?stroke(?!s)|(?:vier|4)[-\s]?takt|(?:4|四)\s?(?:ストローク|サイクル)"

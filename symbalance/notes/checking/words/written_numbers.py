@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import html
 import math
-import re
 import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -17,6 +16,7 @@ from fractions import Fraction
 from symbalance.document.formula import Constant, Decimal, Formula, Negative, Number, Product, Upright
 from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.reading.units import INCH, scale_of
+from symbalance.text import lazy_patterns as re
 
 LEAST_DIGITS = 2
 """Significant digits of a correction."""

@@ -6,11 +6,11 @@ number of the term, or how many terms there are: it is not guessed which.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Sequence
 
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.formulas.lexer import Token
+from symbalance.text import lazy_patterns as re
 
 COUNT_OR_VALUE = "a number at a brace, which may be its value or a count"
 _NUMBERED = re.compile(r"\}\s*[_^]\s*\{\s*(?P<number>[0-9])\s*\}")

@@ -7,7 +7,6 @@ read as any formula is: `\int_0^{2\pi} \cos\theta \, d\theta`, `\int \frac{dx}{1
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
@@ -34,6 +33,7 @@ from symbalance.document.formula import (
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.formulas.lexer import AT, Token
 from symbalance.notes.reading.signs import MULTIPLE
+from symbalance.text import lazy_patterns as re
 
 if TYPE_CHECKING:
     from symbalance.notes.reading.formulas.parser import Parser

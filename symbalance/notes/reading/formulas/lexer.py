@@ -5,7 +5,6 @@ Letters are looked up among the declared ones, so that `mr` may be two letters a
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -42,6 +41,7 @@ from symbalance.notes.reading.units import (
     unit_fraction_at,
     unit_set_at,
 )
+from symbalance.text import lazy_patterns as re
 
 LONGEST_EQUATION = 20_000
 """Characters of one equation: text that is no derivation must not cost minutes."""

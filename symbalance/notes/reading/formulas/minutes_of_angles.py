@@ -2,8 +2,9 @@ r"""Minutes and seconds behind the degrees of an angle: 18^\\circ 26' and 26° 3
 
 from __future__ import annotations
 
-import re
 from fractions import Fraction
+
+from symbalance.text import lazy_patterns as re
 
 _GAP = r"(?:[ \t\u00a0\u2009\u202f~]|\\[,;:! ]){0,4}"
 _SIXTY = r"(?P<{}>[0-5]?[0-9](?:\.[0-9]{{1,4}})?)"

@@ -7,7 +7,6 @@ with a side next to it comes first, both stay. (83.8 - 52.4)/11.5 s⁻² is divi
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -15,6 +14,7 @@ from fractions import Fraction
 from symbalance.document.formula import Constant, Formula, Number, Product, Quotient, Sum
 from symbalance.notes.reading.equations import Side
 from symbalance.notes.reading.formulas.lexer import Token
+from symbalance.text import lazy_patterns as re
 
 _DIGITS = re.compile(r"[0-9](?:[0-9.,{}  ]*[0-9])?")
 _LONG = 3

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.markup.marked_formulas import is_inside, marked_formulas
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _COMPONENT = re.compile(r"(?<![\w\\^{}$'’])(?P<letter>[A-Z])(?P<script>[0-9][xyzhv])(?![A-Za-z0-9_('’])")
 _HEAD_BEHIND = re.compile(r"[ ]?(?:[≈≤≥]|=(?![=>]))")

@@ -10,7 +10,6 @@ they stand alone.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -25,6 +24,7 @@ from symbalance.notes.reading.letters.letter_names import canonical_name
 from symbalance.notes.reading.markup.marked_formulas import marked_formulas
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.units import scale_of
+from symbalance.text import lazy_patterns as re
 
 _GREEK = "".join(sign for sign in (*GREEK_SIGN.values(), *NAME_OF_SIGN) if sign not in "πΣΠ")
 _LETTER = f"A-Za-z{_GREEK}"

@@ -6,9 +6,8 @@ effective pressures wherever they stand in a formula, the powers where the page 
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _SETTING = r"\\(?:mathrm|text|textrm|mathit|textit|operatorname|mathsf)\s*\{\s*"
 _PRESSURE = r"(?:[bifp]?mep|[BIFP]?MEP)"

@@ -6,10 +6,9 @@ nothing else.
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.markup.marked_formulas import is_inside, marked_formulas
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _APART = re.compile(
     r"(?<![\w\\}'’])(?P<letter>[α-ωϕϑ]|[A-Zb-z](?:_?[0-9]|[₀-₉])?)[ \t\u00a0](?P<word>max|min)\.?"

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _NAMES = {
     "sen": "sin", "senh": "sinh", "tg": "tan", "tgh": "tanh", "ctg": "cot", "cotg": "cot", "cotan": "cot",

@@ -5,12 +5,12 @@ Only where they stand in a formula: beside an operator, a relation or a digit, o
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 
 from symbalance.document.letters import GREEK_SIGN, SHORT_NAMES
 from symbalance.notes.reading.markup.marked_formulas import is_inside, marked_formulas
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _SIGNS = {**GREEK_SIGN, **{short: GREEK_SIGN[name] for short, name in SHORT_NAMES.items()}}
 _WORDS = sorted((name for name in _SIGNS if name not in ("pi", "ell")), key=len, reverse=True)

@@ -6,9 +6,8 @@ or gives j another value, keeps its j.
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _SAYS_SO = re.compile(
     r"(?<![A-Za-z\\_{])j\s?(?:\^\s?\{?2\}?|²)\s?=\s?[-−]\s?1|(?<![A-Za-z\\_{])j\s?=\s?(?:\\sqrt\s?\{?|√|sqrt\()\s?\(?[-−]\s?1"

@@ -6,7 +6,7 @@ diameter, or of a distance $d$, and has no calculus, it is that length.
 
 from __future__ import annotations
 
-import re
+from symbalance.text import lazy_patterns as re
 
 _D = r"(?:\$|\\\(|`|\*){0,2}[ ]{0,2}(?<![A-Za-z0-9\\_^{}.'’])d(?![A-Za-z0-9_^{'’])"
 _MEANT = re.compile(

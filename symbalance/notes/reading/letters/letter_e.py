@@ -6,11 +6,10 @@ the number: \mathrm{e}^{ix}, e^{-x}. On every other page e alone stays undeclare
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.letters.letter_names import matching_brace
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _E = r"(?<![A-Za-z0-9\\_^{}.'’])e(?![A-Za-z_'’])"
 _LENGTH = r"(?:mm|cm|dm|m|inch|in|ft|\\milli|\\centi|\\metre|\\meter|\\m)(?![A-Za-z])"
@@ -86,7 +85,7 @@ def with_number_e(text: str) -> Rewritten | None:
     for match in matches:
         if match.start() < rewriter.place:
             continue
-        is_upright = match.re is _UPRIGHT
+        is_upright = match.re.pattern == _UPRIGHT.pattern
         before = text[: match.start()].rstrip()[-1:]
         if before == "_" or (text[match.start()] != "{" and before == "{" and not match["power"]):
             continue  # a subscript, ω_{\mathrm e}

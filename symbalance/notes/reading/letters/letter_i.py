@@ -6,7 +6,7 @@ numbers means that letter. On every other page a lone i is the imaginary unit.
 
 from __future__ import annotations
 
-import re
+from symbalance.text import lazy_patterns as re
 
 _I = r"(?:\$|\\\()?[ ]{0,2}(?<![A-Za-z0-9\\_^{}.'’])i(?![A-Za-z0-9_^'’(]|\s*\()"
 _COUNTED = (

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection
 
 from symbalance.document.letters import (
@@ -18,6 +17,7 @@ from symbalance.document.letters import (
 )
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.signs import COMBINED, VULGAR, accented
+from symbalance.text import lazy_patterns as re
 
 _COMMAND = re.compile(r"\\([A-Za-z]+)\s*")
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9]*")

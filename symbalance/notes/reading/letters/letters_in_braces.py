@@ -5,11 +5,10 @@ Braces that are an argument, as those of \frac{r}{l} and \vec{F}_1, or a script'
 
 from __future__ import annotations
 
-import re
-
 from symbalance.document.letters import ACCENTS, FONTS, FUNCTION_WORDS, GREEK_SIGN, TIME_DOTS
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import OPERATOR_COMMANDS, RELATION_COMMANDS, SPACE_COMMANDS
+from symbalance.text import lazy_patterns as re
 
 _GREEK = "|".join(sorted(GREEK_SIGN, key=len, reverse=True))
 _LETTER = rf"(?:[A-Za-z]|\\(?:{_GREEK})(?![A-Za-z])\s?)"

@@ -2,9 +2,8 @@ r"""Letters in a row before one bound, m, n \ge 1: each of them has it."""
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _LETTER = r"(?:\\[a-z]{2,8}(?![A-Za-z])|[A-Za-z\u03b1-\u03c9](?![A-Za-z]))(?:_\{\w{1,6}\}|_\w|[₀-₉])?"
 _BOUND = re.compile(

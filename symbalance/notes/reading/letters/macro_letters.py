@@ -2,11 +2,11 @@ r"""Letters as a document writes them, in macros of its own: \crank, which it de
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 
 from symbalance.notes.reading.letters.letter_names import canonical_name
 from symbalance.notes.reading.markup.macros import definitions_in, expand_macros
+from symbalance.text import lazy_patterns as re
 
 _COMMAND = re.compile(r"\\([A-Za-z]+)")
 

@@ -6,10 +6,9 @@ unless the page sets the starred letter equal to something and has no complex nu
 
 from __future__ import annotations
 
-import re
-
 from symbalance.document.letters import GREEK_SIGN
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _SCRIPT = r"(?:_(?:\{(?P<in>[\w,]{1,8})\}|(?P<one>[A-Za-z0-9])))?"
 _FONT = re.compile(

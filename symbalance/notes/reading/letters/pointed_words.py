@@ -6,9 +6,8 @@ equals sign. Behind a number they are units, and stay.
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _INITIALS = re.compile(
     r"(?<![\w.])(?<![0-9][ ])(?:[A-Z]\.[ ]?){2,5}(?=[ \t]*(?:[=≈]|[×*/·+−][ \t]*[0-9A-Z(]))"

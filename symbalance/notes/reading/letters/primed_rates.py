@@ -7,10 +7,9 @@ words "equation of motion". Then the same letter with one prime is its speed.
 
 from __future__ import annotations
 
-import re
-
 from symbalance.document.letters import GREEK_SIGN, NAME_OF_SIGN
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _GREEK = "|".join(sorted(GREEK_SIGN, key=len, reverse=True))
 _SIGNS = "".join(sign for sign in NAME_OF_SIGN if sign != "π")

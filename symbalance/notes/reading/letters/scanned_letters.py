@@ -5,9 +5,8 @@ A one that is given a length is no number, and nobody divides by one.
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _GIVEN = re.compile(
     r"(?<![\w.,/*·×+−^=(-])(?<![=+*/·×−-]\s)1(?=\s?=\s?[0-9]+(?:[.,][0-9]+)?\s?(?:mm|cm|m|in|inch|inches|ft)\b)"

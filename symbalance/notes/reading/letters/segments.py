@@ -9,12 +9,12 @@ Where words say that G lies between A and B, or is the centre of gravity of the 
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_right
 from dataclasses import dataclass
 
 from symbalance.notes.reading.markup.marked_formulas import marked_formulas
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
+from symbalance.text import lazy_patterns as re
 
 _PAIR = re.compile(
     r"\\overline\s*\{\s*(?P<over>[A-Z])\s*(?P<lined>[A-Z])\s*\}"

@@ -7,12 +7,12 @@ al is their product, unless a sine is taken of it. "to be = 3" and "the 4th + 1"
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 
 from symbalance.document.letters import GREEK_SIGN
 from symbalance.notes.reading.markup.marked_formulas import is_inside, marked_formulas
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _SHORT = {
     "th": "theta",

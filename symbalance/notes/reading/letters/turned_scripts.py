@@ -6,11 +6,10 @@ a letter tells letters apart, as one below it does: \mathrm{max}, tot, II. A sin
 
 from __future__ import annotations
 
-import re
-
 from symbalance.document.letters import GREEK_SIGN
 from symbalance.document.wordlists import word_set
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _GREEK = "|".join(sorted(GREEK_SIGN, key=len, reverse=True))
 _GROUP = r"\{(?:[^{}\n]|\{[^{}\n]{0,40}\}){1,60}\}"

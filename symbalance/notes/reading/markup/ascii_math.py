@@ -5,10 +5,9 @@ Only formulas without a backslash: an AsciiDoc page may set LaTeX in its stems a
 
 from __future__ import annotations
 
-import re
-
 from symbalance.document.letters import GREEK_SIGN
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _FORMULA = re.compile(r"\\\((?P<inline>[^\\$]{1,2000}?)\\\)|\\\[(?P<display>[^\\$]{1,4000}?)\\\]")
 _SIGNS = {

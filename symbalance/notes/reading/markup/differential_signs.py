@@ -6,9 +6,8 @@ before a letter, it can be nothing else.
 
 from __future__ import annotations
 
-import re
-
 from symbalance.document.wordlists import words
+from symbalance.text import lazy_patterns as re
 
 Texts = list[str | tuple[int, int]]
 NAMES = tuple(words("de dif diff intd rmd ud id dint mathd upd ddif diffd"))

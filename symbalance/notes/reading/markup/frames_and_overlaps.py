@@ -5,10 +5,9 @@ They say how a formula is set and nothing else, so that what stands in them is r
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import RELATION
+from symbalance.text import lazy_patterns as re
 
 _FRAMED = re.compile(
     r"\\(?P<command>boxed|Aboxed|mathclap|mathllap|mathrlap|clap|llap|rlap|smash|vphantom|hphantom|phantom"

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_left
 from itertools import accumulate, pairwise
 
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import RELATION
 from symbalance.notes.reading.units import scale_of
+from symbalance.text import lazy_patterns as re
 
 _QUANTITY = r"[-−]?[0-9]++(?:[.,]++[0-9]++)*+(?:\\,|~| )?(?:\\mathrm\{[^{}]{1,20}\}|\^\{?\\circ\}?)?"
 _FORMULA = r"(?<!\\)\$[^$\n]{1,200}(?<!\\)\$"

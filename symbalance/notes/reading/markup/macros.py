@@ -7,7 +7,6 @@ bounded; a macro that never ends stays, and is refused by name.
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_left
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -18,6 +17,7 @@ from symbalance.notes.reading.markup.physics_macros import PHYSICS
 from symbalance.notes.reading.markup.underlined_letters import is_underlined_letter
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.signs import RELATION
+from symbalance.text import lazy_patterns as re
 
 # A macro in its own body doubles the text every round: rounds and growth are both bounded.
 MOST_ROUNDS = 30

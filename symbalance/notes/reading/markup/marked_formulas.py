@@ -5,12 +5,12 @@ Each closing mark is looked for once beyond the last place known: a megabyte of 
 
 from __future__ import annotations
 
-import re
 import sys
 from bisect import bisect_right
 from collections.abc import Sequence
 
 from symbalance.notes.reading.rewriting import Span
+from symbalance.text import lazy_patterns as re
 
 _OPENING = re.compile(r"\$\$|\$|\\\(|\\\[|\\begin\s*\{([a-z]+\*?)\}")
 _CLOSING = {"$$": "$$", "\\(": "\\)", "\\[": "\\]"}

@@ -6,11 +6,11 @@ not read stands as a command of its name, so that it is refused by name.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from html import unescape
 
 from symbalance.document.wordlists import word_set
+from symbalance.text import lazy_patterns as re
 
 MOST_ELEMENTS = 5000
 DEEPEST = 60

@@ -7,10 +7,10 @@ code; what a program printed is left out: nobody wrote it. A line of the text is
 from __future__ import annotations
 
 import json
-import re
 from typing import Any
 
 from symbalance.errors import SymbalanceError
+from symbalance.text import lazy_patterns as re
 
 SUFFIX = ".ipynb"
 MOST_CELLS = 10_000

@@ -6,11 +6,11 @@ tables and program code become blank; roles and verbatim marks become the delimi
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
+from symbalance.text import lazy_patterns as re
 
 Texts = tuple[str | Span, ...]
 _FLAGS = re.MULTILINE | re.DOTALL

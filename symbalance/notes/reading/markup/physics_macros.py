@@ -6,12 +6,12 @@ letter.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 
 from symbalance.document.wordlists import words
 from symbalance.notes.reading.markup.differential_signs import without_definition
 from symbalance.notes.reading.rewriting import Span
+from symbalance.text import lazy_patterns as re
 
 Texts = list[str | Span]
 Handler = Callable[[str, int, dict[int, int]], "tuple[Texts, int] | str | None"]

@@ -7,9 +7,8 @@ no number: None.
 
 from __future__ import annotations
 
-import re
-
 from symbalance.document.wordlists import words
+from symbalance.text import lazy_patterns as re
 
 _PREFIXES = {
     "kilo": "k", "mega": "M", "giga": "G", "centi": "c", "deci": "d",

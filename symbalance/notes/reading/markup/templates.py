@@ -5,9 +5,8 @@ A template that is not known is no blank within a formula: `y = {{name|1}} + 2` 
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Span
+from symbalance.text import lazy_patterns as re
 
 _FRACTIONS = ("frac", "sfrac", "tfrac", "dfrac", "fraction", "bruch")
 _AROUND_ARGUMENT = {

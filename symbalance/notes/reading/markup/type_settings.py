@@ -5,10 +5,9 @@ So no rule of the reader has to know each way in which a unit may be set upright
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.markup.marked_formulas import marked_formulas
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _STYLE = re.compile(r"(?<=[$(\[&])(\s*)(\\(?:display|text)style)(?![A-Za-z])")
 _WORDS = (

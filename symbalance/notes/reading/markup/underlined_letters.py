@@ -6,8 +6,9 @@ line below says no more than a frame does.
 
 from __future__ import annotations
 
-import re
 from functools import lru_cache
+
+from symbalance.text import lazy_patterns as re
 
 _UNDERLINED = re.compile(r"\\underline\s*(?:\{\s*(?P<braced>\\?[A-Za-z]+)\s*\}|(?P<bare>[A-Za-z]))")
 _COMPLEX = re.compile(

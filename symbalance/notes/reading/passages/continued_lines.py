@@ -8,10 +8,9 @@ cos t + cos(t + π)          the first side, which nothing marks as a formula
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.signs import relation_at_start
 from symbalance.notes.reading.sources import CELL_END
+from symbalance.text import lazy_patterns as re
 
 _MARKS = rf"\s$`*_{CELL_END}"
 _OPENING = re.compile(rf"(?:[{_MARKS}&>]|\\\[|\\\(|\\displaystyle(?![A-Za-z])|\\begin\{{[a-z]+\*?\}})*")

@@ -6,7 +6,6 @@ words of prose right of it are one; what has a number, an operation or letters i
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection
 from typing import NamedTuple
 
@@ -15,6 +14,7 @@ from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, NAME_OF_SIGN
 from symbalance.document.wordlists import word_set
 from symbalance.notes.reading.passages.prose import is_function_of_letter
 from symbalance.notes.reading.sources import CELL_END
+from symbalance.text import lazy_patterns as re
 
 LONGEST_BEFORE = 60
 """Characters left of a sign in which the letter and its marks stand."""

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.signs import RELATION
+from symbalance.text import lazy_patterns as re
 
 _NUMBER_LAST = re.compile(r",\s+[-−+±~≈]?[0-9]+(?:[.,][0-9]+)?\s?%?\s*$")
 _WORD_BEHIND = re.compile(

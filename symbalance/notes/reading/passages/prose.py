@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
@@ -23,6 +22,7 @@ from symbalance.document.wordlists import word_set
 from symbalance.notes.reading import signs
 from symbalance.notes.reading.formulas.lexer import Vocabulary
 from symbalance.notes.reading.units import follows_number, plain_unit_at, scale_of, unit_set_at
+from symbalance.text import lazy_patterns as re
 
 _UNIT = r"(?P<unit>\[\s*[A-Za-zµμ]+[A-Za-z0-9^/²³⁻¹-]*\s*\])|"
 _PLAIN_UNIT = re.compile(r"(?P<unit>.+)", re.DOTALL)

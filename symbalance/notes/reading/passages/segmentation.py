@@ -7,7 +7,6 @@ separators, and the lines outside are searched for equations in prose (`prose`).
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_right
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
@@ -44,6 +43,7 @@ from symbalance.notes.reading.units import (
     scale_of,
     unit_set_at,
 )
+from symbalance.text import lazy_patterns as re
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _BULLET = re.compile(r"\s*(?:\(?(?:[0-9]{1,3}[.)]|(?:[a-h]|i{1,3}|i?v)\))(?=\s))?\s*")

@@ -6,12 +6,11 @@ The number is not read without them.
 
 from __future__ import annotations
 
-import re
-
 from symbalance.document.wordlists import word_set
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.passages.words_behind_numbers import says_multiple_of
 from symbalance.notes.reading.units import scale_of
+from symbalance.text import lazy_patterns as re
 
 _SPACE = r"(?:\s|~|\\[,;:! ])*"
 _SET = re.compile(

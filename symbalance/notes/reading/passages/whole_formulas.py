@@ -6,8 +6,6 @@
 
 from __future__ import annotations
 
-import re
-
 from symbalance.document.letters import NAME_OF_SIGN
 from symbalance.document.wordlists import word_set, words
 from symbalance.notes.reading.failures import ReadingError
@@ -15,6 +13,7 @@ from symbalance.notes.reading.formulas.lexer import Vocabulary
 from symbalance.notes.reading.passages.words_behind_numbers import says_multiple_of
 from symbalance.notes.reading.sources import CELL_END
 from symbalance.notes.reading.units import scale_of
+from symbalance.text import lazy_patterns as re
 
 MARGIN = 200
 """Characters of the line around a formula that are looked at."""

@@ -11,7 +11,7 @@ Both sides are numbers, so the relation is whole without the words. With a lette
 
 from __future__ import annotations
 
-import re
+from symbalance.text import lazy_patterns as re
 
 _ANOTHER = (
     r"(?:first|second|third|fourth|other|same|one|single|former|latter|primary|secondary|original|previous"

@@ -2,9 +2,8 @@ r"""Words for dots behind the last sign of a sum, put as dots: + etc., − &c., 
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _GAP = r"(?:\\[,;: ]|[ \t~])*"
 _WORDS = rf"(?:etc|usw|usf|u\.{_GAP}s\.{_GAP}[wf]|h\.{_GAP}o\.{_GAP}t|\\?&{_GAP}c)(?![A-Za-z])\.?"

@@ -2,9 +2,8 @@ r"""Conditions of cases with formulas in their words: \text{for $n$ even} is \te
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
+from symbalance.text import lazy_patterns as re
 
 _CASES = re.compile(
     r"\\begin\s?\{d?cases\*?\}(?P<inside>(?:(?!\\(?:begin|end)\s?\{d?cases).){1,2000}?)\\end\s?\{d?cases",

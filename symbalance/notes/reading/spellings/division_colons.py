@@ -7,9 +7,8 @@ three, and a ratio that stands in no relation stays as it is.
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _NUMBER = r"[0-9]+(?:[.,][0-9]+)?"
 _LETTER = r"(?:\\[a-z]+|[^\W\d_])(?:_\{?[A-Za-z0-9]{1,4}\}?|[₀-₉]{1,2})?"

@@ -5,12 +5,12 @@ A letter that runs through them has no single value; what is known of it is the 
 
 from __future__ import annotations
 
-import re
 from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
 
 from symbalance.notes.reading.signs import VULGAR
+from symbalance.text import lazy_patterns as re
 
 _INTEGER = r"[0-9]{1,4}"
 _DECIMAL = rf"{_INTEGER}(?:\.[0-9]{{1,4}})?"

@@ -5,9 +5,8 @@ Below a sum or a product a set of successive whole numbers is put as its bounds,
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _OPERATOR = r"(?:sum|prod|int|oint|max|min|lim|sup|inf|bigcup|bigcap|left|limits|frac|mathrm|text)"
 _LETTER = (

@@ -8,10 +8,10 @@ so, nothing is claimed. Beside a sum or a stroke it stays in words: twice a + b 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
+from symbalance.text import lazy_patterns as re
 
 _NUMBER = r"[0-9]{1,9}(?:[.,][0-9]{1,9})?"
 _FORCE = r"(?:[kMmc]?(?:N|Pa|W|J|m|g|s)|rpm|lb|kp|Hz)"

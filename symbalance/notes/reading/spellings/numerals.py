@@ -6,8 +6,8 @@ nothing else; what is read so is said in a note.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
+from functools import lru_cache
 
 from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, LOWERED, NAME_OF_SIGN, RAISED
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
@@ -21,6 +21,7 @@ from symbalance.notes.reading.signs import (
 )
 from symbalance.notes.reading.spellings.pointed_units import compound_unit
 from symbalance.notes.reading.units import is_of_volume, scale_of
+from symbalance.text import lazy_patterns as re
 
 _APART = (
     r"(?:(?<![\w.,\\])|(?<=\\cdot)|(?<=\\times)|(?<=\\approx)|(?<=\\simeq)|(?<=\\le)|(?<=\\ge)|(?<=\\leq)"
@@ -587,6 +588,7 @@ def unit_in_words(text: str) -> str:
     return word.group() if word and scale_of(word.group()) is not None else ""
 
 
+@lru_cache(maxsize=1000)
 def sign_of_unit(words: str) -> str:
     """Return the sign of a unit that is written out or abbreviated, "" for what is no unit.
 

@@ -7,10 +7,9 @@ word, or a letter with its equals sign, behind: "la biela y λ = r/l" is no prod
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.units import scale_of
+from symbalance.text import lazy_patterns as re
 
 _LANGUAGES = {
     "yeo": r"\b(?:el|los|las|del|una|por|para|con|que|la|es|se|il|lo|gli|della|che|per|di|è|si)\b",

@@ -6,10 +6,9 @@ of numbers alone what they are: the amplitude is `$\sqrt{1 + 2} = \sqrt3$ times 
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import RELATION
+from symbalance.text import lazy_patterns as re
 
 _FORMULA = r"(?<![\\$])\$(?!\$)[^$\n]{1,400}(?<!\\)\$(?!\$)|\\\((?:(?!\\[()])[^\n]){1,400}\\\)"
 _WORDS = {

@@ -2,9 +2,8 @@ r"""Places written as an equation within a function's brackets: F(θ = 90°) is 
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _LETTER = (
     r"(?:\\(?:dot|ddot|hat|bar|tilde|vec|overline)\s?\{?)?"

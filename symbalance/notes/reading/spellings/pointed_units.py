@@ -6,9 +6,8 @@ times a length, is a force; on an area it is one by its own sign, and else a mas
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _SIGNS = {
     "lb": "lb", "lbs": "lb", "lbf": "lbf", "in": "inch", "inch": "inch", "inches": "inch", "ft": "ft",

@@ -5,11 +5,11 @@ Such a letter has no single value; what is known of it is where its values lie, 
 
 from __future__ import annotations
 
-import re
 from itertools import pairwise
 
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.spellings.listed_multiples import VALUE, is_multiple, range_of
+from symbalance.text import lazy_patterns as re
 
 _NUMBER = (
     r"[-−]?(?:[0-9]+(?:\.[0-9]+|\{,\}[0-9]+)?(?:\s*(?:\\pi(?![A-Za-z])|π))?|\\pi(?![A-Za-z])|π)"

@@ -6,9 +6,8 @@ anything, three entries or numbers are a row. Behind (0, 540, 180)^\circ each en
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _SIGN = r"(?:\\[^()\[\]\n]|[^(),;=<>≤≥≈$\n\\])"
 _ENTRY = rf"{_SIGN}+(?:\((?:\\[^()\[\]\n]|[^(),;=$\n\\])*\){_SIGN}*)*"

@@ -5,10 +5,9 @@ Behind a relation sign such a brace holds cases: f = { 0 for x < 0, 1 for x ≥ 
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import RELATION
+from symbalance.text import lazy_patterns as re
 
 _ROWS = r"(?P<rows>(?:(?!\\begin|\\end).){1,4000}?)"
 _BRACE = re.compile(
@@ -73,7 +72,7 @@ def with_rows_of_relations(text: str) -> Rewritten | None:
     for match in sorted(matches, key=lambda match: match.start()):
         if match.start() < rewriter.place:
             continue
-        if match.re is _RIGHT_BRACE:
+        if match.re.pattern == _RIGHT_BRACE.pattern:
             rewriter.replace(*match.span(), match.span("body"))
             changed = True
         elif all(map(_has_column_of_relation, _rows(match["rows"]))):

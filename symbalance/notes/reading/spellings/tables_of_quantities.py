@@ -6,12 +6,12 @@ second a formula or a number; a column of units or of meanings says nothing of t
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.signs import RELATION
 from symbalance.notes.reading.units import scale_of
+from symbalance.text import lazy_patterns as re
 
 _QUANTITY = re.compile(
     r"(?:physical\s)?(?:quantit(?:y|ies)|symbols?|parameters?|variables?|letters?|terms?|expressions?|formulae?s?|sums?"

@@ -2,10 +2,10 @@ r"""Times in hours, minutes and seconds side by side: 3 h 20 min is 200 min, and
 
 from __future__ import annotations
 
-import re
 from decimal import Decimal
 
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.text import lazy_patterns as re
 
 _GAP = r"(?:[ \t\u00a0\u202f]|\\[,;: ]|~){0,4}"
 

@@ -6,11 +6,11 @@ with a unit inside keeps it where it stands.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.notes.reading.units import scale_of
+from symbalance.text import lazy_patterns as re
 
 _FORCE = r"(?:[kMmc]?(?:N|Pa|W|J|m|g)|lbf?|kp)"
 _BEHIND = re.compile(

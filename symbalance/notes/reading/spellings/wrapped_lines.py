@@ -6,7 +6,6 @@ stays, and so does the number of each line.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from symbalance.document.letters import FUNCTION_WORDS
@@ -14,6 +13,7 @@ from symbalance.notes.reading.markup.marked_formulas import is_inside, marked_fo
 from symbalance.notes.reading.rewriting import Span
 from symbalance.notes.reading.signs import RELATION
 from symbalance.notes.reading.units import scale_of
+from symbalance.text import lazy_patterns as re
 
 SOFT_END = "\u205f"
 """Stands for the end of a line within a formula. (A rare space; where it is typed, it is a plain one.)"""

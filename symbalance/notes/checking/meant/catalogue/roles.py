@@ -7,11 +7,11 @@ force of the gas, F_s that of the rod.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
 from symbalance.document.formula import Call, Constant, Formula, Name
+from symbalance.text import lazy_patterns as re
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.checking.meant.catalogue.roles import (
     PI,
     Quantity,
@@ -41,6 +39,7 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     words,
     young,
 )
+from symbalance.text import lazy_patterns as re
 
 HOLLOW = (
     r"hollow|\bbored\b|drilled|\bholes?\b|perforat|bohrung|gelocht|穴|\btubes?\b|tubular"

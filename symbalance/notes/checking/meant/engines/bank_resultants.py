@@ -14,7 +14,6 @@ a component as it should be, by waves of θ + A and θ - A, or by words.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -56,6 +55,7 @@ from symbalance.notes.checking.repair.fixes import Repair, fix_of
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.engines_in_words import NamedEngine
 from symbalance.notes.reading.equations import Chain, Side
+from symbalance.text import lazy_patterns as re
 
 _WAVES = ("cos", "sin")
 _OTHER = {"cos": "sin", "sin": "cos"}

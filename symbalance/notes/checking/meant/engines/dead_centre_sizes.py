@@ -7,7 +7,6 @@ is refuted; one that nothing places is not judged.
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -34,6 +33,7 @@ from symbalance.notes.checking.meant.engines.products import NoProductError, pro
 from symbalance.notes.checking.repair.fixes import Repair, fix_of
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.reading.equations import Chain, Side
+from symbalance.text import lazy_patterns as re
 
 _TOP = frozenset({"max", "ot", "tdc", "idc", "top", "pmh", "pms", "hat"})
 _BOTTOM = frozenset({"ut", "bdc", "odc", "bot", "bottom", "pmb", "pmi"})

@@ -5,7 +5,6 @@ The nearest words decide: those of the sentence, the paragraph or the table's ro
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -24,6 +23,7 @@ from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END, bare
 from symbalance.notes.checking.words.working_cycles import strokes_named
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 FORCE, COUPLE = "force", "couple"
 _ORDER = re.compile(

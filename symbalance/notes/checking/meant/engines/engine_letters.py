@@ -5,7 +5,6 @@ By the words beside a letter, else as is usual for it; and what of the powers is
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -20,6 +19,7 @@ from symbalance.notes.checking.meant.engines.order_indices import POWERS, index_
 from symbalance.notes.checking.meant.engines.products import NoProductError, ProductOfPowers, product_of
 from symbalance.notes.checking.meant.letter_roles import LetterRoles
 from symbalance.notes.checking.meant.meant_words import MeantWords
+from symbalance.text import lazy_patterns as re
 
 FIRST_TERMS = {1: Fraction(1), 2: Fraction(1), 4: Fraction(1, 4), 6: Fraction(9, 128)}
 """The leading term of the piston's acceleration by order: its power of r/l, and the number before it."""

@@ -12,7 +12,6 @@ product is compared with it:
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -61,6 +60,7 @@ from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.engines_in_words import NamedEngine
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, Side
+from symbalance.text import lazy_patterns as re
 
 _PART = re.compile(
     r"\b(?:pairs?|half|halves|halved|outer|inner|middle|front|rear|single|each(?!\s+(?:crank\s?)?(?:pin"

@@ -6,7 +6,6 @@ it is a two-stroke. Of a twin, of banks and of uneven firing nothing is said.
 
 from __future__ import annotations
 
-import re
 from math import isclose, pi
 
 from symbalance.document.formula import Formula, Name, names
@@ -19,6 +18,7 @@ from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.words.engines_in_words import NamedEngine
 from symbalance.notes.checking.words.working_cycles import last_strokes
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _INTERVAL = re.compile(
     r"(?:firing|ignition|explosion)\s+(?:interval|spacing|distance)"

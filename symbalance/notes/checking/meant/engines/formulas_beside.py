@@ -16,7 +16,6 @@ by the page.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -55,6 +54,7 @@ from symbalance.notes.checking.repair.fixes import Repair, fix_of
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, Side
+from symbalance.text import lazy_patterns as re
 
 NEAR, BESIDE = 900, 320
 """Characters between the formulas of two orders at most, and between those of two components."""

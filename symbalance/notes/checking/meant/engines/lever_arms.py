@@ -6,7 +6,6 @@ cylinder i - 1. Where words speak of lever arms, one that does not go with the o
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from fractions import Fraction
 
@@ -16,6 +15,7 @@ from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.meant.engines.engine_claims import EngineClaims
 from symbalance.notes.checking.meant.engines.products import NoProductError, product_of
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _ARMS = re.compile(
     r"lever(?:\s+arm)?s?(?![a-z])|(?:axial\s+)?positions?\s+(?:along|on)\s+the\s+crank"

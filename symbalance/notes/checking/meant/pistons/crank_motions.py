@@ -14,7 +14,6 @@ are right.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -90,6 +89,7 @@ from symbalance.notes.checking.repair.fixes import Repair, fix_of
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+from symbalance.text import lazy_patterns as re
 
 SEARCH, SHARE = Budget(6), 0.7
 """What this may take, and of what is left of the relation's budget: a definition stays one without it."""

@@ -15,7 +15,6 @@ bank or of several cylinders may have other factors, and nothing is said of it.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -71,6 +70,7 @@ from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+from symbalance.text import lazy_patterns as re
 
 _ANOTHER = re.compile(
     r"(?<!un)balanc|counter-?weight|residu|remain|left over|compensat|(?<!un)ausgeglichen|ausgleich"

@@ -6,7 +6,6 @@ one is the rod's. A ratio λ of which nothing says whether it is r/l or l/r may 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -34,6 +33,7 @@ from symbalance.notes.checking.meant.formula_slips import value_at
 from symbalance.notes.checking.meant.meant_words import MeantWords
 from symbalance.notes.checking.meant.pistons.motion_slips import Point, Values
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 WAVES = frozenset({"sin", "cos", "tan"})
 OF_CRANK = ("theta", "vartheta", "alpha", "phi", "varphi", "psi", "gamma", "delta", "beta")

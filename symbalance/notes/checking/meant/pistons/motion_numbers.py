@@ -12,7 +12,6 @@ Nothing is said where a page has two values of a size.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -37,6 +36,7 @@ from symbalance.notes.checking.meant.formula_slips import value_at
 from symbalance.notes.checking.meant.pistons.motion_slips import SAME
 from symbalance.notes.checking.words.glossary import glossary_of
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 _NUMBER = r"(?P<number>[0-9]+(?:[.,][0-9]+)?(?:\s?/\s?[0-9]+)?)"
 _TO_NUMBER = (

@@ -8,7 +8,6 @@ A line is refuted where one harmonic of several can stand in neither.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -21,6 +20,7 @@ from symbalance.notes.checking.meant.pistons.formula_patterns import FormulaPatt
 from symbalance.notes.checking.meant.pistons.motion_words import HAS_OFFSET
 from symbalance.notes.checking.meant.pistons.wave_profiles import harmonics_of, has_waves
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _OTHER = {"cos": "sin", "sin": "cos"}
 _FUNCTIONS: Mapping[str, str] = {

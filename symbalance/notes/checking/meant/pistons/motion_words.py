@@ -6,8 +6,6 @@ label of a line or the row of a table.
 
 from __future__ import annotations
 
-import re
-
 from symbalance.notes.checking.meant.catalogue.kinematics import (
     ACCELERATION,
     BOTTOM,
@@ -24,6 +22,7 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
     STROKE,
     TOP,
 )
+from symbalance.text import lazy_patterns as re
 
 _ROD = re.compile(
     r"\brods?\b|con-?rod|obliquity|pleuel|\w*stange\b|コンロッド|連接棒|連桿|\bbielle\b|\bbiela\b"

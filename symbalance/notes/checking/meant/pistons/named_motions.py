@@ -7,7 +7,6 @@ say the rest.
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_right
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -45,6 +44,7 @@ from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END
 from symbalance.notes.checking.words.table_cells import TableCells
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
 
 BEFORE, BEHIND = 320, 70
 """Characters that are looked through before a formula and behind it."""
