@@ -305,8 +305,12 @@ class Judge:
         return unless_no_extreme(self.state, chain, k, verdict)
 
     def _unless_its_own_premise(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
-        """Return a verdict; what would hold on the premise that it states is that premise once more."""
-        if verdict.verdict != CONDITIONAL:
+        """Return a verdict; what holds on the premise that it states is that premise once more."""
+        head = chain.sides[0].node
+        if verdict.verdict != CONDITIONAL or k or not isinstance(head, Name):
+            return verdict
+        above = (c for c in self.state.sections.chains_of(head) if c.start < chain.start)
+        if not any(c.sides[1].node == chain.sides[1].node for c in above):
             return verdict
         left, right = (plain_text(side.node) for side in chain.sides[k : k + 2])
         if not {f"{left} = {right}", f"{right} = {left}"} & set(verdict.assumption.split("; ")):
