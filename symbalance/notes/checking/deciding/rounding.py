@@ -285,8 +285,9 @@ def _is_unit_factor(node: Formula) -> bool:
             node == formula.Quotient(formula.Constant("pi"), Number(Fraction(part))) for part in (30, 180)
         )
         return is_turn and node.numerator.span == node.denominator.span
-    is_number = isinstance(node, Number) and node.last_place is None
-    return is_number and (node.value.denominator > 1 or (_is_scale(node) and node.value >= KILO))
+    if not isinstance(node, Number) or node.last_place is not None:
+        return False
+    return node.value.denominator > 1 or (_is_scale(node) and node.value >= KILO)
 
 
 def _is_in_degrees(node: Formula) -> bool:

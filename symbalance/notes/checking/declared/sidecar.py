@@ -305,7 +305,7 @@ def _symbols(table: Section, letter: Letter) -> dict[str, str]:
         nearest = misspelt_role(meaning)
         if nearest is not None:
             remedy = f'write "{nearest}", or "variable, {meaning.strip()}" for just a letter'
-            raise table.refusal(letter, f"has no known meaning, but one much like {nearest}", remedy)
+            raise table.refusal(spelling, f"has no known meaning, but one much like {nearest}", remedy)
         meanings[name] = meaning.strip()
     return meanings
 
