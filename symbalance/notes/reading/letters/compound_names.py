@@ -92,7 +92,7 @@ def with_compound_names(
     formulas = marked_formulas(text)
     plain = _without(text, formulas)
     candidates = _candidates(plain, is_letter)
-    factors = _beside_stars(plain)
+    factors = _beside_stars(plain, is_letter)
     if not candidates and not factors:
         return None, ()
     known = _letters_of(plain, candidates)
@@ -264,12 +264,18 @@ _BESIDE_STAR = re.compile(
 """A run of letters beside a typed star, pme*Vh: on a page that types all its products it is one name."""
 
 
-def _beside_stars(plain: str) -> list[_Name]:
-    """Return the runs of letters that stand as factors beside a star, each once."""
+def _beside_stars(plain: str, is_letter: Callable[[str, int], bool]) -> list[_Name]:
+    """Return the runs of letters that stand as factors beside a star, each once.
+
+    A run of letters that are all declared is their product: th is t h.
+    """
     names: dict[str, _Name] = {}
+    line, place = 1, 0
     for match in _BESIDE_STAR.finditer(plain):
         name = _Name(match["base"] or match["first"], match["suffix"] or match["rest"], match.start())
-        if not _has_other_meaning(name.spelling):
+        line, place = line + plain.count("\n", place, match.start()), match.start()
+        is_product = all(is_letter(letter, line) for letter in name.spelling)
+        if not is_product and not _has_other_meaning(name.spelling):
             names.setdefault(name.spelling, name)
     return list(names.values())[:MOST_NAMES]
 
