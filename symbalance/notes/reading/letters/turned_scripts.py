@@ -25,7 +25,7 @@ _SCRIPTS = re.compile(
 )
 _UPRIGHT = re.compile(rf"\{{?\s?{_SET}\s?\{{?\s?(?P<word>[A-Za-z]{{2,12}}\.?|[A-SU-Z])\s?\}}?\s?\}}?")
 _WORD = re.compile(
-    r"\{\s?\\?(?P<word>(?=[a-z]*[aeou])[a-z]{3,8}|max|min|lim|kin|ind|lin|I{2,3}|IV|VI{0,2})\s?\}"
+    r"\{\s?(?:\\(?=max|min|lim))?(?P<word>(?=[a-z]*[aeou])[a-z]{3,8}|max|min|lim|kin|ind|lin|I{2,3}|IV|VI{0,2})\s?\}"
 )
 _ORDINALS = word_set("th st nd rd te ten er e eme")
 
@@ -39,6 +39,8 @@ def with_scripts_in_order(text: str) -> Rewritten | None:
     '$F_{2,\\max,tot} = r_1^2 + \\omega^2$'
     >>> with_scripts_in_order(r"$F^\mathrm{osc} + e^{ik} + x^n$").text
     '$F_{osc} + e^{ik} + x^n$'
+    >>> with_scripts_in_order(r"$\varepsilon^{\kappa} + x^{kappa}$") is None
+    True
     """
     if "^" not in text:
         return None
@@ -62,6 +64,8 @@ def with_scripts_in_order(text: str) -> Rewritten | None:
 def _word_above(match: re.Match[str], group: str) -> str | None:
     """Return the word that a letter has above it, None for a power."""
     raised = _UPRIGHT.fullmatch(match[group]) or _WORD.fullmatch(match[group])
-    if raised is None or match["letter"] == "e" or raised["word"] in _ORDINALS:
+    if raised is None or match["letter"] == "e":
+        return None
+    if raised["word"] in _ORDINALS or raised["word"] in GREEK_SIGN:  # ε^κ is a power, typed in any way
         return None
     return raised["word"]
