@@ -34,8 +34,8 @@ def force_components(
         )
         around = "\n".join(lines[number - 1 : min(number + 3, last)])
         signs = "|".join(map(re.escape, spellings(angle)))
-        said = re.search(rf"(?:{signs})\$?\s*{_IS}\s*([0-9]{{1,2}})\s*(?:度|°)", around)
-        value = [f"{plain_letter(angle)} = {_in_pi(int(said[1]))}"] if said else []
+        statement = re.search(rf"(?:{signs})\$?\s*{_IS}\s*([0-9]{{1,2}})\s*(?:度|°)", around)
+        value = [f"{plain_letter(angle)} = {_in_pi(int(statement[1]))}"] if statement else []
         yield ScopeProposal(number, last, {}, (*value, *given), short_words(matches[0][0]))
 
 

@@ -6,7 +6,6 @@ angle nothing is said here, nor of whole numbers, which may be the ends of what 
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from fractions import Fraction
 
@@ -19,6 +18,7 @@ from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import CONDITION, DEFINITION, PREMISE, Verdict
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _OPEN = (DEFINITION, PREMISE, CONDITION)
 _SUBJECT = (
@@ -113,7 +113,7 @@ def _goes_on(state: JudgingState, chain: Chain, formula: Formula, name: str, val
     try:
         nodes = [substitute(formula, name, Number(value.value + n * step)) for n in (-1, 0, 1)]
     except NoFormError:
-        return False
+        return False  # the value stays a premise, which nothing is said to prove
     sizes = knowledge.meaning.positive | names(formula)
     meaning = replace(knowledge.meaning, values={**knowledge.meaning.values, **others}, positive=sizes)
     points = sample_trees(nodes, meaning, _POINTS)

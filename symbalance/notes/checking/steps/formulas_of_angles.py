@@ -21,6 +21,7 @@ from symbalance.text import lazy_patterns as re
 NEXT = 240
 """Characters between a formula and the words of its greatest value."""
 _WAVES = ("cos", "sin")
+_ANGLES = frozenset({"theta", "phi", "varphi", "alpha", "vartheta"})
 _ITS_LARGEST = re.compile(
     r"(?:\b(?:its|their|this|the)\s+(?:greatest|largest|maximum|peak|highest)\s+(?:value|size|magnitude)"
     r"|\b(?:ihr|sein|der|dessen|deren)e?n?\s+(?:größter?n?|höchster?n?|maximaler?n?)\s+(?:wert|betrag)"
@@ -71,9 +72,6 @@ def _is_of(base: str, head: Formula, knowledge: Knowledge) -> bool:
         is_of_angle = len(parts) == 2 and parts[1].name in {*knowledge.angles, *_ANGLES}
         return is_of_angle and parts[0].name == base
     return head == Name(base)
-
-
-_ANGLES = frozenset({"theta", "phi", "varphi", "alpha", "vartheta"})
 
 
 def _angle_alone(node: Formula) -> str:

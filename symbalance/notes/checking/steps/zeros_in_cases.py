@@ -36,11 +36,12 @@ def unless_false_zero(state: JudgingState, chain: Chain, k: int, verdict: Verdic
     is_zero = isinstance(right, Number) and not right.value and not right.last_place
     if k or verdict.verdict not in _OPEN or len(chain.relations) != 1 or not is_zero:
         return verdict
-    above = None if not isinstance(head, Name) else _formula_above(state, chain, head)
-    cases = {} if above is None else _cases_of_sentence(state, chain, _letters_that_may_cancel(above[1]))
-    if above is None or not cases or not _is_product_in(state, chain, above[1], cases):
+    above = _formula_above(state, chain, head) if isinstance(head, Name) else None
+    if above is None or not isinstance(head, Name):
         return verdict
-    assert isinstance(head, Name)
+    cases = _cases_of_sentence(state, chain, _letters_that_may_cancel(above[1]))
+    if not cases or not _is_product_in(state, chain, above[1], cases):
+        return verdict
     state.definitions.forget(head.name, chain.lines[0])
     shown = ", ".join(f"{plain_text(Name(name))} = {plain_text(node)}" for name, node in cases.items())
     reason = f"not what line {above[0]} gives at {shown}"
@@ -89,7 +90,7 @@ def _is_product_in(
             formula = substitute(formula, name, value)
         decision = decide(lone_side(formula), lone_side(chain.sides[1].node), "=", knowledge)
     except (NoFormError, TooLargeError):
-        return False
+        return False  # the relation stays what it was: a premise, which nothing is said to prove
     form = decision.left
     if decision.status != REFUTED or form is None:
         return False

@@ -56,6 +56,7 @@ from symbalance.notes.checking.units.rounded_wholes import decide_rounded_wholes
 from symbalance.notes.checking.units.units_behind import decide_as_counted
 from symbalance.notes.checking.units.unrounded_numbers import decide_unrounded
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+from symbalance.notes.reading.formulas.result_units import without_unit_of_result
 from symbalance.notes.reading.spellings.numerals import unit_in_words
 from symbalance.notes.reading.units import Scale, scale_of
 from symbalance.text import lazy_patterns as re
@@ -129,7 +130,7 @@ def _refuted_in_its_unit(
     formula: Side, put_in: Side, right: Side, sign: str, knowledge: Knowledge
 ) -> Decision | None:
     """Return the refutation of a result whose number is right, not its unit: 88.5 kJ for 88.5 J."""
-    bare = _without_unit_of_result(put_in)
+    bare = _bare_side(put_in)
     if bare is None or not names(formula.node):
         return None
     by_letters = decide(formula, right, sign, knowledge)
@@ -158,20 +159,15 @@ def _result_by_letters(
     return Decision(UNDECIDED, UNITS_LEFT_OUT) if is_open else by_letters
 
 
-def _without_unit_of_result(side: Side) -> Side | None:
+def _bare_side(side: Side) -> Side | None:
     """Return an arithmetic without the unit of the result behind it, in which it was read; else None."""
-    node = side.node
-    if not isinstance(node, Product) or len(node.factors) != 2:
-        return None
-    arithmetic, unit = node.factors
-    is_foreign = isinstance(unit, Number) and unit.span[0] == unit.span[1] == 0
-    is_foreign = is_foreign or not side.span[0] <= unit.span[0] < side.span[1]
-    return Side((arithmetic,), side.span) if is_foreign else None
+    arithmetic = without_unit_of_result(side)
+    return None if arithmetic is side.node else Side((arithmetic,), side.span)
 
 
 def _put_in_bare(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
     """Return the decision on numbers put in for letters, whatever the unit of the result behind is."""
-    left, bare = chain.sides[k], _without_unit_of_result(chain.sides[k + 1])
+    left, bare = chain.sides[k], _bare_side(chain.sides[k + 1])
     if bare is None or not names(left.node):
         return None
     return decide(left, bare, chain.relations[k].sign, knowledge)

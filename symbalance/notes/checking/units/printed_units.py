@@ -18,6 +18,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.units.conversions import is_power_of_ten, quantity_of
 from symbalance.notes.checking.units.dimensions import Dimension, unit_of
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+from symbalance.notes.reading.formulas.result_units import without_unit_of_result
 from symbalance.notes.reading.spellings.numerals import sign_of_unit
 from symbalance.notes.reading.units import scale_of
 from symbalance.text import lazy_patterns as re
@@ -48,7 +49,7 @@ def decide_by_printed_units(
     source = document.source(left.span)
     if result is None or kind is None or any(m[0] not in _PLAIN for m in _LETTERS.finditer(source)):
         return None
-    numbers = _in_units(without_unit_of_result(left.node, left.span), left.span[0], document.text)
+    numbers = _in_units(without_unit_of_result(left), left.span[0], document.text)
     if numbers is None:
         return None
     value, dimension = numbers
@@ -78,15 +79,6 @@ def _nearest_power(ratio: Fraction) -> int | None:
     while ratio < Fraction(1, 2):
         ratio, power = ratio * 10, power - 1
     return power if abs(ratio - 1) < Fraction(1, 50) else None
-
-
-def without_unit_of_result(node: Formula, span: tuple[int, int]) -> Formula:
-    """Return an arithmetic without the unit of its result, which was read into it."""
-    if isinstance(node, Product) and len(node.factors) == 2:
-        inner, unit = node.factors
-        is_read_in = isinstance(unit, Number) and not span[0] <= unit.span[0] < span[1]
-        return inner if is_read_in or (unit.span == (0, 0)) else node
-    return node
 
 
 def _in_units(node: Formula, before: int, text: str) -> tuple[Fraction, Dimension] | None:

@@ -15,8 +15,8 @@ from symbalance.document.formula import Formula, Number, Product, Quotient, name
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.premises.impossible_values import number_of
-from symbalance.notes.reading.equations import Chain, ReadNotes, Side
-from symbalance.notes.reading.formulas.result_units import value_of
+from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.notes.reading.formulas.result_units import value_of, without_unit_of_result
 
 FEWEST_DIGITS = 1000
 """The least whole number that may be rounded."""
@@ -32,7 +32,7 @@ def decide_rounded_wholes(
     if k + 2 >= len(chain.sides) or not names(chain.sides[k].node) or names(chain.sides[k + 1].node):
         return None
     left, put_in, result = chain.sides[k : k + 3]
-    arithmetic = _without_unit(put_in)
+    arithmetic = without_unit_of_result(put_in)
     allowed = sum(_half(number) for number in _factors(arithmetic))
     exact, number, printed = number_of(left.node, knowledge), value_of(arithmetic), value_of(result.node)
     if not allowed or exact is None or not number or not printed or printed / number <= 0:
@@ -51,16 +51,6 @@ def _open_by(result: Formula, number: float) -> float:
         if isinstance(part, Number) and part.last_place is not None and part.value
     ]
     return max(places, default=0.5 / abs(number)) * (1 + SAME)
-
-
-def _without_unit(side: Side) -> Formula:
-    """Return an arithmetic without the unit of its result, which was read into it."""
-    node = side.node
-    if isinstance(node, Product) and len(node.factors) == 2:
-        inner, unit = node.factors
-        is_read_in = isinstance(unit, Number) and not side.span[0] <= unit.span[0] < side.span[1]
-        return inner if is_read_in else node
-    return node
 
 
 def _factors(node: Formula) -> Iterator[Number]:

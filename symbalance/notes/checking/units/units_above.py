@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import lru_cache
 from math import isclose, log10, pi
 
-from symbalance.document.formula import Formula, Name, Number, Product, names
+from symbalance.document.formula import Formula, Name, Number, names
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.units.conversions import Quantity, quantity_of, scale_of, sign_of_unit
 from symbalance.notes.checking.units.dimensions import NONE, Dimension, unit_of, unit_text
@@ -23,7 +23,7 @@ from symbalance.notes.checking.units.units_of_arithmetic import (
     unit_readings,
 )
 from symbalance.notes.reading.equations import Chain, ReadNotes
-from symbalance.notes.reading.formulas.result_units import value_of
+from symbalance.notes.reading.formulas.result_units import value_of, without_unit_of_result
 from symbalance.text import lazy_patterns as re
 
 NEAR = 700
@@ -33,9 +33,9 @@ MOST_COUNTED = 20
 _OF_FORMULAS = {24, 32, 48, 64, 96, 192, 384}
 """Larger whole numbers that formulas have: F l³/48 E I, 32 M/π d³."""
 _CONVERTERS = {Fraction(n) for n in (12, 30, 36, 60, 75, 3600)} | {Fraction(18, 5)}
+"""Numbers of time, feet and horse-power: s n/30."""
 _TURNS = (pi / 30, 30 / pi, pi / 180, 180 / pi)
 """Numbers that convert turns a minute or degrees, printed in digits: 0.10472, 9.55."""
-"""Numbers of time, feet and horse-power: s n/30."""
 _UNITS = 3
 """Words that a unit has at most: kg m s⁻¹."""
 _MARKUP = re.compile(r"\\(?:mathrm|text|textrm|mbox|,|;|:|!|quad|ensuremath)|[~${}]|</?[a-z]+>")
@@ -75,7 +75,7 @@ def refuted_by_units_above(
     result = None if is_put_in else quantity_of(right, document)
     unit = None if result is None else unit_of(result.unit)
     is_arithmetic = result is not None and not names(left.node) and not isinstance(left.node, Number)
-    arithmetic = left.node if result is None else _without_unit(left.node, result)
+    arithmetic = left.node if result is None else without_unit_of_result(left)
     numbers = numbers_of(arithmetic) if is_arithmetic else None
     is_open = not numbers or {number.value for number in numbers} & _values_at(document, wrong)
     if is_open or not numbers or result is None or unit is None or unit == NONE:
@@ -110,15 +110,6 @@ def _values_at(document: ReadNotes, places: Collection[int]) -> set[Fraction]:
     sides = [side for chain in document.chains for side in chain.sides[1:] if side.span[0] in places]
     quantities = [quantity for side in sides if (quantity := quantity_of(side, document)) is not None]
     return {quantity.value for quantity in quantities}
-
-
-def _without_unit(node: Formula, result: Quantity) -> Formula:
-    """Return an arithmetic without the unit of its result, which it was read with."""
-    match node:
-        case Product(factors=(inner, Number(value=value))) if value == result.scale:
-            factor = node.factors[1]
-            return inner if factor.span == Number(value).span else node
-    return node
 
 
 def _scale_of_arithmetic(node: Formula, result: Quantity) -> float | None:

@@ -75,6 +75,16 @@ def in_unit_of_result(
     return done, notes
 
 
+def without_unit_of_result(side: Side) -> Formula:
+    """Return an arithmetic as typed, without the unit of the result behind it that it was read in."""
+    node = side.node
+    if not isinstance(node, Product) or len(node.factors) != 2:
+        return node
+    arithmetic, unit = node.factors
+    is_read_in = unit.span == (0, 0) or not side.span[0] <= unit.span[0] < side.span[1]
+    return arithmetic if is_read_in else node
+
+
 def _is_printed_with(side: Side, size: float, text: str) -> bool:
     """Tell whether a number of an arithmetic stands above with such a unit: 572 kN, then 3·572."""
     start, prefix = side.span[0], {1e3: "k", 1e6: "M", 1e9: "G"}[size]

@@ -56,11 +56,17 @@ _ALONE = re.compile(
 _SIGNED_PRODUCT = re.compile(
     rf"(?<![{_LETTER}])[{_LETTER}](?:_?\w{{1,3}})?[²³]?[ \t]?[·*×⋅][ \t]?[{_LETTER}](?![{_LETTER}])"
 )
+_BESIDE_STAR = re.compile(
+    r"(?:(?<=[0-9A-Za-z)]\*)|(?<=[0-9A-Za-z)] \* ))"
+    r"(?P<base>[A-Za-z])(?P<suffix>[A-Za-z]{1,3})(?![A-Za-z_{(0-9])"
+    r"|(?<![A-Za-z\\_{])(?P<first>[A-Za-z])(?P<rest>[A-Za-z]{1,3})(?=\*[0-9A-Za-z(]| \* [0-9A-Za-z(])"
+)
+"""A run of letters beside a typed star, pme*Vh: on a page that types all its products it is one name."""
 _IN_FORMULA = re.compile(r"[ \t]*[²³^·・*×⋅/+−=≈≒≃)]|[ \t]*-[ \t]*\S")
 _BEHIND_SIGN = re.compile(r"[·・*×⋅/+−=≈≒≃(0-9²³√][ \t]*$|[^\w \t]-[ \t]*$")
 _TIMES = frozenset("tT")
 _EXTREMES = ("max", "min")
-_LONGEST_BEFORE = 40
+_LONGEST_BEFORE, _LONGEST_REMARK = 40, 80
 MOST_NAMES = 200
 """A page has fewer; the limit keeps the search in proportion to the text."""
 
@@ -97,13 +103,11 @@ def with_compound_names(
         return None, ()
     known = _letters_of(plain, candidates)
     signed = len(_SIGNED_PRODUCT.findall(plain))
-    has_signs = signed > 1 and not _has_bare_products(plain, [*candidates, *factors], known)
-    if has_signs or (
-        factors and signed and not _has_bare_products(plain, [*candidates, *factors], known)
-    ):
+    enough = 1 if factors else 2  # a spelling beside a star is itself a product with a sign
+    has_signs = signed >= enough and not _has_bare_products(plain, [*candidates, *factors], known)
+    if has_signs:
         spellings = {name.spelling for name in candidates}
         candidates += [name for name in factors if name.spelling not in spellings]
-        has_signs = True
     if not candidates:
         return None, ()
     names: list[_Name] = []
@@ -253,15 +257,6 @@ def _ends_remark(plain: str, start: int, end: int) -> bool:
     before = plain[max(start - _LONGEST_REMARK, 0) : start].rpartition("(")
     is_last = plain[end : end + 4].lstrip(" \t").startswith(")")
     return is_last and before[2][-1:] == " " and re.search(r"[0-9=*·/+^]", before[2]) is None
-
-
-_LONGEST_REMARK = 80
-_BESIDE_STAR = re.compile(
-    r"(?:(?<=[0-9A-Za-z)]\*)|(?<=[0-9A-Za-z)] \* ))"
-    r"(?P<base>[A-Za-z])(?P<suffix>[A-Za-z]{1,3})(?![A-Za-z_{(0-9])"
-    r"|(?<![A-Za-z\\_{])(?P<first>[A-Za-z])(?P<rest>[A-Za-z]{1,3})(?=\*[0-9A-Za-z(]| \* [0-9A-Za-z(])"
-)
-"""A run of letters beside a typed star, pme*Vh: on a page that types all its products it is one name."""
 
 
 def _beside_stars(plain: str, is_letter: Callable[[str, int], bool]) -> list[_Name]:

@@ -41,6 +41,8 @@ _PIECE = re.compile(
     re.DOTALL,
 )
 _PIECE_BUT_UNITS = re.compile(_PIECE.pattern.replace(_UNIT, ""), re.DOTALL)
+_SECONDS_BEFORE = re.compile(r"['′’][ ]?[0-5]?[0-9](?:[.,][0-9]{1,3})?$")
+"""What the sign of seconds stands behind in 26° 33' 54"."""
 _MATHEMATICAL = frozenset(
     "0123456789 \t\u205f()[]{}|^_,;'′″°√∛∜∂∞Σ∑.&~"
     + "".join(signs.OPERATOR_SIGNS) + "".join(signs.RELATION_SIGNS) + "".join(RAISED) + "".join(LOWERED)
@@ -224,10 +226,6 @@ def _is_mathematical_sign(sign: str, text: str, place: int, end: int) -> bool:
     if sign == ".":
         return place + 1 < end and text[place + 1].isdecimal()
     return sign in _MATHEMATICAL
-
-
-_SECONDS_BEFORE = re.compile(r"['′’][ ]?[0-5]?[0-9](?:[.,][0-9]{1,3})?$")
-"""What the sign of seconds stands behind in 26° 33' 54"."""
 
 
 def _is_ratio(text: str, place: int) -> bool:

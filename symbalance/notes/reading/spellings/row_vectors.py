@@ -28,7 +28,7 @@ _NUMBER = re.compile(
     r"(?:/\s*[0-9]+)?\s*(?:°|\^\{?\\circ\}?|\\degree)?\s*)?(?:[ija-z]|\\pi|π)?\s*"
 )
 _VALUE = re.compile(r"[-−]?[0-9]+(?:\.[0-9]+)?")
-_SPACE_BEFORE = re.compile(r"(?:\s|\\[,;:! ])+")
+_SPACE_BEFORE, _SPACE_BEHIND = (re.compile(r"(?:\s|\\[,;:! ])+"), re.compile(r"(?:\s|\\[,;:! ])+$"))
 _LANGUAGE = re.compile(r"[^\W\d_]{3,}(?![^\W\d_])")
 
 
@@ -67,7 +67,7 @@ def _entries(text: str, start: int, end: int) -> list[tuple[int, int]]:
             inside = text[first:place]
             space = _SPACE_BEFORE.match(inside)
             lead = space.end() if space else 0
-            inside = re.sub(r"(?:\s|\\[,;:! ])+$", "", inside)
+            inside = _SPACE_BEHIND.sub("", inside)
             spans.append((first + lead, first + max(len(inside), lead)))
             first = place + 1
     return spans

@@ -218,7 +218,9 @@ class FormulasBeside:
                 return _Ratio(Quotient(Name(below), Name(above)), is_inverted=True, is_told=True)
             is_usual = _stem(above) in _RADII and _stem(below) in _RODS
             return _Ratio(Quotient(Name(above), Name(below)), is_told=True) if is_usual else None
-        ((name, power),) = powers.items() if len(powers) == 1 else (("", Fraction(0)),)
+        if len(powers) != 1:
+            return None
+        ((name, power),) = powers.items()
         if abs(power) != 1 or _stem(name) not in _RATIOS:
             return None
         declared, proposed = self.words.sizes(chain.lines[0])
@@ -319,23 +321,25 @@ class FormulasBeside:
         pair = _two_letters(value)
         if pair is None or {_ORDERS.get(_index(n), 0) for n in pair} != {1, 2}:
             return None
-        signs = pair
-        first, second = sorted(signs, key=lambda n: _ORDERS.get(_index(n), 0))
-        if signs[first] != signs[second]:
+        first, second = sorted(pair, key=lambda n: _ORDERS.get(_index(n), 0))
+        if pair[first] != pair[second]:
             return None
         tops = (c for c in self.sections.in_order if c.relations and c.end <= chain.start)
         is_sum_at_top = any(
             isinstance(c.sides[0].node, Name)
             and _TOP.search(c.sides[0].node.name)
             and (own := _two_letters(c.sides[1].node)) is not None
-            and own.keys() == signs.keys()
+            and own.keys() == pair.keys()
             and own[first] == own[second]
             for c in tops
         )
         if not is_sum_at_top:
             return None
-        other: Formula = Negative(Name(second)) if signs[first] > 0 else Name(second)
-        lead: Formula = Name(first) if signs[first] > 0 else Negative(Name(first))
+        lead, other = (
+            (Name(first), Negative(Name(second)))
+            if pair[first] > 0
+            else (Negative(Name(first)), Name(second))
+        )
         reason = "the first order changes its sign from one dead centre to the other, the second does not"
         return self._refuted(chain, Sum((lead, other)), "sign", reason)
 
@@ -415,10 +419,6 @@ def _slip_of_order(
 def _is_of_path_or_speed(number: float) -> bool:
     """Tell whether a second order is smaller by what that of the path is, or of the velocity."""
     return any(isclose(number, size, rel_tol=1e-9) for size in (0.25, 0.5))
-
-
-def _second_wave(wave: Call | None) -> Call | None:
-    return None if wave is None else Call(wave.function, Product((Number(Fraction(2)), wave.argument)))
 
 
 def _with_wave(node: Formula, wave: Call, other: Call) -> Formula:
