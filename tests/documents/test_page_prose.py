@@ -112,3 +112,34 @@ def test_what_is_never_closed_costs_no_more_than_it_is_long(suffix: str) -> None
         for stretch in prose.stretches():
             for each in (stretch.text, *(cell for row in stretch.rows for cell in row)):
                 assert all(kind for kind, _ in prose.inline(each))
+
+
+@pytest.mark.parametrize(
+    ("between", "words"),
+    [
+        (r", \qquad", []),
+        (r"\quad\therefore\quad", [("paragraph", "∴")]),
+        (r", \qquad\text{or in numbers } ", [("paragraph", ",   or in numbers")]),
+        (r" \Leftrightarrow ", [("paragraph", "⇔")]),
+    ],
+)
+@pytest.mark.parametrize("signs", [("$$", "$$"), (r"\[", r"\]")])
+def test_what_stands_between_the_relations_of_a_display_is_words(
+    between: str, words: list[object], signs: tuple[str, str]
+) -> None:
+    text = f"First\n\n{signs[0]} {SHOWN}{between}{DISPLAY}2{END} {signs[1]}\n\nlast"
+    shown = [(kind, " ".join(str(said).split())) for kind, said in blocks(".md", text)]  # type: ignore[misc]
+    expected = [(kind, " ".join(said.split())) for kind, said in words]  # type: ignore[misc]
+    assert shown == [
+        ("paragraph", "First"), ("relation", "1"), *expected, ("relation", "2"), ("paragraph", "last"),
+    ]  # fmt: skip
+
+
+def test_formulas_between_tags_stand_in_markdown_too(tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    page.write_text(
+        "The ratio <math>\\lambda</math>, with <math>s = 73 \\text{ mm}</math>, is <math>r</math>.\n"
+    )
+    document = document_html(marked_page(check(page)))
+    assert "&lt;" not in re.sub(r"<code>.*?</code>", "", document)
+    assert "<mi>λ</mi>" in document

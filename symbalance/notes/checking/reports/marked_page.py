@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import PurePath
 
 from symbalance.document.formula import names
+from symbalance.document.letters import GREEK_SIGN
 from symbalance.document.nodes import (
     Block,
     Code,
@@ -248,6 +249,7 @@ class _Page:
 
     def _formula(self, source: str) -> Inline:
         letters = self.letters | set(re.findall(r"(?<![A-Za-z\\])[A-Za-z](?![A-Za-z])", source))
+        letters |= {word for word in re.findall(r"\\([A-Za-z]+)", source) if word in GREEK_SIGN}
         try:
             return whole_chain(read_equation(source, letters))
         except ReadingError:
@@ -323,13 +325,16 @@ def _with_marks(text: str, pieces: list[_Piece]) -> str:
     at = 0
     for k, piece in enumerate(pieces):
         before = text[at : max(piece.start, at)]
-        if text.count("$", piece.start, piece.end) % 2:  # $x = 6.71$ in: it opens before its relation
-            before = _OPENING_DOLLAR.sub("", before)
+        is_closed_within = text.count("</math", piece.start, piece.end) > text.count(
+            "<math", piece.start, piece.end
+        )
+        if is_closed_within or text.count("$", piece.start, piece.end) % 2:
+            before = _OPENING.sub("", before)  # $x = 6.71$ in: it opens before its relation
         parts.append(before)
         parts.append(f"{INLINE if piece.inline and piece.is_inline else DISPLAY}{k}{END}")
         at = max(at, piece.end)
     return "".join([*parts, text[at:]])
 
 
-_OPENING_DOLLAR = re.compile(r"(?<!\\)\$[ \t]*$")
+_OPENING = re.compile(r"(?:(?<!\\)\$|<math\b[^<>]{0,80}>)[ \t]*$")
 _ONLY_SIGNS = " \u00a0.,;:、。$&\\"

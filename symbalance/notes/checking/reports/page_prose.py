@@ -96,29 +96,57 @@ class Prose:
         """Return a text with a mark for every formula between signs, and without what sets displays."""
 
         def replaced(match: re.Match[str]) -> str:
+            if is_mathml(match[0]):
+                return self.stash(mathml_text(match[0]))
             return self.stash(next(group for group in match.groups() if group is not None))
 
-        text = _SETTING.sub("\n", text.replace("\\$", _DOLLAR))
+        text = _DISPLAYED.sub(_between_displayed, text.replace("\\$", _DOLLAR))
+        text = _SETTING.sub("\n", text)
         return _MATHS.sub(replaced, text).replace(_DOLLAR, "$" if self.is_plain else "\\$")
 
 
 _MATHS = re.compile(
-    r"\$`([^`\n]{0,400})`\$|\$((?:[^$\n]|\n(?!\s*\n)){0,400})\$|\\\(((?:(?!\\\)|\n\s*\n).){0,400})\\\)",
+    r"\$`([^`\n]{0,400})`\$|\$((?:[^$\n]|\n(?!\s*\n)){0,400})\$|\\\(((?:(?!\\\)|\n\s*\n).){0,400})\\\)"
+    r"|<math\b[^<>]*>((?:(?!</math|\n\s*\n).){0,4000})</math\s*>",
     re.DOTALL,
+)
+_DISPLAYED = re.compile(
+    r"\$\$((?:(?!\$\$|\n\s*\n).){0,4000})\$\$|\\\[((?:(?!\\\[|\\\]|\n\s*\n).){0,4000})\\\]", re.DOTALL
 )
 _RAISED = str.maketrans("0123456789-+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺")
 
 
 def _rest_of_formula(source: str) -> str:
     """Return what stands between the relations of one formula, units above all, as words."""
-    source = re.sub(r"\\(?:mathrm|text[a-z]*|mbox|operatorname|rm|bf)\s*\{([^{}]*)\}", r"\1", source)
+    source = re.sub(r"\\(?:mathrm|text[a-z]*|mbox|operatorname|rm|bf)\s*\{([^{}]*)\}", r" \1", source)
     source = re.sub(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}", r"\1/\2", source)
     source = re.sub(r"\s*\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![A-Za-z]))", "°", source)
     source = re.sub(r"\^\{?([-+]?[0-9]+)\}?", lambda match: match[1].translate(_RAISED), source)
-    source = re.sub(r"\\(?:Rightarrow|implies|Longrightarrow)(?![A-Za-z])", " ⇒ ", source)
+    for pattern, sign in _SIGNS_BETWEEN:
+        source = pattern.sub(sign, source)
     return re.sub(r"\\(?:[,;:! ]|quad|qquad|left|right|big|cdot)(?![A-Za-z])", " ", source)
 
 
+_SIGNS_BETWEEN = (
+    (re.compile(r"\\(?:Rightarrow|implies|Longrightarrow)(?![A-Za-z])"), " ⇒ "),
+    (re.compile(r"\\(?:Leftrightarrow|iff|Longleftrightarrow)(?![A-Za-z])"), " ⇔ "),
+    (re.compile(r"\\therefore(?![A-Za-z])"), " ∴ "),
+    (re.compile(r"\\because(?![A-Za-z])"), " ∵ "),
+)
+
+
+def _between_displayed(match: re.Match[str]) -> str:
+    """Return a display whose relations are marks, with what stands between them as words."""
+    inside = match[1] if match[2] is None else match[2]
+    if DISPLAY not in inside:
+        return match[0]
+    parts = re.split(f"({DISPLAY}[0-9]+{END})", inside)
+    words = (part if part[:1] == DISPLAY else _rest_of_formula(part) for part in parts)
+    return "\n" + "".join("" if _ONLY_POINTS.fullmatch(part) else part for part in words) + "\n"
+
+
+_ONLY_POINTS = re.compile(r"[\s,;.&\\]*")
+"""Between the relations of a display, which stand on lines of their own."""
 _SETTING = re.compile(
     r"\$\$|\\\[|\\\]|\\(?:begin|end)\s*\{(?:align|aligned|alignat|equation|gather|gathered|multline|split|eqnarray"
     r"|math|displaymath|IEEEeqnarray|empheq|dmath|flalign)\*?\}(?:\{[^{}]*\})?|\\(?:label|tag)\*?\s*\{[^{}]*\}"
