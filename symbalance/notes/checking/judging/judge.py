@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import cached_property, partial
 from itertools import product
 
 from symbalance.budgets import Budget
@@ -97,10 +97,12 @@ from symbalance.notes.checking.steps.rates_with_numbers import with_numbers_of_r
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
 from symbalance.notes.checking.steps.series_relations import judge_series
 from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_place
+from symbalance.notes.checking.steps.sums_of_phases import unless_phases_remain
 from symbalance.notes.checking.steps.zeros_in_cases import unless_false_zero
 from symbalance.notes.checking.units.dimensions import Dimensions, Mismatch, declared_dimension, unit_text
 from symbalance.notes.checking.units.formulas_between_numbers import BETWEEN_NUMBERS
 from symbalance.notes.checking.units.own_units import with_speeds
+from symbalance.notes.checking.units.plain_letters import PlainLetters
 from symbalance.notes.checking.units.rates_by_name import rate_dimension
 from symbalance.notes.checking.units.speeds_as_numbers import without_minutes
 from symbalance.notes.checking.units.turns_in_radians import with_turns
@@ -301,6 +303,7 @@ class Judge:
         verdict = unless_scaled_wrongly(self.state, chain, k, verdict)
         verdict = unless_plain_sum(self.state, chain, k, verdict)
         verdict = unless_false_zero(self.state, chain, k, verdict)
+        verdict = unless_phases_remain(self.state, chain, k, verdict)
         verdict = self._unless_its_own_premise(chain, k, self._of_its_case(chain, k, verdict))
         return unless_no_extreme(self.state, chain, k, verdict)
 
@@ -581,8 +584,17 @@ class Judge:
         if mismatch is None:
             return verdict
         if verdict.verdict == REFUTED:  # its witness and its correction say more
-            return replace(verdict, reason=verdict.reason or mismatch.reason)
+            decision = verdict.decision
+            if decision is not None and decision.at_odds and self._mismatch_here(chain, k, knowledge):
+                decision = replace(decision, at_odds="")  # no other case makes a force a momentum
+            return replace(verdict, decision=decision, reason=verdict.reason or mismatch.reason)
         return describe(self.document, chain, k, mismatch)
+
+    def _mismatch_here(self, chain: Chain, k: int, knowledge: Knowledge) -> bool:
+        """Tell whether two sides differ in their units by what their own section says of their letters."""
+        line, sections = chain.lines[0], self.state.sections
+        near = {n: d for n, d in knowledge.definitions.items() if sections.same_section(d.line, line)}
+        return self._mismatch(chain, k, k, replace(knowledge, definitions=near)) is not None
 
     def _decide_by_place(self, chain: Chain, k: int) -> Decision | None:
         """Return the decision on a relation by the place where it stands, None for most."""
@@ -658,7 +670,8 @@ class Judge:
         values = {name: d.node for name, d in knowledge.definitions.items()}
         symbols = self.declarations.symbols_at(chain.lines[0])
         rounded = {n: d.rounded for n, d in knowledge.definitions.items() if d.rounded is not None}
-        dimensions = Dimensions(symbols, values, self.document.text, rounded)
+        plain = self._plain_letters.at(chain.lines[0])
+        dimensions = Dimensions(symbols, values, self.document.text, rounded, plain)
         left, right = chain.sides[against], chain.sides[k + 1]
         sources = (self.document.source(left.span), self.document.source(right.span))
         return {
@@ -688,6 +701,10 @@ class Judge:
                 witness = {"left": unit_text(mismatches[0].left), "right": unit_text(mismatches[0].right)}
                 return Decision(REFUTED, mismatches[0].reason, witness=witness)
         return None
+
+    @cached_property
+    def _plain_letters(self) -> PlainLetters:
+        return PlainLetters(self.document, self.state.sections)
 
     def _unlike_rate(self, chain: Chain, k: int) -> Decision | None:
         """Refute a result in a unit that the rate at the head of its chain cannot have: ω̇ in rad/s."""

@@ -239,6 +239,8 @@ class Dimensions:
     """The page, in which units stand at the places of their numbers."""
     rounded: Mapping[str, Formula] = field(default_factory=dict)
     """The results that the page prints for letters: 314.2 rad/s for 2π·3000/60."""
+    plain: frozenset[str] = frozenset()
+    """The letters that are numbers without a unit by the page's sums: f by 1 - f."""
 
     def mismatch(self, left: Formula, right: Formula, sources: tuple[str, str]) -> Mismatch | None:
         """Return in which dimensions two sides differ, or a sum's terms; `sources` are their texts.
@@ -332,12 +334,13 @@ class Dimensions:
         meaning = self.symbols.get(name) or self.symbols.get(bare)
         declared = None if meaning is None else declared_dimension(meaning)
         value = self.values.get(name)
+        of_sums = NONE if name in self.plain else None
         if declared is not None or value is None:
-            return declared
+            return of_sums if declared is None else declared
         result = self.rounded.get(name)
         nodes = [node for node in (value, result) if node is not None and self.is_of_units(node)]
         if not nodes and not (meaning is None and names(value)):
-            return None
+            return of_sums
         try:
             return self.of(nodes[0] if nodes else value, depth)
         except _MismatchError:
