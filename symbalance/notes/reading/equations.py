@@ -131,6 +131,8 @@ class ReadNotes:
     """Letters that elsewhere are numbers, as e, and are none on this page."""
     explained: tuple[Explained, ...] = ()
     """The relation signs that explain a letter in words."""
+    as_typed: str = ""
+    """The text as its author typed it, where `text` has the units that macros of its own stand for."""
 
     def line_of(self, offset: int) -> int:
         """Return the line, from 1, of a character offset."""
@@ -147,3 +149,7 @@ class ReadNotes:
     def source(self, span: Span) -> str:
         """Return the text of a span."""
         return self.text[span[0] : span[1]]
+
+    def typed(self, span: Span) -> str:
+        """Return the text of a span as its author typed it, without the space around it."""
+        return (self.as_typed or self.text)[span[0] : span[1]].strip()

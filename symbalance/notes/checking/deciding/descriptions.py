@@ -95,7 +95,7 @@ def describe(document: ReadNotes, chain: Chain, k: int, decision: Decision) -> V
     return Verdict(
         line=line,
         link=1,
-        source=document.source(side.span).strip(),
+        source=document.typed(side.span),
         verdict=word,
         reason=decision.reason,
         order=decision.order if word != REFUTED else "",
@@ -199,7 +199,7 @@ def undecided(
     return Verdict(
         line,
         1,
-        document.source(span).strip(),
+        document.typed(span),
         UNDECIDED,
         reason,
         lines=lines or (line,),
@@ -236,7 +236,7 @@ def with_fault(
 
 def unreadable_verdict(document: ReadNotes, part: Unreadable) -> Verdict:
     """Return the verdict on what could not be read."""
-    source = document.source(part.span).strip()
+    source = document.typed(part.span)
     reason = f"column {part.column}: {part.what}; {part.remedy}"
     return Verdict(
         part.line,
@@ -255,7 +255,7 @@ def explained_verdict(document: ReadNotes, part: Explained) -> Verdict:
     return Verdict(
         part.line,
         1,
-        document.source(part.span).strip(),
+        document.typed(part.span),
         DEFINITION,
         IN_WORDS,
         lines=(part.line,),

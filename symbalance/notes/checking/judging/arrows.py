@@ -168,9 +168,9 @@ class _ArrowJudge:
     def _source(self, part: Chain | Unreadable, *, first: bool) -> str:
         """Return the relation next to an arrow as it is typed: the first of a chain, or the last."""
         if isinstance(part, Unreadable):
-            return self.page.source(part.span).strip()
+            return self.page.typed(part.span)
         near = part.sides[:2] if first else part.sides[-2:]
-        return self.page.source((near[0].span[0], near[1].span[1])).strip()
+        return self.page.typed((near[0].span[0], near[1].span[1]))
 
     def _of(self, chain: Chain, k: int) -> Verdict | None:
         """Return the verdict on a chain's relation."""

@@ -124,6 +124,7 @@ from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.terms_of_a_kind import unlike_terms
 from symbalance.notes.checking.words.unit_or_letter import with_both_readings
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.notes.reading.markup.unit_macros import with_units_shown
 
 
 @dataclass
@@ -139,6 +140,8 @@ class Judge:
     def __post_init__(self) -> None:
         symbols_at = self.declarations.symbols_at
         self.document = with_angles_of_time(with_both_readings(self.document, symbols_at))
+        text = self.document.text
+        self.document = replace(self.document, text=with_units_shown(text), as_typed=text)
         data = data_of(self.document, symbols_at)
         chains = (*self.document.chains, *data)
         every = with_turns(with_speeds(replace(self.document, chains=chains), symbols_at)).chains
@@ -176,9 +179,8 @@ class Judge:
             if binding.text:
                 verdicts.append(self.guard.verdict(partial(self.piece, binding), (0, 0), binding.line))
         numbered = number_verdicts(verdicts)
-        return Checked(
-            self.document, tuple(replace(v, cell=self.document.cell_of(v.line)) for v in numbered)
-        )
+        as_typed = replace(self.document, text=self.document.as_typed)
+        return Checked(as_typed, tuple(replace(v, cell=self.document.cell_of(v.line)) for v in numbered))
 
     def _take_data(self, chain: Chain) -> None:
         """Define the letters of the tables, lists and code above a chain; a formula's letter is left."""
@@ -581,20 +583,27 @@ class Judge:
         if k or chain.sides[0].span[0] not in self.state.solutions:
             outcome = self._as_consequence(chain, k, outcome, knowledge)
         verdict = describe(self.document, chain, k, outcome) if isinstance(outcome, Decision) else outcome
-        if mismatch is None:
-            return verdict
-        if verdict.verdict == REFUTED:  # its witness and its correction say more
-            decision = verdict.decision
-            if decision is not None and decision.at_odds and self._mismatch_here(chain, k, knowledge):
-                decision = replace(decision, at_odds="")  # no other case makes a force a momentum
-            return replace(verdict, decision=decision, reason=verdict.reason or mismatch.reason)
-        return describe(self.document, chain, k, mismatch)
+        return (
+            verdict if mismatch is None else self._with_mismatch(chain, k, verdict, mismatch, knowledge)
+        )
 
-    def _mismatch_here(self, chain: Chain, k: int, knowledge: Knowledge) -> bool:
-        """Tell whether two sides differ in their units by what their own section says of their letters."""
-        line, sections = chain.lines[0], self.state.sections
-        near = {n: d for n, d in knowledge.definitions.items() if sections.same_section(d.line, line)}
-        return self._mismatch(chain, k, k, replace(knowledge, definitions=near)) is not None
+    def _with_mismatch(
+        self, chain: Chain, k: int, verdict: Verdict, mismatch: Decision, knowledge: Knowledge
+    ) -> Verdict:
+        """Return the verdict on sides that differ in their units; a refutation's own words say more.
+
+        Where the sides differ by what their own section says of their letters, and by the units of the
+        page's data, no other case is meant.
+        """
+        if verdict.verdict != REFUTED:
+            return describe(self.document, chain, k, mismatch)
+        decision, line = verdict.decision, chain.lines[0]
+        if decision is not None and decision.at_odds:
+            same_section, all_of_it = self.state.sections.same_section, knowledge.definitions.items()
+            near = {n: d for n, d in all_of_it if same_section(d.line, line) or not names(d.node)}
+            if self._mismatch(chain, k, k, replace(knowledge, definitions=near)) is not None:
+                return describe(self.document, chain, k, mismatch)
+        return replace(verdict, reason=verdict.reason or mismatch.reason)
 
     def _decide_by_place(self, chain: Chain, k: int) -> Decision | None:
         """Return the decision on a relation by the place where it stands, None for most."""

@@ -7,7 +7,7 @@ look for the angle at which it is.
 
 from __future__ import annotations
 
-from symbalance.document.formula import Call, Formula, Name, Negative, Number, Product, Sum, names
+from symbalance.document.formula import Call, Formula, Name, Negative, Number, Power, Product, Sum, names
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
@@ -63,9 +63,10 @@ def _angle_of_phases(node: Formula) -> str:
 
 
 def _wave(term: Formula) -> Call | None:
-    """Return the sine or cosine that a term is, with a sign or a number before it."""
+    """Return the sine or cosine that a term is, or a power of it, with a sign or a number before it."""
     bare = term.operand if isinstance(term, Negative) else term
-    factors = bare.factors if isinstance(bare, Product) else (bare,)
+    powers = bare.factors if isinstance(bare, Product) else (bare,)
+    factors = [each.base if isinstance(each, Power) and names(each.base) else each for each in powers]
     waves = [each for each in factors if isinstance(each, Call) and each.function in _WAVES]
     others = [each for each in factors if not isinstance(each, Number)]
     return waves[0] if len(waves) == 1 and others == waves else None
