@@ -53,6 +53,7 @@ from symbalance.notes.checking.units.formulas_between_numbers import (
 from symbalance.notes.checking.units.own_units import is_per_minute
 from symbalance.notes.checking.units.printed_units import decide_by_printed_units
 from symbalance.notes.checking.units.rounded_wholes import decide_rounded_wholes
+from symbalance.notes.checking.units.units_above import proved_by_units_above
 from symbalance.notes.checking.units.units_behind import decide_as_counted
 from symbalance.notes.checking.units.unrounded_numbers import decide_unrounded
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
@@ -98,7 +99,7 @@ def decide_in_units(
         _put_in_bare, _term_by_term, _rounded_in_its_unit, _between_numbers, _in_unit_of_result,
         _converted, _of_weights, decide_as_counted, _with_numbers_of_units, _with_frequencies,
         _in_unit_behind, _in_unit_of_wrong_result, _by_the_minute, decide_unrounded,
-        decide_rounded_wholes,
+        decide_rounded_wholes, proved_by_units_above,
     ):  # fmt: skip
         there = meant(chain, k, document, knowledge)
         if there is not None and (there.is_proved or meant is _converted):

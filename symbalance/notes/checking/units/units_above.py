@@ -11,11 +11,14 @@ from collections.abc import Collection
 from fractions import Fraction
 from functools import lru_cache
 from math import isclose, log10, pi
+from typing import NamedTuple
 
 from symbalance.document.formula import Formula, Name, Number, names
-from symbalance.notes.checking.deciding.equality import REFUTED, Decision
+from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.units.conversions import Quantity, quantity_of, scale_of, sign_of_unit
 from symbalance.notes.checking.units.dimensions import NONE, Dimension, unit_of, unit_text
+from symbalance.notes.checking.units.printed_units import IN_THEIR_UNITS
 from symbalance.notes.checking.units.units_of_arithmetic import (
     Unit,
     UnitReading,
@@ -69,27 +72,13 @@ def refuted_by_units_above(
 
     Numbers whose unit is refuted above, at the places `wrong`, say nothing of what goes on with them.
     """
-    left, right = chain.sides[k], chain.sides[k + 1]
     # Numbers put into a formula of the same chain are judged by that.
     is_put_in = any(names(side.node) and not isinstance(side.node, Name) for side in chain.sides[:k])
-    result = None if is_put_in else quantity_of(right, document)
-    unit = None if result is None else unit_of(result.unit)
-    is_arithmetic = result is not None and not names(left.node) and not isinstance(left.node, Number)
-    arithmetic = left.node if result is None else without_unit_of_result(left)
-    numbers = numbers_of(arithmetic) if is_arithmetic else None
-    is_open = not numbers or {number.value for number in numbers} & _values_at(document, wrong)
-    if is_open or not numbers or result is None or unit is None or unit == NONE:
+    known = None if is_put_in else _numbers_with_units(chain, k, document)
+    if known is None or {number.value for number in known.numbers} & _values_at(document, wrong):
         return None
-    text = document.text[max(0, chain.start - NEAR) : chain.start]
-    above = _numbers_above(text)
-    above |= _lone_data_above(
-        document, chain, [n.value for n in numbers if not _units_at(n.value, above)]
-    )
-    has_own = _LETTER.search(_SIGNS.sub(" ", document.source(left.span))) is not None
-    if has_own or not any(_units_at(number.value, above) for number in numbers):
-        return None
-    bare = _bare_numbers(text)
-    readings = unit_readings(arithmetic, [_options(number, numbers, above, bare) for number in numbers])
+    arithmetic, numbers, above, result, unit, text = known
+    readings = unit_readings(arithmetic, known.options())
     if readings is None:
         return None
     in_unit = [reading for reading in readings if reading.dimension == unit]
@@ -103,6 +92,64 @@ def refuted_by_units_above(
     return (
         None if not plain else Decision(REFUTED, _reason(plain[0], plain[0].scale / scale, result.unit))
     )
+
+
+def proved_by_units_above(
+    chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the proof of a result by the units of its numbers above: π/4·45²·39 = 62.0 cm³ of mm."""
+    known = _numbers_with_units(chain, k, document)
+    value = None if known is None else value_of(known.arithmetic)
+    readings = (
+        None if known is None or value is None else unit_readings(known.arithmetic, known.options())
+    )
+    if known is None or value is None or readings is None:
+        return None
+    printed, half = (float(part * known.result.scale) for part in (known.result.value, known.result.half))
+    sure = [
+        reading
+        for reading in readings
+        if reading.dimension == known.unit and not reading.is_shifted and not reading.open_numbers
+    ]
+    is_so = any(abs(value * each.scale - printed) <= half * (1 + _SAME) for each in sure)
+    return Decision(PROVED, assumptions=(IN_THEIR_UNITS,)) if is_so and printed else None
+
+
+class _KnownNumbers(NamedTuple):
+    """An arithmetic of bare numbers, some with units above, and the quantity that it comes to."""
+
+    arithmetic: Formula
+    numbers: list[Number]
+    above: _Above
+    result: Quantity
+    unit: Dimension
+    text: str
+
+    def options(self) -> list[tuple[Unit, ...]]:
+        """Return what each number may be."""
+        bare = _bare_numbers(self.text)
+        return [_options(number, self.numbers, self.above, bare) for number in self.numbers]
+
+
+def _numbers_with_units(chain: Chain, k: int, document: ReadNotes) -> _KnownNumbers | None:
+    """Return the numbers of an arithmetic before a result with the units that they have above."""
+    left, right = chain.sides[k], chain.sides[k + 1]
+    result = quantity_of(right, document)
+    unit = None if result is None else unit_of(result.unit)
+    is_arithmetic = result is not None and not names(left.node) and not isinstance(left.node, Number)
+    arithmetic = left.node if result is None else without_unit_of_result(left)
+    numbers = numbers_of(arithmetic) if is_arithmetic else None
+    if not numbers or result is None or unit is None or unit == NONE:
+        return None
+    text = document.text[max(0, chain.start - NEAR) : chain.start]
+    above = _numbers_above(text)
+    above |= _lone_data_above(
+        document, chain, [n.value for n in numbers if not _units_at(n.value, above)]
+    )
+    has_own = _LETTER.search(_SIGNS.sub(" ", document.source(left.span))) is not None
+    if has_own or not any(_units_at(number.value, above) for number in numbers):
+        return None
+    return _KnownNumbers(arithmetic, numbers, above, result, unit, text)
 
 
 def _values_at(document: ReadNotes, places: Collection[int]) -> set[Fraction]:

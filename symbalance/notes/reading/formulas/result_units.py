@@ -151,14 +151,16 @@ _MOST_DIGITS = 9
 
 
 def _whole_result(tokens: Sequence[Token]) -> tuple[Number | None, Fraction]:
-    """Return the whole number of 956 lb, or of 956 kg, and what its unit multiplies it by."""
-    first = tokens[0] if tokens else None
+    """Return the whole number of 956 lb, or of -956 kg, and what its unit multiplies it by."""
+    is_negative = bool(tokens) and tokens[0].is_op("-")
+    rest = tokens[1:] if is_negative else tokens
+    first = rest[0] if rest else None
     if first is None or first.kind != "number" or not first.scale or first.number.denominator != 1:
         return None, Fraction(1)
-    kinds = [token.kind for token in tokens[1:]]
+    kinds = [token.kind for token in rest[1:]]
     if first.place is not None or kinds not in ([], ["open", "number", "close"]):
         return None, Fraction(1)
-    return Number(first.number), first.scale
+    return Number(-first.number if is_negative else first.number), first.scale
 
 
 def as_printed(side: Side, tokens: Sequence[Token]) -> Side:
