@@ -62,6 +62,7 @@ _AROUND_ONE = 100
 """A number from a hundredth to this is no conversion by a power of ten."""
 _WEIGHTS = re.compile(r"(?<![A-Za-z])(?:lbs?|lbf|kgf|kp|tf|oz|pounds?|ounces?)(?![A-Za-z])")
 """Units that are weights in one place and masses in another."""
+_OF_LENGTHS = tuple(unit_of(unit) for unit in ("m^2", "m^3"))
 _Above = dict[Fraction, set[tuple[Dimension, float]]]
 
 
@@ -97,8 +98,12 @@ def refuted_by_units_above(
 def proved_by_units_above(
     chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge
 ) -> Decision | None:
-    """Return the proof of a result by the units of its numbers above: π/4·45²·39 = 62.0 cm³ of mm."""
+    """Return the proof of a volume or an area by the lengths above: π/4·45²·39 = 62.0 cm³ of mm.
+
+    Other units in silence, g for kg or turns a minute for radians, are the slips that are looked for.
+    """
     known = _numbers_with_units(chain, k, document)
+    known = known if known is not None and known.unit in _OF_LENGTHS else None
     value = None if known is None else value_of(known.arithmetic)
     readings = (
         None if known is None or value is None else unit_readings(known.arithmetic, known.options())
@@ -109,7 +114,10 @@ def proved_by_units_above(
     sure = [
         reading
         for reading in readings
-        if reading.dimension == known.unit and not reading.is_shifted and not reading.open_numbers
+        if reading.dimension == known.unit
+        and not reading.is_shifted
+        and not reading.open_numbers
+        and len({unit.scale for _, unit in reading.numbers if unit.dimension != NONE}) == 1
     ]
     is_so = any(abs(value * each.scale - printed) <= half * (1 + _SAME) for each in sure)
     return Decision(PROVED, assumptions=(IN_THEIR_UNITS,)) if is_so and printed else None
