@@ -19,7 +19,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
-from symbalance.notes.reading.letters.letter_names import canonical_name
+from symbalance.notes.reading.letters.macro_letters import letter_in
 from symbalance.notes.reading.spellings.listed_multiples import VALUE, is_of_degrees, multiple, written
 from symbalance.text import lazy_patterns as re
 
@@ -87,26 +87,29 @@ def _multiples_listed(page: ReadNotes, chain: Chain) -> Listed | None:
     match = _AT.match(page.text, chain.end)
     if match is None:
         return None
-    letter = canonical_name(match["letter"])
+    letter = letter_in(page.text, match["letter"])
     parts = [multiple(value) for value in _BETWEEN.split(match["list"])]
     known = [part for part in parts if part is not None]
-    if letter not in chain.letters or len(known) < len(parts) or len(parts) > _MOST:
+    if letter is None or letter not in chain.letters or len(known) < len(parts) or len(parts) > _MOST:
         return None
     sizes = [(size, part.letter) for part in known for size in part.sizes]
     if len(sizes) < _FEWEST or len({unit for size, unit in sizes if size}) > 1:
         return None
-    formulas = tuple(_formula(size, unit) for size, unit in sizes)
+    formulas = [_formula(size, unit, page.text) for size, unit in sizes]
     texts = tuple(written(size, "°" if is_of_degrees(unit) else unit) for size, unit in sizes)
-    return Listed(letter, formulas, texts, is_of_multiples=True)
+    values = tuple(value for value in formulas if value is not None)
+    return Listed(letter, values, texts, is_of_multiples=True) if len(values) == len(formulas) else None
 
 
-def _formula(size: Fraction, unit: str) -> Formula:
-    """Return a number of times a letter or an angle as a formula."""
+def _formula(size: Fraction, unit: str, document: str) -> Formula | None:
+    """Return a number of times a letter or an angle as a formula, None where the unit is no letter."""
     if not unit or not size:
         return Number(size)
     if is_of_degrees(unit):
         return Product((Number(size / 180), Constant("pi")))
-    name = canonical_name(unit)
+    name = letter_in(document, unit)
+    if name is None:
+        return None
     return Product((Number(size), Constant("pi") if name == "pi" else Name(name)))
 
 

@@ -10,7 +10,19 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from symbalance.document.formula import Call, Derivative, Formula, Name, Negative, Number, names, walk
+from symbalance.document.formula import (
+    Call,
+    Constant,
+    Derivative,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Product,
+    names,
+    walk,
+)
+from symbalance.document.letters import plain_letter
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.tree_values import names_behind
@@ -22,6 +34,11 @@ from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.verdicts import CONDITION, DEFINITION, PREMISE, RANGE
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.text import lazy_patterns as re
+
+_ANGLE = re.compile(
+    r"[\s$]*(?P<degrees>[0-9]{1,3}(?:\.[0-9]{1,4})?)\s?(?:°|\^\s?\\circ(?![A-Za-z])|\^\s?\{\s?\\circ\s?\})"
+)
 
 
 def decide_consequence(
@@ -206,6 +223,8 @@ def _equation_after_equation(
     lost = solution_lost(first, second, knowledge)
     if sections.is_equivalence(chain):
         return _equivalence(first, second, lost, decision, knowledge)
+    if lost is not None and decision.is_proved and (other := _ANGLE.match(sections.behind_or(chain))):
+        return _with_other_angle(Fraction(other["degrees"]), first, second, decision, knowledge)
     if lost is not None and decision.is_proved:
         return _where_nothing_vanishes(lost, first, second, decision, knowledge)
     if lost is None or decision.status != PREMISE or _differs_in_sign(lost, second):
@@ -216,6 +235,28 @@ def _equation_after_equation(
     if not is_free or is_one:
         return decision
     return replace(decision, status=UNDECIDED, reason=_too(lost, first))
+
+
+def _with_other_angle(
+    degrees: Fraction,
+    first: tuple[Formula, Formula],
+    second: tuple[Formula, Formula],
+    decision: Decision,
+    knowledge: Knowledge,
+) -> Decision:
+    """Refute the second of two angles said to solve an equation: tan θ = -1, θ = 135° or 225°."""
+    head, angle = second[0], Product((Number(degrees / 180), Constant("pi")))
+    if not isinstance(head, Name):
+        return decision
+    try:
+        left, right = (substitute(node, head.name, angle) for node in first)
+    except NoFormError:
+        return decision
+    if degrees.denominator == 1 and decide_equality(left, right, knowledge).status == REFUTED:
+        return Decision(
+            REFUTED, f"{plain_letter(head.name)} = {degrees}° does not satisfy {_text(first)}"
+        )
+    return decision
 
 
 def _equivalence(

@@ -31,8 +31,9 @@ from symbalance.document.formula import (
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.sums import at_index
 from symbalance.notes.checking.deciding.substitution import substitute
-from symbalance.notes.reading import ReadingError, canonical_name, read_expression
+from symbalance.notes.reading import ReadingError, read_expression
 from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side
+from symbalance.notes.reading.letters.macro_letters import letter_in
 from symbalance.text import lazy_patterns as re
 
 _INDEX = re.compile(r"(?P<stem>.+_)(?P<index>[ijkn]|nu|[0-9]{1,2})")
@@ -181,9 +182,8 @@ class _Tables:
 
     def _stem(self, text: str) -> str:
         """Return δ_ for a head δ_k, δ_i or δ, where the page uses δ_k."""
-        try:
-            name = canonical_name(text)
-        except ReadingError:
+        name = letter_in(self.page.text, text)
+        if name is None:
             return ""
         match = _INDEX.fullmatch(name)
         stem = match["stem"] if match else f"{name}_"

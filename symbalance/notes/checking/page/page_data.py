@@ -23,8 +23,8 @@ from symbalance.notes.checking.page.indexed_data import (
     rows_of_values,
     tables_of_values,
 )
-from symbalance.notes.reading import ReadingError, canonical_name
 from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side
+from symbalance.notes.reading.letters.macro_letters import letter_in
 from symbalance.notes.reading.units import scale_of
 from symbalance.text import lazy_patterns as re
 
@@ -187,11 +187,8 @@ class _Reader:
             text = beside["letter"]
             if scale_of(unit) is None:
                 return None
-        try:
-            name = canonical_name(_bare(text))
-        except ReadingError:
-            return None
-        return (name, unit) if self._is_letter(name, cell.span[0]) else None
+        name = letter_in(self.notes.text, _bare(text))
+        return (name, unit) if name and self._is_letter(name, cell.span[0]) else None
 
     def _is_letter(self, name: str, place: int) -> bool:
         """Tell whether a name is one of the page's letters: in a formula, or declared."""

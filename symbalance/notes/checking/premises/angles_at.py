@@ -14,6 +14,7 @@ from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.relations import written_out
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 from symbalance.notes.checking.premises.system import Premise
@@ -42,7 +43,11 @@ def changes_sign_nearby(condition: Premise, name: str, value: Formula, knowledge
     level = list(knowledge.levels(condition.left, rational_node(Fraction(0))))[-1]
     values = {n: node for n, node in level.values.items() if n != name}
     meaning = replace(knowledge.meaning, values=values)
-    gap, signs = Sum((condition.left, Negative(condition.right))), set[bool]()
+    signs = set[bool]()
+    try:
+        gap = written_out(Sum((condition.left, Negative(condition.right))), knowledge, name)
+    except (NoFormError, TooLargeError):
+        return True
     for step in (Fraction(-1, 60), Fraction(1, 60)):
         moved = substitute(gap, name, Sum((value, rational_node(step))))
         points = sample_trees([moved], meaning)
@@ -66,8 +71,11 @@ def solves_as_printed(condition: Premise, name: str, value: Formula, knowledge: 
     for choice in product((1, -1), repeat=sum(len(found) for _, found in numbers)):
         steps = iter(choice)
         moved = [_moved(part, found, steps) for part, found in numbers]
-        gap = substitute(Sum((moved[1], Negative(moved[2]))), name, moved[0])
-        points = sample_trees([gap], meaning)
+        try:
+            gap = written_out(Sum((moved[1], Negative(moved[2]))), knowledge, name)
+            points = sample_trees([substitute(gap, name, moved[0])], meaning)
+        except (NoFormError, TooLargeError):
+            return None
         if not points:
             return None
         if any(abs(row[0]) < EXACTLY for _, row in points):

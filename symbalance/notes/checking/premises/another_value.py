@@ -24,7 +24,7 @@ from symbalance.notes.algebra.tree_values import letters_behind, names_behind, s
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
-from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.relations import decide, written_out
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.premises.definitions import Definitions
@@ -466,7 +466,11 @@ def _is_no_other_root(
         return False
     for premise in definitions.premises_at(chain.lines[0]):
         if premise.names == {name}:
-            left, right = (lone_side(substitute(n, name, value)) for n in (premise.left, premise.right))
+            try:
+                sides = [written_out(side, knowledge, name) for side in (premise.left, premise.right)]
+                left, right = (lone_side(substitute(side, name, value)) for side in sides)
+            except (NoFormError, TooLargeError):
+                continue  # what cannot be put in proves nothing of this value
             if decide(left, right, "=", knowledge).status == REFUTED:
                 return True
     return False

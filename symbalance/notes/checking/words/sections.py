@@ -726,6 +726,11 @@ class Sections:
         before = text[max(0, start - 20) : start].rstrip(_OPENING)
         return bool(_OR_BEHIND.match(text, chain.end) or _OR_BEFORE.search(before))
 
+    def behind_or(self, chain: Chain) -> str:
+        """Return the line behind the "or" that follows a relation: 315° of θ = 135° or 315°; else ""."""
+        match = _OR_BEHIND.match(self.document.text, chain.end)
+        return "" if match is None else self.document.text[match.end() :].partition("\n")[0]
+
     def is_equivalence(self, chain: Chain) -> bool:
         """Tell whether a relation is said to be equivalent to the one before it: ⇔, if and only if."""
         return _EQUIVALENT.fullmatch(self._between(chain)) is not None

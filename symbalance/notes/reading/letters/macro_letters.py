@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.letters.letter_names import canonical_name
 from symbalance.notes.reading.markup.macros import definitions_in, expand_macros
 from symbalance.text import lazy_patterns as re
@@ -30,3 +31,15 @@ def letters_of(document: str) -> Callable[[str], str]:
         return canonical_name(text if expanded is None else expanded.text)
 
     return letter
+
+
+def letter_in(document: str, text: str) -> str | None:
+    r"""Return the name of a letter as a document spells it, None for what is no letter there.
+
+    >>> letter_in(r"\newcommand{\crank}{\varphi}", r"\crank"), letter_in("", r"\crank")
+    ('varphi', None)
+    """
+    try:
+        return letters_of(document)(text)
+    except ReadingError:
+        return None
