@@ -33,6 +33,8 @@ EAST_ASIAN = r"""\usepackage{iftex}
 \fi
 """
 """A sheet is a picture of its words: codes in their place, as a table may have them, are of no use."""
+_DEBIAN = {"luatexja": "texlive-lang-japanese", "tikz.sty": "texlive-pictures"}
+"""What a TeX may come without, and Debian's package that has it."""
 _BEGIN = r"""\pagestyle{empty}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{0pt}
@@ -85,8 +87,9 @@ def sheets_pdf(drawings: Sequence[Drawing]) -> bytes:
             said = re.search(r"^! (.*)", log, re.MULTILINE)
             words = said[1].removeprefix("Package symbalance Error: ") if said else ""
             rule = f"stopped: {brief(words) if words else 'without a message'}"
-            if "luatexja" in words:
-                remedy = "apt-get install texlive-lang-japanese, or write .svg"
-                raise MissingPartError(Path(program).name, rule, remedy)
+            for part, package in _DEBIAN.items():
+                if part in words:
+                    remedy = f"apt-get install {package}, or write .svg"
+                    raise MissingPartError(Path(program).name, rule, remedy)
             raise SymbalanceError(Path(program).name, rule, "write .tex or .svg instead")
         return pdf.read_bytes()

@@ -173,6 +173,15 @@ def test_without_tex_a_pdf_is_refused_in_a_line(monkeypatch: pytest.MonkeyPatch)
         sheet(sb.load("inline-3")).pdf()
 
 
+def test_a_missing_tikz_is_said_with_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    log = b"! LaTeX Error: File `tikz.sty' not found.\n"
+    stopped = subprocess.CompletedProcess(["pdflatex"], 1, stdout=log)
+    monkeypatch.setattr(sheet_files, "which", lambda name: name)
+    monkeypatch.setattr(sheet_files.subprocess, "run", lambda *given, **also: stopped)
+    with pytest.raises(MissingPartError, match="apt-get install texlive-pictures, or write"):
+        sheet(sb.load("inline-3")).pdf()
+
+
 @pytest.mark.slow
 def test_japanese_names_are_whole_or_refused() -> None:
     engine = sb.inline("1-3-2", ratio=4, name="横置き")
