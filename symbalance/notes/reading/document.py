@@ -50,7 +50,11 @@ from symbalance.notes.reading.formulas.result_units import (
     with_rounded_results,
 )
 from symbalance.notes.reading.formulas.second_values import with_second_values
-from symbalance.notes.reading.formulas.unit_places import with_unit_of_whole, with_units_of_divisors
+from symbalance.notes.reading.formulas.unit_places import (
+    with_unit_of_range,
+    with_unit_of_whole,
+    with_units_of_divisors,
+)
 from symbalance.notes.reading.letters.letter_names import matching_brace
 from symbalance.notes.reading.markup.type_settings import with_styles_blank
 from symbalance.notes.reading.passages.continued_lines import goes_on_below, goes_on_from
@@ -512,7 +516,8 @@ class Assembler:
         explained = self._explained_letters(draft, names) if is_formula else frozenset[str]()
         if free is not None:
             free |= explained
-        for place, typed in enumerate(draft.sides):
+        typed_sides = with_unit_of_range(draft.sides, [sign.value for sign in draft.signs])
+        for place, typed in enumerate(typed_sides):
             sides.append(None)
             tokens = with_units_of_divisors(typed)
             if place in draft.failures:
@@ -524,7 +529,8 @@ class Assembler:
                 draft.failures[place] = failure
                 continue
             draft.notes.extend(note for note in notes if note not in draft.notes)
-            sides[-1] = as_printed(Side(readings, (tokens[0].start, tokens[-1].end)), tokens)
+            span = draft.sides[place][0].start, draft.sides[place][-1].end
+            sides[-1] = as_printed(Side(readings, span), tokens)
         sides, notes = in_unit_of_result(sides, draft.sides, self.text)
         sides = with_unit_of_whole(
             sides,

@@ -30,6 +30,7 @@ from symbalance.notes.reading.letters.primed_rates import with_dots_for_primes
 from symbalance.notes.reading.letters.scanned_letters import with_scanned_letters
 from symbalance.notes.reading.letters.segments import with_segments
 from symbalance.notes.reading.letters.short_greek import with_short_greek
+from symbalance.notes.reading.letters.sigma_sums import with_sigma_sums
 from symbalance.notes.reading.letters.turned_scripts import with_scripts_in_order
 from symbalance.notes.reading.markup.ascii_math import with_ascii_math
 from symbalance.notes.reading.markup.frames_and_overlaps import with_frames_opened
@@ -172,6 +173,7 @@ def prepare(
         with_times_in_one,
     ):
         reader.apply(rewrite(reader.text))
+    reader.apply(with_sigma_sums(reader.text, is_letter))
     if kind != "tex":
         reader.apply_noted(with_short_greek(reader.text, is_letter))
         reader.apply(with_greek_words(reader.text, is_letter))
@@ -187,11 +189,10 @@ def prepare(
     if has_dollars:
         reader.apply(with_units_between_dollars(reader.text))
     reader.apply_noted(with_ranges(reader.text))
-    current, origin = reader.text, reader.origin
-    current, formulas, codes = _masked(current, kind)
+    current, formulas, codes = _masked(reader.text, kind)
     refusals = tuple(sorted(macros.refusals.items()))
     return Source(
-        current, kind, tuple(formulas), tuple(codes), origin, refusals, reader.notes, own_letters
+        current, kind, tuple(formulas), tuple(codes), reader.origin, refusals, reader.notes, own_letters
     )
 
 

@@ -73,7 +73,7 @@ USUAL_SCALES = tuple(
 )
 """What the usual units multiply a number by that is typed without one."""
 _TURNS = {**dict.fromkeys(words("rpm 1/min min^-1 r/min rev/min U/min tr/min Umin^-1"), Fraction(1, 30))}
-_TURNS |= dict.fromkeys(words("Umdr/min Umd/min U/Min r.p.m. rpm."), Fraction(1, 30))
+_TURNS |= dict.fromkeys(words("Umdr/min Umd/min U/Min r.p.m. rpm. cpm"), Fraction(1, 30))
 _PRESSURES = {
     f"{pound}/{length}^2": _OTHER["lbf"] / size**2
     for pound in ("lb", "lbs")

@@ -103,27 +103,30 @@ _TYPED_NUMBER = re.compile(r"[\s$(]*(?P<digits>[0-9]+(?:\.[0-9]+)?)(?![0-9.,]*[0
 
 
 def _is_same_turning(left: Side, right: Side, document: ReadNotes) -> bool:
-    """Tell whether a speed in turns is written in another unit: 1500 rpm = 25 rev/s = 157 rad/s."""
+    """Tell whether a speed in turns is written in another unit: 1500 rpm = 25 rev/s = 157 rad/s.
+
+    5.84 Hz = 350 rpm counts cycles; 5.84 Hz = 36.7 rad/s leaves out a 2π, or means ω: it is not for here.
+    """
     speeds = [_turning_speed(side, document) for side in (left, right)]
     first, second = speeds
-    if first is None or second is None or not first[2]:
+    if first is None or second is None or first[2] == "rad/s" or {first[2], second[2]} == {"Hz", "rad/s"}:
         return False
     exact, shown, half = first[0], second[0], second[1]
     return abs(exact - shown) <= half * (1 + 1e-9) and half < abs(shown) / FEWEST_DIGITS
 
 
-def _turning_speed(side: Side, document: ReadNotes) -> tuple[float, float, bool] | None:
-    """Return a typed speed in rad/s with half a unit of its last digit, and whether turns are counted."""
+def _turning_speed(side: Side, document: ReadNotes) -> tuple[float, float, str] | None:
+    """Return a typed speed in rad/s with half a unit of its last digit, and its unit."""
     source = document.source(side.span)
     number, (has_number, words) = _TYPED_NUMBER.match(_SPACED.sub("", source)), written_unit(source)
     sign = sign_of_unit(words) if has_number and words else ""
     scale = scale_of(sign) if sign else None
-    is_turning = scale is not None and (scale[1] or sign == "rad/s") and sign != "deg"
+    is_turning = scale is not None and (scale[1] or sign in ("rad/s", "Hz")) and sign != "deg"
     if number is None or scale is None or not is_turning:
         return None
-    size = float(scale[0]) * (math.pi if scale[1] else 1)
+    size = float(scale[0]) * (math.pi if scale[1] else math.tau if sign == "Hz" else 1)
     decimals = len(number["digits"].partition(".")[2])
-    return float(number["digits"]) * size, 0.5 * 10.0**-decimals * size, scale[1]
+    return float(number["digits"]) * size, 0.5 * 10.0**-decimals * size, sign
 
 
 def _with_every_ton(first: Quantity, second: Quantity) -> list[tuple[Quantity, Quantity]]:

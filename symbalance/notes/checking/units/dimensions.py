@@ -29,6 +29,8 @@ Dimension = tuple[Fraction, ...]
 """Exponents of kg, m, s, K and A."""
 _BASE = ("kg", "m", "s", "K", "A")
 NONE: Dimension = (Fraction(0),) * len(_BASE)
+FEWEST_OF_AN_AMOUNT = 10
+"""Before a sine: 1 - 2 cos θ is a number, 180 sin θ may be newton metres."""
 LARGEST_PLAIN = 64
 """A whole number up to it is a factor of the formula; 1000 may be a change of unit."""
 
@@ -339,12 +341,19 @@ class Dimensions:
             return of_sums if declared is None else declared
         result = self.rounded.get(name)
         nodes = [node for node in (value, result) if node is not None and self.is_of_units(node)]
-        if not nodes and not (meaning is None and names(value)):
+        if not nodes and not (meaning is None and names(value) and not _is_wave_of_amounts(value)):
             return of_sums
         try:
             return self.of(nodes[0] if nodes else value, depth)
         except _MismatchError:
             return None  # said where it is defined
+
+
+def _is_wave_of_amounts(value: Formula) -> bool:
+    """Tell whether a value is a wave with amounts before it, 220 + 180 sin 2θ: its unit may go unsaid."""
+    outside = list(_outside_calls(value))
+    has_amount = any(isinstance(p, Number) and abs(p.value) >= FEWEST_OF_AN_AMOUNT for p in outside)
+    return has_amount and not any(isinstance(part, formula.Name) for part in outside)
 
 
 def _outside_calls(node: Formula) -> Iterator[Formula]:
@@ -355,8 +364,12 @@ def _outside_calls(node: Formula) -> Iterator[Formula]:
 
 
 def is_open(node: Formula, source: str) -> bool:
-    """Tell whether a side is only numbers, or writes units itself, which reading has made factors."""
-    return not names(node) or _WRITTEN_UNIT.search(source) is not None
+    """Tell whether a side is only numbers, or writes units itself, which reading has made factors.
+
+    Numbers before sines are such, 180 sin 2θ - 60 cos 2θ.
+    """
+    has_no_unit = not names(node) or _is_wave_of_amounts(node)
+    return has_no_unit or _WRITTEN_UNIT.search(source) is not None
 
 
 def _number(dimensions: Dimensions, node: Number, depth: int) -> Dimension | None:

@@ -309,8 +309,16 @@ def _in_unit_of_result(
             bare = rest[0] if len(rest) == 1 else Product(tuple(rest))
     if bare is None:
         return None
-    there = decide(left, Side((bare,), right.span), chain.relations[k].sign, knowledge)
+    sign = chain.relations[k].sign
+    there = decide(left, Side((bare,), right.span), sign, knowledge)
+    if not there.is_proved and isinstance(bare, Number) and _is_whole_of_two_digits(bare):
+        rounded = Number(bare.value, Fraction(1))  # 350/6 = 58 rpm
+        there = decide(left, Side((rounded,), right.span), sign, knowledge)
     return replace(there, assumptions=(*there.assumptions, "numbers in the unit of the result"))
+
+
+def _is_whole_of_two_digits(number: Number) -> bool:
+    return number.value.denominator == 1 and abs(number.value) >= FEWEST_COUNTED
 
 
 def _by_the_minute(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:

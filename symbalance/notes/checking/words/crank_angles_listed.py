@@ -16,7 +16,7 @@ from symbalance.notes.checking.words.case_words import engine_named
 from symbalance.text import lazy_patterns as re
 
 _NUMBER = r"[0-9]{1,3}(?:\.[0-9]+)?"
-_DEGREE = r"(?:\s?(?:°|º|\^\s*\{?\s*\\circ\s*\}?|\\degree|\\textdegree|Grad|degrees?|deg|度))"
+_DEGREE = r"(?:\s?(?:°|º|\^\s*\{?\s*\\circ\s*\}?|\\degree|\\textdegree|\$?\s?(?:Grad|degrees?|deg|度)))"
 _ANGLE = re.compile(
     rf"\\ang\{{(?P<ang>{_NUMBER})\}}"
     rf"|\\[dt]?frac\s*\{{(?P<above>{_NUMBER})?\s*(?:\\pi|π)\s*\}}\s*\{{(?P<below>{_NUMBER})\}}"
@@ -28,7 +28,7 @@ _SEPARATOR = re.compile(
     r"(?:[,;、，/|&–—-]|(?<=[\s$])(?:and|und|et|bzw\.)(?=[\s$\\]))"
     r"(?:\s|\\[,;: ]|~|\$|(?:and|und|et)(?=[\s$\\]))*"
 )
-_STARTS = re.compile(r"(?<![\w.^{=\\(])(?:(?<=\$)|(?<=\{)|)(?=0|\\ang\{0)|(?<=[($（])(?=0)")
+_STARTS = re.compile(r"(?<![\w.^{=\\(])(?:(?<=\$)|(?<=\{)|)(?=0|\\ang\{0)|(?:(?<=[($（])|(?<=\\\{))(?=0)")
 _OF_CRANKS = re.compile(
     r"crank|throw|cylind|phase|offset|kröpfung|hubzapfen|kurbel|zylind|versatz|stern|manivelle|maneton"
     r"|vilebrequin|気筒|クランク|シリンダ|\b[1-9][0-9]?-?cyl"

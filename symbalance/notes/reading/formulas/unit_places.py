@@ -83,6 +83,23 @@ def with_units_of_divisors(tokens: Sequence[Token]) -> list[Token]:
     return done
 
 
+def with_unit_of_range(sides: Sequence[Sequence[Token]], signs: Sequence[str]) -> list[list[Token]]:
+    """Return the sides of a range with the unit of its last number at the first: 52 < n < 64 rpm.
+
+    The first number has none of its own, and is not 0, which needs none.
+    """
+    done = [list(tokens) for tokens in sides]
+    if len(done) != 3 or not (set(signs) <= {"<", "≤"} or set(signs) <= {">", "≥"}):
+        return done
+    (first, *others), (last, *unit) = done[0] or [None], done[2] or [None]
+    if first is None or last is None or others or {first.kind, last.kind} != {"number"}:
+        return done
+    has_unit = last.scale is not None or [token.kind for token in unit] == ["degree"]
+    if first.scale is None and first.number and has_unit:
+        done[0] = [replace(first, scale=last.scale), *unit]
+    return done
+
+
 def _ends_in_unit(tokens: Sequence[Token]) -> bool:
     """Tell whether tokens end in a quantity with its unit and a stroke."""
     if len(tokens) < 2 or not tokens[-1].is_op("/"):
