@@ -3,6 +3,7 @@
     | crank radius | $r$ | 45 mm |        a letter and its value, with a unit here or in the next cell
     | $r$ | $l$ |  over  | 45 mm | 150 mm |
     - crank radius $r$: 45 mm
+    the mass $m$ is 0.5 kg                in a sentence
     r, l = 0.045, 0.150                   in program code
 
 Each becomes the chain r = 45 mm, at its place. Nothing is taken that may be read in two ways: a letter
@@ -23,6 +24,7 @@ from symbalance.notes.checking.page.indexed_data import (
     rows_of_values,
     tables_of_values,
 )
+from symbalance.notes.checking.page.values_in_prose import GivenInProse, values_in_prose
 from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side
 from symbalance.notes.reading.letters.macro_letters import letter_in
 from symbalance.notes.reading.units import scale_of
@@ -96,6 +98,7 @@ def data_of(notes: ReadNotes, symbols_at: Symbols) -> tuple[Chain, ...]:
     chains = [
         *reader.of_tables(),
         *reader.of_items(),
+        *reader.of_prose(),
         *reader.of_code(),
         *rows_of_values(notes, used),
         *instances_of_rules(notes, used),
@@ -149,6 +152,21 @@ class _Reader:
                 chain = self._chain(own[0], letter, _Cell(match["value"], match.span("value")), own[1])
                 if chain is not None:
                     yield chain
+
+    def of_prose(self) -> Iterator[Chain]:
+        """Yield the data of sentences: the mass $m$ is 0.5 kg."""
+        for given in values_in_prose(self.notes, self._letter_given):
+            letter = _Cell(given.letter, given.letter_span)
+            name = self._letter_given(given)
+            chain = self._chain(name, letter, _Cell(given.value, given.value_span), "") if name else None
+            if chain is not None:
+                yield chain
+
+    def _letter_given(self, given: GivenInProse) -> str | None:
+        bare = _bare(given.letter)
+        spellings = (bare, f"{bare[0]}_{{{bare[1:]}}}") if bare.isalpha() and len(bare) > 1 else (bare,)
+        names_of_it = (letter_in(self.notes.text, spelling) for spelling in spellings)
+        return next((n for n in names_of_it if n and self._is_letter(n, given.letter_span[0])), None)
 
     def of_code(self) -> Iterator[Chain]:
         """Yield the numbers that program code gives to letters of the page."""

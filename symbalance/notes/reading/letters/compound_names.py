@@ -30,8 +30,15 @@ _GREEK = "".join(sign for sign in (*GREEK_SIGN.values(), *NAME_OF_SIGN) if sign 
 _LETTER = f"A-Za-z{_GREEK}"
 _EQUALS = r"(?=[ \t]*(?:=(?![=>])|[≈≒≃]))"
 _HEAD = re.compile(
-    rf"(?<![A-Za-z0-9_À-ÿ\\^}}'′’{_GREEK}])(?P<base>[{_LETTER}])(?P<suffix>[A-Za-z]{{1,4}}){_EQUALS}"
+    rf"(?<![A-Za-z0-9_À-ÿ\\^}}'′’{_GREEK}])(?P<base>[{_LETTER}])(?P<suffix>[A-Za-z]{{1,4}}|[A-Za-z]{{1,3}}[0-9]){_EQUALS}"
 )
+_NAMED = re.compile(
+    r"(?:mass(?:es?)?|masses?|Massen?|massa|masa|radius|rayon|Radius|raggio|radio|length|longueur|Länge"
+    r"|force|Kraft|forza|fuerza|stroke|course|Hub|corsa|carrera)[ ]"
+    r"(?P<base>[A-Za-z])(?P<suffix>[a-z]{1,2})"
+    r"(?=[ ](?:vaut|valent|est|is|was|ist|beträgt|vale|es|of|de|du|von|di|und|and|et|e|y)[ ]|[,:;)]| \()"
+)
+"""A name behind the noun that says what it is: la masse ma vaut 0,5 kg."""
 _BEFORE = re.compile(
     rf"(?:^|(?:^|\s)\(?[a-z0-9]{{1,2}}\)|[.,:;(、。，：；|`\ue000]|[^\W\d_{_GREEK}]{{2,}}\.?"
     r"|[\u2e80-\u9fff])[ \t]*$"
@@ -58,8 +65,9 @@ _SIGNED_PRODUCT = re.compile(
 )
 _BESIDE_STAR = re.compile(
     r"(?:(?<=[0-9A-Za-z)]\*)|(?<=[0-9A-Za-z)] \* ))"
-    r"(?P<base>[A-Za-z])(?P<suffix>[A-Za-z]{1,3})(?![A-Za-z_{(0-9])"
-    r"|(?<![A-Za-z\\_{])(?P<first>[A-Za-z])(?P<rest>[A-Za-z]{1,3})(?=\*[0-9A-Za-z(]| \* [0-9A-Za-z(])"
+    r"(?P<base>[A-Za-z])(?P<suffix>[A-Za-z]{1,3}[0-9]?)(?![A-Za-z_{(0-9])"
+    r"|(?<![A-Za-z\\_{])(?P<first>[A-Za-z])(?P<rest>[A-Za-z]{1,3}[0-9]?)"
+    r"(?=\*[0-9A-Za-z(]| \* [0-9A-Za-z(])"
 )
 """A run of letters beside a typed star, pme*Vh: on a page that types all its products it is one name."""
 _IN_FORMULA = re.compile(r"[ \t]*[²³^·・*×⋅/+−=≈≒≃)]|[ \t]*-[ \t]*\S")
@@ -117,7 +125,12 @@ def with_compound_names(
         is_declared = is_letter(_canonical(name), line)
 
         def is_known(letter: str, at: int = line) -> bool:
-            return letter in known or letter in _TIMES or is_letter(NAME_OF_SIGN.get(letter, letter), at)
+            return (
+                letter.isdecimal()
+                or letter in known
+                or letter in _TIMES
+                or is_letter(NAME_OF_SIGN.get(letter, letter), at)
+            )
 
         is_product = all(map(is_known, name.spelling)) and name.suffix not in _EXTREMES
         is_product = is_product and not _is_diameter(name, plain)
@@ -172,6 +185,12 @@ def _candidates(plain: str, is_letter: Callable[[str, int], bool]) -> list[_Name
         earlier.is_defined_by_kin = earlier.is_defined_by_kin or name.is_defined_by_kin
         if len(first) >= MOST_NAMES:
             break
+    for match in _NAMED.finditer(plain):
+        name = _Name(match["base"], match["suffix"], match.start("base"))
+        line = plain.count("\n", 0, match.start()) + 1
+        is_used = any(_stands_in_formula(plain, *span) for span in _uses(name, plain))
+        if is_used and not _has_other_meaning(name.spelling) and not is_letter(name.spelling, line):
+            first.setdefault(name.spelling, name)
     spellings = "|".join(first)
     runs = re.compile(rf"(?:{spellings}){{2,}}")
     return [name for name in first.values() if not runs.fullmatch(name.spelling)]
@@ -218,6 +237,7 @@ def _is_diameter(name: _Name, plain: str) -> bool:
 
 def _has_other_meaning(spelling: str) -> bool:
     """Tell whether a spelling is a function, a unit or a Greek letter written out."""
+    spelling = spelling.rstrip("0123456789")
     is_letter = spelling in GREEK_SIGN or spelling in SHORT_NAMES or spelling == "pi"
     is_function = spelling.lower() in FUNCTION_WORDS or spelling[1:] in FUNCTION_WORDS
     return is_letter or is_function or scale_of(spelling) is not None

@@ -1,0 +1,100 @@
+"""Values that sentences give to letters: the mass $m$ is 0.5 kg, a radius r of 45 mm, r beträgt 45 mm.
+
+Only of a letter that no relation of the page gives or works out, and to which the sentences give one
+value: what a page computes is a result, and two values are two cases. Of a maximum or a mean nothing is
+taken, since the letter is not always that, nor of what is said of a case.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from symbalance.document.formula import Name, Span
+from symbalance.notes.reading.equations import ReadNotes
+from symbalance.notes.reading.units import scale_of
+from symbalance.text import lazy_patterns as re
+
+_SUBSCRIPT = r"(?:_\{[A-Za-z0-9,]{1,8}\}|_[A-Za-z0-9]|[₀-₉])?"
+_LETTER = (
+    r"(?:\$\s*(?P<dollars>\\?[A-Za-z]{1,12}(?:_\{?[A-Za-z0-9,\\ {}]{1,14}\}?)?)\s*\$"
+    r"|\\\(\s*(?P<bracket>\\?[A-Za-z]{1,12}(?:_\{?[A-Za-z0-9,]{1,8}\}?)?)\s*\\\)"
+    rf"|(?<=[a-zäöüßé]{{3}}[ ])(?P<plain>[A-Za-zα-ωΑ-Ω](?:[a-z]{{1,2}}|{_SUBSCRIPT}))(?![A-Za-z])"
+    rf"|(?<=[\u3041-\u9fff])[ ]?(?P<after_sign>[A-Za-zα-ωΑ-Ω]{_SUBSCRIPT})(?![A-Za-z]))"
+)
+_GIVES = (
+    r"(?:[ ~\n](?:is|of|equals|measures|ist|beträgt|von|mit|misst|vaut|est(?:[ ]de)?|de|mesure|vale"
+    r"|è(?:[ ]di)?|di|es(?:[ ]de)?|mide)[ ~\n]|[ ]?[はがを][ ]?|[ ]\((?=[^()\n]{1,24}\)))"
+)
+_GIVEN = re.compile(
+    rf"{_LETTER}{_GIVES}\$?(?P<number>[0-9]+(?:(?:[.,]|\{{,\}})[0-9]+)?)\$?"
+    r"(?=(?P<behind>[^\n]{0,40}(?:\n[^\n]{0,20})?))"
+)
+_SETTING = re.compile(r"\\(?:mathrm|text|textrm|rm)(?![A-Za-z])|[{}$]|\\[,;: ]|~")
+_POWER, _END = r"(?:\^?-?[0-9]|[²³])?", r"(?=[\s,.;:)、。のでにとをは]|$)"
+_WORD = rf"[A-Za-zµΩ][A-Za-z]{{0,4}}{_POWER}"
+_UNIT = re.compile(
+    rf"\s*(?P<unit>°|%|{_WORD}(?:[ ]?[/·][ ]?[A-Za-z]{{1,4}}{_POWER}|[ ][A-Za-z]{{1,2}}{_POWER})?){_END}"
+)
+_FIRST_OF_UNIT = re.compile(rf"\s*(?P<unit>{_WORD}){_END}")
+_GOES_ON = re.compile(
+    r"\s*(?:[-+−±·*×/^=<>≈≤≥]|\\(?:cdot|times|pm)|(?:less|more|greater|larger|smaller|higher|lower|longer"
+    r"|shorter|times|too|above|below|behind|before|after|ahead|apart|to|or|oder|bis|ou|mehr|weniger"
+    r"|größer|kleiner|höher|länger|kürzer|plus|moins|más|più|per|by)(?![A-Za-z])|[より])"
+)
+_OF_A_CASE = re.compile(
+    r"(?:\bmax|\bmin|\bpeak|\bmean\b|\baverage|amplitude|\blargest|\bsmallest|\bgreatest|\bmittler|höchst|größt"
+    r"|kleinst|moyen|medi[oa]|\bif\b|\bwhen\b|\bwhere\b|\bfor\b|\bwenn\b|\bfalls\b|\bfür\b|\bsi\b|\bpour\b"
+    r"|\binstead|\bwere\b|\bwould\b|\bsuppose|change|difference|error|ratio|multiple|fraction|\bhalf\b|\btwice"
+    r"|\bnot\b|nicht|平均|最大|最小|とき|なら)",
+    re.IGNORECASE,
+)
+_CLAUSE = re.compile(r"(?:[.!?;。；]\s|\n\s*\n|。)")
+_LONGEST_CLAUSE = 120
+
+
+@dataclass(frozen=True, slots=True)
+class GivenInProse:
+    """A letter and the value that a sentence gives it, with their places in the page."""
+
+    letter: str
+    letter_span: Span
+    value: str
+    value_span: Span
+
+
+def values_in_prose(
+    page: ReadNotes, letter_of: Callable[[GivenInProse], str | None]
+) -> Iterator[GivenInProse]:
+    """Yield the values that sentences give; `letter_of` names the letter, None for what is no letter."""
+    own = {side.node.name for chain in page.chains for side in chain.sides if isinstance(side.node, Name)}
+    given: dict[str, list[GivenInProse]] = {}
+    for found in _given(page.text):
+        name = letter_of(found)
+        if name is not None:
+            given.setdefault(name, []).append(found)
+    for name, values in given.items():
+        if name not in own and len({value.value for value in values}) == 1:
+            yield values[0]
+
+
+def _given(text: str) -> Iterator[GivenInProse]:
+    for match in _GIVEN.finditer(text):
+        clause = _CLAUSE.split(text[max(match.start() - _LONGEST_CLAUSE, 0) : match.start()])[-1]
+        unit, end = _unit_behind(match["behind"])
+        if _OF_A_CASE.search(clause) or _GOES_ON.match(match["behind"][end:]):
+            continue
+        group = next(n for n in ("dollars", "bracket", "plain", "after_sign") if match[n])
+        value = f"{match['number']} {unit}".strip().replace("{,}", ",")
+        value_span = match.start("number"), match.start("behind") + end
+        yield GivenInProse(match[group], match.span(group), value, value_span)
+
+
+def _unit_behind(text: str) -> tuple[str, int]:
+    """Return the unit that stands behind a number, and where it ends; "" and 0 for none."""
+    plain = _SETTING.sub(lambda match: " " * len(match[0]), text)
+    for pattern in (_UNIT, _FIRST_OF_UNIT):
+        match = pattern.match(plain)
+        if match is not None and scale_of(" ".join(match["unit"].split())) is not None:
+            return " ".join(match["unit"].split()), match.end()
+    return "", 0
