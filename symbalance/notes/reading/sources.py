@@ -62,6 +62,7 @@ from symbalance.notes.reading.spellings.tables_of_quantities import with_equatio
 from symbalance.notes.reading.spellings.times_in_parts import with_times_in_one
 from symbalance.notes.reading.spellings.units_behind_waves import with_units_of_waves
 from symbalance.notes.reading.spellings.wrapped_lines import SOFT_END, with_soft_ends
+from symbalance.notes.reading.units import height_named
 from symbalance.text import lazy_patterns as re
 
 CELL_END = "\ue000"
@@ -138,7 +139,7 @@ def prepare(
     reader.apply(with_frames_opened(reader.text))
     reader.apply(with_scripts_in_order(reader.text))
     own_letters = frozenset({"i"} if counts_by_i(reader.text) else ())
-    own_letters |= lengths_named(reader.text)
+    own_letters |= lengths_named(reader.text) | height_named(reader.text)
     own_letters |= {"d"} if means_diameter(reader.text) else frozenset()
     if means_letter(reader.text):
         own_letters |= {"e"}

@@ -144,6 +144,7 @@ _EXPLAINED = re.compile(
     rf"|(?<![A-Za-z])(?:{_SIZES})\s+(?P<second>[{_UNIT_LETTERS}])(?![\w'(])",
 )
 """Where words say what a letter is that is also the sign of a unit: N revolutions, a force W."""
+_HEIGHT = re.compile(r"(?<![A-Za-z0-9\\_/{])h[ ]?\$?[ ]?=(?!=)")
 _LITRE = re.compile(
     r"(?:[ ~\u2009\u202f]|\\[,;: ])?(?:\\mathrm\{[lL]\}|[lL])(?=[\s.,;)$=≈]|$)"
     r"(?![ ]?[A-Za-z(\\](?![A-Za-z]))"
@@ -385,6 +386,12 @@ def _litres_at(text: str, place: int, end: int) -> tuple[str, int] | None:
     return ("dm^3", match.end()) if is_of_volume(text, place) else None
 
 
+@lru_cache(maxsize=4)
+def height_named(text: str) -> frozenset[str]:
+    """Return h where a page gives it a value: no hours stand in b = 1.5 h then."""
+    return frozenset({"h"}) if _HEIGHT.search(text) else frozenset()
+
+
 class _PlainUnit:
     """What may be a unit behind a number, with what speaks for it."""
 
@@ -400,7 +407,10 @@ class _PlainUnit:
         """Tell whether the word is a unit where these letters are declared."""
         long_parts = [part for part in self.parts if len(part) > 1]
         is_own = (
-            self.parts[0] == "us" or self._is_own_letter_in_brackets() or self._is_letter_of_formulas()
+            self.parts[0] == "us"
+            or self._is_own_letter_in_brackets()
+            or self._is_letter_of_formulas()
+            or (self.parts == ["h"] and "h" in height_named(self.text))
         )
         if is_own or any(part in names for part in long_parts):
             return False

@@ -19,6 +19,7 @@ from symbalance.notes.checking.premises.solved_premises import concerns, solve_p
 from symbalance.notes.checking.premises.system import Premise, implied, lines_of
 from symbalance.notes.checking.premises.witness_angles import refuted_at_angles
 from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.steps.other_quantities import by_other_quantities
 from symbalance.notes.checking.steps.stated_equations import fix_letter, unless_stated
 from symbalance.notes.checking.steps.stated_matrices import fix_matrix
 from symbalance.notes.checking.verdicts import CONTRADICTION, PREMISE, REFUTED, STATED, UNDECIDED
@@ -29,6 +30,13 @@ def unless_given(
     state: JudgingState, chain: Chain, k: int, against: Side, decision: Decision, knowledge: Knowledge
 ) -> Decision:
     """Return the decision on what is no proved step: it may be given, or follow from what is."""
+    outcome = _unless_given(state, chain, k, against, decision, knowledge)
+    return by_other_quantities(state, chain, k, outcome, knowledge) or outcome
+
+
+def _unless_given(
+    state: JudgingState, chain: Chain, k: int, against: Side, decision: Decision, knowledge: Knowledge
+) -> Decision:
     left, right = chain.sides[k], chain.sides[k + 1]
     of_matrices = is_of_matrices(left.node, right.node, knowledge)
     premises = [] if of_matrices else must_follow(state.definitions, chain, k)
