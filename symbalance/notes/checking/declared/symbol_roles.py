@@ -188,6 +188,16 @@ _OF_ONE = r"(?: (?:of|per|in) (?:one|each|a|the|single) ?(?:piston|cylinder)| pe
 _RATIO_GERMAN = r"(?:schubstangen|pleuelstangen|pleuel)verh(?:ä|ae)ltnis"
 _ROD_SIZE = rf"(?:{_ROD}(?: length)?|(?:the )?length of {_ROD})"
 _CRANK_SIZE = rf"(?:{_CRANK}(?: radius)?|(?:the )?radius of {_CRANK})"
+_OVER = r"(?:over|divided by|by|to|per|durch|zu|sur|divisé par|su|sobre|diviso|÷|/)"
+_RADIUS_TERM = (
+    rf"(?:{_THE}crank (?:radius|throw)|kurbelradius|rayon (?:de (?:la )?)?manivelle"
+    r"|raggio (?:di |della )?manovella|radio (?:de (?:la )?)?(?:manivela|cigüeña))"
+)
+_ROD_TERM = (
+    rf"(?:{_ROD} length|{_THE}length of {_ROD}|pleuel(?:stangen)?länge|(?:schub)?stangenlänge"
+    r"|longueur (?:de (?:la )?)?bielle|lunghezza (?:di |della )?biella|longitud (?:de (?:la )?)?biela)"
+)
+_ALSO_NAMED = r"(?: \([^()]{1,40}\))?"
 _TOP = (
     r"(?:tdc|t\.d\.c\.|(?:the )?(?:top|upper) dead[- ](?:cent(?:re|er)|point)|(?:the )?top dead position)"
 )
@@ -287,6 +297,9 @@ _WORDINGS = tuple(
             rf"|ratio of {_CRANK_SIZE} (?:to|and) {_ROD_SIZE}(?: \(?r/l\)?)?"
             rf"|crank to {_ROD} ratio \(?r/l\)?)",
         ),
+        ("crank ratio r/l", rf"{_RADIUS_TERM} {_OVER} {_ROD_TERM}{_ALSO_NAMED}"),
+        ("rod ratio l/r", rf"{_ROD_TERM} {_OVER} {_RADIUS_TERM}{_ALSO_NAMED}"),
+        ("crank ratio r/l", r"クランク半径[/÷]?(?:と|の)?(?:連接棒|連桿|コンロッド)の?長さの?比(?:r/l)?"),
         ("crank ratio r/l", rf"{_RATIO_GERMAN} \(?r/l\)?"),
         ("rod ratio l/r", rf"{_RATIO_GERMAN} \(?l/r\)?"),
     )

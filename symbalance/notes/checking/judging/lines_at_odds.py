@@ -35,6 +35,7 @@ from symbalance.notes.reading.equations import Chain, Side
 from symbalance.text import lazy_patterns as re
 
 _DIGITS = re.compile(r"\d[\d.,]*")
+_SUM = re.compile(r"\\sum(?![A-Za-z])|[Σ∑]")
 MOST_APART = 4
 """How many times larger or smaller a number may be that somebody worked out wrongly."""
 NEAR = 2
@@ -80,6 +81,7 @@ def note_other_case(
             or (rows[-1] >= chain.lines[0] - NEAR and _is_all_declared(chain, k, knowledge))
             or (not is_result and _puts_numbers_in(chain, k, against, knowledge))
             or any(isinstance(part, Summation) for part in walk(against.node))
+            or _SUM.search(state.document.source(chain.sides[k].span)) is not None  # written out since
             or angle_there(state, chain, k, knowledge) is not None
             or (is_result and (k > 0 or is_at_number))
         )

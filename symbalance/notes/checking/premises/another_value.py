@@ -27,6 +27,7 @@ from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.relations import decide, written_out
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.declared.symbol_roles import role_of
+from symbalance.notes.checking.premises.another_prefix import ANOTHER_PREFIX, is_in_another_prefix
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.premises.impossible_values import outside_range
 from symbalance.notes.checking.premises.premise_decisions import FAR, decide_by_premises
@@ -108,11 +109,19 @@ def _define_anew(
     return _define_case_anew(definitions, name, value, earlier, chain, knowledge)
 
 
+def _is_in_another_prefix(earlier: Definition, value: Formula) -> bool:
+    """Tell whether a number is that of an earlier line, as printed there, with another prefix."""
+    printed = [node for node in (earlier.rounded, earlier.node) if node is not None]
+    return any(is_in_another_prefix(node, value) for node in printed)
+
+
 def _of_its_own_case(
     definitions: Definitions, name: str, value: Formula, chain: Chain, knowledge: Knowledge
 ) -> Decision | None:
     """Define a number that is chosen, or a formula of a listed case, and return what it is."""
     earlier, line = knowledge.definitions[name], chain.lines[0]
+    if _is_in_another_prefix(earlier, value):
+        return None  # no choice: a slip of the unit
     is_chosen = not names(value) and definitions.sections.is_chosen(chain, earlier.line)
     if is_chosen and name not in knowledge.angles:
         if outside_range(definitions, name, value, line, knowledge) is not None:
@@ -428,6 +437,9 @@ def _define_case_anew(
     refusal = refuse_case(definitions, name, value, earlier, chain, knowledge)
     if refusal is None and _is_no_other_root(definitions, name, value, chain, knowledge):
         refusal = Decision(CONTRADICTION, "no solution of the equation that the other value solves")
+    if refusal is None and _is_in_another_prefix(earlier, value):
+        reason = f"the number of line {earlier.line} {ANOTHER_PREFIX}"
+        refusal = Decision(REFUTED, reason)
     if refusal is not None:
         return refusal
     bare = without_dots(value)[0]
@@ -435,6 +447,7 @@ def _define_case_anew(
     if not names(bare) and names(earlier.node) and name not in knowledge.angles:
         end = definitions.sections.section_end(line)  # u = 2v, then u = 6: 2v is 6 here
         end = min(end, definitions.end_of_place(earlier.node, line) or end)
+        end = min(end, line) if definitions.sections.is_labelled_item(line) else end
         if turning := _turning_behind(name, earlier.node, knowledge):
             end = min(end, definitions.sections.case_end(line))  # v = 0 at one moment, and not below
         premise = Premise(earlier.node, bare, line, end)

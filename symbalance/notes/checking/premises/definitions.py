@@ -101,7 +101,8 @@ class Definitions:
         end = self.end_of_place(Name(name), line) if last_line is None and not names(node) else last_line
         if is_zero and name in self.letters_before(line):
             last = min(last or self.sections.section_end(line), self.sections.section_end(line))
-        end = min((n for n in (end, last) if n is not None), default=None)
+        own = line if self.sections.is_labelled_item(line) else None
+        end = min((n for n in (end, last, own) if n is not None), default=None)
         self._add(name, Entry(definition, self.declarations.scopes_of({name, *names(node)}, line), end))
         self._note_case(chain, frozenset({name}))
         return last_line is not None
@@ -242,6 +243,8 @@ class Definitions:
         reaches to the end of its section; on one of them, cos θ + λ cos 2θ = 0, to that of its item.
         """
         premise = replace(self.premise_of(chain, k), fixes=fixes)
+        if self.sections.is_labelled_item(premise.line):
+            premise = replace(premise, last_line=premise.line)
         symbols = self.declarations.symbols_at(premise.line)
         roles = {role_of(symbols.get(n, "")) for n in premise.names}
         is_motion = bool(roles & {*_OF_CRANK_ANGLE}) and roles <= {*_OF_CRANK_ANGLE, *CONSTANT}

@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Name, Product, names
+from symbalance.notes.checking.premises.another_prefix import ANOTHER_PREFIX, FEWEST_DIGITS
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import CONTRADICTION, REFUTED, UNDECIDED, Verdict
 from symbalance.notes.reading.equations import Chain
@@ -23,6 +24,7 @@ _OPENS = re.compile(
     r"|met|voor|dla|przy|med|för)[\s$\\(\[`*]*$|[:：][\s$\\(\[`*]*$",
     re.IGNORECASE,
 )
+_DIGITS = re.compile(r"[^0-9=]{0,8}(?P<digits>[0-9]+(?:[.][0-9]+)?)(?![0-9.,]*[0-9])")
 _GIVES = re.compile(
     r"(?:(?<![^\W\d_])(?:with|if|mit|wenn|avec|si|con|se|med|met|przy)"
     r"|(?:^|[.;:,(]\s{1,3}|\n)(?:and\s|und\s)?(?:for|für|pour|per|para|voor|dla|för)"
@@ -43,6 +45,8 @@ _RESULT = re.compile(
 
 def open_if_datum(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
     """Return a verdict; a number of an example that contradicts an equation above is undecided."""
+    if verdict.verdict == REFUTED and ANOTHER_PREFIX in (verdict.reason or ""):
+        return verdict  # a slip of the unit, whatever the example
     is_against = verdict.verdict == CONTRADICTION or (
         verdict.verdict == REFUTED and (verdict.reason or "").startswith("does not satisfy")
     )
@@ -58,6 +62,13 @@ def open_if_datum(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -
 def _given_number(state: JudgingState, chain: Chain, verdict: Verdict) -> Verdict:
     """Return that a number is given against what is known of its letter, which has it from here on."""
     head, line = chain.sides[0].node, chain.lines[0]
+    digits = [
+        _DIGITS.match(text) for text in (state.document.source(chain.sides[1].span), verdict.exact or "")
+    ]
+    typed, above = (match["digits"] if match else "" for match in digits)
+    if typed == above and len(typed) >= FEWEST_DIGITS:
+        reason = f"the number of the lines above {ANOTHER_PREFIX}"
+        return replace(verdict, verdict=REFUTED, reason=reason, fix=None)
     exact = f", {verdict.exact}" if verdict.exact else ""
     if isinstance(head, Name):
         state.definitions.forget_all(head.name)

@@ -29,18 +29,19 @@ def by_other_quantities(
     earlier = knowledge.definitions.get(head.name)
     if (
         earlier is None
-        or earlier.line >= chain.lines[0]
+        or earlier.line > chain.lines[0]
         or not names(right)
         or chain.relations[0].sign != "="
     ):
         return None
+    if earlier.rounded is not None or earlier.numeric:
+        return None  # it has its number
     values = {name: definition.node for name, definition in knowledge.definitions.items()}
     behind = [frozenset(names_behind(node, values)) for node in (earlier.node, right)]
     first, second = behind
     is_free = len(names(earlier.node)) >= FEWEST and not names(earlier.node) & values.keys()
-    if not is_free or first & second or head.name in first | second:
-        return None
-    if (first | second) & (knowledge.angles | knowledge.universal):
+    is_apart = not first & second and head.name not in first | second
+    if not (is_free and is_apart) or (first | second) & (knowledge.angles | knowledge.universal):
         return None
     tied = [premise for premise in state.definitions.premises_at(chain.lines[0]) if premise.names & first]
     if any(premise.names & second for premise in tied):

@@ -219,6 +219,10 @@ _EXCEPT_BEHIND = re.compile(r"[\s$)\]}]{0,4}(?:以外|を除)")
 _SUPPOSED = re.compile(
     r"(?<![A-Za-zÀ-ÿ])(?:would|wäre|wären|würde|würden|hätte)(?![A-Za-zÀ-ÿ])", re.IGNORECASE
 )
+_LABELLED_ITEM = re.compile(
+    r"\s*(?:[-*+•]|\\item)\s+\$?(?P<label>[0-9]{1,3}\$?\s?(?:°|\^\\circ|\^\{\\circ\}|degrees?|Grad)\$?)\s?[:：]"
+)
+"""An item that begins with the angle that it is for."""
 _ROW_OR_ITEM = re.compile(r"\s*(?:\||[-*+•]\s|[0-9]{1,3}[.)]\s|\\item|<t[dr])")
 _SPLIT_CLAUSE = re.compile(r"(?<!bzw)(?<!resp)(?<!i\.e)(?<!d\.h)(?<!\bvs)[.!?]\s|;|[。；]|\n\s*\n")
 _DISPLAY = re.compile(r"\\(?:begin|end|label|tag)\{[^{}]*\}|^[^\\\s]*\}")
@@ -620,10 +624,13 @@ class Sections:
 
     def _is_in_another_row(self, chain: Chain, earlier_line: int) -> bool:
         """Tell whether two lines are rows of one table, with a case in their first cells, and a letter
-        has its formula in the same column of both.
+        has its formula in the same column of both; or items of one list, with a case before a colon.
         """
         line = chain.lines[0]
         rows = [self._lines[n - 1] for n in (earlier_line, line)]
+        labels = [match["label"].strip() for row in rows if (match := _LABELLED_ITEM.match(row))]
+        if len(labels) == len(rows):  # * 45°: β = 315°, and below * 60°: β = 300°
+            return earlier_line < line and labels[0] != labels[1]
         between = self._lines[earlier_line - 1 : line]
         if earlier_line >= line or not all(row.lstrip().startswith("|") for row in between):
             return False
@@ -634,6 +641,10 @@ class Sections:
         own = self.document.text[chain.sides[0].span[0] : chain.sides[0].span[1]].strip()
         has_same = column < len(cells) and cells[column].strip(" $").startswith(own)
         return has_same and column > 1 and first != second and "=" not in first + second
+
+    def is_labelled_item(self, line: int) -> bool:
+        """Tell whether a line is an item of a list that begins with the angle that it is for."""
+        return _LABELLED_ITEM.match(self._lines[line - 1]) is not None
 
     def names_another_case(self, chain: Chain, earlier_line: int) -> bool:
         """Tell whether a relation's own words name other strokes, another engine, another row's case."""

@@ -61,7 +61,7 @@ def may_be_free(
     is_last = place >= len(tokens) or tokens[place].kind in ("sep", "close")
     is_word = tokens[place - 1].end - start == len(name)  # 20 psi, but 2\psi and 2ψ
     if is_last and is_word and before is not None and before.kind in ("number", "vulgar"):
-        is_letter = not scale_of(name) or (name in known and before.end == start)
+        is_letter = not scale_of(name) or (name in known and (before.end == start or name == "h"))
         return is_letter and (name != "d" or name in known)  # 3 N, but 2 m r
     is_apart = place < len(tokens) and tokens[place].start > start + 1
     return name != "d" or (name in known and is_apart) or _is_no_differential(tokens, place)
