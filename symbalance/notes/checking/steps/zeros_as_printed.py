@@ -6,6 +6,8 @@ changes its sign while each printed number of the angle moves by half of its las
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from symbalance.document.formula import Call, Formula, Name, Number, names, parts_of_kind
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
@@ -19,7 +21,7 @@ from symbalance.notes.checking.verdicts import REFUTED, Verdict
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
 
-_ZERO = Number(0)
+_ZERO = Number(Fraction(0))
 _NO_LETTER = " "
 
 

@@ -91,9 +91,14 @@ def with_unit_of_range(sides: Sequence[Sequence[Token]], signs: Sequence[str]) -
     done = [list(tokens) for tokens in sides]
     if len(done) != 3 or not (set(signs) <= {"<", "≤"} or set(signs) <= {">", "≥"}):
         return done
-    (first, *others), (last, *unit) = done[0] or [None], done[2] or [None]
-    if first is None or last is None or others or {first.kind, last.kind} != {"number"}:
+    if len(done[0]) != 1 or not done[2]:
         return done
+    first, (last, *unit) = done[0][0], done[2]
+    has_unit = last.scale is not None or [token.kind for token in unit] == ["degree"]
+    is_bare = first.kind == "number" and first.scale is None and first.number != 0
+    if is_bare and last.kind == "number" and has_unit:
+        done[0] = [replace(first, scale=last.scale), *unit]
+    return done
     has_unit = last.scale is not None or [token.kind for token in unit] == ["degree"]
     if first.scale is None and first.number and has_unit:
         done[0] = [replace(first, scale=last.scale), *unit]
