@@ -598,6 +598,8 @@ class Judge:
         page's data, no other case is meant.
         """
         if verdict.verdict != REFUTED:
+            if not k and isinstance(head := chain.sides[0].node, Name):
+                self.state.definitions.forget(head.name, chain.lines[0])  # numbers below may be right
             return describe(self.document, chain, k, mismatch)
         decision, line = verdict.decision, chain.lines[0]
         if decision is not None and decision.at_odds:

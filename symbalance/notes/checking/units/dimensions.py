@@ -20,6 +20,7 @@ from symbalance.document.letters import raised
 from symbalance.document.text_writer import formula_text
 from symbalance.document.wordlists import words
 from symbalance.notes.checking.declared.symbol_roles import FROM_MIDDLE, FROM_PIN, FROM_TOP, role_of
+from symbalance.notes.checking.units.sizes_by_words import unit_by_words
 from symbalance.notes.reading.markup import siunitx
 from symbalance.notes.reading.spellings.numerals import sign_of_unit
 from symbalance.notes.reading.units import GRAVITY
@@ -189,7 +190,8 @@ def declared_dimension(meaning: str) -> Dimension | None:
         dimension = unit_of(re.split(r"[:;]", piece)[0])
         if dimension is not None:
             return dimension
-    return next((size for size, words_of_it in _BY_WORDS if words_of_it.fullmatch(pieces[0])), None)
+    size = next((size for size, words_of_it in _BY_WORDS if words_of_it.fullmatch(pieces[0])), None)
+    return unit_of(unit_by_words(pieces[0])) if size is None else size
 
 
 def written_unit(source: str) -> tuple[bool, str]:
