@@ -15,6 +15,7 @@ from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import REFUTED, UNDECIDED
 from symbalance.notes.checking.words.case_words import clause_start, is_place_behind
@@ -24,6 +25,8 @@ from symbalance.notes.checking.words.cases_named import (
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Side
 
+MOST_ROUNDED, MOST_APART = 0.05, 5
+"""Of a result: what rounding may leave, and what a slip makes; a change of units makes more."""
 MOST_VALUES = 4
 """Other values of letters that are tried, the nearest first."""
 
@@ -36,6 +39,8 @@ def with_other_values(state: JudgingState, chain: Chain, k: int, knowledge: Know
     """
     left, right = chain.sides[k], chain.sides[k + 1]
     if k and not names(left.node):
+        if _is_miscalculated(left, right, knowledge):
+            return None
         left = next((side for side in reversed(chain.sides[:k]) if names(side.node)), left)
     values = {name: d.node for name, d in knowledge.definitions.items()}
     behind = {*names(left.node), *names(right.node)}
@@ -67,6 +72,18 @@ def with_other_values(state: JudgingState, chain: Chain, k: int, knowledge: Know
             words = " and ".join(shown)
             return Decision(UNDECIDED, f"it holds with {words}: say whether that is meant")
     return None
+
+
+def _is_miscalculated(left: Side, right: Side, knowledge: Knowledge) -> bool:
+    """Tell whether typed numbers come to another result than the one printed, by no change of units.
+
+    2·0.071·7000/60 = 8.28 m/s is wrong, though the formula before it comes to that at another speed.
+    """
+    typed, printed = (number_of(side.node, knowledge) for side in (left, right))
+    if typed is None or printed is None or not typed or not printed:
+        return False
+    ratio = abs(typed / printed)
+    return abs(ratio - 1) > MOST_ROUNDED and 1 / MOST_APART < ratio < MOST_APART
 
 
 def refuted_by_nearest(
