@@ -163,6 +163,10 @@ UNITS = (
 )
 
 
+CONSTANTS = frozenset({"e", "i", "pi"})
+"""Letters that are numbers unless they are declared."""
+
+
 def conjugate_name(name: str) -> str:
     """Return the letter with the bar that is the conjugate of a complex letter."""
     return f"bar_{name}"
@@ -172,6 +176,24 @@ def readable_letters(symbols: Mapping[str, str]) -> frozenset[str]:
     """Return the letters that may be written: those declared, and the conjugates of complex ones."""
     not_real = {conjugate_name(n) for n, text in symbols.items() if role_of(text) == "complex"}
     return frozenset(symbols) | not_real
+
+
+def settled_letters(symbols: Mapping[str, str]) -> frozenset[str]:
+    """Return the letters whose declared meaning settles what they are: all but those that it explains.
+
+    Words that are no known role, "second-order force of the engine", explain a letter without giving
+    it a formula. What the page says of it counts as it does of a letter that nobody declared.
+
+    >>> sorted(settled_letters({"r": "crank radius", "k": "letter", "F": "side thrust of the piston"}))
+    ['k', 'r']
+    """
+    return frozenset(name for name, text in symbols.items() if not _explains(name, text))
+
+
+def _explains(name: str, text: str) -> bool:
+    role = role_of(text)
+    is_known = role in KNOWN or HARMONIC.match(role) is not None
+    return not is_known and name not in CONSTANTS and len(text.split()) >= FEWEST_WORDS
 
 
 _THE = r"(?:the |an? |its )?"

@@ -462,7 +462,9 @@ class MeantQuantities:
         expected: tuple[str, Dimension] | None = None
         if unit is not None:
             expected = f"{plain_letter(name)} is in {unit[0]} on line {unit[2]}", unit[1]
-        elif (by_words := self.words.unit_named(chain)) is not None:
+        elif name not in self.words.declarations.symbols_at(line) and (
+            by_words := self.words.unit_named(chain)
+        ):  # a declared letter has the size of its own words
             expected = f"the words “{by_words[0]}” name {plain_letter(name)}", by_words[1]
         if expected is None:
             return None

@@ -25,6 +25,7 @@ from symbalance.notes.checking.declared.symbol_roles import (
     MOVING,
     SMALL_WORD,
     letters_by_role,
+    settled_letters,
     small_letters,
 )
 from symbalance.notes.checking.declared.symbols import meaning_of
@@ -196,7 +197,7 @@ class JudgingState:
             crank,
             definitions,
             self.assumptions(line, letters_declared),
-            letters_declared | self.document.own_letters,
+            settled_letters(symbols) | self.document.own_letters,
             moving,
             angles,
             symbols,

@@ -233,7 +233,7 @@ def subscript_name(text: str, offset: int) -> str:
             pieces.append(command)
         elif command in FONTS or command in WORDS or (sign and sign in "{} \n"):
             continue
-        elif sign and (sign.isalnum() or sign in ",.+-*"):
+        elif sign and (sign.isalnum() or sign in ",.+-−*"):
             pieces.append(NAME_OF_SIGN.get(sign, sign))
         elif match.start() in slashes:
             pieces.append("/")
