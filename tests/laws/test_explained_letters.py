@@ -17,20 +17,30 @@ Mit dem Kurbelradius $r$, der Pleuellänge $l$ und $\lambda = r/l$ ist der Weg a
 
 $$s \approx r\left(1-\cos\varphi + \frac{\lambda}{2}\cos^2\varphi\right)$$
 """
-CRANK = {"r": "crank radius", "λ": "crank radius over rod length"}
 PAGES = (
     (
         FRENCH,
         {
-            **CRANK,
-            "L": "rod length",
+            "r": "rayon de manivelle",
+            "L": "entraxe de la bielle",
+            "λ": "rayon de manivelle sur longueur de bielle, r/L",
+            "θ": "angle de manivelle depuis le point mort haut",
+            "ω": "vitesse angulaire du vilebrequin",
             "m_alt": "masse alternative totale",
             "F": "force d'inertie alternative",
             "F_1": "amplitude du premier ordre",
             "F_2": "amplitude du second ordre",
         },
     ),
-    (GERMAN, {**CRANK, "l": "rod length", "s": "piston travel from top dead centre"}),
+    (
+        GERMAN,
+        {
+            "r": "crank radius",
+            "l": "rod length",
+            "λ": "crank radius over rod length",
+            "s": "piston travel from top dead centre",
+        },
+    ),
 )
 
 

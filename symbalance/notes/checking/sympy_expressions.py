@@ -64,7 +64,7 @@ def check_equal(
     symbols = {str(s): s for s in (left.free_symbols | right.free_symbols)}
     knowledge = _knowledge(symbols, assuming)
     if approximately:  # whoever asks so knows which letter is small
-        knowledge = replace(knowledge, small=knowledge.letters)
+        knowledge = replace(knowledge, small=knowledge.declared)
     first, second = Side((node_of(left),), (0, 0)), Side((node_of(right),), (0, 0))
     sign = "≈" if approximately else "="
     decision = decide(first, second, sign, knowledge, through)

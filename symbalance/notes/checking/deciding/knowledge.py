@@ -88,6 +88,7 @@ class Knowledge:
     definitions: Mapping[str, Definition] = field(default_factory=dict)
     assumptions: tuple[Assumption, ...] = ()
     letters: frozenset[str] = frozenset()
+    """Letters of which it is settled what they are: those that words only explain are in `meanings`."""
     moving: frozenset[str] = frozenset()
     """Letters whose meaning is a motion or a force: left alone where a step holds without."""
     angles: frozenset[str] = frozenset()
@@ -115,6 +116,11 @@ class Knowledge:
     """Letters that are orders of harmonics somewhere on the page, and may be whole numbers."""
     small: frozenset[str] = frozenset()
     """Letters that are said to be small; where ≈ rests on another, that is an assumption."""
+
+    @property
+    def declared(self) -> frozenset[str]:
+        """The letters that are declared, by a known meaning or by words that explain them."""
+        return self.letters | self.meanings.keys()
 
     def levels(self, *nodes: Formula) -> Iterator[Level]:
         """Yield what may be used, least first: nothing, meanings and definitions, then assumptions."""

@@ -341,7 +341,7 @@ class _Series:
         common = set.intersection(*factors) if factors else set()
         generators = self.domain.generators
         open_letters = {generators[g].content for g in common if generators[g].kind == "symbol"}
-        return not open_letters <= (self.knowledge.letters | self.knowledge.meaning.constant)
+        return not open_letters <= (self.knowledge.declared | self.knowledge.meaning.constant)
 
     def _by_harmonics(
         self,

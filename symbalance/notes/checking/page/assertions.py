@@ -183,7 +183,7 @@ def expected_value(node: Formula, binding: Binding, knowledge: Knowledge, source
     exact = quantity(binding, knowledge.crank, sources, bool(decimals(node)) and not names(node))
     if binding.scale:
         try:
-            scale = read_expression(binding.scale, knowledge.letters)[0]
+            scale = read_expression(binding.scale, knowledge.declared)[0]
         except ReadingError as problem:
             raise SymbalanceError(
                 f"scale = {binding.scale}", problem.what, problem.remedy, f"{binding.place}: bind"
