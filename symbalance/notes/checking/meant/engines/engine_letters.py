@@ -14,6 +14,7 @@ from math import isclose
 from symbalance.document.formula import Call, Formula, Name, Number, Product, Quotient, Sum, names
 from symbalance.document.letters import plain_letter
 from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.meant.engines.engine_claims import COUPLE, EngineClaim
 from symbalance.notes.checking.meant.engines.order_indices import POWERS, index_of, wave_of
 from symbalance.notes.checking.meant.engines.products import NoProductError, ProductOfPowers, product_of
@@ -168,7 +169,7 @@ class EngineLetters:
 
     def _letter_roles(self, knowledge: Knowledge) -> Mapping[str, str]:
         meanings = {n: p.meaning for n, p in self.words.proposals.items() if p.words}
-        return {**meanings, **knowledge.meanings}
+        return {**meanings, **{n: role_of(text) for n, text in knowledge.meanings.items()}}
 
     def _role(self, name: str, roles: Mapping[str, str], claim: EngineClaim | None) -> str:
         stem, _, index = name.partition("_")

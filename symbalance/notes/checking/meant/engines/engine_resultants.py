@@ -57,7 +57,7 @@ from symbalance.notes.checking.meant.engines.products import (
 from symbalance.notes.checking.meant.meant_words import NOBODY, MeantWords
 from symbalance.notes.checking.repair.fixes import Repair, fix_of
 from symbalance.notes.checking.verdicts import Verdict
-from symbalance.notes.checking.words.engines_in_words import NamedEngine
+from symbalance.notes.checking.words.engines_in_words import EnginesInWords, NamedEngine
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, Side
 from symbalance.text import lazy_patterns as re
@@ -190,6 +190,8 @@ class EngineResultants:
         is_open = (is_sum or head.name not in knowledge.letters) and head.name not in names(value)
         claim = self.claims.claim(head.name, chain) if is_open and self.claims.engines.mentions else None
         if claim is None or not claim.engine.stars:
+            return None
+        if _is_of_another_engine(knowledge.meanings.get(head.name, ""), claim):
             return None
         if not claim.words and head.name in knowledge.definitions:
             return None  # what nothing but its wave says gives a letter no second formula
@@ -472,3 +474,9 @@ class EngineResultants:
         )
         repair = Repair(_KINDS.get(slip, slip), target, ((side.node, target),), 1.0)
         return replace(verdict, fix=fix_of(repair, self.words.document, side))
+
+
+def _is_of_another_engine(meaning: str, claim: EngineClaim) -> bool:
+    """Tell whether a letter's own words name an engine, and none that the page's words claim it of."""
+    own = EnginesInWords(meaning).mentions if meaning else []
+    return bool(own) and all(named.key != claim.engine.key for named in own)
