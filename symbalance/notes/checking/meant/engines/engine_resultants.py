@@ -189,9 +189,8 @@ class EngineResultants:
         value = without_dots(chain.sides[1].node)[0]
         is_open = (is_sum or head.name not in knowledge.letters) and head.name not in names(value)
         claim = self.claims.claim(head.name, chain) if is_open and self.claims.engines.mentions else None
-        if claim is None or not claim.engine.stars:
-            return None
-        if _is_of_another_engine(knowledge.meanings.get(head.name, ""), claim):
+        meaning = knowledge.meanings.get(head.name, "")
+        if claim is None or not claim.engine.stars or _is_of_another_engine(meaning, claim):
             return None
         if not claim.words and head.name in knowledge.definitions:
             return None  # what nothing but its wave says gives a letter no second formula
