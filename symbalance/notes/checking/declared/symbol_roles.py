@@ -28,6 +28,9 @@ ALIASES = {
     "ratio l/s": "rod ratio l/s",
     "ratio r/l": "crank ratio r/l",
     "crank ratio (r/l)": "crank ratio r/l",
+    "r/l": "crank ratio r/l",  # as it stands, and no revolutions per litre
+    "l/r": "rod ratio l/r",
+    "l/s": "rod ratio l/s",
 }
 
 KNOWN = (
@@ -345,7 +348,7 @@ def role_of(text: str) -> str:
 @cache
 def _known_role(head: str) -> str:
     """Return the known meaning that a declaration's first words state, "" for another."""
-    role = " ".join(head.lower().split())
+    role = " ".join(head.lower().split()).replace(" / ", "/")
     role = ALIASES.get(role, role)
     if role in KNOWN:
         return role

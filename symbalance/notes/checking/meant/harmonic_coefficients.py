@@ -27,6 +27,7 @@ from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decisio
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.meant.meant_words import NOBODY
+from symbalance.notes.checking.meant.signs_in_series import sign_in_series
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, Side
 from symbalance.text import lazy_patterns as re
@@ -88,7 +89,9 @@ class HarmonicCoefficients:
             return self._with_slip(chain, k, powers, -1 if is_inverse else 1)
         norm = known_norm if known_norm is not None else norm or 0
         size = Fraction(1, max(order, 1) ** norm)
-        target = _series_node(series, ratio, -1 if is_inverse else 1, -size if scale < 0 else size)
+        stated = sign_in_series(self.sections.document.chains, left.name, order) if norm != 1 else 0
+        turned = stated < 0 if stated else scale < 0
+        target = _series_node(series, ratio, -1 if is_inverse else 1, -size if turned else size)
         side = chain.sides[k + 1]
         bare = Knowledge(SymbolValue(positive=frozenset(own)), corrects=knowledge.corrects)
         decision = decide(Side((target,), chain.sides[k].span), Side((right,), side.span), "=", bare)

@@ -56,6 +56,7 @@ from symbalance.notes.checking.meant.meant_quantities import (
 )
 from symbalance.notes.checking.meant.meant_words import NOBODY, USUAL_END
 from symbalance.notes.checking.meant.order_directions import OrderDirections, Sizes
+from symbalance.notes.checking.meant.signs_in_series import multiple_of_angle, sign_in_series
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
 from symbalance.notes.checking.words.plain_formulas import plain_text
@@ -169,6 +170,8 @@ class _Order:
     """Whether the words speak of one cylinder's piston only."""
     series: frozenset[str] = frozenset()
     """The letters of the series that a coefficient stands in."""
+    sign: int = 0
+    """The sign it has there beside a bare cos θ, 0 where none stands."""
     is_of_engine: bool = False
     """Whether they speak of what is free of the whole engine."""
     is_in_row: bool = False
@@ -364,7 +367,8 @@ class NamedOrders:
                     kinds = [kind for kind, pattern in _KINDS.items() if pattern.search(sentence)]
                     kind = kinds[0] if len(kinds) == 1 else ""
                     letters = frozenset(names(side.node))
-                    return _Order(number, kind, sentence, is_coefficient=True, series=letters)
+                    sign = sign_in_series(self.meant.words.document.chains, name, number)
+                    return _Order(number, kind, sentence, is_coefficient=True, series=letters, sign=sign)
         own = self.meant.words.sentence_before(chain)
         kinds = [kind for kind, pattern in _KINDS.items() if pattern.search(own)]
         if len(kinds) == 1 and re.search(r"coefficient|koeffizient|beiwert|係数", own, re.IGNORECASE):
@@ -434,7 +438,7 @@ class NamedOrders:
         elif angles is not None and angles.is_usual and (total := _whole_sum(angles, order.number)):
             factors.append((Fraction(total), (angles.text,)))
         for factor, more in factors:
-            for sign in (1, -1):
+            for sign in (order.sign,) if order.sign else (1, -1):
                 yield (
                     Product((rational_node(factor * sign), base, *self._wave(order, crank, value))),
                     more,
@@ -489,7 +493,7 @@ class NamedOrders:
         has_all_sizes = sizes <= names(right.node) and not order.is_coefficient
         verdicts: list[Verdict] = []
         for target, relation in self._standard(order, crank, right.node):
-            for sign in (1, -1):
+            for sign in (order.sign,) if order.sign else (1, -1):
                 side = Product((rational_node(Fraction(sign * factor)), target))
                 left = Side((side,), right.span)
                 decision = decide(left, right, relation, known)
@@ -507,9 +511,8 @@ class NamedOrders:
                     continue  # l/r, it may be; a factor is wrong of both
                 if is_guess and not _IS_FACTOR.match(fix.kind):
                     continue  # the ratio's power is right, so it is the ratio
-                if not is_only_negated(right.node, fix.node) and not _may_be_meant(
-                    fix.kind, order, right.node
-                ):
+                is_negated = is_only_negated(right.node, fix.node) and not order.sign
+                if not is_negated and not _may_be_meant(fix.kind, order, right.node):
                     verdicts.append(verdict)
         return min(verdicts, key=lambda v: len(v.fix.text) if v.fix else 0, default=None)
 
@@ -576,20 +579,9 @@ def _has_wave(node: Formula, name: str, order: int) -> bool:
             continue
         for factor in part.factors:
             is_wave = isinstance(factor, Call) and factor.function in ("cos", "sin")
-            if is_wave and isinstance(factor, Call) and _multiple(factor.argument) == order:
+            if is_wave and isinstance(factor, Call) and multiple_of_angle(factor.argument) == order:
                 return True
     return False
-
-
-def _multiple(node: Formula) -> int:
-    """Return n of nθ, 0 for another formula."""
-    if isinstance(node, Name):
-        return 1
-    if isinstance(node, Product) and len(node.factors) == 2 and isinstance(node.factors[1], Name):
-        first = node.factors[0]
-        if isinstance(first, Number) and first.value.denominator == 1:
-            return int(first.value)
-    return 0
 
 
 def _is_cut_short(decision: Decision, order: _Order) -> bool:
