@@ -21,7 +21,7 @@ from symbalance.notes.checking.deciding.descriptions import (
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
 from symbalance.notes.checking.deciding.guarded_verdicts import PAGE, Guard
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY
-from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.relations import NO_VALUES_HERE, decide
 from symbalance.notes.checking.deciding.remainders import is_remainder
 from symbalance.notes.checking.declared.engines import Sources
@@ -104,7 +104,7 @@ from symbalance.notes.checking.units.dimensions import Dimensions, Mismatch, dec
 from symbalance.notes.checking.units.formulas_between_numbers import BETWEEN_NUMBERS
 from symbalance.notes.checking.units.own_units import with_speeds
 from symbalance.notes.checking.units.plain_letters import PlainLetters
-from symbalance.notes.checking.units.rates_by_name import rate_dimension
+from symbalance.notes.checking.units.rates_by_name import rate_dimension, turns_for_radians
 from symbalance.notes.checking.units.speeds_as_numbers import without_minutes
 from symbalance.notes.checking.units.turns_in_radians import with_turns
 from symbalance.notes.checking.verdicts import (
@@ -680,7 +680,7 @@ class Judge:
         self, chain: Chain, k: int, against: int, knowledge: Knowledge
     ) -> dict[tuple[int, int], Mismatch | None]:
         """Return for each two readings of two sides where their units differ, None where they do not."""
-        values = {name: d.node for name, d in knowledge.definitions.items()}
+        values = {name: _value_with_units(d) for name, d in knowledge.definitions.items()}
         symbols = self.declarations.symbols_at(chain.lines[0])
         rounded = {n: d.rounded for n, d in knowledge.definitions.items() if d.rounded is not None}
         plain = self._plain_letters.at(chain.lines[0])
@@ -704,7 +704,10 @@ class Judge:
             symbols = self.declarations.symbols_at(chain.lines[0])
             heads = ((n, chain.sides[n].node) for n in range(against))
             lettered += [
-                n for n, head in heads if isinstance(head, Name) and _has_dimension(head, symbols)
+                n
+                for n, head in heads
+                if isinstance(head, Name)
+                and (_has_dimension(head, symbols) or _has_formula(head, knowledge))
             ]
             formulas = (n for n in range(against - 1, 0, -1) if names(chain.sides[n].node))
             lettered += [n for n in formulas if n not in lettered][:1]  # m r ω² = 0.7·0.045·314² = 3110 J
@@ -723,6 +726,8 @@ class Judge:
         """Refute a result in a unit that the rate at the head of its chain cannot have: ω̇ in rad/s."""
         expected, right = rate_dimension(chain.sides[0].node), chain.sides[k + 1].node
         own = None if expected is None else Dimensions({}, {}, self.document.text).of_numbers(right)
+        if turns := turns_for_radians(chain, k, self.document):
+            return Decision(REFUTED, turns)
         if expected is None or own is None or own == expected:
             return None
         mismatch = Mismatch("the left side is in", expected, own)
@@ -732,6 +737,22 @@ class Judge:
 
 def _has_dimension(letter: Name, symbols: Mapping[str, str]) -> bool:
     return declared_dimension(symbols.get(letter.name, "")) is not None
+
+
+def _has_formula(letter: Name, knowledge: Knowledge) -> bool:
+    """Tell whether a line above has a formula in letters for a letter: after E = J ω²/2 it is an energy."""
+    definition = knowledge.definitions.get(letter.name)
+    return definition is not None and bool(names(_value_with_units(definition)))
+
+
+def _value_with_units(definition: Definition) -> Formula:
+    """Return the value that says most of a letter's unit: its formula, before the numbers put into it.
+
+    A number of a single unit says it itself, an arithmetic of bare numbers does not.
+    """
+    node, formula = definition.node, definition.formula
+    is_arithmetic = definition.numeric and not isinstance(node, Number)
+    return formula if formula is not None and is_arithmetic and definition.rounded is None else node
 
 
 def _word(outcome: Verdict | Decision) -> str:

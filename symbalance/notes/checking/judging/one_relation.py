@@ -247,7 +247,8 @@ def _judge_step(
         decision = appeal(state, chain, k, against, decision, knowledge)
     if decision.is_proved:
         by_units = wrong_as_quantity(chain, k, state.document, knowledge)
-        by_units = by_units or refuted_by_units_above(chain, k, state.document, state.refuted)
+        if by_units is None and not bad:
+            by_units = refuted_by_units_above(chain, k, state.document, knowledge, state.refuted)
         if by_units is not None:
             return by_units
     by_name: Verdict | Decision | None = None

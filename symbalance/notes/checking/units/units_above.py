@@ -60,6 +60,9 @@ _SAME = 1e-6
 _THOUSAND = 3
 _AROUND_ONE = 100
 """A number from a hundredth to this is no conversion by a power of ten."""
+_PER_SECOND = unit_of("1/s") or NONE
+_FEWEST_TURNS = 21
+"""A smaller number is as likely a count: 10 of 600 rpm."""
 _WEIGHTS = re.compile(r"(?<![A-Za-z])(?:lbs?|lbf|kgf|kp|tf|oz|pounds?|ounces?)(?![A-Za-z])")
 """Units that are weights in one place and masses in another."""
 _OF_LENGTHS = tuple(unit_of(unit) for unit in ("m^2", "m^3"))
@@ -67,14 +70,15 @@ _Above = dict[Fraction, set[tuple[Dimension, float]]]
 
 
 def refuted_by_units_above(
-    chain: Chain, k: int, document: ReadNotes, wrong: Collection[int] = ()
+    chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge, wrong: Collection[int] = ()
 ) -> Decision | None:
     """Return that a result is in another unit than its numbers make; None where that is open.
 
     Numbers whose unit is refuted above, at the places `wrong`, say nothing of what goes on with them.
     """
-    # Numbers put into a formula of the same chain are judged by that.
-    is_put_in = any(names(side.node) and not isinstance(side.node, Name) for side in chain.sides[:k])
+    # Numbers put into a formula of the same chain are judged by that, if its letters have values.
+    formulas = [side.node for side in chain.sides[:k] if not isinstance(side.node, Name)]
+    is_put_in = any(names(node) and names(node) <= set(knowledge.definitions) for node in formulas)
     known = None if is_put_in else _numbers_with_units(chain, k, document)
     if known is None or {number.value for number in known.numbers} & _values_at(document, wrong):
         return None
@@ -201,7 +205,7 @@ def _reason(reading: UnitReading, ratio: float, unit: str) -> str:
 
 
 def _is_per_minute(unit: Unit) -> bool:
-    return unit.dimension == unit_of("1/s") and any(
+    return unit.dimension == _PER_SECOND and any(
         isclose(unit.scale, scale, rel_tol=_SAME) for scale in (1 / 60, pi / 30)
     )
 
@@ -212,6 +216,8 @@ def _options(
     """Return what a number may be: a quantity as above, one that formulas have, or something open."""
     value = number.value
     units = {Unit(*unit) for unit in above.get(value, ())}
+    if not units and (turning := _turning(number, above)):
+        return turning
     if not _is_power_of_ten(value) or value == 1:
         units |= set(_shifted(value, above))
     elif not units or [n.value for n in numbers].count(value) > 1:
@@ -221,6 +227,15 @@ def _options(
     if value in _CONVERTERS or any(isclose(value, turn, rel_tol=0.003) for turn in _TURNS) or not units:
         units.add(Unit(is_open=True))
     return tuple(sorted(units, key=repr))
+
+
+def _turning(number: Number, above: _Above) -> tuple[Unit, ...]:
+    """Return radians and turns a second for a number that is one of them: 314 where 3000 rpm stands above."""
+    half = (number.last_place or Fraction(1)) / 2
+    speeds = [v for v, rows in above.items() if any(_is_per_minute(Unit(*row)) for row in rows)]
+    rates = [float(v) * factor for v in speeds for factor in (pi / 30, 1 / 60)]
+    is_rate = number.value >= _FEWEST_TURNS and any(abs(r - float(number.value)) <= half for r in rates)
+    return (Unit(_PER_SECOND),) if is_rate else ()
 
 
 def _is_of_formulas(value: Fraction) -> bool:
@@ -278,8 +293,10 @@ def _of_another_kind(
     All of them have to have their units above; the 4 of 4 m r² ω² is in no metres.
     """
     values = [number.value for number in numbers]
-    is_sure = all(value == 1 or _units_at(value, above) for value in values)
-    is_sure = is_sure and not any(_is_power_of_ten(value) and value != 1 for value in values)
+    turning = {number.value for number in numbers if _turning(number, above)}
+    others = [value for value in values if value not in turning]
+    is_sure = all(value == 1 or _units_at(value, above) for value in others)
+    is_sure = is_sure and not any(_is_power_of_ten(value) and value != 1 for value in others)
     of_units = [r for r in readings if not r.is_shifted and not r.open_numbers and r.dimension != NONE]
     if not is_sure or not of_units or _WEIGHTS.search(words) is not None:
         return None
