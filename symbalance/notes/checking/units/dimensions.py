@@ -64,6 +64,16 @@ _WHOLE_UNITS: dict[str, Dimension] = {
 _PREFIXES = ("", "k", "M", "G", "c", "d", "m", "u", "n")
 _PREFIXED = {p + unit: size for unit, size in _UNITS.items() for p in _PREFIXES}
 _BY_NAME = _PREFIXED | _WHOLE_UNITS
+_QUANTITIES = frozenset(
+    (
+        *_UNITS.values(),
+        *(_dimension(m=power) for power in (-1, 2, 3, 4)),
+        *(_dimension(m=1, s=-1), _dimension(m=1, s=-2), _dimension(s=-2), _dimension(s=2)),
+        *(_dimension(kg=1, m=1), _dimension(kg=1, m=2), _dimension(1, -3), _dimension(1, 0, -2)),
+        *(_dimension(1, 0, -1), _dimension(1, 2, -1), _dimension(-1, 0, 2), _dimension(-1), _dimension(-1, 1)),
+    )
+)
+"""What a number may be in that has its unit in silence: quantities that engineers put numbers in for."""
 _LENGTH, _SPEED, _ACCELERATION = _dimension(m=1), _dimension(m=1, s=-1), _dimension(m=1, s=-2)
 _ROLES: dict[str, Dimension] = {
     "crank angle": NONE,
@@ -258,11 +268,28 @@ class Dimensions:
             )
         except _MismatchError as problem:
             return problem.mismatch
+        if first is None and second is not None:
+            return self._beside_bare_number(left, right, second)
         if first is None or second is None:
             return None
         if first == second:
             return self._turns(left, right)
         return Mismatch("the left side is in", first, second)
+
+    def _beside_bare_number(self, left: Formula, right: Formula, result: Dimension) -> Mismatch | None:
+        """Return that a bare number times a quantity is in a unit that no second quantity makes of it.
+
+        0.25·5862 N may be an energy, where the 0.25 is in metres and says so nowhere, but no time.
+        """
+        if not isinstance(left, formula.Product) or not self.is_of_units(right):
+            return None
+        bare = [part for part in left.factors if isinstance(part, Number) and self.of(part) is None]
+        others = tuple(part for part in left.factors if part not in bare)
+        rest = self.of(formula.Product(others, span=left.span)) if len(bare) == 1 and others else None
+        if rest is None or rest == NONE:
+            return None
+        silent = tuple(a - b for a, b in zip(result, rest, strict=True))
+        return None if silent in _QUANTITIES else Mismatch("the left side is in", rest, result)
 
     def side(self, node: Formula, source: str) -> Dimension | None:
         """Return the dimension of a side by its letters; None where it is open, or its terms differ."""
