@@ -210,9 +210,16 @@ def _by_numbers(
     if all(same) and (assumptions := _same_square(left, right, first, second)) is not None:
         assumptions = _with_signs_of_roots(level, first, *assumptions)
         return Decision(PROVED, assumptions=assumptions, level=level, left=first, right=second)
-    if agrees_as_printed(
-        left, right, evaluator.form, level.values, printed=knowledge.printed, counted=knowledge.counted
-    ) or _agree_in_part(left, right):
+    agrees = agrees_as_printed(
+        left,
+        right,
+        evaluator.form,
+        level.values,
+        printed=knowledge.printed,
+        stated=knowledge.stated,
+        counted=knowledge.counted,
+    )
+    if agrees or _agree_in_part(left, right):
         order = "the digits printed"
         return Decision(
             PROVED, order=order, assumptions=level.assumptions, level=level, left=first, right=second

@@ -104,6 +104,8 @@ class Knowledge:
     ranges: tuple[StatedRange, ...] = ()
     printed: frozenset[float] = frozenset()
     """The numbers that the page prints as results: put in elsewhere they are rounded."""
+    stated: frozenset[float] = frozenset()
+    """Those of them that no line computes: where they nearly cancel they are exact."""
     counted: frozenset[int] = frozenset()
     """Where numbers end that the page's words count things with, 4 cylinders: they are exact."""
     crank_angles: CrankAngles | None = None

@@ -85,6 +85,19 @@ def printed_results(document: ReadNotes) -> frozenset[float]:
     return frozenset(results)
 
 
+def stated_values(document: ReadNotes) -> frozenset[float]:
+    """Return the numbers that a page gives letters without any arithmetic: data, with or without a unit."""
+    stated: set[float] = set()
+    computed: set[float] = set()
+    for chain in document.chains:
+        is_stated = len(chain.sides) == 2 and isinstance(chain.sides[0].node, Name)
+        for side in chain.sides[1:]:
+            node = side.node.factors[0] if isinstance(side.node, Product) else side.node
+            if isinstance(node, Number) and not names(side.node):
+                (stated if is_stated else computed).add(abs(float(node.value)))
+    return frozenset(stated - computed)
+
+
 def counted_things(text: str) -> frozenset[int]:
     """Return where the numbers end that words behind them count things with.
 

@@ -34,6 +34,8 @@ DEEPEST = 12
 """Values that rest on values, one in the other."""
 ROUGHLY = 0.01
 """What ≈ forgives an arithmetic with numbers put in."""
+MOST_BY_DATA = 0.02
+"""What the digits of data, each taken for itself, may move a result at most, as a part of it."""
 SHORTEST = 2
 """Digits of decimals beside roots, at least, that may be rounded."""
 LONGEST = 9
@@ -68,6 +70,7 @@ def agrees_as_printed(
     *,
     generous: bool = False,
     printed: Collection[float] = (),
+    stated: Collection[float] = (),
     counted: Collection[int] = (),
 ) -> bool:
     """Tell whether two sides agree to the last digits printed; `form_of` gives a side's form.
@@ -75,7 +78,8 @@ def agrees_as_printed(
     A lone decimal may be off by half a unit of its last place, and by what the decimals bring that the
     other side is computed from, those of the letters' `values` too; by a whole unit towards zero if
     `generous` (cut off, not rounded). `printed` are the results that the page prints: one that is put in
-    stands for its interval, other numbers are data; those that end at `counted` count things.
+    stands for its interval, other numbers are data; so are those of them that the page merely states.
+    Those that end at `counted` count things.
     """
     typed_left, typed_right = left, right
     if not generous and any(_counts(side, counted) for side in (left, right)):
@@ -91,7 +95,7 @@ def agrees_as_printed(
         return False
     forms = form_of(left), form_of(right)
     if not any(map(letters, forms)):
-        by_result = _as_result(left, right, (typed_left, typed_right), forms, form_of, generous, printed)
+        by_result = _as_result(left, right, (typed_left, typed_right), forms, form_of, generous, printed, stated)
         if by_result is not None:
             return by_result
         typed = typed_left, typed_right
@@ -115,6 +119,7 @@ def _as_result(
     form_of: Callable[[Formula], Form],
     generous: bool,
     printed: Collection[float],
+    stated: Collection[float],
 ) -> bool | None:
     """Tell whether one side is the other, rounded to the decimal it consists of; None where none does."""
     first, second = forms
@@ -132,7 +137,7 @@ def _as_result(
             unit *= 1 - 1e-9  # half of two digits is rounded up: 43.5 is 44
         is_number = other is not None and _is_bare(other_side) and not _is_in_degrees(node)
         typed_side = typed[0] if other_side is left else typed[1]
-        spread = 0 if is_number else _spread(other_side, typed_side, numbers[1], form_of, printed)
+        spread = 0 if is_number else _spread(other_side, typed_side, numbers[1], form_of, printed, stated)
         return _is_rounded(lone, unit, *numbers, spread, generous)
     return None
 
@@ -325,12 +330,15 @@ def _spread(
     value: Any,
     form_of: Callable[[Formula], Form],
     printed: Collection[float],
+    stated: Collection[float] = (),
 ) -> Any:
     """Return how far a side may be off by the long decimals it is computed from, each by half a unit.
 
     A number that stands in the line itself is data, unless the page prints it as a result elsewhere.
+    Where data nearly cancel, half a unit of each would allow anything: 0.3 for 10.0 - 9.8. So far they
+    are exact.
     """
-    total = context().mpf(0)
+    total = by_data = context().mpf(0)
     own = {id(part) for part in formula.walk(typed)}
     for number in _distinct(node):
         assert number.last_place is not None
@@ -338,8 +346,10 @@ def _spread(
         is_open = significant(number) >= LONG and id(number) not in own
         if is_open or is_rounded:
             off_by_half = Number(number.value + number.last_place / 2, number.last_place)
-            total += abs(_number(form_of(replace_part(node, number, off_by_half))) - value)
-    return total
+            moved = abs(_number(form_of(replace_part(node, number, off_by_half))) - value)
+            is_datum = not is_rounded or abs(float(number.value)) in stated
+            total, by_data = (total, by_data + moved) if is_datum else (total + moved, by_data)
+    return total + min(by_data, MOST_BY_DATA * abs(value))
 
 
 def _is_rounded(lone: Number, unit: Any, value: Any, exact: Any, spread: Any, generous: bool) -> bool:

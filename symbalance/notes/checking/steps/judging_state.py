@@ -16,6 +16,7 @@ from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import (
     counted_things,
     printed_results,
+    stated_values,
 )
 from symbalance.notes.checking.deciding.whole_numbers import may_count, orders_in
 from symbalance.notes.checking.declared.engines import Sources
@@ -121,6 +122,7 @@ class JudgingState:
         self.counts = _counts(self.document)
         self.letters = {n for chain in self.document.chains for n in chain.letters}
         self.printed = printed_results(self.document)
+        self.stated = stated_values(self.document)
         self.counted = counted_things(self.document.text)
         self.wrong_numbers = CarriedValues()
         self.given_numbers = GivenNumbers()
@@ -205,6 +207,7 @@ class JudgingState:
             corrects=self.corrects,
             ranges=tuple(ranges),
             printed=self.printed,
+            stated=self.stated,
             counted=self.counted,
             has_sums=self.has_sums,
             orders=self.orders,
