@@ -95,7 +95,9 @@ def agrees_as_printed(
         return False
     forms = form_of(left), form_of(right)
     if not any(map(letters, forms)):
-        by_result = _as_result(left, right, (typed_left, typed_right), forms, form_of, generous, printed, stated)
+        by_result = _as_result(
+            left, right, (typed_left, typed_right), forms, form_of, generous, printed, stated
+        )
         if by_result is not None:
             return by_result
         typed = typed_left, typed_right

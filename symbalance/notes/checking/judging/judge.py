@@ -406,10 +406,14 @@ class Judge:
         left = cases_left_by(self.state.definitions, chain, angles)
         symbols = self.state.declarations.symbols_at(chain.lines[0])
         turning = {name for name, text in symbols.items() if role_of(text) == "crank angle"}
-        spoken = {name: name in turning for name in chain.letters | turning}
+        values = {n: d.node for n, d in self.state.knowledge(chain.lines[0]).definitions.items()}
+        behind = {n for side in chain.sides for n in names_behind(side.node, values)}
+        spoken = {name: name in turning for name in chain.letters | turning | behind}
         self.state.general = self.state.sections.spoken_of_generally(chain, spoken, named=True)
         if self._is_of_all_values(chain, k):
             self.state.general |= _turned(chain.sides[k].node)
+        if not k and self.state.sections.is_called_identity(chain):
+            self.state.general |= chain.letters
         examples = lines_of_numbers(self.state.definitions, self.state.general)
         if left or examples:
             free = frozenset(name for case in left for name in case.letters)

@@ -153,10 +153,15 @@ def _judge_inequality(state: JudgingState, chain: Chain, k: int, knowledge: Know
         return run
     near = ranges_near(state.document, chain)
     decision = decide_claimed(chain, k, decision, state.general, near, knowledge)
-    if decision.status == RANGE and (letters := _bounded_before(state, chain)):
+    by_formula = _letters_behind_result(state, chain, k, knowledge)
+    letters = by_formula or _bounded_before(state, chain)
+    if decision.status == RANGE and letters:
         claimed = decide_claimed(chain, k, decision, letters, near, knowledge)
         if claimed.status == REFUTED:
-            decision = replace(claimed, reason="does not follow from the range before it")
+            decision = replace(
+                claimed,
+                reason=claimed.reason if by_formula else "does not follow from the range before it",
+            )
     state.definitions.note_range(chain, k, decision)
     return decision
 
@@ -176,6 +181,18 @@ def _bounded_before(state: JudgingState, chain: Chain) -> frozenset[str]:
     if not has_waves and all(isinstance(s.node, Name) or not names(s.node) for s in last.sides):
         return frozenset()  # of lone letters: judged as a range that follows
     return chain.letters if chain.start - last.end <= NEAR_RANGE else frozenset()
+
+
+def _letters_behind_result(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> frozenset[str]:
+    """Return the letters of a letter's formula, of which words draw a conclusion: y = x² + 1, so y > 0."""
+    lone = [side.node for side in chain.sides[k : k + 2] if isinstance(side.node, Name)]
+    is_of_number = any(not names(side.node) for side in chain.sides[k : k + 2])
+    definition = knowledge.definitions.get(lone[0].name) if len(lone) == 1 and is_of_number else None
+    if definition is None or not state.sections.is_consequence(chain) or state.sections.opens_case(chain):
+        return frozenset()
+    return frozenset(names(definition.node))
 
 
 def _end_of(chain: Chain) -> int:

@@ -7,6 +7,8 @@ A number that a letter has at one place, a = 5519 at top dead centre, is not its
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from symbalance.document.formula import Name, Number, Product, names
 from symbalance.notes.checking.meant.pistons.motion_letters import angles_in
 from symbalance.notes.checking.premises.system import Premise
@@ -14,6 +16,7 @@ from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
+_SENTENCE_END = re.compile(r"(?<=[.;!?])\s+(?=[A-ZÄÖÜ$])|[。；]")
 _MEANS_THE_SAME = re.compile(
     r"(?<![^\W\d_])(?:maxim|largest|greatest|highest|peak|top|smallest|minim|größt|höchst|kleinst|is|lies"
     r"|stands|occurs|liegt|ist|steht|folgt|so|thus|then|hence|also|est|vaut|donc)(?:[a-zäöü]{0,8})(?![^\W\d_])",
@@ -28,20 +31,42 @@ def leave_place(state: JudgingState, chain: Chain) -> bool:
     is_angle = is_multiple_of_angle(chain) and sections.opens_case(chain)
     if len(chain.relations) != 1 or not (is_angle or sections.is_condition(chain)):
         return False
-    first = sections.paragraph_start(chain.lines[0])
     angles = {
         name for side in chain.sides for name in (names(side.node) if is_angle else angles_in(side.node))
     }
-    fixing = [p for p in definitions.premises if p.line < first and _is_condition_on(p, angles)]
+    is_past = _lines_before_sentence(state, chain, angles)
+    fixing = [p for p in definitions.premises if is_past(p.line) and _is_condition_on(p, angles)]
     fixed = {name for premise in fixing for name in premise.names & angles}
+    valued = {
+        name
+        for name in angles
+        if any(
+            is_past(e.definition.line) and e.definition.numeric for e in definitions.values.get(name, ())
+        )
+    }
+    fixed |= valued if sections.is_condition(chain) else set()
     if not fixed:
         return False
-    definitions.premises = [p for p in definitions.premises if p.line >= first or not p.names & fixed]
+    definitions.premises = [p for p in definitions.premises if not is_past(p.line) or not p.names & fixed]
     for name in fixed:
         for entry in list(definitions.values.get(name, ())):
-            if entry.definition.line < first:
+            if is_past(entry.definition.line):
                 definitions.forget(name, entry.definition.line)
     return True
+
+
+def _lines_before_sentence(state: JudgingState, chain: Chain, angles: set[str]) -> Callable[[int], bool]:
+    """Return what tells whether a line speaks of angles before the paragraph or the sentence of a relation."""
+    first = state.sections.paragraph_start(chain.lines[0])
+    text = state.document.text
+    ends = [match.end() for match in _SENTENCE_END.finditer(text, max(0, chain.start - 400), chain.start)]
+    sentence = max(ends, default=0)
+    spoken = {
+        c.lines[0]: c.start < sentence
+        for c in state.document.chains
+        if c.start < chain.start and c.letters & angles
+    }
+    return lambda line: line < first or spoken.get(line, False)
 
 
 def leave_condition_of_place(state: JudgingState, chain: Chain) -> bool:

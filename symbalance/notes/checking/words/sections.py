@@ -433,9 +433,16 @@ class Sections:
     def case_end(self, line: int) -> int:
         """Return the last line of a case: its paragraph, and the displays that stand right below."""
         end = self.paragraph_end(line)
-        while (following := self._next_text(end)) and _SET_OFF.match(self._lines[following - 1]):
+        while (following := self._next_text(end)) and self._goes_on(end, following):
             end = self.paragraph_end(following)
         return end
+
+    def _goes_on(self, end: int, following: int) -> bool:
+        """Tell whether a paragraph belongs to the one before: a display, or what its open end leads to."""
+        below = self._lines[following - 1]
+        is_open = _OPEN_END.search(self._lines[end - 1]) is not None
+        is_formula = _FORMULA_ALONE.fullmatch(below) is not None
+        return _SET_OFF.match(below) is not None or (is_formula and is_open)
 
     def moment_end(self, line: int) -> int:
         """Return the last line of the item, or else the section, that looks at one crank angle."""
@@ -838,6 +845,10 @@ class Sections:
             _ROUNDED.search(before) or _ROUNDED_BEHIND.match(self.document.text, chain.end)
         )
 
+    def is_called_identity(self, chain: Chain) -> bool:
+        """Tell whether the words right before a relation call it an identity."""
+        return _IDENTITY.search(self.sentence_leading_to(chain)) is not None
+
     def is_said_to_be_constant(self, chain: Chain) -> bool:
         """Tell whether the words right before a relation say that its left side is constant."""
         return _CONSTANT.search(self._text_before(chain).rstrip()) is not None
@@ -979,5 +990,15 @@ def _gives(chain: Chain, name: str) -> bool:
     return any(isinstance(side.node, Name) and side.node.name == name for side in chain.sides)
 
 
+_IDENTITY = re.compile(
+    r"(?<![^\W\d_])(?:identit(?:y|ies)|identität|identité|identità|identidad)(?:\s+\w+){0,2}[\s:$]*$|恒等式\w{0,3}[\s:：$]*$",
+    re.IGNORECASE,
+)
+_OPEN_END = re.compile(
+    r"(?::|(?<![A-Za-z])(?:then|is|gives?|so|thus|hence|dann|ist|gilt|wird|ergibt|folgt|also|alors|donc|on a)|[はとで、])[\s$]*$",
+    re.IGNORECASE,
+)
+"""The end of a paragraph that leads on to the formula below it."""
+_FORMULA_ALONE = re.compile(r"\s*\$[^$]{1,400}\$[^$]{0,12}")
 _SET_OFF = re.compile(r"\s*(?:\$\$|\\\[|\\begin\s*\{|```math|<math|\+\+\+\+|\[stem\])|\s{4}")
 """How a display begins."""
