@@ -16,7 +16,7 @@ from typing import Any
 from symbalance.document.formula import Formula
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import SymbolValue
-from symbalance.notes.algebra.tree_values import TreeValues, letters_behind
+from symbalance.notes.algebra.tree_values import DerivativeForms, TreeValues, letters_behind
 from symbalance.notes.algebra.values import Point, context
 
 TRIES = 90
@@ -150,9 +150,10 @@ class _Difference:
         self.left, self.right, self.meaning = left, right, meaning
         names = {name for node in (left, right, *also) for name in letters_behind(node, meaning.values)}
         self.letters = sorted(names)
+        self.derivatives: DerivativeForms = {}
 
     def pair(self, point: Point) -> tuple[Any, Any] | None:
-        at, mp = TreeValues(self.meaning, point), context()
+        at, mp = TreeValues(self.meaning, point, self.derivatives), context()
         try:
             row = [at.value(node) for node in (self.left, self.right)]
         except (NoFormError, TooLargeError, ArithmeticError, ValueError, KeyError, TypeError):
