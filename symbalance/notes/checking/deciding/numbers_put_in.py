@@ -86,7 +86,7 @@ def printed_results(document: ReadNotes) -> frozenset[float]:
 
 
 def stated_values(document: ReadNotes) -> frozenset[float]:
-    """Return the numbers that a page gives letters without any arithmetic: data, with or without a unit."""
+    """Return the numbers that a page gives letters without any arithmetic: its data."""
     stated: set[float] = set()
     computed: set[float] = set()
     for chain in document.chains:

@@ -107,6 +107,7 @@ from symbalance.notes.checking.units.plain_letters import PlainLetters
 from symbalance.notes.checking.units.rates_by_name import rate_dimension, turns_for_radians
 from symbalance.notes.checking.units.speeds_as_numbers import without_minutes
 from symbalance.notes.checking.units.turns_in_radians import with_turns
+from symbalance.notes.checking.units.unit_by_noun import unit_asked_for
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONDITIONAL,
@@ -727,14 +728,26 @@ class Judge:
         return PlainLetters(self.document, self.state.sections)
 
     def _unlike_rate(self, chain: Chain, k: int) -> Decision | None:
-        """Refute a result in a unit that the rate at the head of its chain cannot have: ω̇ in rad/s."""
-        expected, right = rate_dimension(chain.sides[0].node), chain.sides[k + 1].node
-        own = None if expected is None else Dimensions({}, {}, self.document.text).of_numbers(right)
+        """Refute a result in a unit that the letter at the head of its chain cannot have: ω̇ in rad/s.
+
+        Its dots say so, or the noun right before it: "the torque is M = 50 N".
+        """
         if turns := turns_for_radians(chain, k, self.document):
             return Decision(REFUTED, turns)
-        if expected is None or own is None or own == expected:
+        head, right = chain.sides[0].node, chain.sides[k + 1].node
+        own = Dimensions({}, {}, self.document.text).of_numbers(right)
+        if own is None:
             return None
-        mismatch = Mismatch("the left side is in", expected, own)
+        expected, what = rate_dimension(head), "the left side"
+        symbols = self.declarations.symbols_at(chain.lines[0])
+        if expected is None and isinstance(head, Name) and head.name not in symbols:
+            sentence = self.state.sections.sentence_leading_to(chain)
+            named = unit_asked_for(chain, sentence, self.document.source(chain.sides[k + 1].span))
+            if named is not None:
+                what, expected = f"“{named[0]}”", named[1]
+        if expected is None or own == expected:
+            return None
+        mismatch = Mismatch(f"{what} is in", expected, own)
         witness = {"left": unit_text(expected), "right": unit_text(own)}
         return Decision(REFUTED, mismatch.reason, witness=witness)
 
@@ -744,7 +757,7 @@ def _has_dimension(letter: Name, symbols: Mapping[str, str]) -> bool:
 
 
 def _has_formula(letter: Name, knowledge: Knowledge) -> bool:
-    """Tell whether a line above has a formula in letters for a letter: after E = J ω²/2 it is an energy."""
+    """Tell whether a line above has a formula for a letter: after E = J ω²/2 it is an energy."""
     definition = knowledge.definitions.get(letter.name)
     return definition is not None and bool(names(_value_with_units(definition)))
 

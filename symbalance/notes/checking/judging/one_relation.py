@@ -186,7 +186,7 @@ def _bounded_before(state: JudgingState, chain: Chain) -> frozenset[str]:
 def _letters_behind_result(
     state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
 ) -> frozenset[str]:
-    """Return the letters of a letter's formula, of which words draw a conclusion: y = x² + 1, so y > 0."""
+    """Return the letters of a formula from which words draw a conclusion: y = x² + 1, so y > 0."""
     lone = [side.node for side in chain.sides[k : k + 2] if isinstance(side.node, Name)]
     is_of_number = any(not names(side.node) for side in chain.sides[k : k + 2])
     definition = knowledge.definitions.get(lone[0].name) if len(lone) == 1 and is_of_number else None

@@ -1,4 +1,4 @@
-"""The sign that a page's own series gives a coefficient: of cos θ + A_2 cos 2θ - A_4 cos 4θ that of A_4 is minus."""
+"""The sign that a page's own series gives a coefficient: of cos θ - A_4 cos 4θ that of A_4 is minus."""
 
 from __future__ import annotations
 

@@ -56,7 +56,7 @@ def leave_place(state: JudgingState, chain: Chain) -> bool:
 
 
 def _lines_before_sentence(state: JudgingState, chain: Chain, angles: set[str]) -> Callable[[int], bool]:
-    """Return what tells whether a line speaks of angles before the paragraph or the sentence of a relation."""
+    """Return what tells whether a line speaks of angles before a relation's paragraph or sentence."""
     first = state.sections.paragraph_start(chain.lines[0])
     text = state.document.text
     ends = [match.end() for match in _SENTENCE_END.finditer(text, max(0, chain.start - 400), chain.start)]

@@ -121,8 +121,7 @@ class JudgingState:
         self.small_letters = small_letters(self.document.text)
         self.counts = _counts(self.document)
         self.letters = {n for chain in self.document.chains for n in chain.letters}
-        self.printed = printed_results(self.document)
-        self.stated = stated_values(self.document)
+        self.printed, self.stated = printed_results(self.document), stated_values(self.document)
         self.counted = counted_things(self.document.text)
         self.wrong_numbers = CarriedValues()
         self.given_numbers = GivenNumbers()

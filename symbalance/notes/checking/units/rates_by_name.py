@@ -1,7 +1,8 @@
 """Units of rates by their letters: ω̇ is in 1/s² and φ̇ in 1/s, whatever a page says of ω and φ.
 
 Nobody declares the dot above an angle, and ω̇_max = 11079/2527 = 4.38 rad/s is an angular speed where an
-angular acceleration stands. An angular speed itself is in radians per second: √(10000/4) = 50 is no 50 Hz.
+angular acceleration stands. An angular speed itself is in radians per second: ω = √(10000/4) is no
+50 Hz.
 """
 
 from __future__ import annotations

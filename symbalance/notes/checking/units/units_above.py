@@ -230,7 +230,7 @@ def _options(
 
 
 def _turning(number: Number, above: _Above) -> tuple[Unit, ...]:
-    """Return radians and turns a second for a number that is one of them: 314 where 3000 rpm stands above."""
+    """Return the unit of radians or turns a second: of 314 where 3000 rpm stands above."""
     half = (number.last_place or Fraction(1)) / 2
     speeds = [v for v, rows in above.items() if any(_is_per_minute(Unit(*row)) for row in rows)]
     rates = [float(v) * factor for v in speeds for factor in (pi / 30, 1 / 60)]

@@ -438,7 +438,7 @@ class Sections:
         return end
 
     def _goes_on(self, end: int, following: int) -> bool:
-        """Tell whether a paragraph belongs to the one before: a display, or what its open end leads to."""
+        """Tell whether a paragraph belongs to the one before: a display, or what its end leads to."""
         below = self._lines[following - 1]
         is_open = _OPEN_END.search(self._lines[end - 1]) is not None
         is_formula = _FORMULA_ALONE.fullmatch(below) is not None
@@ -995,7 +995,8 @@ _IDENTITY = re.compile(
     re.IGNORECASE,
 )
 _OPEN_END = re.compile(
-    r"(?::|(?<![A-Za-z])(?:then|is|gives?|so|thus|hence|dann|ist|gilt|wird|ergibt|folgt|also|alors|donc|on a)|[はとで、])[\s$]*$",
+    r"(?::|(?<![A-Za-z])(?:then|is|gives?|so|thus|hence|dann|ist|gilt|wird|ergibt|folgt|also|alors|donc)"
+    r"|[はとで、])[\s$]*$",
     re.IGNORECASE,
 )
 """The end of a paragraph that leads on to the formula below it."""

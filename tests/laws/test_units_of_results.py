@@ -1,0 +1,108 @@
+"""The unit of a result is judged by the formula, the numbers and the noun before it."""
+
+import pytest
+
+from symbalance.checking import check
+
+RIGHT = (
+    r"""Power $P = 50$ kW at $n = 3000$ min⁻¹.
+
+$M = P/\omega = 50000/314 = 159$ N m""",
+    r"""Power $P = 50$ kW at $n = 3000$ min⁻¹.
+
+$M = P/\omega = 50/314 = 0.159$ kN m""",
+    r"""The stroke is $s=86$ mm.
+
+The mean piston speed at 6000 rpm is $c = 2\cdot 0.086\cdot 100 = 17.2$ m/s.""",
+    r"""The stroke is $s=86$ mm.
+
+The mean piston speed at 6000 rpm is $c = 2\cdot 0.086\cdot 100\cdot 3.6 = 61.9$ km/h.""",
+    r"""$M = 120$ N m, $d = 30$ mm, $W_t = 5301$ mm³
+
+$\tau = M/W_t$
+
+$\tau = 120000/5301 = 22.6$ MPa""",
+    r"""$J = 0.5$ kg m², $\omega = 100$ rad/s.
+
+$E = \frac12 J\omega^2$
+
+$E = 0.5\cdot 0.5\cdot 100^2 = 2500\,\mathrm{J}$""",
+    r"""$J = 0.5$ kg m², $\omega = 100$ rad/s.
+
+$E = \frac12 J\omega^2$
+
+$E = 0.5\cdot 0.5\cdot 100^2 = 2500$ Nm = 2.5 kJ""",
+    r"""$m = 0.4$ kg, $r = 40$ mm, $\omega = 300$ rad/s.
+
+$F = m r \omega^2$
+
+Hence
+
+$F = 0.4\cdot 0.04\cdot 300^2 = 1.44$ kN""",
+    r"""Gegeben: $P = 75$ kW, $n = 5500$ 1/min.
+
+$M = P/(2\pi n) = 75000/576 = 130$ Nm""",
+    r"""回転数 $n = 3000$ rpm
+
+$ω = 2πn/60 = 314.2$ rad/s""",
+    r"""$k = 10000$ N/m, $m = 4$ kg
+
+$\omega_0 = \sqrt{k/m} = \sqrt{10000/4} = 50$ rad/s""",
+    r"""$\omega = 2\pi\cdot 50 = 314$ rad/s and $f = 3000/60 = 50$ Hz""",
+    r"""The speed is $\omega = 314.2$ rad/s $= 3000$ rpm""",
+    r"""Das Drehmoment beträgt $M = 50$ N m. The mass is $m = 3$ kg.""",
+)
+WRONG = (
+    r"""Power $P = 50$ kW at $n = 3000$ min⁻¹.
+
+$M = P/\omega = 50000/314 = 159$ kNm""",
+    r"""Power $P = 50$ kW at $n = 3000$ min⁻¹.
+
+$M = P/\omega = 50/314 = 0.159$ N m""",
+    r"""The stroke is $s=86$ mm.
+
+The mean piston speed at 6000 rpm is $c = 2\cdot 0.086\cdot 100 = 17.2$ km/h.""",
+    r"""$M = 120$ N m, $d = 30$ mm, $W_t = 5301$ mm³
+
+$\tau = M/W_t$
+
+$\tau = 120000/5301 = 22.6$ kPa""",
+    r"""$J = 0.5$ kg m², $\omega = 100$ rad/s.
+
+$E = \frac12 J\omega^2$
+
+$E = 0.5\cdot 0.5\cdot 100^2 = 2500\,\mathrm{W}$""",
+    r"""$m = 0.4$ kg, $r = 40$ mm, $\omega = 300$ rad/s.
+
+$F = m r \omega^2$
+
+Hence
+
+$F = 0.4\cdot 0.04\cdot 300^2 = 1440$ N m""",
+    r"""Gegeben: $P = 75$ kW, $n = 5500$ 1/min.
+
+$M = P/(2\pi n) = 75000/576 = 130$ kNm""",
+    r"""$k = 10000$ N/m, $m = 4$ kg
+
+$\omega_0 = \sqrt{k/m} = \sqrt{10000/4} = 50$ rpm""",
+    r"""$k = 10000$ N/m, $m = 4$ kg
+
+$\omega_0 = \sqrt{k/m} = \sqrt{10000/4} = 50$ Hz""",
+    r"""$\omega = 2\pi\cdot 50 = 314.2$ Hz""",
+    r"""Das Drehmoment beträgt $M = 50$ N.""",
+    r"""The mass is $m = 3$ N.""",
+)
+
+
+def _verdicts(page):
+    return [link["verdict"] for link in check(page).data()["links"]]
+
+
+@pytest.mark.parametrize("page", RIGHT)
+def test_nothing_right_is_accused(page):
+    assert not {"refuted", "contradiction", "unreadable"} & set(_verdicts(page))
+
+
+@pytest.mark.parametrize("page", WRONG)
+def test_what_is_wrong_is_refuted(page):
+    assert "refuted" in _verdicts(page)
