@@ -27,6 +27,7 @@ _PREPOSITION = re.compile(
     r"(?<![A-Za-z])(?:of|at|on|in|by|to|from|for|per|about|between|an|am|im|der|des|vom|von|zum|beim?|pro|je|de|du|sur)(?![A-Za-z])",
     re.IGNORECASE,
 )
+_NO_NOUN = re.compile(r"[=≈0-9]|[.,;:!?)。、]\s*$|\n\s*\n")
 MOST_WORDS = 7
 
 
@@ -42,8 +43,9 @@ def unit_asked_for(chain: Chain, sentence: str, value: str) -> tuple[str, Dimens
     """
     if not isinstance(chain.sides[0].node, Name):
         return None
-    words = sentence.rstrip(" \t\n$\\([{")
-    phrase = _CLAUSE.split(words)[-1].strip()
+    phrase = _CLAUSE.split(sentence.rstrip(" \t$\\([{") + " ")[-1].strip()
+    if _NO_NOUN.search(phrase):
+        return None
     bare = _VERB.sub("", phrase)
     has_verb = bare != phrase
     noun = _ARTICLE.sub("", bare)
