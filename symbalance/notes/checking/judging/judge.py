@@ -65,6 +65,7 @@ from symbalance.notes.checking.steps.another_engines_numbers import (
     leave_products_of_another,
     puts_another_engines_numbers_in,
 )
+from symbalance.notes.checking.steps.another_factor import put_in_with_another_factor
 from symbalance.notes.checking.steps.another_place import (
     is_multiple_of_angle,
     leave_condition_of_place,
@@ -240,8 +241,7 @@ class Judge:
                 is_excused = bad or isinstance(chain.sides[k].node, Name)
                 verdict = self.assertion(chain, k + 1, bound[k + 1], verdict, is_excused)
             verdicts.append(verdict)
-            if verdict.verdict in (REFUTED, CONTRADICTION):
-                self.state.refuted.add(span[0])
+            self.state.note_verdict(span[0], verdict.verdict)
             if verdict.verdict == REFUTED:
                 self.state.wrong_numbers.note(chain, k)
                 self.state.definitions.forget_moment(chain.sides[k + 1].node)
@@ -492,6 +492,7 @@ class Judge:
             there = there or by_nearest_formulas(self.state, chain, k, knowledge)
             there = there or as_supposed(self.state, chain, k)
             there = there or open_against_lines(self.state, chain, k, knowledge)
+            there = there or put_in_with_another_factor(self.state, chain, k, knowledge)
         else:
             there = by_square_above(self.state, chain, k, knowledge)
             if verdict.verdict == UNDECIDED:
