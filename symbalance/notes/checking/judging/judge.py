@@ -40,6 +40,7 @@ from symbalance.notes.checking.page.consequences import decide_consequence
 from symbalance.notes.checking.page.engine_blocks import EngineBlocks
 from symbalance.notes.checking.page.letters_of_sections import numbers_of_this_section
 from symbalance.notes.checking.page.own_exercises import OwnExercises
+from symbalance.notes.checking.page.own_functions import with_own_functions
 from symbalance.notes.checking.page.page_data import data_of
 from symbalance.notes.checking.page.quotations import Quotations
 from symbalance.notes.checking.premises.another_value import NO_WORDS
@@ -142,6 +143,7 @@ class Judge:
     def __post_init__(self) -> None:
         symbols_at = self.declarations.symbols_at
         self.document = with_angles_of_time(with_both_readings(self.document, symbols_at))
+        self.document = with_own_functions(self.document)
         text = self.document.text
         self.document = replace(self.document, text=with_units_shown(text), as_typed=text)
         data = data_of(self.document, symbols_at)
