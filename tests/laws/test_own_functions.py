@@ -5,7 +5,14 @@ from __future__ import annotations
 import pytest
 
 from symbalance.notes.checking import check
-from symbalance.notes.checking.verdicts import CONDITION, DEFINITION, PROVED_WORDS, REFUTED
+from symbalance.notes.checking.verdicts import (
+    CONDITION,
+    CONTRADICTION,
+    DEFINITION,
+    PROVED_WORDS,
+    REFUTED,
+    UNDECIDED,
+)
 
 SQUARES = "The sum of the squares is $S(k) = (1-k)^2 + k^2$. "
 CUBE = "Die Funktion\n\n$$f(x) = x^3 - 12x + 1$$\n\n"
@@ -88,3 +95,20 @@ def test_a_derivative_set_to_zero_is_solved_by_what_it_is(
 @pytest.mark.parametrize("page", ["With $f(x) = 2x$ and $f(t) = t^2$ it is $f(3) = 9$", "$g(2) = 5$"])
 def test_of_a_letter_that_is_no_one_function_nothing_is_refuted(page):
     assert REFUTED not in words(page)
+
+
+MAKER = (
+    SQUARES + "To zero:\n\n$$\\frac{dS}{dk} = 4k - 2 = 0$$\n\nso that $k = 0.5$ is best."
+    "{}The makers use $k = 0.6$ and have $S = {}$."
+)
+
+
+@pytest.mark.parametrize(
+    "between", [" ", "\n\n", "\n\nFar below stands more.\n\nAnd more.\n\n", "\n\n# Two\n\n"]
+)
+def test_another_value_than_the_best_is_not_accused(between):
+    *_, value, result = words(MAKER.replace("{}", between, 1).replace("{}", "0.52"))
+    assert value not in (REFUTED, CONTRADICTION, UNDECIDED)
+    assert result in PROVED_WORDS
+    *_, result = words(MAKER.replace("{}", between, 1).replace("{}", "0.25"))
+    assert result in (REFUTED, CONTRADICTION)

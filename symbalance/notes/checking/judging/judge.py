@@ -76,6 +76,7 @@ from symbalance.notes.checking.steps.another_place import (
 from symbalance.notes.checking.steps.another_section import leave_angle_of_section
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.data_lists import open_if_datum
+from symbalance.notes.checking.steps.derivatives_set_to_zero import leave_extreme
 from symbalance.notes.checking.steps.extremal_values import unless_no_extreme
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
@@ -448,7 +449,8 @@ class Judge:
         )
         is_unsaid = verdict.verdict == UNDECIDED and (verdict.reason or "").endswith(NO_WORDS)
         is_left = (is_against or is_unsaid) and leave_value_of_case(self.state, chain, k)
-        if is_left or (contradicts and leave_premises(self.state, chain)):
+        is_other = contradicts and (leave_extreme(self.state, chain) or leave_premises(self.state, chain))
+        if is_left or is_other:
             return self._link_in_scope(chain, k, sound, bad)
         if verdict.verdict == REFUTED and (changing := changing_letters(self.state, chain, k)):
             return self._without_constant(chain, k, sound, bad, changing)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Derivative, Number
+from symbalance.document.formula import Derivative, Name, Number, names
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.cases import decide_case
 from symbalance.notes.checking.deciding.equality import Decision, decide_equality
@@ -46,5 +46,29 @@ def as_zero_of_derivative(
     case = compared and decide_case(alone, 0, compared, knowledge, is_solved=True)
     if case is None or case.status != CONDITION:
         return None
-    state.definitions.note_premise(alone, 0, angles=knowledge.angles)
+    premise = state.definitions.premise_of(alone, 0)
+    end = state.sections.moment_end(premise.line)  # elsewhere the letter has values that are no extreme
+    state.definitions.premises.append(replace(premise, last_line=min(premise.last_line, end)))
     return replace(case, reason="the derivative is set to zero")
+
+
+def leave_extreme(state: JudgingState, chain: Chain) -> bool:
+    """Forget a derivative that is zero, before another value than the one it was solved to; tell of any.
+
+    It is smallest at k = 1/2, and a maker uses k = 0.6 all the same. "So k = 0.6" is no other value.
+    """
+    head, definitions = chain.sides[0].node, state.definitions
+    is_value = len(chain.sides) == 2 and isinstance(head, Name) and not names(chain.sides[1].node)
+    if not is_value or state.sections.is_consequence(chain):
+        return False
+    above = [c for c in state.sections.chains_of(head) if c.end <= chain.start]
+    left = [
+        premise
+        for premise in definitions.premises
+        if isinstance(premise.left, Derivative)
+        and premise.left.variable == head
+        and premise.right == _ZERO
+        and any(c.start > premise.left.span[1] for c in above)
+    ]
+    definitions.premises = [premise for premise in definitions.premises if premise not in left]
+    return bool(left)
