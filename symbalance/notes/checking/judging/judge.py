@@ -40,6 +40,7 @@ from symbalance.notes.checking.page.consequences import decide_consequence
 from symbalance.notes.checking.page.engine_blocks import EngineBlocks
 from symbalance.notes.checking.page.letters_of_sections import numbers_of_this_section
 from symbalance.notes.checking.page.own_exercises import OwnExercises
+from symbalance.notes.checking.page.own_functions import with_own_functions
 from symbalance.notes.checking.page.page_data import data_of
 from symbalance.notes.checking.page.quotations import Quotations
 from symbalance.notes.checking.premises.another_value import NO_WORDS
@@ -65,6 +66,7 @@ from symbalance.notes.checking.steps.another_engines_numbers import (
     leave_products_of_another,
     puts_another_engines_numbers_in,
 )
+from symbalance.notes.checking.steps.another_factor import put_in_with_another_factor
 from symbalance.notes.checking.steps.another_place import (
     is_multiple_of_angle,
     leave_condition_of_place,
@@ -74,6 +76,7 @@ from symbalance.notes.checking.steps.another_place import (
 from symbalance.notes.checking.steps.another_section import leave_angle_of_section
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.data_lists import open_if_datum
+from symbalance.notes.checking.steps.derivatives_set_to_zero import leave_extreme
 from symbalance.notes.checking.steps.extremal_values import unless_no_extreme
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
@@ -142,6 +145,7 @@ class Judge:
     def __post_init__(self) -> None:
         symbols_at = self.declarations.symbols_at
         self.document = with_angles_of_time(with_both_readings(self.document, symbols_at))
+        self.document = with_own_functions(self.document)
         text = self.document.text
         self.document = replace(self.document, text=with_units_shown(text), as_typed=text)
         data = data_of(self.document, symbols_at)
@@ -241,8 +245,7 @@ class Judge:
                 is_excused = bad or isinstance(chain.sides[k].node, Name)
                 verdict = self.assertion(chain, k + 1, bound[k + 1], verdict, is_excused)
             verdicts.append(verdict)
-            if verdict.verdict in (REFUTED, CONTRADICTION):
-                self.state.refuted.add(span[0])
+            self.state.note_verdict(span[0], verdict.verdict)
             if verdict.verdict == REFUTED:
                 self.state.wrong_numbers.note(chain, k)
                 self.state.definitions.forget_moment(chain.sides[k + 1].node)
@@ -451,7 +454,8 @@ class Judge:
         )
         is_unsaid = verdict.verdict == UNDECIDED and (verdict.reason or "").endswith(NO_WORDS)
         is_left = (is_against or is_unsaid) and leave_value_of_case(self.state, chain, k)
-        if is_left or (contradicts and leave_premises(self.state, chain)):
+        is_other = contradicts and (leave_extreme(self.state, chain) or leave_premises(self.state, chain))
+        if is_left or is_other:
             return self._link_in_scope(chain, k, sound, bad)
         if verdict.verdict == REFUTED and (changing := changing_letters(self.state, chain, k)):
             return self._without_constant(chain, k, sound, bad, changing)
@@ -497,6 +501,7 @@ class Judge:
             there = there or by_nearest_formulas(self.state, chain, k, knowledge)
             there = there or as_supposed(self.state, chain, k)
             there = there or open_against_lines(self.state, chain, k, knowledge)
+            there = there or put_in_with_another_factor(self.state, chain, k, knowledge)
         else:
             there = by_square_above(self.state, chain, k, knowledge)
             if verdict.verdict == UNDECIDED:

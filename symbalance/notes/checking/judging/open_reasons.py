@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symbalance.document.formula import Formula, Name, Quotient, Summation, names, walk
+from symbalance.document.formula import Derivative, Formula, Name, Quotient, Summation, names, walk
 from symbalance.document.letters import plain_letter
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.harmonics import components
@@ -112,6 +112,12 @@ def _summed_letters(left: Formula, right: Formula, decision: Decision, knowledge
     return bodies if len(products) <= 1 else set()  # in m r ω² λ nothing cancels, in F + G it may
 
 
+def _differentiated_by(left: Formula, right: Formula) -> set[str]:
+    """Return the letter of dS/dk = 2(1 - k) + 2k by which is differentiated: no meaning of it counts."""
+    slopes = [node for node in (left, right) if isinstance(node, Derivative)]
+    return {each.variable.name for each in slopes} & names(left) & names(right)
+
+
 def _one_sided_letter(
     state: JudgingState, decision: Decision, chain: Chain, k: int, knowledge: Knowledge
 ) -> str:
@@ -128,6 +134,7 @@ def _one_sided_letter(
         return _one_sided_by_value(state, left, right, line, knowledge)
     both = names(left) & names(right) if decision.expanded_in else set[str]()
     both |= _summed_letters(left, right, decision, knowledge)
+    both |= _differentiated_by(left, right)
     if decision.left.is_zero() or decision.right.is_zero():  # they cancel in one side, whatever they are
         nodes = {n: d.node for n, d in knowledge.definitions.items()}
         shared = names(left) & names(right)
@@ -263,8 +270,9 @@ def _count_without_meaning(
         and not names(c.sides[1].node)
     }
     declared = state.declarations.symbols_at(chain.lines[0])
+    bound = _differentiated_by(chain.sides[k].node, chain.sides[k + 1].node)
     for name in sorted(set(letters(decision.left)) ^ set(letters(decision.right))):
-        if name in state.general | knowledge.universal:
+        if name in state.general | knowledge.universal | bound:
             continue
         if name in below and name not in declared and not knowledge.knows(name):
             text = plain_text(Name(name))

@@ -58,6 +58,7 @@ from symbalance.notes.checking.meant.meant_words import NOBODY, USUAL_END
 from symbalance.notes.checking.meant.order_directions import OrderDirections, Sizes
 from symbalance.notes.checking.meant.signs_in_series import multiple_of_angle, sign_in_series
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
+from symbalance.notes.checking.words.accuracies import introduces_aid, without_accuracies
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Side
@@ -321,8 +322,10 @@ class NamedOrders:
         own = header or self.meant.words.before(chain)
         original = self.meant.words.glossary.own_words(own)
         quote = "" if original == own else original
-        if _OF_HALVES.search(own):
+        is_aid = name.partition("_")[2] in ("", "0") and introduces_aid(own)
+        if is_aid or _OF_HALVES.search(own):
             return None
+        own = without_accuracies(own)
         clause = re.split(r"[,;:、](?=\s|\$)|\b(?:and|und)\b", own)[-1]
         own = clause if _ORDER_WORD.search(clause) else own
         numbers = {int((m.lastgroup or "n0")[1:]) for m in _ORDER.finditer(own)}

@@ -9,12 +9,15 @@ from symbalance.document.formula import Call, Derivative, Formula, Name, Number,
 from symbalance.notes.checking.deciding.equality import decide_equality
 from symbalance.notes.checking.declared.symbol_roles import letters_by_role
 from symbalance.notes.checking.page.solutions import chains_below
+from symbalance.notes.checking.steps.derivatives_set_to_zero import slope_set_to_zero
 from symbalance.notes.checking.steps.judging_state import ANGLES, JudgingState
 from symbalance.notes.reading.equations import Chain
 
 
 def is_to_be_solved(state: JudgingState, chain: Chain, k: int) -> bool:
     """Tell whether an equation is to be solved: by a formula's slope, words, or a value below it."""
+    if k + 1 < len(chain.relations) and slope_set_to_zero(chain, state.knowledge(chain.lines[0])):
+        return False  # dS/dk = 2k = 0: what the derivative is, before it is set to zero
     return _is_where_derivative_vanishes(state, chain, k) or _is_solved_by_words(state, chain, k)
 
 

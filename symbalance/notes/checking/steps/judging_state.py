@@ -60,6 +60,7 @@ from symbalance.notes.checking.premises.rounded_values import values_put_in
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.printed_results import PrintedResults
 from symbalance.notes.checking.units.stated_units import StatedUnits
+from symbalance.notes.checking.verdicts import CONTRADICTION, REFUTED, STATED
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
 from symbalance.notes.checking.words.integer_words import integers_said
 from symbalance.notes.checking.words.sections import Sections
@@ -97,6 +98,8 @@ class JudgingState:
     """What tables, lists and code give letters."""
     refuted: set[int] = field(default_factory=set)
     """Places where the right sides of refuted relations begin."""
+    stated: set[int] = field(default_factory=set)
+    """Places where the right sides of relations begin that the page only states: nothing proves them."""
     _meanings: dict[tuple[Any, ...], tuple[SymbolValue, Geometry]] = field(
         default_factory=dict, init=False
     )
@@ -155,6 +158,13 @@ class JudgingState:
         self.turned = turned_letters(self.document)
         self.general: frozenset[str] = frozenset()
         """Letters of all of whose values the relation in hand is claimed, whatever case stands before."""
+
+    def note_verdict(self, place: int, verdict: str) -> None:
+        """Note where a relation's right side begins, if it is refuted or only stated."""
+        if verdict in (REFUTED, CONTRADICTION):
+            self.refuted.add(place)
+        elif verdict in STATED:
+            self.stated.add(place)
 
     @cached_property
     def bank_resultants(self) -> BankResultants:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from symbalance.document.formula import Name, names
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
-from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number
 from symbalance.notes.checking.deciding.relations import decide
@@ -121,6 +121,33 @@ def _with_what_it_should_be(
     return replace(step, reason=as_statement.reason)
 
 
+def _by_solved_letters(
+    state: JudgingState, left: Side, right: Side, sign: str, by_all: Decision, knowledge: Knowledge
+) -> Decision:
+    """Return a decision; a refutation is one in the letters that premises leave free.
+
+    After m_A + m_B = m and m_A a = m_B b the line m_A = m a/(a + b) differs from m b/(a + b), whatever
+    m_B is. Where the page's sizes a and b make it wrong too, it is at odds with those lines.
+    """
+    forms = [form for form in (by_all.left, by_all.right) if form is not None]
+    if by_all.status != REFUTED or not any(knowledge.solved.keys() & letters(form) for form in forms):
+        return by_all
+    formulas = {n: d for n, d in knowledge.definitions.items() if names(d.node)}
+    general = replace(knowledge, definitions=formulas, solved={}, solved_from=())
+    line = state.document.line_of(right.span[0])
+    solved = solve_premises(state.definitions, [left.node, right.node], line, general)
+    if solved is None or solved.leftover:
+        return by_all
+    values = {n: Definition(node, line) for n, node in solved.knowledge.solved.items()}
+    decision = decide(left, right, sign, replace(general, definitions={**formulas, **values}))
+    if decision.status != REFUTED:
+        return by_all
+    with_numbers = replace(knowledge, solved={}, solved_from=())
+    by_numbers = decide_by_premises(state.definitions, Premise(left.node, right.node, line), with_numbers)
+    is_against = by_numbers is not None and by_numbers.status == CONTRADICTION
+    return replace(decision, reason=by_numbers.reason) if by_numbers and is_against else decision
+
+
 def with_premises(
     state: JudgingState, left: Side, right: Side, sign: str, decision: Decision, knowledge: Knowledge
 ) -> tuple[Decision, bool]:
@@ -134,7 +161,7 @@ def with_premises(
         return decision, False
     by_all = decide(left, right, sign, solved.knowledge)
     if by_all.status != REFUTED or not solved.leftover:
-        return by_all, False
+        return _by_solved_letters(state, left, right, sign, by_all, solved.knowledge), False
     at_solution = refuted_at_angles(left, right, sign, solved)
     if at_solution is not None or not concerns(solved, by_all):
         return at_solution or by_all, False

@@ -17,6 +17,7 @@ from symbalance.notes.checking.meant.engines.order_indices import (
     wave_of,
 )
 from symbalance.notes.checking.meant.meant_words import MeantWords
+from symbalance.notes.checking.words.accuracies import introduces_aid, without_accuracies
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
 from symbalance.notes.checking.words.engines_in_words import CrankStar, EnginesInWords, NamedEngine
 from symbalance.notes.checking.words.sections import Sections
@@ -181,9 +182,11 @@ class EngineClaims:
         start, end = chain.start, chain.end
         before, behind, sentence, own = self._words_around(chain, start, end)
         heading = self.sections.heading_above(chain.lines[0])
+        if not index_of(name) and introduces_aid(self._text[:start][-_MOST:]):
+            return None
         order, source = 0, ""
         title = self._text[: self._line_starts[1]]
-        for words in (before, behind, heading, title):
+        for words in map(without_accuracies, (before, behind, heading, title)):
             if _ORDER_WORD.search(words) and (order := _order_in(words, name)):
                 source = words
                 break
@@ -241,10 +244,8 @@ class EngineClaims:
         """Return the orders that the sentence of a relation names before it, or the one before that."""
         start = self._opening(chain.start)
         first, _ = self._sentence(start, chain.end)
-        for words in (
-            self._text[first:start],
-            self._text[self._sentence(max(first - 2, 0), first)[0] : start],
-        ):
+        above = self._text[self._sentence(max(first - 2, 0), first)[0] : start]
+        for words in map(without_accuracies, (self._text[first:start], above)):
             if _ORDER_WORD.search(words) and (
                 orders := {int((m.lastgroup or "n0")[1:]) for m in _ORDER.finditer(words)}
             ):
@@ -289,7 +290,7 @@ class EngineClaims:
         others = [c for c in self.words.document.chains if c is not chain and c.relations]
         earlier = max((c.end for c in others if first <= c.end <= start), default=first)
         later = min((c.start for c in others if end <= c.start < last), default=last)
-        before = self._text[earlier:start]
+        before = without_accuracies(self._text[earlier:start])
         clause = re.split(rf"[,;:、](?=\s|\$)|{_AND.pattern}", before)
         before = next((c for c in clause[:0:-1] if _ORDER_WORD.search(c)), before)
         if header := self.words.header_of_column(chain):
