@@ -170,7 +170,7 @@ class Judge:
             self._take_data(chain)
             self.blocks.enter(chain.lines[0], self.state.definitions)
             self.exercises.enter(chain.lines[0], self.state.definitions, self.declarations)
-            self.state.cases.enter(chain.lines[0], self.state.definitions)
+            self.state.enter_case(chain.lines[0])
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
             verdicts += self.chain(chain, chain_binds)
         for binding in (b for rest in bindings.values() for b in rest):
@@ -192,7 +192,7 @@ class Judge:
             or (self.data[0].lines[0] == line and self.data[0].sides[-1].span[1] <= start)
         ):
             datum = self.data.pop(0)
-            self.state.cases.enter(datum.lines[0], self.state.definitions)
+            self.state.enter_case(datum.lines[0])
             name = next(iter(names(datum.sides[0].node)))
             earlier = self.state.knowledge(datum.lines[0]).definitions.get(name)
             if earlier is not None and not earlier.numeric:

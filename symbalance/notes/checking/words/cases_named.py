@@ -108,6 +108,30 @@ def names_another_example(words: str) -> bool:
     return _ANOTHER.search(words) is not None
 
 
+_EXAMPLE = (
+    r"(?:examples?|exercise|problem|engine|motor|Beispiel|Zahlenbeispiel|Aufgabe|Fall|Motor|exemple|exercice|moteur|cas"
+    r"|ejemplo|esempio|motore|caso)"
+)
+_FOLLOWING = (
+    r"(?:second|2nd|third|3rd|next|another|other|zweite[srn]?|2\.|dritte[srn]?|3\.|nächste[srn]?|andere[srn]?|noch\s+ein(?:e|en)?"
+    r"|weitere[srn]?|deuxième|2e|troisième|autre|second[aeo]?|otro|altro)"
+)
+_NEXT = re.compile(
+    rf"(?<![^\W\d_]){_FOLLOWING}\s+{_EXAMPLE}(?![^\W\d_])"
+    r"|(?:別|他|次|第[二三])の?(?:数値)?(?:例|エンジン|機関|場合)|例題?\s*[2-9２-９]|(?:2|3|二|三)つ目の(?:例|エンジン|機関)",
+    re.IGNORECASE,
+)
+
+
+def names_next_example(words: str) -> bool:
+    """Tell whether words open the next example by name.
+
+    >>> names_next_example("Second example: with"), names_next_example("An example:")
+    (True, False)
+    """
+    return _NEXT.search(words) is not None
+
+
 _SOME = re.compile(
     rf"(?<![A-Za-z])an?\s+(?:[\w-]+\s+){{1,3}}{_THING}(?![A-Za-z])"
     r"|(?<![A-Za-z])(?:eine?[rnm]?|einem)\s+(?:[\w-]+\s+){0,3}[\w-]*(?:motor|maschine|verdichter)s?(?![a-z])"
