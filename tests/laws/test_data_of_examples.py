@@ -123,3 +123,13 @@ def test_a_list_says_what_does_not_change_once_more():
     page = FIRST + "m = 0.52 kg, r = {}, l = 144 mm\n"
     found = [link["verdict"] for link in check(page.format("0.040 m")).data()["links"]]
     assert not {*found} & {"refuted", "contradiction", "undecided"}
+
+
+@pytest.mark.parametrize(
+    "data", ["m = 0.50 kg, r = 41 mm, l = 140 mm", "m = 0.50 kg, r = 40 mm, l = 141 mm"]
+)
+def test_one_number_of_a_list_that_is_nearly_as_before_is_open(data):
+    found = [link["verdict"] for link in check(FIRST + "Again: " + data).data()["links"]]
+    assert sorted(found[5:]) == ["holds", "holds", "undecided"]
+    alone = [link["verdict"] for link in check(FIRST + "Also ist r = 41 mm.").data()["links"]]
+    assert alone[-1] == "refuted"

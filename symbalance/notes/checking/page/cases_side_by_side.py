@@ -177,11 +177,11 @@ class CasesSideBySide:
 
     def _lists(self, last: int) -> Iterator[CasePart]:
         """Yield what lists of data open, each up to the next one; one within a line opens nothing."""
+        chains_on = self.sections.chains_on
         lists = [
             own
-            for own in lists_of_data(self.document.text, self.sections.in_order)
-            if not self.sections.is_consequence(own[0])
-            and own[0] is min(self.sections.chains_on(own[0].lines[0]), key=lambda c: c.start)
+            for own in self._lists_of_data
+            if own[0] is min(chains_on(own[0].lines[0]), key=lambda c: c.start)
         ]
         ends = [own[0].lines[0] - 1 for own in lists[1:]]
         for own, end in zip(lists, [*ends, last], strict=False):
@@ -194,6 +194,15 @@ class CasesSideBySide:
             part.is_another = names_another_example(words) or names_next_example(words)
             part.numbers = dict(self._numbers(part))
             yield part
+
+    def is_in_list_of_data(self, chain: Chain) -> bool:
+        """Tell whether a relation gives one of the numbers of a list of data."""
+        return any(chain is each for own in self._lists_of_data for each in own)
+
+    @cached_property
+    def _lists_of_data(self) -> list[list[Chain]]:
+        lists = lists_of_data(self.document.text, self.sections.in_order)
+        return [own for own in lists if not self.sections.is_consequence(own[0])]
 
     def _has_formula(self, name: str, before: int) -> bool:
         """Tell whether a letter has a formula in letters somewhere above a place."""

@@ -45,11 +45,24 @@ def open_if_datum(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -
     )
     if (is_against or verdict.verdict == REFUTED) and _is_given(state, chain, k):
         return _given_number(state, chain, verdict)
+    if verdict.verdict == REFUTED and not k and (line := _line_of_datum(state, chain)) is not None:
+        reason = f"given in a list of data, and line {line} gives another number: another case, or a slip"
+        return replace(verdict, verdict=UNDECIDED, reason=reason, fix=None)
     if not is_against or not is_datum(state, chain, k):
         return verdict
     reason = (verdict.reason or "").removeprefix("contradicts ").removeprefix("does not satisfy ")
     reason = f"a number of an example, which does not fit {reason}: another case, or wrong"
     return replace(verdict, verdict=UNDECIDED, reason=reason, fix=None)
+
+
+def _line_of_datum(state: JudgingState, chain: Chain) -> int | None:
+    """Return the line above that gives a letter of a list of data a number which follows from nothing."""
+    head = chain.sides[0].node
+    if not isinstance(head, Name) or not state.cases.is_in_list_of_data(chain):
+        return None
+    known = state.definitions.at(chain.lines[0]).get(head.name)
+    is_datum = known is not None and known.numeric and known.formula is None
+    return known.line if known is not None and is_datum else None
 
 
 def _given_number(state: JudgingState, chain: Chain, verdict: Verdict) -> Verdict:
