@@ -46,6 +46,7 @@ from symbalance.notes.checking.page.quotations import Quotations
 from symbalance.notes.checking.premises.another_value import NO_WORDS
 from symbalance.notes.checking.premises.results_as_cases import NO_RESULT
 from symbalance.notes.checking.steps.angle_equations import lines_of_angles
+from symbalance.notes.checking.steps.another_angle import leave_angle_above, leave_number_at_angle
 from symbalance.notes.checking.steps.another_body import (
     leave_body,
     leave_choice,
@@ -442,6 +443,7 @@ class Judge:
                     or leave_named_case(self.state, chain, k)
                     or leave_products_of_another(self.state, chain, k)
                     or leave_angle_of_section(self.state, chain, k)
+                    or leave_angle_above(self.state, chain, k)
                 )
             )
         ):
@@ -451,7 +453,9 @@ class Judge:
             and (verdict.reason or "").startswith(("contradicts", "does not fit"))
         )
         is_unsaid = verdict.verdict == UNDECIDED and (verdict.reason or "").endswith(NO_WORDS)
-        is_left = (is_against or is_unsaid) and leave_value_of_case(self.state, chain, k)
+        is_left = (is_against or is_unsaid) and (
+            leave_value_of_case(self.state, chain, k) or leave_number_at_angle(self.state, chain, k)
+        )
         if is_left or (contradicts and leave_premises(self.state, chain)):
             return self._link_in_scope(chain, k, sound, bad)
         if verdict.verdict == REFUTED and (changing := changing_letters(self.state, chain, k)):

@@ -454,7 +454,7 @@ def _arrows(text: str) -> dict[int, tuple[int, str]]:
 
 
 def _is_pair(text: str, match: re.Match[str]) -> bool:
-    """Tell whether brackets hold these two numbers alone: (1,2) and [0,1] are pairs, cos(22,5) has none."""
+    """Tell whether brackets hold these two numbers alone: (1,2) and [0,1] are pairs, no cos(2,5)."""
     before, after = text[max(match.start() - 1, 0) : match.start()], text[match.end() : match.end() + 1]
     is_in_brackets = (before, after) in (("(", ")"), ("[", "]"), ("(", "]"), ("[", ")"), ("|", "|"))
     return is_in_brackets and not _is_argument(match)
