@@ -54,3 +54,23 @@ def test_a_value_in_brackets_in_the_same_unit_is_another_quantity():
     assert words_of("F = 1.5*3979 = 5969 N (1990 N)") == ["definition", "holds_to_order"]
     assert words_of("F = 1.5*3979 = 5969 N (5.969 kN)")[-1] == "holds"
     assert words_of("F = 1.5*3979 = 5969 N (5.696 kN)")[-1] == "refuted"
+
+
+OFFSETS = [
+    "For 60° this gives d = {}°, for 72° d = {}° and at 90° d = {}.",
+    "Fuer 60 Grad gibt das d = {} Grad, fuer 72 Grad d = {} Grad, und bei 90 Grad ist d = {}.",
+    "Pour 60° on a d = {}°, pour 72° d = {}° et pour 90° d = {}.",
+    "60°では d = {}°、72°では d = {}°、90°では d = {} となる。",
+]
+
+
+@pytest.mark.parametrize("line", OFFSETS)
+@pytest.mark.parametrize("above", ["", "At g = 90° it is a circle.\n\n"])
+def test_an_angle_by_its_formula_in_another_one(line, above):
+    page = above + "d = 180° - 2*g\n\n"
+    assert words_of(page + line.format(60, 36, 0))[-3:] == ["conditional"] * 3
+    assert words_of(page + line.format(60, 63, 0))[-3:] == ["conditional", "undecided", "conditional"]
+
+
+def test_a_list_of_angles_before_a_case_stays_a_list():
+    assert words_of("θ = 0°、180°では x = 0 である。") == ["range", "range", "definition"]

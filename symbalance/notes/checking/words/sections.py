@@ -251,14 +251,14 @@ _DEAD_CENTRE = re.compile(
 )
 _PLACE = re.compile(
     rf"({_TOP}|{_SHORT_TOP})|({_BOTTOM}|{_SHORT_BOTTOM})"
-    r"|(?<![A-Za-z])(?:at|for|bei|für)\s+(?:an?\s+angle\s+of\s+)?(?:\$?\\?[a-zθφα]{1,8}\s?=\s?)?\$?"
+    r"|(?<![A-Za-z])(?:at|for|bei|für|fuer|pour)\s+(?:an?\s+angle\s+of\s+)?(?:\$?\\?[a-zθφα]{1,8}\s?=\s?)?\$?"
     r"([0-9]{1,3})\s?\$?(?:°|\^\{?\\circ|degrees?|Grad)|([0-9]{1,3})\s?(?:°|度)\$?(?:では|のとき)"
     r"|(?:[αβγθφϕψ]|\\(?:alpha|beta|gamma|theta|varphi|phi|psi))\s?=\s?([0-9]{1,3})\s?(?:°|\^\{?\\circ)",
     re.IGNORECASE,
 )
 """Where a value is taken: at a dead centre, or at an angle."""
 _RIGHT_BEHIND = re.compile(
-    r"[\s$)}\]\\]{0,4}(?:\\?(?:text|mathrm)\{[^{}]{0,12}\}[\s$)}\]\\]{0,4})?(?:</?\w{1,5}>)?\s?(?:[^\W\d_]{1,3}(?:/[^\W\d_]{1,3})?\s)?(?:at\s|in\s|the\s|its\s){0,2}"
+    r"[\s$)}\]\\]{0,4}(?:\\?(?:text|mathrm)\{[^{}]{0,12}\}[\s$)}\]\\]{0,4})?(?:</?\w{1,5}>)?\s?(?:(?!(?:and|und|et)\s)[^\W\d_]{1,3}(?:/[^\W\d_]{1,3})?\s)?(?:at\s|in\s|the\s|its\s){0,2}"
 )
 """What may stand between a value and its place: 8 in at top dead centre."""
 _SENTENCE_OR_ITEM = re.compile(
