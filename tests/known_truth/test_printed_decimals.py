@@ -151,3 +151,24 @@ def test_two_rounded_coefficients_have_room_for_both():
 )
 def test_the_digits_of_a_decimal_that_count(value, place, digits):
     assert significant(Number(Fraction(value), Fraction(place))) == digits
+
+
+@pytest.mark.parametrize(
+    ("claim", "wrong"),
+    [
+        ("cos(22,5)^2 = 0,854 und sin(22,5)^2 = 0,146", "0,164"),
+        ("$\\cos(22,5^\\circ) = 0,924$", "0,942"),
+        ("sqrt(2,25) = 1,5", "1,6"),
+        ("exp(0,5) = 1,649", "1,694"),
+    ],
+)
+def test_a_comma_in_the_brackets_of_a_function_is_a_decimal_sign(claim, wrong):
+    found = [link["verdict"] for link in sb.check(f"Es ist {claim}.").data()["links"]]
+    assert {*found} <= {"holds", "holds_to_order"}
+    false = claim.rstrip("$").rsplit(" ", 1)[0] + f" {wrong}" + "$" * claim.endswith("$")
+    assert sb.check(f"Es ist {false}.").data()["links"][-1]["verdict"] == "refuted"
+
+
+@pytest.mark.parametrize("pair", ["f(2,5) = 3", "max(1,5) = 5", "$(1,5)$"])
+def test_a_comma_between_two_numbers_in_brackets_parts_them(pair):
+    assert not any("decimal" in note for note in sb.check(f"Es ist {pair}.").data()["notes"])

@@ -22,6 +22,9 @@ OPENINGS = [
     ("例1: ", "例2: "),
     ("- V8: ", "- V6: "),
     ("**Petrol.** ", "**Diesel.** "),
+    ("■ 旧型エンジン\n\n", "■ 新型エンジン\n\n"),
+    ("◆ Honda\n\n", "◆ Yamaha\n\n"),
+    ("【旧型】\n\n", "【新型】\n\n"),
 ]
 
 
@@ -67,3 +70,17 @@ def test_no_mark_of_a_part_of_one_case_opens_another():
 def test_a_place_where_something_is_zero_is_no_datum():
     page = "## Example 1\n\n$a = 3\\cdot 4 = 12$.\n\n## Example 2\n\nIt is largest when $a = 0$.\n"
     assert words_of(page)[-1] not in ACCUSED
+
+
+def test_signs_right_below_one_another_are_a_list_and_no_headings():
+    page = "■ 行程 84 mm\n■ 内径 80 mm\n\n$r = 42$ mm.\n\n$r = {}$ mm.\n"
+    assert words_of(page.format(44))[-1] in ACCUSED
+
+
+@pytest.mark.parametrize("mark", ["## ", "■ ", "== "])
+@pytest.mark.parametrize("names", [("Boxer four", "Boxer six"), ("水平対向4気筒", "水平対向6気筒")])
+def test_what_the_engine_before_has_is_no_reason_to_leave_another_one_open(mark, names):
+    first, second = (f"{mark}{name}{' ==' if mark == '== ' else ''}\n\n" for name in names)
+    page = f"{first}$M_2 = 2 q F a \\cos 2\\varphi$\n\n{{}}So $M_1 = M_2 = 0$.\n"
+    assert words_of(page.format(second))[-1] == "definition"
+    assert words_of(page.format(""))[-1] == "undecided"

@@ -73,3 +73,63 @@ def test_a_result_behind_the_data_is_claimed():
 def test_words_name_nothing_of_another_thing_behind_and():
     page = "$R = 0.04$ m. Put in the inertia force and the largest term is $T_2 = -m R^2\\omega^2$."
     assert last_word(page) != "refuted"
+
+
+FIRST = "m = 0.50 kg, r = 40 mm, l = 140 mm\n\nlambda = 40/140 = 0.286\n\n"
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        "m = 0.52 kg, r = 41 mm, l = 144 mm",
+        "Second example: m = 0.52 kg, r = 41 mm and l = 144 mm.",
+        "Zweites Beispiel: m = 0,52 kg, r = 41 mm und l = 144 mm.",
+        "Autre moteur : m = 0,52 kg, r = 41 mm, l = 144 mm.",
+        "次の例: m = 0.52 kg、r = 41 mm、l = 144 mm",
+        "For the touring model we have\nm = 0.52 kg,\nr = 41 mm,\nl = 144 mm.",
+    ],
+)
+def test_a_list_of_data_begins_another_case(data):
+    second = FIRST + data + "\n\nlambda = {} = {}\n\nm*r = {}*0.041\n"
+    found = [link["verdict"] for link in check(second.format("41/144", 0.285, 0.52)).data()["links"]]
+    assert found[5:8] == ["premise"] * 3
+    assert not {*found} & {"refuted", "contradiction", "undecided"}
+    assert last_word(second.format("41/144", 0.285, "0.50")) == "refuted"
+    wrong = [link["verdict"] for link in check(second.format("41/144", 0.258, 0.52)).data()["links"]]
+    assert wrong[9] == "refuted"
+
+
+def test_a_list_that_gives_a_result_leaves_what_it_rests_on_to_the_case_before():
+    page = (
+        "F = m r ω², λ = r/l\n\nm = 0.50 kg, r = 40 mm, l = 140 mm, ω = 314.2 rad/s, a = 100 mm\n\n"
+        "    F = 0.50×0.040×314.2² = 1974 N\n    λ F = 40/140×1974 = 564 N\n\n"
+        "{}F = 2400 N, λ = 0.25, a = 106 mm\n\n    F a = 2400×0.106 = 254.4 N·m\n    λ F = {} N\n"
+    )
+    for words in ("", "Example 2: ", "例: "):
+        found = [link["verdict"] for link in check(page.format(words, 600)).data()["links"]]
+        assert not {*found} & {"refuted", "contradiction", "undecided"}
+        assert last_word(page.format(words, 564)) == "refuted"
+    found = [link["verdict"] for link in check(page.format("So ", 600)).data()["links"]]
+    assert {*found} & {"refuted", "contradiction", "undecided"}
+
+
+@pytest.mark.parametrize("words", ["Check: ", "So ", "Hence ", "Probe: ", "結果: "])
+def test_numbers_that_are_called_results_are_no_data(words):
+    found = [link["verdict"] for link in check(FIRST + words + "m = 0.52 kg, r = 41 mm").data()["links"]]
+    assert {*found} & {"refuted", "contradiction", "undecided"}
+
+
+def test_a_list_says_what_does_not_change_once_more():
+    page = FIRST + "m = 0.52 kg, r = {}, l = 144 mm\n"
+    found = [link["verdict"] for link in check(page.format("0.040 m")).data()["links"]]
+    assert not {*found} & {"refuted", "contradiction", "undecided"}
+
+
+@pytest.mark.parametrize(
+    "data", ["m = 0.50 kg, r = 41 mm, l = 140 mm", "m = 0.50 kg, r = 40 mm, l = 141 mm"]
+)
+def test_one_number_of_a_list_that_is_nearly_as_before_is_open(data):
+    found = [link["verdict"] for link in check(FIRST + "Again: " + data).data()["links"]]
+    assert sorted(found[5:]) == ["holds", "holds", "undecided"]
+    alone = [link["verdict"] for link in check(FIRST + "Also ist r = 41 mm.").data()["links"]]
+    assert alone[-1] == "refuted"

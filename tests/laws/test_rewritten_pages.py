@@ -62,10 +62,17 @@ OPEN, CLOSE = Token("open", "(", 0, 1), Token("close", ")", 0, 1)
 
 
 def test_a_second_value_in_brackets_is_a_side_of_its_own() -> None:
-    side = [_number("88", True), OPEN, _number("2.235", True), CLOSE]
-    sides, signs = with_second_values([LETTER, side], [EQUALS])
+    inches = Token("number", "88", 0, 1, scale=Fraction(254, 10000))
+    sides, signs = with_second_values([LETTER, [inches, OPEN, _number("2.235", True), CLOSE]], [EQUALS])
     assert [[token.value for token in part] for part in sides] == [["w"], ["88"], ["2.235"]]
     assert [sign.value for sign in signs] == ["=", "≈"]
+
+
+def test_a_value_in_brackets_in_the_same_unit_claims_nothing() -> None:
+    side = [_number("88", True), OPEN, _number("70", True), CLOSE]
+    sides, signs = with_second_values([LETTER, side], [EQUALS])
+    assert [[token.value for token in part] for part in sides] == [["w"], ["88"]]
+    assert [sign.value for sign in signs] == ["="]
 
 
 @pytest.mark.parametrize(

@@ -31,6 +31,7 @@ from symbalance.notes.checking.judging.judging_order import chains_in_turn, numb
 from symbalance.notes.checking.judging.lines_at_odds import unless_other_case
 from symbalance.notes.checking.judging.offset_cranks import unless_offset
 from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
+from symbalance.notes.checking.judging.open_reasons import DECLARE_IT
 from symbalance.notes.checking.judging.unknown_crank_angle import unless_angle_unknown
 from symbalance.notes.checking.meant.given_numbers import size_given
 from symbalance.notes.checking.meant.motion_in_time import with_rates_of_rates
@@ -46,6 +47,7 @@ from symbalance.notes.checking.page.quotations import Quotations
 from symbalance.notes.checking.premises.another_value import NO_WORDS
 from symbalance.notes.checking.premises.results_as_cases import NO_RESULT
 from symbalance.notes.checking.steps.angle_equations import lines_of_angles
+from symbalance.notes.checking.steps.another_angle import leave_angle_above, leave_number_at_angle
 from symbalance.notes.checking.steps.another_body import (
     leave_body,
     leave_choice,
@@ -174,7 +176,7 @@ class Judge:
             self._take_data(chain)
             self.blocks.enter(chain.lines[0], self.state.definitions)
             self.exercises.enter(chain.lines[0], self.state.definitions, self.declarations)
-            self.state.cases.enter(chain.lines[0], self.state.definitions)
+            self.state.enter_case(chain.lines[0])
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
             verdicts += self.chain(chain, chain_binds)
         for binding in (b for rest in bindings.values() for b in rest):
@@ -196,7 +198,7 @@ class Judge:
             or (self.data[0].lines[0] == line and self.data[0].sides[-1].span[1] <= start)
         ):
             datum = self.data.pop(0)
-            self.state.cases.enter(datum.lines[0], self.state.definitions)
+            self.state.enter_case(datum.lines[0])
             name = next(iter(names(datum.sides[0].node)))
             earlier = self.state.knowledge(datum.lines[0]).definitions.get(name)
             if earlier is not None and not earlier.numeric:
@@ -338,7 +340,7 @@ class Judge:
         is_open = verdict.verdict in (REFUTED, UNDECIDED) and is_list and k == len(heads) - 1 > 0
         if not is_open or not isinstance(head, Name) or {r.sign for r in chain.relations} != {"="}:
             return verdict
-        is_for_lack = not verdict.reason or verdict.reason.endswith("declare what it means")
+        is_for_lack = not verdict.reason or verdict.reason.endswith(DECLARE_IT)
         if not is_for_lack or self.state.knowledge(line).knows(head.name):
             return verdict
         self.state.definitions.define(head.name, chain.sides[-1].node, chain)
@@ -431,20 +433,26 @@ class Judge:
         verdict = self._case_of_other_numbers(chain, k, verdict) or verdict
         is_open = verdict.verdict == UNDECIDED and (verdict.reason or "").startswith("with line")
         is_against = verdict.verdict in (REFUTED, CONTRADICTION)
-        if ((is_against or is_open) and leave_cycle(self.state, chain, k)) or (
-            is_against
-            and (
-                leave_place(self.state, chain)
-                or leave_number_of_place(self.state, chain, k)
-                or leave_condition_of_place(self.state, chain)
-                or leave_body(self.state, chain, k)
-                or leave_choice(self.state, chain, k)
-                or leave_quotation(self.state, chain, k, self.quotations.is_quoted)
-                or leave_engine(self.state, chain, k)
-                or leave_cranks(self.state, chain, k)
-                or leave_named_case(self.state, chain, k)
-                or leave_products_of_another(self.state, chain, k)
-                or leave_angle_of_section(self.state, chain, k)
+        is_for_lack = verdict.verdict == UNDECIDED and (verdict.reason or "").endswith(DECLARE_IT)
+        if (
+            ((is_against or is_open) and leave_cycle(self.state, chain, k))
+            or (is_for_lack and leave_engine(self.state, chain, k))
+            or (
+                is_against
+                and (
+                    leave_place(self.state, chain)
+                    or leave_number_of_place(self.state, chain, k)
+                    or leave_condition_of_place(self.state, chain)
+                    or leave_body(self.state, chain, k)
+                    or leave_choice(self.state, chain, k)
+                    or leave_quotation(self.state, chain, k, self.quotations.is_quoted)
+                    or leave_engine(self.state, chain, k)
+                    or leave_cranks(self.state, chain, k)
+                    or leave_named_case(self.state, chain, k)
+                    or leave_products_of_another(self.state, chain, k)
+                    or leave_angle_of_section(self.state, chain, k)
+                    or leave_angle_above(self.state, chain, k)
+                )
             )
         ):
             return self._anew(chain, k) or self._link_in_scope(chain, k, sound, bad)
@@ -453,7 +461,9 @@ class Judge:
             and (verdict.reason or "").startswith(("contradicts", "does not fit"))
         )
         is_unsaid = verdict.verdict == UNDECIDED and (verdict.reason or "").endswith(NO_WORDS)
-        is_left = (is_against or is_unsaid) and leave_value_of_case(self.state, chain, k)
+        is_left = (is_against or is_unsaid) and (
+            leave_value_of_case(self.state, chain, k) or leave_number_at_angle(self.state, chain, k)
+        )
         is_other = contradicts and (leave_extreme(self.state, chain) or leave_premises(self.state, chain))
         if is_left or is_other:
             return self._link_in_scope(chain, k, sound, bad)

@@ -27,6 +27,8 @@ from symbalance.notes.checking.verdicts import UNDECIDED
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
 
+DECLARE_IT = "declare what it means"
+"""What the reason ends with where a letter is on one side only that nobody declared."""
 UNKNOWN_SMALL = "nobody has said which letter is small: declare what they mean"
 
 
@@ -65,9 +67,9 @@ def unless_open(
         letter = _one_sided_letter(state, decision, chain, k, knowledge) if refutation else ""
         if refutation is not None and not letter:
             return refutation
-        reason = f"{letter} stands on one side only: declare what it means" if letter else UNKNOWN_SMALL
+        reason = f"{letter} stands on one side only: {DECLARE_IT}" if letter else UNKNOWN_SMALL
     elif letter := _one_sided_letter(state, decision, chain, k, knowledge):
-        reason = f"{letter} stands on one side only: declare what it means"
+        reason = f"{letter} stands on one side only: {DECLARE_IT}"
     elif chain.relations[k].sign == "=":
         reason = _missing_meaning(state, left, right, line, knowledge)
     is_value = k == 0 and isinstance(left, Name) and not names(right)
@@ -276,5 +278,5 @@ def _count_without_meaning(
             continue
         if name in below and name not in declared and not knowledge.knows(name):
             text = plain_text(Name(name))
-            return f"{text} stands on one side only: declare what it means"
+            return f"{text} stands on one side only: {DECLARE_IT}"
     return ""

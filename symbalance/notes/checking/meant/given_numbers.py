@@ -89,6 +89,12 @@ class GivenNumbers:
         if is_formula and is_lone_number(right) and all(each.sign in "=≈" for each in chain.relations):
             self.equations.append(GivenEquation(head, right, chain.lines[0], True))
 
+    def end(self, letters: frozenset[str], first: int) -> None:
+        """Leave the numbers that lines from a first one on give what holds any of some letters."""
+        self.equations = [
+            e for e in self.equations if e.line < first or names(e.right) or not names(e.left) & letters
+        ]
+
     def decide(
         self,
         name: str,

@@ -4,6 +4,10 @@ Which case a line stands in decides which data are in force. Two parts of a page
 cases if the second gives the letters of the first numbers anew: its data, and what follows from them.
 There the numbers of the case before hold no longer, nor do its results; the formulas in letters do, and
 so does what the second case does not give anew.
+
+A list of data opens a case too, whatever stands before it: m = 0.52 kg, r = 41 mm, l = 144 mm after the
+0.50 kg, 40 mm and 140 mm of the first engine. Where it gives F = 2400 N, and nothing that F = m r ω²
+rests on, then m, r and ω are those of the case before, and unknown in its own.
 """
 
 from __future__ import annotations
@@ -13,11 +17,17 @@ from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from symbalance.document.formula import Name, names
+from symbalance.document.formula import Formula, Name, names
 from symbalance.document.formula import Number as Digits
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.evaluation import SymbolValue
+from symbalance.notes.algebra.tree_values import names_behind, sample_trees
+from symbalance.notes.checking.meant.given_numbers import GivenNumbers
+from symbalance.notes.checking.premises.another_prefix import is_in_another_prefix
+from symbalance.notes.checking.premises.another_value import NEARLY
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.words.case_markers import CaseMark, case_marks
+from symbalance.notes.checking.words.cases_named import names_another_example, names_next_example
+from symbalance.notes.checking.words.lists_of_data import lists_of_data
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.worked_out import is_worked_out
 from symbalance.notes.reading.equations import Chain, ReadNotes
@@ -32,6 +42,8 @@ _SIZE_IN_WORDS = re.compile(
     r"(?:[\s~$]|\\,){0,3}(?:mm|cm|m|kg|g|rpm|min|1/min|k?N|kW|bar|°|Hz|cc)(?![A-Za-z])"
 )
 
+_ALIKE = 1e-9
+"""By which numbers differ that are the same in other units."""
 _DIGITS = re.compile(r"[0-9]+(?:[.,][0-9]+)*")
 
 
@@ -43,6 +55,8 @@ class Number:
     value: str
     is_datum: bool
     line: int
+    node: Formula | None = None
+    """The number itself, None of one in words."""
 
 
 @dataclass
@@ -54,6 +68,12 @@ class CasePart:
     numbers: dict[str, Number] = field(default_factory=dict)
     zeros: set[str] = field(default_factory=set)
     """Letters that it looks at where they are 0."""
+    given: frozenset[str] = frozenset()
+    """The letters of the list of data that opens it, none where a mark does."""
+    results: frozenset[str] = frozenset()
+    """Those of them that have a formula above."""
+    is_another: bool = False
+    """Whether the words before the list name another example, or another engine."""
 
     @property
     def data(self) -> dict[str, Number]:
@@ -71,10 +91,13 @@ class CasesSideBySide:
     _entered: int = 0
     _by_line: dict[int, list[tuple[CasePart, list[CasePart]]]] = field(default_factory=dict)
 
-    def enter(self, line: int, definitions: Definitions) -> None:
+    def enter(self, line: int, definitions: Definitions, given: GivenNumbers) -> None:
         """End the numbers of the cases before where a line is the first of the next case."""
         while self._entered < len(self.cases) and self.cases[self._entered][0].mark.line <= line:
-            _end_numbers(*self.cases[self._entered], definitions)
+            part, earlier = self.cases[self._entered]
+            changed = _end_numbers(part, earlier, definitions)
+            if part.given:
+                given.end(changed, earlier[0].mark.line)
             self._entered += 1
 
     def line_replaced(self, name: str, line: int) -> int | None:
@@ -113,7 +136,8 @@ class CasesSideBySide:
             for n, part in enumerate(group):
                 before = group[max(0, n - MOST) : n]
                 earlier = [p for p in before if p.mark.label != part.mark.label]
-                if any(_is_case_beside(p, part) for p in earlier):
+                is_beside = _has_other_data if part.given else _is_case_beside
+                if any(is_beside(p, part) for p in earlier):
                     cases.append((part, earlier))
         return sorted(cases, key=lambda case: case[0].mark.line)
 
@@ -128,6 +152,7 @@ class CasesSideBySide:
         for (shape, _), alike in by_shape.items():
             if len(alike) > 1:
                 yield self._parts(shape, alike, marks, len(lines))
+        yield list(self._lists(len(lines)))
 
     def _parts(
         self, shape: str, alike: list[CaseMark], marks: list[CaseMark], last: int
@@ -150,6 +175,40 @@ class CasesSideBySide:
             part.numbers = dict(self._numbers(part))
         return parts
 
+    def _lists(self, last: int) -> Iterator[CasePart]:
+        """Yield what lists of data open, each up to the next one; one within a line opens nothing."""
+        chains_on = self.sections.chains_on
+        lists = [
+            own
+            for own in self._lists_of_data
+            if own[0] is min(chains_on(own[0].lines[0]), key=lambda c: c.start)
+        ]
+        ends = [own[0].lines[0] - 1 for own in lists[1:]]
+        for own, end in zip(lists, [*ends, last], strict=False):
+            line, start = own[0].lines[0], own[0].start
+            heads = {head.name for c in own if isinstance(head := c.sides[0].node, Name)}
+            results = {name for name in heads if self._has_formula(name, start)}
+            mark = CaseMark(line, "list", str(start), is_named=False)
+            words = self.sections.sentence_leading_to(own[0])
+            part = CasePart(mark, end, given=frozenset(heads), results=frozenset(results))
+            part.is_another = names_another_example(words) or names_next_example(words)
+            part.numbers = dict(self._numbers(part))
+            yield part
+
+    def is_in_list_of_data(self, chain: Chain) -> bool:
+        """Tell whether a relation gives one of the numbers of a list of data."""
+        return any(chain is each for own in self._lists_of_data for each in own)
+
+    @cached_property
+    def _lists_of_data(self) -> list[list[Chain]]:
+        lists = lists_of_data(self.document.text, self.sections.in_order)
+        return [own for own in lists if not self.sections.is_consequence(own[0])]
+
+    def _has_formula(self, name: str, before: int) -> bool:
+        """Tell whether a letter has a formula in letters somewhere above a place."""
+        above = (c for c in self.sections.chains_of(Name(name)) if c.start < before)
+        return any(names(side.node) for chain in above for side in chain.sides[1:])
+
     def _numbers(self, part: CasePart) -> Iterator[tuple[str, Number]]:
         """Yield the letters to which a part gives a number, each once, and the sizes it has in words."""
         given: dict[str, tuple[int, Number]] = {}
@@ -167,7 +226,8 @@ class CasesSideBySide:
             source = self.document.source(chain.sides[1].span).strip()
             result = self.document.source(value.span).strip()
             is_datum = _is_datum(chain, source) and not self.sections.is_consequence(chain)
-            given[head.name] = (chain.start, Number(source, result, is_datum, chain.lines[0]))
+            number = Number(source, result, is_datum, chain.lines[0], value.node)
+            given[head.name] = (chain.start, number)
         for match in _SIZE_IN_WORDS.finditer(self.document.text, start, end):
             if not any(c.start <= match.start() < c.end for c in own[:MOST]):
                 word = f"in words: {match['what'].lower()}"
@@ -222,6 +282,32 @@ def _is_case_beside(earlier: CasePart, part: CasePart) -> bool:
     return any(_is_other(earlier.numbers[n], part.numbers[n]) for n in alike)
 
 
+def _has_other_data(earlier: CasePart, part: CasePart) -> bool:
+    """Tell whether a list of data is of another case than an earlier one.
+
+    It has another number for what follows from nothing, and for a second letter, or far from the first:
+    one number of a list that is nearly as before may be a slip. Words that name another example say it.
+    """
+    common = [name for name in part.given if name in earlier.numbers]
+    gaps = {name: _gap(earlier.numbers[name], part.numbers[name]) for name in common}
+    other = {name for name, gap in gaps.items() if gap > _ALIKE}
+    data = {name for name in other - part.results if earlier.numbers[name].is_datum}
+    if part.is_another:
+        return bool(other)
+    return bool(data) and (len(other) > 1 or any(gaps[name] > NEARLY for name in data))
+
+
+def _gap(first: Number, second: Number) -> float:
+    """Return by what part of the larger one two numbers differ, 0 where only their prefix does."""
+    if first.node is None or second.node is None or is_in_another_prefix(first.node, second.node):
+        return 0.0
+    points = sample_trees([first.node, second.node], SymbolValue(), 1)
+    if not points:
+        return 0.0
+    old, new = (complex(value) for value in points[0][1])
+    return abs(old - new) / max(abs(old), abs(new)) if old != new else 0.0
+
+
 def _is_other(first: Number, second: Number) -> bool:
     """Tell whether two numbers differ, or are worked out from others."""
     both = is_worked_out(first.text) and is_worked_out(second.text)
@@ -236,9 +322,15 @@ def _are_given_alike(first: Number, second: Number) -> bool:
     return is_same and is_worked_out(first.text)
 
 
-def _end_numbers(part: CasePart, earlier: Sequence[CasePart], definitions: Definitions) -> None:
-    """End the numbers of earlier cases that a part gives anew, and what follows from them."""
+def _end_numbers(part: CasePart, earlier: Sequence[CasePart], definitions: Definitions) -> frozenset[str]:
+    """End the numbers of earlier cases that a part gives anew, and what follows from them.
+
+    The letters of those numbers are returned. Below a list of data a number is given anew by the list, or
+    where it is worked out.
+    """
     last, numbers = part.mark.line - 1, part.numbers
+    if part.given:
+        numbers = {n: each for n, each in numbers.items() if n in part.given or is_worked_out(each.text)}
     before = {name: [p.numbers[name] for p in earlier if name in p.numbers] for name in numbers}
     changed = {
         name
@@ -251,6 +343,10 @@ def _end_numbers(part: CasePart, earlier: Sequence[CasePart], definitions: Defin
         for entry in entries
         if names(entry.definition.node)
     }
+    for name in part.results & changed & formulas.keys():
+        behind = {*names(formulas[name]), *names_behind(formulas[name], formulas)}
+        if before[name] and behind.isdisjoint(part.given):
+            changed |= behind  # what it rests on is of the case before
 
     def is_replaced(name: str, line: int) -> bool:
         if not any(p.mark.line <= line <= p.last for p in earlier):
@@ -273,3 +369,4 @@ def _end_numbers(part: CasePart, earlier: Sequence[CasePart], definitions: Defin
         else p
         for p in definitions.premises
     ]
+    return frozenset(changed)

@@ -140,6 +140,13 @@ class Definitions:
         self.premises = premises
         return is_known
 
+    def forget_number(self, name: str, line: int) -> bool:
+        """Forget the number that a line gives a letter, or the letter's formula; tell if it gave any."""
+        premises = [p for p in self.premises if p.line != line or names(p.right)]
+        is_known = len(premises) < len(self.premises)
+        self.premises = premises
+        return self.forget_line(name, line) or is_known
+
     def forget_all(self, name: str) -> None:
         """Forget every value of a letter, and the equations of that letter alone."""
         self.values.pop(name, None)

@@ -168,12 +168,12 @@ def _phase_shifts(chain: Chain) -> set[int]:
             if not isinstance(call, Call) or not isinstance(call.argument, Sum):
                 continue
             for term in call.argument.terms:
-                if not names(term) and (turn := _degrees(term)) is not None:
+                if not names(term) and (turn := whole_degrees(term)) is not None:
                     shifts.add(turn)
     return shifts
 
 
-def _degrees(node: Formula) -> int | None:
+def whole_degrees(node: Formula) -> int | None:
     """Return an angle's whole number of degrees, None for anything else: 3π/2 is 270."""
     value, power = Fraction(1), 0
     parts = [(node, 1)]

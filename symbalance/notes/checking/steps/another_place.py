@@ -104,7 +104,7 @@ def leave_number_of_place(state: JudgingState, chain: Chain, k: int) -> bool:
     is_known = False
     for entry in list(state.definitions.values.get(head.name, ())):
         if entry.definition.numeric:
-            is_known |= state.definitions.forget_line(head.name, entry.definition.line)
+            is_known |= state.definitions.forget_number(head.name, entry.definition.line)
     return is_known
 
 

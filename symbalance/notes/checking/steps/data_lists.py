@@ -12,13 +12,14 @@ from symbalance.document.formula import Name, Product, names
 from symbalance.notes.checking.premises.another_prefix import ANOTHER_PREFIX, FEWEST_DIGITS
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import CONTRADICTION, REFUTED, UNDECIDED, Verdict
+from symbalance.notes.checking.words.lists_of_data import gives_number, stand_in_one_list
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
 FEWEST = 3
 """Data in a row that make a list, whatever words open it."""
 _NEAR = 60
-"""Characters at most between two data of a list: units and words such as "stroke"."""
+"""Characters before a number in which the words are looked for that give it."""
 _OPENS = re.compile(
     r"(?<![^\W\d_])(?:with|for|at|let|take|taking|given|has|have|mit|für|bei|hat|sei(?:en)?|avec|pour|soit|con|per|para|sea"
     r"|met|voor|dla|przy|med|för)[\s$\\(\[`*]*$|[:：][\s$\\(\[`*]*$",
@@ -33,14 +34,6 @@ _GIVES = re.compile(
 )
 """Words that give the number right behind them, whatever it is above: if P = 75 kN."""
 _AND = re.compile(r"[\s$)\]\\,]{0,6}(?:[^\W\d_]{1,4}\s)?(?:,|and|und|et|y|e|con|with|mit)[\s$(\[\\]{0,6}")
-_BETWEEN = re.compile(r"[^=.;:。；\n]*(?:\n(?!\s*\n)[^=.;:。；\n]*)?")
-
-_RESULT = re.compile(
-    r"(?<![^\W\d_])(?:wird|werden|ist|sind|is|are|gives?|get|becomes?|follows?|folgt|ergibt|so|hence|then|therefore|we"
-    r"|one|also|daher|damit|donne|est|vaut|resulta|risulta|wordt|daje|blir)(?![^\W\d_])|となる|より|よって|から",
-    re.IGNORECASE,
-)
-"""Words behind which the results of the data stand."""
 
 
 def open_if_datum(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
@@ -52,11 +45,24 @@ def open_if_datum(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -
     )
     if (is_against or verdict.verdict == REFUTED) and _is_given(state, chain, k):
         return _given_number(state, chain, verdict)
+    if verdict.verdict == REFUTED and not k and (line := _line_of_datum(state, chain)) is not None:
+        reason = f"given in a list of data, and line {line} gives another number: another case, or a slip"
+        return replace(verdict, verdict=UNDECIDED, reason=reason, fix=None)
     if not is_against or not is_datum(state, chain, k):
         return verdict
     reason = (verdict.reason or "").removeprefix("contradicts ").removeprefix("does not satisfy ")
     reason = f"a number of an example, which does not fit {reason}: another case, or wrong"
     return replace(verdict, verdict=UNDECIDED, reason=reason, fix=None)
+
+
+def _line_of_datum(state: JudgingState, chain: Chain) -> int | None:
+    """Return the line above that gives a letter of a list of data a number which follows from nothing."""
+    head = chain.sides[0].node
+    if not isinstance(head, Name) or not state.cases.is_in_list_of_data(chain):
+        return None
+    known = state.definitions.at(chain.lines[0]).get(head.name)
+    is_datum = known is not None and known.numeric and known.formula is None
+    return known.line if known is not None and is_datum else None
 
 
 def _given_number(state: JudgingState, chain: Chain, verdict: Verdict) -> Verdict:
@@ -111,33 +117,25 @@ def _is_size(chain: Chain) -> bool:
 
 def is_datum(state: JudgingState, chain: Chain, k: int) -> bool:
     """Tell whether a letter has its number in a list of data, or right behind "with" or "for"."""
-    if k or not _is_number(chain) or _has_formula_above(state, chain):
+    if k or not gives_number(chain) or _has_formula_above(state, chain):
         return False
-    chains = state.sections.in_order
+    chains, text = state.sections.in_order, state.document.text
     place = next(n for n, each in enumerate(chains) if each is chain)
     first = last = place
-    while first and _is_number(chains[first - 1]) and _follows(state, chains[first - 1], chains[first]):
+    while (
+        first
+        and gives_number(chains[first - 1])
+        and stand_in_one_list(chains[first - 1], chains[first], text)
+    ):
         first -= 1
-    while last + 1 < len(chains) and _is_number(chains[last + 1]):
-        if not _follows(state, chains[last], chains[last + 1]):
+    while last + 1 < len(chains) and gives_number(chains[last + 1]):
+        if not stand_in_one_list(chains[last], chains[last + 1], text):
             break
         last += 1
     start = chains[first].start
-    opened = _OPENS.search(state.document.text[max(0, start - _NEAR) : start]) is not None
+    opened = _OPENS.search(text[max(0, start - _NEAR) : start]) is not None
     count = last - first + 1
     return (opened and count > 1) or (count >= FEWEST and not state.sections.is_consequence(chain))
-
-
-def _is_number(chain: Chain) -> bool:
-    """Tell whether a chain does nothing but give a letter a number."""
-    is_plain = len(chain.relations) == 1 and isinstance(chain.sides[0].node, Name)
-    return is_plain and not names(chain.sides[1].node)
-
-
-def _follows(state: JudgingState, before: Chain, after: Chain) -> bool:
-    between = state.document.text[before.end : after.start]
-    is_list = len(between) <= _NEAR and _BETWEEN.fullmatch(between) is not None
-    return is_list and _RESULT.search(between) is None
 
 
 def _has_formula_above(state: JudgingState, chain: Chain) -> bool:

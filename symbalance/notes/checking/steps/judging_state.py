@@ -181,6 +181,10 @@ class JudgingState:
         """The sizes of a piston's acceleration at the dead centres."""
         return DeadCentreSizes(self.engine_resultants)
 
+    def enter_case(self, line: int) -> None:
+        """End the numbers of the case before where a line is the first of another one."""
+        self.cases.enter(line, self.definitions, self.given_numbers)
+
     def knowledge(self, line: int, convention: str = "") -> Knowledge:
         """Return what is known at a line."""
         symbols = {**self.counts, **self.declarations.symbols_at(line)}

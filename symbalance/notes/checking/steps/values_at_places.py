@@ -1,7 +1,8 @@
 """Numbers of a motion at angles that words name, one after another: TDC: a = 4680, BDC: a = -2520.
 
 Where the page has the motion's formula above, each number is its value at the angle named right before
-it. None of them says anything of the next: the letter is not defined by it, nor is the angle.
+it. None of them says anything of the next: the letter is not defined by it, nor is the angle. So it is
+with an angle by its formula in one other: δ = 180° - 2γ, so for 72° δ = 36°.
 """
 
 from __future__ import annotations
@@ -46,6 +47,7 @@ def value_at_named_place(
     if place is None or not isinstance(head, Name):
         return None
     formula, theta, angle = place
+    is_motion = any(isinstance(part, Call) for part in walk(formula))
     rest = {n: d for n, d in knowledge.definitions.items() if n not in (head.name, theta)}
     freer = replace(knowledge, definitions=rest, solved={}, solved_from=())
     motion = replace(chain.sides[0], readings=(formula,))
@@ -53,6 +55,9 @@ def value_at_named_place(
     text = f"at {plain_text(Name(theta))} = {plain_text(angle)}"
     if there.is_proved:
         return replace(there, assumptions=(*there.assumptions, text))
+    if there.status == REFUTED and not is_motion:
+        reason = f"{text}, which words name, it has another value: wrong, or of something else"
+        return Decision(UNDECIDED, reason)
     if names(right.node) and there.status == REFUTED:
         return replace(there, reason=text)
     values = {n: d.node for n, d in rest.items()}
@@ -78,12 +83,22 @@ def _place_of(
     if formula is None or degrees is None:
         return None
     values = {n: d.node for n, d in knowledge.definitions.items() if n != head.name}
-    turning = {n for n in (*names(formula), *names_behind(formula, values)) if _turns(n, formula, values)}
+    behind = {*names(formula), *names_behind(formula, values)}
+    turning = {n for n in behind if _turns(n, formula, values)} or _lone_angle(formula, behind, values)
     right = chain.sides[1].node
     rests_on = {*names(right), *names_behind(right, values)}
     if len(turning) != 1 or (turning | {head.name}) & rests_on:
         return None
     return formula, turning.pop(), _angle(degrees)
+
+
+def _lone_angle(formula: Formula, behind: set[str], values: dict[str, Formula]) -> set[str]:
+    """Return the only letter of a formula for an angle, as γ of δ = 180° - 2γ."""
+    free = {n for n in behind if n not in values or not names(values[n])}
+    parts = list(walk(formula))
+    has_degrees = any(isinstance(part, Constant) and part.name == "pi" for part in parts)
+    is_plain = has_degrees and not any(isinstance(part, Call) for part in parts)
+    return free if is_plain and len(free) == 1 else set()
 
 
 def _formula_of(definition: Definition | None) -> Formula | None:

@@ -22,7 +22,7 @@ _LABELLED = re.compile(
 )
 """A thing that is one of several, by its letter or number: Engine B, Beispiel 2, 例2."""
 _HEADING = re.compile(
-    r"(?P<mark>#{1,6}|={1,6}|\*{1,6}(?=\s)|\\(?:part|chapter|(?:sub){0,2}section|(?:sub)?paragraph)\*?|<h[1-6])[\s{\[>]*"
+    r"(?P<mark>#{1,6}|={1,6}|\*{1,6}(?=\s)|[■□◆◇▼▽◎◉★☆❖【]|\\(?:part|chapter|(?:sub){0,2}section|(?:sub)?paragraph)\*?|<h[1-6])[\s{\[>]*"
 )
 _OPEN = re.compile(
     r"[ \t>]*(?:(?P<bullet>[-*+•]|\\item)(?=[\s\[]))?[\s\[]*(?P<bold>\*\*|__|'''|\\textbf\{)?[ \t]*"
@@ -76,7 +76,7 @@ def _of_heading(number: int, text: str) -> CaseMark:
     named = _LABELLED.search(words[:60])
     if named is not None:
         return CaseMark(number, f"heading {level}", named["own"].lower(), True)
-    label = "" if _NO_CASE.match(words) else words.strip(" *_}#=").lower()
+    label = "" if _NO_CASE.match(words) else words.strip(" *_}#=】").lower()
     return CaseMark(number, f"heading {level}", label, False)
 
 

@@ -108,6 +108,30 @@ def names_another_example(words: str) -> bool:
     return _ANOTHER.search(words) is not None
 
 
+_EXAMPLE = (
+    r"(?:examples?|exercise|problem|engine|motor|Beispiel|Zahlenbeispiel|Aufgabe|Fall|Motor|exemple|exercice|moteur|cas"
+    r"|ejemplo|esempio|motore|caso)"
+)
+_FOLLOWING = (
+    r"(?:second|2nd|third|3rd|next|another|other|zweite[srn]?|2\.|dritte[srn]?|3\.|nächste[srn]?|andere[srn]?|noch\s+ein(?:e|en)?"
+    r"|weitere[srn]?|deuxième|2e|troisième|autre|second[aeo]?|otro|altro)"
+)
+_NEXT = re.compile(
+    rf"(?<![^\W\d_]){_FOLLOWING}\s+{_EXAMPLE}(?![^\W\d_])"
+    r"|(?:別|他|次|第[二三])の?(?:数値)?(?:例|エンジン|機関|場合)|例題?\s*[2-9２-９]|(?:2|3|二|三)つ目の(?:例|エンジン|機関)",
+    re.IGNORECASE,
+)
+
+
+def names_next_example(words: str) -> bool:
+    """Tell whether words open the next example by name.
+
+    >>> names_next_example("Second example: with"), names_next_example("An example:")
+    (True, False)
+    """
+    return _NEXT.search(words) is not None
+
+
 _SOME = re.compile(
     rf"(?<![A-Za-z])an?\s+(?:[\w-]+\s+){{1,3}}{_THING}(?![A-Za-z])"
     r"|(?<![A-Za-z])(?:eine?[rnm]?|einem)\s+(?:[\w-]+\s+){0,3}[\w-]*(?:motor|maschine|verdichter)s?(?![a-z])"
@@ -123,3 +147,25 @@ def names_some_engine(words: str) -> bool:
     (True, False)
     """
     return _SOME.search(words) is not None
+
+
+_CASE_OF_ANGLE = re.compile(
+    r"(?<![^\W\d_])(?:for|with|at|für|fuer|bei|beim|mit|pour|à|avec|para|con|per|per\s+i|voor|bij)\s+"
+    r"(?:(?:an?|the|eine[mnr]?|dem|der|den|une?|le|la|un|el|il)\s+){0,2}\$?(?P<behind>[1-9][0-9]{0,2})(?![0-9.,]*[0-9])"
+    r"[\s~]?(?:°|\^\s?\{?\s?\\circ\s?\}?|-?\s?(?:degrees?|deg|Grad|degrés|grados|gradi)(?![a-z]))\$?"
+    r"(?!\s?(?:after|before|past|nach|vor|après|avant|crank|Kurbel|KW|CA|ATDC|BTDC|phase|Phasen))"
+    r"|(?<![0-9.,=/+-])(?P<before>[1-9][0-9]{0,2})\s?(?:°|度)\$?(?:の場合|のとき|では|なら)",
+    re.IGNORECASE,
+)
+
+
+def angle_of_case(text: str, first: int, last: int) -> tuple[int, int] | None:
+    """Return where a part of a text last names the angle of a case, and that in degrees; None for none.
+
+    >>> angle_of_case("with 60 degrees F = 3, for 45° F = 2", 0, 30)
+    (23, 45)
+    >>> angle_of_case("it turns by 60° at 30° after top dead centre", 0, 40) is None
+    True
+    """
+    match = max(_CASE_OF_ANGLE.finditer(text, first, last), key=lambda m: m.start(), default=None)
+    return None if match is None else (match.start(), int(match["behind"] or match["before"]))

@@ -35,10 +35,13 @@ from symbalance.text import lazy_patterns as re
 _HEADING = re.compile(
     r"#{1,6}\s|={2,6}\s*\S.*|<h[1-6]\b|-{2,6}\s+[^\s-][^\n-]{0,80}\s-{2,6}\s*$"
     r"|\\(?:part|chapter|(?:sub){0,2}section|paragraph|subparagraph)\*?\s*[\[{]"
-    r"|(?:§\s?|art(?:icle|ikel|\.)\s)?[0-9]{1,3}\.?\s+[^\W\d_][^.=\n]{2,80}\.\s?(?:--|[—–])",
+    r"|(?:§\s?|art(?:icle|ikel|\.)\s)?[0-9]{1,3}\.?\s+[^\W\d_][^.=\n]{2,80}\.\s?(?:--|[—–])"
+    r"|【[^】=≒≈\n]{1,60}】\s*$",
     re.IGNORECASE,
 )
 """Headings; those of old books stand in the line, "34. Hammer blow.--Let the fraction …"."""
+_SIGNED_HEADING = re.compile(r"(?P<sign>[■□◆◇▼▽◎★☆❖])[ \u3000]?[^\s=≒≈][^=≒≈\n]{0,60}$")
+"""A heading of plain text, ■ 水平対向4気筒 say; such lines right below one another are a list."""
 FEWEST_DATA = 2
 """Letters that get their first numbers beside one that has another one before, in data of an example."""
 _BLOCK = "p|h[1-6]|li|[ou]l|d[dtl]|blockquote|div|section|article|table|t[rdh]|pre|figure|hr"
@@ -248,14 +251,14 @@ _DEAD_CENTRE = re.compile(
 )
 _PLACE = re.compile(
     rf"({_TOP}|{_SHORT_TOP})|({_BOTTOM}|{_SHORT_BOTTOM})"
-    r"|(?<![A-Za-z])(?:at|for|bei|für)\s+(?:an?\s+angle\s+of\s+)?(?:\$?\\?[a-zθφα]{1,8}\s?=\s?)?\$?"
+    r"|(?<![A-Za-z])(?:at|for|bei|für|fuer|pour)\s+(?:an?\s+angle\s+of\s+)?(?:\$?\\?[a-zθφα]{1,8}\s?=\s?)?\$?"
     r"([0-9]{1,3})\s?\$?(?:°|\^\{?\\circ|degrees?|Grad)|([0-9]{1,3})\s?(?:°|度)\$?(?:では|のとき)"
     r"|(?:[αβγθφϕψ]|\\(?:alpha|beta|gamma|theta|varphi|phi|psi))\s?=\s?([0-9]{1,3})\s?(?:°|\^\{?\\circ)",
     re.IGNORECASE,
 )
 """Where a value is taken: at a dead centre, or at an angle."""
 _RIGHT_BEHIND = re.compile(
-    r"[\s$)}\]\\]{0,4}(?:\\?(?:text|mathrm)\{[^{}]{0,12}\}[\s$)}\]\\]{0,4})?(?:</?\w{1,5}>)?\s?(?:[^\W\d_]{1,3}(?:/[^\W\d_]{1,3})?\s)?(?:at\s|in\s|the\s|its\s){0,2}"
+    r"[\s$)}\]\\]{0,4}(?:\\?(?:text|mathrm)\{[^{}]{0,12}\}[\s$)}\]\\]{0,4})?(?:</?\w{1,5}>)?\s?(?:(?!(?:and|und|et)\s)[^\W\d_]{1,3}(?:/[^\W\d_]{1,3})?\s)?(?:at\s|in\s|the\s|its\s){0,2}"
 )
 """What may stand between a value and its place: 8 in at top dead centre."""
 _SENTENCE_OR_ITEM = re.compile(
@@ -301,8 +304,24 @@ class Sections:
             for k in range(1, len(self._lines))
             if _UNDERLINE.match(self._lines[k]) and self._lines[k - 1].strip()
         ]
+        marked += self._signed_headings
         lines = {k + 1 for k in underlined} - set(underlined)
         return sorted(({*marked} - lines) | {*underlined})
+
+    @property
+    def _signed_headings(self) -> list[int]:
+        """The lines, from 1, that begin with a sign for a heading, and are no items of a list."""
+        bare = [line.strip() for line in self._lines]
+        signs = [match["sign"] if (match := _SIGNED_HEADING.match(line)) else "" for line in bare]
+        around = zip(
+            signs,
+            ["", *(line[:1] for line in bare)],
+            [*(line[:1] for line in bare[1:]), ""],
+            strict=False,
+        )
+        return [
+            k for k, (sign, above, below) in enumerate(around, 1) if sign and sign not in (above, below)
+        ]
 
     def heading_above(self, line: int) -> str:
         """Return the heading of the section that a line stands in, "" where there is none."""

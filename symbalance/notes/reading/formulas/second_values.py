@@ -1,7 +1,8 @@
 """The same quantity once more in brackets: 5.39 kW (7.3 PS), 88 in. (2.235 m) are two values, no product.
 
 A number with its unit, and behind it brackets that hold a number with its unit and nothing else: the
-second is what the first comes to in other units, about, and is judged as that.
+second is what the first comes to in other units, about, and is judged as that. In the same unit it is
+another quantity, of which the relation says nothing: F = 5969 N (1990 N) without its middle part.
 """
 
 from __future__ import annotations
@@ -31,6 +32,9 @@ def with_second_values(
             done.append(side)
             continue
         bracket = side[opening]
+        if _unit(side[:opening]) == _unit(side[opening + 1 : -1]):
+            done.append(side[:opening])
+            continue
         done += [side[:opening], side[opening + 1 : -1]]
         joined.append(replace(bracket, kind="rel", value="≈"))
     return done, joined
@@ -53,3 +57,8 @@ def _is_measured(tokens: Sequence[Token]) -> bool:
     inside = tokens[1:]
     is_factor = bool(inside) and inside[0].value == "{" and inside[-1].value == "}"
     return not inside or (is_factor and all(token.end <= inside[-1].end for token in inside))
+
+
+def _unit(tokens: Sequence[Token]) -> tuple[object, ...]:
+    """Return what tells the unit of a measured number."""
+    return tokens[0].scale, *(token.value for token in tokens[1:])

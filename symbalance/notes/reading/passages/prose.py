@@ -147,11 +147,29 @@ _SPEED_FIRST = re.compile(
 )
 
 
+_QUANTITY_FIRST = re.compile(
+    r"\s*[0-9][0-9.,]*[ \u00a0\u2009\u202f]?(?P<unit>°|1/min|1/s|[A-Za-z/.]{2,6})\s+"
+    r"(?=[^\W\d][\w']{0,12}(?:\([^()=\n]{1,12}\))?\s*[=≈≒≃])"
+)
+_GIVES_CASE = re.compile(
+    r"(?<![^\W\d_])(?:for|at|with|für|fuer|bei|mit|pour|à|avec|para|con|per|voor|bij|met)\s*$",
+    re.IGNORECASE,
+)
+
+
 def _after_speed(text: str, start: int, end: int) -> int:
-    """Return where a formula begins behind words and the speed they end in: at 9000 rpm rω² = …"""
+    """Return where a formula begins behind words and the speed they end in: at 9000 rpm rω² = …
+
+    Behind "for" and the like it is so with any quantity before a lone letter: for 72° δ = 36°.
+    """
     speed = _SPEED_FIRST.match(text, start, end)
     scale = scale_of(speed["unit"]) if speed else None
-    return speed.end() if speed and scale is not None and scale[1] else start
+    if speed and scale is not None and scale[1]:
+        return speed.end()
+    given = _QUANTITY_FIRST.match(text, start, end)
+    if given is None or (given["unit"] != "°" and scale_of(given["unit"]) is None):
+        return start
+    return given.end() if _GIVES_CASE.search(text, max(0, start - 12), start) else start
 
 
 def _pieces(text: str, start: int, end: int, line: LineRules) -> Iterator[re.Match[str]]:

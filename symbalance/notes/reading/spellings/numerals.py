@@ -454,9 +454,22 @@ def _arrows(text: str) -> dict[int, tuple[int, str]]:
 
 
 def _is_pair(text: str, match: re.Match[str]) -> bool:
-    """Tell whether brackets hold these two numbers alone: (1,2) and [0,1] are pairs."""
+    """Tell whether brackets hold these two numbers alone: (1,2) and [0,1] are pairs, no cos(2,5)."""
     before, after = text[max(match.start() - 1, 0) : match.start()], text[match.end() : match.end() + 1]
-    return (before, after) in (("(", ")"), ("[", "]"), ("(", "]"), ("[", ")"), ("|", "|"))
+    is_in_brackets = (before, after) in (("(", ")"), ("[", "]"), ("(", "]"), ("[", ")"), ("|", "|"))
+    return is_in_brackets and not _is_argument(match)
+
+
+def _is_argument(match: re.Match[str]) -> bool:
+    """Tell whether a number stands alone in the brackets of a function that takes one: cos(22,5)."""
+    text, start, end = match.string, match.start(), match.end()
+    return text[end : end + 1] == ")" and _CALLED.search(text, max(0, start - 16), start) is not None
+
+
+_CALLED = re.compile(
+    r"(?:(?<![A-Za-z])(?:a|arc|ar)?(?:sin|cos|tan|cot|sinh|cosh|tanh)|(?<![A-Za-z])(?:sqrt|exp|ln|abs|sen|tg)|√)"
+    r"(?:[²³]|\^\{?[23]\}?)?[ ]?(?:\\left)?\($"
+)
 
 
 def _is_surely_decimal(match: re.Match[str], is_usual: bool) -> bool:
@@ -464,7 +477,7 @@ def _is_surely_decimal(match: re.Match[str], is_usual: bool) -> bool:
     whole, sign, part = match.groups()
     if sign == "{,}":
         return len(part) != 3 or whole.strip("0") == ""
-    if whole.strip("0") == "" and len(part) > 1:
+    if (whole.strip("0") == "" and len(part) > 1) or _is_argument(match):
         return True
     return len(part) != 3 and (is_usual or len(part) > 2 or _is_one_number(match))
 

@@ -32,14 +32,16 @@ _COMMA = (
     r"(?:\s|\\[,; ])*"
 )
 _ONE_UNIT = _UNIT.replace("P<unit>", ":")
+_NEXT_CASE = r"(?!\s?\$?(?:では|の場合|のとき|なら)は?[、\s$]{0,3}(?P=letter)\s*=)"
+"""Behind δ = 60°、72° stands では δ = 36°: the 72° open the next case."""
 _LIST = re.compile(
-    rf"{_HEAD}(?P<first>{_NUMBER})(?P<one>{_ONE_UNIT})?(?P<rest>(?:{_COMMA}{_NUMBER}(?:{_ONE_UNIT})?)*+)"
+    rf"{_HEAD}(?P<first>{_NUMBER})(?P<one>{_ONE_UNIT})?(?P<rest>(?:{_COMMA}(?>{_NUMBER}(?:{_ONE_UNIT})?){_NEXT_CASE})*+)"
     rf"(?:(?:{_COMMA})?\s*(?P<dots>{_DOTS})(?:{_COMMA}(?P<last>{_NUMBER}|[A-Za-z](?:\s*[-−+]\s*[0-9])?))?+)?+"
     rf"{_NOT_BEFORE_FORMULA}"
 )
 _HEAD_OF_LIST = _HEAD.replace(r"_\{\w{1,6}\}", r"_\{[\w,]{1,8}\}")
 _MULTIPLES = re.compile(
-    rf"{_HEAD_OF_LIST}(?P<values>{VALUE}(?:{_COMMA}{VALUE}){{0,11}}+)"
+    rf"{_HEAD_OF_LIST}(?P<values>{VALUE}(?:{_COMMA}(?>{VALUE}){_NEXT_CASE}){{0,11}}+)"
     rf"(?:(?:{_COMMA}|\s)(?P<dots>{_DOTS})(?:{_COMMA}(?P<last>{VALUE}))?+)?+{_NOT_BEFORE_FORMULA}"
 )
 """Where cranks stand: z = +a, 0, -a, multiples of one length; n = 1/2, 1, 3/2, … of one number."""

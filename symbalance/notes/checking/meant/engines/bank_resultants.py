@@ -8,8 +8,9 @@ of both pistons' forces is
 
 A formula that is one product shows by its size which of the two it is, or by its wave. One with the
 size of one component and the wave of the other is refuted; so is one whose wave fits and whose factor
-is off by 2 or √2. What the angle is counted from has to be shown: by another formula of the page that is
-a component as it should be, by waves of θ + A and θ - A, or by words.
+is off by 2 or √2, and one that has a sine of the banks' angle for a cosine. What the angle is counted
+from has to be shown: by another formula of the page that is a component as it should be, by waves of
+θ + A and θ - A, or by words.
 """
 
 from __future__ import annotations
@@ -168,7 +169,7 @@ class BankResultants:
             (usual,) = scales
             share = "half " if half == 1 else ""
             text = f"{plain_letter(own.bank)} is {share}the angle between the banks"
-            return self._compared(chain, own, half, usual, text)
+            return self._compared(chain, own, half, usual, text, knowledge)
         return None
 
     def _by_number(
@@ -210,7 +211,7 @@ class BankResultants:
         return self._refuted(chain, own, "factor", abs(expected) / factor, text) if is_slip else None
 
     def _compared(
-        self, chain: Chain, own: _Component, half: float, usual: float, text: str
+        self, chain: Chain, own: _Component, half: float, usual: float, text: str, knowledge: Knowledge
     ) -> Verdict | Decision | None:
         """Return the verdict on a component whose factor has the letter of the banks' angle."""
         scale = _scale(own, own.wave.function, half)
@@ -219,12 +220,39 @@ class BankResultants:
         other = _scale(own, _OTHER[own.wave.function], half)
         if other and same(other, usual):
             return self._refuted(chain, own, "function", 1.0, text)
+        if usual == 1 and (swapped := self._with_other_function(chain, own, half, knowledge)):
+            return self._refuted(chain, own, "function", 1.0, text, swapped)
         claims = self.resultants.claims
         words = f"{claims.sentence(chain)} {claims.sections.heading_above(chain.lines[0])}"
         is_slip = scale and usual == 1 and any(same(scale, s) for s in (2, 0.5))
         if is_slip and not _OF_LESS.search(words) and not _OF_MORE.search(words):
             return self._refuted(chain, own, "factor", usual / scale, text)
         return None
+
+    def _with_other_function(
+        self, chain: Chain, own: _Component, half: float, knowledge: Knowledge
+    ) -> tuple[Call, Call] | None:
+        """Return the sine or cosine of the banks' angle that is wrong, and what it should be; or None.
+
+        2 sin A cos 2A sin 2θ comes from no sum or difference of two pistons' forces in any direction;
+        2 cos A sin 2A sin 2θ is the difference of what they give along, and may be meant.
+        """
+        side = chain.sides[1]
+        node = without_dots(side.node)[0]
+        calls = {p for p in walk(node) if isinstance(p, Call) and names(p.argument) == {own.bank}}
+        found = list[tuple[Call, Call]]()
+        for call in calls if own.order > 1 else ():
+            times = product_of(substitute(call.argument, own.bank, Number(Fraction(1)))).number
+            if not same(times, own.order * half):
+                continue
+            other = Call(_OTHER.get(call.function, call.function), call.argument)
+            there = next(
+                self._resolved(Side((with_every(node, call, other),), side.span), knowledge), None
+            )
+            scale = 0.0 if there is None else _scale(there, own.wave.function, half)
+            if scale and same(scale, 1):
+                found.append((call, other))
+        return found[0] if len(found) == 1 else None
 
     def _others(self, chain: Chain, knowledge: Knowledge) -> Iterator[_Component]:
         """Yield the components that the page's other formulas are, by any of their sides."""
@@ -319,13 +347,22 @@ class BankResultants:
             yield "the rod is long"
 
     def _refuted(
-        self, chain: Chain, own: _Component, slip: str, ratio: float, text: str
+        self,
+        chain: Chain,
+        own: _Component,
+        slip: str,
+        ratio: float,
+        text: str,
+        swapped: tuple[Call, Call] | None = None,
     ) -> Verdict | None:
-        """Return the refutation of a component, with its wave or its factor put right."""
+        """Return the refutation of a component, with its wave, a function or its factor put right."""
         side = chain.sides[1]
         node = without_dots(side.node)[0]
         function = own.wave.function
-        if slip == "function":
+        if swapped is not None:
+            target = with_every(node, *swapped)
+            kind = f"{swapped[1].function} for {swapped[0].function}"
+        elif slip == "function":
             function = _OTHER[function]
             target = with_every(node, own.wave, Call(function, own.wave.argument))
             kind = f"{function} for {own.wave.function}"
