@@ -57,6 +57,10 @@ _FUNCTION = re.compile(r"\b(?:" + "|".join(sorted(FUNCTION_WORDS, key=len, rever
 _OPERAND_BEFORE = re.compile(r"[\w)\]}²³°′'&]$")
 _OPERAND_AFTER = re.compile(r"[\w(\[\\√½¼¾|{]")
 _FOOT_POUND = r"(?:(?:foot|feet|ft)(?:[ .·‐‑-]){0,2}(?:pounds?|lbs?f?\.?))"
+_EVENTS = (
+    r"(?:(?:(?:load )?cycles|vibrations|oscillations|swings|strokes|firings|impulses|explosions|beats"
+    r"|Lastwechsel|Schwingungen|Zündungen|Hübe|Takte) )?"
+)
 _SPELLED = (
     ("mm", "millimet(?:er|re)s?"), ("cm", "centimet(?:er|re)s?|Zentimeter"), ("km", "kilomet(?:er|re)s?"),
     ("dm^3", "lit(?:er|re)s?|Litern?"), ("ml", "millilit(?:er|re)s?|Millilitern?"), ("bar", "bars"),
@@ -68,6 +72,8 @@ _SPELLED = (
     ("rad/s", r"rad(?:ians?)?\.? ?(?:per|/) ?s(?:ec(?:onds?)?)?\b"),
     ("m/s", r"(?:met(?:er|re)s?|m) ?(?:per|/) ?sec(?:onds?)?\b"),
     ("rpm", r"r\. ?p\. ?m\b|rev(?:olution)?s?\.? per min(?:ute)?\b|Umdrehungen pro Minute"),
+    ("1/min", rf"{_EVENTS}(?:per min(?:ute)?\b|(?:pro|je) (?:min\b|Minute)|par minute|a minute)"),
+    ("1/s", rf"{_EVENTS}(?:per sec(?:ond)?\b|(?:pro|je) Sekunde|par seconde)"),
     ("ft·lbf/s", rf"{_FOOT_POUND} ?(?:per|/) ?s(?:ec(?:onds?)?)?\b"),
     ("ft·lbf/min", rf"{_FOOT_POUND} ?(?:per|/) ?min(?:utes?)?\b"), ("ft·lbf", _FOOT_POUND),
     ("psi", r"(?:lbs?\.?|lbf\.?|pounds?)[\s-]?(?:per|/)\s?sq(?:uare|\.)?\s?in(?:ch|\.|\b)"),
@@ -110,7 +116,8 @@ _BEHIND_DOLLAR = re.compile(
     r"(?:(?<=[0-9])|(?<=\^\{[0-9]\})|(?<=\^\{-[0-9]\}))(?<!_[0-9])(?:\\[,;: ]|~)?(?P<mark>\$"
     r"|\\\))(?:[ ~]|\\[,;: ])?"
     rf"(?P<unit>°|\\?%|{_PART_BEHIND}(?:(?:[ ]?[/·⋅*]?[ ]?|\\,|~){_PART_BEHIND}){{0,3}})"
-    r"(?=[.,;:)]{0,2}(?:\s*$|[\s|)\ue000])|[.,;:)][\s$]|[\u3001-\u9fff\uff08-\uff1f])(?! ?[=<>≈+*/])",
+    r"(?=[.,;:)]{0,2}(?:\s*$|[\s|)\ue000])|[.,;:)][\s$]|\((?=\$|\\\(|[\u3041-\u9fff])"
+    r"|[\u3001-\u9fff\uff08-\uff1f])(?! ?[=<>≈+*/])",
     re.MULTILINE,
 )
 """A unit behind the dollar or `\\)` that ends a formula: N m/rad as a whole, but m of `40$ m long`."""
