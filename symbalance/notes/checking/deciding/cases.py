@@ -30,7 +30,7 @@ from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import polynomial_node
 from symbalance.notes.algebra.series import Expansion
-from symbalance.notes.algebra.tree_values import letters_behind
+from symbalance.notes.algebra.tree_values import letters_behind, names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import (
     PROVED,
@@ -95,9 +95,33 @@ def decide_case(
     is_solvable = not names(right) and _is_solvable(left, right, refutation)
     if signs.is_equal_in_places and not is_solvable:
         return replace(refutation, status=UNDECIDED, reason=ON_A_BRANCH)
-    status, why = (REFUTED, NO_VALUES) if signs.tried else (UNDECIDED, NO_POINT)
-    given = Decision(word, reason)
-    return given if signs.has_root or is_solvable else replace(refutation, status=status, reason=why)
+    if signs.has_root or is_solvable:
+        return Decision(word, reason)
+    if not signs.tried:
+        return replace(refutation, status=UNDECIDED, reason=NO_POINT)
+    lines = _formulas_against(left, right, knowledge)
+    if lines:  # which of them is wrong, no number tells
+        shown = ", ".join(map(str, lines))
+        reason = f"no values satisfy it with line{'s' * (len(lines) > 1)} {shown}: one of them may be wrong"
+        return replace(refutation, status=UNDECIDED, reason=reason)
+    return replace(refutation, status=REFUTED, reason=NO_VALUES)
+
+
+def _formulas_against(left: Formula, right: Formula, knowledge: Knowledge) -> list[int]:
+    """Return the lines whose formulas alone keep a number from being possible; none where it never is.
+
+    After A = (1 + m ω²/k) B no ω gives A/B = 0.27, which by itself says nothing impossible.
+    """
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    behind = {*names(left), *names(right), *names_behind(left, values), *names_behind(right, values)}
+    formulas = {n: d for n, d in knowledge.definitions.items() if n in behind and names(d.node)}
+    if names(right) or isinstance(left, Name) or not formulas:
+        return []
+    others = {n: d for n, d in knowledge.definitions.items() if n not in formulas}
+    known = replace(knowledge, definitions=others)
+    level = list(known.levels(left, right))[-1]
+    alone = survey(left, right, replace(knowledge.meaning, values=level.values))
+    return sorted({d.line for d in formulas.values()}) if alone.has_root else []
 
 
 def _is_solvable(left: Formula, right: Formula, refutation: Decision) -> bool:

@@ -210,9 +210,17 @@ _EQUIVALENT = re.compile(
 _CONVERSE = re.compile(
     r"(?:[\s,$]|\\(?:[,;: ]|q?quad))*(?:\\(?:Leftarrow|Longleftarrow|impliedby)(?![A-Za-z])|[⇐⟸])[\s$,]*"
 )
+_ROOT_LEFT = (
+    r"(?:\s+(?:the|an?|der|die|das|dem|den|la|le|les|il|el|trivial\w*|rigid\w*|body|zero|null|solution|soluzione"
+    r"|solución|root|mode|value|Lösung|Wurzel|Nullstelle|Fall|case|racine|raíz|radice|valeur|valor)(?![A-Za-z])){0,4}"
+)
 _DENIED = re.compile(
-    r"(?<![A-Za-z])(?:not|nicht|never|nie|kein|besides|apart\s+from|aside\s+from|except(?:\s+for|\s+at|\s+when)?"
-    r"|other\s+than|unless|außer|ausser|neben|abgesehen\s+von|ausgenommen)[\s$\\(]{0,4}(?:<[a-z]+>\s*)?$",
+    r"(?<![A-Za-z])(?:(?:not|nicht|never|nie|kein|unless)"
+    r"|(?:besides|apart\s+from|aside\s+from|except(?:\s+for|\s+at|\s+when)?|other\s+than|außer|ausser|neben"
+    r"|abgesehen\s+von|ausgenommen|en\s+dehors\s+de|à\s+part|hormis|sauf|aparte\s+de|además\s+de|salvo|excepto"
+    r"|oltre\s+a|eccetto|tranne|naast|behalve|oprócz|poza|förutom|utom)"
+    + _ROOT_LEFT
+    + r")[\s$\\(`]{0,12}(?:(?:stem|latexmath|asciimath):\[|:math:`|<[a-z]+>)?\s*$",
     re.IGNORECASE,
 )
 _EXCEPT_BEHIND = re.compile(r"[\s$)\]}]{0,4}(?:以外|を除)")
