@@ -5,7 +5,8 @@ import pytest
 from symbalance.checking import check
 
 SLOW = (
-    "At $n = 3000$ rpm the speed is $\\omega = 2\\pi n/60 = 314.2$ rad/s, $r = 40$ mm and $m = 0.5$ kg.\n\n"
+    "At $n = 3000$ rpm the speed is $\\omega = 2\\pi n/60 = 314.2$ rad/s, $r = 40$ mm and"
+    " $m = 0.5$ kg.\n\n"
 )
 LANGSAM = "Bei 3000/min sind ω = 314,2 1/s, r = 0,045 m und R = 0,16 m.\n\n"
 

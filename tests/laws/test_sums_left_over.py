@@ -4,7 +4,8 @@ import pytest
 
 from symbalance.notes.checking import check
 
-NODES = "With $J_1 = 2.4$, $J_2 = 18$, $J_3 = 6.5$, $a_2 = 0.267$ and $a_3 = {a}$: $J_1 + J_2 a_2 + J_3 a_3 ≈ 0$."
+DATA = "With $J_1 = 2.4$, $J_2 = 18$, $J_3 = 6.5$, $a_2 = 0.267$ and $a_3 = {a}$: "
+NODES = DATA + "$J_1 + J_2 a_2 + J_3 a_3 ≈ 0$."
 PROVED = ("holds", "conditional", "holds_to_order")
 
 

@@ -4,7 +4,9 @@ import pytest
 
 from symbalance.notes.checking import check
 
-SHAPE = "\n\n$$A_2 = \\left(1 - \\frac{J\\omega^2}{k}\\right)A_1$$\n\nFor the mode it is $A_2/A_1 = 0.267$.\n"
+SHAPE = (
+    "\n\n$$A_2 = \\left(1 - \\frac{J\\omega^2}{k}\\right)A_1$$\n\nFor the mode it is $A_2/A_1 = 0.267$.\n"
+)
 OPENING = "The disc has $J = 2.4$ and $k = 750000$. "
 
 

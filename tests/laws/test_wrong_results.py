@@ -12,8 +12,8 @@ SYMBOLS = {
 }
 ROOT = r"With $\lambda = 0.3$ we have $\cos\varphi = \frac{-1+\sqrt{1+8\lambda^2}}{4\lambda} = 0.2956$"
 SHAFTS = (
-    "$m = 0.42$ kg, $r = 43$ mm, $\\lambda = 0.294$. Each of the two shafts of the Lanchester balancer of the"
-    " inline four turns at twice the speed of the crank and carries\n\n$$m_b r_b = \\lambda m r$$\n\n"
+    "$m = 0.42$ kg, $r = 43$ mm, $\\lambda = 0.294$. Each of the two shafts of the Lanchester balancer of"
+    " the inline four turns at twice the speed of the crank and carries\n\n$$m_b r_b = \\lambda m r$$\n\n"
 )
 
 
@@ -27,7 +27,8 @@ def last_verdict(page: str) -> tuple[str, str]:
     "page",
     [
         ROOT + r", so $\varphi \approx 72.8°$.",
-        ROOT.replace("$\\cos", "\n\n$$\\cos").replace("0.2956$", "0.2956$$") + "\n\nso $\\varphi = 72.8°$.",
+        ROOT.replace("$\\cos", "\n\n$$\\cos").replace("0.2956$", "0.2956$$")
+        + "\n\nso $\\varphi = 72.8°$.",
         r"With $\lambda = 0.3$ we have $\tan\varphi = 1/\lambda = 3.53$, hence $\varphi = 74.2°$.",
     ],
 )

@@ -95,16 +95,23 @@ def decide_case(
     is_solvable = not names(right) and _is_solvable(left, right, refutation)
     if signs.is_equal_in_places and not is_solvable:
         return replace(refutation, status=UNDECIDED, reason=ON_A_BRANCH)
-    if signs.has_root or is_solvable:
-        return Decision(word, reason)
-    if not signs.tried:
-        return replace(refutation, status=UNDECIDED, reason=NO_POINT)
-    lines = _formulas_against(left, right, knowledge)
-    if lines:  # which of them is wrong, no number tells
-        shown = ", ".join(map(str, lines))
-        reason = f"no values satisfy it with line{'s' * (len(lines) > 1)} {shown}: one of them may be wrong"
-        return replace(refutation, status=UNDECIDED, reason=reason)
-    return replace(refutation, status=REFUTED, reason=NO_VALUES)
+    status, why = (REFUTED, NO_VALUES) if signs.tried else (UNDECIDED, NO_POINT)
+    given = Decision(word, reason)
+    if not (signs.has_root or is_solvable):
+        given = replace(refutation, status=status, reason=why)
+    return _unless_against_formulas(left, right, given, knowledge)
+
+
+def _unless_against_formulas(
+    left: Formula, right: Formula, decision: Decision, knowledge: Knowledge
+) -> Decision:
+    """Return a decision; where a formula of the page forbids a number, which of them is wrong is open."""
+    lines = _formulas_against(left, right, knowledge) if decision.reason == NO_VALUES else []
+    if not lines:
+        return decision
+    shown = f"line{'s' * (len(lines) > 1)} {', '.join(map(str, lines))}"
+    reason = f"no values satisfy it with {shown}: one of them may be wrong"
+    return replace(decision, status=UNDECIDED, reason=reason)
 
 
 def _formulas_against(left: Formula, right: Formula, knowledge: Knowledge) -> list[int]:

@@ -96,7 +96,7 @@ class GivenNumbers:
             results.append(GivenEquation(head, right, chain.lines[0], True))
 
     def goes_on_with(self, name: str, value: Formula, knowledge: Knowledge) -> Decision | None:
-        """Return the proof of a letter's number from a result that is refuted where it stands, or None."""
+        """Return the proof of a letter's number from a result that is refuted where it stands."""
         near = _interval(value, Fraction(1, 2))
         for result in self.wrong_results[::-1][:MOST]:
             if name in names(result.left) and _has_root(result, name, near, knowledge):

@@ -40,11 +40,14 @@ def at_speed_in_words(state: JudgingState, chain: Chain, k: int, knowledge: Know
             is_speed = isinstance(letter, Name) and is_angular_speed(letter.name, knowledge.meanings)
             if not is_speed or not isinstance(letter, Name) or letter.name not in knowledge.definitions:
                 continue
-            own = replace(knowledge.definitions[letter.name], node=number, numeric=True, rounded=None, assumption="")
+            own = replace(
+                knowledge.definitions[letter.name], node=number, numeric=True, rounded=None, assumption=""
+            )
             known = knowledge.with_definition(letter.name, own)
             there = decide(left, right, chain.relations[k].sign, known)
             if there.is_proved:
-                text = f"{plain_text(letter)} = {plain_text(number)} at the {speed} revolutions per minute named"
+                value = f"{plain_text(letter)} = {plain_text(number)}"
+                text = f"{value} at the {speed} revolutions per minute named"
                 return replace(there, assumptions=(*there.assumptions, text))
     return None
 

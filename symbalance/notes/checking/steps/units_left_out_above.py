@@ -27,9 +27,13 @@ _UNIT_OF_LETTER = re.compile(r"(?:\bin |[\[(])(?P<unit>[A-Za-zµ/·²³^0-9]{1,1
 
 
 def unless_unit_left_out(state: JudgingState, chain: Chain, verdict: Verdict) -> Verdict:
-    """Return a verdict on digits given above with another prefix; they hold where none was given there."""
+    """Return a verdict on digits given above with another prefix; they hold if none was given there."""
     head = chain.sides[0].node
-    if not isinstance(head, Name) or _has_unit_above(state, chain, head) or _is_against_words(state, chain):
+    if (
+        not isinstance(head, Name)
+        or _has_unit_above(state, chain, head)
+        or _is_against_words(state, chain)
+    ):
         return verdict
     return describe(state.document, chain, 0, Decision(PROVED, UNITS_LEFT_OUT))
 

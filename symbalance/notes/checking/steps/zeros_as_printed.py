@@ -2,7 +2,8 @@
 
 At exactly 75.0° the sum is -0.001. Its zero lies at 74.96°, which is printed as 75.0°: where a formula
 changes its sign while each printed number of the angle moves by half of its last place, it is zero there.
-So is a sum of numbers, 2.4 + 18·0.267 - 6.5·1.11 ≈ 0, whose terms are large beside what their rounding leaves.
+So is a sum of numbers, 2.4 + 18·0.267 - 6.5·1.11 ≈ 0, whose terms are large beside what their rounding
+leaves.
 """
 
 from __future__ import annotations
