@@ -57,10 +57,6 @@ _FUNCTION = re.compile(r"\b(?:" + "|".join(sorted(FUNCTION_WORDS, key=len, rever
 _OPERAND_BEFORE = re.compile(r"[\w)\]}²³°′'&]$")
 _OPERAND_AFTER = re.compile(r"[\w(\[\\√½¼¾|{]")
 _FOOT_POUND = r"(?:(?:foot|feet|ft)(?:[ .·‐‑-]){0,2}(?:pounds?|lbs?f?\.?))"
-_EVENTS = (
-    r"(?:(?:(?:load )?cycles|vibrations|oscillations|swings|strokes|firings|impulses|explosions|beats"
-    r"|Lastwechsel|Schwingungen|Zündungen|Hübe|Takte) )?"
-)
 _SPELLED = (
     ("mm", "millimet(?:er|re)s?"), ("cm", "centimet(?:er|re)s?|Zentimeter"), ("km", "kilomet(?:er|re)s?"),
     ("dm^3", "lit(?:er|re)s?|Litern?"), ("ml", "millilit(?:er|re)s?|Millilitern?"), ("bar", "bars"),
@@ -72,8 +68,8 @@ _SPELLED = (
     ("rad/s", r"rad(?:ians?)?\.? ?(?:per|/) ?s(?:ec(?:onds?)?)?\b"),
     ("m/s", r"(?:met(?:er|re)s?|m) ?(?:per|/) ?sec(?:onds?)?\b"),
     ("rpm", r"r\. ?p\. ?m\b|rev(?:olution)?s?\.? per min(?:ute)?\b|Umdrehungen pro Minute"),
-    ("1/min", rf"{_EVENTS}(?:per min(?:ute)?\b|(?:pro|je) (?:min\b|Minute)|par minute|a minute)"),
-    ("1/s", rf"{_EVENTS}(?:per sec(?:ond)?\b|(?:pro|je) Sekunde|par seconde)"),
+    ("1/min", r"(?:per min(?:ute)?\b|(?:pro|je) (?:min\b|Minute)|par minute|a minute)"),
+    ("1/s", r"(?:per sec(?:ond)?\b|(?:pro|je) Sekunde|par seconde)"),
     ("ft·lbf/s", rf"{_FOOT_POUND} ?(?:per|/) ?s(?:ec(?:onds?)?)?\b"),
     ("ft·lbf/min", rf"{_FOOT_POUND} ?(?:per|/) ?min(?:utes?)?\b"), ("ft·lbf", _FOOT_POUND),
     ("psi", r"(?:lbs?\.?|lbf\.?|pounds?)[\s-]?(?:per|/)\s?sq(?:uare|\.)?\s?in(?:ch|\.|\b)"),
