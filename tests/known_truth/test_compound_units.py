@@ -34,6 +34,17 @@ CASES = [
     (r"$J = 0.0125$~kg\,m$^2$ and $2J = 0.025$~kg\,m$^2$.", "holds"),
     (r"$J = 0.0125$~kg\,m$^2$ and $2J = 0.25$~kg\,m$^2$.", "refuted"),
     ("6 in-line cylinders, so n = 6.", "definition"),
+    (r"$J = 2.4\,\mathrm{kg\,m^2}$, $J^2 = 5.76\,\mathrm{kg^2m^4}$.", "holds"),
+    (r"$J = 2.4\,\mathrm{kg\,m^2}$, $J^2 = 5.67\,\mathrm{kg^2m^4}$.", "refuted"),
+    (r"$J = 2.4\,\mathrm{kg\,m^2}$, $J^3 = 13.824\ \text{kg³m⁶}$.", "holds"),
+    ("The speed is n = 6000 rpm: n/2 = 3000 per min.", "holds"),
+    ("The speed is n = 6000 rpm: n/2 = 3000 per minute.", "holds"),
+    ("Die Drehzahl ist n = 6000 1/min: n/2 = 3000 pro Minute.", "holds"),
+    ("The speed is n = 6000 rpm: n/2 = 50 per second.", "holds"),
+    ("The speed is n = 6000 rpm: n/2 = 3000 per second.", "refuted"),
+    ("The speed is n = 6000 rpm: n/2 = 6000 per min.", "refuted"),
+    (r"例:$r = 44.8$ mm、$l = 140$ mm($l/r = 3.125$)。", "holds"),
+    (r"例:$r = 44.8$ mm、$l = 140$ mm($l/r = 3.215$)。", "refuted"),
 ]
 
 

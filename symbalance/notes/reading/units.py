@@ -93,6 +93,8 @@ _MOST_PARTS, _LONGEST = 6, 100
 _PART = re.compile(r"(1(?=/)|[A-Za-z]+)(?:\^(-?[0-9]))?")
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−µμ", "0123456789--uu")
 _RAISED_RUN = re.compile("[⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]")
+_RAISED_PART = re.compile(r"(\^-?[0-9])(?=[A-Za-z])")
+"""An exponent with the next unit right behind it, as in kg²m⁴."""
 _INNER_FONT = re.compile(r"\\(?:mathrm|text|textrm|rm)(?![A-Za-z])")
 _SEPARATOR = re.compile(r"\\[,;: ]|~|\\cdot(?![A-Za-z])|[·⋅・*.\s]")
 _COMMAND = r"\\(?:mathrm|text|textrm|mbox|unit|si)\s*"
@@ -251,7 +253,7 @@ def _plain(unit: str) -> str:
     text = re.sub(r"\\mu\s*", "u", _INNER_FONT.sub("", unit))
     text = _RAISED_RUN.sub(lambda match: "^" + match.group(), text)
     text = _SEPARATOR.sub(" ", text.translate(_RAISED))
-    text = text.replace("{", "").replace("}", "")
+    text = _RAISED_PART.sub(r"\1 ", text.replace("{", "").replace("}", ""))
     return re.sub(r"\s*([/^-])\s*", r"\1", re.sub(r"\s+", " ", text)).strip()
 
 

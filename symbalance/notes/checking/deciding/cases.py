@@ -30,7 +30,7 @@ from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import polynomial_node
 from symbalance.notes.algebra.series import Expansion
-from symbalance.notes.algebra.tree_values import letters_behind
+from symbalance.notes.algebra.tree_values import letters_behind, names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import (
     PROVED,
@@ -97,7 +97,38 @@ def decide_case(
         return replace(refutation, status=UNDECIDED, reason=ON_A_BRANCH)
     status, why = (REFUTED, NO_VALUES) if signs.tried else (UNDECIDED, NO_POINT)
     given = Decision(word, reason)
-    return given if signs.has_root or is_solvable else replace(refutation, status=status, reason=why)
+    if not (signs.has_root or is_solvable):
+        given = replace(refutation, status=status, reason=why)
+    return _unless_against_formulas(left, right, given, knowledge)
+
+
+def _unless_against_formulas(
+    left: Formula, right: Formula, decision: Decision, knowledge: Knowledge
+) -> Decision:
+    """Return a decision; where a formula of the page forbids a number, which of them is wrong is open."""
+    lines = _formulas_against(left, right, knowledge) if decision.reason == NO_VALUES else []
+    if not lines:
+        return decision
+    shown = f"line{'s' * (len(lines) > 1)} {', '.join(map(str, lines))}"
+    reason = f"no values satisfy it with {shown}: one of them may be wrong"
+    return replace(decision, status=UNDECIDED, reason=reason)
+
+
+def _formulas_against(left: Formula, right: Formula, knowledge: Knowledge) -> list[int]:
+    """Return the lines whose formulas alone keep a number from being possible; none where it never is.
+
+    After A = (1 + m ω²/k) B no ω gives A/B = 0.27, which by itself says nothing impossible.
+    """
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    behind = {*names(left), *names(right), *names_behind(left, values), *names_behind(right, values)}
+    formulas = {n: d for n, d in knowledge.definitions.items() if n in behind and names(d.node)}
+    if names(right) or isinstance(left, Name) or not formulas:
+        return []
+    others = {n: d for n, d in knowledge.definitions.items() if n not in formulas}
+    known = replace(knowledge, definitions=others)
+    level = list(known.levels(left, right))[-1]
+    alone = survey(left, right, replace(knowledge.meaning, values=level.values))
+    return sorted({d.line for d in formulas.values()}) if alone.has_root else []
 
 
 def _is_solvable(left: Formula, right: Formula, refutation: Decision) -> bool:

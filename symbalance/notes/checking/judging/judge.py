@@ -33,7 +33,7 @@ from symbalance.notes.checking.judging.offset_cranks import unless_offset
 from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
 from symbalance.notes.checking.judging.open_reasons import DECLARE_IT
 from symbalance.notes.checking.judging.unknown_crank_angle import unless_angle_unknown
-from symbalance.notes.checking.meant.given_numbers import size_given
+from symbalance.notes.checking.meant.given_numbers import number_given, size_given
 from symbalance.notes.checking.meant.motion_in_time import with_rates_of_rates
 from symbalance.notes.checking.meant.ring_or_disc import decide_ring_or_disc
 from symbalance.notes.checking.page import assertions
@@ -102,6 +102,7 @@ from symbalance.notes.checking.steps.rates_with_numbers import with_numbers_of_r
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
 from symbalance.notes.checking.steps.series_relations import judge_series
 from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_place
+from symbalance.notes.checking.steps.speeds_in_words import at_speed_in_words
 from symbalance.notes.checking.steps.sums_of_phases import unless_phases_remain
 from symbalance.notes.checking.steps.zeros_as_printed import unless_zero_as_printed
 from symbalance.notes.checking.steps.zeros_in_cases import unless_false_zero
@@ -308,6 +309,7 @@ class Judge:
         verdict = self._with_numbers_of_rates(chain, k, verdict)
         verdict = self._unless_at_another_value(chain, k, verdict)
         verdict = self._unless_wrong_size(chain, k, verdict)
+        verdict = self._unless_of_wrong_result(chain, k, verdict)
         verdict = unless_wrong_at_place(self.state, chain, k, verdict)
         verdict = unless_scaled_wrongly(self.state, chain, k, verdict)
         verdict = unless_plain_sum(self.state, chain, k, verdict)
@@ -355,6 +357,15 @@ class Judge:
         first, knowledge = self.state.sections.paragraph_start(line), self.state.knowledge(line)
         by_given = self.state.given_numbers.decide(*pair, line, first, knowledge)
         return verdict if by_given is None else describe(self.document, chain, k, by_given)
+
+    def _unless_of_wrong_result(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+        """Return a verdict; a refuted number may be what a refuted result above gives: no second slip."""
+        pair = number_given(chain, k)
+        if pair is None or verdict.verdict != REFUTED:
+            return verdict
+        knowledge = self.state.knowledge(chain.lines[0])
+        carried = self.state.given_numbers.goes_on_with(*pair, knowledge)
+        return verdict if carried is None else describe(self.document, chain, k, carried)
 
     def _with_numbers_of_rates(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict; one that is not proved is judged with the numbers that rates have above."""
@@ -506,7 +517,8 @@ class Judge:
         if verdict.verdict in PROVED_WORDS:
             there = refuted_by_nearest(self.state, chain, k, knowledge)
         elif verdict.verdict in (REFUTED, CONTRADICTION):
-            there = with_other_values(self.state, chain, k, knowledge)
+            there = at_speed_in_words(self.state, chain, k, knowledge)
+            there = there or with_other_values(self.state, chain, k, knowledge)
             there = there or by_nearest_equation(self.state, chain, k, knowledge)
             there = there or by_nearest_formulas(self.state, chain, k, knowledge)
             there = there or as_supposed(self.state, chain, k)

@@ -17,7 +17,8 @@ from symbalance.text import lazy_patterns as re
 
 _SPEED = re.compile(
     rf"(?<![0-9.,])(?P<speed>[1-9][0-9]{{0,2}}(?:(?:[,.' ]|\\,|\{{,\}})?[0-9]{{3}})?|[1-9][0-9]{{3,4}})"
-    rf"{BETWEEN}{PER_MINUTE}|毎分\s*(?P<behind>[1-9][0-9]{{1,4}})"
+    rf"{BETWEEN}(?:{PER_MINUTE}|(?:/|(?:per|pro|je|par)\s)\s?[Mm]in(?:ute)?(?![A-Za-z]))"
+    r"|毎分\s*(?P<behind>[1-9][0-9]{1,4})"
 )
 SAME = 1e-12
 
@@ -25,8 +26,8 @@ SAME = 1e-12
 def speeds_of(text: str) -> frozenset[int]:
     """Return the numbers of revolutions per minute that a page names.
 
-    >>> sorted(speeds_of(r"bei 6500 1/min, at 8000 rpm, $n = 3600\\,\\text{min}^{-1}$, 毎分600回転"))
-    [600, 3600, 6500, 8000]
+    >>> sorted(speeds_of(r"6500 1/min, 8000 rpm, $n = 3600\\,\\text{min}^{-1}$, 毎分600回転, 3000/min"))
+    [600, 3000, 3600, 6500, 8000]
     """
     speeds = (m["speed"] or m["behind"] for m in _SPEED.finditer(text))
     return frozenset(int(re.sub("[^0-9]", "", digits)) for digits in speeds)

@@ -2,7 +2,8 @@
 
 A first number for a letter is its definition, and another one than before may be a new case. But where
 the page has an equation in which all other letters have numbers, the number can be computed: it is what
-the equation gives, to the digits printed, or it is wrong.
+the equation gives, to the digits printed, or it is wrong. One that is computed from a result that is
+refuted where it stands, c = cos θ = 0.2956, goes on with it: that is no second slip.
 """
 
 from __future__ import annotations
@@ -68,12 +69,16 @@ class GivenNumbers:
     """The equations that a page has so far for the numbers of its letters."""
 
     equations: list[GivenEquation] = field(default_factory=list)
+    wrong_results: list[GivenEquation] = field(default_factory=list)
+    """What formulas are equal to by lines that are refuted: sin β = 0.03, after sin β = λ = 0.3."""
 
     def note(self, chain: Chain, k: int, verdict: Verdict) -> None:
         """Note a relation that is given, as a definition or condition; a series and ≈ fix no number."""
         left, right = chain.sides[k].node, chain.sides[k + 1].node
         if k and verdict.verdict in (*PROVED_WORDS, PREMISE):
-            self._note_result(chain, right)
+            self._note_result(chain, right, self.equations)
+        elif verdict.verdict == REFUTED:
+            self._note_result(chain, right, self.wrong_results)
         is_given = verdict.verdict in (DEFINITION, PREMISE, CONDITION) or NOBODY in verdict.assumption
         if chain.relations[k].sign != "=" or not (is_given or verdict.verdict == UNDECIDED):
             return
@@ -82,12 +87,22 @@ class GivenNumbers:
         if names(left) | names(right) and not is_series and not is_value:
             self.equations.append(GivenEquation(left, right, chain.lines[0], is_given))
 
-    def _note_result(self, chain: Chain, right: Formula) -> None:
+    @staticmethod
+    def _note_result(chain: Chain, right: Formula, results: list[GivenEquation]) -> None:
         """Note the number at the end of a chain that begins with a formula: sin β = λ/2 = 0.1435."""
         head = chain.sides[0].node
         is_formula = bool(names(head)) and not isinstance(head, Name)
         if is_formula and is_lone_number(right) and all(each.sign in "=≈" for each in chain.relations):
-            self.equations.append(GivenEquation(head, right, chain.lines[0], True))
+            results.append(GivenEquation(head, right, chain.lines[0], True))
+
+    def goes_on_with(self, name: str, value: Formula, knowledge: Knowledge) -> Decision | None:
+        """Return the proof of a letter's number from a result that is refuted where it stands."""
+        near = _interval(value, Fraction(1, 2))
+        for result in self.wrong_results[::-1][:MOST]:
+            if name in names(result.left) and _has_root(result, name, near, knowledge):
+                text = f"{result.text} of line {result.line}, which is refuted"
+                return Decision(PROVED, order="the digits printed", assumptions=(text,))
+        return None
 
     def end(self, letters: frozenset[str], first: int) -> None:
         """Leave the numbers that lines from a first one on give what holds any of some letters."""

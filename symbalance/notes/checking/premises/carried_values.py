@@ -1,7 +1,8 @@
 """Results that are wrong where they are printed, and right lines that go on with them.
 
 F = m r ω² = 4065 is refuted, 4605 it is. λ F = 0.3·4065 = 1219.5 puts in what the page has: nothing new
-is wrong there, and nobody is accused a second time; it holds with the value of the line before.
+is wrong there, and nobody is accused a second time; it holds with the value of the line before. So does
+m_b r_b = 0.42·0.043/3.4 below m_b r_b = m r/λ, where that is refuted.
 """
 
 from __future__ import annotations
@@ -39,7 +40,9 @@ class WrongResult:
     def text(self) -> str:
         """What a line that goes on with it rests on."""
         value = formula_text(self.value, plain=True)
-        letter = f"{formula_text(Name(self.name), plain=True)} = " if self.name else ""
+        is_of_formula = bool(names(self.value)) and not self.name
+        of = self.formula if is_of_formula else Name(self.name)
+        letter = f"{formula_text(of, plain=True)} = " if self.name or is_of_formula else ""
         return f"{letter}{value} of line {self.line}, which is refuted"
 
 
@@ -61,6 +64,8 @@ class CarriedValues:
             self.results.append(WrongResult(node, of, name, chain.lines[0]))
         elif k and isinstance(head, Name) and names(node) and head.name not in names(node):
             self.results.append(WrongResult(node, head, head.name, chain.lines[0]))
+        elif names(head) and names(node) and not isinstance(head, Name):
+            self.results.append(WrongResult(node, head, "", chain.lines[0]))
 
     def decide(
         self,
@@ -90,6 +95,10 @@ class CarriedValues:
             is_number = not names(wrong.value)
             if names(right.node) and not is_number:
                 continue  # the same formula once more is wrong once more
+            if not is_number and left.node == wrong.formula:
+                there = decide(replace(left, readings=(wrong.value,)), right, knowledge)
+                if there.is_proved:
+                    return replace(there, assumptions=(*there.assumptions, wrong.text))
             if wrong.name in names_behind(left.node, values) and wrong.name in knowledge.definitions:
                 earlier = knowledge.definitions[wrong.name]
                 own = replace(earlier, node=wrong.value, numeric=is_number, rounded=None)

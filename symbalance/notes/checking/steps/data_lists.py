@@ -11,6 +11,7 @@ from dataclasses import replace
 from symbalance.document.formula import Name, Product, names
 from symbalance.notes.checking.premises.another_prefix import ANOTHER_PREFIX, FEWEST_DIGITS
 from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.steps.units_left_out_above import unless_unit_left_out
 from symbalance.notes.checking.verdicts import CONTRADICTION, REFUTED, UNDECIDED, Verdict
 from symbalance.notes.checking.words.lists_of_data import gives_number, stand_in_one_list
 from symbalance.notes.reading.equations import Chain
@@ -39,7 +40,7 @@ _AND = re.compile(r"[\s$)\]\\,]{0,6}(?:[^\W\d_]{1,4}\s)?(?:,|and|und|et|y|e|con|
 def open_if_datum(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
     """Return a verdict; a number of an example that contradicts an equation above is undecided."""
     if verdict.verdict == REFUTED and ANOTHER_PREFIX in (verdict.reason or ""):
-        return verdict  # a slip of the unit, whatever the example
+        return unless_unit_left_out(state, chain, verdict)  # a slip of the unit, whatever the example
     is_against = verdict.verdict == CONTRADICTION or (
         verdict.verdict == REFUTED and (verdict.reason or "").startswith("does not satisfy")
     )
@@ -74,7 +75,8 @@ def _given_number(state: JudgingState, chain: Chain, verdict: Verdict) -> Verdic
     typed, above = (match["digits"] if match else "" for match in digits)
     if typed == above and len(typed) >= FEWEST_DIGITS:
         reason = f"the number of the lines above {ANOTHER_PREFIX}"
-        return replace(verdict, verdict=REFUTED, reason=reason, fix=None)
+        refuted = replace(verdict, verdict=REFUTED, reason=reason, fix=None)
+        return unless_unit_left_out(state, chain, refuted)
     exact = f", {verdict.exact}" if verdict.exact else ""
     if isinstance(head, Name):
         state.definitions.forget_all(head.name)

@@ -213,11 +213,24 @@ _EQUIVALENT = re.compile(
 _CONVERSE = re.compile(
     r"(?:[\s,$]|\\(?:[,;: ]|q?quad))*(?:\\(?:Leftarrow|Longleftarrow|impliedby)(?![A-Za-z])|[⇐⟸])[\s$,]*"
 )
+_ROOT_LEFT = (
+    r"(?:\s+(?:the|an?|der|die|das|dem|den|la|le|les|il|el|trivial\w*|rigid\w*|body|zero|null|solution|soluzione"
+    r"|solución|root|mode|value|Lösung|Wurzel|Nullstelle|Fall|case|racine|raíz|radice|valeur|valor)(?![A-Za-z])){0,4}"
+)
 _DENIED = re.compile(
-    r"(?<![A-Za-z])(?:not|nicht|never|nie|kein|besides|apart\s+from|aside\s+from|except(?:\s+for|\s+at|\s+when)?"
-    r"|other\s+than|unless|außer|ausser|neben|abgesehen\s+von|ausgenommen)[\s$\\(]{0,4}(?:<[a-z]+>\s*)?$",
+    r"(?<![A-Za-z])(?:(?:not|nicht|never|nie|kein|unless)"
+    r"|(?:besides|apart\s+from|aside\s+from|except(?:\s+for|\s+at|\s+when)?|other\s+than|außer|ausser|neben"
+    r"|abgesehen\s+von|ausgenommen|en\s+dehors\s+de|à\s+part|hormis|sauf|aparte\s+de|además\s+de|salvo|excepto"
+    r"|oltre\s+a|eccetto|tranne|naast|behalve|oprócz|poza|förutom|utom)"
+    + _ROOT_LEFT
+    + r")[\s$\\(`]{0,12}(?:(?:stem|latexmath|asciimath):\[|:math:`|<[a-z]+>)?\s*$",
     re.IGNORECASE,
 )
+_ANGLE = re.compile(
+    r"(?<![\w.,/])(?P<angle>[1-9][0-9]{1,2}(?:[.,][0-9])?)(?:[\s$-]|\\,)?(?:°|&deg;|\^?\{?\\circ|(?:degrees?|deg|Grad|degrés)"
+    r"(?![A-Za-z])|度)"
+)
+"""An angle in a heading, of which a section is: the 270° crank."""
 _EXCEPT_BEHIND = re.compile(r"[\s$)\]}]{0,4}(?:以外|を除)")
 _SUPPOSED = re.compile(
     r"(?<![A-Za-zÀ-ÿ])(?:would|wäre|wären|würde|würden|hätte)(?![A-Za-zÀ-ÿ])", re.IGNORECASE
@@ -736,15 +749,15 @@ class Sections:
         return is_another_cycle(self.document.text, before, (chain.start, chain.end))
 
     def headings_name_other_engines(self, line: int, earlier_line: int) -> bool | None:
-        """Tell whether two lines' headings name different engines; None if one names none."""
+        """Tell whether two lines' headings name different engines, or cranks; None if one names none."""
         if self.same_section(earlier_line, line):
             return None
-        before, now = (
-            case_words.engine_of(case_words.ENGINE.search(self.heading_above(n)[: case_words.REACH]))
-            for n in (earlier_line, line)
-        )
+        headings = [self.heading_above(n)[: case_words.REACH] for n in (earlier_line, line)]
+        before, now = (case_words.engine_of(case_words.ENGINE.search(heading)) for heading in headings)
         if now is None or before is None:
-            return None
+            angles = [{match["angle"] for match in _ANGLE.finditer(heading)} for heading in headings]
+            is_of_one = all(len(each) == 1 for each in angles)
+            return True if is_of_one and angles[0] != angles[1] else None
         return case_words.is_other_engine(before, now)
 
     def start_of_line(self, line: int) -> int:

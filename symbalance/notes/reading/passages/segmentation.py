@@ -384,6 +384,7 @@ class ItemFinder:
             if has_relation(self.text, piece.start, piece.end):
                 inner = trim_segment(self.text, piece.start, piece.end, words)
                 inner = _sign_behind_arrow(self.text, piece.start, inner[0]), inner[1]
+                inner = _behind_label(self.text, *inner), inner[1]
                 inner = _behind_named_letter(self.text, *inner), _before_next_letter(self.text, *inner)
                 inner = inner[0], before_next_number(self.text, *inner)
                 inner = inner[0], _before_words(self.text, *inner, words)
@@ -458,6 +459,16 @@ def _behind_named_letter(text: str, start: int, end: int) -> int:
     if match is None or word is None or word[1].lower() in _VERBS | _PARTICLES:
         return start
     return match.end() if has_relation(text, match.end(), end) else start
+
+
+_LABEL = re.compile(r"(?:(?<=[a-z][ ])pins?[ ]+|[a-z]{3,}[ ]{3,})(?=[^\W\d_]\w*[ ]*[=≈])")
+"""A word in a column before its letter, and a pin behind another word, which is not π n."""
+
+
+def _behind_label(text: str, start: int, end: int) -> int:
+    """Return where d = 50 mm begins in "crank pin      d = 50 mm"."""
+    match = _LABEL.match(text, start, end)
+    return start if match is None else match.end()
 
 
 def _before_next_letter(text: str, start: int, end: int) -> int:

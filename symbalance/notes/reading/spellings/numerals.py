@@ -68,6 +68,8 @@ _SPELLED = (
     ("rad/s", r"rad(?:ians?)?\.? ?(?:per|/) ?s(?:ec(?:onds?)?)?\b"),
     ("m/s", r"(?:met(?:er|re)s?|m) ?(?:per|/) ?sec(?:onds?)?\b"),
     ("rpm", r"r\. ?p\. ?m\b|rev(?:olution)?s?\.? per min(?:ute)?\b|Umdrehungen pro Minute"),
+    ("1/min", r"(?:per min(?:ute)?\b|(?:pro|je) (?:min\b|Minute)|par minute|a minute)"),
+    ("1/s", r"(?:per sec(?:ond)?\b|(?:pro|je) Sekunde|par seconde)"),
     ("ft·lbf/s", rf"{_FOOT_POUND} ?(?:per|/) ?s(?:ec(?:onds?)?)?\b"),
     ("ft·lbf/min", rf"{_FOOT_POUND} ?(?:per|/) ?min(?:utes?)?\b"), ("ft·lbf", _FOOT_POUND),
     ("psi", r"(?:lbs?\.?|lbf\.?|pounds?)[\s-]?(?:per|/)\s?sq(?:uare|\.)?\s?in(?:ch|\.|\b)"),
@@ -110,7 +112,8 @@ _BEHIND_DOLLAR = re.compile(
     r"(?:(?<=[0-9])|(?<=\^\{[0-9]\})|(?<=\^\{-[0-9]\}))(?<!_[0-9])(?:\\[,;: ]|~)?(?P<mark>\$"
     r"|\\\))(?:[ ~]|\\[,;: ])?"
     rf"(?P<unit>°|\\?%|{_PART_BEHIND}(?:(?:[ ]?[/·⋅*]?[ ]?|\\,|~){_PART_BEHIND}){{0,3}})"
-    r"(?=[.,;:)]{0,2}(?:\s*$|[\s|)\ue000])|[.,;:)][\s$]|[\u3001-\u9fff\uff08-\uff1f])(?! ?[=<>≈+*/])",
+    r"(?=[.,;:)]{0,2}(?:\s*$|[\s|)\ue000])|[.,;:)][\s$]|\((?=\$|\\\(|[\u3041-\u9fff])"
+    r"|[\u3001-\u9fff\uff08-\uff1f])(?! ?[=<>≈+*/])",
     re.MULTILINE,
 )
 """A unit behind the dollar or `\\)` that ends a formula: N m/rad as a whole, but m of `40$ m long`."""
