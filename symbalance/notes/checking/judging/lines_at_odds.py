@@ -9,7 +9,7 @@ else may speak of another case, and is said to be at odds with the lines above, 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -17,7 +17,7 @@ from symbalance.document.formula import Constant, Formula, Name, Number, Product
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.descriptions import describe, printed_value
 from symbalance.notes.checking.deciding.equality import Decision
-from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.judging.cases_in_words import opens_case_in_words
 from symbalance.notes.checking.judging.usual_slips import (
@@ -27,10 +27,12 @@ from symbalance.notes.checking.judging.usual_slips import (
     ratio_of_sides,
 )
 from symbalance.notes.checking.premises.impossible_values import number_of
+from symbalance.notes.checking.premises.roots_of_unity import order_of_root
 from symbalance.notes.checking.steps.dead_centres import angle_there
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.verdicts import REFUTED, UNDECIDED, Verdict
+from symbalance.notes.checking.words.case_words import engine_named
 from symbalance.notes.reading.equations import Chain, Side
 from symbalance.text import lazy_patterns as re
 
@@ -71,7 +73,8 @@ def note_other_case(
         at_odds = f"it holds for the angle of line {line}: say whether it is meant there"
         return replace(verdict, decision=replace(verdict.decision, at_odds=at_odds))
     is_datum, is_result = _is_datum(chain, k, knowledge), _is_result(state, chain, k)
-    is_same_case = (
+    is_of_roots = not is_told and _is_of_roots_of_unity(state, chain, rested_on)
+    is_same_case = is_of_roots or (
         not is_datum
         and not is_told
         and (
@@ -100,6 +103,18 @@ def note_other_case(
         " another case is meant, or it is wrong"
     )
     return replace(verdict, decision=replace(verdict.decision, at_odds=at_odds))
+
+
+def _is_of_roots_of_unity(state: JudgingState, chain: Chain, rested_on: Sequence[Definition]) -> bool:
+    """Tell whether a relation rests on roots of unity alone, and no engine of other cylinders is named since."""
+    orders = {order_of_root(each.node) for each in rested_on}
+    if not orders or 0 in orders:
+        return False
+    lines = state.document.text.splitlines(keepends=True)
+    place = sum(map(len, lines[: max(each.line for each in rested_on)]))
+    since = state.document.text[place : chain.start]
+    engine = engine_named(since, len(since))
+    return engine is None or all(engine[0] % order == 0 for order in orders)
 
 
 def unless_other_case(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
