@@ -106,7 +106,7 @@ def note_other_case(
 
 
 def _is_of_roots_of_unity(state: JudgingState, chain: Chain, rested_on: Sequence[Definition]) -> bool:
-    """Tell whether a relation rests on roots of unity alone, and no engine of other cylinders is named since."""
+    """Tell whether a relation rests on roots of unity alone, no other engine being named since."""
     orders = {order_of_root(each.node) for each in rested_on}
     if not orders or 0 in orders:
         return False

@@ -18,7 +18,7 @@ _NEAR = 1e-12
 
 @lru_cache(maxsize=1000)
 def order_of_root(node: Formula) -> int:
-    """Return the least n for which a number that is not real is 1 to the n-th; 0 for any other formula."""
+    """Return the least n for which zⁿ = 1 of a number that is not real; 0 for any other formula."""
     if names(node) or Constant("i") not in set(walk(node)):
         return 0
     try:
