@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, Negative, Number, Product, names
+from symbalance.document.formula import Constant, Formula, Name, Negative, Number, Product, names, walk
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision, without_dots
@@ -190,9 +190,12 @@ class Definitions:
                 self._add(name, entry)
 
     def round(self, name: str, chain: Chain, node: Formula) -> None:
-        """Note how a letter's value is printed in the line that defines it: v = 2π·100 = 628.3."""
+        """Note how a letter's value is printed: v = 2π·100 = 628.3, in the line that defines it.
+
+        A complex number that a rule gives, M_1 of M_n, is printed where it is worked out first.
+        """
         entries = self.values.get(name, [])
-        if names(node) or not entries or entries[-1].definition.line != chain.lines[0]:
+        if names(node) or not entries or not _may_be_printed(entries[-1].definition, node, chain):
             return
         number = node.operand if isinstance(node, Negative) else node
         if isinstance(number, Number) and number.last_place is None:
@@ -362,3 +365,10 @@ class Definitions:
                 for n, node in others.items()
             )
         )
+
+
+def _may_be_printed(definition: Definition, node: Formula, chain: Chain) -> bool:
+    """Tell whether a chain may print the value of a letter in its digits."""
+    if definition.line == chain.lines[0]:
+        return True
+    return definition.rounded is None and not definition.numeric and Constant("i") in set(walk(node))
