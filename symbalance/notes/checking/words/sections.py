@@ -212,7 +212,8 @@ _CONVERSE = re.compile(
 )
 _DENIED = re.compile(
     r"(?<![A-Za-z])(?:not|nicht|never|nie|kein|besides|apart\s+from|aside\s+from|except(?:\s+for|\s+at|\s+when)?"
-    r"|other\s+than|unless|außer|ausser|neben|abgesehen\s+von|ausgenommen)[\s$\\(]{0,4}(?:<[a-z]+>\s*)?$",
+    r"|other\s+than|unless|außer|ausser|neben|abgesehen\s+von|ausgenommen)[\s$\\(]{0,4}"
+    r"(?:<[a-z]+>\s*|(?:stem|latexmath|asciimath):\[|:math:`)?$",
     re.IGNORECASE,
 )
 _EXCEPT_BEHIND = re.compile(r"[\s$)\]}]{0,4}(?:以外|を除)")
