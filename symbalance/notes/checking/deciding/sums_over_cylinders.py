@@ -324,8 +324,9 @@ def _indexed_terms(
     node: Summation, angles: CrankAngles, knowledge: Knowledge, theta: Formula | None
 ) -> list[Formula] | None:
     assert node.index is not None
-    node = replace(node, body=_with_own_phases(node.body, node.index.name, knowledge))
-    indexed = indexed_letters(node.body, node.index.name)
+    index = node.index.name
+    node = replace(node, body=_with_own_phases(node.body, index, knowledge))
+    indexed = indexed_letters(node.body, index)
     own = [name for name in indexed if is_greek(name.split("_")[0])]
     places = [name for name in indexed if name not in own]
     is_of_places = len(places) == 1 and places[0].split("_")[0] in _PLACES and not angles.signs
@@ -338,7 +339,7 @@ def _indexed_terms(
     arms = angles.arms or () if angles.is_usual else _even_arms(len(angles.degrees))
     if places and len(arms) != len(angles.degrees):
         return None
-    stem = own[0][: -len(node.index.name)]
+    stem = own[0][: -len(index)]
     first = node.lower.value if isinstance(node.lower, Number) else Fraction(1)
     numbers = {n[len(stem) :] for n in knowledge.definitions if n.startswith(stem)}
     if any(number.isdecimal() and int(number) >= first for number in numbers):
@@ -356,7 +357,7 @@ def _indexed_terms(
         at = [Sum((Name(_ORIGIN), Product((rational_node(arm), Name(_PITCH))))) for arm in arms]
         bodies = [substitute(body, places[0], place) for body, place in zip(bodies, at, strict=True)]
     counts = [Number(first + place) for place in range(len(bodies))]
-    return [substitute(b, node.index.name, n) for b, n in zip(bodies, counts, strict=True)]
+    return [substitute(b, index, n) for b, n in zip(bodies, counts, strict=True)]
 
 
 def _has_own_phases(node: Formula, knowledge: Knowledge) -> bool:

@@ -139,10 +139,14 @@ def is_sum_of_order(value: Formula, index: str) -> bool:
 
     Written out it has several phases: A cos nθ + B sin nθ is a harmonic with coefficients of its own.
     """
-    is_open = isinstance(value, Summation) and value.index is not None and value.index.name != index
-    if not is_open and not isinstance(value, Sum):
+    is_open = False
+    bodies: tuple[Formula, ...] = ()
+    if isinstance(value, Sum):
+        bodies = value.terms
+    elif isinstance(value, Summation) and value.index is not None and value.index.name != index:
+        is_open, bodies = True, (value.body,)
+    if not bodies:
         return False
-    bodies = value.terms if isinstance(value, Sum) else (value.body,) if is_open else ()
     waves = [_arguments_with(body, index) for body in bodies]
     ends = (value.lower, value.upper) if isinstance(value, Summation) else ()
     if not all(waves) or any(index in names(end) for end in ends if end is not None):
