@@ -23,7 +23,7 @@ Span = tuple[int, int]
 FUNCTIONS = frozenset(
     {
         *("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan"),
-        *("sinh", "cosh", "tanh", "exp", "ln", "log", "lg", "abs", "sqrt", "re", "im", "conj"),
+        *("sinh", "cosh", "tanh", "exp", "ln", "log", "lg", "abs", "sqrt", "re", "im", "conj", "arg"),
     }
 )
 

@@ -54,7 +54,7 @@ DOTTED |= {sign: (letter, 2) for sign, letter in zip("ẍÿẅẗöüä", "xywto
 FUNCTION_WORDS: dict[str, str] = {
     **{name: name for name in words("sin cos tan cot sec csc sinh cosh tanh exp ln log abs sqrt")},
     "cosec": "csc", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "asin": "asin", "acos": "acos",
-    "atan": "atan",
+    "atan": "atan", "arg": "arg",
 }  # fmt: skip
 """What a function's name as written means."""
 

@@ -81,9 +81,8 @@ def _writers() -> dict[type[Formula], Callable[[Any], Any]]:
         argument = of(node.argument)
         if node.function == "lg":
             return sympy.log(argument, 10)
-        if node.function in ("re", "im", "conj"):
-            return {"re": sympy.re, "im": sympy.im, "conj": sympy.conjugate}[node.function](argument)
-        function = getattr(sympy, {"abs": "Abs", "ln": "log"}.get(node.function, node.function))
+        own_names = {"abs": "Abs", "ln": "log", "conj": "conjugate"}
+        function = getattr(sympy, own_names.get(node.function, node.function))
         if node.function in ("sin", "cos") and argument.has(sympy.pi) and not argument.free_symbols:
             # SymPy multiplies some of these out into long radicals, and takes its time.
             return function(argument, evaluate=False)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from math import atan2, pi
 
 from symbalance.document import formula
-from symbalance.notes.algebra import functions
+from symbalance.notes.algebra import conjugation, functions
 from symbalance.notes.algebra.construct_rules import RULES, assume_constant, summed_in_letters
 from symbalance.notes.algebra.derivatives import differentiate
 from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
@@ -18,7 +19,7 @@ from symbalance.notes.algebra.polynomials import MOST_WORK
 from symbalance.notes.algebra.roots import root, unit
 from symbalance.notes.algebra.substitution_in_forms import substitute_letter
 from symbalance.notes.algebra.sums import at_index, indexed_letters
-from symbalance.notes.algebra.values import letters
+from symbalance.notes.algebra.values import Valuation, letters
 
 DEEPEST = 40
 """Definitions that use definitions, one in the other."""
@@ -259,10 +260,38 @@ def _exact_root(number: Fraction, degree: int) -> Fraction | None:
 
 
 def _call(evaluator: FormEvaluator, node: formula.Call) -> Form:
-    if node.function in ("conj", "re", "im"):
+    if node.function in ("conj", "re", "im", "arg"):
         _refuse_unknown_parts(evaluator, node)
     argument = evaluator.form(node.argument)
+    if node.function == "arg":
+        return _direction(argument)
     return functions.apply(node.function, argument)
+
+
+def _direction(number: Form) -> Form:
+    """Return the angle of a complex number, from -π to π; one with letters has none here."""
+    if letters(number):
+        raise NoFormError("the angle of a complex number with letters in it")
+    real, imaginary = conjugation.real_part(number), conjugation.imaginary_part(number)
+    at = Valuation(number.domain, {})
+    across, up = (float(at.of(part).real) for part in (real, imaginary))
+    if abs(across) + abs(up) < _NO_LENGTH:
+        raise NoFormError("the angle of zero")
+    straight = Form.constant(number.domain, "pi")
+    part = Fraction(atan2(up, across) / pi).limit_denominator(_FINEST_PART)
+    turned = number.times(functions.exponential(unit(number.domain).times(straight.scaled(-part))))
+    if conjugation.imaginary_part(turned).is_zero():
+        return straight.scaled(part)
+    if abs(across) < _NO_LENGTH:
+        return straight.scaled(Fraction(1 if up > 0 else -1, 2))
+    slope = functions.apply("atan", imaginary.over(real))
+    return slope if across > 0 else slope.plus(straight.scaled(1 if up > 0 else -1))
+
+
+_FINEST_PART = 180
+"""Of half a turn: angles of whole degrees are found as such."""
+_NO_LENGTH = 1e-20
+"""What differs beyond so many digits differs."""
 
 
 def _refuse_unknown_parts(evaluator: FormEvaluator, node: formula.Call) -> None:

@@ -205,10 +205,12 @@ def _power(at: TreeValues, node: formula.Power) -> Any:
 
 def _call(at: TreeValues, node: formula.Call) -> Any:
     argument, mp = at.value(node.argument), at.mp
-    if node.function in ("conj", "re", "im"):
+    if node.function in ("conj", "re", "im", "arg"):
         _refuse_unknown_parts(at, node)
     if abs(argument) > 10**9:
         raise NoFormError("a function of a huge number")
+    if node.function == "arg" and names_behind(node.argument, at.meaning.values) - {*at.meaning.values}:
+        raise NoFormError("the angle of a complex number with letters in it")  # of which half-plane?
     if node.function == "abs":
         return abs(argument)
     return getattr(mp, {"ln": "log", "lg": "log10"}.get(node.function, node.function))(argument)

@@ -6,7 +6,16 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from symbalance.document.formula import Constant, Formula, Number, names
+from symbalance.document.formula import (
+    Call,
+    Constant,
+    Formula,
+    Number,
+    Product,
+    Sum,
+    names,
+    walk,
+)
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.tree_values import NO_VALUE, TreeValues
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
@@ -30,6 +39,9 @@ def decide_as_complex(
     """
     if decision.status != REFUTED or sign not in "=≈":
         return decision
+    turned = _a_turn_further(left, right, sign, knowledge)
+    if turned is not None:
+        return turned
     own = names(left.node) | names(right.node)
     if not own:
         agrees = _agree_as_printed(left.node, right.node, knowledge)
@@ -45,6 +57,22 @@ def decide_as_complex(
     there = decide(sides[0], sides[1], sign, knowledge)
     assumption = f"{_UNIT} is the imaginary unit"
     return replace(there, assumptions=(*there.assumptions, assumption)) if there.is_proved else decision
+
+
+def _a_turn_further(left: Side, right: Side, sign: str, knowledge: Knowledge) -> Decision | None:
+    """Return the proof that an angle is right but for a turn: arg z = 234° or -126°."""
+    if not any(isinstance(p, Call) and p.function == "arg" for s in (left, right) for p in walk(s.node)):
+        return None
+    for turns in (2, -2):
+        turn = Product((Number(Fraction(turns)), Constant("pi")))
+        try:
+            further = left.changed(lambda node, turn=turn: Sum((node, turn)))
+        except NoFormError:
+            return None
+        there = decide(further, right, sign, knowledge)
+        if there.is_proved:
+            return there
+    return None
 
 
 def _agree_as_printed(left: Formula, right: Formula, knowledge: Knowledge) -> bool:

@@ -73,8 +73,14 @@ def decide_over_cylinders(
     ways = (
         []
         if listed is None
-        else [(a, t) for a in (listed, *listed.others) for t in _angles_at(left, right, knowledge)]
+        else [
+            (angles, t)
+            for a in (listed, *listed.others)
+            for angles in _either_way(a)
+            for t in _angles_at(left, right, knowledge)
+        ]
     )
+    is_ruled = any(_has_own_phases(part, knowledge) for node in (left, right) for part in walk(node))
     for angles, theta in ways:
         known = _with_orders(left, right, angles, knowledge, theta)
         try:
@@ -101,6 +107,8 @@ def decide_over_cylinders(
             decision = replace(
                 decision, reason="; ".join(filter(None, (f"if {angles.text}", decision.reason)))
             )
+        if decision.is_proved and angles.is_against and is_ruled:
+            decision = Decision(UNDECIDED, f"true if {angles.text}: say which way they are counted")
         if decision.is_proved:
             return decision
         last = decision if last is None or decision.status == UNDECIDED else last
@@ -110,6 +118,16 @@ def decide_over_cylinders(
     is_unsaid = is_unsaid and decision.status == UNDECIDED
     reason = NO_ANGLES if listed is None else f"{NO_BODY} ({listed.text})"
     return replace(decision, reason=reason) if is_unsaid else decision
+
+
+def _either_way(angles: CrankAngles) -> tuple[CrankAngles, ...]:
+    """Return angles as by how much the cranks are ahead, and behind: cranks at 0°, 90° may be either.
+
+    One way is enough where both are the same set.
+    """
+    against = replace(angles, is_against=True)
+    is_same = sorted(a % 360 for a in angles.degrees) == sorted(-a % 360 for a in angles.degrees)
+    return (angles,) if is_same or angles.is_usual or angles.signs else (angles, against)
 
 
 def _open_order(left: Formula, right: Formula, knowledge: Knowledge) -> bool:
@@ -306,7 +324,9 @@ def _indexed_terms(
     node: Summation, angles: CrankAngles, knowledge: Knowledge, theta: Formula | None
 ) -> list[Formula] | None:
     assert node.index is not None
-    indexed = indexed_letters(node.body, node.index.name)
+    index = node.index.name
+    node = replace(node, body=_with_own_phases(node.body, index, knowledge))
+    indexed = indexed_letters(node.body, index)
     own = [name for name in indexed if is_greek(name.split("_")[0])]
     places = [name for name in indexed if name not in own]
     is_of_places = len(places) == 1 and places[0].split("_")[0] in _PLACES and not angles.signs
@@ -319,9 +339,11 @@ def _indexed_terms(
     arms = angles.arms or () if angles.is_usual else _even_arms(len(angles.degrees))
     if places and len(arms) != len(angles.degrees):
         return None
-    stem = own[0][: -len(node.index.name)]
-    if any(name.startswith(stem) and name[len(stem) :].isdecimal() for name in knowledge.definitions):
-        return None  # δ_1, δ_2 have values of their own
+    stem = own[0][: -len(index)]
+    first = node.lower.value if isinstance(node.lower, Number) else Fraction(1)
+    numbers = {n[len(stem) :] for n in knowledge.definitions if n.startswith(stem)}
+    if any(number.isdecimal() and int(number) >= first for number in numbers):
+        return None  # δ_1, δ_2 have values of their own; θ_0 is no cylinder of a sum from 1
     if node.upper is not None and _count(node, knowledge) != len(angles.degrees):
         return None
     # Σ cos θ_i is of whole angles; beside θ, in cos(θ + θ_i), they are those of the cranks
@@ -330,13 +352,35 @@ def _indexed_terms(
     is_whole_angle = isinstance(theta, Name) and theta.name in (stem, f"{stem}_1") and not is_beside
     nodes = angles.nodes
     values = [Sum((theta, a)) if is_whole_angle and theta is not None else a for a in nodes]
-    first = node.lower.value if isinstance(node.lower, Number) else Fraction(1)
     bodies = [substitute(node.body, own[0], value) for value in values]
     if places:
         at = [Sum((Name(_ORIGIN), Product((rational_node(arm), Name(_PITCH))))) for arm in arms]
         bodies = [substitute(body, places[0], place) for body, place in zip(bodies, at, strict=True)]
-    numbers = [Number(first + place) for place in range(len(bodies))]
-    return [substitute(b, node.index.name, n) for b, n in zip(bodies, numbers, strict=True)]
+    counts = [Number(first + place) for place in range(len(bodies))]
+    return [substitute(b, index, n) for b, n in zip(bodies, counts, strict=True)]
+
+
+def _has_own_phases(node: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a formula is a sum of angles that a line gives by the phases: θ_i = θ - δ_i."""
+    if not isinstance(node, Summation) or node.index is None:
+        return False
+    return _with_own_phases(node.body, node.index.name, knowledge) != node.body
+
+
+def _with_own_phases(body: Formula, index: str, knowledge: Knowledge) -> Formula:
+    """Return what is summed with the angle of any one cylinder as a line gives it: θ_i = θ - δ_i."""
+    for name in indexed_letters(body, index):
+        stem = name[: -len(index)]
+        rules = [(other, knowledge.definitions.get(stem + other)) for other in (index, *_INDICES)]
+        for other, rule in rules:
+            if rule is None or not is_greek(stem.split("_")[0]):
+                continue
+            phases = indexed_letters(rule.node, other)
+            if len(phases) == 1 and phases[0] != name and is_greek(phases[0].split("_")[0]):
+                phase = Name(phases[0][: -len(other)] + index)
+                body = substitute(body, name, substitute(rule.node, phases[0], phase))
+            break
+    return body
 
 
 def _count(node: Summation, knowledge: Knowledge) -> Fraction | None:

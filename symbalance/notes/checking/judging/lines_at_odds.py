@@ -9,15 +9,25 @@ else may speak of another case, and is said to be at odds with the lines above, 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Constant, Formula, Name, Number, Product, Summation, names, walk
+from symbalance.document.formula import (
+    Constant,
+    Formula,
+    Name,
+    Number,
+    Product,
+    Sum,
+    Summation,
+    names,
+    walk,
+)
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.descriptions import describe, printed_value
 from symbalance.notes.checking.deciding.equality import Decision
-from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.judging.cases_in_words import opens_case_in_words
 from symbalance.notes.checking.judging.usual_slips import (
@@ -26,11 +36,14 @@ from symbalance.notes.checking.judging.usual_slips import (
     is_usual_factor,
     ratio_of_sides,
 )
+from symbalance.notes.checking.page.indexed_data import is_sum_of_order
 from symbalance.notes.checking.premises.impossible_values import number_of
+from symbalance.notes.checking.premises.roots_of_unity import order_of_root
 from symbalance.notes.checking.steps.dead_centres import angle_there
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.verdicts import REFUTED, UNDECIDED, Verdict
+from symbalance.notes.checking.words.case_words import engine_named
 from symbalance.notes.reading.equations import Chain, Side
 from symbalance.text import lazy_patterns as re
 
@@ -41,6 +54,8 @@ MOST_APART = 4
 NEAR = 2
 """Lines within which a formula speaks of what stands above it."""
 _PLAIN = frozenset(Fraction(number) for number in (*range(11), 100, 1000, 10**6))
+_ORDERS = ("n", "k", "m", "p", "i", "j", "nu", "h")
+"""Letters of orders, as indices of what is given for any of them."""
 MOST_LINES = 3
 """Lines that a verdict names."""
 
@@ -71,7 +86,9 @@ def note_other_case(
         at_odds = f"it holds for the angle of line {line}: say whether it is meant there"
         return replace(verdict, decision=replace(verdict.decision, at_odds=at_odds))
     is_datum, is_result = _is_datum(chain, k, knowledge), _is_result(state, chain, k)
-    is_same_case = (
+    is_of_roots = not is_told and _is_of_roots_of_unity(state, chain, rested_on)
+    is_of_roots = is_of_roots or (not is_told and _is_of_order(state, chain, k, knowledge))
+    is_same_case = is_of_roots or (
         not is_datum
         and not is_told
         and (
@@ -100,6 +117,47 @@ def note_other_case(
         " another case is meant, or it is wrong"
     )
     return replace(verdict, decision=replace(verdict.decision, at_odds=at_odds))
+
+
+def _is_of_roots_of_unity(state: JudgingState, chain: Chain, rested_on: Sequence[Definition]) -> bool:
+    """Tell whether a relation rests on roots of unity alone, no other engine being named since."""
+    orders = {order_of_root(each.node) for each in rested_on}
+    if not orders or 0 in orders:
+        return False
+    engine = _engine_since(state, chain, max(each.line for each in rested_on))
+    return engine == 0 or all(engine % order == 0 for order in orders)
+
+
+def _is_of_order(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> bool:
+    """Tell whether a side is a member of a sum given for every order: S_8 of S_n = Σ e^{-inφ_k}."""
+    heads = [side.node for side in chain.sides[k : k + 2]]
+    rules: list[Definition] = []
+    for head in heads:
+        stem, _, number = head.name.rpartition("_") if isinstance(head, Name) else ("", "", "")
+        for index in _ORDERS if number.isdecimal() else ():
+            rule = knowledge.definitions.get(f"{stem}_{index}")
+            if rule is not None and is_sum_of_order(rule.node, index):
+                rules.append(rule)
+    engine = _engine_since(state, chain, max((rule.line for rule in rules), default=0))
+    counts = {_count_of_terms(rule.node) for rule in rules}
+    return bool(rules) and (engine == 0 or counts == {engine})
+
+
+def _count_of_terms(node: Formula) -> int:
+    """Return how many terms a sum has, 0 where its bounds are no numbers."""
+    if isinstance(node, Sum):
+        return len(node.terms)
+    ends = (node.lower, node.upper) if isinstance(node, Summation) else ()
+    numbers = [int(end.value) for end in ends if isinstance(end, Number)]
+    return numbers[1] - numbers[0] + 1 if len(numbers) > 1 else 0
+
+
+def _engine_since(state: JudgingState, chain: Chain, line: int) -> int:
+    """Return how many cylinders the engine has that was named last since a line, 0 if none was."""
+    lines = state.document.text.splitlines(keepends=True)
+    since = state.document.text[sum(map(len, lines[:line])) : chain.start]
+    engine = engine_named(since, len(since))
+    return 0 if engine is None else engine[0]
 
 
 def unless_other_case(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:

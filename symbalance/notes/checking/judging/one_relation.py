@@ -72,6 +72,7 @@ from symbalance.notes.checking.steps.named_roots import as_named_root, as_one_so
 from symbalance.notes.checking.steps.open_cases import case_of_a_letter
 from symbalance.notes.checking.steps.products_of_vectors import decide_products_of_vectors
 from symbalance.notes.checking.steps.relation_fixes import add_fix_of_relation
+from symbalance.notes.checking.steps.relative_motions import decide_relative_motion
 from symbalance.notes.checking.steps.solved_balances import as_balance_solution
 from symbalance.notes.checking.steps.solved_below import as_proved_solution, as_solved
 from symbalance.notes.checking.steps.solved_waves import decide_solved_wave
@@ -424,6 +425,12 @@ def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
     above = state.equations_of_motion
     if equation is None:
         here = [e for e in above if state.sections.same_section(e.line, chain.lines[0])]
+        leading = state.sections.sentence_leading_to(chain) if here else ""
+        by_difference = decide_relative_motion(
+            chain, k, _differentiated(state, moving), here, leading, moving
+        )
+        if by_difference is not None:
+            return by_difference
         by_trial = decide_trial_motion(state, chain, k, here, knowledge)
         if by_trial is not None:
             return by_trial

@@ -107,6 +107,7 @@ def _summed_letters(left: Formula, right: Formula, decision: Decision, knowledge
         return set()
     values = {name: d.node for name, d in knowledge.definitions.items()}
     bodies = {name for each in sums for name in names_behind(each.body, values)}
+    bodies |= {name.rpartition("_")[0] for name in bodies} - {""}  # θ of θ_i, one for each cylinder
     if names(right):
         return bodies & names(right)
     form = decision.left

@@ -59,6 +59,9 @@ def _is_refuted_of_any(angle: str, others: set[str], state: JudgingState, chain:
     """Tell whether a relation is wrong whatever its angle is: cos 2φ = 2 cos² φ + 1."""
     left, right, line = chain.sides[k], chain.sides[k + 1], chain.lines[0]
     knowledge = state.knowledge(line)
+    if chain.has_sum:
+        cranks = state.knowledge_of(chain, knowledge).crank_angles
+        knowledge = replace(knowledge, crank_angles=cranks)
     values = {**{n: d.node for n, d in knowledge.definitions.items()}, **knowledge.meaning.values}
     turning = {name for name in values if angle in names_behind(Name(name), values)}
     behind = {name for side in (left, right) for name in names_behind(side.node, values)}

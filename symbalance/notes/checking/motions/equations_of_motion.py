@@ -149,6 +149,34 @@ def is_combination(equation: EquationOfMotion, others: Sequence[EquationOfMotion
     return []
 
 
+def is_weighted_sum(equation: EquationOfMotion, others: Sequence[EquationOfMotion]) -> bool | None:
+    """Tell whether an equation is a sum of multiples of others, each with one second rate of its own.
+
+    The multiples are those of the second rates: 1/J_1 and -1/J_2 for the twist of two discs. None where
+    the others are not of this kind, or leave a rate out.
+    """
+    own = [[name for (name, order) in each.factors if order == 2] for each in others]
+    heads = [names_[0] for names_ in own if len(names_) == 1]
+    rates = {name for name, order in equation.factors if order == 2}
+    if len(heads) < len(others) or len({*heads}) < len(heads) or not rates or not rates <= {*heads}:
+        return None
+    weights = [
+        Quotient(equation.factors.get((head, 2), _ZERO), each.factors[head, 2])
+        for head, each in zip(heads, others, strict=True)
+    ]
+    keys = equation.factors.keys() | {key for each in others for key in each.factors}
+    pairs = [
+        (equation.factors.get(key, _ZERO), [each.factors.get(key, _ZERO) for each in others])
+        for key in keys
+    ]
+    for one, parts in [*pairs, (equation.rest, [each.rest for each in others])]:
+        total = Sum(tuple(Product((w, p)) for w, p in zip(weights, parts, strict=True)))
+        decision = decide_equality(one, total, Knowledge())
+        if not decision.is_proved:
+            return False if decision.status == REFUTED else None
+    return True
+
+
 def _is_sum(
     terms: Sequence[tuple[int, Formula]], equation: EquationOfMotion, key: tuple[str, int]
 ) -> bool:

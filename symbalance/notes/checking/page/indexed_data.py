@@ -17,11 +17,17 @@ from fractions import Fraction
 from typing import Protocol
 
 from symbalance.document.formula import (
+    Call,
     Formula,
     Matrix,
     Name,
+    Negative,
     Number,
+    Power,
+    Product,
+    Quotient,
     Span,
+    Sum,
     Summation,
     children,
     names,
@@ -104,6 +110,7 @@ def instances_of_rules(page: ReadNotes, used: Collection[str]) -> Iterator[Chain
         if chain.relations[0].sign != "=" or not _holds_index(value, index):
             continue
         is_numbered = _is_numbered(value, index, heads)
+        is_numbered = is_numbered or is_sum_of_order(value, index)
         if not (is_numbered or _runs(page, index)):
             continue
         for name in sorted(used):
@@ -125,6 +132,48 @@ def _is_numbered(value: Formula, index: str, heads: set[str]) -> bool:
     """Tell whether a page gives every letter with an index its values by number: φ_1, φ_2 for φ_k."""
     stems = [name[: -len(index)] for name in names(value) if name.endswith(f"_{index}")]
     return bool(stems) and all(f"{stem}1" in heads and f"{stem}2" in heads for stem in stems)
+
+
+def is_sum_of_order(value: Formula, index: str) -> bool:
+    """Tell whether a value is a sum of waves of an order: S_8 is what S_n = Σ e^{-inφ_k} is for n = 8.
+
+    Written out it has several phases: A cos nθ + B sin nθ is a harmonic with coefficients of its own.
+    """
+    is_open = False
+    bodies: tuple[Formula, ...] = ()
+    if isinstance(value, Sum):
+        bodies = value.terms
+    elif isinstance(value, Summation) and value.index is not None and value.index.name != index:
+        is_open, bodies = True, (value.body,)
+    if not bodies:
+        return False
+    waves = [_arguments_with(body, index) for body in bodies]
+    ends = (value.lower, value.upper) if isinstance(value, Summation) else ()
+    if not all(waves) or any(index in names(end) for end in ends if end is not None):
+        return False
+    phases = {node for arguments in waves for node in arguments}
+    return (is_open or len(phases) > 1) and all(_is_factor(node, index) for node in phases)
+
+
+def _arguments_with(body: Formula, index: str) -> list[Formula]:
+    """Return the arguments of waves in a formula that hold an index."""
+    arguments = [
+        part.exponent if isinstance(part, Power) else part.argument
+        for part in walk(body)
+        if isinstance(part, Power) or (isinstance(part, Call) and part.function in ("cos", "sin", "exp"))
+    ]
+    return [node for node in arguments if index in names(node)]
+
+
+def _is_factor(node: Formula, index: str) -> bool:
+    """Tell whether a letter multiplies the whole of an argument: n in 2πnk/5 and in n(θ + φ_k)."""
+    if isinstance(node, Negative):
+        return _is_factor(node.operand, index)
+    if isinstance(node, Quotient):
+        return index not in names(node.denominator) and _is_factor(node.numerator, index)
+    if isinstance(node, Product):
+        return Name(index) in node.factors and sum(index in names(part) for part in node.factors) == 1
+    return node == Name(index)
 
 
 def _runs(page: ReadNotes, index: str) -> bool:
@@ -182,7 +231,7 @@ class _Tables:
 
     def _stem(self, text: str) -> str:
         """Return δ_ for a head δ_k, δ_i or δ, where the page uses δ_k."""
-        name = letter_in(self.page.text, text)
+        name = letter_in(self.page.text, text) or letter_in(self.page.text, text.rpartition(" ")[2])
         if name is None:
             return ""
         match = _INDEX.fullmatch(name)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, Negative, Number, Product, names
+from symbalance.document.formula import Constant, Formula, Name, Negative, Number, Product, names, walk
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision, without_dots
@@ -16,6 +16,7 @@ from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.declared.sidecar import Declarations
 from symbalance.notes.checking.declared.symbol_roles import CONSTANT, MOVING, role_of
 from symbalance.notes.checking.premises.constraints import Constraint
+from symbalance.notes.checking.premises.roots_of_unity import order_of_root
 from symbalance.notes.checking.premises.system import EVERYWHERE, Premise
 from symbalance.notes.checking.verdicts import RANGE
 from symbalance.notes.checking.words.plain_formulas import plain_text
@@ -91,6 +92,8 @@ class Definitions:
         further than the line `last`.
         """
         line, last_line = chain.lines[0], self.sections.premise_end(chain, is_number=not names(node))
+        is_root = order_of_root(node) > 0
+        last_line = None if is_root else last_line
         is_zero = isinstance(node, Number) and not node.value
         # where a letter is 0 nearly all is true: what rests on that says so
         text = (
@@ -98,7 +101,8 @@ class Definitions:
         )
         is_rough = chain.relations[0].sign == "≈" or any(without_dots(s.node)[1] for s in chain.sides)
         definition = Definition(node, line, not names(node), text, is_rough=is_rough)
-        end = self.end_of_place(Name(name), line) if last_line is None and not names(node) else last_line
+        is_at_place = last_line is None and not names(node) and not is_root
+        end = self.end_of_place(Name(name), line) if is_at_place else last_line
         if is_zero and name in self.letters_before(line):
             last = min(last or self.sections.section_end(line), self.sections.section_end(line))
         own = line if self.sections.is_labelled_item(line) else None
@@ -193,9 +197,12 @@ class Definitions:
                 self._add(name, entry)
 
     def round(self, name: str, chain: Chain, node: Formula) -> None:
-        """Note how a letter's value is printed in the line that defines it: v = 2π·100 = 628.3."""
+        """Note how a letter's value is printed: v = 2π·100 = 628.3, in the line that defines it.
+
+        A complex number that a rule gives, M_1 of M_n, is printed where it is worked out first.
+        """
         entries = self.values.get(name, [])
-        if names(node) or not entries or entries[-1].definition.line != chain.lines[0]:
+        if names(node) or not entries or not _may_be_printed(entries[-1].definition, node, chain):
             return
         number = node.operand if isinstance(node, Negative) else node
         if isinstance(number, Number) and number.last_place is None:
@@ -365,3 +372,10 @@ class Definitions:
                 for n, node in others.items()
             )
         )
+
+
+def _may_be_printed(definition: Definition, node: Formula, chain: Chain) -> bool:
+    """Tell whether a chain may print the value of a letter in its digits."""
+    if definition.line == chain.lines[0]:
+        return True
+    return definition.rounded is None and not definition.numeric and Constant("i") in set(walk(node))

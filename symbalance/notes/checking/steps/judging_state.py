@@ -10,6 +10,7 @@ from typing import Any
 from symbalance.document.formula import Integral, Summation, names, walk
 from symbalance.errors import SymbalanceError
 from symbalance.notes.algebra.evaluation import SymbolValue
+from symbalance.notes.checking.deciding.conjugate_letters import with_conjugates
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.inequalities import sample_ranges
 from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
@@ -244,6 +245,7 @@ class JudgingState:
         printed = knowledge.printed | values_put_in(chain, knowledge)
         first = chain.lines[0] - NEAR_RANGE
         own = replace(knowledge, crank_angles=angles, own_ranges_from=first, printed=printed)
+        own = with_conjugates(tuple(side.node for side in chain.sides), chain.lines[0], own)
         return with_conditions(chain, self.document, own)
 
     def cranks_of(self, chain: Chain) -> CrankAngles | None:

@@ -8,20 +8,35 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from fractions import Fraction
 
-from symbalance.document.formula import Call, Formula, Name, Power, Product, names
+from symbalance.document.formula import (
+    Call,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    names,
+)
+from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.motions.chains_of_discs import chain_of_discs, is_ratio_of_mode
 from symbalance.notes.checking.motions.equations_of_motion import EquationOfMotion, is_combination
 from symbalance.notes.checking.motions.special_systems import equalities_in
 from symbalance.notes.checking.motions.trial_solutions import (
+    FreeVibration,
     Trial,
     decide_by_trial,
     free_vibration,
     trial_of,
 )
 from symbalance.notes.checking.steps.judging_state import JudgingState
-from symbalance.notes.checking.verdicts import CONDITION, PREMISE
+from symbalance.notes.checking.verdicts import CONDITION, PREMISE, UNDECIDED
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
@@ -30,6 +45,26 @@ _SUM_OF_ALL = re.compile(
     r"|sumand\w*|sommon\w*|optell\w*|adder\w*|dodaj\w*|sečten\w*)\b|足し|加え|和を|сложи\w*",
     re.IGNORECASE,
 )
+_ANY_DISC = ("i", "j", "k", "n", "nu", "r")
+_ZERO = Number(Fraction(0))
+_DISCS = re.compile(
+    r"torsion|\bdis[ck]s?\b|rotor|shaft|drehschwing|scheibe|schwungmasse|welle|ねじり|円板|disque|arbre|disco|albero",
+    re.IGNORECASE,
+)
+_HELD = re.compile(
+    r"\b(?:fixed|clamped|grounded|built[- ]in|held|eingespannt|encastr\w*|"
+    r"branch\w*|gear\w*|getriebe\w*)\b|固定|歯車",
+    re.IGNORECASE,
+)
+"""Words for a chain that is not free at its ends, or no chain."""
+_NEAR_WORDS = 1500
+IN_STEP = "what moves does so in step, in a natural mode"
+_OF_FREE = re.compile(
+    r"free\s+(?:vibration|oscillation|motion)|natural|\bmodes?\b|eigen|freie\w*\s+schwing|in step"
+    r"|固有|自由振動|libre|libera",
+    re.IGNORECASE,
+)
+"""Words for the motion in which all letters move in step."""
 _INDEX = re.compile(r"[A-Za-z0-9]+$")
 
 
@@ -39,9 +74,11 @@ def decide_trial_motion(
     """Return the decision on amplitudes and frequencies of a motion that is put into equations above."""
     if _is_special_case(state, chain, knowledge):
         return Decision(PREMISE, "a special case of the equations of motion")
+    line = chain.lines[0]
+    if (by_chain := _decide_by_chain_of_discs(state, chain, k, knowledge)) is not None:
+        return by_chain
     if not equations and not state.trials:
         return None
-    line = chain.lines[0]
     above = [
         each
         for each in state.document.chains
@@ -55,6 +92,67 @@ def decide_trial_motion(
     ):
         return Decision(CONDITION, "a natural frequency of another system's special case")
     return decision
+
+
+def _decide_ratio_in_numbers(
+    chain: Chain, k: int, vibration: FreeVibration, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision on a ratio of two amplitudes as a number, A_2/A_1 = 0.267; None for others."""
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    number = right.operand if isinstance(right, Negative) else right
+    if not isinstance(left, Quotient) or not isinstance(number, Number) or number.last_place is None:
+        return None
+    above, below = left.numerator, left.denominator
+    if not isinstance(above, Name) or not isinstance(below, Name):
+        return None
+    pair = above.name, below.name
+    if not {*pair} <= {*vibration.amplitudes} or above == below:
+        return None
+    value = Number(-number.value if number is not right else number.value, number.last_place)
+    is_mode = is_ratio_of_mode(pair, value, vibration, knowledge)
+    if is_mode is None:
+        return None
+    if is_mode:
+        return Decision(PROVED, "the ratio in a natural mode", order="the digits printed")
+    return Decision(
+        UNDECIDED, "it is the ratio in no natural mode: another case is meant, or it is wrong"
+    )
+
+
+def _decide_by_chain_of_discs(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision by discs in a row whose equations of motion only words mention; else None.
+
+    The trial motion of any disc stands above: φ_i = A_i cos ωt.
+    """
+    text, line = state.document.text, chain.lines[0]
+    letters = {name for each in state.document.chains for name in each.letters}
+    for above in reversed(state.document.chains):
+        head = above.sides[0].node
+        stem, _, index = head.name.rpartition("_") if isinstance(head, Name) else ("", "", "")
+        is_above = above.start < chain.start and state.sections.same_section(above.lines[0], line)
+        if not is_above or index not in _ANY_DISC or not stem or not above.relations:
+            continue
+        moving = EquationOfMotion({(f"{stem}_{index}", 2): Name("J")}, _ZERO, line, "")
+        trial = trial_of(above, 0, [moving])
+        if trial is None or not trial.amplitude.endswith(f"_{index}"):
+            continue
+        where = text[: chain.start].rpartition("\n#")[2]
+        if not _DISCS.search(text) or _HELD.search(where[-_NEAR_WORDS:]):
+            return None
+        amplitude = trial.amplitude[: -len(index)]
+        vibration = chain_of_discs(letters, amplitude, trial.frequency, trial.wave, above.lines[0])
+        ratio = None if vibration is None else _decide_ratio_in_numbers(chain, k, vibration, knowledge)
+        decision = None if vibration is None else ratio or decide_by_trial(chain, k, vibration, ())
+        if vibration is None or decision is None:
+            return None
+        count = len(vibration.trials)
+        row = f"the system is {count} discs in a row with {count - 1} shafts between them"
+        if decision.is_proved:
+            return replace(decision, reason="", assumptions=(*decision.assumptions, row))
+        return replace(decision, reason=f"if {row}: {decision.reason}")
+    return None
 
 
 def _decide_by_system(
@@ -78,10 +176,36 @@ def _decide_by_system(
     vibration = vibration or free_vibration(equations, _by_analogy(equations, state.trials, knowledge))
     if vibration is None:
         return None
-    decision = decide_by_trial(chain, k, vibration, equalities_in(above, vibration.letters))
+    equal = equalities_in(above, vibration.letters)
+    in_step = _in_amplitudes(chain, vibration)
+    decision = decide_by_trial(in_step, k, vibration, equal)
+    if in_step is not chain and decision is not None:
+        is_free = _OF_FREE.search(state.sections.sentence_leading_to(chain)) is not None
+        return replace(decision, assumptions=(*decision.assumptions, IN_STEP)) if is_free else None
     if decision is not None and decision.is_proved and not k:
         _define_frequency(state, chain, vibration.frequency.name)
     return decision
+
+
+def _in_amplitudes(chain: Chain, vibration: FreeVibration) -> Chain:
+    """Return a chain in letters that move, J_1 φ_1 + J_2 φ_2 = 0, with amplitudes in their places.
+
+    In a natural mode all of them move in step, so that what is said of the one is so of the other.
+    """
+    moving = {trial.moving: Name(trial.amplitude) for trial in vibration.trials}
+    own = {name for side in chain.sides for name in names(side.node)}
+    if not own & moving.keys() or own & {*vibration.amplitudes}:
+        return chain
+
+    def renamed(node: Formula) -> Formula:
+        for name, amplitude in moving.items():
+            node = substitute(node, name, amplitude)
+        return node
+
+    try:
+        return replace(chain, sides=tuple(side.changed(renamed) for side in chain.sides))
+    except NoFormError:  # a derivative
+        return chain
 
 
 def without_trials(state: JudgingState, knowledge: Knowledge) -> Knowledge:

@@ -488,6 +488,8 @@ def _call(dimensions: Dimensions, node: formula.Call, depth: int) -> Dimension |
     inner = dimensions.of(node.argument, depth)
     if node.function in ("abs", "conj", "re", "im"):
         return inner
+    if node.function == "arg":
+        return NONE  # the direction of a force phasor is an angle
     if node.function == "sqrt":
         return None if inner is None else tuple(e / 2 for e in inner)
     if inner is not None and inner != NONE:

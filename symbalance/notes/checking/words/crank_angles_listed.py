@@ -30,8 +30,9 @@ _SEPARATOR = re.compile(
 )
 _STARTS = re.compile(r"(?<![\w.^{=\\(])(?:(?<=\$)|(?<=\{)|)(?=0|\\ang\{0)|(?:(?<=[($（])|(?<=\\\{))(?=0)")
 _OF_CRANKS = re.compile(
-    r"crank|throw|cylind|phase|offset|kröpfung|hubzapfen|kurbel|zylind|versatz|stern|manivelle|maneton"
-    r"|vilebrequin|気筒|クランク|シリンダ|\b[1-9][0-9]?-?cyl"
+    r"crank|throw|\bpins?\b|cylind|phase|offset|kröpfung|zapfen|kurbel|zylind|versatz|stern|manivelle|maneton"
+    r"|vilebrequin|気筒|クランク|シリンダ|ピン|\b[1-9][0-9]?-?cyl|cilind|manovell|gomit|manivela|muñequill"
+    r"|codos?\b|cigüeñal|wykorb|korb|klik|válc|vevs|vevtapp|kruk"
     r"|(?:\\?(?:delta|psi|varphi|phi|alpha|beta|gamma)|[δψφϕαβγ])\s*_\s*\{?\s*[1ijkn]",
     re.IGNORECASE,
 )
@@ -58,6 +59,12 @@ _IN_BANKS = re.compile(
     re.IGNORECASE,
 )
 """Words for engines in which the same crank angle is not the same force in one direction."""
+_TWO_OF_THEM = re.compile(
+    r"\b(?:two|twice|double|mirror\w*|halves|zwei|gespiegelt\w*|spiegel\w*|hälften|deux|miroir|dos|espejo|due"
+    r"|specchi\w*|twee|två)\b|2つ|二つ|2基|鏡|2台",
+    re.IGNORECASE,
+)
+"""Words that say an engine is two of a smaller one: a six as two threes, mirrored."""
 _ROW = re.compile(r"^[ \t]*\|?[ \t]*(?P<cells>[^\n]*[|&][^\n]*)$", re.MULTILINE)
 _BEFORE, _BEHIND = 120, 30
 """Characters before and behind a list in which words have to say that it is of cranks."""
@@ -87,16 +94,21 @@ class CrankAngles:
     arms: tuple[Fraction, ...] = ()
     """The cylinders' places along the crank from the middle, where an engine's name says them."""
 
+    is_against: bool = False
+    """Whether each is how far a crank lags behind the angle counted: θ - 90°."""
+
     @property
     def nodes(self) -> tuple[Formula, ...]:
         """The angles as formulas."""
         pi = Constant("pi")
-        return tuple(Product((Number(angle / 180), pi)) for angle in self.degrees)
+        sign = -1 if self.is_against else 1
+        return tuple(Product((Number(sign * angle / 180), pi)) for angle in self.degrees)
 
     @property
     def text(self) -> str:
         """The angles as a condition of what rests on them."""
         angles = ", ".join(f"{_plain(angle)}°" for angle in self.degrees)
+        angles = f"{angles} behind" if self.is_against else angles
         if self.is_usual:
             opposed = ", the cylinders opposed" if self.signs else ""
             usual = f"as is usual for the engine that line {self.line} names"
@@ -144,7 +156,11 @@ def listed_at(
         return None
     between = text[near[-1].place : start]
     engine = engine_named(between, len(between))
-    is_other = engine is not None and engine[0] != len(near[-1].degrees)
+    cylinders = len(near[-1].degrees)
+    is_half = (
+        engine is not None and 2 * engine[0] == cylinders and _TWO_OF_THEM.search(between) is not None
+    )
+    is_other = engine is not None and engine[0] != cylinders and not is_half
     return None if is_other else near[-1]
 
 

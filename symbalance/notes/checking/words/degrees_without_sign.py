@@ -46,7 +46,7 @@ from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.text import lazy_patterns as re
 
 _TURNED = ("sin", "cos", "tan", "cot", "sec", "csc")
-_INVERSE = ("asin", "acos", "atan")
+_INVERSE = ("asin", "acos", "atan", "arg")
 _STEPS = (Fraction(15), Fraction(45, 2), Fraction(36), Fraction(40), Fraction(72))
 _SEVENTH = Fraction(360, 7)
 _LEAST = 15

@@ -30,6 +30,7 @@ from symbalance.notes.reading.letters.letter_names import (
     matching_brace,
     may_be_letters,
     subscript_at,
+    with_order,
     with_scripts,
 )
 from symbalance.notes.reading.units import (
@@ -496,8 +497,13 @@ class Lexer:
 
     def _letter(self, base: str, stop: int) -> None:
         names = self.words.names
-        name, stop = (base, stop) if "_" in base else with_scripts(self.text, base, stop, self.end, names)
-        if "_" in base:
+        is_whole = "_" in base
+        name, stop = (
+            with_order(self.text, base, stop, self.end)
+            if is_whole
+            else with_scripts(self.text, base, stop, self.end, names)
+        )
+        if is_whole:
             while stop < self.end and self.text[stop] in "'′’":
                 name, stop = name + "'", stop + 1
         if name in ("Delta", "delta") and (after := self._difference(name, stop)):

@@ -141,6 +141,15 @@ def with_scripts(
     return base + (f"_{subscript}" if subscript else "") + "'" * primes, stop
 
 
+def with_order(text: str, name: str, start: int, end: int) -> tuple[str, int]:
+    """Return a known letter with the order in brackets above it, F_x^{(2)} as F_x,(2), and its end."""
+    match = _NUMBERED.match(text, start, end)
+    if match is None:
+        return name, start
+    number = match[1] or "".join(RAISED[sign] for sign in match[2])
+    return f"{name},({number})", match.end()
+
+
 def subscript_at(
     text: str, start: int, end: int, base: str = "", names: Collection[str] | None = None
 ) -> tuple[str, int] | None:
