@@ -311,7 +311,8 @@ OTHER_LENGTHS = words(
 """Words for lengths that play no part here, whatever their letter."""
 (
     diameter, outer, inner, radius, crank, bending, torque, force, pressure, area, modulus, section,
-    polar_section, shear, length, stress, shearing, stiffness, mass, inertia, second_section, first_inertia,
+    polar_section, shear, length, stress, shearing, stiffness, mass, inertia, second_section,
+    first_inertia,
     second_inertia, omega,
     omega_high, omega_low, rotation, frequency, stroke, cylinders, velocity, fluctuation, swing,
     power, shift, central, gravity, weight, rod_angle, crank_angle, any_force, piston_force,
