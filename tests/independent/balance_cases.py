@@ -36,6 +36,20 @@ def vee(order, angle, crank=T):
     return order(crank, angle / 2) + order(crank, -angle / 2)
 
 
+def without_first_order(gamma):
+    """Return the angle between two pins at which what turns against the crank vanishes, by a search."""
+
+    def backward(delta):
+        total = 0
+        for k in range(12):  # the mean of the force times e^(it) over a turn
+            t = 2 * mp.pi * k / 12
+            force = first(t - delta / 2, gamma / 2) + first(t + delta / 2, -gamma / 2)
+            total += force * mp.expj(t) / 12
+        return (total / (M * R * W**2)).real
+
+    return mp.findroot(backward, mpf(1) / 2)
+
+
 def largest(values):
     return max(abs(each) for each in values)
 
@@ -177,6 +191,9 @@ TWO_CYLINDERS = {
     "resultant second-order force of a V-twin at 90°": [
         (SIZES, vee(second, DEGREES[90]).imag), (SIZES, largest(vee(second, DEGREES[90],
         t) for t in TURN)),
+    ],
+    "angle between the crank pins of a V-twin without first order": [
+        ({"bank": F(6, 5)}, without_first_order(1.2)), ({"bank": F(6, 5)}, -without_first_order(1.2)),
     ],
     "moment of the counterweight of a V-twin at 90°": [
         (SIZES, V_WEIGHT), ({**SIZES, "reciprocating": MASS}, 2 * R + V_WEIGHT), (SIZES,

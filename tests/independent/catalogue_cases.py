@@ -227,6 +227,7 @@ DISC = {"density": F(7850), "diameter": OUTER, "radius": OUTER / 2, "width": WID
 INERTIA = {
     "moment of inertia of a hollow cylinder about its axis": [(CYLINDER, 3.5 * POLAR / AREA)],
     "moment of inertia by the radius of gyration": [({"mass": MASS, "gyration": F(1, 2)}, mpf(0.875))],
+    "radius of gyration of a ring between two radii": [(CYLINDER, mp.sqrt(POLAR / AREA))],
     "radius of gyration": [({"mass": MASS, "inertia": F(7, 8)}, mpf(0.5))],
     "mass of a round disc": [
         (DISC, 7850 * float(WIDTH) * mp.quad(lambda r: 2 * mp.pi * r, [0, float(OUTER) / 2]))

@@ -163,6 +163,9 @@ CASES = {
         (SOLID, float(MOMENT * R) / axial(INNER)),
     ],
     "equivalent stress by von Mises": [({"stress": F(40), "shearing": F(27)}, mises(40, 27))],
+    "equivalent stress by von Mises's hypothesis": [
+        ({"stress": F(40), "shearing": F(27)}, mises(40, 27))
+    ],
     "polar second moment of area of a round section": [(SHAFT, polar()), (SHAFT, polar(INNER))],
     "axial second moment of area of a round section": [(SOLID, axial()), (SOLID, axial(INNER))],
     "second moment of area of a round section": [(SOLID, axial()), (SOLID, axial(INNER))],

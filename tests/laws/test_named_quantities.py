@@ -15,7 +15,7 @@ FILES = [LAWS / "named_quantities.toml", *sorted((LAWS / "fields").glob("*.toml"
 TABLES = [tomllib.loads(file.read_text(encoding="utf-8")) for file in FILES]
 LINES = {
     kind: [line for table in TABLES for line in table.get(kind, [])]
-    for kind in ("right", "wrong", "open", "rightly")
+    for kind in ("right", "wrong", "wrong_without_fix", "open", "rightly")
 }
 
 
@@ -40,6 +40,13 @@ def test_one_slip_is_refuted_with_the_standard_formula(page, formula):
     assert "nobody declared it; taken from the words" in verdict.reason
     assert verdict.fix is not None
     assert formula in ("", verdict.fix.text)
+
+
+@pytest.mark.parametrize("page", LINES["wrong_without_fix"])
+def test_a_formula_with_another_letter_than_the_standard_one_is_refuted_by_its_words(page):
+    verdict = last_verdict(page)
+    assert verdict.verdict == REFUTED
+    assert "nobody declared it; taken from the words" in verdict.reason
 
 
 @pytest.mark.parametrize("page", LINES["open"])

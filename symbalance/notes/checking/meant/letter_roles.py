@@ -49,6 +49,8 @@ _APPOSED = re.compile(
     r"|[,.;]|\s*$)",
     re.I,
 )
+_LISTED = re.compile(r"[ \n]((?!and\b|und\b)[^\W\d_][\w-]{2,40}(?: [^\W\d_][\w-]{2,40})?)(?=[,.;(]|\s*$)")
+"""Behind a letter in a list: m the mass, r crank radius, l rod length."""
 _WITH = re.compile(r"\b(?:with|mit|where|wobei|and|und)\s$", re.I)
 """Behind a letter, and before it: with m the mass of the piston."""
 _FOR = re.compile(
@@ -63,6 +65,14 @@ _FROM_END = (
     r"(?:(?:from|to|vom?|von\s+de[rmn]|bis\s+zu[mr]?)\s+(?:the\s+|de[rmn]\s+)?(?:{})(?![A-Za-z])"
     r"|(?:{})から)"
 )
+_FIRST_OF_TWO = re.compile(
+    r"((?:between (?:the )?|zwischen den )(?:radii|diameters|radien|halbmessern|durchmessern))"
+    r" \\?\w{1,9} (?:and|und) $",
+    re.I,
+)
+"""Between the words that name two lengths and the second of them: between the radii a and b."""
+_WHOLE = {"outer": ("diameter", "inner"), "outer_radius": ("radius", "inner_radius")}
+"""Of a hollow body the outer length is also just its diameter, if it is not called the inner one."""
 _KINDS = {
     **dict.fromkeys(("first_inertia", "second_inertia", "own_inertia", "other_inertia"), "inertia"),
     **dict.fromkeys(("first_rate", "second_rate", "third_rate"), "stiffness"),
@@ -133,7 +143,7 @@ class LetterRoles:
         """Tell whether a letter may play a role: by its meaning, the words before it, or as is usual."""
         declared = meanings.get(letter, "")
         if declared and (roles := _roles_in(declared)):
-            return role in roles
+            return role in roles or _is_whole_size(roles, role)
         if declared and not UNITS_ONLY.fullmatch(declared):
             return False
         roles, is_other = self._roles_named(letter)
@@ -143,7 +153,7 @@ class LetterRoles:
             return True
         if letter.partition("_")[0] in _ANGULAR and "frequency" in roles:
             roles = (roles | {"omega"}) - {"frequency"}  # a frequency ω counts radians
-        if _KINDS.get(role) in roles:
+        if _KINDS.get(role) in roles or _is_whole_size(roles, role):
             return True
         return role in roles if roles else not is_other and _is_usual(letter, role)
 
@@ -203,16 +213,23 @@ class LetterRoles:
                 if _WRITTEN.search(words) and _ANOTHER.search(words):
                     continue  # λ for the crank ratio and F_0
                 apposed = _APPOSED.match(behind) if _WITH.search(words) or _ADDED.search(words) else None
-                follows = _IS.match(behind) or apposed
-                phrase = _LINKS.sub("", words)
+                listed = _LISTED.match(behind) if words.rstrip().endswith(",") else None
+                follows = _IS.match(behind) or apposed or listed
+                phrase = _LINKS.sub("", _FIRST_OF_TWO.sub(r"\1", words))
                 if ":" in words[len(phrase) :] and not _is_of_letter(phrase, letter):
                     continue
                 if follows is not None:
-                    phrases.append(follows[1])
+                    phrases.append(_LINKS.sub("", follows[1]))
                 if follows is None or not words.rstrip().endswith(","):  # in the rod, φ being …
                     phrases.append(phrase[-LONGEST_NAME:])
             self._before[letter] = [words.replace("\n", " ") for words in phrases]
         return self._before[letter]
+
+
+def _is_whole_size(roles: frozenset[str], role: str) -> bool:
+    """Tell whether words that name a diameter or radius let it be the outer one of two."""
+    whole, inner = _WHOLE.get(role, ("", ""))
+    return whole in roles and inner not in roles
 
 
 def _begins_formula(text: str, start: int, end: int) -> bool:

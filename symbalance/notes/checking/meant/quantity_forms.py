@@ -121,7 +121,9 @@ class QuantityForms:
         """Return what the letter of a section is used for elsewhere or by its subscript, or ""."""
         is_section = stem_of(name) in _SECTIONS
         by_index = next((use for use, own in _SUBSCRIPTS.items() if index_of(name) in own), "")
-        return self.uses.get(name, by_index if is_section else "")
+        return (
+            by_index if is_section and by_index else self.uses.get(name, "")
+        )  # I_p beside E stays polar
 
     @cached_property
     def rod_angles(self) -> frozenset[str]:

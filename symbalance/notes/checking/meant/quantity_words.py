@@ -39,7 +39,8 @@ SENTENCE, PARAGRAPH, AFTER = 220, 500, 60
 """Characters that are looked through: before a formula for its name, and around for another shape."""
 _BLANK = re.compile(r"\n\s*\n")
 _DENIED = re.compile(
-    r"\bnot\b|\binstead\b|\bwrong|mistak|confus|unlike|\bnicht\b|\bstatt\b|anstelle|falsch"
+    r"\bnot\b(?! (?:only|just|merely)\b)|\binstead\b|\bwrong|mistak|confus|unlike|\bnicht\b(?! nur\b)"
+    r"|\bstatt\b|anstelle|falsch"
     r"|verwechs|ではない|でなく"
     r"|誤り|間違|another book|older|empiric|faustformel"
     r"|rule of thumb|経験"

@@ -52,6 +52,12 @@ _HALF = words(
     r"metà\s+dell[ae]\s+mass\w+\s+altern", r"mitad\s+de\s+la\s+masa\s+altern",
 )  # fmt: skip
 """Words for half of what goes to and fro."""
+_NO_WHOLE_WEIGHT = (
+    r"\bV\b|V-?twin|\btwo\b|\bzwei|\bboth\b|beide|balance shaft|ausgleichswelle|バランサ|lanchester"
+    r"|each web|je wange|both webs|\bexceeds|\bexcess|\brest\b|\bremain|\bleft\b|\bmissing|\bfehl"
+    r"|überschuss|残|\bwithout\b|\bohne\b"
+)
+"""Words for one of several weights, or for what a weight leaves or lacks."""
 _SHAFT = words(
     r"(?:each|every)\s+(?:of\s+(?:the|these)\s+)?(?:two\s+)?(?:balance[r]?\s+)?shafts?\s+(?:\w+\s+){1,3}unbalance",
     r"jede\s+(?:der\s+\w+\s+)?(?:ausgleichs)?wellen?\s+(?:\w+\s+){1,3}unwucht",
@@ -118,10 +124,9 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
         ((rotating + share * reciprocating) * pin, (rotating + cylinders / 2 * reciprocating) * pin,
          share * mass * pin, cylinders / 2 * mass * pin),
         ("edit",),
-        mistakes=((share * rotating + reciprocating) * pin,
+        mistakes=((share * rotating + reciprocating) * pin, (rotating - reciprocating / 2) * pin,
                   (rotating + cylinders * reciprocating) * pin),
-        unless=words(r"\bV\b|V-?twin|\btwo\b|\bzwei|\bboth\b|beide",
-            r"balance shaft|ausgleichswelle|バランサ|lanchester|each web|je wange|both webs"),
+        unless=words(_NO_WHOLE_WEIGHT),
         stated=frozenset({"share", "cylinders"}),
     ),
     Quantity(

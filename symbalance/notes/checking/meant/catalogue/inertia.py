@@ -109,9 +109,11 @@ INERTIA: tuple[Quantity, ...] = (
     ),
     Quantity(
         "moment of inertia of a hollow cylinder about its axis", letters("J I Theta"),
-        words(r"hollow\s+cylinder", r"annular\s+dis[ck]", r"thick\s+ring", r"hohlzylinder",
-        r"kreisring(?:scheibe)?",
-              r"ringscheibe", r"中空円[筒柱板]", r"円環"),
+        words(r"hollow\s+(?:cylinder|dis[ck]|shaft)", r"(?:annular|bored)\s+dis[ck]",
+              r"hohl(?:zylinder|welle)",
+              r"\b(?:(?:thick|steel|cast[- ]iron)\s+)?(?<!piston )(?<!slip )rings?\b", r"\brims?\b",
+              r"(?:kreis|stahl|schwung|guss)ring(?:e?s|scheibe)?\b", r"\b(?:schwung|rad)?kranz(?:es)?\b",
+              r"ringscheibe", r"中空円[筒柱板]", r"円環", r"リム", r"リング"),
         (mass * (outer_radius**2 + inner_radius**2) / 2, mass * (outer**2 + inner**2) / 8),
         ("factor", "edit"),
         mistakes=(mass * (outer_radius**2 - inner_radius**2) / 2, mass * (outer**2 - inner**2) / 8),
@@ -129,6 +131,15 @@ INERTIA: tuple[Quantity, ...] = (
         words(r"radius\s+of\s+gyration", r"trägheits(?:radius|halbmesser)", r"(?:慣性|回転)半径"),
         (root(inertia / mass),), ("power", "root"),
         others=(root(section / area), diameter / root(number(8)), radius / root(number(2))),
+    ),
+    Quantity(
+        "radius of gyration of a ring between two radii", letters("k i r rho"),
+        words(r"radius\s+of\s+gyration", r"trägheits(?:radius|halbmesser)", r"(?:慣性|回転)半径"),
+        (root((outer_radius**2 + inner_radius**2) / 2), root((outer**2 + inner**2) / 8)), ("edit",),
+        others=(root(outer_radius**2 + inner_radius**2) / 2, root(outer**2 + inner**2) / 4),
+        only=words(r"hollow|hohl|\bbored\b|annul|\brings?\b|\w+ring(?:es)?\b|\brims?\b|kranz|中空|円環|リム"),
+        unless=words(r"about\s+(?:a|its|the)\s+diameter|durchmesserachse|直径(?:軸|まわり)|\barea\b|fläche"
+                     r"|断面"),
     ),
     Quantity(
         "mass of a round disc", letters("m M"),

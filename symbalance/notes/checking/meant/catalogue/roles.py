@@ -92,8 +92,12 @@ PI = Constant("pi")
 _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("diameter", "d D", r"diameters?|durchmessers?|(?<!半)径|\bbore|bohrung|ボア"),
     ("outer", "d D", r"(?:outer|outside|external)(?: diameter)?|außen(?:durchmesser)?|aussendurchmesser"
+     r"|between (?:the )?diameters|zwischen den durchmessern"
      r"|外径"),
-    ("inner", "d D", r"(?:inner|inside|internal)(?: diameter)?|innen(?:durchmesser)?|内径|\bbore"),
+    ("inner", "d D", r"(?:inner|inside|internal)(?: diameter)?|innen(?:durchmesser)?|内径|\bbore"
+     r"|diameter of the (?:hole|bore|drilling)|\bhole(?: diameter)?|\bdrilled to"
+     r"|(?:auf|durch)?bohrung(?:sdurchmesser)?"
+     r"|durchmesser der bohrung|between (?:the )?diameters|zwischen den durchmessern|穴径"),
     ("radius", "r R", r"radi(?:us|i)|halbmesser|半径|crank throw"),
     ("crank", "r R", r"radi(?:us|i)|halbmesser|半径|crank throw|crank length"),
     ("bending", "M", r"(?<!trägheits)(?<!widerstands)(?<!flächen)moments?(?! of)|曲げモーメント"),
@@ -105,6 +109,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("modulus", "W Z S", r"section modulus|widerstandsmoment|断面係数"),
     ("section", "I J", r"second moment|moment of (?:inertia|area)|polar moment|trägheitsmoment"
      r"|断面二次|inertia"),
+    ("polar_section", "J I", r"polar (?:second )?moment(?: of (?:inertia|area))?"
+     r"|polare[rns]? (?:flächen)?trägheitsmoment|断面二次極モーメント", "p t P T pol"),
     ("shear", "G C N", r"shear modulus|modulus of rigidity|rigidity|schubmodul|gleitmodul"
      r"|横弾性係数|せん断弾性係数|剛性率"),
     ("length", "l L ell", r"length|lang|länge|長さ?|distance|\bspan|abstand|stützweite|距離|スパン"),
@@ -208,13 +214,13 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("near", "a c", r"distances?|abständen?|abstand|距離"),
     ("far", "b d", r"distances?|abständen?|abstand|距離"),
     ("share", "beta b c k kappa epsilon x alpha", r"factor|fraction|share|balance|counterweight|anteil"
-                                                  r"|grad|割合|率"
+                                                  r"|(?<=\w)grad|割合|率"
      r"|proportion"),
     ("rotating", "m M W w", r"(?:rotating|revolving)(?: mass)?|rotierende(?:n)?(?: masse)?"
     r"|回転(?:部分の)?質量",
      "r R rot Rot d dreh k K"),
     ("reciprocating", "m M W w", r"(?:reciprocating|oscillating)(?: mass)?|oszillierende(?:n)?(?: masse)?"
-     r"|hin- und hergehende(?:n)?(?: masse)?|往復(?:部分の)?質量", "o O osz Osz osc h H rec p P"),
+     r"|hin- und hergehende(?:n)?(?: masse)?|往復(?:部分の)?質量", "o O osz Osz osc h H rec p P alt a A"),
     ("pin", "r R", r"radi(?:us|i)|halbmesser|半径|crank throw|crank length", "", "g G b B c w cw A"),
     ("arm_of_weight", "b e rho R r_g r_G r_b r_c r_w r_cw r_B R_g R_b R_c r_A", r"radi(?:us|i)|halbmesser"
      r"|半径|distance|abstand|距離|arm"),
@@ -267,10 +273,12 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("net_force", "P F_K F_p F_P F_k P_K K_K", r"piston (?:force|effort|load)|kolbenkraft|(?:net"
         r"|effective)"
      r" (?:force|load|effort)|ピストン力", "", "s S st St cr c l pl rod R r b B t T"),
-    ("outer_radius", "R r", r"(?:outer|outside|external)(?: radius)?|außen(?:radius)?|外半径"),
+    ("outer_radius", "R r", r"(?:outer|outside|external)(?: radius)?|außen(?:radius)?|外半径"
+     r"|between (?:the )?radii|zwischen den (?:radien|halbmessern)"),
     ("turn_rate", "n N f", r"rotational speed|engine speed|revolutions|\brpm|drehzahl|回転数"
      r"|回転速度|turns"),
-    ("inner_radius", "r R", r"(?:inner|inside|internal)(?: radius)?|innen(?:radius)?|内半径"),
+    ("inner_radius", "r R", r"(?:inner|inside|internal)(?: radius)?|innen(?:radius)?|内半径"
+     r"|between (?:the )?radii|zwischen den (?:radien|halbmessern)"),
     ("bank", "gamma delta alpha V beta", r"(?:bank|vee|V|included|cylinder|fork)[- ]?angle|bankwinkel"
      r"|V-winkel|gabelwinkel|バンク角|挟み角"
      r"|angle between the (?:banks|cylinders|cylinder (?:axes|lines))",
@@ -303,7 +311,8 @@ OTHER_LENGTHS = words(
 """Words for lengths that play no part here, whatever their letter."""
 (
     diameter, outer, inner, radius, crank, bending, torque, force, pressure, area, modulus, section,
-    shear, length, stress, shearing, stiffness, mass, inertia, second_section, first_inertia,
+    polar_section, shear, length, stress, shearing, stiffness, mass, inertia, second_section,
+    first_inertia,
     second_inertia, omega,
     omega_high, omega_low, rotation, frequency, stroke, cylinders, velocity, fluctuation, swing,
     power, shift, central, gravity, weight, rod_angle, crank_angle, any_force, piston_force,

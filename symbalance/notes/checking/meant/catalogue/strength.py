@@ -23,6 +23,7 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     outer_radius,
     own_diameter,
     own_length,
+    polar_section,
     pressure,
     radius,
     root,
@@ -77,8 +78,10 @@ _EQUIVALENT = words(
     r"ミーゼス(?:の)?(?:相当)?応力",
     r"相当応力",
     r"gestaltänderung\w*",
+    r"\bGEH\b",
     r"distortion energy",
 )
+_BY_DISTORTION = words(r"von[- ]mises|distortion|gestaltänderung|ミーゼス|せん断ひずみエネルギ|\bGEH\b")
 _POLAR_MOMENT = words(
     r"polar\s+(?:second\s+)?moment(?:\s+of\s+(?:area|inertia|the\s+section))?",
     r"polares?n?\s+(?:flächen)?(?:trägheits)?moment",
@@ -122,7 +125,10 @@ _TORSIONAL_RATE = words(
     r"ねじり(?:剛性|こわさ|ばね定数)",
     r"ばね定数",
 )
-_BORED = words(r"hollow|\bbored\b|tubular|\btubes?\b|hohl|rohr\b|ringquerschnitt|中空|円管|パイプ")
+_BORED = words(
+    r"hollow|\bbored\b|\bdrilled|tubular|\btubes?\b|hohl|rohr\b|ringquerschnitt|durchbohrt|aufgebohrt"
+    r"|中空|円管|パイプ"
+)
 _SERIES = words(
     r"(?:springs|connected|shafts|arranged|rates)\s+in\s+series",
     r"one\s+(?:behind|after)\s+the\s+other", r"end\s+to\s+end", r"series\s+(?:stiffness|connection)",
@@ -263,6 +269,7 @@ STRENGTH: tuple[Quantity, ...] = (
         _TORSIONAL_RATE,
         (shear * section / length, PI * shear * diameter**4 / (32 * length),
          PI * shear * radius**4 / (2 * length)),
+        mistakes=(young * polar_section / length,),
         context=words(r"torsion|drehschwing|ねじり"),
         unless=words(HOLLOW, r"\bhelical|coil|schraubenfeder|コイル|parallel|series|reihe"
         r"|hintereinander|並列|直列"
@@ -270,10 +277,11 @@ STRENGTH: tuple[Quantity, ...] = (
     ),
     Quantity(
         "angle of twist of a round shaft", letters("phi varphi theta vartheta psi"),
-        words(r"angle\s+of\s+twist", r"twist\s+angle", r"verdreh(?:ungs)?winkel", r"drillwinkel",
-        r"ねじれ角"),
+        words(r"angle\s+of\s+twist", r"twist\s+angle", r"(?<!of )\btwists?\b(?:\s+(?:of|by)\b)?",
+        r"verdreh(?:ungs)?winkel", r"drillwinkel", r"verdrehung", r"ねじれ角"),
         (torque * length / (shear * section), 32 * torque * length / (PI * shear * diameter**4),
          2 * torque * length / (PI * shear * radius**4), torque / stiffness),
+        mistakes=(torque * length / (young * polar_section),),
         unless=words(HOLLOW, r"per\s+(?:unit\s+)?length|je länge|比ねじれ|単位長"),
     ),
     Quantity(
@@ -322,6 +330,14 @@ STRENGTH: tuple[Quantity, ...] = (
         others=(6 * bending / (height * width**2),),
         only=_RECTANGLE, is_told_once=True, unless=words(_NOT_RECTANGLE,
         r"equivalent|vergleich|相当|plasti"),
+    ),
+    Quantity(
+        "equivalent stress by von Mises's hypothesis", letters("sigma"), _EQUIVALENT,
+        (root(stress**2 + 3 * shearing**2),), ("root", "term"),
+        mistakes=tuple(root(stress**2 + n * shearing**2) for n in (4, 2, 1)),
+        only=_BY_DISTORTION,
+        unless=words(r"tresca|guest|maximum shear|schubspannungshypothese|最大せん断|rankine"
+                     r"|normalspannungs|トレスカ|\bSH\b|saint.venant|\bbach"),
     ),
     Quantity(
         "equivalent stress by Tresca", letters("sigma"),

@@ -12,6 +12,7 @@ from fractions import Fraction
 from symbalance.document.formula import Call, Formula, Number
 from symbalance.notes.checking.meant.catalogue.crank_drive import COS_CRANK, SIN_CRANK
 from symbalance.notes.checking.meant.catalogue.roles import (
+    PI,
     Quantity,
     bank,
     crank_angle,
@@ -161,7 +162,7 @@ _SECONDS = {  # 2 cos γ cos γ/2 and 2 sin γ sin γ/2
 
 
 def _degrees(number: int) -> str:
-    return rf"(?<![0-9.]){number}\s?(?:°|\\?deg|\^|\\circ|-degree| degree|\s?grad|度)"
+    return rf"(?<![0-9.]){number}\s?(?:°|\\?deg|\^|\\circ|-degree| degree|[\s-]?grad|度)"
 
 
 def _at_angle(number: int) -> str:
@@ -278,7 +279,25 @@ _SECOND_WORDS = words(
     r"résultante\s+des\s+forces\s+secondaires(?:\s+est\s+horizontale)?", r"zweite\s+ordnung",
 )  # fmt: skip
 _OF_ONE = r"|each cylinder|per cylinder|one cylinder|one bank|a single|je zylinder|eines zylinders"
+_BALANCED_FIRST = words(
+    r"(?:first|primary)(?:[- ]order)?[^.;。]{0,60}(?:balanc|cancel|vanish)"
+    r"|(?:balanc|cancel)\w*[^.;。]{0,60}(?:first[- ]order|primary)",
+    r"(?:1\.|erste[rnms]?|I\.)\s+ordnung[^.;。]{0,60}(?:ausgleich|ausgeglichen|ausgewucht|aufheben|heben)",
+    r"(?:ausgleich|ausgeglichen|ausgewucht)\w*[^.;。]{0,60}(?:1\.|erste[rnms]?|I\.)\s+ordnung",
+    r"[一1]次[^。]{0,30}(?:釣り?合|消|バランス)",
+)  # fmt: skip
 _UPRIGHT_V: tuple[Quantity, ...] = (
+    Quantity(
+        "angle between the crank pins of a V-twin without first order",
+        letters("delta psi epsilon beta sigma"),
+        words(r"(?:set\s+apart|offset|splay|split|versetz\w*|versatz|オフセット|ずら)[^.;。]{0,120}",
+              r"(?:hubzapfen|kröpfungs|pin|crank)\w*[- ]?(?:versatz|offset|versatzwinkel)", r"位相差"),
+        (PI - 2 * bank, 2 * bank - PI), (),
+        mistakes=(PI - bank, PI + bank, 2 * PI - 2 * bank),
+        only=_BALANCED_FIRST,
+        unless=words(r"\bfir(?:es?|ing)\b|zünd|点火|even(?:ly)? spaced|\bhalf\b"
+                     r"|halbe[rn]? V|V\s?6|V\s?8"),
+    ),
     Quantity(
         "resultant second-order force of a V-twin at 90°", letters("F P R Z K S Y Q H"), _SECOND_WORDS,
         (*(_R2 * size for size in _SECOND), *(_R2 * size * _SIN_TWICE for size in _SECOND)),
@@ -291,12 +310,16 @@ _UPRIGHT_V: tuple[Quantity, ...] = (
     Quantity(
         "moment of the counterweight of a V-twin at 90°", letters("· U D u"),
         words(r"(?:counter|balance)-?\s?(?:weights?|mass(?:es)?)", r"gegengewichte?s?", r"contrepoids",
-            r"カウンタ(?:ー)?ウェイト"),
+            r"ausgleich", r"カウンタ(?:ー)?ウェイト", r"(?:釣り?合い|つりあい)(?:おもり|錘)"),
         (mass * pin, (rotating + reciprocating) * pin, (rotating + mass) * pin), ("edit",),
         others=((rotating + 2 * reciprocating) * pin,),
-        mistakes=(2 * mass * pin, mass * pin / 2, (rotating + reciprocating / 2) * pin),
+        mistakes=(2 * mass * pin, mass * pin / 2, (rotating + reciprocating / 2) * pin,
+                  (rotating + mass / 2) * pin),
         only=_RIGHT_ANGLED, unless=words(_MORE.replace("|counterweight|gegengewicht", "") +
             r"|each web|half|je wange"),
+        never=words(r"mass\w*\s+(?:of|der|von|aller?)\s+(?:both|beide|the\s+two|all)",
+                    r"(?:total|whole|both|gesamte|beide)\w*\s+(?:reciprocating|oscillating|oszill)",
+                    r"両気筒|合計|全往復"),
         is_told_once=True,
     ),
 )  # fmt: skip

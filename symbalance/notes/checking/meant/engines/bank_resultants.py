@@ -8,9 +8,9 @@ of both pistons' forces is
 
 A formula that is one product shows by its size which of the two it is, or by its wave. One with the
 size of one component and the wave of the other is refuted; so is one whose wave fits and whose factor
-is off by 2 or √2, and one that has a sine of the banks' angle for a cosine. What the angle is counted
-from has to be shown: by another formula of the page that is a component as it should be, by waves of
-θ + A and θ - A, or by words.
+is off by 2 or √2, or one with a function of A missing or exchanged beside a right component of the same
+letter. What the angle is counted from has to be shown: by another formula of the page that is
+a component as it should be, by waves of θ + A and θ - A, or by words.
 """
 
 from __future__ import annotations
@@ -104,6 +104,8 @@ _ANGLE = re.compile(
     rf"|(?P<letter>[α-ωΑ-Ω]|\\[a-z]+)\s*\$?\s*=\s*\$?\s*{_DEGREES.format('d')}",
     re.IGNORECASE,
 )
+_DIGITS = re.compile(r"[0-9]|[({]?I{1,2}[)}]?(?![A-Za-z])")
+"""The order in a letter's index: X1 and X2, F_y^{(2)}."""
 _CRANK_ANGLES = frozenset({"theta", "phi", "varphi", "t"})
 
 
@@ -169,7 +171,8 @@ class BankResultants:
             (usual,) = scales
             share = "half " if half == 1 else ""
             text = f"{plain_letter(own.bank)} is {share}the angle between the banks"
-            return self._compared(chain, own, half, usual, text, knowledge)
+            verdict = self._compared(chain, own, half, usual, text)
+            return verdict or self._by_sister(chain, own, half, usual, text, knowledge)
         return None
 
     def _by_number(
@@ -211,7 +214,7 @@ class BankResultants:
         return self._refuted(chain, own, "factor", abs(expected) / factor, text) if is_slip else None
 
     def _compared(
-        self, chain: Chain, own: _Component, half: float, usual: float, text: str, knowledge: Knowledge
+        self, chain: Chain, own: _Component, half: float, usual: float, text: str
     ) -> Verdict | Decision | None:
         """Return the verdict on a component whose factor has the letter of the banks' angle."""
         scale = _scale(own, own.wave.function, half)
@@ -220,8 +223,6 @@ class BankResultants:
         other = _scale(own, _OTHER[own.wave.function], half)
         if other and same(other, usual):
             return self._refuted(chain, own, "function", 1.0, text)
-        if usual == 1 and (swapped := self._with_other_function(chain, own, half, knowledge)):
-            return self._refuted(chain, own, "function", 1.0, text, swapped)
         claims = self.resultants.claims
         words = f"{claims.sentence(chain)} {claims.sections.heading_above(chain.lines[0])}"
         is_slip = scale and usual == 1 and any(same(scale, s) for s in (2, 0.5))
@@ -229,30 +230,44 @@ class BankResultants:
             return self._refuted(chain, own, "factor", usual / scale, text)
         return None
 
-    def _with_other_function(
-        self, chain: Chain, own: _Component, half: float, knowledge: Knowledge
-    ) -> tuple[Call, Call] | None:
-        """Return the sine or cosine of the banks' angle that is wrong, and what it should be; or None.
+    def _by_sister(
+        self, chain: Chain, own: _Component, half: float, usual: float, text: str, knowledge: Knowledge
+    ) -> Verdict | None:
+        """Return the refutation of a component with a wrong function of the angle between the banks."""
+        is_wrong = any(
+            all(same(f, usual * w) for f, w in zip(own.factors, wrong, strict=True))
+            for wrong in _wrong_factors(own, half)
+        )
+        if not is_wrong or _scale(own, own.wave.function, half):
+            return None
+        if not self._has_sister(chain, own, half, usual, knowledge):
+            return None
+        return self._refuted(chain, own, "bank", half, text)
 
-        2 sin A cos 2A sin 2θ comes from no sum or difference of two pistons' forces in any direction;
-        2 cos A sin 2A sin 2θ is the difference of what they give along, and may be meant.
+    def _has_sister(
+        self, chain: Chain, own: _Component, half: float, usual: float, knowledge: Knowledge
+    ) -> bool:
+        """Tell whether the same letter with another index is a component in the same direction.
+
+        X1 stands beside a right X2, so that X1 is no mere sum of forces along the cylinders.
         """
-        side = chain.sides[1]
-        node = without_dots(side.node)[0]
-        calls = {p for p in walk(node) if isinstance(p, Call) and names(p.argument) == {own.bank}}
-        found = list[tuple[Call, Call]]()
-        for call in calls if own.order > 1 else ():
-            times = product_of(substitute(call.argument, own.bank, Number(Fraction(1)))).number
-            if not same(times, own.order * half):
-                continue
-            other = Call(_OTHER.get(call.function, call.function), call.argument)
-            there = next(
-                self._resolved(Side((with_every(node, call, other),), side.span), knowledge), None
+        head = chain.sides[0].node
+        stem = _DIGITS.sub("", head.name) if isinstance(head, Name) else ""
+        return any(
+            isinstance(other.sides[0].node, Name)
+            and other.sides[0].node.name != (head.name if isinstance(head, Name) else "")
+            and _DIGITS.sub("", other.sides[0].node.name) == stem
+            and any(
+                each.bank == own.bank
+                and each.order != own.order
+                and each.wave.function == own.wave.function
+                and same(_scale(each, each.wave.function, half), usual)
+                for side in other.sides[1:]
+                for each in self._resolved(side, knowledge)
             )
-            scale = 0.0 if there is None else _scale(there, own.wave.function, half)
-            if scale and same(scale, 1):
-                found.append((call, other))
-        return found[0] if len(found) == 1 else None
+            for other in self.resultants.words.document.chains
+            if other is not chain
+        )
 
     def _others(self, chain: Chain, knowledge: Knowledge) -> Iterator[_Component]:
         """Yield the components that the page's other formulas are, by any of their sides."""
@@ -347,25 +362,18 @@ class BankResultants:
             yield "the rod is long"
 
     def _refuted(
-        self,
-        chain: Chain,
-        own: _Component,
-        slip: str,
-        ratio: float,
-        text: str,
-        swapped: tuple[Call, Call] | None = None,
+        self, chain: Chain, own: _Component, slip: str, ratio: float, text: str
     ) -> Verdict | None:
-        """Return the refutation of a component, with its wave, a function or its factor put right."""
+        """Return the refutation of a component, with its wave or its factor put right."""
         side = chain.sides[1]
         node = without_dots(side.node)[0]
         function = own.wave.function
-        if swapped is not None:
-            target = with_every(node, *swapped)
-            kind = f"{swapped[1].function} for {swapped[0].function}"
-        elif slip == "function":
+        if slip == "function":
             function = _OTHER[function]
             target = with_every(node, own.wave, Call(function, own.wave.argument))
             kind = f"{function} for {own.wave.function}"
+        elif slip == "bank":
+            target, kind = _with_bank_factors(node, own, ratio), "factor of the angle between the banks"
         elif own.bank:
             target, kind = Product((Number(Fraction(ratio).limit_denominator(8)), node)), "factor"
         else:
@@ -392,6 +400,37 @@ def _scale(own: _Component, function: str, half: float) -> float:
         return 0.0
     ratios = [factor / size for factor, size in zip(own.factors, sizes, strict=True)]
     return round(ratios[0], _PLACES) if all(same(each, ratios[0]) for each in ratios) else 0.0
+
+
+def _wrong_factors(own: _Component, half: float) -> list[tuple[float, ...]]:
+    """Return the factors with one of the two functions of the angle left out, or another in its place."""
+    f = cos if own.wave.function == "cos" else sin
+    g = sin if own.wave.function == "cos" else cos
+    n, angles = own.order, [half * float(angle) for angle in _SAMPLES]
+    return [
+        tuple(2 * f(a) for a in angles),
+        tuple(2 * f(n * a) for a in angles),
+        tuple(2 * f(a) * g(n * a) for a in angles),
+        tuple(2 * g(a) * f(n * a) for a in angles),
+    ]
+
+
+def _with_bank_factors(node: Formula, own: _Component, half: float) -> Formula:
+    """Return a component with the functions of the angle between the banks that it should have."""
+    rest, _ = _split(node, own.bank)
+    letter, function = Name(own.bank), own.wave.function
+
+    def of(multiple: Fraction) -> Formula:
+        if multiple == 1:
+            return Call(function, letter)
+        whole = Product((Number(multiple), letter)) if multiple > 1 else letter / 2
+        return Call(function, whole)
+
+    first = Fraction(half)
+    factors = (of(first) ** Fraction(2),) if own.order == 1 else (of(first), of(first * own.order))
+    parts = rest.factors if isinstance(rest, Product) else (rest,)
+    kept = tuple(part for part in parts if part != Number(Fraction(1)))
+    return Product((*kept[:-1], *factors, *kept[-1:]))
 
 
 def _split(node: Formula, bank: str) -> tuple[Formula, list[Formula]]:

@@ -56,7 +56,7 @@ polar second moment of area: moment quadratique polaire|moment polaire
 second moment of area: moment quadratique(?: axial)?
 polar section modulus: module de résistance (?:polaire|(?:à la|en|de) torsion)
 section modulus in bending: module de résistance (?:à la|en|de) flexion
-section modulus: module de résistance
+section modulus: module de (?:résistance|flexion)
 shear modulus: module de (?:cisaillement|glissement|Coulomb)
 bending stress: contraintes? (?:normale )?(?:de|en) flexion
 torsional stress: contraintes? (?:de cisaillement )?(?:de|en) torsion
@@ -132,7 +132,7 @@ thin ring: (?:anneau|couronne) mince
 thin rim: jante mince
 solid disc: disque plein
 disc: disque
-rim: jante
+rim: jante|couronne
 shaft: arbre
 hollow: creu(?:x|se)|tubulaire|alésé
 fixed: encastrée?s?

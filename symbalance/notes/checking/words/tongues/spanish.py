@@ -131,7 +131,7 @@ two discs: dos (?:discos|volantes|inercias)
 thin ring: (?:anillo|aro) delgado
 solid disc: disco macizo
 disc: disco
-rim: llanta
+rim: llanta|corona
 shaft: eje|árbol
 hollow: huec[oa]|tubular
 fixed: empotrad\w*
