@@ -48,6 +48,7 @@ from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.spellings.and_so_on import with_dots
 from symbalance.notes.reading.spellings.cases_in_words import with_conditions_apart
 from symbalance.notes.reading.spellings.division_colons import with_divisions
+from symbalance.notes.reading.spellings.joined_units import with_joined_units
 from symbalance.notes.reading.spellings.memberships import with_memberships
 from symbalance.notes.reading.spellings.multiples_in_words import with_multiples_in_signs
 from symbalance.notes.reading.spellings.numerals import with_plain_numerals
@@ -61,6 +62,7 @@ from symbalance.notes.reading.spellings.systems_in_braces import with_rows_of_re
 from symbalance.notes.reading.spellings.tables_of_quantities import with_equations_of_tables
 from symbalance.notes.reading.spellings.times_in_parts import with_times_in_one
 from symbalance.notes.reading.spellings.units_behind_waves import with_units_of_waves
+from symbalance.notes.reading.spellings.units_below_strokes import with_units_below_strokes
 from symbalance.notes.reading.spellings.wrapped_lines import SOFT_END, with_soft_ends
 from symbalance.notes.reading.units import height_named
 from symbalance.text import lazy_patterns as re
@@ -185,6 +187,8 @@ def prepare(
         reader.apply(with_points_left_out(reader.text))
         reader.apply_noted(with_scanned_letters(reader.text))
     reader.apply(with_compound_units(reader.text))
+    reader.apply(with_units_below_strokes(reader.text, is_letter))
+    reader.apply_noted(with_joined_units(reader.text, is_letter))
     reader.apply_noted(with_plain_numerals(reader.text, is_letter))
     reader.apply(with_units_of_waves(reader.text, is_letter))
     if has_dollars:
