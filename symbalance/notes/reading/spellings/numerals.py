@@ -453,9 +453,20 @@ def _arrows(text: str) -> dict[int, tuple[int, str]]:
     return {m.start(): (m.end(), shown[m.group()[:2]]) for m in _ARROW.finditer(text)}
 
 
+_OF_ONE_NUMBER = re.compile(
+    r"(?<![A-Za-z])(?:(?:arc|a)?(?:sin|cos|tan|cot)h?|sqrt|exp|ln)(?:\s?\^\s?(?:\{[0-9]\}|[0-9])|[²³⁴])?\s?(?:\\left)?\($"
+)
+"""The head of a function that is taken of one number: cos(22,5) holds no two."""
+_RAISED_BEHIND = re.compile(r"\)\s?(?:\^|[²³°])")
+_LONGEST_HEAD = 24
+
+
 def _is_pair(text: str, match: re.Match[str]) -> bool:
-    """Tell whether brackets hold these two numbers alone: (1,2) and [0,1] are pairs."""
+    """Tell whether brackets hold these two numbers alone: (1,2) and [0,1] are pairs, cos(22,5) has one."""
     before, after = text[max(match.start() - 1, 0) : match.start()], text[match.end() : match.end() + 1]
+    if before == "(" and after == ")":
+        head = text[max(match.start() - _LONGEST_HEAD, 0) : match.start()]
+        return _OF_ONE_NUMBER.search(head) is None and _RAISED_BEHIND.match(text, match.end()) is None
     return (before, after) in (("(", ")"), ("[", "]"), ("(", "]"), ("[", ")"), ("|", "|"))
 
 
