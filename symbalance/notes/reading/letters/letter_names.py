@@ -25,7 +25,7 @@ _CANONICAL = re.compile(r"[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)+'*")
 _TOUCHING = re.compile(r"([A-Za-z0-9]+)(['′]*)")
 _PRIMES = re.compile(r"(?:['′’″]|\^\s*\{?\s*(?:\\prime\s*)+\}?)+")
 _NUMBERED = re.compile(
-    r"\s*\^\s*\{\s*(?:\\left)?\(\s*([0-9]{1,2}|[A-Za-z]|[IVX]{1,4})\s*(?:\\right)?\)\s*\}|⁽([⁰¹²³⁴-⁹ⁿⁱ]{1,2})⁾"
+    r"\s*\^\s*\{(?:\\[,;:! ]|\s)*(?:\\left)?\(\s*([0-9]{1,2}|[A-Za-z]|[IVX]{1,4})\s*(?:\\right)?\)\s*\}|⁽([⁰¹²³⁴-⁹ⁿⁱ]{1,2})⁾"
 )
 """The (2) of F^{(2)}: nobody writes a power so."""
 _ORDER = re.compile(
@@ -138,6 +138,9 @@ def with_scripts(
         if not subscript and (after := subscript_at(text, stop, end, base, names)):
             subscript, stop = after
         subscript = f"{subscript},({number})" if subscript else f"({number})"
+        if match := _PRIMES.match(text, stop, end):
+            primes += len(re.findall(r"\\prime|['′’]", match.group())) + 2 * match.group().count("″")
+            stop = match.end()
     return base + (f"_{subscript}" if subscript else "") + "'" * primes, stop
 
 
