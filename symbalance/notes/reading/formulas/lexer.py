@@ -29,6 +29,7 @@ from symbalance.notes.reading.letters.letter_names import (
     EXTREMES,
     matching_brace,
     may_be_letters,
+    order_at,
     subscript_at,
     with_scripts,
 )
@@ -498,6 +499,8 @@ class Lexer:
         names = self.words.names
         name, stop = (base, stop) if "_" in base else with_scripts(self.text, base, stop, self.end, names)
         if "_" in base:
+            if order := order_at(self.text, stop, self.end):
+                name, stop = f"{name},({order[0]})", order[1]  # F_1^{(2)} beside F_1 is no square
             while stop < self.end and self.text[stop] in "'′’":
                 name, stop = name + "'", stop + 1
         if name in ("Delta", "delta") and (after := self._difference(name, stop)):

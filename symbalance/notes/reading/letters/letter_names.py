@@ -132,9 +132,8 @@ def with_scripts(
             subscript, stop = after
         else:
             break
-    if match := _NUMBERED.match(text, stop, end):
-        number = match[1] or "".join(RAISED[sign] for sign in match[2])
-        stop = match.end()
+    if order := order_at(text, stop, end):
+        number, stop = order
         if not subscript and (after := subscript_at(text, stop, end, base, names)):
             subscript, stop = after
         subscript = f"{subscript},({number})" if subscript else f"({number})"
@@ -142,6 +141,14 @@ def with_scripts(
             primes += len(re.findall(r"\\prime|['′’]", match.group())) + 2 * match.group().count("″")
             stop = match.end()
     return base + (f"_{subscript}" if subscript else "") + "'" * primes, stop
+
+
+def order_at(text: str, start: int, end: int) -> tuple[str, int] | None:
+    r"""Return the 2 of an order in brackets above a letter, F_1^{(2)}, and where it ends; or None."""
+    match = _NUMBERED.match(text, start, end)
+    if match is None:
+        return None
+    return match[1] or "".join(RAISED[sign] for sign in match[2]), match.end()
 
 
 def subscript_at(
