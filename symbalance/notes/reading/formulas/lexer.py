@@ -36,6 +36,7 @@ from symbalance.notes.reading.letters.letter_names import (
 from symbalance.notes.reading.units import (
     Scale,
     bracketed_unit_at,
+    is_multiple_of_letter,
     is_set_apart,
     plain_unit_at,
     scale_of,
@@ -94,6 +95,7 @@ class Token:
     case: even, odd, mod), differential (the d x of an integral). `sub` carries a subscript that follows
     something other than a letter; `under` is a bare underscore after a sum sign or a
     function. `spaced` tells of a space typed as such before it.
+    `counted` marks a letter behind a number that is no unit there, by the formula around it.
     `scale` is what the unit behind it multiplies it by, 0 where that is not sure. `upright` marks the e
     of e^{i φ} where a letter e is declared.
     """
@@ -108,6 +110,7 @@ class Token:
     scale: Fraction | None = None
     is_demanded: bool = False
     upright: bool = False
+    counted: bool = False
 
     def moved(self, offset: int) -> Token:
         """Return the token so many characters further on."""
@@ -506,6 +509,8 @@ class Lexer:
         if name in ("Delta", "delta") and (after := self._difference(name, stop)):
             name, stop = after
         self._add("name", name, stop)
+        if len(name) == 1 and is_multiple_of_letter(self.text, stop - 1, self.end):
+            self.tokens[-1] = replace(self.tokens[-1], counted=True)
 
     def _difference(self, name: str, stop: int) -> tuple[str, int] | None:
         match = _DIFFERENCE.match(self.text, stop, self.end)
