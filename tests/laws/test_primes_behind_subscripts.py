@@ -28,3 +28,10 @@ def test_a_speed_of_thirty_turns_no_minutes_into_seconds(tmp_path, unit, size):
     lines = f"n = 900 {unit}\n\nΔn = n/{900 // size} = {size} {unit}\n\nk = 1/{900 // size}\n\nx = k·n = {size} {unit}\n"
     path.write_text(lines.replace(" /", "/"), encoding="utf-8")
     assert check(path, fixes=False).verdicts[-1].verdict == "holds"
+
+
+@pytest.mark.parametrize(("given", "word"), [("x = 900", "definition"), ("x > 0", "undecided")])
+def test_a_prime_is_no_derivative_by_what_has_a_value(tmp_path, given, word):
+    path = tmp_path / "page.txt"
+    path.write_text(f"{given}\n\nsigma_W = 0.45*x\n\nsigma_W' = 300\n", encoding="utf-8")
+    assert check(path, fixes=False).verdicts[-1].verdict == word
