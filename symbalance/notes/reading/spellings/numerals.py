@@ -42,6 +42,10 @@ _POINTED_WITH_COMMA = re.compile(
     _APART + r"(?<!_\{)([1-9][0-9]{0,2}(?:\.[0-9]{3}){1,4}),([0-9]{1,6})(?![0-9A-Za-z]|[.,][0-9])"
 )
 """4.663,5 has points between thousands and a decimal comma, whatever the rest of the page has."""
+_APOSTROPHES = re.compile(
+    r"(?<![\w.,\\°'’])[1-9][0-9]{0,2}(?:['’][0-9]{3})+(?![0-9A-Za-z'’″]|[.,][0-9]*['’])(?:\.[0-9]+)?"
+)
+"""1'234'567 as the Swiss write it."""
 _LANGUAGES = re.compile(
     r"\b(?:und|der|die|das|ist|mit|für|wird|bei|les|des|est|avec|pour|donc|los|las|para|con|della|per|che"
     r"|het|een|voor|och|med|jest|oraz|dla)\b"
@@ -154,6 +158,9 @@ def with_plain_numerals(
     }
     _note(notes, "points between thousands", both, text)
     changes |= both
+    swiss = {m.start(): (m.end(), re.sub("['’]", "", m[0])) for m in _APOSTROPHES.finditer(text)}
+    _note(notes, "apostrophes between thousands", swiss, text)
+    changes |= swiss
     changes |= _scanned(text, is_letter, notes)
     changes |= _dashes(text, notes)
     changes |= {m.start(): (m.end(), "≈") for m in _NEARLY.finditer(text)}
