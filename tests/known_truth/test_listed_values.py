@@ -80,7 +80,8 @@ def test_a_relation_is_judged_at_each_of_the_values(page, word, judge):
 
 
 @pytest.mark.parametrize(
-    "line", ["n = 1500–6000 rpm.", "n = 1500-6000 1/min.", "n = 1500--6000 1/min.", "$x = 3–5$ mm.", "x = 3–5."]
+    "line",
+    ["n = 1500–6000 rpm.", "n = 1500-6000 1/min.", "n = 1500--6000 1/min.", "$x = 3–5$ mm.", "x = 3–5."],
 )
 def test_a_dash_between_rising_numbers_is_a_range(tmp_path, line):
     path = tmp_path / "page.md"
@@ -89,7 +90,13 @@ def test_a_dash_between_rising_numbers_is_a_range(tmp_path, line):
 
 
 @pytest.mark.parametrize(
-    ("line", "value"), [("x = 8–5.", "x = 3"), ("x = 5-8.", "x = -3"), ("x = 5–8 = -3.", "x = -3"), ("x = 3 – 5.", "x = -2")]
+    ("line", "value"),
+    [
+        ("x = 8–5.", "x = 3"),
+        ("x = 5-8.", "x = -3"),
+        ("x = 5–8 = -3.", "x = -3"),
+        ("x = 3 – 5.", "x = -2"),
+    ],
 )
 def test_a_minus_sign_between_numbers_is_none(tmp_path, line, value):
     path = tmp_path / "page.md"

@@ -1,4 +1,4 @@
-"""An order in brackets above a letter, \\hat{F}^{(2)}_x, names another letter, however the letter is set."""
+"""An order in brackets above a letter, \\hat{F}^{(2)}_x, names another letter, however it is set."""
 
 from __future__ import annotations
 
@@ -8,8 +8,25 @@ import pytest
 
 from symbalance.notes.checking import check
 
-LETTERS = [r"\hat F", r"\hat{F}", r"\widehat{F}", r"{\hat F}", r"\tilde{M}", r"\overline{M}", "{F}", r"\bar{p}", "F"]
-SCRIPTS = ["^{(2)}", "^{(2)}_{x}", "_{x}^{(2)}", r"^{\,(2)}", "^{(II)}_1", r"^{\left(2\right)}_\mathrm{res}"]
+LETTERS = [
+    r"\hat F",
+    r"\hat{F}",
+    r"\widehat{F}",
+    r"{\hat F}",
+    r"\tilde{M}",
+    r"\overline{M}",
+    "{F}",
+    r"\bar{p}",
+    "F",
+]
+SCRIPTS = [
+    "^{(2)}",
+    "^{(2)}_{x}",
+    "_{x}^{(2)}",
+    r"^{\,(2)}",
+    "^{(II)}_1",
+    r"^{\left(2\right)}_\mathrm{res}",
+]
 
 
 @pytest.mark.parametrize(("letter", "script"), list(product(LETTERS, SCRIPTS)))
@@ -18,7 +35,8 @@ def test_an_order_is_no_power(tmp_path, letter, script):
     plain = f"{letter}_{below}" if below else letter
     path = tmp_path / "page.md"
     path.write_text(
-        f"$${plain} = 3$$\n\n$${letter}{script} = 5$$\n\n$$2 {letter}{script} = 10$$\n\n$$2{letter}{script} = 18$$\n",
+        f"$${plain} = 3$$\n\n$${letter}{script} = 5$$\n\n"
+        f"$$2 {letter}{script} = 10$$\n\n$$2{letter}{script} = 18$$\n",
         encoding="utf-8",
     )
     first, second, right, wrong = (verdict.verdict for verdict in check(path, fixes=False).verdicts)

@@ -7,7 +7,9 @@ import pytest
 from symbalance.notes.checking import check
 
 
-@pytest.mark.parametrize("letter", ["sigma_W'", "lambda'", "omega_1'", "theta'_1", "phi_max''", "m_A'", "σ_W′"])
+@pytest.mark.parametrize(
+    "letter", ["sigma_W'", "lambda'", "omega_1'", "theta'_1", "phi_max''", "m_A'", "σ_W′"]
+)
 @pytest.mark.parametrize(("last", "word"), [("7.5", "holds"), ("7.7", "refuted")])
 def test_a_letter_with_a_prime_has_its_value(tmp_path, letter, last, word):
     path = tmp_path / "page.txt"
@@ -25,7 +27,10 @@ def test_words_in_prose_stay_words(tmp_path):
 @pytest.mark.parametrize("size", [30, 60])
 def test_a_speed_of_thirty_turns_no_minutes_into_seconds(tmp_path, unit, size):
     path = tmp_path / "page.txt"
-    lines = f"n = 900 {unit}\n\nΔn = n/{900 // size} = {size} {unit}\n\nk = 1/{900 // size}\n\nx = k·n = {size} {unit}\n"
+    turns = 900 // size
+    lines = (
+        f"n = 900 {unit}\n\nΔn = n/{turns} = {size} {unit}\n\nk = 1/{turns}\n\nx = k·n = {size} {unit}\n"
+    )
     path.write_text(lines.replace(" /", "/"), encoding="utf-8")
     assert check(path, fixes=False).verdicts[-1].verdict == "holds"
 

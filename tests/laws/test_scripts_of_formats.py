@@ -1,4 +1,4 @@
-"""Subscripts and powers as each format marks them in prose: *F*<sub>2</sub>, F~2~, :sub:, and Swiss thousands."""
+"""Scripts as formats mark them in prose, F<sub>2</sub>, F~2~ and :sub:, and Swiss thousands."""
 
 from __future__ import annotations
 
@@ -23,10 +23,14 @@ LINES = [
 
 
 @pytest.mark.parametrize(("kind", "given", "line"), LINES)
-@pytest.mark.parametrize(("last", "words"), [("6", ("holds", "conditional")), ("8", ("refuted", "contradiction"))])
+@pytest.mark.parametrize(
+    ("last", "words"), [("6", ("holds", "conditional")), ("8", ("refuted", "contradiction"))]
+)
 def test_scripts_of_prose_are_read(tmp_path, kind, given, line, last, words):
     path = tmp_path / f"page.{kind}"
-    path.write_text(f"Here {given}.\n\nHence {line.format(last)}.\n".replace("Muster.", "Muster"), encoding="utf-8")
+    path.write_text(
+        f"Here {given}.\n\nHence {line.format(last)}.\n".replace("Muster.", "Muster"), encoding="utf-8"
+    )
     verdicts = [verdict.verdict for verdict in check(path, fixes=False).verdicts]
     assert "unreadable" not in verdicts
     assert verdicts[-1] in words

@@ -6,12 +6,20 @@ import pytest
 
 from symbalance.notes.checking import check
 
-WORDS = ["times gravity", "times $g$", "times the acceleration of gravity", "mal die Erdbeschleunigung", "times that of gravity"]
+WORDS = [
+    "times gravity",
+    "times $g$",
+    "times the acceleration of gravity",
+    "mal die Erdbeschleunigung",
+    "times that of gravity",
+]
 
 
 @pytest.mark.parametrize("words", WORDS)
 @pytest.mark.parametrize("sign", ["\\approx", "="])
-@pytest.mark.parametrize(("last", "word"), [("1324", "holds_to_order"), ("132", "refuted"), ("1423", "refuted")])
+@pytest.mark.parametrize(
+    ("last", "word"), [("1324", "holds_to_order"), ("132", "refuted"), ("1423", "refuted")]
+)
 def test_a_multiple_of_gravity_is_judged(tmp_path, words, sign, last, word):
     path = tmp_path / "page.md"
     path.write_text(f"which is about $12991/9.81 {sign} {last}$ {words}.\n", encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Units without the signs between them, kgm², N/mm2 and 900/min: right conversions hold, wrong ones fail."""
+"""Units without the signs between them, kgm², N/mm2 and 900/min: right ones hold, wrong ones fail."""
 
 from __future__ import annotations
 
@@ -6,7 +6,10 @@ import pytest
 
 from symbalance.notes.checking import check
 
-HOLDS, OPEN = ("holds", "holds_to_order"), ("definition", "premise", "undecided", "unreadable", "conditional")
+HOLDS, OPEN = (
+    ("holds", "holds_to_order"),
+    ("definition", "premise", "undecided", "unreadable", "conditional"),
+)
 RIGHT = [
     (r"$J = 0.35\,\mathrm{kgm^2} = 3500\,\mathrm{kgcm^2}$", "md"),
     (r"$J = 0.35\,\mathrm{kgm}^2 = 0.35\,\mathrm{kg\,m^2}$", "md"),

@@ -137,9 +137,8 @@ def prepare(
     reader.apply(with_one_inline_mark(reader.text))
     macros = expand_macros(reader.text)
     reader.apply(macros.source)
-    reader.apply(with_upright_parts(reader.text))
-    reader.apply(with_frames_opened(reader.text))
-    reader.apply(with_scripts_in_order(reader.text))
+    for unwrap in (with_upright_parts, with_frames_opened, with_scripts_in_order):
+        reader.apply(unwrap(reader.text))
     own_letters = frozenset({"i"} if counts_by_i(reader.text) else ())
     own_letters |= lengths_named(reader.text) | height_named(reader.text)
     own_letters |= {"d"} if means_diameter(reader.text) else frozenset()
@@ -188,8 +187,8 @@ def prepare(
         reader.apply_noted(with_scanned_letters(reader.text))
     reader.apply(with_compound_units(reader.text))
     reader.apply(with_units_below_strokes(reader.text, is_letter))
-    reader.apply_noted(with_joined_units(reader.text, is_letter))
-    reader.apply_noted(with_plain_numerals(reader.text, is_letter))
+    for noted in (with_joined_units, with_plain_numerals):
+        reader.apply_noted(noted(reader.text, is_letter))
     reader.apply(with_units_of_waves(reader.text, is_letter))
     if has_dollars:
         reader.apply(with_units_between_dollars(reader.text))

@@ -215,20 +215,26 @@ _MULTIPLE_BEFORE = re.compile(
     rf"(?<![\w.,^_/])(?:(?P<fraction>{_FRACTION_BEFORE})|(?P<count>[0-9]{{1,2}})|(?P<decimal>[0-9]+[.,][0-9]+))"
     r"(?:\s|~|\\[,;: ]|\\!)*$"
 )
-_SUBSCRIPT = r"(?:_(?:\{(?:[^{}]|\{[^{}]{0,20}\}){1,30}\}|\\[a-z]+\s?\{[^{}]{1,20}\}|\w{1,8})|['′]|[₀-₉]|[0-9]{1,2})"
-_TERM_BEFORE = re.compile(rf"(?<![A-Za-z\\])(?P<stem>[A-Za-z]){_SUBSCRIPT}(?:\s|~|\\[,;: ])*[+\-−](?:\s|~|\\[,;: ])*$")
+_SUBSCRIPT = (
+    r"(?:_(?:\{(?:[^{}]|\{[^{}]{0,20}\}){1,30}\}|\\[a-z]+\s?\{[^{}]{1,20}\}|\w{1,8})"
+    r"|['′]|[₀-₉]|[0-9]{1,2})"
+)
+_TERM_BEFORE = re.compile(
+    rf"(?<![A-Za-z\\])(?P<stem>[A-Za-z]){_SUBSCRIPT}(?:\s|~|\\[,;: ])*[+\-−](?:\s|~|\\[,;: ])*$"
+)
 _TERM_BEHIND = re.compile(rf"(?:\s|~|\\[,;: ])*[+\-−](?:\s|~|\\[,;: ])*(?P<stem>[A-Za-z]){_SUBSCRIPT}")
 _ALONE_BEFORE = re.compile(
-    rf"(?:^|[^\w\\}}])(?P<stem>[^\W\d_])(?P<below>{_SUBSCRIPT})?(?:\s|&|~)*(?:=|≈|\\approx)(?:\s|&|~|\\[,;: ])*$"
+    rf"(?:^|[^\w\\}}])(?P<stem>[^\W\d_])(?P<below>{_SUBSCRIPT})?"
+    r"(?:\s|&|~)*(?:=|≈|\\approx)(?:\s|&|~|\\[,;: ])*$"
 )
 _PRODUCT_BEFORE = re.compile(r"[A-Za-z}}](?:\s|~|\\[,;: ])*(?:[·⋅×*]|\\cdot|\\times)(?:\s|~|\\[,;: ])*$")
 _TERM_OF_SUM = re.compile(r"[A-Za-z}](?:\s|~|\\[,;: ])*[+\-−](?:\s|~|\\[,;: ])*$")
 _ENDS = re.compile(r"(?:\s|~|\\[,;: !]|\\right)*(?:[=≈.,;:)\]$+\-−]|\\(?:approx|q?quad|\\|\)|\])|$)")
 _HEADS_IN = {
-    "m": "lrsxyzabcdhDLRHBeuλfkpqtwδ", "s": "tTτ", "h": "tT", "N": "FNPRQSVGWTB", "g": "mMGab", "J": "JWEQAT",
-    "W": "PWQ", "K": "TKϑθ", "A": "IA", "V": "UV", "C": "QCT", "t": "mM", "T": "BT",
+    "m": "lrsxyzabcdhDLRHBeuλfkpqtwδ", "s": "tTτ", "h": "tT", "N": "FNPRQSVGWTB", "g": "mMGab",
+    "J": "JWEQAT", "W": "PWQ", "K": "TKϑθ", "A": "IA", "V": "UV", "C": "QCT", "t": "mM", "T": "BT",
 }  # fmt: skip
-"""Letters that may have a value in each unit: l = 2 m is a length, but M = 2 m twice the m of the page."""
+"""Letters that may have a value in each unit: l = 2 m is a length, but M = 2 m twice the page's m."""
 
 
 _LETTER_NAMED = re.compile(r"(?<=[^\W\d_]{3}[ ])([A-Za-z])(?: ?&)?[ ]?=(?!=)")
@@ -251,18 +257,16 @@ def is_multiple_of_letter(text: str, place: int, end: int) -> bool:
     (True, False)
     """
     letter = text[place : place + 1]
-    if letter not in _HEADS_IN or _ENDS.match(text, place + 1, max(end, place + 1)) is None:
-        return False
+    may_end = letter in _HEADS_IN and _ENDS.match(text, place + 1, max(end, place + 1)) is not None
     first = max(place - 120, text.rfind("\n", 0, place) + 1)
-    number = _MULTIPLE_BEFORE.search(text, first, place)
+    number = _MULTIPLE_BEFORE.search(text, first, place) if may_end else None
     if number is None:
         return False
     before = text[first : number.start()]
     terms = _TERM_BEFORE.search(before), _TERM_BEHIND.match(text, place + 1, end)
-    if letter not in "NJWKVCT" and any(term is not None and term["stem"] == letter for term in terms):
-        return True
     head = _ALONE_BEFORE.search(before)
-    if head is not None and head["stem"] == letter and head["below"] and letter not in "NJWKVCT":
+    kin = [term["stem"] for term in terms if term] + ([head["stem"]] if head and head["below"] else [])
+    if letter in kin and letter not in "NJWKVCT":  # N_2 = 3 N is a force
         return True
     if letter not in _letters_of_page(text) or number["decimal"]:
         return False

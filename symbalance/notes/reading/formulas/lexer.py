@@ -48,7 +48,9 @@ from symbalance.text import lazy_patterns as re
 LONGEST_EQUATION = 20_000
 """Characters of one equation: text that is no derivation must not cost minutes."""
 
-_DEGREE = re.compile(r"\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![A-Za-z]))|[°˚º]|度|\\degree(?![A-Za-z])")
+_DEGREE = re.compile(
+    r"\^\s*(?:\{(?:\s|\\[,;:! ])*\\circ\s*\}|\\circ(?![A-Za-z]))|[°˚º]|度|\\degree(?![A-Za-z])"
+)
 _NUMBER_WITH_E = re.compile(r"[0-9]+(?:\.[0-9]+)?[eE]([+-]?[0-9]{1,2})(?![0-9A-Za-z_.])")
 _SPACE = re.compile(
     r"(?:\\[,;:> \t\n]|\\(?:q?quad|enspace|enskip|thinspace|medspace|thickspace|hspace)(?![A-Za-z])|~)"
@@ -81,6 +83,8 @@ _ET_CETERA = re.compile(
 )
 """What stands for dots behind the last sign of a sum, in words: + etc., − &c., + u. s. w., + . . ."""
 _END_OF_CELL = re.compile(r"\s*(?:\\[,;: !]\s*)*(?:\\\\|\\end\s*\{|$)")
+_ARGUMENT_BEHIND = re.compile(r"\s*(?:\(|\\left\(|(?:\\[,;: ]|~|\s)+[0-9A-Za-z\\])")
+"""What a function is taken of: \\mathrm{arctg}\\, 1 is no product of five letters."""
 _OWN_FUNCTION = re.compile(r"(Re|Im|conj|lg)(?=\s*(?:[({]|\\left))|lg(?=\s+[0-9A-Za-z\\])")
 _WORD_FONTS = ("text", "textrm", "mbox")
 _UNIT_COMMANDS = ("mathrm", "unit", "si", *_WORD_FONTS)
@@ -706,7 +710,7 @@ class Lexer:
         return (
             len(letters) > 2
             and letters.isalpha()
-            and after.lstrip().startswith(("(", "\\left("))
+            and _ARGUMENT_BEHIND.match(after) is not None
             and not all(letter in self.words.names for letter in letters)
         )
 

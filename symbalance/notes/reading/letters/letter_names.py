@@ -25,7 +25,8 @@ _CANONICAL = re.compile(r"[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)+'*")
 _TOUCHING = re.compile(r"([A-Za-z0-9]+)(['′]*)")
 _PRIMES = re.compile(r"(?:['′’″]|\^\s*\{?\s*(?:\\prime\s*)+\}?)+")
 _NUMBERED = re.compile(
-    r"\s*\^\s*\{(?:\\[,;:! ]|\s)*(?:\\left)?\(\s*([0-9]{1,2}|[A-Za-z]|[IVX]{1,4})\s*(?:\\right)?\)\s*\}|⁽([⁰¹²³⁴-⁹ⁿⁱ]{1,2})⁾"
+    r"\s*\^\s*\{(?:\\[,;:! ]|\s)*(?:\\left)?\(\s*([0-9]{1,2}|[A-Za-z]|[IVX]{1,4})\s*(?:\\right)?\)\s*\}"
+    r"|⁽([⁰¹²³⁴-⁹ⁿⁱ]{1,2})⁾"
 )
 """The (2) of F^{(2)}: nobody writes a power so."""
 _ORDER = re.compile(

@@ -1,7 +1,7 @@
 r"""Letters in braces of their own, {S}_1, {\bf F}_2 and {\dot x}_1: the braces only set the letter.
 
-Braces that are an argument, as those of \frac{r}{l} and \vec{F}_1, or a script's, stay. Before an order in
-brackets those of an accent go too, so that \hat{F}^{(2)}_x is the letter that \hat F^{(2)}_x is, and no square.
+Braces that are an argument, as those of \frac{r}{l} and \vec{F}_1, or a script's, stay. Before an order
+in brackets those of an accent go too: \hat{F}^{(2)}_x is the letter \hat F^{(2)}_x, and no square.
 """
 
 from __future__ import annotations

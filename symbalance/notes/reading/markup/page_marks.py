@@ -127,13 +127,20 @@ def _outside_dollars(*texts: str | int) -> Callable[[re.Match[str]], Texts | Non
 _LETTER = r"(?:[A-Za-zα-ωΑ-Ωϕϑϵ]|&[A-Za-z]{2,7};)"
 _SCRIPT_BEHIND = r"(?:<su[bp]>|~[A-Za-z0-9,]{1,8}~|\^[-−+]?[A-Za-z0-9]{1,4}\^)"
 _SCRIPTS_OF_PROSE = (
-    _mark(rf"(?<![\w*_])(?P<sign>\*{{1,2}}|_)({_LETTER})(?P=sign)(?={_SCRIPT_BEHIND})", _outside_dollars(2)),
+    _mark(
+        rf"(?<![\w*_])(?P<sign>\*{{1,2}}|_)({_LETTER})(?P=sign)(?={_SCRIPT_BEHIND})", _outside_dollars(2)
+    ),
     _mark(
         r"(?<=[A-Za-zα-ωΑ-Ωϕϑϵ)0-9;])~([A-Za-z0-9]{1,8}(?:,[A-Za-z0-9]{1,6})?)~(?![A-Za-z0-9~])",
         _outside_dollars("_{", 1, "}"),
     ),
-    _mark(r"(?<=[A-Za-zα-ωΑ-Ωϕϑϵ)0-9;}])\^([-−+]?[A-Za-z0-9]{1,4})\^(?![A-Za-z0-9({^])", _outside_dollars("^{", 1, "}")),
-    _mark(r"(<su[bp]>)[*_]([A-Za-z0-9]{1,8})[*_](</su[bp]>)", lambda m: (m.span(1), m.span(2), m.span(3))),
+    _mark(
+        r"(?<=[A-Za-zα-ωΑ-Ωϕϑϵ)0-9;}])\^([-−+]?[A-Za-z0-9]{1,4})\^(?![A-Za-z0-9({^])",
+        _outside_dollars("^{", 1, "}"),
+    ),
+    _mark(
+        r"(<su[bp]>)[*_]([A-Za-z0-9]{1,8})[*_](</su[bp]>)", lambda m: (m.span(1), m.span(2), m.span(3))
+    ),
 )
 """Slanted letters with scripts, *F*<sub>2</sub>, and scripts by tildes and carets, F~2~ and x^2^."""
 _MARKDOWN = (

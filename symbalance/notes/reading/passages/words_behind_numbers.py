@@ -50,7 +50,7 @@ _GRAVITY = re.compile(
     r"|Schwerkraft|pesanteur|gravedad|gravità)(?![\w/*·^(])",
     re.IGNORECASE,
 )
-"""What a number divided by 9.81 is a multiple of; without the division it may be put in: 5 times gravity."""
+"""What a number divided by 9.81 is a multiple of; else it may be put in: 49 = 5 times gravity."""
 _SHARE = re.compile(rf"(?:of|von|de)\s+(?={_NAMED}\b)", re.IGNORECASE)
 _COMPUTED = re.compile(
     r"\b(?:root|square|squared|cube|cubed|sum|difference|product|quotient|ratio|reciprocal|inverse|sine|cosine"

