@@ -15,12 +15,16 @@ LETTERS = [
     ("The mass m = 3 kg.", "m_2 = 2 m", "m_2 = 6 kg"),
     ("The mass is $m$.", "$M = 4 m$", "$M - 3 m = m$"),
     ("The stroke is $s$.", r"$V = A \cdot 2 s$", r"$V = 2 A s$"),
+    ("s = 100 mm", "h = 0.5 s", "h = 50 mm"),
+    ("The masses $m$ and $g$.", "$F_g = 3 m g$", "$F_g/g = 3 m$"),
     ("Die Höhe $h$.", r"$x = (a + 2h)$", r"$x - h = a + h$"),
 ]
 UNITS = [
     ("The mass is $m$.", "$l = 0.25 m$", "$l = 250$ mm"),
     ("The mass is $m$.", "$x = 1.5 m + 0.5 m$", "$x = 2000$ mm"),
     ("", "F = 0.3 kN", "F/2 = 150 N"),
+    ("There are $N$ cylinders.", "Z = 3 N", "2 Z = 6 N"),
+    ("", r"$n = \frac{1500}{\mathrm{min}}$", r"$n = 25/\mathrm{s}$"),
 ]
 
 

@@ -137,11 +137,11 @@ def prepare(
     reader.apply(with_one_inline_mark(reader.text))
     macros = expand_macros(reader.text)
     reader.apply(macros.source)
-    for unwrap in (with_upright_parts, with_frames_opened, with_scripts_in_order):
-        reader.apply(unwrap(reader.text))
+    reader.apply(with_upright_parts(reader.text))
+    reader.apply(with_frames_opened(reader.text))
+    reader.apply(with_scripts_in_order(reader.text))
     own_letters = frozenset({"i"} if counts_by_i(reader.text) else ())
-    own_letters |= lengths_named(reader.text) | height_named(reader.text)
-    own_letters |= {"d"} if means_diameter(reader.text) else frozenset()
+    own_letters |= lengths_named(reader.text) | height_named(reader.text) | _diameters(reader.text)
     if means_letter(reader.text):
         own_letters |= {"e"}
         reader.apply(with_number_e(reader.text))
@@ -198,6 +198,11 @@ def prepare(
     return Source(
         current, kind, tuple(formulas), tuple(codes), reader.origin, refusals, reader.notes, own_letters
     )
+
+
+def _diameters(text: str) -> frozenset[str]:
+    """Return the letter d where a page means a diameter by it."""
+    return frozenset({"d"} if means_diameter(text) else ())
 
 
 def _masked(text: str, kind: str) -> tuple[str, list[Span], list[Span]]:

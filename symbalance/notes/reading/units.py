@@ -241,6 +241,10 @@ _LETTER_NAMED = re.compile(r"(?<=[^\W\d_]{3}[ ])([A-Za-z])(?: ?&)?[ ]?=(?!=)")
 """A letter behind the word that names it: the stroke s = 80 mm."""
 
 
+_SIDE_BY_SIDE = re.compile(r"[ms](?:[ ·⋅*][gsm])+")
+"""Letters in a row, 3 m g, of which nobody makes a unit; m s⁻² has an exponent."""
+
+
 @lru_cache(maxsize=8)
 def _letters_of_page(text: str) -> frozenset[str]:
     named = frozenset(match[1] for match in _LETTER_NAMED.finditer(text))
@@ -268,10 +272,13 @@ def is_multiple_of_letter(text: str, place: int, end: int) -> bool:
     kin = [term["stem"] for term in terms if term] + ([head["stem"]] if head and head["below"] else [])
     if letter in kin and letter not in "NJWKVCT":  # N_2 = 3 N is a force
         return True
-    if letter not in _letters_of_page(text) or number["decimal"]:
+    if letter not in _letters_of_page(text):
         return False
-    if head is not None:
-        return head["stem"] not in _HEADS_IN[letter]
+    if head is not None:  # a force or an energy may have any capital letter
+        is_sure = letter.islower() or head["stem"].islower() or bool(number["fraction"])
+        return is_sure and head["stem"] not in _HEADS_IN[letter]
+    if number["decimal"]:
+        return False
     return bool(number["fraction"]) or any(p.search(before) for p in (_PRODUCT_BEFORE, _TERM_OF_SUM))
 
 
@@ -476,6 +483,7 @@ class _PlainUnit:
         long_parts = [part for part in self.parts if len(part) > 1]
         is_own = (
             self.parts[0] == "us"
+            or _SIDE_BY_SIDE.fullmatch(self.word) is not None
             or (len(self.word) == 1 and is_multiple_of_letter(self.text, self.stop - 1, self.end))
             or self._is_own_letter_in_brackets()
             or self._is_letter_of_formulas()

@@ -10,11 +10,17 @@ from collections.abc import Callable
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.text import lazy_patterns as re
 
-_NUMBER_END = r"(?:(?<=[0-9])|(?<=\^\{[0-9]\})|(?<=[⁰¹²³⁴⁵⁶⁷⁸⁹]))(?<![A-Za-z_][0-9])(?<![^0-9.]1)"
+_NUMBER_END = (
+    r"(?:(?<=[0-9π])|(?<=\\pi)|(?<=\^\{[0-9]\})|(?<=[⁰¹²³⁴⁵⁶⁷⁸⁹]))(?<![A-Za-z_][0-9])(?<![^0-9.]1)"
+)
 _GAP = r"(?:[ ~\u2009\u202f]|\\[,;: ])?"
 _SET = re.compile(
     rf"{_NUMBER_END}{_GAP}(?:/{_GAP}\\(?:mathrm|text|textrm|mbox)\s?\{{|\\(?:mathrm|text|textrm|mbox)\s?\{{\s?/)"
     r"\s?(?P<unit>min|sec|s)\s?\}(?!\s?\^)"
+)
+_BELOW = re.compile(
+    r"\\[dt]?frac\s?\{(?P<number>[0-9][0-9.,]*(?:\{,\}[0-9]+)?)\}\s?"
+    r"\{\s?\\(?:mathrm|text|textrm|mbox)\s?\{\s?(?P<unit>min|sec|s)\s?\}\s?\}"
 )
 _TYPED = re.compile(rf"{_NUMBER_END}[ ]?/[ ]?(?P<unit>min|sec|s)(?![\w^'′(²³])(?!\.[0-9A-Za-z])")
 _FUNCTION_BEHIND = re.compile(r"\s?(?:_|\(|\\left)")
@@ -36,6 +42,9 @@ def with_units_below_strokes(
     >>> with_units_below_strokes("s = 90 mm, so 180/s = 2")
     """
     changes = {m.start(): (m.end(), rf"\,\mathrm{{1/{_short(m)}}}") for m in _SET.finditer(text)}
+    for match in _BELOW.finditer(text):
+        if match["number"] != "1":
+            changes[match.start()] = match.end(), rf"{match['number']}\,\mathrm{{1/{_short(match)}}}"
     for match in _TYPED.finditer(text):
         if _FUNCTION_BEHIND.match(text, match.end()):
             continue  # 3/min(a, b)
