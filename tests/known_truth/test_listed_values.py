@@ -77,3 +77,28 @@ def test_a_relation_is_judged_at_each_of_the_values(page, word, judge):
     ]
     words = [verdict for verdict in verdicts if verdict not in ("range", "premise")] or verdicts
     assert words[-1] == word
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["n = 1500–6000 rpm.", "n = 1500-6000 1/min.", "n = 1500--6000 1/min.", "$x = 3–5$ mm.", "x = 3–5."],
+)
+def test_a_dash_between_rising_numbers_is_a_range(tmp_path, line):
+    path = tmp_path / "page.md"
+    path.write_text(f"{line}\n", encoding="utf-8")
+    assert {verdict.verdict for verdict in check(path, fixes=False).verdicts} == {"range"}
+
+
+@pytest.mark.parametrize(
+    ("line", "value"),
+    [
+        ("x = 8–5.", "x = 3"),
+        ("x = 5-8.", "x = -3"),
+        ("x = 5–8 = -3.", "x = -3"),
+        ("x = 3 – 5.", "x = -2"),
+    ],
+)
+def test_a_minus_sign_between_numbers_is_none(tmp_path, line, value):
+    path = tmp_path / "page.md"
+    path.write_text(f"{line}\n\n{value}\n", encoding="utf-8")
+    assert check(path, fixes=False).verdicts[-1].verdict == "holds"

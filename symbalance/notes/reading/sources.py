@@ -48,6 +48,7 @@ from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.spellings.and_so_on import with_dots
 from symbalance.notes.reading.spellings.cases_in_words import with_conditions_apart
 from symbalance.notes.reading.spellings.division_colons import with_divisions
+from symbalance.notes.reading.spellings.joined_units import with_joined_units
 from symbalance.notes.reading.spellings.memberships import with_memberships
 from symbalance.notes.reading.spellings.multiples_in_words import with_multiples_in_signs
 from symbalance.notes.reading.spellings.numerals import with_plain_numerals
@@ -61,6 +62,7 @@ from symbalance.notes.reading.spellings.systems_in_braces import with_rows_of_re
 from symbalance.notes.reading.spellings.tables_of_quantities import with_equations_of_tables
 from symbalance.notes.reading.spellings.times_in_parts import with_times_in_one
 from symbalance.notes.reading.spellings.units_behind_waves import with_units_of_waves
+from symbalance.notes.reading.spellings.units_below_strokes import with_units_below_strokes
 from symbalance.notes.reading.spellings.wrapped_lines import SOFT_END, with_soft_ends
 from symbalance.notes.reading.units import height_named
 from symbalance.text import lazy_patterns as re
@@ -139,8 +141,7 @@ def prepare(
     reader.apply(with_frames_opened(reader.text))
     reader.apply(with_scripts_in_order(reader.text))
     own_letters = frozenset({"i"} if counts_by_i(reader.text) else ())
-    own_letters |= lengths_named(reader.text) | height_named(reader.text)
-    own_letters |= {"d"} if means_diameter(reader.text) else frozenset()
+    own_letters |= lengths_named(reader.text) | height_named(reader.text) | _diameters(reader.text)
     if means_letter(reader.text):
         own_letters |= {"e"}
         reader.apply(with_number_e(reader.text))
@@ -185,7 +186,9 @@ def prepare(
         reader.apply(with_points_left_out(reader.text))
         reader.apply_noted(with_scanned_letters(reader.text))
     reader.apply(with_compound_units(reader.text))
-    reader.apply_noted(with_plain_numerals(reader.text, is_letter))
+    reader.apply(with_units_below_strokes(reader.text, is_letter))
+    for noted in (with_joined_units, with_plain_numerals):
+        reader.apply_noted(noted(reader.text, is_letter))
     reader.apply(with_units_of_waves(reader.text, is_letter))
     if has_dollars:
         reader.apply(with_units_between_dollars(reader.text))
@@ -195,6 +198,11 @@ def prepare(
     return Source(
         current, kind, tuple(formulas), tuple(codes), reader.origin, refusals, reader.notes, own_letters
     )
+
+
+def _diameters(text: str) -> frozenset[str]:
+    """Return the letter d where a page means a diameter by it."""
+    return frozenset({"d"} if means_diameter(text) else ())
 
 
 def _masked(text: str, kind: str) -> tuple[str, list[Span], list[Span]]:

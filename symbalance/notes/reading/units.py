@@ -209,6 +209,81 @@ def speaks_of_grams(text: str) -> bool:
     return _OF_GRAMS.search(text) is not None and _OF_GRAVITY.search(text) is None
 
 
+_FRACTION_BEFORE = (
+    rf"(?:\\[dt]?frac\s?(?:\{{\s?[0-9]{{1,2}}\s?\}}\s?\{{\s?[0-9]{{1,2}}\s?\}}|[0-9]\s?[0-9])|[0-9]{{1,2}}/[0-9]{{1,2}}"
+    rf"|[{''.join(VULGAR)}])"
+)
+_MULTIPLE_BEFORE = re.compile(
+    rf"(?<![\w.,^_/])(?:(?P<fraction>{_FRACTION_BEFORE})|(?P<count>[0-9]{{1,2}})|(?P<decimal>[0-9]+[.,][0-9]+))"
+    r"(?:\s|~|\\[,;: ]|\\!)*$"
+)
+_SUBSCRIPT = (
+    r"(?:_(?:\{(?:[^{}]|\{[^{}]{0,20}\}){1,30}\}|\\[a-z]+\s?\{[^{}]{1,20}\}|\w{1,8})"
+    r"|['′]|[₀-₉]|[0-9]{1,2})"
+)
+_TERM_BEFORE = re.compile(
+    rf"(?<![A-Za-z\\])(?P<stem>[A-Za-z]){_SUBSCRIPT}(?:\s|~|\\[,;: ])*[+\-−](?:\s|~|\\[,;: ])*$"
+)
+_TERM_BEHIND = re.compile(rf"(?:\s|~|\\[,;: ])*[+\-−](?:\s|~|\\[,;: ])*(?P<stem>[A-Za-z]){_SUBSCRIPT}")
+_ALONE_BEFORE = re.compile(
+    rf"(?:^|[^\w\\}}])(?P<stem>[^\W\d_])(?P<below>{_SUBSCRIPT})?"
+    r"(?:\s|&|~)*(?:=|≈|\\approx)(?:\s|&|~|\\[,;: ])*$"
+)
+_PRODUCT_BEFORE = re.compile(r"[A-Za-z}}](?:\s|~|\\[,;: ])*(?:[·⋅×*]|\\cdot|\\times)(?:\s|~|\\[,;: ])*$")
+_TERM_OF_SUM = re.compile(r"[A-Za-z}](?:\s|~|\\[,;: ])*[+\-−](?:\s|~|\\[,;: ])*$")
+_ENDS = re.compile(r"(?:\s|~|\\[,;: !]|\\right)*(?:[=≈.,;:)\]$+\-−]|\\(?:approx|q?quad|\\|\)|\])|$)")
+_HEADS_IN = {
+    "m": "lrsxyzabcdhDLRHBeuλfkpqtwδ", "s": "tTτ", "h": "tT", "N": "FNPRQSVGWTB", "g": "mMGab",
+    "J": "JWEQAT", "W": "PWQ", "K": "TKϑθ", "A": "IA", "V": "UV", "C": "QCT", "t": "mM", "T": "BT",
+}  # fmt: skip
+"""Letters that may have a value in each unit: l = 2 m is a length, but M = 2 m twice the page's m."""
+
+
+_LETTER_NAMED = re.compile(r"(?<=[^\W\d_]{3}[ ])([A-Za-z])(?: ?&)?[ ]?=(?!=)")
+"""A letter behind the word that names it: the stroke s = 80 mm."""
+
+
+_SIDE_BY_SIDE = re.compile(r"[ms](?:[ ·⋅*][gsm])+")
+"""Letters in a row, 3 m g, of which nobody makes a unit; m s⁻² has an exponent."""
+
+
+@lru_cache(maxsize=8)
+def _letters_of_page(text: str) -> frozenset[str]:
+    named = frozenset(match[1] for match in _LETTER_NAMED.finditer(text))
+    return explained_letters(text) | letters_in_formulas(text) | _letters_with_values(text) | named
+
+
+def is_multiple_of_letter(text: str, place: int, end: int) -> bool:
+    r"""Tell whether the one letter at a place, behind a number, is no unit by the formula it ends.
+
+    It is a letter in a sum with its own kind, m_r + 0.5 m, and in m_2 = 2 m. It is one as well where the
+    page has it as a letter, and its number is a fraction or small: ½ m, A · 2 s, M = 4 m.
+
+    >>> is_multiple_of_letter("x = m_1 + 0.5 m", 14, 15), is_multiple_of_letter("l = 0.5 m", 8, 9)
+    (True, False)
+    """
+    letter = text[place : place + 1]
+    may_end = letter in _HEADS_IN and _ENDS.match(text, place + 1, max(end, place + 1)) is not None
+    first = max(place - 120, text.rfind("\n", 0, place) + 1)
+    number = _MULTIPLE_BEFORE.search(text, first, place) if may_end else None
+    if number is None:
+        return False
+    before = text[first : number.start()]
+    terms = _TERM_BEFORE.search(before), _TERM_BEHIND.match(text, place + 1, end)
+    head = _ALONE_BEFORE.search(before)
+    kin = [term["stem"] for term in terms if term] + ([head["stem"]] if head and head["below"] else [])
+    if letter in kin and letter not in "NJWKVCT":  # N_2 = 3 N is a force
+        return True
+    if letter not in _letters_of_page(text):
+        return False
+    if head is not None:  # a force or an energy may have any capital letter
+        is_sure = letter.islower() or head["stem"].islower() or bool(number["fraction"])
+        return is_sure and head["stem"] not in _HEADS_IN[letter]
+    if number["decimal"]:
+        return False
+    return bool(number["fraction"]) or any(p.search(before) for p in (_PRODUCT_BEFORE, _TERM_OF_SUM))
+
+
 _SECOND_VALUE = re.compile(r"\s*\(\s*[0-9][0-9.,]*\s*[A-Za-zµ/²³^0-9]{1,8}\.?\s*\)")
 """The same quantity once more behind a unit: 6217 N (6.2 kN)."""
 _STOPS = "=≈≒≃<>≤≥≡+-−–·×*/÷)]},;.:!?|&、。，；：…"
@@ -410,6 +485,8 @@ class _PlainUnit:
         long_parts = [part for part in self.parts if len(part) > 1]
         is_own = (
             self.parts[0] == "us"
+            or _SIDE_BY_SIDE.fullmatch(self.word) is not None
+            or (len(self.word) == 1 and is_multiple_of_letter(self.text, self.stop - 1, self.end))
             or self._is_own_letter_in_brackets()
             or self._is_letter_of_formulas()
             or (self.parts == ["h"] and "h" in height_named(self.text))
@@ -445,7 +522,7 @@ class _PlainUnit:
 
         Of units, each term would have one, or the bracket one behind it.
         """
-        if len(self.word) > 1 or self.word not in _letters_with_values(self.text):
+        if len(self.word) > 1 or self.word not in _letters_of_page(self.text):
             return False
         opened = _SUM_BEFORE.search(self.text[max(self.place - 80, 0) : self.place])
         closed = _CLOSED.match(self.text, self.stop, self.end)

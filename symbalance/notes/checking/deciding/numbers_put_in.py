@@ -109,7 +109,8 @@ def counted_things(text: str) -> frozenset[int]:
 
 _COUNTED = re.compile(
     r"(?<![0-9.,])(?P<number>[0-9]{1,9})\$?[ ~]?\$?(?:firing |power |full |Zünd-?|volle )?"
-    r"(?:cylinders?|teeth|tooth|pulses?|firings?|throws?|pistons?|engines?|bolts?|balls?|pieces?|times"
+    r"(?:cylinders?|teeth|tooth|pulses?|firings?|throws?|pistons?|engines?|bolts?|balls?|pieces?"
+    r"|times(?!\s+(?!(?:per|an?|each|every|in|during|within|one)\b)[\w$])"  # how often, and no multiple
     r"|Zylinder|Zähnen?|Zündungen|Kolben|Kröpfungen|Stück|気筒|歯|個|本|回(?!転))"
 )
 

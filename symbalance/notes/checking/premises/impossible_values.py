@@ -69,6 +69,9 @@ def _refuse_by_name(name: str, value: Formula, knowledge: Knowledge) -> Decision
     base = knowledge.definitions.get(bare)
     if bare != name and name not in knowledge.letters and base is not None and len(names(base.node)) == 1:
         (variable,) = names(base.node)
+        given = knowledge.definitions.get(variable)
+        if given is not None and not names(given.node) and not names(value):
+            return None  # σ_W' beside σ_W = 0.45 R_m: of R_m = 900 MPa nothing is a derivative
         slope = Derivative(base.node, Name(variable), len(name) - len(bare))
         if decide(lone_side(slope), lone_side(value), "=", knowledge).status == REFUTED:
             reason = f"not the derivative of {bare} by {plain_text(Name(variable))}"

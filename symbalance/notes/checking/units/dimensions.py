@@ -22,6 +22,7 @@ from symbalance.document.wordlists import words
 from symbalance.notes.checking.declared.symbol_roles import FROM_MIDDLE, FROM_PIN, FROM_TOP, role_of
 from symbalance.notes.checking.units.sizes_by_words import unit_by_words
 from symbalance.notes.reading.markup import siunitx
+from symbalance.notes.reading.spellings.joined_units import may_be_of_milliseconds, signs_apart
 from symbalance.notes.reading.spellings.numerals import sign_of_unit
 from symbalance.notes.reading.units import GRAVITY
 from symbalance.text import lazy_patterns as re
@@ -162,7 +163,9 @@ def unit_of(text: str) -> Dimension | None:
     >>> unit_text(unit_of("kg mm")), unit_text(unit_of("N/mm^2")), unit_of("lever")
     ('kg m', 'kg m⁻¹ s⁻²', None)
     """
-    plain = re.sub(r"\s*/\s*", " / ", text.translate(_SIGNS).strip().strip("[]()"))
+    if may_be_of_milliseconds(text):
+        return None
+    plain = re.sub(r"\s*/\s*", " / ", signs_apart(text).translate(_SIGNS).strip().strip("[]()"))
     total, sign = list(NONE), 1
     words = plain.split()
     if not words or len(words) > 12:

@@ -59,7 +59,9 @@ def with_speeds(document: ReadNotes, symbols_at: Symbols) -> ReadNotes:
         chain.sides[0].node.name
         for chain in document.chains
         for side in chain.sides[1:]
-        if isinstance(chain.sides[0].node, Name) and not _BY_NUMBER.isdisjoint(_factors_above(side.node))
+        if isinstance(chain.sides[0].node, Name)
+        and not _is_quantity(side.node)  # the 30 of Δn = 30 rpm turns no seconds into minutes
+        and not _BY_NUMBER.isdisjoint(_factors_above(side.node))
     }
     stems = {_stem(name) for name in numbers if _stem(name) not in ANGULAR_LETTERS}
     speeds = {

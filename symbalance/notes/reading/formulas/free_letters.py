@@ -60,6 +60,8 @@ def may_be_free(
         before = None  # r ω² d: the 2 is no number that a unit stands behind
     is_last = place >= len(tokens) or tokens[place].kind in ("sep", "close")
     is_word = tokens[place - 1].end - start == len(name)  # 20 psi, but 2\psi and 2ψ
+    if tokens[place - 1].counted:
+        return True
     if is_last and is_word and before is not None and before.kind in ("number", "vulgar"):
         is_letter = not scale_of(name) or (name in known and (before.end == start or name == "h"))
         return is_letter and (name != "d" or name in known)  # 3 N, but 2 m r

@@ -36,6 +36,7 @@ from symbalance.notes.reading.letters.letter_names import (
 from symbalance.notes.reading.units import (
     Scale,
     bracketed_unit_at,
+    is_multiple_of_letter,
     is_set_apart,
     plain_unit_at,
     scale_of,
@@ -47,7 +48,9 @@ from symbalance.text import lazy_patterns as re
 LONGEST_EQUATION = 20_000
 """Characters of one equation: text that is no derivation must not cost minutes."""
 
-_DEGREE = re.compile(r"\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![A-Za-z]))|[°˚º]|度|\\degree(?![A-Za-z])")
+_DEGREE = re.compile(
+    r"\^\s*(?:\{(?:\s|\\[,;:! ])*\\circ\s*\}|\\circ(?![A-Za-z]))|[°˚º]|度|\\degree(?![A-Za-z])"
+)
 _NUMBER_WITH_E = re.compile(r"[0-9]+(?:\.[0-9]+)?[eE]([+-]?[0-9]{1,2})(?![0-9A-Za-z_.])")
 _SPACE = re.compile(
     r"(?:\\[,;:> \t\n]|\\(?:q?quad|enspace|enskip|thinspace|medspace|thickspace|hspace)(?![A-Za-z])|~)"
@@ -80,6 +83,8 @@ _ET_CETERA = re.compile(
 )
 """What stands for dots behind the last sign of a sum, in words: + etc., − &c., + u. s. w., + . . ."""
 _END_OF_CELL = re.compile(r"\s*(?:\\[,;: !]\s*)*(?:\\\\|\\end\s*\{|$)")
+_ARGUMENT_BEHIND = re.compile(r"\s*(?:\(|\\left\(|(?:\\[,;: ]|~|\s)+[0-9A-Za-z\\])")
+"""What a function is taken of: \\mathrm{arctg}\\, 1 is no product of five letters."""
 _OWN_FUNCTION = re.compile(r"(Re|Im|conj|lg)(?=\s*(?:[({]|\\left))|lg(?=\s+[0-9A-Za-z\\])")
 _WORD_FONTS = ("text", "textrm", "mbox")
 _UNIT_COMMANDS = ("mathrm", "unit", "si", *_WORD_FONTS)
@@ -94,6 +99,7 @@ class Token:
     case: even, odd, mod), differential (the d x of an integral). `sub` carries a subscript that follows
     something other than a letter; `under` is a bare underscore after a sum sign or a
     function. `spaced` tells of a space typed as such before it.
+    `counted` marks a letter behind a number that is no unit there, by the formula around it.
     `scale` is what the unit behind it multiplies it by, 0 where that is not sure. `upright` marks the e
     of e^{i φ} where a letter e is declared.
     """
@@ -108,6 +114,7 @@ class Token:
     scale: Fraction | None = None
     is_demanded: bool = False
     upright: bool = False
+    counted: bool = False
 
     def moved(self, offset: int) -> Token:
         """Return the token so many characters further on."""
@@ -509,6 +516,8 @@ class Lexer:
         if name in ("Delta", "delta") and (after := self._difference(name, stop)):
             name, stop = after
         self._add("name", name, stop)
+        if len(name) == 1 and is_multiple_of_letter(self.text, stop - 1, self.end):
+            self.tokens[-1] = replace(self.tokens[-1], counted=True)
 
     def _difference(self, name: str, stop: int) -> tuple[str, int] | None:
         match = _DIFFERENCE.match(self.text, stop, self.end)
@@ -704,7 +713,7 @@ class Lexer:
         return (
             len(letters) > 2
             and letters.isalpha()
-            and after.lstrip().startswith(("(", "\\left("))
+            and _ARGUMENT_BEHIND.match(after) is not None
             and not all(letter in self.words.names for letter in letters)
         )
 

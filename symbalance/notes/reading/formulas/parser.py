@@ -758,16 +758,29 @@ class Parser:
         first = self.place
         function = self.take()
         power = self._function_power(function.value) or self._lowered_power(function)
+        name = function.value
         if self.at("under"):
-            raise ReadingError(self.offset, "a logarithm's base is not read", "write log x / log b")
+            if name not in ("log", "lg") or not self._is_of_ten():
+                raise ReadingError(self.offset, "a logarithm's base is not read", "write log x / log b")
+            name = "lg"
         self.exponentials += function.value == "exp"
         argument = self.call_argument(function.value)
         self.exponentials -= function.value == "exp"
-        name = function.value
+        if name == "log" and self.choose() == 1:
+            name = "lg"  # an engineer's log 100 = 2
         if power is not None and _is_minus_one(power):
             name, power = self._inverse(name), None
         node = Call(name, argument, span=self.span_since(first))
         return node if power is None else Power(node, power, span=node.span)
+
+    def _is_of_ten(self) -> bool:
+        """Go past the base of log_{10}, if it is ten."""
+        braced = (following := self.peek(1)) is not None and following.value == "{"
+        base, closer = self.peek(1 + braced), self.peek(3)
+        if base is None or base.number != 10 or (braced and (closer is None or closer.value != "}")):
+            return False
+        self.place += 4 if braced else 2
+        return True
 
     def _function_power(self, function: str) -> Formula | None:
         if not self.at("sup"):

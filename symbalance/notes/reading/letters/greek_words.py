@@ -15,9 +15,12 @@ from symbalance.text import lazy_patterns as re
 _SIGNS = {**GREEK_SIGN, **{short: GREEK_SIGN[name] for short, name in SHORT_NAMES.items()}}
 _WORDS = sorted((name for name in _SIGNS if name not in ("pi", "ell")), key=len, reverse=True)
 _WORD = re.compile(
-    rf"(?<![A-Za-z\\_{{])(?P<name>{'|'.join(_WORDS)})(?![A-Za-z{{'’]|_(?![A-Za-z0-9]{{1,8}}(?![\w{{])))"
+    rf"(?<![A-Za-z\\_{{])(?P<name>{'|'.join(_WORDS)})(?![A-Za-z{{]|['’][A-Za-z]|_(?![A-Za-z0-9]{{1,8}}(?![\w{{])))"
 )
-_AFTER = re.compile(r"[0-9]|_\w{1,8}[ \t]*[=≈^*·/+²³<>≤≥)]|[ \t]*[=≈^*·/+²³<>≤≥)]|[ \t]+-[ \t]")
+_AFTER = re.compile(
+    r"[0-9]|(?:_\w{1,8})?['′’]{0,3}[ \t]*[=≈^*·/+²³<>≤≥)]"
+    r"|['′’]{1,3}_\w{1,8}[ \t]*[=≈^*·/+²³<>≤≥)]|[ \t]+-[ \t]"
+)
 _BEFORE = re.compile(r"[0-9=≈*·/+(<>≤≥−][ \t]*$|[ \t]-[ \t]*$")
 
 
@@ -28,7 +31,9 @@ def with_greek_words(
 
     >>> with_greek_words("also lambda=r/l, cos(2phi)").text
     'also λ=r/l, cos(2φ)'
-    >>> with_greek_words("the angle theta of phi") is None
+    >>> with_greek_words("sigma_W' = 0.85*sigma_W").text
+    "σ_W' = 0.85*σ_W"
+    >>> with_greek_words("the angle theta of phi, and theta's cosine") is None
     True
     """
     formulas = marked_formulas(text)

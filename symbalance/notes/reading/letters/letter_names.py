@@ -25,7 +25,8 @@ _CANONICAL = re.compile(r"[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)+'*")
 _TOUCHING = re.compile(r"([A-Za-z0-9]+)(['′]*)")
 _PRIMES = re.compile(r"(?:['′’″]|\^\s*\{?\s*(?:\\prime\s*)+\}?)+")
 _NUMBERED = re.compile(
-    r"\s*\^\s*\{\s*(?:\\left)?\(\s*([0-9]{1,2}|[A-Za-z]|[IVX]{1,4})\s*(?:\\right)?\)\s*\}|⁽([⁰¹²³⁴-⁹ⁿⁱ]{1,2})⁾"
+    r"\s*\^\s*\{(?:\\[,;:! ]|\s)*(?:\\left)?\(\s*([0-9]{1,2}|[A-Za-z]|[IVX]{1,4})\s*(?:\\right)?\)\s*\}"
+    r"|⁽([⁰¹²³⁴-⁹ⁿⁱ]{1,2})⁾"
 )
 """The (2) of F^{(2)}: nobody writes a power so."""
 _ORDER = re.compile(
@@ -132,12 +133,14 @@ def with_scripts(
             subscript, stop = after
         else:
             break
-    if match := _NUMBERED.match(text, stop, end):
-        number = match[1] or "".join(RAISED[sign] for sign in match[2])
-        stop = match.end()
+    if order := order_at(text, stop, end):
+        number, stop = order
         if not subscript and (after := subscript_at(text, stop, end, base, names)):
             subscript, stop = after
         subscript = f"{subscript},({number})" if subscript else f"({number})"
+        if match := _PRIMES.match(text, stop, end):
+            primes += len(re.findall(r"\\prime|['′’]", match.group())) + 2 * match.group().count("″")
+            stop = match.end()
     return base + (f"_{subscript}" if subscript else "") + "'" * primes, stop
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from symbalance.document.letters import GREEK_SIGN
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.text import lazy_patterns as re
 
@@ -109,7 +110,41 @@ _TEX = (
     ),
     _mark(r"\\colon(?![A-Za-z])(?=\s*=)", lambda m: (":",)),
 )  # fmt: skip
+
+
+def _outside_dollars(*texts: str | int) -> Callable[[re.Match[str]], Texts | None]:
+    """Return what writes texts and groups for a mark in prose; between dollars it stays as it is."""
+
+    def write(match: re.Match[str]) -> Texts | None:
+        before = match.string[match.string.rfind("\n", 0, match.start()) + 1 : match.start()]
+        if before.replace("\\$", "").count("$") % 2:
+            return None
+        return tuple(match.span(part) if isinstance(part, int) else part for part in texts)
+
+    return write
+
+
+_LETTER = r"(?:[A-Za-zα-ωΑ-Ωϕϑϵ]|&[A-Za-z]{2,7};)"
+_SCRIPT_BEHIND = r"(?:<su[bp]>|~[A-Za-z0-9,]{1,8}~|\^[-−+]?[A-Za-z0-9]{1,4}\^)"
+_SCRIPTS_OF_PROSE = (
+    _mark(
+        rf"(?<![\w*_])(?P<sign>\*{{1,2}}|_)({_LETTER})(?P=sign)(?={_SCRIPT_BEHIND})", _outside_dollars(2)
+    ),
+    _mark(
+        r"(?<=[A-Za-zα-ωΑ-Ωϕϑϵ)0-9;])~([A-Za-z0-9]{1,8}(?:,[A-Za-z0-9]{1,6})?)~(?![A-Za-z0-9~])",
+        _outside_dollars("_{", 1, "}"),
+    ),
+    _mark(
+        r"(?<=[A-Za-zα-ωΑ-Ωϕϑϵ)0-9;}])\^([-−+]?[A-Za-z0-9]{1,4})\^(?![A-Za-z0-9({^])",
+        _outside_dollars("^{", 1, "}"),
+    ),
+    _mark(
+        r"(<su[bp]>)[*_]([A-Za-z0-9]{1,8})[*_](</su[bp]>)", lambda m: (m.span(1), m.span(2), m.span(3))
+    ),
+)
+"""Slanted letters with scripts, *F*<sub>2</sub>, and scripts by tildes and carets, F~2~ and x^2^."""
 _MARKDOWN = (
+    *_SCRIPTS_OF_PROSE,
     _mark(r"\A---[ \t]*\n(?:[^\n]*\n){0,40}?---[ \t]*$", _blank),
     _mark(r"(?:^|(?<=\s))==(?=[^\s=])([^\n]{1,300}?)(?<=[^\s=])==(?=[\s.,;:)]|$)", _first_group),
     _mark(r"(?<!\\)%%[^\n%]{1,400}%%", _blank),
@@ -121,6 +156,7 @@ _REMARKS = (
     _mark(  # and above another line that is quoted, or alone, a line without words: > 3 x, >
         r"^[ ]{0,4}(?:>[ ]?)+(?!=)(?=[^\n]*(?:[^\W\d_]{2}|[=≈])|[^\n]*\n>(?!=)|[ \t]*$)", _blank
     ),
+    _mark(r"^--[ ]?$", _blank),
     _mark(r"\[/?quote\b[^\]\n]{0,60}\]", lambda m: (" ; ",)),
     _mark(r"^={2,}[ \t]+([^\n=]*?)[ \t]+={2,}[ \t]*$", _first_group),
 )
@@ -166,6 +202,9 @@ _ORG = (
     _mark(r"\|", lambda m: ("\ue000",)),
 )
 _REST = (
+    _mark(r"(?:\\[ ])?:sub:`([^`\n]{1,40})`(?:\\[ ])?", lambda m: ("_{", m.span(1), "}")),
+    _mark(r"(?:\\[ ])?:sup:`([^`\n]{1,40})`(?:\\[ ])?", lambda m: ("^{", m.span(1), "}")),
+    _mark(rf"\|({'|'.join(sorted(GREEK_SIGN, key=len, reverse=True))})\|", _first_group),
     _mark(r"^([ \t]*)\.\. (?:code-block|code|sourcecode|literalinclude|highlight)::[^\n]*\n"
           r"(?:[ \t]*\n|\1[ \t]+[^\n]*(?:\n|\Z))*", _blank),
     _mark(r":math:`([^`]{1,2000})`", _in_dollars),
@@ -176,6 +215,7 @@ _REST = (
 _BY_KIND = {
     "tex": (_TEX,),
     "markdown": (_TEX[len(_SLIDES) :], _MARKDOWN),
+    "asciidoc": (_SCRIPTS_OF_PROSE,),
     "html": (_WORD,),
     "plain": (_REMARKS, _FORUM),
 }

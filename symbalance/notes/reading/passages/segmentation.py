@@ -448,17 +448,31 @@ class ItemFinder:
 _NEXT_LETTER = re.compile(r",\s+(?!π)[^\W\d](?:_\{[^{}]{1,12}\}|_?\w{1,3}|[₀-₉]+)?\s*$")
 
 
-_NAMED_LETTER = re.compile(r"(?!π)[^\W\d](?:_\{[^{}]{1,12}\}|_?\w{1,3}|[₀-₉]+)?,\s+")
+_NEXT_CLAUSE = re.compile(
+    r";\s+(?!π)[^\W\d](?:_\{[^{}]{1,12}\}|_?\w{1,3}|[₀-₉]+)?(?:\s*,\s+[^\W\d](?:_\{[^{}]{1,12}\}|_?\w{1,3}|[₀-₉]+)?){1,6}\s*$"
+)
+_NAMED_LETTER = re.compile(r"((?!π)[^\W\d](?:_\{[^{}]{1,12}\}|_?\w{1,3}|[₀-₉]+)?)\s*,\s+")
 _WORD_BEFORE = re.compile(r"([^\W\d_]{3,})\s+$")
 
 
 def _behind_named_letter(text: str, start: int, end: int) -> int:
-    """Return where λ = l/r begins in "crank radius r, λ = l/r": the letter before it is the noun's."""
-    match = _NAMED_LETTER.match(text, start, end)
-    word = _WORD_BEFORE.search(text, max(start - MARGIN, 0), start)
-    if match is None or word is None or word[1].lower() in _VERBS | _PARTICLES:
+    """Return where λ = l/r begins in "crank radius r, λ = l/r" and "r is the radius, l, λ = r/l".
+
+    The letter before it is the noun's, or one that its right side is made of. In x, y = 0 both are 0.
+    """
+    listed, place = [], start
+    while match := _NAMED_LETTER.match(text, place, end):
+        listed.append(match[1])
+        place = match.end()
+    if not listed or not has_relation(text, place, end):
         return start
-    return match.end() if has_relation(text, match.end(), end) else start
+    word = _WORD_BEFORE.search(text, max(start - MARGIN, 0), start)
+    if len(listed) == 1 and word is not None and word[1].lower() not in _VERBS | _PARTICLES:
+        return place
+    relation = RELATION.search(text, place, end)
+    right = text[relation.end() : end] if relation else ""
+    is_made_of = all(re.search(rf"(?<![^\W\d]){re.escape(name)}(?![^\W\d])", right) for name in listed)
+    return place if is_made_of else start
 
 
 _LABEL = re.compile(r"(?:(?<=[a-z][ ])pins?[ ]+|[a-z]{3,}[ ]{3,})(?=[^\W\d_]\w*[ ]*[=≈])")
@@ -473,6 +487,9 @@ def _behind_label(text: str, start: int, end: int) -> int:
 
 def _before_next_letter(text: str, start: int, end: int) -> int:
     """Return where λ = r/l ends in "λ = r/l, m the mass": the words behind the comma are about m."""
+    clause = _NEXT_CLAUSE.search(text, start, end)
+    if clause and has_relation(text, start, clause.start()):
+        return clause.start()  # λ = r/l; a, b and c are …
     match = _NEXT_LETTER.search(text, start, end)
     follows = re.match(r"\s+(?!(?:and|or|are|und|oder|sind|bzw)\b)[^\W\d_]{2}", text[end : end + 40])
     return match.start() if match and follows and has_relation(text, start, match.start()) else end

@@ -4,6 +4,7 @@
     1/4 = 25 % of the first order       √2 ≈ 1.414 mal so groß
     6/2 = 3 times per revolution        6/2 = 3 mal pro Umdrehung
     4973/670 ≈ 7.42 times the speed     a quotient, whose decimal is whole
+    12991/9.81 ≈ 1324 times gravity     a quotient by what the words name
 
 Both sides are numbers, so the relation is whole without the words. With a letter on a side it is not: F =
 4 times that of one cylinder gives F no value of 4. So it is with 2 + 3 = 5 times the mass, which goes on.
@@ -39,6 +40,17 @@ _RATIO = re.compile(
     r"[^=≈]{1,40}(?:/|\\[dt]?frac)[^=≈]{1,40}(?:[=≈]|\\approx(?![A-Za-z]))\s*[0-9]+[.,][0-9]+\s*\$?"
 )
 """A quotient with its decimal, which words can only say to be a multiple of something."""
+_OVER_GRAVITY = re.compile(
+    r"[^=≈]{1,60}(?:/|÷|\}\s?\{)\s?(?:9[.,]8[0-9]{0,4}|9\{,\}8[0-9]{0,4}|10)\s?\}?\s?(?:[=≈]|\\approx(?![A-Za-z]))"
+    r"\s*[0-9][0-9.,]*\s*\$?"
+)
+_GRAVITY = re.compile(
+    r"(?:times|mal|fois|veces|volte)\s+(?:(?:the|die|der|la|l')\s?)?(?:normal\s+|own\s+|earth(?:'s|’s)?\s+)?"
+    r"(?:acceleration\s+(?:of|due\s+to)\s+)?(?:gravity|(?:the\s+)?weight|g|Erdbeschleunigung|Fallbeschleunigung"
+    r"|Schwerkraft|pesanteur|gravedad|gravità)(?![\w/*·^(])",
+    re.IGNORECASE,
+)
+"""What a number divided by 9.81 is a multiple of; else it may be put in: 49 = 5 times gravity."""
 _SHARE = re.compile(rf"(?:of|von|de)\s+(?={_NAMED}\b)", re.IGNORECASE)
 _COMPUTED = re.compile(
     r"\b(?:root|square|squared|cube|cubed|sum|difference|product|quotient|ratio|reciprocal|inverse|sine|cosine"
@@ -63,6 +75,8 @@ def says_multiple_of(text: str, start: int, end: int, behind: str) -> bool:
     False
     """
     lead = _MULTIPLE.match(behind)
+    if lead is None and _OVER_GRAVITY.fullmatch(text, start, end):
+        lead = _GRAVITY.match(behind)
     if lead is None and _RATIO.fullmatch(text, start, end):
         lead = _TIMES.match(behind)
     if lead is None and text[end - 1 : end] == "%":

@@ -42,6 +42,13 @@ _POINTED_WITH_COMMA = re.compile(
     _APART + r"(?<!_\{)([1-9][0-9]{0,2}(?:\.[0-9]{3}){1,4}),([0-9]{1,6})(?![0-9A-Za-z]|[.,][0-9])"
 )
 """4.663,5 has points between thousands and a decimal comma, whatever the rest of the page has."""
+_THIN_THOUSANDS = re.compile(
+    r"(?<![\w.,\\\u2009\u202f])[1-9][0-9]{0,2}(?:[\u2009\u202f][0-9]{3})+(?![0-9\u2009\u202f][0-9])(?![0-9])"
+)
+_APOSTROPHES = re.compile(
+    r"(?<![\w.,\\°'’])[1-9][0-9]{0,2}(?:['’][0-9]{3})+(?![0-9A-Za-z'’″]|[.,][0-9]*['’])(?:\.[0-9]+)?"
+)
+"""1'234'567 as the Swiss write it."""
 _LANGUAGES = re.compile(
     r"\b(?:und|der|die|das|ist|mit|für|wird|bei|les|des|est|avec|pour|donc|los|las|para|con|della|per|che"
     r"|het|een|voor|och|med|jest|oraz|dla)\b"
@@ -157,7 +164,18 @@ def with_plain_numerals(
     }
     _note(notes, "points between thousands", both, text)
     changes |= both
-    changes |= _scanned(text, is_letter, notes)
+    swiss = {m.start(): (m.end(), re.sub("['’]", "", m[0])) for m in _APOSTROPHES.finditer(text)}
+    _note(notes, "apostrophes between thousands", swiss, text)
+    changes |= swiss
+    thin = {
+        m.start(): (m.end(), re.sub("[\u2009\u202f]", "", m[0])) for m in _THIN_THOUSANDS.finditer(text)
+    }
+    changes |= {start: change for start, change in thin.items() if start not in changes}
+    scanned = _scanned(text, is_letter, notes)
+    for start, (end, written) in scanned.items():
+        whole, comma, part = written.partition(",")
+        is_decimal = comma and (commas or (whole.strip("0") == "" and len(part) > 1))
+        changes[start] = end, f"{whole}.{part}" if is_decimal else written
     changes |= _dashes(text, notes)
     changes |= {m.start(): (m.end(), "≈") for m in _NEARLY.finditer(text)}
     changes |= {m.start(): (m.end(), "±") for m in _PLUS_MINUS.finditer(text)}

@@ -27,6 +27,16 @@ _RANGE = re.compile(
     rf"(?:{_DOTS}|(?:\\text\s*\{{\s*)?\b(?:to|bis)\b(?:\s*\}})?)\s*"
     rf"(?P<last>{_NUMBER})(?:{_UNIT})?{_NOT_BEFORE_FORMULA}"
 )
+_UNIT_OF_SPAN = (
+    r"(?P<unit>(?:\\[,;: ]|~|[ ])*(?:\\(?:mathrm|text)\s?\{[^{}]{1,12}\}(?:\^\{?[-−]?[1-3]\}?)?"
+    r"|(?:(?:[1U]|rev|r)/min|min(?:⁻¹|\^\{?[-−]1\}?)|1/s|s⁻¹|rpm|[kM]?Hz|[kMm]?N(?:m|/mm²)?|k?W|bar|[kM]Pa|GPa|[cmk]?m|k?g|s|PS|%|°)"
+    r"(?![A-Za-z0-9^²³/])))"
+)
+_SPAN = re.compile(
+    rf"{_HEAD}(?P<first>{_NUMBER})(?P<dash>–|--|-)"
+    rf"(?P<last>{_NUMBER.replace('[-−]?', '')})(?:{_UNIT_OF_SPAN})?{_NOT_BEFORE_FORMULA}"
+)
+"""From one number to a larger one, n = 1500–6000 rpm: a hyphen needs the unit, or it is a minus sign."""
 _COMMA = (
     r"\s*(?:[,;、]|\\text\s*\{\s*(?:and|or|und|oder)\s*\}|(?<=\s)(?:and|or|und|oder)(?=\s))"
     r"(?:\s|\\[,; ])*"
@@ -68,6 +78,8 @@ def with_ranges(text: str) -> tuple[Rewritten | None, tuple[str, ...]]:
 
     >>> with_ranges("n = 1, 2, …")[0].text, with_ranges("n = 1, m = 2")[0]
     ('n ≥ 1', None)
+    >>> with_ranges("n = 1500–6000 rpm")[0].text, with_ranges("x = 5-8 = -3")[0]
+    ('1500 rpm ≤ n ≤ 6000 rpm', None)
     """
     program = [match.span() for match in _PROGRAM.finditer(text)]
     changes: dict[int, tuple[int, str]] = {}
@@ -79,6 +91,14 @@ def with_ranges(text: str) -> tuple[Rewritten | None, tuple[str, ...]]:
             )
             first = f"{match['first']}{match['one'] or unit}{'°' if has_degrees else ''}"
             changes[match.start()] = match.end(), f"{first} ≤ {match['letter']} ≤ {match['last']}{unit}"
+    for match in _SPAN.finditer(text):
+        is_new = not any(start <= match.start() < change[0] for start, change in changes.items())
+        if is_new and _stands_first(text, match) and _ascends(match):
+            unit = match["unit"] or ""
+            changes[match.start()] = (
+                match.end(),
+                f"{match['first']}{unit} ≤ {match['letter']} ≤ {match['last']}{unit}",
+            )
     for match in _LIST.finditer(text):
         is_new = not any(start <= match.start() < change[0] for start, change in changes.items())
         if is_new and (match["rest"] or match["dots"]) and _stands_first(text, match):
@@ -105,6 +125,14 @@ def _stands_first(text: str, match: re.Match[str]) -> bool:
     """Tell whether the letter is all of its side, and no bound of a sum."""
     before = text[max(match.start() - _LONGEST_BEFORE, 0) : match.start()]
     return _OPERATOR_BEFORE.search(before) is None
+
+
+def _ascends(match: re.Match[str]) -> bool:
+    """Tell whether a dash stands between two numbers of which the second is larger, and no minus sign."""
+    if match["dash"] == "-" and not match["unit"]:
+        return False
+    plain = [match[part].replace("{,}", ".").rstrip("°") for part in ("first", "last")]
+    return all(re.fullmatch(r"[0-9.]+", number) for number in plain) and float(plain[0]) < float(plain[1])
 
 
 def _turned_through(match: re.Match[str], plain: list[str], bare: list[str]) -> str | None:
@@ -147,6 +175,8 @@ def _listed(match: re.Match[str]) -> str | None:
     values = [match["first"], *re.findall(_NUMBER, rest)]
     plain = [value.replace("−", "-").replace("{,}", ".") for value in values]
     bare = [_DEGREES.sub("", value) for value in plain]
+    if any(re.match(r"-?0[0-9]", value) for value in bare):
+        return None  # 0,04 is one number, with a comma that elsewhere parts a list
     if (
         bare != plain
         and "0" in plain
