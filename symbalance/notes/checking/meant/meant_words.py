@@ -42,6 +42,8 @@ from symbalance.text import lazy_patterns as re
 
 NOBODY = "nobody declared it"
 """In the assumption of every verdict that rests on what a letter is taken to be."""
+BY_WORDS, FROM_WORDS = "by “", "taken from the words “"
+"""Before the words of a page that say what a letter is taken to be."""
 TORQUE = "inertia torque"
 """Not a role that a letter may be declared with: -m a dx/dθ."""
 LONGEST_WORDS = 160
@@ -372,7 +374,7 @@ def letters_text(letters: Mapping[str, str], words: Mapping[str, Proposal]) -> I
     for letter, meaning in letters.items():
         proposal = words.get(letter)
         is_said = proposal is not None and proposal.words
-        source = f"by “{phrase_of(proposal)}”" if proposal and is_said else USUAL_END
+        source = f"{BY_WORDS}{phrase_of(proposal)}”" if proposal and is_said else USUAL_END
         yield f"{plain_letter(letter)} is the {meaning}, {source}"
 
 

@@ -186,7 +186,7 @@ _RULER = re.compile(r"\s*\|?\s*:?-{1,}:?\s*(?:\|\s*:?-{1,}:?\s*)*\|?\s*$")
 def _markdown(text: str) -> Iterator[Stretch]:
     """Yield the blocks of a Markdown text whose relations are marks."""
     text = re.sub(r"<!--.*?-->", lambda match: "\n" * match[0].count("\n"), text, flags=re.DOTALL)
-    text = re.sub(f"({DISPLAY}[0-9]+{END})", r"\n\1\n", text)
+    text = re.sub(rf"({DISPLAY}[0-9]+{END})(?:\s?[.;:](?=\s))?", r"\n\1\n", text)
     lines = text.split("\n")
     paragraph: list[str] = []
     kind = "paragraph"
