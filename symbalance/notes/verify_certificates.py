@@ -431,7 +431,7 @@ def main(names):
     without = counts.pop("nothing", 0)
     said = ", ".join(f"{count} by {proof}" for proof, count in sorted(counts.items()))
     verified = f"{sum(counts.values())} verified" + (f" ({said})" if said else "")
-    print(f"{verified}, {without} without a proof to retrace, {bad} rejected")
+    print(f"{verified}, {bad} rejected" + (f"; {without} have no proof to retrace" if without else ""))
     return 1 if bad else 0
 
 

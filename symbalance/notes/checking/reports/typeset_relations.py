@@ -61,8 +61,8 @@ def typeset(verdict: Verdict, sides: Sides, text: str = "") -> Formula | Equatio
 def formula_of(source: str, letters: Collection[str] = ()) -> Formula | Equation | None:
     r"""Return a source as a formula, its single letters letters; None where it cannot be read.
 
-    >>> from symbalance.document.text_writer import equation_text
-    >>> equation_text(formula_of(r"F = \sqrt{2}\, m r"))
+    >>> from symbalance.document.text_writer import formula_text
+    >>> formula_text(formula_of(r"F = \sqrt{2}\, m r"))
     'F = √2 m r'
     >>> formula_of(r"\frac{1}{")
     """
