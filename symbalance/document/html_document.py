@@ -112,7 +112,7 @@ _PAGE = """<!DOCTYPE html>
 
 def document_html(document: nodes.Document, *, standalone: bool = False) -> str:
     """Return a document as HTML: an article to put into a page, or with `standalone` a whole page."""
-    body = _Writer().document(document, top=1 if standalone else 2)
+    body = _Writer().document(document, top=1 if standalone else 2).translate(document.signs)
     style = _STYLE + _MARKS if '<details class="marked ' in body else _STYLE
     if '<svg class="sbd"' in body:
         from symbalance.document import svg_writer

@@ -204,7 +204,7 @@ class MathmlWriter(FormulaWriter):
         digits = piece.startswith(("<mn>", "<msup><mn>", "<mfrac><mn>"))
         digits = digits or (piece.startswith("<mrow><mn>") and _THIN in piece)
         is_typed = isinstance(before, Upright) and _TYPED.fullmatch(before.text) is not None
-        if digits and (is_typed or isinstance(before, Number | Power | Name | Constant | Decimal | Call)):
+        if digits and (is_typed or not isinstance(before, Upright)):
             return _mo("·")
         apart = (
             isinstance(before, Upright | Call) or piece.startswith("<mtext>") or _FUNCTION.match(piece)

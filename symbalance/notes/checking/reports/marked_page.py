@@ -106,7 +106,17 @@ def marked_page(checked: Checked) -> Document:
             tuple(_to_be_declared(remarks)),
         ),
         summary(checked),
+        _as_tex_shows(checked.derivation.text),
     )
+
+
+def _as_tex_shows(text: str) -> dict[int, int]:
+    r"""Return the signs of \varphi and \phi as TeX shows them, φ and ϕ, for a page that types only these.
+
+    Elsewhere φ is the letter phi, as its name says.
+    """
+    is_tex = "\\varphi" in text or "\\phi" in text
+    return str.maketrans("φϕ", "ϕφ") if is_tex and not {"φ", "ϕ"} & {*text} else {}
 
 
 def _is_of_verdicts(remark: Paragraph) -> bool:

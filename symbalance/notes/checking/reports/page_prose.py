@@ -113,7 +113,7 @@ _MATHS = re.compile(
 _DISPLAYED = re.compile(
     r"\$\$((?:(?!\$\$|\n\s*\n).){0,4000})\$\$|\\\[((?:(?!\\\[|\\\]|\n\s*\n).){0,4000})\\\]", re.DOTALL
 )
-_DISPLAYS = re.compile(rf"({DISPLAY}[0-9]+{END})(?:\s{0, 3}[.;:](?=\s))?")
+_DISPLAYS = re.compile(rf"({DISPLAY}[0-9]+{END})(?:\s{{0,3}}[.;:](?=\s))?")
 """What stands on lines of its own, with the point behind it, which is no line's beginning."""
 _RAISED = str.maketrans("0123456789-+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺")
 
