@@ -167,3 +167,11 @@ def test_what_has_no_proof_is_not_counted_as_verified(tmp_path, capsys):
     path.write_text(json.dumps({"certificates": certificates}), encoding="utf-8")
     assert verify_certificates.main([str(path)]) == 0
     assert capsys.readouterr().out == "0 verified, 0 rejected; 1 have no proof to retrace\n"
+
+
+@pytest.mark.parametrize("unit", ["m/s", "kg", "kN"])
+def test_the_index_shows_the_unit_that_is_wrong(unit):
+    page = f"$F = 2\\,\\mathrm{{N}}$ is so small that $2 F = 4\\,\\mathrm{{{unit}}}$\n"
+    errors = table(page, letters={"F": "N"}).data()["errors"]
+    assert errors
+    assert all(f"4{unit}" in each["error"].replace(" ", "") for each in errors)

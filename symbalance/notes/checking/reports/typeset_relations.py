@@ -70,7 +70,7 @@ def formula_of(source: str, letters: Collection[str] = ()) -> Formula | Equation
     here |= {word for word in re.findall(r"\\([A-Za-z]+)", source) if word in GREEK_SIGN}
     here |= {NAME_OF_SIGN[sign] for sign in source if sign in NAME_OF_SIGN}
     try:
-        return whole_chain(read_equation(source, here))
+        return whole_chain(read_equation(source, here), source)
     except ReadingError:
         return None
 
