@@ -44,8 +44,8 @@ def add(commands: argparse._SubParsersAction) -> None:
         "--declare",
         action="store_true",
         help="draft a symbols file: every letter, with what the text proposes, for you to confirm; of "
-        "several documents, one for all of them; "
-        "--format html and others show the proposals typeset",
+        "several documents, one .toml file for all of them; "
+        "of one document --format html and others show the proposals typeset",
     )
     parser.add_argument(
         "--accept-proposals",
@@ -61,8 +61,8 @@ def add(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--certificates",
         metavar="FILE",
-        help="write a certificate of each verdict to FILE.json, which verify_certificates.py, a program "
-        "of the standard library alone, retraces",
+        help="of one document: write a certificate of each verdict to FILE.json, which "
+        "verify_certificates.py, a program of the standard library alone, retraces",
     )
     add_jobs(parser, "documents")
     add_trust(parser, "the symbols file")

@@ -38,7 +38,8 @@ def check_several(options: argparse.Namespace) -> int:
     if options.declare:
         return _declare_several(options)
     if options.certificates is not None:
-        raise SymbalanceError("--certificates", "is for one document", "name a single one")
+        remedy = "check them one by one: --certificates PAGE.certificates.json"
+        raise SymbalanceError("--certificates", "is for one document, and these are several", remedy)
     if options.label or options.format == "xlsx":
         what = "--label" if options.label else "--format xlsx"
         remedy = "write them one by one" if options.label else "take csv, or write them one by one"
@@ -167,7 +168,10 @@ def _declare_several(options: argparse.Namespace) -> int:
     for name in unused:
         if getattr(options, name):
             option = name.replace("_", "-")
-            raise SymbalanceError(f"--{option}", "plays no part in --declare of several", "leave it out")
+            remedy = "leave it out"
+            if name == "format":
+                remedy = "leave it out: the draft is one .toml file; of one document it may be typeset"
+            raise SymbalanceError(f"--{option}", "plays no part in --declare of several", remedy)
     if options.output and not options.output.endswith(".toml") and options.output != "-":
         rule = "is no .toml file, and one file declares letters for all of a folder"
         raise SymbalanceError(f"--output {options.output}", rule, f"name FOLDER/{COURSE}")

@@ -45,6 +45,13 @@ _STYLE = """
 .symbalance dt{float:left;clear:left;margin-right:.6rem;font-weight:bold}
 .symbalance dd{margin-left:1.5rem}
 .symbalance .bad{font-weight:bold}
+.symbalance td code,.symbalance dd code{overflow-wrap:anywhere}
+.symbalance pre{overflow-x:auto}
+@media(max-width:40rem){
+.symbalance th,.symbalance td{padding-right:.4rem}
+.symbalance table{font-size:.9rem}
+}
+@media print{.symbalance h2,.symbalance h3,.symbalance caption,.symbalance dt{break-after:avoid}}
 .symbalance img,.symbalance svg{max-width:100%;height:auto}
 """
 _MARKS = """
@@ -65,6 +72,11 @@ _MARKS = """
 .symbalance .marked summary{grid-template-columns:1fr auto}
 .symbalance .marked .line{grid-column:1/-1;grid-row:2}
 .symbalance .marked .inside{padding-left:.2rem}
+}
+@media print{
+.symbalance .wrong::details-content,.symbalance .unsure::details-content{content-visibility:visible}
+.symbalance .marked .inside{padding-left:.8rem}
+.symbalance .marked summary,.symbalance figure,.symbalance dd{break-inside:avoid}
 }
 .symbalance .marked{color:#1b1b1b}
 .symbalance figure svg{background:#fff;color:#1b1b1b}
@@ -100,7 +112,7 @@ _PAGE = """<!DOCTYPE html>
 
 def document_html(document: nodes.Document, *, standalone: bool = False) -> str:
     """Return a document as HTML: an article to put into a page, or with `standalone` a whole page."""
-    body = _Writer().document(document, top=1 if standalone else 2)
+    body = _Writer().document(document, top=1 if standalone else 2).translate(document.signs)
     style = _STYLE + _MARKS if '<details class="marked ' in body else _STYLE
     if '<svg class="sbd"' in body:
         from symbalance.document import svg_writer
@@ -151,6 +163,8 @@ class _Writer(DocumentWriter):
         return self.title(block.words, self.top + block.level - 1)
 
     def paragraph(self, block: nodes.Paragraph) -> str:
+        if isinstance(block.words, nodes.Code) and "\n" in block.words.text:
+            return f"<pre>{self.code(block.words.text)}</pre>"
         return f"<p>{self.words(block.words)}</p>"
 
     def formulas(self, block: nodes.Formulas) -> str:

@@ -60,6 +60,7 @@ TIMES = "\u2062"
 _SPACE = '<mspace width="0.2em"></mspace>'
 """Beside upright words, which would run together with what stands next to them."""
 _THIN = '<mspace width="0.17em"></mspace>'
+_RAISED_END = re.compile(r"(?:^|,)(\([^()]*\))$")
 _TYPED = re.compile(r"([0-9][0-9.,]*)(?: (\S.*))?")
 """Upright words that are a number as somebody typed it, with a decimal comma or a unit."""
 
@@ -203,7 +204,7 @@ class MathmlWriter(FormulaWriter):
         digits = piece.startswith(("<mn>", "<msup><mn>", "<mfrac><mn>"))
         digits = digits or (piece.startswith("<mrow><mn>") and _THIN in piece)
         is_typed = isinstance(before, Upright) and _TYPED.fullmatch(before.text) is not None
-        if digits and (is_typed or isinstance(before, Number | Power | Name | Constant | Decimal)):
+        if digits and (is_typed or not isinstance(before, Upright)):
             return _mo("·")
         apart = (
             isinstance(before, Upright | Call) or piece.startswith("<mtext>") or _FUNCTION.match(piece)
@@ -390,8 +391,12 @@ def _is_bare_argument(node: Formula) -> bool:
 def _letter(name: str) -> str:
     """Return a letter: one sign in italics, several and subscripts of several upright.
 
+    What stands in round brackets at the end of a subscript is raised, as F_x^{(2)} is written.
+
     >>> print(_letter("m_rec"), _letter("Delta x"))
     <msub><mi>m</mi><mi>rec</mi></msub> <mrow><mi>Δ</mi><mi>x</mi></mrow>
+    >>> print(_letter("F_x,(2)"))
+    <msubsup><mi>F</mi><mi>x</mi><mi>(2)</mi></msubsup>
     """
     if " " in name:
         return _row(*map(_letter, name.split()))
@@ -400,8 +405,12 @@ def _letter(name: str) -> str:
     if accent:
         element = "munder" if accent == "underline" else "mover"
         printed = f"<{element}>{printed}{_mo(_ACCENTS[accent])}</{element}>"
+    raised = _RAISED_END.search(script)
+    script = script[: raised.start()] if raised else script
     below = "" if not script else _mn(script) if script.isdecimal() else _mi(script)
     above = _mo("′" * len(primes)) if primes else ""
+    if raised:
+        above = _row(_mi(raised[1]), above) if above else _mi(raised[1])
     if below and above:
         return f"<msubsup>{printed}{below}{above}</msubsup>"
     if below:

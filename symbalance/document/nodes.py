@@ -28,8 +28,8 @@ made at every start.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, fields, is_dataclass, replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from operator import is_
 from typing import TYPE_CHECKING, Any
 
@@ -235,11 +235,16 @@ Block = Heading | Paragraph | Facts | Table | Formulas | Figure | Source | Detai
 
 @dataclass(frozen=True, eq=False)
 class Document:
-    """A title and blocks; `lead` are the words under the title, before the first block."""
+    """A title and blocks; `lead` are the words under the title, before the first block.
+
+    `signs` are those that a web page shows in place of others, by code: a letter has two forms, and the
+    one that somebody's own page shows need not be ours.
+    """
 
     title: Words
     blocks: tuple[Block, ...]
     lead: Words = ""
+    signs: Mapping[int, int] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         for name in ("title", "blocks", "lead"):
@@ -251,7 +256,7 @@ class Document:
         shown = _unfolded(self.blocks, full, omitted)
         if omitted:
             shown = (*shown, Paragraph((f"in full also: {', '.join(omitted)} (", Code("--full"), ")")))
-        return Document(self.title, shown, self.lead)
+        return replace(self, blocks=shown)
 
 
 def _unfolded(blocks: tuple[Block, ...], full: bool, omitted: dict[str, None]) -> tuple[Block, ...]:
@@ -299,11 +304,11 @@ def _visible(value: Any) -> Any:
     if isinstance(value, Formula | Equation) or not is_dataclass(value):
         return value
     changed: dict[str, Any] = {}
-    for field in fields(value):
-        part = getattr(value, field.name)
-        clean = part if field.name == "picture" else _visible(part)  # drawn here, and XML of its own
+    for each in fields(value):
+        part = getattr(value, each.name)
+        clean = part if each.name == "picture" else _visible(part)  # drawn here, and XML of its own
         if clean is not part:
-            changed[field.name] = clean
+            changed[each.name] = clean
     return replace(value, **changed) if changed else value  # type: ignore[type-var]
 
 

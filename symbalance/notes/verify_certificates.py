@@ -428,8 +428,10 @@ def main(names):
                     f"{name}, line {certificate.get('line')}" if isinstance(certificate, dict) else name
                 )
                 print(f"{where}: rejected: {problem!s}")
+    without = counts.pop("nothing", 0)
     said = ", ".join(f"{count} by {proof}" for proof, count in sorted(counts.items()))
-    print(f"{sum(counts.values()) - counts.get('nothing', 0)} verified ({said}), {bad} rejected")
+    verified = f"{sum(counts.values())} verified" + (f" ({said})" if said else "")
+    print(f"{verified}, {bad} rejected" + (f"; {without} have no proof to retrace" if without else ""))
     return 1 if bad else 0
 
 

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path, PurePath
@@ -32,6 +32,7 @@ from symbalance.notes.checking.declared.symbol_roles import readable_letters
 from symbalance.notes.checking.declared.symbols import motions_of
 from symbalance.notes.checking.judging.arrows import with_arrows
 from symbalance.notes.checking.judging.judge import Judge
+from symbalance.notes.checking.meant.meant_words import BY_WORDS, FROM_WORDS
 from symbalance.notes.checking.page.continued_sums import with_continued_sums
 from symbalance.notes.checking.page.expanded_sums import with_expanded_sums
 from symbalance.notes.checking.page.letters_anew import with_letters_anew
@@ -41,7 +42,7 @@ from symbalance.notes.checking.page.signs_of_motions import with_signs_of_motion
 from symbalance.notes.checking.page.sums_by_rule import with_sums_by_rule
 from symbalance.notes.checking.page.time_letters import with_time
 from symbalance.notes.checking.page.whole_letters import with_whole_letters
-from symbalance.notes.checking.reports.written_assumptions import with_written_assumptions
+from symbalance.notes.checking.reports.written_assumptions import with_cells, with_written_assumptions
 from symbalance.notes.checking.units.angles_per_turn import with_turns_divided
 from symbalance.notes.checking.verdicts import MOST_LETTERS, UNDECLARED, Checked
 from symbalance.notes.checking.words.bare_degrees import with_bare_degrees
@@ -52,6 +53,7 @@ from symbalance.notes.reading.equations import ReadNotes
 from symbalance.notes.reading.letters.macro_letters import letters_of
 from symbalance.notes.reading.markup.notebooks import SUFFIX as NOTEBOOK
 from symbalance.notes.reading.markup.notebooks import notebook_text
+from symbalance.text import lazy_patterns as re
 from symbalance.text.files import STANDARD_INPUT, file_name, read_text
 
 if TYPE_CHECKING:
@@ -142,7 +144,7 @@ def check(
 
     in_one_reading = partial(judge_in_one_reading, judge=judge)
     checked = with_arrows(judge_in_one_unit_of_angle(page, in_one_reading), declarations)
-    checked = with_written_assumptions(checked)
+    checked = with_cells(with_written_assumptions(checked))
     if not is_declared and not accept_proposals and (offer := _offer(checked, name)):
         remarks.append(offer)
     return replace(checked, remarks=tuple(remarks))
@@ -178,16 +180,37 @@ def _offer(checked: Checked, name: str) -> Words:
     missing |= set(checked.derivation.free_letters)
     if not missing:
         return ""
-    letters = ", ".join(plain_letter(letter) for letter in sorted(missing)[:MOST_LETTERS])
-    more = ", …" if len(missing) > MOST_LETTERS else ""
+    said = {letter for letter in missing if _is_said(letter, checked)}
     beside = PurePath(name).with_suffix(".symbols.toml")
     return (
-        f"Nobody has said what these letters mean: {letters}{more}. ",
+        f"Nobody has said what these letters mean: {_listed(missing - said)}. " if missing - said else "",
+        f"By the page's own words, which nobody has confirmed: {_listed(said)}. " if said else "",
         Code(f"symbalance check {quote(name)} --declare -o {quote(str(beside))}"),
         " lists every letter with what the text proposes; ",
         Code("--accept-proposals"),
         " takes the proposals unread.",
     )
+
+
+def _listed(letters: Collection[str]) -> str:
+    """Return letters as a list, the first of many."""
+    more = ", …" if len(letters) > MOST_LETTERS else ""
+    return ", ".join(map(plain_letter, sorted(letters)[:MOST_LETTERS])) + more
+
+
+def _is_said(letter: str, checked: Checked) -> bool:
+    """Tell whether verdicts rest on words of the page that say what a letter means."""
+    head = f"{plain_letter(letter)} is the "
+    return any(
+        part.startswith(head) and (BY_WORDS in part or FROM_WORDS in part)
+        for verdict in checked.verdicts
+        if head in verdict.assumption
+        for part in _EACH_LETTER.split(verdict.assumption)
+    )
+
+
+_EACH_LETTER = re.compile(r", (?=[^ ,]{1,24} is the )")
+"""Between what an assumption says of one letter and of the next."""
 
 
 def declarations_of(

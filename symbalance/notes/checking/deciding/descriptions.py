@@ -36,6 +36,7 @@ from symbalance.notes.algebra.number_formulas import number_node
 from symbalance.notes.algebra.values import Valuation
 from symbalance.notes.algebra.zero import is_zero
 from symbalance.notes.checking.deciding.equality import Decision, digits
+from symbalance.notes.checking.deciding.usual_sizes import usual_witness
 from symbalance.notes.checking.verdicts import (
     BAD,
     CONDITIONAL,
@@ -103,7 +104,7 @@ def describe(document: ReadNotes, chain: Chain, k: int, decision: Decision) -> V
         claimed=formula_text(side.node, plain=True),
         exact=exact,
         exact_node=exact_node,
-        witness=decision.witness if bad else {},
+        witness=usual_witness(decision) if bad else {},
         differences=terms,
         lines=source_lines(document, side, line),
         column=document.column_of(side.span[0]),

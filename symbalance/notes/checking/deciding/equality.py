@@ -147,7 +147,7 @@ def _by_trees(
         return Decision(PROVED, order="the digits printed", assumptions=level.assumptions, level=level)
     for point, pair in points:
         if not _close(*pair):
-            return Decision(REFUTED, reason, level=level, witness=_witness(point, pair))
+            return Decision(REFUTED, reason, level=level, witness=witness_at(point, pair))
     if points:
         return Decision(UNDECIDED, f"equal at {len(points)} points tried; {reason}", level=level)
     return Decision(UNDECIDED, reason, level=level)
@@ -233,7 +233,7 @@ def _by_numbers(
         assumptions = _with_signs_of_roots(level, first, assumption)
         return Decision(PROVED, assumptions=assumptions, level=level, left=first, right=second)
     point, pair = points[same.index(False)]
-    witness = _witness(point, pair)
+    witness = witness_at(point, pair)
     return Decision(REFUTED, level=level, left=first, right=second, witness=witness)
 
 
@@ -244,7 +244,13 @@ def _close(left: Any, right: Any) -> bool:
     return abs(left - right) <= max(scale * values.power_of_ten(mp, -25), values.power_of_ten(mp, -NOISE))
 
 
-def _witness(point: values.Point, pair: list[Any]) -> dict[str, str]:
+def differ(left: Any, right: Any) -> bool:
+    """Tell whether two mpmath numbers differ by more than their noise."""
+    return not _close(left, right)
+
+
+def witness_at(point: values.Point, pair: list[Any]) -> dict[str, str]:
+    """Return a point and the values of both sides there, in print."""
     coordinates = {name: printed_decimal(value) for name, value in point.items()}
     return coordinates | {"left": digits(pair[0]), "right": digits(pair[1])}
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from symbalance.document.letters import GREEK_SIGN, LOWERED
+from symbalance.document.letters import GREEK_SIGN, LOWERED, SHORT_NAMES
 from symbalance.text import lazy_patterns as re
 
 
@@ -14,6 +14,16 @@ def letters_pattern(letters: Iterable[str]) -> re.Pattern[str] | None:
     if not written:
         return None
     return re.compile(rf"(?<![A-Za-z\\])({'|'.join(map(re.escape, written))})(?![A-Za-z0-9_₀-₉'′])")
+
+
+def letter_pattern(letter: str) -> re.Pattern[str] | None:
+    """Return a pattern of one letter, by its short name too: λ as lam.
+
+    >>> pattern = letter_pattern("lambda")
+    >>> pattern is not None and bool(pattern.search("l = rod length, lam = r/l"))
+    True
+    """
+    return letters_pattern([letter, *(word for word, name in SHORT_NAMES.items() if name == letter)])
 
 
 def spellings(name: str) -> list[str]:

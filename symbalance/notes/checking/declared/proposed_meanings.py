@@ -18,7 +18,7 @@ from symbalance.document.formula import (
     walk,
 )
 from symbalance.document.letters import plain_letter
-from symbalance.notes.checking.declared.letter_spellings import letters_pattern, spellings
+from symbalance.notes.checking.declared.letter_spellings import letter_pattern, letters_pattern, spellings
 from symbalance.notes.checking.declared.page_headings import (
     LONGEST_LINE,
     is_heading,
@@ -241,7 +241,7 @@ class MeaningsFromWords:
             if letter not in self.introduced and (ratio := self._ratio_written(letter)):
                 convention, number = ratio
                 if convention in CONVENTIONS:
-                    words = self.lines[number - 1].strip()
+                    words = self._from_letter_on(letter, self.lines[number - 1].strip())
                     self._add(letter, CONVENTIONS[convention], number, short_words(words))
         for chain in self.page.chains:
             for left, right in zip(chain.sides, chain.sides[1:], strict=False):
@@ -255,6 +255,12 @@ class MeaningsFromWords:
                     ):
                         if letter in self.letters and letter not in self.introduced:
                             self._add(letter, meaning, chain.lines[0], short_words(source))
+
+    def _from_letter_on(self, letter: str, line: str) -> str:
+        """Return a line that is too long to be quoted from where it comes to a letter."""
+        pattern = letter_pattern(letter)
+        found = pattern.search(line) if pattern is not None and short_words(line) != line else None
+        return line if found is None else line[found.start() :]
 
     def _ratio_written(self, letter: str) -> tuple[str, int] | None:
         """Return of which lengths a page says a letter is the ratio, "l/s", and on which line."""

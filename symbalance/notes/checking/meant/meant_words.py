@@ -15,6 +15,7 @@ from itertools import pairwise
 
 from symbalance.document.formula import Formula, Name, Product, Quotient, names
 from symbalance.document.letters import plain_letter
+from symbalance.notes.checking.declared.letter_spellings import letter_pattern
 from symbalance.notes.checking.declared.proposals import meanings_from_words
 from symbalance.notes.checking.declared.proposed_meanings import Proposal
 from symbalance.notes.checking.declared.role_phrases import (
@@ -42,6 +43,8 @@ from symbalance.text import lazy_patterns as re
 
 NOBODY = "nobody declared it"
 """In the assumption of every verdict that rests on what a letter is taken to be."""
+BY_WORDS, FROM_WORDS = "by “", "taken from the words “"
+"""Before the words of a page that say what a letter is taken to be."""
 TORQUE = "inertia torque"
 """Not a role that a letter may be declared with: -m a dx/dθ."""
 LONGEST_WORDS = 160
@@ -372,7 +375,10 @@ def letters_text(letters: Mapping[str, str], words: Mapping[str, Proposal]) -> I
     for letter, meaning in letters.items():
         proposal = words.get(letter)
         is_said = proposal is not None and proposal.words
-        source = f"by “{phrase_of(proposal)}”" if proposal and is_said else USUAL_END
+        source = USUAL_END
+        if proposal is not None and is_said:
+            phrase = phrase_of(proposal)
+            source = f"by {phrase}" if phrase == f"line {proposal.line}" else f"{BY_WORDS}{phrase}”"
         yield f"{plain_letter(letter)} is the {meaning}, {source}"
 
 
@@ -380,9 +386,16 @@ def phrase_of(proposal: Proposal) -> str:
     """Return the words that name a proposal's meaning, without those around."""
     roles = (proposal.meaning, RATIO) if proposal.meaning in CONVENTIONS.values() else (proposal.meaning,)
     own = [named.phrase for named in roles_named(proposal.words) if named.role in roles]
-    return (own or [_MARKS.sub("", proposal.words).split(",")[0].strip()])[0]
+    if own:
+        return own[0]
+    pieces = [piece.strip(" .") for piece in _PIECE.split(_MARKS.sub("", proposal.words))]
+    pattern = letter_pattern(proposal.letter)
+    of_letter = [piece for piece in pieces if pattern is not None and pattern.search(piece)]
+    return of_letter[0] if of_letter else pieces[0] if len(pieces) == 1 else f"line {proposal.line}"
 
 
+_PIECE = re.compile(r"[,;](?![0-9])|:\s")
+"""Between what a list says of one letter and of the next."""
 _MARKS = re.compile(r"<[^>]*>?|[#$*]|\\[,;]")
 USUAL_END = "as is usual for this letter"
 """Of a letter of which no words say what it is."""

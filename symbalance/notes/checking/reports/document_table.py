@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
+from symbalance.document.fitting import plain_words
 from symbalance.document.formula import number
 from symbalance.document.letters import plain_letter
 from symbalance.document.nodes import (
     UNKNOWN,
+    Block,
     Code,
     Column,
+    Details,
     Document,
     Facts,
     Heading,
@@ -25,6 +28,7 @@ from symbalance.document.nodes import (
 )
 from symbalance.document.result import Result
 from symbalance.errors import printable
+from symbalance.notes.checking.reports.typeset_relations import formula_of
 from symbalance.notes.checking.verdicts import (
     CONTRADICTION,
     FAILING,
@@ -44,12 +48,18 @@ RIGHT = (*PROVED_WORDS, *STATED)
 LONGEST = 28
 """Characters of a name in the table, which has no room for more."""
 MOST_ERRORS, MOST_PLACES = 60, 8
-"""Errors in the table, and documents named of each; the JSON has all."""
+"""Errors in the first table, and documents named of each; the table of each document has all."""
 FEWEST_ALIKE = 5
 """Relations that two documents share, of which they say nothing else, for one to be a copy."""
-LONGEST_PIECE = 44
-"""Characters of a formula in the table of errors."""
+LONGEST_PIECE, LONGEST_TYPESET = 44, 120
+"""Characters of a formula in the table of errors: as it was typed, and of one that is typeset."""
 WRONG = (REFUTED, UNDECIDED, UNREADABLE)
+_GROUPS = (
+    ("What is wrong", (REFUTED, CONTRADICTION)),
+    ("Not decided", (UNDECIDED,)),
+    ("Not read", (UNREADABLE,)),
+)
+"""What a teacher looks at first, and what is no error of the author's."""
 OF_THEIR_OWN = "declared nowhere and read as letters of their own: "
 """Before the letters of a report's note that nobody has declared."""
 
@@ -80,6 +90,15 @@ class DocumentRow:
             return None
         counts = self.report["counts"]
         return [self.report["seen"], sum(counts[v] for v in RIGHT), *self._wrong(counts)]
+
+
+@dataclass(frozen=True)
+class _Error:
+    """An error that documents have in common: its relations by the place of their document."""
+
+    verdict: str
+    words: Words
+    entries: dict[int, list[Mapping[str, Any]]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, repr=False)
@@ -119,7 +138,8 @@ class DocumentTable(Result):
                 Paragraph(undeclared) if undeclared else None,
                 table,
                 *map(Paragraph, copies),
-                self._errors(),
+                *self._tables_of_errors(),
+                self._each_document(),
                 Heading("Not checked") if problems else None,
                 tuple(Paragraph(words) for words in problems),
                 Facts(legend, "How to read it"),
@@ -162,42 +182,75 @@ class DocumentTable(Result):
             if len(names) > 1
         ]
 
-    def _errors(self) -> Table | None:
-        """Return what is wrong in them, the commonest first, and who has it on which line."""
-        people: dict[tuple[Any, ...], dict[int, list[str]]] = {}
-        shown: dict[tuple[Any, ...], Words] = {}
+    def _errors(self) -> list[_Error]:
+        """Return what is wrong in them, the commonest first, and who has it where."""
+        errors: dict[tuple[Any, ...], _Error] = {}
         for k, row in enumerate(self.rows):
             for entry in _entries(row):
-                repeats = "sign" in entry and str(entry["reason"]).startswith(TO_ITS_RIGHT)
-                if entry["verdict"] in FAILING and not repeats:
+                if _is_error(entry):
                     key, words = _error(entry)
-                    people.setdefault(key, {}).setdefault(k, []).append(_place(entry))
-                    shown.setdefault(key, words)
-        ordered = sorted(people, key=lambda key: -len(people[key]))[:MOST_ERRORS]
-        names = _short_names(self.rows)
-        rows = tuple(
-            (shown[key], number(len(people[key])), self._who(people[key], names)) for key in ordered
-        )
-        more = len(people) - len(ordered)
-        title = f"What is wrong, the commonest first{f'; {more} more are in the JSON' if more else ''}"
-        columns = (Column("error"), Column("documents"), Column("document: lines"))
-        return Table(title, columns, rows) if rows else None
+                    error = errors.setdefault(key, _Error(entry["verdict"], words))
+                    error.entries.setdefault(k, []).append(entry)
+        return sorted(errors.values(), key=lambda error: -len(error.entries))
 
-    def _who(self, places: Mapping[int, list[str]], names: list[str]) -> Words:
+    def _tables_of_errors(self) -> Iterator[Block]:
+        """Yield the errors, what was not decided and what was not read, each the commonest first."""
+        columns = (Column("error"), Column("documents"), Column("document: lines"))
+        errors, names = self._errors(), _short_names(self.rows)
+        for title, verdicts in _GROUPS:
+            rows = tuple(
+                (error.words, number(len(error.entries)), self._who(error.entries, names))
+                for error in errors
+                if error.verdict in verdicts
+            )
+            if rows:
+                yield Table(f"{title}, the commonest first", columns, rows[:MOST_ERRORS])
+            if more := rows[MOST_ERRORS:]:
+                table = Table("", columns, more)
+                yield Details(f"{title}: {len(more)} more, which fewer have", (table,))
+
+    def _each_document(self) -> Details | None:
+        """Return for every document all of its errors, each leading to its line in the report."""
+        columns = (Column("document"), *(Column(title.lower()) for title, _ in _GROUPS))
+        rows: list[tuple[Words, ...]] = []
+        for row, name in zip(self.rows, _short_names(self.rows), strict=True):
+            errors = [entry for entry in _entries(row) if _is_error(entry)]
+            cells = [
+                _lines([entry for entry in errors if entry["verdict"] in verdicts], row.file)
+                for _, verdicts in _GROUPS
+            ]
+            if errors:
+                rows.append((Jump(name, file=row.file) if row.file else name, *cells))
+        if not rows:
+            return None
+        table = Table("", columns, tuple(rows))
+        return Details("Each document with its errors", (table,), optional=True, named=False)
+
+    def _who(self, places: Mapping[int, list[Mapping[str, Any]]], names: list[str]) -> Words:
         """Return documents with their lines, the first few of many; each line leads to its report's."""
         words: list[Inline] = []
         for k in [*places][:MOST_PLACES]:
             words.append(f"{'; ' if words else ''}{names[k]}: ")
-            file = self.rows[k].file
-            for n, place in enumerate(places[k]):
+            for n, entry in enumerate(places[k]):
                 words += [", "] if n else []
-                words.append(Jump(place, line_anchor(place), file) if file else place)
+                words.append(_jump(entry, self.rows[k].file))
         more = len(places) - MOST_PLACES
         return (*words, f" and {more} more") if more > 0 else tuple(words)
 
     def data(self) -> dict[str, Any]:
-        """Return every document's report, with its exit code."""
-        return {"documents": [_data(row) for row in self.rows]}
+        """Return every document's report, with its exit code, and the errors with all who have them."""
+        errors = [
+            {
+                "error": plain_words(error.words),
+                "verdict": error.verdict,
+                "documents": [
+                    {"document": self.rows[k].name, "places": list(map(_place, entries))}
+                    for k, entries in error.entries.items()
+                ],
+            }
+            for error in self._errors()
+        ]
+        return {"documents": [_data(row) for row in self.rows], "errors": errors}
 
     def records(self) -> list[dict[str, Any]]:
         """Return a row for each document."""
@@ -241,6 +294,27 @@ def _problem(row: DocumentRow) -> str:
     return "no relation was seen in it" if row.report is not None and not row.report["seen"] else ""
 
 
+def _is_error(entry: Mapping[str, Any]) -> bool:
+    """Tell whether a relation fails, and is not an arrow that fails because what it leads to does."""
+    repeats = "sign" in entry and str(entry["reason"]).startswith(TO_ITS_RIGHT)
+    return entry["verdict"] in FAILING and not repeats
+
+
+def _jump(entry: Mapping[str, Any], file: str) -> Inline:
+    """Return a relation's place, which leads to its line where its document has a report."""
+    place = _place(entry)
+    return Jump(place, line_anchor(place), file) if file else place
+
+
+def _lines(entries: list[Mapping[str, Any]], file: str) -> Words:
+    """Return the places of relations, each with what is wrong there in a few words, if that is known."""
+    words: list[Inline] = []
+    for entry in entries:
+        slip = entry["slip"] or entry["fix_kind"]
+        words += ["; " if words else "", _jump(entry, file), f" ({slip})" if slip else ""]
+    return tuple(words)
+
+
 def _error(entry: Mapping[str, Any]) -> tuple[tuple[Any, ...], Words]:
     """Return what makes two errors the same, and the error in words: what stands, what should.
 
@@ -252,29 +326,40 @@ def _error(entry: Mapping[str, Any]) -> tuple[tuple[Any, ...], Words]:
         undeclared = UNDECLARED.search(reason)
         if undeclared:
             reason = f"letter {plain_letter(undeclared[1])} is not declared"
-        return (verdict, reason), f"{verdict}: {reason.partition(';')[0]}"
+        return (verdict, reason), reason.partition(";")[0]
     relation = " ".join(f"{entry.get('left', '')} {entry.get('sign', '')} {entry['source']}".split())
     wrong = entry["wrong"]
     if not wrong:
-        reason = "" if verdict == REFUTED else str(entry["reason"] or "").partition(";")[0]
-        words = (f"{verdict}: ", Code(_one_line(relation)), f" ({reason})" if reason else "")
-        return (verdict, relation), words
-    change = tuple((each["source"], each["should"]) for each in wrong)
+        is_proved = verdict == REFUTED
+        reason = "" if is_proved else str(entry["reason"] or "").partition(";")[0]
+        head = "contradiction: " if verdict == CONTRADICTION else ""
+        words = (head, _typeset(relation, entry.get("read", "")), f" ({reason})" if reason else "")
+        return (verdict, _SET.sub("", relation)), words
+    change = tuple((_SET.sub("", each["source"]), each["should"]) for each in wrong)
     is_whole = wrong[0]["source"].strip() == entry["source"].strip()
     first = wrong[0]
-    piece = Code(_one_line(first["source"])) if first["source"] else "nothing"
+    piece = _typeset(first["source"]) if first["source"] else "nothing"
     more = f" (and {len(wrong) - 1} more)" if len(wrong) > 1 else ""
     words: Words = (
-        Code(_one_line(relation)),
+        _typeset(relation, entry.get("read", "")),
         f": {entry['slip'] or entry['fix_kind']}, for ",
         piece,
         " put ",
-        Code(_one_line(first["should"])),
+        _typeset(first["should"]),
         more,
     )
     is_alike = not is_whole and any(each.isalpha() for each in _LETTERLESS.sub("", first["source"]))
     side = "" if is_alike else _SET.sub("", entry["source"])
-    return (verdict, entry["fix_kind"], change, relation if is_whole else side), words
+    return (verdict, entry["fix_kind"], change, _SET.sub("", relation) if is_whole else side), words
+
+
+def _typeset(source: str, read: str = "") -> Inline:
+    """Return a relation or a piece of one as a formula; as it was typed where it is long or not read.
+
+    `read` is the relation as its document's letters and macros read it.
+    """
+    formula = formula_of(read or source) if len(read or source) <= LONGEST_TYPESET else None
+    return Code(_one_line(source)) if formula is None else formula
 
 
 def _one_line(text: str) -> str:

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from pathlib import PurePath
 
 from symbalance.document.formula import names
-from symbalance.document.letters import GREEK_SIGN
 from symbalance.document.nodes import (
     Block,
     Code,
@@ -48,12 +47,14 @@ from symbalance.notes.checking.reports.report_document import (
 )
 from symbalance.notes.checking.reports.sides_plot import plot_sides
 from symbalance.notes.checking.reports.typeset_relations import (
+    formula_of,
     is_readable,
     sides_by_span,
     typeset,
     whole_chain,
 )
 from symbalance.notes.checking.verdicts import (
+    CONTRADICTION,
     FAILING,
     REFUTED,
     TO_ITS_RIGHT,
@@ -62,7 +63,6 @@ from symbalance.notes.checking.verdicts import (
     Checked,
     Verdict,
 )
-from symbalance.notes.reading import ReadingError, read_equation
 from symbalance.text import lazy_patterns as re
 
 TOP = "top"
@@ -77,6 +77,11 @@ LONGEST_VERDICT = 56
 """Characters of a verdict beside its formula; what it assumes stands whole where the line opens."""
 LONGEST_PROSE = 600
 """Characters of a source that stands in the page as it is typed."""
+_LISTS = (
+    ("To be mended", (REFUTED, CONTRADICTION)),
+    ("Not decided", (UNDECIDED,)),
+    ("Not read", (UNREADABLE,)),
+)
 _RIGHT = ("holds", "holds_to_order", "conditional")
 
 
@@ -84,7 +89,7 @@ def marked_page(checked: Checked) -> Document:
     """Return a page with its summary, what is wrong with links into it, and the page itself."""
     failing = (v for v in checked.verdicts if v.verdict in FAILING)
     wrong = [v for v in failing if not (v.sign and v.reason.startswith(TO_ITS_RIGHT))]
-    wrong.sort(key=lambda v: (FAILING.index(v.verdict), v.line))
+    wrong.sort(key=lambda v: (FAILING.index(v.verdict), v.line, v.link))
     remarks = tuple(map(Paragraph, checked.remarks))
     if not checked.verdicts:
         return Document(page_title(checked.derivation.name), remarks, summary(checked))
@@ -93,15 +98,47 @@ def marked_page(checked: Checked) -> Document:
     return Document(
         page_title(checked.derivation.name),
         blocks(
-            remarks,
-            Heading("To be mended") if wrong else None,
-            Facts(tuple(_entry(verdict, page) for verdict in wrong)) if wrong else None,
+            tuple(remark for remark in remarks if _is_of_verdicts(remark)),
+            tuple(_lists(wrong, page)),
             Heading("The page"),
             body,
             legend(checked.verdicts),
+            tuple(_to_be_declared(remarks)),
         ),
         summary(checked),
+        _as_tex_shows(checked.derivation.text),
     )
+
+
+def _as_tex_shows(text: str) -> dict[int, int]:
+    r"""Return the signs of \varphi and \phi as TeX shows them, φ and ϕ, for a page that types only these.
+
+    Elsewhere φ is the letter phi, as its name says.
+    """
+    is_tex = "\\varphi" in text or "\\phi" in text
+    return str.maketrans("φϕ", "ϕφ") if is_tex and not {"φ", "ϕ"} & {*text} else {}
+
+
+def _is_of_verdicts(remark: Paragraph) -> bool:
+    """Tell whether a remark says what all verdicts rest on, and not what might be declared."""
+    return isinstance(remark.words, tuple) and isinstance(remark.words[0], Strong)
+
+
+def _to_be_declared(remarks: tuple[Paragraph, ...]) -> Iterator[Block]:
+    """Yield what is to be done by who declares the letters, who may be another than the page's author."""
+    rest = tuple(remark for remark in remarks if not _is_of_verdicts(remark))
+    if rest:
+        yield Heading("For who declares the letters")
+        yield from rest
+
+
+def _lists(wrong: list[Verdict], page: _Page) -> Iterator[Block]:
+    """Yield what is wrong, then what was not decided and what was not read, which may be right."""
+    for title, verdicts in _LISTS:
+        entries = tuple(_entry(verdict, page) for verdict in wrong if verdict.verdict in verdicts)
+        if entries:
+            yield Heading(title)
+            yield Facts(entries)
 
 
 def _entry(verdict: Verdict, page: _Page) -> tuple[Words, Words]:
@@ -185,9 +222,9 @@ class _Page:
             yield from map(self._line, piece.verdicts)
         elif stretch.kind == "code":
             lines = stretch.text.split("\n")
-            shown = tuple(Paragraph(Code(line)) for line in lines[:MOST_CODE] if line.strip())
+            shown = Paragraph(Code("\n".join(lines[:MOST_CODE])))
             title = f"Program code, {len(lines)} {'line' if len(lines) == 1 else 'lines'}"
-            yield Details(title, shown)
+            yield Details(title, (shown,))
         elif stretch.kind == "table":
             cells = tuple(tuple(map(words, row)) for row in stretch.rows)
             head = cells[0] if stretch.has_head else ("",) * len(cells[0])
@@ -248,12 +285,8 @@ class _Page:
         return sorted(placed, key=lambda piece: (piece.start, piece.end)), loose
 
     def _formula(self, source: str) -> Inline:
-        letters = self.letters | set(re.findall(r"(?<![A-Za-z\\])[A-Za-z](?![A-Za-z])", source))
-        letters |= {word for word in re.findall(r"\\([A-Za-z]+)", source) if word in GREEK_SIGN}
-        try:
-            return whole_chain(read_equation(source, letters))
-        except ReadingError:
-            return Code(source)
+        formula = formula_of(source, self.letters)
+        return Code(source) if formula is None else formula
 
     def _formulas(self, source: str) -> Iterator[Inline]:
         r"""Yield a formula, or several that commas part: `0, \pi, 2\pi`."""
@@ -307,7 +340,7 @@ class _Page:
             words = witness_words(verdict)
             entries.append(("Witness", words[1:] if isinstance(words, tuple) else words))
         if verdict.verdict in FAILING:
-            entries.append(("Back", Jump("to the list of what is to be mended", TOP)))
+            entries.append(("Back", Jump("to the head of this report", TOP)))
         yield Facts(tuple(entries))
         if picture := self._picture(verdict):
             yield picture

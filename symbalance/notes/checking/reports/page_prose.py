@@ -53,7 +53,7 @@ class Prose:
     def stretches(self) -> Iterator[Stretch]:
         """Yield the blocks from top to bottom."""
         if self.is_plain:
-            for line in re.sub(f"({DISPLAY}[0-9]+{END})", r"\n\1\n", self._text).split("\n"):
+            for line in _DISPLAYS.sub(r"\n\1\n", self._text).split("\n"):
                 yield from _line(line.strip())
         else:
             yield from _markdown(self._text)
@@ -113,6 +113,8 @@ _MATHS = re.compile(
 _DISPLAYED = re.compile(
     r"\$\$((?:(?!\$\$|\n\s*\n).){0,4000})\$\$|\\\[((?:(?!\\\[|\\\]|\n\s*\n).){0,4000})\\\]", re.DOTALL
 )
+_DISPLAYS = re.compile(rf"({DISPLAY}[0-9]+{END})(?:\s{{0,3}}[.;:](?=\s))?")
+"""What stands on lines of its own, with the point behind it, which is no line's beginning."""
 _RAISED = str.maketrans("0123456789-+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺")
 
 
@@ -186,7 +188,7 @@ _RULER = re.compile(r"\s*\|?\s*:?-{1,}:?\s*(?:\|\s*:?-{1,}:?\s*)*\|?\s*$")
 def _markdown(text: str) -> Iterator[Stretch]:
     """Yield the blocks of a Markdown text whose relations are marks."""
     text = re.sub(r"<!--.*?-->", lambda match: "\n" * match[0].count("\n"), text, flags=re.DOTALL)
-    text = re.sub(f"({DISPLAY}[0-9]+{END})", r"\n\1\n", text)
+    text = _DISPLAYS.sub(r"\n\1\n", text)
     lines = text.split("\n")
     paragraph: list[str] = []
     kind = "paragraph"

@@ -6,8 +6,22 @@ from collections.abc import Iterable
 from typing import Any
 
 from symbalance.document.fitting import plain_words
-from symbalance.notes.checking.reports.typeset_relations import Sides, sides_by_span
-from symbalance.notes.checking.verdicts import HOLDS, NOT_MATHEMATICS, REFUTED, VERDICTS, Checked, Verdict
+from symbalance.document.text_writer import formula_text
+from symbalance.notes.checking.reports.typeset_relations import (
+    Sides,
+    as_written,
+    is_readable,
+    sides_by_span,
+)
+from symbalance.notes.checking.verdicts import (
+    FAILING,
+    HOLDS,
+    NOT_MATHEMATICS,
+    REFUTED,
+    VERDICTS,
+    Checked,
+    Verdict,
+)
 
 
 def report_data(checked: Checked) -> dict[str, Any]:
@@ -43,7 +57,12 @@ def _left(verdict: Verdict, checked: Checked, sides: Sides) -> dict[str, str]:
     if chain is None or not k:
         return {}
     source = checked.derivation.source(chain.sides[k - 1].span)
-    return {"left": source, "sign": chain.relations[k - 1].sign}
+    left = {"left": source, "sign": chain.relations[k - 1].sign}
+    nodes = chain.sides[k - 1].node, chain.sides[k].node
+    if verdict.verdict not in FAILING or not all(map(is_readable, nodes)):
+        return left
+    shown = [formula_text(as_written(node, checked.derivation.text), plain=True) for node in nodes]
+    return left | {"read": f"{shown[0]} {left['sign']} {shown[1]}"}
 
 
 def verdict_data(verdict: Verdict) -> dict[str, Any]:

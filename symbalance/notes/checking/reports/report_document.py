@@ -53,6 +53,8 @@ LONGEST_BOTH = 200
 """Of both sides of a relation that is wrong, of which a reader wants to see what is set equal."""
 LONGEST_PIECE = 60
 """Of a wrong piece, which stands within a sentence."""
+DIGITS, NOISE = 6, 1e-15
+"""Of a number at a witness, and what of it is rounding."""
 
 _TITLES = {
     HOLDS: "holds",
@@ -239,6 +241,8 @@ def difference_words(difference: Difference) -> Words:
 def witness_words(verdict: Verdict) -> Words:
     """Return a witness as `witness: θ = 1.2, λ = 3.7: left 0.5, right 0.25`."""
     sides = {name: verdict.witness[name] for name in ("left", "right") if name in verdict.witness}
+    short = {name: _in_few_digits(value) for name, value in sides.items()}
+    sides = sides if len(sides) > len({*short.values()}) else short
     parts: list[Inline] = []
     for name, value in verdict.witness.items():
         if name not in sides:
@@ -247,6 +251,25 @@ def witness_words(verdict: Verdict) -> Words:
     for k, (name, value) in enumerate(sides.items()):
         parts += [", " if k else "", f"{name} ", rounded_number(value)]
     return ("witness: ", *parts)
+
+
+def _in_few_digits(value: str) -> str:
+    """Return a number with no more digits than a person compares; of a complex one both parts.
+
+    >>> _in_few_digits("7.0370422223"), _in_few_digits("(-1.14794370197e-41 + 3.80664950489j)")
+    ('7.03704', '3.80665i')
+    """
+    try:
+        number = complex(value.strip("()").replace(" ", ""))
+    except ValueError:
+        return value
+    real, imaginary = f"{number.real:.{DIGITS}g}", f"{abs(number.imag):.{DIGITS}g}i"
+    if abs(number.imag) <= NOISE * abs(number):
+        return real
+    sign = "-" if number.imag < 0 else ""
+    if abs(number.real) <= NOISE * abs(number):
+        return f"{sign}{imaginary}"
+    return f"{real} {sign or '+'} {imaginary}"
 
 
 def fault_words(fault: Fault, verdict: Verdict) -> Words:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from itertools import islice
 from operator import is_
 
@@ -21,9 +22,11 @@ from symbalance.document.formula import (
     walk,
     with_children,
 )
+from symbalance.document.letters import GREEK_SIGN, NAME_OF_SIGN
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.written_degrees import degrees_of
 from symbalance.notes.checking.words.written_numbers import written_number
+from symbalance.notes.reading import ReadingError, read_equation
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.notes.reading.units import USUAL_SCALES, scale_of
 from symbalance.text import lazy_patterns as re
@@ -47,12 +50,29 @@ def typeset(verdict: Verdict, sides: Sides, text: str = "") -> Formula | Equatio
     if verdict.node is None or not is_readable(verdict.node):
         return None
     chain, k = sides.get(verdict.span, (None, 0))
-    right = as_written(verdict.node, text)
+    right = as_written(_with_unit_behind(verdict.node, verdict.span), text)
     if chain is None or not k:
         return right
     left = chain.sides[k - 1].node
     first = as_written(left, text) if k == 1 and is_readable(left) else Upright("")
     return Equation(first, ((chain.relations[k - 1].sign, right),))
+
+
+def formula_of(source: str, letters: Collection[str] = ()) -> Formula | Equation | None:
+    r"""Return a source as a formula, its single letters letters; None where it cannot be read.
+
+    >>> from symbalance.document.text_writer import formula_text
+    >>> formula_text(formula_of(r"F = \sqrt{2}\, m r"))
+    'F = √2 m r'
+    >>> formula_of(r"\frac{1}{")
+    """
+    here = {*letters, *re.findall(r"(?<![A-Za-z\\])[A-Za-z](?![A-Za-z])", source)}
+    here |= {word for word in re.findall(r"\\([A-Za-z]+)", source) if word in GREEK_SIGN}
+    here |= {NAME_OF_SIGN[sign] for sign in source if sign in NAME_OF_SIGN}
+    try:
+        return whole_chain(read_equation(source, here), source)
+    except ReadingError:
+        return None
 
 
 def is_readable(node: Formula) -> bool:
@@ -63,11 +83,17 @@ def is_readable(node: Formula) -> bool:
 def whole_chain(chain: Chain, text: str = "") -> Formula | Equation:
     """Return a chain as one equation; of a page's `text` its units are as they were typed."""
     rest = tuple(
-        (relation.sign, as_written(side.node, text))
+        (relation.sign, as_written(_with_unit_behind(side.node, side.span), text))
         for relation, side in zip(chain.relations, chain.sides[1:], strict=True)
     )
     first = as_written(chain.sides[0].node, text)
     return Equation(first, rest) if rest else first
+
+
+def _with_unit_behind(node: Formula, span: Span) -> Formula:
+    """Return a number alone on its side as far as the side goes: n = 6000 rpm is read as 6000."""
+    is_all = isinstance(node, Number) and node.span[0] == span[0] < node.span[1] < span[1]
+    return replace(node, span=span) if is_all else node
 
 
 def as_written(node: Formula, text: str = "") -> Formula:

@@ -1,6 +1,7 @@
 """Assumptions and reasons in their author's numbers: "holds if l = 150 mm", not "l = 150 (1/1000)".
 
-What is calculated with stands in metres, kilograms and radians; a report names a value as its page does.
+What is calculated with stands in metres, kilograms and radians; a report names a value as its page does,
+and a line of a notebook by its cell.
 """
 
 from __future__ import annotations
@@ -34,6 +35,32 @@ def with_written_assumptions(checked: Checked) -> Checked:
         return written[match[0]]
 
     return replace(checked, verdicts=tuple(map(rewrite, checked.verdicts)))
+
+
+def with_cells(checked: Checked) -> Checked:
+    """Return a checked notebook whose reasons name lines as its places do: line 6:2, of cell 6."""
+    page = checked.derivation
+    if all(verdict.cell is None for verdict in checked.verdicts):
+        return checked
+
+    def in_cells(lines: re.Match[str]) -> str:
+        return _NUMBER.sub(lambda number: _in_cell(page, int(number[0])), lines[0])
+
+    def rewrite(verdict: Verdict) -> Verdict:
+        texts = [_LINES.sub(in_cells, text) for text in (verdict.assumption, verdict.reason)]
+        notes = tuple(_LINES.sub(in_cells, note) for note in verdict.notes)
+        return replace(verdict, assumption=texts[0], reason=texts[1], notes=notes)
+
+    return replace(checked, verdicts=tuple(map(rewrite, checked.verdicts)))
+
+
+_LINES = re.compile(r"\blines? [0-9]+(?:(?:, | and | to )[0-9]+)*(?![0-9:])")
+_NUMBER = re.compile("[0-9]+")
+
+
+def _in_cell(page: ReadNotes, line: int) -> str:
+    place = page.cell_of(line)
+    return f"{line}" if place is None else f"{place[0]}:{place[1]}"
 
 
 def _written_values(page: ReadNotes) -> dict[str, str]:

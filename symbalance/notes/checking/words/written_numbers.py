@@ -186,7 +186,7 @@ def _candidates(source: str) -> Iterator[WrittenNumber]:
         return
     unit = _UNIT_SHOWN.sub("", text["unit"]).strip(" .,;:") if text["unit"] else ""
     unit = re.sub(r"\s*\\cdot(?![A-Za-z])\s*", " ", unit)
-    unit = re.sub(r"\^(-?[0-9]+)", lambda match: match[1].translate(_TO_RAISED), unit)
+    unit = re.sub(r"\s*\^(-?[0-9]+)", lambda match: match[1].translate(_TO_RAISED), unit)
     power = int(text["power"].replace("−", "-")) if text["power"] else None
     if abs(power or 0) > MOST_POWER or len(text["digits"]) > 30:
         return
