@@ -146,11 +146,16 @@ def with_scripts(
 
 def with_order(text: str, name: str, start: int, end: int) -> tuple[str, int]:
     """Return a known letter with the order in brackets above it, F_x^{(2)} as F_x,(2), and its end."""
+    order = order_at(text, start, end)
+    return (name, start) if order is None else (f"{name},({order[0]})", order[1])
+
+
+def order_at(text: str, start: int, end: int) -> tuple[str, int] | None:
+    r"""Return the 2 of an order in brackets above a letter, F_1^{(2)}, and where it ends; or None."""
     match = _NUMBERED.match(text, start, end)
     if match is None:
-        return name, start
-    number = match[1] or "".join(RAISED[sign] for sign in match[2])
-    return f"{name},({number})", match.end()
+        return None
+    return match[1] or "".join(RAISED[sign] for sign in match[2]), match.end()
 
 
 def subscript_at(
