@@ -43,6 +43,15 @@ PAGES = {
         ["definition", "definition", "definition", "refuted"],
     ),
     "work_of_a_gas.txt": ("P = 3 Pa, V1 = 2 m³\nPV1 = 6 J\n", ["definition", "definition", "holds"]),
+    "factors_side_by_side.txt": (
+        "F = 2 lam m r w^2 sin(2 phi)/sqrt(2)\n    = sqrt(2) lam m r w^2 sin(2 phi)\n"
+        "    = m r w^2 sqrt(2) sin(2 phi) lambda\n    = 2 lam m r w^2 sin(2 phi)\n",
+        ["definition", "holds", "holds", "refuted"],
+    ),
+    "unknown_factor.txt": (
+        "F = 2 q m r w^2 sin(2 phi)/sqrt(2)\n    = sqrt(2) kue m r w^2 sin(2 phi)\n",
+        ["definition", "unreadable"],
+    ),
     "shaft.txt": (
         "A shaft of D = 2.5 in. under T = 12000 lb.-in. has\n\n"
         "     f = 16 T / (3.1416 D³) = 3911 lb. per\nsquare inch.\n",
