@@ -158,7 +158,8 @@ def _goes_on(behind: str, after: str, words: Vocabulary) -> bool:
 
 
 _UNKNOWN_FACTOR = re.compile(
-    r"[ ](?P<word>(?!(?:is|ist|est|are|sind)\b)[a-z]{2,8})[ ](?P<factors>[^\n=≈<>.,;:$\\]{3,120})[.,;]?\s*$"
+    r"[ ](?P<word>(?!(?:is|ist|est|are|sind)\b)[a-z]{2,8})[ ]"
+    r"(?P<factors>[^\n=≈<>.,;:$\\]{3,120})[.,;]?\s*$"
 )
 _POWER_OR_FUNCTION = re.compile(rf"[\w)][ ]?[\^²³]|(?:{'|'.join(sorted(FUNCTION_WORDS))})[²³]?[ ]?\(")
 
