@@ -52,6 +52,10 @@ PAGES = {
         "F = 2 q m r w^2 sin(2 phi)/sqrt(2)\n    = sqrt(2) kue m r w^2 sin(2 phi)\n",
         ["definition", "unreadable"],
     ),
+    "no_slope.txt": (
+        "FV = m*r*w²*cos(t)\nFH = m*r*w²*sin(t) = 0\nF = m*r*w²*cos(t)\ndF/dt = -m*r*w²*sin(t) = 0\n",
+        ["definition", "definition", "undecided", "definition", "holds", "condition"],
+    ),
     "shaft.txt": (
         "A shaft of D = 2.5 in. under T = 12000 lb.-in. has\n\n"
         "     f = 16 T / (3.1416 D³) = 3911 lb. per\nsquare inch.\n",
