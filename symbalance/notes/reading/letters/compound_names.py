@@ -65,7 +65,7 @@ _BEHIND_NOUN = re.compile(rf"(?<![^\W\d_])(?:{_NOUNS})[ ]$")
 _ANGULAR_SPEED_BEHIND = re.compile(r"[ \t]?[·*×⋅]?[ \t]?(?:[ωΩ]|(?:w|omega)(?![A-Za-z]))")
 _LONG_WORDS_AROUND = re.compile(r"[^\W\d_]{2}[ ]$")
 _GRAVITY = re.compile(r"(?<!\w)g[ ]?[=≈]|9[.,]8|[Gg]ravit|(?<![a-z])(?:[Ww]eight|Gewicht|poids|[Pp]eso)")
-_BEHIND_NUMBER = re.compile(r"[0-9][ \t]?$")
+_BEHIND_NUMBER = re.compile(r"(?:[0-9][ \t]?|[A-Za-z0-9]-)$")
 _OPERATOR = "·*×/+²³^"
 _ALONE = re.compile(
     "|".join(

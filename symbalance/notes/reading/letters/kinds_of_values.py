@@ -8,7 +8,7 @@ from __future__ import annotations
 from symbalance.text import lazy_patterns as re
 
 _QUANTITY = re.compile(
-    r"[ \t]*[=≈≒≃][ \t]*(?P<number>[0-9]+(?:[.,][0-9]+)?)[ \t]*(?P<unit>[A-Za-zµ]{1,3})(?![\w·*×/²³^])"
+    r"[ \t]*[=≈≒≃][ \t]*(?P<number>[0-9]+(?:[.,][0-9]+)?)[ \t]*(?P<unit>[A-Za-zµ]{1,3})(?![\w·*×/²³^-]|[ ](?:m|s|N)(?!\w))"
 )
 """One number with a simple unit, and no formula."""
 _KINDS = {
