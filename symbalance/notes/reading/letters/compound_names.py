@@ -269,8 +269,8 @@ def _is_unit_but_letter(name: _Name, plain: str) -> bool:
     spelling = name.spelling
     if len(spelling) != 2 or not spelling.islower() or scale_of(spelling) is None:
         return False
-    if spelling in GREEK_SIGN or spelling in SHORT_NAMES or spelling == "pi":
-        return False
+    if spelling[0] not in USUAL_KIND or spelling in ("mm", "lb"):
+        return False  # in = 25.4 mm
     uses = list(_uses(name, plain))
     if any(_BEHIND_NUMBER.search(plain, max(start - 2, 0), start) for start, _ in uses):
         return False
