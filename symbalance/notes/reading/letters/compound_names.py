@@ -254,8 +254,12 @@ def _is_used_as_letter(name: _Name, plain: str) -> bool:
     uses = [span for span in _uses(name, plain) if not _is_named_by_noun(plain, span[0])]
     in_formulas = sum(_stands_in_formula(plain, *span) for span in uses)
     if len(name.spelling) == 2:  # a word of two letters is given no kilograms, and is rarely a factor
-        given = kind_of_value(plain, name.place + 2) is not None
-        return given or in_formulas >= max(1, len(uses) - in_formulas // 2)
+        given = name.base in USUAL_KIND and kind_of_value(plain, name.place + 2) is not None
+        return (
+            given
+            or len(uses) == in_formulas > 0
+            or (name.base in USUAL_KIND and in_formulas > len(uses) // 2)
+        )
     return in_formulas == len(uses) >= (1 if name.is_defined_by_kin else 2)
 
 
