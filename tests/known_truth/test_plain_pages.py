@@ -25,6 +25,37 @@ PAGES = {
         "$m = 180$ g $= 0.180$ kg and $p = 5$ bar $= 5\\cdot10^4$ Pa\n",
         ["definition", "holds", "definition", "refuted"],
     ),
+    "mass_of_a_pin.txt": (
+        "numbers: r = 33 mm, m = 0.45 kg, mr = 0.60 kg, w = 628.3 1/s\nmrw² = 5862 N\n",
+        ["definition", "definition", "definition", "definition", "holds_to_order"],
+    ),
+    "product_in_a_list.txt": (
+        "m = 3 kg, r = 2 m, mr = 6 kg\nmr = 7 kg m\n",
+        ["definition", "definition", "refuted", "refuted"],
+    ),
+    "units_that_are_letters.txt": (
+        "Contrepoids mg à rg : r = 40 mm, m = 0,5 kg, mr = 0,8 kg, rg = 50 mm\n"
+        "mg·rg = (m + mr)·r\nmg = (m + mr)·r/rg = 1,04 kg\nmg = (m + mr)·r/rg = 1,2 kg\n",
+        [*["definition"] * 5, "conditional", "holds", "conditional", "refuted"],
+    ),
+    "components.txt": (
+        "FV1 = m*r*w^2*cos(phi)\nFH1 = m*r*w^2*sin(phi)\nFR = sqrt(FV1^2 + FH1^2) = 2*m*r*w^2\n",
+        ["definition", "definition", "definition", "refuted"],
+    ),
+    "work_of_a_gas.txt": ("P = 3 Pa, V1 = 2 m³\nPV1 = 6 J\n", ["definition", "definition", "holds"]),
+    "factors_side_by_side.txt": (
+        "F = 2 lam m r w^2 sin(2 phi)/sqrt(2)\n    = sqrt(2) lam m r w^2 sin(2 phi)\n"
+        "    = m r w^2 sqrt(2) sin(2 phi) lambda\n    = 2 lam m r w^2 sin(2 phi)\n",
+        ["definition", "holds", "holds", "refuted"],
+    ),
+    "unknown_factor.txt": (
+        "F = 2 q m r w^2 sin(2 phi)/sqrt(2)\n    = sqrt(2) kue m r w^2 sin(2 phi)\n",
+        ["definition", "unreadable"],
+    ),
+    "no_slope.txt": (
+        "FV = m*r*w²*cos(t)\nFH = m*r*w²*sin(t) = 0\nF = m*r*w²*cos(t)\ndF/dt = -m*r*w²*sin(t) = 0\n",
+        ["definition", "definition", "undecided", "definition", "holds", "condition"],
+    ),
     "shaft.txt": (
         "A shaft of D = 2.5 in. under T = 12000 lb.-in. has\n\n"
         "     f = 16 T / (3.1416 D³) = 3911 lb. per\nsquare inch.\n",

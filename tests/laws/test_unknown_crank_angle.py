@@ -42,3 +42,38 @@ def test_with_the_angle_declared_right_and_wrong_are_told_apart(role):
     wrong = "$\\dot\\beta = \\omega\\frac{\\lambda\\sin\\varphi}{\\cos\\beta}$\n"
     assert check(LOOP + right, declared).verdicts[-1].verdict == "holds"
     assert check(LOOP + wrong, declared).verdicts[-1].verdict == "refuted"
+
+
+OF_THE_COURSE = {
+    "x": "displacement from top dead centre",
+    "θ": "crank angle",
+    "r": "crank radius",
+    "l": "rod length",
+    "λ": "crank ratio r/l",
+}
+RIGHT = r"x = r(1-\cos\alpha) + l(1-\sqrt{1-\lambda^2\sin^2\alpha})"
+NAMING = {
+    "let": "Let $\\alpha$ be the crank angle. ",
+    "denote": "Here $\\alpha$ denotes the crank angle. ",
+    "macro": "\\newcommand{\\ph}{\\alpha}\nLet $\\ph$ be the crank angle. ",
+    "list": "Notation: $\\alpha$ crank angle, $r$ crank radius. ",
+    "unnamed": "",
+}
+
+
+@pytest.mark.parametrize("naming", NAMING)
+@pytest.mark.parametrize("words", ["The displacement is", "Displacement from TDC:", "Kolbenweg ab OT:"])
+def test_the_angle_of_a_course_accuses_no_page_that_has_another(naming, words):
+    right = check(f"{NAMING[naming]}{words} ${RIGHT}$.\n", OF_THE_COURSE).verdicts[-1]
+    assert right.verdict == ("undecided" if naming == "unnamed" else "holds")
+
+
+@pytest.mark.parametrize("naming", [name for name in NAMING if name != "unnamed"])
+def test_the_angle_that_a_page_names_refutes_what_is_wrong_of_it(naming):
+    wrong = RIGHT.replace("lambda^2", "lambda")
+    assert check(f"{NAMING[naming]}So ${wrong}$.\n", OF_THE_COURSE).verdicts[-1].verdict == "refuted"
+
+
+def test_a_path_counted_from_a_dead_centre_is_not_taken_there():
+    at_bottom = check("At BDC: $x = 3r$. At BDC $x = 2r$. At TDC: $x = 0$.", OF_THE_COURSE)
+    assert [v.verdict for v in at_bottom.verdicts] == ["refuted", "conditional", "conditional"]

@@ -209,7 +209,9 @@ def _call(at: TreeValues, node: formula.Call) -> Any:
         _refuse_unknown_parts(at, node)
     if abs(argument) > 10**9:
         raise NoFormError("a function of a huge number")
-    if node.function == "arg" and names_behind(node.argument, at.meaning.values) - {*at.meaning.values}:
+    if node.function == "arg" and set(names_behind(node.argument, at.meaning.values)) - {
+        *at.meaning.values
+    }:
         raise NoFormError("the angle of a complex number with letters in it")  # of which half-plane?
     if node.function == "abs":
         return abs(argument)

@@ -33,6 +33,7 @@ from symbalance.notes.checking.declared.symbols import motions_of
 from symbalance.notes.checking.judging.arrows import with_arrows
 from symbalance.notes.checking.judging.judge import Judge
 from symbalance.notes.checking.meant.meant_words import BY_WORDS, FROM_WORDS
+from symbalance.notes.checking.page.angle_in_words import with_angle_in_words
 from symbalance.notes.checking.page.continued_sums import with_continued_sums
 from symbalance.notes.checking.page.expanded_sums import with_expanded_sums
 from symbalance.notes.checking.page.letters_anew import with_letters_anew
@@ -129,6 +130,7 @@ def check(
     page, declarations = with_letters_anew(page, declarations.without_idle(page_letters(page)))
     page, declarations = with_signs_of_motions(page, declarations)
     declarations = with_matrix_letters(page, declarations)
+    page, declarations = with_angle_in_words(page, declarations)
     declarations = with_whole_letters(page, with_time(page, declarations))
     page = with_continued_sums(with_sums_by_rule(page))
     page = with_expanded_sums(with_turns_divided(page), data_of(page, declarations.symbols_at))

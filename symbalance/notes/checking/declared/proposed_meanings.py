@@ -51,13 +51,14 @@ _AFTER = re.compile(
 _BEFORE = re.compile(
     r"[\s$\\)}\]）」]*(?:(?:\([^()]{0,12}\)|（[^（）]{0,12}）)\s*)?"
     r"(?:[:：=]\s*(?:[lrs]/[lrs]\s*)?[\u3040-\u9fff]{0,8}"
-    r"|(?:is|are|be|being|denotes|means|stands\s+for|ist|sei|bezeichnet)\b|,\s*(?=the\b|der\b|die\b|das\b)"
+    r"|(?:is|are|be|being|denotes?|means?|stands?\s+for|ist|sei|bezeichnet)\b|,\s*(?=the\b|der\b|die\b|das\b)"
     r"|は[^、。は]{0,14}|が[^、。は]{0,20}|を|…|\.{2,3}|[-–—])[\s$]*"
     r"(?:(?:the|a|an|der|die|das|den|its|one|half)\s+)?"
 )
 _OF_LIST = re.compile(r"[\s$\\)]{1,4}(?:the|der|die|das|den)\s+")
 _BARE = re.compile(r"\$ |\\\) ")
 _LISTED = re.compile(r"(?:^|[,;:(]|\*)\s*(?:\$|\\\()\s*\\?$")
+_LISTED_PLAIN = re.compile(r"(?:^|[,;:(])\s*$")
 _LIST_GOES_ON = re.compile(r"\s*(?:[,;.)]|$)")
 _COUNTED = re.compile(
     r"(?<![A-Za-z\\])\$?([NnkKzij])\$?"
@@ -105,6 +106,12 @@ def gap_is_naming(line: str, start: int, end: int, first: int, last: int) -> boo
     return (
         is_of_list
         or _BEFORE.fullmatch(line, last, start) is not None
+        or (
+            line[last:start] == " "  # "r crank radius, l rod length"
+            and line[first:last] not in ("a", "A", "I")
+            and _LISTED_PLAIN.search(line[:first]) is not None
+            and _LIST_GOES_ON.match(line, end) is not None
+        )
         or (
             _BARE.fullmatch(line, last, start) is not None  # "$r$ crank radius, $l$ rod length"
             and _LISTED.search(line[:first]) is not None

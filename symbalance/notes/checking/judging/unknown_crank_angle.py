@@ -1,5 +1,7 @@
 """Nothing is accused by an angle of the crank that no letter of a page is declared to be.
 
+So too where a letter is, for all pages of a course, and stands nowhere on this one.
+
 The geometry of a slider-crank is written in θ. Where a page counts its angle by another letter and
 nobody says that it is the crank's, a declared β = arcsin(λ sin θ) is of an angle that stands nowhere on
 the page, and everything true of the page's own angle would differ from it.
@@ -35,16 +37,19 @@ def unless_angle_unknown(state: JudgingState, chain: Chain, k: int, verdict: Ver
     bare = {name for name in others if "_" not in name and name not in state.integers}
     texts = " or ".join(plain_text(Name(name)) for name in sorted(bare or others))
     reason = f"no letter is declared to be the crank angle: declare whether {texts} is"
+    if angle in state.declarations.symbols_at(chain.lines[0]):
+        own = plain_text(Name(angle))
+        reason = f"{own}, declared to be the crank angle, stands nowhere here: declare whether {texts} is"
     return replace(
         verdict, verdict=UNDECIDED, reason=reason, fix=None, witness={}, differences=(), decision=None
     )
 
 
 def _undeclared_angle(state: JudgingState, line: int) -> str:
-    """Return the geometry's own crank angle where it stands nowhere on the page, "" elsewhere."""
+    """Return the geometry's own crank angle where it stands nowhere on the page, else ""."""
     crank = state.knowledge(line).crank
     theta = crank.theta if crank is not None else None
-    if not isinstance(theta, Name) or theta.name in state.declarations.symbols_at(line):
+    if not isinstance(theta, Name):
         return ""
     return "" if any(theta.name in chain.letters for chain in state.document.chains) else theta.name
 

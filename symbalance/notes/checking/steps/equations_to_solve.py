@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from symbalance.document.formula import Call, Derivative, Formula, Name, Number, Product, names, walk
+from symbalance.notes.algebra.evaluation import is_derivative_name
 from symbalance.notes.checking.deciding.equality import decide_equality
 from symbalance.notes.checking.declared.symbol_roles import letters_by_role
 from symbalance.notes.checking.page.solutions import chains_below
@@ -64,6 +65,9 @@ def _is_where_derivative_vanishes(state: JudgingState, chain: Chain, k: int) -> 
     if len(turning) != 1:
         return False
     (name,) = turning
+    head = chain.sides[0].node
+    if k and isinstance(head, Name) and not is_derivative_name(head.name) and "'" not in head.name:
+        return False  # F_h = K sin θ = 0 beside F_v = K cos θ is another force, and no slope
     if any(isinstance(s.node, Derivative) and s.node.variable == Name(name) for s in chain.sides[:k]):
         return True
     angle = Name(name)

@@ -125,7 +125,7 @@ class JudgingState:
         self.small_letters = small_letters(self.document.text)
         self.counts = _counts(self.document)
         self.letters = {n for chain in self.document.chains for n in chain.letters}
-        self.printed, self.stated = printed_results(self.document), stated_values(self.document)
+        self.printed, self.data_values = printed_results(self.document), stated_values(self.document)
         self.counted = counted_things(self.document.text)
         self.wrong_numbers = CarriedValues()
         self.given_numbers = GivenNumbers()
@@ -221,7 +221,7 @@ class JudgingState:
             corrects=self.corrects,
             ranges=tuple(ranges),
             printed=self.printed,
-            stated=self.stated,
+            stated=self.data_values,
             counted=self.counted,
             has_sums=self.has_sums,
             orders=self.orders,

@@ -262,6 +262,12 @@ _DEAD_CENTRE = re.compile(
     rf"(?i:(?P<top>{_TOP})|(?P<bottom>{_BOTTOM}|(?:im|at\s+the|am)\s+(?:unteren|outer|lower|bottom)))"
     rf"|(?P<short_top>{_SHORT_TOP})|(?P<short_bottom>{_SHORT_BOTTOM})"
 )
+_FROM = re.compile(
+    r"(?<![^\W\d_])(?:from|after|past|since|ab|vom?|nach|seit|aus|depuis|après|desde|dal?|dopo)\s"
+    r"(?:(?:the|its|dem|der|le|el|il)\s)?$",
+    re.IGNORECASE,
+)
+"""Before a dead centre that a path or an angle is counted from: Kolbenweg ab OT."""
 _PLACE = re.compile(
     rf"({_TOP}|{_SHORT_TOP})|({_BOTTOM}|{_SHORT_BOTTOM})"
     r"|(?<![A-Za-z])(?:at|for|bei|für|fuer|pour)\s+(?:an?\s+angle\s+of\s+)?(?:\$?\\?[a-zθφα]{1,8}\s?=\s?)?\$?"
@@ -992,7 +998,10 @@ def _last_place(words: str) -> int | None:
     """Return the angle in degrees at which words place a value last, None where they name none."""
     last = None
     for match in _PLACE.finditer(words):
-        last = match
+        if not (match[1] or match[2]) or not _FROM.search(
+            words, max(match.start() - 16, 0), match.start()
+        ):
+            last = match
     if last is None:
         return None
     return 0 if last[1] else 180 if last[2] else int(last[3] or last[4] or last[5])
@@ -1001,10 +1010,18 @@ def _last_place(words: str) -> int | None:
 def dead_centre_named(words: str) -> bool | None:
     """Return whether words name bottom dead centre, False for top, None where they name neither.
 
+    What is counted from one is not taken there.
+
     >>> dead_centre_named("Massenkraft im OT:"), dead_centre_named("at the crank pin")
     (False, None)
+    >>> dead_centre_named("Kolbenweg ab OT:") is None
+    True
     """
-    matches = list(_DEAD_CENTRE.finditer(words))
+    matches = [
+        match
+        for match in _DEAD_CENTRE.finditer(words)
+        if not _FROM.search(words, max(match.start() - 16, 0), match.start())
+    ]
     return None if not matches else bool((matches[-1].lastgroup or "").endswith("bottom"))
 
 

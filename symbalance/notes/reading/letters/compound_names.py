@@ -3,9 +3,11 @@
 Without TeX a subscript is typed on the line. Whether `ωm` is one letter or ω times m, the page itself
 says: it is one where it stands alone left of = and one of its letters is no letter of the page, where
 what it is defined by belongs to its first letter (ωm = (ω1 + ω2)/2), or where the page writes every
-product with a sign, or where a d with a subscript has its partner beside it (D and di). Each name is
-then read so throughout, as ω_{m}, and a note says it; a note also says which ones are products although
-they stand alone.
+product with a sign, or where a d with a subscript has its partner beside it (D and di), or where its
+value is of the kind of its first letter, which the product is not (mr = 0.60 kg beside m = 0.45 kg).
+Each name is then read so throughout, as ω_{m}, and a note says it; a note also says which ones are
+products although they stand alone. A name by its value alone is read so where it stands by itself, and
+as the product within a longer one, mrω².
 """
 
 from __future__ import annotations
@@ -20,6 +22,12 @@ from symbalance.document.letters import (
     SHORT_NAMES,
     plain_letter,
 )
+from symbalance.notes.reading.letters.kinds_of_values import (
+    USUAL_KIND,
+    is_of_kind_of_base,
+    is_of_kind_of_noun,
+    kind_of_value,
+)
 from symbalance.notes.reading.letters.letter_names import canonical_name
 from symbalance.notes.reading.markup.marked_formulas import marked_formulas
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
@@ -32,11 +40,19 @@ _EQUALS = r"(?=[ \t]*(?:=(?![=>])|[≈≒≃]))"
 _HEAD = re.compile(
     rf"(?<![A-Za-z0-9_À-ÿ\\^}}'′’{_GREEK}])(?P<base>[{_LETTER}])(?P<suffix>[A-Za-z]{{1,4}}|[A-Za-z]{{1,3}}[0-9]){_EQUALS}"
 )
+_NOUNS = (
+    "mass(?:es?)?|masses?|Massen?|massa|masa|radius|rayon|Radius|raggio|radio|length|longueur|Länge"
+    "|force|Kraft|forza|fuerza|stroke|course|Hub|corsa|carrera"
+    "|counterweight|Gegengewicht|contrepoids|contrappeso|contrapeso"
+)
+_SHORT_WORDS = (
+    "(?:is|as|at|in|of|on|to|or|by|if|im|am|an|ab|de|du|di|et|en|es|el|il|la|le|un|una|al|au)(?![a-z])"
+)
 _NAMED = re.compile(
-    r"(?:mass(?:es?)?|masses?|Massen?|massa|masa|radius|rayon|Radius|raggio|radio|length|longueur|Länge"
-    r"|force|Kraft|forza|fuerza|stroke|course|Hub|corsa|carrera)[ ]"
+    rf"(?:{_NOUNS})[ ](?!{_SHORT_WORDS})"
     r"(?P<base>[A-Za-z])(?P<suffix>[a-z]{1,2})"
-    r"(?=[ ](?:vaut|valent|est|is|was|ist|beträgt|vale|es|of|de|du|von|di|und|and|et|e|y)[ ]|[,:;)]| \()"
+    r"(?=[ ](?:vaut|valent|est|is|was|ist|beträgt|vale|es|of|de|du|von|di|und|and|et|e|y|at|on|per|am|an"
+    r"|im|je|bei|sur|au|à|su|al|en)[ ]|[,:;)]| \(|\.?[ \t]*(?:\n|$))"
 )
 """A name behind the noun that says what it is: la masse ma vaut 0,5 kg."""
 _BEFORE = re.compile(
@@ -45,6 +61,11 @@ _BEFORE = re.compile(
 )
 _VALUE = re.compile(r"[ \t]*[=≈≒≃](?P<value>[^\n=≈≒≃<>,;、。]{1,200})")
 _NUMBER_GIVEN = re.compile(r"[ \t]*[=≈≒≃][ \t]*[0-9]+(?:[.,][0-9]+)?(?![0-9]*[ \t]*[·*×/+−^-])")
+_BEHIND_NOUN = re.compile(rf"(?<![^\W\d_])(?:{_NOUNS})[ ]$")
+_ANGULAR_SPEED_BEHIND = re.compile(r"[ \t]?[·*×⋅]?[ \t]?(?:[ωΩ]|(?:w|omega)(?![A-Za-z]))")
+_LONG_WORDS_AROUND = re.compile(r"[^\W\d_]{2}[ ]$")
+_GRAVITY = re.compile(r"(?<!\w)g[ ]?[=≈]|9[.,]8|[Gg]ravit|(?<![a-z])(?:[Ww]eight|Gewicht|poids|[Pp]eso)")
+_BEHIND_NUMBER = re.compile(r"(?:[0-9][ \t]?|[A-Za-z0-9]-)$")
 _OPERATOR = "·*×/+²³^"
 _ALONE = re.compile(
     "|".join(
@@ -70,7 +91,7 @@ _BESIDE_STAR = re.compile(
     r"(?=\*[0-9A-Za-z(]| \* [0-9A-Za-z(])"
 )
 """A run of letters beside a typed star, pme*Vh: on a page that types all its products it is one name."""
-_IN_FORMULA = re.compile(r"[ \t]*[²³^·・*×⋅/+−=≈≒≃)]|[ \t]*-[ \t]*\S")
+_IN_FORMULA = re.compile(r"[ \t]*[²³^·・*×⋅/+−=≈≒≃)]|[ \t]*-[ \t]*\S|[ ][A-Za-z]{2}[ ]?[=≈²^·*/]")
 _BEHIND_SIGN = re.compile(r"[·・*×⋅/+−=≈≒≃(0-9²³√][ \t]*$|[^\w \t]-[ \t]*$")
 _TIMES = frozenset("tT")
 _EXTREMES = ("max", "min")
@@ -87,6 +108,8 @@ class _Name:
     suffix: str
     place: int
     is_defined_by_kin: bool = False
+    is_by_value: bool = False
+    """Whether nothing but the kind of its value says that it is no product."""
 
     @property
     def spelling(self) -> str:
@@ -134,6 +157,12 @@ def with_compound_names(
 
         is_product = all(map(is_known, name.spelling)) and name.suffix not in _EXTREMES
         is_product = is_product and not _is_diameter(name, plain)
+        if is_product and not (is_declared or name.is_defined_by_kin or has_signs):
+            end = name.place + len(name.spelling)
+            name.is_by_value = is_of_kind_of_base(name.spelling, end, plain) or is_of_kind_of_noun(
+                name.spelling, name.place, plain
+            )
+            is_product = not name.is_by_value
         if is_declared or not is_product or name.is_defined_by_kin or has_signs:
             names.append(name)
         else:
@@ -164,7 +193,7 @@ def _canonical(name: _Name) -> str:
 def _candidates(plain: str, is_letter: Callable[[str, int], bool]) -> list[_Name]:
     """Return the spellings that stand alone left of a relation, each once."""
     first: dict[str, _Name] = {}
-    looks: dict[tuple[str, bool], bool] = {}  # each spelling is looked for on the page once
+    looks: dict[tuple[str, bool, str | None], bool] = {}  # each spelling is looked for on the page once
     line, place = 1, 0
     for match in _HEAD.finditer(plain):
         before = plain[max(match.start() - _LONGEST_BEFORE, 0) : match.start()].rpartition("\n")[2]
@@ -173,7 +202,8 @@ def _candidates(plain: str, is_letter: Callable[[str, int], bool]) -> list[_Name
         name.is_defined_by_kin = value is not None and _is_kin(name, value["value"])
         if not _BEFORE.search(before):
             continue
-        look = name.spelling, name.is_defined_by_kin
+        kind = kind_of_value(plain, match.end())
+        look = name.spelling, name.is_defined_by_kin, kind
         if look not in looks:
             looks[look] = _may_be_name(name, plain)
         if not looks[look]:
@@ -199,7 +229,7 @@ def _candidates(plain: str, is_letter: Callable[[str, int], bool]) -> list[_Name
 def _may_be_name(name: _Name, plain: str) -> bool:
     """Tell whether a spelling may be a letter and its subscript by its look, and is no word or unit."""
     spelling = name.spelling
-    if _has_other_meaning(spelling):
+    if _has_other_meaning(spelling) and not _is_unit_but_letter(name, plain):
         return False
     if name.base in "dδ∂Δ∆" and len(name.suffix) == 1:
         return _is_diameter(name, plain)
@@ -207,12 +237,53 @@ def _may_be_name(name: _Name, plain: str) -> bool:
         return True
     is_long = len(spelling) > 2
     if is_long and not name.suffix.islower():
-        return spelling[0].islower() and spelling[1].isupper()
-    if not is_long and not spelling.islower():
-        return True
+        return _is_of_capitals(name, plain)
+    return (not is_long and not spelling.islower()) or _is_used_as_letter(name, plain)
+
+
+def _is_of_capitals(name: _Name, plain: str) -> bool:
+    """Tell FV1 and mKW from words, and from P V1 on a page that has V1 or V2."""
+    if name.base.isupper() and len(name.suffix) == 2 and name.suffix[0].isupper():
+        factor = rf"(?<![A-Za-z\\_{{]){name.suffix[0]}_?\{{?[0-9]"
+        return name.suffix[1].isdecimal() and re.search(factor, plain) is None
+    return name.base.islower() and name.suffix[0].isupper()
+
+
+def _is_used_as_letter(name: _Name, plain: str) -> bool:
+    """Tell a name of small letters from a word by where it stands."""
+    uses = [span for span in _uses(name, plain) if not _is_named_by_noun(plain, span[0])]
+    in_formulas = sum(_stands_in_formula(plain, *span) for span in uses)
+    if len(name.spelling) == 2:  # a word of two letters is given no kilograms, and is rarely a factor
+        given = name.base in USUAL_KIND and kind_of_value(plain, name.place + 2) is not None
+        return (
+            given
+            or len(uses) == in_formulas > 0
+            or (name.base in USUAL_KIND and in_formulas > len(uses) // 2)
+        )
+    return in_formulas == len(uses) >= (1 if name.is_defined_by_kin else 2)
+
+
+def _is_named_by_noun(plain: str, start: int) -> bool:
+    """Tell whether the noun before a spelling says what it is: rotating mass mr at the pin."""
+    return _BEHIND_NOUN.search(plain, max(start - 16, 0), start) is not None
+
+
+def _is_unit_but_letter(name: _Name, plain: str) -> bool:
+    """Tell whether mg is no unit on a page: it is given a formula or a quantity, and behind no number."""
+    spelling = name.spelling
+    if len(spelling) != 2 or not spelling.islower() or scale_of(spelling) is None:
+        return False
+    if spelling[0] not in USUAL_KIND or spelling in ("mm", "lb"):
+        return False  # in = 25.4 mm
     uses = list(_uses(name, plain))
-    enough = 1 if not is_long or name.is_defined_by_kin else 2
-    return len(uses) >= enough and all(_stands_in_formula(plain, *span) for span in uses)
+    if any(_BEHIND_NUMBER.search(plain, max(start - 2, 0), start) for start, _ in uses):
+        return False
+    if (kind := kind_of_value(plain, name.place + 2)) is not None:
+        return kind == USUAL_KIND.get(name.base)
+    if spelling == "mg" and _GRAVITY.search(plain):
+        return False
+    value = _VALUE.match(plain, name.place + 2)
+    return value is not None and re.search(r"[A-Za-z][ \t]*[·*×/+)−-]", value["value"]) is not None
 
 
 def _is_diameter(name: _Name, plain: str) -> bool:
@@ -305,6 +376,7 @@ def _uses(name: _Name, plain: str) -> list[Span]:
 def _written(text: str, plain: str, names: list[_Name], known: set[str]) -> Rewritten | None:
     """Return a text whose runs of letters are cut into names, functions and letters of the page."""
     names = sorted(names, key=lambda name: -len(name.spelling))
+    by_value = {name.spelling for name in names if name.is_by_value}
     spellings = "|".join(name.spelling for name in names)
     functions = "|".join(sorted(FUNCTION_WORDS, key=len, reverse=True))
     single = "".join(sorted(known | set(_GREEK)))
@@ -314,8 +386,20 @@ def _written(text: str, plain: str, names: list[_Name], known: set[str]) -> Rewr
     rewriter, has_names = Rewriter(text), False
     for match in run.finditer(plain):
         for inner in piece.finditer(plain, *match.span()):
-            if inner["name"]:
+            if inner["name"] and not _is_word_or_product(inner, match, plain, by_value):
                 start, end = inner.span()
                 rewriter.replace(start, end, (start, start + 1), "_{", (start + 1, end), "}")
                 has_names = True
     return rewriter.finish() if has_names else None
+
+
+def _is_word_or_product(inner: re.Match[str], run: re.Match[str], plain: str, by_value: set[str]) -> bool:
+    """Tell whether a spelling stands in words, or is a product where a name by its value is none."""
+    start, end = inner.span()
+    if len(inner.group()) == 2 and inner.group().islower() and run.span() == inner.span():
+        in_words = not _stands_in_formula(plain, start, end) and not _is_named_by_noun(plain, start)
+        if in_words and _LONG_WORDS_AROUND.search(plain, max(start - 3, 0), start):
+            return True
+    if inner.group() not in by_value:
+        return False
+    return run.span() != inner.span() or _ANGULAR_SPEED_BEHIND.match(plain, end) is not None

@@ -1,13 +1,14 @@
 """Greek letters written out in plain text, lambda = r/l and cos(2phi), as their signs.
 
-Only where they stand in a formula: beside an operator, a relation or a digit, or in brackets.
+Only where they stand in a formula: beside an operator, a relation or a digit, in brackets, or between
+factors that stand side by side behind a relation, F = sqrt(2) lambda m r.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
-from symbalance.document.letters import GREEK_SIGN, SHORT_NAMES
+from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, SHORT_NAMES
 from symbalance.notes.reading.markup.marked_formulas import is_inside, marked_formulas
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.text import lazy_patterns as re
@@ -22,6 +23,31 @@ _AFTER = re.compile(
     r"|['′’]{1,3}_\w{1,8}[ \t]*[=≈^*·/+²³<>≤≥)]|[ \t]+-[ \t]"
 )
 _BEFORE = re.compile(r"[0-9=≈*·/+(<>≤≥−][ \t]*$|[ \t]-[ \t]*$")
+_SIGN = re.compile(r"[=≈≒≃]")
+_RUN = re.compile(r"[^\W\d_]{2,}")
+_FACTOR_BEHIND = re.compile(
+    r"[ \t]+(?:(?![aAI])[A-Za-z](?![A-Za-z'’])|[α-ωϕ]|[(\[]"
+    rf"|(?:{'|'.join(sorted(FUNCTION_WORDS, key=len, reverse=True))})(?![A-Za-z]))|[ \t]*(?:\n|$)"
+)
+_LINE = 200
+"""Characters of a line before a name that are looked at."""
+
+
+def is_between_factors(text: str, start: int, end: int, after: re.Pattern[str] = _AFTER) -> bool:
+    """Tell whether a name stands among factors side by side, and nothing but these since the relation.
+
+    >>> text = "F = sqrt(2) lam m r, of F = 3 lam of"
+    >>> is_between_factors(text, 12, 15), is_between_factors(text, 30, 33)
+    (True, False)
+    """
+    before = text[max(start - _LINE, 0) : start].rpartition("\n")[2]
+    signs = [sign.end() for sign in _SIGN.finditer(before)]
+    factors = before[signs[-1] :].strip() if signs else ""
+    if not factors or factors[-1] in ",;.:" or not before[-1].isspace():
+        return False
+    are_factors = all(run in FUNCTION_WORDS or run in _SIGNS for run in _RUN.findall(factors))
+    goes_on = after.match(text, end) or _FACTOR_BEHIND.match(text, end)
+    return are_factors and goes_on is not None
 
 
 def with_greek_words(
@@ -47,7 +73,7 @@ def with_greek_words(
         before = text[max(start - 4, 0) : start]
         if match["name"] == "psi" and before.rstrip(" ~$")[-1:].isdigit():
             continue  # 120 psi
-        if _AFTER.match(text, end) or _BEFORE.search(before):
+        if _AFTER.match(text, end) or _BEFORE.search(before) or is_between_factors(text, start, end):
             rewriter.replace(start, end, _SIGNS[match["name"]])
             has_words = True
     return rewriter.finish() if has_words else None

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from symbalance.document.letters import GREEK_SIGN
+from symbalance.notes.reading.letters.greek_words import is_between_factors
 from symbalance.notes.reading.markup.marked_formulas import is_inside, marked_formulas
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.text import lazy_patterns as re
@@ -119,7 +120,9 @@ def _stands_in_formula(text: str, match: re.Match[str]) -> bool:
         return False
     if _BEFORE.search(before):
         return _ends_whole(text, match.end())
-    return _AFTER.match(text, match.end()) is not None and _BEGINS.search(before) is not None
+    if _AFTER.match(text, match.end()) is not None and _BEGINS.search(before) is not None:
+        return True
+    return is_between_factors(text, *match.span(), _AFTER)
 
 
 def _ends_whole(text: str, place: int) -> bool:

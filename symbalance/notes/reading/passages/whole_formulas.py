@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from symbalance.document.letters import NAME_OF_SIGN
+from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, NAME_OF_SIGN
 from symbalance.document.wordlists import word_set, words
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.formulas.lexer import Vocabulary
@@ -141,7 +141,7 @@ def _goes_on(behind: str, after: str, words: Vocabulary) -> bool:
         return False
     if after[:1] == "," and after[1:2].isdecimal():
         return True
-    if JOINING.match(behind) or _UNKNOWN_FUNCTION.match(behind):
+    if JOINING.match(behind) or _UNKNOWN_FUNCTION.match(behind) or _goes_on_in_factors(after):
         return True
     operation = re.match(
         r"(?:[A-Za-z]{2,8}\s+){0,3}?([+*×·/÷^±∓]|[−—–-](?=\s*[0-9(\\]|\s[A-Za-z]\b))\s*", behind
@@ -155,6 +155,27 @@ def _goes_on(behind: str, after: str, words: Vocabulary) -> bool:
             operand[:1].isdecimal() or operand[:1] in ("(", "\\", "√", "$") or operand[:1] in NAME_OF_SIGN
         )
     return (len(word.group()) == 1 and word.group() not in "aAI") or word.group() in words.names
+
+
+_UNKNOWN_FACTOR = re.compile(
+    r"[ ](?P<word>(?!(?:is|ist|est|are|sind)\b)[a-z]{2,8})[ ]"
+    r"(?P<factors>[^\n=≈<>.,;:$\\]{3,120})[.,;]?\s*$"
+)
+_POWER_OR_FUNCTION = re.compile(rf"[\w)][ ]?[\^²³]|(?:{'|'.join(sorted(FUNCTION_WORDS))})[²³]?[ ]?\(")
+
+
+def _goes_on_in_factors(after: str) -> bool:
+    """Tell whether a word that is no letter stands among factors, with a power or a function in them.
+
+    >>> _goes_on_in_factors(" foo m r w^2 sin(2 x)"), _goes_on_in_factors(" for r w^2 sin(2 x) small")
+    (True, False)
+    """
+    match = _UNKNOWN_FACTOR.match(after)
+    if match is None or match["word"] in _CONNECTING or scale_of(match["word"]) is not None:
+        return False
+    runs = re.findall(r"[^\W\d_]{2,}", match["factors"])
+    are_factors = all(run in FUNCTION_WORDS or run in GREEK_SIGN for run in runs)
+    return are_factors and _POWER_OR_FUNCTION.search(match["factors"]) is not None
 
 
 _UNKNOWN_FUNCTION = re.compile(
