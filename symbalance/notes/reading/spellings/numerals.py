@@ -478,7 +478,8 @@ def _is_pair(text: str, match: re.Match[str]) -> bool:
     """Tell whether brackets hold these two numbers alone: (1,2) and [0,1] are pairs, no cos(2,5)."""
     before, after = text[max(match.start() - 1, 0) : match.start()], text[match.end() : match.end() + 1]
     is_in_brackets = (before, after) in (("(", ")"), ("[", "]"), ("(", "]"), ("[", ")"), ("|", "|"))
-    return is_in_brackets and not _is_argument(match)
+    is_raised = after == ")" and _RAISED_BEHIND.match(text, match.end()) is not None
+    return is_in_brackets and not is_raised and not _is_argument(match)
 
 
 def _is_argument(match: re.Match[str]) -> bool:
@@ -487,6 +488,8 @@ def _is_argument(match: re.Match[str]) -> bool:
     return text[end : end + 1] == ")" and _CALLED.search(text, max(0, start - 16), start) is not None
 
 
+_RAISED_BEHIND = re.compile(r"\)\s?(?:\^|[²³°])")
+"""A power behind the bracket: (1,5)² is that of one number."""
 _CALLED = re.compile(
     r"(?:(?<![A-Za-z])(?:a|arc|ar)?(?:sin|cos|tan|cot|sinh|cosh|tanh)|(?<![A-Za-z])(?:sqrt|exp|ln|abs|sen|tg)|√)"
     r"(?:[²³]|\^\{?[23]\}?)?[ ]?(?:\\left)?\($"

@@ -233,14 +233,20 @@ class BankResultants:
     def _by_sister(
         self, chain: Chain, own: _Component, half: float, usual: float, text: str, knowledge: Knowledge
     ) -> Verdict | None:
-        """Return the refutation of a component with a wrong function of the angle between the banks."""
-        is_wrong = any(
-            all(same(f, usual * w) for f, w in zip(own.factors, wrong, strict=True))
-            for wrong in _wrong_factors(own, half)
-        )
-        if not is_wrong or _scale(own, own.wave.function, half):
+        """Return the refutation of a component with a wrong function of the angle between the banks.
+
+        Of a higher order 2 sin A cos 2A sin 2θ comes from no sum or difference of two pistons' forces in
+        any direction; other wrong functions may be one, and are refuted beside a right component only.
+        """
+        wrong = [
+            place
+            for place, factors in enumerate(_wrong_factors(own, half))
+            if all(same(f, usual * w) for f, w in zip(own.factors, factors, strict=True))
+        ]
+        if not wrong or _scale(own, own.wave.function, half):
             return None
-        if not self._has_sister(chain, own, half, usual, knowledge):
+        is_of_nothing = own.order > 1 and usual == 1 and wrong == [_EXCHANGED_BEHIND]
+        if not is_of_nothing and not self._has_sister(chain, own, half, usual, knowledge):
             return None
         return self._refuted(chain, own, "bank", half, text)
 
@@ -400,6 +406,10 @@ def _scale(own: _Component, function: str, half: float) -> float:
         return 0.0
     ratios = [factor / size for factor, size in zip(own.factors, sizes, strict=True)]
     return round(ratios[0], _PLACES) if all(same(each, ratios[0]) for each in ratios) else 0.0
+
+
+_EXCHANGED_BEHIND = 2
+"""The place among the wrong factors of the one whose second function is another, sin A cos 2A."""
 
 
 def _wrong_factors(own: _Component, half: float) -> list[tuple[float, ...]]:
