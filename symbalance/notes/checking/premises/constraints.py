@@ -104,8 +104,10 @@ def constraint_of(
     else:
         return None
     candidates = [(name, node, other) for own, node, other in pairs for name in sorted(own)]
+    rod = _rod_angle(left, right)
     by_use = sorted(
-        candidates, key=lambda c: (c[0] in letters_used_at_all, c[0] in _OWN & knowledge.letters)
+        candidates,
+        key=lambda c: (c[0] in letters_used_at_all, c[0] != rod, c[0] in _OWN & knowledge.letters),
     )
     for name, node, other_side in by_use:
         is_new = not (name in earlier or knowledge.has_meaning(name))
@@ -115,6 +117,23 @@ def constraint_of(
                 return constraint
     derivative = _lone_derivative(left, right, knowledge)
     return Constraint(derivative, right) if derivative else None
+
+
+_ANGLE_OF_CRANK = {"theta": 2, "vartheta": 2, "phi": 1, "varphi": 1, "alpha": 1}
+"""Letters of the crank angle on most pages, the likelier the higher; a rod's angle has another."""
+
+
+def _rod_angle(left: Formula, right: Formula) -> str:
+    """Return the rod's angle of r sin φ = l sin β, which it fixes on either side; "" for others."""
+    angles: list[str] = []
+    for side in (left, right):
+        sines = [p for p in formula.walk(side) if isinstance(p, Call) and p.function == "sin"]
+        lone = [p.argument.name for p in sines if isinstance(p.argument, Name)]
+        if len(sines) != 1 or len(lone) != 1:
+            return ""
+        angles += lone
+    ranks = [_ANGLE_OF_CRANK.get(name, 0) for name in angles]
+    return "" if ranks[0] == ranks[1] else angles[ranks.index(min(ranks))]
 
 
 def _hides_letters(part: Formula) -> bool:

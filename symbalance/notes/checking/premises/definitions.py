@@ -6,7 +6,19 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
-from symbalance.document.formula import Constant, Formula, Name, Negative, Number, Product, names, walk
+from symbalance.document.formula import (
+    Constant,
+    Derivative,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Product,
+    children,
+    names,
+    walk,
+    with_children,
+)
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision, without_dots
@@ -106,7 +118,8 @@ class Definitions:
         if is_zero and name in self.letters_before(line):
             last = min(last or self.sections.section_end(line), self.sections.section_end(line))
         own = line if self.sections.is_labelled_item(line) else None
-        end = min((n for n in (end, last, own) if n is not None), default=None)
+        place = self.sections.end_of_place(line) if not names(node) else None
+        end = min((n for n in (end, last, own, place) if n is not None), default=None)
         self._add(name, Entry(definition, self.declarations.scopes_of({name, *names(node)}, line), end))
         self._note_case(chain, frozenset({name}))
         return last_line is not None
@@ -217,7 +230,22 @@ class Definitions:
             entries[-1] = replace(entries[-1], definition=definition)
 
     def _add(self, name: str, entry: Entry) -> None:
+        if entry.definition.numeric:
+            self._keep_rates_of(name)
         self.values.setdefault(name, []).append(entry)
+
+    def _keep_rates_of(self, name: str) -> None:
+        """Keep v = dx/dt the rate of x as it moves, where x now gets the number of one moment."""
+        before = self.values.get(name)
+        moving = before[-1].definition.node if before else None
+        if moving is None or not names(moving):
+            return
+        for entries in self.values.values():
+            for place, entry in enumerate(entries):
+                node = _with_rates_of(entry.definition.node, name, moving)
+                if node is not entry.definition.node:
+                    definition = replace(entry.definition, node=node)
+                    entries[place] = replace(entry, definition=definition)
 
     def ranges_at(self, line: int) -> list[StatedRange]:
         """Return the ranges that reach a line."""
@@ -379,3 +407,13 @@ def _may_be_printed(definition: Definition, node: Formula, chain: Chain) -> bool
     if definition.line == chain.lines[0]:
         return True
     return definition.rounded is None and not definition.numeric and Constant("i") in set(walk(node))
+
+
+def _with_rates_of(node: Formula, name: str, value: Formula) -> Formula:
+    """Return a formula with a letter's value put in where its rate stands."""
+    if isinstance(node, Derivative) and node.expression == Name(name):
+        return replace(node, expression=value)
+    parts = children(node)
+    changed = tuple(_with_rates_of(part, name, value) for part in parts)
+    is_same = all(a is b for a, b in zip(parts, changed, strict=True))
+    return node if is_same else with_children(node, changed)

@@ -342,6 +342,12 @@ class Sections:
             k for k, (sign, above, below) in enumerate(around, 1) if sign and sign not in (above, below)
         ]
 
+    def end_of_place(self, line: int) -> int | None:
+        """Return the last line of a section whose heading is an angle of the crank, 30°; or None."""
+        if _PLACE_HEADING.fullmatch(self.heading_above(line).strip()) is None:
+            return None
+        return self.section_end(line)
+
     def heading_above(self, line: int) -> str:
         """Return the heading of the section that a line stands in, "" where there is none."""
         above = [heading for heading in self._headings if heading <= line]
@@ -1039,6 +1045,14 @@ def _gives(chain: Chain, name: str) -> bool:
     return any(isinstance(side.node, Name) and side.node.name == name for side in chain.sides)
 
 
+_PLACE_HEADING = re.compile(
+    r"(?:[#=*\s]|\d{1,2}[.)]|[a-z]\)|\\(?:sub){0,2}section\*?\{|\\paragraph\{)*"
+    r"(?:(?:at|for|bei|für|à|pour|case|fall|position|stellung|angle|winkel|kurbelwinkel|crank\s+angle)\s+)*"
+    r"\$?(?:\\?[a-zA-Zα-ω]{1,10}\s*=\s*)?[0-9]{1,3}(?:[.,][0-9])?\s*\$?(?:°|\^?\{?\\circ\}?|degrees?|deg|Grad|度)"
+    r"(?:\s*の場合)?[\s:$}#=*]*",
+    re.IGNORECASE,
+)
+"""A heading that is an angle of the crank and nothing else: what stands below is of that moment."""
 _IDENTITY = re.compile(
     r"(?<![^\W\d_])(?:identit(?:y|ies)|identität|identité|identità|identidad)(?:\s+\w+){0,2}[\s:$]*$|恒等式\w{0,3}[\s:：$]*$",
     re.IGNORECASE,
