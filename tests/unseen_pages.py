@@ -4,10 +4,11 @@
     python -m tests.unseen_pages FOLDER          # of one folder
     python -m tests.unseen_pages FOLDER 03 -v    # of its pages 03-..., with each relation that went wrong
 
-Who wrote the pages had seen neither the program nor its tests, and worked the truths out with programs
-of their own. `NAME.truth.toml` lists every relation sign of a page, in order: its line, which sign of that
-line it is, the relation as typed, and whether it is `right`, `wrong` (planted, with what it should be),
-`given` (data, a letter's first value, an assumption) or `follows` (right in itself behind a planted error).
+Who wrote the pages had seen neither the program nor its tests, and worked the truths out with
+programs of their own. `NAME.truth.toml` lists every relation sign of a page, in order: its line, which
+sign of that line it is, the relation as typed, and whether it is `right`, `wrong` (planted, with what it
+should be), `given` (data, a letter's first value, an assumption) or `follows` (right in itself behind a
+planted error).
 """
 
 from __future__ import annotations

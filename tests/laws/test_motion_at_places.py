@@ -4,7 +4,8 @@ import pytest
 
 from symbalance.checking import check
 
-DERIVED = r"""Crank radius $r = 45$ mm, rod length $l = 150$ mm, $\lambda = r/l = 0.3$, $\omega = 314.16$ rad/s.
+DERIVED = r"""Crank radius $r = 45$ mm, rod length
+$l = 150$ mm, $\lambda = r/l = 0.3$, $\omega = 314.16$ rad/s.
 
 From the sketch {sketch}, so $\sin\beta = \lambda\sin\varphi$. The travel from top dead centre is
 

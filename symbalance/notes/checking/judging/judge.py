@@ -80,6 +80,7 @@ from symbalance.notes.checking.steps.changing_letters import changing_letters, w
 from symbalance.notes.checking.steps.data_lists import open_if_datum
 from symbalance.notes.checking.steps.derivatives_set_to_zero import leave_extreme
 from symbalance.notes.checking.steps.extremal_values import unless_no_extreme
+from symbalance.notes.checking.steps.formula_one_slip_away import number_of_a_formula_one_slip_away
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
@@ -524,6 +525,7 @@ class Judge:
             there = there or as_supposed(self.state, chain, k)
             there = there or open_against_lines(self.state, chain, k, knowledge)
             there = there or put_in_with_another_factor(self.state, chain, k, knowledge)
+            there = there or number_of_a_formula_one_slip_away(self.state, chain, k, knowledge)
         else:
             there = by_square_above(self.state, chain, k, knowledge)
             if verdict.verdict == UNDECIDED:

@@ -51,7 +51,7 @@ def put_in_with_another_factor(
     printed = state.results.with_formulas(side)
     arithmetics = [side.node] if printed is None else [side.node, printed.node]
     evaluator = knowledge.evaluator(Level({}))
-    for above in _formulas_of(state, chain, knowledge):
+    for above in formulas_only_stated(state, chain, knowledge):
         own = sorted(above.names - names(left))
         wanted = _terms(above.left, above.right, evaluator)
         if not own or wanted is None:
@@ -66,7 +66,7 @@ def put_in_with_another_factor(
     return None
 
 
-def _formulas_of(state: JudgingState, chain: Chain, knowledge: Knowledge) -> Iterator[Premise]:
+def formulas_only_stated(state: JudgingState, chain: Chain, knowledge: Knowledge) -> Iterator[Premise]:
     """Yield the equations above, only stated there, in which all letters of a left side stand."""
     left = chain.sides[0].node
     if isinstance(left, Name) and (definition := knowledge.definitions.get(left.name)) is not None:

@@ -1,0 +1,124 @@
+"""Numbers that a formula one slip from the one above comes to: σ_m = 27.2 where (σ_o - σ_u)/2 stands.
+
+With (σ_o + σ_u)/2 the number is right to all its digits. Where nothing proves the formula of the page, it
+may be the formula that is wrong, and the number is not accused. A number with its digits exchanged, or a
+power of ten away, is a slip of the number, whatever formula fits it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import isclose, log10
+
+from symbalance.document.formula import (
+    Formula,
+    Name,
+    Number,
+    Product,
+    Quotient,
+    children,
+    names,
+    parts_of_kind,
+    with_children,
+)
+from symbalance.document.text_writer import formula_text
+from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number
+from symbalance.notes.checking.meant.formula_slips import single_edits
+from symbalance.notes.checking.premises.impossible_values import number_of
+from symbalance.notes.checking.steps.another_factor import formulas_only_stated
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.reading.equations import Chain
+
+CLOSE = 5e-4
+"""How near an arithmetic has to come to a formula that it was not written with."""
+FEWEST_DIGITS = 3
+MOST_EDITS = 60
+_DIGITS_COMPARED = 4
+
+
+def number_of_a_formula_one_slip_away(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> Decision | None:
+    """Return that a number is that of a formula one slip from an unproved one above; None for others."""
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    if k or not isinstance(left, Name) or names(right):
+        return None
+    typed, near = number_of(right, knowledge), _precision(right)
+    if not typed or near is None:
+        return None
+    for above in formulas_only_stated(state, chain, knowledge):
+        exact = number_of(above.right, knowledge) if above.left == left else None
+        if not exact or _is_slip_of_digits(float(typed), float(exact)):
+            continue
+        for edit in _edits(above.right):
+            value = number_of(edit, knowledge)
+            if value is not None and isclose(float(value), float(typed), rel_tol=near):
+                shown = formula_text(edit, plain=True)
+                reason = f"what {shown} comes to, one slip from line {above.line}, which nothing proves"
+                return Decision(UNDECIDED, f"{reason}: one of the two is wrong")
+    return None
+
+
+def _edits(node: Formula) -> Iterator[Formula]:
+    """Yield the formulas that one slip makes of a formula, a fraction upside down among them."""
+    for count, edit in enumerate(_upside_down(node)):
+        if count < MOST_EDITS:
+            yield edit
+    for count, edit in enumerate(single_edits(node)):
+        if count < MOST_EDITS:
+            yield edit
+
+
+def _upside_down(node: Formula) -> Iterator[Formula]:
+    """Yield a formula with a fraction turned over, all of it or all but one factor: k J₁ J₂/(J₁ + J₂)."""
+    above, below = _fraction(node)
+    if below is not None:
+        yield Quotient(below, Product(above))
+        for factor in above if len(above) > 1 else ():
+            rest = tuple(part for part in above if part is not factor)
+            yield Quotient(Product((factor, below)), Product(rest))
+    parts = children(node)
+    for k, part in enumerate(parts):
+        for edit in _upside_down(part):
+            yield with_children(node, (*parts[:k], edit, *parts[k + 1 :]))
+
+
+def _fraction(node: Formula) -> tuple[tuple[Formula, ...], Formula | None]:
+    """Return the factors above a line and what stands below it; None for what is no fraction.
+
+    a b c/d is the product of a, b and c/d to the reader of plain text.
+    """
+    factors = node.factors if isinstance(node, Product) else (node,)
+    fractions = [part for part in factors if isinstance(part, Quotient)]
+    if len(fractions) != 1:
+        return (), None
+    (fraction,) = fractions
+    above = (
+        fraction.numerator.factors if isinstance(fraction.numerator, Product) else (fraction.numerator,)
+    )
+    return (*(part for part in factors if part is not fraction), *above), fraction.denominator
+
+
+def _precision(node: Formula) -> float | None:
+    """Return how far a number may be off, as a part of it; None if it has few digits."""
+    if not is_lone_number(node):
+        return CLOSE
+    number = next(iter(parts_of_kind(node, Number)), None)
+    if number is None or not number.value:
+        return None
+    half = float(number.last_place or 1) / 2
+    part = half / abs(float(number.value))
+    return part if part <= 0.5 * 10.0 ** (1 - FEWEST_DIGITS) else None
+
+
+def _is_slip_of_digits(typed: float, exact: float) -> bool:
+    """Tell whether a number is the exact one with digits exchanged, or a power of ten away."""
+    if typed * exact <= 0:
+        return False
+    powers = log10(typed / exact)
+    digits = [
+        sorted(f"{abs(number):.{_DIGITS_COMPARED - 1}e}".split("e")[0]) for number in (typed, exact)
+    ]
+    return isclose(powers, round(powers), abs_tol=1e-3) or digits[0] == digits[1]

@@ -1,0 +1,40 @@
+"""A number that fits a formula one slip from the page's own is not accused; a slip of digits is."""
+
+import pytest
+
+from symbalance.checking import check
+
+MEAN = (
+    r"The stress lies between $\sigma_o = 66.9$ MPa and $\sigma_u = -12.6$ MPa, with $q = {formula}$."
+    + "\n\n"
+)
+TWIST = "J1 = 1.83 kg m^2, J2 = 0.285 kg m^2, k = 0.70e6 N m.\n\nQ = {formula}\n\n"
+
+
+def _last(page):
+    return check(page).data()["links"][-1]
+
+
+@pytest.mark.parametrize(
+    ("formula", "number", "verdict"),
+    [
+        (r"\frac{\sigma_o + \sigma_u}{2}", "27.15", "holds"),
+        (r"\frac{\sigma_o - \sigma_u}{2}", "27.15", "undecided"),  # the sum comes to it
+        (r"\frac{\sigma_o + \sigma_u}{2}", "27.51", "refuted"),
+        (r"\frac{\sigma_o + \sigma_u}{2}", "271.5", "refuted"),
+        (r"\frac{\sigma_o + \sigma_u}{2}", "31.4", "refuted"),
+    ],
+)
+def test_a_number_beside_a_formula_of_the_page(formula, number, verdict):
+    last = _last(MEAN.replace("{formula}", formula) + f"In numbers $q = {number}$ MPa.\n")
+    assert last["verdict"] == verdict
+    if verdict == "undecided":
+        assert "one of the two is wrong" in last["reason"]
+
+
+def test_a_fraction_upside_down_may_be_what_is_wrong():
+    numbers = "Q = sqrt(0.70e6*2.115/0.52155)\n"
+    assert _last(TWIST.format(formula="sqrt(k*(J1 + J2)/(J1*J2))") + numbers)["verdict"] != "refuted"
+    assert _last(TWIST.format(formula="sqrt(k*J1*J2/(J1 + J2))") + numbers)["verdict"] == "undecided"
+    wrong = numbers.replace("2.115", "2.511")
+    assert _last(TWIST.format(formula="sqrt(k*(J1 + J2)/(J1*J2))") + wrong)["verdict"] == "refuted"
