@@ -305,6 +305,8 @@ class _Page:
         """Return a relation as a line that opens."""
         shown = typeset(verdict, self.sides, self.text)
         words: Words = Code(one_line(_typed(verdict), LONGEST_PROSE)) if shown is None else shown
+        if verdict.sign:
+            words = (self._formula(verdict.left), f" {verdict.sign} ", self._formula(verdict.source))
         return Marked(
             place(verdict),
             words,

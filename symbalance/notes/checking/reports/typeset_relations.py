@@ -12,6 +12,7 @@ from symbalance.document.formula import (
     Constant,
     Equation,
     Formula,
+    Name,
     Number,
     Product,
     Quotient,
@@ -22,12 +23,12 @@ from symbalance.document.formula import (
     walk,
     with_children,
 )
-from symbalance.document.letters import GREEK_SIGN, NAME_OF_SIGN
+from symbalance.document.letters import GREEK_SIGN, NAME_OF_SIGN, raised
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.written_degrees import degrees_of
 from symbalance.notes.checking.words.written_numbers import written_number
 from symbalance.notes.reading import ReadingError, read_equation
-from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.units import USUAL_SCALES, scale_of
 from symbalance.text import lazy_patterns as re
 
@@ -53,7 +54,7 @@ def typeset(verdict: Verdict, sides: Sides, text: str = "") -> Formula | Equatio
     right = as_written(_with_unit_behind(verdict.node, verdict.span), text)
     if chain is None or not k:
         return right
-    left = chain.sides[k - 1].node
+    left = _with_its_dots(chain.sides[k - 1], text)
     first = as_written(left, text) if k == 1 and is_readable(left) else Upright("")
     return Equation(first, ((chain.relations[k - 1].sign, right),))
 
@@ -86,8 +87,17 @@ def whole_chain(chain: Chain, text: str = "") -> Formula | Equation:
         (relation.sign, as_written(_with_unit_behind(side.node, side.span), text))
         for relation, side in zip(chain.relations, chain.sides[1:], strict=True)
     )
-    first = as_written(chain.sides[0].node, text)
+    first = as_written(_with_its_dots(chain.sides[0], text), text)
     return Equation(first, rest) if rest else first
+
+
+def _with_its_dots(side: Side, text: str) -> Formula:
+    """Return a side, as it was typed where it is a dotted letter that was read as another: φ̇ as ω."""
+    source = text[slice(*side.span)]
+    if not isinstance(side.node, Name) or _DOTTED.match(source) is None:
+        return side.node
+    typed = formula_of(source)
+    return side.node if typed is None or isinstance(typed, Equation) else typed
 
 
 def _with_unit_behind(node: Formula, span: Span) -> Formula:
@@ -107,7 +117,8 @@ def as_written(node: Formula, text: str = "") -> Formula:
     'cos(x + 90°)'
     """
     if (degrees := degrees_of(node)) is not None:
-        return degrees
+        typed = _COMMA_DEGREES.match(text[slice(*node.span)])
+        return Upright(f"{typed['whole']},{typed['rest']}°") if typed else degrees
     if text and (quantity := _quantity(node, text)) is not None:
         return quantity
     parts = children(node)
@@ -126,7 +137,7 @@ def _quantity(node: Formula, text: str) -> Formula | None:
     if not isinstance(node, Product):
         return None
     factors = _with_units([each for each in node.factors if not _is_unit_understood(each)], text)
-    if len(factors) == len(node.factors):
+    if len(factors) == len(node.factors) and all(map(is_, factors, node.factors)):
         return None
     rest = tuple(each if isinstance(each, Upright) else as_written(each, text) for each in factors)
     return rest[0] if len(rest) == 1 else Product(rest)
@@ -146,11 +157,16 @@ def _with_units(factors: Sequence[Formula], text: str) -> list[Formula]:
         if is_unit and not names(factor) and result and isinstance(result[-1], Number):
             size = text[slice(*result.pop().span)].replace("{,}", ",").strip("$ ")
             result.append(Upright(f"{size} {unit}"))
+        elif is_unit and not names(factor) and result:  # behind a bracket or a fraction
+            result.append(Upright(_EXPONENT.sub(lambda match: raised(match[1]), unit)))
         else:
             result.append(factor)
     return result
 
 
+_COMMA_DEGREES = re.compile(r"\s*(?P<whole>[0-9]+)(?:\{,\}|,)(?P<rest>[0-9]+)")
+_EXPONENT = re.compile(r"\^([0-9])")
+_DOTTED = re.compile(r"\\d{1,3}ot(?![A-Za-z])")
 _AROUND_UNIT = re.compile(r"\\(?:mathrm|text|textrm|mbox|unit|si|rm)(?![A-Za-z])|\\[,;: ]|[${}~\s]")
 
 
