@@ -10,6 +10,7 @@ from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, NAME_OF_SIGN
 from symbalance.document.wordlists import word_set, words
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.formulas.lexer import Vocabulary
+from symbalance.notes.reading.passages.operations_before import doubt_of_operation
 from symbalance.notes.reading.passages.words_behind_numbers import says_multiple_of
 from symbalance.notes.reading.sources import CELL_END
 from symbalance.notes.reading.units import scale_of
@@ -95,7 +96,11 @@ def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingE
         return cut_error(place, behind)
     line_begin = text.rfind("\n", 0, start) + 1
     before = text[max(line_begin, start - MARGIN) : start].rpartition(CELL_END)[2].rstrip()
-    return _doubt_of_place(text, start, end, before) or _doubt_before(start, before)
+    return (
+        _doubt_of_place(text, start, end, before)
+        or _doubt_before(start, before)
+        or doubt_of_operation(text, start, end, before)
+    )
 
 
 _NUMBER_FIRST = re.compile(r"[0-9][0-9.,]*[ ]?(?:°|deg\b)?[ ]?=")
