@@ -163,9 +163,6 @@ class Account:
             return Passed(line, column, why, span)
         if (reason := self._unread_sign(place)) is not None:
             return Unreadable(line, column, *reason, span)
-        if (operation := self._operation_before(place)) is not None:
-            what = f"{operation[0].rstrip('( ').split()[0]}, an operation with its bounds in words"
-            return Unreadable(line, column, what, "write it in signs", span)
         near = self._refused_near.get(place // _BLOCK, ())
         failure = next((f for (a, b), f in near if a <= place < b), None)
         if failure is not None:
@@ -209,6 +206,9 @@ class Account:
         """Return why a relation sign is never judged and what to write for it, None for others."""
         if self.text.startswith(("∝", "\\propto"), place):
             return REFUSED["propto"]
+        if (operation := self._operation_before(place)) is not None:
+            word = operation[0].rstrip("( ").split()[0]
+            return f"{word}, an operation with its bounds in words", "write it in signs"
         if (unread := UNREAD_RELATIONS.match(self.text, place)) is not None:
             return f"{unread[0]} is not read", "write =, ≈, < or >"
         size = _SIZE.match(self.text, place)

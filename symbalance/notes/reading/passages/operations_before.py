@@ -1,4 +1,4 @@
-"""Operations that words before a formula begin: the sine of 30° = 0.5, the sum of 2 and 3 = 5, 2 hoch 3 = 8.
+"""Operations that words before a formula begin: the sine of 30° = 0.5, the sum of 2 and 3 = 5.
 
 The formula is their last operand alone, so the relation is not whole without the words. Words that only
 name it stay apart: the sum of the forces F = 3 N, a ratio of λ = 0.25.
@@ -26,7 +26,10 @@ _OPERAND = (
     r"(?:\$[^$\n=<>≈≤≥]{1,60}\$|[-−]?[0-9][0-9.,]*(?:[ ]?[A-Za-zµ°%/²³·]{1,8})?"
     r"|[^\W\d_](?:_\{?\w{1,4}\}?|[₀-₉]{1,2}|[0-9]{1,2})?)"
 )
-_AND = r"(?:\s?,(?:\s(?:and|und|or|oder))?|\s(?:and|und|et|y|e|to|zu|by|durch|par|por|from|mit|with|von|&))\s"
+_AND = (
+    r"(?:\s?,(?:\s(?:and|und|or|oder))?"
+    r"|\s(?:and|und|et|y|e|to|zu|by|durch|par|por|from|mit|with|von|&))\s"
+)
 _OPERATION_OF_MANY = re.compile(
     rf"(?<![^\W\d_])(?P<what>{_MANY})\s{_OF}\s(?:{_OPERAND}{_AND}){{1,6}}$", re.IGNORECASE
 )
