@@ -15,6 +15,8 @@ RIGHT = [
     ("$U = 12$ V and $I = 5$ A.", "$R = U/I = 2.4$ Ω"),
     ("$U = 12$ kV, $I = 5$ mA", "$P = U I = 60$ W"),
     ("$U = 12\\,\\mathrm{kV}$, $I = 5\\,\\mathrm{mA}$", "$P = U I = 60$ W"),
+    ("$I = 5$ A, $t = 2$ h", "$Q = I t = 36000$ A s"),
+    ("$I = 5$ A, $t = 2$ h", "$Q = I t = 10$ A h"),
     ("$V_h = 2$ l", "$V_h = 2000$ cm³"),
     ("$\\rho = 7.85$ t/m³", "$\\rho = 7850$ kg/m³"),
     ("$m = 2$ are used a day.", "$2m = 4$"),
@@ -31,6 +33,8 @@ WRONG = [
 OPEN = [
     "The time is $t = 3$ s. The path is $x = 2$ t.",
     "$A = 5$ mm². Then $F = 2$ A.",
+    "The moment is $M = 2$ t m.",
+    "The charge is $Q = 10$ Ah.",
     "$B = 2$ T, so $2B = 4$ T.",
 ]
 

@@ -29,7 +29,8 @@ _WRITE_WHOLE = "write it whole, between dollars"
 _UNKNOWN_UNIT = re.compile(
     r"(?<=[0-9])\s?(?:°C|°F|dB|oz|slugs?|cps|HP|CV|ch|kcal|cal|dyn|erg|t|[kM]?V|mA|kWh|l|L|cl|ml)"
     r"(?![\w(^])(?=[\s.,;)]|$)"
-    r"|(?<=[0-9]\$)[ ~]?(?:t[ ·]?m|tf|Mp|[tdlLVAΩTFHC]|[kMmnµμ][VAΩTFHC])(?![\w(^])(?=[\s.,;)]|$)"
+    r"|(?<=[0-9]\$)[ ~]?(?:t[ ·]?m|tf|Mp|[tdlLVAΩTFHC]|[kMmnµμ][VAΩTFHC]|[km]?(?:Vs|Ah|VA)"
+    r"|As(?=[.,;)]|$))(?![\w(^])(?=[\s.,;)]|$)"
 )
 _UNIT_LEFT_OUT = re.compile(r"(?<=[0-9])[ ~](?P<unit>[A-Za-z]{2,5})(?=[\s.,;:)]|$)")
 _WORDS_LIKE_UNITS = word_set("in as at us per deg min cd do it be an")

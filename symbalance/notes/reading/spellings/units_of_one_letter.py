@@ -14,7 +14,11 @@ from symbalance.text import lazy_patterns as re
 _UNITS = {"t": "Mg", "l": "dm^3", "L": "dm^3", "V": "V", "A": "A", "Ω": "Ω", "\u2126": "Ω"}
 _OF_HEADS = {"t": "mMGQW", "l": "VQ", "L": "VQ", "A": "Ii", "V": "Uu", "Ω": "RZX", "\u2126": "RZX"}
 """Letters that have their values in such a unit."""
-_ONE = re.compile(r"[tlLVAΩ\u2126](?![^\W\d_])(?=[\s.,;:)|\ue000]|$)(?!/)")
+_ONE = re.compile(
+    r"[tlLVAΩ\u2126](?![^\W\d_])(?=[\s.,;:)|\ue000]|$)(?!/)"
+    r"(?![ ·](?:[kcm]?[msNVA]|h|min|kg)(?![^\W\d_]))"
+)
+_GAP = re.compile(r" |\\,|~")
 _COMPOUND = re.compile(r"[A-Za-zµμΩ\u2126]+(?:[/·⋅][A-Za-zµμΩ\u2126]+[²³]?){0,3}")
 _PART = re.compile(r"(?<![^\W\d_])[tlL](?![^\W\d_])")
 _HEAD = re.compile(
@@ -34,6 +38,11 @@ def sure_unit_behind(text: str, match: re.Match[str]) -> tuple[str, int]:
     `match` has the mark that ends the formula, and behind it what may be the `unit`.
     """
     words, start = match["unit"], match.start("unit")
+    ends = sorted({len(words), *(gap.start() for gap in _GAP.finditer(words))}, reverse=True)
+    for end in ends[:-1]:  # A s, N m/A
+        named = with_electric_names(words[:end])
+        if named != words[:end] and scale_of(named) is not None:
+            return words[:end], end
     one = _ONE.match(text, start)
     if one is not None:
         head = _head_before(text, match.start(), match["mark"])
@@ -42,7 +51,7 @@ def sure_unit_behind(text: str, match: re.Match[str]) -> tuple[str, int]:
         is_unit = is_volume or is_free or head in _OF_HEADS[one[0]]
         return (_UNITS[one[0]], 1) if is_unit else ("", 0)
     compound = _COMPOUND.match(words)
-    if compound is None or scale_of(compound[0]) is not None:
+    if compound is None or compound.end() == 1 or scale_of(compound[0]) is not None:
         return "", 0
     unit = _PART.sub(lambda part: _UNITS[part[0]], compound[0])
     is_unit = scale_of(with_electric_names(unit)) is not None
