@@ -54,6 +54,12 @@ _QUANTITY = re.compile(
 )
 """A quantity that each of several may have; a speed or an angle is that of all."""
 
+_LETTER = re.compile(r"[^\W\d_]")
+_OPERATION = re.compile(r"[-+−*/·×^]|\\[dt]?frac")
+_EACH = re.compile(r"^[ ]?[^.;]{0,20}\b(?:each|apiece|je|jeweils|chacun|cada)\b")
+_BEHIND = 30
+"""Characters behind a relation in which words may say that it is of each."""
+
 
 def doubt_of_operation(text: str, start: int, end: int, before: str) -> ReadingError | None:
     """Return why an equation in prose is the last operand of an operation in the words `before` it.
@@ -66,13 +72,16 @@ def doubt_of_operation(text: str, start: int, end: int, before: str) -> ReadingE
     relation = RELATION.search(text, start, end)
     if relation is None:
         return None
-    side = text[start : relation.start()].strip()
-    is_letter = _LETTER_ALONE.fullmatch(side) is not None
-    if match := (not is_letter and _OPERATION_OF_ONE.search(before)) or None:
+    side, result = text[start : relation.start()].strip(), text[relation.end() : end]
+    names_angle = _LETTER.search(side) is not None and "°" in result
+    is_named = names_angle or _LETTER_ALONE.fullmatch(side) is not None  # the sine of 2θ = 60°
+    is_restated = before.endswith(",") and _OPERATION.search(side) is not None  # of s to d, s/d = 0.9
+    is_of_each = _EACH.search(text[end : end + _BEHIND].partition("\n")[0]) is not None
+    if match := (not is_named and _OPERATION_OF_ONE.search(before)) or None:
         what = match.group()
-    elif (match := _OPERATION_OF_MANY.search(f"{before} ")) or (match := _POWER.search(before)):
+    elif match := (not is_restated and _OPERATION_OF_MANY.search(f"{before} ")) or _POWER.search(before):
         what = match["what"]
-    elif (match := _SEVERAL.search(before)) and _QUANTITY.match(side):
+    elif (match := not is_of_each and _SEVERAL.search(before)) and _QUANTITY.match(side):
         return ReadingError(start, f"one or all of several: {match['what']}", "write how often in signs")
     elif (match := _TENDING.search(before)) and _TARGET_FIRST.match(side):
         what = f"the limit {match['what']}"
