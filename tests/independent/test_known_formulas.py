@@ -250,6 +250,24 @@ CASES = {
     "circumferential speed": [(MOVING, circle_motion(1))],
     "firing interval of a four-stroke engine": [(ENGINE, 2 * 2 * mp.pi / 6)],
     "firing interval of a two-stroke engine": [(ENGINE, 2 * mp.pi / 6)],
+    "stress of a force on an area": [
+        ({"force": F(str(over_section(lambda x, y: 5))), "area": F(str(AREA))}, 5)
+    ],
+    "pressure of a force on an area": [
+        ({"force": F(str(over_section(lambda x, y: 5))), "area": F(str(AREA))}, 5)
+    ],
+    "torque of a power": [
+        (
+            {"power": TORQUE * OMEGA, "omega": OMEGA, "force": TORQUE / RADIUS, "radius": RADIUS},
+            float(TORQUE),
+        )
+    ],
+    "stiffness by a force and its deflection": [
+        ({"force": 3 * RATE, "static_deflection": F(3)}, float(RATE))
+    ],
+    "density": [({"mass": F(14), "volume": F(2)}, 7)],
+    "duration of a turn or an oscillation": [({"omega": OMEGA}, 1 / float(TURN))],
+    "angular speed of a point on a circle": [(MOVING, float(OMEGA))],
     **OTHER_CASES,
     **BALANCE_CASES,
     **ROUND_BODIES,

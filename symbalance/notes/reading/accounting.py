@@ -54,6 +54,11 @@ _CONSTANT = re.compile(
 SAID_TO_BE_CONSTANT = "said to be constant"
 _WORDS_OF_PROSE = re.compile(r"(?<![\\A-Za-z])[^\W\d_]{3,}[ ]")
 _SIDE_BEFORE = re.compile(r"[^=<>≈≤≥,;:$\n&]{1,60}$")
+_OPERATION_IN_WORDS = re.compile(
+    r"∫|∑|∏|(?<![^\W\d_])(?:integral|sum|product|limit|derivative|Summe|Produkt|Grenzwert|somme|intégrale)\s?"
+    r"(?:\((?=[\d\w]{1,3}\s?(?:\.\.|…|,|:|=))|(?:of\s\S{1,12}\s)?(?:from|von|de)\s\S{1,12}\s(?:to|bis|à)\s)",
+    re.IGNORECASE,
+)
 _SAID_IN_WORDS = ("words on both sides", "a letter explained in words")
 """Reasons for which a sign may explain a letter."""
 _EXPLAINING = ("=", ":=", "\\equiv", "≡", "≙", "\\triangleq", "≜", "≔", "\\coloneqq")
@@ -201,10 +206,18 @@ class Account:
         """Return why a relation sign is never judged and what to write for it, None for others."""
         if self.text.startswith(("∝", "\\propto"), place):
             return REFUSED["propto"]
+        if (operation := self._operation_before(place)) is not None:
+            word = operation[0].rstrip("( ").split()[0]
+            return f"{word}, an operation with its bounds in words", "write it in signs"
         if (unread := UNREAD_RELATIONS.match(self.text, place)) is not None:
             return f"{unread[0]} is not read", "write =, ≈, < or >"
         size = _SIZE.match(self.text, place)
         return None if size is None else (f"{size[0].strip()} between numbers", "write =, < or >")
+
+    def _operation_before(self, place: int) -> re.Match[str] | None:
+        """Return where the side before a sign begins an integral or a sum in words, None for others."""
+        side = _SIDE_BEFORE.search(self.text, max(place - _AROUND, 0), place)
+        return _OPERATION_IN_WORDS.search(side[0]) if side is not None else None
 
     def _clause(self, place: int) -> tuple[int, int]:
         """Return the part of a line that a sign stands in."""
@@ -240,6 +253,7 @@ class Account:
             "words on both sides": is_word(before, names) and is_word(after, names),
             "the value of a word that is no declared letter": is_value
             and is_word(before, names)
+            and self._operation_before(place) is None
             and not _MEASURED_WORD.search(self.text[max(place - _AROUND, 0) : place]),
             SAID_TO_BE_CONSTANT: _CONSTANT.match(self.text, place),
             "a letter explained in words": _is_explanation(before, self._right_side(place), names),

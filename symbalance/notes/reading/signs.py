@@ -149,7 +149,8 @@ REFUSED: dict[str, tuple[str, str]] = {
 }  # fmt: skip
 
 UNREAD_RELATIONS = re.compile(
-    "[≙≘≚≛≝≞≟≊∽≍≎≏≢≣≨≩≭≮≯≰≱≲≳≴≵≶≷≺≻≼≽≾≿⋍⋖⋗⋘⋙⋚⋛⩰⩵⪅⪆⪇⪈⪉⪊⪋⪌⪍⪎⪕⪖⪝⪞⪯⪰≁≄≇≉]"
+    "[≙≘≚≛≝≞≟≊∽≍≎≏≢≣≨≩≭≮≯≰≱≲≳≴≵≶≷≺≻≼≽≾≿⋍⋖⋗⋘⋙⋚⋛⩰⩵⪅⪆⪇⪈⪉⪊⪋⪌⪍⪎⪕⪖⪝⪞⪯⪰≁≄≇≉"
+    "≂≆≋≌≓≕-≗≸≹⊀⊁⋜-⋟⧣-⧥⩦-⩯⩱-⩴⩶-⩼⩿-⪄⪏-⪔⪗-⪜⪟-⪢⪪-⪮⪱-⪼﹤-﹦꞊]"
     r"|\\(?:gtrsim|lesssim|gtrapprox|lessapprox|asymp|nless|ngtr|nleq|ngeq|nleqslant|ngeqslant|bumpeq|Bumpeq"
     r"|risingdotseq|circeq|prec|succ|preceq|succeq|ncong|nsim|gneqq?|lneqq?|lessgtr|gtrless|lesseqgtr|gtreqless"
     r"|backsimeq|backsim|eqcirc|thickapprox|thicksim)(?![A-Za-z])"

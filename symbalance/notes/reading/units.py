@@ -58,6 +58,10 @@ _SPELLED = {
 }  # fmt: skip
 _UNITS |= {word: scale for spelled, scale in _SPELLED.items() for word in words(spelled)}
 _UNITS |= {p + "g": scale / 1000 for p, scale in _PREFIXES.items()}
+_ELECTRIC = {"V": "volt", "A": "ampere", "Ω": "ohm", "\u2126": "ohm"}
+"""Signs that are letters of most formulas, and the names by which they are looked up as units."""
+_UNITS |= {p + name: scale for name in _ELECTRIC.values() for p, scale in _PREFIXES.items()}
+_ELECTRIC_PART = re.compile(r"(?<![^\W\d_])([kMGmunµμ]?)([VAΩ\u2126])(?![^\W\d_])")
 USUAL_SCALES = tuple(
     sorted(
         {
@@ -386,7 +390,18 @@ def unit_set_at(text: str, place: int, end: int) -> tuple[str, int] | None:
         if not more or not scale_of(more.group("word") or "?"):
             break
         stop = more.end()
-    return _bare(text[place:stop]), stop
+    unit = _bare(text[place:stop])
+    return (with_electric_names(unit) if is_set_apart(text, place) else unit), stop
+
+
+def with_electric_names(unit: str) -> str:
+    r"""Return a unit with its volts, amperes and ohms by name: these are read in units set apart alone.
+
+    >>> with_electric_names("kV"), with_electric_names(r"V/\Omega"), with_electric_names("mm")
+    ('kvolt', 'volt/ohm', 'mm')
+    """
+    plain = re.sub(r"\\Omega(?![A-Za-z])", "Ω", unit)
+    return _ELECTRIC_PART.sub(lambda m: m[1].translate(_RAISED) + _ELECTRIC[m[2]], plain)
 
 
 def unit_fraction_at(

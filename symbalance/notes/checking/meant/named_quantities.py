@@ -53,6 +53,7 @@ from symbalance.notes.checking.meant.correction_planes import CorrectionPlanes
 from symbalance.notes.checking.meant.formula_slips import agrees, differs, is_multiple, slip_of
 from symbalance.notes.checking.meant.left_sides import LETTER, as_side, end_named, head_of
 from symbalance.notes.checking.meant.letter_roles import LetterRoles, index_of, stem_of
+from symbalance.notes.checking.meant.letters_otherwise import are_otherwise
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.meant.quantity_forms import QuantityForms, is_telling
 from symbalance.notes.checking.meant.quantity_words import Named, Places, QuantityWords
@@ -266,6 +267,8 @@ class NamedQuantities:
             for each in self.words.named(name, chain, knowledge)
         ]
         sign = chain.relations[0].sign
+        plain = [each for each in candidates if each.quantity.is_plain]
+        candidates = [each for each in candidates if not each.quantity.is_plain]
         pairs = [
             (named, target)
             for named in candidates
@@ -284,6 +287,8 @@ class NamedQuantities:
                 self.words.words_above[name] = named.words
                 self.roles.taken[name] = _ROLE_OF.get(named.quantity.name, "")
                 return replace(decision, assumptions=(self.text(name, named), *rest))
+        if (inverted := self._inverted(chain, name, claim, plain, knowledge)) is not None:
+            return inverted
         fitting = {n.quantity.name: n for n in candidates if n.may_refute}
         if len(fitting) > 1:  # words that name several: by the letters of their formulas
             fitting = {
@@ -306,6 +311,23 @@ class NamedQuantities:
         targets = [target for each, target in pairs if each is named]
         targets += self._targets(named.quantity.approximate, claim, name, named, knowledge)
         return self._with_slip(chain, name, claim, named, targets, known, knowledge)
+
+    def _inverted(
+        self, chain: Chain, name: str, claim: Formula, plain: list[Named], knowledge: Knowledge
+    ) -> Verdict | None:
+        """Return that a formula is a plain quotient upside down, σ = A/F of a stress; None for others."""
+        sign, known = chain.relations[0].sign, Knowledge(SymbolValue(positive=frozenset(names(claim))))
+        for named in plain:
+            targets = self._targets(named.formulas_for(sign), claim, name, named, knowledge)
+            mistakes = self._targets(named.quantity.mistakes, claim, name, named, knowledge)
+            if any(agrees(each, claim) for each in targets) or not named.may_refute:
+                continue
+            roles = {role for node in named.quantity.mistakes for role in names(node)}
+            if may_be_part(named.sentence) or are_otherwise(self.page, names(claim), roles):
+                continue
+            if targets and any(agrees(each, claim) for each in mistakes):
+                return self._with_slip(chain, name, claim, named, targets, known, knowledge)
+        return None
 
     def _end(self, chain: Chain) -> str:
         """Return the number of the end from which the words beside a relation measure."""

@@ -10,6 +10,7 @@ from symbalance.document.letters import FUNCTION_WORDS, GREEK_SIGN, NAME_OF_SIGN
 from symbalance.document.wordlists import word_set, words
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.formulas.lexer import Vocabulary
+from symbalance.notes.reading.passages.operations_before import doubt_of_operation
 from symbalance.notes.reading.passages.words_behind_numbers import says_multiple_of
 from symbalance.notes.reading.sources import CELL_END
 from symbalance.notes.reading.units import scale_of
@@ -28,7 +29,8 @@ _WRITE_WHOLE = "write it whole, between dollars"
 _UNKNOWN_UNIT = re.compile(
     r"(?<=[0-9])\s?(?:°C|°F|dB|oz|slugs?|cps|HP|CV|ch|kcal|cal|dyn|erg|t|[kM]?V|mA|kWh|l|L|cl|ml)"
     r"(?![\w(^])(?=[\s.,;)]|$)"
-    r"|(?<=[0-9]\$)\s?(?:t[ ·]?m|tf|Mp)(?![\w(^])(?=[\s.,;)]|$)"
+    r"|(?<=[0-9]\$)[ ~]?(?:t[ ·]?m|tf|Mp|[tdlLVAΩTFHC]|[kMmnµμ][VAΩTFHC]|[km]?(?:Vs|Ah|VA)"
+    r"|As(?=[.,;)]|$))(?![\w(^])(?=[\s.,;)]|$)"
 )
 _UNIT_LEFT_OUT = re.compile(r"(?<=[0-9])[ ~](?P<unit>[A-Za-z]{2,5})(?=[\s.,;:)]|$)")
 _WORDS_LIKE_UNITS = word_set("in as at us per deg min cd do it be an")
@@ -95,7 +97,11 @@ def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingE
         return cut_error(place, behind)
     line_begin = text.rfind("\n", 0, start) + 1
     before = text[max(line_begin, start - MARGIN) : start].rpartition(CELL_END)[2].rstrip()
-    return _doubt_of_place(text, start, end, before) or _doubt_before(start, before)
+    return (
+        _doubt_of_place(text, start, end, before)
+        or _doubt_before(start, before)
+        or doubt_of_operation(text, start, end, before)
+    )
 
 
 _NUMBER_FIRST = re.compile(r"[0-9][0-9.,]*[ ]?(?:°|deg\b)?[ ]?=")

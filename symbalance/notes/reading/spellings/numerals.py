@@ -20,7 +20,8 @@ from symbalance.notes.reading.signs import (
     dotted_numbered,
 )
 from symbalance.notes.reading.spellings.pointed_units import compound_unit
-from symbalance.notes.reading.units import is_of_volume, scale_of
+from symbalance.notes.reading.spellings.units_of_one_letter import sure_unit_behind
+from symbalance.notes.reading.units import scale_of
 from symbalance.text import lazy_patterns as re
 
 _APART = (
@@ -585,10 +586,9 @@ def _units_in_words(text: str) -> dict[int, tuple[int, str]]:
         which = next(n for n in range(len(_SPELLED)) if match[f"u{n}"])
         changes[match.start()] = (match.end(), _unit_sign(_SPELLED[which][0], True) + match["behind"])
     for match in _BEHIND_DOLLAR.finditer(text):
-        if match["unit"].split()[0] in ("l", "L") and is_of_volume(text, match.start()):
-            changes[match.start()] = (match.start("unit") + 1, _unit_sign("dm^3", True) + match["mark"])
-            continue
-        unit, length = _unit_behind(match["unit"], text[match.end() :][:1])
+        unit, length = sure_unit_behind(text, match)
+        if not unit:
+            unit, length = _unit_behind(match["unit"], text[match.end() :][:1])
         if unit and _closes(text, match.start(), match["mark"]):
             end = match.start("unit") + length
             changes[match.start()] = (end, _unit_sign(unit, True) + match["mark"])

@@ -21,6 +21,7 @@ formula by a route of its own (integrals over the section, eigenvalues, the path
     locomotives   wheels, tractive force and swaying couple of two cranks at right angles
     two_cylinders the forces of two cylinders on one pin, along and across the line between them
     round_bodies  half discs and rings, their masses and inertia, the stress of a turning rim
+    plain_quotients  one letter over another: stress, density, stiffness
     counterweights  moments of counterweights and balance shafts, the shapes of weights
 """
 
@@ -36,6 +37,7 @@ from symbalance.notes.checking.meant.catalogue.forced import FORCED
 from symbalance.notes.checking.meant.catalogue.inertia import INERTIA
 from symbalance.notes.checking.meant.catalogue.locomotives import LOCOMOTIVES
 from symbalance.notes.checking.meant.catalogue.machine_parts import PARTS
+from symbalance.notes.checking.meant.catalogue.plain_quotients import PLAIN_QUOTIENTS
 from symbalance.notes.checking.meant.catalogue.resonance import RESONANCE
 from symbalance.notes.checking.meant.catalogue.roles import OTHER_LENGTHS as OTHER_LENGTHS
 from symbalance.notes.checking.meant.catalogue.roles import ROLES as FIRST_ROLES
@@ -54,6 +56,6 @@ ROLES: Mapping[str, Role] = {**FIRST_ROLES, **SHAFT_ROLES}
 QUANTITIES = (
     *STRENGTH, *PARTS, *FATIGUE, *VIBRATION, *FORCED, *RESONANCE, *TRAINS, *INERTIA, *CRANK_DRIVE,
     *WORK, *CRANK_TORQUE, *BALANCE, *LOCOMOTIVES, *TWO_CYLINDERS, *COUNTERWEIGHTS, *ENGINE_RATES,
-    *ROUND_BODIES,
+    *ROUND_BODIES, *PLAIN_QUOTIENTS,
 )  # fmt: skip
 """All quantities, each name once."""

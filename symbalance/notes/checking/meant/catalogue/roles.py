@@ -69,6 +69,9 @@ class Quantity:
     """Roles whose number the words of the page may give: half of the mass, seven cylinders."""
     is_of_one: bool = False
     """Whether it is one cylinder's: where the words name an engine with more, no factor is a slip."""
+    is_plain: bool = False
+    """Whether its formula is that of many others, F/A: nothing is proved by it, and where the words may
+    name another quantity of these letters nothing is refuted."""
     turns: bool = False
     """Whether the angle has to be counted from the line of stroke, at the top, for a refutation."""
 
@@ -105,7 +108,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|ねじりモーメント"),
     ("force", "F P", r"forces?|loads?|kraft|last|力|荷重|weights?|gewicht"),
     ("pressure", "p P", r"pressure|druck|圧力?|[bi]?mep"),
-    ("area", "A S F", r"area|fläche|面積"),
+    ("area", "A S F", r"area|fläche|面積|cross[- ]section|querschnitt(?!s)"),
     ("modulus", "W Z S", r"section modulus|widerstandsmoment|断面係数"),
     ("section", "I J", r"second moment|moment of (?:inertia|area)|polar moment|trägheitsmoment"
      r"|断面二次|inertia"),
