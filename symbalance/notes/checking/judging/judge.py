@@ -57,6 +57,7 @@ from symbalance.notes.checking.steps.another_body import (
 )
 from symbalance.notes.checking.steps.another_case import (
     as_case_of_multiple,
+    leave_formula_of_opening,
     leave_named_case,
     leave_value_of_case,
 )
@@ -83,6 +84,7 @@ from symbalance.notes.checking.steps.extremal_values import unless_no_extreme
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
+from symbalance.notes.checking.steps.named_case_again import return_to_case
 from symbalance.notes.checking.steps.nearest_equation import (
     by_nearest_equation,
     by_nearest_formulas,
@@ -178,6 +180,7 @@ class Judge:
             self.blocks.enter(chain.lines[0], self.state.definitions)
             self.exercises.enter(chain.lines[0], self.state.definitions, self.declarations)
             self.state.enter_case(chain.lines[0])
+            return_to_case(self.state, chain)
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
             verdicts += self.chain(chain, chain_binds)
         for binding in (b for rest in bindings.values() for b in rest):
@@ -448,6 +451,7 @@ class Judge:
         if (
             ((is_against or is_open) and leave_cycle(self.state, chain, k))
             or (is_for_lack and leave_engine(self.state, chain, k))
+            or ((is_against or is_for_lack) and leave_formula_of_opening(self.state, chain, k))
             or (
                 is_against
                 and (
