@@ -101,6 +101,7 @@ from symbalance.notes.checking.steps.open_cases import (
     without_cases,
 )
 from symbalance.notes.checking.steps.rates_with_numbers import with_numbers_of_rates
+from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_minute
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
 from symbalance.notes.checking.steps.series_relations import judge_series
 from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_place
@@ -522,6 +523,7 @@ class Judge:
             there = refuted_by_nearest(self.state, chain, k, knowledge)
         elif verdict.verdict in (REFUTED, CONTRADICTION):
             there = at_speed_in_words(self.state, chain, k, knowledge)
+            there = there or by_the_minute(self.state, chain, k, knowledge)
             there = there or with_other_values(self.state, chain, k, knowledge)
             there = there or by_nearest_equation(self.state, chain, k, knowledge)
             there = there or by_nearest_formulas(self.state, chain, k, knowledge)
