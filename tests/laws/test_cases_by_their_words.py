@@ -100,3 +100,22 @@ def test_a_case_of_another_kind_named_again_has_its_own_values(page, right, wron
 )
 def test_what_is_said_of_another_case_or_of_all_is_not_judged_by_the_first(line):
     assert words_of(f"{ENGINES}{line}\n")[-1] == "holds"
+
+
+@pytest.mark.parametrize("lead", ["So ", "Hence ", "This gives ", "Daraus folgt "])
+@pytest.mark.parametrize("formula", ["\\cosθ", "\\cosθ+3", "x+1"])
+def test_a_number_that_words_lead_to_is_no_new_case_of_a_formula(lead, formula):
+    assert words_of(f"$u = {formula}$\n\n{lead}$u = 2$.\n") == ["definition", "undecided"]
+
+
+@pytest.mark.parametrize(
+    "page",
+    [
+        "$u = x+1$\n\nAt rest $u = 2$.\n",
+        "$u = x+1$\n\nLet $u = 2$.\n",
+        "$u = x+1$ with $x = 1$. So $u = 2$.\n",
+        "For equal masses $u = x+1$. So $u = 2$.\n",
+    ],
+)
+def test_a_number_without_such_words_may_be_a_case(page):
+    assert not {"undecided", *ACCUSED} & set(words_of(page))
