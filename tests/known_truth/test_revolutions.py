@@ -48,3 +48,25 @@ def test_a_letter_of_unknown_meaning_on_one_side_refutes_nothing() -> None:
     )
     (both,) = check(r"$$F r\cos u = F l\cos u$$", letters).verdicts
     assert both.verdict == "refuted"
+
+
+BY_MINUTE = [
+    ("$n = 3000$ rpm", r"ω = 2πn", r"ω = \frac{{{}n}}{{30}}", "π", "2π"),
+    (r"$n = 3000\,\mathrm{min}^{-1}$", r"ω = 2πn", r"ω = \frac{{{}n}}{{60}}", "2π", "π"),
+    ("$n = 3000$ U/min", "P = 2πnM", r"P = \frac{{{}nM}}{{30}}", "π", "4π"),
+    ("$n = 3000$ 1/min", r"c = \frac{sn}{30}", "c = {}sn", "2", "4"),
+    ("$n = 3000$ rpm", "c = 2sn", "c = {}sn", "2", "120"),
+]
+
+
+@pytest.mark.parametrize(("given", "first", "second", "right", "wrong"), BY_MINUTE)
+def test_revolutions_by_the_second_and_by_the_minute(given, first, second, right, wrong):
+    pages = [f"{given}\n\n${first}$\n\n${second.format(n)}$\n" for n in (right, wrong)]
+    words = [[e["verdict"] for e in check(page).data()["links"]] for page in pages]
+    assert words[0][-1] in ("conditional", "holds")
+    assert words[1][-1] == "refuted"
+
+
+def test_no_number_by_the_minute_lets_no_thirtieth_pass():
+    page = "$n = 50$ 1/s\n\n$ω = 2πn$\n\n$ω = \\frac{πn}{30}$\n"
+    assert check(page).data()["links"][-1]["verdict"] == "refuted"

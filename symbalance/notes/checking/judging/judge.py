@@ -57,6 +57,7 @@ from symbalance.notes.checking.steps.another_body import (
 )
 from symbalance.notes.checking.steps.another_case import (
     as_case_of_multiple,
+    leave_formula_of_opening,
     leave_named_case,
     leave_value_of_case,
 )
@@ -84,6 +85,7 @@ from symbalance.notes.checking.steps.formula_one_slip_away import number_of_a_fo
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
+from symbalance.notes.checking.steps.named_case_again import return_to_case
 from symbalance.notes.checking.steps.nearest_equation import (
     by_nearest_equation,
     by_nearest_formulas,
@@ -100,6 +102,7 @@ from symbalance.notes.checking.steps.open_cases import (
     without_cases,
 )
 from symbalance.notes.checking.steps.rates_with_numbers import with_numbers_of_rates
+from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_minute
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
 from symbalance.notes.checking.steps.series_relations import judge_series
 from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_place
@@ -179,6 +182,7 @@ class Judge:
             self.blocks.enter(chain.lines[0], self.state.definitions)
             self.exercises.enter(chain.lines[0], self.state.definitions, self.declarations)
             self.state.enter_case(chain.lines[0])
+            return_to_case(self.state, chain)
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
             verdicts += self.chain(chain, chain_binds)
         for binding in (b for rest in bindings.values() for b in rest):
@@ -449,6 +453,7 @@ class Judge:
         if (
             ((is_against or is_open) and leave_cycle(self.state, chain, k))
             or (is_for_lack and leave_engine(self.state, chain, k))
+            or ((is_against or is_for_lack) and leave_formula_of_opening(self.state, chain, k))
             or (
                 is_against
                 and (
@@ -519,6 +524,7 @@ class Judge:
             there = refuted_by_nearest(self.state, chain, k, knowledge)
         elif verdict.verdict in (REFUTED, CONTRADICTION):
             there = at_speed_in_words(self.state, chain, k, knowledge)
+            there = there or by_the_minute(self.state, chain, k, knowledge)
             there = there or with_other_values(self.state, chain, k, knowledge)
             there = there or by_nearest_equation(self.state, chain, k, knowledge)
             there = there or by_nearest_formulas(self.state, chain, k, knowledge)

@@ -43,6 +43,7 @@ from symbalance.notes.checking.steps.dead_centres import angle_there
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.verdicts import REFUTED, UNDECIDED, Verdict
+from symbalance.notes.checking.words.case_labels import thing_of_case
 from symbalance.notes.checking.words.case_words import engine_named
 from symbalance.notes.reading.equations import Chain, Side
 from symbalance.text import lazy_patterns as re
@@ -109,7 +110,8 @@ def note_other_case(
     if not knowledge.corrects:
         known = replace(knowledge, corrects=True)
         searched = add_fix_of_relation(state, verdict, chain, k, against, decision, known)
-    if is_slip(searched.fix, decision, is_datum=is_datum, is_result=is_result):
+    is_near = is_slip(searched.fix, decision, is_datum=is_datum, is_result=is_result)
+    if is_near and not (is_told and _is_of_new_thing(state, chain)):
         return verdict
     at = ", ".join(map(str, rows[:MOST_LINES])) + (", …" if len(rows) > MOST_LINES else "")
     at_odds = (
@@ -167,6 +169,14 @@ def unless_other_case(state: JudgingState, chain: Chain, k: int, verdict: Verdic
         return verdict
     undecided = replace(decision, status=UNDECIDED, reason=decision.at_odds)
     return describe(state.document, chain, k, undecided)
+
+
+def _is_of_new_thing(state: JudgingState, chain: Chain) -> bool:
+    """Tell whether a formula is said to be for a thing of which the page has not spoken above."""
+    first = state.sections.end_before(chain.start) or 0
+    words = thing_of_case(state.document.text, first, chain.start)
+    above = state.document.text[:first].lower()
+    return bool(words) and not any(word in above for word in words)
 
 
 def _line_of_angle(chain: Chain, k: int, against: Side, knowledge: Knowledge) -> int | None:

@@ -31,7 +31,7 @@ from symbalance.notes.checking.premises.another_prefix import ANOTHER_PREFIX, is
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.premises.impossible_values import outside_range
 from symbalance.notes.checking.premises.premise_decisions import FAR, decide_by_premises
-from symbalance.notes.checking.premises.results_as_cases import refute_result
+from symbalance.notes.checking.premises.results_as_cases import is_led_to, refute_result
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.verdicts import CONDITION, CONTRADICTION, DEFINITION, PREMISE
 from symbalance.notes.checking.words.angles_of_time import is_time_of_angle
@@ -431,6 +431,11 @@ def _define_case_anew(
     line = chain.lines[0]
     if (wrong := refute_result(definitions, name, value, earlier, chain, knowledge)) is not None:
         return wrong
+    if names(earlier.node) and is_led_to(definitions, value, chain):
+        reason = (
+            f"words lead to it from line {earlier.line}, and nothing says that the formula comes to it"
+        )
+        return Decision(UNDECIDED, reason)
     if isinstance(value, Name) and value.name in knowledge.definitions:
         definitions.conditions[line] = frozenset(_letters_behind([earlier.node, value], knowledge))
         return Decision(CONDITION, "sets two quantities equal")

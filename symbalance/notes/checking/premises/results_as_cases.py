@@ -40,7 +40,7 @@ _ARROW = r"\\(?:Rightarrow|implies|Longrightarrow|therefore)(?![A-Za-z])|[⇒⟹
 _LEADS = (
     r"so|hence|thus|therefore|then|consequently|which|that|this|it|and|we|one|gives?|giving|yields?|get|gets|obtain|obtains|find"
     r"|finds|have|follows|comes?|out|as|to|is|becomes?|value|results?|(?:the|its|our|a)|answer|force|couple|moment|total|sum|all"
-    r"|also|daher|damit|somit|folglich|demnach|das|dies|es|ergibt|liefert|gilt|folgt|wird|und|man|erhält|wir|erhalten|der|die"
+    r"|also|daher|daraus|hieraus|damit|somit|folglich|demnach|das|dies|es|ergibt|liefert|gilt|folgt|wird|und|man|erhält|wir|erhalten|der|die"
     r"|sich|ergebnis|wert|zu|ist|donc|d'où|ainsi|soit|cela|donne|résultat|on|obtient|da|luego|entonces|resulta|quindi|dunque"
 )
 _CANCELS = (
@@ -110,6 +110,32 @@ def refute_result(
         return None
     text = f"{plain_text(Name(name))} = {plain_text(earlier.node)}"
     return Decision(CONTRADICTION, f"{NO_RESULT} {text} of line {earlier.line}")
+
+
+def is_led_to(definitions: Definitions, value: Formula, chain: Chain) -> bool:
+    """Tell whether words lead from a letter's formula right above to a bare number: u = cos θ, so u = 2.
+
+    No case of its own is opened there; where the formula comes to that number is for its letters to say.
+    """
+    sections, text = definitions.sections, definitions.sections.document.text
+    bare = value.operand if isinstance(value, Negative) else value
+    if (
+        not isinstance(bare, Number)
+        or len(chain.relations) != 1
+        or opens_case(text, chain.start, chain.end)
+    ):
+        return False
+    above = [c for c in sections.chains_of(chain.sides[0].node) if c.start < chain.start]
+    if not above or sections.end_before(chain.start) != above[-1].end:
+        return False
+    between = text[above[-1].end : chain.start]
+    is_result = len(between) <= FARTHEST and _RESULT.search(between) is not None
+    behind = re.split(r"[.;。；]\s|\n\s*\n", text[chain.end : chain.end + FARTHEST], maxsplit=1)[0]
+    if not is_result or _LINKS.fullmatch(between) is None:
+        return False
+    return not _NOT_ALWAYS.search(sections.sentence_leading_to(above[-1])) and not _NOT_ALWAYS.search(
+        behind
+    )
 
 
 def _is_false_zero(

@@ -25,6 +25,7 @@ from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import PREMISE
+from symbalance.notes.checking.words.case_labels import are_two_cases, words_of_case
 from symbalance.notes.checking.words.case_words import clause_before
 from symbalance.notes.checking.words.cases_named import (
     crank_spread_named,
@@ -64,6 +65,20 @@ def leave_named_case(state: JudgingState, chain: Chain, k: int) -> bool:
     return any(known)
 
 
+def leave_formula_of_opening(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Forget the formulas that a letter has of other things, by the words that open them; tell of any."""
+    head, line = chain.sides[0].node, chain.lines[0]
+    if k or not isinstance(head, Name) or head.name in state.declarations.symbols_at(line):
+        return False
+    if not names(chain.sides[1].node) or state.sections.is_consequence(chain):
+        return False
+    above = [c for c in state.sections.chains_of(head) if c.start < chain.start]
+    formulas = [c for c in above if c.relations and names(c.sides[1].node)]
+    others = _of_other_openings(state, formulas, chain)
+    left = [state.definitions.forget_line(head.name, c.lines[0]) for c in others]
+    return any(left)
+
+
 def leave_value_of_case(state: JudgingState, chain: Chain, k: int) -> bool:
     """Forget what a letter is "for N = 2" where "for N = 3" stands before it again; tell of any.
 
@@ -93,6 +108,26 @@ def _opens_with_number(state: JudgingState, chain: Chain) -> bool:
     is_plain = len(chain.relations) == 1 and isinstance(chain.sides[0].node, Name) and chain.inline
     is_number = is_plain and chain.relations[0].sign == "=" and not names(chain.sides[1].node)
     return is_number and state.sections.opens_case(chain)
+
+
+def _of_other_openings(state: JudgingState, formulas: list[Chain], chain: Chain) -> list[Chain]:
+    """Return the formulas of a letter whose opening words name another thing than its next one's.
+
+    Where an opening names the same thing once more, its formula counts: nothing is left.
+    """
+    own = _words_of_case(state, chain)
+    if not own:
+        return []
+    openings = [_words_of_case(state, formula) for formula in formulas]
+    if own in openings:
+        return []
+    return [c for c, words in zip(formulas, openings, strict=True) if are_two_cases(words, own)]
+
+
+def _words_of_case(state: JudgingState, chain: Chain) -> frozenset[str]:
+    """Return the words that open a formula's sentence, item or clause and name what it is of."""
+    first = state.sections.end_before(chain.start) or 0
+    return words_of_case(state.document.text, first, chain.start, chain.end)
 
 
 def _is_another_case(state: JudgingState, earlier: Chain, chain: Chain) -> bool:
@@ -234,7 +269,9 @@ def as_case_of_multiple(state: JudgingState, chain: Chain, k: int) -> Decision |
     if state.sections.is_consequence(chain) or not chain.inline:
         return None
     definitions, name = state.definitions, letter.name
-    if _has_value_in_clause(state, chain, name) or name in state.knowledge(line).angles:
+    above = [c for c in state.sections.chains_of(letter) if c.start < chain.start]
+    is_named = bool(state.sections.of_its_named_case(chain, above))
+    if is_named or _has_value_in_clause(state, chain, name) or name in state.knowledge(line).angles:
         return None
     definitions.premises = [p for p in definitions.premises if p.names != {name}]
     definitions.define(name, Quotient(value, number), chain, definitions.sections.case_end(line))

@@ -183,7 +183,10 @@ def _numbers_given(state: JudgingState, name: str, chain: Chain) -> list[Chain]:
     if any(c.sides[0].node == Name(name) and not names(c.sides[-1].node) for c in own):
         return []
     above = [c for c in state.sections.chains_of(Name(name)) if c.start < chain.start]
-    above = [c for c in above if not state.cases.is_of_case_before(c.lines[0], chain.lines[0])]
+    if of_case := state.sections.of_its_named_case(chain, above):
+        above = of_case
+    else:
+        above = [c for c in above if not state.cases.is_of_case_before(c.lines[0], chain.lines[0])]
     of_one = [c for c in above if len(c.relations) == 1 and not names(c.sides[1].node)]
     of_several = [c for c in above if len(c.relations) > 1 and _ends_in_number(state, c)]
     given = [c for c in (*of_one, *of_several) if c.relations[-1].sign in "=≈"]

@@ -13,6 +13,7 @@ from symbalance.document.letters import is_greek
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.words import case_words
 from symbalance.notes.checking.words.bodies_named import body_named
+from symbalance.notes.checking.words.case_labels import case_named
 from symbalance.notes.checking.words.engines_in_words import (
     EnginesInWords,
     NamedEngine,
@@ -721,6 +722,27 @@ class Sections:
         clause = case_words.clause_start(text, start)
         before, now = last_strokes(text[first:clause]), strokes_named(text[clause:start])
         return before > 0 and len(now) == 1 and before not in now
+
+    def case_named(self, chain: Chain) -> str:
+        """Return what names the case that a relation's sentence, item or row is of, or ""."""
+        if chain.start not in self._cases_named:
+            self._cases_named[chain.start] = case_named(self.document.text, chain.start, chain.end)
+        return self._cases_named[chain.start]
+
+    @cached_property
+    def _cases_named(self) -> dict[int, str]:
+        return {}
+
+    def of_its_named_case(self, chain: Chain, givers: list[Chain]) -> list[Chain]:
+        """Return those of a letter's values that the case of a relation gave it; none if another did not.
+
+        A value given since in no case is that of every case.
+        """
+        own = self.case_named(chain)
+        cases = [self.case_named(giver) for giver in givers]
+        if not own or own not in cases or "" in cases[cases.index(own) :] or set(cases) == {own}:
+            return []
+        return [giver for giver, case in zip(givers, cases, strict=True) if case == own]
 
     def chains_of(self, head: Formula) -> list[Chain]:
         """Return the chains that begin with a formula, a letter say, in the order of the text."""

@@ -1,0 +1,73 @@
+"""Formulas that count by the second, and by the minute: ω = 2πn, and then ω = πn/30.
+
+With n = 3000 rpm both are right: in the first n is a speed, in the second the number before its unit.
+They differ by a 60 for each of these letters, and by nothing else.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+from symbalance.document.formula import Formula, Name, Number, Product, Quotient, names, walk
+from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.words.plain_formulas import lone_side, plain_text
+from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
+
+_BY_MINUTE = re.compile(
+    r"[\s~$}]{0,4}(?:\\[,;: ]){0,2}(?:\\(?:mathrm|text|textrm|operatorname|rm)\s?\{?\s?)?"
+    r"(?:rpm|rev/min|r/min|U/min|1/min|/min|tr/min|min\}?\s?(?:⁻¹|\^\s?\{?[-−]1\}?)|\\frac\{1\}\{(?:\\mathrm\{)?min)",
+    re.IGNORECASE,
+)
+_PER_MINUTE = Number(Fraction(60))
+
+
+def by_the_minute(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return that a second formula is right with the number of revolutions in a minute; None if not."""
+    head, value = chain.sides[0].node, chain.sides[1].node
+    known = knowledge.definitions.get(head.name) if isinstance(head, Name) else None
+    if k or known is None or chain.relations[0].sign != "=":
+        return None
+    formulas = [node for node in (known.node, known.formula) if node is not None and names(node)]
+    counted = sorted(n for n in names(value) if _is_given_by_minute(state, n, chain))
+    if not formulas or not counted:
+        return None
+    letters = {n: d for n, d in knowledge.definitions.items() if not d.numeric}
+    free = replace(knowledge, definitions=letters)
+    was_by_minute, is_by_minute = (_is_by_minute(node) for node in (formulas[0], value))
+    if was_by_minute == is_by_minute:
+        return None
+    claim = value
+    for name in counted:
+        letter = Name(name)
+        turned = Product((_PER_MINUTE, letter)) if is_by_minute else Quotient(letter, _PER_MINUTE)
+        claim = substitute(claim, name, turned)
+    there = decide(lone_side(formulas[0]), lone_side(claim), "=", free)
+    if not there.is_proved:
+        return None
+    shown = ", ".join(plain_text(Name(name)) for name in counted)
+    which = "the number per minute" if is_by_minute else "counted in the seconds of the formula"
+    return replace(there, assumptions=(*there.assumptions, f"{shown} is {which} here"))
+
+
+def _is_by_minute(node: Formula) -> bool:
+    """Tell whether a formula divides by the 60 seconds of a minute, or by 30 or 120 for them."""
+    below = (part.denominator for part in walk(node) if isinstance(part, Quotient))
+    numbers = (part.value for each in below for part in walk(each) if isinstance(part, Number))
+    return any(number and not number % 30 for number in numbers)
+
+
+def _is_given_by_minute(state: JudgingState, name: str, chain: Chain) -> bool:
+    """Tell whether a line above gives a letter a number of revolutions per minute."""
+    text = state.document.text
+    above = (c for c in state.sections.chains_of(Name(name)) if c.start < chain.start)
+    numbers = [c for c in above if c.relations and not names(c.sides[-1].node)]
+    return any(
+        _BY_MINUTE.match(text, c.end) or _BY_MINUTE.search(text, c.sides[-1].span[0], c.sides[-1].span[1])
+        for c in numbers
+    )
