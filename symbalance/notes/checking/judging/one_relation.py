@@ -436,7 +436,7 @@ def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
             return by_trial
         by_motion = decide_natural_frequency(chain, k, here, knowledge)
         head = chain.sides[0].node
-        words = state.sections.sentence_before(chain) if here else ""
+        words = f"{leading} {state.sections.sentence_before(chain)}" if here else ""
         by_motion = by_motion or decide_motion_solution(chain, k, here, words, knowledge)
         if by_motion is not None and by_motion.is_proved and isinstance(head, Name):
             state.definitions.define(head.name, chain.sides[1].node, chain)
