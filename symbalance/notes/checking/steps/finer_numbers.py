@@ -64,8 +64,5 @@ def _as_printed(node: Formula) -> tuple[float, float] | None:
 
 def _is_unit(factors: tuple[Formula, ...]) -> bool:
     """Tell whether factors behind a number are a unit's, one power of ten: 2 · 0.7071 is none."""
-    value = value_of(Product(factors)) if len(factors) > 1 else value_of(factors[0])
-    if value is None or value <= 0:
-        return False
-    text = f"{value:.6e}"
-    return text.startswith("1.000000e")
+    value = value_of(Product(factors))
+    return value is not None and value > 0 and f"{value:.6e}".startswith("1.000000e")
