@@ -67,3 +67,22 @@ def test_what_satisfies_it_holds(page):
 )
 def test_what_may_be_another_motion_or_letter_is_not_accused(page):
     assert last_word(page) not in ("refuted", "contradiction", *HOLDS)
+
+
+@pytest.mark.parametrize(
+    ("page", "is_wrong"),
+    [
+        ("Integrating $a = 2t$ gives $v = 2t^2$.", True),
+        (r"Integration von $a = A\cos ωt$ liefert $v = Aω\sin ωt + C$.", True),
+        (r"Differentiating $x = r\cos ωt$ gives $v = -r\sin ωt$.", True),
+        (r"Ableiten von $x = r\cos ωt$ nach der Zeit ergibt $v = rω\sin ωt$.", True),
+        ("Integrating $a = 2t$ gives $v = t^2 + v_0$.", False),
+        (r"Integration von $a = A\cos ωt$ liefert $v = \frac{A}{ω}\sin ωt + C$.", False),
+        (r"Differentiating $x = r\cos ωt$, we get $v = -rω\sin ωt$.", False),
+        (r"Differentiating $x = r\cos ωt$ with respect to $ω$ gives $q = -r t\sin ωt$.", False),
+        (r"Differentiating $x = r\cosθ$ gives $v = -rω\sinθ$.", False),
+        (r"$ω = 3$ 1/s. Differentiating $x = r\cos ωt$ gives $v = -3r\sin ωt$.", False),
+    ],
+)
+def test_a_derivative_or_integral_that_words_name_is_worked_out(page, is_wrong):
+    assert (last_word(page) == "refuted") is is_wrong
