@@ -38,18 +38,15 @@ def refute_named_rate(state: JudgingState, chain: Chain, k: int, knowledge: Know
     if named is None or _GIVES.fullmatch(text[before.end : chain.start]) is None:
         return None
     heads = [before.sides[0].node, chain.sides[0].node]
-    if not all(isinstance(head, Name) for head in heads) or heads[0] == heads[1]:
-        return None
     first, second = before.sides[1].node, chain.sides[1].node
     whole, rate = (first, second) if named["rate"] else (second, first)
     own = names(rate) if named["rate"] else names(rate) | _factors_of_constants(whole)
-    known = names(first) | {_TIME.name}
-    if _TIME.name not in names(first) or not own <= known:
+    is_of_letters = all(isinstance(head, Name) for head in heads) and heads[0] != heads[1]
+    is_alone = own <= names(first) | {_TIME.name} and _TIME.name in names(first)
+    others = names(first) & knowledge.definitions.keys() - {_head(before)}
+    if not is_of_letters or not is_alone or others:
         return None
-    free = Knowledge()
-    if names(first) & knowledge.definitions.keys() - {_head(before)}:
-        return None
-    if decide_equality(Derivative(whole, _TIME, 1), rate, free).status != REFUTED:
+    if decide_equality(Derivative(whole, _TIME, 1), rate, Knowledge()).status != REFUTED:
         return None
     what = "derivative" if named["rate"] else "integral"
     return Decision(REFUTED, f"not the {what} by the time of line {before.lines[0]}")
