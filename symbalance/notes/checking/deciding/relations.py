@@ -45,7 +45,8 @@ from symbalance.notes.checking.deciding.order_agreement import (
     decide_agreement,
     degree,
 )
-from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.deciding.rounding import decimals
+from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 from symbalance.notes.checking.deciding.sums_over_cylinders import decide_over_cylinders
 from symbalance.notes.checking.deciding.whole_numbers import (
     behind,
@@ -207,11 +208,20 @@ def _as_printed(
         known = knowledge
         for name in chosen:
             definition = replace(knowledge.definitions[name], node=printed[name], numeric=True)
+            if Name(name) in (left.node, right.node):  # what x = 10/3 = 3.3 prints is no leave for 3.35
+                definition = replace(definition, node=_without_rounding(printed[name]))
             known = known.with_definition(name, definition)
         decision = _decide_as_defined(left, right, sign, known, through)
         if decision.is_proved:
             return decision
     return None
+
+
+def _without_rounding(node: Formula) -> Formula:
+    """Return a printed value as the number that it shows: 3.3, and not what is rounded to it."""
+    for number in decimals(node):
+        node = replace_part(node, number, Number(number.value))
+    return node
 
 
 def _printed(definition: Definition) -> Formula | None:

@@ -9,14 +9,14 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, Number, Summation, names, walk
+from symbalance.document.formula import Call, Constant, Formula, Name, Number, Summation, names, walk
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.algebra.sums import at_index, indexed_letters
-from symbalance.notes.algebra.tree_values import sample_trees
+from symbalance.notes.algebra.tree_values import letters_behind, sample_trees
 from symbalance.notes.checking.deciding.denied_conditions import WIDEST
-from symbalance.notes.checking.deciding.equality import REFUTED, Decision, printed_decimal
+from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision, printed_decimal
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, sample_ranges
 from symbalance.notes.checking.deciding.infinite_series import has_infinite_sum, is_infinite
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -28,6 +28,8 @@ TRIES = 24
 """Points drawn at random within the ranges that a page states."""
 EARLY, LATE = 40, 80
 """Terms of a sum without end that are compared: a sum has a value only if they become small."""
+_DOMAINS = {"ln": (0, None), "log": (0, None), "lg": (0, None), "asin": (-1, 1), "acos": (-1, 1)}
+"""Between which numbers a function has a real value."""
 SMALL = Fraction(1, 1000)
 """Below which a term is on its way to 0; what grows from one place to the other is not."""
 
@@ -50,12 +52,35 @@ def decide_where_values(
     level = list(knowledge.levels(*nodes))[-1]
     values = {name: value for name, value in level.values.items() if name not in general}
     meaning = replace(knowledge.meaning, values=values)
+    if (text := _without_real_value(nodes, meaning)) is not None:
+        return replace(decision, status=UNDECIDED, assumptions=(), reason=f"{text} has no real value")
     for name, value in places:
         there = replace(meaning, values={**values, name: value})
         if names(left.node) | names(right.node) == {name} and _has_one_value(nodes, there):
             text = f"{formula_text(Name(name), plain=True)} = {formula_text(value, plain=True)}"
             return replace(decision, status=REFUTED, assumptions=(), reason=f"no value for {text}")
     return _where_it_converges(nodes, decision, knowledge, meaning, {*general})
+
+
+def _without_real_value(nodes: tuple[Formula, Formula], meaning: SymbolValue) -> str | None:
+    """Return a logarithm of a number below zero, an arc sine beyond one; None where none stands.
+
+    Two that are written alike are no equal numbers. Beside the unit i they may be complex ones.
+    """
+    parts = [part for node in nodes for part in walk(node)]
+    if any(isinstance(part, Constant) and part.name == "i" for part in parts):
+        return None
+    for part in parts:
+        least, largest = (
+            _DOMAINS.get(part.function, (None, None)) if isinstance(part, Call) else (None, None)
+        )
+        if least is None or not isinstance(part, Call) or letters_behind(part.argument, meaning.values):
+            continue
+        points = sample_trees([part.argument], meaning, 1, tries=1)
+        number = points[0][1][0].real if points else None
+        if number is not None and (number < least or (largest is not None and number > largest)):
+            return formula_text(part, plain=True)
+    return None
 
 
 def _has_one_value(nodes: tuple[Formula, Formula], meaning: SymbolValue) -> bool:

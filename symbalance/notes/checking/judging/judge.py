@@ -78,10 +78,12 @@ from symbalance.notes.checking.steps.another_place import (
 )
 from symbalance.notes.checking.steps.another_section import leave_angle_of_section
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
+from symbalance.notes.checking.steps.conditions_by_values import unless_condition_fails
 from symbalance.notes.checking.steps.data_lists import open_if_datum
 from symbalance.notes.checking.steps.derivatives_set_to_zero import leave_extreme
 from symbalance.notes.checking.steps.extremal_values import unless_no_extreme
 from symbalance.notes.checking.steps.formula_one_slip_away import number_of_a_formula_one_slip_away
+from symbalance.notes.checking.steps.finer_numbers import unless_finer_by_nothing
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
@@ -321,6 +323,8 @@ class Judge:
         verdict = unless_false_zero(self.state, chain, k, verdict)
         verdict = unless_zero_as_printed(self.state, chain, k, verdict)
         verdict = unless_phases_remain(self.state, chain, k, verdict)
+        verdict = unless_condition_fails(self.state, chain, k, verdict)
+        verdict = unless_finer_by_nothing(self.state, chain, k, verdict)
         verdict = self._unless_its_own_premise(chain, k, self._of_its_case(chain, k, verdict))
         return unless_no_extreme(self.state, chain, k, verdict)
 

@@ -62,6 +62,7 @@ from symbalance.notes.checking.premises.rough_letters import decide_roughly
 from symbalance.notes.checking.steps.angle_equations import as_equation_for_angle
 from symbalance.notes.checking.steps.another_engine import as_new_extreme
 from symbalance.notes.checking.steps.dead_centres import value_at_dead_centre
+from symbalance.notes.checking.steps.derivatives_in_words import refute_named_rate
 from symbalance.notes.checking.steps.derivatives_set_to_zero import as_zero_of_derivative
 from symbalance.notes.checking.steps.gravity import decide_with_gravity
 from symbalance.notes.checking.steps.judging_state import JudgingState
@@ -212,6 +213,7 @@ def _judge_equality(
     definition = decide_temperature(chain, k, state.document) or _demanded(chain.relations[k])
     definition = definition or _denied(state, chain)
     definition = definition or _for_values(state, chain, k, knowledge)
+    definition = definition or refute_named_rate(state, chain, k, knowledge)
     definition = definition or as_balance_solution(state, chain, k)
     definition = definition or as_equation_for_angle(state, chain, k, knowledge)
     definition = definition or as_zero_of_derivative(state, chain, k, knowledge)
@@ -436,7 +438,7 @@ def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
             return by_trial
         by_motion = decide_natural_frequency(chain, k, here, knowledge)
         head = chain.sides[0].node
-        words = state.sections.sentence_before(chain) if here else ""
+        words = f"{leading} {state.sections.sentence_before(chain)}" if here else ""
         by_motion = by_motion or decide_motion_solution(chain, k, here, words, knowledge)
         if by_motion is not None and by_motion.is_proved and isinstance(head, Name):
             state.definitions.define(head.name, chain.sides[1].node, chain)

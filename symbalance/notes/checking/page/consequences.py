@@ -227,9 +227,12 @@ def _equation_after_equation(
         return _with_other_angle(Fraction(other["degrees"]), first, second, decision, knowledge)
     if lost is not None and decision.is_proved:
         return _where_nothing_vanishes(lost, first, second, decision, knowledge)
-    if lost is None or decision.status != PREMISE or _differs_in_sign(lost, second):
-        return decision  # of a length the positive root is meant
     own = given | names(second[0]) | names(second[1])
+    is_bare = all(isinstance(node, Name) for node in second) and own.isdisjoint(knowledge.meanings)
+    if lost is None or decision.status != PREMISE or (_differs_in_sign(lost, second) and not is_bare):
+        return (
+            decision  # of a length the positive root is meant; of a and b that nothing is said of, none
+        )
     is_free = bool(names(second[1])) or second[1] == Number(Fraction(0))
     is_one = bool(own & knowledge.angles) or sections.is_one_of_several(chain)
     if not is_free or is_one:

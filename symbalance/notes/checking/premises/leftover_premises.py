@@ -22,7 +22,7 @@ def decide_with_sizes(left: Side, right: Side, sign: str, solved: Solved) -> Dec
     """Return the decision on a relation with the sizes that are left over put in; None where it is open.
 
     Only numbers of letters that the geometry is written in are such sizes, and each is solved for a
-    letter of its own.
+    letter of its own. What moves is none: an acceleration that is 0 at one place makes no radius 0.
     """
     values: dict[str, Formula] = {}
     for premise in solved.leftover:
@@ -43,6 +43,8 @@ def _solved_size(
     """Return a letter and its value by a datum on a size, l = 0.14 as n = 0.14/r; None for any other."""
     size, value, meaning = premise.left, premise.right, solved.knowledge.meaning.values
     if not isinstance(size, Name) or names(value) or size.name not in meaning:
+        return None
+    if size.name in solved.knowledge.moving:
         return None
     written = meaning[size.name]
     own = letter_counts(written)

@@ -5,13 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, Number, PlusMinus, names, walk
+from symbalance.document.formula import Formula, Name, Number, PlusMinus, Quotient, names, walk
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.branches import with_sign
 from symbalance.notes.checking.deciding.equality import PROVED, UNDECIDED, Decision
-from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
+from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.premises.system import (
     Elimination,
@@ -148,6 +149,10 @@ def _support_by(
     if is_implied and forced:
         letter = plain_text(Name(min(forced)))
         return Decision(UNDECIDED, f"{lines_of(premises)} hold together only for {letter} = 0")
+    pole = _without_value(premises, statement, knowledge) if is_implied else None
+    if pole is not None:
+        shown = f"{plain_text(statement.left)} = {plain_text(statement.right)}"
+        return Decision(CONTRADICTION, f"line {pole.line} has no value for {shown}: it divides by 0")
     if is_implied:
         texts = (*dict.fromkeys(p.text for p in premises), *nonzero_texts(after))
         return Decision(PROVED, f"by {lines_of(premises)}", assumptions=texts)
@@ -155,6 +160,25 @@ def _support_by(
         return None  # the one solution that is meant is known
     if any(p in after.following for p in premises if p not in before.following):
         return Decision(PREMISE, f"satisfies {lines_of(premises)}")
+    return None
+
+
+def _without_value(premises: list[Premise], statement: Premise, knowledge: Knowledge) -> Premise | None:
+    """Return a premise that divides by zero for a number: x = 1 solves no (x² - 1)/(x - 1) = 2."""
+    head, value = statement.left, statement.right
+    if not isinstance(head, Name) or names(value):
+        return None
+    for premise in premises:
+        parts = [part for node in (premise.left, premise.right) for part in walk(node)]
+        for part in parts:
+            if not isinstance(part, Quotient) or names(part.denominator) != {head.name}:
+                continue
+            try:
+                there = substitute(part.denominator, head.name, value)
+                if knowledge.evaluator(Level({})).form(there).is_zero():
+                    return premise
+            except (NoFormError, TooLargeError):
+                continue
     return None
 
 

@@ -10,7 +10,8 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Name, Negative, Number, names
+from symbalance.document.formula import Name, Negative, Number, PlusMinus, names, walk
+from symbalance.notes.checking.deciding.branches import with_sign
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
@@ -20,6 +21,7 @@ from symbalance.notes.checking.premises.angles_at import solves_as_printed
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.words.plain_formulas import lone_side
+from symbalance.notes.checking.words.sentences import SENTENCE_END
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
@@ -37,6 +39,21 @@ _ANOTHER = re.compile(
     r"(?<![A-Za-z])(?:the\s+(?:other|second)|die\s+(?:andere|zweite)|l['’]autre|another)(?![A-Za-z])|他の|もう一つ",
     re.IGNORECASE,
 )
+_ROOTS_OF = re.compile(
+    rf"(?:{_ROOTS.pattern})\s+(?:of|von|der|des|to|for|de|du)\s(?:[^\W\d_]|[ \n]){{0,40}}[$(\\\[\s]*$",
+    re.IGNORECASE,
+)
+"""Words right before an equation that say of what the roots are."""
+_BOTH = re.compile(r"_(?:1,?2|1/2)$")
+_SIGN = re.compile(r"\\(?:pm|mp|sqrt|[dt]?frac|cdot|left|right)(?![A-Za-z])|sqrt(?=\()")
+"""Signs of arithmetic that are typed in letters, as no unit is."""
+_SOLVED = re.compile(
+    r"(?:[\s$,.;:&()\[\]⇒⟹→>=*|]|\\[,;:! \[\]()]"
+    r"|\\(?:Rightarrow|Longrightarrow|implies|to|q?quad)(?![A-Za-z])"
+    r"|(?:so|hence|thus|then|therefore|gives?|giving|yields?|with|we|get|obtain|have|also|somit|daher|daraus|folgt"
+    r"|ergibt|mit|und|wir|erhalten|man|erhält|donc|d'où|soit|on|obtient)(?![A-Za-z]))*+"
+)
+"""What stands between an equation and both its solutions, where no word calls them so."""
 _NONE = re.compile(r"(?<![A-Za-z])(?:of|other|another|square|cube|von|approximate\w*)\s*$", re.IGNORECASE)
 
 
@@ -85,10 +102,13 @@ def _as_number(state: JudgingState, chain: Chain, equation: Chain, unknown: str)
     """
     head, value = chain.sides[0].node, chain.sides[1].node
     own = names(equation.sides[0].node) | names(equation.sides[1].node)
-    is_bare = re.search(r"[^\W\d_]", state.document.source(chain.sides[1].span)) is None
+    typed = _SIGN.sub("", state.document.source(chain.sides[1].span))
+    is_bare = re.search(r"[^\W\d_]", typed) is None
     if own != {unknown} or not isinstance(head, Name) or not is_bare:
         return None
     condition = Premise(equation.sides[0].node, equation.sides[1].node, equation.lines[0])
+    if any(isinstance(part, PlusMinus) for part in walk(value)):
+        return _with_both_signs(state, chain, condition, unknown)
     free = Knowledge()
     number = value.operand if isinstance(value, Negative) else value
     is_solution = solves_as_printed(condition, unknown, value, free)
@@ -103,6 +123,24 @@ def _as_number(state: JudgingState, chain: Chain, equation: Chain, unknown: str)
         is_solution = None if solves_as_printed(condition, unknown, rough_value, free) else is_solution
     reason = f"does not satisfy line {equation.lines[0]}"
     return Decision(REFUTED, reason) if is_solution is False else None
+
+
+def _with_both_signs(
+    state: JudgingState, chain: Chain, condition: Premise, unknown: str
+) -> Decision | None:
+    """Return the decision on x = 1 ± 3 as the roots of an equation: each of the two has to be one."""
+    value, line = chain.sides[1].node, condition.line
+    found = [
+        solves_as_printed(condition, unknown, with_sign(value, sign), Knowledge()) for sign in (1, -1)
+    ]
+    if False in found:
+        signs = "upper" if found[0] is False else "lower"
+        return Decision(REFUTED, f"with the {signs} sign it does not satisfy line {line}")
+    if found != [True, True]:
+        return None
+    state.definitions.define(names_of(chain), value, chain)
+    order = "the digits printed" if decimals(value) else ""
+    return Decision(PROVED, f"satisfies line {line}", order=order)
 
 
 def as_one_solution(state: JudgingState, chain: Chain, k: int) -> Decision | None:
@@ -132,6 +170,30 @@ def as_one_solution(state: JudgingState, chain: Chain, k: int) -> Decision | Non
     return None
 
 
+def _are_called_roots(text: str, equation: Chain, chain: Chain) -> bool:
+    """Tell whether words name roots between an equation and one, or right before: "the roots of it are".
+
+    Both signs at once, x_{1,2} = 1 ± 3 right below it, are roots without a word.
+    """
+    start = chain.sides[0].span[0]
+    named = _ROOTS.search(text, equation.end, start)
+    if named:
+        return not _NONE.search(text, equation.end, named.start())
+    first = equation.sides[0].span[0]
+    before = _ROOTS_OF.search(text, max(first - _NEAR, 0), first)
+    if before and not _NONE.search(text, max(first - _NEAR, 0), before.start()):
+        return not SENTENCE_END.search(text, equation.end, start)
+    is_both = any(isinstance(part, PlusMinus) for part in walk(chain.sides[1].node))
+    is_next = _SOLVED.fullmatch(text[equation.end : start]) is not None
+    return is_both and is_next and _BOTH.search(names_of(chain)) is not None
+
+
+def names_of(chain: Chain) -> str:
+    """Return the letter that a chain begins with, "" for none."""
+    head = chain.sides[0].node
+    return head.name if isinstance(head, Name) else ""
+
+
 def _equation_above(state: JudgingState, chain: Chain, unknown: str) -> Chain | None:
     """Return the equation in an unknown whose roots the words before a relation name, None for none."""
     text, start = state.document.text, chain.sides[0].span[0]
@@ -148,6 +210,5 @@ def _equation_above(state: JudgingState, chain: Chain, unknown: str) -> Chain | 
             return None
         if isinstance(other.sides[0].node, Name):
             return None
-        named = _ROOTS.search(text, other.end, start)
-        return other if named and not _NONE.search(text, other.end, named.start()) else None
+        return other if _are_called_roots(text, other, chain) else None
     return None

@@ -521,7 +521,7 @@ class Sections:
         is_case = _CASE_BEHIND.match(self.document.text, end) or _INTRODUCTION.search(before + " ")
         if is_case and is_number and _is_place(chain):
             if self.document.text[end : end + 4].lstrip(" $)").startswith(":"):
-                return self.paragraph_end(line)  # in UT, α = 180°: what its lines say
+                return self.case_end(line)  # in UT, α = 180°: what its lines say
             return self.moment_end(line)
         is_premise = is_case or (is_number and _NAMING.search(before + " "))
         return self.section_end(line) if is_premise else None
