@@ -41,6 +41,7 @@ from symbalance.notes.checking.meant.engines.firing_intervals import (
 from symbalance.notes.checking.meant.engines.lever_arms import refute_lever_arm
 from symbalance.notes.checking.meant.given_numbers import number_given
 from symbalance.notes.checking.meant.left_sides import head_of
+from symbalance.notes.checking.meant.meant_extremes import decide_declared_extreme
 from symbalance.notes.checking.meant.order_speeds import decide_order_speed
 from symbalance.notes.checking.meant.two_discs import decide_two_discs
 from symbalance.notes.checking.motions.equations_of_motion import (
@@ -277,6 +278,8 @@ def _judge_step(
         by_name = refute_repeated_interval(state.engine_resultants.claims, chain, k)
     by_name = by_name or _as_named_engine(state, chain, k, decision, knowledge)
     by_name = by_name or state.named.of_another(chain, k, knowledge)
+    if by_name is None and decision.status in (REFUTED, UNDECIDED):
+        by_name = decide_declared_extreme(state.meant, chain, k, knowledge)
     if by_name is None and decision.status in (REFUTED, UNDECIDED):
         by_motion = state.crank_motions
         again = by_motion.again if decision.status == REFUTED else by_motion.judge
