@@ -70,7 +70,10 @@ from symbalance.notes.checking.steps.another_engines_numbers import (
     leave_products_of_another,
     puts_another_engines_numbers_in,
 )
-from symbalance.notes.checking.steps.another_factor import put_in_with_another_factor
+from symbalance.notes.checking.steps.another_factor import (
+    fixed_with_another_factor,
+    put_in_with_another_factor,
+)
 from symbalance.notes.checking.steps.another_place import (
     is_multiple_of_angle,
     leave_condition_of_place,
@@ -543,6 +546,7 @@ class Judge:
             there = there or as_supposed(self.state, chain, k)
             there = there or open_against_lines(self.state, chain, k, knowledge)
             there = there or put_in_with_another_factor(self.state, chain, k, knowledge)
+            there = there or fixed_with_another_factor(self.state, chain, k, knowledge)
         else:
             there = by_square_above(self.state, chain, k, knowledge)
             if verdict.verdict == UNDECIDED:
