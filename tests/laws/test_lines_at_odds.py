@@ -62,3 +62,27 @@ def test_a_number_is_wrong_if_it_is_a_result_of_the_numbers_above(second, word, 
 def test_what_no_line_above_says_is_wrong_whatever_the_slip():
     page = "# One\n\n$a = 3$, $b = 4$\n\n# Two\n\n$\\cos(x + y) = \\cos x + 7\\sin^3 y$\n"
     assert check(page).data()["links"][-1]["verdict"] == "refuted"
+
+
+STATED = "The counterweight has ${0} = (2M+m) r$.{1}${2}$."
+SOLVED_SUMS = [
+    ("B b", "B = (@M+m) r/b"),
+    ("m_g r_g", "m_g = (@M+m)\\frac{r}{r_g}"),
+]
+
+
+@pytest.mark.parametrize(("product", "solved"), SOLVED_SUMS)
+@pytest.mark.parametrize("between", [" Then ", "\n\n", "\n\nSo it is "])
+def test_of_an_unproved_equation_and_another_formula_either_may_be_wrong(product, solved, between):
+    for factor in ("", "3", "4"):
+        verdict = check(STATED.format(product, between, solved.replace("@", factor))).verdicts[-1]
+        assert (verdict.verdict, verdict.fix) == ("undecided", None)
+        assert "of line 1, which nothing proves: one of the two is wrong" in verdict.reason
+    right = check(STATED.format(product, between, solved.replace("@", "2"))).verdicts[-1]
+    assert right.verdict in ("holds", "conditional")
+
+
+def test_what_an_arrow_says_to_come_from_an_equation_is_wrong_where_it_does_not():
+    page = r"$B b = (2M+m) r \Rightarrow B = (M+m) r/b$"
+    assert "refuted" in [v.verdict for v in check(page).verdicts]
+    assert check("$B b = 2 M r$. So $B = M r/b$").verdicts[-1].verdict == "refuted"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from symbalance.notes.checking import check
-from symbalance.notes.checking.verdicts import CONDITIONAL, DEFINITION, REFUTED
+from symbalance.notes.checking.verdicts import CONDITIONAL, DEFINITION, REFUTED, UNDECIDED
 
 PAGE = r"""Crank radius $r$, rod length $l$, crank angle $\theta = \omega t$, angular speed $\omega$,
 $\lambda = r/l$.
@@ -54,3 +54,16 @@ def test_a_wrong_extreme_is_refuted_with_the_same_assumption(line):
 @pytest.mark.parametrize("line", OPEN)
 def test_other_extremes_stay_definitions(line):
     assert verdict_on(line).verdict == DEFINITION
+
+
+@pytest.mark.parametrize("letter", ["a", "q"])
+@pytest.mark.parametrize(
+    "words", ["The largest acceleration is", "Peak acceleration:", "größte Beschleunigung"]
+)
+def test_a_declared_motion_has_the_largest_value_that_words_give_it(letter, words):
+    page = f"$\\lambda = r/L$, rod length $L$.\n\n{words} ${letter} = r\\omega^2(@)$."
+    declared = {"symbols": {letter: "piston acceleration"}}
+    right = check(page.replace("@", "1+\\lambda"), declared).verdicts[-1]
+    assert (right.verdict, "nobody" in right.assumption) == (CONDITIONAL, False)
+    for wrong in ("1-\\lambda", "1+2\\lambda", "2+\\lambda"):
+        assert check(page.replace("@", wrong), declared).verdicts[-1].verdict in (UNDECIDED, REFUTED)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 import symbalance as sb
+from symbalance.checking import check
 from symbalance.notes.checking.verdicts import DEFINITION, HOLDS, REFUTED
 from symbalance.notes.reading import read_expression
 
@@ -41,3 +42,12 @@ def test_the_second_order_does_not_contradict_the_first():
     wrong = r"$$F_x^{(2)} = 2\lambda F_0\cos\alpha\sin 2\alpha\cos 2\theta$$"
     assert verdicts(FIRST + right)[-1] == HOLDS
     assert verdicts(FIRST + wrong)[-1] == REFUTED
+
+
+@pytest.mark.parametrize("words", ["The first-order force is", "The second order of the force is"])
+@pytest.mark.parametrize("letter", ["\\varphi", "\\theta", "\\alpha"])
+def test_a_sum_of_two_orders_is_none_of_them(words, letter):
+    page = "A single cylinder, $\\lambda = r/l$, crank angle $@$, $F_0 = m r\\omega^2$.\n\n"
+    page += words + " $F_x = F_0(\\cos @ + \\lambda\\cos 2@)$.\n"
+    verdict = check(page.replace("@", letter)).verdicts[-1]
+    assert "is order" not in verdict.assumption

@@ -34,8 +34,10 @@ from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relati
 from symbalance.notes.checking.judging.open_reasons import DECLARE_IT
 from symbalance.notes.checking.judging.unknown_crank_angle import unless_angle_unknown
 from symbalance.notes.checking.meant.given_numbers import number_given, size_given
+from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.meant.motion_in_time import with_rates_of_rates
 from symbalance.notes.checking.meant.ring_or_disc import decide_ring_or_disc
+from symbalance.notes.checking.meant.steady_cranks import rate_assumed, with_steady_crank
 from symbalance.notes.checking.page import assertions
 from symbalance.notes.checking.page.consequences import decide_consequence
 from symbalance.notes.checking.page.engine_blocks import EngineBlocks
@@ -69,7 +71,10 @@ from symbalance.notes.checking.steps.another_engines_numbers import (
     leave_products_of_another,
     puts_another_engines_numbers_in,
 )
-from symbalance.notes.checking.steps.another_factor import put_in_with_another_factor
+from symbalance.notes.checking.steps.another_factor import (
+    fixed_with_another_factor,
+    put_in_with_another_factor,
+)
 from symbalance.notes.checking.steps.another_place import (
     is_multiple_of_angle,
     leave_condition_of_place,
@@ -166,6 +171,7 @@ class Judge:
         self.document, motions = with_rates_of_rates(
             self.document, self.declarations, self.sources.engines
         )
+        motions = with_steady_crank(self.document, self.declarations, motions)
         self.state = JudgingState(
             self.document, self.declarations, self.sources, self.corrects, motions, tuple(self.data)
         )
@@ -326,7 +332,23 @@ class Judge:
         verdict = unless_condition_fails(self.state, chain, k, verdict)
         verdict = unless_finer_by_nothing(self.state, chain, k, verdict)
         verdict = self._unless_its_own_premise(chain, k, self._of_its_case(chain, k, verdict))
-        return unless_no_extreme(self.state, chain, k, verdict)
+        verdict = unless_no_extreme(self.state, chain, k, verdict)
+        return self._with_rate_assumed(chain, k, verdict)
+
+    def _with_rate_assumed(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+        """Return a verdict that names the steady turning which it rests on and no line states."""
+        is_shown = verdict.verdict in (*PROVED_WORDS, REFUTED)
+        if not is_shown or NOBODY in verdict.assumption:
+            return verdict
+        values = {n: d.node for n, d in self.state.knowledge(chain.lines[0]).definitions.items()}
+        sides = (chain.sides[k].node, chain.sides[k + 1].node)
+        assumed = rate_assumed(sides, values, self.state.motions)
+        if not assumed:
+            return verdict
+        if verdict.verdict == REFUTED:
+            return replace(verdict, reason="; ".join(filter(None, (verdict.reason, f"if {assumed}"))))
+        assumption = "; ".join(filter(None, (verdict.assumption, assumed)))
+        return replace(verdict, verdict=CONDITIONAL, assumption=assumption)
 
     def _unless_its_own_premise(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict; what holds on the premise that it states is that premise once more."""
@@ -536,6 +558,7 @@ class Judge:
             there = there or open_against_lines(self.state, chain, k, knowledge)
             there = there or put_in_with_another_factor(self.state, chain, k, knowledge)
             there = there or number_of_a_formula_one_slip_away(self.state, chain, k, knowledge)
+            there = there or fixed_with_another_factor(self.state, chain, k, knowledge)
         else:
             there = by_square_above(self.state, chain, k, knowledge)
             if verdict.verdict == UNDECIDED:

@@ -41,6 +41,7 @@ from symbalance.notes.checking.meant.engines.firing_intervals import (
 from symbalance.notes.checking.meant.engines.lever_arms import refute_lever_arm
 from symbalance.notes.checking.meant.given_numbers import number_given
 from symbalance.notes.checking.meant.left_sides import head_of
+from symbalance.notes.checking.meant.meant_extremes import decide_declared_extreme
 from symbalance.notes.checking.meant.order_speeds import decide_order_speed
 from symbalance.notes.checking.meant.two_discs import decide_two_discs
 from symbalance.notes.checking.motions.equations_of_motion import (
@@ -280,10 +281,7 @@ def _judge_step(
     by_name = by_name or _as_named_engine(state, chain, k, decision, knowledge)
     by_name = by_name or state.named.of_another(chain, k, knowledge)
     if by_name is None and decision.status in (REFUTED, UNDECIDED):
-        by_motion = state.crank_motions
-        again = by_motion.again if decision.status == REFUTED else by_motion.judge
-        by_name = again(chain, k, knowledge)
-        by_name = None if by_name is not None and _is_left_open(by_name) else by_name
+        by_name = _by_words_of_motion(state, chain, k, decision, knowledge)
     if by_name is None and decision.status == UNDECIDED:
         by_name = _as_anything_named(state, chain, k, knowledge)
     if by_name is None and decision.status == REFUTED and by_special is None:
@@ -294,6 +292,17 @@ def _judge_step(
     verdict = describe(state.document, chain, k, decision)
     verdict = add_fix_of_relation(state, verdict, chain, k, against, decision, knowledge)
     return note_other_case(state, chain, k, verdict, against, decision, knowledge)
+
+
+def _by_words_of_motion(
+    state: JudgingState, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
+) -> Verdict | Decision | None:
+    """Return the verdict on what is no step by the motion that its words name, None if that is open."""
+    largest = decide_declared_extreme(state.meant, chain, k, knowledge)
+    by_motion = state.crank_motions
+    again = by_motion.again if decision.status == REFUTED else by_motion.judge
+    by_name = largest or again(chain, k, knowledge)
+    return None if by_name is not None and _is_left_open(by_name) else by_name
 
 
 def _as_anything_named(

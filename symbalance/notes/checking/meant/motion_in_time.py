@@ -53,6 +53,8 @@ class Motion:
     """What the time is by it: (θ - θ_0)/ω."""
     law: Formula | None = None
     """What the line sets the letter equal to: ω t + θ_0."""
+    is_assumed: bool = False
+    """Whether no line states it, and what rests on it is to name it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -343,6 +345,12 @@ def has_another_value(name: str, page: ReadNotes) -> bool:
             if not (isinstance(side.node, Name) and side.node.name == name) and not is_time:
                 return True
     return False
+
+
+def has_another_rate(name: str, rate: Formula, page: ReadNotes, time: str) -> bool:
+    """Tell whether a page makes more of a letter than an angle that runs with a constant rate."""
+    moving = {each.name for each in _differentiated(page) if each.variable == time}
+    return bool(moving & {name, *names(rate)}) or name in _with_formulas(page)
 
 
 def time_letter(page: ReadNotes, declarations: Declarations) -> str | None:

@@ -223,7 +223,7 @@ class NamedOrders:
         right = without_dots(chain.sides[k + 1].node)[0]
         head = self._head(chain, k, knowledge)
         order = None if head is None else self._order_of(head, chain, right)
-        if head is None or order is None or order.number > HIGHEST:
+        if head is None or order is None or order.number > HIGHEST or _has_several_orders(right):
             return None
         angles = cranks(chain)
         is_of_all = isinstance(chain.sides[0].node, Summation) or order.is_left
@@ -585,6 +585,12 @@ def _has_wave(node: Formula, name: str, order: int) -> bool:
             if is_wave and isinstance(factor, Call) and multiple_of_angle(factor.argument) == order:
                 return True
     return False
+
+
+def _has_several_orders(node: Formula) -> bool:
+    """Tell whether a formula is a sum of several orders, cos θ + λ cos 2θ: no order by itself."""
+    waves = (p for p in walk(node) if isinstance(p, Call) and p.function in ("sin", "cos"))
+    return len({abs(multiple_of_angle(wave.argument)) for wave in waves} - {0}) > 1
 
 
 def _is_cut_short(decision: Decision, order: _Order) -> bool:

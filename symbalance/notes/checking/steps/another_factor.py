@@ -1,9 +1,10 @@
-"""Numbers put in with another factor or sign than a formula above has: which of the two is wrong?
+"""Formulas and numbers with another factor or sign than an equation above has: which of the two is wrong?
 
 m_A r_A b = √3 m r a stands above, and m_A r_A = (√3/2)·0.48·0.043·0.082/0.29 has the same sizes at the
 same places. Where nothing proves the formula, its letters are no better witness than the numbers: one of
 the two lines is wrong. A number that is none of the page's is a slip of the numbers, and so is a size
-left out.
+left out. So too where B b = (2M + m) r stands above and B = (M + m) r/b below, unless an arrow says that
+the second comes from the first.
 """
 
 from __future__ import annotations
@@ -24,11 +25,14 @@ from symbalance.notes.checking.deciding.substitution import replace_part
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.premises.system import Premise, lines_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
 MOST_CHOICES = 64
 """Ways to take numbers for letters, where letters have the same one."""
+_LEAST_TERMS = 2
+"""Of an equation that is solved by a division alone: the letter's term, and one other."""
 MOST_PLAIN = 12
 """A whole number up to this counts something, or is a factor: 2, 1/2, √3."""
 _SCALES = (1.0, 1e-3, 1e3, 1e-2, 1e2, 1e-6, 1e6, 180 / math.pi)
@@ -36,6 +40,9 @@ _SCALES = (1.0, 1e-3, 1e3, 1e-2, 1e2, 1e-6, 1e6, 180 / math.pi)
 _MULTIPLES = (1.0, 0.5, 2.0)
 """Half a mass, and the diameter of a radius, are put in as one number."""
 _ROUNDING = 1 + 1e-9
+_ARROW = re.compile(
+    r"\\(?:Long|long)?(?:[Ll]eft)?[Rr]ightarrow|\\(?:implies|iff|to)(?![A-Za-z])|[⇒→⇔⟹]|=>"
+)
 _DIGITS = re.compile(r"[0-9]+(?:[.,][0-9]+)?")
 
 _Terms = frozenset[tuple[tuple[int, object], ...]]
@@ -64,6 +71,37 @@ def put_in_with_another_factor(
                 reason = f"has another factor or sign than {lines_of([above])}, which nothing proves"
                 return Decision(UNDECIDED, f"{reason}: one of the two is wrong")
     return None
+
+
+def fixed_with_another_factor(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> Decision | None:
+    """Return that a letter's formula differs from what an unproved equation above fixes, or None.
+
+    Of a sum they differ in the numbers of some terms alone: nothing says that the slip is in the second
+    one. A single term may be solved wrongly, and then it is the second that is wrong.
+    """
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    if k or not isinstance(left, Name) or not names(right) or chain.relations[0].sign != "=":
+        return None
+    definition = knowledge.definitions.get(left.name)
+    if definition is None or not definition.solved or definition.alternatives or definition.numeric:
+        return None
+    above = [
+        c
+        for c in state.sections.chains_on(definition.line)
+        if left.name in c.letters and c.start < chain.start and c.sides[-1].span[0] in state.stated
+    ]
+    if not above or _ARROW.search(state.document.text[above[-1].end : chain.start]):
+        return None
+    evaluator = knowledge.evaluator(Level({}))
+    wanted = _terms(left, definition.node, evaluator)
+    is_sum = wanted is not None and len(wanted) > _LEAST_TERMS
+    if not is_sum or _terms(left, right, evaluator) != wanted:
+        return None
+    equation = " = ".join(plain_text(side.node) for side in above[-1].sides)
+    here = f"{equation} of line {definition.line}"
+    return Decision(UNDECIDED, f"contradicts {here}, which nothing proves: one of the two is wrong")
 
 
 def formulas_only_stated(state: JudgingState, chain: Chain, knowledge: Knowledge) -> Iterator[Premise]:

@@ -210,8 +210,8 @@ class EngineResultants:
         It is refuted where one term is wrong by one slip and all others are the engine's.
         """
         terms = terms_of(value)
-        if len(terms) < _FEWEST_TERMS:
-            return None
+        if len(terms) < _FEWEST_TERMS or len(self.claims.orders_before(chain)) == 1:
+            return None  # several orders where words name one are not that one
         products = self._orders(terms, name, claim, knowledge)
         if not products:
             return None
