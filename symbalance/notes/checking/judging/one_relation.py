@@ -26,7 +26,7 @@ from symbalance.notes.checking.deciding.equality import (
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
-from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.relations import MEANT_ROUGHLY, decide
 from symbalance.notes.checking.deciding.sign_of_letters import decide_with_signs
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.deciding.values_in_ranges import decide_where_values
@@ -554,6 +554,8 @@ def _as_meant(
         outcome = outcome if state.corrects else replace(outcome, fix=None)
     elif isinstance(outcome, Decision) and outcome.status == REFUTED and isinstance(name, Name):
         state.definitions.forget(name.name, chain.lines[0])
+    elif isinstance(outcome, Decision) and outcome.reason == MEANT_ROUGHLY and isinstance(name, Name):
+        state.definitions.mark_as_rough(name.name, chain.lines[0])
     return outcome or definition
 
 
