@@ -9,7 +9,7 @@ HEADS = {
     "x": "Wer es genauer braucht, nimmt mit λ = r/l die Fourierreihe\n\n$$\\ddot x = r ω^2",
     "/": "加速度。λ = r/l。\n\n$$\\frac{a}{r ω^2} = ",
     "F": "La force d'inertie, λ = r/l :\n\n$$F = m r ω^2",
-    "≈": "With λ = r/l the acceleration is $a = r ω^2 (\\cos θ + λ\\cos 2θ)$.\nA better series is\n\n$$a = r ω^2",
+    "≈": "With λ = r/l the acceleration is $a = r ω^2 (\\cos θ + λ\\cos 2θ)$.\nBetter:\n\n$$a = r ω^2",
 }
 SERIES = "\\left(\\cos θ + A_2\\cos 2θ {}A_4\\cos 4θ + A_6\\cos 6θ + \\dots\\right)$$\n\n$$A_{} = {}$$\n"
 

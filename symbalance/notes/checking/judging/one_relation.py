@@ -546,17 +546,29 @@ def _as_meant(
         by_motion = state.crank_motions.judge(chain, k, knowledge)
         outcome = outcome if by_motion is None or _is_left_open(by_motion) else by_motion
     name = chain.sides[k].node
-    if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
+    outcome = _remembered(state, chain, name, outcome, knowledge) if isinstance(name, Name) else outcome
+    return outcome or definition
+
+
+def _remembered(
+    state: JudgingState,
+    chain: Chain,
+    name: Name,
+    outcome: Verdict | Decision | None,
+    knowledge: Knowledge,
+) -> Verdict | Decision | None:
+    """Return the outcome on what a line says a letter is, and note what the letter is for later lines."""
+    if isinstance(outcome, Verdict) and outcome.fix is not None:
         if _has_other_number_behind(state, chain, outcome.fix.node, knowledge):
             state.definitions.forget(name.name, chain.lines[0])  # the number goes with the wrong formula
         else:
             state.definitions.define(name.name, outcome.fix.node, chain)
         outcome = outcome if state.corrects else replace(outcome, fix=None)
-    elif isinstance(outcome, Decision) and outcome.status == REFUTED and isinstance(name, Name):
+    elif isinstance(outcome, Decision) and outcome.status == REFUTED:
         state.definitions.forget(name.name, chain.lines[0])
-    elif isinstance(outcome, Decision) and outcome.reason == MEANT_ROUGHLY and isinstance(name, Name):
+    elif isinstance(outcome, Decision) and outcome.reason == MEANT_ROUGHLY:
         state.definitions.mark_as_rough(name.name, chain.lines[0])
-    return outcome or definition
+    return outcome
 
 
 def _has_other_number_behind(

@@ -19,6 +19,7 @@ from symbalance.notes.checking.meant.engines.order_indices import (
 from symbalance.notes.checking.meant.meant_words import MeantWords
 from symbalance.notes.checking.words.accuracies import introduces_aid, without_accuracies
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
+from symbalance.notes.checking.words.eights_in_banks import eight_named
 from symbalance.notes.checking.words.engines_in_words import CrankStar, EnginesInWords, NamedEngine
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END, bare
@@ -338,7 +339,7 @@ class EngineClaims:
             if number == 1 and _OF_SOME.search(self._text, *scopes[0]):
                 return None
             if self.engines.has_banks(first, last):
-                return None
+                return eight_named(self.engines, first, last, self._text[section:heading_end])
             if not named:
                 continue
             engine = _only_one(named)
