@@ -62,3 +62,21 @@ def test_a_number_is_wrong_if_it_is_a_result_of_the_numbers_above(second, word, 
 def test_what_no_line_above_says_is_wrong_whatever_the_slip():
     page = "# One\n\n$a = 3$, $b = 4$\n\n# Two\n\n$\\cos(x + y) = \\cos x + 7\\sin^3 y$\n"
     assert check(page).data()["links"][-1]["verdict"] == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("first", "third", "word"), [("λ/4", "3λ/4", "holds"), ("λ^3", "5λ/7", "refuted")]
+)
+@pytest.mark.parametrize(
+    "words", ["Ausmultipliziert:", "Multiplied out this is", "Expanding the product,"]
+)
+def test_what_is_multiplied_out_is_the_same_formula(first, third, word, words):
+    page = f"""The stroke is s = 90 mm, λ = 0.3.
+
+$$ M = -q (\\cos φ + λ\\cos 2φ)\\left(\\sin φ + \\frac{{λ}}{{2}}\\sin 2φ\\right) $$
+
+{words}
+
+$$ M = q ({first} \\sin φ - 1/2 \\sin 2φ - {third} \\sin 3φ - λ^2/4 \\sin 4φ) $$
+"""
+    assert check(page).data()["links"][-1]["verdict"] == word
