@@ -36,3 +36,17 @@ def test_a_formula_of_one_cylinder_is_not_shown_of_a_whole_engine(engine: str) -
     assert check(f"{engine} {formula.format('')}\n").data()["links"][0]["verdict"] != "conditional"
     alone = check(f"{engine} {formula.format('per cylinder')}\n").data()["links"][0]
     assert alone["verdict"] == "conditional"
+
+
+@pytest.mark.parametrize(
+    ("words", "verdict"),
+    [
+        ("直列6気筒では2次の慣性力は打ち消し合う。F2 = 0", "conditional"),
+        ("直列4気筒では2次の慣性力が打ち消し合う。F2 = 0", "refuted"),
+        ("直列4気筒では1次の慣性力が打ち消し合う。すなわち F1 = 0", "conditional"),
+        ("In the inline four the second-order forces cancel. $F_2 = 0$.", "refuted"),
+        ("In the inline four the first-order forces cancel. $F_1 = 0$.", "conditional"),
+    ],
+)
+def test_a_formula_that_is_a_sentence_of_its_own_is_of_the_one_before(words, verdict):
+    assert last(words) == verdict
