@@ -107,3 +107,16 @@ def test_powers_of_the_sine_are_the_same_function():
         assert isclose(total, value(series), abs_tol=1e-9)
     tangent = in_powers_of_sine(known_series()["tangent of the rod's angle"])
     assert tangent[Harmonic("1", 3)] == {3: Fraction(1, 2)}
+
+
+@pytest.mark.parametrize(
+    "words", ["The inertia of one piston gives the torque", "Die Masse eines Kolbens gibt das Moment"]
+)
+@pytest.mark.parametrize(("sign", "verdict"), [("-", "conditional"), ("+", "refuted")])
+def test_the_torque_of_one_piston_is_judged_beside_what_all_leave(words, sign, verdict):
+    page = (
+        f"With λ = r/l. {words}\n\n"
+        f"$$T = \\tfrac12 m r^2ω^2(\\tfrac12λ\\sin θ - \\sin 2θ {sign} \\tfrac32λ\\sin 3θ"
+        " - \\tfrac12λ^2\\sin 4θ),$$\n\nof which four cylinders leave the second order.\n"
+    )
+    assert check(page, {}).verdicts[-1].verdict == verdict

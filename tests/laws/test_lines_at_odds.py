@@ -86,3 +86,36 @@ def test_what_an_arrow_says_to_come_from_an_equation_is_wrong_where_it_does_not(
     page = r"$B b = (2M+m) r \Rightarrow B = (M+m) r/b$"
     assert "refuted" in [v.verdict for v in check(page).verdicts]
     assert check("$B b = 2 M r$. So $B = M r/b$").verdicts[-1].verdict == "refuted"
+
+
+TORQUE = """Kurbelradius r, λ = r/l.
+
+## Motor
+
+- r = 45 mm
+- λ = 0,3
+
+## Massendrehmoment
+
+$$ M = -m r^2 ω^2 (\\cos φ + λ\\cos 2φ)(\\sin φ + λ/2 \\sin 2φ) $$
+
+{words}
+
+$$ M = m r^2 ω^2 (λ/4 \\sin φ - 1/2 \\sin 2φ - {third} \\sin 3φ - λ^2/4 \\sin 4φ) $$
+
+Beim Vierzylinder addieren sich die Momente der vier Zylinder.
+"""
+
+
+@pytest.mark.parametrize(
+    ("words", "third", "verdict"),
+    [
+        ("Ausmultipliziert:", "3λ/4", "holds"),
+        ("Ausmultipliziert:", "λ/4", "refuted"),
+        ("Expanding the product gives", "λ/4", "refuted"),
+        ("Ein anderer Motor:", "λ/4", "undecided"),
+    ],
+)
+def test_what_is_multiplied_out_is_the_same_formula(words, third, verdict):
+    page = TORQUE.replace("{words}", words).replace("{third}", third)
+    assert check(page).data()["links"][-1]["verdict"] == verdict

@@ -87,8 +87,8 @@ from symbalance.notes.checking.steps.conditions_by_values import unless_conditio
 from symbalance.notes.checking.steps.data_lists import open_if_datum
 from symbalance.notes.checking.steps.derivatives_set_to_zero import leave_extreme
 from symbalance.notes.checking.steps.extremal_values import unless_no_extreme
-from symbalance.notes.checking.steps.formula_one_slip_away import number_of_a_formula_one_slip_away
 from symbalance.notes.checking.steps.finer_numbers import unless_finer_by_nothing
+from symbalance.notes.checking.steps.formula_one_slip_away import number_of_a_formula_one_slip_away
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
 from symbalance.notes.checking.steps.letters_below import with_clauses_below

@@ -54,11 +54,19 @@ MOST_APART = 4
 """How many times larger or smaller a number may be that somebody worked out wrongly."""
 NEAR = 2
 """Lines within which a formula speaks of what stands above it."""
+DISPLAYS = 8
+"""Lines within which words between two displays speak of the first one."""
 _PLAIN = frozenset(Fraction(number) for number in (*range(11), 100, 1000, 10**6))
 _ORDERS = ("n", "k", "m", "p", "i", "j", "nu", "h")
 """Letters of orders, as indices of what is given for any of them."""
 MOST_LINES = 3
 """Lines that a verdict names."""
+_MULTIPLIED_OUT = re.compile(
+    r"ausmultipli|multipl\w+\s+(?:it\s+|this\s+|them\s+)?out|expanding|expand\w*\s+the\s+(?:product|brackets)"
+    r"|klammern\s+auf|en\s+développant|desarrollando|sviluppando|展開する",
+    re.IGNORECASE,
+)
+"""Words by which what follows is the same as what stands above."""
 
 
 def note_other_case(
@@ -100,6 +108,7 @@ def note_other_case(
             or (not is_result and _puts_numbers_in(chain, k, against, knowledge))
             or any(isinstance(part, Summation) for part in walk(against.node))
             or _SUM.search(state.document.source(chain.sides[k].span)) is not None  # written out since
+            or _is_multiplied_out(state, chain, k, knowledge)
             or angle_there(state, chain, k, knowledge) is not None
             or (is_result and (k > 0 or is_at_number))
         )
@@ -119,6 +128,14 @@ def note_other_case(
         " another case is meant, or it is wrong"
     )
     return replace(verdict, decision=replace(verdict.decision, at_odds=at_odds))
+
+
+def _is_multiplied_out(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> bool:
+    """Tell whether words say that a relation is the formula of its letter above, multiplied out."""
+    head = chain.sides[k].node
+    above = knowledge.definitions.get(head.name) if isinstance(head, Name) else None
+    is_near = above is not None and not above.numeric and above.line >= chain.lines[0] - DISPLAYS
+    return is_near and _MULTIPLIED_OUT.search(state.sections.sentence_leading_to(chain)) is not None
 
 
 def _is_of_roots_of_unity(state: JudgingState, chain: Chain, rested_on: Sequence[Definition]) -> bool:

@@ -26,7 +26,7 @@ from symbalance.notes.checking.deciding.equality import (
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
-from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.relations import MEANT_ROUGHLY, decide
 from symbalance.notes.checking.deciding.sign_of_letters import decide_with_signs
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.deciding.values_in_ranges import decide_where_values
@@ -557,15 +557,29 @@ def _as_meant(
         by_motion = state.crank_motions.judge(chain, k, knowledge)
         outcome = outcome if by_motion is None or _is_left_open(by_motion) else by_motion
     name = chain.sides[k].node
-    if isinstance(outcome, Verdict) and outcome.fix is not None and isinstance(name, Name):
+    outcome = _remembered(state, chain, name, outcome, knowledge) if isinstance(name, Name) else outcome
+    return outcome or definition
+
+
+def _remembered(
+    state: JudgingState,
+    chain: Chain,
+    name: Name,
+    outcome: Verdict | Decision | None,
+    knowledge: Knowledge,
+) -> Verdict | Decision | None:
+    """Return the outcome on what a line says a letter is, and note what the letter is for later lines."""
+    if isinstance(outcome, Verdict) and outcome.fix is not None:
         if _has_other_number_behind(state, chain, outcome.fix.node, knowledge):
             state.definitions.forget(name.name, chain.lines[0])  # the number goes with the wrong formula
         else:
             state.definitions.define(name.name, outcome.fix.node, chain)
         outcome = outcome if state.corrects else replace(outcome, fix=None)
-    elif isinstance(outcome, Decision) and outcome.status == REFUTED and isinstance(name, Name):
+    elif isinstance(outcome, Decision) and outcome.status == REFUTED:
         state.definitions.forget(name.name, chain.lines[0])
-    return outcome or definition
+    elif isinstance(outcome, Decision) and outcome.reason == MEANT_ROUGHLY:
+        state.definitions.mark_as_rough(name.name, chain.lines[0])
+    return outcome
 
 
 def _has_other_number_behind(

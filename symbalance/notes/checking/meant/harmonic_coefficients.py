@@ -7,7 +7,8 @@ Of x = r (1 - cos θ) + l (1 - √(1 - λ² sin²θ)) the acceleration over r ω
 and what a page writes of its A_n, cut off anywhere, says by its first term whether it means these. From
 then on a wrong one is refuted: a page may count with other signs, and it may mean the harmonics of the
 velocity or the displacement, so that before one coefficient has agreed only a leading term is refuted
-that is none of these.
+that is none of these. Where the page has the series itself, r ω² (cos θ + A_2 cos 2θ + …), they are those
+of the acceleration, each with its sign there.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decisio
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.meant.meant_words import NOBODY
-from symbalance.notes.checking.meant.signs_in_series import sign_in_series
+from symbalance.notes.checking.meant.signs_in_series import line_of_acceleration, sign_in_series
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, Side
 from symbalance.text import lazy_patterns as re
@@ -83,8 +84,9 @@ class HarmonicCoefficients:
         leading = min(series, default=first - 1)
         scale = powers[first] / series[leading] if first == leading else Fraction(0)
         norm = _norm(scale, order)
-        is_said = key in self.agreed or (norm is not None and self._is_said(chain))
-        known_norm = self.norms.get(key) if order else 0
+        by_series = self._by_series(left.name, order)
+        is_said = bool(by_series) or key in self.agreed or (norm is not None and self._is_said(chain))
+        known_norm = 0 if by_series or not order else self.norms.get(key)
         if not scale or not is_said or (known_norm is None and norm is None):
             return self._with_slip(chain, k, powers, -1 if is_inverse else 1)
         norm = known_norm if known_norm is not None else norm or 0
@@ -95,7 +97,8 @@ class HarmonicCoefficients:
         side = chain.sides[k + 1]
         bare = Knowledge(SymbolValue(positive=frozenset(own)), corrects=knowledge.corrects)
         decision = decide(Side((target,), chain.sides[k].span), Side((right,), side.span), "=", bare)
-        source = f"as in line {self.agreed[key]}" if key in self.agreed else "its formula says so"
+        line = by_series or self.agreed.get(key)
+        source = f"as in line {line}" if line else "its formula says so"
         motion = ("acceleration over r ω²", "velocity over r ω", "position over r")[norm if order else 2]
         what = f"the coefficient of {'sin' if norm == 1 else 'cos'} {order}θ in the piston's {motion}"
         what = what if order else f"the mean of the piston's {motion}"
@@ -125,7 +128,8 @@ class HarmonicCoefficients:
         ((power, value),) = powers.items()
         leading = order - 1
         size = coefficients(order, leading)[leading]
-        norm = self.norms.get((match["stem"], ratio))
+        by_series = self._by_series(left.name, order)
+        norm = 0 if by_series else self.norms.get((match["stem"], ratio))
         scales = {n: abs(value) / abs(size) * order**n for n in ((0, 1, 2) if norm is None else (norm,))}
         if norm is not None:
             is_slip = power != leading and abs(power - leading) <= 2 and scales[norm] == 1
@@ -142,14 +146,17 @@ class HarmonicCoefficients:
         number = Fraction(size, order ** (norm or 0))
         target = _series_node({leading: abs(number)}, ratio, direction, Fraction(1 if value > 0 else -1))
         what = f"the leading term of the coefficient of order {order} in the piston's motion"
-        source = (
-            f"as in line {self.agreed[match['stem'], ratio]}" if norm is not None else "its form says so"
-        )
+        line = by_series or self.agreed.get((match["stem"], ratio))
+        source = f"as in line {line}" if line and norm is not None else "its form says so"
         text = f"{plain_letter(left.name)} is {what} ({NOBODY}; {source}), {formula_text(target)}"
         bare = Knowledge(SymbolValue(positive=frozenset({ratio})))
         decision = decide(Side((target,), chain.sides[k].span), chain.sides[k + 1], "=", bare)
         refuted = replace(decision, reason=f"if {text}", assumptions=())
         return refuted if decision.status == REFUTED else None
+
+    def _by_series(self, name: str, order: int) -> int:
+        """Return the line of the series of an acceleration that a coefficient stands in; 0 for none."""
+        return line_of_acceleration(self.sections.document.chains, name, order) if order else 0
 
     def _is_of_torque(self, chain: Chain) -> bool:
         """Tell whether the sentence or heading speaks of a torque, whose coefficients are others."""

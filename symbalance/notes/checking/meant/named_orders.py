@@ -60,6 +60,7 @@ from symbalance.notes.checking.meant.signs_in_series import multiple_of_angle, s
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
 from symbalance.notes.checking.words.accuracies import introduces_aid, without_accuracies
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
+from symbalance.notes.checking.words.engines_in_words import EnginesInWords
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Side
 from symbalance.text import lazy_patterns as re
@@ -148,6 +149,7 @@ _BANKS = re.compile(
     re.IGNORECASE,
 )
 """Words for engines of which a force of the whole is no multiple of one cylinder's."""
+_PISTON = re.compile(r"\bpiston(?!s)|kolben|ピストン", re.IGNORECASE)
 _NOTHING = 1e-6
 _COEFFICIENT = re.compile(r"(?P<stem>[A-Za-z])_(?P<order>[1-9])")
 _FACTOR = re.compile(r"(?:factor|number misprinted) .*")
@@ -434,6 +436,8 @@ class NamedOrders:
         if base is None:
             return
         factors: list[tuple[Fraction, tuple[str, ...]]] = []
+        if not order.is_of_engine and not order.is_coefficient and _is_of_several(order.words):
+            return
         if not order.is_of_engine or (angles is None and not self._speaks_of_banks):
             factors.append((Fraction(1), ()))
         if order.is_coefficient:
@@ -528,6 +532,14 @@ class NamedOrders:
         first = self._base(order, crank, is_first=True)
         if first is not None and not any(isinstance(part, Sum) for part in walk(value)):
             yield Product((first, *wave)), "="
+
+
+def _is_of_several(words: str) -> bool:
+    """Tell whether words name an engine of several cylinders, and not one of them."""
+    names_engine = _BANKS.search(words) is not None or any(
+        engine.cylinders > 1 for engine in EnginesInWords(words).mentions
+    )
+    return names_engine and _OF_ONE.search(words) is None and _PISTON.search(words) is None
 
 
 def _divides(node: Formula) -> bool:

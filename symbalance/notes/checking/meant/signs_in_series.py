@@ -1,11 +1,25 @@
-"""The sign that a page's own series gives a coefficient: of cos θ - A_4 cos 4θ that of A_4 is minus."""
+"""What a page's own series says of a coefficient: of cos θ - A_4 cos 4θ that its sign is minus."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from fractions import Fraction
 
-from symbalance.document.formula import Call, Formula, Name, Negative, Number, Product, Sum, walk
+from symbalance.document.formula import (
+    Call,
+    Derivative,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Sum,
+    walk,
+)
 from symbalance.notes.reading.equations import Chain
+
+_TWO = Number(Fraction(2))
 
 
 def sign_in_series(chains: Iterable[Chain], name: str, order: int) -> int:
@@ -22,6 +36,48 @@ def sign_in_series(chains: Iterable[Chain], name: str, order: int) -> int:
         if isinstance(part, Sum) and (sign := _sign_beside_first(part, name, order))
     }
     return signs.pop() if len(signs) == 1 else 0
+
+
+def line_of_acceleration(chains: Iterable[Chain], name: str, order: int) -> int:
+    """Return the line of r ω² (cos θ + … + A_n cos nθ), in which A_n is an acceleration's; 0 for none.
+
+    The displacement r (cos θ + …) has no ω², and a velocity sines. Where a coefficient stands in a
+    series beside cos θ without ω², it may be of that one.
+    """
+    lines: list[int] = []
+    for chain in chains:
+        is_series = any(
+            isinstance(part, Sum) and _sign_beside_first(part, name, order)
+            for side in chain.sides
+            for part in walk(side.node)
+        )
+        if is_series:
+            lines.append(chain.lines[0] if any(_has_rate(side.node) for side in chain.sides) else 0)
+    return min(lines, default=0)
+
+
+def _has_rate(node: Formula) -> bool:
+    """Tell whether a formula has ω², or a second derivative."""
+    return any(
+        (isinstance(part, Power) and part.exponent == _TWO and isinstance(part.base, Name)
+         and part.base.name.lower().startswith("omega"))
+        or (isinstance(part, Derivative) and part.order == _TWO.value)
+        for part in walk(node)
+    )  # fmt: skip
+
+
+def coefficients_beside_first(node: Formula) -> frozenset[str]:
+    """Return the letters of a series with a bare cos θ that stand at a cosine of their own number."""
+    return frozenset(
+        factor.name
+        for part in walk(node)
+        if isinstance(part, Sum)
+        for term in part.terms
+        for factor in walk(term)
+        if isinstance(factor, Name)
+        and (number := factor.name.rpartition("_")[2]).isdecimal()
+        and _sign_beside_first(part, factor.name, int(number))
+    )
 
 
 def _sign_beside_first(series: Sum, name: str, order: int) -> int:

@@ -89,7 +89,7 @@ def coefficient_values(
     for series, other in ((right, left), (left, right)):
         if not _may_be_series(series):
             continue
-        if not _new_letters(series, other, knowledge) or _is_rough(other, knowledge):
+        if not _new_letters(series, other, knowledge) or is_known_roughly(other, knowledge):
             continue
         try:
             written, is_open = _written_out(series)
@@ -233,7 +233,7 @@ def _new_letters(node: Formula, other: Formula, knowledge: Knowledge) -> frozens
     return frozenset(n for n in names(node) - taken if not knowledge.has_meaning(n))
 
 
-def _is_rough(node: Formula, knowledge: Knowledge) -> bool:
+def is_known_roughly(node: Formula, knowledge: Knowledge) -> bool:
     """Tell whether what a side stands for is cut off or rounded: its harmonics are not those meant."""
     values = {**{n: d.node for n, d in knowledge.definitions.items()}, **knowledge.meaning.values}
     behind = {n for n in names_behind(node, values) if n not in knowledge.meaning.values}

@@ -140,6 +140,15 @@ class Definitions:
         last_line = self.sections.premise_end(chain, is_number=not names(node))
         self._add(constraint.name, Entry(definition, scopes, last_line))
 
+    def mark_as_rough(self, name: str, line: int) -> None:
+        """Note that what a line gave a letter is roughly true only, where it has = and means ≈."""
+        self.values[name] = [
+            replace(e, definition=replace(e.definition, is_rough=True))
+            if e.definition.line == line
+            else e
+            for e in self.values.get(name, [])
+        ]
+
     def forget(self, name: str, line: int) -> None:
         """Forget the value that a line gave a letter, which cannot be: what follows is of another one."""
         entries = [e for e in self.values.pop(name, []) if e.definition.line != line]

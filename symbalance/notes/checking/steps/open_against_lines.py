@@ -27,7 +27,7 @@ def open_against_lines(
     if puts_in_as_typed(left, right, state.document, knowledge):
         return Decision(UNDECIDED, "true of the numbers as typed: say in which units its formula is")
     known = knowledge.definitions.get(left.node.name)
-    if k or known is None or not known.numeric:
+    if k or known is None or not known.numeric or known.line in chain.lines:  # a mended one of its own
         return None
     new = _new_letters(state, chain, knowledge)
     if not new:

@@ -11,6 +11,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.meant.meant_extremes import decide_meant_extreme
+from symbalance.notes.checking.meant.signs_in_series import coefficients_beside_first
 from symbalance.notes.checking.motions.extreme_sizes import decide_largest_size
 from symbalance.notes.checking.motions.extremes import decide_extreme, decide_place
 from symbalance.notes.checking.motions.named_extremes import base_of_extreme, decide_named_extreme
@@ -18,6 +19,7 @@ from symbalance.notes.checking.motions.series_coefficients import (
     coefficient_values,
     decide_coefficient,
     exact_value,
+    is_known_roughly,
 )
 from symbalance.notes.checking.steps.formulas_of_angles import with_formula_above
 from symbalance.notes.checking.steps.judging_state import JudgingState
@@ -102,13 +104,31 @@ def _by_coefficients(state: JudgingState, chain: Chain, k: int, knowledge: Knowl
         left.node, right.node, knowledge, in_use, on_page=on_page, is_rough=is_rough
     )
     if fixed is None:
-        return _another_series(state, chain, k, knowledge)
+        return _another_series(state, chain, k, knowledge) or _open_series(state, chain, k, knowledge)
     texts = ", ".join(plain_text(Name(name)) for name in sorted(fixed))
     case = Decision(PREMISE, f"read as what fixes {texts}: the coefficients of the other side")
     refuted = Decision(REFUTED)
     by_lines_below = with_letters_below(state, chain, k, refuted, knowledge)
     state.definitions.fix_coefficients(fixed, chain)
     return by_lines_below if by_lines_below.is_proved else case
+
+
+def _open_series(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return that a series names its coefficients, where its other side is known roughly or not at all.
+
+    With a ≈ r ω² (cos θ + λ cos 2θ) above, a = r ω² (cos θ + A_2 cos 2θ + A_4 cos 4θ + …) is the better
+    one, and no equation for its letters.
+    """
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    for series, other in ((right, left), (left, right)):
+        fresh = coefficients_beside_first(series) - names(other)
+        is_known = any(n in knowledge.definitions or knowledge.has_meaning(n) for n in fresh)
+        formulas = [n for n in names(other) if (d := knowledge.definitions.get(n)) and not d.numeric]
+        is_other_open = not formulas and not isinstance(other, Name)
+        if fresh and not is_known and (is_other_open or is_known_roughly(other, knowledge)):
+            texts = ", ".join(plain_text(Name(name)) for name in sorted(fresh))
+            return Decision(PREMISE, f"names its coefficients {texts}")
+    return None
 
 
 def _another_series(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:

@@ -24,7 +24,8 @@ _NOUNS = tuple(
         (
             "m",
             r"(?<![a-z])(?:length|diameter|radius|distance|width|height|thickness|span|bore|stroke)"
-            r"|[a-zäöü]*(?:durchmesser|radius|länge|abstand|breite|höhe)",
+            r"|[a-zäöü]*(?:durchmesser|radius|länge|(?<!zünd)(?<!folge)(?<!winkel)(?<!frequenz)(?<!zeit)abstand"
+            r"|breite|höhe)",
         ),
         ("m^2", r"(?<![a-z])(?:sheared |piston |cross[- ]sectional )?area|[a-zäöü]*fläche"),
         ("1/s", r"angular (?:speed|velocity|frequency)|natural frequency|winkelgeschwindigkeit"),
@@ -74,6 +75,8 @@ def unit_by_words(meaning: str) -> str:
     ('N m', 'N', '')
     >>> unit_by_words("mass per unit length"), unit_by_words("couple de correction")
     ('', 'N m')
+    >>> unit_by_words("Zylinderabstand"), unit_by_words("Zündabstand")
+    ('m', '')
     """
     text = " ".join(meaning.lower().split())
     if part := _PART.fullmatch(text):

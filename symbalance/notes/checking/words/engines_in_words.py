@@ -11,7 +11,7 @@ from cmath import rect
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import permutations
-from math import pi
+from math import cos, pi, sin
 
 from symbalance.notes.checking.words.working_cycles import strokes_named
 from symbalance.text import lazy_patterns as re
@@ -141,6 +141,8 @@ class CrankStar:
     degrees: tuple[int | Fraction, ...]
     signs: tuple[int, ...] = ()
     """For opposed cylinders: which way each one's force counts."""
+    banks: int = 0
+    """The angle between two banks with a cylinder of each on every crank; 0 for one row."""
 
     def force(self, order: int) -> float:
         """Return how many times one cylinder's amplitude of an order all of them give."""
@@ -155,12 +157,16 @@ class CrankStar:
         signs = self.signs or (1,) * len(self.degrees)
         parts = zip(signs, arms, self.degrees, strict=True)
         size = abs(sum(rect(float(s * a), order * pi * float(d) / 180) for s, a, d in parts))
+        if self.banks:  # the larger of what two cylinders on a crank give along and across their middle
+            half = self.banks * pi / 360
+            size *= 2 * max(abs(f(half) * f(order * half)) for f in (cos, sin))
         return 0.0 if size < _NOTHING else size
 
     @property
     def text(self) -> str:
         """The angles for an assumption."""
         opposed = ", the cylinders opposed" if self.signs else ""
+        opposed = f", two cylinders on each, {self.banks}° apart" if self.banks else opposed
         return ", ".join(f"{float(d):g}°" for d in self.degrees) + opposed
 
 

@@ -93,9 +93,9 @@ _ARTICLE_LAST = re.compile(r"\s(a|I|A)$")
 _WORD_BEHIND = re.compile(
     r"[ \t~]*(?:\n[ \t]*)?"
     r"(?!(?:and|or|is|are|was|so|but|which|where|when|while|if|for|with|at|as|in|on|to|by|of|the|we|it|this|that"
-    r"|per|then|thus|hence)(?![^\W\d_]))[^\W\d_]{2}"
+    r"|per|then|thus|hence)(?![^\W\d_]))[A-Za-zÀ-ɏ]{2}"
 )
-"""What an article stands before: the a of "F = m r a." and of "F = m r a and" is a letter."""
+"""What an article stands before, a Latin word: a is a letter in "F = m r a." and "F = m r a and"."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,6 +19,7 @@ from symbalance.notes.checking.meant.engines.order_indices import (
 from symbalance.notes.checking.meant.meant_words import MeantWords
 from symbalance.notes.checking.words.accuracies import introduces_aid, without_accuracies
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
+from symbalance.notes.checking.words.eights_in_banks import eight_named
 from symbalance.notes.checking.words.engines_in_words import CrankStar, EnginesInWords, NamedEngine
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END, bare
@@ -87,6 +88,9 @@ WHOLE = re.compile(
 )
 _AND = re.compile(r"\b(?:and|und|et|y|ed?|en)\b")
 """Words behind which something else is said."""
+_NO_WORD = re.compile(
+    r"(?:[\W\d_]|すなわち|よって|したがって|\b(?:so|thus|hence|i\.e|also|d\.h|donc)\b)*", re.IGNORECASE
+)
 _MOST = 400
 _FEWEST_TOGETHER = 2
 _INDEXED = frozenset({"M", "C", "F", "P", "R", "K"})
@@ -287,6 +291,8 @@ class EngineClaims:
         """Return the clause before a formula, words behind it, its sentence, and its own part of it."""
         start = self._opening(start)
         first, last = self._sentence(start, end)
+        if _NO_WORD.fullmatch(self._text, first, start):  # a sentence of its own, of what is said before
+            first = self._sentence(max(first - 2, 0), first)[0]
         others = [c for c in self.words.document.chains if c is not chain and c.relations]
         earlier = max((c.end for c in others if first <= c.end <= start), default=first)
         later = min((c.start for c in others if end <= c.start < last), default=last)
@@ -338,7 +344,7 @@ class EngineClaims:
             if number == 1 and _OF_SOME.search(self._text, *scopes[0]):
                 return None
             if self.engines.has_banks(first, last):
-                return None
+                return eight_named(self.engines, first, last, self._text[section:heading_end])
             if not named:
                 continue
             engine = _only_one(named)

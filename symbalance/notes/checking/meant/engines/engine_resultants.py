@@ -89,7 +89,7 @@ _SHARE = re.compile(
 _BALANCED = re.compile(
     r"balanc(?:er|ing|e\s+(?:shaft|weight|mass))|lanchester|counter-?(?:weight|balance|rotat)"
     r"|ausgleichs|gegengewicht"
-    r"|contrepoids|contrapes|バランサ|バランスシャフト|カウンタ|釣合い?おもり",
+    r"|contrepoids|contrapes|バランサ|バランスシャフト|カウンタ|釣合い?おもり|ウ[ェエ]イトで",
     re.IGNORECASE,
 )
 _OF_ONE = re.compile(
@@ -188,7 +188,7 @@ class EngineResultants:
             return None
         value = without_dots(chain.sides[1].node)[0]
         is_open = (is_sum or head.name not in knowledge.letters) and head.name not in names(value)
-        claim = self.claims.claim(head.name, chain) if is_open and self.claims.engines.mentions else None
+        claim = self.claims.claim(head.name, chain) if is_open and self.claims.engines.every else None
         meaning = knowledge.meanings.get(head.name, "")
         if claim is None or not claim.engine.stars or _is_of_another_engine(meaning, claim):
             return None

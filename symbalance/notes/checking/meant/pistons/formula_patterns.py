@@ -85,6 +85,13 @@ _ANOTHER = re.compile(
     re.IGNORECASE,
 )
 """Words of a sentence, a paragraph or a heading by which the terms may have other factors."""
+_OF_ONE = re.compile(
+    r"\b(?:of|in|for)\s+(?:one|a\s+single|each)\s+(?:piston|cylinder)(?!s)|\bone\s+(?:piston|cylinder)(?:'s|\s+gives)"
+    r"|eines\s+(?:einzelnen\s+)?(?:kolbens|zylinders)|d.un\s+(?:seul\s+)?(?:piston|cylindre)"
+    r"|de\s+un\s+(?:solo\s+)?(?:pist[oó]n|cilindro)|(?:1|一)\s?気筒の|単気筒",
+    re.IGNORECASE,
+)
+"""Words by which a sentence is of one cylinder, whatever stands around it."""
 _WEIGHTS = re.compile(
     r"balanc|weight|gewicht|gegen|ausgleich|(?<!crank)(?<!crank )shaft|lanchester|residu|remain"
     r"|\brest|half|hälfte|compensat|釣|つり合|バランス|残|半分|おもり|contrepoids|équilib|equilib|contrapeso|masselotte",
@@ -247,6 +254,9 @@ class FormulaPatterns:
 
     def is_of_more(self, chain: Chain) -> bool:
         """Tell whether words near speak of a rest, of several cylinders, or of another mechanism."""
+        own = self.sections.sentence_leading_to(chain)
+        if _OF_ONE.search(own) and not _ANOTHER.search(own):
+            return False
         heading = self.sections.heading_above(chain.lines[0])
         behind = self.document.text[chain.end : chain.end + 80].split("\n\n")[0]
         before = f"{self.words.paragraph(chain)}\n{self.sections.sentence_leading_to(chain)}"
