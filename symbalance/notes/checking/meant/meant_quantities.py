@@ -240,8 +240,11 @@ class MeantQuantities:
                 called = [
                     n for n, p in self.words.proposals.items() if p.meaning == "rod angle" and p.words
                 ]
+                own = names(left.node) | names(right.node)
                 if name in names(crank.theta) or (called and name not in called):
                     continue
+                if not names(crank.theta) <= own:
+                    continue  # of two angles that are both the rod's anything is true
                 angle = Call("asin", Product((crank.ratio, Call("sin", crank.theta))))
                 known = known.with_definition(name, Definition(angle, chain.lines[0]))
                 decision = decide(left, right, chain.relations[k].sign, known)

@@ -8,6 +8,7 @@ power of ten away, is a slip of the number, whatever formula fits it.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import islice
 from math import isclose, log10
 
 from symbalance.document.formula import (
@@ -52,7 +53,7 @@ def number_of_a_formula_one_slip_away(
         exact = number_of(above.right, knowledge) if above.left == left else None
         if not exact or _is_slip_of_digits(float(typed), float(exact)):
             continue
-        for edit in _edits(above.right):
+        for edit in _edits(above.right, of_number=is_lone_number(right)):
             value = number_of(edit, knowledge)
             if value is not None and isclose(float(value), float(typed), rel_tol=near):
                 shown = formula_text(edit, plain=True)
@@ -61,14 +62,14 @@ def number_of_a_formula_one_slip_away(
     return None
 
 
-def _edits(node: Formula) -> Iterator[Formula]:
-    """Yield the formulas that one slip makes of a formula, a fraction upside down among them."""
-    for count, edit in enumerate(_upside_down(node)):
-        if count < MOST_EDITS:
-            yield edit
-    for count, edit in enumerate(single_edits(node)):
-        if count < MOST_EDITS:
-            yield edit
+def _edits(node: Formula, *, of_number: bool) -> Iterator[Formula]:
+    """Yield the formulas that one slip makes of a formula, a fraction upside down among them.
+
+    An arithmetic shows what it was put into: a missing exponent there is a slip of its own.
+    """
+    yield from islice(_upside_down(node), MOST_EDITS)
+    if of_number:
+        yield from islice(single_edits(node), MOST_EDITS)
 
 
 def _upside_down(node: Formula) -> Iterator[Formula]:
@@ -114,10 +115,8 @@ def _precision(node: Formula) -> float | None:
 
 
 def _is_slip_of_digits(typed: float, exact: float) -> bool:
-    """Tell whether a number is the exact one with digits exchanged, or a power of ten away."""
-    if typed * exact <= 0:
-        return False
-    powers = log10(typed / exact)
+    """Tell whether a number is the exact one with digits exchanged, its sign, or a power of ten away."""
+    powers = log10(abs(typed / exact))
     digits = [
         sorted(f"{abs(number):.{_DIGITS_COMPARED - 1}e}".split("e")[0]) for number in (typed, exact)
     ]

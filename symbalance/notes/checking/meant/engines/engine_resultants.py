@@ -25,6 +25,7 @@ from symbalance.document.formula import (
     Sum,
     Summation,
     names,
+    walk,
 )
 from symbalance.document.letters import plain_letter
 from symbalance.notes.algebra.evaluation import SymbolValue
@@ -32,6 +33,7 @@ from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.meant.engines.engine_claims import (
     COUPLE,
     FORCE,
@@ -192,8 +194,10 @@ class EngineResultants:
         meaning = knowledge.meanings.get(head.name, "")
         if claim is None or not claim.engine.stars or _is_of_another_engine(meaning, claim):
             return None
-        if not claim.words and head.name in knowledge.definitions:
-            return None  # what nothing but its wave says gives a letter no second formula
+        # what nothing but its wave says gives a letter no second formula
+        is_second = not claim.words and head.name in knowledge.definitions
+        if is_second or self._turns_otherwise(value, knowledge):
+            return None
         if not names(value):
             return self._vanishing(head.name, claim, value)
         try:
@@ -201,6 +205,17 @@ class EngineResultants:
             return self._compared(chain, head.name, claim, product, knowledge)
         except NoProductError:
             return self._by_terms(chain, head.name, claim, value, knowledge)
+
+    def _turns_otherwise(self, value: Formula, knowledge: Knowledge) -> bool:
+        """Tell whether a formula has a wave of the rod's angle: F_K sin β is no order of the engine."""
+        calls = (part for part in walk(value) if isinstance(part, Call) and part.function != "sqrt")
+        turning = {name for call in calls for name in names(call.argument)}
+        roles = {n: p.meaning for n, p in self.words.proposals.items()} | dict(knowledge.meanings)
+        return any(
+            role_of(roles.get(name, "")) == "rod angle"
+            or ((known := knowledge.definitions.get(name)) is not None and known.is_rod_angle)
+            for name in turning
+        )
 
     def _by_terms(
         self, chain: Chain, name: str, claim: EngineClaim, value: Formula, knowledge: Knowledge
