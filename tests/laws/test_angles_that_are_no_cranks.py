@@ -11,7 +11,8 @@ FALSE_IDENTITIES = (
     r"\tan(\alpha-\beta) = \sin(\alpha-\beta)\,\cos\alpha\cos\beta",
     r"\sin\alpha\cos\beta = \sin 2\alpha",
 )
-SINGLE = """Einzylinder. Kurbelwinkel φ, Pleuelwinkel β mit $\\sin\\beta = \\lambda\\sin\\varphi$, λ = r/l.
+SINGLE = """Einzylinder. Kurbelwinkel φ, Pleuelwinkel β mit
+$\\sin\\beta = \\lambda\\sin\\varphi$, λ = r/l.
 
 Die Kolbenkraft ist $F_K$, die Normalkraft auf die Zylinderwand $F_N = {force}$.
 """
