@@ -108,7 +108,7 @@ def test_the_index_of_reports_leads_to_the_line_of_each_error(notes, tmp_path, c
     capsys.readouterr()
     index = (reports / "index.html").read_text(encoding="utf-8")
     targets = re.findall(r'href="([^"#]*)#([^"]+)"', index)
-    assert targets == [("wrong.txt.html", "line-1")]
+    assert set(targets) == {("wrong.txt.html", "line-1")}
     assert 'id="line-1"' in (reports / "wrong.txt.html").read_text(encoding="utf-8")
     assert 'href="below/deep.tex.html"' in index
 
