@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from operator import attrgetter
+from operator import attrgetter, is_
 from typing import Any, TypeVar
 
 Span = tuple[int, int]
@@ -448,6 +448,13 @@ def children(node: Formula) -> tuple[Formula, ...]:
         return (*node.values, *(side for side in sides if isinstance(side, Formula)))
     parts = (getattr(node, name) for name in _SINGLE.get(kind, ()))
     return tuple(part for part in parts if part is not None)
+
+
+def with_parts_changed(node: Formula, change: Callable[[Formula], Formula]) -> Formula:
+    """Return a formula with each part changed, that very object where no part is another."""
+    parts = children(node)
+    changed = tuple(map(change, parts))
+    return node if all(map(is_, parts, changed)) else with_children(node, changed)
 
 
 def with_children(node: Formula, parts: tuple[Formula, ...]) -> Formula:

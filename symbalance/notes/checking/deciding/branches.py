@@ -247,11 +247,7 @@ def with_sign(node: Formula, sign: int) -> Formula:
     if isinstance(node, PlusMinus):
         inside = with_sign(node.operand, sign)
         return inside if node.upper == sign else Negative(inside, span=node.span)
-    parts = formula.children(node)
-    changed = tuple(with_sign(part, sign) for part in parts)
-    if all(a is b for a, b in zip(parts, changed, strict=True)):
-        return node
-    return formula.with_children(node, changed)
+    return formula.with_parts_changed(node, lambda part: with_sign(part, sign))
 
 
 def _with_sign(branch: Branch, sign: int) -> Branch:
@@ -294,11 +290,7 @@ def _replaced(node: Formula, old: Formula, new: Formula) -> Formula:
     """Return a formula with every part that is equal to `old` replaced."""
     if node == old:
         return new
-    parts = formula.children(node)
-    changed = tuple(_replaced(part, old, new) for part in parts)
-    if all(a is b for a, b in zip(parts, changed, strict=True)):
-        return node
-    return formula.with_children(node, changed)
+    return formula.with_parts_changed(node, lambda part: _replaced(part, old, new))
 
 
 def _of_cases(branch: Branch, cases: Cases) -> list[Branch]:

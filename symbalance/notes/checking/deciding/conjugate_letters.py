@@ -12,9 +12,10 @@ from symbalance.document.formula import Call, Formula, Name, names, walk
 from symbalance.notes.algebra.conjugation import imaginary_part
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
+from symbalance.notes.checking.declared.symbol_roles import conjugate_name
 
 _OF_COMPLEX = ("re", "im", "arg", "conj")
-_BAR = "bar_"
+_BAR = conjugate_name("")
 
 
 def with_conjugates(nodes: tuple[Formula, ...], line: int, knowledge: Knowledge) -> Knowledge:
@@ -38,7 +39,7 @@ def with_conjugates(nodes: tuple[Formula, ...], line: int, knowledge: Knowledge)
             knowledge = _as_complex(base, knowledge)
     for inside in calls:
         if isinstance(inside, Name) and (
-            f"{_BAR}{inside.name}" in letters or Call("conj", inside) in _all(nodes)
+            conjugate_name(inside.name) in letters or Call("conj", inside) in _all(nodes)
         ):
             knowledge = _as_complex(inside.name, knowledge)
     return knowledge
@@ -53,7 +54,7 @@ def _as_complex(name: str, knowledge: Knowledge) -> Knowledge:
     meaning = knowledge.meaning
     if name in knowledge.meanings or knowledge.has_meaning(name) or name in meaning.complex:
         return knowledge
-    values = {**meaning.values, f"{_BAR}{name}": Call("conj", Name(name))}
+    values = {**meaning.values, conjugate_name(name): Call("conj", Name(name))}
     meaning = replace(meaning, complex=meaning.complex | {name}, values=values)
     return replace(knowledge, meaning=meaning)
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
-from operator import is_
 from traceback import format_exception
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
@@ -20,9 +19,8 @@ from symbalance.document.formula import (
     Quotient,
     Span,
     Upright,
-    children,
     walk,
-    with_children,
+    with_parts_changed,
 )
 from symbalance.document.text_writer import formula_text
 from symbalance.errors import fault_of
@@ -297,9 +295,7 @@ def with_short_numbers(node: Formula) -> Formula:
     if value is not None:
         is_long = max(abs(value.numerator), value.denominator) >= 10**MOST_DIGITS
         return Decimal(f"{float(value):.{MOST_DIGITS}g}") if is_long and value.denominator != 1 else node
-    parts = children(node)
-    changed = tuple(map(with_short_numbers, parts))
-    return node if all(map(is_, parts, changed)) else with_children(node, changed)
+    return with_parts_changed(node, with_short_numbers)
 
 
 def rational_of(node: Formula) -> Fraction | None:

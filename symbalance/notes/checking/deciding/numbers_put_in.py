@@ -30,6 +30,7 @@ SHORTEST = 2
 SHORT, SMALL = 2, 0.01
 """Digits of a small constant that a formula was left with, 0.00034: its zeros are none."""
 LARGEST_FLOAT = 10**300
+"""Beyond it a number is none that a float can hold, and no datum of an engine."""
 LONGER = 5
 """A term of a sum with this many digits is a result."""
 MOST_FACTORS = 8

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 
@@ -28,15 +27,7 @@ def substitute(node: Formula, name: str, value: Formula) -> Formula:
         return replace(
             node, **{key: part and substitute(part, name, value) for key, part in bounds.items()}
         )
-    return _with_parts(node, lambda part: substitute(part, name, value))
-
-
-def _with_parts(node: Formula, change: Callable[[Formula], Formula]) -> Formula:
-    """Return a formula with its parts changed, that very object where none of them is another."""
-    parts = formula.children(node)
-    new_parts = tuple(change(part) for part in parts)
-    is_same = all(a is b for a, b in zip(parts, new_parts, strict=True))
-    return node if is_same else formula.with_children(node, new_parts)
+    return formula.with_parts_changed(node, lambda part: substitute(part, name, value))
 
 
 def _bound_letter(node: Formula) -> str:
@@ -50,14 +41,14 @@ def replace_part(node: Formula, old: Formula, new: Formula) -> Formula:
     """Return a formula with one of its parts (that very object) replaced."""
     if node is old:
         return new
-    return _with_parts(node, lambda part: replace_part(part, old, new))
+    return formula.with_parts_changed(node, lambda part: replace_part(part, old, new))
 
 
 def with_every(node: Formula, old: Formula, new: Formula) -> Formula:
     """Return a formula with each part that equals another formula replaced."""
     if node == old:
         return new
-    return _with_parts(node, lambda part: with_every(part, old, new))
+    return formula.with_parts_changed(node, lambda part: with_every(part, old, new))
 
 
 def without_stacked_fractions(node: Formula) -> Formula:

@@ -23,6 +23,7 @@ from symbalance.document.formula import (
     names,
     walk,
     with_children,
+    with_parts_changed,
 )
 from symbalance.document.letters import is_greek
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
@@ -289,10 +290,7 @@ def _written_out(
     if isinstance(node, Summation):
         terms = _terms(node, angles, knowledge, theta)
         return node if terms is None else Sum(tuple(terms))
-    parts = children(node)
-    new_parts = tuple(_written_out(part, angles, knowledge, theta) for part in parts)
-    is_same = all(a is b for a, b in zip(parts, new_parts, strict=True))
-    return node if is_same else with_children(node, new_parts)
+    return with_parts_changed(node, lambda part: _written_out(part, angles, knowledge, theta))
 
 
 def _terms(

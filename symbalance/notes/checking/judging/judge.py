@@ -764,7 +764,7 @@ class Judge:
         unlike = [unlike_terms(node) for node in chain.sides[k + 1].readings]
         if all(unlike) and chain.relations[k].sign in "=≈":
             return Decision(REFUTED, unlike[0])
-        if (of_rate := self._unlike_rate(chain, k)) is not None:
+        if (of_rate := self._unlike_unit(chain, k)) is not None:
             return of_rate
         lettered = [against]
         if against and not names(chain.sides[against].node):  # m = 0.44 + 0.18 = 0.62 m is no mass
@@ -789,7 +789,7 @@ class Judge:
     def _plain_letters(self) -> PlainLetters:
         return PlainLetters(self.document, self.state.sections)
 
-    def _unlike_rate(self, chain: Chain, k: int) -> Decision | None:
+    def _unlike_unit(self, chain: Chain, k: int) -> Decision | None:
         """Refute a result in a unit that the letter at the head of its chain cannot have: ω̇ in rad/s.
 
         Its dots say so, or the noun right before it: "the torque is M = 50 N".

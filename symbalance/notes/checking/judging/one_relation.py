@@ -270,9 +270,9 @@ def _judge_step(
         decision = appeal(state, chain, k, against, decision, knowledge)
     if decision.is_proved:
         by_units = wrong_as_quantity(chain, k, state.document, knowledge)
-        is_of_formula = any(names(s.node) and not isinstance(s.node, Name) for s in chain.sides[:k])
-        if by_units is None and not (bad and is_of_formula):
-            by_units = refuted_by_units_above(chain, k, state.document, knowledge, state.refuted)
+        by_units = by_units or refuted_by_units_above(
+            chain, k, state.document, knowledge, state.refuted, is_behind_wrong=bad
+        )
         if by_units is not None:
             return by_units
     by_name: Verdict | Decision | None = None

@@ -5,7 +5,7 @@ Two formulas are compared by their values at a few points; what differs by more 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
 from math import isclose, isfinite, log2, pi
 
@@ -208,25 +208,31 @@ def is_multiple(target: Formula, claim: Formula) -> bool:
     return isfinite(ratios[0]) and all(isclose(each, ratios[0], rel_tol=_EXACT) for each in ratios)
 
 
-def _without_a_number(node: Formula) -> Iterator[Formula]:
-    """Yield a formula with one of its numbers left out: σ² + τ² for σ² + 3 τ²."""
-    if isinstance(node, Product):
-        for factor in node.factors:
-            if isinstance(factor, Number):
-                yield Product(tuple(f for f in node.factors if f is not factor))
+def with_one_part_changed(
+    node: Formula, changes: Callable[[Formula], Iterable[Formula]]
+) -> Iterator[Formula]:
+    """Yield a formula with one of its parts, or itself, changed into each of what `changes` gives."""
+    yield from changes(node)
     parts = children(node)
     for k, part in enumerate(parts):
-        for edit in _without_a_number(part):
-            yield with_children(node, (*parts[:k], edit, *parts[k + 1 :]))
+        for changed in with_one_part_changed(part, changes):
+            yield with_children(node, (*parts[:k], changed, *parts[k + 1 :]))
+
+
+def _without_a_number(node: Formula) -> Iterator[Formula]:
+    """Yield a formula with one of its numbers left out: σ² + τ² for σ² + 3 τ²."""
+    return with_one_part_changed(node, _product_without_a_number)
+
+
+def _product_without_a_number(node: Formula) -> Iterator[Formula]:
+    factors = node.factors if isinstance(node, Product) else ()
+    for number in (factor for factor in factors if isinstance(factor, Number)):
+        yield Product(tuple(factor for factor in factors if factor is not number))
 
 
 def single_edits(node: Formula) -> Iterator[Formula]:
     """Yield a formula with one thing in it changed: a function, an exponent, a sign or a number."""
-    yield from _edits_here(node)
-    parts = children(node)
-    for k, part in enumerate(parts):
-        for edit in single_edits(part):
-            yield with_children(node, (*parts[:k], edit, *parts[k + 1 :]))
+    return with_one_part_changed(node, _edits_here)
 
 
 def _edits_here(node: Formula) -> Iterator[Formula]:

@@ -22,10 +22,9 @@ from symbalance.document.formula import (
     Quotient,
     Span,
     Sum,
-    children,
     names,
     walk,
-    with_children,
+    with_parts_changed,
 )
 from symbalance.notes.algebra.evaluation import SymbolValue, derivative_name
 from symbalance.notes.checking.declared.engines import Engines
@@ -161,9 +160,7 @@ def with_plain_rates(page: ReadNotes, motions: Motions) -> ReadNotes:
                 return node
             rate = replace(motion.rate, span=node.span)
             return rate if node.order == 1 else replace(node, expression=rate, order=node.order - 1)
-        parts = tuple(map(plain, children(node)))
-        is_same = all(a is b for a, b in zip(parts, children(node), strict=True))
-        return node if is_same else with_children(node, parts)
+        return with_parts_changed(node, plain)
 
     def changed(chain: Chain) -> Chain:
         sides = tuple(replace(s, readings=tuple(map(plain, s.readings))) for s in chain.sides)

@@ -14,10 +14,9 @@ from symbalance.document.formula import (
     Negative,
     Number,
     Product,
-    children,
     names,
     walk,
-    with_children,
+    with_parts_changed,
 )
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import letters
@@ -118,7 +117,7 @@ class Definitions:
         if is_zero and name in self.letters_before(line):
             last = min(last or self.sections.section_end(line), self.sections.section_end(line))
         own = line if self.sections.is_labelled_item(line) else None
-        place = self.sections.end_of_place(line) if not names(node) else None
+        place = self.sections.end_of_angle_headed(line) if not names(node) else None
         end = min((n for n in (end, last, own, place) if n is not None), default=None)
         self._add(name, Entry(definition, self.declarations.scopes_of({name, *names(node)}, line), end))
         self._note_case(chain, frozenset({name}))
@@ -422,7 +421,4 @@ def _with_rates_of(node: Formula, name: str, value: Formula) -> Formula:
     """Return a formula with a letter's value put in where its rate stands."""
     if isinstance(node, Derivative) and node.expression == Name(name):
         return replace(node, expression=value)
-    parts = children(node)
-    changed = tuple(_with_rates_of(part, name, value) for part in parts)
-    is_same = all(a is b for a, b in zip(parts, changed, strict=True))
-    return node if is_same else with_children(node, changed)
+    return with_parts_changed(node, lambda part: _with_rates_of(part, name, value))

@@ -21,7 +21,7 @@ from symbalance.document.formula import (
     children,
     names,
     walk,
-    with_children,
+    with_parts_changed,
 )
 from symbalance.document.letters import GREEK_SIGN, NAME_OF_SIGN, raised
 from symbalance.notes.checking.verdicts import Verdict
@@ -121,9 +121,7 @@ def as_written(node: Formula, text: str = "") -> Formula:
         return Upright(f"{typed['whole']},{typed['rest']}°") if typed else degrees
     if text and (quantity := _quantity(node, text)) is not None:
         return quantity
-    parts = children(node)
-    changed = tuple(as_written(part, text) for part in parts)
-    return node if all(map(is_, parts, changed)) else with_children(node, changed)
+    return with_parts_changed(node, lambda part: as_written(part, text))
 
 
 def _quantity(node: Formula, text: str) -> Formula | None:

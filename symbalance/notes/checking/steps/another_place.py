@@ -16,7 +16,6 @@ from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
-_SENTENCE_END = re.compile(r"(?<=[.;!?])\s+(?=[A-ZÄÖÜ$])|[。；]")
 _MEANS_THE_SAME = re.compile(
     r"(?<![^\W\d_])(?:maxim|largest|greatest|highest|peak|top|smallest|minim|größt|höchst|kleinst|is|lies"
     r"|stands|occurs|liegt|ist|steht|folgt|so|thus|then|hence|also|est|vaut|donc)(?:[a-zäöü]{0,8})(?![^\W\d_])",
@@ -58,9 +57,7 @@ def leave_place(state: JudgingState, chain: Chain) -> bool:
 def _lines_before_sentence(state: JudgingState, chain: Chain, angles: set[str]) -> Callable[[int], bool]:
     """Return what tells whether a line speaks of angles before a relation's paragraph or sentence."""
     first = state.sections.paragraph_start(chain.lines[0])
-    text = state.document.text
-    ends = [match.end() for match in _SENTENCE_END.finditer(text, max(0, chain.start - 400), chain.start)]
-    sentence = max(ends, default=0)
+    sentence = chain.start - len(state.sections.sentence_before(chain))
     spoken = {
         c.lines[0]: c.start < sentence
         for c in state.document.chains

@@ -17,16 +17,14 @@ from symbalance.document.formula import (
     Number,
     Product,
     Quotient,
-    children,
     names,
     parts_of_kind,
-    with_children,
 )
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number
-from symbalance.notes.checking.meant.formula_slips import single_edits
+from symbalance.notes.checking.meant.formula_slips import single_edits, with_one_part_changed
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.another_factor import formulas_only_stated
 from symbalance.notes.checking.steps.judging_state import JudgingState
@@ -35,8 +33,11 @@ from symbalance.notes.reading.equations import Chain
 CLOSE = 5e-4
 """How near an arithmetic has to come to a formula that it was not written with."""
 FEWEST_DIGITS = 3
+"""Digits of a number, at least, that fits a formula by more than chance: one of sixty may fit two."""
 MOST_EDITS = 60
+"""Edits of a formula that are tried: each is worked out in numbers, and a short formula has fewer."""
 _DIGITS_COMPARED = 4
+"""Digits of two numbers that are the same ones, exchanged."""
 
 
 def number_of_a_formula_one_slip_away(
@@ -67,7 +68,7 @@ def _edits(node: Formula, *, of_number: bool) -> Iterator[Formula]:
 
     An arithmetic shows what it was put into: a missing exponent there is a slip of its own.
     """
-    yield from islice(_upside_down(node), MOST_EDITS)
+    yield from islice(with_one_part_changed(node, _upside_down), MOST_EDITS)
     if of_number:
         yield from islice(single_edits(node), MOST_EDITS)
 
@@ -80,10 +81,6 @@ def _upside_down(node: Formula) -> Iterator[Formula]:
         for factor in above if len(above) > 1 else ():
             rest = tuple(part for part in above if part is not factor)
             yield Quotient(Product((factor, below)), Product(rest))
-    parts = children(node)
-    for k, part in enumerate(parts):
-        for edit in _upside_down(part):
-            yield with_children(node, (*parts[:k], edit, *parts[k + 1 :]))
 
 
 def _fraction(node: Formula) -> tuple[tuple[Formula, ...], Formula | None]:

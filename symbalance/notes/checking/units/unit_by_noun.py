@@ -29,6 +29,7 @@ _PREPOSITION = re.compile(
 )
 _NO_NOUN = re.compile(r"[=≈0-9]|[.,;:!?)。、]\s*$|\n\s*\n")
 MOST_WORDS = 7
+"""Of a noun with what it is of: the largest inertia force of one piston."""
 
 
 _WEIGHT = re.compile(r"(?<![A-Za-z])(?:lbs?|lbf|kgf|kp|oz|pounds?|tons?|t|g)(?![A-Za-z/])")

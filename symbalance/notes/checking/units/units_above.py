@@ -70,15 +70,23 @@ _Above = dict[Fraction, set[tuple[Dimension, float]]]
 
 
 def refuted_by_units_above(
-    chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge, wrong: Collection[int] = ()
+    chain: Chain,
+    k: int,
+    document: ReadNotes,
+    knowledge: Knowledge,
+    wrong: Collection[int] = (),
+    *,
+    is_behind_wrong: bool = False,
 ) -> Decision | None:
     """Return that a result is in another unit than its numbers make; None where that is open.
 
-    Numbers whose unit is refuted above, at the places `wrong`, say nothing of what goes on with them.
+    Numbers whose unit is refuted above, at the places `wrong`, say nothing of what goes on with them; nor
+    does an arithmetic that is wrong itself (`is_behind_wrong`), if it was put into a formula.
     """
     # Numbers put into a formula of the same chain are judged by that, if its letters have values.
     formulas = [side.node for side in chain.sides[:k] if not isinstance(side.node, Name)]
-    is_put_in = any(names(node) and names(node) <= set(knowledge.definitions) for node in formulas)
+    valued = knowledge.definitions.keys()
+    is_put_in = any(names(node) and (is_behind_wrong or names(node) <= valued) for node in formulas)
     known = None if is_put_in else _numbers_with_units(chain, k, document)
     if known is None or {number.value for number in known.numbers} & _values_at(document, wrong):
         return None

@@ -29,6 +29,7 @@ from symbalance.document.formula import (
     names,
     walk,
     with_children,
+    with_parts_changed,
 )
 from symbalance.notes.checking.verdicts import (
     CONDITION,
@@ -179,13 +180,7 @@ class _Angles:
         """Return a formula with the bare numbers in its sines and cosines as degrees."""
         if isinstance(node, Call) and node.function in _TURNED and self._is_of_page(node):
             return replace(node, argument=_as_angle(self._within_functions(node.argument)))
-        parts = children(node)
-        changed = tuple(map(self._within_functions, parts))
-        return (
-            node
-            if all(a is b for a, b in zip(parts, changed, strict=True))
-            else with_children(node, changed)
-        )
+        return with_parts_changed(node, self._within_functions)
 
 
 def _has_small_number(node: Formula) -> bool:

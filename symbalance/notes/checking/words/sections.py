@@ -343,7 +343,7 @@ class Sections:
             k for k, (sign, above, below) in enumerate(around, 1) if sign and sign not in (above, below)
         ]
 
-    def end_of_place(self, line: int) -> int | None:
+    def end_of_angle_headed(self, line: int) -> int | None:
         """Return the last line of a section whose heading is an angle of the crank, 30°; or None."""
         if _PLACE_HEADING.fullmatch(self.heading_above(line).strip()) is None:
             return None

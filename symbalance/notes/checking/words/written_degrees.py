@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from operator import is_
-
 from symbalance.document.formula import (
     Constant,
     Formula,
@@ -11,8 +9,7 @@ from symbalance.document.formula import (
     Product,
     Quotient,
     Upright,
-    children,
-    with_children,
+    with_parts_changed,
 )
 from symbalance.document.text_writer import formula_text
 
@@ -27,9 +24,7 @@ def in_degrees(node: Formula) -> Formula:
     degrees = degrees_of(node)
     if degrees is not None:
         return degrees
-    parts = children(node)
-    changed = tuple(map(in_degrees, parts))
-    return node if all(map(is_, parts, changed)) else with_children(node, changed)
+    return with_parts_changed(node, in_degrees)
 
 
 def degrees_of(node: Formula) -> Formula | None:
