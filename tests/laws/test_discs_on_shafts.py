@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 import symbalance as sb
@@ -86,3 +87,21 @@ def test_a_row_that_is_held_at_an_end_is_another():
     page = THREE.replace("the shafts", "the last one is fixed, the shafts")
     wrong = r"A_2 = \left(1 + \frac{J_1\omega^2}{k_1}\right)A_1"
     assert last_verdict(f"{page}$${wrong}$$").verdict != REFUTED
+
+
+def test_no_mode_is_missed_behind_a_stiff_engine():
+    """A light disc on a stiff shaft before three heavy ones: two modes lie close together, far below."""
+    inertias, shafts = np.array([0.01, 2.0, 4.0, 3.0]), [2e6, 1e3, 2e3]
+    springs = sum(
+        k * np.outer(twist, twist) for k, twist in zip(shafts, np.diff(np.eye(4), axis=0), strict=True)
+    )
+    roots = np.sqrt(inertias)
+    modes = np.linalg.eigh(springs / np.outer(roots, roots))[1] / roots[:, None]
+    page = r"# Torsional vibration of four discs" + "\n\n"
+    page += ", ".join(f"$J_{n} = {float(size)!r}$ kg m²" for n, size in enumerate(inertias, 1)) + ", "
+    page += ", ".join(f"$k_{n} = {size:.0f}$ N m" for n, size in enumerate(shafts, 1))
+    page += ".\n\n" + r"With $\varphi_i = A_i\cos\omega t$ the four equations give" + "\n\n"
+    for mode in modes.T[1:3]:
+        ratio = mode[3] / mode[0]
+        assert last_verdict(f"{page}$$A_4/A_1 = {ratio:.3f}$$").verdict == CONDITIONAL
+        assert last_verdict(f"{page}$$A_4/A_1 = {1.1 * ratio:.3f}$$").verdict == UNDECIDED

@@ -182,11 +182,13 @@ def _offer(checked: Checked, name: str) -> Words:
     missing |= set(checked.derivation.free_letters)
     if not missing:
         return ""
-    said = {letter for letter in missing if _is_said(letter, checked)}
+    in_words = {letter for letter in missing if _is_said(letter, checked)}
     beside = PurePath(name).with_suffix(".symbols.toml")
     return (
-        f"Nobody has said what these letters mean: {_listed(missing - said)}. " if missing - said else "",
-        f"By the page's own words, which nobody has confirmed: {_listed(said)}. " if said else "",
+        f"Nobody has said what these letters mean: {_listed(missing - in_words)}. "
+        if missing - in_words
+        else "",
+        f"By the page's own words, which nobody has confirmed: {_listed(in_words)}. " if in_words else "",
         Code(f"symbalance check {quote(name)} --declare -o {quote(str(beside))}"),
         " lists every letter with what the text proposes; ",
         Code("--accept-proposals"),

@@ -35,7 +35,7 @@ from symbalance.notes.checking.deciding.equality import (
     printed_decimal,
 )
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.substitution import replace_part, substitute
+from symbalance.notes.checking.deciding.substitution import replace_part, substitute, with_every
 from symbalance.notes.checking.words.plain_formulas import plain_text
 
 MOST_BRANCHES = 16
@@ -274,23 +274,16 @@ def _of_delta(branch: Branch, delta: Formula) -> list[Branch]:
     one, nothing = Number(formula.number(1).value), Number(formula.number(0).value)
     texts = [formula_text(part, plain=True) for part in (first, second)]
     equal = [
-        substitute(_replaced(side, delta, one), letter.name, value)
+        substitute(with_every(side, delta, one), letter.name, value)
         for side in (branch.left, branch.right)
     ]
-    unequal = [_replaced(side, delta, nothing) for side in (branch.left, branch.right)]
+    unequal = [with_every(side, delta, nothing) for side in (branch.left, branch.right)]
     return [
         replace(branch, left=equal[0], right=equal[1], title=_joined(branch.title, " = ".join(texts))),
         replace(
             branch, left=unequal[0], right=unequal[1], title=_joined(branch.title, " ≠ ".join(texts))
         ),
     ]
-
-
-def _replaced(node: Formula, old: Formula, new: Formula) -> Formula:
-    """Return a formula with every part that is equal to `old` replaced."""
-    if node == old:
-        return new
-    return formula.with_parts_changed(node, lambda part: _replaced(part, old, new))
 
 
 def _of_cases(branch: Branch, cases: Cases) -> list[Branch]:

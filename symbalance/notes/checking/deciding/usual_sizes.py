@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from itertools import product
 
-from symbalance.notes.algebra.domain import NoFormError
+from symbalance.notes.algebra.tree_values import NO_VALUE
 from symbalance.notes.algebra.values import Point, Valuation
 from symbalance.notes.checking.deciding.equality import Decision, differ, witness_at
 
@@ -31,7 +31,7 @@ def usual_witness(decision: Decision) -> Mapping[str, str]:
             return decision.witness
         valuation = Valuation(left.domain, usual)
         pair = [valuation.of(left), valuation.of(right)]
-    except (NoFormError, KeyError, ZeroDivisionError, ValueError, TypeError, OverflowError):
+    except NO_VALUE:
         return decision.witness
     return witness_at(usual, pair) if differ(*pair) else decision.witness
 

@@ -266,8 +266,8 @@ class MeaningsFromWords:
     def _from_letter_on(self, letter: str, line: str) -> str:
         """Return a line that is too long to be quoted from where it comes to a letter."""
         pattern = letter_pattern(letter)
-        found = pattern.search(line) if pattern is not None and short_words(line) != line else None
-        return line if found is None else line[found.start() :]
+        own = pattern.search(line) if pattern is not None and short_words(line) != line else None
+        return line if own is None else line[own.start() :]
 
     def _ratio_written(self, letter: str) -> tuple[str, int] | None:
         """Return of which lengths a page says a letter is the ratio, "l/s", and on which line."""

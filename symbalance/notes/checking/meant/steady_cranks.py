@@ -49,11 +49,11 @@ def with_steady_crank(page: ReadNotes, declarations: Declarations, motions: Moti
         return motions
     meanings = meanings_from_words(page, declarations.symbols_at, glossary_of(page.text).english)
     named = {p.letter: p.meaning for p in meanings.values()}
-    said = [p.letter for p in meanings.values() if p.words and p.meaning == _ANGLE]
+    in_words = [p.letter for p in meanings.values() if p.words and p.meaning == _ANGLE]
     named |= {name: role_of(text) for name, text in declarations.symbols.items()}
-    angles = said or [name for name, role in named.items() if role == _ANGLE]
+    angles = in_words or [name for name, role in named.items() if role == _ANGLE]
     rate = _speed(page, named)
-    if rate is None or (not said and _has_waves_in(time, page)):  # φ of ω t - φ is a phase
+    if rate is None or (not in_words and _has_waves_in(time, page)):  # φ of ω t - φ is a phase
         return motions
     angles = angles or list(_turning_with(rate, page, named))
     if len(angles) != 1:
@@ -111,7 +111,7 @@ def _has_waves_in(time: str, page: ReadNotes) -> bool:
 
 def _turning_with(rate: Formula, page: ReadNotes, named: dict[str, str]) -> Iterator[str]:
     """Yield the letters whose waves stand in products with ω: r ω² (cos φ + λ cos 2φ)."""
-    found = dict[str, None]()
+    beside_rate = dict[str, None]()
     for side in (side for chain in page.chains for side in chain.sides):
         for part in walk(side.node):
             if not isinstance(part, Product):
@@ -119,11 +119,11 @@ def _turning_with(rate: Formula, page: ReadNotes, named: dict[str, str]) -> Iter
             turning = [factor for factor in part.factors if _is_speed(factor, rate)]
             waves = (call for factor in part.factors for call in parts_of_kind(factor, Call))
             if turning:
-                found |= {
+                beside_rate |= {
                     name: None for call in waves if call.function in _WAVES
                     for name in names(call.argument)
                 }  # fmt: skip
-    yield from (name for name in found if named.get(name) not in KNOWN)
+    yield from (name for name in beside_rate if named.get(name) not in KNOWN)
 
 
 def _is_speed(factor: Formula, rate: Formula) -> bool:

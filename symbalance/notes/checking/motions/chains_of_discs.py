@@ -24,7 +24,8 @@ _INERTIAS = ("J", "I", "Theta", "m")
 _STIFFNESSES = ("k", "c", "C", "K")
 FEWEST, MOST = 2, 4
 """Discs in a row."""
-_STEPS, _HALVINGS = 4000, 60
+_HALVINGS = 100
+"""Steps to a natural frequency: of the bound above all 2⁻¹⁰⁰ is left, little beside the lowest."""
 _AS_ROUNDED = 3
 """Half units of the last place by which a ratio may be off that was worked out from rounded numbers."""
 
@@ -36,15 +37,15 @@ def chain_of_discs(
 
     The amplitudes have the stem that is given: A_ for A_1 and A_2.
     """
-    found: list[FreeVibration] = []
+    rows: list[FreeVibration] = []
     for inertia in _INERTIAS:
         for stiffness in _STIFFNESSES:
             count = _numbered(letters, inertia)
             if FEWEST <= count <= MOST and _numbered(letters, stiffness) == count - 1:
-                found.append(
+                rows.append(
                     _chain(count, f"{inertia}_", f"{stiffness}_", amplitude, frequency, wave, line)
                 )
-    return found[0] if len(found) == 1 else None
+    return rows[0] if len(rows) == 1 else None
 
 
 def _numbered(letters: Collection[str], stem: str) -> int:
@@ -118,21 +119,24 @@ def _amplitudes(square: float, inertias: Sequence[float], shafts: Sequence[float
 
 
 def _squares(inertias: Sequence[float], shafts: Sequence[float]) -> list[float]:
-    """Return the squares of the natural frequencies but 0: no torque is left behind the last disc."""
+    """Return the squares of the natural frequencies but 0, from the lowest on.
 
-    def left(square: float) -> float:
+    With 0, as many of them lie below ω² as the sign changes along the discs' amplitudes at ω, with the
+    torque that is wanted behind the last disc (Sturm's count, on Holzer's table): none is missed, however
+    close together or far apart they are.
+    """
+
+    def count_below(square: float) -> int:
         row = _amplitudes(square, inertias, shafts)
-        return sum(inertia * own for inertia, own in zip(inertias, row, strict=True))
+        wanted = -sum(inertia * own for inertia, own in zip(inertias, row, strict=True))
+        signs = [each > 0 for each in (*row, wanted) if each]
+        return sum(one != other for one, other in pairwise(signs))
 
-    highest = 4 * max(shafts) / min(inertias)
-    places = [highest * n / _STEPS for n in range(_STEPS + 1)]
     roots: list[float] = []
-    for start, end in pairwise(places):
-        low, high = start, end
-        if left(low) * left(high) >= 0:
-            continue
+    for count in range(1, len(inertias)):
+        low, high = 0.0, 4 * max(shafts) / min(inertias)
         for _ in range(_HALVINGS):
             middle = (low + high) / 2
-            low, high = (middle, high) if left(low) * left(middle) > 0 else (low, middle)
+            low, high = (low, middle) if count_below(middle) > count else (middle, high)
         roots.append(low)
     return roots

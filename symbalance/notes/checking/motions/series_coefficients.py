@@ -93,11 +93,13 @@ def coefficient_values(
             continue
         try:
             written, is_open = _written_out(series)
+            is_open = is_open or is_rough
+            own = _new_letters(written, other, knowledge)
+            values = _values(
+                other, written, knowledge, own & {*names(series), *on_page}, on_page, is_open
+            )
         except NoFormError:
             continue
-        is_open = is_open or is_rough
-        own = _new_letters(written, other, knowledge)
-        values = _values(other, written, knowledge, own & {*names(series), *on_page}, on_page, is_open)
         if values and _are_coefficients(values, in_use, is_open=is_open):
             return values
     return None

@@ -230,9 +230,8 @@ def _equation_after_equation(
     own = given | names(second[0]) | names(second[1])
     is_bare = all(isinstance(node, Name) for node in second) and own.isdisjoint(knowledge.meanings)
     if lost is None or decision.status != PREMISE or (_differs_in_sign(lost, second) and not is_bare):
-        return (
-            decision  # of a length the positive root is meant; of a and b that nothing is said of, none
-        )
+        # Of a length the positive root is meant; of bare a and b, of which nothing is said, neither.
+        return decision
     is_free = bool(names(second[1])) or second[1] == Number(Fraction(0))
     is_one = bool(own & knowledge.angles) or sections.is_one_of_several(chain)
     if not is_free or is_one:

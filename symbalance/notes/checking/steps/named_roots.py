@@ -130,15 +130,15 @@ def _with_both_signs(
 ) -> Decision | None:
     """Return the decision on x = 1 ± 3 as the roots of an equation: each of the two has to be one."""
     value, line = chain.sides[1].node, condition.line
-    found = [
+    are_roots = [
         solves_as_printed(condition, unknown, with_sign(value, sign), Knowledge()) for sign in (1, -1)
     ]
-    if False in found:
-        signs = "upper" if found[0] is False else "lower"
+    if False in are_roots:
+        signs = "upper" if are_roots[0] is False else "lower"
         return Decision(REFUTED, f"with the {signs} sign it does not satisfy line {line}")
-    if found != [True, True]:
+    if are_roots != [True, True]:
         return None
-    state.definitions.define(names_of(chain), value, chain)
+    state.definitions.define(_head(chain), value, chain)
     order = "the digits printed" if decimals(value) else ""
     return Decision(PROVED, f"satisfies line {line}", order=order)
 
@@ -185,10 +185,10 @@ def _are_called_roots(text: str, equation: Chain, chain: Chain) -> bool:
         return not SENTENCE_END.search(text, equation.end, start)
     is_both = any(isinstance(part, PlusMinus) for part in walk(chain.sides[1].node))
     is_next = _SOLVED.fullmatch(text[equation.end : start]) is not None
-    return is_both and is_next and _BOTH.search(names_of(chain)) is not None
+    return is_both and is_next and _BOTH.search(_head(chain)) is not None
 
 
-def names_of(chain: Chain) -> str:
+def _head(chain: Chain) -> str:
     """Return the letter that a chain begins with, "" for none."""
     head = chain.sides[0].node
     return head.name if isinstance(head, Name) else ""

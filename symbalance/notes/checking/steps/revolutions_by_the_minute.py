@@ -10,6 +10,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.formula import Formula, Name, Number, Product, Quotient, names, walk
+from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
@@ -43,10 +44,13 @@ def by_the_minute(state: JudgingState, chain: Chain, k: int, knowledge: Knowledg
     if was_by_minute == is_by_minute:
         return None
     claim = value
-    for name in counted:
-        letter = Name(name)
-        turned = Product((_PER_MINUTE, letter)) if is_by_minute else Quotient(letter, _PER_MINUTE)
-        claim = substitute(claim, name, turned)
+    try:
+        for name in counted:
+            letter = Name(name)
+            turned = Product((_PER_MINUTE, letter)) if is_by_minute else Quotient(letter, _PER_MINUTE)
+            claim = substitute(claim, name, turned)
+    except NoFormError:  # n is differentiated or integrated by: no number of revolutions is put in for it
+        return None
     there = decide(lone_side(formulas[0]), lone_side(claim), "=", free)
     if not there.is_proved:
         return None

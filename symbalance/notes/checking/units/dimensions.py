@@ -71,13 +71,8 @@ _QUANTITIES = frozenset(
         *(_dimension(m=power) for power in (-1, 2, 3, 4)),
         *(_dimension(m=1, s=-1), _dimension(m=1, s=-2), _dimension(s=-2), _dimension(s=2)),
         *(_dimension(kg=1, m=1), _dimension(kg=1, m=2), _dimension(1, -3), _dimension(1, 0, -2)),
-        *(
-            _dimension(1, 0, -1),
-            _dimension(1, 2, -1),
-            _dimension(-1, 0, 2),
-            _dimension(-1),
-            _dimension(-1, 1),
-        ),
+        *(_dimension(1, 0, -1), _dimension(1, 2, -1), _dimension(-1, 0, 2)),
+        *(_dimension(-1), _dimension(-1, 1)),
     )
 )
 """What a number may be in that has its unit in silence: quantities that engineers put numbers in for."""

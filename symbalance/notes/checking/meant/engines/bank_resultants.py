@@ -439,8 +439,8 @@ def _with_bank_factors(node: Formula, own: _Component, half: float) -> Formula:
     first = Fraction(half)
     factors = (of(first) ** Fraction(2),) if own.order == 1 else (of(first), of(first * own.order))
     parts = rest.factors if isinstance(rest, Product) else (rest,)
-    kept = tuple(part for part in parts if part != Number(Fraction(1)))
-    return Product((*kept[:-1], *factors, *kept[-1:]))
+    others = tuple(part for part in parts if part != Number(Fraction(1)))
+    return Product((*others[:-1], *factors, *others[-1:]))
 
 
 def _split(node: Formula, bank: str) -> tuple[Formula, list[Formula]]:

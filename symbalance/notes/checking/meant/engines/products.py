@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from math import isclose
+from math import isclose, isfinite
 
 from symbalance.document.formula import (
     Call,
@@ -41,6 +41,11 @@ class ProductOfPowers:
     rounding: float = _SAME
     """By what part of itself the number may be off, as printed."""
 
+    def __post_init__(self) -> None:
+        """Refuse a number beyond what a float holds, 1e400: nothing is compared with it."""
+        if not isfinite(self.number):
+            raise NoProductError
+
     def times(self, other: ProductOfPowers, exponent: Fraction = Fraction(1)) -> ProductOfPowers:
         """Return this times a power of another product."""
         powers = dict(self.powers)
@@ -52,9 +57,12 @@ class ProductOfPowers:
             raise NoProductError
         if not other.number and exponent < 0:
             raise NoProductError
+        try:
+            raised = other.number ** (float(exponent) if exponent.denominator > 1 else exponent.numerator)
+        except OverflowError as problem:
+            raise NoProductError from problem
         return ProductOfPowers(
-            self.number
-            * other.number ** (float(exponent) if exponent.denominator > 1 else exponent.numerator),
+            self.number * raised,
             {name: power for name, power in powers.items() if power},
             self.wave or other.wave,
             max(self.rounding, other.rounding),
