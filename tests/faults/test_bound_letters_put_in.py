@@ -31,3 +31,9 @@ def test_a_bound_letter_is_no_fault(page):
 def test_a_number_beyond_floats_is_no_fault(letter, number):
     checked = sb.check(f"${letter} = {number}$ and ${letter} = 2 a {number}$\n", {})
     assert not checked.faults
+
+
+def test_the_digits_of_a_number_below_floats_are_counted():
+    checked = sb.check("k = 25/100 = 1/4 (c = 25, d = 100/10^{400} = 50)\n", {})
+    assert not checked.faults
+    assert [one.verdict for one in checked.verdicts].count("refuted") == 1

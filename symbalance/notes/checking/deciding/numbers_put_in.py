@@ -29,8 +29,6 @@ SHORTEST = 2
 """Digits from which on a whole number behind ≈ is meant to the last of them."""
 SHORT, SMALL = 2, 0.01
 """Digits of a small constant that a formula was left with, 0.00034: its zeros are none."""
-LARGEST_FLOAT = 10**300
-"""Beyond it a number is none that a float can hold, and no datum of an engine."""
 LONGER = 5
 """A term of a sum with this many digits is a result."""
 MOST_FACTORS = 8
@@ -95,7 +93,7 @@ def stated_values(document: ReadNotes) -> frozenset[float]:
         is_stated = len(chain.sides) == 2 and isinstance(chain.sides[0].node, Name)
         for side in chain.sides[1:]:
             node = side.node.factors[0] if isinstance(side.node, Product) else side.node
-            if isinstance(node, Number) and not names(side.node) and abs(node.value) < LARGEST_FLOAT:
+            if isinstance(node, Number) and not names(side.node):
                 (stated if is_stated else computed).add(abs(float(node.value)))
     return frozenset(stated - computed)
 

@@ -398,8 +398,10 @@ _LONG_FACTOR = re.compile(r"factor -?[0-9]+/[0-9]{3,}")
 
 
 def _exponent(value: Fraction) -> int:
-    """Return the power of ten of a number's first digit."""
-    return math.floor(math.log10(abs(value))) if value else 0
+    """Return the power of ten of a number's first digit, of one that no float holds too."""
+    if not value:
+        return 0
+    return math.floor(math.log10(abs(value.numerator)) - math.log10(value.denominator))
 
 
 def _digits(number: Number) -> int:

@@ -47,6 +47,8 @@ from symbalance.text import lazy_patterns as re
 
 LONGEST_EQUATION = 20_000
 """Characters of one equation: text that is no derivation must not cost minutes."""
+LARGEST = Fraction(10) ** 300
+"""Numbers up to it and down to its reciprocal are read: witnesses are floats, which end at 10³⁰⁸."""
 
 _DEGREE = re.compile(
     r"\^\s*(?:\{(?:\s|\\[,;:! ])*\\circ\s*\}|\\circ(?![A-Za-z]))|[°˚º]|度|\\degree(?![A-Za-z])"
@@ -911,6 +913,8 @@ def _number_token(digits: str, exponent: re.Match[str] | None, start: int, stop:
         scale = _power_of_ten(exponent, start)
         value, stop = value * scale, exponent.end()
         place = place * scale if place else None
+    if value and not 1 / LARGEST <= value <= LARGEST:
+        raise ReadingError(start, "a number that no float holds", "check its digits and its power of ten")
     return Token("number", digits, start, stop, value, place)
 
 
