@@ -69,7 +69,7 @@ LARGE = {
     "fences": "```\n" * 30_000,
     "minus signs": "$$" + "-" * 20_000 + "x = x$$",
     "lines of relations": "x = y\n" * 5_000,
-    "quoted relations": "> x = y\n" * 10_000,
+    "quoted relations": "> x = y\n" * 5_000,
     "ranges": "0 ≤ x ≤ 1, " * 1_000,
     "blank lines": "\n" * 100_000,
     "a long word": "a" * 100_000,

@@ -290,7 +290,7 @@ def test_a_megabyte_on_one_line_ends_soon(unit: str) -> None:
     text = unit.replace("_", " ") * (999_999 // len(unit))
     begin = time.process_time()
     read(text, ".tex" if unit == "\\[" else ".md")
-    assert time.process_time() - begin < 10
+    assert time.process_time() - begin < 20  # twice what it takes; what grows with the square takes hours
 
 
 def test_a_document_that_is_too_long_is_refused() -> None:

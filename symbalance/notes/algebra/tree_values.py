@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -36,14 +36,19 @@ def letters_behind(node: Formula, values: Mapping[str, Formula]) -> list[str]:
 
 def names_behind(node: Formula, values: Mapping[str, Formula]) -> list[str]:
     """Return all letters of a formula, of what they stand for, and so on, as they come up."""
-    names: dict[str, None] = {}
-    waiting = [node]
+    return letters_with_behind(formula.names(node), values)
+
+
+def letters_with_behind(letters: Iterable[str], values: Mapping[str, Formula]) -> list[str]:
+    """Return letters, those of what they stand for, and so on, as they come up."""
+    reached: dict[str, None] = {}
+    waiting = [letters]
     while waiting:
-        for name in sorted(formula.names(waiting.pop())):
-            if name in values and name not in names:
-                waiting.append(values[name])
-            names[name] = None
-    return list(names)
+        for name in sorted(waiting.pop()):
+            if name in values and name not in reached:
+                waiting.append(formula.names(values[name]))
+            reached[name] = None
+    return list(reached)
 
 
 NO_VALUE = (

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from symbalance.document.formula import Formula, Span, Summation, names, walk
+from symbalance.document.formula import Call, Formula, Span, Summation, names, parts_of_kind, walk
 from symbalance.notes.reading.markup.notebooks import SUFFIX, cell_place
 
 RELATIONS = ("=", "≈", "<", ">", "≤", "≥", "≡", "≠", "≪", "≫")
@@ -71,6 +71,11 @@ class Chain:
     def letters(self) -> frozenset[str]:
         """The letters that stand in its sides."""
         return frozenset(name for side in self.sides for name in names(side.node))
+
+    @cached_property
+    def calls(self) -> tuple[Call, ...]:
+        """The functions of something that stand in its sides."""
+        return tuple(call for side in self.sides for call in parts_of_kind(side.node, Call))
 
     @cached_property
     def has_sum(self) -> bool:

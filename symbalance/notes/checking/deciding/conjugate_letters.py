@@ -8,45 +8,37 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symbalance.document.formula import Call, Formula, Name, names, walk
+from symbalance.document.formula import Call, Name, names
 from symbalance.notes.algebra.conjugation import imaginary_part
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.declared.symbol_roles import conjugate_name
+from symbalance.notes.reading.equations import Chain
 
 _OF_COMPLEX = ("re", "im", "arg", "conj")
 _BAR = conjugate_name("")
 
 
-def with_conjugates(nodes: tuple[Formula, ...], line: int, knowledge: Knowledge) -> Knowledge:
+def with_conjugates(chain: Chain, knowledge: Knowledge) -> Knowledge:
     """Return what is known with the conjugates of complex letters among a relation's sides."""
-    letters = {name for node in nodes for name in names(node)}
-    calls = [
-        part.argument
-        for node in nodes
-        for part in walk(node)
-        if isinstance(part, Call) and part.function in _OF_COMPLEX
-    ]
+    letters = chain.letters
+    calls = [call.argument for call in chain.calls if call.function in _OF_COMPLEX]
     barred = [name for name in sorted(letters) if name.startswith(_BAR) and not knowledge.knows(name)]
     for name in barred:
         base = name.removeprefix(_BAR)
         if name in knowledge.meanings:
             continue
         if base in knowledge.definitions and _is_complex(base, knowledge):
-            definition = Definition(Call("conj", Name(base)), line)
+            definition = Definition(Call("conj", Name(base)), chain.lines[0])
             knowledge = knowledge.with_definition(name, definition)
         elif any(base in names(inside) for inside in calls):
             knowledge = _as_complex(base, knowledge)
     for inside in calls:
         if isinstance(inside, Name) and (
-            conjugate_name(inside.name) in letters or Call("conj", inside) in _all(nodes)
+            conjugate_name(inside.name) in letters or Call("conj", inside) in chain.calls
         ):
             knowledge = _as_complex(inside.name, knowledge)
     return knowledge
-
-
-def _all(nodes: tuple[Formula, ...]) -> set[Formula]:
-    return {part for node in nodes for part in walk(node)}
 
 
 def _as_complex(name: str, knowledge: Knowledge) -> Knowledge:

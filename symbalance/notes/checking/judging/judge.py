@@ -11,7 +11,7 @@ from symbalance.budgets import Budget
 from symbalance.document.formula import Call, Formula, Name, Number, names, parts_of_kind
 from symbalance.document.letters import plain_letter
 from symbalance.errors import SymbalanceError
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.tree_values import letters_with_behind, names_behind
 from symbalance.notes.checking.deciding.descriptions import (
     describe,
     explained_verdict,
@@ -365,12 +365,14 @@ class Judge:
 
     def _as_one_of_listed(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict; S_1 = S_2 = 0 and k_1 = k_2 = k give each new letter the last."""
+        if k + 2 != len(chain.sides):
+            return verdict
         heads = [side.node for side in chain.sides[:-1]]
         head, line = chain.sides[k].node, chain.lines[0]
         is_list = all(isinstance(node, Name) for node in heads) and isinstance(
             chain.sides[-1].node, Name | Number
         )
-        is_open = verdict.verdict in (REFUTED, UNDECIDED) and is_list and k == len(heads) - 1 > 0
+        is_open = verdict.verdict in (REFUTED, UNDECIDED) and is_list and k > 0
         if not is_open or not isinstance(head, Name) or {r.sign for r in chain.relations} != {"="}:
             return verdict
         is_for_lack = not verdict.reason or verdict.reason.endswith(DECLARE_IT)
@@ -454,9 +456,9 @@ class Judge:
         left = cases_left_by(self.state.definitions, chain, angles)
         symbols = self.state.declarations.symbols_at(chain.lines[0])
         turning = {name for name, text in symbols.items() if role_of(text) == "crank angle"}
-        values = {n: d.node for n, d in self.state.knowledge(chain.lines[0]).definitions.items()}
-        behind = {n for side in chain.sides for n in names_behind(side.node, values)}
-        spoken = {name: name in turning for name in chain.letters | turning | behind}
+        values = {n: d.node for n, d in self.state.definitions.at(chain.lines[0]).items()}
+        behind = letters_with_behind(chain.letters, values)
+        spoken = {name: name in turning for name in turning.union(behind)}
         self.state.general = self.state.sections.spoken_of_generally(chain, spoken, named=True)
         if self._is_of_all_values(chain, k):
             self.state.general |= _turned(chain.sides[k].node)

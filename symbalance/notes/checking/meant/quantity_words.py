@@ -7,7 +7,6 @@ goes with them.
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -296,11 +295,11 @@ class QuantityWords:
         of the sentence.
         """
         start = chain.start
-        end, above = self._chain_before(start)
+        above = self.sections.chain_before(start)
         head = above.sides[0].node if above is not None else None
         if above is None or not isinstance(head, Name):
             return
-        clause = self.document.text[end:start]
+        clause = self.document.text[above.end : start]
         if len(clause) > SENTENCE or SENTENCE_END.search(clause):
             return
         clause = self.glossary.english(clause)
@@ -337,7 +336,7 @@ class QuantityWords:
         """Return the few words that open a relation's paragraph like a title: "Radial force. Along …"."""
         start = chain.start
         above = _BLANK.split(bare(self.document.text[max(0, start - PARAGRAPH) : start]))[-1]
-        _, other = self._chain_before(start)
+        other = self.sections.chain_before(start)
         is_first = (
             other is None
             or not isinstance(other.sides[0].node, Name)
@@ -432,25 +431,14 @@ class QuantityWords:
                 rest = sentence.replace(words[start:end], "")
                 yield _named(quantity, words[start:end].strip(), places, rest)
 
-    @cached_property
-    def _ends(self) -> list[tuple[int, Chain]]:
-        """The ends of the document's relations, in order."""
-        chains = [chain for chain in self.document.chains if chain.relations]
-        ends = [(chain.end, chain) for chain in chains]
-        return sorted(ends, key=lambda pair: pair[0])
-
-    def _chain_before(self, start: int) -> tuple[int, Chain | None]:
-        """Return the last chain before a place with its end; 0 and None for the first."""
-        place = bisect_right(self._ends, start, key=lambda pair: pair[0])
-        return self._ends[place - 1] if place else (0, None)
-
     def _texts(self, chain: Chain) -> tuple[str, str, str]:
         """Return a relation's sentence, what of it stands right before, and what is around."""
         text, start = self.document.text, chain.start
         end = chain.end
         words = bare(text[max(0, start - PARAGRAPH) : start])
         sentence = SENTENCE_END.split(words[-SENTENCE:])[-1]
-        first = max(0, self._chain_before(start)[0])
+        above = self.sections.chain_before(start)
+        first = 0 if above is None else above.end
         last = max(0, start - PARAGRAPH) + len(words)
         before = sentence[-(last - first) :] if last - first < len(sentence) else sentence
         before = before if last > first else ""

@@ -31,7 +31,7 @@ _GIVES = re.compile(
 def refute_named_rate(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
     """Return the refutation of a formula that is not the derivative or integral that words call it."""
     text = state.document.text
-    before = max((c for c in state.document.chains if c.end <= chain.start), key=_end, default=None)
+    before = state.sections.chain_before(chain.start)
     if k or before is None or len(before.sides) != 2 or chain.start - before.end > 2 * _LONGEST:
         return None
     named = _NAMED.search(text, max(before.start - _LONGEST, 0), before.start)
@@ -61,7 +61,3 @@ def _factors_of_constants(whole: Formula) -> frozenset[str]:
 def _head(chain: Chain) -> str:
     head = chain.sides[0].node
     return head.name if isinstance(head, Name) else ""
-
-
-def _end(chain: Chain) -> int:
-    return chain.end

@@ -12,6 +12,8 @@ from itertools import islice
 from math import isclose, log10
 
 from symbalance.document.formula import (
+    PI,
+    Constant,
     Formula,
     Name,
     Number,
@@ -70,7 +72,16 @@ def _edits(node: Formula, *, of_number: bool) -> Iterator[Formula]:
     """
     yield from islice(with_one_part_changed(node, _upside_down), MOST_EDITS)
     if of_number:
-        yield from islice(single_edits(node), MOST_EDITS)
+        yield from (edit for edit in islice(single_edits(node), MOST_EDITS) if _keeps_minutes(node, edit))
+
+
+def _keeps_minutes(node: Formula, edit: Formula) -> bool:
+    """Tell whether the 60 seconds of a minute stay: only π n/30, which is 2π n/60, has half of them."""
+    return not _has_number(node, 60) or _has_number(edit, 60) or PI in parts_of_kind(node, Constant)
+
+
+def _has_number(node: Formula, value: int) -> bool:
+    return any(number.value == value for number in parts_of_kind(node, Number))
 
 
 def _upside_down(node: Formula) -> Iterator[Formula]:

@@ -245,7 +245,7 @@ class JudgingState:
         printed = knowledge.printed | values_put_in(chain, knowledge)
         first = chain.lines[0] - NEAR_RANGE
         own = replace(knowledge, crank_angles=angles, own_ranges_from=first, printed=printed)
-        own = with_conjugates(tuple(side.node for side in chain.sides), chain.lines[0], own)
+        own = with_conjugates(chain, own)
         return with_conditions(chain, self.document, own)
 
     def cranks_of(self, chain: Chain) -> CrankAngles | None:

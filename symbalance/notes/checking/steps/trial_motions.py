@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import lru_cache
 
 from symbalance.document.formula import (
     Call,
@@ -127,22 +128,24 @@ def _decide_by_chain_of_discs(
     The trial motion of any disc stands above: φ_i = A_i cos ωt.
     """
     text, line = state.document.text, chain.lines[0]
-    letters = {name for each in state.document.chains for name in each.letters}
+    if not _speaks_of_discs(text):
+        return None
     for above in reversed(state.document.chains):
         head = above.sides[0].node
         stem, _, index = head.name.rpartition("_") if isinstance(head, Name) else ("", "", "")
-        is_above = above.start < chain.start and state.sections.same_section(above.lines[0], line)
-        if not is_above or index not in _ANY_DISC or not stem or not above.relations:
+        if index not in _ANY_DISC or not stem or not above.relations or above.start >= chain.start:
+            continue
+        if not state.sections.same_section(above.lines[0], line):
             continue
         moving = EquationOfMotion({(f"{stem}_{index}", 2): Name("J")}, _ZERO, line, "")
         trial = trial_of(above, 0, [moving])
         if trial is None or not trial.amplitude.endswith(f"_{index}"):
             continue
         where = text[: chain.start].rpartition("\n#")[2]
-        if not _DISCS.search(text) or _HELD.search(where[-_NEAR_WORDS:]):
+        if _HELD.search(where[-_NEAR_WORDS:]):
             return None
         amplitude = trial.amplitude[: -len(index)]
-        vibration = chain_of_discs(letters, amplitude, trial.frequency, trial.wave, above.lines[0])
+        vibration = chain_of_discs(state.letters, amplitude, trial.frequency, trial.wave, above.lines[0])
         ratio = None if vibration is None else _decide_ratio_in_numbers(chain, k, vibration, knowledge)
         decision = None if vibration is None else ratio or decide_by_trial(chain, k, vibration, ())
         if vibration is None or decision is None:
@@ -153,6 +156,12 @@ def _decide_by_chain_of_discs(
             return replace(decision, reason="", assumptions=(*decision.assumptions, row))
         return replace(decision, reason=f"if {row}: {decision.reason}")
     return None
+
+
+@lru_cache(maxsize=4)
+def _speaks_of_discs(text: str) -> bool:
+    """Tell whether a page speaks of discs on a shaft, which is asked at each of its relations."""
+    return _DISCS.search(text) is not None
 
 
 def _decide_by_system(
@@ -298,8 +307,10 @@ def _is_root_elsewhere(chain: Chain, k: int, above: Sequence[Chain], general: st
 
 def _is_special_case(state: JudgingState, chain: Chain, knowledge: Knowledge) -> bool:
     """Tell whether a chain sets letters of equations of motion equal to each other: J₁ = J₂ = J."""
+    if not state.equations_of_motion or len(chain.sides) < 3:
+        return False
     sides = [side.node for side in chain.sides]
-    if len(sides) < 3 or any(relation.sign != "=" for relation in chain.relations):
+    if any(relation.sign != "=" for relation in chain.relations):
         return False
     own = {side.name for side in sides if isinstance(side, Name)}
     last = sides[-1]

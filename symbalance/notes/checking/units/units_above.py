@@ -84,7 +84,7 @@ def refuted_by_units_above(
     does an arithmetic that is wrong itself (`is_behind_wrong`), if it was put into a formula.
     """
     # Numbers put into a formula of the same chain are judged by that, if its letters have values.
-    formulas = [side.node for side in chain.sides[:k] if not isinstance(side.node, Name)]
+    formulas = (side.node for side in chain.sides[:k] if not isinstance(side.node, Name))
     valued = knowledge.definitions.keys()
     is_put_in = any(names(node) and (is_behind_wrong or names(node) <= valued) for node in formulas)
     known = None if is_put_in else _numbers_with_units(chain, k, document)

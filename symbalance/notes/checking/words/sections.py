@@ -376,6 +376,18 @@ class Sections:
         """The relations in the order of the text."""
         return self._by_start[1]
 
+    def chain_before(self, place: int) -> Chain | None:
+        """Return the last relation that ends before a place; None for the first of the text."""
+        ends, chains = self._by_end
+        before = bisect_right(ends, place)
+        return chains[before - 1] if before else None
+
+    @cached_property
+    def _by_end(self) -> tuple[list[int], list[Chain]]:
+        """The relations by where they end; lone expressions are none."""
+        chains = sorted((c for c in self.document.chains if c.relations), key=lambda chain: chain.end)
+        return [chain.end for chain in chains], chains
+
     @cached_property
     def _by_start(self) -> tuple[list[int], list[Chain]]:
         """The relations by where their first side begins, in the order of the text."""
@@ -936,8 +948,10 @@ class Sections:
 
     def place_before(self, chain: Chain) -> int | None:
         """Return the angle in degrees at which words right before a letter's value place it, or None."""
-        above = [c for c in self.chains_of(chain.sides[0].node) if c.end <= chain.start]
-        first = max([chain.start - LONGEST_INTRODUCTION, 0, *(c.end for c in above)])
+        chains = self.chains_of(chain.sides[0].node)
+        count = bisect_left(chains, chain.start, key=lambda other: other.start)
+        last = chains[count - 1].end if count else 0
+        first = max(chain.start - LONGEST_INTRODUCTION, last)
         words = self.document.text[first : chain.start]
         return _last_place(self._english(_SENTENCE_OR_ITEM.split(words)[-1]))
 
