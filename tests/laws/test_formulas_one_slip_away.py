@@ -38,3 +38,9 @@ def test_a_fraction_upside_down_may_be_what_is_wrong():
     assert _last(TWIST.format(formula="sqrt(k*J1*J2/(J1 + J2))") + numbers)["verdict"] == "undecided"
     wrong = numbers.replace("2.115", "2.511")
     assert _last(TWIST.format(formula="sqrt(k*(J1 + J2)/(J1*J2))") + wrong)["verdict"] == "refuted"
+
+
+def test_the_seconds_of_a_minute_are_no_slip_of_a_formula():
+    page = "With $f = 280$ Hz and $q = 2$: $n = {formula}$ rpm, and so $n = {number}$ rpm.\n"
+    assert _last(page.format(formula="60 f/q", number="8400"))["verdict"] == "conditional"
+    assert _last(page.format(formula="60 f/q", number="4200"))["verdict"] == "refuted"
