@@ -15,7 +15,7 @@ from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.open_sums import goes_on_within
-from symbalance.notes.algebra.tree_values import sample_trees
+from symbalance.notes.algebra.tree_values import DEEPEST, sample_trees
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
 from symbalance.notes.checking.deciding.numbers_put_in import may_be_rounded
 from symbalance.notes.checking.deciding.parts_apart import parts_apart
@@ -148,9 +148,22 @@ def _by_trees(
     for point, pair in points:
         if not _close(*pair):
             return Decision(REFUTED, reason, level=level, witness=witness_at(point, pair))
+    if points and _is_repeated(left, right, meaning.values):
+        return Decision(PROVED, assumptions=level.assumptions, level=level)
     if points:
         return Decision(UNDECIDED, f"equal at {len(points)} points tried; {reason}", level=level)
     return Decision(UNDECIDED, reason, level=level)
+
+
+def _is_repeated(left: Formula, right: Formula, formulas: Mapping[str, Formula]) -> bool:
+    """Tell whether a letter's formula is given once more as it was."""
+    for _ in range(DEEPEST):
+        if left == right:
+            return True
+        if not isinstance(left, formula.Name) or left.name not in formulas:
+            return False
+        left = formulas[left.name]
+    return False
 
 
 def _agree_as_typed(

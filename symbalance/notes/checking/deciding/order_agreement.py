@@ -34,7 +34,7 @@ from symbalance.notes.checking.deciding.equality import (
 )
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
 from symbalance.notes.checking.deciding.numbers_put_in import agrees_to_its_digits
-from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals
+from symbalance.notes.checking.deciding.rounding import ROUGHLY, agrees_as_printed, decimals
 
 HIGHEST_ORDER = 40
 """Through which two sides are compared; a series beyond it is left undecided."""
@@ -101,9 +101,21 @@ def decide_agreement(
         best = refuted_by_formulas(
             best, levels, lambda level: _at_level(left, right, knowledge, level, through, is_loose)
         )
-    if best.reason == NO_LETTER and exact.status == REFUTED:
-        best = exact
+    if exact.status == REFUTED and (best.reason == NO_LETTER or _are_numbers_apart(exact)):
+        best = replace(exact, reason="")
     return clear if clear is not None and best.status == REFUTED and not is_loose else best
+
+
+def _are_numbers_apart(refutation: Decision) -> bool:
+    """Tell whether two numbers without a normal form, as cube roots, differ by more than ≈ forgives."""
+    witness = refutation.witness or {}
+    if refutation.left is not None or witness.keys() != {"left", "right"}:
+        return False
+    try:
+        left, right = (abs(float(witness[side])) for side in ("left", "right"))
+    except ValueError:  # a complex number
+        return False
+    return abs(left - right) > ROUGHLY * max(left, right)
 
 
 _LIKE_THEIR_ARGUMENT = ("sin", "tan", "asin", "atan", "sinh", "tanh")
