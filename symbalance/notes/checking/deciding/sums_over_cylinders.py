@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
+from math import isclose, pi
 
 from symbalance.document.formula import (
     Call,
@@ -29,11 +30,11 @@ from symbalance.document.letters import is_greek
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.algebra.sums import indexed_letters
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.tree_values import names_behind, sample_trees
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.substitution import substitute
-from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
+from symbalance.notes.checking.words.crank_angles_listed import FEWEST, CrankAngles
 from symbalance.text import lazy_patterns as re
 
 NO_ANGLES = "a sum over cylinders whose crank angles the page does not list here: say them"
@@ -53,6 +54,8 @@ FROM_MIDDLE = "their places are counted from the middle"
 _ORDER_LETTERS = frozenset({"n", "k", "p", "m", "i", "j", "h", "nu", "q"})
 _FORCES = frozenset("FKPf")
 _ORDERS = {"1": 1, "I": 1, "2": 2, "II": 2, "4": 4, "IV": 4, "6": 6, "VI": 6}
+MOST_CYLINDERS = 60
+"""Terms of a sum over equally spaced cylinders, at most."""
 _ANY_ANGLE = "theta"
 _INDICES = ("i", "j", "k", "n", "z")
 DEEPEST = 12
@@ -68,6 +71,11 @@ def decide_over_cylinders(
     Where the words leave two sets of angles open, it is refuted only if it is false for both.
     """
     left, right = (_with_bounds(node, knowledge) for node in (left, right))
+    (left, left_count), (right, right_count) = (_over_one_turn(node, knowledge) for node in (left, right))
+    if count := left_count or right_count:
+        decision = decide_over_cylinders(left, right, knowledge, decide)
+        over_all = f"the sum runs over all {count}, which are spaced equally"
+        return replace(decision, assumptions=(*decision.assumptions, over_all))
     is_unsaid = any(_is_without_index(part) for node in (left, right) for part in walk(node))
     listed = knowledge.crank_angles
     last: Decision | None = None
@@ -242,6 +250,50 @@ def _with_bounds(node: Formula, knowledge: Knowledge) -> Formula:
             upper.add(stated.right)
     is_one = len(lower) == len(upper) == 1
     return replace(node, lower=lower.pop(), upper=upper.pop()) if is_one else node
+
+
+def _over_one_turn(node: Formula, knowledge: Knowledge) -> tuple[Formula, int]:
+    """Return a formula, its sums of cos(θ - k α) over k alone with bounds, and how many terms they have.
+
+    With α = 360°/9 there are nine, whichever k is the first; 0 where there is no such sum.
+    """
+    parts = [_over_one_turn(part, knowledge) for part in children(node)]
+    count = max((number for _, number in parts), default=0)
+    node = with_children(node, tuple(part for part, _ in parts)) if count else node
+    if not isinstance(node, Summation) or node.index is None or node.lower or node.upper:
+        return node, count
+    steps = {
+        factor
+        for product in walk(node.body)
+        if isinstance(product, Product) and node.index in product.factors
+        for factor in product.factors
+        if isinstance(factor, Name) and factor != node.index
+    }
+    if len(steps) != 1 or _stands_elsewhere(node.index, node.body, next(iter(steps))):
+        return node, count
+    own = _parts_of_a_turn(next(iter(steps)), knowledge)
+    bounds = Number(Fraction(0)), Number(Fraction(own - 1))
+    return (replace(node, lower=bounds[0], upper=bounds[1]), own) if own else (node, count)
+
+
+def _stands_elsewhere(index: Name, node: Formula, step: Name) -> bool:
+    """Tell whether an index stands outside the angles k α of sines, cosines and powers of e."""
+    if node == index:
+        return True
+    if isinstance(node, Product) and {index, step} <= {*node.factors}:
+        return any(
+            _stands_elsewhere(index, part, step) for part in node.factors if part not in (index, step)
+        )
+    return any(_stands_elsewhere(index, part, step) for part in children(node))
+
+
+def _parts_of_a_turn(angle: Name, knowledge: Knowledge) -> int:
+    """Return into how many equal parts an angle divides the turn, 0 where it does not."""
+    node = _with_values(angle, knowledge)
+    points = [] if names(node) else sample_trees([node], knowledge.meaning, 1)
+    value = abs(float(points[0][1][0].real)) if points else 0.0
+    parts = round(2 * pi / value) if value else 0
+    return parts if FEWEST <= parts <= MOST_CYLINDERS and isclose(parts * value, 2 * pi) else 0
 
 
 def _turning_in_bodies(left: Formula, right: Formula, knowledge: Knowledge) -> Name | None:

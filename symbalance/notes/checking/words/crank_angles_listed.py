@@ -25,7 +25,7 @@ _ANGLE = re.compile(
 )
 _SEPARATOR = re.compile(
     r"(?:\s|\\[,;: ]|~|\$|\\q?quad)*"
-    r"(?:[,;、，/|&–—-]|(?<=[\s$])(?:and|und|et|bzw\.)(?=[\s$\\]))"
+    r"(?:\|\|?|[,;、，/&–—-]|(?<=[\s$])(?:and|und|et|bzw\.)(?=[\s$\\]))"
     r"(?:\s|\\[,;: ]|~|\$|(?:and|und|et)(?=[\s$\\]))*"
 )
 _STARTS = re.compile(r"(?<![\w.^{=\\(])(?:(?<=\$)|(?<=\{)|)(?=0|\\ang\{0)|(?:(?<=[($（])|(?<=\\\{))(?=0)")
@@ -136,7 +136,8 @@ def listed_at(
 ) -> CrankAngles | None:
     """Return the angles that are listed last before a place, in its section, or behind it on its line.
 
-    None where another engine is named since, or one whose cylinders are not in line.
+    A page that lists one engine's cranks alone lists them for the sections below too. None where another
+    engine is named since, or one whose cylinders are not in line.
     """
     line = _line_at(text, start) if lists else 0
     near = [a for a in lists if a.line <= line and same_section(a.line, line)]
@@ -144,6 +145,8 @@ def listed_at(
     behind = [a for a in near if a.line == line and a.place > start]
     is_before_here = bool(before) and before[-1].line == line
     near = behind[:1] if behind and not is_before_here else before
+    if not near and len({frozenset(each.degrees) for each in lists}) == 1:
+        near = [each for each in lists if each.place < start]
     if not near:
         return None
     lines = text.splitlines(keepends=True)
@@ -160,7 +163,7 @@ def listed_at(
     is_half = (
         engine is not None and 2 * engine[0] == cylinders and _TWO_OF_THEM.search(between) is not None
     )
-    is_other = engine is not None and engine[0] != cylinders and not is_half
+    is_other = engine is not None and engine[0] not in (1, cylinders) and not is_half  # 1: of one of them
     return None if is_other else near[-1]
 
 

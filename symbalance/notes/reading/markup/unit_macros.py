@@ -20,6 +20,8 @@ _SETTING = re.compile(
     r"|\\[,;:! ]|[~{}\s]"
 )
 
+_DEGREES = (r"^\circ", "°", r"\degree", r"\textdegree")
+
 
 def with_units_shown(text: str) -> str:
     r"""Return a text of the same length in which macros of units behind numbers are these units.
@@ -28,6 +30,8 @@ def with_units_shown(text: str) -> str:
     '\\newcommand{\\mm}{\\,\\mathrm{mm}} $r = 40 mm$'
     >>> with_units_shown(r"\newcommand{\ein}[1]{\,\mathrm{#1}} $m = 0,5\ein{kg}$")
     '\\newcommand{\\ein}[1]{\\,\\mathrm{#1}} $m = 0,5     kg $'
+    >>> with_units_shown(r"\newcommand{\dg}{^{\circ}} cranks at $0$, $120\dg$ and $240\dg$")
+    '\\newcommand{\\dg}{^{\\circ}} cranks at $0$, $120°  $ and $240°  $'
     """
     if "\\newcommand" not in text and "\\def" not in text and "\\providecommand" not in text:
         return text
@@ -35,6 +39,9 @@ def with_units_shown(text: str) -> str:
         name, body = match["name"] or match["plain"], match["body"] or match["short"]
         is_upright = _UPRIGHT.search(body) is not None
         shown = _SETTING.sub("", body)
+        if shown in _DEGREES and not match["argument"]:
+            text = re.sub(rf"(?<=[0-9]){re.escape(name)}(?![A-Za-z])", "°".ljust(len(name)), text)
+            continue
         if match["argument"]:
             if is_upright and shown == "#1":
                 text = _with_argument_shown(text, name)
