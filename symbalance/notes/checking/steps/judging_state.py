@@ -7,7 +7,8 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from typing import Any
 
-from symbalance.document.formula import Integral, Summation, names, walk
+from symbalance.document.formula import Integral, Summation, names, parts_of_kind, walk
+from symbalance.document.letters import is_greek
 from symbalance.errors import SymbalanceError
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.checking.deciding.conjugate_letters import with_conjugates
@@ -239,7 +240,9 @@ class JudgingState:
     def knowledge_of(self, chain: Chain, knowledge: Knowledge) -> Knowledge:
         """Return what is known with what stands around one relation on its line."""
         same_section = self.sections.same_section
-        angles = listed_at(self.crank_angles, chain.start, self.document.text, same_section)
+        angles = listed_at(
+            self.crank_angles, chain.start, self.document.text, same_section, of_pins=_is_of_pins(chain)
+        )
         if angles is None and chain.has_sum:
             angles = self.cranks_of(chain)
         printed = knowledge.printed | values_put_in(chain, knowledge)
@@ -258,6 +261,18 @@ class JudgingState:
             read_assumption(text, letters, self.declarations.place)
             for text in self.declarations.assumptions_at(line)
         )
+
+
+def _is_of_pins(chain: Chain) -> bool:
+    """Tell whether a relation sums angles of pins alone, Σ cos 2φ_k, and no forces of cylinders."""
+    if not chain.has_sum:
+        return False
+    sums = [part for side in chain.sides for part in parts_of_kind(side.node, Summation)]
+    summed = [(name, part.index) for part in sums for name in names(part.body)]
+    return all(
+        is_greek(name.partition("_")[0]) and index is not None and name.endswith(f"_{index.name}")
+        for name, index in summed
+    )
 
 
 @lru_cache(maxsize=1000)

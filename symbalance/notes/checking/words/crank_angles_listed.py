@@ -54,7 +54,7 @@ _CLAUSE = re.compile(r"[.!?。]\s|[;；]|\n\s*\n|\n#|\n(?=\s*[-*+]\s)")
 _TWO_STROKE = re.compile(r"(?:two|2)[\s-]?stroke|(?:Zwei|2)[\s-]?takt|2サイクル", re.IGNORECASE)
 _FOUR_STROKE = re.compile(r"(?:four|4)[\s-]?stroke|(?:Vier|4)[\s-]?takt|4サイクル", re.IGNORECASE)
 _IN_BANKS = re.compile(
-    r"(?<![A-Za-z])(?:V|W|VR)[-\s]?(?:[0-9]{1,2}(?![0-9])|engine|twin|motor|型)|boxer|flat[-\s]|opposed"
+    r"(?<![A-Za-z])(?:V|W|VR)[-\s]?(?:[0-9]{1,2}(?![0-9])|engine|twin|motor|型)|boxer|flat[-\s](?!crank|plane)|opposed"
     r"|(?<![A-Za-z])bank|radial|Gabel|Sternmotor|水平対向|星型|バンク",
     re.IGNORECASE,
 )
@@ -132,12 +132,18 @@ def crank_angles(text: str) -> list[CrankAngles]:
 
 
 def listed_at(
-    lists: list[CrankAngles], start: int, text: str, same_section: Callable[[int, int], bool]
+    lists: list[CrankAngles],
+    start: int,
+    text: str,
+    same_section: Callable[[int, int], bool],
+    *,
+    of_pins: bool = False,
 ) -> CrankAngles | None:
     """Return the angles that are listed last before a place, in its section, or behind it on its line.
 
     A page that lists one engine's cranks alone lists them for the sections below too. None where another
-    engine is named since, or one whose cylinders are not in line.
+    engine is named since, or one whose cylinders are not in line: there the force of a cylinder is not
+    that of its pin alone, but a sum of the pins' own angles (`of_pins`), Σ cos φ_k, goes over them.
     """
     line = _line_at(text, start) if lists else 0
     near = [a for a in lists if a.line <= line and same_section(a.line, line)]
@@ -155,7 +161,7 @@ def listed_at(
         first -= 1
     own = "".join(lines[max(first - 2, 0) : line])
     title = "" if _IN_LINE.search(own) else "".join(lines[:_TITLE])
-    if _IN_BANKS.search(title + own):
+    if not of_pins and _IN_BANKS.search(title + own):
         return None
     between = text[near[-1].place : start]
     engine = engine_named(between, len(between))
