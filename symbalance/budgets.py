@@ -2,7 +2,9 @@
 
     run_within(Budget(seconds=10), work)
 
-returns what `work()` returns, or raises `OverBudgetError` soon after ten seconds. A watching thread
+returns what `work()` returns, or raises `OverBudgetError` soon after ten seconds of computing, those
+that the thread itself computes where the system tells them: what comes out does not depend on what else
+a machine has to do. A thread that mostly waits is ended after WAITING times as long. A watching thread
 raises an exception in the thread that works; so any Python code can be ended, in any thread, without
 being written for it. What runs in one call of C (a power of huge integers) is ended when that returns.
 
@@ -11,6 +13,7 @@ Budgets nest: the innermost that is spent ends, the work around it goes on.
 
 from __future__ import annotations
 
+import math
 import os
 import threading
 import time
@@ -23,6 +26,8 @@ Value = TypeVar("Value")
 MEGABYTE = 2**20
 TICK = 0.02
 """Seconds between two looks at the clock and the memory; Python allocates some 50 MB in that time."""
+WAITING = 10
+"""Times that work may take longer by the clock on the wall than it computes."""
 IDLE = 5.0
 """Seconds without work after which the watching thread ends."""
 AGAIN = 0.5
@@ -69,7 +74,8 @@ class _Watched:
     def __init__(self, budget: Budget) -> None:
         self.thread = threading.get_ident()
         self.budget = budget
-        self.deadline = None if budget.seconds is None else time.monotonic() + budget.seconds
+        self._computed = _clock_of(self.thread)
+        self._start = self._computed(), time.monotonic()
         limit = budget.megabytes
         self.most_bytes = None if limit is None else (process_memory() or 0) + limit * MEGABYTE
         self.spent = ""
@@ -77,9 +83,19 @@ class _Watched:
         self.is_stopping = False
         self.has_left = False
 
+    @property
+    def seconds_left(self) -> float | None:
+        """What is left of its seconds; None where they have no end."""
+        if self.budget.seconds is None:
+            return None
+        begin, begin_by_wall = self._start
+        by_wall = (time.monotonic() - begin_by_wall) / WAITING
+        return self.budget.seconds - max(self._computed() - begin, by_wall)
+
     def check(self, now: float) -> None:
         """Tell the work to end if its budget is spent; called by the watching thread."""
-        if not self.spent and self.deadline is not None and now >= self.deadline:
+        left = None if self.spent or self.has_left else self.seconds_left
+        if left is not None and left <= 0:
             self.spent = f"{self.budget.seconds:.3g} s"
         if not self.spent and self.most_bytes is not None and (process_memory() or 0) > self.most_bytes:
             self.spent = f"{self.budget.megabytes:g} MB"
@@ -125,12 +141,8 @@ class _Watch:
     def seconds_left(self) -> float | None:
         """Return what is left of the budgets around this thread's work; None where they have no end."""
         own = threading.get_ident()
-        deadlines = [
-            work.deadline
-            for work in list(self.under_way)
-            if work.thread == own and not work.has_left and work.deadline is not None
-        ]
-        return min(deadlines) - time.monotonic() if deadlines else None
+        own_work = [w for w in list(self.under_way) if w.thread == own and not w.has_left]
+        return min((left for w in own_work if (left := w.seconds_left) is not None), default=None)
 
     def _run(self) -> None:
         last_work = time.monotonic()
@@ -191,6 +203,22 @@ def run_within(budget: Budget, work: Callable[[], Value], share: float | None = 
         if not watched.spent:  # meant for the work around this
             raise
     raise OverBudgetError(watched.spent)
+
+
+def _clock_of(thread: int) -> Callable[[], float]:
+    """Return what tells the seconds that a thread has computed; the clock on the wall if nothing does."""
+    try:
+        clock = time.pthread_getcpuclockid(thread)
+    except (AttributeError, OSError):  # Windows, macOS
+        return time.monotonic
+
+    def computed() -> float:
+        try:
+            return time.clock_gettime(clock)
+        except OSError:  # the thread has ended
+            return math.inf
+
+    return computed
 
 
 def _raise_in(thread: int, exception: type[BaseException]) -> None:

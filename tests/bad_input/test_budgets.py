@@ -53,6 +53,15 @@ def test_time_is_limited(work):
     assert time.monotonic() - start < LONG
 
 
+@pytest.mark.skipif(
+    not sys.platform.startswith("linux"), reason="no other system tells what a thread computed"
+)
+def test_what_else_a_machine_has_to_do_takes_nothing_from_a_budget():
+    assert run_within(Budget(0.1), lambda: time.sleep(0.3)) is None
+    with pytest.raises(OverBudgetError):
+        run_within(Budget(0.05), lambda: time.sleep(LONG / 20))  # waits WAITING times as long and more
+
+
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="no other system tells the memory taken")
 def test_memory_is_limited():
     with pytest.raises(OverBudgetError) as caught:

@@ -136,12 +136,12 @@ def check(
     page = with_expanded_sums(with_turns_divided(page), data_of(page, declarations.symbols_at))
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
     sources = Sources(provider, beside)
-    start = time.monotonic()
+    start = time.thread_time()
 
     def judge(notes: ReadNotes) -> Checked:
         """Judge a reading of the page in what is left of its budget."""
         seconds, memory = budget
-        left = None if seconds is None else max(seconds - (time.monotonic() - start), 1e-9)
+        left = None if seconds is None else max(seconds - (time.thread_time() - start), 1e-9)
         return Judge(notes, declarations, sources, Budget(left, memory), fixes).check()
 
     in_one_reading = partial(judge_in_one_reading, judge=judge)

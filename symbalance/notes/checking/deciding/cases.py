@@ -204,13 +204,15 @@ def _is_of_sizes(left: Formula, right: Formula, knowledge: Knowledge) -> bool:
 def _decide_put_in(left: Formula, right: Formula, refutation: Decision, knowledge: Knowledge) -> Decision:
     """Return the decision on numbers for letters of which some have no values.
 
-    Put in one for each, m r ω² = 0.5·0.04·628², they are given, but for those that have other values; one
-    result for several letters could be judged only if all had values.
+    Put in one for each, m r ω² = 0.5·0.04·628², they are given, but for those that have other values. One
+    result fixes the one letter without a value; of several it could be judged only if all had values.
     """
     missing = sorted(_free_letters(left, refutation))
     texts = ", ".join(formula_text(Name(name), plain=True) for name in missing)
     have = "has no value" if len(missing) == 1 else "have no values"
     pairs = paired(left, right)
+    if pairs is None and len(missing) == 1 and missing[0] not in knowledge.definitions:
+        return Decision(PREMISE, f"it fixes {texts}, which {have} above")
     if pairs is None:
         return replace(refutation, status=UNDECIDED, reason=f"{texts} {have} here: give what is put in")
     if (other := _other_constant(left, right, knowledge)) is not None:

@@ -23,13 +23,13 @@ that needs more is no line of a derivation, and the others are still to be judge
 
 @dataclass
 class Guard:
-    """Keeps the verdicts on a page within its budget; time runs from the moment that it is made."""
+    """Keeps the verdicts on a page within its budget of seconds that the thread computes from now on."""
 
     document: ReadNotes
     budget: Budget
 
     def __post_init__(self) -> None:
-        self.start = time.monotonic()
+        self.start = time.thread_time()
 
     def verdict(self, judge: Callable[[], Verdict], span: Span, line: int = 0) -> Verdict:
         """Return a verdict; one that takes too much, or a fault of the checker, is "undecided"."""
@@ -54,7 +54,7 @@ class Guard:
         """Return the seconds left of the document's budget, None where it has no end."""
         if self.budget.seconds is None:
             return None
-        return self.budget.seconds - (time.monotonic() - self.start)
+        return self.budget.seconds - (time.thread_time() - self.start)
 
     def _budget_of_relation(self, left: float | None) -> Budget:
         seconds, memory = self.budget

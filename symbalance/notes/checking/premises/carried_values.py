@@ -62,7 +62,7 @@ class CarriedValues:
         if is_result and of is not None:
             name = head.name if isinstance(head, Name) else ""
             self.results.append(WrongResult(node, of, name, chain.lines[0]))
-        elif k and isinstance(head, Name) and names(node) and head.name not in names(node):
+        elif isinstance(head, Name) and names(node) and head.name not in names(node):
             self.results.append(WrongResult(node, head, head.name, chain.lines[0]))
         elif names(head) and names(node) and not isinstance(head, Name):
             self.results.append(WrongResult(node, head, "", chain.lines[0]))
