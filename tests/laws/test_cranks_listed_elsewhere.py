@@ -1,0 +1,80 @@
+r"""Sums over cylinders go over the cranks that a page lists: by macros, in a table, in a section above."""
+
+import pytest
+
+import symbalance as sb
+
+MACRO = (
+    r"\newcommand{\dg}{^{\circ}}"
+    "\n\nThe cranks stand at $\\delta_1,\\delta_2,\\delta_3$ of $0$, $120\\dg$ and $240\\dg$.\n\n"
+    "$$\\sum_i \\cos {n}(\\theta+\\delta_i) = {sum}$$\n"
+)
+TABLE = """== In-line six ==
+
+=== Throws ===
+{| class="wikitable"
+! cylinder !! 1 !! 2 !! 3 !! 4 !! 5 !! 6
+|-
+| throw angle ''α''<sub>i</sub> || 0° || 240° || 120° || 120° || 240° || 0°
+|}
+
+=== Free forces ===
+The force of one cylinder is known. The sums over the cylinders are
+: <math>\\sum_i\\cos {n}(\\varphi+\\alpha_i) = {sum}</math>
+"""
+FLAT = (
+    "Flat crank, throws at $0,\\pi,\\pi,0$. The cylinder pitch is $a$.\n\n"
+    "* $\\sum_k\\cos {n}\\theta_k = {sum}$\n"
+)
+EIGHT = (
+    "# The V8\n\nThe cross-plane crank has its pins (front to rear) at 0°, 90°, 270° and 180°.\n\n"
+    "$$\\sum_k \\cos {n}\\varphi_k = {sum}$$\n"
+)
+RADIAL = (
+    "Let the nine cylinders of the radial be spaced at the angle $\\alpha = 360°/9 = 40°$; the k-th"
+    " stands at $k\\alpha$.\n\n$$\\sum_k \\cos {n}(\\theta - k\\alpha)\\cos k\\alpha = {sum}$$\n"
+)
+
+
+def _last(page, order, total):
+    return sb.check(page.replace("{n}", order).replace("{sum}", total), {}).data()["links"][-1]["verdict"]
+
+
+@pytest.mark.parametrize(
+    ("page", "order", "right", "wrong"),
+    [
+        (MACRO, "2", "0", r"3\cos 2\theta"),
+        (MACRO, "6", r"3\cos 6\theta", "0"),
+        (TABLE, "2", "0", r"2\cos 2\varphi"),
+        (TABLE, "6", r"6\cos 6\varphi", r"3\cos 6\varphi"),
+        (FLAT, "2", r"4\cos 2\theta", "0"),
+        (FLAT, "4", r"4\cos 4\theta", "0"),
+        (EIGHT, "2", "0", r"4\cos 2\varphi"),
+        (EIGHT, "4", r"4\cos 4\varphi", "0"),
+        (RADIAL, "2", "0", r"\frac92"),
+        (RADIAL, "1", r"\frac92\cos\theta", "0"),
+    ],
+)
+def test_a_sum_over_the_cranks_listed(page, order, right, wrong):
+    assert _last(page, order, right) in ("holds", "conditional")
+    assert _last(page, order, wrong) == "refuted"
+
+
+def test_the_list_of_another_engine_is_not_taken():
+    page = (
+        "## The three\n\nIts crank throws are at 0°, 120° and 240°.\n\n"
+        "## The five-cylinder engine\n\n$$\\sum_i \\cos 3(\\theta+\\delta_i) = 0$$\n"
+    )
+    assert sb.check(page, {}).data()["links"][-1]["verdict"] != "refuted"
+
+
+@pytest.mark.parametrize(("stress", "is_wrong"), [("0.793", False), ("7.93", True)])
+def test_a_result_fixes_the_one_letter_without_a_value(stress, is_wrong):
+    """What is computed with it later is judged."""
+    page = (
+        "The rim has $R_a = 0.32$ m and $\\rho = 7850$ kg/m³. There $u = R_a \\omega = 10.05$ m/s.\n\n"
+        f"So $\\sigma = \\rho u^2 = {stress}$ MPa.\n"
+    )
+    links = sb.check(page, {}).data()["links"]
+    assert [link["verdict"] for link in links][-3] in ("premise", "definition")
+    assert (links[-1]["verdict"] in ("refuted", "contradiction")) is is_wrong
