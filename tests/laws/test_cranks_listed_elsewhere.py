@@ -1,4 +1,4 @@
-r"""Sums over cylinders go over the cranks that a page lists: by macros, in a table, in a section above."""
+r"""Sums over cylinders go over the cranks a page lists: by macros, in a table, in a section above."""
 
 import pytest
 
