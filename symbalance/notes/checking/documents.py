@@ -113,6 +113,7 @@ def check(
     """
     text, name, folder = text_of(document)
     declarations, text = declarations_of(document, symbols, text, name)
+    declarations = declarations.without_imaginary_unit()
     provider = engines or NoEngines()
     remarks: list[Words] = []
     is_declared = declarations.is_declared

@@ -98,6 +98,12 @@ SIDECAR = TableKeys(
 )
 _MARKDOWN = re.compile(r"\s*<!--\s*(\[(?:symbols|\[scope\]|\[bind\])\].*?)-->", re.DOTALL)
 _LINES = {mark: re.compile(rf"\s*(?:{mark}[^\n]*(?:\n|$))+") for mark in ("%", "#")}
+_I = re.compile(r"\\?(?:mathrm\s*\{\s*)?(?:i{1,3}|imath|im|iu|I)(?:\s*\})?")
+_IMAGINARY_UNIT = re.compile(
+    r"imaginary\s+(?:unit|number)|imaginäre[rn]?\s+(?:Einheit|Zahl)|imaginaire|imaginaria|immaginaria"
+    r"|imaginære?|虚数単位|sqrt\s*\(?-\s*1|√\(?[-−]\s*1",
+    re.IGNORECASE,
+)
 _RAW_CELL = re.compile(
     r"<!-- cell [0-9]{1,6}: raw -->\n(`{3,})code\n(\s*\[(?:symbols|\[scope\]|\[bind\])\].*?)\n\1(?:\n|$)",
     re.DOTALL,
@@ -213,6 +219,15 @@ class Declarations:
             if name not in used
         }
         return replace(self, symbols={n: text for n, text in self.symbols.items() if n not in idle})
+
+    def without_imaginary_unit(self) -> Declarations:
+        r"""Return the declarations without an i or \ii that is the imaginary unit: a number, no letter."""
+        symbols = {
+            name: text
+            for name, text in self.symbols.items()
+            if not (_I.fullmatch(name) and _IMAGINARY_UNIT.search(text))
+        }
+        return self if len(symbols) == len(self.symbols) else replace(self, symbols=symbols)
 
     def accepted(self) -> Declarations:
         """Return the declarations with every proposal taken as confirmed."""
