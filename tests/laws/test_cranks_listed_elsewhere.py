@@ -78,3 +78,27 @@ def test_a_result_fixes_the_one_letter_without_a_value(stress, is_wrong):
     links = sb.check(page, {}).data()["links"]
     assert [link["verdict"] for link in links][-3] in ("premise", "definition")
     assert (links[-1]["verdict"] in ("refuted", "contradiction")) is is_wrong
+
+
+STAR = (
+    r"$$\gamma_1 = 0°,\quad \gamma_2 = 90°,\quad \gamma_3 = 270°,\quad \gamma_4 = 180°$$"
+    "\n\n$$\\sum_k e^{2i\\gamma_k} = {sum}$$\n\n"
+)
+
+
+@pytest.mark.parametrize(("total", "verdict"), [("0", "holds"), ("4", "refuted")])
+def test_a_sum_over_angles_given_one_by_one(total, verdict):
+    assert sb.check(STAR.replace("{sum}", total), {}).data()["links"][-1]["verdict"] == verdict
+
+
+@pytest.mark.parametrize("meaning", ["imaginary unit", "imaginäre Einheit", "虚数単位"])
+def test_an_i_may_be_declared_as_the_imaginary_unit(meaning):
+    page = STAR.replace("{sum}", "0").replace("2i", "2\\ii")
+    page = "\\newcommand{\\ii}{\\mathrm{i}}\n\n" + page
+    assert sb.check(page, {"\\ii": meaning}).data()["links"][-1]["verdict"] == "holds"
+
+
+def test_a_sentence_may_say_other_angles_than_the_page_above():
+    page = STAR.replace("{sum}", "0")
+    flat = "In the flat shaft ($\\gamma_k$ only 0° and 180°) $\\sum_k e^{2i\\gamma_k} = 4$ instead.\n"
+    assert sb.check(page + flat, {}).data()["links"][-1]["verdict"] != "refuted"

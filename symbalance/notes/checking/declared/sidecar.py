@@ -221,7 +221,7 @@ class Declarations:
         return replace(self, symbols={n: text for n, text in self.symbols.items() if n not in idle})
 
     def without_imaginary_unit(self) -> Declarations:
-        r"""Return the declarations without an i or \ii that is the imaginary unit: a number, no letter."""
+        r"""Return the declarations without an i or \ii that is the imaginary unit, which is a number."""
         symbols = {
             name: text
             for name, text in self.symbols.items()

@@ -1,11 +1,13 @@
 """Sums over letters whose values a page lists, written out: Σ z_k cos δ_k is z_1 cos δ_1 and so on.
 
 A list, a table or a row z = (1, i, −i, −1) says how far such a sum runs, where its sign does not. A
-letter that the page defines for every index at once (α_k = 2πk/3) stays as it is.
+letter that the page defines for every index at once (α_k = 2πk/3) stays as it is, and so does a sum whose
+own sentence says other angles: "γ_k only 0° and 180°".
 """
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -24,6 +26,7 @@ from symbalance.document.formula import (
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.sums import at_index, indexed_letters
 from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.words.crank_angles_listed import crank_angles
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.text import lazy_patterns as re
 
@@ -54,9 +57,14 @@ def with_expanded_sums(page: ReadNotes, data: Iterable[Chain] = ()) -> ReadNotes
     ):
         return page
     values = _values([*page.chains, *data])
+    lists = crank_angles(page.text)
+    ends = sorted(chain.end for chain in page.chains)
 
     def expanded(chain: Chain) -> Chain:
-        line = chain.lines[0]
+        line, above = chain.lines[0], bisect_right(ends, chain.start)
+        sentence = ends[above - 1] if above else 0
+        if any(sentence <= each.place < chain.start and each.line == line for each in lists):
+            return chain
         sides = tuple(side.changed(lambda node: _expanded(node, values, line)) for side in chain.sides)
         return replace(chain, sides=sides)
 

@@ -60,6 +60,7 @@ from symbalance.notes.checking.premises.conditions_behind import equalities_behi
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.premises.rounded_values import values_put_in
 from symbalance.notes.checking.premises.system import Premise
+from symbalance.notes.checking.steps.cranks_said_anew import with_cranks_of_sentence
 from symbalance.notes.checking.steps.printed_results import PrintedResults
 from symbalance.notes.checking.units.stated_units import StatedUnits
 from symbalance.notes.checking.verdicts import CONTRADICTION, REFUTED, STATED
@@ -243,6 +244,8 @@ class JudgingState:
         angles = listed_at(
             self.crank_angles, chain.start, self.document.text, same_section, of_pins=_is_of_pins(chain)
         )
+        above = self.sections.chain_before(chain.start)
+        knowledge, angles = with_cranks_of_sentence(chain, above, angles, knowledge)
         if angles is None and chain.has_sum:
             angles = self.cranks_of(chain)
         printed = knowledge.printed | values_put_in(chain, knowledge)
