@@ -106,3 +106,21 @@ def test_nothing_right_is_accused(page):
 @pytest.mark.parametrize("page", WRONG)
 def test_what_is_wrong_is_refuted(page):
     assert "refuted" in _verdicts(page)
+
+
+COUPLE = r"""The amplitude is <math>M_1 = m r\omega^2 c</math> and <math>M_2 = \lambda M_1</math>.
+
+=== Example ===
+For a twin with <math>m = 0.55\ \text{kg}</math>, <math>r = 38\ \text{mm}</math> and
+<math>c = 42\ \text{mm}</math>:
+* <math>\lambda = 0.29</math>
+* <math>\omega = 2\pi \cdot 6000/60 \approx 628.3\ \text{rad/s}</math>
+* <math>M_1 = 8250 \cdot 0.042 \approx 347\ \text{UNIT}</math>
+* <math>M_2 \approx 101\ \text{N m}</math>
+"""
+
+
+@pytest.mark.parametrize(("unit", "refuted"), [("N m", 0), ("kN m", 1), ("J", 0), ("kJ", 1)])
+def test_the_result_is_refuted_and_not_the_numbers_put_in(unit, refuted):
+    verdicts = _verdicts(COUPLE.replace("UNIT", unit))
+    assert [n for n, word in enumerate(verdicts) if word == "refuted"] == [len(verdicts) - 2] * refuted

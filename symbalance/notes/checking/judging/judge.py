@@ -117,6 +117,7 @@ from symbalance.notes.checking.steps.speeds_in_words import at_speed_in_words
 from symbalance.notes.checking.steps.sums_of_phases import unless_phases_remain
 from symbalance.notes.checking.steps.zeros_as_printed import unless_zero_as_printed
 from symbalance.notes.checking.steps.zeros_in_cases import unless_false_zero
+from symbalance.notes.checking.units.conversions import decide_conversion
 from symbalance.notes.checking.units.dimensions import Dimensions, Mismatch, declared_dimension, unit_text
 from symbalance.notes.checking.units.formulas_between_numbers import BETWEEN_NUMBERS
 from symbalance.notes.checking.units.own_units import with_speeds
@@ -768,6 +769,9 @@ class Judge:
             return Decision(REFUTED, unlike[0])
         if (of_rate := self._unlike_unit(chain, k)) is not None:
             return of_rate
+        converted = decide_conversion(chain, k, self.document) if against == k else None
+        if converted is not None and converted.is_proved:
+            return None  # 17.9 lb.-in. is 206 kg mm, or a moment
         lettered = [against]
         if against and not names(chain.sides[against].node):  # m = 0.44 + 0.18 = 0.62 m is no mass
             symbols = self.declarations.symbols_at(chain.lines[0])

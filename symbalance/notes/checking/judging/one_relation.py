@@ -106,6 +106,7 @@ from symbalance.notes.checking.verdicts import (
 )
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Relation, Side
+from symbalance.notes.reading.formulas.result_units import without_unit_of_result
 
 FOLLOWS = "follows from the side before, which is refuted"
 NEAR_RANGE = 60
@@ -512,7 +513,13 @@ def _define(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> 
         return definition
     first, is_known = sections.paragraph_start(line), pair[0] in knowledge.meaning.values
     by_given = state.given_numbers.decide(*pair, line, first, knowledge, of_it_alone=is_known)
-    if by_given is not None and by_given.status == REFUTED:
+    bare = without_unit_of_result(chain.sides[1])
+    if by_given is not None and by_given.status == REFUTED and bare is not pair[1]:
+        # M = 8250·0.042 is right, and the kN m that it was read in, by the result behind it, wrong
+        as_typed = state.given_numbers.decide(pair[0], bare, line, first, knowledge)
+        by_given = as_typed if as_typed is not None and as_typed.is_proved else by_given
+        state.definitions.values, state.definitions.premises = values, premises
+    elif by_given is not None and by_given.status == REFUTED:
         state.definitions.values, state.definitions.premises = values, premises
     return by_given or definition
 

@@ -67,8 +67,8 @@ def decide_with_gravity(
         if last.is_proved:
             unit = "ft/s²" if value.value > 30 else "m/s²"
             return replace(last, assumptions=(*last.assumptions, f"g = {size} {unit}"))
-    if last is None or last.status != REFUTED or last.left is None:
-        return None
+    if last is None or last.status != REFUTED or last.left is None or _is_in_feet(knowledge):
+        return None  # with the page's own g its units may be meant otherwise: lb as a force
     is_number = is_lone_number(right.node) and not letters(last.left)
     return replace(last, reason="with no usual value of g") if is_number else None
 

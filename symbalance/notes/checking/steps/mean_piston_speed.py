@@ -2,7 +2,8 @@
 
 Where words name it right before a letter, and its formula is a number times the crank radius or
 the stroke and one other letter, the revolutions, that number is known: 4 or 2, or a 60th of it if these
-are counted by the minute. Half or twice the number is a stroke forgotten; anything else is no claim.
+are counted by the minute, a 12th where inches make feet, a 1000th where mm make metres. Half or twice the
+number is a stroke forgotten; anything else is no claim.
 """
 
 from __future__ import annotations
@@ -24,7 +25,8 @@ _NAMED = re.compile(
 )
 _SPEEDS = {"crank radius": Fraction(4), "stroke": Fraction(2)}
 """What a length is multiplied by with the revolutions in the same time."""
-_PER_MINUTE = 60
+_UNITS = tuple(by_time * by_length for by_time in (1, 60) for by_length in (1, 12, 1000))
+"""What a formula of numbers is divided by: minutes are made seconds, inches feet, millimetres metres."""
 _SLIPS = (Fraction(1, 4), Fraction(1, 2), Fraction(2), Fraction(4))
 
 
@@ -43,7 +45,7 @@ def mean_piston_speed(state: JudgingState, chain: Chain) -> Decision | None:
     if is_angular or len(lengths) != 1 or len(names(value)) != 2:
         return None
     right = _SPEEDS[lengths[0]]
-    ratios = (factor / right, factor * _PER_MINUTE / right)
+    ratios = [factor * unit / right for unit in _UNITS]
     if 1 in ratios or not any(ratio in _SLIPS for ratio in ratios):
         return None
     text = "two strokes" if lengths[0] == "stroke" else "four crank radii"

@@ -1,7 +1,8 @@
 """Quantities in two units, 120 ft-lb = 163 N·m: the second number is the first, converted and rounded.
 
-A weight in lb is a mass or a force, whichever the other unit is. Where the first quantity is a datum,
-s = 3.5 in = 89.8 mm, the second has to agree with it to its own digits: 3.5 in is no rounding of 89.8 mm.
+A weight in lb or tons is a mass or a force, whichever the other unit is, alone and in ft.-lb. Where the
+first quantity is a datum, s = 3.5 in = 89.8 mm, the second has to agree with it to its own digits: 3.5 in
+is no rounding of 89.8 mm.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ _SPACED = re.compile(r"(?<=[0-9])(?:[ ~\u00a0\u2009\u202f]|\\,)(?=[0-9]{3}(?![0-
 ABOUT_GRAVITY = Fraction(4, 10**4)
 """What 9.81 and 9.80665 differ by."""
 _OF_WEIGHT = {"kp", "kgf", "gn", "kgf/cm²", "kgf/cm^2", "kp/cm²", "kgf·m", "kgf m", "kp m", "kpm"}
-_WEIGHTS = ("lb", "lbs", "ton")
+_WEIGHT = re.compile(r"(?<![A-Za-z/])(?:lbs?|lbf|ton|oz)(?![A-Za-z^²³⁻])")
 TONS = (2240 * POUND, 2000 * POUND, Fraction(1000))
 """What a ton is, in kg: the long, the short and the metric one. A conversion says which."""
 
@@ -94,9 +95,9 @@ def decide_conversion(chain: Chain, k: int, document: ReadNotes) -> Decision | N
         return Decision(PROVED, order="the digits printed")
     if chain.relations[k].sign not in "=≈" or not (first and second and first.value and second.value):
         return None
-    decisions = [_decide(chain, k, *pair) for pair in _with_every_ton(first, second)]
+    decisions = [_decide(chain, k, *pair) for pair in _in_every_reading(first, second)]
     proved = (d for d in decisions if d is not None and d.is_proved)
-    return next(proved, None if None in decisions else decisions[0])
+    return next(proved, None if None in decisions or not decisions else decisions[0])
 
 
 _TYPED_NUMBER = re.compile(r"[\s$(]*(?P<digits>[0-9]+(?:\.[0-9]+)?)(?![0-9.,]*[0-9])")
@@ -129,25 +130,42 @@ def _turning_speed(side: Side, document: ReadNotes) -> tuple[float, float, str] 
     return float(number["digits"]) * size, 0.5 * 10.0**-decimals * size, sign
 
 
-def _with_every_ton(first: Quantity, second: Quantity) -> list[tuple[Quantity, Quantity]]:
-    """Return two quantities with a ton among them as each of the tons that there are."""
-    if "ton" not in (first.unit, second.unit):
-        return [(first, second)]
+def _in_every_reading(first: Quantity, second: Quantity) -> list[tuple[Quantity, Quantity]]:
+    """Return two quantities as each two of a kind that they may be: a weight is a mass or a force."""
     return [
-        (
-            replace(first, scale=ton) if first.unit == "ton" else first,
-            replace(second, scale=ton) if second.unit == "ton" else second,
-        )
-        for ton in TONS
+        (one, other)
+        for kind, one in _readings(first)
+        for other_kind, other in _readings(second)
+        if kind == other_kind
     ]
+
+
+def _readings(quantity: Quantity) -> list[tuple[Dimension, Quantity]]:
+    """Return what a quantity may be: 5 tons are one of three masses, or the weight of one of them.
+
+    What is lbf alone is a force; the reader has turned lb.-in. into lbf·inch.
+    """
+    unit = quantity.unit
+    weight = _WEIGHT.search(unit)
+    if weight is None:
+        dimension = unit_of(unit)
+        return [] if dimension is None else [(dimension, quantity)]
+    sizes = TONS if weight[0] == "ton" else (POUND,)
+    own = POUND_FORCE if weight[0] == "lbf" else sizes[0]
+    readings = [
+        (dimension, replace(quantity, scale=quantity.scale / own * size * by_weight))
+        for sign, by_weight in (("kg", Fraction(1)), ("N", POUND_FORCE / POUND))
+        for size in sizes
+        if (dimension := unit_of(unit[: weight.start()] + sign + unit[weight.end() :])) is not None
+    ]
+    return readings[len(sizes) :] if unit == "lbf" else readings
 
 
 def _decide(chain: Chain, k: int, first: Quantity, second: Quantity) -> Decision | None:
     """Return the decision on a quantity in two units of known size."""
-    scales = _scales(first, second)
-    if scales is None or first.unit == second.unit:
+    if first.unit == second.unit:
         return None
-    ratio = scales[0] / scales[1]
+    ratio = first.scale / second.scale
     exact = first.value * ratio
     by_weight = ABOUT_GRAVITY * abs(exact) if {first.unit, second.unit} & _OF_WEIGHT else Fraction(0)
     off = max(abs(exact - second.value) - by_weight, Fraction(0))
@@ -165,29 +183,6 @@ def _decide(chain: Chain, k: int, first: Quantity, second: Quantity) -> Decision
     return Decision(
         REFUTED, reason, witness={"left": f"{float(exact):.6g}", "right": f"{float(second.value):g}"}
     )
-
-
-def _scales(first: Quantity, second: Quantity) -> tuple[Fraction, Fraction] | None:
-    """Return what two units are worth, lb a mass or a force as the other one; None where they differ."""
-    kinds = [_dimension(quantity) for quantity in (first, second)]
-    if None not in kinds:
-        return (first.scale, second.scale) if kinds[0] == kinds[1] else None
-    by_weight = [quantity.unit in _WEIGHTS for quantity in (first, second)]
-    scales = [first.scale, second.scale]
-    if all(by_weight):
-        return scales[0], scales[1]
-    if any(by_weight):
-        other = kinds[by_weight.index(False)]
-        if other == unit_of("N"):
-            scales[by_weight.index(True)] *= POUND_FORCE / POUND
-        elif other != unit_of("kg"):
-            return None
-        return scales[0], scales[1]
-    return None
-
-
-def _dimension(quantity: Quantity) -> Dimension | None:
-    return None if quantity.unit in _WEIGHTS else unit_of(quantity.unit)
 
 
 def is_power_of_ten(ratio: Fraction) -> bool:

@@ -2,7 +2,8 @@
 
 Such a formula has a constant that converts units. Put in as quantities its letters give nonsense, as
 numbers they give the number of the result. It is read so where that number is right to the digits
-printed and the constant does convert: with all units the formula has a pure factor, 1, 2, π or g.
+printed and the constant does convert: with all units the formula has a pure factor, 1, 2, π or g. The 12
+of feet and inches, 2 s N/12, or the 3.6 of V/3.6 has to convert exactly: without it nothing is left over.
 """
 
 from __future__ import annotations
@@ -58,6 +59,15 @@ _PURE = tuple(
     )
 )
 """What a formula between quantities may have as its factor."""
+_FEW = {
+    **{Fraction(12) * part: part for part in map(Fraction, ("1/4", "1/2", "1", "2", "4"))},
+    Fraction("3.6"): Fraction(1),
+}
+"""Small numbers that convert, and what is left of each: r = s/24 is half of s in feet, s N/6 is 2 s N."""
+_AS_TURNS = tuple(
+    math.tau**power * 9.80665**weight for power, weight in combinations_of((-1, 0, 1), (-1, 0, 1))
+)
+"""What is then between a formula and its result: turns for radians, the weight of a pound."""
 _ROUGH = 0.002
 """What a pure factor may be off by, beside the digits of the constant and of the result: 32.2 for g."""
 _DIGITS = re.compile(r"[0-9]+(?:[.,][0-9]+)?")
@@ -78,6 +88,12 @@ def decide_between_numbers(
     result = quantity_of(right, document)
     measured = {id(number) for number in _with_units(left.node, document)}
     constants = [number for number in _converting(left.node) if id(number) not in measured]
+    if not constants:
+        constants = [
+            part
+            for part in walk(left.node)
+            if isinstance(part, Number) and part.value in _FEW and id(part) not in measured
+        ]
     own = names(left.node)
     typed = {name: _typed(name, document, knowledge) for name in own}
     if result is None or not constants or not all(typed.values()):
@@ -97,15 +113,17 @@ def decide_between_numbers(
     there = decide(Side((as_number,), left.span), Side((printed,), right.span), sign, knowledge)
     if not there.is_proved:
         return None
+    pure_factors = _AS_TURNS if constants[0].value in _FEW else _PURE
     for constant in constants:
-        as_quantity = replace_part(as_quantity, constant, Number(Fraction(1)))
+        left_over = Number(_FEW.get(constant.value, Fraction(1)))
+        as_quantity = replace_part(as_quantity, constant, left_over)
     pure = value_of(as_quantity)
     off = sum(_half(c) / abs(float(c.value)) for c in constants) + float(abs(result.half / result.value))
     scales = [result.scale, POUND_FORCE] if result.scale == POUND else [result.scale]
     for scale in scales if pure else ():
         assert pure is not None
         factor = abs(float(result.value * scale) / pure)
-        if any(abs(factor / one - 1) <= off + _ROUGH for one in _PURE):
+        if any(abs(factor / one - 1) <= off + _ROUGH for one in pure_factors):
             return replace(
                 there, status=PROVED, assumptions=(*there.assumptions, BETWEEN_NUMBERS), reason=""
             )
@@ -174,9 +192,9 @@ def puts_in_as_typed(left: Side, right: Side, document: ReadNotes, knowledge: Kn
 
 
 _OTHER_UNIT = re.compile(
-    r"[0-9¼½¾][\s~$]*\\?(?:text\{\s?)?(?:in|ft|lbs?|inch(?:es)?|feet|foot|miles?|mph)\b"
+    r"[0-9¼½¾][\s~$]*\\?(?:text\{\s?)?(?:in|ft|lbs?|inch(?:es)?|feet|foot|miles?|mph|km/h)\b"
 )
-"""A number in a unit that is no decimal one: formulas of such have factors of 12, 60 and 5280."""
+"""A number in a unit that is no decimal one: formulas of such have factors of 12, 60, 3.6 and 5280."""
 _OF_CONSTANTS = 0.002
 """What constants of three digits, 28.0 for 88/π, put a result off by."""
 _DEEPEST = 12

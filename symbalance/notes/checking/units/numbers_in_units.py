@@ -47,6 +47,7 @@ from symbalance.notes.checking.units.formulas_between_numbers import (
     decide_between_numbers,
     decide_numbers_put_in,
     may_convert,
+    puts_in_as_typed,
     puts_in_numbers,
     with_printed_results,
 )
@@ -95,6 +96,36 @@ def decide_in_units(
         return in_two_units if in_two_units.is_proved else decision
     if decision == decide_by_printed_units(chain, k, document, knowledge):
         return decision
+    there = _as_meant(chain, k, decision, document, knowledge)
+    in_feet = knowledge if there.is_proved else with_gravity_in_feet(knowledge)
+    if in_feet is not knowledge:
+        by_feet = decide(chain.sides[k], chain.sides[k + 1], chain.relations[k].sign, in_feet)
+        by_feet = by_feet if by_feet.is_proved else _as_meant(chain, k, decision, document, in_feet)
+        return by_feet if by_feet.is_proved else there
+    return there
+
+
+_GRAVITY_IN_FEET = {
+    **dict.fromkeys(map(Fraction, ("32", "32.2", "32.17", "32.16", "32.174", "32.18")), "ft"),
+    **dict.fromkeys(map(Fraction, ("386", "386.1", "386.4")), "inch"),
+}
+
+
+def with_gravity_in_feet(knowledge: Knowledge) -> Knowledge:
+    """Return what is known with the g = 32.2 of a page as feet per second squared, which it is."""
+    gravity = knowledge.definitions.get("g")
+    node = None if gravity is None else gravity.node
+    length = _GRAVITY_IN_FEET.get(node.value) if isinstance(node, Number) else None
+    scale = scale_of(length) if length else None
+    if gravity is None or node is None or scale is None:
+        return knowledge
+    return knowledge.with_definition("g", replace(gravity, node=Product((node, Number(scale[0])))))
+
+
+def _as_meant(
+    chain: Chain, k: int, decision: Decision, document: ReadNotes, knowledge: Knowledge
+) -> Decision:
+    """Return the first proof in one of the ways in which units may be meant, else the decision."""
     for meant in (
         _put_in_bare, _term_by_term, _rounded_in_its_unit, _between_numbers, _in_unit_of_result,
         _converted, _of_weights, decide_as_counted, _with_numbers_of_units, _with_frequencies,
@@ -116,7 +147,7 @@ def decide_after_units_left_out(
     """
     if not k:
         return None
-    knowledge = with_printed_results(knowledge, document)
+    knowledge = with_printed_results(with_gravity_in_feet(knowledge), document)
     formula, put_in, right, sign = *chain.sides[k - 1 : k + 2], chain.relations[k].sign
     between_numbers = decide_between_numbers(formula, right, sign, document, knowledge)
     if between_numbers is not None:
@@ -145,7 +176,7 @@ def _result_by_letters(
 ) -> Decision | None:
     """Return the decision on a result by the letters of its formula, and by the arithmetic before it."""
     by_letters = decide(formula, right, sign, knowledge)
-    for otherwise in (_as_force, _by_frequencies) if not by_letters.is_proved else ():
+    for otherwise in (_as_force, _of_weights_in_lb, _by_frequencies) if not by_letters.is_proved else ():
         there = otherwise(formula, right, sign, document, knowledge)
         if there is not None and there.is_proved:
             return there
@@ -275,6 +306,11 @@ def _between_numbers(chain: Chain, k: int, document: ReadNotes, knowledge: Knowl
     if there is None and puts_in_numbers(left, right, document, knowledge):
         there = Decision(PROVED, UNITS_LEFT_OUT)
     there = there or decide_numbers_put_in(left, right, document, knowledge)
+    if there is None and k + 2 < len(chain.sides) and puts_in_as_typed(left, right, document, knowledge):
+        # 2 s N/12 = 2·6.5·1800/12 = 1950 ft. per min.
+        there = decide_between_numbers(
+            left, chain.sides[k + 2], chain.relations[k + 1].sign, document, knowledge
+        )
     printed = with_printed_results(knowledge, document)
     if there is not None or printed.definitions == knowledge.definitions:
         return there
@@ -380,9 +416,14 @@ def _number_of_odd_unit(side: Side, document: ReadNotes) -> Number | None:
 
 
 def _is_wrong_by_letters(chain: Chain, k: int, right: Side, knowledge: Knowledge) -> bool:
-    """Tell whether a side with letters before, all of which have values, is another number."""
+    """Tell whether a side with letters before, all of which have values, is another number.
+
+    A letter counts where a line above has its formula: M = 8250·0.042 = 347 kN m behind M = F c.
+    """
     for side in reversed(chain.sides[:k]):
-        if names(side.node) and not isinstance(side.node, Name):
+        head = knowledge.definitions.get(side.node.name) if isinstance(side.node, Name) else None
+        has_formula = head is not None and bool(names(head.node))
+        if names(side.node) and (has_formula or not isinstance(side.node, Name)):
             there = decide(side, right, "=", knowledge)
             return there.status == REFUTED and there.left is not None and not letters(there.left)
     return False
@@ -464,10 +505,40 @@ def _replaced(node: Formula, old: Formula, new: Formula) -> Formula:
 
 # Weights: a force in lb
 
+_OF_FORCE = re.compile(r"lbf|^(?:psi|slug|hp|bhp|HP)$")
+"""A unit that has the weight of a pound in it."""
+_WEIGHT_BEHIND = re.compile(
+    r"[0-9][\s~$]*(?:\\[,;: ]|\\(?:text|mathrm)\s?\{\s?)*(?:lbs?|tons?|oz)(?![A-Za-z/·])"
+)
+
 
 def _of_weights(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
-    """Return the decision on F = m a = 1345 lb, a force that is weighed in pounds."""
-    return _as_force(chain.sides[k], chain.sides[k + 1], chain.relations[k].sign, document, knowledge)
+    """Return the decision on F = m a = 1345 lb or W r = 17.9 lb.-in., of weights that are forces."""
+    left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
+    as_force = _as_force(left, right, sign, document, knowledge)
+    if as_force is not None and as_force.is_proved:
+        return as_force
+    return _of_weights_in_lb(left, right, sign, document, knowledge)
+
+
+def _of_weights_in_lb(
+    left: Side, right: Side, sign: str, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision on a result in pounds of force by letters in lb, which are read as masses.
+
+    Both sides are divided by g then: W r = 5.5 lb · 3.25 in = 17.9 lbf·in, p = P/A = 7128 lb/23.76 in².
+    """
+    quantity = quantity_of(right, document)
+    if quantity is None or names(right.node) or not _OF_FORCE.search(quantity.unit):
+        return None
+    behind = names_behind(left.node, {name: d.node for name, d in knowledge.definitions.items()})
+    values = (knowledge.definitions[name].node for name in behind if name in knowledge.definitions)
+    if not any(_WEIGHT_BEHIND.search(document.source(node.span)) for node in values):
+        return None
+    scale = quantity.scale * POUND / POUND_FORCE
+    by_weight = Number(quantity.value * scale, 2 * quantity.half * scale)
+    there = decide(left, Side((by_weight,), right.span), sign, knowledge)
+    return replace(there, assumptions=(*there.assumptions, "lb is a force"))
 
 
 def _as_force(

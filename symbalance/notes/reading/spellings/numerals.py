@@ -68,6 +68,7 @@ _FOOT_POUND = r"(?:(?:foot|feet|ft)(?:[ .·‐‑-]){0,2}(?:pounds?|lbs?f?\.?))"
 _SPELLED = (
     ("mm", "millimet(?:er|re)s?"), ("cm", "centimet(?:er|re)s?|Zentimeter"), ("km", "kilomet(?:er|re)s?"),
     ("dm^3", "lit(?:er|re)s?|Litern?"), ("ml", "millilit(?:er|re)s?|Millilitern?"), ("bar", "bars"),
+    ("ton/inch^2", r"(?:long |short )?tons?[\s-]?(?:per|/)\s?sq(?:uare|\.)?\s?in(?:ch|\.|\b)"),
     ("Mg", "metric tons?|tonnes?|Tonnen?"), ("ton", "(?:long |short )?tons?"),
     ("m", "met(?:er|re)s?|Metern?"), ("kg", "kilogram(?:me)?s?|Kilogramm"), ("g", "gram(?:me)?s?|Gramm"),
     ("ms", "milliseconds?|Millisekunden?"), ("s", "seconds?|Sekunden?"), ("min", "minutes?|Minuten?"),

@@ -1,12 +1,15 @@
-"""Compound units of English prints in plain signs: lb.-in.-sec.² is lbf·inch·s², ft./sec.² is ft/s².
+"""Compound units in words and in the points of English prints: radians per second, lb.-in.-sec.²
 
-Their words are abbreviated with points and joined by hyphens. A pound beside the square of a time, or
-times a length, is a force; on an area it is one by its own sign, and else a mass.
+Their words are abbreviated with points and joined by hyphens, or written out: newton metres per radian,
+Meter pro Sekunde, feet per second squared. A pound beside the square of a time, or times a length, is a
+force; on an area it is one by its own sign, and else a mass.
 """
 
 from __future__ import annotations
 
+from symbalance.document.wordlists import words as listed
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.notes.reading.units import scale_of
 from symbalance.text import lazy_patterns as re
 
 _SIGNS = {
@@ -17,17 +20,48 @@ _SIGNS = {
     "N": "N", "kN": "kN", "deg": "deg",
 }  # fmt: skip
 """The words of compound units, and what each is written as."""
+_PREFIXED = {
+    "m": "metre metres meter meters metern mètre mètres metro metros metri",
+    "g": "gram grams gramme grammes gramm grammi gramos",
+    "N": "newton newtons", "J": "joule joules", "W": "watt watts", "Pa": "pascal pascals",
+    "rad": "rads radian radians radiant radianti radiante radianes",
+}  # fmt: skip
+_TIMES = {
+    "s": "second seconds seconde secondes sekunde sekunden segundo segundos secondo secondi",
+    "min": "minute minutes minuten minuto minutos minuti",
+    "h": "hour hours stunde stunden heure heures hora horas ora",
+}  # fmt: skip
+_PREFIXES = {"": "", "kilo": "k", "mega": "M", "centi": "c", "zenti": "c", "milli": "m"}
+_WRITTEN_OUT = {
+    before + word: sign + unit
+    for before, sign in _PREFIXES.items()
+    for unit, spelled in _PREFIXED.items()
+    for word in listed(spelled)
+} | {word: unit for unit, spelled in _TIMES.items() for word in listed(spelled)}
+_WRITTEN_OUT |= {"pound": "lb", "pounds": "lb", "revolution": "rev", "revolutions": "rev"}
+_WRITTEN_OUT |= {"mile": "mi", "miles": "mi"}
+_WRITTEN_OUT |= {word.capitalize(): sign for word, sign in _WRITTEN_OUT.items()}
+_SIGNS |= _WRITTEN_OUT
 _WORD = "|".join(sorted(_SIGNS, key=len, reverse=True))
-_POWER = r"(?:\^\{?[-−]?[1-4]\}?|⁻?[¹²³⁴])"
-_PART = rf"(?:{_WORD})(?![A-Za-z])(?:\.?{_POWER}\.?|\.)?"
-_JOINT = r"(?:(?<=[A-Za-z.²³⁴}])[-‐‑](?=[A-Za-z])|[ ]?[·⋅/][ ]?|[ ]?\\cdot[ ]|[ ]per[ ]"
-_JOINT += r"|(?<=\.)[ ](?=(?:in|ft|lbs?)\.))"
+_SQUARED = "squared|zum Quadrat|au carré|al cuadrado|al quadrato"
+_POWER = rf"(?:\^\{{?[-−]?[1-4]\}}?|⁻?[¹²³⁴]|[ ](?:{_SQUARED}|cubed)(?![a-z]))"
+_RAISED = dict.fromkeys(("square", *_SQUARED.split("|")), "²") | {"cubic": "³", "cubed": "³"}
+_BEFORE = r"(?:(?:square|cubic)[ ](?=[a-z]{4}))?"
+_PART = rf"{_BEFORE}(?:{_WORD})(?![A-Za-z])(?:\.?{_POWER}\.?|\.)?"
+_TIME = r"(?:s(?:ec(?:ond[a-z]*|s?\.)?)?|min(?:ut[a-z]*|\.)?|h(?:ours?|rs?\.?)?)(?![A-Za-z])"
+_PER = rf"[ ](?:per|pro|par|por|je|al|alla|an?(?=[ ]{_TIME}))[ ]"
+_JOINT = rf"(?:(?<=[A-Za-z.²³⁴}}])[-‐‑](?=[A-Za-z])|[ ]?[·⋅/][ ]?|[ ]?\\cdot[ ]|{_PER}"
+_JOINT += r"|(?<=\.)[ ](?=(?:in|ft|lbs?)\.)"
+_JOINT += rf"|(?<=[a-z]{{4}})[ ](?=(?:{'|'.join(_WRITTEN_OUT)}|square|cubic)(?![a-z])))"
 _NUMBER_END = r"(?<=[0-9⁰¹²³⁴⁵⁶⁷⁸⁹}½¼¾])(?<!_[0-9])"
 _GAP = r"(?:\$|\\\))?(?:[ ~\u2009\u202f]|\\[,;: ])?(?:\\(?:text|mathrm|mbox|textrm)\s?\{\s?)?"
 _COMPOUND = re.compile(
     rf"{_NUMBER_END}{_GAP}(?P<unit>{_PART}(?:{_JOINT}{_PART}){{1,3}}+)(?![A-Za-z0-9(])"
 )
-_ONE_PART = re.compile(rf"(?P<joint>{_JOINT})?(?P<word>{_WORD})(?![A-Za-z])\.?(?P<power>{_POWER})?\.?")
+_ONE_PART = re.compile(
+    rf"(?P<joint>{_JOINT})?(?:(?P<before>square|cubic)[ ])?"
+    rf"(?P<word>{_WORD})(?![A-Za-z])\.?(?P<power>{_POWER})?\.?"
+)
 _ABBREVIATED = re.compile(
     rf"{_NUMBER_END}{_GAP}(?:{_WORD}|hp)(?P<point>\.)(?=[ ]?(?:[=≈≤≥+×·*)]|<[^/]|{_POWER}|\$|\\approx))"
 )
@@ -48,7 +82,8 @@ def with_compound_units(text: str) -> Rewritten | None:
     for match in _COMPOUND.finditer(text):
         start, end = match.span("unit")
         sign = compound_unit(match["unit"])
-        if sign and sign != match["unit"].rstrip("."):
+        is_unit = scale_of(sign) is not None or not _IS_WRITTEN_OUT.search(match["unit"])
+        if sign and is_unit and sign != match["unit"].rstrip("."):
             is_end = text[end - 1] == "." and _GOES_ON.match(text, end) is None
             changes[start] = end - is_end, sign
     for match in _ABBREVIATED.finditer(text):
@@ -67,6 +102,8 @@ def compound_unit(words: str) -> str:
 
     >>> compound_unit("lb.-in./rad"), compound_unit("ft./sec.²"), compound_unit("lb·s²/in")
     ('lbf·inch/rad', 'ft/s²', 'lbf·s²/inch')
+    >>> compound_unit("radians per sec."), compound_unit("newton metres per second squared")
+    ('rad/s', 'N·m/s²')
     """
     parts: list[tuple[str, str, str]] = []
     place = 0
@@ -75,8 +112,14 @@ def compound_unit(words: str) -> str:
         is_bare = match["joint"] is None
         if is_bare == bool(parts) or (joint in _HYPHENS and _may_subtract(parts[-1][1])):
             return ""
-        sign = "/" if joint in ("/", "per") else "·" if parts else ""
-        parts.append((sign, _SIGNS[match["word"]], match["power"] or ""))
+        sign = "/" if joint == "/" or joint.isalpha() else "·" if parts else ""
+        power = match["power"] or ""
+        power = _RAISED[match["before"] or power.strip()] if match["before"] or " " in power else power
+        part = sign, _SIGNS[match["word"]], power
+        if part == ("/", "s", "") and parts[-1] == part:  # per second per second
+            parts[-1] = "/", "s", "²"
+        else:
+            parts.append(part)
         place = match.end()
     if place < len(words) or len(parts) < _FEWEST:
         return ""
@@ -84,6 +127,7 @@ def compound_unit(words: str) -> str:
     return "".join(f"{j}{'lbf' if w == 'lb' and is_force else w}{p}" for j, w, p in parts)
 
 
+_IS_WRITTEN_OUT = re.compile("[a-z]{4}")
 _HYPHENS = frozenset("-‐‑")
 _FEWEST = 2
 
