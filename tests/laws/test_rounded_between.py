@@ -2,6 +2,7 @@
 
 import pytest
 
+from symbalance.budgets import Budget
 from symbalance.checking import check
 
 
@@ -102,3 +103,34 @@ def test_a_letter_that_is_called_roughly_known_is_no_free_choice():
     page = "a ≈ 30 mm and b ≈ 20 mm. Then a - b = {} mm and a = 30 mm.\n"
     assert not _is_accused(page.format("10.4"))
     assert _is_accused(page.format("11.4"))
+
+
+SERIES = r"""With $r = 43$ mm and $l = 143$ mm, $\lambda = r/l = 0.3007$. The piston acceleration is
+
+$$a = r\omega^2 (A_1\cos\varphi + A_2\cos 2\varphi + A_4\cos 4\varphi + \dots)$$
+
+with $A_2 ≈ FORMULA$. For our engine $A_2 ≈ NUMBER$.
+"""
+MEANINGS = {
+    "a": "piston acceleration",
+    "r": "crank radius",
+    "l": "connecting rod length",
+    r"\lambda": "ratio of crank radius to rod length",
+    r"\omega": "angular speed of the crankshaft",
+    r"\varphi": "crank angle from top dead centre",
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("formula", "number", "is_right"),
+    [
+        (r"\lambda + \lambda^3/4", "0.3075", True),  # what the line above gives
+        (r"\lambda + \lambda^3/4", "0.3078", True),  # the coefficient itself
+        (r"\lambda + \lambda^3/4", "0.3057", False),
+    ],
+)
+def test_a_number_is_that_of_the_series_as_the_page_cuts_it_off(formula, number, is_right):
+    page = SERIES.replace("FORMULA", formula).replace("NUMBER", number)
+    last = check(page, MEANINGS, budget=Budget(seconds=3600)).data()["links"][-1]
+    assert (last["verdict"] in ("holds_to_order", "conditional")) == is_right

@@ -21,7 +21,7 @@ from symbalance.notes.checking.words.plain_formulas import lone_side
 from symbalance.notes.reading.equations import Chain, Side
 
 FEWEST = 2
-"""Letters with numbers that an equation has besides the one that is worked out."""
+"""Letters with numbers that an equation has besides the one worked out, a formula of it all."""
 
 
 def by_nearest_equation(
@@ -42,7 +42,8 @@ def by_nearest_equation(
     others = (names(equation.sides[0].node) | names(equation.sides[1].node)) - {head.name}
     numbers = {name: _number_above(state, name, chain) for name in sorted(others)}
     given = {name: each for name, each in numbers.items() if each is not None}
-    if len(given) < FEWEST:
+    is_formula = equation.sides[0].node == head and given.keys() == numbers.keys()
+    if len(given) < (1 if is_formula else FEWEST):
         return None
     rest = {name: each for name, each in knowledge.definitions.items() if name != head.name}
     freer = replace(knowledge, definitions={**rest, **given}, solved={}, solved_from=())
