@@ -134,3 +134,20 @@ def test_a_number_is_that_of_the_series_as_the_page_cuts_it_off(formula, number,
     page = SERIES.replace("FORMULA", formula).replace("NUMBER", number)
     last = check(page, MEANINGS, budget=Budget(seconds=3600)).data()["links"][-1]
     assert (last["verdict"] in ("holds_to_order", "conditional")) == is_right
+
+
+SAFETY = """Kt = 2.4, q = 0.85, x = 56.15, y = 303, u = 36.15, R = 900.
+
+Kf = q*(Kt - 1).
+
+   1/S = Kf*x/y + u/R
+   1/S = 2.19*56.15/303 + 36.15/900 ~= 0.446   {} S ~= {}
+"""
+
+
+@pytest.mark.parametrize("arrow", ["=>", "so that", "also", "d'où", "よって"])
+@pytest.mark.parametrize(("number", "is_right"), [("2.24", True), ("2.42", False), ("2.29", False)])
+def test_a_number_follows_from_the_one_right_before_it(arrow, number, is_right):
+    last = check(SAFETY.format(arrow, number)).data()["links"][-1]
+    assert (last["verdict"] in ("holds_to_order", "conditional")) == is_right
+    assert (last["verdict"] in ("refuted", "contradiction")) != is_right

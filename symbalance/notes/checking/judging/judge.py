@@ -96,6 +96,7 @@ from symbalance.notes.checking.steps.named_case_again import return_to_case
 from symbalance.notes.checking.steps.nearest_equation import (
     by_nearest_equation,
     by_nearest_formulas,
+    by_number_before,
     by_square_above,
 )
 from symbalance.notes.checking.steps.nearest_numbers import refuted_by_nearest, with_other_values
@@ -554,6 +555,7 @@ class Judge:
             there = at_speed_in_words(self.state, chain, k, knowledge)
             there = there or by_the_minute(self.state, chain, k, knowledge)
             there = there or with_other_values(self.state, chain, k, knowledge)
+            there = there or by_number_before(self.state, chain, k, knowledge)
             there = there or by_nearest_equation(self.state, chain, k, knowledge)
             there = there or by_nearest_formulas(self.state, chain, k, knowledge)
             there = there or as_supposed(self.state, chain, k)
