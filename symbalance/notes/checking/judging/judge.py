@@ -65,6 +65,7 @@ from symbalance.notes.checking.steps.another_case import (
 )
 from symbalance.notes.checking.steps.another_engine import leave_cranks, leave_engine, leave_premises
 from symbalance.notes.checking.steps.another_engines_numbers import (
+    as_multiple_in_words,
     as_number_in_words,
     as_number_of_another,
     as_supposed,
@@ -559,6 +560,7 @@ class Judge:
             there = there or by_nearest_equation(self.state, chain, k, knowledge)
             there = there or by_nearest_formulas(self.state, chain, k, knowledge)
             there = there or as_supposed(self.state, chain, k)
+            there = there or as_multiple_in_words(self.state, chain, k, knowledge)
             there = there or open_against_lines(self.state, chain, k, knowledge)
             there = there or put_in_with_another_factor(self.state, chain, k, knowledge)
             there = there or number_of_a_formula_one_slip_away(self.state, chain, k, knowledge)
