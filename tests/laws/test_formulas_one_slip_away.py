@@ -44,3 +44,32 @@ def test_the_seconds_of_a_minute_are_no_slip_of_a_formula():
     page = "With $f = 280$ Hz and $q = 2$: $n = {formula}$ rpm, and so $n = {number}$ rpm.\n"
     assert _last(page.format(formula="60 f/q", number="8400"))["verdict"] == "conditional"
     assert _last(page.format(formula="60 f/q", number="4200"))["verdict"] == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("formula", "number", "verdict"),
+    [
+        ("T*b/(G*Ip)", "3.1*10^-4", "holds_to_order"),
+        ("T*b/(E*Ip)", "3.1*10^-4", "undecided"),  # with G it is right to its digits
+        ("T*b/(E*Ip)", "1.2*10^-4", "holds_to_order"),
+        ("T*b/(G*Ip)", "3.5*10^-4", "refuted"),
+        ("T*b/(E*Ip)", "2.1*10^-4", "refuted"),
+    ],
+)
+def test_one_letter_of_a_dimension_may_stand_for_another(formula, number, verdict):
+    data = (
+        "The steel has E = 210 GPa, G = 80 GPa, Rm = 900 MPa. T = 380 Nm, b = 40 mm, Ip = 61.36 cm^4.\n\n"
+    )
+    assert _last(f"{data}   phi = {formula}\n   phi ~= {number} rad\n")["verdict"] == verdict
+
+
+def test_a_number_below_a_refuted_formula_may_be_right():
+    page = "E = 210 GPa, G = 80 GPa, T = 380 Nm, b = 40 mm, Ip = 61.36 cm^4.\n\n"
+    page += "   phi = T*b/(E*Ip)\n   phi ~= {} rad\n"
+    meanings = {"phi": "angle of twist", "E": "Young's modulus", "G": "shear modulus", "T": "torque"}
+    meanings |= {"b": "length of the pin", "Ip": "polar moment of area"}
+    words = [
+        [e["verdict"] for e in check(page.format(n), meanings).data()["links"]][-2:]
+        for n in ("3.1*10^-4", "2.1*10^-4")
+    ]
+    assert words == [["refuted", "undecided"], ["refuted", "refuted"]]

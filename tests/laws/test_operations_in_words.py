@@ -66,3 +66,32 @@ def test_words_that_name_a_formula_stay_apart(page: str):
     verdicts = _verdicts(page + "\n")
     assert verdicts
     assert not {"unreadable", "refuted"} & set(verdicts)
+
+
+COUPLE = """m = 0.42 kg, r = 41 mm, ω = 576 1/s, a = 82 mm and M = √3 m r ω² a = 811 N m.
+
+The couple needed is
+
+   B = {} m r ω² a
+
+{} B = {} N m.
+"""
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "This is half of 811 N m, so",
+        "Here half of 811 N m:",
+        "Die Hälfte von 811 N m, also",
+        "C'est la moitié de 811 N m, soit",
+        "Es la mitad de 811 N m, o sea",
+        "この例では811 N·mの半分、",
+        "Here one half of 811 N m, so",
+    ],
+)
+def test_a_number_that_words_compute_is_no_slip_of_its_own(words: str):
+    assert _verdicts(COUPLE.format("√3", words, 406))[-1] == "undecided"  # the formula may be wrong
+    assert _verdicts(COUPLE.format("√3", words, 460))[-1] == "refuted"
+    assert _verdicts(COUPLE.format("√3/2", words, 406))[-1] not in ("refuted", "undecided")
+    assert _verdicts(COUPLE.format("√3", "So", 406))[-1] == "refuted"

@@ -244,6 +244,36 @@ def margin_of_numbers(
     return total
 
 
+def margin_of_terms(total: Formula, other: Formula, form_of: Callable[[Formula], Form]) -> Any:
+    """Return how far a sum may be off whose terms are those of another sum, each rounded for itself.
+
+    J = 0.030·1² + 0.042·2.434 + 1.85·0.093² comes to 0.030 + 0.102 + 0.016: half a unit of each.
+    """
+    margin: Any = 0
+    terms, unit = _terms_in_unit(total)
+    others, unit_of_others = _terms_in_unit(other)
+    sizes = [size * unit_of_others for term in others for size in _size(term, form_of)]
+    for term in terms if sizes else ():
+        number = next((p for p in formula.walk(term) if isinstance(p, Number)), None)
+        if number is None or number.last_place is None or not is_lone_number(term):
+            continue
+        value = next(_size(term, form_of), 0.0) * unit
+        half = _half(number) * (value / abs(float(number.value)) if number.value else unit)
+        gap = min(abs(size - value) for size in sizes)
+        if gap > half * _ROUNDING:
+            return 0  # a term of its own
+        margin += half if gap > _EXACTLY * value else 0
+    return margin
+
+
+def _terms_in_unit(node: Formula) -> tuple[tuple[Formula, ...], float]:
+    """Return the terms of a sum, and what the unit behind it comes to; none for other formulas."""
+    if isinstance(node, Product) and len(node.factors) == 2 and isinstance(node.factors[1], Number):
+        terms, _ = _terms_in_unit(node.factors[0])
+        return terms, float(node.factors[1].value)
+    return (node.terms if isinstance(node, formula.Sum) else ()), 1.0
+
+
 def _typed(node: Formula) -> Iterator[tuple[Number, Fraction]]:
     """Yield the numbers of a side that may be values, each with the power of ten that it stands before.
 

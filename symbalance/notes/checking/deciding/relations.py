@@ -12,6 +12,7 @@ from symbalance.document.formula import (
     Formula,
     Name,
     Number,
+    Product,
     Quotient,
     Summation,
     names,
@@ -27,6 +28,7 @@ from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.branches import decide_branches, has_branches
 from symbalance.notes.checking.deciding.common_factors import without_common_factor
 from symbalance.notes.checking.deciding.equality import (
+    PROVED,
     REFUTED,
     UNDECIDED,
     Decision,
@@ -61,6 +63,8 @@ MEANT_ROUGHLY = "= stands where ≈ is meant"
 NO_VALUES_HERE = " has no values here: say what each is"
 SMALLEST_ROUNDED = 100
 """A whole number of three digits may be a result, ω = 628; a shorter one is data."""
+FEWEST_ROUGH = 10
+"""Units of its last place that a number behind ≈ comes to, at least, to stand for what rounds to it."""
 MOST_ROUNDED = 3
 """Results that are tried as printed one by one, the others with all their digits."""
 MOST_COUNTED = 9
@@ -81,7 +85,8 @@ def decide(
     """
     decision = _decide_as_defined(left, right, sign, knowledge, through)
     if decision.status == REFUTED and not (names(left.node) and names(right.node)):
-        decision = _as_printed(left, right, sign, knowledge, through) or decision
+        printed = _as_printed(left, right, sign, knowledge, through)
+        decision = printed or _within_intervals(left, right, sign, knowledge, through) or decision
     elif decision.status == REFUTED and not decision.of_matrices:
         decision = _in_letters(left, right, sign, knowledge, through) or decision
         bare = None if decision.is_proved or sign != "=" else without_common_factor(left, right)
@@ -215,6 +220,65 @@ def _as_printed(
         if decision.is_proved:
             return decision
     return None
+
+
+def _within_intervals(
+    left: Side, right: Side, sign: str, knowledge: Knowledge, through: int | None
+) -> Decision | None:
+    """Return the proof of a relation of numbers by letters that are only roughly given: b ≈ 40 mm.
+
+    Each is any number that is rounded to the one printed. Where the relation holds with all of them at
+    one end or the other, or one side is too small at some ends and too large at others, some such
+    numbers make it true. None for others.
+    """
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    behind = {n for side in (left, right) for n in names_behind(side.node, values)}
+    lone = {side.node.name for side in (left, right) if isinstance(side.node, Name)}
+    ends = {name: _ends(knowledge.definitions[name]) for name in sorted(behind & values.keys() - lone)}
+    rough = {name: both for name, both in ends.items() if both}
+    differences: list[float] = []
+    for chosen in product(*rough.values()) if 0 < len(rough) <= MOST_ROUNDED else ():
+        known = knowledge
+        for name, node in zip(rough, chosen, strict=True):
+            known = known.with_definition(name, replace(knowledge.definitions[name], node=node))
+        decision = _decide_as_defined(left, right, sign, known, through)
+        if not decision.is_proved:
+            difference = _difference(decision)
+            if difference is None:
+                return None
+            differences.append(difference)
+        if decision.is_proved or min(differences) < 0 < max(differences):
+            shown = (f"{formula_text(Name(n), plain=True)} is rounded as printed" for n in rough)
+            order = decision.order or "the digits printed"
+            level = decision.level.assumptions if decision.level else ()
+            assumptions = tuple(dict.fromkeys((*decision.assumptions, *level, *shown)))
+            return replace(decision, status=PROVED, order=order, witness={}, assumptions=assumptions)
+    return None
+
+
+def _ends(definition: Definition) -> tuple[Formula, ...]:
+    """Return the ends of what is rounded to the number that a letter has behind ≈; none for others.
+
+    A single digit is no measure of how exactly it is meant: λ ≈ 0.3 is what a page goes on with.
+    """
+    whole = definition.node
+    node, *unit = whole.factors if isinstance(whole, Product) else (whole,)
+    if not definition.is_rough or names(whole) or not isinstance(node, Number):
+        return ()
+    place = node.last_place or Fraction(1)
+    if abs(node.value) < FEWEST_ROUGH * place:
+        return ()
+    half = place / 2
+    ends = (Number(node.value + side * half) for side in (-1, 1))
+    return tuple(Product((end, *unit)) if unit else end for end in ends)
+
+
+def _difference(decision: Decision) -> float | None:
+    """Return by how much the left one of two refuted numbers is larger; None for others."""
+    try:
+        return float(decision.witness["left"]) - float(decision.witness["right"])
+    except (KeyError, ValueError):
+        return None
 
 
 def _without_rounding(node: Formula) -> Formula:

@@ -26,6 +26,7 @@ from symbalance.notes.algebra.values import Point, Valuation, context, letters, 
 from symbalance.notes.checking.deciding.numbers_put_in import (
     is_put_in,
     margin_of_numbers,
+    margin_of_terms,
     may_be_rounded,
 )
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
@@ -164,9 +165,11 @@ def _within_margins(
         (typed[1], right, typed[0], second, meanings[0]),
     ):
         if is_put_in(typed_side, opposite):
-            margin += margin_of_numbers(node, opposite, form_of, printed, meaning)
+            own = margin_of_numbers(node, opposite, form_of, printed, meaning)
         else:
-            margin += _spread(node, typed_side, _number(form), form_of, printed)
+            own = _spread(node, typed_side, _number(form), form_of, printed)
+        whole = right if node is left else left
+        margin += max(own, margin_of_terms(node, whole if meaning is None else meaning, form_of))
     gap, size = abs(_number(first) - _number(second)), abs(_number(first))
     return gap <= margin * (1 + 1e-12) + (size * ROUGHLY if generous else 0) + size * _tiny()
 

@@ -65,6 +65,7 @@ from symbalance.notes.checking.steps.another_case import (
 )
 from symbalance.notes.checking.steps.another_engine import leave_cranks, leave_engine, leave_premises
 from symbalance.notes.checking.steps.another_engines_numbers import (
+    as_multiple_in_words,
     as_number_in_words,
     as_number_of_another,
     as_supposed,
@@ -96,6 +97,7 @@ from symbalance.notes.checking.steps.named_case_again import return_to_case
 from symbalance.notes.checking.steps.nearest_equation import (
     by_nearest_equation,
     by_nearest_formulas,
+    by_number_before,
     by_square_above,
 )
 from symbalance.notes.checking.steps.nearest_numbers import refuted_by_nearest, with_other_values
@@ -555,9 +557,11 @@ class Judge:
             there = at_speed_in_words(self.state, chain, k, knowledge)
             there = there or by_the_minute(self.state, chain, k, knowledge)
             there = there or with_other_values(self.state, chain, k, knowledge)
+            there = there or by_number_before(self.state, chain, k, knowledge)
             there = there or by_nearest_equation(self.state, chain, k, knowledge)
             there = there or by_nearest_formulas(self.state, chain, k, knowledge)
             there = there or as_supposed(self.state, chain, k)
+            there = there or as_multiple_in_words(self.state, chain, k, knowledge)
             there = there or open_against_lines(self.state, chain, k, knowledge)
             there = there or put_in_with_another_factor(self.state, chain, k, knowledge)
             there = there or number_of_a_formula_one_slip_away(self.state, chain, k, knowledge)

@@ -119,8 +119,8 @@ def formulas_only_stated(state: JudgingState, chain: Chain, knowledge: Knowledge
 
 def _values_of(state: JudgingState, name: str, knowledge: Knowledge) -> Iterator[float]:
     """Yield the numbers that a letter has: by all that is known, and as the page printed it."""
-    printed = state.results.numbers.get(name)
-    for node in (Name(name), *(() if printed is None else (printed[1],))):
+    _, printed = state.results.numbers.get(name, (0, []))
+    for node in (Name(name), *printed):
         value = number_of(node, knowledge)
         if value is not None:
             yield abs(float(value))

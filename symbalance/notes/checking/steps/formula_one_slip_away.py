@@ -2,12 +2,14 @@
 
 With (σ_o + σ_u)/2 the number is right to all its digits. Where nothing proves the formula of the page, it
 may be the formula that is wrong, and the number is not accused. A number with its digits exchanged, or a
-power of ten away, is a slip of the number, whatever formula fits it.
+power of ten away, is a slip of the number, whatever formula fits it. So with a letter of the page in
+another one's place, φ = T b/(E I_p) where the number was worked out with G: both are in GPa.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import chain as chain_of
 from itertools import islice
 from math import isclose, log10
 
@@ -26,16 +28,21 @@ from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number
+from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.meant.formula_slips import single_edits, with_one_part_changed
 from symbalance.notes.checking.premises.impossible_values import number_of
+from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.another_factor import formulas_only_stated
 from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.units.dimensions import NONE, Dimensions
 from symbalance.notes.reading.equations import Chain
 
 CLOSE = 5e-4
 """How near an arithmetic has to come to a formula that it was not written with."""
 FEWEST_DIGITS = 3
 """Digits of a number, at least, that fits a formula by more than chance: one of sixty may fit two."""
+FEWEST_OF_EXCHANGE = 2
+"""Digits where one letter stands for another of its dimension: a page has few of them."""
 MOST_EDITS = 60
 """Edits of a formula that are tried: each is worked out in numbers, and a short formula has fewer."""
 _DIGITS_COMPARED = 4
@@ -50,19 +57,50 @@ def number_of_a_formula_one_slip_away(
     if k or not isinstance(left, Name) or names(right):
         return None
     typed, near = number_of(right, knowledge), _precision(right)
-    if not typed or near is None:
+    near_letter = _precision(right, FEWEST_OF_EXCHANGE)
+    if not typed or near_letter is None:
         return None
-    for above in formulas_only_stated(state, chain, knowledge):
+    for above in (*formulas_only_stated(state, chain, knowledge), *_refuted(state, left, knowledge)):
         exact = number_of(above.right, knowledge) if above.left == left else None
         if not exact or _is_slip_of_digits(float(typed), float(exact)):
             continue
-        for edit in _edits(above.right, of_number=is_lone_number(right)):
+        edits = () if near is None else _edits(above.right, of_number=is_lone_number(right))
+        exchanged = _with_a_letter_exchanged(state, chain, above.right, knowledge)
+        tried = chain_of(((edit, near) for edit in edits), ((edit, near_letter) for edit in exchanged))
+        for edit, precision in tried:
             value = number_of(edit, knowledge)
-            if value is not None and isclose(float(value), float(typed), rel_tol=near):
+            if value is not None and isclose(float(value), float(typed), rel_tol=precision or 0.0):
                 shown = formula_text(edit, plain=True)
-                reason = f"what {shown} comes to, one slip from line {above.line}, which nothing proves"
-                return Decision(UNDECIDED, f"{reason}: one of the two is wrong")
+                if above.right.span[0] in state.refuted:
+                    proved = "is refuted: the number may be right"
+                else:
+                    proved = "nothing proves: one of the two is wrong"
+                reason = f"what {shown} comes to, one slip from line {above.line}, which {proved}"
+                return Decision(UNDECIDED, reason)
     return None
+
+
+def _refuted(state: JudgingState, letter: Name, knowledge: Knowledge) -> Iterator[Premise]:
+    """Yield the formula of a letter that is refuted itself: its number may be right all the same."""
+    definition = knowledge.definitions.get(letter.name)
+    if definition is not None and names(definition.node) and definition.node.span[0] in state.refuted:
+        yield Premise(letter, definition.node, definition.line)
+
+
+def _with_a_letter_exchanged(
+    state: JudgingState, chain: Chain, node: Formula, knowledge: Knowledge
+) -> Iterator[Formula]:
+    """Yield a formula with one of its letters exchanged for a number's of the page, of its dimension."""
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    symbols = state.declarations.symbols_at(chain.lines[0])
+    dimensions = Dimensions(symbols, values, state.document.text)
+    own = names(node) | {name for side in chain.sides for name in names(side.node)}
+    others = [name for name, d in knowledge.definitions.items() if d.numeric and name not in own]
+    for name in sorted(names(node) & values.keys()):
+        dimension = dimensions.letter(name, 0)
+        for other in others if dimension not in (None, NONE) else ():
+            if dimensions.letter(other, 0) == dimension:
+                yield substitute(node, name, Name(other))
 
 
 def _edits(node: Formula, *, of_number: bool) -> Iterator[Formula]:
@@ -110,7 +148,7 @@ def _fraction(node: Formula) -> tuple[tuple[Formula, ...], Formula | None]:
     return (*(part for part in factors if part is not fraction), *above), fraction.denominator
 
 
-def _precision(node: Formula) -> float | None:
+def _precision(node: Formula, fewest: int = FEWEST_DIGITS) -> float | None:
     """Return how far a number may be off, as a part of it; None if it has few digits."""
     if not is_lone_number(node):
         return CLOSE
@@ -119,7 +157,7 @@ def _precision(node: Formula) -> float | None:
         return None
     half = float(number.last_place or 1) / 2
     part = half / abs(float(number.value))
-    return part if part <= 0.5 * 10.0 ** (1 - FEWEST_DIGITS) else None
+    return part if part <= 0.5 * 10.0 ** (1 - fewest) else None
 
 
 def _is_slip_of_digits(typed: float, exact: float) -> bool:

@@ -29,6 +29,8 @@ METRIC = ("9.81", "9.80665")
 """Those that need not be said."""
 _WEIGHT = re.compile(r"[WGPQ](?:_.*)?$|[mM](?:_.*)?[0-9]?$")
 
+_NO_FACTOR = r"(?![0-9]|\s*(?:\^|\*\*|<sup>|[⁻⁰¹²³⁴-⁹]))"
+"""Behind a number that is no power of ten: of 5·10⁻³ nobody has g = 10."""
 _MEANING = re.compile(
     r"gravit|free fall|Erdbeschleunigung|Fallbeschleunigung|Schwere|重力|pesanteur|zwaartekracht",
     re.IGNORECASE,
@@ -58,7 +60,7 @@ def decide_with_gravity(
     left, right = chain.sides[k], _in_feet(chain.sides[k + 1])
     last: Decision | None = None
     for size in GRAVITIES:
-        is_printed = re.search(rf"(?<![0-9.,]){re.escape(size).replace('[.]', '[.,]')}(?![0-9])", text)
+        is_printed = re.search(rf"(?<![0-9.,]){re.escape(size).replace('[.]', '[.,]')}{_NO_FACTOR}", text)
         if size not in METRIC and not is_printed:
             continue
         value = Number(Fraction(size))

@@ -17,11 +17,11 @@ from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.steps.judging_state import JudgingState
-from symbalance.notes.checking.words.plain_formulas import lone_side
+from symbalance.notes.checking.words.plain_formulas import lone_side, plain_text
 from symbalance.notes.reading.equations import Chain, Side
 
 FEWEST = 2
-"""Letters with numbers that an equation has besides the one that is worked out."""
+"""Letters with numbers that an equation has besides the one worked out, a formula of it all."""
 
 
 def by_nearest_equation(
@@ -42,7 +42,8 @@ def by_nearest_equation(
     others = (names(equation.sides[0].node) | names(equation.sides[1].node)) - {head.name}
     numbers = {name: _number_above(state, name, chain) for name in sorted(others)}
     given = {name: each for name, each in numbers.items() if each is not None}
-    if len(given) < FEWEST:
+    is_formula = equation.sides[0].node == head and given.keys() == numbers.keys()
+    if len(given) < (1 if is_formula else FEWEST):
         return None
     rest = {name: each for name, each in knowledge.definitions.items() if name != head.name}
     freer = replace(knowledge, definitions={**rest, **given}, solved={}, solved_from=())
@@ -52,6 +53,30 @@ def by_nearest_equation(
         return None
     by_line = f"by line {equation.lines[0]}"
     return replace(decision, assumptions=(*decision.assumptions, by_line))
+
+
+def by_number_before(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the proof of a refuted number by the one right before it: 1/S = … ≈ 0.446, so S ≈ 2.24.
+
+    The line before has a number for a formula of the letter, and that one is not refuted.
+    """
+    head, value = chain.sides[0].node, chain.sides[k + 1].node
+    if k or not isinstance(head, Name) or names(value):
+        return None
+    above = [c for c in state.sections.in_order if c.end <= chain.start and len(c.sides) > 1]
+    last = max(above, key=lambda each: each.start, default=None)
+    if last is None or last.lines[-1] != chain.lines[0]:
+        return None
+    left, number = last.sides[0].node, last.sides[-1]
+    is_of_it = not isinstance(left, Name) and head.name in names(left) and not names(number.node)
+    if not is_of_it or number.span[0] in state.refuted:
+        return None
+    put_in = lone_side(substitute(left, head.name, value))
+    decision = decide(put_in, number, chain.relations[k].sign, knowledge)
+    if not decision.is_proved:
+        return None
+    shown = f"{plain_text(left)} = {plain_text(number.node)} before it"
+    return replace(decision, assumptions=(*decision.assumptions, shown))
 
 
 def by_nearest_formulas(

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from itertools import islice, product
 
 from symbalance.document.formula import Formula, Name, Number, Product, names, walk
 from symbalance.notes.algebra.tree_values import names_behind
@@ -21,12 +22,18 @@ from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.words.plain_formulas import lone_side
 from symbalance.notes.reading.equations import Chain, Side
 
+MOST_CHOICES = 8
+"""Ways to take the letters' numbers as printed, where lines print them in several units."""
+
 
 @dataclass
 class PrintedResults:
-    """The last number that a page has proved for each of its letters, with its line."""
+    """The numbers that a page has proved last for each of its letters, with their line.
 
-    numbers: dict[str, tuple[int, Formula]] = field(default_factory=dict)
+    A line may print one in several units, α = 0.0127 rad = 0.73°: what follows may go on with either.
+    """
+
+    numbers: dict[str, tuple[int, list[Formula]]] = field(default_factory=dict)
     of_formulas: dict[Fraction, Formula] = field(default_factory=dict)
     """The formulas that printed numbers of three digits stand for: 4549 for m r ω²."""
 
@@ -36,7 +43,9 @@ class PrintedResults:
         if names(value):
             return
         if isinstance(head, Name):
-            self.numbers[head.name] = (chain.lines[0], value)
+            line, values = self.numbers.get(head.name, (0, []))
+            own = values if line == chain.lines[0] else []
+            self.numbers[head.name] = (chain.lines[0], [value, *own])
         number = value.factors[0] if isinstance(value, Product) else value
         formula = next((s.node for s in reversed(chain.sides[: k + 1]) if names(s.node)), None)
         is_long = isinstance(number, Number) and significant_digits(number) >= LONG
@@ -64,25 +73,30 @@ class PrintedResults:
             if definition is None or definition.numeric or definition.alternatives:
                 return None
             left = definition.node
-        are_printed = False
-        for name in sorted(names(left)):
-            value = self._number(name, knowledge)
-            if value is not None:
-                left, are_printed = substitute(left, name, value), True
-            elif number_of(Name(name), knowledge) is None:
-                return None
-        if is_letter and not are_printed:
+        printed = {name: self._numbers(name, knowledge) for name in sorted(names(left))}
+        lacking = [name for name, values in printed.items() if not values]
+        if any(number_of(Name(name), knowledge) is None for name in lacking):
             return None
-        decision = decide(lone_side(left), right, chain.relations[k].sign, knowledge)
-        is_refuted = decision.status == REFUTED and not is_letter
-        return decision if decision.is_proved or is_refuted else None
+        choices = {name: values for name, values in printed.items() if values}
+        if is_letter and not choices:
+            return None
+        first: Decision | None = None
+        for chosen in islice(product(*choices.values()), MOST_CHOICES):
+            node = left
+            for name, value in zip(choices, chosen, strict=True):
+                node = substitute(node, name, value)
+            decision = decide(lone_side(node), right, chain.relations[k].sign, knowledge)
+            if decision.is_proved:
+                return decision
+            first = first or decision
+        return first if first is not None and first.status == REFUTED and not is_letter else None
 
-    def _number(self, name: str, knowledge: Knowledge) -> Formula | None:
-        """Return what the page has printed for a letter, None if it stands for something else since."""
-        line, value = self.numbers.get(name, (0, None))
-        if value is None or name in knowledge.angles | knowledge.universal:
-            return None
+    def _numbers(self, name: str, knowledge: Knowledge) -> list[Formula]:
+        """Return what the page has printed for a letter, none if it stands for something else since."""
+        line, printed = self.numbers.get(name, (0, []))
+        if not printed or name in knowledge.angles | knowledge.universal:
+            return []
         values = {n: d.node for n, d in knowledge.definitions.items()} | dict(knowledge.meaning.values)
         behind = {name, *names_behind(Name(name), values)}
         newer = any(n in knowledge.definitions and knowledge.definitions[n].line > line for n in behind)
-        return None if newer or behind & knowledge.angles else value
+        return [] if newer or behind & knowledge.angles else printed

@@ -212,7 +212,7 @@ def _is_of_square(state: JudgingState, value: Fraction) -> bool:
 def _has_squared_speed(state: JudgingState, chain: Chain) -> bool:
     """Tell whether an arithmetic has the number of an angular speed squared: 0.45·0.04·502.7²."""
     letters = {*_SURE} & state.results.numbers.keys()
-    speeds = {_leading(state.results.numbers[n][1]) for n in letters}
+    speeds = {_leading(value) for n in letters for value in state.results.numbers[n][1]}
     return any(_squares(side.node, speeds) for side in chain.sides)
 
 

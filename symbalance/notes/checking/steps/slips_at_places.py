@@ -91,7 +91,7 @@ def _with_printed(
 ) -> dict[str, Definition]:
     """Return definitions with the numbers that the page has printed for letters: λ = r/l = 0.281."""
     numbers = {n: state.results.numbers[n] for n in names(motion) if n in state.results.numbers}
-    printed = {n: Definition(value, line, True) for n, (line, value) in numbers.items()}
+    printed = {n: Definition(values[0], line, True) for n, (line, values) in numbers.items()}
     return {**definitions, **{n: d for n, d in printed.items() if not _is_number(definitions.get(n))}}
 
 

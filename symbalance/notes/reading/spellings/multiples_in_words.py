@@ -45,7 +45,8 @@ _MULTIPLES = {"Doppelte": "2", "Zweifache": "2", "Dreifache": "3", "Vierfache": 
 _COUNT = "|".join(_COUNTS)
 _AS = r"(?:[ ]as[ ][a-z]{3,8}[ ]as|[ ]so[ ][a-zäöüß]{3,8}[ ]wie)"
 _TIMES = rf"(?:times{_AS}?|mal{_AS}?|fois)"
-_HALF = rf"(?:[Hh]alf(?:[ ]of)?{_AS}?|(?:[Dd]ie[ ]Hälfte|[Hh]älfte)[ ]von|halb{_AS})"
+_HALF = rf"(?:[Hh]alf(?:[ ]of)?{_AS}?|(?:[Dd]ie[ ]Hälfte|[Hh]älfte)[ ]von|halb{_AS}"
+_HALF += r"|[Ll]a[ ](?:moitié[ ]de|mitad[ ]de|metà[ ]di)|[Mm]etade[ ]de|(?:[Dd]e[ ])?helft[ ]van)"
 _MULTIPLE = re.compile(
     rf"(?<![\w.,])(?:(?P<left>{_OPERAND}|(?:{_COUNT})(?=[ ](?:times|mal)))[ ~]{_TIMES}[ ]"
     rf"|(?P<fold>{_NUMBER})(?:[ -]?fold[ ]|-?mal[ ]|-?fach(?:e|en|es)?[ ](?:von[ ])?)"
@@ -73,6 +74,10 @@ _GOES_ON = re.compile(
     r"[ ~]*(?:[-+−*/·×^(²³]"
     r"|(?:plus|minus|times|mal|over|durch|divided|geteilt|squared|cubed|hoch|sin|cos|tan)\b)"
 )
+_TO_RELATION = re.compile(
+    r"[ ~$]*(?:[,:;、，：]|\bor\b|\bso\b|で|は)?[ ~]*(?:[^\W\d]{1,8}[ ~]){0,2}[$`*]*"
+)
+"""From a multiple to the relation that has its number: half of 811 N m, so M = 406 N m."""
 _TIMES_SIGN = " ⋅ "
 """Neither × nor ·: where products have a cross, a point between digits is a decimal point."""
 _BEFORE = 8
@@ -96,6 +101,43 @@ def with_multiples_in_signs(text: str) -> Rewritten | None:
         if start >= rewriter.place:
             rewriter.replace(start, end, *parts)
     return rewriter.finish()
+
+
+def multiple_said_before(text: str) -> float | None:
+    """Return the number that words at the end of a text compute, None for others.
+
+    >>> multiple_said_before("we take half of 811 N m, so ")
+    405.5
+    """
+    matches = [*_MULTIPLE.finditer(text), *_JAPANESE.finditer(text)]
+    last = max(matches, key=re.Match.end, default=None)
+    if last is None or not _TO_RELATION.fullmatch(text[last.end() :]):
+        return None
+    number = re.match(_NUMBER, last["right"])
+    factor = _multiple(last)
+    return None if number is None or factor is None else factor * _value(number.group())
+
+
+def _multiple(match: re.Match[str]) -> float | None:
+    """Return what a multiple in words multiplies by, None where that is a letter."""
+    groups = match.groupdict()
+    if digits := next((groups[n] for n in ("times", "fold", "fache", "share") if groups.get(n)), ""):
+        return _value(digits) / (100 if groups["share"] else 1)
+    if groups.get("above"):
+        return float(groups["above"]) / float(groups["below"])
+    if groups["half"]:
+        return 0.5
+    if groups.get("left"):
+        count = _COUNTS.get(groups["left"], groups["left"])
+        return _value(count) if re.fullmatch(_NUMBER, count) else None
+    if part := _part(match):
+        above, _, below = part.strip("()").partition("/")
+        return float(above.rstrip(" %")) / float(below or 100)
+    return float(_MULTIPLES.get(groups["named"], _COUNTS.get(groups["counted"], "2")))
+
+
+def _value(digits: str) -> float:
+    return float(digits.replace(",", "."))
 
 
 def _before_their_operand(text: str) -> Iterator[_Change]:
