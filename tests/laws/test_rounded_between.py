@@ -151,3 +151,7 @@ def test_a_number_follows_from_the_one_right_before_it(arrow, number, is_right):
     last = check(SAFETY.format(arrow, number)).data()["links"][-1]
     assert (last["verdict"] in ("holds_to_order", "conditional")) == is_right
     assert (last["verdict"] in ("refuted", "contradiction")) != is_right
+
+
+def test_no_root_is_lost_by_the_number_before():
+    assert check("$$x^2 = 4 \\Leftrightarrow x = 2$$").data()["links"][-1]["verdict"] == "refuted"

@@ -65,7 +65,6 @@ from symbalance.notes.checking.steps.another_case import (
 )
 from symbalance.notes.checking.steps.another_engine import leave_cranks, leave_engine, leave_premises
 from symbalance.notes.checking.steps.another_engines_numbers import (
-    as_multiple_in_words,
     as_number_in_words,
     as_number_of_another,
     as_supposed,
@@ -89,7 +88,10 @@ from symbalance.notes.checking.steps.data_lists import open_if_datum
 from symbalance.notes.checking.steps.derivatives_set_to_zero import leave_extreme
 from symbalance.notes.checking.steps.extremal_values import unless_no_extreme
 from symbalance.notes.checking.steps.finer_numbers import unless_finer_by_nothing
-from symbalance.notes.checking.steps.formula_one_slip_away import number_of_a_formula_one_slip_away
+from symbalance.notes.checking.steps.formula_one_slip_away import (
+    as_multiple_in_words,
+    number_of_a_formula_one_slip_away,
+)
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
 from symbalance.notes.checking.steps.letters_below import with_clauses_below

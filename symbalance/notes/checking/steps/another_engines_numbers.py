@@ -22,13 +22,8 @@ from symbalance.document.formula import (
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
-from symbalance.notes.checking.deciding.numbers_put_in import (
-    is_lone_number,
-    paired,
-    without_unit,
-)
+from symbalance.notes.checking.deciding.numbers_put_in import paired, without_unit
 from symbalance.notes.checking.premises.impossible_values import number_of
-from symbalance.notes.checking.steps.another_factor import formulas_only_stated
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.units.conversions import quantity_of
 from symbalance.notes.checking.verdicts import PREMISE, UNDECIDED
@@ -39,7 +34,6 @@ from symbalance.notes.checking.words.cases_named import (
 )
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
-from symbalance.notes.reading.spellings.multiples_in_words import multiple_said_before
 from symbalance.text import lazy_patterns as re
 
 REACH = 120
@@ -281,28 +275,6 @@ def as_supposed(state: JudgingState, chain: Chain, k: int) -> Decision | None:
     if k or _RELATION_ABOVE.search(words) or _SUPPOSED.search(words) is None or not chain.letters:
         return None
     return Decision(UNDECIDED, "supposed, and not so above")
-
-
-def as_multiple_in_words(
-    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
-) -> Decision | None:
-    """Return that a number is what the words before compute, half of 811 N m, and no formula; or None.
-
-    The formula that it does not fit is proved by nothing.
-    """
-    head, right = chain.sides[0].node, chain.sides[k + 1].node
-    if k or not isinstance(head, Name) or not is_lone_number(right):
-        return None
-    text = state.document.text
-    said = multiple_said_before(text[max(0, chain.start - REACH) : chain.start])
-    number = next((part for part in walk(right) if isinstance(part, Number)), None)
-    above = next(formulas_only_stated(state, chain, knowledge), None)
-    if said is None or number is None or above is None:
-        return None
-    if abs(said - float(number.value)) > float(number.last_place or 1) / 2 * (1 + 1e-9):
-        return None
-    reason = f"what the words before it come to, and not what line {above.line} does"
-    return Decision(UNDECIDED, f"{reason}, which nothing proves: one of the two is wrong")
 
 
 def leave_products_of_another(state: JudgingState, chain: Chain, k: int) -> bool:

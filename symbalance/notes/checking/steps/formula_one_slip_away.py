@@ -36,6 +36,7 @@ from symbalance.notes.checking.steps.another_factor import formulas_only_stated
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.units.dimensions import NONE, Dimensions
 from symbalance.notes.reading.equations import Chain
+from symbalance.notes.reading.spellings.multiples_in_words import multiple_said_before
 
 CLOSE = 5e-4
 """How near an arithmetic has to come to a formula that it was not written with."""
@@ -43,6 +44,8 @@ FEWEST_DIGITS = 3
 """Digits of a number, at least, that fits a formula by more than chance: one of sixty may fit two."""
 FEWEST_OF_EXCHANGE = 2
 """Digits where one letter stands for another of its dimension: a page has few of them."""
+REACH_OF_WORDS = 120
+"""Characters before a letter in which words may compute its number: half of 811 N m."""
 MOST_EDITS = 60
 """Edits of a formula that are tried: each is worked out in numbers, and a short formula has fewer."""
 _DIGITS_COMPARED = 4
@@ -78,6 +81,28 @@ def number_of_a_formula_one_slip_away(
                 reason = f"what {shown} comes to, one slip from line {above.line}, which {proved}"
                 return Decision(UNDECIDED, reason)
     return None
+
+
+def as_multiple_in_words(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> Decision | None:
+    """Return that a number is what the words before compute, half of 811 N m, and no formula; or None.
+
+    The formula that it does not fit is proved by nothing.
+    """
+    head, right = chain.sides[0].node, chain.sides[k + 1].node
+    if k or not isinstance(head, Name) or not is_lone_number(right):
+        return None
+    text = state.document.text
+    said = multiple_said_before(text[max(0, chain.start - REACH_OF_WORDS) : chain.start])
+    number = next(iter(parts_of_kind(right, Number)), None)
+    above = next(formulas_only_stated(state, chain, knowledge), None)
+    if said is None or number is None or above is None:
+        return None
+    if abs(said - float(number.value)) > float(number.last_place or 1) / 2 * (1 + 1e-9):
+        return None
+    reason = f"what the words before it come to, and not what line {above.line} does"
+    return Decision(UNDECIDED, f"{reason}, which nothing proves: one of the two is wrong")
 
 
 def _refuted(state: JudgingState, letter: Name, knowledge: Knowledge) -> Iterator[Premise]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Call, Formula, Name, Number, Power, names
+from symbalance.document.formula import Call, Formula, Name, Number, Power, names, walk
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
@@ -58,7 +58,8 @@ def by_nearest_equation(
 def by_number_before(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
     """Return the proof of a refuted number by the one right before it: 1/S = … ≈ 0.446, so S ≈ 2.24.
 
-    The line before has a number for a formula of the letter, and that one is not refuted.
+    The line before has a number for a formula that fixes the letter, one of x² = 4 does not, and that
+    number is not refuted.
     """
     head, value = chain.sides[0].node, chain.sides[k + 1].node
     if k or not isinstance(head, Name) or names(value):
@@ -69,7 +70,7 @@ def by_number_before(state: JudgingState, chain: Chain, k: int, knowledge: Knowl
         return None
     left, number = last.sides[0].node, last.sides[-1]
     is_of_it = not isinstance(left, Name) and head.name in names(left) and not names(number.node)
-    if not is_of_it or number.span[0] in state.refuted:
+    if not is_of_it or not _has_one_solution(left, head) or number.span[0] in state.refuted:
         return None
     put_in = lone_side(substitute(left, head.name, value))
     decision = decide(put_in, number, chain.relations[k].sign, knowledge)
@@ -77,6 +78,12 @@ def by_number_before(state: JudgingState, chain: Chain, k: int, knowledge: Knowl
         return None
     shown = f"{plain_text(left)} = {plain_text(number.node)} before it"
     return replace(decision, assumptions=(*decision.assumptions, shown))
+
+
+def _has_one_solution(node: Formula, letter: Name) -> bool:
+    """Tell whether a formula has each of its values once: 1/S and 2 S, but no power and no sine of S."""
+    parts = list(walk(node))
+    return parts.count(letter) == 1 and not any(isinstance(p, Power | Call) for p in parts)
 
 
 def by_nearest_formulas(
