@@ -38,11 +38,13 @@ def decide_as_complex(
 
     A letter j that nobody declared nor defined may be the imaginary unit: that is assumed then.
     """
-    if decision.status == REFUTED and sign == "≡":
-        return _some_turns_further(left, right, knowledge) or decision
-    if decision.status != REFUTED or sign not in "=≈":
+    if decision.status != REFUTED or sign not in "=≈≡":
         return decision
-    turned = _a_turn_further(left, right, sign, knowledge)
+    turned = (
+        _some_turns_further(left, right, knowledge)
+        if sign == "≡"
+        else _a_turn_further(left, right, sign, knowledge)
+    )
     if turned is not None:
         return turned
     own = names(left.node) | names(right.node)
