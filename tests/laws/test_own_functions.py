@@ -112,3 +112,31 @@ def test_another_value_than_the_best_is_not_accused(between):
     assert result in PROVED_WORDS
     *_, result = words(MAKER.replace("{}", between, 1).replace("{}", "0.25"))
     assert result in (REFUTED, CONTRADICTION)
+
+
+INERTIA = (
+    """The crank angle is $\\varphi$. The inertia is $J(\\varphi) = J_0 + m r^2\\sin^2\\varphi$.\n\n"""
+)
+RATE = "$$\\frac{\\mathrm{d}}{\\mathrm{d}t}(J\\dot\\varphi) = J\\ddot\\varphi + "
+
+
+def test_a_prime_without_its_place_is_the_derivative():
+    assert words(INERTIA + RATE + "J'\\dot\\varphi^2$$")[1] in PROVED_WORDS
+    assert words(INERTIA + RATE + "\\frac12 J'\\dot\\varphi^2$$")[1] == REFUTED
+    assert words(INERTIA + "$$J' = 2 m r^2\\sin\\varphi\\cos\\varphi$$")[1] in PROVED_WORDS
+
+
+@pytest.mark.parametrize(("factor", "outcomes"), [("", PROVED_WORDS), ("\\frac12", (REFUTED,))])
+def test_so_it_is_where_the_place_is_a_macro(tmp_path, factor, outcomes):
+    page = INERTIA + RATE + factor + "J'\\dot\\varphi^2$$\n"
+    path = tmp_path / "page.tex"
+    path.write_text("\\newcommand{\\ph}{\\varphi}\n" + page.replace("\\varphi", "\\ph"), encoding="utf-8")
+    assert check(path).verdicts[-1].verdict in outcomes
+
+
+def test_a_prime_is_a_mark_where_its_letter_is_another():
+    another = "With the flywheel it is $J' = J + J_S$, so $J' - J = J_S$."
+    assert words(INERTIA + another)[1] == DEFINITION
+    assert REFUTED not in words(INERTIA + another)
+    plain = "The crank angle is $\\varphi$. The inertia is $J = J_0 + m r^2\\sin^2\\varphi$.\n\n"
+    assert words(plain + "The other is $J' = 2 m r^2$.")[1] == DEFINITION

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -37,9 +38,13 @@ def decide_as_complex(
 
     A letter j that nobody declared nor defined may be the imaginary unit: that is assumed then.
     """
-    if decision.status != REFUTED or sign not in "=≈":
+    if decision.status != REFUTED or sign not in "=≈≡":
         return decision
-    turned = _a_turn_further(left, right, sign, knowledge)
+    turned = (
+        _some_turns_further(left, right, knowledge)
+        if sign == "≡"
+        else _a_turn_further(left, right, sign, knowledge)
+    )
     if turned is not None:
         return turned
     own = names(left.node) | names(right.node)
@@ -73,6 +78,29 @@ def _a_turn_further(left: Side, right: Side, sign: str, knowledge: Knowledge) ->
         if there.is_proved:
             return there
     return None
+
+
+def _some_turns_further(left: Side, right: Side, knowledge: Knowledge) -> Decision | None:
+    """Return the proof that angles are congruent, 480° ≡ 120°: they differ by whole turns; or None."""
+    sides = (left, right)
+    if not all(any(part == Constant("pi") for part in walk(side.node)) for side in sides):
+        return None
+    values = {name: Number(Fraction(1)) for side in sides for name in names(side.node)}
+    nodes = [side.node for side in sides]
+    for name, value in values.items():
+        nodes = [substitute(node, name, value) for node in nodes]
+    gap = _gap(nodes[1], nodes[0], knowledge)
+    turns = 0 if gap is None else round(float(gap.real) / math.tau)
+    if not turns:
+        return None
+    turn = Product((Number(Fraction(2 * turns)), Constant("pi")))
+    try:
+        further = left.changed(lambda node: Sum((node, turn)))
+    except NoFormError:
+        return None
+    there = decide(further, right, "=", knowledge)
+    text = f"{abs(turns)} turn{'' if abs(turns) == 1 else 's'} apart"
+    return replace(there, assumptions=(*there.assumptions, text)) if there.is_proved else None
 
 
 def _agree_as_printed(left: Formula, right: Formula, knowledge: Knowledge) -> bool:

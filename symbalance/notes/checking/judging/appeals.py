@@ -16,7 +16,7 @@ from symbalance.notes.checking.judging.open_reasons import unless_open
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.premises.premise_decisions import must_follow
 from symbalance.notes.checking.steps.angle_equations import at_rough_angle
-from symbalance.notes.checking.steps.dead_centres import angle_there
+from symbalance.notes.checking.steps.dead_centres import angle_named, angle_there
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.letters_below import with_letters_below
 from symbalance.notes.checking.steps.stated_equations import unless_stated
@@ -72,6 +72,8 @@ def _at_stated_angle(
 ) -> Decision:
     """Return the proof of a relation at an angle its sentence names: at top dead centre, where θ = 0.
 
+    So too where it says "at 90°" and no letter, or where the heading gives the angle.
+
     An angle stays free where a line gives it a number; a relation without it may be meant there. One
     that is wrong there too is refuted there, where its line gives the angle. Between numbers no angle
     counts: what refutes them is the formula before, or its unit.
@@ -86,10 +88,12 @@ def _at_stated_angle(
             continue
         is_here = state.sections.paragraph_start(line) <= definition.line
         is_here = is_here or state.sections.looks_back(chain, definition.line)
+        is_here = is_here or line <= (state.sections.end_of_angle_headed(definition.line) or 0)
         if is_here or line <= state.sections.case_end(definition.line):
             angles.append((name, definition.node))
-    if (at_centre := angle_there(state, chain, k, knowledge)) is not None:
-        angles.append(at_centre)
+    for named in (angle_there(state, chain, k, knowledge), angle_named(state, chain, knowledge)):
+        if named is not None:
+            angles.append(named)
     refuted_there = decision
     for name, value in angles:
         if name in names(right.node):

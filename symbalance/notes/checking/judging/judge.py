@@ -164,7 +164,7 @@ class Judge:
     def __post_init__(self) -> None:
         symbols_at = self.declarations.symbols_at
         self.document = with_angles_of_time(with_both_readings(self.document, symbols_at))
-        self.document = with_own_functions(self.document)
+        self.document = with_own_functions(self.document, self.declarations.symbols)
         text = self.document.text
         self.document = replace(self.document, text=with_units_shown(text), as_typed=text)
         data = data_of(self.document, symbols_at)

@@ -13,6 +13,7 @@ letter that words call something else, or any formula that the same words may me
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -40,6 +41,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.meant.catalogue import Quantity
 from symbalance.notes.checking.meant.catalogue.roles import cylinders, net_force
 from symbalance.notes.checking.meant.claims_in_letters import (
     in_letters,
@@ -60,6 +62,7 @@ from symbalance.notes.checking.meant.quantity_words import Named, Places, Quanti
 from symbalance.notes.checking.meant.stated_numbers import StatedNumbers
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
+from symbalance.notes.checking.words.engines_in_words import EnginesInWords
 from symbalance.notes.checking.words.glossary import glossary_of
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
@@ -124,10 +127,12 @@ _OF_A_LETTER = (
 _ENGINE_SIZE = re.compile(
     r"\b(?:two|three|four|five|six|eight|twelve|[2-9]|1[0-9])[- ]cylinder(?!s)|\b(?:zwei|drei|vier|fünf"
     r"|sechs|acht)zylinder"
-    r"|[2-9２-９]気筒",
+    r"|[2-9２-９]気筒|\bV-?[2468]\b|\bV1[026]\b",
     re.IGNORECASE,
 )
 """The number of an engine's cylinders, which its formulas take as it is."""
+_SINGLE = re.compile("single|ein[^ s]|mono|単", re.IGNORECASE)
+"""The name of an engine of one cylinder, and no words of one cylinder of an engine."""
 _ROD_FORCE = re.compile(
     r"\brod\s+(?:force|thrust|load)|(?:force|thrust)\s+(?:in|of|along|on)\s+the\s+(?:connecting[- ])?rod"
     r"|(?:pleuel|stangen)-?kraft|(?:連接棒|コンロッド)[^、。]{0,8}力|bielle|biela",
@@ -173,6 +178,16 @@ class NamedQuantities:
     def stated(self) -> StatedNumbers:
         """The numbers that words of the document give for a share, or for the cylinders."""
         return StatedNumbers(self.page)
+
+    @cached_property
+    def counts(self) -> frozenset[int]:
+        """The numbers of cylinders that the page's engines may have by their names; empty if any."""
+        engines = EnginesInWords(self.document.text).every
+        if any(not engine.cylinders and not _size_of_vee(engine.words) for engine in engines):
+            return frozenset()
+        sizes = {engine.cylinders or _size_of_vee(engine.words) for engine in engines}
+        is_of_one = any(e.cylinders == 1 and _SINGLE.match(e.words) for e in engines)
+        return frozenset(sizes if is_of_one else sizes - {1})
 
     @cached_property
     def counts_from_elsewhere(self) -> bool:
@@ -348,6 +363,7 @@ class NamedQuantities:
         for quantity in self.forms.possible(name, candidates):
             every = (*quantity.formulas, *quantity.approximate)
             every = every if any(each.is_by_use for each in candidates) else (*every, *quantity.others)
+            every = (*every, *self._counted(quantity, every, claim, name, knowledge))
             targets = self.roles.targets(every, claim, knowledge.meanings, quantity.together, name)
             if any(agrees(target, claim) for target in targets):
                 return None
@@ -377,12 +393,42 @@ class NamedQuantities:
         if count is not None and named.quantity.only is not None:  # f = 6 n/2 of a six-cylinder engine
             put_in = (substitute(f, cylinders.name, Number(Fraction(count))) for f in formulas)
             formulas = (*formulas, *(f for f in put_in if f not in formulas))
+        formulas = (*self._counted(named.quantity, formulas, claim, name, knowledge), *formulas)
         every = self.stated.with_numbers(formulas, named.quantity.stated)
         shaped = tuple(as_side(named.left, formula) for formula in every)
         head = name
         if ("", "own_inertia") in together and not index_of(name):
             head = f"{name}_{named.end}"
         return list(self.roles.targets(shaped, claim, knowledge.meanings, together, head))
+
+    def _counted(
+        self,
+        quantity: Quantity,
+        formulas: tuple[Formula, ...],
+        claim: Formula,
+        name: str,
+        knowledge: Knowledge,
+    ) -> tuple[Formula, ...]:
+        """Return formulas of all cylinders, where a quantity may be of one too, with their number put in.
+
+        The number is the page's, or a whole factor of the claim that stands apart: 3 of 3·(π/4) D² S.
+        """
+        of_all = [
+            node for node in formulas if cylinders.name in names(node) and _is_times_cylinders(node)
+        ]
+        of_one = tuple(node for node in formulas if cylinders.name not in names(node))
+        if not of_all or not of_one or quantity.stated:
+            return ()
+        is_of_sizes = not any("volume" in names(node) for node in of_all)  # that may be the engine's
+        counts = set(self.counts if len(self.counts) == 1 and is_of_sizes else ())
+        for number, rest in _factors_apart(claim):
+            targets = self.roles.targets(of_one, rest, knowledge.meanings, quantity.together, name)
+            is_of_one = any(is_multiple(target, rest) for target in targets)
+            if is_of_one and (not self.counts or number in self.counts):
+                counts.add(number)
+        return tuple(
+            substitute(f, cylinders.name, Number(Fraction(n))) for n in sorted(counts) for f in of_all
+        )
 
     def text(self, name: str, named: Named) -> str:
         """Return what a letter is taken to be, and what says so."""
@@ -417,7 +463,9 @@ class NamedQuantities:
         is_of_more = quantity.is_of_one and (count or 1) > 1
         is_scaled = is_of_more or any(self.roles.is_multiplied(n) for n in outside_calls(claim))
         own = _without_letters_named(named.sentence, names(claim))
-        own = own if quantity.only is None else _ENGINE_SIZE.sub("", own)
+        is_counted = any(cylinders.name in names(formula) for formula in quantity.formulas)
+        if quantity.only is not None or (is_counted and len(self.counts) == 1):
+            own = _ENGINE_SIZE.sub("", own)
         is_in_words = may_be_part(own)
         is_part = is_in_words or _has_own_convention(claim, knowledge)
         is_part = is_scaled or (is_part and "part" not in quantity.slips)
@@ -497,6 +545,33 @@ class NamedQuantities:
 
         verdict = describe(self.document, chain, 0, decision)
         return add_fix(verdict, self.document, side, decision, known, proves)
+
+
+def _size_of_vee(words: str) -> int:
+    """Return the cylinders that the name of an engine in banks says, 8 of V8; 0 for none."""
+    digits = re.search(r"[0-9]{1,2}", words)
+    return int(digits[0]) if digits else 0
+
+
+def _is_times_cylinders(node: Formula) -> bool:
+    """Tell whether a formula is that of one cylinder times their number."""
+    return agrees(node, cylinders * substitute(node, cylinders.name, Number(Fraction(1))))
+
+
+def _factors_apart(node: Formula) -> Iterator[tuple[int, Formula]]:
+    """Yield each whole number that multiplies all else of a formula, with the rest."""
+    match node:
+        case Product(factors=factors):
+            for k, factor in enumerate(factors):
+                if isinstance(factor, Number) and factor.value.denominator == 1 and factor.value > 1:
+                    yield int(factor.value), Product((*factors[:k], *factors[k + 1 :]))
+                elif isinstance(factor, Quotient):
+                    for number, rest in _factors_apart(factor):
+                        yield number, Product((*factors[:k], rest, *factors[k + 1 :]))
+        case Quotient(numerator=above, denominator=below):
+            yield from ((number, rest / below) for number, rest in _factors_apart(above))
+        case _:
+            return
 
 
 def may_be_part(sentence: str) -> bool:

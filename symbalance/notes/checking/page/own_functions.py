@@ -2,6 +2,9 @@
 
 S is the formula, S(k) is S, S(1/2) its value there, and S'(k) its derivative by k. A letter that is given
 as a function of two different letters, f(x) and f(t), is left as it is.
+
+J' without its place is the derivative too, where J(φ) has a wave of φ and J' is declared as no other
+letter: a prime is a mark like any other elsewhere, J' = J + m r².
 """
 
 from __future__ import annotations
@@ -11,6 +14,7 @@ from dataclasses import replace
 
 from symbalance.document.formula import (
     Apply,
+    Call,
     Derivative,
     Evaluation,
     Formula,
@@ -22,6 +26,7 @@ from symbalance.document.formula import (
     names,
     walk,
     with_children,
+    with_parts_changed,
 )
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.text import lazy_patterns as re
@@ -34,27 +39,80 @@ _OF_TIME = re.compile(r"\(\s?\\?(?P<letter>[^\W\d_]+)\s?\)$")
 """The t of x(t), which is read as x."""
 
 
-def with_own_functions(document: ReadNotes) -> ReadNotes:
-    """Return a page with its own functions as letters that have formulas."""
-    variables = _functions(document)
-    if not variables:
-        return document
-    chains = tuple(_chain(chain, document.text, variables) for chain in document.chains)
-    return replace(document, chains=chains)
+_DERIVATIVE = re.compile(
+    r"derivative|ableitung|dérivée|deriva(?:ta|da)|afgeleide|derivata|pochodn|derivac|微分|導関数|rate",
+    re.IGNORECASE,
+)
+"""Words of a declaration by which J' is what its prime says."""
 
 
-def _functions(document: ReadNotes) -> dict[str, str]:
-    """Return the letters that a page defines as functions, each with the letter it is a function of."""
+def with_own_functions(document: ReadNotes, symbols: Mapping[str, str] | None = None) -> ReadNotes:
+    """Return a page with its own functions as letters with formulas; `symbols` are those declared."""
+    of_one = _variables(document)
+    defined = {name for chain in document.chains if (name := _defined(chain))}
+    variables = {name: variable for name, variable in of_one.items() if name in defined}
+    chains = document.chains
+    if variables:
+        chains = tuple(_chain(chain, document.text, variables) for chain in chains)
+    primed = _primed(chains, of_one, symbols or {})
+    if primed:
+        chains = tuple(_with_derivatives(chain, primed) for chain in chains)
+    return document if chains is document.chains else replace(document, chains=chains)
+
+
+def _primed(
+    chains: tuple[Chain, ...], variables: Mapping[str, str], symbols: Mapping[str, str]
+) -> dict[str, Derivative]:
+    """Return the derivatives that letters with primes are, those of functions that have a wave."""
+    own = {part.name for c in chains for s in c.sides for part in walk(s.node) if isinstance(part, Name)}
+    sides = [(c.sides[0].node, side.node) for c in chains for side in c.sides[1:]]
+    primed: dict[str, Derivative] = {}
+    for name in own:
+        stem = name.rstrip("'")
+        order, variable = len(name) - len(stem), variables.get(stem)
+        if variable is None or not 0 < order <= HIGHEST:
+            continue
+        own_formulas = [right for left, right in sides if left == Name(stem)]
+        has_wave = any(_has_wave_of(right, variable) for right in own_formulas)
+        is_other = any(left == Name(name) and stem in names(right) for left, right in sides)
+        is_told = _DERIVATIVE.search(symbols[name]) is not None if name in symbols else has_wave
+        if is_told and not is_other:
+            primed[name] = Derivative(Name(stem), Name(variable), order)
+    return primed
+
+
+def _has_wave_of(node: Formula, variable: str) -> bool:
+    return any(isinstance(part, Call) and variable in names(part.argument) for part in walk(node))
+
+
+def _with_derivatives(chain: Chain, primed: Mapping[str, Derivative]) -> Chain:
+    """Return a chain with derivatives for letters with primes."""
+
+    def changed(node: Formula) -> Formula:
+        if isinstance(node, Name) and node.name in primed:
+            return replace(primed[node.name], span=node.span)
+        return with_parts_changed(node, changed)
+
+    sides = tuple(replace(side, readings=tuple(map(changed, side.readings))) for side in chain.sides)
+    return replace(chain, sides=sides) if sides != chain.sides else chain
+
+
+def _variables(document: ReadNotes) -> dict[str, str]:
+    """Return the letters that a page has as functions, each with the one letter it is a function of."""
     variables: dict[str, set[str]] = {}
+    every = [part for chain in document.chains for side in chain.sides for part in walk(side.node)]
+    sources = [(part, document.source(part.span)) for part in every if isinstance(part, Name)]
+    written = {source.strip().lstrip("\\"): part.name for part, source in sources}  # \ph of a macro
     for chain in document.chains:
         for part in (part for side in chain.sides for part in walk(side.node)):
             if isinstance(part, Name) and (place := _OF_TIME.search(document.source(part.span))):
-                variables.setdefault(part.name, set()).add(place["letter"])
+                variable = written.get(place["letter"], place["letter"])
+                if variable != part.name:
+                    variables.setdefault(part.name, set()).add(variable)
             applied = _applied(part)
             if applied is not None and isinstance(applied[1], Name):
                 variables.setdefault(applied[0].name.rstrip("'"), set()).add(applied[1].name)
-    defined = {name for chain in document.chains if (name := _defined(chain))}
-    return {name: min(variables[name]) for name in defined if len(variables.get(name, ())) == 1}
+    return {name: min(own) for name, own in variables.items() if len(own) == 1}
 
 
 def _applied(node: Formula) -> tuple[Name, Formula] | None:

@@ -29,7 +29,7 @@ def decide_solution(
 
     cos θ = 0.25, so θ = 75.5°: it is one of the solutions to the digits printed, or it is none.
     """
-    condition = definitions.open_conditions.get(name)
+    condition = definitions.open_condition(name, chain.lines[0])
     if condition is None or k or names(value) or not definitions.sections.is_consequence(chain):
         return None
     violated = refute_solution(definitions, name, value, chain, k, knowledge)
@@ -48,8 +48,8 @@ def refute_solution(
     definitions: Definitions, name: str, value: Formula, chain: Chain, k: int, knowledge: Knowledge
 ) -> Decision | None:
     """Return the contradiction between the value of an angle and the condition solved by it."""
-    condition = definitions.open_conditions.get(name)
     line = chain.lines[0]
+    condition = definitions.open_condition(name, line)
     if condition is None or names(value) - names(condition.left) - names(condition.right):
         return None
     if condition.line > line or definitions.sections.premise_end(chain, is_number=True) is not None:

@@ -113,10 +113,14 @@ def constraint_of(
         is_new = not (name in earlier or knowledge.has_meaning(name))
         if is_new and (first + second)[name] == 1 and not _inside_derivative(node, name):
             constraint = _constraint(node, other_side, name, knowledge)
-            if constraint is not None:
-                return constraint
+            if constraint is not None and not (k and _has_rate(constraint.node)):
+                return constraint  # J_0 φ̇²/2 + m ẋ²/2 = J φ̇²/2 does not say that J_0 changes
     derivative = _lone_derivative(left, right, knowledge)
     return Constraint(derivative, right) if derivative else None
+
+
+def _has_rate(node: Formula) -> bool:
+    return any(isinstance(part, Derivative) for part in formula.walk(node))
 
 
 _ANGLE_OF_CRANK = {"theta": 2, "vartheta": 2, "phi": 1, "varphi": 1, "alpha": 1}

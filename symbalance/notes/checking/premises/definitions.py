@@ -117,8 +117,8 @@ class Definitions:
         if is_zero and name in self.letters_before(line):
             last = min(last or self.sections.section_end(line), self.sections.section_end(line))
         own = line if self.sections.is_labelled_item(line) else None
-        place = self.sections.end_of_angle_headed(line) if not names(node) else None
-        end = min((n for n in (end, last, own, place) if n is not None), default=None)
+        end = min((n for n in (end, last, own) if n is not None), default=None)
+        end = end if names(node) else self._within_place(line, end)
         self._add(name, Entry(definition, self.declarations.scopes_of({name, *names(node)}, line), end))
         self._note_case(chain, frozenset({name}))
         return last_line is not None
@@ -137,6 +137,8 @@ class Definitions:
         )
         scopes = self.declarations.scopes_of({constraint.name, *names(node)}, line)
         last_line = self.sections.premise_end(chain, is_number=not names(node))
+        if not names(node):
+            last_line = self._within_place(line, last_line)
         self._add(constraint.name, Entry(definition, scopes, last_line))
 
     def mark_as_rough(self, name: str, line: int) -> None:
@@ -311,6 +313,12 @@ class Definitions:
         for name in {*(premise.names & angles), *turned}:
             self.open_conditions[name] = premise
 
+    def open_condition(self, name: str, line: int) -> Premise | None:
+        """Return the condition on an angle that its value on a line would solve; None for none."""
+        condition = self.open_conditions.get(name)
+        end = None if condition is None else self._within_place(condition.line, condition.last_line)
+        return None if end is None or line > end else condition
+
     def forget_moment(self, value: Formula) -> None:
         """Forget a refuted number that a relation gave what moves: no angle follows from it."""
         self.premises = [p for p in self.premises if p.right is not value]
@@ -327,7 +335,14 @@ class Definitions:
         last_line = self.sections.premise_end(chain, is_number=not names(right))
         if last_line is None and not names(right):
             last_line = self.end_of_place(left, chain.lines[0])
+        if not (names(left) and names(right)):
+            last_line = self._within_place(chain.lines[0], last_line)
         return Premise(left, right, chain.lines[0], EVERYWHERE if last_line is None else last_line)
+
+    def _within_place(self, line: int, last_line: int | None) -> int | None:
+        """Return where a number ends, which is no later than the section that an angle heads."""
+        ends = [n for n in (last_line, self.sections.end_of_angle_headed(line)) if n is not None]
+        return min(ends, default=None)
 
     def end_of_place(self, node: Formula, line: int) -> int | None:
         """Return where the angle ends at which a formula has a value: x = 6.71 at θ = 90° of item b)."""

@@ -20,6 +20,8 @@ from symbalance.document.formula import (
     Name,
     Negative,
     Number,
+    Product,
+    Quotient,
     names,
     walk,
 )
@@ -74,6 +76,15 @@ def angle_there(
         turned &= {*names_behind(chain.sides[k].node, values)}
         name = next(iter(turned)) if len(turned) == 1 else ""
     return (name, CENTRES[bool(centre)]) if name else None
+
+
+def angle_named(state: JudgingState, chain: Chain, knowledge: Knowledge) -> tuple[str, Formula] | None:
+    """Return the crank angle and its value that a relation's sentence names: at 90°, bei 90°."""
+    degrees = state.sections.place_of_sentence(chain)
+    name = angle_of_crank(state, chain.lines[0], knowledge) if degrees is not None else ""
+    if not name or degrees is None:
+        return None
+    return name, Product((Number(Fraction(degrees)), Quotient(Constant("pi"), Number(Fraction(180)))))
 
 
 def _turned(node: Formula) -> set[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -271,7 +272,7 @@ _FROM = re.compile(
 """Before a dead centre that a path or an angle is counted from: Kolbenweg ab OT."""
 _PLACE = re.compile(
     rf"({_TOP}|{_SHORT_TOP})|({_BOTTOM}|{_SHORT_BOTTOM})"
-    r"|(?<![A-Za-z])(?:at|for|bei|für|fuer|pour)\s+(?:an?\s+angle\s+of\s+)?(?:\$?\\?[a-zθφα]{1,8}\s?=\s?)?\$?"
+    r"|(?<![A-Za-z])(?:at|for|bei|für|fuer|pour|à|en|przy|vid)\s+(?:an?\s+(?:crank\s+)?angle\s+of\s+)?(?:\$?\\?[a-zθφα]{1,8}\s?=\s?)?\$?"
     r"([0-9]{1,3})\s?\$?(?:°|\^\{?\\circ|degrees?|Grad)|([0-9]{1,3})\s?(?:°|度)\$?(?:では|のとき)"
     r"|(?:[αβγθφϕψ]|\\(?:alpha|beta|gamma|theta|varphi|phi|psi))\s?=\s?([0-9]{1,3})\s?(?:°|\^\{?\\circ)",
     re.IGNORECASE,
@@ -345,9 +346,19 @@ class Sections:
 
     def end_of_angle_headed(self, line: int) -> int | None:
         """Return the last line of a section whose heading is an angle of the crank, 30°; or None."""
-        if _PLACE_HEADING.fullmatch(self.heading_above(line).strip()) is None:
-            return None
-        return self.section_end(line)
+        is_place = _PLACE_HEADING.fullmatch(self.heading_above(line).strip()) is not None
+        is_place = is_place or self.section_start(line) in self._headings_of_angles
+        return self.section_end(line) if is_place else None
+
+    @cached_property
+    def _headings_of_angles(self) -> frozenset[int]:
+        """The lines of headings that differ in an angle: Punkt φ = 30° and Punkt φ = 90°."""
+        alike: dict[str, dict[str, int]] = {}
+        for line in self._headings:
+            words = self._lines[line - 1].strip()
+            for key in _angle_headed(words):
+                alike.setdefault(key, {})[words] = line
+        return frozenset(line for lines in alike.values() if len(lines) > 1 for line in lines.values())
 
     def heading_above(self, line: int) -> str:
         """Return the heading of the section that a line stands in, "" where there is none."""
@@ -955,6 +966,14 @@ class Sections:
         words = self.document.text[first : chain.start]
         return _last_place(self._english(_SENTENCE_OR_ITEM.split(words)[-1]))
 
+    def place_of_sentence(self, chain: Chain) -> int | None:
+        """Return the angle in degrees that a relation's sentence or heading names before it, or None."""
+        named = _last_place(self._english(self.sentence_before(chain)))
+        if named is not None or self.end_of_angle_headed(chain.lines[0]) is None:
+            return named
+        angles = [*_WHOLE_DEGREES.finditer(self.heading_above(chain.lines[0]))]
+        return int(angles[-1]["degrees"]) if angles else None
+
     def place_behind(self, chain: Chain) -> int | None:
         """Return the angle in degrees at which words right behind a letter's value place it, or None."""
         words = re.split(
@@ -1081,9 +1100,25 @@ def _gives(chain: Chain, name: str) -> bool:
     return any(isinstance(side.node, Name) and side.node.name == name for side in chain.sides)
 
 
+def _angle_headed(words: str) -> Iterator[str]:
+    """Yield what a heading with an angle has in common with that of another case: form and letter."""
+    form = _NUMBER_OR_MARK.sub("#", words)
+    angle = _ANGLE_IN_FORM.search(form)
+    if angle:
+        yield form
+        if angle["letter"]:
+            yield angle["letter"]
+
+
+_NUMBER_OR_MARK = re.compile(r"[0-9]+(?:(?:[.,]|\{,\})[0-9]+)?|(?<![A-Za-z\\])[A-H](?![A-Za-z])")
+_DEGREES = (
+    r"[\s$~]*(?:\\,)?(?:°|&deg;|\^?\{?\\circ|\\degree|\\dg|(?:degrees?|deg|Grad|degrés)(?![A-Za-z])|度)"
+)
+_ANGLE_IN_FORM = re.compile(rf"(?:(?P<letter>\\?[^\W\d]\w{{0,12}})[\s$]*=[\s$]*[-−+]?)?#{_DEGREES}")
+_WHOLE_DEGREES = re.compile(rf"(?<![\w.,])(?P<degrees>[0-9]{{1,3}}){_DEGREES}")
 _PLACE_HEADING = re.compile(
     r"(?:[#=*\s]|\d{1,2}[.)]|[a-z]\)|\\(?:sub){0,2}section\*?\{|\\paragraph\{)*"
-    r"(?:(?:at|for|bei|für|à|pour|case|fall|position|stellung|angle|winkel|kurbelwinkel|crank\s+angle)\s+)*"
+    r"(?:(?:at|for|bei|für|à|pour|cas[eo]?|fall|position|stellung|point|punk?to?|posi[cz]i[oó]ne?|instant|位置|angle|winkel|kurbelwinkel|crank\s+angle)\s+)*"
     r"\$?(?:\\?[a-zA-Zα-ω]{1,10}\s*=\s*)?[0-9]{1,3}(?:[.,][0-9])?\s*\$?(?:°|\^?\{?\\circ\}?|degrees?|deg|Grad|度)"
     r"(?:\s*の場合)?[\s:$}#=*]*",
     re.IGNORECASE,

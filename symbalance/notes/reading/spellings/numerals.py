@@ -216,7 +216,8 @@ def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
     if not matches and not grouped and not both:
         return {}
     is_usual = len(_LANGUAGES.findall(text)) >= FEWEST_WORDS
-    sure = [*(match for match in matches if _is_surely_decimal(match, is_usual)), *both]
+    plain = [match for match in matches if _is_surely_decimal(match, is_usual)]
+    sure = [*plain, *both]
     points = [match for match in _POINT.finditer(text) if len(match[2]) != 3 or match[1] == "0"]
     changes: dict[int, tuple[int, str]] = {}
     if sure and len(sure) >= len(points):
@@ -227,9 +228,7 @@ def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
         _note(notes, "points between thousands", {m.start(): changes[m.start()] for m in thousands}, text)
         return changes
     zeros = {
-        m.start(): (m.end(), f"{m[1]}.{m[3]}")
-        for m in sure
-        if m not in both and m[1].strip("0") == "" and len(m[3]) > 1
+        m.start(): (m.end(), f"{m[1]}.{m[3]}") for m in plain if m[1].strip("0") == "" and len(m[3]) > 1
     }
     if zeros:  # 0,5 · 0,04 among points
         zeros |= {
@@ -237,6 +236,8 @@ def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
             for m in matches
             if m[1] == "0" and _BEFORE_OPERATION.match(text, m.end())
         }
+    if any(m[2] == "{,}" for m in plain):  # a brace that is decimal once is always
+        zeros |= {m.start(): (m.end(), f"{m[1]}.{m[3]}") for m in matches if m[2] == "{,}"}
     _note(notes, "decimal commas", zeros, text)
     if not points and not is_usual:  # 3,900/2,883 = 1.353 has both, and no words of a decimal comma
         points = [match for match in _POINT.finditer(text) if _follows_formula(text, match)]

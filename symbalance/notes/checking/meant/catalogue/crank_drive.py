@@ -77,7 +77,7 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         (PI * diameter**2 * stroke / 4, PI * diameter**2 * stroke * cylinders / 4,
          PI * diameter**2 * crank / 2, PI * diameter**2 * crank * cylinders / 2, area * stroke,
          area * stroke * cylinders, 2 * area * crank),
-        others=(PI * radius**2 * stroke,),
+        others=(PI * radius**2 * stroke, PI * radius**2 * stroke * cylinders),
         unless=words(r"clearance|compression volume|kompressionsraum|隙間容積|opposed"
         r"|gegenkolben|対向"),
     ),
