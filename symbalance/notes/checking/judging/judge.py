@@ -144,6 +144,7 @@ from symbalance.notes.checking.words.terms_of_a_kind import unlike_terms
 from symbalance.notes.checking.words.unit_or_letter import with_both_readings
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.notes.reading.markup.unit_macros import with_units_shown
+from symbalance.notes.reading.spellings.numerals import with_raised_points_lowered
 
 
 @dataclass
@@ -161,7 +162,8 @@ class Judge:
         self.document = with_angles_of_time(with_both_readings(self.document, symbols_at))
         self.document = with_own_functions(self.document)
         text = self.document.text
-        self.document = replace(self.document, text=with_units_shown(text), as_typed=text)
+        shown = with_raised_points_lowered(with_units_shown(text))
+        self.document = replace(self.document, text=shown, as_typed=text)
         data = data_of(self.document, symbols_at)
         chains = (*self.document.chains, *data)
         every = with_turns(with_speeds(replace(self.document, chains=chains), symbols_at)).chains

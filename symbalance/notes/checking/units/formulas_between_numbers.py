@@ -33,7 +33,7 @@ from symbalance.notes.checking.deciding.numbers_put_in import without_unit
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import significant
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
-from symbalance.notes.checking.units.conversions import POUND, POUND_FORCE, quantity_of
+from symbalance.notes.checking.units.conversions import POUND, POUND_FORCE, Quantity, quantity_of
 from symbalance.notes.checking.units.dimensions import written_unit
 from symbalance.notes.checking.units.own_units import is_per_minute
 from symbalance.notes.reading.equations import ReadNotes, Side
@@ -60,7 +60,14 @@ _PURE = tuple(
 """What a formula between quantities may have as its factor."""
 _ROUGH = 0.002
 """What a pure factor may be off by, beside the digits of the constant and of the result: 32.2 for g."""
-_DIGITS = re.compile(r"[0-9]+(?:[.,][0-9]+)?")
+_DIGITS = re.compile(r"[0-9]{1,3}(?:,[0-9]{3})+(?![0-9])|[0-9]+(?:[.,][0-9]+)?")
+_THOUSANDS = re.compile(r"[0-9]{1,3}(?:,[0-9]{3})+")
+"""3,000, which the page may mean as three thousand or as three."""
+_MOST_OF_A_TURN = 10
+"""More than the 2π by which a speed in radians and one in turns differ, less than a thousand."""
+INCHES_IN_A_FOOT = 12
+_INCHES = re.compile(r"[0-9¼½¾][\s~$]*\\?(?:(?:text|mathrm)\{\s?)?(?:in(?:ch(?:es)?)?\b|[\"″])")
+_FEET = re.compile(r"(?:ft|lbf·ft)\b")
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,8 +84,9 @@ def decide_between_numbers(
     """Return the proof that a formula has a result as a number in its unit; None where it has none."""
     result = quantity_of(right, document)
     measured = {id(number) for number in _with_units(left.node, document)}
-    constants = [number for number in _converting(left.node) if id(number) not in measured]
     own = names(left.node)
+    converting = [*_converting(left.node), *_to_feet(left.node, result, document, knowledge)]
+    constants = [number for number in converting if id(number) not in measured]
     typed = {name: _typed(name, document, knowledge) for name in own}
     if result is None or not constants or not all(typed.values()):
         return None
@@ -110,6 +118,17 @@ def decide_between_numbers(
                 there, status=PROVED, assumptions=(*there.assumptions, BETWEEN_NUMBERS), reason=""
             )
     return None
+
+
+def _to_feet(
+    node: Formula, result: Quantity | None, document: ReadNotes, knowledge: Knowledge
+) -> Iterator[Number]:
+    """Yield the numbers 12 of a formula with a result in feet and a letter in inches: v = π d n/12."""
+    if result is None or not _FEET.match(result.unit):
+        return
+    typed = (knowledge.definitions[n].node.span for n in names(node) if n in knowledge.definitions)
+    if any(_INCHES.search(document.source(span)) for span in typed):
+        yield from (p for p in walk(node) if isinstance(p, Number) and p.value == INCHES_IN_A_FOOT)
 
 
 def puts_in_numbers(left: Side, right: Side, document: ReadNotes, knowledge: Knowledge) -> bool:
@@ -319,13 +338,22 @@ def _typed_node(node: Formula, document: ReadNotes) -> _Typed | None:
     scale = scale_of(sign_of_unit(words)) if words else (Fraction(1, 30 if is_speed else 1), is_speed)
     if digits is None or not has_number or scale is None:
         return None
-    text = digits.group().replace(",", ".")
+    if _THOUSANDS.fullmatch(digits.group()):
+        whole = _typed_number(digits.group().replace(",", ""), *scale)
+        first, second = value_of(whole.exact), value_of(node)
+        if first and second and first / second < _MOST_OF_A_TURN:
+            return whole
+    return _typed_number(digits.group().replace(",", "."), *scale)
+
+
+def _typed_number(text: str, scale: Fraction, is_speed: bool) -> _Typed:
+    """Return a number in digits, with what it is by the scale of its unit."""
     number = Number(
         Fraction(text), Fraction(1, 10 ** len(text.partition(".")[2])) if "." in text else None
     )
-    exact: Formula = Number(number.value * scale[0])
-    if scale[1]:
-        per_minute = Quotient(Constant("pi"), rational_node(1 / scale[0]))
+    exact: Formula = Number(number.value * scale)
+    if is_speed:
+        per_minute = Quotient(Constant("pi"), rational_node(1 / scale))
         exact = Quotient(Number(number.value), Quotient(Number(Fraction(1)), per_minute))
     return _Typed(number, exact)
 
