@@ -12,7 +12,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import decide, decide_at_value
 from symbalance.notes.checking.deciding.rounding import decimals, significant
-from symbalance.notes.checking.judging.open_reasons import unless_open
+from symbalance.notes.checking.judging.open_reasons import unless_open, unless_solved_in_sentence
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.premises.premise_decisions import must_follow
 from symbalance.notes.checking.steps.angle_equations import at_rough_angle
@@ -46,7 +46,14 @@ def appeal(
         decision = decide_in_units(chain, k, decision, state.document, knowledge)
     if decision.status == REFUTED:
         decision = _with_wrong_results(state, chain, k, against, decision, knowledge)
-    for mend in (_at_stated_angle, _with_sign_of_values, with_letters_below, at_rough_angle, unless_open):
+    for mend in (
+        _at_stated_angle,
+        _with_sign_of_values,
+        unless_solved_in_sentence,
+        with_letters_below,
+        at_rough_angle,
+        unless_open,
+    ):
         if decision.status == REFUTED:
             decision = mend(state, chain, k, decision, knowledge)
     return decision
