@@ -483,6 +483,7 @@ class Judge:
         if (
             ((is_against or is_open) and leave_cycle(self.state, chain, k))
             or (is_for_lack and leave_engine(self.state, chain, k))
+            or ((is_against or is_for_lack) and self._leave_quotation(chain, k, is_open=is_for_lack))
             or ((is_against or is_for_lack) and leave_formula_of_opening(self.state, chain, k))
             or (
                 is_against
@@ -492,7 +493,6 @@ class Judge:
                     or leave_condition_of_place(self.state, chain)
                     or leave_body(self.state, chain, k)
                     or leave_choice(self.state, chain, k)
-                    or leave_quotation(self.state, chain, k, self.quotations.is_quoted)
                     or leave_engine(self.state, chain, k)
                     or leave_cranks(self.state, chain, k)
                     or leave_named_case(self.state, chain, k)
@@ -580,6 +580,10 @@ class Judge:
         shown = ", ".join(sorted(map(plain_letter, changing)))
         reason = f"{shown} is taken as constant above, and this is about another one or its change"
         return describe(self.document, chain, k, Decision(UNDECIDED, reason))
+
+    def _leave_quotation(self, chain: Chain, k: int, *, is_open: bool) -> bool:
+        """Forget what another hand, quoted above, said of a letter; tell of any."""
+        return leave_quotation(self.state, chain, k, self.quotations.is_quoted, is_open=is_open)
 
     def _anew(self, chain: Chain, k: int) -> Verdict | None:
         """Define F_2 of F_1 = F_2 = 0 anew, where nothing is known of it any more; None for others.

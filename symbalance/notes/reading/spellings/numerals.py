@@ -359,8 +359,12 @@ _MIXED_SIGN = re.compile(
     r"|(?P<inch>[ -]?(?:in|inch|inches)(?![A-Za-z])|[\"″]))"
 )
 _INCH_SIGN = re.compile(r"(?<=[0-9])(?<![′'][0-9])(?<![′'][0-9]{2})[\"″](?=[\s.,;:)=<>≈+×x*/-]|$)")
-_OPENED_QUOTE = re.compile(r"(?:^|[\s(\[=])[\"″](?=\w)|[A-Za-z.,!?][\"″]", re.MULTILINE)
-"""A page that quotes with the same sign has no inches in it."""
+_QUOTE = re.compile(
+    r"(?P<opening>(?:^|(?<=[\s(\[=>]))[\"″](?=\w))|(?P<closing>(?<=\w)[\"″]|(?<=[.,!?])[\"″])"
+    r"|\n[ \t>]*\n",
+    re.MULTILINE,
+)
+"""A sign that opens or closes a quotation, or an empty line, which ends all of them."""
 
 _PER_MILLE = re.compile(
     r"(?<![\w.,])(?P<whole>[0-9]{1,6})(?:(?:[.,]|\{,\})(?P<rest>[0-9]{1,6}))?"
@@ -443,9 +447,22 @@ def _mixed_and_inches(text: str) -> dict[int, tuple[int, str]]:
         unit = " inch" if match["inch"] else ""
         end = match.end("inch") if match["inch"] else match.end()
         changes[match.start()] = end, f"{match['whole']}{match['part']}{unit}"
-    if _OPENED_QUOTE.search(text) is None:
-        changes |= {m.start(): (m.end(), " inch") for m in _INCH_SIGN.finditer(text)}
+    for match in _INCH_SIGN.finditer(text):
+        if not _closes_quotation(text, match.start()):
+            changes[match.start()] = (match.end(), " inch")
     return changes
+
+
+def _closes_quotation(text: str, place: int) -> bool:
+    """Tell whether a sign behind a number ends what was quoted in its paragraph: "size 5"."""
+    is_open = False
+    for match in _QUOTE.finditer(text, max(0, place - _PARAGRAPH), place):
+        is_open = match["opening"] is not None
+    return is_open
+
+
+_PARAGRAPH = 1000
+"""Characters before a sign in which a quotation may have been opened."""
 
 
 def _accents(text: str) -> dict[int, tuple[int, str]]:
