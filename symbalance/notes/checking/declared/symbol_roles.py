@@ -8,6 +8,7 @@ from functools import cache
 
 from symbalance.text import lazy_patterns as re
 
+CRANK_ANGLE = "crank angle"
 FROM_TOP = "displacement from top dead centre"
 FROM_PIN = "piston position"
 FROM_MIDDLE = "piston position from mid-stroke"
@@ -224,7 +225,8 @@ _ROD_TERM = (
 )
 _ALSO_NAMED = r"(?: \([^()]{1,40}\))?"
 _TOP = (
-    r"(?:tdc|t\.d\.c\.|(?:the )?(?:top|upper) dead[- ](?:cent(?:re|er)|point)|(?:the )?top dead position)"
+    r"(?:tdc|t\.d\.c\.|(?:the |its )?(?:own )?(?:top|upper) dead[- ](?:cent(?:re|er)|point)"
+    r"|(?:the )?top dead position)"
 )
 _OBEN = r"(?:(?:dem |vom )?(?:ot|o\.t\.|oberen totpunkt)|zünd-?ot)"
 _COUNTED = r"(?:(?:measured|counted|reckoned|taken) )?"
@@ -237,6 +239,14 @@ _FROM_THE_TOP = re.compile(
     r"|(?P<kakudo>.{1,30}?)[(（]上死点(?:から|基準)(?:の角度|測定)?[)）]"
 )
 """An angle with the place it is counted from, where that is the one from which every formula counts."""
+_FROM_THE_AXIS = re.compile(
+    rf"(?P<angle>.{{1,60}}?),? \(?{_COUNTED}(?:from|relative to) (?:the |its )?"
+    r"(?:axis of (?:the|its|one|a|each|that) cylinder(?: (?:looked at|concerned|in question))?"
+    r"|cylinder(?:'s)? axis)\)?"
+    rf"|(?P<winkel>.{{1,60}}?),? \(?{_GEZAEHLT}(?:ab|von|gegen) (?:der |die )?"
+    r"(?:achse (?:des|seines) zylinders|zylinderachse)(?: aus)?\)?"
+)
+"""The crank's angle with the axis of its cylinder, which has its top dead centre there."""
 _SOME_ANGLE = re.compile(
     r"(?:the )?(?:rotation |turning )?angle(?: of rotation)?|(?:dreh)?winkel|回転角度?|角度"
 )
@@ -252,6 +262,12 @@ _WORDINGS = tuple(
         ),
         ("crank angle", rf"(?:rotation )?angle of {_CRANK}|crankshaft angle|kurbelwinkel"),
         ("crank angle", r"クランク(?:軸|シャフト)?の?(?:回転)?角度?"),
+        (
+            "crank angle",
+            r"crank angle of (?:the|one|a|each) (?:single )?cylinder"
+            r"(?: (?:looked at|concerned|in question))?"
+            r"|kurbelwinkel (?:des|eines|je) (?:betrachteten |einzelnen )?zylinders?",
+        ),
         (
             "crank radius",
             rf"radius of {_THE}crank|crank throw|kurbelradius|kurbelhalbmesser|クランクの?半径",
@@ -361,12 +377,16 @@ def _counted_from_the_top(role: str) -> str:
 
     Counted from the bottom it is another angle, of which no formula here is true.
     """
+    of_axis = _FROM_THE_AXIS.fullmatch(role)
+    if of_axis is not None:
+        is_crank = _known_role(of_axis["angle"] or of_axis["winkel"]) == CRANK_ANGLE
+        return CRANK_ANGLE if is_crank else ""
     match = _FROM_THE_TOP.fullmatch(role)
     if match is None:
         return ""
     angle = next(part for part in match.groups() if part)
-    is_of_the_crank = _SOME_ANGLE.fullmatch(angle) or _known_role(angle) == "crank angle"
-    return "crank angle" if is_of_the_crank else ""
+    is_of_the_crank = _SOME_ANGLE.fullmatch(angle) or _known_role(angle) == CRANK_ANGLE
+    return CRANK_ANGLE if is_of_the_crank else ""
 
 
 SIMILAR = 0.7

@@ -5,20 +5,21 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, Number, Product, names
+from symbalance.document.formula import Formula, Name, Negative, Number, Product, names
 from symbalance.notes.checking.deciding.complex_numbers import decide_as_complex
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import decide, decide_at_value
 from symbalance.notes.checking.deciding.rounding import decimals, significant
-from symbalance.notes.checking.judging.open_reasons import unless_open
+from symbalance.notes.checking.judging.open_reasons import unless_open, unless_solved_in_sentence
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.premises.premise_decisions import must_follow
 from symbalance.notes.checking.steps.angle_equations import at_rough_angle
 from symbalance.notes.checking.steps.dead_centres import angle_named, angle_there
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.letters_below import with_letters_below
+from symbalance.notes.checking.steps.slips_at_places import says_direction
 from symbalance.notes.checking.steps.stated_equations import unless_stated
 from symbalance.notes.checking.units.numbers_in_units import decide_in_units
 from symbalance.notes.checking.verdicts import REFUTED
@@ -45,7 +46,14 @@ def appeal(
         decision = decide_in_units(chain, k, decision, state.document, knowledge)
     if decision.status == REFUTED:
         decision = _with_wrong_results(state, chain, k, against, decision, knowledge)
-    for mend in (_at_stated_angle, _with_sign_of_values, with_letters_below, at_rough_angle, unless_open):
+    for mend in (
+        _at_stated_angle,
+        _with_sign_of_values,
+        unless_solved_in_sentence,
+        with_letters_below,
+        at_rough_angle,
+        unless_open,
+    ):
         if decision.status == REFUTED:
             decision = mend(state, chain, k, decision, knowledge)
     return decision
@@ -91,9 +99,10 @@ def _at_stated_angle(
         is_here = is_here or line <= (state.sections.end_of_angle_headed(definition.line) or 0)
         if is_here or line <= state.sections.case_end(definition.line):
             angles.append((name, definition.node))
-    for named in (angle_there(state, chain, k, knowledge), angle_named(state, chain, knowledge)):
-        if named is not None:
-            angles.append(named)
+    if (at_centre := at_dead_centre(state, chain, k, knowledge)) is not None:
+        return at_centre
+    if (named := angle_named(state, chain, knowledge)) is not None:
+        angles.append(named)
     refuted_there = decision
     for name, value in angles:
         if name in names(right.node):
@@ -111,6 +120,28 @@ def _at_stated_angle(
         if there.status == REFUTED and is_stated and name not in names(left.node):
             refuted_there = replace(there, reason=there.reason or f"at {assumption}")
     return refuted_there
+
+
+def at_dead_centre(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+    """Return the proof of a relation at the dead centre its sentence names, None for none.
+
+    Where words say the direction apart, numerically F = F₁ (1 - λ), the value may have the other sign.
+    """
+    left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
+    place = angle_there(state, chain, k, knowledge)
+    if place is None or place[0] in names(right.node):
+        return None
+    name, value = place
+    assumptions = [f"{plain_text(Name(name))} = {plain_text(value)}"]
+    there = decide_at_value(left, right, sign, knowledge, name, value)
+    if not there.is_proved and not names(right.node):
+        by_printed = _with_numbers_of(right.node, knowledge)
+        there = decide_at_value(left, right, sign, by_printed, name, value)
+    if not there.is_proved and says_direction(state, chain):
+        opposite = Side((Negative(left.node),), left.span)
+        there = decide_at_value(opposite, right, sign, knowledge, name, value)
+        assumptions.append("the size is meant, whose direction words say")
+    return replace(there, assumptions=(*there.assumptions, *assumptions)) if there.is_proved else None
 
 
 def _with_sign_of_values(

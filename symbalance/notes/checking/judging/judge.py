@@ -149,6 +149,7 @@ from symbalance.notes.checking.words.terms_of_a_kind import unlike_terms
 from symbalance.notes.checking.words.unit_or_letter import with_both_readings
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.notes.reading.markup.unit_macros import with_units_shown
+from symbalance.notes.reading.spellings.numerals import with_raised_points_lowered
 
 
 @dataclass
@@ -166,7 +167,8 @@ class Judge:
         self.document = with_angles_of_time(with_both_readings(self.document, symbols_at))
         self.document = with_own_functions(self.document, self.declarations.symbols)
         text = self.document.text
-        self.document = replace(self.document, text=with_units_shown(text), as_typed=text)
+        shown = with_raised_points_lowered(with_units_shown(text))
+        self.document = replace(self.document, text=shown, as_typed=text)
         data = data_of(self.document, symbols_at)
         chains = (*self.document.chains, *data)
         every = with_turns(with_speeds(replace(self.document, chains=chains), symbols_at)).chains
@@ -486,6 +488,7 @@ class Judge:
         if (
             ((is_against or is_open) and leave_cycle(self.state, chain, k))
             or (is_for_lack and leave_engine(self.state, chain, k))
+            or ((is_against or is_for_lack) and self._leave_quotation(chain, k, is_open=is_for_lack))
             or ((is_against or is_for_lack) and leave_formula_of_opening(self.state, chain, k))
             or (
                 is_against
@@ -495,7 +498,6 @@ class Judge:
                     or leave_condition_of_place(self.state, chain)
                     or leave_body(self.state, chain, k)
                     or leave_choice(self.state, chain, k)
-                    or leave_quotation(self.state, chain, k, self.quotations.is_quoted)
                     or leave_engine(self.state, chain, k)
                     or leave_cranks(self.state, chain, k)
                     or leave_named_case(self.state, chain, k)
@@ -585,6 +587,10 @@ class Judge:
         shown = ", ".join(sorted(map(plain_letter, changing)))
         reason = f"{shown} is taken as constant above, and this is about another one or its change"
         return describe(self.document, chain, k, Decision(UNDECIDED, reason))
+
+    def _leave_quotation(self, chain: Chain, k: int, *, is_open: bool) -> bool:
+        """Forget what another hand, quoted above, said of a letter; tell of any."""
+        return leave_quotation(self.state, chain, k, self.quotations.is_quoted, is_open=is_open)
 
     def _anew(self, chain: Chain, k: int) -> Verdict | None:
         """Define F_2 of F_1 = F_2 = 0 anew, where nothing is known of it any more; None for others.

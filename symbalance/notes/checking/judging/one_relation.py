@@ -30,7 +30,7 @@ from symbalance.notes.checking.deciding.relations import MEANT_ROUGHLY, decide
 from symbalance.notes.checking.deciding.sign_of_letters import decide_with_signs
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.deciding.values_in_ranges import decide_where_values
-from symbalance.notes.checking.judging.appeals import appeal
+from symbalance.notes.checking.judging.appeals import appeal, at_dead_centre
 from symbalance.notes.checking.judging.lines_at_odds import note_other_case
 from symbalance.notes.checking.meant.engine_speeds import decide_speed
 from symbalance.notes.checking.meant.engines.firing_intervals import (
@@ -252,7 +252,9 @@ def _judge_step(
         decision = by_results if by_results is not None and by_results.is_proved else decision
     if decision.status in (REFUTED, UNDECIDED) and not is_settled:
         below = None if k else solution_below(state.sections, chain, knowledge)
-        solved = _by_mean(state, chain, k, knowledge) or as_solved(state, chain, below, knowledge)
+        solved = None if below is None else at_dead_centre(state, chain, k, knowledge)
+        solved = solved or _by_mean(state, chain, k, knowledge)
+        solved = solved or as_solved(state, chain, below, knowledge)
         refuted = replace(decision, status=REFUTED)
         decision = solved or unless_given(state, chain, k, against, decision, knowledge)
 

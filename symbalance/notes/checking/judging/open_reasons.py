@@ -14,7 +14,12 @@ from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.declared.symbol_roles import KNOWN, role_of
-from symbalance.notes.checking.page.solutions import solution_behind_arrow, solution_behind_words
+from symbalance.notes.checking.page.solutions import (
+    is_said_to_solve,
+    solution_behind_arrow,
+    solution_behind_words,
+    solution_in_sentence,
+)
 from symbalance.notes.checking.premises import constraints
 from symbalance.notes.checking.premises.small_by_value import refuted_in_small_letter
 from symbalance.notes.checking.premises.solved_premises import solve_without_scope
@@ -30,6 +35,18 @@ from symbalance.notes.reading.equations import Chain
 DECLARE_IT = "declare what it means"
 """What the reason ends with where a letter is on one side only that nobody declared."""
 UNKNOWN_SMALL = "nobody has said which letter is small: declare what they mean"
+
+
+def unless_solved_in_sentence(
+    state: JudgingState, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
+) -> Decision:
+    """Return the decision on a refuted relation: a condition if its sentence goes on to its solution."""
+    following = None if k else solution_in_sentence(state.sections, chain, knowledge)
+    is_sure = following is not None and is_said_to_solve(state.sections, following, chain)
+    solved = as_solved_in_words(state, chain, following, knowledge, is_sure=is_sure)
+    if solved is not None and is_sure and following is not None:
+        state.balances.add(following.sides[0].span[0])
+    return solved or decision
 
 
 def unless_open(

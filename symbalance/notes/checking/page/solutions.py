@@ -34,6 +34,15 @@ _SOLVED_IN_WORDS = re.compile(
 """Words of the same sentence that lead from an equation to its solution."""
 
 
+_THAT_IS = re.compile(
+    r"(?:[\s,;$]|\\[(),;: ])*"
+    r"(?:(?:that\s+is|i\.\s?e\.|so|hence|thus|d\.\s?h\.|also|somit|c'est-à-dire|donc|すなわち|よって)"
+    r"(?:[\s,:$]|\\[(,;: ])*)?"
+)
+"""What may stand between an equation and its solution that leaves no room for another meaning."""
+_SENTENCE_ENDS = re.compile(r"(?<!\b[A-Za-z])[.;!?。](?:\s|$)|\n\s*\n")
+
+
 def turned_letters(document: ReadNotes) -> frozenset[str]:
     """Return the letters that stand within sines, cosines and tangents of a page."""
     return frozenset(
@@ -73,6 +82,33 @@ def solution_behind_words(sections: Sections, chain: Chain, knowledge: Knowledge
     between = sections.document.text[chain.sides[1].span[1] : other.sides[0].span[0]]
     is_next = _SOLVED_IN_WORDS.fullmatch(between) is not None
     return other if is_next and _may_be_solved_for(other, chain, knowledge) else None
+
+
+def solution_in_sentence(sections: Sections, chain: Chain, knowledge: Knowledge) -> Chain | None:
+    """Return the chain of the same sentence that gives the solution of a balance: cos(2γ - σ) = 0, σ = …
+
+    Other forms of the balance may stand between them.
+    """
+    if len(chain.relations) != 1 or names(chain.sides[1].node) or not names(chain.sides[0].node):
+        return None
+    text, place = sections.document.text, chain.sides[1].span[1]
+    own = names(chain.sides[0].node)
+    for other in chains_below(sections.document.chains, chain):
+        if _SENTENCE_ENDS.search(text, place, other.sides[0].span[0]):
+            return None
+        if _may_be_solved_for(other, chain, knowledge):
+            value = names(other.sides[1].node)
+            return other if value and value <= own else None
+        if names(other.sides[1].node) or names(other.sides[0].node) != own:
+            return None
+        place = other.sides[-1].span[1]
+    return None
+
+
+def is_said_to_solve(sections: Sections, other: Chain, chain: Chain) -> bool:
+    """Tell whether a chain stands right behind an equation, as what it comes to: that is, σ = γ."""
+    text = sections.document.text[chain.sides[1].span[1] : other.sides[0].span[0]]
+    return _THAT_IS.fullmatch(text) is not None
 
 
 def _may_be_solved_for(other: Chain, chain: Chain, knowledge: Knowledge) -> bool:

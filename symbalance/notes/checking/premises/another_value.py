@@ -35,6 +35,7 @@ from symbalance.notes.checking.premises.results_as_cases import is_led_to, refut
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.verdicts import CONDITION, CONTRADICTION, DEFINITION, PREMISE
 from symbalance.notes.checking.words.angles_of_time import is_time_of_angle
+from symbalance.notes.checking.words.case_labels import are_labels_of_a_kind, label_beside
 from symbalance.notes.checking.words.case_words import numbers_of_several
 from symbalance.notes.checking.words.plain_formulas import lone_side, plain_text
 from symbalance.notes.reading.equations import Chain, Side
@@ -128,14 +129,37 @@ def _of_its_own_case(
             return None
         definitions.define(name, without_dots(value)[0], chain)
         return Decision(PREMISE, f"chosen: line {earlier.line} had another value")
+    reason = ""
     if not names(value) and _is_rounded_choice(definitions, earlier, value, chain):
+        reason = f"rounded: line {earlier.line} has more digits"
+    elif _is_labelled_otherwise(definitions, name, earlier, value, chain):
+        reason = f"another case than in line {earlier.line}, by its label"
+    if reason:
         definitions.define(name, without_dots(value)[0], chain)
-        return Decision(PREMISE, f"rounded: line {earlier.line} has more digits")
+        return Decision(PREMISE, reason)
     case_end = _end_of_listed_case(definitions, earlier, chain)
     if case_end is None:
         return None
     definitions.define(name, without_dots(value)[0], chain, case_end)
     return Decision(DEFINITION, f"another case than in line {earlier.line}")
+
+
+def _is_labelled_otherwise(
+    definitions: Definitions, name: str, earlier: Definition, value: Formula, chain: Chain
+) -> bool:
+    """Tell whether labels give two numbers of a letter to two things, short rod: λ = …, long rod: …"""
+    if names(value):
+        return False
+    sections = definitions.sections
+    above = [c for c in sections.chains_of(Name(name)) if c.start < chain.start and c.relations]
+    if not above or above[-1].lines[0] != earlier.line or names(above[-1].sides[1].node):
+        return False
+    if not sections.same_section(earlier.line, chain.lines[0]):
+        return False
+    text = sections.document.text
+    labels = [label_beside(text, c.start, c.sides[1].span[1]) for c in (above[-1], chain)]
+    ends = [label_beside(text, c.start, c.end) for c in (above[-1], chain)]
+    return are_labels_of_a_kind(labels[0], labels[1]) or are_labels_of_a_kind(ends[0], ends[1])
 
 
 def _is_rounded_choice(

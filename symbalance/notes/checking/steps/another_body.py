@@ -112,8 +112,13 @@ def leave_cycle(state: JudgingState, chain: Chain, k: int) -> bool:
     return any(left)
 
 
-def leave_quotation(state: JudgingState, chain: Chain, k: int, is_quoted: Callable[[int], bool]) -> bool:
-    """Forget the formula that quoted words give a letter, where the answer denies it; tell if it does."""
+def leave_quotation(
+    state: JudgingState, chain: Chain, k: int, is_quoted: Callable[[int], bool], *, is_open: bool
+) -> bool:
+    """Forget the formula that quoted words give a letter, where the answer denies it; tell if it does.
+
+    Nothing has to be denied where the answer's own formula says neither that nor its contrary: `is_open`.
+    """
     head = chain.sides[0].node
     if k or not isinstance(head, Name) or is_quoted(chain.start):
         return False
@@ -122,7 +127,8 @@ def leave_quotation(state: JudgingState, chain: Chain, k: int, is_quoted: Callab
     if last is None or not is_quoted(last.start):
         return False
     between = state.document.text[last.end : chain.start]
-    return _DENIES.search(between) is not None and state.definitions.forget_line(head.name, last.lines[0])
+    is_denied = is_open or _DENIES.search(between) is not None
+    return is_denied and state.definitions.forget_line(head.name, last.lines[0])
 
 
 def _last_above(state: JudgingState, chain: Chain, head: Name) -> Chain:

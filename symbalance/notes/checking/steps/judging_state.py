@@ -7,14 +7,14 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from typing import Any
 
-from symbalance.document.formula import Integral, Summation, names, parts_of_kind, walk
+from symbalance.document.formula import Integral, Name, Sum, Summation, names, parts_of_kind, walk
 from symbalance.document.letters import is_greek
 from symbalance.errors import SymbalanceError
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.checking.deciding.conjugate_letters import with_conjugates
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.inequalities import sample_ranges
-from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
+from symbalance.notes.checking.deciding.knowledge import Assumption, Definition, Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import (
     counted_things,
     printed_results,
@@ -25,9 +25,11 @@ from symbalance.notes.checking.declared.engines import Sources
 from symbalance.notes.checking.declared.geometry import Geometry
 from symbalance.notes.checking.declared.sidecar import Declarations
 from symbalance.notes.checking.declared.symbol_roles import (
+    CRANK_ANGLE,
     MOVING,
     SMALL_WORD,
     letters_by_role,
+    role_of,
     settled_letters,
     small_letters,
 )
@@ -191,8 +193,9 @@ class JudgingState:
     def knowledge(self, line: int, convention: str = "") -> Knowledge:
         """Return what is known at a line."""
         symbols = {**self.counts, **self.declarations.symbols_at(line)}
+        symbols = self._by_own_crank_angle(symbols, line)
         meaning, crank = self._meaning_of(symbols, convention)
-        definitions = self.definitions.at(line)
+        definitions = self._without_crank_angle(self.definitions.at(line), crank, line)
         letters = letters_by_role(symbols)
         meaning = with_motions(meaning, self.motions, line, definitions, symbols)
         running = self.motions.turning(line)
@@ -230,6 +233,36 @@ class JudgingState:
             small=frozenset(n for n, text in symbols.items() if _is_small(text)) | self.small_letters,
         )
         return self.definitions.on_stated_branches(knowledge)
+
+    def _by_own_crank_angle(self, symbols: dict[str, str], line: int) -> dict[str, str]:
+        """Return declarations with the crank angle first that stands alone on a line, of two declared."""
+        angles = [name for name, text in symbols.items() if role_of(text) == CRANK_ANGLE]
+        here = [name for name in angles if name in self._letters_by_line.get(line, ())]
+        if len(here) != 1 or here == angles[:1]:
+            return symbols
+        return {here[0]: symbols[here[0]], **symbols}
+
+    def _without_crank_angle(
+        self, definitions: dict[str, Definition], crank: Geometry, line: int
+    ) -> dict[str, Definition]:
+        """Return definitions without the crank angle's own by an angle that a line has not: θ - γ."""
+        own = definitions.get(crank.theta.name) if isinstance(crank.theta, Name) else None
+        here = self._letters_by_line.get(line, set())
+        if own is None or not isinstance(crank.theta, Name) or not isinstance(own.node, Sum):
+            return definitions
+        is_by_another = names(own.node) and here.isdisjoint(names(own.node))
+        if crank.theta.name not in here or not is_by_another:
+            return definitions
+        return {n: d for n, d in definitions.items() if n != crank.theta.name}
+
+    @cached_property
+    def _letters_by_line(self) -> dict[int, set[str]]:
+        """The letters of the relations on each line."""
+        letters: dict[int, set[str]] = {}
+        for chain in self.document.chains:
+            for line in chain.lines:
+                letters.setdefault(line, set()).update(chain.letters)
+        return letters
 
     def _meaning_of(self, symbols: Mapping[str, str], convention: str) -> tuple[SymbolValue, Geometry]:
         """Return what declared letters stand for, the same at every line of one scope."""

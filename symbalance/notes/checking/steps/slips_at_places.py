@@ -50,6 +50,7 @@ _LEAVES = re.compile(r"[.;!?]\s|[。；]|\n\s*\n")
 _DIRECTION = re.compile(
     r"\b(?:down|up|in|out)wards?\b|\bin\s+size\b|magnitude|absolute|opposite|towards?\b|\bsize\b|Betrag"
     r"|nach\s+(?:unten|oben|innen|außen)|gerichtet|hacia|vers\s+le|verso\b|modul[oe]|valeur\s+absolue"
+    r"|\bnum[eé]ri(?:cally|quement|camente)|\bin\s+amount\b|zahlenmäßig"
     r"|向き|大きさ|絶対値",
     re.IGNORECASE,
 )
@@ -158,12 +159,15 @@ def _place(state: JudgingState, chain: Chain, motion: Formula) -> tuple[str, For
 
 def _is_signed(state: JudgingState, chain: Chain, head: Name) -> bool:
     """Tell whether the page has written a value of a letter at another place with its minus sign."""
-    behind = state.document.text[chain.end : chain.end + BESIDE]
-    if _DIRECTION.search(f"{state.sections.sentence_before(chain)} {behind}"):
-        return False
-    return any(
+    return not says_direction(state, chain) and any(
         isinstance(node, Negative) and not _turning(node) for _, node in _sides_of(state, chain, head)
     )
+
+
+def says_direction(state: JudgingState, chain: Chain) -> bool:
+    """Tell whether words beside a value say its direction apart: numerically F = …, acting downwards."""
+    behind = state.document.text[chain.end : chain.end + BESIDE]
+    return _DIRECTION.search(f"{state.sections.sentence_before(chain)} {behind}") is not None
 
 
 def _slip(

@@ -35,9 +35,17 @@ def as_solved(
 
 
 def as_solved_in_words(
-    state: JudgingState, chain: Chain, following: Chain | None, knowledge: Knowledge
+    state: JudgingState,
+    chain: Chain,
+    following: Chain | None,
+    knowledge: Knowledge,
+    *,
+    is_sure: bool = False,
 ) -> Decision | None:
-    """Return that an equation is solved behind words, 2n/60 = f, so n = 2190: if that value solves it."""
+    """Return that an equation is solved behind words, 2n/60 = f, so n = 2190: if that value solves it.
+
+    `is_sure`: the value can be meant as nothing else; then it is wrong where it does not solve it.
+    """
     if following is None:
         return None
     head, value = following.sides[0].node, following.sides[1].node
@@ -52,7 +60,7 @@ def as_solved_in_words(
         for pair in ((left, right), (right, left)):
             by_wrong = state.wrong_numbers.decide(pair, knowledge, with_value, lambda node: None)
             at_value = by_wrong or at_value
-    if not at_value.is_proved:
+    if not at_value.is_proved and not (is_sure and at_value.status == REFUTED):
         return None
     state.solutions[following.sides[0].span[0]] = state.definitions.premise_of(chain, 0), at_value
     return Decision(CONDITION, f"solved for {plain_text(head)} behind it")

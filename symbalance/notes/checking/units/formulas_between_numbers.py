@@ -70,7 +70,11 @@ _AS_TURNS = tuple(
 """What is then between a formula and its result: turns for radians, the weight of a pound."""
 _ROUGH = 0.002
 """What a pure factor may be off by, beside the digits of the constant and of the result: 32.2 for g."""
-_DIGITS = re.compile(r"[0-9]+(?:[.,][0-9]+)?")
+_DIGITS = re.compile(r"[0-9]{1,3}(?:,[0-9]{3})+(?![0-9])|[0-9]+(?:[.,][0-9]+)?")
+_THOUSANDS = re.compile(r"[0-9]{1,3}(?:,[0-9]{3})+")
+"""3,000, which the page may mean as three thousand or as three."""
+_MOST_OF_A_TURN = 10
+"""More than the 2π by which a speed in radians and one in turns differ, less than a thousand."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -339,13 +343,22 @@ def _typed_node(node: Formula, document: ReadNotes) -> _Typed | None:
     scale = scale_of(sign_of_unit(words)) if words else (Fraction(1, 30 if is_speed else 1), is_speed)
     if digits is None or not has_number or scale is None:
         return None
-    text = digits.group().replace(",", ".")
+    if _THOUSANDS.fullmatch(digits.group()):
+        whole = _typed_number(digits.group().replace(",", ""), *scale)
+        first, second = value_of(whole.exact), value_of(node)
+        if first and second and first / second < _MOST_OF_A_TURN:
+            return whole
+    return _typed_number(digits.group().replace(",", "."), *scale)
+
+
+def _typed_number(text: str, scale: Fraction, is_speed: bool) -> _Typed:
+    """Return a number in digits, with what it is by the scale of its unit."""
     number = Number(
         Fraction(text), Fraction(1, 10 ** len(text.partition(".")[2])) if "." in text else None
     )
-    exact: Formula = Number(number.value * scale[0])
-    if scale[1]:
-        per_minute = Quotient(Constant("pi"), rational_node(1 / scale[0]))
+    exact: Formula = Number(number.value * scale)
+    if is_speed:
+        per_minute = Quotient(Constant("pi"), rational_node(1 / scale))
         exact = Quotient(Number(number.value), Quotient(Number(Fraction(1)), per_minute))
     return _Typed(number, exact)
 

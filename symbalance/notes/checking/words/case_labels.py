@@ -145,6 +145,50 @@ def thing_of_case(text: str, first: int, start: int) -> frozenset[str]:
     return _words_of(opened["words"])
 
 
+_LINE_LABEL = re.compile(r"[ \t>*•·–-]*(?P<words>[^=:：\n]{1,40}?)[ \t*_]{0,4}[:：][\s$*_\\({[]{0,8}$")
+_LABEL_BEHIND = re.compile(
+    r"[\s$)\]}]{0,4}(?:\(|(?:for|at|with|bei|beim|für|mit|pour|avec|para|con|per)\s)(?:(?:the|an?|der|die|das|dem|le|la)\s)?"
+    r"(?P<words>[^:：,;=$()\n]{2,30}?)\)?(?=\s(?:and|or|but|while|und|oder|et|ou|y|e)\s|[,;]|\.(?:\s|$)|\n|\s*\Z)",
+    re.IGNORECASE,
+)
+_TOKEN = re.compile(r"[0-9]+(?:[.,][0-9]+)?|[^\W\d_]+|[\"″'′%°]")
+
+
+_WAY = re.compile(
+    r"(?:by|from|using|via|per|aus|durch|nach|mittels|selon|d'après|según|secondo)\s", re.IGNORECASE
+)
+"""A label that says by what a value is found: two ways to one thing."""
+
+
+def label_beside(text: str, start: int, end: int) -> tuple[str, ...]:
+    """Return the words and numbers of the label that a formula's line opens with, or right behind it.
+
+    >>> page = "long rod:   b = 16.9 deg for the 6.00, a"
+    >>> label_beside(page, 12, 24), label_beside(page[12:], 0, 12)
+    (('long', 'rod'), ('6.00',))
+    """
+    line = text[text.rfind("\n", 0, start) + 1 : start]
+    found = _LINE_LABEL.fullmatch(line) or _LABEL_BEHIND.match(text, end)
+    if found is None or _WAY.match(found["words"]):
+        return ()
+    return tuple(token.lower() for token in _TOKEN.findall(found["words"]))
+
+
+def are_labels_of_a_kind(first: tuple[str, ...], second: tuple[str, ...]) -> bool:
+    """Tell whether two labels tell apart two things of one kind: short rod, long rod; 5.70", 6.00".
+
+    >>> are_labels_of_a_kind(("short", "rod"), ("long", "rod")), are_labels_of_a_kind(("rod",), ("pin",))
+    (True, False)
+    """
+    if len(first) != len(second) or first == second:
+        return False
+    apart = [(a, b) for a, b in zip(first, second, strict=True) if a != b]
+    shared = [a for a, b in zip(first, second, strict=True) if a == b and not _NO_THING.search(a)]
+    are_numbers = all(a[0].isdecimal() and b[0].isdecimal() for a, b in apart)
+    is_count = all(len(a) == len(b) == 1 for a, b in apart) and not shared  # 1: and 2: of a list
+    return len(apart) == 1 and not is_count and (are_numbers or bool(shared))
+
+
 def are_two_cases(first: frozenset[str], second: frozenset[str]) -> bool:
     """Tell whether two openings each have a word of their own: low speed, high speed."""
     return bool(first - second) and bool(second - first)

@@ -289,6 +289,7 @@ _SENTENCE_OR_ITEM = re.compile(
 """What ends a sentence, but not the points of p.m.s., or begins an item of a list."""
 _THERE = re.compile(r"[\s$)\]}\\,]{0,6}(?:there|here|dort|hier)(?![A-Za-zäöüß])")
 """Words behind a relation by which it is meant at the place that its section named last."""
+_ENDS = (".", ";", "!", "?", "。")
 _OPENING = " \t\n$\\([{&"
 """What stands between a word and the formula that it introduces."""
 LONGEST_SENTENCE = 160
@@ -943,8 +944,15 @@ class Sections:
         return _CONSTANT.search(self._text_before(chain).rstrip()) is not None
 
     def dead_centre(self, chain: Chain) -> bool | None:
-        """Return whether a relation's sentence names bottom dead centre, False for top, else None."""
-        words = self._english(self.sentence_before(chain))
+        """Return whether a relation's sentence names bottom dead centre, False for top, else None.
+
+        What stands right behind a relation counts before what stands in front of it.
+        """
+        behind = self.place_behind(chain)
+        if behind in (0, 180):
+            return behind == 180
+        words = self.sentence_before(chain)
+        words = self._english(words if words.strip(_OPENING) else self._introduction_above(chain))
         named = dead_centre_named(words)
         if named is not None and _last_place(words) not in (None, 0, 180):
             return None  # at another angle since
@@ -956,6 +964,12 @@ class Sections:
         """Return what a relation's sentence says before it."""
         text = self.document.text[max(0, chain.start - LONGEST_SENTENCE) : chain.start]
         return _SENTENCE_OR_ITEM.split(text)[-1]
+
+    def _introduction_above(self, chain: Chain) -> str:
+        """Return the open sentence of the paragraph above a formula that begins its own."""
+        text = self.document.text[max(0, chain.start - LONGEST_SENTENCE) : chain.start]
+        above = text.rstrip(_OPENING)
+        return "" if above.endswith(_ENDS) else _SENTENCE_OR_ITEM.split(above)[-1]
 
     def place_before(self, chain: Chain) -> int | None:
         """Return the angle in degrees at which words right before a letter's value place it, or None."""

@@ -12,6 +12,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from symbalance.document.formula import (
+    INFINITY,
     Apply,
     Call,
     Cases,
@@ -231,6 +232,28 @@ def read_range_below(parser: Parser) -> tuple[Name, Formula, Formula] | None:
     if upper_sign.value == "<":
         upper = Sum((upper, Negative(one, span=upper.span)), span=upper.span)
     return Name(letter.value, span=(letter.start, letter.end)), lower, upper
+
+
+def read_start_below(parser: Parser) -> tuple[Name, Formula, Formula] | None:
+    """Read the _{n \\ge 0} of a sum without end: its index, where it begins, and infinity; else None."""
+    tokens = parser.tokens[parser.place : parser.place + _LONGEST_RANGE]
+    stop = next((n for n, token in enumerate(tokens) if token.kind == "close"), 0)
+    inside = tokens[2:stop]
+    kinds = [token.kind for token in inside]
+    if not parser.at("under") or tokens[1].value != "{" or kinds != ["name", "rel", "number"]:
+        return None
+    letter, sign, _ = inside
+    if sign.value not in (">", "≥"):
+        return None
+    parser.take()
+    opener = parser.take()
+    parser.place += 2
+    lower = parser.expression()
+    parser.expect_close(opener)
+    if sign.value == ">":
+        lower = Sum((lower, Number(Fraction(1), span=lower.span)), span=lower.span)
+    infinity = replace(INFINITY, span=(sign.start, sign.end))
+    return Name(letter.value, span=(letter.start, letter.end)), lower, infinity
 
 
 _LONGEST_RANGE = 40

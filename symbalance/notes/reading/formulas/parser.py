@@ -1049,7 +1049,8 @@ class Parser:
         """Read \\sum_{k=0}^{N-1} body."""
         first = self.place
         self.take()
-        index, lower, upper = constructs.read_range_below(self) or (None, None, None)
+        below = constructs.read_range_below(self) or constructs.read_start_below(self)
+        index, lower, upper = below or (None, None, None)
         if index is None and self.at("under"):
             index, lower = self.lower_bound()
         if self.at("sup") and upper is None:

@@ -158,7 +158,9 @@ def with_plain_numerals(
     """
     changes: dict[int, tuple[int, str]] = {}
     notes: list[str] = []
-    commas = _commas(text, notes)
+    raised = _raised_points(text)
+    _note(notes, "decimal points", raised, text)
+    commas = _commas(text, notes, bool(raised))
     changes |= commas
     both = {
         m.start(): (m.end(), f"{m[1].replace('.', '')}.{m[2]}")
@@ -197,7 +199,7 @@ def with_plain_numerals(
     changes |= _spaced_thousands(text, notes)
     changes |= _accents(text)
     changes |= _subscript_words(text, is_letter)
-    changes |= _raised_points(text, notes)
+    changes |= raised
     changes |= _arrows(text)
     if not changes:
         return None, ()
@@ -208,8 +210,8 @@ def with_plain_numerals(
     return rewriter.finish(), tuple(notes)
 
 
-def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
-    """Return the numbers with a comma as they are read, by their places."""
+def _commas(text: str, notes: list[str], has_raised_points: bool) -> dict[int, tuple[int, str]]:
+    """Return the numbers with a comma as they are read, by their places: 3,000 is 3000 beside 0·0284."""
     matches = [match for match in _COMMA.finditer(text) if not _is_pair(text, match)]
     both = list(_POINTED_WITH_COMMA.finditer(text))
     grouped = [match for match in _GROUPED.finditer(text) if not _is_pair(text, match)]
@@ -220,7 +222,7 @@ def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
     sure = [*plain, *both]
     points = [match for match in _POINT.finditer(text) if len(match[2]) != 3 or match[1] == "0"]
     changes: dict[int, tuple[int, str]] = {}
-    if sure and len(sure) >= len(points):
+    if sure and len(sure) >= len(points) and not has_raised_points:
         decimal = {match.start(): (match.end(), f"{match[1]}.{match[3]}") for match in matches}
         thousands = [match for match in _POINTED.finditer(text) if _follows_formula(text, match)]
         changes = decimal | {m.start(): (m.end(), m[1] + m[2].replace(".", "")) for m in thousands}
@@ -241,7 +243,7 @@ def _commas(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
     _note(notes, "decimal commas", zeros, text)
     if not points and not is_usual:  # 3,900/2,883 = 1.353 has both, and no words of a decimal comma
         points = [match for match in _POINT.finditer(text) if _follows_formula(text, match)]
-    if points and not zeros:
+    if (points or has_raised_points) and not zeros:
         changes = {m.start(): (m.end(), m[1] + m[2].replace(",", "")) for m in grouped}
         _note(notes, "commas between thousands", changes, text)
     return changes | zeros
@@ -359,8 +361,12 @@ _MIXED_SIGN = re.compile(
     r"|(?P<inch>[ -]?(?:in|inch|inches)(?![A-Za-z])|[\"″]))"
 )
 _INCH_SIGN = re.compile(r"(?<=[0-9])(?<![′'][0-9])(?<![′'][0-9]{2})[\"″](?=[\s.,;:)=<>≈+×x*/-]|$)")
-_OPENED_QUOTE = re.compile(r"(?:^|[\s(\[=])[\"″](?=\w)|[A-Za-z.,!?][\"″]", re.MULTILINE)
-"""A page that quotes with the same sign has no inches in it."""
+_QUOTE = re.compile(
+    r"(?P<opening>(?:^|(?<=[\s(\[=>]))[\"″](?=\w))|(?P<closing>(?<=\w)[\"″]|(?<=[.,!?])[\"″])"
+    r"|\n[ \t>]*\n",
+    re.MULTILINE,
+)
+"""A sign that opens or closes a quotation, or an empty line, which ends all of them."""
 
 _PER_MILLE = re.compile(
     r"(?<![\w.,])(?P<whole>[0-9]{1,6})(?:(?:[.,]|\{,\})(?P<rest>[0-9]{1,6}))?"
@@ -428,7 +434,11 @@ def _small(digits: str) -> str:
 _ENDING = re.compile(
     r"(?<![A-Za-z\\_{])([A-Za-z][0-9]?)(max|min|res|ges|tot|osz|rot|rms|eff|avg|mean)(?![A-Za-z0-9_])"
 )
-_RAISED_POINT = re.compile(r"(?<![\w.,·])[0-9O]{1,6}·[0-9O]{1,6}(?![A-Za-z0-9_·])")
+_RAISED_POINT = re.compile(
+    r"(?<![\w.,·])(?P<whole>[0-9O]{1,6})(?:·|\{\\cdot\})(?P<part>(?!10(?:\^|[⁰¹²³⁴-⁹⁻]))[0-9O]{1,12})"
+    r"(?![A-Za-z0-9_·]|[.,][0-9]|\{\\cdot\})"
+)
+"""Two numbers that nothing but a point on the line's middle parts: no power of ten, no third number."""
 _SPACED_POINT = re.compile(r"[\w)] ?· |(?<=[^\W\dO])·|·(?=[^\W\dO])")
 
 
@@ -439,9 +449,22 @@ def _mixed_and_inches(text: str) -> dict[int, tuple[int, str]]:
         unit = " inch" if match["inch"] else ""
         end = match.end("inch") if match["inch"] else match.end()
         changes[match.start()] = end, f"{match['whole']}{match['part']}{unit}"
-    if _OPENED_QUOTE.search(text) is None:
-        changes |= {m.start(): (m.end(), " inch") for m in _INCH_SIGN.finditer(text)}
+    for match in _INCH_SIGN.finditer(text):
+        if not _closes_quotation(text, match.start()):
+            changes[match.start()] = (match.end(), " inch")
     return changes
+
+
+def _closes_quotation(text: str, place: int) -> bool:
+    """Tell whether a sign behind a number ends what was quoted in its paragraph: "size 5"."""
+    is_open = False
+    for match in _QUOTE.finditer(text, max(0, place - _PARAGRAPH), place):
+        is_open = match["opening"] is not None
+    return is_open
+
+
+_PARAGRAPH = 1000
+"""Characters before a sign in which a quotation may have been opened."""
 
 
 def _accents(text: str) -> dict[int, tuple[int, str]]:
@@ -461,14 +484,39 @@ def _subscript_words(text: str, is_letter: Callable[[str, int], bool]) -> dict[i
     }
 
 
-def _raised_points(text: str, notes: list[str]) -> dict[int, tuple[int, str]]:
-    """Return the points of old prints, 125·7 for 125.7, where products are written with a cross."""
+def _raised_points(text: str) -> dict[int, tuple[int, str]]:
+    """Return the points of old prints, 125·7 for 125.7 and 0·0284 for 0.0284.
+
+    No factor begins with a zero: 0·0284 shows that the page's points are decimal signs. Without such a
+    number they are where products are written with a cross and no decimal sign stands on the line.
+    """
     found = list(_RAISED_POINT.finditer(text))
-    if not found or "×" not in text or _SPACED_POINT.search(text):
+    if not any(_is_no_product(match) for match in found) and (
+        ("×" not in text and "\\times" not in text)
+        or _SPACED_POINT.search(text)
+        or any(_follows_formula(text, match) for match in _POINT.finditer(text))
+    ):
         return {}
-    changes = {m.start(): (m.end(), m.group().replace("·", ".").replace("O", "0")) for m in found}
-    _note(notes, "decimal points", changes, text)
-    return changes
+    return {m.start(): (m.end(), f"{m['whole']}.{m['part']}".replace("O", "0")) for m in found}
+
+
+def with_raised_points_lowered(text: str) -> str:
+    """Return a text of the same length with points on the line where its decimal points are raised.
+
+    >>> with_raised_points_lowered("l = 8·5, thus r/l = 0·2647"), with_raised_points_lowered("l = 2·3")
+    ('l = 8.5, thus r/l = 0.2647', 'l = 2·3')
+    """
+    pieces, place = list[str](), 0
+    for start, (end, written) in _raised_points(text).items():
+        pieces += [text[place:start], written.rjust(end - start)]
+        place = end
+    return "".join((*pieces, text[place:]))
+
+
+def _is_no_product(match: re.Match[str]) -> bool:
+    """Tell whether two numbers around a point are no factors: 0·04 and 2·05, but not 0·12 or 3·0."""
+    part = match["part"]
+    return (part[0] == "0" and part.strip("0") != "") or (match["whole"] == "0" and len(part) > 2)
 
 
 def _arrows(text: str) -> dict[int, tuple[int, str]]:

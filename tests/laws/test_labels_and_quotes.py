@@ -1,0 +1,42 @@
+"""Labels part the numbers of one letter, an answer is not bound by what it quotes, 5.70" is in inches."""
+
+from __future__ import annotations
+
+import pytest
+
+from symbalance.notes.checking import check
+
+RODS = "The ratio lam of the crank radius to the rod:\n\n    short rod:  lam = 1.74/5.70 = 0.305\n"
+ANGLES = "The largest angle of the rod is b = 17.8 deg for the 5.70"
+QUOTED = (
+    '> everybody tells me that it "takes the load off". In the usual formula\n'
+    "> lambda = 1/1.64 ~= 0.61, which is huge.\n\nLet me do it from scratch.\n\n"
+)
+MAIL = 'He says it "takes the load off", and the other "rods are 5". '
+
+CASES = [
+    (RODS + "    long rod:   lam = 1.74/6.00 = 0.290", True),
+    (RODS + "    long rod:   lam = 1.74/6.00 = 0.209", False),
+    (RODS + "    short rod:  lam = 1.74/6.00 = 0.290", False),
+    (RODS + "    in numbers: lam = 1.74/6.00 = 0.290", False),
+    ('    5.70":  a_TDC ≈ 23750 · 1.305 ≈ 31000\n    6.00":  a_TDC ≈ 23750 · 1.290 ≈ 30600', True),
+    ("langes Pleuel:  λ = 40/160 = 0,25\nkurzes Pleuel:  λ = 40/125 = 0,32", True),
+    ("langes Pleuel:  λ = 40/160 = 0,25\nkurzes Pleuel:  λ = 40/125 = 0,23", False),
+    (ANGLES + " and b = 16.9 deg for the 6.00, so a bit less.", True),
+    (ANGLES + " and b = 16.9 deg for the 5.70, so a bit less.", False),
+    (QUOTED + "    lam = r/l\n    x = r cos th + l - (r lam/2) sin^2 th", True),
+    (QUOTED + "    lam = r/l\n    r lam^2 = r^3/l^2", True),
+    (QUOTED + "    lam = r/l\n    lam = 1.74/6.00 = 0.209", False),
+    (MAIL + 'The stroke is s = 3.48", i.e. s ~= 88.4 mm.', True),
+    (MAIL + 'The stroke is s = 3.48", i.e. s ~= 84.8 mm.', False),
+    ("They sell it as “new”, and the stroke is s = 3.48″ ≈ 88.4 mm.", True),
+    ('The sticker says "stroke 5" and s = 5 = 5.0 holds.', True),
+]
+
+
+@pytest.mark.parametrize(("text", "is_right"), CASES)
+def test_what_two_hands_or_two_labels_say_is_no_contradiction(tmp_path, text, is_right):
+    path = tmp_path / "page.txt"
+    path.write_text(f"{text}\n", encoding="utf-8")
+    words = [v.verdict for v in check(path, fixes=False).verdicts]
+    assert ("refuted" not in words and "contradiction" not in words) == is_right, words
