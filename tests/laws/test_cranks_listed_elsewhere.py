@@ -102,3 +102,27 @@ def test_a_sentence_may_say_other_angles_than_the_page_above():
     page = STAR.replace("{sum}", "0")
     flat = "In the flat shaft ($\\gamma_k$ only 0° and 180°) $\\sum_k e^{2i\\gamma_k} = 4$ instead.\n"
     assert sb.check(page + flat, {}).data()["links"][-1]["verdict"] != "refuted"
+
+
+FIVE = (
+    "The angle of throw $i$ is $\\theta_i = \\theta - \\delta_i$.\n\n"
+    "| cylinder $i$ | 1 | 2 | 3 | 4 | 5 |\n|---|---|---|---|---|---|\n"
+    "| $\\delta_i$ | 0° | 144° | 216° | 288° | 72° |\n| $z_i$ | $2a$ | $a$ | $0$ | $-a$ | $-2a$ |\n\n"
+    "$$\\sum_i {body} = {sum}$$\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("body", "right", "wrong"),
+    [
+        (r"\cos\theta_i", "0", r"\cos\theta"),
+        (r"\cos 10\theta_i", r"5\cos 10\theta", "0"),
+    ],
+)
+def test_a_sum_over_angles_given_by_a_rule_and_a_table(body, right, wrong):
+    def last(total):
+        page = FIVE.replace("{body}", body).replace("{sum}", total)
+        return sb.check(page, {}).data()["links"][-1]["verdict"]
+
+    assert last(right) in ("holds", "conditional")
+    assert last(wrong) == "refuted"

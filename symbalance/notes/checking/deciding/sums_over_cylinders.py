@@ -351,7 +351,8 @@ def _terms(
     """Return the terms of a sum, one a cylinder; None where it is not one over the listed angles."""
     node = _with_index(node)
     if node.index is not None:
-        return _indexed_terms(node, angles, knowledge, theta)
+        node = replace(node, body=_with_own_phases(node.body, node.index.name, knowledge))
+        return _by_own_values(node, knowledge) or _indexed_terms(node, angles, knowledge, theta)
     if any(_is_moment(name, knowledge) for name in names(node.body)):
         return None  # the lever arms of the cylinders are not listed with their angles
     if angles.signs and isinstance(node.body, Name) and not knowledge.knows(node.body.name):
@@ -375,7 +376,6 @@ def _indexed_terms(
 ) -> list[Formula] | None:
     assert node.index is not None
     index = node.index.name
-    node = replace(node, body=_with_own_phases(node.body, index, knowledge))
     indexed = indexed_letters(node.body, index)
     own = [name for name in indexed if is_greek(name.split("_")[0])]
     places = [name for name in indexed if name not in own]
@@ -383,6 +383,7 @@ def _indexed_terms(
     is_known = any(knowledge.knows(name) for name in (*indexed, _PITCH))
     if len(own) != 1 or is_known or (places and not is_of_places):
         return None
+    first = node.lower.value if isinstance(node.lower, Number) else Fraction(1)
     is_of_cranks = not angles.signs and own[0].split("_")[0] in _OF_CRANKS
     if angles.is_usual and not (is_of_cranks and _turns_with(node.body, own[0])):
         return None
@@ -390,7 +391,6 @@ def _indexed_terms(
     if places and len(arms) != len(angles.degrees):
         return None
     stem = own[0][: -len(index)]
-    first = node.lower.value if isinstance(node.lower, Number) else Fraction(1)
     numbers = {n[len(stem) :] for n in knowledge.definitions if n.startswith(stem)}
     if any(number.isdecimal() and int(number) >= first for number in numbers):
         return None  # δ_1, δ_2 have values of their own; θ_0 is no cylinder of a sum from 1
@@ -408,6 +408,36 @@ def _indexed_terms(
         bodies = [substitute(body, places[0], place) for body, place in zip(bodies, at, strict=True)]
     counts = [Number(first + place) for place in range(len(bodies))]
     return [substitute(b, index, n) for b, n in zip(bodies, counts, strict=True)]
+
+
+def _by_own_values(node: Summation, knowledge: Knowledge) -> list[Formula] | None:
+    """Return the terms of a sum whose letters all have values one by one, δ_1, δ_2, …; else None."""
+    assert node.index is not None
+    index = node.index.name
+    first = int(node.lower.value) if isinstance(node.lower, Number) else 1
+    stems = {name: name[: -len(index)] for name in indexed_letters(node.body, index)}
+    lists = [
+        sorted(
+            int(n[len(stem) :])
+            for n in knowledge.definitions
+            if n.startswith(stem) and n[len(stem) :].isdecimal() and int(n[len(stem) :]) >= first
+        )
+        for stem in stems.values()
+    ]
+    numbers = lists[0] if lists else []
+    if len(numbers) < FEWEST or any(own != numbers for own in lists):
+        return None
+    if numbers != list(range(first, first + len(numbers))):
+        return None
+    if node.upper is not None and _count(node, knowledge) != len(numbers):
+        return None
+    terms: list[Formula] = []
+    for number in numbers:
+        term = node.body
+        for name, stem in stems.items():
+            term = substitute(term, name, Name(f"{stem}{number}"))
+        terms.append(substitute(term, index, Number(Fraction(number))))
+    return terms
 
 
 def _has_own_phases(node: Formula, knowledge: Knowledge) -> bool:

@@ -20,7 +20,7 @@ from symbalance.text import lazy_patterns as re
 
 _GAP = r"(?:\s|\\[,; ]|~|\$|\\(?:mathrm|text|unit|,)|\{|\}){0,8}"
 _FREQUENCY = re.compile(
-    rf"(?<![\w.,])(?P<number>[0-9]{{1,5}}(?:[.,][0-9]{{1,3}})?){_GAP}(?P<unit>Hz|cps)\b"
+    rf"(?<![\w.,])(?P<number>[0-9]{{1,5}}(?:(?:[.,]|\{{,\}})[0-9]{{1,3}})?){_GAP}(?P<unit>Hz|cps)\b"
 )
 _PER_MINUTE = re.compile(
     rf"(?<![\w.,])(?P<number>[0-9]{{2,6}}){_GAP}(?:vibrations|oscillations|cycles|schwingungen)"
@@ -124,7 +124,7 @@ def _frequencies(text: str) -> list[tuple[float, float]]:
     """Return the frequencies of a page in Hz, each once, with a unit of its last place."""
     every: dict[float, float] = {}
     for match in _FREQUENCY.finditer(text):
-        digits = match["number"].replace(",", ".")
+        digits = match["number"].replace("{,}", ".").replace(",", ".")
         every[float(digits)] = 10.0 ** -len(digits.partition(".")[2])
     for match in _PER_MINUTE.finditer(text):
         every[float(match["number"]) / 60] = 1 / 60

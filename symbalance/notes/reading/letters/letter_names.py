@@ -39,6 +39,10 @@ EXTREMES = ("max", "min", "sup", "inf", "lim")
 """Words that are one subscript, behind an underscore too: ω_min is no ω_m times i n."""
 
 
+_SIGNS_BELOW = {"∥": "parallel", "⊥": "perp", "∞": "infty", "‖": "parallel"}
+"""Signs that tell directions and limits apart: M_∥ along the cylinders, M_⊥ across them."""
+
+
 def canonical_name(text: str) -> str:
     r"""Return the canonical name of a letter written in LaTeX, Unicode or plain text.
 
@@ -237,6 +241,8 @@ def subscript_name(text: str, offset: int) -> str:
     'rec,theta'
     >>> subscript_name("(1)", 0), subscript_name(r"S(\max)", 0), subscript_name(r"\frac{3}{2}", 0)
     ('(1)', 'S,max', '3/2')
+    >>> subscript_name(r"\perp", 0), subscript_name("∥", 0)
+    ('perp', 'parallel')
     """
     text = _EXTREME_IN_BRACKETS.sub(_beside, text)
     text = _FRACTION_BELOW.sub(lambda m: f"{m[1] or m[2]}/{m[3] or m[4]}", text)
@@ -246,8 +252,10 @@ def subscript_name(text: str, offset: int) -> str:
     orders = {place for match in _ORDER.finditer(text) for place in range(*match.span())}
     for match in re.finditer(r"\\([A-Za-z]+)|\\[,;: !]|(.)", text, re.DOTALL):
         command, sign = match.group(1), match.group(2)
-        if command in GREEK_SIGN or command in EXTREMES:
+        if command in GREEK_SIGN or command in EXTREMES or command in _SIGNS_BELOW.values():
             pieces.append(command)
+        elif sign in _SIGNS_BELOW:
+            pieces.append(_SIGNS_BELOW[sign])
         elif command in FONTS or command in WORDS or (sign and sign in "{} \n"):
             continue
         elif sign and (sign.isalnum() or sign in ",.+-−*"):
