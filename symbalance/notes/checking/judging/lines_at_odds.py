@@ -220,7 +220,7 @@ def _is_result(state: JudgingState, chain: Chain, k: int) -> bool:
 def _names_rested_on(side: Side, knowledge: Knowledge) -> Iterator[str]:
     """Yield the letters of a side, and those behind them, to which lines above give values."""
     nodes = {name: definition.node for name, definition in knowledge.definitions.items()}
-    for name in dict.fromkeys((*names(side.node), *names_behind(side.node, nodes))):
+    for name in dict.fromkeys(names_behind(side.node, nodes)):
         if name in knowledge.definitions and name not in knowledge.meaning.values:
             yield name
 

@@ -95,7 +95,7 @@ def names_rested_on(state: JudgingState, chain: Chain, k: int) -> set[str]:
     definitions = knowledge.definitions
     values = {**{n: d.node for n, d in definitions.items()}, **knowledge.meaning.values}
     sides = (chain.sides[k].node, chain.sides[k + 1].node)
-    behind = {name for side in sides for name in (*names(side), *names_behind(side, values))}
+    behind = {name for side in sides for name in names_behind(side, values)}
     rows = {definitions[n].line for n in behind if n in definitions and definitions[n].is_coefficient}
     series = (c for c in state.document.chains if rows.intersection(c.lines))
     behind |= {

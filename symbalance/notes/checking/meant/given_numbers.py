@@ -162,7 +162,7 @@ class GivenNumbers:
     def _has_number_there(equation: GivenEquation, first: int, knowledge: Knowledge) -> bool:
         values = {n: d.node for n, d in knowledge.definitions.items()} | dict(knowledge.meaning.values)
         sides = equation.left, equation.right
-        behind = {n for node in sides for n in {*names(node), *names_behind(node, values)}}
+        behind = {n for node in sides for n in names_behind(node, values)}
         return any(n in knowledge.definitions and knowledge.definitions[n].line >= first for n in behind)
 
 

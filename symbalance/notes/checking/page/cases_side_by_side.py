@@ -344,7 +344,7 @@ def _end_numbers(part: CasePart, earlier: Sequence[CasePart], definitions: Defin
         if names(entry.definition.node)
     }
     for name in part.results & changed & formulas.keys():
-        behind = {*names(formulas[name]), *names_behind(formulas[name], formulas)}
+        behind = {*names_behind(formulas[name], formulas)}
         if before[name] and behind.isdisjoint(part.given):
             changed |= behind  # what it rests on is of the case before
 
@@ -352,7 +352,7 @@ def _end_numbers(part: CasePart, earlier: Sequence[CasePart], definitions: Defin
         if not any(p.mark.line <= line <= p.last for p in earlier):
             return False
         formula = formulas.get(name)
-        behind = set() if formula is None else {*names(formula), *names_behind(formula, formulas)}
+        behind = set() if formula is None else {*names_behind(formula, formulas)}
         return name in changed or (name not in part.zeros and not behind.isdisjoint(changed))
 
     for name, entries in definitions.values.items():

@@ -490,7 +490,7 @@ def _define_case_anew(
 def _turning_behind(name: str, node: Formula, knowledge: Knowledge) -> frozenset[str]:
     """Return the angles that a letter's value turns with: it has a number at a moment only."""
     values = {n: d.node for n, d in knowledge.definitions.items() if n != name}
-    behind = {*names(node), *names_behind(node, {**values, **knowledge.meaning.values})}
+    behind = {*names_behind(node, {**values, **knowledge.meaning.values})}
     roles = knowledge.meanings
     return frozenset(n for n in behind if role_of(roles.get(n, "")) in ("crank angle", "rod angle"))
 

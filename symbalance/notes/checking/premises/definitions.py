@@ -347,7 +347,7 @@ class Definitions:
     def end_of_place(self, node: Formula, line: int) -> int | None:
         """Return where the angle ends at which a formula has a value: x = 6.71 at θ = 90° of item b)."""
         values = {name: entries[-1].definition.node for name, entries in self.values.items()}
-        for name in {*names(node), *names_behind(node, values)} & set(self.values):
+        for name in {*names_behind(node, values)} & set(self.values):
             for entry in self.values[name]:
                 first, last = entry.definition.line, entry.last_line
                 if last is not None and first <= line <= last < self.sections.section_end(first):

@@ -159,7 +159,7 @@ def _is_false_zero(
     if _NOT_ALWAYS.search(sections.sentence_leading_to(above)) or _NOT_ALWAYS.search(behind):
         return False
     values = {n: d.node for n, d in knowledge.definitions.items()}
-    letters = {*names(formula), *names_behind(formula, values)}
+    letters = {*names_behind(formula, values)}
     known = [knowledge.definitions[n] for n in letters if n in knowledge.definitions]
     if any(d.numeric for d in known) or any(
         p.names & letters for p in definitions.premises_at(chain.lines[0])

@@ -51,7 +51,7 @@ def lines_of_angles(
     """Return the lines above that put in the angles a relation turns with, and these letters."""
     values = {name: definition.node for name, definition in knowledge.definitions.items()}
     sides = (chain.sides[k].node, chain.sides[k + 1].node)
-    own = {n for node in sides for n in (*names(node), *names_behind(node, values))} & state.turned
+    own = {n for node in sides for n in names_behind(node, values)} & state.turned
     return lines_of_cases(state.definitions, chain.lines[0], frozenset(own)), frozenset(own)
 
 

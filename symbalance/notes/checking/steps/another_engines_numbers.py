@@ -202,7 +202,7 @@ def _is_by_its_own_data(state: JudgingState, chain: Chain, given: Definition) ->
         return False
     line = chain.lines[0]
     values = {name: d.node for name, d in state.definitions.at(line).items()}
-    behind = {*names(formula), *names_behind(formula, values)}
+    behind = {*names_behind(formula, values)}
     if state.cases.gives_all_anew(behind, line):
         return True
     before = [c for c in state.sections.chains_on(line) if c.end <= chain.start]

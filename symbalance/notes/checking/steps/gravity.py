@@ -85,7 +85,7 @@ def _stands_open(chain: Chain, k: int, knowledge: Knowledge) -> bool:
         return False
     values = {n: d.node for n, d in knowledge.definitions.items()} | dict(knowledge.meaning.values)
     sides = [chain.sides[n].node for n in (k, k + 1)]
-    behind = {n for node in sides for n in (*names(node), *names_behind(node, values))}
+    behind = {n for node in sides for n in names_behind(node, values)}
     nodes = [*sides, *(values[n] for n in sorted(behind) if n in values)]
     if "g" not in behind:
         return False

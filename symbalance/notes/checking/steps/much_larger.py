@@ -63,7 +63,7 @@ def decide_where_larger(
     stated = next((c for c in reversed(state.much_larger) if _is_near(state, c, chain)), None)
     sides = chain.sides[k : k + 2]
     values = {n: d.node for n, d in knowledge.definitions.items()}
-    behind = {n for side in sides for n in (*names(side.node), *names_behind(side.node, values))}
+    behind = {n for side in sides for n in names_behind(side.node, values)}
     letters_meant = None if stated is None else _letters(stated, behind, knowledge)
     if stated is None or letters_meant is None or not names(sides[1].node):
         return None
@@ -107,7 +107,7 @@ def _part(sides: Sequence[Side], knowledge: Knowledge) -> bool:
     """Tell whether two sides differ by more than a thousandth at some points, whatever the sign."""
     left, right = (side.node for side in sides)
     level = list(knowledge.levels(left, right))[-1]
-    own = {n for node in (left, right) for n in (*names(node), *names_behind(node, level.values))}
+    own = {n for node in (left, right) for n in names_behind(node, level.values)}
     positive = knowledge.meaning.positive | (own - knowledge.angles)  # sizes, of which one is much larger
     meaning = replace(knowledge.meaning, values=level.values, positive=frozenset(positive))
     points = sample_trees([left, right], meaning)

@@ -100,7 +100,7 @@ def refuted_by_nearest(
     if names(right.node) or isinstance(right.node, Name):
         return None
     values = {name: d.node for name, d in knowledge.definitions.items()}
-    behind = {*names(left.node), *names_behind(left.node, values)}
+    behind = {*names_behind(left.node, values)}
     behind -= {left.node.name} if isinstance(left.node, Name) else set()
     given = {name: _numbers_given(state, name, chain) for name in sorted(behind & values.keys())}
     wrong = {(each.name, each.line) for each in state.wrong_numbers.results}

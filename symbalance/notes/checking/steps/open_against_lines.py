@@ -7,7 +7,7 @@ they are typed, in inches and per minute, and the formula may be meant so.
 
 from __future__ import annotations
 
-from symbalance.document.formula import Name, names
+from symbalance.document.formula import Name
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -39,5 +39,5 @@ def open_against_lines(
 def _new_letters(state: JudgingState, chain: Chain, knowledge: Knowledge) -> list[str]:
     """Return the letters of a formula that have no value above, and no known meaning."""
     values = {name: d.node for name, d in knowledge.definitions.items()}
-    own = {*names(chain.sides[1].node), *names_behind(chain.sides[1].node, values)} - values.keys()
+    own = {*names_behind(chain.sides[1].node, values)} - values.keys()
     return sorted(n for n in own if not knowledge.has_meaning(n) and n not in knowledge.angles)

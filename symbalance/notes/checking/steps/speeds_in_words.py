@@ -34,7 +34,7 @@ def at_speed_in_words(state: JudgingState, chain: Chain, k: int, knowledge: Know
         put_in = [(part, number) for part, number in pairs if _is_rounded(number, pi * speed / 30)]
         if not pairs:  # a result: of any speed behind it
             values = {name: d.node for name, d in knowledge.definitions.items()}
-            letters = {*names(left.node), *names_behind(left.node, values)}
+            letters = {*names_behind(left.node, values)}
             put_in = [(Name(name), exact) for name in sorted(letters)]
         for letter, number in put_in:
             is_speed = isinstance(letter, Name) and is_angular_speed(letter.name, knowledge.meanings)

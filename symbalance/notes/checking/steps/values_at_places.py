@@ -61,7 +61,7 @@ def value_at_named_place(
     if names(right.node) and there.status == REFUTED:
         return replace(there, reason=text)
     values = {n: d.node for n, d in rest.items()}
-    unknown = {*names(formula), *names_behind(formula, values)} - values.keys() - {theta}
+    unknown = {*names_behind(formula, values)} - values.keys() - {theta}
     is_number = there.left is not None and not letters(there.left)  # 2 m cos 90°, whatever m is
     is_open = there.status == UNDECIDED or (bool(unknown) and not is_number)
     if is_number and there.status == REFUTED:
@@ -83,10 +83,10 @@ def _place_of(
     if formula is None or degrees is None:
         return None
     values = {n: d.node for n, d in knowledge.definitions.items() if n != head.name}
-    behind = {*names(formula), *names_behind(formula, values)}
+    behind = {*names_behind(formula, values)}
     turning = {n for n in behind if _turns(n, formula, values)} or _lone_angle(formula, behind, values)
     right = chain.sides[1].node
-    rests_on = {*names(right), *names_behind(right, values)}
+    rests_on = {*names_behind(right, values)}
     if len(turning) != 1 or (turning | {head.name}) & rests_on:
         return None
     return formula, turning.pop(), _angle(degrees)

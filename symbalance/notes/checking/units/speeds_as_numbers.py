@@ -53,7 +53,7 @@ def wrong_as_quantity(chain: Chain, k: int, document: ReadNotes, knowledge: Know
     if left is None or isinstance(left.node, Name) or result is None or _counts_minutes(result.unit):
         return None
     values = {name: d.node for name, d in knowledge.definitions.items()}
-    behind = {*names(left.node), *names_behind(left.node, values)}
+    behind = {*names_behind(left.node, values)}
     if any(
         _converts(node)
         for node in (left.node, *(values[n] for n in behind if n in values and names(values[n])))
