@@ -27,6 +27,7 @@ WRONG = (
     r"Die Geschwindigkeit ist $V = 90$ km/h. $v = V/3{,}6 = 52$ m/s",
     r"Die Geschwindigkeit ist $v = 90$ m/s. $V = v/3{,}6 = 25$ km/h",
     "車速 V = 90 km/h、v = 3.6 V = 324 m/s。",
+    r"$U = \frac{\sqrt3}{2}\cdot 0.0058 = \SI{5.02e-3}{kg.m} = \SI{50.2}{kg.mm}$",
 )
 REFUTED = ("refuted", "contradiction")
 

@@ -99,9 +99,10 @@ def _at_stated_angle(
         is_here = is_here or line <= (state.sections.end_of_angle_headed(definition.line) or 0)
         if is_here or line <= state.sections.case_end(definition.line):
             angles.append((name, definition.node))
-    if (at_centre := at_dead_centre(state, chain, k, knowledge)) is not None:
-        return at_centre
-    if (named := angle_named(state, chain, knowledge)) is not None:
+    if (there := at_dead_centre(state, chain, k, knowledge)) is not None:
+        return there
+    at_centre = angle_there(state, chain, k, knowledge)
+    if at_centre is None and (named := angle_named(state, chain, knowledge)) is not None:
         angles.append(named)
     refuted_there = decision
     for name, value in angles:

@@ -150,14 +150,14 @@ def _readings(quantity: Quantity) -> list[tuple[Dimension, Quantity]]:
     if weight is None:
         dimension = unit_of(unit)
         return [] if dimension is None else [(dimension, quantity)]
-    sizes = TONS if weight[0] == "ton" else (POUND,)
-    own = POUND_FORCE if weight[0] == "lbf" else sizes[0]
-    readings = [
-        (dimension, replace(quantity, scale=quantity.scale / own * size * by_weight))
-        for sign, by_weight in (("kg", Fraction(1)), ("N", POUND_FORCE / POUND))
-        for size in sizes
-        if (dimension := unit_of(unit[: weight.start()] + sign + unit[weight.end() :])) is not None
-    ]
+    sizes = TONS if weight[0] == "ton" else (POUND / 16,) if weight[0] == "oz" else (POUND,)
+    readings: list[tuple[Dimension, Quantity]] = []
+    for sign, by_weight in (("kg", Fraction(1)), ("N", POUND_FORCE / POUND)):
+        metric = unit[: weight.start()] + sign + unit[weight.end() :]
+        dimension, scale = unit_of(metric), scale_of(metric)
+        if dimension is not None and scale is not None:
+            scaled = (replace(quantity, scale=scale[0] * size * by_weight) for size in sizes)
+            readings += [(dimension, each) for each in scaled]
     return readings[len(sizes) :] if unit == "lbf" else readings
 
 

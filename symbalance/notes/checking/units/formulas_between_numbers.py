@@ -285,9 +285,7 @@ def _as_typed(node: Formula, document: ReadNotes) -> Formula:
     """Return an arithmetic with its units left out: 85 lb-ft · 4000 rpm/5252 as 85 · 4000/5252."""
     if isinstance(node, Product):
         numbers = [part for part in node.factors if not _is_unit(part, document)]
-        factors = tuple(_as_typed(part, document) for part in numbers)
-        if not factors:  # units alone: kg m
-            return Number(Fraction(1))
+        factors = tuple(_as_typed(part, document) for part in numbers) or (Number(Fraction(1)),)
         return factors[0] if len(factors) == 1 else replace(node, factors=factors)
     parts = children(node)
     return with_children(node, tuple(_as_typed(part, document) for part in parts)) if parts else node
