@@ -126,3 +126,33 @@ def test_a_sum_over_angles_given_by_a_rule_and_a_table(body, right, wrong):
 
     assert last(right) in ("holds", "conditional")
     assert last(wrong) == "refuted"
+
+
+PLANES = (
+    "The flat-plane crank has pins at 0°, 180°, 180° and 0°, the cross-plane one at 0°, 90°, 270° and 180°."
+    "\n\n"
+)
+SECTIONS = (
+    "## Cross-plane\n\nThe crank has its pins at 0°, 90°, 270° and 180°.\n\n"
+    "## Flat-plane\n\nThe crank has its pins at 0°, 180°, 180° and 0°. "
+)
+
+
+@pytest.mark.parametrize(
+    ("page", "verdicts"),
+    [
+        (
+            PLANES + "For the flat-plane crank $\\sum_k\\cos 2(\\theta+\\alpha_k) = {sum}$.\n",
+            ("refuted", "conditional"),
+        ),
+        (PLANES + "So $\\sum_k\\cos 2(\\theta+\\alpha_k) = {sum}$.\n", ("undecided", "undecided")),
+        (
+            SECTIONS + "In the cross-plane one $\\sum_k\\cos 2(\\theta+\\alpha_k) = {sum}$.\n",
+            ("conditional", "refuted"),
+        ),
+        (SECTIONS + "So $\\sum_k\\cos 2(\\theta+\\alpha_k) = {sum}$.\n", ("refuted", "conditional")),
+    ],
+)
+def test_of_several_engines_the_one_named_is_meant(page, verdicts):
+    for total, verdict in zip(("0", "4\\cos 2\\theta"), verdicts, strict=True):
+        assert sb.check(page.replace("{sum}", total), {}).data()["links"][-1]["verdict"] == verdict

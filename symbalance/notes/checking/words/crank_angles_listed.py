@@ -153,6 +153,7 @@ def listed_at(
     near = behind[:1] if behind and not is_before_here else before
     if not near and len({frozenset(each.degrees) for each in lists}) == 1:
         near = [each for each in lists if each.place < start]
+    near = _of_engine_named(near, lists, start, text)
     if not near:
         return None
     lines = text.splitlines(keepends=True)
@@ -171,6 +172,57 @@ def listed_at(
     )
     is_other = engine is not None and engine[0] not in (1, cylinders) and not is_half  # 1: of one of them
     return None if is_other else near[-1]
+
+
+def _of_engine_named(
+    near: list[CrankAngles], lists: list[CrankAngles], start: int, text: str
+) -> list[CrankAngles]:
+    """Return the lists near that a relation may go over, where several engines stand side by side.
+
+    "In the cross-plane engine" is the list that has that name, wherever it stands. Two lists in a row,
+    of different engines, leave open which is meant where nothing names one.
+    """
+    own = _engine_names(_CLAUSE.split(text[max(0, start - _BEFORE) : start])[-1])
+    names = {each.place: _engine_names(_label_of(each, lists, text)) for each in lists}
+    if own and near and names[near[-1].place] and not own & names[near[-1].place]:
+        return [each for each in lists if each.place < start and own & names[each.place]]
+    are_in_a_row = len(near) > 1 and near[-1].line - near[-2].line <= 1
+    is_open = (
+        are_in_a_row and near[-1].degrees != near[-2].degrees and near[-1].line < _line_at(text, start)
+    )
+    named = [each for each in near if own & names[each.place]]
+    return named if named or is_open else near
+
+
+def _label_of(angles: CrankAngles, lists: list[CrankAngles], text: str) -> str:
+    """Return the words between a list and the one before it, in its clause, or the heading above it."""
+    before = [each.place for each in lists if each.place < angles.place]
+    first = max([0, angles.place - _BEFORE, *before])
+    label = _SENTENCE.split(text[first : angles.place])[-1]
+    if _NAMED.search(label):
+        return label
+    headings = list(_HEADING.finditer(text, 0, angles.place))
+    return headings[-1].group() if headings else label
+
+
+def _engine_names(words: str) -> frozenset[str]:
+    """Return what words name an engine by: its planes, the number of its cylinders."""
+    return frozenset(match.lastgroup or "" for match in _NAMED.finditer(words))
+
+
+_SENTENCE = re.compile(r"[.!?。]\s|[;；]|\n")
+_HEADING = re.compile(
+    r"^(?:#{1,6}\s|={2,6}|\\(?:sub)*section\*?\{|<h[1-6])[^\n]*", re.MULTILINE | re.IGNORECASE
+)
+_NAMED = re.compile(
+    r"(?P<flat>\bflat|flach|plane?\s+Kurbel)|(?P<cross>\bcross|kreuz)|(?P<n2>\btwins?\b|\bthe\s+two\b|zweizyl)"
+    r"|(?P<n3>\bthe\s+three|triple|three-cyl|dreizyl|3\s?気筒)"
+    r"|(?P<n4>\bthe\s+four|four-cyl|inline[\s-]four|vierzyl|4\s?気筒)"
+    r"|(?P<n5>\bthe\s+five|five-cyl|inline[\s-]five|fünfzyl|5\s?気筒)"
+    r"|(?P<n6>\bthe\s+six|six-cyl|inline[\s-]six|sechszyl|6\s?気筒)",
+    re.IGNORECASE,
+)
+"""Words that tell the engines of one page apart."""
 
 
 def _line_at(text: str, place: int) -> int:

@@ -38,7 +38,7 @@ _WRITTEN_OUT = {
     for unit, spelled in _PREFIXED.items()
     for word in listed(spelled)
 } | {word: unit for unit, spelled in _TIMES.items() for word in listed(spelled)}
-_WRITTEN_OUT |= {"pound": "lb", "pounds": "lb", "revolution": "rev", "revolutions": "rev"}
+_WRITTEN_OUT |= {"pound": "lb", "pounds": "lb", "revolution": "1", "revolutions": "1"}  # as in rpm
 _WRITTEN_OUT |= {"mile": "mi", "miles": "mi"}
 _WRITTEN_OUT |= {word.capitalize(): sign for word, sign in _WRITTEN_OUT.items()}
 _SIGNS |= _WRITTEN_OUT
