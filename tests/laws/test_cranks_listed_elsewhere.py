@@ -129,8 +129,8 @@ def test_a_sum_over_angles_given_by_a_rule_and_a_table(body, right, wrong):
 
 
 PLANES = (
-    "The flat-plane crank has pins at 0°, 180°, 180° and 0°, the cross-plane one at 0°, 90°, 270° and 180°."
-    "\n\n"
+    "The flat-plane crank has pins at 0°, 180°, 180° and 0°,"
+    " the cross-plane one at 0°, 90°, 270°, 180°.\n\n"
 )
 SECTIONS = (
     "## Cross-plane\n\nThe crank has its pins at 0°, 90°, 270° and 180°.\n\n"
@@ -156,3 +156,16 @@ SECTIONS = (
 def test_of_several_engines_the_one_named_is_meant(page, verdicts):
     for total, verdict in zip(("0", "4\\cos 2\\theta"), verdicts, strict=True):
         assert sb.check(page.replace("{sum}", total), {}).data()["links"][-1]["verdict"] == verdict
+
+
+ARMS = (
+    "| $k$ | 1 | 2 | 3 |\n|---|---|---|---|\n| $\\delta_k$ | 0° | 120° | 240° |\n"
+    "| $z_k$ | $a$ | 0 | $-a$ |\n\n"
+    "$$\\sum_k z_k\\cos\\delta_k = {sum}$$\n"
+)
+
+
+@pytest.mark.parametrize(("total", "verdict"), [(r"\frac32 a", "conditional"), ("2a", "refuted")])
+def test_a_letter_in_a_row_of_arms_is_none_with_a_value(total, verdict):
+    page = ARMS.replace("{sum}", total)
+    assert sb.check(page, {"a": "cylinder pitch"}).data()["links"][-1]["verdict"] == verdict

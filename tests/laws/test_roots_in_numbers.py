@@ -43,3 +43,9 @@ def test_a_formula_without_a_normal_form_may_be_given_again():
     )
     assert _last(page.replace("K", "16")) == "holds"
     assert _last(page.replace("K", "61")) != "holds"
+
+
+@pytest.mark.parametrize(("number", "is_wrong"), [("8.60", False), ("8.06", True)])
+def test_a_cube_root_has_its_number_in_a_later_sentence(number, is_wrong):
+    page = f"$V = 500$ cm³ and $D = \\sqrt[3]{{4V/\\pi}}$.\n\nSo $D = {number}$ cm.\n"
+    assert (_last(page) == "refuted") is is_wrong

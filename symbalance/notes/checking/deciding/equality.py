@@ -17,7 +17,7 @@ from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.open_sums import goes_on_within
 from symbalance.notes.algebra.tree_values import DEEPEST, sample_trees
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
-from symbalance.notes.checking.deciding.numbers_put_in import may_be_rounded
+from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number, may_be_rounded
 from symbalance.notes.checking.deciding.parts_apart import parts_apart
 from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals, with_decimals
 from symbalance.notes.checking.deciding.substitution import replace_part
@@ -174,7 +174,8 @@ def _agree_as_typed(
     for side, value in zip((left, right), pair, strict=True):
         node = with_decimals(side, meaning.values)  # β = 17.5° too stands for all that is rounded to it
         for number in decimals(node):
-            if number.last_place is None or not may_be_rounded(number, printed):
+            may_round = is_lone_number(side) or may_be_rounded(number, printed)
+            if number.last_place is None or not may_round:
                 continue
             moved = replace_part(node, number, Number(number.value + number.last_place / 2))
             there = sample_trees([moved], meaning, 1)

@@ -95,14 +95,17 @@ def data_of(notes: ReadNotes, symbols_at: Symbols) -> tuple[Chain, ...]:
     """Return the data of a page as chains of a letter and its value, in the order of their lines."""
     used = {name for chain in notes.chains for side in chain.sides for name in names(side.node)}
     reader = _Reader(notes, used, symbols_at)
+    numbered = list(tables_of_values(notes, list(_tables(notes.text)), used))
+    within = {(c.lines[0], name) for c in numbered for name in names(c.sides[1].node)}
     chains = [
-        *reader.of_tables(),
+        # in a row z_k | a | 0 | -a the a is a value, and has none there itself
+        *(chain for chain in reader.of_tables() if (chain.lines[0], _letter(chain)) not in within),
         *reader.of_items(),
         *reader.of_prose(),
         *reader.of_code(),
         *rows_of_values(notes, used),
         *instances_of_rules(notes, used),
-        *tables_of_values(notes, list(_tables(notes.text)), used),
+        *numbered,
     ]
     return tuple(sorted(chains, key=lambda chain: chain.sides[0].span))
 
