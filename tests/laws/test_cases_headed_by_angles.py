@@ -63,3 +63,13 @@ def _words(folder, text):
     path = folder / "page.md"
     path.write_text(text, encoding="utf-8")
     return [v.verdict for v in check(path, fixes=False).verdicts]
+
+
+@pytest.mark.parametrize(("number", "is_wrong"), [("50.0", False), ("86.6", True)])
+def test_a_number_printed_at_one_angle_is_none_at_the_next(number, is_wrong):
+    page = (
+        "$r = 50.0$ mm.\n\n## φ = 30°\n\n$h = r\\cos\\varphi = 43.3$ mm\n\n"
+        f"## φ = 60°\n\n$2h = {number}$ mm\n"
+    )
+    last = check(page, {}).data()["links"][-1]
+    assert (last["verdict"] == "refuted") is is_wrong

@@ -242,7 +242,19 @@ class Definitions:
     def _add(self, name: str, entry: Entry) -> None:
         if entry.definition.numeric:
             self._keep_rates_of(name)
+            self._forget_results_of(name, entry.definition.node)
         self.values.setdefault(name, []).append(entry)
+
+    def _forget_results_of(self, name: str, node: Formula) -> None:
+        """Forget the numbers printed for formulas of a letter that now gets another number: φ = 60°."""
+        former = self.values.get(name)
+        if not former or not former[-1].definition.numeric or former[-1].definition.node == node:
+            return
+        nodes = {other: entries[-1].definition.node for other, entries in self.values.items()}
+        for other, entries in self.values.items():
+            last = entries[-1].definition
+            if last.rounded is not None and other != name and name in names_behind(last.node, nodes):
+                entries[-1] = replace(entries[-1], definition=replace(last, rounded=None))
 
     def _keep_rates_of(self, name: str) -> None:
         """Keep v = dx/dt the rate of x as it moves, where x now gets the number of one moment."""
