@@ -68,18 +68,6 @@ def test_the_list_of_another_engine_is_not_taken():
     assert sb.check(page, {}).data()["links"][-1]["verdict"] != "refuted"
 
 
-@pytest.mark.parametrize(("stress", "is_wrong"), [("0.793", False), ("7.93", True)])
-def test_a_result_fixes_the_one_letter_without_a_value(stress, is_wrong):
-    """What is computed with it later is judged."""
-    page = (
-        "The rim has $R_a = 0.32$ m and $\\rho = 7850$ kg/m³. There $u = R_a \\omega = 10.05$ m/s.\n\n"
-        f"So $\\sigma = \\rho u^2 = {stress}$ MPa.\n"
-    )
-    links = sb.check(page, {}).data()["links"]
-    assert [link["verdict"] for link in links][-3] in ("premise", "definition")
-    assert (links[-1]["verdict"] in ("refuted", "contradiction")) is is_wrong
-
-
 STAR = (
     r"$$\gamma_1 = 0°,\quad \gamma_2 = 90°,\quad \gamma_3 = 270°,\quad \gamma_4 = 180°$$"
     "\n\n$$\\sum_k e^{2i\\gamma_k} = {sum}$$\n\n"

@@ -13,6 +13,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.formula import (
+    PI,
     Call,
     Formula,
     Name,
@@ -40,7 +41,7 @@ from symbalance.notes.checking.deciding.equality import (
     decide_equality,
     without_dots,
 )
-from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import constants_put_in, paired
 from symbalance.notes.checking.deciding.order_agreement import SmallLetter, truncated_sum
 from symbalance.notes.checking.deciding.remainders import has_remainder
@@ -212,7 +213,8 @@ def _decide_put_in(left: Formula, right: Formula, refutation: Decision, knowledg
     have = "has no value" if len(missing) == 1 else "have no values"
     pairs = paired(left, right)
     if pairs is None and len(missing) == 1 and missing[0] not in knowledge.definitions:
-        return Decision(PREMISE, f"it fixes {texts}, which {have} above")
+        by_turns = _by_turns(left, right, missing[0], knowledge)
+        return by_turns or Decision(PREMISE, f"it fixes {texts}, which {have} above")
     if pairs is None:
         return replace(refutation, status=UNDECIDED, reason=f"{texts} {have} here: give what is put in")
     if (other := _other_constant(left, right, knowledge)) is not None:
@@ -225,6 +227,21 @@ def _decide_put_in(left: Formula, right: Formula, refutation: Decision, knowledg
             put, stands = (formula_text(node, plain=True) for node in (number, part))
             return replace(refutation, reason=f"{put} is put in for {stands}, which has another value")
     return Decision(PREMISE, f"{NUMBERS_PUT_IN}; {texts} {have} above")
+
+
+def _by_turns(left: Formula, right: Formula, name: str, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on P = T ω = 254.8 kW by n = 3000 rpm, where ω has no value; else None."""
+    speed = next((n for n in ("n", "N") if n in knowledge.definitions), "")
+    if name.casefold() != "omega" or not speed or not knowledge.definitions[speed].numeric:
+        return None
+    line = knowledge.definitions[speed].line
+    text = f"{formula_text(Name(name), plain=True)} = 2π {speed}"
+    for scale in (Fraction(2), Fraction(1, 30)):  # n in turns per second, or a bare number per minute
+        turned = Product((Number(scale), PI, Name(speed)))
+        there = decide_equality(left, right, knowledge.with_definition(name, Definition(turned, line)))
+        if there.is_proved:
+            return replace(there, assumptions=(*there.assumptions, text))
+    return Decision(UNDECIDED, f"not so with {text}: say which speed is meant")
 
 
 def _free_letters(node: Formula, refutation: Decision) -> set[str]:
