@@ -216,10 +216,10 @@ _HEADING = re.compile(
 )
 _NAMED = re.compile(
     r"(?P<flat>\bflat|flach|plane?\s+Kurbel)|(?P<cross>\bcross|kreuz)|(?P<n2>\btwins?\b|\bthe\s+two\b|zweizyl)"
-    r"|(?P<n3>\bthe\s+three|triple|three-cyl|dreizyl|3\s?気筒)"
-    r"|(?P<n4>\bthe\s+four|four-cyl|inline[\s-]four|vierzyl|4\s?気筒)"
-    r"|(?P<n5>\bthe\s+five|five-cyl|inline[\s-]five|fünfzyl|5\s?気筒)"
-    r"|(?P<n6>\bthe\s+six|six-cyl|inline[\s-]six|sechszyl|6\s?気筒)",
+    r"|(?P<n3>\bthe\s+three\b|triple|three-cyl|dreizyl|3\s?気筒)"
+    r"|(?P<n4>\bthe\s+four\b|four-cyl|inline[\s-]four\b|vierzyl|4\s?気筒)"
+    r"|(?P<n5>\bthe\s+five\b|five-cyl|inline[\s-]five\b|fünfzyl|5\s?気筒)"
+    r"|(?P<n6>\bthe\s+six\b|six-cyl|inline[\s-]six\b|sechszyl|6\s?気筒)",
     re.IGNORECASE,
 )
 """Words that tell the engines of one page apart."""
