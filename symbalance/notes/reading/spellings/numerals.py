@@ -488,13 +488,13 @@ def _raised_points(text: str) -> dict[int, tuple[int, str]]:
     """Return the points of old prints, 125·7 for 125.7 and 0·0284 for 0.0284.
 
     No factor begins with a zero: 0·0284 shows that the page's points are decimal signs. Without such a
-    number they are where products are written with a cross and no decimal sign stands on the line.
+    number they are where products are written with a cross and few decimal signs stand on the line.
     """
     found = list(_RAISED_POINT.finditer(text))
     if not any(_is_no_product(match) for match in found) and (
         ("×" not in text and "\\times" not in text)
         or _SPACED_POINT.search(text)
-        or any(_follows_formula(text, match) for match in _POINT.finditer(text))
+        or 2 * sum(_follows_formula(text, match) for match in _POINT.finditer(text)) > len(found)
     ):
         return {}
     return {m.start(): (m.end(), f"{m['whole']}.{m['part']}".replace("O", "0")) for m in found}
