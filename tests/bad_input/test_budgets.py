@@ -8,6 +8,7 @@ import threading
 import time
 from contextlib import suppress
 from itertools import count
+from types import SimpleNamespace
 
 import pytest
 
@@ -16,6 +17,7 @@ from symbalance.checking import check
 from symbalance.cli import run
 from symbalance.errors import SymbalanceError
 from symbalance.notes.algebra.values import letters
+from symbalance.notes.checking import documents
 from tests.effort import effort
 from tests.formulas import forms
 
@@ -167,8 +169,11 @@ def test_a_share_ends_before_the_budget_around_it():
     assert run_within(Budget(0.4), around) == "time left"
 
 
-def test_when_the_documents_budget_is_spent_the_rest_is_undecided():
-    checked = check(f"{RIGHT}\n\n" * 5, {"x": "angle"}, budget=Budget(1e-9))
+def test_when_the_documents_budget_is_spent_the_rest_is_undecided(monkeypatch):
+    """It is spent between reading and judging, by a clock of the test's own: reading takes a moment."""
+    clock = count(0, 10**6)
+    monkeypatch.setattr(documents, "time", SimpleNamespace(thread_time=lambda: next(clock)))
+    checked = check(f"{RIGHT}\n\n" * 5, {"x": "angle"}, budget=Budget(LONG))
     assert [v.verdict for v in checked.verdicts] == ["undecided"] * 5
     assert "spent before" in checked.verdicts[0].reason
 

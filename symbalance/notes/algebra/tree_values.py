@@ -41,14 +41,14 @@ def names_behind(node: Formula, values: Mapping[str, Formula]) -> list[str]:
 
 def letters_with_behind(letters: Iterable[str], values: Mapping[str, Formula]) -> list[str]:
     """Return letters, those of what they stand for, and so on, as they come up."""
-    reached: dict[str, None] = {}
+    every: dict[str, None] = {}
     waiting = [letters]
     while waiting:
         for name in sorted(waiting.pop()):
-            if name in values and name not in reached:
+            if name in values and name not in every:
                 waiting.append(formula.names(values[name]))
-            reached[name] = None
-    return list(reached)
+            every[name] = None
+    return list(every)
 
 
 NO_VALUE = (

@@ -269,11 +269,13 @@ def _over_one_turn(node: Formula, knowledge: Knowledge) -> tuple[Formula, int]:
         for factor in product.factors
         if isinstance(factor, Name) and factor != node.index
     }
-    if len(steps) != 1 or _stands_elsewhere(node.index, node.body, next(iter(steps))):
+    step = steps.pop() if len(steps) == 1 else None
+    if step is None or _stands_elsewhere(node.index, node.body, step):
         return node, count
-    own = _parts_of_a_turn(next(iter(steps)), knowledge)
-    bounds = Number(Fraction(0)), Number(Fraction(own - 1))
-    return (replace(node, lower=bounds[0], upper=bounds[1]), own) if own else (node, count)
+    own = _parts_of_a_turn(step, knowledge)
+    if not own:
+        return node, count
+    return replace(node, lower=Number(Fraction(0)), upper=Number(Fraction(own - 1))), own
 
 
 def _stands_elsewhere(index: Name, node: Formula, step: Name) -> bool:
@@ -383,7 +385,6 @@ def _indexed_terms(
     is_known = any(knowledge.knows(name) for name in (*indexed, _PITCH))
     if len(own) != 1 or is_known or (places and not is_of_places):
         return None
-    first = node.lower.value if isinstance(node.lower, Number) else Fraction(1)
     is_of_cranks = not angles.signs and own[0].split("_")[0] in _OF_CRANKS
     if angles.is_usual and not (is_of_cranks and _turns_with(node.body, own[0])):
         return None
@@ -391,6 +392,7 @@ def _indexed_terms(
     if places and len(arms) != len(angles.degrees):
         return None
     stem = own[0][: -len(index)]
+    first = node.lower.value if isinstance(node.lower, Number) else Fraction(1)
     numbers = {n[len(stem) :] for n in knowledge.definitions if n.startswith(stem)}
     if any(number.isdecimal() and int(number) >= first for number in numbers):
         return None  # δ_1, δ_2 have values of their own; θ_0 is no cylinder of a sum from 1

@@ -62,7 +62,6 @@ from symbalance.notes.checking.meant.quantity_words import Named, Places, Quanti
 from symbalance.notes.checking.meant.stated_numbers import StatedNumbers
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
-from symbalance.notes.checking.words.engines_in_words import EnginesInWords
 from symbalance.notes.checking.words.glossary import glossary_of
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
@@ -182,7 +181,7 @@ class NamedQuantities:
     @cached_property
     def counts(self) -> frozenset[int]:
         """The numbers of cylinders that the page's engines may have by their names; empty if any."""
-        engines = EnginesInWords(self.document.text).every
+        engines = self.sections.named_engines.every
         if any(not engine.cylinders and not _size_of_vee(engine.words) for engine in engines):
             return frozenset()
         sizes = {engine.cylinders or _size_of_vee(engine.words) for engine in engines}

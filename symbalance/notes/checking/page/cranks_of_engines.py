@@ -16,7 +16,6 @@ from symbalance.errors import SymbalanceError
 from symbalance.notes.checking.declared.engines import KnownEngine, Sources
 from symbalance.notes.checking.words.case_words import ENGINE, engine_of
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
-from symbalance.notes.checking.words.engines_in_words import EnginesInWords
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END
 from symbalance.text import lazy_patterns as re
@@ -88,14 +87,9 @@ class CranksOfEngines:
             return self._cranks(own, first, last, line) if own else None
         return None
 
-    @cached_property
-    def _named_by_number(self) -> EnginesInWords:
-        """The engines that the page names by the number of their cylinders alone."""
-        return EnginesInWords(self.text)
-
     def _by_number_alone(self, first: int, last: int, line: int) -> CrankAngles | None:
         """Return the cranks of a three- or four-cylinder engine that nothing says to have banks."""
-        engines = self._named_by_number.between(first, last)
+        engines = self.sections.named_engines.between(first, last)
         if len({engine.key for engine in engines}) != 1 or engines[0].cylinders not in _USUALLY_IN_LINE:
             return None
         engine, words = engines[0], self.text[first:last]
@@ -103,7 +97,7 @@ class CranksOfEngines:
         is_other = engine.is_boxer or _BANKS.search(section) or _UNUSUAL.search(section)
         if is_other or _PART.search(words) or self._names_another(first, last, None, engine.cylinders):
             return None
-        stars = self._named_by_number.with_stars(engine, first, last, "", words).stars
+        stars = self.sections.named_engines.with_stars(engine, first, last, "", words).stars
         if len(stars) != 1 or stars[0].signs:
             return None
         own, count = tuple(map(Fraction, stars[0].degrees)), engine.cylinders

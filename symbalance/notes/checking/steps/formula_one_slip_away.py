@@ -69,8 +69,10 @@ def number_of_a_formula_one_slip_away(
             continue
         edits = () if near is None else _edits(above.right, of_number=is_lone_number(right))
         exchanged = _with_a_letter_exchanged(state, chain, above.right, knowledge)
-        tried = chain_of(((edit, near) for edit in edits), ((edit, near_letter) for edit in exchanged))
-        for edit, precision in tried:
+        candidates = chain_of(
+            ((edit, near) for edit in edits), ((edit, near_letter) for edit in exchanged)
+        )
+        for edit, precision in candidates:
             value = number_of(edit, knowledge)
             if value is not None and isclose(float(value), float(typed), rel_tol=precision or 0.0):
                 shown = formula_text(edit, plain=True)
@@ -94,12 +96,12 @@ def as_multiple_in_words(
     if k or not isinstance(head, Name) or not is_lone_number(right):
         return None
     text = state.document.text
-    said = multiple_said_before(text[max(0, chain.start - REACH_OF_WORDS) : chain.start])
+    in_words = multiple_said_before(text[max(0, chain.start - REACH_OF_WORDS) : chain.start])
     number = next(iter(parts_of_kind(right, Number)), None)
     above = next(formulas_only_stated(state, chain, knowledge), None)
-    if said is None or number is None or above is None:
+    if in_words is None or number is None or above is None:
         return None
-    if abs(said - float(number.value)) > float(number.last_place or 1) / 2 * (1 + 1e-9):
+    if abs(in_words - float(number.value)) > float(number.last_place or 1) / 2 * (1 + 1e-9):
         return None
     reason = f"what the words before it come to, and not what line {above.line} does"
     return Decision(UNDECIDED, f"{reason}, which nothing proves: one of the two is wrong")

@@ -109,6 +109,7 @@ _GRAVITY_IN_FEET = {
     **dict.fromkeys(map(Fraction, ("32", "32.2", "32.17", "32.16", "32.174", "32.18")), "ft"),
     **dict.fromkeys(map(Fraction, ("386", "386.1", "386.4")), "inch"),
 }
+"""The numbers that g has on pages in feet or inches, and the length that it is counted in."""
 
 
 def with_gravity_in_feet(knowledge: Knowledge) -> Knowledge:

@@ -146,14 +146,14 @@ def thing_of_case(text: str, first: int, start: int) -> frozenset[str]:
 
 
 _LINE_LABEL = re.compile(r"[ \t>*•·–-]*(?P<words>[^=:：\n]{1,40}?)[ \t*_]{0,4}[:：][\s$*_\\({[]{0,8}$")
+"""The words before a colon that a formula's line opens with: long rod:"""
 _LABEL_BEHIND = re.compile(
     r"[\s$)\]}]{0,4}(?:\(|(?:for|at|with|bei|beim|für|mit|pour|avec|para|con|per)\s)(?:(?:the|an?|der|die|das|dem|le|la)\s)?"
     r"(?P<words>[^:：,;=$()\n]{2,30}?)\)?(?=\s(?:and|or|but|while|und|oder|et|ou|y|e)\s|[,;]|\.(?:\s|$)|\n|\s*\Z)",
     re.IGNORECASE,
 )
+"""What a formula is said to be of right behind it: (crank pin), for the 6.00."""
 _TOKEN = re.compile(r"[0-9]+(?:[.,][0-9]+)?|[^\W\d_]+|[\"″'′%°]")
-
-
 _WAY = re.compile(
     r"(?:by|from|using|via|per|aus|durch|nach|mittels|selon|d'après|según|secondo)\s", re.IGNORECASE
 )
@@ -168,10 +168,10 @@ def label_beside(text: str, start: int, end: int) -> tuple[str, ...]:
     (('long', 'rod'), ('6.00',))
     """
     line = text[text.rfind("\n", 0, start) + 1 : start]
-    found = _LINE_LABEL.fullmatch(line) or _LABEL_BEHIND.match(text, end)
-    if found is None or _WAY.match(found["words"]):
+    label = _LINE_LABEL.fullmatch(line) or _LABEL_BEHIND.match(text, end)
+    if label is None or _WAY.match(label["words"]):
         return ()
-    return tuple(token.lower() for token in _TOKEN.findall(found["words"]))
+    return tuple(token.lower() for token in _TOKEN.findall(label["words"]))
 
 
 def are_labels_of_a_kind(first: tuple[str, ...], second: tuple[str, ...]) -> bool:

@@ -7,9 +7,10 @@ say the angles too: one after the other, by two turns over the number of cylinde
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import lru_cache
 
 from symbalance.document.formula import Constant, Formula, Number, Product
 from symbalance.notes.checking.words.case_words import engine_named
@@ -65,6 +66,20 @@ _TWO_OF_THEM = re.compile(
     re.IGNORECASE,
 )
 """Words that say an engine is two of a smaller one: a six as two threes, mirrored."""
+_SENTENCE = re.compile(r"[.!?。]\s|[;；]|\n")
+"""What ends the words that lead to a list, a line too."""
+_HEADING = re.compile(
+    r"^(?:#{1,6}\s|={2,6}|\\(?:sub)*section\*?\{|<h[1-6])[^\n]*", re.MULTILINE | re.IGNORECASE
+)
+_NAMED = re.compile(
+    r"(?P<flat>\bflat|flach|plane?\s+Kurbel)|(?P<cross>\bcross|kreuz)|(?P<n2>\btwins?\b|\bthe\s+two\b|zweizyl)"
+    r"|(?P<n3>\bthe\s+three\b|triple|three-cyl|dreizyl|3\s?気筒)"
+    r"|(?P<n4>\bthe\s+four\b|four-cyl|inline[\s-]four\b|vierzyl|4\s?気筒)"
+    r"|(?P<n5>\bthe\s+five\b|five-cyl|inline[\s-]five\b|fünfzyl|5\s?気筒)"
+    r"|(?P<n6>\bthe\s+six\b|six-cyl|inline[\s-]six\b|sechszyl|6\s?気筒)",
+    re.IGNORECASE,
+)
+"""Words that tell the engines of one page apart."""
 _ROW = re.compile(r"^[ \t]*\|?[ \t]*(?P<cells>[^\n]*[|&][^\n]*)$", re.MULTILINE)
 _BEFORE, _BEHIND = 120, 30
 """Characters before and behind a list in which words have to say that it is of cranks."""
@@ -94,6 +109,8 @@ class CrankAngles:
     arms: tuple[Fraction, ...] = ()
     """The cylinders' places along the crank from the middle, where an engine's name says them."""
 
+    engines: frozenset[str] = frozenset()
+    """What tells the list's engine from others of the page: its planes, the number of its cylinders."""
     is_against: bool = False
     """Whether each is how far a crank lags behind the angle counted: θ - 90°."""
 
@@ -121,18 +138,21 @@ def _plain(number: Fraction) -> str:
     return str(number.numerator) if number.denominator == 1 else f"{float(number):.6g}"
 
 
-def crank_angles(text: str) -> list[CrankAngles]:
-    """Return the lists of crank angles of a page, in the order of its lines.
+@lru_cache(maxsize=4)
+def crank_angles(text: str) -> tuple[CrankAngles, ...]:
+    """Return the lists of crank angles of a page, in the order of its lines; it is asked several times.
 
     >>> [str(a) for a in crank_angles("Crank throws at 0°, 180°, 180° and 0°.")[0].degrees]
     ['0', '180', '180', '0']
     """
     lists = [*_in_words(text), *_by_rows(text), *_by_firing(text)]
-    return sorted(lists, key=lambda angles: angles.place)
+    lists.sort(key=lambda angles: angles.place)
+    before = [0, *(angles.place for angles in lists)]
+    return tuple(_with_engine(own, first, text) for own, first in zip(lists, before, strict=False))
 
 
 def listed_at(
-    lists: list[CrankAngles],
+    lists: Sequence[CrankAngles],
     start: int,
     text: str,
     same_section: Callable[[int, int], bool],
@@ -153,7 +173,8 @@ def listed_at(
     near = behind[:1] if behind and not is_before_here else before
     if not near and len({frozenset(each.degrees) for each in lists}) == 1:
         near = [each for each in lists if each.place < start]
-    near = _of_engine_named(near, lists, start, text)
+    words = _CLAUSE.split(text[max(0, start - _BEFORE) : start])[-1]
+    near = _of_engine_named(near, lists, words, start, line)
     if not near:
         return None
     lines = text.splitlines(keepends=True)
@@ -175,54 +196,37 @@ def listed_at(
 
 
 def _of_engine_named(
-    near: list[CrankAngles], lists: list[CrankAngles], start: int, text: str
+    near: list[CrankAngles], lists: Sequence[CrankAngles], words: str, start: int, line: int
 ) -> list[CrankAngles]:
     """Return the lists near that a relation may go over, where several engines stand side by side.
 
     "In the cross-plane engine" is the list that has that name, wherever it stands. Two lists in a row,
     of different engines, leave open which is meant where nothing names one.
     """
-    own = _engine_names(_CLAUSE.split(text[max(0, start - _BEFORE) : start])[-1])
-    names = {each.place: _engine_names(_label_of(each, lists, text)) for each in lists}
-    if own and near and names[near[-1].place] and not own & names[near[-1].place]:
-        return [each for each in lists if each.place < start and own & names[each.place]]
-    are_in_a_row = len(near) > 1 and near[-1].line - near[-2].line <= 1
-    is_open = (
-        are_in_a_row and near[-1].degrees != near[-2].degrees and near[-1].line < _line_at(text, start)
-    )
-    named = [each for each in near if own & names[each.place]]
-    return named if named or is_open else near
+    if not near:
+        return near
+    own, last = _engines_named(words), near[-1]
+    if own and last.engines and not own & last.engines:
+        return [each for each in lists if each.place < start and own & each.engines]
+    named = [each for each in near if own & each.engines]
+    if named or len(near) == 1:
+        return named or near
+    are_in_a_row = last.line - near[-2].line <= 1 and last.line < line
+    return [] if are_in_a_row and last.degrees != near[-2].degrees else near
 
 
-def _label_of(angles: CrankAngles, lists: list[CrankAngles], text: str) -> str:
-    """Return the words between a list and the one before it, in its clause, or the heading above it."""
-    before = [each.place for each in lists if each.place < angles.place]
-    first = max([0, angles.place - _BEFORE, *before])
-    label = _SENTENCE.split(text[first : angles.place])[-1]
-    if _NAMED.search(label):
-        return label
-    headings = list(_HEADING.finditer(text, 0, angles.place))
-    return headings[-1].group() if headings else label
+def _with_engine(angles: CrankAngles, first: int, text: str) -> CrankAngles:
+    """Return a list with the engine that the words before it name from `first` on, or its heading."""
+    own = _engines_named(_SENTENCE.split(text[max(first, angles.place - _BEFORE) : angles.place])[-1])
+    if not own:
+        headings = list(_HEADING.finditer(text, 0, angles.place))
+        own = _engines_named(headings[-1].group()) if headings else own
+    return replace(angles, engines=own)
 
 
-def _engine_names(words: str) -> frozenset[str]:
+def _engines_named(words: str) -> frozenset[str]:
     """Return what words name an engine by: its planes, the number of its cylinders."""
     return frozenset(match.lastgroup or "" for match in _NAMED.finditer(words))
-
-
-_SENTENCE = re.compile(r"[.!?。]\s|[;；]|\n")
-_HEADING = re.compile(
-    r"^(?:#{1,6}\s|={2,6}|\\(?:sub)*section\*?\{|<h[1-6])[^\n]*", re.MULTILINE | re.IGNORECASE
-)
-_NAMED = re.compile(
-    r"(?P<flat>\bflat|flach|plane?\s+Kurbel)|(?P<cross>\bcross|kreuz)|(?P<n2>\btwins?\b|\bthe\s+two\b|zweizyl)"
-    r"|(?P<n3>\bthe\s+three\b|triple|three-cyl|dreizyl|3\s?気筒)"
-    r"|(?P<n4>\bthe\s+four\b|four-cyl|inline[\s-]four\b|vierzyl|4\s?気筒)"
-    r"|(?P<n5>\bthe\s+five\b|five-cyl|inline[\s-]five\b|fünfzyl|5\s?気筒)"
-    r"|(?P<n6>\bthe\s+six\b|six-cyl|inline[\s-]six\b|sechszyl|6\s?気筒)",
-    re.IGNORECASE,
-)
-"""Words that tell the engines of one page apart."""
 
 
 def _line_at(text: str, place: int) -> int:

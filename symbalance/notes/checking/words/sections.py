@@ -686,16 +686,17 @@ class Sections:
     def _named_in_paragraph(self, place: int) -> NamedEngine | None:
         """Return the engine that the paragraph of a place names last before it."""
         line = self.document.line_of(place)
-        return self._named_engines.last_before(self.start_of_line(self.paragraph_start(line)), place)
+        return self.named_engines.last_before(self.start_of_line(self.paragraph_start(line)), place)
 
     def _named_in_heading(self, line: int) -> NamedEngine | None:
         """Return the engine that the heading of a line's section names."""
         first = self.section_start(line)
         end = self.start_of_line(first + 1) if first < len(self._lines) else len(self.document.text)
-        return self._named_engines.last_before(self.start_of_line(first), end)
+        return self.named_engines.last_before(self.start_of_line(first), end)
 
     @cached_property
-    def _named_engines(self) -> EnginesInWords:
+    def named_engines(self) -> EnginesInWords:
+        """The engines that the page names."""
         return EnginesInWords(self.document.text)
 
     def _is_in_another_row(self, chain: Chain, earlier_line: int) -> bool:

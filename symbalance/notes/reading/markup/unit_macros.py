@@ -21,6 +21,7 @@ _SETTING = re.compile(
 )
 
 _DEGREES = (r"^\circ", "°", r"\degree", r"\textdegree")
+"""What a macro of a page's own stands for that is the sign of degrees."""
 
 
 def with_units_shown(text: str) -> str:

@@ -490,14 +490,16 @@ def _raised_points(text: str) -> dict[int, tuple[int, str]]:
     No factor begins with a zero: 0·0284 shows that the page's points are decimal signs. Without such a
     number they are where products are written with a cross and few decimal signs stand on the line.
     """
-    found = list(_RAISED_POINT.finditer(text))
-    if not any(_is_no_product(match) for match in found) and (
+    points = list(_RAISED_POINT.finditer(text))
+    if not points:
+        return {}
+    if not any(_is_no_product(match) for match in points) and (
         ("×" not in text and "\\times" not in text)
         or _SPACED_POINT.search(text)
-        or 2 * sum(_follows_formula(text, match) for match in _POINT.finditer(text)) > len(found)
+        or 2 * sum(_follows_formula(text, match) for match in _POINT.finditer(text)) > len(points)
     ):
         return {}
-    return {m.start(): (m.end(), f"{m['whole']}.{m['part']}".replace("O", "0")) for m in found}
+    return {m.start(): (m.end(), f"{m['whole']}.{m['part']}".replace("O", "0")) for m in points}
 
 
 def with_raised_points_lowered(text: str) -> str:

@@ -154,7 +154,7 @@ class EngineClaims:
     @cached_property
     def engines(self) -> EnginesInWords:
         """The engines that the page names."""
-        return EnginesInWords(self._text)
+        return self.sections.named_engines
 
     @cached_property
     def names_strokes(self) -> bool:
@@ -162,7 +162,7 @@ class EngineClaims:
         return bool(strokes_named(self._text))
 
     @cached_property
-    def _crank_lists(self) -> list[CrankAngles]:
+    def _crank_lists(self) -> tuple[CrankAngles, ...]:
         return crank_angles(self._text)
 
     @cached_property
