@@ -212,7 +212,9 @@ def _decide_put_in(left: Formula, right: Formula, refutation: Decision, knowledg
     texts = ", ".join(formula_text(Name(name), plain=True) for name in missing)
     have = "has no value" if len(missing) == 1 else "have no values"
     pairs = paired(left, right)
-    if pairs is None and len(missing) == 1 and missing[0] not in knowledge.definitions:
+    is_one = len(missing) == 1 and missing[0] not in knowledge.definitions
+    is_rate = any("/d" in name for name in missing)  # it may have its number from a line above
+    if pairs is None and is_one and not is_rate:
         by_turns = _by_turns(left, right, missing[0], knowledge)
         return by_turns or Decision(PREMISE, f"it fixes {texts}, which {have} above")
     if pairs is None:

@@ -1,4 +1,4 @@
-"""Compound units in words and in the points of English prints: radians per second, lb.-in.-sec.²
+"""Compound units in words, and in the points of English prints, are put in signs: lb.-in.-sec.² too.
 
 Their words are abbreviated with points and joined by hyphens, or written out: newton metres per radian,
 Meter pro Sekunde, feet per second squared. A pound beside the square of a time, or times a length, is a
