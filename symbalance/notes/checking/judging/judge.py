@@ -12,6 +12,7 @@ from symbalance.document.formula import Call, Formula, Name, Number, names, part
 from symbalance.document.letters import plain_letter
 from symbalance.errors import SymbalanceError
 from symbalance.notes.algebra.tree_values import letters_with_behind, names_behind
+from symbalance.notes.checking.deciding.congruences import decide_congruence
 from symbalance.notes.checking.deciding.descriptions import (
     describe,
     explained_verdict,
@@ -621,6 +622,8 @@ class Judge:
             return describe(self.document, chain, k, by_place)
         knowledge = with_clauses_below(self.state, chain, k, self.state.knowledge(chain.lines[0]))
         knowledge = self.state.knowledge_of(chain, knowledge)
+        if (congruent := decide_congruence(self.document.text, chain, k, knowledge)) is not None:
+            return describe(self.document, chain, k, congruent)
         mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
         if mismatch is not None and (
             anew := numbers_of_this_section(self.state.sections, chain, knowledge)

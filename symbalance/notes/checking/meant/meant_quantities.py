@@ -367,6 +367,8 @@ class MeantQuantities:
             roles = [named.role] if named.role else roles
             if named.role in _DISPLACEMENTS:
                 roles = [named.role, *(r for r in _DISPLACEMENTS if r != named.role)]
+                if place is not None and self.words.travels_from_top:
+                    roles = [FROM_TOP]  # at the top 2r is its way from the bottom
         for role in roles:
             for sign in (1, -1) if role in _EITHER_SIGN else (1,):
                 target = quantities[role] if sign > 0 else Negative(quantities[role])

@@ -107,6 +107,13 @@ _ANGLE_FROM = (
     r"(?:\bfrom|\bvon|\bvom|\bab|\bdesde|\bdal|\bdepuis|\bpartir|\bod|\bvanaf|\bfrån)\s[^.]{0,16}?"
 )
 _ANGLE_FROM_TOP = re.compile(rf"{_ANGLE_FROM}(?:top|upper|inner) dead|{_ANGLE_FROM}\b(?:TDC|OT)\b", re.I)
+TRAVEL_FROM_TOP = re.compile(
+    r"(?:travel|displacement|distance|Kolbenweg|Hubweg|course)[^.]{0,60}?"
+    r"\b(?:from|below|von|vom|ab)\s[^.]{0,16}?(?:(?:top|upper|inner) dead|\b(?:TDC|OT)\b)"
+    r"|上死点から[^。]{0,30}(?:変位|距離|移動)|(?:変位|距離)[^。]{0,20}上死点から",
+    re.IGNORECASE,
+)
+"""Words by which the piston's way is zero at the top and the stroke at the bottom, nothing else."""
 _ANGLE_FROM_BOTTOM = re.compile(
     rf"{_ANGLE_FROM}(?:bottom|lower|outer) dead|{_ANGLE_FROM}\b(?:BDC|UT)\b", re.I
 )
@@ -162,6 +169,11 @@ class MeantWords:
         if _ANGLE_FROM_TOP.search(self.page) and not _ANGLE_FROM_BOTTOM.search(self.page):
             return False
         return _BOTTOM.search(self.page) is not None
+
+    @cached_property
+    def travels_from_top(self) -> bool:
+        """Whether the page says that the piston's way is counted from the top dead centre."""
+        return TRAVEL_FROM_TOP.search(self.page) is not None
 
     @cached_property
     def _sizes_proposed(self) -> dict[str, Proposal]:

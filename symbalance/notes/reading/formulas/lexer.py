@@ -25,6 +25,7 @@ from symbalance.document.letters import (
 from symbalance.notes.reading import signs
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.formulas.minutes_of_angles import minutes_at
+from symbalance.notes.reading.formulas.moduli import modulus_end
 from symbalance.notes.reading.letters.letter_names import (
     EXTREMES,
     matching_brace,
@@ -183,6 +184,12 @@ class Lexer:
             self._add("dots", "…", dots)
         elif self.place in self.skips:
             self.place = self.skips.pop(self.place)
+        elif (
+            sign in "(\\"
+            and self._is_congruence()
+            and (end := modulus_end(self.text, self.place, self.end))
+        ):
+            self.place = end  # the checker looks for it behind the right side
         elif sign == "&" and self.cells:
             self._add("cell", "&", self.place + 1)
         elif sign.isspace() or sign == "&" or not sign.isprintable():
@@ -197,6 +204,10 @@ class Lexer:
             self._number()
         else:
             self._sign(sign)
+
+    def _is_congruence(self) -> bool:
+        """Tell whether n ≡ 1 stands before the place."""
+        return not self.cells and any(token.value == "≡" for token in self.tokens)
 
     def _and_so_on(self) -> int:
         """Return where the &c. of 1 + x + &c. ends; 0 where none stands here."""

@@ -125,3 +125,5 @@ OFFSET: Mapping[tuple[str, str], Motion] = {
     (PATH, BOTTOM): Motion((sqrt((ROD - r) ** 2 - e**2),)),
 }  # fmt: skip
 """The same of a crank whose axis the line of stroke misses by e."""
+AT_TOP_FROM_TOP = Motion((_NO_LENGTH, ROD + r))
+"""The way at the top where the page counts it from there: the stroke 2 r is that at the bottom."""

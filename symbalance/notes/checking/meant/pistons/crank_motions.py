@@ -45,6 +45,7 @@ from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.meant.catalogue.kinematics import (
     ACCELERATION,
+    AT_TOP_FROM_TOP,
     BOTTOM,
     FASTEST,
     JERK,
@@ -283,6 +284,8 @@ class CrankMotions:
         for place in named.places:
             signs = self._directions(named.kind, case, place)
             motion = self.table.get((named.kind, place))
+            if (named.kind, place) == (PATH, TOP) and self.words.travels_from_top:
+                motion = AT_TOP_FROM_TOP
             for turned in () if motion is None else self._counted(motion, named):
                 agreeing = agreement(
                     _inside(turned, case.head.function), case.formula, values_in(reading), signs
