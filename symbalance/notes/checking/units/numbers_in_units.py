@@ -38,6 +38,8 @@ from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.units.conversions import (
     POUND,
     POUND_FORCE,
+    TONS,
+    Quantity,
     decide_conversion,
     is_power_of_ten,
     quantity_of,
@@ -549,6 +551,8 @@ def _as_force(
     if names(right.node):
         return None
     quantity = quantity_of(right, document)
+    if quantity is not None and quantity.scale == TONS[0]:
+        return _in_tons_of_force(left, right, sign, quantity, knowledge)
     pounds = [part for part in walk(right.node) if part == Number(POUND)]
     if not names(left.node):
         kind = unit_of(quantity.unit) if quantity else None
@@ -565,6 +569,21 @@ def _as_force(
         return None
     there = decide(left, Side((forced,), right.span), sign, knowledge)
     return replace(there, assumptions=(*there.assumptions, "lb is a force"))
+
+
+def _in_tons_of_force(
+    left: Side, right: Side, sign: str, quantity: Quantity, knowledge: Knowledge
+) -> Decision:
+    """Return the decision on a number of tons as the weight of one of the three."""
+    there = Decision(UNDECIDED)
+    for ton in TONS:
+        scale = ton * POUND_FORCE / POUND
+        forced = Number(quantity.value * scale, 2 * quantity.half * scale)
+        there = decide(left, Side((forced,), right.span), sign, knowledge)
+        if there.is_proved:
+            text = f"a ton is the weight of {float(ton / POUND):.6g} lb"
+            return replace(there, assumptions=(*there.assumptions, text))
+    return there
 
 
 # Formulas between numbers: N_c = 187.6/√y, y in inches

@@ -45,8 +45,10 @@ _SIGNS |= _WRITTEN_OUT
 _WORD = "|".join(sorted(_SIGNS, key=len, reverse=True))
 _SQUARED = "squared|zum Quadrat|au carré|al cuadrado|al quadrato"
 _POWER = rf"(?:\^\{{?[-−]?[1-4]\}}?|⁻?[¹²³⁴]|[ ](?:{_SQUARED}|cubed)(?![a-z]))"
-_RAISED = dict.fromkeys(("square", *_SQUARED.split("|")), "²") | {"cubic": "³", "cubed": "³"}
-_BEFORE = r"(?:(?:square|cubic)[ ](?=[a-z]{4}))?"
+_RAISED = dict.fromkeys(("square", "sq", *_SQUARED.split("|")), "²") | dict.fromkeys(
+    ("cubic", "cubed", "cu"), "³"
+)
+_BEFORE = r"(?:(?:square|cubic)[ ](?=[a-z]{4})|(?:sq|cu)(?:\.[ ]?|[ ])(?=(?:in|ft)(?![A-Za-z])))?"
 _PART = rf"{_BEFORE}(?:{_WORD})(?![A-Za-z])(?:\.?{_POWER}\.?|\.)?"
 _TIME = r"(?:s(?:ec(?:ond[a-z]*|s?\.)?)?|min(?:ut[a-z]*|\.)?|h(?:ours?|rs?\.?)?)(?![A-Za-z])"
 _PER = rf"[ ](?:per|pro|par|por|je|al|alla|an?(?=[ ]{_TIME}))[ ]"
@@ -59,7 +61,7 @@ _COMPOUND = re.compile(
     rf"{_NUMBER_END}{_GAP}(?P<unit>{_PART}(?:{_JOINT}{_PART}){{1,3}}+)(?![A-Za-z0-9(])"
 )
 _ONE_PART = re.compile(
-    rf"(?P<joint>{_JOINT})?(?:(?P<before>square|cubic)[ ])?"
+    rf"(?P<joint>{_JOINT})?(?:(?P<before>square|cubic|sq|cu)(?:\.[ ]?|[ ]))?"
     rf"(?P<word>{_WORD})(?![A-Za-z])\.?(?P<power>{_POWER})?\.?"
 )
 _ABBREVIATED = re.compile(
@@ -102,6 +104,8 @@ def compound_unit(words: str) -> str:
 
     >>> compound_unit("lb.-in./rad"), compound_unit("ft./sec.²"), compound_unit("lb·s²/in")
     ('lbf·inch/rad', 'ft/s²', 'lbf·s²/inch')
+    >>> compound_unit("lb per sq. in."), compound_unit("lb./cu.in.")
+    ('lb/inch²', 'lb/inch³')
     >>> compound_unit("radians per sec."), compound_unit("newton metres per second squared")
     ('rad/s', 'N·m/s²')
     """
