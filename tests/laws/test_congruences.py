@@ -21,6 +21,8 @@ CASES = [
     ("x.md", r"$900^\circ \equiv 540^\circ$ modulo $720^\circ$", ["refuted"]),
     ("x.md", r"$900^\circ \equiv 180^\circ$", ["conditional"]),
     ("x.md", r"$7 \equiv 3 \pmod{p+1}$", ["unreadable"]),
+    ("x.txt", "480° ≡ 120° (modulo a full turn)", ["holds"]),
+    ("x.txt", "480° ≡ 130° (modulo a full turn)", ["refuted"]),
     ("x.txt", "7 ≡ 3 (mod p+1)", ["undecided"]),
 ]
 

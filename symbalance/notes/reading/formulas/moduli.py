@@ -12,7 +12,9 @@ _MODULUS = re.compile(
     r"(?:[\s$,~]|\\[,;:! ]|\\q?quad)*\(?\s*"
     r"(?:\\[pb]?mod(?![a-z])|\\(?:mathrm|text|operatorname)\{\s*mod\s*\}|mod(?:ulo|\.)?(?![a-z]))[\s$~{]*"
     r"(?P<modulus>(?P<number>[0-9]+(?:/[0-9]+)?)?\s*"
-    r"(?P<unit>°|\^\s*\{?\\circ\}?|\\degree|\\pi|π)?(?P<letter>(?<![0-9])[A-Za-z](?![A-Za-z]))?)"
+    r"(?P<unit>°|\^\s*\{?\\circ\}?|\\degree|\\pi|π)?"
+    r"(?P<letter>(?<![0-9])[A-Za-z](?![A-Za-z]|[ ][a-z]{2}))?"
+    r"(?P<turn>(?:an?[ ]|one[ ])?(?:full[ ]|whole[ ]|complete[ ])?(?:turn|revolution)(?![a-z]))?)"
     r"(?P<more>\s*[-+−*/^·(_])?[\s}]*\)?"
 )
 
@@ -38,6 +40,8 @@ def modulus_at(text: str, place: int, end: int | None = None) -> Modulus | None:
     value: Formula | None = Number(Fraction(number)) if number else None
     if match["more"]:
         value = None
+    elif match["turn"]:
+        value = Product((Number(Fraction(2)), PI))
     elif letter:
         value = Name(letter)
     elif unit:
