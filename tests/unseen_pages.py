@@ -32,7 +32,7 @@ from symbalance.text import lazy_patterns as re
 UNSEEN = Path(__file__).parent / "hand" / "unseen"
 KINDS = ("right", "given", "wrong")
 OUTCOMES = ("confirmed", "given", "refuted", "undecided", "unreadable", "silent")
-_MARKUP = re.compile(r"[\s$\\{}&`]|mathrm|text|left|right")
+_MARKUP = re.compile(r"</?[a-z][^<>]*>|[\s$\\{}&`]|mathrm|text|left|right")
 _ARROW = re.compile(r"[⇒⇔]|=>|Rightarrow|implies|iff")
 PATIENT = Budget(seconds=3600)
 """A minute a relation: what comes out does not depend on what else the machine has to do."""

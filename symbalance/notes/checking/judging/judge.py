@@ -47,6 +47,7 @@ from symbalance.notes.checking.page.own_exercises import OwnExercises
 from symbalance.notes.checking.page.own_functions import with_own_functions
 from symbalance.notes.checking.page.page_data import data_of
 from symbalance.notes.checking.page.quotations import Quotations
+from symbalance.notes.checking.page.table_rows import TableRows
 from symbalance.notes.checking.premises.another_value import NO_WORDS
 from symbalance.notes.checking.premises.results_as_cases import NO_RESULT
 from symbalance.notes.checking.steps.angle_equations import lines_of_angles
@@ -185,6 +186,7 @@ class Judge:
         )
         self.blocks = EngineBlocks(self.document.text, self.state.sections)
         self.exercises = OwnExercises(self.document)
+        self.table_rows = TableRows(self.document)
         self.guard = Guard(self.document, self.budget)
         self.quotations = Quotations(self.document)
 
@@ -624,6 +626,8 @@ class Judge:
         knowledge = self.state.knowledge_of(chain, knowledge)
         if (congruent := decide_congruence(self.document.text, chain, k, knowledge)) is not None:
             return describe(self.document, chain, k, congruent)
+        if (in_row := self.table_rows.judge(chain, k, knowledge)) is not None:
+            return describe(self.document, chain, k, in_row)
         mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
         if mismatch is not None and (
             anew := numbers_of_this_section(self.state.sections, chain, knowledge)

@@ -25,6 +25,7 @@ from symbalance.notes.checking.page.indexed_data import (
     tables_of_values,
 )
 from symbalance.notes.checking.page.values_in_prose import GivenInProse, values_in_prose
+from symbalance.notes.checking.words.tables import Cell, Table, tables_of
 from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side
 from symbalance.notes.reading.letters.macro_letters import letter_in
 from symbalance.notes.reading.units import scale_of
@@ -58,12 +59,6 @@ _VALUE = re.compile(
 )
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−", "0123456789--")
 _GROUPED = re.compile(r"[1-9][0-9]{0,2}(?:[,.  ][0-9]{3})+")
-_RULE = re.compile(r"(?=[\s:|]*+-)[\s:|-]++$|\s*\\(?:hline|toprule|midrule|bottomrule|cline)\b.*")
-_HTML_ROW = re.compile(r"<tr\b[^>]*>(?P<row>.*?)(?=</tr>|<tr\b|</table>)", re.IGNORECASE | re.DOTALL)
-_HTML_CELL = re.compile(r"<t[dh]\b[^>]*>(.*?)(?=</t[dh]>|<t[dh]\b|\Z)", re.IGNORECASE | re.DOTALL)
-_HTML_TABLE = re.compile(r"<table\b.*?</table>", re.IGNORECASE | re.DOTALL)
-_TABULAR = re.compile(r"\\begin\{(tabular[xy*]?|array|longtable)\}(?P<rows>.*?)\\end\{\1\}", re.DOTALL)
-_WIKI_TABLE = re.compile(r"^\{\|.*?^\|\}", re.MULTILINE | re.DOTALL)
 _ITEM = re.compile(
     r"^[^\S\n]*+(?:[-*+•]|[0-9]{1,2}[.)]|\\item)\s+(?P<letter>[^\n:=]{1,60}?)\s*[:：]\s+(?P<value>[^\n=]{1,40}?)[.;,]?$",
     re.MULTILINE,
@@ -80,22 +75,11 @@ _ASSIGNED = re.compile(
 _CODE_NAMES = {"lam": "lambda", "lmbda": "lambda", "lambda_": "lambda", "lamda": "lambda", "om": "omega"}
 
 
-@dataclass(frozen=True, slots=True)
-class _Cell:
-    """A cell of a table: its text and its place in the page."""
-
-    text: str
-    span: Span
-
-
-_Table = list[list[_Cell]]
-
-
 def data_of(notes: ReadNotes, symbols_at: Symbols) -> tuple[Chain, ...]:
     """Return the data of a page as chains of a letter and its value, in the order of their lines."""
     used = {name for chain in notes.chains for side in chain.sides for name in names(side.node)}
     reader = _Reader(notes, used, symbols_at)
-    numbered = list(tables_of_values(notes, list(_tables(notes.text)), used))
+    numbered = list(tables_of_values(notes, list(tables_of(notes.text)), used))
     within = {(c.lines[0], name) for c in numbered for name in names(c.sides[1].node)}
     chains = [
         # in a row z_k | a | 0 | -a the a is a value, and has none there itself
@@ -118,12 +102,12 @@ class _Reader:
 
     def of_tables(self) -> Iterator[Chain]:
         """Yield the data of tables; a letter with two values in one table has none."""
-        for table in _tables(self.notes.text):
+        for table in tables_of(self.notes.text):
             chains = [*self._by_rows(table), *self._by_columns(table)]
             counts = Counter(_letter(chain) for chain in chains)
             yield from (chain for chain in chains if counts[_letter(chain)] == 1)
 
-    def _by_rows(self, table: _Table) -> Iterator[Chain]:
+    def _by_rows(self, table: Table) -> Iterator[Chain]:
         for row in table:
             letters = [(k, own) for k, cell in enumerate(row) if (own := self._letter_of(cell))]
             values = [k for k, cell in enumerate(row) if _value_match(cell.text)]
@@ -135,7 +119,7 @@ class _Reader:
             if chain is not None and value > place:
                 yield chain
 
-    def _by_columns(self, table: _Table) -> Iterator[Chain]:
+    def _by_columns(self, table: Table) -> Iterator[Chain]:
         if len(table) != 2 or len(table[0]) != len(table[1]):
             return
         heads = [self._letter_of(cell) for cell in table[0]]
@@ -149,24 +133,24 @@ class _Reader:
     def of_items(self) -> Iterator[Chain]:
         """Yield the data of lists: `- crank radius $r$: 45 mm`."""
         for match in _ITEM.finditer(self.notes.text):
-            letter = _Cell(match["letter"], match.span("letter"))
+            letter = Cell(match["letter"], match.span("letter"))
             own = self._letter_of(letter)
             if own is not None:
-                chain = self._chain(own[0], letter, _Cell(match["value"], match.span("value")), own[1])
+                chain = self._chain(own[0], letter, Cell(match["value"], match.span("value")), own[1])
                 if chain is not None:
                     yield chain
 
     def of_prose(self) -> Iterator[Chain]:
         """Yield the data of sentences: the mass $m$ is 0.5 kg."""
         for given in values_in_prose(self.notes, self._letter_given):
-            letter = _Cell(given.letter, given.letter_span)
+            letter = Cell(given.letter, given.letter_span)
             name = self._letter_given(given)
-            chain = self._chain(name, letter, _Cell(given.value, given.value_span), "") if name else None
+            chain = self._chain(name, letter, Cell(given.value, given.value_span), "") if name else None
             if chain is not None:
                 yield chain
 
     def _letter_given(self, given: GivenInProse) -> str | None:
-        bare = _bare(given.letter)
+        bare = bare_cell(given.letter)
         spellings = (bare, f"{bare[0]}_{{{bare[1:]}}}") if bare.isalpha() and len(bare) > 1 else (bare,)
         names_of_it = (letter_in(self.notes.text, spelling) for spelling in spellings)
         return next((n for n in names_of_it if n and self._is_letter(n, given.letter_span[0])), None)
@@ -198,35 +182,35 @@ class _Reader:
         if (node := _with_unit(number, unit, span)) is not None:
             yield _as_chain(name, span, node, span, line)
 
-    def _letter_of(self, cell: _Cell) -> tuple[str, str] | None:
+    def _letter_of(self, cell: Cell) -> tuple[str, str] | None:
         """Return the letter of the page that a cell holds, perhaps behind words, and its unit."""
         marked = _MARKED_LETTER.fullmatch(_formula_marks(cell.text).strip())
-        text = f"{marked['letter']} {marked['unit']}".strip() if marked else _bare(cell.text)
+        text = f"{marked['letter']} {marked['unit']}".strip() if marked else bare_cell(cell.text)
         unit = ""
         if beside := _UNIT_BESIDE.fullmatch(text):
             unit = beside["square"] or beside["round"] or beside["per"]
             text = beside["letter"]
             if scale_of(unit) is None:
                 return None
-        name = letter_in(self.notes.text, _bare(text))
+        name = letter_in(self.notes.text, bare_cell(text))
         return (name, unit) if name and self._is_letter(name, cell.span[0]) else None
 
     def _is_letter(self, name: str, place: int) -> bool:
         """Tell whether a name is one of the page's letters: in a formula, or declared."""
         return name in self.used or name in self.symbols_at(self.notes.line_of(place))
 
-    def _chain(self, name: str, letter: _Cell, value: _Cell, unit_beside: str) -> Chain | None:
+    def _chain(self, name: str, letter: Cell, value: Cell, unit_beside: str) -> Chain | None:
         match = _value_match(value.text)
         number = _number(match, self._has_commas) if match else None
         if match is None or number is None:
             return None
         line = self.notes.line_of(value.span[0])
-        unit = match["unit"] or (unit_beside if scale_of(_bare(unit_beside)) else "")
+        unit = match["unit"] or (unit_beside if scale_of(bare_cell(unit_beside)) else "")
         is_count = number.value.denominator == 1 and number.value <= LARGEST_COUNT
         role = role_of(self.symbols_at(line).get(name, ""))
         if not unit and not (role in _BARE or (is_count and role not in _LENGTHS)):
             return None
-        node = _with_unit(number, _bare(unit), value.span)
+        node = _with_unit(number, bare_cell(unit), value.span)
         return None if node is None else _as_chain(name, letter.span, node, value.span, line)
 
     @property
@@ -244,7 +228,18 @@ def _as_chain(name: str, letter: Span, node: Formula, value: Span, line: int) ->
     return Chain(sides, (Relation("=", line),), (line,))
 
 
-def _bare(text: str) -> str:
+def number_in_cell(text: str, has_commas: bool) -> tuple[Number, str] | None:
+    """Return the number that a cell consists of, and its unit, "" where it has none; else None.
+
+    >>> number_in_cell("$4000$ rpm", False)
+    (Number(value=Fraction(4000, 1), last_place=None), 'rpm')
+    """
+    match = _VALUE.fullmatch(bare_cell(text))
+    number = _number(match, has_commas) if match is not None else None
+    return None if match is None or number is None else (number, match["unit"] or "")
+
+
+def bare_cell(text: str) -> str:
     """Return a cell without markup."""
     text = _STEM.sub(r"\1\2", _SUBSCRIPT.sub(r"_{\1}", text))
     return " ".join(_MARKUP.sub(" ", text.replace("{,}", ",")).split())
@@ -258,7 +253,7 @@ def _formula_marks(text: str) -> str:
 
 
 def _value_match(text: str) -> re.Match[str] | None:
-    match = _VALUE.fullmatch(_bare(text))
+    match = _VALUE.fullmatch(bare_cell(text))
     if match is None or (match["unit"] and scale_of(match["unit"]) is None):
         return None
     return match
@@ -310,68 +305,3 @@ def _words_of(comment: str) -> list[str]:
     """Return what of a comment may be a unit: in brackets, or a word of its own, the last one first."""
     bracketed = re.findall(r"[\[(]([^\])]+)[\])]", comment)
     return [*bracketed, comment.strip(), *reversed(comment.replace(",", " ").split())]
-
-
-def _tables(text: str) -> Iterator[_Table]:
-    """Yield the tables of a page in Markdown, a wiki's markup, HTML and LaTeX, as rows of cells."""
-    yield from _piped_tables(text)
-    for match in _WIKI_TABLE.finditer(text):
-        yield _wiki_table(text, *match.span())
-    for match in _HTML_TABLE.finditer(text):
-        yield [
-            [_Cell(cell[1], cell.span(1)) for cell in _HTML_CELL.finditer(text, *row.span("row"))]
-            for row in _HTML_ROW.finditer(text, *match.span())
-        ]
-    for match in _TABULAR.finditer(text):
-        yield _tabular(text, *match.span("rows"))
-
-
-def _piped_tables(text: str) -> Iterator[_Table]:
-    table: _Table = []
-    offset, is_wiki = 0, False
-    for line in [*text.split("\n"), ""]:
-        is_wiki = (is_wiki or line.startswith("{|")) and not line.startswith("|}")
-        if line.lstrip().startswith("|") and not is_wiki and not line.startswith(("|}", "|-", "|+")):
-            if not _RULE.fullmatch(line):
-                begin = offset + line.index("|") + 1
-                stop = offset + len(line.rstrip().removesuffix("|"))
-                table.append(list(_split(text, begin, stop, re.compile(r"(?<!\\)\|"))))
-        elif not line.startswith("|-"):
-            if table:
-                yield table
-            table = []
-        offset += len(line) + 1
-
-
-def _wiki_table(text: str, start: int, end: int) -> _Table:
-    table: _Table = [[]]
-    offset = start
-    for line in text[start:end].split("\n"):
-        if line.startswith("|-"):
-            table.append([])
-        elif line[:1] in ("|", "!") and not line.startswith(("|+", "|}")):
-            table[-1] += _split(text, offset + 1, offset + len(line), re.compile(r"\|\||!!"))
-        offset += len(line) + 1
-    return [row for row in table if row]
-
-
-def _tabular(text: str, start: int, end: int) -> _Table:
-    rows = _split(text, start, end, re.compile(r"\\\\(?:\[[^\]]*\])?"))
-    rules = re.compile(r"^(?:\s*\{[^}]*\}|\s*\\(?:hline|toprule|midrule|bottomrule))+")
-    table: _Table = []
-    for row in rows:
-        rule = rules.match(row.text)
-        begin = row.span[0] + (rule.end() if rule else 0)
-        if text[begin : row.span[1]].strip():
-            table.append(list(_split(text, begin, row.span[1], re.compile(r"(?<!\\)&"))))
-    return table
-
-
-def _split(text: str, start: int, end: int, gap: re.Pattern[str]) -> Iterator[_Cell]:
-    """Yield the cells between gaps, without the space around them."""
-    for match in [*gap.finditer(text, start, end), None]:
-        stop = match.start() if match else end
-        inside = text[start:stop]
-        begin = start + len(inside) - len(inside.lstrip())
-        yield _Cell(inside.strip(), (begin, begin + len(inside.strip())))
-        start = match.end() if match else end

@@ -49,6 +49,11 @@ _COMMAND = re.compile(r"\\[A-Za-z]+")
 _BULLET = re.compile(r"\s*(?:\(?(?:[0-9]{1,3}[.)]|(?:[a-h]|i{1,3}|i?v)\))(?=\s))?\s*")
 _LISTED = re.compile(r"(?<!\S)\((?:[a-h]|i{1,3}|i?v)\)(?=[ \t])")
 """Letters that count the answers of a line: (a) 2 + 3 = 5   (b) 7 - 2 = 5."""
+_NUMBER_IN_COLUMN = re.compile(
+    r"[ \t]*[-−]?[0-9]+(?:[.,][0-9]+)?(?:[ ]?(?:°|deg\.?|rpm))?(?:[ ]{3,}|[ ]*\t\s*)"
+    r"(?=[^\W\d_][\w']{0,8}(?:\([^()\s]{1,8}\))?[ ]*[=≈])"
+)
+"""A number at the beginning of a line, in a column of its own: 30    k = 0.966."""
 _MARKDOWN_BULLET = re.compile(r"\s*(?:>\s*)*(?:[-*+]\s+|[0-9]{1,3}[.)]\s+)?\s*")
 _DASH = re.compile(r"[-*•]\s+(?=[^\s=])")
 _EXPLAINED = re.compile(
@@ -269,6 +274,8 @@ class ItemFinder:
             gaps.append("|")
         cells, first = [], start
         pattern = "|".join(map(re.escape, gaps))
+        if self.kind != "tex" and (number := _NUMBER_IN_COLUMN.match(self.text, start, end)):
+            start = first = number.end()
         if len(_LISTED.findall(self.text, start, end)) > 1:
             pattern += f"|{_LISTED.pattern}"
         for match in re.finditer(pattern, self.text[start:end]):

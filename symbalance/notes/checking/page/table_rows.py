@@ -1,0 +1,194 @@
+"""Rows of a table: a letter's number there is its formula's value at the angle or speed of the row.
+
+    | 120° | a = -4157 |            below a = r ω² (cos θ + λ cos 2θ)
+    | 4000 rpm | F = 5.58 kN |      below F = m r ω² (1 + λ)
+
+A row that the formula contradicts is refuted where more rows agree with it than do not: then the table
+was computed from it. Else its number is a premise of its row alone, whatever it was computed from. No row
+gives the letter a number for what follows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+from symbalance.document.formula import Formula, Name, Number, names, walk
+from symbalance.notes.checking.deciding.equality import REFUTED, Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.page.page_data import bare_cell, number_in_cell
+from symbalance.notes.checking.page.row_values import (
+    BY_ROW,
+    Judged,
+    Place,
+    Row,
+    by_formula,
+    by_ratios,
+    printed,
+)
+from symbalance.notes.checking.units.conversions import quantity_of
+from symbalance.notes.checking.verdicts import PREMISE
+from symbalance.notes.checking.words.tables import Cell, Table, columns_of, tables_of
+from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+from symbalance.notes.reading.letters.macro_letters import letter_in
+from symbalance.notes.reading.signs import RELATION
+from symbalance.text import lazy_patterns as re
+
+_DEGREES = re.compile(r"°|\^\s*\{?\\circ\}?|\\degree|deg(?:rees?)?\.?|Grad|度")
+_ANGLE_HEAD = re.compile(r"°|\\circ|degree|\bdeg\b|grad\b|angle|winkel|角|angolo|ángulo", re.IGNORECASE)
+_PER_MINUTE = re.compile(
+    r"rpm|r\.?p\.?m\.?|(?:r|rev|revs|U|Umdr\.?|tr|giri|g|1)\s?/\s?min\.?|min\s?(?:-1|⁻¹|−1|\^\s?\{?[-−]1\}?)"
+    r"|revs?\.? per min(?:ute|\.)?|回転/分|回転毎分",
+)
+_LETTER_IN_HEAD = re.compile(r"\$([^$]{1,20})\$|(?<![^\W\d_])([^\W\d_](?:_\w{1,3})?)(?![^\W\d_])")
+_FEWEST = 2
+"""Rows that agree, one of them not at a dead centre: a rough formula and an exact one agree there."""
+_ROUGH = 0.03
+"""By how much of the largest number an exact value may differ from that of a series cut off."""
+
+
+@dataclass
+class TableRows:
+    """Judges the numbers of letters in the tables of one page, by the row that they stand in."""
+
+    document: ReadNotes
+    _decided: dict[tuple[int, str], dict[int, Decision]] = field(default_factory=dict)
+
+    def judge(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+        """Return the decision on a letter's number in a row of a table; None elsewhere."""
+        head, last = chain.sides[0].node, chain.sides[-1].node
+        if k or not isinstance(head, Name) or len(chain.sides) != len(chain.relations) + 1:
+            return None
+        if len(chain.sides) > len("ab") or names(last) or chain.relations[0].sign not in ("=", "≈"):
+            return None
+        found = next(((n, t) for n, t in enumerate(self._tables) if _is_within(chain, t)), None)
+        if found is None:
+            return None
+        key = found[0], head.name
+        if key not in self._decided:
+            self._decided[key] = self._of_table(found[1], head.name, knowledge)
+        return self._decided[key].get(chain.start)
+
+    @cached_property
+    def _tables(self) -> list[Table]:
+        text = self.document.text
+        tables = [t for t in tables_of(text) if len(t) > 1]
+        return [
+            *tables,
+            *(t for t in columns_of(text) if not any(_overlaps(t, other) for other in tables)),
+        ]
+
+    @cached_property
+    def _has_commas(self) -> bool:
+        return any(note.startswith("decimal commas") for note in self.document.notes)
+
+    def _of_table(self, table: Table, name: str, knowledge: Knowledge) -> dict[int, Decision]:
+        """Return the decisions on a letter's numbers in one table, by where they begin.
+
+        Of several formulas above, the rough one and the exact one, it is that which most rows agree with.
+        """
+        rows = list(self._rows_of(table, name))
+        judged: list[list[Judged]] = []
+        for formula in self._formulas_of(name, rows, knowledge):
+            judged.append(list(by_formula(rows, formula, name, knowledge)))
+            judged += by_ratios(rows, formula, name, knowledge)
+        best = max(judged, key=lambda each: sum(one.decision.is_proved for one in each), default=[])
+        return dict(_outcomes(best))
+
+    def _formulas_of(self, name: str, rows: list[Row], knowledge: Knowledge) -> Iterator[Formula]:
+        """Yield the formulas that a letter has above its rows, each once."""
+        definition = knowledge.definitions.get(name)
+        known = [] if definition is None else [definition.formula, definition.node]
+        known.append(knowledge.meaning.values.get(name))
+        start = rows[0].chain.start if rows else 0
+        above = (c for c in self.document.chains if c.start < start and c.sides[0].node == Name(name))
+        known += [side.node for chain in above for side in chain.sides[1:]]
+        if rows and rows[0].place.kind == "angle":  # amplitudes as printed, F₁ = 8.49 kN
+            known += [self._with_printed(formula, start) for formula in known if formula is not None]
+        seen: list[Formula] = []
+        for formula in known:
+            if formula is not None and names(formula) and formula not in seen:
+                seen.append(formula)
+                yield formula
+
+    def _with_printed(self, formula: Formula, start: int) -> Formula:
+        """Return a formula with the numbers that the page prints above for the letters in it."""
+        for letter in names(formula):
+            own = (c for c in self.document.chains if c.start < start and c.sides[0].node == Name(letter))
+            numbers = [c.sides[-1].node for c in own if not names(c.sides[-1].node)]
+            if numbers:
+                formula = substitute(formula, letter, numbers[-1])
+        return formula
+
+    def _rows_of(self, table: Table, name: str) -> Iterator[Row]:
+        """Yield the rows in which a letter has a number, with what they are at."""
+        for row in table:
+            own = [c for c in self.document.chains if any(_is_in(c, cell) for cell in row)]
+            chain = next((c for c in own if c.sides[0].node == Name(name)), None)
+            place = self._place_of(row, table[0]) if chain is not None else None
+            if chain is None or place is None or len(chain.sides) != len("ab"):
+                continue
+            if not names(chain.sides[1].node):
+                yield Row(chain, self._half(chain.sides[1]), place)
+
+    def _half(self, number: Side) -> float:
+        """Return half a unit of the last place of a number as printed, in the unit it is read in."""
+        quantity = quantity_of(number, self.document)
+        if quantity is not None:
+            return float(quantity.half * quantity.scale)
+        places = [p.last_place for p in walk(number.node) if isinstance(p, Number) and p.last_place]
+        return float(max(places, default=1)) / 2
+
+    def _place_of(self, row: list[Cell], heads: list[Cell]) -> Place | None:
+        """Return the one angle or speed that a row names, by its cell's unit or its column's head."""
+        places = []
+        for k, cell in enumerate(row):
+            number = None if RELATION.search(cell.text) else number_in_cell(cell.text, self._has_commas)
+            if number is None:
+                continue
+            head = bare_cell(heads[k].text) if row is not heads and k < len(heads) else ""
+            if _DEGREES.fullmatch(number[1]) or (not number[1] and _ANGLE_HEAD.search(head)):
+                kind, unit = "angle", "°"
+            elif _PER_MINUTE.fullmatch(number[1]) or (not number[1] and _PER_MINUTE.search(head)):
+                kind, unit = "speed", " rpm"
+            else:
+                continue
+            match = _LETTER_IN_HEAD.search(head)
+            letter = letter_in(self.document.text, (match[1] or match[2]).strip()) if match else None
+            value = float(number[0].value)
+            places.append(Place(kind, letter or "", number[0], f"at {value:g}{unit}{BY_ROW}"))
+        return places[0] if len(places) == 1 else None
+
+
+def _is_in(chain: Chain, cell: Cell) -> bool:
+    return cell.span[0] <= chain.start < max(cell.span[1], cell.span[0] + 1)
+
+
+def _is_within(chain: Chain, table: Table) -> bool:
+    return any(_is_in(chain, cell) for row in table for cell in row)
+
+
+def _overlaps(one: Table, other: Table) -> bool:
+    first, last = other[0][0].span[0], other[-1][-1].span[1]
+    return any(first <= cell.span[0] < last for row in one for cell in row)
+
+
+def _outcomes(judged: list[Judged]) -> Iterator[tuple[int, Decision]]:
+    """Yield the decisions on the rows of one table, by where their numbers begin."""
+    agreeing = [each.row for each in judged if each.decision.is_proved]
+    contrary = [each.row for each in judged if each.decision.status == REFUTED]
+    is_enough = len(agreeing) >= max(_FEWEST, len(contrary))
+    is_of_formula = is_enough and not all(row.place.is_at_dead_centre for row in agreeing)
+    largest = max((abs(printed(each.row)) for each in judged), default=0.0)
+    for row, there, gap in judged:
+        text = row.place.text
+        may_be_exact = row.place.kind == "angle" and gap < _ROUGH * largest
+        if there.is_proved:
+            decision = replace(there, assumptions=(*there.assumptions, text))
+        elif there.status == REFUTED and is_of_formula and not may_be_exact:
+            decision = replace(there, reason=f"{text}; other rows have the formula's values")
+        else:
+            decision = Decision(PREMISE, f"{text}: a row of its own")
+        yield row.chain.start, decision

@@ -1,0 +1,105 @@
+"""A number in a row of a table is its letter's value by the formula above, where the row is."""
+
+from __future__ import annotations
+
+import pytest
+
+from symbalance.notes.checking import check
+
+DATA = "r = 0.045 m, l = 0.15 m, λ = r/l = 0.3, ω = 377 rad/s, m = 0.6 kg.\n\n"
+ACCELERATION = DATA + "a ≈ r ω² (cos θ + λ cos 2θ)\n\n"
+ROWS = (("30°", "6498"), ("60°", "2239"), ("90°", "-1919"), ("120°", "-4157"), ("180°", "-4477"))
+WRONG = ("refuted", "contradiction")
+
+
+def _page(kind: str, head: str, rows, lead: str) -> str:
+    cells = [(place, f"a = {value} m/s²") for place, value in rows]
+    if kind == "md":
+        lines = [f"| {head} | acceleration |", "|---|---|", *(f"| {a} | {b} |" for a, b in cells)]
+    elif kind == "html":
+        lines = ["<table>", f"<tr><th>{head}</th><th>acceleration</th></tr>"]
+        lines += [f"<tr><td>{a}</td><td>{b}</td></tr>" for a, b in cells] + ["</table>"]
+    elif kind == "wiki":
+        lines = ["{|", f"! {head} !! acceleration"]
+        lines += [line for a, b in cells for line in ("|-", f"| {a} || {b}")] + ["|}"]
+    elif kind == "adoc":
+        lines = ['[cols="1,2"]', "|===", f"|{head} |acceleration", ""]
+        lines += [line for a, b in cells for line in (f"|{a}", f"|{b}", "")] + ["|==="]
+    else:
+        lines = [f"   {head}        acceleration", *(f"   {a}       {b}" for a, b in cells)]
+    return lead + "\n".join(lines) + "\n"
+
+
+def _verdicts(tmp_path, kind, text, count):
+    page = tmp_path / f"page.{kind}"
+    page.write_text(text, encoding="utf-8")
+    return [v.verdict for v in check(page, fixes=False).verdicts][-count:]
+
+
+@pytest.mark.parametrize("kind", ["md", "html", "wiki", "adoc", "txt"])
+@pytest.mark.parametrize("head", ["angle", "θ in °"])
+def test_a_row_that_does_not_fit_the_others_is_refuted(tmp_path, kind, head):
+    right = _verdicts(tmp_path, kind, _page(kind, head, ROWS, ACCELERATION), len(ROWS))
+    assert right == ["conditional"] * len(ROWS)
+    for k, (place, value) in enumerate(ROWS):
+        slip = value.removeprefix("-") if value.startswith("-") else f"-{value}"
+        wrong = (*ROWS[:k], (place, slip), *ROWS[k + 1 :])
+        expected = ["conditional"] * len(ROWS)
+        expected[k] = "refuted"
+        assert _verdicts(tmp_path, kind, _page(kind, head, wrong, ACCELERATION), len(ROWS)) == expected
+
+
+def test_the_angle_may_be_named_by_the_head_alone(tmp_path):
+    rows = [(place.removesuffix("°"), value) for place, value in ROWS]
+    lead = ACCELERATION
+    assert _verdicts(tmp_path, "md", _page("md", "θ, degrees", rows, lead), 5) == ["conditional"] * 5
+    rows[1] = ("60", "2938")
+    assert _verdicts(tmp_path, "md", _page("md", "θ, degrees", rows, lead), 5)[1] == "refuted"
+
+
+def test_a_table_of_the_exact_values_is_not_accused_by_the_rough_formula(tmp_path):
+    rows = [("0°", "8315"), ("30°", "6494"), ("60°", "2194"), ("90°", "-2012"), ("180°", "-4477")]
+    words = _verdicts(tmp_path, "md", _page("md", "angle", rows, ACCELERATION), 5)
+    assert not set(words) & {*WRONG}
+
+
+def test_a_table_of_another_engine_is_not_accused(tmp_path):
+    rows = [(place, f"{float(value) * (1.3 + k / 10):.0f}") for k, (place, value) in enumerate(ROWS)]
+    words = _verdicts(tmp_path, "md", _page("md", "angle", rows, ACCELERATION), len(ROWS))
+    assert not set(words) & {*WRONG}
+
+
+def test_no_row_gives_its_number_to_what_follows(tmp_path):
+    page = (
+        _page("md", "angle", ROWS, ACCELERATION) + "\n\nThe force is F = m a = 0.6·(-4477) = -2686 N.\n"
+    )
+    assert _verdicts(tmp_path, "md", page, 3)[-1] not in WRONG
+    page = _page("md", "angle", ROWS, ACCELERATION) + "\n\nSo a = -4477.\n"
+    assert _verdicts(tmp_path, "md", page, 1)[0] not in ("holds", "holds_to_order", "conditional")
+
+
+SPEEDS = (("2000 rpm", "1.58"), ("4000 rpm", "6.32"), ("6000 rpm", "14.2"))
+FORCE = (
+    "m = 0.6 kg, r = 0.045 m, λ = 0.3, n = 3600 rpm, ω = 377 rad/s.\n\nF = m r ω² (1 + λ) = 4.99 kN\n\n"
+)
+OPEN = "The amplitude is F = 4 m r ω² λ.\n\n"
+"""Nothing says what m, r and λ are: the rows go with each other."""
+
+
+@pytest.mark.parametrize(
+    ("lead", "values"), [(FORCE, ("1.54", "6.16", "13.9")), (OPEN, ("0.867", "3.47", "7.80"))]
+)
+def test_a_row_at_another_speed_is_computed_with_its_speed(tmp_path, lead, values):
+    rows = [f"| {place} | F = {value} kN |" for (place, _), value in zip(SPEEDS, values, strict=True)]
+    head = "| speed | force |\n|---|---|\n"
+    assert _verdicts(tmp_path, "md", lead + head + "\n".join(rows) + "\n", 3) == ["conditional"] * 3
+    linear = f"| 4000 rpm | F = {2 * float(values[0]):.3g} kN |"
+    page = lead + head + "\n".join([rows[0], linear, rows[2]]) + "\n"
+    assert _verdicts(tmp_path, "md", page, 3) == ["conditional", "refuted", "conditional"]
+
+
+def test_a_number_in_a_column_of_plain_text_is_no_factor(tmp_path):
+    page = "k = cos A + (cos 2A)/n for a rod of n = 5 cranks.\n\n  A, degrees   factor\n"
+    page += "    0       k =  1.200\n   90       k = -0.200\n  120       k = -0.600\n"
+    assert _verdicts(tmp_path, "txt", page, 3) == ["conditional"] * 3
+    assert _verdicts(tmp_path, "txt", page.replace("-0.600", "-0.400"), 3)[-1] == "refuted"
