@@ -20,6 +20,7 @@ from symbalance.document.nodes import Code, Strong, Words
 from symbalance.errors import SymbalanceError, brief
 from symbalance.notes.checking.deciding.guarded_verdicts import PAGE
 from symbalance.notes.checking.declared.engines import Engines, NoEngines, Sources
+from symbalance.notes.checking.declared.fuller_wordings import with_fuller_roles
 from symbalance.notes.checking.declared.sidecar import (
     Declarations,
     Letter,
@@ -48,6 +49,7 @@ from symbalance.notes.checking.units.angles_per_turn import with_turns_divided
 from symbalance.notes.checking.verdicts import MOST_LETTERS, UNDECLARED, Checked
 from symbalance.notes.checking.words.bare_degrees import with_bare_degrees
 from symbalance.notes.checking.words.degrees_without_sign import judge_in_one_unit_of_angle
+from symbalance.notes.checking.words.glossary import glossary_of
 from symbalance.notes.checking.words.one_reading import judge_in_one_reading
 from symbalance.notes.reading import Motions, read_document
 from symbalance.notes.reading.equations import ReadNotes
@@ -222,6 +224,13 @@ def declarations_of(
     document: str | Path, symbols: Mapping[str, Any] | str | Path | None, text: str, name: str
 ) -> tuple[Declarations, str]:
     """Return what is declared about a document, and its text without a header that declared it."""
+    declarations, body = _declarations_as_typed(document, symbols, text, name)
+    return with_fuller_roles(declarations, glossary_of(body).english), body
+
+
+def _declarations_as_typed(
+    document: str | Path, symbols: Mapping[str, Any] | str | Path | None, text: str, name: str
+) -> tuple[Declarations, str]:
     path = None if name == "text" else Path(document)
     letter = letters_of(text)
     declarations = _declarations_apart(symbols, path, letter)

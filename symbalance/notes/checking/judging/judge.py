@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from itertools import product
+from typing import Any
 
 from symbalance.budgets import Budget
 from symbalance.document.formula import Call, Formula, Name, Number, names, parts_of_kind
@@ -163,6 +164,8 @@ class Judge:
     sources: Sources = field(default_factory=Sources)
     budget: Budget = PAGE
     corrects: bool = True
+    _judged_last: tuple[tuple[int, int], list[Any]] = field(default=((-1, 0), []), init=False)
+    """The relation judged last, and what was defined before it."""
 
     def __post_init__(self) -> None:
         symbols_at = self.declarations.symbols_at
@@ -618,8 +621,21 @@ class Judge:
         is_identity = chain.relations[k].sign == "≡"
         return is_identity or (not k and self.state.sections.is_said_to_be_constant(chain))
 
+    def _undo_own(self, chain: Chain, k: int) -> None:
+        """Forget what a relation that is judged again was taken to define: it would prove itself."""
+        definitions, key = self.state.definitions, (chain.start, k)
+        if self._judged_last[0] != key:
+            self._judged_last = key, [e for each in definitions.values.values() for e in each]
+            return
+        kept = {id(each) for each in self._judged_last[1]}
+        for name, entries in list(definitions.values.items()):
+            own = [e for e in entries if e.definition.solved and e.definition.line in chain.lines]
+            if any(id(e) not in kept for e in own):
+                definitions.forget(name, chain.lines[0])
+
     def _link_in_scope(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on a relation by what is in scope there; a case that is past may be left."""
+        self._undo_own(chain, k)
         if (by_place := self._decide_by_place(chain, k)) is not None:
             return describe(self.document, chain, k, by_place)
         knowledge = with_clauses_below(self.state, chain, k, self.state.knowledge(chain.lines[0]))
@@ -660,6 +676,7 @@ class Judge:
             past = past_cases(self.state.definitions, line, angles, turned)
         if past:
             fixed = self.state.definitions.forget_coefficients(but=before)
+            self._undo_own(chain, k)
             with without_cases(self.state.definitions, past, angles | turned):
                 freer = with_clauses_below(self.state, chain, k, self.state.knowledge(line))
                 freer = self.state.knowledge_of(chain, freer)

@@ -37,7 +37,9 @@ class Place(NamedTuple):
 
     @property
     def value(self) -> Formula:
-        """The angle or the angular speed."""
+        """The angle, the angular speed or the number of the letter."""
+        if self.kind == "letter":
+            return self.number
         return Product((Number(self.number.value / (180 if self.kind == "angle" else 30)), PI))
 
     @property
@@ -83,7 +85,8 @@ def _at_place(
     if place.kind == "speed":
         speeds = _speeds(formula, place, known)
         return (formula, replace(known, definitions={**known.definitions, **speeds})) if speeds else None
-    letter = place.letter if place.letter in _behind(formula, known) else _turning(formula, known)
+    letter = place.letter if place.letter in _behind(formula, known) else ""
+    letter = letter or (_turning(formula, known) if place.kind == "angle" else "")
     if not letter:
         return None
     try:

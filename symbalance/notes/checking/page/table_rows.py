@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import cached_property
 
 from symbalance.document.formula import Formula, Name, Number, names, walk
@@ -34,6 +35,7 @@ from symbalance.notes.checking.words.tables import Cell, Table, columns_of, tabl
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.letters.macro_letters import letter_in
 from symbalance.notes.reading.signs import RELATION
+from symbalance.notes.reading.units import scale_of
 from symbalance.text import lazy_patterns as re
 
 _DEGREES = re.compile(r"°|\^\s*\{?\\circ\}?|\\degree|deg(?:rees?)?\.?|Grad|度")
@@ -42,7 +44,11 @@ _PER_MINUTE = re.compile(
     r"rpm|r\.?p\.?m\.?|(?:r|rev|revs|U|Umdr\.?|tr|giri|g|1)\s?/\s?min\.?|min\s?(?:-1|⁻¹|−1|\^\s?\{?[-−]1\}?)"
     r"|revs?\.? per min(?:ute|\.)?|回転/分|回転毎分",
 )
-_LETTER_IN_HEAD = re.compile(r"\$([^$]{1,20})\$|(?<![^\W\d_])([^\W\d_](?:_\w{1,3})?)(?![^\W\d_])")
+_LETTER_IN_HEAD = re.compile(
+    r"(\\[A-Za-z]+(?:_\{?\w{1,5}\}?)?|(?<![^\W\d_])[^\W\d_](?:_\{?\w{1,5}\}?|[₀-₉])?(?![^\W\d_]))"
+)
+_FRACTION = re.compile(r"([1-9][0-9]{0,3})\s?/\s?([1-9][0-9]{0,3})")
+_UNIT_IN_HEAD = re.compile(r"(?:\bin |[\[(/])\s*([^\s\])]{1,12})")
 _FEWEST = 2
 """Rows that agree, one of them not at a dead centre: a rough formula and an exact one agree there."""
 _ROUGH = 0.03
@@ -142,24 +148,40 @@ class TableRows:
         return float(max(places, default=1)) / 2
 
     def _place_of(self, row: list[Cell], heads: list[Cell]) -> Place | None:
-        """Return the one angle or speed that a row names, by its cell's unit or its column's head."""
+        """Return the one angle, speed or number that a row names, by its cell's unit or column's head."""
         places = []
         for k, cell in enumerate(row):
-            number = None if RELATION.search(cell.text) else number_in_cell(cell.text, self._has_commas)
-            if number is None:
-                continue
             head = bare_cell(heads[k].text) if row is not heads and k < len(heads) else ""
-            if _DEGREES.fullmatch(number[1]) or (not number[1] and _ANGLE_HEAD.search(head)):
-                kind, unit = "angle", "°"
-            elif _PER_MINUTE.fullmatch(number[1]) or (not number[1] and _PER_MINUTE.search(head)):
-                kind, unit = "speed", " rpm"
-            else:
-                continue
-            match = _LETTER_IN_HEAD.search(head)
-            letter = letter_in(self.document.text, (match[1] or match[2]).strip()) if match else None
-            value = float(number[0].value)
-            places.append(Place(kind, letter or "", number[0], f"at {value:g}{unit}{BY_ROW}"))
+            if not RELATION.search(cell.text) and (place := self._named_by(cell.text, head)) is not None:
+                places.append(place)
         return places[0] if len(places) == 1 else None
+
+    def _named_by(self, text: str, head: str) -> Place | None:
+        """Return what a cell and the head of its column say: an angle, a speed, or a letter's number."""
+        match = _LETTER_IN_HEAD.search(head)
+        letter = letter_in(self.document.text, match[1]) if match else None
+        if (fraction := _FRACTION.fullmatch(bare_cell(text))) is not None and letter:
+            number = Number(Fraction(int(fraction[1]), int(fraction[2])))
+            return Place("letter", letter, number, f"at {fraction[0]}{BY_ROW}")
+        found = number_in_cell(text, self._has_commas)
+        if found is None:
+            return None
+        number, unit = found
+        value = f"{float(number.value):g}"
+        if _DEGREES.fullmatch(unit) or (not unit and _ANGLE_HEAD.search(head)):
+            return Place("angle", letter or "", number, f"at {value}°{BY_ROW}")
+        if _PER_MINUTE.fullmatch(unit) or (not unit and _PER_MINUTE.search(head)):
+            return Place("speed", letter or "", number, f"at {value} rpm{BY_ROW}")
+        scale = scale_of(unit or _unit_in(head)) if unit or _unit_in(head) else (Fraction(1), False)
+        if not letter or scale is None or scale[1]:
+            return None
+        scaled = Number(number.value * scale[0], number.last_place and number.last_place * scale[0])
+        return Place("letter", letter, scaled, f"at {value} {unit}".rstrip() + BY_ROW)
+
+
+def _unit_in(head: str) -> str:
+    match = _UNIT_IN_HEAD.search(head)
+    return match[1] if match is not None else ""
 
 
 def _is_in(chain: Chain, cell: Cell) -> bool:

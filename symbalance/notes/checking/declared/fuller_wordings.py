@@ -1,0 +1,134 @@
+"""Known meanings in a fuller wording: "length of the rod between centres" declares the rod length.
+
+What is put off from a declaration says nothing else of the letter: a unit, "of the crankshaft", "of
+cylinder 1", "constant", where an angle or a way is counted from if that is the top. What is left has to
+be a known phrase to the last word: "mass of the rod" and "crank angle from the bottom" stay as they are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import cache
+
+from symbalance.document.wordlists import words
+from symbalance.notes.checking.declared.role_phrases import GERMAN_RATIO, PHRASES
+from symbalance.notes.checking.declared.sidecar import PROPOSED, Declarations
+from symbalance.notes.checking.declared.symbol_roles import (
+    CRANK_ANGLE,
+    FROM_TOP,
+    HARMONIC,
+    KNOWN,
+    role_of,
+)
+from symbalance.text import lazy_patterns as re
+
+_ROLES = (
+    *("crank angle", "rod angle", "crank radius", "stroke", "rod length", "angular speed"),
+    *("reciprocating mass", FROM_TOP, "piston velocity", "piston acceleration", "cylinder pitch"),
+)
+_SPEED = "engine speed rpm"
+_SPEED_WORDS = frozenset(
+    words(
+        "engine speed motordrehzahl drehzahl régime moteur vitesse rotation 回転数 regime velocità motore"
+    )
+)
+_OF_PISTON = re.compile(r"piston|kolben|ピストン", re.IGNORECASE)
+"""In phrases for a mass that is but a part of what reciprocates."""
+_PER_MINUTE = re.compile(
+    r"\b(?:rpm|r\.?p\.?m\.?|(?:rev|r|U|tr|giri|1)/min|revolutions per minute|min\^?[-⁻−]?[1¹])|回転/分",
+    re.IGNORECASE,
+)
+_TOP = (
+    r"(?:the )?(?:(?:top|inner|upper) dead (?:cent(?:re|er)|point)|TDC|IDC|OT|PMH|PMS"
+    r"|oberen? Totpunkte?s?|point mort haut|punto morto superiore)"
+)
+_PUT_OFF = (
+    r"\s*[(（][^()（）]*[)）]",
+    r"\s*\b(?:in|en) (?:degrees|Grad|radians|rad|°)",
+    r",?\s*\b(?:counted |measured |gemessen |compté |)(?:down |downwards? )?"
+    rf"(?:from|ab|von|vom|depuis(?: le)?|dal) {_TOP}",
+    r"\s*\b(?:of|for|von|du|del) (?:cylinder|throw|crank|Zylinder|cylindre|cilindro) 1",
+    r"\s*\b(?:between (?:the )?(?:centres|centers|eyes)|cent(?:re|er) to cent(?:re|er)|eye to eye)",
+    r"\s*\b(?:of the (?:crank ?shaft|crank|engine)|der Kurbel(?:welle)?|des Motors)",
+    r"\s*\b(?:(?:per|of one) (?:cylinder|piston)|(?:je|pro) (?:Zylinder|Kolben))",
+    r"^(?:the |constant |rated |mittlere |konstante )",
+    r"(?:の|)(?:下向き正|中心間)",
+)
+_GERMAN_ROD = r"(?:der )?(?:Pleuellänge|(?:Pleuel|Schub)stangenlänge)"
+_RATIOS = (
+    (r"r/l|r over l|crank (?:radius )?(?:/|over|to|and|by) (?:the )?(?:con(?:necting[- ])?)?rod"
+     rf"(?: length)?|Kurbelradius (?:zu|durch|/) {_GERMAN_ROD}", "crank ratio r/l"),
+    (r"l/r|l over r", "rod ratio l/r"),
+)  # fmt: skip
+_RATIO_WORDS = re.compile(r"ratio|verhältnis|rapport|rapporto|比|^[rl](?:/| over )[rl]$", re.IGNORECASE)
+
+
+def with_fuller_roles(declarations: Declarations, english: Callable[[str], str]) -> Declarations:
+    """Return declarations in which a fuller wording stands behind the known meaning that it states.
+
+    `english` puts the terms of the page's language in English.
+    """
+
+    def stated(symbols: Mapping[str, str]) -> dict[str, str]:
+        return {name: _with_role(text, english) for name, text in symbols.items()}
+
+    scopes = tuple(replace(scope, symbols=stated(scope.symbols)) for scope in declarations.scopes)
+    return replace(declarations, symbols=stated(declarations.symbols), scopes=scopes)
+
+
+def _with_role(text: str, english: Callable[[str], str]) -> str:
+    role = role_of(text)
+    if role in KNOWN or HARMONIC.match(role) or text.startswith(PROPOSED):
+        return text
+    role = fuller_role(text) or fuller_role(english(text))
+    return f"{role}, {text}" if role else text
+
+
+@cache
+def fuller_role(text: str) -> str:
+    """Return the known meaning that a fuller wording states, "" for another.
+
+    >>> fuller_role("length of the connecting rod between centres"), fuller_role("speed in rev/min")
+    ('rod length', 'engine speed rpm')
+    >>> fuller_role("rated angular speed"), fuller_role("Verhältnis Kurbelradius zu Pleuellänge")
+    ('angular speed', 'crank ratio r/l')
+    >>> fuller_role("angle of the bank"), fuller_role("crank angle from bottom dead centre")
+    ('', '')
+    """
+    if _RATIO_WORDS.search(text):
+        own = text.partition(",")[0].strip()
+        ratio = next(
+            (role for words, role in _RATIOS if re.search(rf"(?<!\w)(?:{words})(?!\w)", text, re.I)), ""
+        )
+        return ratio or ("crank ratio r/l" if own in GERMAN_RATIO else "")
+    if _PER_MINUTE.search(text):
+        own = re.sub(r"[()（）,]|\b(?:in|en|al)\b", " ", _PER_MINUTE.sub("", text)).split()
+        return _SPEED if {word.casefold() for word in own} <= _SPEED_WORDS else ""
+    left, has_top = text, False
+    for off in _PUT_OFF:
+        shorter = re.sub(off, "", left, flags=re.IGNORECASE).strip(" ,")
+        has_top = has_top or (shorter != left and re.search(_TOP, left, re.IGNORECASE) is not None)
+        left = shorter or left
+    role = _phrases().get(left.casefold(), "")
+    if not role and has_top and left.casefold() in ("angle", "winkel", "crank", "kurbel"):
+        role = CRANK_ANGLE
+    return role if role != FROM_TOP or has_top else ""
+
+
+def _names_speed(text: str) -> bool:
+    return (
+        re.search(r"speed|drehzahl|revolutions|régime|rpm|回転|velocità|giri", text, re.IGNORECASE)
+        is not None
+    )
+
+
+@cache
+def _phrases() -> dict[str, str]:
+    """Return the phrases that name roles of the crank drive, each with its role."""
+    return {
+        phrase.casefold(): role
+        for role in _ROLES
+        for phrase in (role, *PHRASES[role])
+        if role != "reciprocating mass" or not _OF_PISTON.search(phrase)
+    }
