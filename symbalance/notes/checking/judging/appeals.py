@@ -19,6 +19,7 @@ from symbalance.notes.checking.steps.angle_equations import at_rough_angle
 from symbalance.notes.checking.steps.dead_centres import angle_named, angle_there
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.letters_below import with_letters_below
+from symbalance.notes.checking.steps.meant_roughly import decide_as_rough
 from symbalance.notes.checking.steps.slips_at_places import says_direction
 from symbalance.notes.checking.steps.stated_equations import unless_stated
 from symbalance.notes.checking.units.numbers_in_units import decide_in_units
@@ -47,6 +48,7 @@ def appeal(
     if decision.status == REFUTED:
         decision = _with_wrong_results(state, chain, k, against, decision, knowledge)
     for mend in (
+        decide_as_rough,
         _at_stated_angle,
         _with_sign_of_values,
         unless_solved_in_sentence,

@@ -154,6 +154,8 @@ class TableRows:
             head = bare_cell(heads[k].text) if row is not heads and k < len(heads) else ""
             if not RELATION.search(cell.text) and (place := self._named_by(cell.text, head)) is not None:
                 places.append(place)
+        turning = [place for place in places if place.kind != "letter"]  # the others may be results
+        places = turning or places
         return places[0] if len(places) == 1 else None
 
     def _named_by(self, text: str, head: str) -> Place | None:

@@ -103,6 +103,8 @@ class JudgingState:
     """What tables, lists and code give letters."""
     refuted: set[int] = field(default_factory=set)
     """Places where the right sides of refuted relations begin."""
+    rough_lines: list[int] = field(default_factory=list)
+    """Lines of relations with = that turned out to be meant roughly."""
     stated: set[int] = field(default_factory=set)
     """Places where the right sides of relations begin that the page only states: nothing proves them."""
     _meanings: dict[tuple[Any, ...], tuple[SymbolValue, Geometry]] = field(
