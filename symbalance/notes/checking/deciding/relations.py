@@ -49,6 +49,7 @@ from symbalance.notes.checking.deciding.order_agreement import (
 )
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
+from symbalance.notes.checking.deciding.sums_as_letters import decide_sums_as_letters
 from symbalance.notes.checking.deciding.sums_over_cylinders import decide_over_cylinders
 from symbalance.notes.checking.deciding.whole_numbers import (
     behind,
@@ -333,7 +334,10 @@ def decide_reading(
         known = with_counts(first, second, knowledge)
         return decide_with_whole_numbers(first, second, known, decide_as_known)
 
-    return decide_over_cylinders(left, right, knowledge, decide_written_out)
+    decision = decide_over_cylinders(left, right, knowledge, decide_written_out)
+    if decision.status != UNDECIDED:
+        return decision
+    return decide_sums_as_letters(left, right, knowledge, decide_as_known) or decision
 
 
 def _decide_under_premises(

@@ -19,6 +19,7 @@ from symbalance.notes.checking.declared.symbol_roles import (
     FROM_TOP,
     HARMONIC,
     KNOWN,
+    MOVING,
     role_of,
 )
 from symbalance.text import lazy_patterns as re
@@ -71,7 +72,11 @@ def with_fuller_roles(declarations: Declarations, english: Callable[[str], str])
     """
 
     def stated(symbols: Mapping[str, str]) -> dict[str, str]:
-        return {name: _with_role(text, english) for name, text in symbols.items()}
+        fuller = {name: _with_role(text, english) for name, text in symbols.items()}
+        if CRANK_ANGLE in {*map(role_of, fuller.values()), *map(role_of, declarations.symbols.values())}:
+            return fuller
+        # the motion of an angle that is not said would be of another letter than the page's
+        return {n: symbols[n] if role_of(text) in MOVING else text for n, text in fuller.items()}
 
     scopes = tuple(replace(scope, symbols=stated(scope.symbols)) for scope in declarations.scopes)
     return replace(declarations, symbols=stated(declarations.symbols), scopes=scopes)
