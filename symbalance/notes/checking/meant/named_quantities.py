@@ -76,7 +76,7 @@ _PART = re.compile(
     r"|per cylinder|pro zylinder"
     r"|\bdoubled?\b|\bhalf\b|\bhalv|\bmean\b|\baverage|amplitude|alternating|boxer|\bV\d|together"
     r"|\bequal\b"
-    r"|\bzwei(?!takt)|\bbeide[nrs]?\b|\bdrei|\bvier(?!takt)|\bsechs|\bacht|\bjede[rsnm]?\b|\bje\b"
+    r"|\bzwei(?!takt|te)|\bbeide[nrs]?\b|\bdrei|\bvier(?!takt|te)|\bsechs(?!te)|\bacht(?!e)|\bjede[rsnm]?\b|\bje\b"
     r"|\bdoppel"
     r"|\bhalbe?[nrs]?\b|mittlere|durchschnitt|ausschlag|wechsel|schwell|zusammen|reduced"
     r"|reduziert|equivalent length"

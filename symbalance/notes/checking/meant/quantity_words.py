@@ -47,6 +47,11 @@ _DENIED = re.compile(
     re.IGNORECASE,
 )
 """Words with which a formula may be named that is not the standard one."""
+_SUBORDINATE = re.compile(
+    r"\b(?:although|though|while|whereas|since|because|obwohl|obgleich|während|da|weil)\s[^,;.]{3,80},",
+    re.IGNORECASE,
+)
+"""A clause that says something else: "although they do not peak together,"."""
 ROUGHLY = re.compile(r"approximat|roughly|näherung|近似", re.IGNORECASE)
 _BEHIND = re.compile(
     r"[\s$`\\)\]},.]{0,8}(?:\(|(?:is|as|being|for|ist|als|für|gives|denotes)\s+)(?:(?:the|die|der|das"
@@ -202,7 +207,7 @@ class QuantityWords:
         """Yield the quantities that a letter may be, by its declared meaning or the words around it."""
         sentence, _, _ = self._texts(chain)
         is_rough = ROUGHLY.search(sentence) is not None
-        if _DENIED.search(sentence):
+        if _DENIED.search(_SUBORDINATE.sub(" ", sentence)):
             return
         for named in self._every_named(name, chain, knowledge):
             if not is_rough or named.quantity.approximate:

@@ -90,7 +90,9 @@ _RING = (outer_radius**3 - inner_radius**3) / (outer_radius**2 - inner_radius**2
 _DISC = density * wall_of_weight
 _OTHER_WEIGHT = r"annular|\bring\b|hollow|kreisring|円環|truncated|less the"
 _SECTOR = words(r"\bsectors?\b|kreissektor|kreisausschnitt|\bsektor|扇形|secteur")
-_SEMI = words(r"half[- ]?dis[ck]|semi-?circ\w+|half[- ]circle|half a dis[ck]|halbkreis\w*|半円")
+_SEMI = words(
+    r"half[- ]?dis[ck]|half[- ]rounds?|semi-?circ\w+|half[- ]circle|half a dis[ck]|halbkreis\w*|半円"
+)
 _CENTROID = words(
     r"cent(?:re|er)\s+of\s+(?:gravity|mass)", r"centroid\w*",
         r"distance\s+of\s+the\s+cent\w+\s+of\s+gravity", r"schwerpunkt\w*",

@@ -184,6 +184,7 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
     Quantity(
         "tangential force at the crank pin", letters("F T P Q E K"),
         words(r"(?:tangential|turning|crank)\s+(?:force|effort)(?:\s+(?:at|on)\s+the\s+crank[- ]?pin)?",
+              r"tangential(?:ly)?\s+(?:at|on)\s+the\s+(?:crank[- ]?)?pin",
               r"(?:tangential|dreh|umfangs)kraft", r"(?:接線|回転)力"),
         (piston_force * SIN_BOTH / COS_ROD, any_force * SIN_BOTH / COS_ROD, rod_force * SIN_BOTH,
          any_force * (SIN_CRANK + COS_CRANK * TAN_ROD),

@@ -84,6 +84,7 @@ WORK: tuple[Quantity, ...] = (
     Quantity(
         "kinetic energy", letters("E T K W U"),
         words(r"kinetic\s+energy", r"rotational\s+energy",
+        r"(?:it|flywheel|wheel|disc|rotor)\s+stores",
         r"(?:kinetische|rotations|bewegungs)-?\s*energie",
                r"運動エネルギー?"),
         (mass * velocity**2 / 2, inertia * omega**2 / 2, mass * radius**2 * omega**2 / 2),
