@@ -5,10 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from html import unescape
 
 from symbalance.document.formula import Call, Formula, Span, Summation, names, parts_of_kind, walk
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.reading.markup.notebooks import SUFFIX, cell_place
+from symbalance.text import lazy_patterns as re
 
+_MATHML = re.compile(r"<(?:\w+:)?math[\s>]")
+_MARK = re.compile(r"</?(?:i|b|em|strong|sub|sup|var|span|code|big|small|font)\b[^<>]*>", re.IGNORECASE)
+_ENTITY = re.compile(r"&(?:[a-z]{2,8}|#[0-9]{2,5});", re.IGNORECASE)
+_SUPERSCRIPT = re.compile(r"<sup>([-−+]?[0-9]{1,2})</sup>", re.IGNORECASE)
+_SUBSCRIPT = re.compile(r"<sub>([^<>]{1,12})</sub>", re.IGNORECASE)
+_RAISED = str.maketrans("0123456789-−+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁻⁺")
 RELATIONS = ("=", "≈", "<", ">", "≤", "≥", "≡", "≠", "≪", "≫")
 
 
@@ -158,3 +167,21 @@ class ReadNotes:
     def typed(self, span: Span) -> str:
         """Return the text of a span as its author typed it, without the space around it."""
         return (self.as_typed or self.text)[span[0] : span[1]].strip()
+
+    def shown(self, node: Formula, span: Span) -> str:
+        """Return a side as its author typed it, without the marks of HTML; of MathML its formula."""
+        return as_shown(self.typed(span), node)
+
+
+def as_shown(typed: str, node: Formula) -> str:
+    """Return a formula as it is typed, without the marks of HTML; of MathML the formula.
+
+    >>> as_shown("<i>m</i><sub>c</sub> R<sup>2</sup>", Formula())
+    'm_c R²'
+    """
+    if _MATHML.match(typed):
+        return formula_text(node, plain=True)
+    if _MARK.search(typed) is None and _ENTITY.search(typed) is None:
+        return typed
+    raised = _SUPERSCRIPT.sub(lambda match: match[1].translate(_RAISED), typed)
+    return unescape(_MARK.sub("", _SUBSCRIPT.sub(r"_\1", raised))).strip()

@@ -94,7 +94,7 @@ def describe(document: ReadNotes, chain: Chain, k: int, decision: Decision) -> V
     return Verdict(
         line=line,
         link=1,
-        source=document.typed(side.span),
+        source=document.shown(side.node, side.span),
         verdict=word,
         reason=decision.reason,
         order=decision.order if word != REFUTED else "",

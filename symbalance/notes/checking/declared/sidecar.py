@@ -314,7 +314,9 @@ def _symbols(table: Section, letter: Letter) -> dict[str, str]:
         try:
             name = letter(spelling)
         except ReadingError as problem:
-            raise table.refusal(spelling, problem.what, "write one letter") from None
+            name = _product(spelling, letter)
+            if not name:
+                raise table.refusal(spelling, problem.what, "write one letter") from None
         if meanings.get(name, meaning.strip()) != meaning.strip():
             raise table.refusal(spelling, "is declared twice", "keep one line of it")
         nearest = misspelt_role(meaning)
@@ -323,6 +325,18 @@ def _symbols(table: Section, letter: Letter) -> dict[str, str]:
             raise table.refusal(spelling, f"has no known meaning, but one much like {nearest}", remedy)
         meanings[name] = meaning.strip()
     return meanings
+
+
+def _product(spelling: str, letter: Letter) -> str:
+    """Return the letters of a product that has a meaning of its own, "m_w r_w" an unbalance; else "".
+
+    Its letters have none by that.
+    """
+    parts = [part for part in re.split(r"[\s·*⋅]+|\\,|\\cdot", spelling) if part]
+    try:
+        return " ".join(letter(part) for part in parts) if len(parts) > 1 else ""
+    except ReadingError:
+        return ""
 
 
 def _scope(table: Section, letter: Letter) -> Scope:

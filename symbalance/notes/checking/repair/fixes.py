@@ -268,7 +268,7 @@ def fix_of(repair: Repair, document: ReadNotes, side: Side, title: str = "") -> 
 
 def _fault(old: Formula, new: Formula, document: ReadNotes, side: Side, kind_of: str) -> Fault:
     span = old.span if old.span != (0, 0) else (side.span[1], side.span[1])
-    source = document.typed(span)
+    source = document.shown(old, span)
     return Fault(
         document.line_of(span[0]),
         document.column_of(span[0]),

@@ -56,7 +56,7 @@ def _left(verdict: Verdict, checked: Checked, sides: Sides) -> dict[str, str]:
     chain, k = sides.get(verdict.span, (None, 0))
     if chain is None or not k:
         return {}
-    source = checked.derivation.source(chain.sides[k - 1].span)
+    source = checked.derivation.shown(chain.sides[k - 1].node, chain.sides[k - 1].span)
     left = {"left": source, "sign": chain.relations[k - 1].sign}
     nodes = chain.sides[k - 1].node, chain.sides[k].node
     if verdict.verdict not in FAILING or not all(map(is_readable, nodes)):

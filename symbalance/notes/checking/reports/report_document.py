@@ -46,6 +46,7 @@ from symbalance.notes.checking.verdicts import (
     Fault,
     Verdict,
 )
+from symbalance.notes.reading.equations import as_shown
 
 LONGEST_SOURCE = 600
 """Characters of a relation that are shown; the rest is in the JSON."""
@@ -197,7 +198,7 @@ def _source(verdict: Verdict, sides: Sides, text: str) -> str:
     chain, k = sides.get(verdict.span, (None, 0))
     if verdict.verdict not in FAILING or chain is None or not k:
         return verdict.source
-    left = text[slice(*chain.sides[k - 1].span)].strip().strip("&$ ")
+    left = as_shown(text[slice(*chain.sides[k - 1].span)].strip().strip("&$ "), chain.sides[k - 1].node)
     whole = f"{left} {chain.relations[k - 1].sign} {verdict.source}"
     return whole if left and len(whole) <= LONGEST_BOTH else verdict.source
 
