@@ -22,7 +22,13 @@ from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.algebra.tree_values import letters_behind, names_behind, sample_trees
 from symbalance.notes.algebra.values import letters
-from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision, without_dots
+from symbalance.notes.checking.deciding.equality import (
+    REFUTED,
+    UNDECIDED,
+    Decision,
+    decide_equality,
+    without_dots,
+)
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.relations import decide, written_out
 from symbalance.notes.checking.deciding.substitution import substitute
@@ -103,11 +109,28 @@ def _define_anew(
     is_datum = not k and not names(value) and definitions.sections.is_in_list_of_data(chain, earlier.line)
     is_datum = is_datum and earlier.numeric and earlier.formula is None
     sign = chain.relations[k].sign
-    if not (is_datum or is_apart) and (
-        is_put_in or not _new_case(earlier, value, sign, knowledge, is_called_case=is_called_case)
-    ):
+    is_none = is_put_in or not _new_case(earlier, value, sign, knowledge, is_called_case=is_called_case)
+    if is_none and not (is_datum or is_apart):
         return None
     return _define_case_anew(definitions, name, value, earlier, chain, knowledge)
+
+
+def _zero_of_case(
+    name: str, earlier: Definition, value: Formula, line: int, knowledge: Knowledge
+) -> Decision | None:
+    """Refute that a letter vanishes in a case of its own line, where its formula does not; else None.
+
+    If ε = 1, then Y = 0: with Y = -ε F sin θ above it is -F sin θ there.
+    """
+    if value != Number(Fraction(0)):
+        return None
+    values = {n: d.node for n, d in knowledge.definitions.items()}
+    behind = (knowledge.definitions.get(n) for n in names_behind(earlier.node, values))
+    is_in_case = any(d is not None and d.numeric and d.line == line != earlier.line for d in behind)
+    if not is_in_case or decide_equality(earlier.node, value, knowledge).status != REFUTED:
+        return None
+    shown = f"{plain_text(Name(name))} = {plain_text(earlier.node)} of line {earlier.line}"
+    return Decision(REFUTED, f"{shown} does not vanish in the case of this line")
 
 
 def _is_in_another_prefix(earlier: Definition, value: Formula) -> bool:
@@ -455,6 +478,8 @@ def _define_case_anew(
     line = chain.lines[0]
     if (wrong := refute_result(definitions, name, value, earlier, chain, knowledge)) is not None:
         return wrong
+    if (not_zero := _zero_of_case(name, earlier, value, line, knowledge)) is not None:
+        return not_zero
     if names(earlier.node) and is_led_to(definitions, value, chain):
         reason = (
             f"words lead to it from line {earlier.line}, and nothing says that the formula comes to it"

@@ -16,7 +16,7 @@ _CASE = re.compile(
     r"(?<![A-Za-z])(?:for|if|when|whenever|where|at|only for|provided(?:\s+that)?"
     rf"|as\s+long\s+as|in\s+the\s+case|für|bei|falls|wenn|sofern|solange|im\s+Fall|pour|si"
     r"|lorsque|quand|para|cuando|per|quando|voor|bij|wanneer|för|vid|när|dla|przy|gdy|při|když"
-    rf"|(?:da|alcanza|ocurre|produce|máxim[oa])\s+en|(?:^|[.:]\s)en){_END}",
+    rf"|(?:da|alcanza|ocurre|produce|máxim[oa])\s+en|(?:^|[.:]\s)en){_END}|(?:もし|仮に)[^。、]{{0,12}}$",
     re.IGNORECASE,
 )
 _CASE_BEHIND = re.compile(r"[\s$)\]}\\,]{0,6}(?:なら|のとき|の時|の場合|では(?!な))")
