@@ -77,6 +77,10 @@ class TableRows:
             self._decided[key] = self._of_table(found[1], head.name, knowledge)
         return self._decided[key].get(chain.start)
 
+    def has_judged(self, chain: Chain) -> bool:
+        """Tell whether a relation was judged as a row: its number is of that row alone."""
+        return any(chain.start in rows for rows in self._decided.values())
+
     @cached_property
     def _tables(self) -> list[Table]:
         text = self.document.text
