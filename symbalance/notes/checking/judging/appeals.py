@@ -12,6 +12,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import decide, decide_at_value
 from symbalance.notes.checking.deciding.rounding import decimals, significant
+from symbalance.notes.checking.deciding.sums_over_cylinders import NO_ANGLES
 from symbalance.notes.checking.judging.open_reasons import unless_open, unless_solved_in_sentence
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.premises.premise_decisions import must_follow
@@ -23,7 +24,7 @@ from symbalance.notes.checking.steps.meant_roughly import decide_as_rough
 from symbalance.notes.checking.steps.slips_at_places import says_direction
 from symbalance.notes.checking.steps.stated_equations import unless_stated
 from symbalance.notes.checking.units.numbers_in_units import decide_in_units
-from symbalance.notes.checking.verdicts import REFUTED
+from symbalance.notes.checking.verdicts import REFUTED, UNDECIDED
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Side
 
@@ -58,6 +59,9 @@ def appeal(
     ):
         if decision.status == REFUTED:
             decision = mend(state, chain, k, decision, knowledge)
+    if decision.status == UNDECIDED and decision.reason == NO_ANGLES:  # Re(e^{jnθ} Z_n), Z_n below
+        below = with_letters_below(state, chain, k, decision, knowledge)
+        decision = below if below.is_proved else decision
     return decision
 
 
