@@ -11,7 +11,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import cache
 
-from symbalance.document.wordlists import words
 from symbalance.notes.checking.declared.role_phrases import GERMAN_RATIO, PHRASES
 from symbalance.notes.checking.declared.sidecar import PROPOSED, Declarations
 from symbalance.notes.checking.declared.symbol_roles import (
@@ -28,18 +27,8 @@ _ROLES = (
     *("crank angle", "rod angle", "crank radius", "stroke", "rod length", "angular speed"),
     *("reciprocating mass", FROM_TOP, "piston velocity", "piston acceleration", "cylinder pitch"),
 )
-_SPEED = "engine speed rpm"
-_SPEED_WORDS = frozenset(
-    words(
-        "engine speed motordrehzahl drehzahl régime moteur vitesse rotation 回転数 regime velocità motore"
-    )
-)
 _OF_PISTON = re.compile(r"piston|kolben|ピストン", re.IGNORECASE)
 """In phrases for a mass that is but a part of what reciprocates."""
-_PER_MINUTE = re.compile(
-    r"\b(?:rpm|r\.?p\.?m\.?|(?:rev|r|U|tr|giri|1)/min|revolutions per minute|min\^?[-⁻−]?[1¹])|回転/分",
-    re.IGNORECASE,
-)
 _TOP = (
     r"(?:the )?(?:(?:top|inner|upper) dead (?:cent(?:re|er)|point)|TDC|IDC|OT|PMH|PMS"
     r"|oberen? Totpunkte?s?|point mort haut|punto morto superiore)"
@@ -94,8 +83,8 @@ def _with_role(text: str, english: Callable[[str], str]) -> str:
 def fuller_role(text: str) -> str:
     """Return the known meaning that a fuller wording states, "" for another.
 
-    >>> fuller_role("length of the connecting rod between centres"), fuller_role("speed in rev/min")
-    ('rod length', 'engine speed rpm')
+    >>> fuller_role("length of the connecting rod between centres"), fuller_role("mass of the rod")
+    ('rod length', '')
     >>> fuller_role("rated angular speed"), fuller_role("Verhältnis Kurbelradius zu Pleuellänge")
     ('angular speed', 'crank ratio r/l')
     >>> fuller_role("angle of the bank"), fuller_role("crank angle from bottom dead centre")
@@ -107,9 +96,6 @@ def fuller_role(text: str) -> str:
             (role for words, role in _RATIOS if re.search(rf"(?<!\w)(?:{words})(?!\w)", text, re.I)), ""
         )
         return ratio or ("crank ratio r/l" if own in GERMAN_RATIO else "")
-    if _PER_MINUTE.search(text):
-        own = re.sub(r"[()（）,]|\b(?:in|en|al)\b", " ", _PER_MINUTE.sub("", text)).split()
-        return _SPEED if {word.casefold() for word in own} <= _SPEED_WORDS else ""
     left, has_top = text, False
     for off in _PUT_OFF:
         shorter = re.sub(off, "", left, flags=re.IGNORECASE).strip(" ,")
