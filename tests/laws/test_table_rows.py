@@ -103,3 +103,8 @@ def test_a_number_in_a_column_of_plain_text_is_no_factor(tmp_path):
     page += "    0       k =  1.200\n   90       k = -0.200\n  120       k = -0.600\n"
     assert _verdicts(tmp_path, "txt", page, 3) == ["conditional"] * 3
     assert _verdicts(tmp_path, "txt", page.replace("-0.600", "-0.400"), 3)[-1] == "refuted"
+
+
+def test_a_row_does_not_go_with_itself(tmp_path):
+    page = "$F_y = -k U \\sin\\theta$ is what stays.\n\n| k | across |\n|---|---|\n| 1 | $F_y = 0$ |\n"
+    assert _verdicts(tmp_path, "md", page, 1)[0] not in ("holds", "holds_to_order", "conditional")

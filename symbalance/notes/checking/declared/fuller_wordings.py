@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import cache
 
-from symbalance.notes.checking.declared.role_phrases import GERMAN_RATIO, PHRASES
+from symbalance.notes.checking.declared.role_phrases import GERMAN_RATIO, PHRASES, ratio_in_words
 from symbalance.notes.checking.declared.sidecar import PROPOSED, Declarations
 from symbalance.notes.checking.declared.symbol_roles import (
     CRANK_ANGLE,
@@ -45,12 +45,6 @@ _PUT_OFF = (
     r"^(?:the |constant |rated |mittlere |konstante )",
     r"(?:の|)(?:下向き正|中心間)",
 )
-_GERMAN_ROD = r"(?:der )?(?:Pleuellänge|(?:Pleuel|Schub)stangenlänge)"
-_RATIOS = (
-    (r"r/l|r over l|crank (?:radius )?(?:/|over|to|and|by) (?:the )?(?:con(?:necting[- ])?)?rod"
-     rf"(?: length)?|Kurbelradius (?:zu|durch|/) {_GERMAN_ROD}", "crank ratio r/l"),
-    (r"l/r|l over r", "rod ratio l/r"),
-)  # fmt: skip
 _RATIO_WORDS = re.compile(r"ratio|verhältnis|rapport|rapporto|比|^[rl](?:/| over )[rl]$", re.IGNORECASE)
 
 
@@ -92,10 +86,7 @@ def fuller_role(text: str) -> str:
     """
     if _RATIO_WORDS.search(text):
         own = text.partition(",")[0].strip()
-        ratio = next(
-            (role for words, role in _RATIOS if re.search(rf"(?<!\w)(?:{words})(?!\w)", text, re.I)), ""
-        )
-        return ratio or ("crank ratio r/l" if own in GERMAN_RATIO else "")
+        return ratio_in_words(text) or ("crank ratio r/l" if own in GERMAN_RATIO else "")
     left, has_top = text, False
     for off in _PUT_OFF:
         shorter = re.sub(off, "", left, flags=re.IGNORECASE).strip(" ,")

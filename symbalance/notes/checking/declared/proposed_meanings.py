@@ -34,6 +34,7 @@ from symbalance.notes.checking.declared.role_phrases import (
     RATIO,
     USUAL,
     NamedRole,
+    ratio_in_words,
     roles_named,
 )
 from symbalance.notes.checking.declared.symbol_roles import FROM_TOP, KNOWN, UNITS
@@ -322,6 +323,8 @@ class MeaningsFromWords:
             named = f"{self._length(quotient[1])}/{self._length(quotient[2])}"
             if named in CONVENTIONS:
                 return CONVENTIONS[named]
+        if (said := _BRACKET_BEHIND.match(behind)) and (named := ratio_in_words(said[1])):
+            return named
         ratio = self._ratio_written(letter)
         if ratio and ratio[0] in CONVENTIONS:
             return CONVENTIONS[ratio[0]]
@@ -452,6 +455,8 @@ def _distance(line: str, role: NamedRole, place: tuple[int, int]) -> int:
     return 2 * len(gap) - (1 if gap.strip()[:1] in (":", "=", "は", "を", "：") else 0)
 
 
+_BRACKET_BEHIND = re.compile(r"\s*\$?\s?\\?[^\W\d_]{1,10}\s?\$?\s*[(（]([^()（）]{4,60})[)）]")
+"""What a bracket right behind a letter says of it: the rod ratio λ (crank radius over rod length)."""
 _QUOTIENT_BEHIND = re.compile(
     r"[\s$(,:=]{0,6}(?:\\lambda\s*=\s*|λ\s*=\s*)?(?:\\[td]?frac\s*\{\s*)?([A-Za-z])\s*(?:/|\}\s*\{)\s*([A-Za-z])(?![A-Za-z])"
 )

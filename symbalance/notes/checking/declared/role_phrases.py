@@ -145,6 +145,26 @@ CONVENTIONS = {"l/r": "rod ratio l/r", "l/s": "rod ratio l/s", "r/l": "crank rat
 GERMAN_RATIO = ("Schubstangenverhältnis", "Pleuelstangenverhältnis", "Pleuelverhältnis")
 """Names of r/l where nothing else is said; of all others l/r is the usual reading."""
 
+_GERMAN_ROD = r"(?:der )?(?:Pleuellänge|(?:Pleuel|Schub)stangenlänge)"
+_RATIOS = (
+    (r"r/l|r over l|crank (?:radius |throw )?(?:/|over|to|and|by|divided by) (?:the )?"
+     r"(?:length of the )?(?:con(?:necting[- ])?)?rod(?: length)?"
+     rf"|Kurbelradius (?:zu|durch|/) {_GERMAN_ROD}", "crank ratio r/l"),
+    (r"l/r|l over r|rod (?:length )?(?:/|over|to|divided by) (?:the )?crank(?: radius| throw)?",
+     "rod ratio l/r"),
+)  # fmt: skip
+
+
+def ratio_in_words(text: str) -> str:
+    """Return which ratio of the crank's and the rod's lengths words spell out, "" where they do not.
+
+    >>> ratio_in_words("(crank radius over rod length)"), ratio_in_words("rod ratio")
+    ('crank ratio r/l', '')
+    """
+    found = (role for how, role in _RATIOS if re.search(rf"(?<!\w)(?:{how})(?!\w)", text, re.IGNORECASE))
+    return next(found, "")
+
+
 _COMMON = {
     "β": "rod angle", "r": "crank radius", "l": "rod length", "ω": "angular speed", "t": "time",
     "x": FROM_TOP, "v": "piston velocity", "a": "piston acceleration", "m": "reciprocating mass",

@@ -55,7 +55,7 @@ from symbalance.notes.checking.meant.meant_words import (
     letters_text,
 )
 from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
-from symbalance.notes.checking.units.dimensions import Dimension, Dimensions, unit_text
+from symbalance.notes.checking.units.dimensions import Dimension, Dimensions, unit_of, unit_text
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
 from symbalance.notes.checking.words.sections import dead_centre_named
 from symbalance.notes.reading.equations import Chain, Side
@@ -66,6 +66,11 @@ LONG, POINTS, NEAR = 1000, 4, 0.02
 SEARCH, SHARE = Budget(8), 0.8
 """What this may take, and of what is left of the relation's budget: a definition stays one without it."""
 FROM_BOTTOM = "displacement from bottom dead centre"
+_USUAL_UNITS = {
+    **dict.fromkeys("FKPNRQ", "N"), **dict.fromkeys("MTC", "N m"), "v": "m/s", "a": "m/s^2",
+    "sigma": "Pa", "tau": "Pa",
+}  # fmt: skip
+"""The units of what usual letters stand for."""
 _DISPLACEMENTS = (FROM_TOP, FROM_PIN, FROM_MIDDLE, FROM_BOTTOM)
 _EITHER_SIGN = ("piston velocity", "piston acceleration", "inertia force", FROM_MIDDLE, TORQUE)
 """Quantities that have the other sign where the other direction is the positive one."""
@@ -484,6 +489,9 @@ class MeantQuantities:
             return None
         if self.words.has_result_in(name, dimension):
             return None
+        usual = _USUAL_UNITS.get(name.removeprefix("hat_").partition("_")[0], "")
+        if unit is None and usual and dimension == unit_of(usual):
+            return None  # the moments M = F a: the words name the next letter
         gap = [a - b for a, b in zip(dimension, expected[1], strict=True)]
         is_of_one = [place for place, e in enumerate(gap) if e] in ([1], [2])  # of kg, m, s
         has_mass_more = unit is not None and gap[0] > 0 and not expected[1][0]

@@ -119,7 +119,8 @@ def by_ratios(
             decision = Decision(PROVED, assumptions=(text,)) if is_near else Decision(REFUTED, text)
             decision = decision if is_near else replace(decision, witness=witness)
             decided.append(Judged(row, decision, abs(value - base * ratio)))
-        yield decided
+        if base and sum(each.decision.is_proved for each in decided) > 1:  # not by itself alone
+            yield decided
 
 
 def _same_ratio(pairs: list[tuple[float | None, float | None]]) -> float | None:

@@ -29,7 +29,14 @@ _PER_MINUTE = Number(Fraction(60))
 
 
 def by_the_minute(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
-    """Return that a second formula is right with the number of revolutions in a minute; None if not."""
+    """Return that a formula or a result is right with revolutions by the other time; None if not."""
+    of_number = not names(chain.sides[k + 1].node)
+    return (_result_by_the_second if of_number else _formula_by_the_minute)(state, chain, k, knowledge)
+
+
+def _formula_by_the_minute(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> Decision | None:
     head, value = chain.sides[0].node, chain.sides[1].node
     known = knowledge.definitions.get(head.name) if isinstance(head, Name) else None
     if k or known is None or chain.relations[0].sign != "=":
@@ -57,6 +64,34 @@ def by_the_minute(state: JudgingState, chain: Chain, k: int, knowledge: Knowledg
     shown = ", ".join(plain_text(Name(name)) for name in counted)
     which = "the number per minute" if is_by_minute else "counted in the seconds of the formula"
     return replace(there, assumptions=(*there.assumptions, f"{shown} is {which} here"))
+
+
+def _result_by_the_second(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> Decision | None:
+    """Return that a result is right with revolutions in a second: P = p V n/2 beside ω = 2πn/60."""
+    node = chain.sides[k].node
+    given = {
+        name for each in state.data for name in names(each.sides[0].node) if _is_by_unit(state, each)
+    }
+    counted = sorted(n for n in names(node) if n in given or _is_given_by_minute(state, n, chain))
+    if len(counted) != 1 or _is_by_minute(node):
+        return None
+    try:
+        by_second = substitute(node, counted[0], Quotient(Name(counted[0]), _PER_MINUTE))
+    except NoFormError:
+        return None
+    there = decide(lone_side(by_second), chain.sides[k + 1], chain.relations[k].sign, knowledge)
+    if not there.is_proved:
+        return None
+    shown = f"{plain_text(Name(counted[0]))} is counted in a second here"
+    return replace(there, assumptions=(*there.assumptions, shown))
+
+
+def _is_by_unit(state: JudgingState, chain: Chain) -> bool:
+    """Tell whether a datum of a table is a number of revolutions per minute."""
+    start, end = chain.sides[-1].span
+    return _BY_MINUTE.search(state.document.text, start, end) is not None
 
 
 def _is_by_minute(node: Formula) -> bool:

@@ -1,4 +1,4 @@
-"""Letters that are plain numbers by a page's own sums: the f of 1 - f has no unit, whatever it means."""
+"""Letters that are plain numbers by a page's own lines: the f of 1 - f has no unit, nor δ = 0.02."""
 
 from __future__ import annotations
 
@@ -16,13 +16,14 @@ from symbalance.document.formula import (
     Sum,
     parts_of_kind,
 )
+from symbalance.notes.checking.units.dimensions import written_unit
 from symbalance.notes.checking.words.sections import Sections
-from symbalance.notes.reading.equations import ReadNotes
+from symbalance.notes.reading.equations import ReadNotes, Side
 
 
 @dataclass
 class PlainLetters:
-    """The letters of one page that stand in a sum with a bare 1."""
+    """The letters of one page that stand in a sum with a bare 1, or are ratios with a bare number."""
 
     document: ReadNotes
     sections: Sections
@@ -35,6 +36,12 @@ class PlainLetters:
             if any(self.sections.same_section(w, line) for w in where)
         )
 
+    def _is_bare(self, side: Side) -> bool:
+        """Tell whether a side is one number, with no unit typed behind it."""
+        if not isinstance(side.node, Number):
+            return False
+        return not written_unit(self.document.source(side.span))[1].strip()
+
     @cached_property
     def _lines(self) -> dict[str, set[int]]:
         lines: dict[str, set[int]] = {}
@@ -42,7 +49,16 @@ class PlainLetters:
             for side in chain.sides:
                 for name in _beside_one(side.node):
                     lines.setdefault(name, set()).add(chain.lines[0])
+            head, right = chain.sides[0].node, chain.sides[-1]
+            is_ratio = isinstance(head, Name) and head.name.partition("_")[0] in _RATIOS
+            if is_ratio and len(chain.sides) > 1 and self._is_bare(right):
+                assert isinstance(head, Name)
+                lines.setdefault(head.name, set()).add(chain.lines[0])
         return lines
+
+
+_RATIOS = frozenset({"delta", "lambda", "epsilon", "varepsilon", "eta", "zeta", "kappa", "mu", "nu"})
+"""Usual letters of ratios, coefficients and angles."""
 
 
 def _beside_one(node: Formula) -> Iterator[str]:

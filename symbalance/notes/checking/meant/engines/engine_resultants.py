@@ -200,6 +200,9 @@ class EngineResultants:
             return None
         if not names(value):
             return self._vanishing(head.name, claim, value)
+        # the formula is of any size: λ = 36.5/125 is still the crank ratio
+        formulas = {n: d for n, d in knowledge.definitions.items() if not d.numeric or n == head.name}
+        knowledge = replace(knowledge, definitions=formulas)
         try:
             product = self.letters.expanded(product_of(value), head.name, knowledge)
             return self._compared(chain, head.name, claim, product, knowledge)
