@@ -23,7 +23,7 @@ _TWO = Number(Fraction(2))
 
 
 def sign_in_series(chains: Iterable[Chain], name: str, order: int) -> int:
-    """Return the sign of a coefficient times cos nθ beside a bare cos θ; 0 where no series has both.
+    """Return the sign of a coefficient times cos nθ beside cos θ or A_1 cos θ; 0 where none has both.
 
     Beside cos θ it is the same whatever the series is of: of the acceleration, or of the displacement
     with its - cos θ. Series that disagree say nothing.
@@ -82,6 +82,7 @@ def coefficients_beside_first(node: Formula) -> frozenset[str]:
 
 def _sign_beside_first(series: Sum, name: str, order: int) -> int:
     own = first = 0
+    first_letter = f"{name.rpartition('_')[0]}_1"  # A_1, which is 1 where A_4 is of an acceleration
     for term in series.terms:
         sign, body = (-1, term.operand) if isinstance(term, Negative) else (1, term)
         factors = body.factors if isinstance(body, Product) else (body,)
@@ -90,7 +91,7 @@ def _sign_beside_first(series: Sum, name: str, order: int) -> int:
         if len(cosines) != 1:
             continue
         multiple = multiple_of_angle(cosines[0].argument)
-        if not others and multiple == 1:
+        if multiple == 1 and (not others or others == [Name(first_letter)]):
             first = sign
         elif others == [Name(name)] and multiple == order:
             own = sign

@@ -45,6 +45,7 @@ from symbalance.notes.checking.words.case_labels import are_labels_of_a_kind, la
 from symbalance.notes.checking.words.case_words import numbers_of_several
 from symbalance.notes.checking.words.plain_formulas import lone_side, plain_text
 from symbalance.notes.reading.equations import Chain, Side
+from symbalance.text import lazy_patterns as re
 
 FEWEST_NEW = 2
 """Letters of a formula that make it one of another thing: x = y may be a claim."""
@@ -157,6 +158,8 @@ def _of_its_own_case(
         reason = f"rounded: line {earlier.line} has more digits"
     elif _is_labelled_otherwise(definitions, name, earlier, value, chain):
         reason = f"another case than in line {earlier.line}, by its label"
+    elif _is_of_other_parity(definitions, name, chain):
+        reason = f"another case than in line {earlier.line}: even, and odd"
     if reason:
         definitions.define(name, without_dots(value)[0], chain)
         return Decision(PREMISE, reason)
@@ -165,6 +168,28 @@ def _of_its_own_case(
         return None
     definitions.define(name, without_dots(value)[0], chain, case_end)
     return Decision(DEFINITION, f"another case than in line {earlier.line}")
+
+
+def _is_of_other_parity(definitions: Definitions, name: str, chain: Chain) -> bool:
+    """Tell whether words behind a value are of the other parity than those behind the one before it.
+
+    h = N if N is even, and h = 2N if N is odd.
+    """
+    text = definitions.sections.document.text
+    before = [c for c in definitions.sections.chains_of(Name(name)) if c.start < chain.start]
+    if not before:
+        return False
+    words = [_PARITY.search(text[c.end : c.end + _BEHIND_PARITY]) for c in (before[-1], chain)]
+    kinds = {match.lastgroup for match in words if match is not None}
+    return len(kinds) > 1
+
+
+_BEHIND_PARITY = 40
+_PARITY = re.compile(
+    r"(?P<even>(?<![A-Za-z])(?:even|gerade[nrsm]?|pair|pari)(?![A-Za-z])|偶数)"
+    r"|(?P<odd>(?<![A-Za-z])(?:odd|ungerade[nrsm]?|impair|dispari)(?![A-Za-z])|奇数)",
+    re.IGNORECASE,
+)
 
 
 def _is_labelled_otherwise(
