@@ -108,3 +108,9 @@ def test_a_number_in_a_column_of_plain_text_is_no_factor(tmp_path):
 def test_a_row_does_not_go_with_itself(tmp_path):
     page = "$F_y = -k U \\sin\\theta$ is what stays.\n\n| k | across |\n|---|---|\n| 1 | $F_y = 0$ |\n"
     assert _verdicts(tmp_path, "md", page, 1)[0] not in ("holds", "holds_to_order", "conditional")
+
+
+def test_rows_of_a_formula_with_several_open_letters_are_premises(tmp_path):
+    page = "$F = U + V \\cos\\theta$ is the force.\n\n| angle | force |\n|---|---|\n"
+    page += "| 0° | $F = 3$ N |\n| 60° | $F = 2$ N |\n| 90° | $F = 1$ N |\n"
+    assert _verdicts(tmp_path, "md", page, 3) == ["premise"] * 3

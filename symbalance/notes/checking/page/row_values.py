@@ -108,11 +108,12 @@ def by_ratios(
     points = [[_number_at(there, seed) for there in places] for seed in range(_POINTS)]
     for k, first in enumerate(rows):
         decided: list[Judged] = []
+        base = printed(first)
         for n, row in enumerate(rows):
             ratio = _same_ratio([(point[n], point[k]) for point in points])
             if ratio is None:
                 continue
-            value, base = printed(row), printed(first)
+            value = printed(row)
             is_near = abs(value - base * ratio) <= (row.half + first.half * abs(ratio)) * (1 + _NEAR)
             text = f"it goes with the row {first.place.text.removesuffix(BY_ROW)}"
             witness = {"left": f"{base * ratio:.4g}", "right": f"{value:.4g}"}
