@@ -114,3 +114,20 @@ def test_rows_of_a_formula_with_several_open_letters_are_premises(tmp_path):
     page = "$F = U + V \\cos\\theta$ is the force.\n\n| angle | force |\n|---|---|\n"
     page += "| 0° | $F = 3$ N |\n| 60° | $F = 2$ N |\n| 90° | $F = 1$ N |\n"
     assert _verdicts(tmp_path, "md", page, 3) == ["premise"] * 3
+
+
+LETTERS = "F_x = (1 - k)·U·cos φ and F_y = -k·U·sin φ.\n\n| k | what remains |\n|---|---|\n"
+CELLS = (
+    ("0", "F_x = U·cos φ, F_y = 0"),
+    ("½", "F_x = ½·U·cos φ, F_y = -½·U·sin φ"),
+    ("1", "F_x = 0, F_y = -U·sin φ"),
+)
+
+
+def test_a_formula_in_a_row_is_the_formula_above_at_its_letters_number(tmp_path):
+    rows = "".join(f"| {k} | {cell} |\n" for k, cell in CELLS)
+    assert _verdicts(tmp_path, "md", LETTERS + rows, 6) == ["conditional"] * 6
+    wrong = rows.replace("F_y = -U·sin φ", "F_y = 0")
+    assert _verdicts(tmp_path, "md", LETTERS + wrong, 6) == ["conditional"] * 5 + ["refuted"]
+    wrong = rows.replace("F_x = ½", "F_x = ¼")
+    assert _verdicts(tmp_path, "md", LETTERS + wrong, 6)[2] == "refuted"

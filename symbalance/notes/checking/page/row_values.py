@@ -77,6 +77,17 @@ def by_formula(rows: list[Row], formula: Formula, name: str, knowledge: Knowledg
         yield Judged(row, decision, inf if value is None else abs(value - printed(row)))
 
 
+def in_letters(rows: list[Row], formula: Formula, name: str, knowledge: Knowledge) -> Iterator[Judged]:
+    """Yield the rows with the decisions on their formulas by the letter's formula at the row's place."""
+    for row in rows:
+        there = _at_place(row.place, formula, name, knowledge)
+        if there is not None:
+            left, right = row.chain.sides
+            sign = row.chain.relations[0].sign
+            decision = decide(replace(left, readings=(there[0],)), right, sign, there[1])
+            yield Judged(row, decision, inf)
+
+
 def _at_place(
     place: Place, formula: Formula, name: str, knowledge: Knowledge
 ) -> tuple[Formula, Knowledge] | None:

@@ -2,6 +2,7 @@
 
     | 120° | a = -4157 |            below a = r ω² (cos θ + λ cos 2θ)
     | 4000 rpm | F = 5.58 kN |      below F = m r ω² (1 + λ)
+    | ½ | F_y = -½ U sin φ |        below F_y = -k U sin φ, k the head of the column
 
 A row that the formula contradicts is refuted where more rows agree with it than do not: then the table
 was computed from it. Else its number is a premise of its row alone, whatever it was computed from. No row
@@ -27,6 +28,7 @@ from symbalance.notes.checking.page.row_values import (
     Row,
     by_formula,
     by_ratios,
+    in_letters,
     printed,
 )
 from symbalance.notes.checking.units.conversions import quantity_of
@@ -34,7 +36,7 @@ from symbalance.notes.checking.verdicts import PREMISE
 from symbalance.notes.checking.words.tables import Cell, Table, columns_of, tables_of
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.letters.macro_letters import letter_in
-from symbalance.notes.reading.signs import RELATION
+from symbalance.notes.reading.signs import RELATION, VULGAR
 from symbalance.notes.reading.units import scale_of
 from symbalance.text import lazy_patterns as re
 
@@ -67,7 +69,11 @@ class TableRows:
         head, last = chain.sides[0].node, chain.sides[-1].node
         if k or not isinstance(head, Name) or len(chain.sides) != len(chain.relations) + 1:
             return None
-        if len(chain.sides) > len("ab") or names(last) or chain.relations[0].sign not in ("=", "≈"):
+        if (
+            len(chain.sides) > len("ab")
+            or names(head) & names(last)
+            or chain.relations[0].sign not in "=≈"
+        ):
             return None
         found = next(((n, t) for n, t in enumerate(self._tables) if _is_within(chain, t)), None)
         if found is None:
@@ -101,6 +107,11 @@ class TableRows:
         """
         rows = list(self._rows_of(table, name))
         judged: list[list[Judged]] = []
+        if any(names(row.chain.sides[1].node) for row in rows):
+            formulas = self._formulas_of(name, rows, knowledge)
+            judged = [list(in_letters(rows, formula, name, knowledge)) for formula in formulas]
+            best = max(judged, key=lambda each: sum(one.decision.is_proved for one in each), default=[])
+            return dict(_outcomes_in_letters(best))
         for formula in self._formulas_of(name, rows, knowledge):
             judged.append(list(by_formula(rows, formula, name, knowledge)))
             judged += by_ratios(rows, formula, name, knowledge)
@@ -140,8 +151,7 @@ class TableRows:
             place = self._place_of(row, table[0]) if chain is not None else None
             if chain is None or place is None or len(chain.sides) != len("ab"):
                 continue
-            if not names(chain.sides[1].node):
-                yield Row(chain, self._half(chain.sides[1]), place)
+            yield Row(chain, self._half(chain.sides[1]), place)
 
     def _half(self, number: Side) -> float:
         """Return half a unit of the last place of a number as printed, in the unit it is read in."""
@@ -166,9 +176,9 @@ class TableRows:
         """Return what a cell and the head of its column say: an angle, a speed, or a letter's number."""
         match = _LETTER_IN_HEAD.search(head)
         letter = letter_in(self.document.text, match[1]) if match else None
-        if (fraction := _FRACTION.fullmatch(bare_cell(text))) is not None and letter:
-            number = Number(Fraction(int(fraction[1]), int(fraction[2])))
-            return Place("letter", letter, number, f"at {fraction[0]}{BY_ROW}")
+        bare = bare_cell(text)
+        if letter and (fraction := _fraction(bare)) is not None:
+            return Place("letter", letter, Number(fraction), f"at {bare}{BY_ROW}")
         found = number_in_cell(text, self._has_commas)
         if found is None:
             return None
@@ -179,10 +189,21 @@ class TableRows:
         if _PER_MINUTE.fullmatch(unit) or (not unit and _PER_MINUTE.search(head)):
             return Place("speed", letter or "", number, f"at {value} rpm{BY_ROW}")
         scale = scale_of(unit or _unit_in(head)) if unit or _unit_in(head) else (Fraction(1), False)
-        if not letter or scale is None or scale[1]:
-            return None
-        scaled = Number(number.value * scale[0], number.last_place and number.last_place * scale[0])
-        return Place("letter", letter, scaled, f"at {value} {unit}".rstrip() + BY_ROW)
+        is_size = letter and scale is not None and not scale[1]
+        return _at_size(letter or "", number, scale[0], unit) if is_size and scale is not None else None
+
+
+def _fraction(text: str) -> Fraction | None:
+    """Return the value of a cell that is a fraction: 1/150, ½."""
+    match = _FRACTION.fullmatch(text)
+    pair = VULGAR.get(text) or ((int(match[1]), int(match[2])) if match is not None else None)
+    return Fraction(*pair) if pair is not None else None
+
+
+def _at_size(letter: str, number: Number, scale: Fraction, unit: str) -> Place:
+    scaled = Number(number.value * scale, number.last_place and number.last_place * scale)
+    text = f"at {float(number.value):g} {unit}".rstrip()
+    return Place("letter", letter, scaled, text + BY_ROW)
 
 
 def _unit_in(head: str) -> str:
@@ -220,3 +241,14 @@ def _outcomes(judged: list[Judged]) -> Iterator[tuple[int, Decision]]:
         else:
             decision = Decision(PREMISE, f"{text}: a row of its own")
         yield row.chain.start, decision
+
+
+def _outcomes_in_letters(judged: list[Judged]) -> Iterator[tuple[int, Decision]]:
+    """Yield the decisions on the formulas that a letter has in the rows of one table."""
+    count = sum(each.decision.is_proved for each in judged)
+    for row, there, _ in judged:
+        text = row.place.text
+        if there.is_proved:
+            yield row.chain.start, replace(there, assumptions=(*there.assumptions, text))
+        elif there.status == REFUTED and count:
+            yield row.chain.start, replace(there, reason=f"{text}; another row is the formula's value")
