@@ -36,3 +36,13 @@ def test_a_bracket_behind_a_letter_says_which_ratio_it_is(tmp_path, words, word)
     text += "The piston acceleration is $a = r\\omega^2(\\cos\\varphi + \\lambda\\cos 2\\varphi)$.\n"
     page.write_text(text, encoding="utf-8")
     assert check(page, fixes=False).verdicts[-1].verdict == word
+
+
+@pytest.mark.parametrize("rate", ["", ", $\\omega = 2\\pi n/60$"])
+@pytest.mark.parametrize(("number", "is_right"), [("50", True), ("0.833", False), ("3000", False)])
+def test_no_result_is_divided_by_sixty_twice(tmp_path, rate, number, is_right):
+    page = tmp_path / "page.md"
+    text = f"$n = 3000$ rpm, $p = 10$ bar, $V = 2$ dm³{rate}.\n\n$P = p V n/2 = {number}$ kW\n"
+    page.write_text(text, encoding="utf-8")
+    word = check(page, fixes=False).verdicts[-1].verdict
+    assert word != "refuted" if is_right else word in ("refuted", "undecided")

@@ -57,3 +57,8 @@ def test_a_sum_that_is_said_to_vanish_is_left_open(tmp_path):
 def test_a_letter_that_only_one_side_carries_leaves_it_open(tmp_path):
     text = Z + f"$${SUM} z_i\\cos n(\\theta+\\alpha_i) = \\Re(e^{{jn\\theta}} Z_n)$$"
     assert _last(tmp_path, text).verdict in ("undecided", "refuted")
+
+
+@pytest.mark.parametrize("claim", ["|Z_n|^2 = Z_n^2", "|Z_n| = Z_n", "|Z_n|^2 = Z_n Z_n"])
+def test_a_sum_of_phasors_is_not_taken_as_positive(tmp_path, claim):
+    assert _last(tmp_path, PARTS + f"$${claim}$$").verdict == "refuted"

@@ -131,3 +131,39 @@ def test_a_formula_in_a_row_is_the_formula_above_at_its_letters_number(tmp_path)
     assert _verdicts(tmp_path, "md", LETTERS + wrong, 6) == ["conditional"] * 5 + ["refuted"]
     wrong = rows.replace("F_x = ½", "F_x = ¼")
     assert _verdicts(tmp_path, "md", LETTERS + wrong, 6)[2] == "refuted"
+
+
+@pytest.mark.parametrize("factor", [-1, 1.15, 10, 0.001])
+def test_a_whole_column_wrong_by_one_factor_does_not_hold(tmp_path, factor):
+    rows = [(place, f"{float(value) * factor:.6g}") for place, value in ROWS]
+    words = _verdicts(tmp_path, "md", _page("md", "angle", rows, ACCELERATION), len(ROWS))
+    assert not set(words) & {"holds", "holds_to_order", "conditional"}
+
+
+def test_a_column_in_a_wrong_unit_is_refuted(tmp_path):
+    page = _page("md", "angle", ROWS, ACCELERATION).replace(" m/s² |", " m/s |")
+    assert set(_verdicts(tmp_path, "md", page, len(ROWS))) == {"refuted"}
+
+
+def test_a_zero_supports_no_other_row(tmp_path):
+    page = "x = R cos θ\n\n| θ | x |\n|---|---|\n| 90° | x = 0 |\n| 60° | x = 25 mm |\n"
+    assert _verdicts(tmp_path, "md", page, 1)[0] not in ("holds", "holds_to_order", "conditional")
+
+
+def test_two_letters_of_a_row_count_both(tmp_path):
+    page = "r = 0.04 m, ω = 419 rad/s\n\na = r ω² (cos θ + λ cos 2θ)\n\n| θ | λ | a |\n|---|---|---|\n"
+    for place, ratio, value in (
+        ("0°", "0.25", 8778),
+        ("0°", "0.3", 9129),
+        ("60°", "0.25", 2633),
+        ("60°", "0.3", 2458),
+    ):
+        page += f"| {place} | {ratio} | a = {value} m/s² |\n"
+    assert _verdicts(tmp_path, "md", page, 4) == ["conditional"] * 4
+
+
+def test_the_speed_of_another_row_excuses_none(tmp_path):
+    page = "r = 0.04 m.\n\na = r ω²\n\n| speed | a |\n|---|---|\n"
+    for speed, value in ((1000, 439), (2000, 1755), (3000, 3948), (4000, 1755)):
+        page += f"| {speed} rpm | a = {value} m/s² |\n"
+    assert _verdicts(tmp_path, "md", page, 4) == ["conditional"] * 3 + ["refuted"]

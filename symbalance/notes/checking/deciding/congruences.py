@@ -28,7 +28,7 @@ _NEAR = 1e-9
 
 def decide_congruence(text: str, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
     """Return the decision on a congruence of a page's text; None for a relation without a modulus."""
-    is_congruence = any(relation.sign == "≡" for relation in chain.relations)
+    is_congruence = any(relation.sign in ("≡", "=") for relation in chain.relations)
     modulus = modulus_at(text, chain.sides[-1].span[1]) if is_congruence else None
     if modulus is None or modulus.value is None:
         unread = "the modulus is not read: write (mod 4), (mod 360°) or (mod N)"

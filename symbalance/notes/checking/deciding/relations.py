@@ -7,6 +7,7 @@ from fractions import Fraction
 from itertools import product
 
 from symbalance.document.formula import (
+    Constant,
     Derivative,
     Dots,
     Formula,
@@ -18,6 +19,7 @@ from symbalance.document.formula import (
     names,
     walk,
 )
+from symbalance.document.letters import plain_letter
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.construct_rules import may_fail
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
@@ -335,9 +337,21 @@ def decide_reading(
         return decide_with_whole_numbers(first, second, known, decide_as_known)
 
     decision = decide_over_cylinders(left, right, knowledge, decide_written_out)
+    if decision.is_proved and _takes_complex_as_positive(decision, knowledge):
+        decision = Decision(UNDECIDED, "a sum of complex numbers is of no sign")
     if decision.status != UNDECIDED:
         return decision
     return decide_sums_as_letters(left, right, knowledge, decide_as_known) or decision
+
+
+def _takes_complex_as_positive(decision: Decision, knowledge: Knowledge) -> bool:
+    """Tell whether a proof assumes the sign of a letter for a sum of complex numbers: Z_n ≥ 0."""
+    return any(
+        text.startswith((f"{plain_letter(name)} ≥", f"{plain_letter(name)} >"))
+        for text in decision.assumptions
+        for name, each in knowledge.definitions.items()
+        if any(part == Constant("i") for part in walk(each.node))
+    )
 
 
 def _decide_under_premises(

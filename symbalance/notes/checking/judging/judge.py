@@ -560,6 +560,9 @@ class Judge:
         """Return a verdict; what is refuted by one number of a letter may be true by another."""
         if verdict.verdict not in (*PROVED_WORDS, REFUTED, CONTRADICTION, UNDECIDED, CONDITION):
             return verdict
+        is_of_units = verdict.verdict == REFUTED and (verdict.reason or "").startswith("dimensions: ")
+        if is_of_units or self.table_rows.has_judged(chain):
+            return verdict  # no other number has another unit, and a row has its own
         knowledge = self.state.knowledge(chain.lines[0])
         if verdict.verdict in PROVED_WORDS:
             there = refuted_by_nearest(self.state, chain, k, knowledge)
@@ -621,6 +624,16 @@ class Judge:
         is_identity = chain.relations[k].sign == "≡"
         return is_identity or (not k and self.state.sections.is_said_to_be_constant(chain))
 
+    def _of_its_own_kind(
+        self, chain: Chain, k: int, mismatch: Decision | None, knowledge: Knowledge
+    ) -> Decision | None:
+        """Return the decision on a congruence, or on a row of a table; None for all others."""
+        congruent = decide_congruence(self.document.text, chain, k, knowledge)
+        in_row = None if congruent else self.table_rows.judge(chain, k, knowledge)
+        if in_row is not None and in_row.status != REFUTED:
+            return mismatch or in_row
+        return congruent or in_row
+
     def _undo_own(self, chain: Chain, k: int) -> None:
         """Forget what a relation that is judged again was taken to define: it would prove itself."""
         definitions, key = self.state.definitions, (chain.start, k)
@@ -640,11 +653,9 @@ class Judge:
             return describe(self.document, chain, k, by_place)
         knowledge = with_clauses_below(self.state, chain, k, self.state.knowledge(chain.lines[0]))
         knowledge = self.state.knowledge_of(chain, knowledge)
-        if (congruent := decide_congruence(self.document.text, chain, k, knowledge)) is not None:
-            return describe(self.document, chain, k, congruent)
-        if (in_row := self.table_rows.judge(chain, k, knowledge)) is not None:
-            return describe(self.document, chain, k, in_row)
         mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
+        if (own := self._of_its_own_kind(chain, k, mismatch, knowledge)) is not None:
+            return describe(self.document, chain, k, own)
         if mismatch is not None and (
             anew := numbers_of_this_section(self.state.sections, chain, knowledge)
         ):

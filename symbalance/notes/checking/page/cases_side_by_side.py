@@ -288,7 +288,7 @@ def _has_other_data(earlier: CasePart, part: CasePart) -> bool:
     It has another number for what follows from nothing, and for a second letter, or far from the first:
     one number of a list that is nearly as before may be a slip. Words that name another example say it.
     """
-    common = [name for name in part.given if name in earlier.numbers]
+    common = [name for name in part.given if name in earlier.numbers and name in part.numbers]
     gaps = {name: _gap(earlier.numbers[name], part.numbers[name]) for name in common}
     other = {name for name, gap in gaps.items() if gap > _ALIKE}
     data = {name for name in other - part.results if earlier.numbers[name].is_datum}

@@ -34,6 +34,8 @@ class Place(NamedTuple):
     letter: str
     number: Number
     text: str
+    others: tuple[tuple[str, Number], ...] = ()
+    """What other letters are in the row, by the heads of their columns."""
 
     @property
     def value(self) -> Formula:
@@ -93,6 +95,8 @@ def _at_place(
 ) -> tuple[Formula, Knowledge] | None:
     """Return a formula at a row's place and what is known there; None where it does not depend on it."""
     known = _with_formulas(name, place, knowledge)
+    given = {letter: Definition(number, 0, numeric=True) for letter, number in place.others}
+    known = replace(known, definitions={**known.definitions, **given})
     if place.kind == "speed":
         speeds = _speeds(formula, place, known)
         return (formula, replace(known, definitions={**known.definitions, **speeds})) if speeds else None
@@ -131,7 +135,8 @@ def by_ratios(
             decision = Decision(PROVED, assumptions=(text,)) if is_near else Decision(REFUTED, text)
             decision = decision if is_near else replace(decision, witness=witness)
             decided.append(Judged(row, decision, abs(value - base * ratio)))
-        if base and sum(each.decision.is_proved for each in decided) > 1:  # not by itself alone
+        others = [each for each in decided if each.row is not first and printed(each.row)]
+        if base and any(each.decision.is_proved for each in others):  # not by itself, nor by zero
             yield decided
 
 

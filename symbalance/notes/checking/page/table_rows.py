@@ -32,7 +32,7 @@ from symbalance.notes.checking.page.row_values import (
     printed,
 )
 from symbalance.notes.checking.units.conversions import quantity_of
-from symbalance.notes.checking.verdicts import PREMISE
+from symbalance.notes.checking.verdicts import PREMISE, UNDECIDED
 from symbalance.notes.checking.words.tables import Cell, Table, columns_of, tables_of
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.letters.macro_letters import letter_in
@@ -113,8 +113,9 @@ class TableRows:
             best = max(judged, key=lambda each: sum(one.decision.is_proved for one in each), default=[])
             return dict(_outcomes_in_letters(best))
         for formula in self._formulas_of(name, rows, knowledge):
-            judged.append(list(by_formula(rows, formula, name, knowledge)))
-            judged += by_ratios(rows, formula, name, knowledge)
+            of_numbers = list(by_formula(rows, formula, name, knowledge))
+            # where all letters have numbers, a common factor of all rows is no open one
+            judged += [of_numbers] if of_numbers else by_ratios(rows, formula, name, knowledge)
         best = max(judged, key=lambda each: sum(one.decision.is_proved for one in each), default=[])
         return dict(_outcomes(best))
 
@@ -169,8 +170,9 @@ class TableRows:
             if not RELATION.search(cell.text) and (place := self._named_by(cell.text, head)) is not None:
                 places.append(place)
         turning = [place for place in places if place.kind != "letter"]  # the others may be results
+        others = tuple((p.letter, p.number) for p in places if turning and p.kind == "letter")
         places = turning or places
-        return places[0] if len(places) == 1 else None
+        return places[0]._replace(others=others) if len(places) == 1 else None
 
     def _named_by(self, text: str, head: str) -> Place | None:
         """Return what a cell and the head of its column say: an angle, a speed, or a letter's number."""
@@ -238,6 +240,9 @@ def _outcomes(judged: list[Judged]) -> Iterator[tuple[int, Decision]]:
             decision = replace(there, assumptions=(*there.assumptions, text))
         elif there.status == REFUTED and is_of_formula and not may_be_exact:
             decision = replace(there, reason=f"{text}; other rows have the formula's values")
+        elif there.status == REFUTED and not may_be_exact:
+            reason = f"{text}, the formula above has another value: of something else, or wrong"
+            decision = Decision(UNDECIDED, reason)
         else:
             decision = Decision(PREMISE, f"{text}: a row of its own")
         yield row.chain.start, decision

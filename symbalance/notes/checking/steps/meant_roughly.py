@@ -30,6 +30,8 @@ ROUGH_WORDS = re.compile(
     r"|approssim\w+|trascura\w+|aproximad\w+|despreci\w+)\b|近似|無視|ほぼ|省略",
     re.IGNORECASE,
 )
+_RATIOS = frozenset({"lambda", "epsilon", "varepsilon", "mu", "rho"})
+"""Usual letters of ratios, in which a series is cut off."""
 BEHIND = 40
 """Characters behind a relation in which its sentence may say so."""
 _SENTENCE_ENDS = re.compile(r"[.;:。；](?:\s|$)|\n\s*\n")
@@ -63,6 +65,7 @@ def _is_cut_in_ratio(there: Decision, right: Side, knowledge: Knowledge) -> bool
         if letter not in there.order and f"{letter} is large" not in there.assumptions:
             continue
         is_ratio = name == usual or name in knowledge.small or isinstance(values.get(name), Quotient)
+        is_ratio = is_ratio or name in _RATIOS
         if is_ratio or f"{letter} is large" in there.assumptions:
             return True
     return False

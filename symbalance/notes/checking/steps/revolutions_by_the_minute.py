@@ -12,7 +12,7 @@ from fractions import Fraction
 from symbalance.document.formula import Formula, Name, Number, Product, Quotient, names, walk
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.checking.deciding.equality import Decision
-from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.steps.judging_state import JudgingState
@@ -75,6 +75,7 @@ def _result_by_the_second(
         name for each in state.data for name in names(each.sides[0].node) if _is_by_unit(state, each)
     }
     counted = sorted(n for n in names(node) if n in given or _is_given_by_minute(state, n, chain))
+    counted = [name for name in counted if _is_count(knowledge.definitions.get(name))]
     if len(counted) != 1 or _is_by_minute(node):
         return None
     try:
@@ -86,6 +87,11 @@ def _result_by_the_second(
         return None
     shown = f"{plain_text(Name(counted[0]))} is counted in a second here"
     return replace(there, assumptions=(*there.assumptions, shown))
+
+
+def _is_count(definition: Definition | None) -> bool:
+    """Tell whether a letter is the number before rpm, and no speed per second already."""
+    return definition is not None and isinstance(definition.node, Number)
 
 
 def _is_by_unit(state: JudgingState, chain: Chain) -> bool:

@@ -295,6 +295,8 @@ def _by_frequencies(
             definitions[name] = replace(definitions[name], node=per_second)
     if definitions == dict(knowledge.definitions):
         return None
+    # of p V n/2 as it is typed: a reading with n/60 would be divided twice
+    left, right = (replace(side, readings=side.readings[:1]) for side in (left, right))
     return decide(left, right, sign, replace(knowledge, definitions=definitions))
 
 
