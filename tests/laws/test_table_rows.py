@@ -140,9 +140,9 @@ def test_a_whole_column_wrong_by_one_factor_does_not_hold(tmp_path, factor):
     assert not set(words) & {"holds", "holds_to_order", "conditional"}
 
 
-def test_a_column_in_a_wrong_unit_is_refuted(tmp_path):
+def test_a_column_in_another_unit_than_its_formula_is_said(tmp_path):
     page = _page("md", "angle", ROWS, ACCELERATION).replace(" m/s² |", " m/s |")
-    assert set(_verdicts(tmp_path, "md", page, len(ROWS))) == {"refuted"}
+    assert "refuted" in _verdicts(tmp_path, "md", page, len(ROWS) + 1)  # of the two, the formula
 
 
 def test_a_zero_supports_no_other_row(tmp_path):

@@ -64,6 +64,8 @@ class Judged(NamedTuple):
     row: Row
     decision: Decision
     gap: float
+    ratio: float = 0.0
+    """The row's number over the formula's; 0 where that is not known."""
 
 
 def by_formula(rows: list[Row], formula: Formula, name: str, knowledge: Knowledge) -> Iterator[Judged]:
@@ -76,7 +78,8 @@ def by_formula(rows: list[Row], formula: Formula, name: str, knowledge: Knowledg
         sign = row.chain.relations[0].sign
         decision = decide(replace(left, readings=(there[0],)), right, sign, there[1])
         value = _number_at(there, 0)
-        yield Judged(row, decision, inf if value is None else abs(value - printed(row)))
+        ratio = printed(row) / value if value else 0.0
+        yield Judged(row, decision, inf if value is None else abs(value - printed(row)), ratio)
 
 
 def in_letters(rows: list[Row], formula: Formula, name: str, knowledge: Knowledge) -> Iterator[Judged]:

@@ -53,6 +53,8 @@ _FRACTION = re.compile(r"([1-9][0-9]{0,3})\s?/\s?([1-9][0-9]{0,3})")
 _UNIT_IN_HEAD = re.compile(r"(?:\bin |[\[(/])\s*([^\s\])]{1,12})")
 _FEWEST = 2
 """Rows that agree, one of them not at a dead centre: a rough formula and an exact one agree there."""
+_SAME = 0.01
+"""By how much factors of rounded numbers may differ."""
 _ROUGH = 0.03
 """By how much of the largest number an exact value may differ from that of a series cut off."""
 
@@ -233,14 +235,18 @@ def _outcomes(judged: list[Judged]) -> Iterator[tuple[int, Decision]]:
     is_enough = len(agreeing) >= max(_FEWEST, len(contrary))
     is_of_formula = is_enough and not all(row.place.is_at_dead_centre for row in agreeing)
     largest = max((abs(printed(each.row)) for each in judged), default=0.0)
-    for row, there, gap in judged:
+    factor = _common_factor(judged)
+    for row, there, gap, _ in judged:
         text = row.place.text
-        may_be_exact = row.place.kind == "angle" and gap < _ROUGH * largest
+        may_be_exact = row.place.kind != "speed" and gap < _ROUGH * largest
         if there.is_proved:
             decision = replace(there, assumptions=(*there.assumptions, text))
         elif there.status == REFUTED and is_of_formula and not may_be_exact:
             decision = replace(there, reason=f"{text}; other rows have the formula's values")
-        elif there.status == REFUTED and not may_be_exact:
+        elif there.status == REFUTED and factor:
+            reason = f"{text}: all rows are {factor:.4g} times what the formula above gives"
+            decision = Decision(UNDECIDED, reason)
+        elif there.status == REFUTED and len(agreeing) >= _FEWEST and not may_be_exact:
             reason = f"{text}, the formula above has another value: of something else, or wrong"
             decision = Decision(UNDECIDED, reason)
         else:
@@ -248,10 +254,18 @@ def _outcomes(judged: list[Judged]) -> Iterator[tuple[int, Decision]]:
         yield row.chain.start, decision
 
 
+def _common_factor(judged: list[Judged]) -> float:
+    """Return what times the formula's values all rows are, where none of them agrees; 0 for nothing."""
+    ratios = [each.ratio for each in judged if each.ratio]
+    if len(ratios) < _FEWEST or any(each.decision.is_proved and each.ratio for each in judged):
+        return 0.0
+    return ratios[0] if all(abs(ratio / ratios[0] - 1) < _SAME for ratio in ratios) else 0.0
+
+
 def _outcomes_in_letters(judged: list[Judged]) -> Iterator[tuple[int, Decision]]:
     """Yield the decisions on the formulas that a letter has in the rows of one table."""
     count = sum(each.decision.is_proved for each in judged)
-    for row, there, _ in judged:
+    for row, there, *_ in judged:
         text = row.place.text
         if there.is_proved:
             yield row.chain.start, replace(there, assumptions=(*there.assumptions, text))
