@@ -11,6 +11,7 @@ gives the letter a number for what follows.
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -65,6 +66,7 @@ class TableRows:
 
     document: ReadNotes
     _decided: dict[tuple[int, str], dict[int, Decision]] = field(default_factory=dict)
+    _judged: set[int] = field(default_factory=set)
 
     def judge(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
         """Return the decision on a letter's number in a row of a table; None elsewhere."""
@@ -77,26 +79,36 @@ class TableRows:
             or chain.relations[0].sign not in "=≈"
         ):
             return None
-        found = next(((n, t) for n, t in enumerate(self._tables) if _is_within(chain, t)), None)
-        if found is None:
+        place = self._at(chain)
+        if place is None:
             return None
-        key = found[0], head.name
+        key = place, head.name
         if key not in self._decided:
-            self._decided[key] = self._of_table(found[1], head.name, knowledge)
+            self._decided[key] = self._of_table(self._tables[place], head.name, knowledge)
+            self._judged |= self._decided[key].keys()
         return self._decided[key].get(chain.start)
 
     def has_judged(self, chain: Chain) -> bool:
         """Tell whether a relation was judged as a row: its number is of that row alone."""
-        return any(chain.start in rows for rows in self._decided.values())
+        return chain.start in self._judged
 
     @cached_property
     def _tables(self) -> list[Table]:
+        """The tables of the page, in the order in which they begin."""
         text = self.document.text
-        tables = [t for t in tables_of(text) if len(t) > 1]
-        return [
-            *tables,
-            *(t for t in columns_of(text) if not any(_overlaps(t, other) for other in tables)),
-        ]
+        tables = [t for t in tables_of(text) if len(t) > 1 and t[0]]
+        ends = sorted((t[0][0].span[0], t[-1][-1].span[1]) for t in tables if t[-1])
+        columns = (t for t in columns_of(text) if not _stands_in(t, ends))
+        return sorted((*tables, *columns), key=lambda table: table[0][0].span)
+
+    @cached_property
+    def _starts(self) -> list[int]:
+        return [table[0][0].span[0] for table in self._tables]
+
+    def _at(self, chain: Chain) -> int | None:
+        """Return the number of the table that a relation stands in, None outside of tables."""
+        place = bisect_right(self._starts, chain.start) - 1
+        return place if place >= 0 and _is_within(chain, self._tables[place]) else None
 
     @cached_property
     def _has_commas(self) -> bool:
@@ -220,12 +232,15 @@ def _is_in(chain: Chain, cell: Cell) -> bool:
 
 
 def _is_within(chain: Chain, table: Table) -> bool:
-    return any(_is_in(chain, cell) for row in table for cell in row)
+    end = max((row[-1].span[1] for row in table if row), default=0)
+    return chain.start < end and any(_is_in(chain, cell) for row in table for cell in row)
 
 
-def _overlaps(one: Table, other: Table) -> bool:
-    first, last = other[0][0].span[0], other[-1][-1].span[1]
-    return any(first <= cell.span[0] < last for row in one for cell in row)
+def _stands_in(table: Table, ends: list[tuple[int, int]]) -> bool:
+    """Tell whether a table begins within others, given by where they begin and end."""
+    start = table[0][0].span[0]
+    place = bisect_right(ends, (start, start)) - 1
+    return place >= 0 and start < ends[place][1]
 
 
 def _outcomes(judged: list[Judged]) -> Iterator[tuple[int, Decision]]:

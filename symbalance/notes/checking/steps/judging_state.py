@@ -192,6 +192,18 @@ class JudgingState:
         """End the numbers of the case before where a line is the first of another one."""
         self.cases.enter(line, self.definitions, self.given_numbers)
 
+    @cached_property
+    def lines_with_rough_sign(self) -> list[int]:
+        """The lines on which a formula stands behind ≈, in order."""
+        return sorted(
+            chain.lines[0]
+            for chain in self.document.chains
+            if any(
+                r.sign == "≈" and names(s.node)
+                for r, s in zip(chain.relations, chain.sides[1:], strict=True)
+            )
+        )
+
     def knowledge(self, line: int, convention: str = "") -> Knowledge:
         """Return what is known at a line."""
         symbols = {**self.counts, **self.declarations.symbols_at(line)}

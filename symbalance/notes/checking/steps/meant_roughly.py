@@ -9,6 +9,7 @@ too, where it keeps the letter in which that was cut off.
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from dataclasses import replace
 
 from symbalance.document.formula import Quotient, names
@@ -80,13 +81,6 @@ def _is_said(state: JudgingState, chain: Chain) -> bool:
 
 def _follows_rough(state: JudgingState, chain: Chain) -> bool:
     """Tell whether a rough relation stands above in the same section, by its sign or by words."""
-    line = chain.lines[0]
-    by_sign = (
-        other.lines[0]
-        for other in state.document.chains
-        if other.start < chain.start
-        and any(
-            r.sign == "≈" and names(s.node) for r, s in zip(other.relations, other.sides[1:], strict=True)
-        )
-    )
-    return any(state.sections.same_section(above, line) for above in (*state.rough_lines, *by_sign))
+    line, by_sign = chain.lines[0], state.lines_with_rough_sign
+    near = [*state.rough_lines[-1:], *by_sign[: bisect_left(by_sign, line)][-1:]]
+    return any(state.sections.same_section(above, line) for above in near)
