@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from itertools import product
-from typing import Any
 
 from symbalance.budgets import Budget
 from symbalance.document.formula import Call, Formula, Name, Number, names, parts_of_kind
@@ -164,8 +163,8 @@ class Judge:
     sources: Sources = field(default_factory=Sources)
     budget: Budget = PAGE
     corrects: bool = True
-    _judged_last: tuple[tuple[int, int], list[Any]] = field(default=((-1, 0), []), init=False)
-    """The relation judged last, and what was defined before it."""
+    _judged_last: tuple[tuple[int, int], set[int]] = field(default=((-1, 0), set()), init=False)
+    """The relation judged last, and what its letters were before it."""
 
     def __post_init__(self) -> None:
         symbols_at = self.declarations.symbols_at
@@ -637,13 +636,13 @@ class Judge:
     def _undo_own(self, chain: Chain, k: int) -> None:
         """Forget what a relation that is judged again was taken to define: it would prove itself."""
         definitions, key = self.state.definitions, (chain.start, k)
+        entries = {name: definitions.values.get(name, []) for name in chain.letters}
         if self._judged_last[0] != key:
-            self._judged_last = key, [e for each in definitions.values.values() for e in each]
+            self._judged_last = key, {id(e) for each in entries.values() for e in each}
             return
-        kept = {id(each) for each in self._judged_last[1]}
-        for name, entries in list(definitions.values.items()):
-            own = [e for e in entries if e.definition.solved and e.definition.line in chain.lines]
-            if any(id(e) not in kept for e in own):
+        for name, each in entries.items():
+            own = [e for e in each if e.definition.solved and e.definition.line in chain.lines]
+            if any(id(e) not in self._judged_last[1] for e in own):
                 definitions.forget(name, chain.lines[0])
 
     def _link_in_scope(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:

@@ -14,9 +14,11 @@ from dataclasses import replace
 
 from symbalance.document.formula import Quotient, names
 from symbalance.document.letters import plain_letter
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.order_agreement import degree
 from symbalance.notes.checking.deciding.relations import MEANT_ROUGHLY, decide
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain, Side
@@ -66,10 +68,22 @@ def _is_cut_in_ratio(there: Decision, right: Side, knowledge: Knowledge) -> bool
         if letter not in there.order and f"{letter} is large" not in there.assumptions:
             continue
         is_ratio = name == usual or name in knowledge.small or isinstance(values.get(name), Quotient)
-        is_ratio = is_ratio or name in _RATIOS
-        if is_ratio or f"{letter} is large" in there.assumptions:
-            return True
+        is_ratio = is_ratio or name in _RATIOS or f"{letter} is large" in there.assumptions
+        if is_ratio:
+            return not _keeps_more(there, right, name, knowledge)
     return False
+
+
+def _keeps_more(there: Decision, right: Side, name: str, knowledge: Knowledge) -> bool:
+    """Tell whether a relation has higher powers than those through which the sides agree."""
+    is_inverse = "⁻" in there.order or f"{plain_letter(name)} is large" in there.assumptions
+    try:
+        level = there.level or list(knowledge.levels(right.node, right.node))[-1]
+        form = knowledge.evaluator(level).form(right.node)
+        power = degree(form, name, -1 if is_inverse else 1)
+        return power is not None and power > (there.through or 0)
+    except (NoFormError, TooLargeError):
+        return True
 
 
 def _is_said(state: JudgingState, chain: Chain) -> bool:
