@@ -93,8 +93,7 @@ class CarriedValues:
                     return replace(there, assumptions=(*there.assumptions, wrong.text))
             values = {n: d.node for n, d in knowledge.definitions.items()}
             is_number = not names(wrong.value)
-            is_same = left.node == wrong.formula or left.node == Name(wrong.name)
-            if names(right.node) and not is_number and is_same:
+            if names(right.node) and not is_number:
                 continue  # the same formula once more is wrong once more
             if not is_number and left.node == wrong.formula:
                 there = decide(replace(left, readings=(wrong.value,)), right, knowledge)
