@@ -45,7 +45,7 @@ _SIGNS |= _WRITTEN_OUT
 _WORD = "|".join(sorted(_SIGNS, key=len, reverse=True))
 _SQUARED = "squared|zum Quadrat|au carré|al cuadrado|al quadrato"
 _POWER = rf"(?:\^\{{?[-−]?[1-4]\}}?|⁻?[¹²³⁴]|[ ](?:{_SQUARED}|cubed)(?![a-z]))"
-_RAISED = dict.fromkeys(("square", "sq", *_SQUARED.split("|")), "²") | dict.fromkeys(
+_RAISED: dict[str, str] = dict.fromkeys(("square", "sq", *_SQUARED.split("|")), "²") | dict.fromkeys(
     ("cubic", "cubed", "cu"), "³"
 )
 _BEFORE = r"(?:(?:square|cubic)[ ](?=[a-z]{4})|(?:sq|cu)(?:\.[ ]?|[ ])(?=(?:in|ft)(?![A-Za-z])))?"
