@@ -45,9 +45,10 @@ _SIGNS |= _WRITTEN_OUT
 _WORD = "|".join(sorted(_SIGNS, key=len, reverse=True))
 _SQUARED = "squared|zum Quadrat|au carré|al cuadrado|al quadrato"
 _POWER = rf"(?:\^\{{?[-−]?[1-4]\}}?|⁻?[¹²³⁴]|[ ](?:{_SQUARED}|cubed)(?![a-z]))"
-_RAISED: dict[str, str] = dict.fromkeys(("square", "sq", *_SQUARED.split("|")), "²") | dict.fromkeys(
-    ("cubic", "cubed", "cu"), "³"
-)
+_WORDS_OF_POWERS = {"²": f"square|sq|{_SQUARED}", "³": "cubic|cubed|cu"}
+_RAISED: dict[str, str] = {
+    word: sign for sign, spelled in _WORDS_OF_POWERS.items() for word in spelled.split("|")
+}
 _BEFORE = r"(?:(?:square|cubic)[ ](?=[a-z]{4})|(?:sq|cu)(?:\.[ ]?|[ ])(?=(?:in|ft)(?![A-Za-z])))?"
 _PART = rf"{_BEFORE}(?:{_WORD})(?![A-Za-z])(?:\.?{_POWER}\.?|\.)?"
 _TIME = r"(?:s(?:ec(?:ond[a-z]*|s?\.)?)?|min(?:ut[a-z]*|\.)?|h(?:ours?|rs?\.?)?)(?![A-Za-z])"
