@@ -89,6 +89,19 @@ def rational_node(value: Fraction) -> formula.Formula:
     return formula.Quotient(above, formula.Number(Fraction(value.denominator)))
 
 
+def rational_of(node: formula.Formula) -> Fraction | None:
+    """Return the value of a number or of a quotient of two, None of anything else."""
+    if isinstance(node, formula.Number):
+        return node.value
+    if isinstance(node, formula.Quotient):
+        above, below = rational_of(node.numerator), rational_of(node.denominator)
+        return above / below if above is not None and below else None
+    if isinstance(node, formula.Negative):
+        inner = rational_of(node.operand)
+        return None if inner is None else -inner
+    return None
+
+
 def _sum_node(domain: Domain, number: Polynomial) -> formula.Formula:
     """Return the real number as a sum of cosines of its turns times roots of primes."""
     terms: list[formula.Formula] = []

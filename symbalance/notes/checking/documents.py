@@ -225,7 +225,8 @@ def declarations_of(
 ) -> tuple[Declarations, str]:
     """Return what is declared about a document, and its text without a header that declared it."""
     declarations, body = _declarations_as_typed(document, symbols, text, name)
-    return with_fuller_roles(declarations, glossary_of(body).english), body
+    # the page's language is asked for only by a meaning that is not known in English
+    return with_fuller_roles(declarations, lambda meaning: glossary_of(body).english(meaning)), body
 
 
 def _declarations_as_typed(

@@ -24,6 +24,7 @@ from symbalance.notes.reading.equations import Chain
 from symbalance.notes.reading.formulas.moduli import modulus_at
 
 _NEAR = 1e-9
+"""How near a whole number of moduli floats come to one; then it is proved exactly."""
 
 
 def decide_congruence(text: str, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
@@ -35,9 +36,11 @@ def decide_congruence(text: str, chain: Chain, k: int, knowledge: Knowledge) -> 
         return Decision(UNDECIDED, unread) if modulus is not None else None
     left, right, typed = chain.sides[k].node, chain.sides[k + 1].node, f"modulo {modulus.text}"
     gap = Sum((left, Negative(right)))
-    count = _whole_multiples(gap, modulus.value, knowledge)
-    if count is not None:
-        further = Sum((right, Product((Number(Fraction(count)), modulus.value))))
+    ratio = _ratio(gap, modulus.value, knowledge)
+    if ratio is None:
+        return Decision(UNDECIDED, f"{typed}: a side or the modulus has no value")
+    if abs(ratio - round(ratio)) < _NEAR * max(1, abs(ratio)):
+        further = Sum((right, Product((Number(Fraction(round(ratio))), modulus.value))))
         if (decision := decide_equality(left, further, knowledge)).is_proved:
             return decision
     values = {name: each.node for name, each in knowledge.definitions.items()}
@@ -48,17 +51,16 @@ def decide_congruence(text: str, chain: Chain, k: int, knowledge: Knowledge) -> 
     return Decision(UNDECIDED, f"{typed}, of letters without values")
 
 
-def _whole_multiples(gap: Formula, modulus: Formula, knowledge: Knowledge) -> int | None:
+def _ratio(gap: Formula, modulus: Formula, knowledge: Knowledge) -> float | None:
     """Return how many moduli two sides are apart, at one value of each letter; None for no number."""
     values = {name: each.node for name, each in knowledge.definitions.items()}
-    ratio_of = TreeValues(knowledge.meaning, {})
+    values_of = TreeValues(knowledge.meaning, {})
     nodes = [gap, modulus]
     for name, node in values.items():
         nodes = [substitute(each, name, node) for each in nodes]
     for name in sorted({n for node in nodes for n in names(node)}):
         nodes = [substitute(each, name, Number(Fraction(1))) for each in nodes]
     try:
-        ratio = float((ratio_of.value(nodes[0]) / ratio_of.value(nodes[1])).real)
+        return float((values_of.value(nodes[0]) / values_of.value(nodes[1])).real)
     except NO_VALUE:
         return None
-    return round(ratio) if abs(ratio - round(ratio)) < _NEAR * max(1, abs(ratio)) else None

@@ -14,7 +14,6 @@ from symbalance.budgets import Budget, OverBudgetError, run_within
 from symbalance.document.formula import (
     Decimal,
     Formula,
-    Negative,
     Number,
     Quotient,
     Span,
@@ -30,7 +29,7 @@ from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, Too
 from symbalance.notes.algebra.evaluation import FormEvaluator
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import components, key_node, polynomial_node, sort_keys
-from symbalance.notes.algebra.number_formulas import number_node
+from symbalance.notes.algebra.number_formulas import number_node, rational_of
 from symbalance.notes.algebra.values import Valuation
 from symbalance.notes.algebra.zero import is_zero
 from symbalance.notes.checking.deciding.equality import Decision, digits
@@ -296,19 +295,6 @@ def with_short_numbers(node: Formula) -> Formula:
         is_long = max(abs(value.numerator), value.denominator) >= 10**MOST_DIGITS
         return Decimal(f"{float(value):.{MOST_DIGITS}g}") if is_long and value.denominator != 1 else node
     return with_parts_changed(node, with_short_numbers)
-
-
-def rational_of(node: Formula) -> Fraction | None:
-    """Return the value of a number or of a quotient of two, None of anything else."""
-    if isinstance(node, Number):
-        return node.value
-    if isinstance(node, Quotient):
-        above, below = rational_of(node.numerator), rational_of(node.denominator)
-        return above / below if above is not None and below else None
-    if isinstance(node, Negative):
-        inner = rational_of(node.operand)
-        return None if inner is None else -inner
-    return None
 
 
 def differences(decision: Decision) -> tuple[Difference, ...]:

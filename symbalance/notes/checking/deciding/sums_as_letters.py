@@ -32,6 +32,7 @@ from symbalance.document.formula import (
 )
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.number_formulas import rational_of
 from symbalance.notes.algebra.sums import indexed_letters
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -39,6 +40,7 @@ from symbalance.notes.checking.deciding.substitution import substitute
 
 Decide = Callable[[Formula, Formula, Knowledge], Decision]
 MOST_TERMS = 200
+"""Of one product multiplied out: a square of the couple of ten throws has a hundred."""
 MOST_PUT_IN = 12
 """Letters for sums that stand in one another."""
 _Factors = tuple[tuple[Formula, ...], tuple[Formula, ...]]
@@ -195,7 +197,7 @@ def _angle(terms: list[_Factors]) -> tuple[int, Formula]:
     for free, carrying in terms:
         number, factors = Fraction(1), list(carrying)
         for factor in free:
-            value = _number(factor)
+            value = rational_of(factor)
             number, factors = (
                 (number * value, factors) if value is not None else (number, [*factors, factor])
             )
@@ -208,18 +210,6 @@ def _angle(terms: list[_Factors]) -> tuple[int, Formula]:
     sign = 1 if rows[0][1] > 0 else -1
     parts = [Product((Number(sign * number), *factors)) for _, number, factors in rows]
     return sign, parts[0] if len(parts) == 1 else Sum(tuple(parts))
-
-
-def _number(node: Formula) -> Fraction | None:
-    if isinstance(node, Number):
-        return node.value
-    if isinstance(node, Quotient):
-        above, below = _number(node.numerator), _number(node.denominator)
-        return above / below if above is not None and below else None
-    if isinstance(node, Negative):
-        value = _number(node.operand)
-        return None if value is None else -value
-    return None
 
 
 def _without_i(argument: Formula) -> Formula:

@@ -161,8 +161,8 @@ def ratio_in_words(text: str) -> str:
     >>> ratio_in_words("(crank radius over rod length)"), ratio_in_words("rod ratio")
     ('crank ratio r/l', '')
     """
-    found = (role for how, role in _RATIOS if re.search(rf"(?<!\w)(?:{how})(?!\w)", text, re.IGNORECASE))
-    return next(found, "")
+    ratios = (role for how, role in _RATIOS if re.search(rf"(?<!\w)(?:{how})(?!\w)", text, re.IGNORECASE))
+    return next(ratios, "")
 
 
 _COMMON = {

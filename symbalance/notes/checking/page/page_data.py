@@ -231,8 +231,9 @@ def _as_chain(name: str, letter: Span, node: Formula, value: Span, line: int) ->
 def number_in_cell(text: str, has_commas: bool) -> tuple[Number, str] | None:
     """Return the number that a cell consists of, and its unit, "" where it has none; else None.
 
-    >>> number_in_cell("$4000$ rpm", False)
-    (Number(value=Fraction(4000, 1), last_place=None), 'rpm')
+    >>> number, unit = number_in_cell("$4000$ rpm", False)
+    >>> number.value, unit
+    (Fraction(4000, 1), 'rpm')
     """
     match = _VALUE.fullmatch(bare_cell(text))
     number = _number(match, has_commas) if match is not None else None

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from math import inf
+from math import inf, nan
 from typing import NamedTuple
 
 from symbalance.document.formula import PI, Call, Formula, Number, Product, names, walk
@@ -25,6 +25,9 @@ from symbalance.notes.reading.equations import Chain
 _OMEGAS = ("omega", "Omega", "w", "w_0", "omega_0")
 BY_ROW = ", by its row"
 _POINTS, _NEAR = 3, 1e-9
+"""Values of the open letters at which a ratio has to be the same, up to the rounding of floats."""
+MOST_COMPARED_WITH = 20
+"""Rows, the first ones, with which all are compared: a table of thousands takes time in proportion."""
 
 
 class Place(NamedTuple):
@@ -51,9 +54,10 @@ class Place(NamedTuple):
 
 
 class Row(NamedTuple):
-    """A letter's number in a row of a table, half a unit of its last place, and what the row is at."""
+    """A letter in a row of a table: its number (nan: a formula), half a unit of its last place."""
 
     chain: Chain
+    number: float
     half: float
     place: Place
 
@@ -74,23 +78,21 @@ def by_formula(rows: list[Row], formula: Formula, name: str, knowledge: Knowledg
         there = _at_place(row.place, formula, name, knowledge)
         if there is None or letters_behind(there[0], _values(there[1])):
             continue
-        left, right = row.chain.sides
-        sign = row.chain.relations[0].sign
-        decision = decide(replace(left, readings=(there[0],)), right, sign, there[1])
         value = _number_at(there, 0)
-        ratio = printed(row) / value if value else 0.0
-        yield Judged(row, decision, inf if value is None else abs(value - printed(row)), ratio)
+        gap = inf if value is None else abs(value - row.number)
+        yield Judged(row, _decided(row, there), gap, row.number / value if value else 0.0)
 
 
 def in_letters(rows: list[Row], formula: Formula, name: str, knowledge: Knowledge) -> Iterator[Judged]:
     """Yield the rows with the decisions on their formulas by the letter's formula at the row's place."""
     for row in rows:
-        there = _at_place(row.place, formula, name, knowledge)
-        if there is not None:
-            left, right = row.chain.sides
-            sign = row.chain.relations[0].sign
-            decision = decide(replace(left, readings=(there[0],)), right, sign, there[1])
-            yield Judged(row, decision, inf)
+        if (there := _at_place(row.place, formula, name, knowledge)) is not None:
+            yield Judged(row, _decided(row, there), inf)
+
+
+def _decided(row: Row, there: tuple[Formula, Knowledge]) -> Decision:
+    left, right = row.chain.sides
+    return decide(replace(left, readings=(there[0],)), right, row.chain.relations[0].sign, there[1])
 
 
 def _at_place(
@@ -124,23 +126,27 @@ def by_ratios(
     """
     places = [_at_place(row.place, formula, name, knowledge) for row in rows]
     points = [[_number_at(there, seed) for there in places] for seed in range(_POINTS)]
-    for k, first in enumerate(rows):
-        decided: list[Judged] = []
-        base = printed(first)
-        for n, row in enumerate(rows):
-            ratio = _same_ratio([(point[n], point[k]) for point in points])
-            if ratio is None:
-                continue
-            value = printed(row)
-            is_near = abs(value - base * ratio) <= (row.half + first.half * abs(ratio)) * (1 + _NEAR)
-            text = f"it goes with the row {first.place.text.removesuffix(BY_ROW)}"
-            witness = {"left": f"{base * ratio:.4g}", "right": f"{value:.4g}"}
-            decision = Decision(PROVED, assumptions=(text,)) if is_near else Decision(REFUTED, text)
-            decision = decision if is_near else replace(decision, witness=witness)
-            decided.append(Judged(row, decision, abs(value - base * ratio)))
-        others = [each for each in decided if each.row is not first and printed(each.row)]
-        if base and any(each.decision.is_proved for each in others):  # not by itself, nor by zero
-            yield decided
+    for k, first in enumerate(rows[:MOST_COMPARED_WITH]):
+        ratios = [_same_ratio([(point[n], point[k]) for point in points]) for n in range(len(rows))]
+        judged = [
+            _beside(row, first, ratio)
+            for row, ratio in zip(rows, ratios, strict=True)
+            if ratio is not None
+        ]
+        others = [each for each in judged if each.row is not first and each.row.number]
+        if first.number and any(each.decision.is_proved for each in others):  # not by itself, nor by zero
+            yield judged
+
+
+def _beside(row: Row, first: Row, ratio: float) -> Judged:
+    """Return the decision on a row by another one, of which the formula has `ratio` times the value."""
+    expected = first.number * ratio
+    gap = abs(row.number - expected)
+    text = f"it goes with the row {first.place.text.removesuffix(BY_ROW)}"
+    if gap <= (row.half + first.half * abs(ratio)) * (1 + _NEAR):
+        return Judged(row, Decision(PROVED, assumptions=(text,)), gap)
+    witness = {"left": f"{expected:.4g}", "right": f"{row.number:.4g}"}
+    return Judged(row, Decision(REFUTED, text, witness=witness), gap)
 
 
 def _same_ratio(pairs: list[tuple[float | None, float | None]]) -> float | None:
@@ -165,9 +171,12 @@ def _number_at(there: tuple[Formula, Knowledge] | None, seed: int) -> float | No
         return None
 
 
-def printed(row: Row) -> float:
-    """Return a row's number."""
-    return float(TreeValues(SymbolValue(), {}).value(row.chain.sides[1].node).real)
+def number_of(node: Formula) -> float:
+    """Return the value of a number as printed, nan for what has letters or no value."""
+    try:
+        return nan if names(node) else float(TreeValues(SymbolValue(), {}).value(node).real)
+    except NO_VALUE:
+        return nan
 
 
 def _values(known: Knowledge) -> dict[str, Formula]:

@@ -11,11 +11,14 @@ gives the letter a number for what follows.
 
 from __future__ import annotations
 
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
+from math import isnan
+from operator import attrgetter
+from typing import NamedTuple
 
 from symbalance.document.formula import Formula, Name, Number, names, walk
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
@@ -30,7 +33,7 @@ from symbalance.notes.checking.page.row_values import (
     by_formula,
     by_ratios,
     in_letters,
-    printed,
+    number_of,
 )
 from symbalance.notes.checking.units.conversions import quantity_of
 from symbalance.notes.checking.verdicts import PREMISE, UNDECIDED
@@ -60,6 +63,14 @@ _ROUGH = 0.03
 """By how much of the largest number an exact value may differ from that of a series cut off."""
 
 
+class _InTable(NamedTuple):
+    """Where a relation stands: the number of its table, and the cells of its row."""
+
+    table: int
+    row: list[Cell]
+    chain: Chain
+
+
 @dataclass
 class TableRows:
     """Judges the numbers of letters in the tables of one page, by the row that they stand in."""
@@ -70,21 +81,15 @@ class TableRows:
 
     def judge(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
         """Return the decision on a letter's number in a row of a table; None elsewhere."""
-        head, last = chain.sides[0].node, chain.sides[-1].node
-        if k or not isinstance(head, Name) or len(chain.sides) != len(chain.relations) + 1:
+        place = self._placed.get(chain.start)
+        if place is None or k or not _gives_letter(chain):
             return None
-        if (
-            len(chain.sides) > len("ab")
-            or names(head) & names(last)
-            or chain.relations[0].sign not in "=≈"
-        ):
-            return None
-        place = self._at(chain)
-        if place is None:
-            return None
-        key = place, head.name
+        head = chain.sides[0].node
+        assert isinstance(head, Name)
+        key = place.table, head.name
         if key not in self._decided:
-            self._decided[key] = self._of_table(self._tables[place], head.name, knowledge)
+            self._decided[key] = {}  # a search that is given up is not begun again at each row
+            self._decided[key] = self._of_table(place.table, head.name, knowledge)
             self._judged |= self._decided[key].keys()
         return self._decided[key].get(chain.start)
 
@@ -94,27 +99,30 @@ class TableRows:
 
     @cached_property
     def _tables(self) -> list[Table]:
-        """The tables of the page, in the order in which they begin."""
+        """The tables of the page; columns of plain text are none within another one."""
         text = self.document.text
         tables = [t for t in tables_of(text) if len(t) > 1 and t[0]]
         ends = sorted((t[0][0].span[0], t[-1][-1].span[1]) for t in tables if t[-1])
-        columns = (t for t in columns_of(text) if not _stands_in(t, ends))
-        return sorted((*tables, *columns), key=lambda table: table[0][0].span)
+        return [*tables, *(t for t in columns_of(text) if not _stands_in(t, ends))]
 
     @cached_property
-    def _starts(self) -> list[int]:
-        return [table[0][0].span[0] for table in self._tables]
-
-    def _at(self, chain: Chain) -> int | None:
-        """Return the number of the table that a relation stands in, None outside of tables."""
-        place = bisect_right(self._starts, chain.start) - 1
-        return place if place >= 0 and _is_within(chain, self._tables[place]) else None
+    def _placed(self) -> dict[int, _InTable]:
+        """The relations that stand in cells, by where they begin, in the order of their tables."""
+        chains = sorted(self.document.chains, key=attrgetter("start"))
+        starts = [chain.start for chain in chains]
+        placed: dict[int, _InTable] = {}
+        for number, table in enumerate(self._tables):
+            for row in table:
+                for cell in row:
+                    first, last = (bisect_left(starts, place) for place in cell.span)
+                    placed |= {c.start: _InTable(number, row, c) for c in chains[first:last]}
+        return placed
 
     @cached_property
     def _has_commas(self) -> bool:
         return any(note.startswith("decimal commas") for note in self.document.notes)
 
-    def _of_table(self, table: Table, name: str, knowledge: Knowledge) -> dict[int, Decision]:
+    def _of_table(self, table: int, name: str, knowledge: Knowledge) -> dict[int, Decision]:
         """Return the decisions on a letter's numbers in one table, by where they begin.
 
         Of several formulas above, the rough one and the exact one, it is that which most rows agree with.
@@ -126,6 +134,7 @@ class TableRows:
             judged = [list(in_letters(rows, formula, name, knowledge)) for formula in formulas]
             best = max(judged, key=lambda each: sum(one.decision.is_proved for one in each), default=[])
             return dict(_outcomes_in_letters(best))
+        rows = [row for row in rows if not isnan(row.number)]
         for formula in self._formulas_of(name, rows, knowledge):
             of_numbers = list(by_formula(rows, formula, name, knowledge))
             # where all letters have numbers, a common factor of all rows is no open one
@@ -143,11 +152,7 @@ class TableRows:
         known += [side.node for chain in above for side in chain.sides[1:]]
         if rows and rows[0].place.kind == "angle":  # amplitudes as printed, F₁ = 8.49 kN
             known += [self._with_printed(formula, start) for formula in known if formula is not None]
-        seen: list[Formula] = []
-        for formula in known:
-            if formula is not None and names(formula) and formula not in seen:
-                seen.append(formula)
-                yield formula
+        yield from dict.fromkeys(each for each in known if each is not None and names(each))
 
     def _with_printed(self, formula: Formula, start: int) -> Formula:
         """Return a formula with the numbers that the page prints above for the letters in it."""
@@ -158,15 +163,22 @@ class TableRows:
                 formula = substitute(formula, letter, numbers[-1])
         return formula
 
-    def _rows_of(self, table: Table, name: str) -> Iterator[Row]:
-        """Yield the rows in which a letter has a number, with what they are at."""
-        for row in table:
-            own = [c for c in self.document.chains if any(_is_in(c, cell) for cell in row)]
-            chain = next((c for c in own if c.sides[0].node == Name(name)), None)
-            place = self._place_of(row, table[0]) if chain is not None else None
-            if chain is None or place is None or len(chain.sides) != len("ab"):
+    def _rows_of(self, table: int, name: str) -> Iterator[Row]:
+        """Yield the rows in which a letter has a number or a formula, with what they are at."""
+        for _, row, chain in self._by_table.get(table, ()):
+            if chain.sides[0].node != Name(name) or len(chain.sides) != len("ab"):
                 continue
-            yield Row(chain, self._half(chain.sides[1]), place)
+            place = self._place_of(row, self._tables[table][0])
+            if place is not None:
+                number = chain.sides[1]
+                yield Row(chain, number_of(number.node), self._half(number), place)
+
+    @cached_property
+    def _by_table(self) -> dict[int, list[_InTable]]:
+        grouped: dict[int, list[_InTable]] = {}
+        for each in self._placed.values():
+            grouped.setdefault(each.table, []).append(each)
+        return grouped
 
     def _half(self, number: Side) -> float:
         """Return half a unit of the last place of a number as printed, in the unit it is read in."""
@@ -195,10 +207,10 @@ class TableRows:
         bare = bare_cell(text)
         if letter and (fraction := _fraction(bare)) is not None:
             return Place("letter", letter, Number(fraction), f"at {bare}{BY_ROW}")
-        found = number_in_cell(text, self._has_commas)
-        if found is None:
+        quantity = number_in_cell(text, self._has_commas)
+        if quantity is None:
             return None
-        number, unit = found
+        number, unit = quantity
         value = f"{float(number.value):g}"
         if _DEGREES.fullmatch(unit) or (not unit and _ANGLE_HEAD.search(head)):
             return Place("angle", letter or "", number, f"at {value}°{BY_ROW}")
@@ -207,6 +219,13 @@ class TableRows:
         scale = scale_of(unit or _unit_in(head)) if unit or _unit_in(head) else (Fraction(1), False)
         is_size = letter and scale is not None and not scale[1]
         return _at_size(letter or "", number, scale[0], unit) if is_size and scale is not None else None
+
+
+def _gives_letter(chain: Chain) -> bool:
+    """Tell whether a relation gives a letter one number or formula without itself."""
+    head, last = chain.sides[0].node, chain.sides[-1].node
+    is_pair = len(chain.sides) == len("ab") and chain.relations[0].sign in ("=", "≈")
+    return is_pair and isinstance(head, Name) and head.name not in names(last)
 
 
 def _fraction(text: str) -> Fraction | None:
@@ -227,15 +246,6 @@ def _unit_in(head: str) -> str:
     return match[1] if match is not None else ""
 
 
-def _is_in(chain: Chain, cell: Cell) -> bool:
-    return cell.span[0] <= chain.start < max(cell.span[1], cell.span[0] + 1)
-
-
-def _is_within(chain: Chain, table: Table) -> bool:
-    end = max((row[-1].span[1] for row in table if row), default=0)
-    return chain.start < end and any(_is_in(chain, cell) for row in table for cell in row)
-
-
 def _stands_in(table: Table, ends: list[tuple[int, int]]) -> bool:
     """Tell whether a table begins within others, given by where they begin and end."""
     start = table[0][0].span[0]
@@ -249,7 +259,7 @@ def _outcomes(judged: list[Judged]) -> Iterator[tuple[int, Decision]]:
     contrary = [each.row for each in judged if each.decision.status == REFUTED]
     is_enough = len(agreeing) >= max(_FEWEST, len(contrary))
     is_of_formula = is_enough and not all(row.place.is_at_dead_centre for row in agreeing)
-    largest = max((abs(printed(each.row)) for each in judged), default=0.0)
+    largest = max((abs(each.row.number) for each in judged), default=0.0)
     factor = _common_factor(judged)
     for row, there, gap, _ in judged:
         text = row.place.text

@@ -23,8 +23,8 @@ from symbalance.errors import SymbalanceError, fault_of
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.harmonics import polynomial_node
-from symbalance.notes.algebra.number_formulas import rational_node
-from symbalance.notes.checking.deciding.descriptions import printed_value, rational_of
+from symbalance.notes.algebra.number_formulas import rational_node, rational_of
+from symbalance.notes.checking.deciding.descriptions import printed_value
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.substitution import substitute, without_stacked_fractions

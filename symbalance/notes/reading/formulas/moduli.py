@@ -30,8 +30,9 @@ class Modulus(NamedTuple):
 def modulus_at(text: str, place: int, end: int | None = None) -> Modulus | None:
     """Return the modulus that a text has at a place, behind a right side; None where it has none.
 
-    >>> modulus_at("13 ≡ 1 (mod 4)", 6), modulus_at("13 ≡ 1 (mod 4)", 0)
-    (Modulus(text='4', value=Number(value=Fraction(4, 1)), end=14), None)
+    >>> modulus = modulus_at("13 ≡ 1 (mod 4)", 6)
+    >>> modulus.text, modulus.value.value, modulus.end, modulus_at("13 ≡ 1 (mod 4)", 0)
+    ('4', Fraction(4, 1), 14, None)
     """
     match = _MODULUS.match(text, place, len(text) if end is None else end)
     if match is None:
