@@ -58,3 +58,28 @@ def test_what_follows_is_what_vanishes_wherever_the_equations_do():
         assert own == has_no_solution([*equations, claim * AWAY - 1], *LETTERS, AWAY), (equations, claim)
         seen.add(own)
     assert seen == {True, False}
+
+
+@pytest.mark.parametrize("step", [1, 6, 540])
+def test_powers_of_one_power_are_eliminated_as_it_is(step: int):
+    """A phase of half a degree has exponents of hundreds; it takes no longer than its first power."""
+    x, y, z = LETTERS
+    domain = Domain()
+    pairs = [(x**2 + x * y - 3, y - 2), (x**2 * y - z, x - 1)]
+    for first, second in pairs:
+        system = [first, second, x**2 * z - 5]
+        rows = [polynomial(domain, e.subs(x, x**step)) for e in system]
+        assert cannot_hold(domain, rows) == has_no_solution(system, *LETTERS)
+    system = [x * y - 1, y * z - 1]
+    rows = [polynomial(domain, e.subs(x, x**step)) for e in system]
+    own = [follows(domain, rows, polynomial(domain, (x - s * z).subs(x, x**step))) for s in (1, -1)]
+    assert own == [has_no_solution([*system, (x - s * z) * AWAY - 1], *LETTERS, AWAY) for s in (1, -1)]
+    assert own == [True, False]
+
+
+def test_exponents_without_a_common_factor_stay():
+    x, y, z = LETTERS
+    domain = Domain()
+    for system in ([x**2 - 1, x**3 - 1], [x**2 - 1, x**3 - 2], [x**2 * y - 1, x**3 * y**2 - 1, z - 1]):
+        own = cannot_hold(domain, [polynomial(domain, e) for e in system])
+        assert own == has_no_solution(system, *LETTERS), system

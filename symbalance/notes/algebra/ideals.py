@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from math import gcd
 
 from symbalance.notes.algebra.domain import TURN, Domain, Monomial, Polynomial, TooLargeError
 from symbalance.notes.algebra.unit_ideals import Dense, Powers, has_constant
@@ -53,6 +54,22 @@ def follows(
         return False
 
 
+def _take_roots(rows: Iterable[list[tuple[dict[object, int], Fraction]]]) -> None:
+    """Write a variable whose exponents all are multiples of a number as the root of another, in place.
+
+    The phase of half a degree stands as a 720th part of a turn, with exponents of hundreds, each of which
+    a basis climbs by. Every complex number is such a power, so what can hold is the same.
+    """
+    monomials = [powers for row in rows for powers, _ in row]
+    common: dict[object, int] = {}
+    for powers in monomials:
+        for variable, power in powers.items():
+            common[variable] = gcd(common.get(variable, 0), power)
+    for powers in monomials:
+        for variable in powers:
+            powers[variable] //= common[variable]
+
+
 class _OtherKindError(Exception):
     """A generator or an exponent that is no variable of a polynomial: a cube root, a turn of 1/5."""
 
@@ -85,6 +102,7 @@ class _System:
                             relations.append(relation)
                             waiting.append(relation)
         del rows[count:]
+        _take_roots((*rows, *relations))
         for place in sorted((inverted | self.nonzero) & entered):  # type: ignore[type-var]
             relations.append([({place: 1, ("over", place): 1}, Fraction(1)), ({}, Fraction(-1))])
         for row in (*rows, *relations):

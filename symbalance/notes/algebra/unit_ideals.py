@@ -15,7 +15,6 @@ import heapq
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache
-from itertools import combinations
 
 from symbalance.notes.algebra.domain import TooLargeError
 
@@ -68,38 +67,32 @@ class _Reductions:
     """Polynomials reduced by each other, over the fractions or over the field of a prime."""
 
     def __init__(self, size: int, prime: int | None) -> None:
-        self.size, self.prime, self.steps = size, prime, 0
-        self.guards = sum(1 << (WIDTH * n + WIDTH - 1) for n in range(size))
+        self.prime, self.steps = prime, 0
+        self.width = WIDTH * size
+        self.exponents = (1 << self.width) - 1
+        self.ones = sum(1 << (WIDTH * n) for n in range(size))
+        self.guards = self.ones << (WIDTH - 1)
         self.basis: list[Row] = []
         self.leads: list[int] = []
-        self.lead_powers: list[Powers] = []
-        self.pairs: list[tuple[int, int, int, int]] = []
+        """The leading monomials of the basis, whole, and by their exponents alone."""
+        self.low_leads: list[int] = []
+        self.needed: list[int] = []
+        """Those of the basis whose leading term no other's divides: the rest have had their pairs."""
+        self.pairs: list[tuple[int, int, int, int, int]] = []
+        """Degree, number in order, exponents of the lowest common multiple, and the two polynomials."""
         self.pair_count = 0
 
     def reach_constant(self, rows: Sequence[Sequence[tuple[Powers, Fraction]]]) -> bool:
         """Tell whether 1 comes out; what takes too many steps raises TooLargeError."""
         for row in rows:
             rest = self._reduced({self._packed(p): self._number(c) for p, c in row})
-            if rest:
-                if 0 in rest and len(rest) == 1:
-                    return True
-                self._take_in(rest)
-        for i, k in combinations(range(len(self.basis)), 2):
-            self._pair(i, k)
-        while self.pairs:
-            _, _, i, k = heapq.heappop(self.pairs)
-            first, second = self.lead_powers[i], self.lead_powers[k]
-            if not any(a and b for a, b in zip(first, second, strict=True)):
-                continue  # no variable in common: it reduces to zero
-            rest = self._reduced(self._difference(i, k))
-            if not rest:
-                continue
-            if 0 in rest and len(rest) == 1:
+            if rest and self._take_in(rest):
                 return True
-            self._take_in(rest)
-            last = len(self.basis) - 1
-            for n in range(last):
-                self._pair(n, last)
+        while self.pairs:
+            _, _, common, i, k = heapq.heappop(self.pairs)
+            rest = self._reduced(self._difference(i, k, common))
+            if rest and self._take_in(rest):
+                return True
         return False
 
     def _number(self, coefficient: Fraction) -> int | Fraction:
@@ -110,37 +103,77 @@ class _Reductions:
     def _packed(self, powers: Sequence[int]) -> int:
         if sum(powers) > LARGEST_DEGREE:
             raise TooLargeError("an elimination of too high a degree")
-        low = high = total = 0
-        for n, power in enumerate(powers):
-            total += power
-            low |= power << (WIDTH * n)
-            high |= total << (WIDTH * n)
-        return high << (WIDTH * self.size) | low
+        return self._with_sums(sum(power << (WIDTH * n) for n, power in enumerate(powers)))
 
-    def _powers(self, packed: int) -> Powers:
-        return tuple((packed >> (WIDTH * n)) & (2**WIDTH - 1) for n in range(self.size))
+    def _with_sums(self, low: int) -> int:
+        """Return a monomial of these exponents, with the sums of its first ones above them."""
+        return (low * self.ones & self.exponents) << self.width | low
 
-    def _take_in(self, row: Row) -> None:
-        """Add a polynomial to the basis, its leading coefficient 1."""
+    def _divides(self, low: int, other: int) -> bool:
+        """Tell whether the monomial of some exponents divides that of others."""
+        return (other | self.guards) - low & self.guards == self.guards
+
+    def _common(self, low: int, other: int) -> int:
+        """Return the exponents of the lowest common multiple: the larger one, field by field."""
+        larger = (low | self.guards) - other & self.guards
+        fields = larger - (larger >> (WIDTH - 1))
+        return low & fields | other & ~fields
+
+    def _take_in(self, row: Row) -> bool:
+        """Add a polynomial to the basis, its leading coefficient 1; tell whether it is a constant."""
         lead = max(row)
+        if not lead:
+            return True
         if self.prime is None:
             self.basis.append({p: Fraction(c) / row[lead] for p, c in row.items()})
         else:
             inverse = pow(int(row[lead]), -1, self.prime)
             self.basis.append({p: c * inverse % self.prime for p, c in row.items()})
         self.leads.append(lead)
-        self.lead_powers.append(self._powers(lead))
+        self.low_leads.append(lead & self.exponents)
+        self._pair_last()
+        return False
 
-    def _common(self, i: int, k: int) -> Powers:
-        return tuple(map(max, self.lead_powers[i], self.lead_powers[k]))
+    def _pair_last(self) -> None:
+        """Note the pairs of the last polynomial that may bring something (Gebauer and Moeller 1988).
 
-    def _pair(self, i: int, k: int) -> None:
-        """Note two polynomials; those whose leading terms have the lowest common multiple come first."""
-        self.pair_count += 1
-        heapq.heappush(self.pairs, (sum(self._common(i, k)), self.pair_count, i, k))
+        A pair whose common multiple another pair's divides follows from that one and from a third,
+        and two leading terms without a variable in common reduce to zero.
+        """
+        last = len(self.basis) - 1
+        own = self.low_leads[last]
+        guards, leads = self.guards, self.low_leads
+        pairs = [
+            pair
+            for pair in self.pairs
+            if (pair[2] | guards) - own & guards != guards  # the new one does not divide the multiple
+            or self._common(leads[pair[3]], own) == pair[2]
+            or self._common(leads[pair[4]], own) == pair[2]
+        ]
+        if len(pairs) < len(self.pairs):
+            heapq.heapify(pairs)
+            self.pairs = pairs
+        # Of several with one multiple that without a common variable stands for all.
+        by_multiple: dict[int, int] = {}
+        for n in self.needed:
+            common = self._common(self.low_leads[n], own)
+            if common not in by_multiple or common == self.low_leads[n] + own:
+                by_multiple[common] = n
+        kept: list[int] = []
+        for common in sorted(by_multiple, key=self._with_sums):
+            if any(self._divides(other, common) for other in kept):
+                continue
+            kept.append(common)
+            n = by_multiple[common]
+            if common != self.low_leads[n] + own:
+                self.pair_count += 1
+                degree = self._with_sums(common) >> (2 * self.width - WIDTH)
+                heapq.heappush(self.pairs, (degree, self.pair_count, common, n, last))
+        self.needed = [n for n in self.needed if not self._divides(own, self.low_leads[n])]
+        self.needed.append(last)
 
-    def _difference(self, i: int, k: int) -> Row:
-        common, total = self._packed(self._common(i, k)), Row()
+    def _difference(self, i: int, k: int, low: int) -> Row:
+        common, total = self._with_sums(low), Row()
         self._add(total, self.basis[i], common - self.leads[i], 1)
         self._add(total, self.basis[k], common - self.leads[k], -1)
         return total
@@ -160,12 +193,11 @@ class _Reductions:
     def _reduced(self, row: Row) -> Row:
         """Return what is left of a polynomial once every leading term of the basis is taken out."""
         rest, result, guards = {p: c for p, c in row.items() if c}, Row(), self.guards
-        exponents = (1 << (WIDTH * self.size)) - 1
-        low_leads = [lead & exponents for lead in self.leads]
+        leads = [(self.low_leads[n], n) for n in self.needed]
         while rest:
             lead = max(rest)
-            guarded = (lead & exponents) | guards
-            by = next((n for n, own in enumerate(low_leads) if (guarded - own) & guards == guards), None)
+            guarded = lead & self.exponents | guards
+            by = next((n for low, n in leads if guarded - low & guards == guards), None)
             if by is None:
                 result[lead] = rest.pop(lead)
                 continue
