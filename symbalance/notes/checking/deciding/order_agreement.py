@@ -263,7 +263,9 @@ def degree(form: Form, letter: str, sign: int) -> int | None:
     return int(top) if top.denominator == 1 else None
 
 
-def proved_through(power: int, order: str, level: Level, left: Form, right: Form) -> Decision:
+def proved_through(
+    power: int, order: str, level: Level, left: Form, right: Form, letter: str = ""
+) -> Decision:
     """Return that two sides agree through a power of the small letter, to an order in words."""
     return Decision(
         PROVED,
@@ -273,6 +275,7 @@ def proved_through(power: int, order: str, level: Level, left: Form, right: Form
         left=left,
         right=right,
         through=power,
+        expanded_in=letter,
     )
 
 
@@ -290,14 +293,14 @@ def agreement_through(
         raise NoFormError("nothing of either side is kept")
     difference = left.plus(right.scaled(Form.number(first.domain, -1)))
     if not difference.terms:
-        return proved_through(small.order, small.text, level, first, second)
+        return proved_through(small.order, small.text, level, first, second, small.letter)
     left_form, right_form = truncated_sum(left, small), truncated_sum(right, small)
     if loose and _only_higher(left_form, right_form):
         order = f"{small.text}, harmonics to {_highest(right_form)}"
-        return proved_through(small.order, order, level, left_form, right_form)
+        return proved_through(small.order, order, level, left_form, right_form, small.letter)
     if _leading_terms_agree(left_form, right_form, small):
         order = "the leading term of each harmonic"
-        return proved_through(small.order, order, level, left_form, right_form)
+        return proved_through(small.order, order, level, left_form, right_form, small.letter)
     order = f"{small.text}"
     if not with_witness:
         return Decision(REFUTED, order=order, level=level, through=small.order)

@@ -1,14 +1,22 @@
-"""Equations between letters that a page has approximately: T ω = -m a v, where a ≈ r ω² cos θ."""
+"""Equations between letters that a page has approximately: T ω = -m a v, where a ≈ r ω² cos θ.
+
+They hold to the first order of the small letter. What a line writes beyond that is not passed over: it
+is judged where both sides go as far, and else nobody knows.
+"""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.tree_values import names_behind
-from symbalance.notes.checking.deciding.equality import REFUTED, Decision
+from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.order_agreement import degree
 from symbalance.notes.checking.deciding.relations import MEANT_ROUGHLY, decide
 from symbalance.notes.reading.equations import Side
+
+BEYOND = "it agrees through the first order, and no line says enough of the terms that it has beyond"
 
 
 def decide_roughly(left: Side, right: Side, decision: Decision, knowledge: Knowledge) -> Decision:
@@ -30,4 +38,19 @@ def decide_roughly(left: Side, right: Side, decision: Decision, knowledge: Knowl
     by_order = decide(left, right, "≈", in_letters, through=1)
     if not by_order.is_proved:
         return decision
+    claimed, kept = _powers_kept(right, by_order, in_letters), _powers_kept(left, by_order, in_letters)
+    if claimed > 1 and claimed == kept:
+        return decision  # both go as far: M = -(cos θ + λ cos 2θ)(sin θ + λ/2 sin 2θ), multiplied out
+    if claimed > 1:
+        return Decision(UNDECIDED, BEYOND)
     return replace(by_order, reason=by_order.reason or MEANT_ROUGHLY)
+
+
+def _powers_kept(side: Side, by_order: Decision, knowledge: Knowledge) -> int:
+    """Return the highest power of the small letter that a side has; 0 where it is no polynomial in it."""
+    level = by_order.level or list(knowledge.levels(side.node, side.node))[-1]
+    sign = -1 if "⁻" in by_order.order else 1
+    try:
+        return degree(knowledge.evaluator(level).form(side.node), by_order.expanded_in, sign) or 0
+    except (NoFormError, TooLargeError):
+        return 0

@@ -618,6 +618,12 @@ _TAG = re.compile(
     r"\s*(?:\\q?quad\s*)*[-–—−]?\s*\((?P<tag>[0-9A-Za-z.\-']{1,8})\)"
     r"|\s\((?P<numbered>[0-9]{1,2}\.[0-9]{1,2}[-–][0-9]{1,3}[a-z]?)\))\s*$"
 )
+_GAP_IN_TEX = r"(?:\s|~|\\[,;:! ]|\\(?:text\w*|math(?:rm|bf))\s*\{)*"
+_MARKS = re.compile(
+    rf"(?:\\q?quad|\\hfill|\\hspace\*?\{{[^{{}}]*\}}){_GAP_IN_TEX}(?P<open>[\[(])\s*[0-9]{{1,2}}(?:\s*\+\s*[0-9]{{1,2}})*"
+    rf"(?P<unit>{_GAP_IN_TEX}(?:marks?|M|pts?\.?|points?|P\.?|Pkte?\.?|Punkte?|punti|puntos|点))?\s*\}}?\s*[\])]\}}?\s*$"
+)
+"""What a formula of an examination is worth, behind it: \\qquad [3], \\hfill (2 marks)."""
 _TRAILING = re.compile(
     rf"(?:\s|[.,;。、&]|\\end\s*\{{(?!(?:{'|'.join(CELLS)})\*?\}})[A-Za-z]*\*?\}}"
     r"|\\[,;:! ]|\\q?quad|\\nonumber|\\notag"
@@ -935,8 +941,8 @@ def has_relation(text: str, start: int, end: int) -> bool:
 def without_tag(text: str, start: int, end: int) -> tuple[int, str]:
     """Return where an equation ends before its number, and the number.
 
-    >>> without_tag(r"a = b \\quad - (1)", 0, 17)
-    (6, '1')
+    >>> without_tag(r"a = b \\quad - (1)", 0, 17), without_tag(r"a = b \\quad [3]", 0, 15)
+    ((6, '1'), (6, ''))
     """
     while start < end:
         if text[end - 1] in " \t\n,.;" and text[max(start, end - 3) : end] != "...":
@@ -946,6 +952,9 @@ def without_tag(text: str, start: int, end: int) -> tuple[int, str]:
         else:
             break
     offset = max(start, end - 120)
+    marks = _MARKS.search(text[offset:end])
+    if marks and (marks["open"] == "[" or marks["unit"]):
+        end, offset = offset + marks.start(), max(start, offset + marks.start() - 120)
     match = _TAG.search(text[offset:end])
     if not match:
         return end, ""

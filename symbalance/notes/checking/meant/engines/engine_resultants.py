@@ -153,6 +153,8 @@ _IN_A_CASE = re.compile(
     r"|compared|vergl|than\b|wie\s+beim",
     re.IGNORECASE,
 )
+_OF_CRANK = ("crank angle", "angular speed", "engine speed rpm", "time")
+"""Roles of the letters in the argument of an engine's wave: cos 2θ, cos 2ωt."""
 _OF_ANOTHER = re.compile(
     r"\b(?:divided|per\s+unit|relative|bezogen\s+auf\s+\$|ratio|normali[sz]ed|squared?)\b|比",
     re.IGNORECASE,
@@ -210,12 +212,19 @@ class EngineResultants:
             return self._by_terms(chain, head.name, claim, value, knowledge)
 
     def _turns_otherwise(self, value: Formula, knowledge: Knowledge) -> bool:
-        """Tell whether a formula has a wave of the rod's angle: F_K sin β is no order of the engine."""
+        """Tell whether a formula has a wave of the rod's angle: F_K sin β is no order of the engine.
+
+        So is a wave of any other letter where the page calls one the crank angle: F_p sin φ beside θ.
+        """
         calls = (part for part in walk(value) if isinstance(part, Call) and part.function != "sqrt")
         turning = {name for call in calls for name in names(call.argument)}
-        roles = {n: p.meaning for n, p in self.words.proposals.items()} | dict(knowledge.meanings)
+        meanings = {n: p.meaning for n, p in self.words.proposals.items()} | dict(knowledge.meanings)
+        roles = {name: role_of(meaning) for name, meaning in meanings.items()}
+        of_crank = {name for name, role in roles.items() if role in _OF_CRANK}
+        if turning and "crank angle" in roles.values() and not turning & of_crank:
+            return True
         return any(
-            role_of(roles.get(name, "")) == "rod angle"
+            roles.get(name) == "rod angle"
             or ((known := knowledge.definitions.get(name)) is not None and known.is_rod_angle)
             for name in turning
         )
