@@ -33,8 +33,10 @@ _BASE = ("kg", "m", "s", "K", "A")
 NONE: Dimension = (Fraction(0),) * len(_BASE)
 FEWEST_OF_AN_AMOUNT = 10
 """Before a sine: 1 - 2 cos θ is a number, 180 sin θ may be newton metres."""
-LARGEST_PLAIN = 64
-"""A whole number up to it is a factor of the formula; 1000 may be a change of unit."""
+LARGEST_COUNTED, LARGEST_PLAIN = 10, 64
+"""A whole number up to the first is a factor of the formula, up to the second a product of 2 and 3 as in
+π d⁴/64, or that of a turn by the minute; 40 may be in hertz, 1000 a change of unit."""
+_OF_MINUTES = (30, 60)
 
 
 def _dimension(kg: int = 0, m: int = 0, s: int = 0, kelvin: int = 0, ampere: int = 0) -> Dimension:
@@ -406,8 +408,16 @@ def is_open(node: Formula, source: str) -> bool:
 
 
 def _number(dimensions: Dimensions, node: Number, depth: int) -> Dimension | None:
-    is_plain = node.last_place is None and node.value.denominator <= LARGEST_PLAIN
-    return NONE if is_plain and abs(node.value.numerator) <= LARGEST_PLAIN else None
+    parts = abs(node.value.numerator), node.value.denominator
+    return NONE if node.last_place is None and all(map(_is_factor_of_formulas, parts)) else None
+
+
+def _is_factor_of_formulas(number: int) -> bool:
+    rest = number
+    for prime in (2, 3):
+        while rest and rest % prime == 0:
+            rest //= prime
+    return number <= LARGEST_COUNTED or number in _OF_MINUTES or (rest == 1 and number <= LARGEST_PLAIN)
 
 
 def _sum(dimensions: Dimensions, node: formula.Sum, depth: int) -> Dimension | None:

@@ -35,6 +35,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals, significant
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 from symbalance.notes.checking.premises.impossible_values import number_of
+from symbalance.notes.checking.units.bare_lengths import decide_with_bare_lengths
 from symbalance.notes.checking.units.conversions import (
     POUND,
     POUND_FORCE,
@@ -133,7 +134,7 @@ def _as_meant(
         _put_in_bare, _term_by_term, _rounded_in_its_unit, _between_numbers, _in_unit_of_result,
         _converted, _of_weights, decide_as_counted, _with_numbers_of_units, _with_frequencies,
         _in_unit_behind, _in_unit_of_wrong_result, _by_the_minute, decide_unrounded,
-        decide_rounded_wholes, proved_by_units_above,
+        decide_rounded_wholes, proved_by_units_above, decide_with_bare_lengths,
     ):  # fmt: skip
         there = meant(chain, k, document, knowledge)
         if there is not None and (there.is_proved or meant is _converted):

@@ -63,7 +63,7 @@ _PART = re.compile(
 _NOT_IT = re.compile(
     r"(?<![a-z])(?:per|pro|par|ratio|relative|specific|reduced|dimensionless|unit|units|number|coefficient|factor|half|times"
     r"|squared?|inverse|reciprocal|logarithm|percent|share|fraction|divided|over|durch|sur|verhältnis|bezogen\w*"
-    r"|rms|index|equivalent)(?![a-z])|[/÷²^]|verhältnis|zahl\b"
+    r"|rms|index|equivalent|(?:real|imaginary) axis|complex plane)(?![a-z])|[/÷²^]|verhältnis|zahl\b"
 )
 
 

@@ -66,12 +66,18 @@ _OPERAND_BEFORE = re.compile(r"[\w)\]}²³°′'&]$")
 _OPERAND_AFTER = re.compile(r"[\w(\[\\√½¼¾|{]")
 _FOOT_POUND = r"(?:(?:foot|feet|ft)(?:[ .·‐‑-]){0,2}(?:pounds?|lbs?f?\.?))"
 _SPELLED = (
-    ("mm", "millimet(?:er|re)s?"), ("cm", "centimet(?:er|re)s?|Zentimeter"), ("km", "kilomet(?:er|re)s?"),
-    ("dm^3", "lit(?:er|re)s?|Litern?"), ("ml", "millilit(?:er|re)s?|Millilitern?"), ("bar", "bars"),
+    ("mm", "millimet(?:er|re)s?|milli(?:metr[io]|mètres?|metros?)"),
+    ("cm", "centimet(?:er|re)s?|Zentimeter|centi(?:metr[io]|mètres?|metros?)"),
+    ("km", "kilomet(?:er|re)s?"),
+    ("dm^3", "lit(?:er|re)s?|Litern?|litr[io]|litros?"), ("ml", "millilit(?:er|re)s?|Millilitern?"),
+    ("bar", "bars"),
     ("ton/inch^2", r"(?:long |short )?tons?[\s-]?(?:per|/)\s?sq(?:uare|\.)?\s?in(?:ch|\.|\b)"),
-    ("Mg", "metric tons?|tonnes?|Tonnen?"), ("ton", "(?:long |short )?tons?"),
-    ("m", "met(?:er|re)s?|Metern?"), ("kg", "kilogram(?:me)?s?|Kilogramm"), ("g", "gram(?:me)?s?|Gramm"),
-    ("ms", "milliseconds?|Millisekunden?"), ("s", "seconds?|Sekunden?"), ("min", "minutes?|Minuten?"),
+    ("Mg", "metric tons?|tonnes?|Tonnen?|tonnellat[ae]|toneladas?"), ("ton", "(?:long |short )?tons?"),
+    ("m", "met(?:er|re)s?|Metern?|metr[io]|mètres?|metros?"),
+    ("kg", "kilogram(?:me)?s?|Kilogramm|chilogramm[io]|kilogramos?"),
+    ("g", "gram(?:me)?s?|Gramm|gramm[io]|gramos?"),
+    ("ms", "milliseconds?|Millisekunden?"), ("s", "seconds?|Sekunden?|second[io]|secondes?|segundos?"),
+    ("min", "minutes?|Minuten?|minut[io]|minutos?"),
     ("kN", "kilonewtons?"), ("N", "newtons?"), ("Nm", "newton[ -]?met(?:er|re)s?|Newtonmeter"),
     ("Hz", "hertz"), ("W", "watts?"), ("kW", "kilowatts?"), ("J", "joules?"), ("rad", "radians?|Radiant"),
     ("rad/s", r"rad(?:ians?)?\.? ?(?:per|/) ?s(?:ec(?:onds?)?)?\b"),
@@ -100,7 +106,7 @@ _SPELLED = (
      r"|in(?=\s*(?:$|[,;.)=≈\n]|so\b|and\b|or\b|und\b|long\b|\$))"),
     ("kgf", "kg[ -]?force|kilogram(?:me)?[ -]force|kg[ -]weight|kilopond"),
     ("lbf", "pounds?[ -]force"), ("lb", "pounds?|lbs?(?=\\.)"),
-    ("°", "degrees?|deg|Grad|degrés|° ?(?:KW|CA|crank)|deg ?CA"),
+    ("°", "degrees?|deg|Grad|degrés?|grad[io]|grados?|° ?(?:KW|CA|crank)|deg ?CA"),
     ("%", "per ?cent|Prozent|pour ?cent|por ciento|per cento|por cento|procent"),
 )  # fmt: skip
 _SPELLED_UNIT = re.compile(
