@@ -46,3 +46,20 @@ def test_units_are_read_where_they_are_meant(page, tmp_path):
         if not is_so:
             wrong.append((lines[line - 1], truth, verdicts))
     assert wrong == []
+
+
+@pytest.mark.parametrize(
+    ("relation", "verdict"),
+    [
+        ("6 ft. 3 in. = 6.25 ft.", "holds"),
+        ("5 ft 6 in = 66 in", "holds"),
+        ("4' 3\" = 51 in", "holds"),
+        ("2 lb. 4 oz. = 2.25 lb.", "holds"),
+        ("6 ft. 3 in. = 6.30 ft.", "refuted"),
+        ("2 lb. 4 oz. = 2.4 lb.", "refuted"),
+    ],
+)
+def test_a_quantity_in_two_units_is_their_sum(tmp_path, relation, verdict):
+    page = tmp_path / "page.txt"
+    page.write_text(f"The length is such that {relation}\n\nFor the force F = 2.5 lb.\n", encoding="utf-8")
+    assert next(v.verdict for v in check(page).verdicts if v.line == 1) == verdict
