@@ -1,4 +1,6 @@
-"""Conditions that stand right behind a relation: (N ≥ 3), (m = n), for p not a multiple of N.
+"""Conditions that stand right behind a relation: (N ≥ 3), (m = n), only if k is a multiple of 3.
+
+That a letter is odd, or a multiple, may stand in the sentence before the relation as well.
 
 Each is of that relation alone: of two on one line, Σ cos θ_i = 0 (N ≥ 2), Σ cos 2θ_i = 0 (N ≥ 3), each
 has its own.
@@ -28,17 +30,24 @@ from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.text import lazy_patterns as re
 
-_WORDS = r"for|if|when|where|provided|für|wenn|falls|sofern|pour|si"
+_WORDS = r"for|if|when|where|whenever|provided|für|wenn|falls|sofern|pour|si|quand|lorsque|se|quando|per"
+_ONLY = (
+    r"(?:holds?|is true|true|valid|gilt|vaut|vale)?\s*(?:and\s+)?(?:only|nur|genau dann|seulement|solo)?"
+)
+_JAPANESE = r"(?:と(?:なる|する)|が成り立つ|である)のは"
 _BLANK = r"\s|[$~&]|\\[,;:! ]|\\q?quad(?![a-z])|\\(?:text|mbox|mathrm|textrm)\s*\{|\\left|\\[bB]igg?l?|\}"
 _BEHIND = re.compile(
-    rf"(?:{_BLANK}|,)*(?:[(\[（]|(?<![A-Za-z\\])(?:{_WORDS})(?![A-Za-z]))"
+    rf"(?:{_BLANK}|,)*(?:[(\[（]|{_ONLY}(?:{_BLANK}|,)*(?<![A-Za-z\\])(?:{_WORDS})(?![A-Za-z])|{_JAPANESE})"
     rf"(?:{_BLANK}|(?<![A-Za-z\\])(?:{_WORDS}|all|alle|every|any|jedes|jede)(?![A-Za-z]))*"
 )
 _LETTER = r"[\s$~]*(?P<{}>\\?[A-Za-z])[\s$~]*"
+_COUNT = r"[\s$~]*(?P<{}>\\?[A-Za-z]|[0-9]{{1,2}})(?![A-Za-z0-9])[\s$~]*"
 _MULTIPLE = re.compile(
     rf"{_LETTER.format('first')}(?:is|ist|=)?\s*(?P<not>not|no|kein)?\s*(?:an?\s+|ein\s+)?"
     r"(?:integer\s+|whole\s+|ganzzahliges\s+)?"
-    rf"(?:multiple\s+of|Vielfaches\s+von){_LETTER.format('second')}"
+    rf"(?:multiple\s+of|Vielfaches\s+von|(?:est\s+)?(?:un\s+)?multiple\s+de|è\s+multiplo\s+di"
+    rf"|divisible\s+by|durch(?=\s*\$?[0-9A-Za-z]+\$?\s*teilbar)){_COUNT.format('second')}"
+    rf"|{_LETTER.format('counted')}[がは]\s*\$?(?P<modulus>[0-9０-９]{{1,2}}|\\?[A-Za-z])\$?\s*の倍数(?!でない)"
     rf"|{_LETTER.format('divisor')}(?:\\mid(?![a-z])|divides|teilt|∣){_LETTER.format('divided')}"
 )
 _KIND = r"(?:odd|even|ungerade[nsrm]?|gerade[nsrm]?)"
@@ -50,8 +59,16 @@ _OF_KIND = (
 _PARITY = re.compile(rf"(?:{_OF_KIND})[\s$:,({{]*$")
 _PARITY_BEHIND = re.compile(rf"[\s$,(]{{0,6}}(?:{_WORDS})\s+(?:all\s+|alle\s+)?\$?(?:{_OF_KIND})")
 _CLAUSES = re.compile(r"[.;!?]\s|[;\n]")
-_NEAR = 60
-"""Characters behind a relation in which such words begin."""
+_BEFORE = re.compile(
+    rf"(?<![A-Za-z\\])(?:{_WORDS}|as|since|because)(?![A-Za-z])(?:{_BLANK})*(?=\\?[A-Za-z](?![A-Za-z]))"
+    r"|(?=\$?\\?[A-Za-z]\$?\s?[がは]\s?\$?[0-9０-９A-Za-z]{1,2}\$?\s?の倍数)",
+    re.IGNORECASE,
+)
+_SENTENCES = re.compile(r"[.;!?]\s|[;。；]|\n\s*\n")
+_DISPLAYED = re.compile(r"\s*(?:\$\$|\\\[|\\begin\{[a-z]+\*?\}|\+{4})\s*$")
+"""What opens a formula of its own line, and the blank line before it."""
+_NEAR, _REACH = 60, 120
+"""Characters behind a relation, and before it, in which such words begin."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,8 +102,7 @@ def conditions_behind(chain: Chain, document: ReadNotes) -> Conditions:
                 assert isinstance(left, Name)
                 text = f"{plain_text(left)} = {plain_text(right)}"
                 values.append((left.name, right, text))
-    if counts:
-        values += _multiples(document.text[opened.end() : opened.end() + _NEAR], own)
+    values += _multiples(document.text[opened.end() : opened.end() + _NEAR], own, counts)
     return Conditions(tuple(ranges), tuple(values))
 
 
@@ -157,24 +173,38 @@ def _is_equality(chain: Chain, counts: Collection[str]) -> bool:
     return is_whole and len(chain.sides) == 2 and chain.relations[0].sign == "="
 
 
-def _multiples(text: str, own: Collection[str]) -> list[tuple[str, Formula, str]]:
-    """Return that a letter is a multiple of another one, as words or the sign for "divides" say."""
+def _multiples(
+    text: str, own: Collection[str], counts: Collection[str]
+) -> list[tuple[str, Formula, str]]:
+    """Return that a letter is a multiple of another one, or of a number.
+
+    Words say so of any letter, the sign for "divides" of one that counts: it is that of a modulus too.
+    """
     match = _MULTIPLE.match(text)
-    if match is None or match["not"]:
+    if match is None or match["not"] or (match["divided"] and not counts):
         return []
-    first, second = match["first"] or match["divided"], match["second"] or match["divisor"]
-    letters = first.lstrip("\\"), second.lstrip("\\")
-    if not set(letters) <= set(own):
+    name = (match["first"] or match["divided"] or match["counted"]).lstrip("\\")
+    of = (match["second"] or match["divisor"] or match["modulus"]).lstrip("\\")
+    modulus: Formula = Number(Fraction(int(of))) if of.isdecimal() else Name(of)
+    if name not in own or (isinstance(modulus, Name) and of not in own):
         return []
-    value = Product((Name(ANY_WHOLE), Name(letters[1])))
-    texts = [plain_text(Name(name)) for name in letters]
-    return [(letters[0], value, f"{texts[0]} is a multiple of {texts[1]}")]
+    value = Product((Name(ANY_WHOLE), modulus))
+    return [(name, value, f"{plain_text(Name(name))} is a multiple of {plain_text(modulus)}")]
+
+
+def _multiples_before(chain: Chain, document: ReadNotes) -> list[tuple[str, Formula, str]]:
+    """Return that a letter is a multiple by the words of a relation's own sentence before it."""
+    lead = _DISPLAYED.sub("", document.text[max(chain.start - _REACH, 0) : chain.start])
+    before = _SENTENCES.split(lead)[-1]
+    opened = list(_BEFORE.finditer(before))
+    return _multiples(before[opened[-1].end() :], chain.letters, ()) if opened else []
 
 
 def with_conditions(chain: Chain, document: ReadNotes, knowledge: Knowledge) -> Knowledge:
     """Return what is known with the conditions right behind a relation, instead of others on its line."""
     conditions = conditions_behind(chain, document)
-    conditions = replace(conditions, values=(*conditions.values, *_parities(chain, document)))
+    further = (*_parities(chain, document), *_multiples_before(chain, document))
+    conditions = replace(conditions, values=(*conditions.values, *further))
     if conditions == Conditions():
         return knowledge
     letters = {name for r in conditions.ranges for name in names(r.left) | names(r.right)}
