@@ -185,6 +185,10 @@ class NamedNumbers:
             return False
         factors = [*_FACTORS, *(values[role] for role in roles if "part" not in named.quantity.slips)]
         ratios = [r / target for r in results if r > 0]
+        is_of_all = any("cylinders" in names(node) for node in named.quantity.formulas)
+        counts = [n for n in numbers if is_of_all and n.denominator == 1 and "cylinders" not in roles]
+        if any(isclose(ratio, count, rel_tol=SAME) for ratio in ratios for count in counts):
+            return False  # 3·π/4·d²·s is of three cylinders, though no words near it say so
         return not may_be_part(named.sentence) and any(
             isclose(ratio, way, rel_tol=SAME) for ratio in ratios for f in factors for way in (f, 1 / f)
         )

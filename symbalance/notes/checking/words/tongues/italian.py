@@ -7,7 +7,7 @@ largest piston speed: velocità massima §(?:pistone|stantuffo)
 piston velocity: velocità (?:istantanea )?§(?:pistone|stantuffo)
 largest piston acceleration: accelerazione massima §(?:pistone|stantuffo)
 piston acceleration: accelerazione (?:istantanea )?§(?:pistone|stantuffo)
-piston displacement: spostamento §(?:pistone|stantuffo)
+piston displacement: (?:spostamento|discesa|corsa percorsa|cammino(?: percorso)?|abbassamento) (?:§(?:pistone|stantuffo)|dal(?:lo)? (?:pistone|stantuffo))
 piston position: posizione §(?:pistone|stantuffo)
 piston area: (?:area|superficie|sezione) §(?:pistone|stantuffo)
 swept volume: cilindrata(?: unitaria)?

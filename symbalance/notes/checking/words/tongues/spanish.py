@@ -7,7 +7,7 @@ largest piston speed: velocidad máxima §(?:pistón|émbolo)
 piston velocity: velocidad (?:instantánea )?§(?:pistón|émbolo)
 largest piston acceleration: aceleración máxima §(?:pistón|émbolo)
 piston acceleration: aceleración (?:instantánea )?§(?:pistón|émbolo)
-piston displacement: desplazamiento §(?:pistón|émbolo)
+piston displacement: (?:desplazamiento|descenso|recorrido|camino) §(?:pistón|émbolo)
 piston position: posición §(?:pistón|émbolo)
 piston area: (?:área|superficie|sección) §(?:pistón|émbolo)
 swept volume: cilindrada(?: unitaria)?
