@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from typing import Any
 
-from symbalance.document.formula import Call, Formula, Name
+from symbalance.document.formula import Call, Formula, Name, Number, Quotient
 from symbalance.document.letters import raised
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra import polynomials as poly
@@ -42,6 +43,8 @@ HIGHEST_NAMED = 26
 """An order beyond it says only that all powers written agree."""
 NO_LETTER = "no letter in which one side is a cut-off series"
 IS_SMALL, IS_LARGE = " is small", " is large"
+LARGEST_PART = 16
+"""The parts that a whole is divided into where a fraction stands for a decimal: 0.374 ≈ 3/8."""
 ROUGH = Fraction(1, 20)
 """Relative error that ≈ between two numbers without decimals may have, if they have no two digits."""
 
@@ -206,6 +209,8 @@ def _as_numbers(
             left, right, evaluator.form, level.values, generous=True, printed=printed
         )
         order = "the digits printed"
+        if not fits and _is_nearest_part(right, left_value):
+            fits, order = True, f"relative error {digits(relative_error, 2)}"
     else:
         fits = relative_error <= float(ROUGH) and agrees_to_its_digits(
             left, right, (left_value, right_value)
@@ -217,6 +222,24 @@ def _as_numbers(
         )
     witness = {"left": digits(left_value), "right": digits(right_value)}
     return Decision(REFUTED, level=level, left=first, right=second, witness=witness)
+
+
+def _is_nearest_part(side: Formula, value: Any) -> bool:
+    """Tell whether a side is the simple fraction that a number is nearest to: 0.0317 ≈ 1/32.
+
+    The other way round it is a result, and has to be rounded: 1/3 is not 0.34.
+    """
+    if not isinstance(side, Quotient) or not value.real:
+        return False
+    above, below = side.numerator, side.denominator
+    if not isinstance(above, Number) or not isinstance(below, Number):
+        return False
+    if any(part.last_place is not None or part.value.denominator != 1 for part in (above, below)):
+        return False
+    if above.value == 1:
+        return round(1 / float(value.real)) == below.value and below.value > 1
+    is_simple = 1 <= above.value < below.value <= LARGEST_PART
+    return is_simple and abs(float(value.real * below.value / above.value) - 1) <= ROUGHLY
 
 
 def _candidates(

@@ -63,6 +63,11 @@ _HENCE = (
 _BEHIND = re.compile(
     rf"(?:{_SETTING}|{_HENCE}|\\(?:text|mathrm|mbox|textrm)\s?\{{\s*(?:{_HENCE}\s*){{1,3}}\}})*+"
 )
+_OWN_SPACE = re.compile(
+    r"\\(?:re)?(?:newcommand|def)\*?\s*\{?(?P<name>\\[A-Za-z]+)\}?\s*"
+    r"\{(?:\s|\\[,;:! ]|\\q?quad(?![a-z])|\\hspace\*?\{[^{}]*\})+\}"
+)
+"""A macro of the page's own that is a space: \\newcommand{\\fsp}{\\qquad}."""
 WRONG = (REFUTED, CONTRADICTION)
 _NOT_READ = f"{TO_ITS_RIGHT} is not read"
 
@@ -84,11 +89,13 @@ def arrows_of(page: ReadNotes) -> Iterator[Arrow]:
         return
     chains: list[Chain | Unreadable] = [chain for chain in page.chains if chain.relations]
     parts = sorted([*chains, *page.unreadable], key=_span)
+    spaces = [re.escape(match["name"]) for match in _OWN_SPACE.finditer(page.text)]
+    own_space = re.compile(rf"(?:{'|'.join(spaces)})(?![A-Za-z])" if spaces else "(?!)")
     reach, before = 0, None
     for part in parts:
         start, end = _span(part)
         if before is not None and reach <= start <= reach + WIDEST_GAP:
-            arrow = _between(page.text, reach, start)
+            arrow = _between(page.text, reach, start, own_space)
             if arrow is not None:
                 sign = EQUIVALENT if arrow["both"] else IMPLIES
                 yield Arrow(sign, arrow.start(), arrow.end(), before, part)
@@ -100,13 +107,15 @@ def _span(part: Chain | Unreadable) -> tuple[int, int]:
     return (part.start, part.end) if isinstance(part, Chain) else part.span
 
 
-def _between(text: str, start: int, end: int) -> re.Match[str] | None:
+def _between(text: str, start: int, end: int, own_space: re.Pattern[str]) -> re.Match[str] | None:
     """Return the one arrow in what parts two relations, None where there is more than how it is set."""
     arrows = list(_ARROW.finditer(text, start, end))
     if len(arrows) != 1:
         return None
     (arrow,) = arrows
-    before, behind = text[start : arrow.start()], text[arrow.end() : end]
+    before, behind = (
+        own_space.sub(" ", part) for part in (text[start : arrow.start()], text[arrow.end() : end])
+    )
     is_set = _BEFORE.fullmatch(before) is not None and _BEHIND.fullmatch(behind) is not None
     return arrow if is_set and before.count("\n\n") + behind.count("\n\n") <= 2 else None
 

@@ -787,9 +787,14 @@ class Lexer:
             return False
         last, pi = self.tokens[-1], "pi" not in self.words.names
         is_exponent = last.kind == "number" and len(self.tokens) > 1 and self.tokens[-2].kind == "sup"
-        if is_exponent and not is_set_apart(self.text, self.place):
+        if is_exponent and not (self._is_behind_power_of_ten() or is_set_apart(self.text, self.place)):
             return False
         return last.kind in ("number", "close", "vulgar") or (pi and last.value == "pi")
+
+    def _is_behind_power_of_ten(self) -> bool:
+        """Tell whether 10^4 stands before the place: no letter has such a factor, a number has."""
+        tail = self.tokens[-3:]
+        return [token.kind for token in tail] == ["number", "sup", "number"] and tail[0].value == "10"
 
     def add_factor(self, unit: str, scale: tuple[Fraction, bool], stop: int) -> None:
         """Multiply by a unit's factor; behind a letter only a unit of factor 1 is clear."""
