@@ -105,6 +105,7 @@ from symbalance.notes.checking.steps.nearest_equation import (
     by_square_above,
 )
 from symbalance.notes.checking.steps.nearest_numbers import refuted_by_nearest, with_other_values
+from symbalance.notes.checking.steps.numbers_by_formulas import unless_a_formula_gives_it
 from symbalance.notes.checking.steps.open_against_lines import open_against_lines
 from symbalance.notes.checking.steps.open_cases import (
     cases_left_by,
@@ -116,6 +117,7 @@ from symbalance.notes.checking.steps.open_cases import (
 )
 from symbalance.notes.checking.steps.rates_with_numbers import with_numbers_of_rates
 from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_minute
+from symbalance.notes.checking.steps.scaled_in_words import scaled_in_words
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
 from symbalance.notes.checking.steps.series_relations import judge_series
 from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_place
@@ -324,6 +326,18 @@ class Judge:
 
     def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on the k-th relation of a chain."""
+        scaled = scaled_in_words(self.state, chain, k)
+        if scaled is None:
+            return self._link(chain, k, sound, bad)
+        definitions, head = self.state.definitions, next(iter(names(chain.sides[0].node)))
+        values, premises = {n: [*own] for n, own in definitions.values.items()}, [*definitions.premises]
+        verdict = self._link(chain, k, sound, bad)
+        if scaled.status == REFUTED or values.get(head):  # what the letter is above is so again below
+            definitions.values, definitions.premises = values, premises
+        return verdict if verdict.verdict in PROVED_WORDS else describe(self.document, chain, k, scaled)
+
+    def _link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
+        """Return the verdict on a relation of which no words say that something else is scaled."""
         leave_product_given_anew(self.state, chain, k)
         verdict = self._unless_excepted(chain, k, self._link_by_cases(chain, k, sound, bad))
         verdict = self._as_one_of_listed(chain, k, verdict)
@@ -337,6 +351,7 @@ class Judge:
         verdict = self._unless_of_wrong_result(chain, k, verdict)
         verdict = unless_wrong_at_place(self.state, chain, k, verdict)
         verdict = unless_scaled_wrongly(self.state, chain, k, verdict)
+        verdict = unless_a_formula_gives_it(self.state, chain, k, verdict)
         verdict = unless_plain_sum(self.state, chain, k, verdict)
         verdict = unless_false_zero(self.state, chain, k, verdict)
         verdict = unless_zero_as_printed(self.state, chain, k, verdict)

@@ -24,7 +24,7 @@ from symbalance.notes.checking.motions.extremes import (
 from symbalance.notes.reading.equations import Chain, Side
 from symbalance.text import lazy_patterns as re
 
-_LARGEST = re.compile(r"(?P<base>.+)_max|hat_(?P<hat>.+)")
+_LARGEST = re.compile(r"(?P<base>.+)[_,]max|hat_(?P<hat>.+)")
 
 
 TINY = 1e-6
@@ -50,8 +50,8 @@ def base_of_extreme(name: str) -> str:
 def base_of_largest(name: str) -> str:
     """Return M of M_max and of M with a hat, "" for other letters.
 
-    >>> base_of_largest("M_max"), base_of_largest("hat_F_2"), base_of_largest("M_2")
-    ('M', 'F_2', '')
+    >>> [base_of_largest(name) for name in ("M_max", "hat_F_2", "M_2,max", "M_2")]
+    ['M', 'F_2', 'M_2', '']
     """
     match = _LARGEST.fullmatch(name)
     return (match["base"] or match["hat"]) if match else ""

@@ -15,12 +15,10 @@ from symbalance.document.formula import (
     Call,
     Formula,
     Name,
-    Negative,
     Number,
     Power,
     Product,
     Quotient,
-    Sum,
     names,
 )
 from symbalance.notes.algebra.number_formulas import rational_node
@@ -29,6 +27,7 @@ from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.substitution import replace_part
 from symbalance.notes.checking.repair.fixes import Repair, fix_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.steps.powers_of_letters import PowersOfLetter
 from symbalance.notes.checking.verdicts import CONDITION, DEFINITION, PREMISE, UNDECIDED, Verdict
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
@@ -42,7 +41,7 @@ _SPEED_UNIT = (
     r"|回転|毎分)"
 )
 _FORCE_UNIT = r"(?P<unit>k|M)?N(?![A-Za-z·\s]?\s?m(?![a-z]))(?![A-Za-z/])"
-_SPEED = re.compile(_NUMBER + _GAP + _SPEED_UNIT, re.IGNORECASE)
+SPEED = re.compile(_NUMBER + _GAP + _SPEED_UNIT, re.IGNORECASE)
 _FORCE = re.compile(_NUMBER + _GAP + _FORCE_UNIT)
 _SQUARE = re.compile(
     r"(?:scales?|grows?|rises?|increases?|goes|varies|proportional)[^.;\n]{0,30}?"
@@ -70,7 +69,7 @@ def unless_scaled_wrongly(state: JudgingState, chain: Chain, k: int, verdict: Ve
     head = chain.sides[0].node
     if k or verdict.verdict not in _OPEN or not isinstance(head, Name) or len(right.readings) != 1:
         return verdict
-    change = _wrong_ratio(state, chain, head) or _wrong_divisor(state, chain, head)
+    change = _wrong_ratio(state, chain, head)
     if change is None:
         return verdict
     reason, part, corrected = change
@@ -91,7 +90,7 @@ def _wrong_ratio(state: JudgingState, chain: Chain, head: Name) -> tuple[str, Fo
     if len(rest) != 1 or first == second:
         return None
     quotient = Quotient(rational_node(first), rational_node(second))
-    speeds, forces = _numbers(text, _SPEED), _numbers(text, _FORCE)
+    speeds, forces = _numbers(text, SPEED), _numbers(text, _FORCE)
     (base,) = rest
     if {first, second} <= speeds and not {first, second} & forces:
         expected = _power_of_speed(state, chain, head, base)
@@ -105,30 +104,6 @@ def _wrong_ratio(state: JudgingState, chain: Chain, head: Name) -> tuple[str, Fo
         reason = "the force grows as the square of the speed, so the speed as the root of the force"
         return reason, part, Call("sqrt", quotient)
     return None
-
-
-def _wrong_divisor(state: JudgingState, chain: Chain, head: Name) -> tuple[str, Formula, Formula] | None:
-    """Return the same of a number of the letter above, over a ratio of speeds: at 3000 rpm 10.6/2."""
-    node = chain.sides[1].node
-    node = node.factors[0] if isinstance(node, Product) and len(node.factors) == 2 else node
-    match node:
-        case Quotient(numerator=Number(value=base), denominator=Number(value=times) as divisor):
-            is_part = times > 1 and _is_printed_above(state, chain, base)
-        case _:
-            return None
-    text = state.document.text
-    sentence = _STOPS.split(text[max(0, chain.start - REACH) : chain.start])[-1]
-    here, above = _numbers(sentence, _SPEED), _numbers(text[: chain.start - len(sentence)], _SPEED)
-    is_ratio = len(here) == 1 and any(times * speed in above for speed in here)
-    is_ratio = is_ratio and not any(_is_near((a / b) ** 2, times) for a in above for b in here if b)
-    if not is_part or not is_ratio or _power_of_speed(state, chain, head, node.numerator) != 2:
-        return None
-    reason = f"it goes with the square of the speed, which is 1/{times} of that above"
-    return reason, divisor, Number(times**2)
-
-
-def _is_near(first: Fraction, second: Fraction) -> bool:
-    return abs(first - second) <= second / 100
 
 
 def _factors(node: Formula) -> Iterator[Formula]:
@@ -155,21 +130,22 @@ def _numbers(text: str, pattern: re.Pattern[str]) -> set[Fraction]:
     """Return the numbers that stand before a unit, in it and without its prefix."""
     values = set[Fraction]()
     for match in pattern.finditer(text):
-        digits = re.sub(r"[ ~]|\\,", "", match["number"]).replace(",", ".").strip(".")
-        if digits.count(".") > 1 or not digits:
+        if (value := _value(match)) is None:
             continue
-        value = Fraction(digits)
         values.add(value)
         if match.groupdict().get("unit") in ("k", "M"):
             values.add(value * (1000 if match["unit"] == "k" else 10**6))
     return values
 
 
-def _is_printed_above(state: JudgingState, chain: Chain, value: Fraction) -> bool:
-    """Tell whether a relation above comes to a number, in its unit or without the unit's prefix."""
-    above = (c for c in state.document.chains if c.start < chain.start)
-    numbers = (_leading(side.node) for c in above for side in c.sides[1:])
-    return any(number in (value, value * 1000, value / 1000) for number in numbers)
+def _value(match: re.Match[str]) -> Fraction | None:
+    digits = re.sub(r"[ ~]|\\,", "", match["number"]).replace(",", ".").strip(".")
+    return Fraction(digits) if digits and digits.count(".") <= 1 else None
+
+
+def speed_of(match: re.Match[str]) -> float:
+    """Return the speed that a text names, 0 for what cannot be read."""
+    return float(_value(match) or 0)
 
 
 def _leading(node: Formula) -> Fraction | None:
@@ -182,14 +158,14 @@ def _leading(node: Formula) -> Fraction | None:
     return node.value if isinstance(node, Number) else None
 
 
-def _power_of_speed(state: JudgingState, chain: Chain, head: Name, base: Formula) -> int | None:
+def _power_of_speed(state: JudgingState, chain: Chain, head: Name, base: Formula) -> Fraction | None:
     """Return by which power of the speed a quantity grows, by words or its formula; or None."""
     text = state.document.text
     sentence = _STOPS.split(text[max(0, chain.start - REACH) : chain.start])[-1]
     if _SQUARE.search(sentence):
-        return 2
+        return Fraction(2)
     owners = [each for each in (base, head) if isinstance(each, Name)]
-    degrees = {_degree_of_letter(state, owner.name, chain) for owner in owners}
+    degrees = {_powers(state).of_letter(owner.name, chain.start) for owner in owners}
     degrees -= {None}
     return degrees.pop() if len(degrees) == 1 else None
 
@@ -204,7 +180,7 @@ def _is_of_square(state: JudgingState, value: Fraction) -> bool:
     ]
     nodes = [node for c in chains for side in c.sides if names(node := side.node)]
     nodes += [] if formula is None else [formula]
-    return any(_degree(node, state, 0) == 2 for node in nodes) or any(
+    return any(_powers(state).of(node) == 2 for node in nodes) or any(
         _has_squared_speed(state, c) for c in chains
     )
 
@@ -227,51 +203,13 @@ def _squares(node: Formula, speeds: set[Fraction | None]) -> bool:
     )
 
 
-def _degree_of_letter(state: JudgingState, name: str, chain: Chain) -> int | None:
-    """Return the power of the speed in the formulas that a letter has above; None if they differ."""
-    above = [c for c in state.sections.chains_of(Name(name)) if c.start < chain.start]
-    nodes = [side.node for c in above for side in c.sides[1:] if names(side.node)]
-    degrees = {_degree(node, state, 0) for node in nodes}
-    return degrees.pop() if len(degrees) == 1 else None
+def is_speed(state: JudgingState, name: str) -> bool:
+    """Tell whether a letter is the speed of the page: ω, or an n that counts turns by its words."""
+    return name in _SURE or (name in _TURNS and _counts_turns(state, name))
 
 
-def _degree(node: Formula, state: JudgingState, depth: int) -> int | None:
-    """Return the power of the speed with which a formula grows; None where that is not one power."""
-    match node:
-        case Negative() | Product():
-            parts = (node.operand,) if isinstance(node, Negative) else node.factors
-            return _total([_degree(part, state, depth) for part in parts])
-        case Quotient(numerator=above, denominator=below):
-            less = _degree(below, state, depth)
-            return _total([_degree(above, state, depth), None if less is None else -less])
-        case Power(base=base, exponent=Number(value=power)) if power.denominator == 1:
-            inner = _degree(base, state, depth)
-            return None if inner is None else inner * int(power)
-        case Sum(terms=terms):
-            own = {_degree(term, state, depth) for term in terms}
-            return own.pop() if len(own) == 1 else None
-        case Name(name=name):
-            return _degree_behind(name, state, depth)
-    is_wave = isinstance(node, Call) and node.function in ("sin", "cos")
-    return 0 if is_wave or not names(node) else None
-
-
-def _total(degrees: list[int | None]) -> int | None:
-    numbers = [degree for degree in degrees if degree is not None]
-    return sum(numbers) if len(numbers) == len(degrees) else None
-
-
-def _degree_behind(name: str, state: JudgingState, depth: int) -> int | None:
-    if name in _SURE or (name in _TURNS and _counts_turns(state, name)):
-        return 1
-    above = [side.node for c in state.sections.chains_of(Name(name)) for side in c.sides[1:]]
-    formulas = [node for node in above if names(node) and name not in names(node)]
-    if not formulas:
-        return 0
-    if depth > 6:
-        return None
-    degrees = {_degree(node, state, depth + 1) for node in formulas}
-    return degrees.pop() if len(degrees) == 1 else None
+def _powers(state: JudgingState) -> PowersOfLetter:
+    return PowersOfLetter(state.sections, lambda name: is_speed(state, name))
 
 
 def _counts_turns(state: JudgingState, name: str) -> bool:
