@@ -44,7 +44,9 @@ from symbalance.notes.checking.meant.left_sides import head_of
 from symbalance.notes.checking.meant.meant_extremes import decide_declared_extreme
 from symbalance.notes.checking.meant.order_speeds import decide_order_speed
 from symbalance.notes.checking.meant.two_discs import decide_two_discs
+from symbalance.notes.checking.motions.action_and_reaction import against_reaction
 from symbalance.notes.checking.motions.equations_of_motion import (
+    EquationOfMotion,
     decide_motion,
     decide_natural_frequency,
     equation_of_motion,
@@ -109,6 +111,8 @@ from symbalance.notes.reading.equations import Chain, Relation, Side
 from symbalance.notes.reading.formulas.result_units import without_unit_of_result
 
 FOLLOWS = "follows from the side before, which is refuted"
+MOST_BESIDE = 4
+"""Relations below an equation of motion among which the other equations of its system stand."""
 NEAR_RANGE = 60
 """Characters between a range and an inequality that is said to follow from it."""
 
@@ -464,11 +468,25 @@ def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
     by_sum = decide_sum_of_equations(state, chain, equation, above)
     if by_sum is not None:
         return by_sum  # no equation of its own
+    wrong = against_reaction(equation, _equations_beside(state, chain, moving))
+    if wrong is not None:
+        above.append(wrong[1])
+        return wrong[0]
     decision = decide_motion(equation, above, knowledge, follows=follows)
     above.append(equation)
     if decision.status == CONDITION and equation.lone_rate is not None:
         state.definitions.fix(Constraint(*equation.lone_rate), chain)
     return decision
+
+
+def _equations_beside(state: JudgingState, chain: Chain, knowledge: Knowledge) -> list[EquationOfMotion]:
+    """Return the equations of motion above a relation in its section, and those right below it."""
+    line, differentiated = chain.lines[0], _differentiated(state, knowledge)
+    above = [e for e in state.equations_of_motion if state.sections.same_section(e.line, line)]
+    below = [c for c in state.document.chains if c.start > chain.start][:MOST_BESIDE]
+    here = [c for c in below if state.sections.same_section(c.lines[0], line)]
+    read = [equation_of_motion(each, 0, differentiated, knowledge) for each in here if each.relations]
+    return [*reversed(above), *(each for each in read if each is not None)]
 
 
 def _for_values(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
