@@ -111,6 +111,8 @@ from symbalance.notes.reading.equations import Chain, Relation, Side
 from symbalance.notes.reading.formulas.result_units import without_unit_of_result
 
 FOLLOWS = "follows from the side before, which is refuted"
+NEAR_NUMBER = 3
+"""Lines below a formula in which the number of its letter goes with it."""
 MOST_BESIDE = 4
 """Relations below an equation of motion among which the other equations of its system stand."""
 NEAR_RANGE = 60
@@ -272,6 +274,7 @@ def _judge_step(
         by_words = by_words or decide_two_discs(chain, k, state.document)
         by_words = by_words or _moment_by_name(state, chain, k, knowledge)
         by_words = by_words or _by_named_inverse(state, chain, k, knowledge)
+        by_words = by_words or _as_named_anew(state, chain, k, knowledge)
         by_words = by_words or state.crank_motions.judge(chain, k, knowledge)
         return _unless_left_open(by_words, decision)
     if decision.status == CONTRADICTION:
@@ -377,6 +380,24 @@ def _by_named_inverse(
     outcome = state.named.judge(chain, k, knowledge)
     if isinstance(outcome, Verdict) and outcome.verdict == REFUTED:
         state.definitions.lapse(name)
+    return outcome
+
+
+def _as_named_anew(
+    state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
+) -> Verdict | Decision | None:
+    """Return the verdict on a letter's further formula by the quantity that words name: disc, then rim.
+
+    Such a formula may be what fixes another letter in it, R of J = m R²/2; a wrong one fixes none.
+    """
+    left = chain.sides[0].node
+    if k or not isinstance(left, Name):
+        return None
+    outcome = state.named.judge(chain, k, knowledge)
+    if isinstance(outcome, Verdict) and outcome.verdict == REFUTED:
+        state.definitions.forget_line(left.name, chain.lines[0])
+        state.definitions.lapse(left.name)
+        return _remembered(state, chain, left, outcome, knowledge)
     return outcome
 
 
@@ -615,13 +636,15 @@ def _remembered(
 def _has_other_number_behind(
     state: JudgingState, chain: Chain, mended: Formula, knowledge: Knowledge
 ) -> bool:
-    """Tell whether a letter has a number on its line, in the next cell, that its mended formula lacks."""
+    """Tell whether a letter has a number on its line, or just below, that its mended formula lacks."""
     head, line = chain.sides[0].node, chain.lines[0]
     behind = [other for other in state.sections.chains_of(head) if other.start > chain.start]
     numbers = [
-        other.sides[1]
+        other.sides[-1]
         for other in behind
-        if len(other.sides) > 1 and not names(other.sides[1].node) and other.lines[0] == line
+        if len(other.sides) > 1
+        and not names(other.sides[-1].node)
+        and other.lines[0] - line <= NEAR_NUMBER
     ]
     left = Side((mended,), chain.sides[0].span)
     sizes = {n for n in names(mended) if not (known := knowledge.definitions.get(n)) or not known.numeric}

@@ -101,6 +101,8 @@ def slip_of(target: Formula, claim: Formula, slips: tuple[str, ...], may_be_part
         "factor of a term": ("term", lambda: any(agrees(e, claim) for e in _without_a_number(target))),
         "exchange": ("exchange", lambda: _is_any_exchange(target, claim)),
     }
+    if any(agrees(each, claim) for each in with_one_part_changed(target, _powers_otherwise)):
+        return "powers of a sum"
     for kind, (allowed, test) in changes.items():
         if allowed in slips and test():
             return kind
@@ -222,6 +224,26 @@ def with_one_part_changed(
 def _without_a_number(node: Formula) -> Iterator[Formula]:
     """Yield a formula with one of its numbers left out: σ² + τ² for σ² + 3 τ²."""
     return with_one_part_changed(node, _product_without_a_number)
+
+
+def _powers_otherwise(node: Formula) -> Iterator[Formula]:
+    """Yield a sum of equal powers with another one, or taken before: (D - d)⁴ and D³ - d³ for D⁴ - d⁴."""
+    terms = node.terms if isinstance(node, Sum) else ()
+    powers = [term.operand if isinstance(term, Negative) else term for term in terms]
+    exponents = {part.exponent for part in powers if isinstance(part, Power)}
+    if len(exponents) != 1 or not all(isinstance(part, Power) for part in powers):
+        return
+    (exponent,) = exponents
+    bases = [part.base for part in powers if isinstance(part, Power)]
+
+    def with_signs(parts: list[Formula]) -> Formula:
+        pairs = zip(terms, parts, strict=True)
+        return Sum(tuple(Negative(p) if isinstance(term, Negative) else p for term, p in pairs))
+
+    yield with_signs(bases) ** exponent
+    for other in _EXPONENTS:
+        if Number(Fraction(other)) != exponent:
+            yield with_signs([base ** Fraction(other) for base in bases])
 
 
 def _product_without_a_number(node: Formula) -> Iterator[Formula]:

@@ -101,6 +101,12 @@ _APPOSED = re.compile(
     r"\s*(?:the|its|a|der|die|das)\s+((?:[\w-]+ ){0,3}?[\w-]+)(?=\s*[,.;)]|\s+(?:and|und)\b|\s*$)", re.I
 )
 """The same without a verb, as in a list: D is the damping ratio and η the frequency ratio."""
+_WHERE = re.compile(
+    r"\s+(?:(?:up)?on|along|across|against|auf|längs|entlang|gegen)\s+(?:the\s+|de[rmns]\s+|die\s+)?"
+    r"(?:[^\W\d_]{3,}[\s-])?[^\W\d_]{3,}$",
+    re.I,
+)
+"""Where a force acts, behind its name: no letter of a force along the stroke is a stroke."""
 _ADDED = re.compile(r"(?:,|\band|\bund)[\s(]*$", re.I)
 
 
@@ -128,6 +134,18 @@ class LetterRoles:
 
         Roles that go together have letters of one subscript; "" is the letter that the claim is of.
         """
+        for target, _ in self.readings(formulas, claim, meanings, together, head):
+            yield target
+
+    def readings(
+        self,
+        formulas: tuple[Formula, ...],
+        claim: Formula,
+        meanings: Mapping[str, str],
+        together: tuple[tuple[str, str], ...] = (),
+        head: str = "",
+    ) -> Iterator[tuple[Formula, dict[str, str]]]:
+        """Yield the formulas in the letters of a claim, as `targets`, and the letter of each role."""
         own = sorted(names(claim))
         for node in formulas:
             roles = sorted(names(node))
@@ -137,7 +155,7 @@ class LetterRoles:
             for letters in _assignments(open_to):
                 pairs = dict(zip(roles, letters, strict=True))
                 if all(_is_of_one_index(pairs, head, *pair) for pair in together):
-                    yield renamed(node, pairs)
+                    yield renamed(node, pairs), pairs
 
     def may_be(self, letter: str, role: str, meanings: Mapping[str, str]) -> bool:
         """Tell whether a letter may play a role: by its meaning, the words before it, or as is usual."""
@@ -160,7 +178,7 @@ class LetterRoles:
     def _roles_named(self, letter: str) -> tuple[frozenset[str], bool]:
         """Return the roles that words before a letter name, and whether they name another length."""
         if letter not in self._named:
-            before = set(self.words_before(letter))
+            before = {_without_place(words) for words in self.words_before(letter)}
             roles = {
                 name for name, each in ROLES.items() if any(ends_with(each.words, w) for w in before)
             }
@@ -224,6 +242,16 @@ class LetterRoles:
                     phrases.append(phrase[-LONGEST_NAME:])
             self._before[letter] = [words.replace("\n", " ") for words in phrases]
         return self._before[letter]
+
+
+def _without_place(words: str) -> str:
+    """Return the words before a letter without those that say where its force acts.
+
+    >>> _without_place("the net force along the stroke"), _without_place("the length on a page")
+    ('the net force', 'the length on a page')
+    """
+    shorter = _WHERE.sub("", words)
+    return shorter if ends_with(ROLES["any_force"].words, shorter) else words
 
 
 def _is_whole_size(roles: frozenset[str], role: str) -> bool:

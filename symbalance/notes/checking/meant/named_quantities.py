@@ -21,6 +21,7 @@ from functools import cached_property
 from symbalance.budgets import Budget, OverBudgetError, run_within
 from symbalance.document.formula import (
     Call,
+    Constant,
     Formula,
     Name,
     Negative,
@@ -59,6 +60,7 @@ from symbalance.notes.checking.meant.letters_otherwise import are_otherwise
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.meant.quantity_forms import QuantityForms, is_telling
 from symbalance.notes.checking.meant.quantity_words import Named, Places, QuantityWords
+from symbalance.notes.checking.meant.role_dimensions import are_of_other_dimension
 from symbalance.notes.checking.meant.stated_numbers import StatedNumbers
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
@@ -108,6 +110,15 @@ BEHIND = 40
 """Characters behind a relation in which words may say from where it measures."""
 MOST_LETTERS = 7
 """Letters that a standard formula has at most."""
+FEWEST_LETTERS = 3
+"""Letters of a formula whose dimension alone says that it is wrong, if it should have no root or π."""
+_RELATIVE = re.compile(
+    r"\bunits? of\b|dimensionless|normali[sz]ed|relative|\bratio\b|\bper\b|specific|reduced|proportional"
+    r"|\brates?\b|slope|momentum|impuls|drall|neigung|dimensionslos|einheitenlos|bezogen|verhältnis|\bje\b|\bpro\b|spezifisch|reduziert|無次元"
+    r"|運動量|たわみ角|あたり|当たり|比",
+    re.IGNORECASE,
+)
+"""Words by which a letter may be a quantity over another one."""
 _ROLE_OF = {
     "force in the connecting rod": "rod_force",
     "gas force": "piston_force",
@@ -303,21 +314,24 @@ class NamedQuantities:
                 return replace(decision, assumptions=(self.text(name, named), *rest))
         if (inverted := self._inverted(chain, name, claim, plain, knowledge)) is not None:
             return inverted
+        in_letters_of = {
+            n.quantity.name
+            for n in candidates
+            if any(agrees(node, claim) for node in self._mistakes(n, claim, name, knowledge))
+            or self._targets((*n.quantity.formulas, *n.quantity.approximate), claim, name, n, knowledge)
+        }
         fitting = {n.quantity.name: n for n in candidates if n.may_refute}
-        if len(fitting) > 1:  # words that name several: by the letters of their formulas
-            fitting = {
-                n: each
-                for n, each in fitting.items()
-                if any(p is each for p, _ in pairs)
-                or any(agrees(node, claim) for node in self._mistakes(each, claim, name, knowledge))
-            }
+        fitting = {n: each for n, each in fitting.items() if n in in_letters_of}
+        if len(fitting) > 1:
             special = {n: each for n, each in fitting.items() if each.quantity.only is not None}
             fitting = special if len(special) == 1 else fitting
         stems = {stem_of(name).rstrip("'"), name}
         own = [each for each in candidates if stems & each.quantity.letters]
         if len(fitting) != 1:
-            is_unnamed = " " not in name and all(each.is_other for each in own)
-            return self._by_form(chain, name, claim, knowledge, known) if is_unnamed else None
+            is_unnamed = all(each.is_other or each.quantity.name not in in_letters_of for each in own)
+            is_unnamed &= " " not in name
+            by_form = self._by_form(chain, name, claim, knowledge, known) if is_unnamed else None
+            return by_form or self._by_dimension(chain, name, claim, knowledge)
         (named,) = fitting.values()
         if named.quantity.turns and self.counts_from_elsewhere:
             return None
@@ -377,6 +391,61 @@ class NamedQuantities:
         if is_one:
             self.forms.refuted.setdefault(name, chain.start)
         return verdicts[0] if is_one else None
+
+    def _by_dimension(
+        self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge
+    ) -> Verdict | None:
+        """Return that a formula is the only one that it may be but for its dimension: √(m g a/J).
+
+        Its letters alone say what it is. A number that is wrong may be another quantity's, a dimension
+        may not: what differs from the formula by it is no quantity of that letter.
+        """
+        around = self.words.around(chain)
+        is_open = around is None or _RELATIVE.search(around.sentence) is not None
+        if is_open or not isinstance(chain.sides[0].node, Name) or decimals(claim):
+            return None
+        found = self._of_other_dimension(name, claim, knowledge) if is_telling(claim) else None
+        if found is None:
+            return None
+        target, quantity = found
+        text = f"{plain_letter(name)} is the {quantity.name} ({NOBODY}; its letters say so)"
+        decision = Decision(REFUTED, f"if {text}; the right side is of another dimension")
+        known = Knowledge(SymbolValue(positive=frozenset(names(claim))), corrects=True)
+        verdict = self._with_fix(chain, Side((target,), chain.sides[0].span), decision, known)
+        if verdict.fix is not None:
+            return verdict
+        repair = Repair("another dimension", target, ((chain.sides[1].node, target),), 1.0)
+        return replace(verdict, fix=fix_of(repair, self.document, chain.sides[1]))
+
+    def _of_other_dimension(
+        self, name: str, claim: Formula, knowledge: Knowledge
+    ) -> tuple[Formula, Quantity] | None:
+        """Return the one formula from which a claim differs by a slip and in its dimension, or None.
+
+        None too where the claim is a formula of its letter, or may be one but for a number.
+        """
+        is_long = len(names(claim)) >= FEWEST_LETTERS
+        found: tuple[Formula, Quantity] | None = None
+        for quantity in self.forms.of_letter(name, knowledge.meanings.get(name, "")):
+            meanings, together = knowledge.meanings, quantity.together
+            mistakes = self.roles.targets(quantity.mistakes, claim, meanings, together, name)
+            is_mistake = any(agrees(each, claim) for each in mistakes)
+            every = (*quantity.formulas, *quantity.approximate, *quantity.others)
+            for target, roles in self.roles.readings(every, claim, meanings, together, name):
+                if agrees(target, claim):
+                    return None
+                if not is_long and not any(isinstance(part, Call | Constant) for part in walk(target)):
+                    continue
+                is_multiplied = is_multiple(target, claim)
+                is_slip = is_mistake or slip_of(target, claim, ("power", "root"), may_be_part=True)
+                if not is_slip and not is_multiplied:
+                    continue
+                if is_multiplied or not are_of_other_dimension(target, claim, roles):
+                    return None
+                if found is not None and not agrees(found[0], target):
+                    return None
+                found = found or (target, quantity)
+        return found
 
     def _targets(
         self,
@@ -516,8 +585,9 @@ class NamedQuantities:
         """
         known = named.quantity.mistakes
         other_words = self.page.replace(named.words, "")
+        angles = [part.argument for part in walk(claim) if isinstance(part, Call)]
         is_open = any(
-            isinstance(part, Call) and part.function == "cos"
+            isinstance(part, Call) and part.function == "cos" and part.argument in angles
             for n in names(claim) & knowledge.definitions.keys()
             for part in walk(knowledge.definitions[n].node)
         )

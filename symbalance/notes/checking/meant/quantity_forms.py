@@ -117,6 +117,12 @@ class QuantityForms:
             if fits and not is_never:
                 yield quantity
 
+    def of_letter(self, name: str, declared: str) -> Iterator[Quantity]:
+        """Yield the quantities of a letter, those that its declaration names if it has one."""
+        for quantity in _of_letter(name):
+            if not declared or quantity.phrases.search(declared):
+                yield quantity
+
     def use_of(self, name: str) -> str:
         """Return what the letter of a section is used for elsewhere or by its subscript, or ""."""
         is_section = stem_of(name) in _SECTIONS

@@ -118,7 +118,7 @@ INERTIA: tuple[Quantity, ...] = (
         ("factor", "edit"),
         mistakes=(mass * (outer_radius**2 - inner_radius**2) / 2, mass * (outer**2 - inner**2) / 8),
         others=(mass * (outer_radius**2 + inner_radius**2) / 4, mass * (outer**2 + inner**2) / 16),
-        unless=words(r"about (?:a|its) diameter|durchmesserachse|直径|thin|dünn|薄|density|dichte|密度"),
+        unless=words(r"about (?:a|its) diameter|durchmesserachse|直径|thin|dünn|薄"),
     ),
     Quantity(
         "moment of inertia by the radius of gyration", letters("J I Theta"),

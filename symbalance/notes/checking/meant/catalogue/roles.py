@@ -273,8 +273,9 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("crank_mass", "m_KZ m_Z m_c m_cr m_crank m_W m_k m_K m_KW", r"crank(?:[- ]?pin)? mass"
         r"|mass of the crank(?:[- ]?pin)?"
      r"|(?:(?:kurbel|hub)zapfen|kurbel)masse|クランク(?:ピン)?(?:の)?質量"),
-    ("net_force", "P F_K F_p F_P F_k P_K K_K", r"piston (?:force|effort|load)|kolbenkraft|(?:net"
-        r"|effective)"
+    ("net_force", "P F_K F_p F_P F_k P_K K_K", r"piston (?:force|effort|load)|kolbenkraft"
+        r"|(?:force|load|effort|kraft) (?:up)?(?:on|auf) (?:the |den )?(?:piston|kolben)"
+        r"|(?:net|effective)"
      r" (?:force|load|effort)|ピストン力", "", "s S st St cr c l pl rod R r b B t T"),
     ("outer_radius", "R r", r"(?:outer|outside|external)(?: radius)?|außen(?:radius)?|外半径"
      r"|between (?:the )?radii|zwischen den (?:radien|halbmessern)"),
