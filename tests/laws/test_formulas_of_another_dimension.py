@@ -74,3 +74,31 @@ def test_other_quantities_of_these_letters_are_not_accused(formula):
 @pytest.mark.parametrize("page", OTHERWISE)
 def test_words_that_name_something_else_excuse_the_dimension(page):
     assert not failing(page)
+
+
+def test_a_stress_in_japanese_is_no_force():
+    words = "応力は $\\sigma_o$ と $\\sigma_u$ の間で変動する。応力振幅は"
+    page = words + "\n\n$$\\sigma_a = \\frac{{\\sigma_o {} \\sigma_u}}{{2}}$$"
+    assert not failing(page.format("-"))
+    assert failing(page.format("+")) == [REFUTED]
+
+
+@pytest.mark.parametrize(
+    ("above", "stem", "index"),
+    [
+        ("The alternating load goes from $F_{max}$ to $F_{min}$ in each cycle. ", "F", ("max", "min")),
+        ("Das Moment schwankt zwischen $T_{o}$ und $T_{u}$. ", "T", ("o", "u")),
+        (
+            "Fatigue: the upper value is $\\sigma_{max}$, the lower one $\\sigma_{min}$. ",
+            "\\sigma",
+            ("max", "min"),
+        ),
+    ],
+)
+def test_the_subscript_says_whether_it_is_the_mean_or_the_amplitude(above, stem, index):
+    high, low = (f"{stem}_{{{each}}}" for each in index)
+    for own, sign, other in (("m", "+", "-"), ("a", "-", "+")):
+        assert not failing(f"{above}We have ${stem}_{own} = \\frac{{{high} {sign} {low}}}{{2}}$.")
+        assert failing(f"{above}We have ${stem}_{own} = \\frac{{{high} {other} {low}}}{{2}}$.") == [
+            REFUTED
+        ]

@@ -212,6 +212,8 @@ def roles_named(line: str) -> Iterator[NamedRole]:
 
     >>> [named.role for named in roles_named("Kurbelradius r, Pleuellänge l")]
     ['crank radius', 'rod length']
+    >>> [named.role for named in roles_named("力 F、応力 σ、出力 P")]
+    ['N']
     """
     pattern, roles = _pattern()
     for match in pattern.finditer(line):
@@ -219,6 +221,10 @@ def roles_named(line: str) -> Iterator[NamedRole]:
         if role == "piston velocity" and _MEAN.search(line[max(match.start() - 20, 0) : match.start()]):
             continue  # of a whole stroke, and no velocity that turns with the crank
         yield NamedRole(match.start(), match.end(), role, match[0])
+
+
+_NOT_BEHIND = "(?<![偶圧出動応能入馬電強])"
+"""Characters before 力 that make no force of it: 応力 is a stress, 出力 a power."""
 
 
 @cache
@@ -229,5 +235,6 @@ def _pattern() -> tuple[re.Pattern[str], dict[str, str]]:
     longest_first = sorted(roles, key=len, reverse=True)
     latin = [re.escape(phrase) for phrase in longest_first if phrase[0] < "\u2e80"]
     other = [re.escape(phrase) for phrase in longest_first if phrase[0] >= "\u2e80"]
+    other = [f"{_NOT_BEHIND}{phrase}" if phrase == "力" else phrase for phrase in other]
     text = rf"(?<![A-Za-zäöüß])(?:{'|'.join(latin)})(?![A-Za-zäöüß])|{'|'.join(other)}"
     return re.compile(text, re.IGNORECASE), roles

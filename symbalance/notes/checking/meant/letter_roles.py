@@ -78,6 +78,9 @@ _KINDS = {
     **dict.fromkeys(("first_rate", "second_rate", "third_rate"), "stiffness"),
 }
 """Roles of one of several, and the role that words give each of them: the flywheel J2."""
+_EXTREMES = frozenset({"upper_stress", "lower_stress"})
+_SWINGING = frozenset({"stress", "shearing", "force", "any_force", "torque", "bending", "excitation"})
+"""What words call both values between which it swings: the stress σ_max, the stress σ_min."""
 ROD_ENDS = {
     "to_big": _FROM_END.format(
         r"(?:big|large)[- ]end|crank[- ]?pin|großen\s+\w*(?:auge|kopf)|(?:kurbel|hub)zapfen",
@@ -171,7 +174,8 @@ class LetterRoles:
             return True
         if letter.partition("_")[0] in _ANGULAR and "frequency" in roles:
             roles = (roles | {"omega"}) - {"frequency"}  # a frequency ω counts radians
-        if _KINDS.get(role) in roles or _is_whole_size(roles, role):
+        is_extreme = role in _EXTREMES and bool(roles & _SWINGING) and _is_usual(letter, role)
+        if is_extreme or _KINDS.get(role) in roles or _is_whole_size(roles, role):
             return True
         return role in roles if roles else not is_other and _is_usual(letter, role)
 

@@ -55,6 +55,8 @@ _OF_THE_ROD = {
 """Letters of what a force along the stroke gives with the rod's angle, each of one of the two."""
 _NEVER_LARGEST = frozenset({"piston acceleration at the bottom dead centre"})
 """Quantities that no largest value is, whatever its formula looks like."""
+_OF_SWINGS = frozenset({"amplitude of a stress that swings", "mean of a stress that swings"})
+"""Quantities whose subscript parts them: σ_a is no mean."""
 _PLAIN_INDICES = frozenset({"", "0", "1", "2", "3", "a", "b", "d", "e", "i", "k", "m", "n"})
 """Subscripts that number letters and say nothing of what they are."""
 _FEW = 2
@@ -111,6 +113,8 @@ class QuantityForms:
         for quantity in _of_letter(name):
             other = _USES.get(quantity.name)
             if use and other and other != use:
+                continue
+            if quantity.name in _OF_SWINGS and index and index not in quantity.indices:
                 continue
             is_never = is_telling_index and quantity.name in _NEVER_LARGEST and index == "max"
             fits = not is_telling_index or not quantity.indices or index in quantity.indices

@@ -20,6 +20,13 @@ from symbalance.notes.checking.meant.catalogue.shaft_roles import (
 _ONE_AND_OTHER = bending_safety * torsion_safety
 _SQUARES = bending_safety**2 + torsion_safety**2
 _SAFETY = r"safety\s+(?:factor|margin)|factor\s+of\s+safety|\bsafety|sicherheit(?:szahl|sfaktor)?|安全率"
+_SWINGS = words(
+    r"amplitud\w*", r"alternating", r"fluctuat\w*", r"fatigue", r"ausschlag", r"mittelspannung",
+    r"schw[ai]nk\w*", r"schwell\w*", r"dauer(?:festigkeit|bruch)", r"ermüdung", r"応力振幅", r"振幅",
+    r"平均応力", r"疲[労れ]",
+    r"(?:contrainte|tensi[oó]n|tensione)\s+m(?:oyenne|edia)", r"mean\s+(?:stress|value)",
+)  # fmt: skip
+"""Words of what swings between two values, whose letters say which part of it they are: σ_a and σ_m."""
 _LINE = words(r"goodman|soderberg|haigh|グッドマン|ソダーバーグ")
 
 
@@ -43,14 +50,14 @@ FATIGUE: tuple[Quantity, ...] = (
         unless=words(r"stress range|range of stress|schwingbreite|doppelamplitude|peak[- ]to[- ]peak"
         r"|応力範囲"
                      r"|double amplitude"),
-        indices=letters("a A w alt v"),
+        indices=letters("a A w alt v"), context=_SWINGS,
     ),
     Quantity(
         "mean of a stress that swings", letters("sigma tau S T M F P"),
         words(r"(?:mean|average)\s+(?:stress|torque|load|moment|force)|mittelspannung|平均応力"),
         ((upper_stress + lower_stress) / 2,), ("factor", "edit", "part"),
         mistakes=(upper_stress + lower_stress, (upper_stress - lower_stress) / 2),
-        indices=letters("m M mean"),
+        indices=letters("m M mean"), context=_SWINGS,
     ),
     Quantity(
         "fatigue notch factor", letters("K beta k"),
