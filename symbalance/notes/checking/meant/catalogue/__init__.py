@@ -5,6 +5,7 @@ formula by a route of its own (integrals over the section, eigenvalues, the path
 
     roles         letters and what they stand for, what is known of a quantity
     shaft_roles   more letters, of shafts, mounts and fatigue
+    role_units    the units of what letters stand for
     strength      sections, stresses, beams, springs
     fatigue       stresses that swing, notches, factors of safety
     vibration     natural frequencies, damping, magnification, critical speeds
