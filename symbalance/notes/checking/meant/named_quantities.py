@@ -402,6 +402,7 @@ class NamedQuantities:
         """
         around = self.words.around(chain)
         is_open = around is None or _RELATIVE.search(around.sentence) is not None
+        is_open |= any(map(_may_be_power, names(claim)))
         if is_open or not isinstance(chain.sides[0].node, Name) or decimals(claim):
             return None
         found = self._of_other_dimension(name, claim, knowledge) if is_telling(claim) else None
@@ -614,6 +615,11 @@ class NamedQuantities:
 
         verdict = describe(self.document, chain, 0, decision)
         return add_fix(verdict, self.document, side, decision, known, proves)
+
+
+def _may_be_power(letter: str) -> bool:
+    """Tell whether a letter may be the power of one, typed without its sign: w2 for w²."""
+    return index_of(letter) in ("2", "3", "4") and stem_of(letter) not in ("J", "I", "Theta")
 
 
 def _size_of_vee(words: str) -> int:
