@@ -44,6 +44,8 @@ _HEADING = re.compile(
 """Headings; those of old books stand in the line, "34. Hammer blow.--Let the fraction …"."""
 _SIGNED_HEADING = re.compile(r"(?P<sign>[■□◆◇▼▽◎★☆❖])[ \u3000]?[^\s=≒≈][^=≒≈\n]{0,60}$")
 """A heading of plain text, ■ 水平対向4気筒 say; such lines right below one another are a list."""
+_CAPITALS = re.compile(r"(?:[0-9]{1,2}|[A-Z])[.)]\s+(?=[^=\n]*[A-Z]{3})[^a-z=≈\n]{3,70}$")
+"""A numbered line of plain text in capitals is a heading where nothing stands above it: 3) THE 270."""
 FEWEST_DATA = 2
 """Letters that get their first numbers beside one that has another one before, in data of an example."""
 _BLOCK = "p|h[1-6]|li|[ou]l|d[dtl]|blockquote|div|section|article|table|t[rdh]|pre|figure|hr"
@@ -233,6 +235,11 @@ _ANGLE = re.compile(
     r"(?![A-Za-z])|度)"
 )
 """An angle in a heading, of which a section is: the 270° crank."""
+_TURN = re.compile(
+    r"(?<![\w.,/])(?P<angle>90|180|270|315|360)(?=[\s*#]*$|[\s-](?:crank|twin|kurbel|deg|motor))",
+    re.IGNORECASE,
+)
+"""A part of a turn without a sign at the end of a heading, or before a crank: the 270."""
 _EXCEPT_BEHIND = re.compile(r"[\s$)\]}]{0,4}(?:以外|を除)")
 _SUPPOSED = re.compile(
     r"(?<![A-Za-zÀ-ÿ])(?:would|wäre|wären|würde|würden|hätte)(?![A-Za-zÀ-ÿ])", re.IGNORECASE
@@ -327,6 +334,11 @@ class Sections:
             if _UNDERLINE.match(self._lines[k]) and self._lines[k - 1].strip()
         ]
         marked += self._signed_headings
+        above = ["", *(line.strip() for line in self._lines)]
+        bare = zip(above, self._lines, strict=False)
+        marked += [
+            k for k, (last, line) in enumerate(bare, 1) if not last and _CAPITALS.match(line.strip())
+        ]
         lines = {k + 1 for k in underlined} - set(underlined)
         return sorted(({*marked} - lines) | {*underlined})
 
@@ -814,7 +826,10 @@ class Sections:
         headings = [self.heading_above(n)[: case_words.REACH] for n in (earlier_line, line)]
         before, now = (case_words.engine_of(case_words.ENGINE.search(heading)) for heading in headings)
         if now is None or before is None:
-            angles = [{match["angle"] for match in _ANGLE.finditer(heading)} for heading in headings]
+            angles = [
+                {match["angle"] for pattern in (_ANGLE, _TURN) for match in pattern.finditer(heading)}
+                for heading in headings
+            ]
             is_of_one = all(len(each) == 1 for each in angles)
             return True if is_of_one and angles[0] != angles[1] else None
         return case_words.is_other_engine(before, now)
