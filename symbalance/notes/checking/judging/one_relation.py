@@ -304,7 +304,18 @@ def _judge_step(
     decision = _unless_by_form(state, chain, k, decision)
     verdict = describe(state.document, chain, k, decision)
     verdict = add_fix_of_relation(state, verdict, chain, k, against, decision, knowledge)
-    return note_other_case(state, chain, k, verdict, against, decision, knowledge)
+    verdict = note_other_case(state, chain, k, verdict, against, decision, knowledge)
+    return _settled_by_name(state, chain, k, verdict, knowledge)
+
+
+def _settled_by_name(
+    state: JudgingState, chain: Chain, k: int, verdict: Verdict, knowledge: Knowledge
+) -> Verdict | Decision:
+    """Return the verdict on what is at odds with lines above: by what its words name, if they do."""
+    if verdict.decision is None or not verdict.decision.at_odds:
+        return verdict
+    by_name = _as_anything_named(state, chain, k, knowledge)
+    return verdict if by_name is None or _is_left_open(by_name) else by_name
 
 
 def _by_words_of_motion(

@@ -286,6 +286,15 @@ class EnginesInWords:
         return replace(engine, stars=stars)
 
 
+def engines_of_label(words: str) -> list[NamedEngine]:
+    """Return the engines that a cell names, which may be called by their number alone: four, 180°.
+
+    >>> [(engine.cylinders, engine.words) for engine in engines_of_label("six, 120°")]
+    [(6, 'the six')]
+    """
+    return EnginesInWords(f"the {words.strip(' *_$')}").mentions
+
+
 def is_another_engine(before: NamedEngine, now: NamedEngine) -> bool:
     """Tell whether two mentions are of two engines: other cylinders or banks, another twin's crank."""
     is_other_twin = bool(before.turn and now.turn and before.turn != now.turn)

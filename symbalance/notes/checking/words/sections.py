@@ -18,12 +18,14 @@ from symbalance.notes.checking.words.case_labels import case_named
 from symbalance.notes.checking.words.engines_in_words import (
     EnginesInWords,
     NamedEngine,
+    engines_of_label,
     is_another_engine,
 )
 from symbalance.notes.checking.words.glossary import glossary_of
 from symbalance.notes.checking.words.items import item_end
 from symbalance.notes.checking.words.listed_cases import item_of_cases
 from symbalance.notes.checking.words.phrases_in_order import PhrasesInOrder
+from symbalance.notes.checking.words.table_cells import TableCells
 from symbalance.notes.checking.words.value_groups import in_next_groups
 from symbalance.notes.checking.words.working_cycles import (
     is_another_cycle,
@@ -731,6 +733,24 @@ class Sections:
         has_same = column < len(cells) and cells[column].strip(" $").startswith(own)
         return has_same and column > 1 and first != second and "=" not in first + second
 
+    def _is_in_cell_of_another_engine(self, chain: Chain, earlier_line: int) -> bool:
+        """Tell whether a letter's formula stands in a cell of another engine than the earlier one."""
+        own = self._engines_of_cell(chain.start)
+        earlier = [c for c in self.chains_of(chain.sides[0].node) if c.start < chain.start]
+        earlier = [c for c in earlier if earlier_line in c.lines] if own else []
+        before = self._engines_of_cell(earlier[-1].start) if earlier else frozenset()
+        return bool(before) and not own & before
+
+    def _engines_of_cell(self, place: int) -> frozenset[tuple[int, bool, int]]:
+        """Return the engines that the row or the column of a table's cell is of."""
+        cell = self._table_cells.at(place)
+        labels = () if cell is None else cell.labels
+        return frozenset(engine.key for label in labels for engine in engines_of_label(label.text))
+
+    @cached_property
+    def _table_cells(self) -> TableCells:
+        return TableCells(self.document.text)
+
     def is_labelled_item(self, line: int) -> bool:
         """Tell whether a line is an item of a list that begins with the angle that it is for."""
         return _LABELLED_ITEM.match(self._lines[line - 1]) is not None
@@ -738,6 +758,8 @@ class Sections:
     def names_another_case(self, chain: Chain, earlier_line: int) -> bool:
         """Tell whether a relation's own words name other strokes, another engine, another row's case."""
         if self._names_another_cycle(chain, earlier_line) or self._is_in_another_row(chain, earlier_line):
+            return True
+        if self._is_in_cell_of_another_engine(chain, earlier_line):
             return True
         end = self.start_of_line(earlier_line + 1) if earlier_line < len(self._lines) else chain.start
         starts = self._by_start[0]

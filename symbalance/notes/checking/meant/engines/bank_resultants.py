@@ -66,8 +66,10 @@ _SAMPLES = (Fraction(3, 10), Fraction(7, 10), Fraction(11, 10))
 _PLACES = 9
 """To which factors are compared that come from floating-point numbers."""
 _SLIPS = (2.0, 0.5, sqrt(2.0), sqrt(0.5), sqrt(3.0), sqrt(1 / 3), 4.0, 0.25)
+_BISECTED = r"bisect|winkelhalbierend|二等分|bissectrice|bisectriz|bisettrice|bissetriz"
+_FROM_A_BISECTOR = re.compile(_BISECTED, re.IGNORECASE)
 _FROM_THE_MIDDLE = re.compile(
-    r"bisect|winkelhalbierend|symmetr|二等分|between\s+the\s+(?:banks|cylinders)|bissectrice|bisectriz|bisettrice"
+    rf"{_BISECTED}|symmetr|between\s+the\s+(?:banks|cylinders)"
     r"|(?:measured|counted|reckoned)\s+from\s+the\s+vertical|(?:\\pm|±)\s*\$?\s*(?:\\?[a-z]+|[0-9])",
     re.IGNORECASE,
 )
@@ -101,11 +103,13 @@ _BANKS = r"(?:(?<![A-Za-z])V(?![A-Za-z])|\bvee\b|\bbanks?\b|V[形型]|Gabel|Bank
 _ANGLE = re.compile(
     rf"{_DEGREES.format('a')}[^.=。\n]{{0,20}}?{_BANKS}|{_BANKS}[^.=。\n]{{0,30}}?{_DEGREES.format('b')}"
     rf"|\\ang\{{(?P<c>45|60|72|75|90|120)\}}[^.=。\n]{{0,20}}?{_BANKS}"
+    rf"|^\W{{0,4}}(?:\\item)?\W{{0,3}}{_DEGREES.format('e')}\W{{0,3}}:|^\W*(?:the\s+)?\W{{0,2}}{_DEGREES.format('f')}\W{{1,3}}(?:engine|motor|twin)"
     rf"|(?P<letter>[α-ωΑ-Ω]|\\[a-z]+)\s*\$?\s*=\s*\$?\s*{_DEGREES.format('d')}",
     re.IGNORECASE,
 )
 _DIGITS = re.compile(r"[0-9]|[({]?I{1,2}[)}]?(?![A-Za-z])")
 """The order in a letter's index: X1 and X2, F_y^{(2)}."""
+_ORDER_LETTERS = frozenset({"n", "k", "h", "nu", "m", "j"})
 _CRANK_ANGLES = frozenset({"theta", "phi", "varphi", "t"})
 
 
@@ -149,12 +153,23 @@ class BankResultants:
         if k or not isinstance(head, Name) or chain.relations[0].sign not in "=≈":
             return None
         claims = self.resultants.claims
-        if not claims.engines.has_banks(0, len(self._text)) or head.name in knowledge.letters:
+        if head.name in knowledge.letters or not self._is_of_banks(chain, knowledge):
             return None
         own = next(self._resolved(chain.sides[1], knowledge), None)
         if own is None or _FROM_ELSEWHERE.search(claims.section(chain)):
             return None
         return (self._by_letter if own.bank else self._by_number)(chain, own, knowledge)
+
+    def _is_of_banks(self, chain: Chain, knowledge: Knowledge) -> bool:
+        """Tell whether the page speaks of banks, or has both components of an angle between them."""
+        if self.resultants.claims.engines.has_banks(0, len(self._text)):
+            return True
+        right = {
+            (each.bank, each.wave.function)
+            for each in self._others(chain, knowledge)
+            if any(_scale(each, each.wave.function, half) == 1 for half in (1.0, 0.5))
+        }
+        return any((bank, _OTHER[function]) in right for bank, function in right)
 
     def _by_letter(
         self, chain: Chain, own: _Component, knowledge: Knowledge
@@ -184,13 +199,30 @@ class BankResultants:
         heading = claims.sections.heading_above(chain.lines[0])
         if _OF_MORE.search(f"{heading} {sentence}") or _OF_LESS.search(f"{sentence} {heading}"):
             return None
-        angle = self._angle(chain, own)
+        angle = self._angle_given(chain, knowledge) or self._angle(chain, own)
         if not angle or not self._is_from_the_middle(chain, section, angle, knowledge):
             return None
-        return self._at_angle(chain, own, angle, sentence)
+        is_directed = _DIRECTED.search(sentence) is not None or self._is_of_rule(chain, own, knowledge)
+        return self._at_angle(chain, own, angle, is_directed=is_directed)
+
+    def _is_of_rule(self, chain: Chain, own: _Component, knowledge: Knowledge) -> bool:
+        """Tell whether a letter has a right component for any angle above: Y_1 where Y_n has one."""
+        head = chain.sides[0].node
+        return isinstance(head, Name) and any(
+            isinstance(other.sides[0].node, Name)
+            and _stem(other.sides[0].node.name) == _stem(head.name)
+            and any(
+                each.bank
+                and each.wave.function == own.wave.function
+                and any(_scale(each, each.wave.function, half) == 1 for half in (1.0, 0.5))
+                for each in self._resolved(other.sides[1], knowledge)
+            )
+            for other in self.resultants.words.document.chains
+            if other.relations and other.start < chain.start
+        )
 
     def _at_angle(
-        self, chain: Chain, own: _Component, angle: int, sentence: str
+        self, chain: Chain, own: _Component, angle: int, *, is_directed: bool
     ) -> Verdict | Decision | None:
         """Return the verdict on a component whose banks are some degrees apart."""
         text = f"the banks are {angle}° apart, two cylinders on one pin"
@@ -203,7 +235,6 @@ class BankResultants:
         factor = own.factors[0]
         if same(factor, abs(expected), own.rounding):
             return self._proved(chain, own, text) if expected else None
-        is_directed = _DIRECTED.search(sentence) is not None
         if same(factor, abs(other), own.rounding):
             is_open = same(factor, 1, own.rounding) and not is_directed
             return None if is_open else self._refuted(chain, own, "function", 1.0, text)
@@ -288,7 +319,7 @@ class BankResultants:
 
     def _resolved(self, side: Side, knowledge: Knowledge) -> Iterator[_Component]:
         """Yield a formula as a component of two banks' forces, if it is one product of that kind."""
-        node = without_dots(side.node)[0]
+        node = _of_second_order(without_dots(side.node)[0])
         calls = [
             p for p in walk(node) if isinstance(p, Call) and p.function in _WAVES and names(p.argument)
         ]
@@ -319,6 +350,21 @@ class BankResultants:
             yield _Component(order, product.wave, factors, bank, parts, product, product.rounding)
             return
 
+    def _angle_given(self, chain: Chain, knowledge: Knowledge) -> int:
+        """Return the angle between the banks where a line gives it, or its half, a number."""
+        angles: set[int] = set()
+        for other in self._others(chain, knowledge):
+            given = knowledge.definitions.get(other.bank)
+            if given is None or names(given.node):
+                continue
+            try:
+                degrees = product_of(given.node).number * 180 / pi
+            except NoProductError:
+                continue
+            halves = (half for half in (1.0, 0.5) if _scale(other, other.wave.function, half))
+            angles |= {round(2 * half * degrees) for half in halves}
+        return angles.pop() if len(angles) == 1 else 0
+
     def _angle(self, chain: Chain, own: _Component) -> int:
         """Return the one angle between two banks that the nearest words name, 0 for none or several."""
         claims = self.resultants.claims
@@ -334,7 +380,7 @@ class BankResultants:
                 letter = (match["letter"] or "").removeprefix("\\")
                 is_crank = letter in turning or any(plain_letter(n) == letter for n in turning)
                 if not is_crank:
-                    angles.add(int(match["a"] or match["b"] or match["c"] or match["d"]))
+                    angles |= {int(match[group]) for group in "abcdef" if match[group]}
             if angles:
                 return angles.pop() if len(angles) == 1 else 0
         return 0
@@ -342,6 +388,8 @@ class BankResultants:
     def _is_from_the_middle(self, chain: Chain, section: str, angle: int, knowledge: Knowledge) -> bool:
         """Tell whether the crank angle is counted from the line between the banks."""
         if _FROM_THE_MIDDLE.search(section):
+            return True
+        if _FROM_A_BISECTOR.search(self._text) and not _FROM_ELSEWHERE.search(self._text):
             return True
         for other in self._others(chain, knowledge):
             if other.bank and any(_scale(other, other.wave.function, half) for half in (1.0, 0.5)):
@@ -397,6 +445,20 @@ class BankResultants:
         verdict = describe(document, chain, 0, Decision(REFUTED, reason, witness=decision.witness))
         repair = Repair(kind, target, ((side.node, target),), 1.0)
         return replace(verdict, fix=fix_of(repair, document, side))
+
+
+def _stem(name: str) -> str:
+    """Return a letter without its order: X of X_1 and X^II, F_y of F_y,2."""
+    return _DIGITS.sub("", name).rstrip("_, nk")
+
+
+def _of_second_order(node: Formula) -> Formula:
+    """Return a formula that is given for any order n as that of order 2, others as they are."""
+    waves = [part for part in walk(node) if isinstance(part, Call) and part.function in _WAVES]
+    turning = frozenset[str]().union(*(names(wave.argument) for wave in waves))
+    orders = sorted(turning & _ORDER_LETTERS)
+    is_general = len(orders) == 1 and len(turning) > 1
+    return substitute(node, orders[0], Number(Fraction(2))) if is_general else node
 
 
 def _scale(own: _Component, function: str, half: float) -> float:

@@ -20,14 +20,19 @@ from symbalance.notes.checking.meant.meant_words import MeantWords
 from symbalance.notes.checking.words.accuracies import introduces_aid, without_accuracies
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
 from symbalance.notes.checking.words.eights_in_banks import eight_named
-from symbalance.notes.checking.words.engines_in_words import CrankStar, EnginesInWords, NamedEngine
+from symbalance.notes.checking.words.engines_in_words import (
+    CrankStar,
+    EnginesInWords,
+    NamedEngine,
+    engines_of_label,
+)
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END, bare
 from symbalance.notes.checking.words.working_cycles import strokes_named
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
-FORCE, COUPLE = "force", "couple"
+FORCE, COUPLE, TORQUE = "force", "couple", "torque"
 _ORDER = re.compile(
     "|".join(
         rf"(?P<n{n}>(?<![A-Za-z0-9.])(?:{pattern}))"
@@ -91,6 +96,11 @@ _AND = re.compile(r"\b(?:and|und|et|y|ed?|en)\b")
 _NO_WORD = re.compile(
     r"(?:[\W\d_]|すなわち|よって|したがって|\b(?:so|thus|hence|i\.e|also|d\.h|donc)\b)*", re.IGNORECASE
 )
+_LABEL_OF_ORDER = re.compile(
+    r"[\s$(]*([1246]|I{1,2}|IV|VI)[\s.$):]*(?:st|nd|th|\.?\s?order|\.\s?Ordnung|次)?[\s$)]*$"
+)
+"""What the first cell of a row is, where the first column is of orders."""
+_ROMAN = {"I": "1", "II": "2", "IV": "4", "VI": "6"}
 _MOST = 400
 _FEWEST_TOGETHER = 2
 _INDEXED = frozenset({"M", "C", "F", "P", "R", "K"})
@@ -179,6 +189,10 @@ class EngineClaims:
     def _line_starts(self) -> list[int]:
         return [0, *(k + 1 for k, c in enumerate(self._text) if c == "\n"), len(self._text)]
 
+    def may_name(self, chain: Chain) -> bool:
+        """Tell whether the page names an engine, or a relation stands in a table, whose labels may."""
+        return bool(self.engines.every) or self.words.cells.at(chain.start) is not None
+
     def claim(self, name: str, chain: Chain) -> EngineClaim | None:
         """Return what words say of the formula that a letter is given; None where they leave it open."""
         if name.startswith("Delta_") or name.endswith("_rms"):
@@ -205,9 +219,14 @@ class EngineClaims:
             order, source = 1, before
         kind = kind or (FORCE if VECTORS.search(sentence) else "")
         kind = kind or _kind_by_letter(name) or _kind_in(heading, name)
-        if not order or not kind or _TORQUE.search(f"{before} {source}") or not _fits_index(name, order):
+        if self._is_of_torque(name, chain, f"{before} {source}"):
+            order, kind = (order or index_of(name)) if _ORDER_WORD.search(before) else 0, TORQUE
+        if not order or not kind or not _fits_index(name, order):
             return None
         engine = self._engine(chain, start, end)
+        by_labels = self._engine_of_cell(start) if is_inferred else None
+        if by_labels is not None and index_of(name):
+            is_inferred, source = False, by_labels[1]
         if engine is None:
             engine, is_inferred = self._nearest_engine(chain, start, end), True
         if engine is None:
@@ -219,6 +238,13 @@ class EngineClaims:
         return EngineClaim(
             engine, order, kind, words, own, sentence, around, is_rotating, is_inferred, is_sum, clause
         )
+
+    def _is_of_torque(self, name: str, chain: Chain, words: str) -> bool:
+        """Tell whether a letter is said to be a torque, or is one where its section has nothing else."""
+        if _TORQUE.search(words) or _kind_by_letter(name) != COUPLE or _COUPLE.search(words):
+            return _TORQUE.search(words) is not None
+        section = self.section(chain)
+        return _TORQUE.search(section) is not None and _COUPLE.search(section) is None
 
     def _order_by_index(self, name: str, chain: Chain) -> int:
         """Return the order that a letter's index says, or the wave of its formula; 0 for none.
@@ -289,13 +315,12 @@ class EngineClaims:
 
     def _words_around(self, chain: Chain, start: int, end: int) -> tuple[str, str, str, str]:
         """Return the clause before a formula, words behind it, its sentence, and its own part of it."""
-        start = self._opening(start)
-        first, last = self._sentence(start, end)
-        if _NO_WORD.fullmatch(self._text, first, start):  # a sentence of its own, of what is said before
-            first = self._sentence(max(first - 2, 0), first)[0]
+        start, first, last = self._with_introduction(start, end)
         others = [c for c in self.words.document.chains if c is not chain and c.relations]
         earlier = max((c.end for c in others if first <= c.end <= start), default=first)
         later = min((c.start for c in others if end <= c.start < last), default=last)
+        if (cell := self.words.cells.at(start)) is not None:
+            earlier = min(max(earlier, cell.start), start)
         before = without_accuracies(self._text[earlier:start])
         clause = re.split(rf"[,;:、](?=\s|\$)|{_AND.pattern}", before)
         before = next((c for c in clause[:0:-1] if _ORDER_WORD.search(c)), before)
@@ -304,6 +329,17 @@ class EngineClaims:
         behind, own = self._text[end : min(later, end + 90)], self._text[earlier:start]
         following = _AND.split(behind)[0]
         return before, following, self._text[first:last], f"{own} {behind}"
+
+    def _with_introduction(self, start: int, end: int) -> tuple[int, int, int]:
+        """Return where a formula's words end, and where its sentence begins and ends.
+
+        A formula that is a sentence of its own is of what the one before says.
+        """
+        start = self._opening(start)
+        first, last = self._sentence(start, end)
+        if _NO_WORD.fullmatch(self._text, first, start):
+            first = self._sentence(max(first - 2, 0), first)[0]
+        return start, first, last
 
     def _opening(self, start: int) -> int:
         """Return where the words end that a formula is set off from, by a line of its own or by signs."""
@@ -316,9 +352,11 @@ class EngineClaims:
         cell = self.words.cells.at(start)
         if cell is None:
             return ""
-        number = cell.row.strip(" $.")
-        is_order = number in ("1", "2", "4", "6") and _ORDER_WORD.search(cell.rows)
-        return f"order {number}" if is_order else cell.row
+        number = _LABEL_OF_ORDER.match(cell.row)
+        is_order = number is not None and _ORDER_WORD.search(cell.rows)
+        return (
+            f"{cell.rows} order {_ROMAN.get(number[1], number[1])}" if number and is_order else cell.row
+        )
 
     def _sentence(self, start: int, end: int) -> tuple[int, int]:
         floor = max(0, start - _MOST)
@@ -336,9 +374,14 @@ class EngineClaims:
         heading_end = at[min(self.sections.section_start(line), len(at) - 1)]
         title_end = at[min(3, len(at) - 1)]
         scopes = [
-            self._sentence(start, end), (at[self.sections.paragraph_start(line) - 1], start),
+            self._sentence(start, end), self._with_introduction(start, end)[1:],
+            (at[self.sections.paragraph_start(line) - 1], start),
             (section, heading_end), (section, start), (0, min(title_end, start)),
         ]  # fmt: skip
+        by_labels = self._engine_of_cell(start)
+        if by_labels is not None:
+            engine, near = by_labels
+            return engine and self._with_cranks(engine, start, (section, section_end), near, near)
         for number, (first, last) in enumerate(scopes):
             named = _without_units(self.engines.between(first, last), start)
             if number == 1 and _OF_SOME.search(self._text, *scopes[0]):
@@ -348,14 +391,33 @@ class EngineClaims:
             if not named:
                 continue
             engine = _only_one(named)
-            if engine is None or (number > 2 and _only_one(self.engines.between(0, start)) is None):
+            if engine is None or (number > 3 and _only_one(self.engines.between(0, start)) is None):
                 return None
-            title = "" if number < 4 and section > 0 else self._text[:title_end]
+            title = "" if number < 5 and section > 0 else self._text[:title_end]
             around = f"{title}\n{self._text[section:heading_end]}"
             cell = self.words.cells.at(start)
             near = (cell and cell.row) or self._text[slice(*self._sentence(start, end))]
             return self._with_cranks(engine, start, (section, section_end), around, near)
         return None
+
+    def _engine_of_cell(self, start: int) -> tuple[NamedEngine | None, str] | None:
+        """Return the engine that the row or the column of a table's cell is of, with their words.
+
+        No engine where other columns are of engines; None where the table's labels name none.
+        """
+        cell = self.words.cells.at(start)
+        if cell is None:
+            return None
+        near = " ".join(label.text for label in cell.labels)
+        named = [(engines_of_label(label.text), label) for label in cell.labels]
+        found = [(each, label) for mentions, label in named for each in mentions]
+        if not found:
+            is_of_others = any(engines_of_label(label.text) for label in cell.others)
+            return (None, near) if is_of_others and cell.column else None
+        engine = _only_one([each for each, _ in found])
+        if engine is None or EnginesInWords(near).has_banks(0, len(near)):
+            return None, near
+        return replace(engine, place=found[0][1].span[0]), near
 
     def _nearest_engine(self, chain: Chain, start: int, end: int) -> NamedEngine | None:
         """Return the engine that the nearest sentence before a relation names, and alone."""

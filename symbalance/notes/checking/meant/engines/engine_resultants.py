@@ -37,6 +37,7 @@ from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.meant.engines.engine_claims import (
     COUPLE,
     FORCE,
+    TORQUE,
     VECTORS,
     WHOLE,
     EngineClaim,
@@ -127,6 +128,7 @@ _MASS_OF_ONE = re.compile(
     re.IGNORECASE,
 )
 _SUMMED = re.compile(r"\\sum|Σ|∑|_\{?[ijk]\b")
+_TORQUE_ORDERS = (1, 2, 3, 4)
 _FEWEST_TERMS = _EITHER = 2
 _ALL_OF = {
     2: re.compile(
@@ -192,7 +194,7 @@ class EngineResultants:
             return None
         value = without_dots(chain.sides[1].node)[0]
         is_open = (is_sum or head.name not in knowledge.letters) and head.name not in names(value)
-        claim = self.claims.claim(head.name, chain) if is_open and self.claims.engines.every else None
+        claim = self.claims.claim(head.name, chain) if is_open and self.claims.may_name(chain) else None
         meaning = knowledge.meanings.get(head.name, "")
         if claim is None or not claim.engine.stars or _is_of_another_engine(meaning, claim):
             return None
@@ -200,7 +202,7 @@ class EngineResultants:
         is_second = not claim.words and head.name in knowledge.definitions
         if is_second or self._turns_otherwise(value, knowledge):
             return None
-        if not names(value):
+        if claim.kind == TORQUE or not names(value):
             return self._vanishing(head.name, claim, value)
         # the formula is of any size: λ = 36.5/125 is still the crank ratio
         formulas = {n: d for n, d in knowledge.definitions.items() if not d.numeric or n == head.name}
@@ -328,6 +330,8 @@ class EngineResultants:
             yield "the rod is long"
 
     def _vanishing(self, name: str, claim: EngineClaim, value: Formula) -> Decision | None:
+        if claim.kind == TORQUE:
+            return self._vanishing_torque(name, claim, value)
         if VECTORS.search(claim.sentence):
             return self._phasor_sum(name, claim, value)
         if not isinstance(value, Number) or value.value or _PART.search(claim.sentence):
@@ -339,6 +343,24 @@ class EngineResultants:
             reason = "; ".join((f"if {self._assumption(name, claim)}", *self._star(claim)))
             return Decision(REFUTED, f"{reason}: the {claim.kind}s of order {claim.order} do not cancel")
         return None
+
+    def _vanishing_torque(self, name: str, claim: EngineClaim, value: Formula) -> Decision | None:
+        """Return the decision on an order of the torque that is said to vanish: each crank has its own.
+
+        One cylinder's inertia torque has the orders 1 to 4.
+        """
+        is_zero = isinstance(value, Number) and not value.value
+        stars = claim.engine.stars
+        if not is_zero or claim.order not in _TORQUE_ORDERS or any(star.banks for star in stars):
+            return None
+        sizes = {replace(star, signs=()).force(claim.order) for star in stars}
+        text = f"{plain_letter(name)} is order {claim.order} of the whole engine's torque ({NOBODY})"
+        if sizes == {0}:
+            return Decision(PROVED, assumptions=(text, *self._star(claim)))
+        if 0 in sizes or _PART.search(claim.sentence) or _BALANCED.search(claim.around):
+            return None
+        reason = "; ".join((f"if {text}", *self._star(claim)))
+        return Decision(REFUTED, f"{reason}: the torques of order {claim.order} do not cancel")
 
     def _phasor_sum(self, name: str, claim: EngineClaim, value: Formula) -> Decision | None:
         """Return the decision on a number for the sum of the unit phasors of an order."""
