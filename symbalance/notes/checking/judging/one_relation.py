@@ -594,6 +594,7 @@ def _as_meant(
         outcome = outcome or decide_firing_interval(state.engine_resultants.claims, chain, k)
         outcome = outcome or decide_order_frequency(state.engine_resultants.claims, chain, k)
         outcome = outcome or refute_lever_arm(state.engine_resultants.claims, chain, k)
+        outcome = outcome or state.cylinder_forces.judge(chain, k)
     if outcome is None and definition.status == DEFINITION:
         outcome = state.meant.judge(chain, k, knowledge)
     elif outcome is None:

@@ -36,6 +36,7 @@ from symbalance.notes.checking.declared.symbol_roles import (
 from symbalance.notes.checking.declared.symbols import meaning_of
 from symbalance.notes.checking.meant.engine_speeds import speeds_of
 from symbalance.notes.checking.meant.engines.bank_resultants import BankResultants
+from symbalance.notes.checking.meant.engines.cylinder_forces import CylinderForces
 from symbalance.notes.checking.meant.engines.dead_centre_sizes import DeadCentreSizes
 from symbalance.notes.checking.meant.engines.engine_resultants import EngineResultants
 from symbalance.notes.checking.meant.engines.formulas_beside import FormulasBeside
@@ -177,6 +178,11 @@ class JudgingState:
     def bank_resultants(self) -> BankResultants:
         """The forces of two cylinders on one pin."""
         return BankResultants(self.engine_resultants)
+
+    @cached_property
+    def cylinder_forces(self) -> CylinderForces:
+        """The forces of single cylinders, counted in one direction."""
+        return CylinderForces(self.engine_resultants.claims)
 
     @cached_property
     def formulas_beside(self) -> FormulasBeside:

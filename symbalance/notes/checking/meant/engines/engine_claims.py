@@ -265,6 +265,11 @@ class EngineClaims:
         """Return the engine that a relation is of, None where words name none or several."""
         return self._engine(chain, chain.start, chain.end)
 
+    def listed(self, chain: Chain) -> CrankAngles | None:
+        """Return the crank angles that the page lists for a relation, of engines with two banks too."""
+        same = self.sections.same_section
+        return listed_at(self._crank_lists, chain.start, self._text, same, of_pins=True)
+
     def sentence(self, chain: Chain) -> str:
         """Return the sentence that a relation stands in, with what stands before a display."""
         first, last = self._sentence(self._opening(chain.start), chain.end)
