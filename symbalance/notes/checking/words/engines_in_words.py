@@ -24,7 +24,9 @@ _WORDS = {
     4: "four vier quatre cuatro quattro quatro fyra fire cztero čtyř quadri tetra четырёх четырех 四 4",
     5: "five fünf cinq cinco cinque vijf fem pięcio pěti penta пяти 五 5",
     6: "six sechs seis sei zes sex sześcio šesti esa шести 六 6",
+    7: "seven sieben sept siete sette sete zeven sju siedmio sedmi семи 七 7",
     8: "eight acht huit ocho otto oito åtta ośmio osmi восьми 八 8",
+    9: "nine neun neuf nueve nove negen nio dziewięcio devíti девяти 九 9",
     10: "ten zehn dix diez 十 10",
     12: "twelve zwölf douze doce 十二 12",
     16: "sixteen sechzehn 16",
@@ -37,9 +39,10 @@ _ONE_OF_MANY = (
     r"|cylindr(?:ow|ig)|válc|цилиндров|気筒|シリンダ"
 )
 _SEVERAL = r"cylinders|zylindern?|cylindres|cilindros|cilindri|cilinders|cylindrów|cylindrar|цилиндрами"
-_MACHINE = r"(?:engines?|motor\w*|moteurs?|machine|maschine|silnik|двигатель)\W+(?:\w+\W+){0,2}?"
+_GAP = r"(?:[^\w\n]|\n(?!\s*\n))+"
+_MACHINE = rf"(?:engines?|motor\w*|moteurs?|machine|maschine|silnik|двигатель){_GAP}(?:\w+{_GAP}){{0,2}}?"
 _MENTION = re.compile(
-    rf"(?<![A-Za-z0-9.,])(?P<line>Reihen|Boxer|Parallel)?[-\s]?(?P<count>{_ANY})[-\s]?(?:{_ONE_OF_MANY})"
+    rf"(?<![A-Za-z0-9.,])(?P<line>Reihen|Boxer|Parallel)?[-\s]?(?P<count>{_ANY})(?:-\n|[-\s])?(?:{_ONE_OF_MANY})"
     rf"|(?<![A-Za-z])(?:une?|le|du|el|del|il|um|o)\s+(?P<latin>{_ANY})[-\s](?:cylindres|cilindros"
     rf"|cilindri)"
     rf"|{_MACHINE}(?P<many>{_ANY})[-\s]?(?:{_SEVERAL})"
@@ -61,11 +64,19 @@ _MENTION = re.compile(
 )
 _BANKS = re.compile(
     r"(?<![A-Za-z])(?:V|W|VR)(?:[-\s]?(?:[0-9]{1,2}(?![0-9])|型)|[-\s](?:engine|twin|motor|four|six|eight))"
-    r"|(?<![A-Za-z])(?:banks?|radial|narrow[- ]angle)\b|bankwinkel|Gabelmotor|Sternmotor|gegenkolben"
+    r"|(?<![A-Za-z])(?:banks?|narrow[- ]angle)\b|bankwinkel|Gabelmotor|gegenkolben"
     r"|opposed[\s-]piston"
-    r"|バンク|星[型形]|[VＶ]型|en\s+V\b|a\s+V\b",
+    r"|バンク|[VＶ]型|en\s+V\b|a\s+V\b",
     re.IGNORECASE,
 )
+_RADIAL = re.compile(
+    r"(?<![A-Za-z])radial|sternmotor|星[型形]|en\s+étoile|a\s+stella\b|stellar[ei]|en\s+estrella|em\s+estrela"
+    r"|gwiazdow|hvězdicov|stjärnmotor|stermotor|звездообразн",
+    re.IGNORECASE,
+)
+_IN_ROW = re.compile(r"in-?\s?line|straight|reihe|直列|in\s+linea|en\s+l[ií]|em\s+linha", re.IGNORECASE)
+_HEAD = 400
+"""Characters at the beginning of a page that say what it is about."""
 _BOXER = re.compile(r"boxer|flat[-\s](?:twin|two|four|six|2|4|6)|(?<!horizontally )opposed|horizontally"
                     r"|水平対向|à plat|gegenüberliegend", re.IGNORECASE)  # fmt: skip
 _ODD = re.compile(
@@ -143,13 +154,26 @@ class CrankStar:
     """For opposed cylinders: which way each one's force counts."""
     banks: int = 0
     """The angle between two banks with a cylinder of each on every crank; 0 for one row."""
+    is_radial: bool = False
+    """Whether all cylinders stand at equal angles around one crank."""
 
     def force(self, order: int) -> float:
-        """Return how many times one cylinder's amplitude of an order all of them give."""
+        """Return how many times one cylinder's amplitude of an order all of them give.
+
+        Around one crank each force is two half vectors, which turn with the crank and against it.
+
+        >>> [CrankStar((0,) * 3, is_radial=True).force(order) for order in (1, 2, 3, 4)]
+        [1.5, 1.5, 0.0, 1.5]
+        """
+        if self.is_radial:
+            count = len(self.degrees)
+            return count / 2 if (order - 1) % count == 0 or (order + 1) % count == 0 else 0.0
         return self._size(order, [Fraction(1)] * len(self.degrees))
 
     def couple(self, order: int) -> float:
         """Return the amplitude of the couple of an order over a cylinder's amplitude and the pitch."""
+        if self.is_radial:
+            return 0.0
         count = len(self.degrees)
         return self._size(order, [Fraction(count - 1 - 2 * k, 2) for k in range(count)])
 
@@ -165,6 +189,8 @@ class CrankStar:
     @property
     def text(self) -> str:
         """The angles for an assumption."""
+        if self.is_radial:
+            return f"{len(self.degrees)} equal angles around one crank"
         opposed = ", the cylinders opposed" if self.signs else ""
         opposed = f", two cylinders on each, {self.banks}° apart" if self.banks else opposed
         return ", ".join(f"{float(d):g}°" for d in self.degrees) + opposed
@@ -201,7 +227,8 @@ class EnginesInWords:
 
     def __post_init__(self) -> None:
         named = [named for m in _MENTION.finditer(self.text) if (named := self._named(m))]
-        vees = [NamedEngine(m.start(), m[0], 0, has_banks=True) for m in _BANKS.finditer(self.text)]
+        places = (m for words in (_BANKS, _RADIAL) for m in words.finditer(self.text))
+        vees = [NamedEngine(m.start(), m[0], 0, has_banks=True) for m in places]
         if named and all(each.cylinders == 2 and not each.is_boxer for each in named):
             labels = (
                 NamedEngine(m.start("turn"), "twin", 2, turn=int(m["turn"]))
@@ -263,6 +290,13 @@ class EnginesInWords:
         behind = _turn_told(self.text[end : end + 2 * _BESIDE])
         return before or behind or _turn_told(self.text[max(line_start, start - _NEAR) : end + _NEAR])
 
+    def _is_radial(self, engine: NamedEngine, around: str) -> bool:
+        """Tell whether an engine's cylinders stand around one pin, by the words near or by the title."""
+        first, last = max(0, engine.place - _NEAR), engine.place + len(engine.words) + _BESIDE
+        if engine.is_boxer or _IN_ROW.search(self.text, first, last):
+            return False
+        return _RADIAL.search(around) is not None or _RADIAL.search(self.text, 0, _HEAD) is not None
+
     def with_stars(
         self, engine: NamedEngine, first: int, last: int, heading: str, near: str
     ) -> NamedEngine:
@@ -270,6 +304,9 @@ class EnginesInWords:
 
         A twin's angle may stand in the words `near` a formula alone: in a sentence, or in a table's row.
         """
+        if self._is_radial(engine, f"{heading}\n{near}"):
+            count = engine.cylinders if engine.cylinders % 2 else 0
+            return replace(engine, stars=(CrankStar((0,) * count, is_radial=True),) if count > 1 else ())
         if engine.cylinders == 2 and not engine.turn and (turn := _turn_told(near)):
             engine = replace(engine, turn=turn)
         around = f"{heading}\n{self.text[first:last]}"
@@ -277,7 +314,7 @@ class EnginesInWords:
         if (
             not stars
             and engine.cylinders == 2
-            and not (_BANKS.search(self.text) or _QUARTER.search(self.text))
+            and not (_BANKS.search(self.text) or _RADIAL.search(self.text) or _QUARTER.search(self.text))
         ):
             stars = (CrankStar((0, 180)), CrankStar((0, 0)))
         is_told = _FLAT.search(f"{heading}\n{near}") is not None

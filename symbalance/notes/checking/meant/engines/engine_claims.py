@@ -143,7 +143,7 @@ class EngineClaim:
         stars = self.engine.stars
         is_even = self.kind == FORCE and not self.order % 2 and not self.is_rotating
         phases = {degrees * self.order % 360 for star in stars for degrees in star.degrees}
-        return is_even and phases == {0} and not any(star.signs for star in stars)
+        return is_even and phases == {0} and not any(star.signs or star.is_radial for star in stars)
 
     def size(self, star: CrankStar) -> float:
         """Return how many times one cylinder's amplitude it is with one crankshaft."""
@@ -448,7 +448,7 @@ class EngineClaims:
         engine = self.engines.with_stars(engine, *section, around, near)
         listed = listed_at(self._crank_lists, start, self._text, self.sections.same_section)
         is_other = listed is None or listed.is_by_firing or len(listed.degrees) != engine.cylinders
-        if listed is None or is_other or engine.is_boxer:
+        if listed is None or is_other or engine.is_boxer or any(s.is_radial for s in engine.stars):
             return engine
         return replace(engine, stars=(CrankStar(listed.degrees),))
 

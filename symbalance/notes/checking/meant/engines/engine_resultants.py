@@ -163,6 +163,14 @@ _OF_ANOTHER = re.compile(
 )
 
 
+_SPEED = re.compile(
+    r"(?:twice|double|two\s+times|doppelte[rn]?|zweifache[rn]?)\s+(?:the\s+)?(?:crank(?:shaft)?|engine|kurbel(?:wellen)?)?"
+    r"[\s-]*(?:speed|drehzahl|geschwindigkeit)|(?:crank(?:shaft)?|engine)[\s-]+speed|2\s?倍の(?:速度|速さ|回転)",
+    re.IGNORECASE,
+)
+"""Words for how fast something turns, which make no multiple of a force."""
+
+
 @dataclass
 class EngineResultants:
     """Judges the free forces and couples of named engines on one page."""
@@ -351,7 +359,7 @@ class EngineResultants:
         """
         is_zero = isinstance(value, Number) and not value.value
         stars = claim.engine.stars
-        if not is_zero or claim.order not in _TORQUE_ORDERS or any(star.banks for star in stars):
+        if not is_zero or claim.order not in _TORQUE_ORDERS or any(s.banks or s.is_radial for s in stars):
             return None
         sizes = {replace(star, signs=()).force(claim.order) for star in stars}
         text = f"{plain_letter(name)} is order {claim.order} of the whole engine's torque ({NOBODY})"
@@ -385,7 +393,9 @@ class EngineResultants:
         stars = claim.engine.stars
         fitting = [s for s in stars if amount is not None and abs(claim.size(s) - amount) < _NEARLY]
         shown = fitting[:1] or (stars if len(stars) == _EITHER else stars[:1])
-        yield f"the cranks are at {' or at '.join(s.text for s in shown)} (“{claim.engine.words}”)"
+        what = "cylinders" if any(star.is_radial for star in shown) else "cranks"
+        words = " ".join(claim.engine.words.split())
+        yield f"the {what} are at {' or at '.join(s.text for s in shown)} (“{words}”)"
 
     def _may_accuse(
         self,
@@ -400,12 +410,13 @@ class EngineResultants:
     ) -> bool:
         """Tell whether the words leave no other meaning under which a formula is right."""
         is_of_other = claim.is_inferred and not self._is_of_no_other(claim, product, sizes, first)
-        if is_of_other or _IN_A_CASE.search(claim.sentence):
+        if is_of_other or _IN_A_CASE.search(_SPEED.sub("", claim.sentence)):
             return False
         if slip != "factor":
             return not _OF_ANOTHER.search(claim.sentence)
         own = f"{claim.words} {claim.own} {claim.clause if claim.is_inferred else ''}"
         own = _ALL_OF.get(claim.engine.cylinders, _NONE).sub("", own.replace(claim.engine.words, ""))
+        own = _SPEED.sub("", own)
         is_part = any(words.search(own) for words in (_PART, _OF_ONE)) or _BALANCED.search(claim.around)
         is_part = is_part or _SHARE.search(claim.around) is not None
         is_part = is_part or _TOTAL_MASS.search(self._text) is not None
