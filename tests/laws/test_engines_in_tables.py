@@ -93,3 +93,28 @@ def test_words_before_a_display_name_its_engine_before_the_title_does(wrong):
         f"F2 = {2 if wrong else 4} λ F cos 2φ\n"
     )
     assert words(page)[-1] == ("refuted" if wrong else "conditional")
+
+
+TITLED = (
+    "---\ntitle: {title}\nlang: it\n---\n\n# {title}\n\n"
+    "Le manovelle stanno a 0°, 180°, 180° e 0°; per un cilindro "
+    "$F = m r\\omega^2$, $\\lambda = r/l$, con $r = 45$ mm; $p$ è l'interasse.\n\n## Somma\n\n{words}\n"
+)
+
+
+@pytest.mark.parametrize("title", ["Il quattro in linea", "Le quatre en ligne", "Four in line"])
+@pytest.mark.parametrize(
+    ("claim", "right", "wrong"),
+    [
+        (
+            r"La forza del secondo ordine: $F_{II} = 4{}m r\omega^2\cos 2\theta$.",
+            r"\lambda ",
+            r"\lambda^2 ",
+        ),
+        ("Il momento del primo ordine ha ampiezza $M_I = {}$.", "0", "2F p"),
+    ],
+)
+def test_a_title_below_front_matter_names_the_engine_of_each_section(title, claim, right, wrong):
+    page = TITLED.replace("{title}", title)
+    assert words(page.replace("{words}", claim.replace("{}", right)))[-1] == "conditional"
+    assert words(page.replace("{words}", claim.replace("{}", wrong)))[-1] == "refuted"

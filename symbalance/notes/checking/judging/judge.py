@@ -575,8 +575,10 @@ class Judge:
         if verdict.verdict not in (*PROVED_WORDS, REFUTED, CONTRADICTION, UNDECIDED, CONDITION):
             return verdict
         is_of_units = verdict.verdict == REFUTED and (verdict.reason or "").startswith("dimensions: ")
-        if is_of_units or self.table_rows.has_judged(chain):
-            return verdict  # no other number has another unit, and a row has its own
+        is_of_words = verdict.verdict == REFUTED and NOBODY in (verdict.reason or "")
+        is_of_words = is_of_words and bool(names(chain.sides[k + 1].node))
+        if is_of_units or is_of_words or self.table_rows.has_judged(chain):
+            return verdict  # no other number has another unit, a row has its own, and a formula none
         knowledge = self.state.knowledge(chain.lines[0])
         if verdict.verdict in PROVED_WORDS:
             there = refuted_by_nearest(self.state, chain, k, knowledge)

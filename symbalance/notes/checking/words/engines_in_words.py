@@ -49,7 +49,7 @@ _MENTION = re.compile(
     r"|(?<![A-Za-z])(?P<kind>in-?line|straight|flat|boxer|cross-?plane|flat-plane|reihen|直列|並列"
     r"|水平対向)"
     rf"[-\s]?(?P<behind>{_ANY}(?<!one))(?![0-9A-Za-z])(?![.,][0-9])"
-    r"|(?<![A-Za-z])(?P<row>three|four|five|six|eight)[-\s]in[-\s]line"
+    rf"|(?<![A-Za-z])(?P<row>{_ANY})[-\s](?:in[-\s]line(?:a\b)?|en\sl(?:igne|ínea)\b|em\slinha\b)"
     rf"|(?<![A-Za-z])(?<!\se\s)(?<!\set\s)(?<!\sy\s)(?<!und\s)(?<!and\s)(?<!ou\s)(?<!\so\s)(?P<lined>{_ANY})\s(?:{_SEVERAL})\s(?:in\sline[a]?|en\sl[ií](?:nea|gne)|em\slinha|in\sReihe)"
     r"|(?<![A-Za-z0-9_\\{$])(?P<code>[RIL])-?(?P<coded>[2-68])(?![0-9A-Za-z_}]|\s*[=^(*/]|[.,][0-9])"
     rf"|^[#=][^\n]{{0,60}}?(?<![A-Za-z])(?P<titled>{_ANY})[-\s](?:cylinders|pots|zylinder)(?![A-Za-z])"

@@ -102,6 +102,8 @@ _LABEL_OF_ORDER = re.compile(
 """What the first cell of a row is, where the first column is of orders."""
 _ROMAN = {"I": "1", "II": "2", "IV": "4", "VI": "6"}
 _MOST = 400
+_TITLE, _FURTHEST_TITLE = 3, 12
+"""Lines that may hold a page's title, and before which its first heading stands."""
 _FEWEST_TOGETHER = 2
 _INDEXED = frozenset({"M", "C", "F", "P", "R", "K"})
 """Letters of forces and couples whose index may be an order."""
@@ -184,6 +186,12 @@ class EngineClaims:
     @property
     def _text(self) -> str:
         return self.words.document.text
+
+    @cached_property
+    def _last_of_title(self) -> int:
+        """The last line of the title: that of the first heading, where that stands a little below."""
+        first = next(iter(self.sections.heading_lines), 0)
+        return first if _TITLE < first <= _FURTHEST_TITLE else _TITLE
 
     @cached_property
     def _line_starts(self) -> list[int]:
@@ -377,7 +385,7 @@ class EngineClaims:
         section = at[self.sections.section_start(line) - 1]
         section_end = at[min(self.sections.section_end(line), len(at) - 1)]
         heading_end = at[min(self.sections.section_start(line), len(at) - 1)]
-        title_end = at[min(3, len(at) - 1)]
+        title_end = at[min(self._last_of_title, len(at) - 1)]
         scopes = [
             self._sentence(start, end), self._with_introduction(start, end)[1:],
             (at[self.sections.paragraph_start(line) - 1], start),
@@ -396,7 +404,7 @@ class EngineClaims:
             if not named:
                 continue
             engine = _only_one(named)
-            if engine is None or (number > 3 and _only_one(self.engines.between(0, start)) is None):
+            if engine is None or (number > 3 and _only_one(self._of_several(start)) is None):
                 return None
             title = "" if number < 5 and section > 0 else self._text[:title_end]
             around = f"{title}\n{self._text[section:heading_end]}"
@@ -404,6 +412,10 @@ class EngineClaims:
             near = (cell and cell.row) or self._text[slice(*self._sentence(start, end))]
             return self._with_cranks(engine, start, (section, section_end), around, near)
         return None
+
+    def _of_several(self, start: int) -> list[NamedEngine]:
+        """Return the mentions before a place of engines with more than one cylinder."""
+        return [named for named in self.engines.between(0, start) if named.cylinders != 1]
 
     def _engine_of_cell(self, start: int) -> tuple[NamedEngine | None, str] | None:
         """Return the engine that the row or the column of a table's cell is of, with their words.
