@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from symbalance.checking import check as check_page
 from symbalance.notes.checking import check
 
 RODS = "The ratio lam of the crank radius to the rod:\n\n    short rod:  lam = 1.74/5.70 = 0.305\n"
@@ -40,3 +41,28 @@ def test_what_two_hands_or_two_labels_say_is_no_contradiction(tmp_path, text, is
     path.write_text(f"{text}\n", encoding="utf-8")
     words = [v.verdict for v in check(path, fixes=False).verdicts]
     assert ("refuted" not in words and "contradiction" not in words) == is_right, words
+
+
+AROUND = [
+    (".txt", "              F = (W/g)*r*cos theta   lb.            (1)", ["definition"]),
+    (".txt", "              F = (W/g)*r*sin theta,                 (2)", ["definition"]),
+    (".txt", "     r*sin 2 theta = 2*r*sin theta*cos theta,        (3)", ["holds"]),
+    (".txt", "     r*sin 2 theta = r*sin theta*cos theta   in.     (3)", ["refuted"]),
+    (".md", "## c) δ = 270°", ["definition"]),
+    (".md", "**a) r = 40 mm, l = 150 mm**", ["definition", "definition"]),
+    (".md", "a) r = 40 mm\n\nb) 2r = 80 mm\n\n(c) 2r = 90 mm", ["definition", "holds", "refuted"]),
+    (".md", "- (i) r = 40 mm\n- (ii) r/2 = 20 mm", ["definition", "holds"]),
+    (".tex", r"\[ \sin^2 x = \tfrac12(1-\cos 2x): \]", ["holds"]),
+    (".tex", r"\[ \sin^2 x = \tfrac12(1+\cos 2x): \]", ["refuted"]),
+    (".tex", r"\[ 1 + q = \frac{q^2-1}{q-1} \qquad (q \text{ not equal to one}). \]", ["holds"]),
+    (".tex", r"\[ 1 + q = \frac{q^2+1}{q-1} \qquad (q \text{ not equal to one}). \]", ["refuted"]),
+]
+
+
+@pytest.mark.parametrize(("ending", "text", "expected"), AROUND)
+def test_labels_units_numbers_and_words_around_a_formula_are_no_part_of_it(
+    tmp_path, ending, text, expected
+):
+    path = tmp_path / f"page{ending}"
+    path.write_text(f"{text}\n", encoding="utf-8")
+    assert [link["verdict"] for link in check_page(path).data()["links"]] == expected

@@ -23,3 +23,49 @@ def test_an_angular_speed_is_that_of_the_turns(power, verdict):
     last = sb.check(page, {}).data()["links"][-1]
     assert last["verdict"] == verdict
     assert "ω = 2π n" in (last["assumption"] or last["reason"])
+
+
+OPEN_LETTERS = {
+    "sum": (
+        "The inertia is $J = J_1 + J_2 = 0.8$ kg m², $\\Omega = 150$ 1/s.\n\n$J\\Omega^2 = {}$",
+        "18000",
+        "16000",
+    ),
+    "quotient": (
+        "Stiffness $k = \\frac{{G I_p}}{{L}} = 2.0\\cdot 10^5$ N m/rad. The disc: $J = 0.5$ kg m².\n\n"
+        "$\\omega = \\sqrt{{k/J}} = {}$ rad/s",
+        "632.5",
+        "623.5",
+    ),
+    "quotient with its numbers": (
+        "Steifigkeit $k = \\frac{{G I_p}}{{L}} = \\frac{{8\\cdot 10^{{10}}\\cdot 4\\cdot 10^{{-7}}}}{{0.5}}$ "
+        "N m/rad, und mit $J = 0.25$ kg m² wird\n\n$\\omega = \\sqrt{{k/J}} = {}$ rad/s",
+        "506",
+        "560",
+    ),
+    "product": (
+        "F_1 = m r ω² = 11.6 kN par cylindre, et λ = 0.25.\n\n4 λ F_1 = {} kN",
+        "11.6",
+        "12.6",
+    ),
+    "product in Japanese": (
+        "荷重 $F = m r ω^2 = 8.0$ kN。クランク腕 $e = 30$ mm。\n\n$M = F e = {}$ N m",
+        "240",
+        "2400",
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", OPEN_LETTERS)
+@pytest.mark.parametrize("is_wrong", [False, True])
+def test_a_number_for_a_formula_of_open_letters_is_the_value_of_its_letter(kind, is_wrong):
+    """J = J_1 + J_2 = 0.8 gives J its value, though nobody gives J_1 or J_2 any."""
+    page, right, wrong = OPEN_LETTERS[kind]
+    last = sb.check(page.format(wrong if is_wrong else right) + "\n", {}).data()["links"][-1]
+    assert last["verdict"] in (("refuted",) if is_wrong else ("holds", "holds_to_order", "conditional"))
+
+
+def test_the_formula_of_open_letters_still_counts():
+    page = "$F_1 = m r \\omega^2 = 11.6$ kN.\n\n$4 F_1 = {} m r \\omega^2$\n"
+    verdicts = [sb.check(page.format(n), {}).data()["links"][-1]["verdict"] for n in (4, 2)]
+    assert verdicts == ["holds", "refuted"]

@@ -55,3 +55,61 @@ def test_numbers_put_into_a_wrong_formula_are_wrong_only_if_they_are_others(radi
     page = SHAFTS + numbers + " With $r_b = 15$ mm we need $m_b = 5.31/15 = 0.354$ kg.\n"
     words = [verdict.verdict for verdict in check(page).verdicts]
     assert words.count("refuted") == refuted  # of other numbers their result is
+
+
+CARRIED = {
+    "a sum of masses": (
+        "Piston, pin and rings: $m_P = 410 + 95 + 30 = 545$ g. With $m_1 = 0.160$ kg the whole is"
+        "\n\n$m_P + m_1 = {}$ kg",
+        "0.705",
+        "0.715",
+    ),
+    "a round number": (
+        "$m = 0,5$ kg, $r = 0,04$ m, $\\lambda = 0,25$: $F = m r \\cdot 400^2 = 3400$ N, also"
+        "\n\n$\\lambda F = {}$ N",
+        "850",
+        "890",
+    ),
+    "a formula": (
+        "Moment of inertia of the solid disc: $J = m R^2$\n\nKinetic energy of the disc\n\n"
+        "$T = J w^2/2 = {}$",
+        "m R^2 w^2/2",
+        "m R^2 w^2/3",
+    ),
+    "a derivative": (
+        "$x = r(1 - \\cos φ) + \\frac{{λ r}}{{4}}(1 - \\cos 2φ)$ is the displacement, φ = ωt.\n\n"
+        "Differentiated: $\\dot x = r ω (\\sin φ + λ \\sin 2φ)$\n\n"
+        "$\\ddot x = r ω^2 (\\cos φ + {} λ \\cos 2φ)$",
+        "2",
+        "3",
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", CARRIED)
+@pytest.mark.parametrize("is_carried", [True, False])
+def test_what_is_computed_from_a_refuted_line_is_no_second_error(kind, is_carried):
+    page, carried, other = CARRIED[kind]
+    word, assumption = last_verdict(page.format(carried if is_carried else other))
+    assert (word, "which is refuted" in assumption) == (
+        ("conditional", True) if is_carried else ("refuted", False)
+    )
+
+
+def test_a_wrong_formula_once_more_is_wrong_once_more():
+    page = "Moment of inertia of the solid disc: $J = m R^2$\n\nOnce more, $J = m R^2$ for this disc.\n"
+    words = [verdict.verdict for verdict in check(page, SYMBOLS).verdicts]
+    assert words[0] == "refuted"
+    assert words[1] not in ("holds", "conditional")
+
+
+@pytest.mark.parametrize(("secondary", "refuted"), [("240", 1), ("280", 2)])
+def test_a_number_from_a_wrong_one_of_its_row_is_no_second_error(secondary, refuted):
+    page = (
+        "With $\\lambda = 0.3$ the amplitudes are $F_1 = m r ω^2$ and $F_2 = \\lambda F_1$.\n\n"
+        "| n in rpm | primary | secondary |\n|---|---|---|\n| 1000 | $F_1 = 400$ N | $F_2 = 120$ N |\n"
+        f"| 2000 | $F_1 = 800$ N | $F_2 = {secondary}$ N |\n"
+        "| 3000 | $F_1 = 3600$ N | $F_2 = 1080$ N |\n| 4000 | $F_1 = 6400$ N | $F_2 = 1920$ N |\n"
+    )
+    words = [verdict.verdict for verdict in check(page, {}).verdicts]
+    assert words.count("refuted") == refuted

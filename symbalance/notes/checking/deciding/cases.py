@@ -58,6 +58,7 @@ MANY_WAVES = 3
 """Waves of a sum that is said to vanish for all angles; two may be an equation to be solved."""
 UNITS_LEFT_OUT = "the numbers are in units that are left out"
 NUMBERS_PUT_IN = "numbers put in"
+GIVE_IT = "here: give what is put in"
 NO_VALUES = "no values satisfy it, as far as tried"
 NO_POINT = "no point where both sides are real"
 ON_A_BRANCH = "equal at some points and not at others: say for which values it is meant"
@@ -218,7 +219,7 @@ def _decide_put_in(left: Formula, right: Formula, refutation: Decision, knowledg
         by_turns = _by_turns(left, right, missing[0], knowledge)
         return by_turns or Decision(PREMISE, f"it fixes {texts}, which {have} above")
     if pairs is None:
-        return replace(refutation, status=UNDECIDED, reason=f"{texts} {have} here: give what is put in")
+        return replace(refutation, status=UNDECIDED, reason=f"{texts} {have} {GIVE_IT}")
     if (other := _other_constant(left, right, knowledge)) is not None:
         stands, put = (formula_text(node, plain=True) for node in other)
         return replace(refutation, reason=f"{put} is put in for {stands}")

@@ -12,6 +12,7 @@ from symbalance.document.formula import Call, Formula, Name, Number, names, part
 from symbalance.document.letters import plain_letter
 from symbalance.errors import SymbalanceError
 from symbalance.notes.algebra.tree_values import letters_with_behind, names_behind
+from symbalance.notes.checking.deciding.cases import GIVE_IT, NUMBERS_PUT_IN
 from symbalance.notes.checking.deciding.congruences import decide_congruence
 from symbalance.notes.checking.deciding.descriptions import (
     describe,
@@ -115,7 +116,10 @@ from symbalance.notes.checking.steps.open_cases import (
     past_cases,
     without_cases,
 )
-from symbalance.notes.checking.steps.rates_with_numbers import with_numbers_of_rates
+from symbalance.notes.checking.steps.rates_with_numbers import (
+    with_numbers_of_open_letters,
+    with_numbers_of_rates,
+)
 from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_minute
 from symbalance.notes.checking.steps.scaled_in_words import scaled_in_words
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
@@ -282,6 +286,9 @@ class Judge:
             head = chain.sides[0].node
             if k and verdict.reason.endswith(NO_VALUES_HERE) and isinstance(head, Name):
                 self.state.definitions.define(head.name, chain.sides[k + 1].node, chain)  # F = Σ F_i = …
+            if _puts_numbers_in(chain, k, verdict) and isinstance(head, Name):
+                number = chain.sides[k + 1].node
+                self.state.definitions.open_numbers[head.name] = number, chain.lines[0]
             if not k and BETWEEN_NUMBERS in verdict.assumption and isinstance(head, Name):
                 self.state.definitions.define(head.name, chain.sides[1].node, chain)
             self.state.given_numbers.note(chain, k, verdict)
@@ -428,17 +435,25 @@ class Judge:
         return verdict if carried is None else describe(self.document, chain, k, carried)
 
     def _with_numbers_of_rates(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
-        """Return a verdict; one that is not proved is judged with the numbers that rates have above."""
+        """Return a verdict; one that is not proved is judged with the numbers that rates have above.
+
+        So is one with the numbers of letters whose formulas have no values. These refute nothing that
+        is open for more than the lack of values.
+        """
         if verdict.verdict not in (REFUTED, UNDECIDED):
             return verdict
-        numbered, words = with_numbers_of_rates(self.state, chain, k)
-        if not words:
-            return verdict
-        there = self._link_in_scope(numbered, k, k, bad=False)
-        if there.verdict in PROVED_WORDS:
-            assumption = "; ".join(filter(None, (there.assumption, *words)))
-            return replace(there, verdict=CONDITIONAL, assumption=assumption)
-        return there
+        is_for_lack = verdict.verdict == UNDECIDED and verdict.reason.endswith((GIVE_IT, DECLARE_IT))
+        for with_numbers, is_sure in (
+            (with_numbers_of_rates, True),
+            (with_numbers_of_open_letters, is_for_lack),
+        ):
+            numbered, words = with_numbers(self.state, chain, k)
+            there = self._link_in_scope(numbered, k, k, bad=False) if words else verdict
+            if there.verdict in PROVED_WORDS:
+                assumption = "; ".join(filter(None, (there.assumption, *words)))
+                return replace(there, verdict=CONDITIONAL, assumption=assumption)
+            verdict = there if is_sure else verdict
+        return verdict
 
     def _of_its_case(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict; a number that replaces one of the case before is a premise of its case."""
@@ -916,6 +931,13 @@ def _turned(node: Formula) -> frozenset[str]:
     turning = ("sin", "cos", "tan")
     calls = (part for part in parts_of_kind(node, Call) if part.function in turning)
     return frozenset(name for call in calls for name in names(call.argument))
+
+
+def _puts_numbers_in(chain: Chain, k: int, verdict: Verdict) -> bool:
+    """Tell whether a letter's formula gets a number that no line gives the letters in it."""
+    is_premise = verdict.verdict == PREMISE and verdict.reason.startswith(NUMBERS_PUT_IN)
+    is_open = verdict.verdict == UNDECIDED and verdict.reason.endswith(GIVE_IT)
+    return k > 0 and not names(chain.sides[k + 1].node) and (is_premise or is_open)
 
 
 def _lone_letters(chain: Chain, k: int) -> Iterator[str]:

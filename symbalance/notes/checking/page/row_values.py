@@ -146,7 +146,8 @@ def _beside(row: Row, first: Row, ratio: float) -> Judged:
     if gap <= (row.half + first.half * abs(ratio)) * (1 + _NEAR):
         return Judged(row, Decision(PROVED, assumptions=(text,)), gap)
     witness = {"left": f"{expected:.4g}", "right": f"{row.number:.4g}"}
-    return Judged(row, Decision(REFUTED, text, witness=witness), gap)
+    factor = row.number / expected if expected else 0.0
+    return Judged(row, Decision(REFUTED, text, witness=witness), gap, factor)
 
 
 def _same_ratio(pairs: list[tuple[float | None, float | None]]) -> float | None:

@@ -21,7 +21,7 @@ from operator import attrgetter
 from typing import NamedTuple
 
 from symbalance.document.formula import Formula, Name, Number, names, walk
-from symbalance.notes.checking.deciding.equality import REFUTED, Decision
+from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.page.page_data import bare_cell, number_in_cell
@@ -78,6 +78,8 @@ class TableRows:
     document: ReadNotes
     _decided: dict[tuple[int, str], dict[int, Decision]] = field(default_factory=dict)
     _judged: set[int] = field(default_factory=set)
+    _ratios: dict[int, float] = field(default_factory=dict)
+    """What the refuted numbers are over their formulas' values, by where they begin."""
 
     def judge(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
         """Return the decision on a letter's number in a row of a table; None elsewhere."""
@@ -91,7 +93,22 @@ class TableRows:
             self._decided[key] = {}  # a search that is given up is not begun again at each row
             self._decided[key] = self._of_table(place.table, head.name, knowledge)
             self._judged |= self._decided[key].keys()
-        return self._decided[key].get(chain.start)
+        decision = self._decided[key].get(chain.start)
+        return decision and self._unless_carried(chain, place.row, decision)
+
+    def _unless_carried(self, chain: Chain, row: list[Cell], decision: Decision) -> Decision:
+        """Return a decision; F_2 = λ F_1 that goes on with a wrong F_1 of its row is no second slip."""
+        ratio = self._ratios.get(chain.start, 0.0)
+        if decision.status != REFUTED or not ratio:
+            return decision
+        first = row[0].span[0]
+        for start, other in self._ratios.items():
+            if first <= start < chain.start and other and abs(other / ratio - 1) < _SAME:
+                text = (
+                    f"{decision.reason.split(';')[0]}, as what stands before it there, which is refuted"
+                )
+                return Decision(PROVED, order="the digits printed", assumptions=(text,))
+        return decision
 
     def has_judged(self, chain: Chain) -> bool:
         """Tell whether a relation was judged as a row: its number is of that row alone."""
@@ -140,7 +157,11 @@ class TableRows:
             # where all letters have numbers, a common factor of all rows is no open one
             judged += [of_numbers] if of_numbers else by_ratios(rows, formula, name, knowledge)
         best = max(judged, key=lambda each: sum(one.decision.is_proved for one in each), default=[])
-        return dict(_outcomes(best))
+        outcomes = dict(_outcomes(best))
+        for each in best:
+            if outcomes[each.row.chain.start].status == REFUTED:
+                self._ratios[each.row.chain.start] = each.ratio
+        return outcomes
 
     def _formulas_of(self, name: str, rows: list[Row], knowledge: Knowledge) -> Iterator[Formula]:
         """Yield the formulas that a letter has above its rows, each once."""

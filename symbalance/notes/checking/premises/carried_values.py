@@ -2,21 +2,22 @@
 
 F = m r ω² = 4065 is refuted, 4605 it is. λ F = 0.3·4065 = 1219.5 puts in what the page has: nothing new
 is wrong there, and nobody is accused a second time; it holds with the value of the line before. So does
-m_b r_b = 0.42·0.043/3.4 below m_b r_b = m r/λ, where that is refuted.
+m_b r_b = 0.42·0.043/3.4 below m_b r_b = m r/λ, where that is refuted, T = J ω²/2 = m R² ω²/2 below
+J = m R², and the derivative of a velocity that is wrong. The wrong formula once more is wrong once more.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, Negative, Number, names, walk
+from symbalance.document.formula import Derivative, Formula, Name, Negative, Number, names, walk
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import Decision
-from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import LONG, significant_digits
 from symbalance.notes.checking.deciding.substitution import replace_part
 from symbalance.notes.reading.equations import Chain, Side
@@ -58,9 +59,10 @@ class CarriedValues:
         number = node.operand if isinstance(node, Negative) else node
         of = next((s.node for s in reversed(chain.sides[: k + 1]) if names(s.node)), None)
         head = chain.sides[0].node
-        is_result = isinstance(number, Number) and significant_digits(number) >= LONG
+        name = head.name if isinstance(head, Name) else ""
+        is_long = isinstance(number, Number) and significant_digits(number) >= LONG
+        is_result = is_long or bool(name and not names(node))
         if is_result and of is not None:
-            name = head.name if isinstance(head, Name) else ""
             self.results.append(WrongResult(node, of, name, chain.lines[0]))
         elif isinstance(head, Name) and names(node) and head.name not in names(node):
             self.results.append(WrongResult(node, head, head.name, chain.lines[0]))
@@ -80,7 +82,10 @@ class CarriedValues:
             typed = [
                 part
                 for part in walk(right.node)
-                if isinstance(part, Number) and part is not right.node and _is_same(part, wrong.value)
+                if isinstance(part, Number)
+                and part is not right.node
+                and significant_digits(part) >= LONG
+                and _is_same(part, wrong.value)
             ]
             exact = value_of(wrong.formula) if typed and names(left.node) else None
             if exact:
@@ -91,21 +96,32 @@ class CarriedValues:
                 there = decide(left, replace(right, readings=(node,)), knowledge)
                 if there.is_proved:
                     return replace(there, assumptions=(*there.assumptions, wrong.text))
-            values = {n: d.node for n, d in knowledge.definitions.items()}
-            is_number = not names(wrong.value)
-            if names(right.node) and not is_number:
-                continue  # the same formula once more is wrong once more
-            if not is_number and left.node == wrong.formula:
-                there = decide(replace(left, readings=(wrong.value,)), right, knowledge)
-                if there.is_proved:
-                    return replace(there, assumptions=(*there.assumptions, wrong.text))
-            if wrong.name in names_behind(left.node, values) and wrong.name in knowledge.definitions:
-                earlier = knowledge.definitions[wrong.name]
-                own = replace(earlier, node=wrong.value, numeric=is_number, rounded=None)
-                there = decide(left, right, knowledge.with_definition(wrong.name, own))
+            for known, of_wrong in _with_wrong(wrong, left, right, knowledge):
+                there = decide(replace(left, readings=(of_wrong,)), right, known)
                 if there.is_proved:
                     return replace(there, assumptions=(*there.assumptions, wrong.text))
         return None
+
+
+def _with_wrong(
+    wrong: WrongResult, left: Side, right: Side, knowledge: Knowledge
+) -> Iterator[tuple[Knowledge, Formula]]:
+    """Yield what a left side is with a wrong result for its letter or formula, and what is known then."""
+    values = {n: d.node for n, d in knowledge.definitions.items()}
+    is_number = not names(wrong.value)
+    if not is_number and left.node == wrong.formula and names(wrong.value) <= names(right.node):
+        return  # the same formula once more
+    if not is_number and left.node == wrong.formula:
+        yield knowledge, wrong.value
+    if wrong.name in names_behind(left.node, values):
+        earlier = knowledge.definitions.get(wrong.name) or Definition(wrong.value, wrong.line)
+        own = replace(earlier, node=wrong.value, numeric=is_number, rounded=None)
+        yield knowledge.with_definition(wrong.name, own), left.node
+    rate, above = left.node, wrong.formula
+    if isinstance(rate, Derivative) and isinstance(above, Derivative):
+        is_of_it = (rate.expression, rate.variable) == (above.expression, above.variable)
+        if is_of_it and rate.order > above.order:
+            yield knowledge, Derivative(wrong.value, rate.variable, rate.order - above.order)
 
 
 def _scale(typed: Number, printed: Number) -> Fraction:

@@ -73,6 +73,8 @@ class Definitions:
     open_conditions: dict[str, Premise] = field(default_factory=dict)
     """Conditions on one angle that were stated last: a value given to it next is their solution."""
     _branches: dict[tuple[str, int, int], Definition] = field(default_factory=dict)
+    open_numbers: dict[str, tuple[Formula, int]] = field(default_factory=dict)
+    """Numbers of letters whose formulas are of letters without values, with their lines."""
     solved_from: dict[str, tuple[int, dict[str, Formula | None]]] = field(default_factory=dict)
     """Letters whose number was solved for, with the line and the values of the letters it rests on."""
 

@@ -1,7 +1,7 @@
 """Greek letters written out in plain text, lambda = r/l and cos(2phi), as their signs.
 
-Only where they stand in a formula: beside an operator, a relation or a digit, in brackets, or between
-factors that stand side by side behind a relation, F = sqrt(2) lambda m r.
+Only where they stand in a formula: beside an operator, a relation or a digit, in brackets, behind a
+function, r cos theta, or between factors that stand side by side behind a relation, F = lambda m r.
 """
 
 from __future__ import annotations
@@ -23,6 +23,9 @@ _AFTER = re.compile(
     r"|['′’]{1,3}_\w{1,8}[ \t]*[=≈^*·/+²³<>≤≥)]|[ \t]+-[ \t]"
 )
 _BEFORE = re.compile(r"[0-9=≈*·/+(<>≤≥−][ \t]*$|[ \t]-[ \t]*$")
+_FUNCTION_BEFORE = re.compile(r"(?<![^\W\d_])(?:sin|cos|tan|cot|sec|exp)(?:\^?[0-9²³])?[ \t]+$")
+_LONGEST_FUNCTION = 10
+"""Characters before a name in which a function that it is the argument of begins."""
 _SIGN = re.compile(r"[=≈≒≃]")
 _RUN = re.compile(r"[^\W\d_]{2,}")
 _FACTOR_BEHIND = re.compile(
@@ -59,6 +62,8 @@ def with_greek_words(
     'also λ=r/l, cos(2φ)'
     >>> with_greek_words("sigma_W' = 0.85*sigma_W").text
     "σ_W' = 0.85*σ_W"
+    >>> with_greek_words("is H = b*sin phi,  (3)").text
+    'is H = b*sin φ,  (3)'
     >>> with_greek_words("the angle theta of phi, and theta's cosine") is None
     True
     """
@@ -73,7 +78,9 @@ def with_greek_words(
         before = text[max(start - 4, 0) : start]
         if match["name"] == "psi" and before.rstrip(" ~$")[-1:].isdigit():
             continue  # 120 psi
-        if _AFTER.match(text, end) or _BEFORE.search(before) or is_between_factors(text, start, end):
+        is_argument = _FUNCTION_BEFORE.search(text, max(start - _LONGEST_FUNCTION, 0), start)
+        is_factor = _AFTER.match(text, end) or _BEFORE.search(before)
+        if is_argument or is_factor or is_between_factors(text, start, end):
             rewriter.replace(start, end, _SIGNS[match["name"]])
             has_words = True
     return rewriter.finish() if has_words else None

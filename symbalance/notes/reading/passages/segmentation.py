@@ -46,7 +46,8 @@ from symbalance.notes.reading.units import (
 from symbalance.text import lazy_patterns as re
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
-_BULLET = re.compile(r"\s*(?:\(?(?:[0-9]{1,3}[.)]|(?:[a-h]|i{1,3}|i?v)\))(?=\s))?\s*")
+_ITEM = r"(?:[a-h]|i{1,3}|i?v)\)"
+_BULLET = re.compile(rf"\s*(?:\(?(?:[0-9]{{1,3}}[.)]|{_ITEM})(?=\s))?\s*")
 _LISTED = re.compile(r"(?<!\S)\((?:[a-h]|i{1,3}|i?v)\)(?=[ \t])")
 """Letters that count the answers of a line: (a) 2 + 3 = 5   (b) 7 - 2 = 5."""
 _NUMBER_IN_COLUMN = re.compile(
@@ -54,7 +55,10 @@ _NUMBER_IN_COLUMN = re.compile(
     r"(?=[^\W\d_][\w']{0,8}(?:\([^()\s]{1,8}\))?[ ]*[=≈])"
 )
 """A number at the beginning of a line, in a column of its own: 30    k = 0.966."""
-_MARKDOWN_BULLET = re.compile(r"\s*(?:>\s*)*(?:[-*+]\s+|[0-9]{1,3}[.)]\s+)?\s*")
+_MARKDOWN_BULLET = re.compile(
+    r"\s*(?:>\s*)*(?:#{1,6}[ \t]+)?(?:\*\*|__)?(?:[-*+]\s+|[0-9]{1,3}[.)]\s+)?"
+    rf"(?:\(?{_ITEM}(?=\s))?\s*"
+)
 _DASH = re.compile(r"[-*•]\s+(?=[^\s=])")
 _EXPLAINED = re.compile(
     r"\s*(?:[-*•]\s+)?([^\W\d_](?:_?[A-Za-z0-9]{1,3})?)\s*[:：]\s*([^:=0-9+*/]{2,60})$"
@@ -625,7 +629,7 @@ _MARKS = re.compile(
 )
 """What a formula of an examination is worth, behind it: \\qquad [3], \\hfill (2 marks)."""
 _TRAILING = re.compile(
-    rf"(?:\s|[.,;。、&]|\\end\s*\{{(?!(?:{'|'.join(CELLS)})\*?\}})[A-Za-z]*\*?\}}"
+    rf"(?:\s|[.,;:。、&]|\\end\s*\{{(?!(?:{'|'.join(CELLS)})\*?\}})[A-Za-z]*\*?\}}"
     r"|\\[,;:! ]|\\q?quad|\\nonumber|\\notag"
     r"|\\label\s*\{[^{}]*\}|\\\\|\\hfill|[∴∵⇒⇔⟹⟺→⟶]|\\(?:" + "|".join(_ARROW_COMMANDS) + r"))\Z"
 )
@@ -692,6 +696,10 @@ _CONDITION = re.compile(
 )
 
 
+_SET_WORDS = re.compile(r"\\(?:text[a-z]{0,6}|mbox)\s*\{[^{}]*(?:[^\W\d_]{5}|[^\W\d_]{2}\s+[^\W\d_]{3})")
+"""Words, and no unit: (\\text{no multiple of } N)."""
+
+
 def _with_conditions(text: str, start: int, end: int) -> list[tuple[int, int]]:
     """Return an equation and what the brackets behind it hold, λ = r/l (r = 40 mm, l = 150 mm), apart."""
     first, *inside = _with_condition(text, start, end)
@@ -699,10 +707,14 @@ def _with_conditions(text: str, start: int, end: int) -> list[tuple[int, int]]:
 
 
 def _with_condition(text: str, start: int, end: int) -> list[tuple[int, int]]:
-    """Return an equation and the condition in brackets behind it, = 0 (N ≥ 2), as two."""
+    """Return an equation and the condition in brackets behind it, = 0 (N ≥ 2), as two.
+
+    Words in the brackets are left out.
+    """
     match = _CONDITION.search(text, start, end)
     if match is None or not has_relation(text, *match.span("inside")):
-        return [(start, end)]
+        in_words = match is not None and _SET_WORDS.search(match["inside"])
+        return [(start, match.start())] if match is not None and in_words else [(start, end)]
     if relation_at_start(match["inside"].lstrip()) or not has_relation(text, start, match.start()):
         return [(start, end)]
     return [(start, match.start()), match.span("inside")]
