@@ -124,3 +124,25 @@ For a twin with <math>m = 0.55\ \text{kg}</math>, <math>r = 38\ \text{mm}</math>
 def test_the_result_is_refuted_and_not_the_numbers_put_in(unit, refuted):
     verdicts = _verdicts(COUPLE.replace("UNIT", unit))
     assert [n for n, word in enumerate(verdicts) if word == "refuted"] == [len(verdicts) - 2] * refuted
+
+
+LISTS = [
+    "The forces are $F_1 = m r \\omega^2 = {}$ and $F_2 = \\lambda F_1 = 0.96$ kN.",
+    "Kräfte: $F_1 = m r \\omega^2 = {}$ bzw. $F_2 = \\lambda F_1 = 0.96\\,\\mathrm{{kN}}$.",
+    "On a $F_1 = m r \\omega^2 = {}$, $F_2 = \\lambda F_1 = 0.96$ kN.",
+]
+
+
+@pytest.mark.parametrize("sentence", LISTS)
+@pytest.mark.parametrize(("number", "is_right"), [("3.2", True), ("2.3", False), ("32", False)])
+def test_numbers_of_a_list_have_the_unit_at_its_end(sentence, number, is_right):
+    data = "$m = 0.5$ kg, $r = 40$ mm, $\\omega = 400$ 1/s, $\\lambda = 0.3$.\n\n"
+    links = check(data + sentence.format(number) + "\n", {}).data()["links"]
+    assert (links[-3]["verdict"] == "refuted") is not is_right
+    assert links[-1]["verdict"] in ("holds", "holds_to_order", "conditional")
+
+
+def test_a_number_before_another_sentence_has_no_unit_of_that():
+    page = "$m = 0.5$ kg, $g = 10$ m/s².\n\nSo $G = m g = 0.005$. And then $F = 2 m g = 0.01$ kN.\n"
+    links = check(page, {}).data()["links"]
+    assert links[-3]["verdict"] == "refuted"

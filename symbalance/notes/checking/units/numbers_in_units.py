@@ -59,6 +59,7 @@ from symbalance.notes.checking.units.printed_units import decide_by_printed_unit
 from symbalance.notes.checking.units.rounded_wholes import decide_rounded_wholes
 from symbalance.notes.checking.units.units_above import proved_by_units_above
 from symbalance.notes.checking.units.units_behind import decide_as_counted
+from symbalance.notes.checking.units.units_of_lists import decide_in_unit_of_list
 from symbalance.notes.checking.units.unrounded_numbers import decide_unrounded
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.formulas.result_units import without_unit_of_result
@@ -134,7 +135,7 @@ def _as_meant(
         _put_in_bare, _term_by_term, _rounded_in_its_unit, _between_numbers, _in_unit_of_result,
         _converted, _of_weights, decide_as_counted, _with_numbers_of_units, _with_frequencies,
         _in_unit_behind, _in_unit_of_wrong_result, _by_the_minute, decide_unrounded,
-        decide_rounded_wholes, proved_by_units_above, decide_with_bare_lengths,
+        decide_rounded_wholes, proved_by_units_above, decide_with_bare_lengths, decide_in_unit_of_list,
     ):  # fmt: skip
         there = meant(chain, k, document, knowledge)
         if there is not None and (there.is_proved or meant is _converted):
