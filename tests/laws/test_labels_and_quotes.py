@@ -48,6 +48,16 @@ AROUND = [
     (".txt", "              F = (W/g)*r*sin theta,                 (2)", ["definition"]),
     (".txt", "     r*sin 2 theta = 2*r*sin theta*cos theta,        (3)", ["holds"]),
     (".txt", "     r*sin 2 theta = r*sin theta*cos theta   in.     (3)", ["refuted"]),
+    (
+        ".txt",
+        "order     n (rpm)\n3         60*261/3   = 5220\n4.5       60*261/4.5 = 3480",
+        ["holds"] * 2,
+    ),
+    (
+        ".txt",
+        "order     n (rpm)\n3         60*261/3   = 5220\n4.5       60*261/4.5 = 3840",
+        ["holds", "refuted"],
+    ),
     (".md", "## c) δ = 270°", ["definition"]),
     (".md", "**a) r = 40 mm, l = 150 mm**", ["definition", "definition"]),
     (".md", "a) r = 40 mm\n\nb) 2r = 80 mm\n\n(c) 2r = 90 mm", ["definition", "holds", "refuted"]),
@@ -66,3 +76,24 @@ def test_labels_units_numbers_and_words_around_a_formula_are_no_part_of_it(
     path = tmp_path / f"page{ending}"
     path.write_text(f"{text}\n", encoding="utf-8")
     assert [link["verdict"] for link in check_page(path).data()["links"]] == expected
+
+
+NAMED = "With the mass m, the crank radius r and an arm b :\n\n    F = mrω²\n    M = Fb\n"
+PRODUCTS = [
+    (NAMED + "    2M = 2bmrω²", "holds"),
+    (NAMED + "    2M = bmrω²", "refuted"),
+    ("Energie E = ½Jω², Trägheitsmoment J = ½mR²\n\n    E = ¼mR²ω²", "holds"),
+    ("Energie E = ½Jω², Trägheitsmoment J = ½mR²\n\n    E = ½mR²ω²", "refuted"),
+    ("Torsion: T = τπd³/16.\n\n    2T = πd³τ/8", "holds"),
+    ("圧力 p、面積 A、力 F = pA。\n\n    2F = 2pA", "holds"),
+    ("圧力 p、面積 A、力 F = pA。\n\n    2F = pA", "refuted"),
+]
+
+
+@pytest.mark.parametrize(("text", "expected"), PRODUCTS)
+def test_letters_side_by_side_that_the_page_names_or_no_word_goes_on_with_are_a_product(
+    tmp_path, text, expected
+):
+    path = tmp_path / "page.txt"
+    path.write_text(f"{text}\n", encoding="utf-8")
+    assert check_page(path).data()["links"][-1]["verdict"] == expected

@@ -38,8 +38,8 @@ OPEN_LETTERS = {
         "623.5",
     ),
     "quotient with its numbers": (
-        "Steifigkeit $k = \\frac{{G I_p}}{{L}} = \\frac{{8\\cdot 10^{{10}}\\cdot 4\\cdot 10^{{-7}}}}{{0.5}}$ "
-        "N m/rad, und mit $J = 0.25$ kg m² wird\n\n$\\omega = \\sqrt{{k/J}} = {}$ rad/s",
+        "Steifigkeit $k = \\frac{{G I_p}}{{L}} = \\frac{{80\\cdot 400}}{{0.5}}$"
+        " N m/rad, und mit $J = 0.25$ kg m² wird\n\n$\\omega = \\sqrt{{k/J}} = {}$ rad/s",
         "506",
         "560",
     ),

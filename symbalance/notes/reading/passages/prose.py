@@ -79,8 +79,12 @@ _INTEGRAL = re.compile(r"[∫∮][^=≈<>≤≥\n]*$")
 """What stands before the dx of an integral in plain text."""
 _LONGEST_INTEGRAL = 80
 _LONGEST_FUNCTION = 20
+LONGEST_PRODUCT = 3
+"""Letters that are read as a product beside a Greek one, without being letters of the page."""
 LONGEST_RUN = 2
 """Letters that are read as a product behind a function's bracket without being letters of the page."""
+_GREEK = frozenset(sign for sign in NAME_OF_SIGN if "α" <= sign <= "ω" or sign == "ϕ")
+_BEHIND_PRODUCT, _BEFORE_PRODUCT = _GREEK | {"²", "³"}, _GREEK | frozenset(signs.VULGAR)
 _IN_FUNCTION = re.compile(r"(?<![A-Za-z])(?:sin|cos|tan|cot)\(\s*(?:[0-9.]+\s*\*?\s*)?\Z")
 """What stands before the letters of cos(wt) and sin(2wt), which are no word there."""
 _LONG_WORD = re.compile(r"(?<![\\A-Za-z_])[A-Za-z]{4,}")
@@ -206,7 +210,12 @@ def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules)
         is_run = len(sign) == LONGEST_RUN and sign not in _PLAIN_WORDS
         is_in_function = is_run and is_behind_function(text, piece.start())
         is_derivative = _DERIVATIVE.match(text, piece.start(), end) is not None
-        if is_derivative or is_in_function or _is_differential(sign, text, piece.start()):
+        if (
+            _is_product(sign, text, *piece.span())
+            or is_derivative
+            or is_in_function
+            or _is_differential(sign, text, piece.start())
+        ):
             return True
         own = _OWN_FUNCTION.match(text, piece.start(), end)
         return line.is_mathematical(sign) or (own is not None and own.group() == sign)
@@ -219,6 +228,14 @@ def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules)
         unit = unit_set_at(text, piece.start(), end) if behind else None
         return unit is not None and scale_of(unit[0]) is not None
     return kind != "abbreviation"
+
+
+def _is_product(run: str, text: str, start: int, end: int) -> bool:
+    """Tell whether a run of letters goes on as no word and no unit does: mrω², ωrm, ½mR²."""
+    if not 1 < len(run) <= LONGEST_PRODUCT or run in _PLAIN_WORDS or scale_of(run) is not None:
+        return False
+    before, after = text[start - 1 : start], text[end : end + 1]
+    return after in _BEHIND_PRODUCT or before in _BEFORE_PRODUCT
 
 
 def _is_differential(sign: str, text: str, place: int) -> bool:

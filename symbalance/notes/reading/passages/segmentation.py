@@ -52,9 +52,9 @@ _LISTED = re.compile(r"(?<!\S)\((?:[a-h]|i{1,3}|i?v)\)(?=[ \t])")
 """Letters that count the answers of a line: (a) 2 + 3 = 5   (b) 7 - 2 = 5."""
 _NUMBER_IN_COLUMN = re.compile(
     r"[ \t]*[-−]?[0-9]+(?:[.,][0-9]+)?(?:[ ]?(?:°|deg\.?|rpm))?(?:[ ]{3,}|[ ]*\t\s*)"
-    r"(?=[^\W\d_][\w']{0,8}(?:\([^()\s]{1,8}\))?[ ]*[=≈])"
+    r"(?=[^\W\d_][\w']{0,8}(?:\([^()\s]{1,8}\))?[ ]*[=≈]|[0-9][0-9.,]*[ ]?[*·×/]\s?[0-9(])"
 )
-"""A number at the beginning of a line, in a column of its own: 30    k = 0.966."""
+"""A number at the beginning of a line, in a column of its own: 30    k = 0.966, 4    60*261/4 = 3915."""
 _MARKDOWN_BULLET = re.compile(
     r"\s*(?:>\s*)*(?:#{1,6}[ \t]+)?(?:\*\*|__)?(?:[-*+]\s+|[0-9]{1,3}[.)]\s+)?"
     rf"(?:\(?{_ITEM}(?=\s))?\s*"
@@ -70,6 +70,12 @@ _NAMED_BY_WORDS = re.compile(
 )
 """A letter with its meaning before the sign that gives its value: A = piston area = π d²/4."""
 _DEFINED = re.compile(r"(?<![A-Za-z\\_^{\"'.])([A-Za-z])(?:_\w{1,4})?[ \t]*=(?![=>])")
+_NAMED = re.compile(
+    r"(?:[^\W\d_]{3,}[ \t]+(?=[*_`]?(?![AEIOUaeiouyY])|[*_`]?[A-Z][,;:)])|[\u3040-\u9fff][ \t]?)"
+    r"[*_`]?([A-Za-z])[*_`]?(?=[ ]?[,;:.)、。，]|[ \t]+[^\W\d_]{2}|\s*$)",
+    re.MULTILINE,
+)
+"""A letter that words name, the mass m and the radius r; a vowel between words may be one itself."""
 _PHRASE = re.compile(
     r"(?:^|[.;:,(。、：|\ue000]|(?<=[.;:,])\s|[-*•]\s)\s*(?:(?:The|the|Die|Der|Das|die|der|das|A|An|Our)\s+)?"
     r"(?P<words>[^\W\d_][\w'’-]+(?:[ ]{1,2}[^\W\d_][\w'’-]*){0,6})\s*$",
@@ -148,7 +154,7 @@ class ItemFinder:
         self.kind, self.fences, self.text = source.kind, source.formulas, source.text
         self.breaks = [place for place, sign in enumerate(self.text) if sign in ENDS]
         self._hard_breaks = [place for place in self.breaks if self.text[place] == "\n"]
-        self.own_letters = frozenset(_DEFINED.findall(self.text))
+        self.own_letters = frozenset(_DEFINED.findall(self.text) + _NAMED.findall(self.text))
         self._vocabularies: dict[int, Vocabulary] = {}
         self.failures: list[ReadingError] = []
 
