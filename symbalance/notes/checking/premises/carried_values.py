@@ -111,6 +111,8 @@ def _with_wrong(
     is_number = not names(wrong.value)
     if not is_number and left.node == wrong.formula and names(wrong.value) <= names(right.node):
         return  # the same formula once more
+    if is_number and left.node == Name(wrong.name):
+        return  # the same number once more, perhaps at another place
     if not is_number and left.node == wrong.formula:
         yield knowledge, wrong.value
     if wrong.name in names_behind(left.node, values):

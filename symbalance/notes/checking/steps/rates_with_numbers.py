@@ -32,7 +32,7 @@ def with_numbers_of_open_letters(
 ) -> tuple[Chain, tuple[str, ...]]:
     """Return a chain with the numbers of letters whose formulas are of letters without values, so too."""
     defined, given = state.definitions.at(chain.lines[0]), state.definitions.open_numbers
-    numbers = {
+    numbers: dict[Derivative | Name, tuple[Formula, int] | None] = {
         Name(name): given[name]
         for name in sorted(names(chain.sides[k].node) & given.keys() & defined.keys())
         if defined[name].line == given[name][1] and not defined[name].numeric
