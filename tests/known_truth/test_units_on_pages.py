@@ -61,5 +61,6 @@ def test_units_are_read_where_they_are_meant(page, tmp_path):
 )
 def test_a_quantity_in_two_units_is_their_sum(tmp_path, relation, verdict):
     page = tmp_path / "page.txt"
-    page.write_text(f"The length is such that {relation}\n\nFor the force F = 2.5 lb.\n", encoding="utf-8")
+    text = f"The length is such that {relation}\n\nFor the force F = 2.5 lb.\n"
+    page.write_text(text, encoding="utf-8")
     assert next(v.verdict for v in check(page).verdicts if v.line == 1) == verdict

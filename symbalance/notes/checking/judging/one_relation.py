@@ -288,6 +288,26 @@ def _judge_step(
         )
         if by_units is not None:
             return by_units
+    by_name = _by_names(state, chain, k, decision, knowledge, is_special=by_special is not None)
+    if by_name is not None and not _is_left_open(by_name):
+        return by_name
+    decision = _unless_by_form(state, chain, k, decision)
+    verdict = describe(state.document, chain, k, decision)
+    verdict = add_fix_of_relation(state, verdict, chain, k, against, decision, knowledge)
+    verdict = note_other_case(state, chain, k, verdict, against, decision, knowledge)
+    return _settled_by_name(state, chain, k, verdict, knowledge)
+
+
+def _by_names(
+    state: JudgingState,
+    chain: Chain,
+    k: int,
+    decision: Decision,
+    knowledge: Knowledge,
+    *,
+    is_special: bool,
+) -> Verdict | Decision | None:
+    """Return the verdict on a step by what its words and letters name, None where they name nothing."""
     by_name: Verdict | Decision | None = None
     if decision.is_proved:
         by_name = refute_repeated_interval(state.engine_resultants.claims, chain, k)
@@ -297,15 +317,9 @@ def _judge_step(
         by_name = _by_words_of_motion(state, chain, k, decision, knowledge)
     if by_name is None and decision.status == UNDECIDED:
         by_name = _as_anything_named(state, chain, k, knowledge)
-    if by_name is None and decision.status == REFUTED and by_special is None:
+    if by_name is None and decision.status == REFUTED and not is_special:
         by_name = _as_another_named(state, chain, k, knowledge)
-    if by_name is not None and not _is_left_open(by_name):
-        return by_name
-    decision = _unless_by_form(state, chain, k, decision)
-    verdict = describe(state.document, chain, k, decision)
-    verdict = add_fix_of_relation(state, verdict, chain, k, against, decision, knowledge)
-    verdict = note_other_case(state, chain, k, verdict, against, decision, knowledge)
-    return _settled_by_name(state, chain, k, verdict, knowledge)
+    return by_name
 
 
 def _settled_by_name(

@@ -7,7 +7,8 @@ largest piston speed: vitesse max(?:imale|imum|\.)? §piston
 piston velocity: vitesse (?:instantanée )?§pistons?
 largest piston acceleration: accélération max(?:imale|imum|\.)? §piston
 piston acceleration: accélération (?:instantanée )?§pistons?
-piston displacement: (?:déplacement|descente|chemin(?: parcouru)?|course parcourue|abaissement) (?:§pistons?|par (?:le|chaque) piston)
+piston displacement: (?:déplacement|descente|chemin(?: parcouru)?|abaissement) §pistons?
+piston displacement: (?:course|chemin) parcourue? par (?:le|chaque) piston
 piston position: position §piston
 piston area: (?:surface|section|aire) §piston
 swept volume: cylindrée(?: unitaire)?
