@@ -15,6 +15,14 @@ from symbalance.notes.checking.deciding.substitution import replace_part, substi
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Side
+from symbalance.text import lazy_patterns as re
+
+_CONDITION = re.compile(
+    r"(?<![^\W\d_])(?:when|whenever|once|until|if|wenn|sobald|falls|bis|quand|lorsque|si|quando|se|cuando)[\s$\\(\[]*$",
+    re.IGNORECASE,
+)
+"""Words right before an equation that is to be satisfied."""
+_LONGEST = 16
 
 
 def with_numbers_of_rates(state: JudgingState, chain: Chain, k: int) -> tuple[Chain, tuple[str, ...]]:
@@ -31,6 +39,8 @@ def with_numbers_of_open_letters(
     state: JudgingState, chain: Chain, k: int
 ) -> tuple[Chain, tuple[str, ...]]:
     """Return a chain with the numbers of letters whose formulas are of letters without values, so too."""
+    if _CONDITION.search(state.document.text[max(0, chain.start - _LONGEST) : chain.start]):
+        return chain, ()  # it lifts when B b ω² = 75 000: at another ω
     defined, given = state.definitions.at(chain.lines[0]), state.definitions.open_numbers
     numbers: dict[Derivative | Name, tuple[Formula, int] | None] = {
         Name(name): given[name]

@@ -147,6 +147,13 @@ def thing_of_case(text: str, first: int, start: int) -> frozenset[str]:
 
 _LINE_LABEL = re.compile(r"[ \t>*•·–-]*(?P<words>[^=:：\n]{1,40}?)[ \t*_]{0,4}[:：][\s$*_\\({[]{0,8}$")
 """The words before a colon that a formula's line opens with: long rod:"""
+_LABEL_IN_WORDS = re.compile(
+    r"(?:the|die|der|das|la|le|il|el)\s+(?P<words>[^\W\d_]{3,20}\s+(?:one|formula|expression|value|result|series|method|model"
+    r"|formel|näherung|reihe|rechnung|formule|valeur|série|formula|valore))\s+"
+    r"(?:(?:gives?|yields?|is|says?|gibt|liefert|ergibt|donne|dà|da)\s+)?[\s$\\(]*$",
+    re.IGNORECASE,
+)
+"""Which of two ways to it a value is by: the exact one gives x = 48.0, and the short one x = 47.9."""
 _LABEL_BEHIND = re.compile(
     r"[\s$)\]}]{0,4}(?:\(|(?:for|at|with|bei|beim|für|mit|pour|avec|para|con|per)\s)(?:(?:the|an?|der|die|das|dem|le|la)\s)?"
     r"(?P<words>[^:：,;=$()\n]{2,30}?)\)?(?=\s(?:and|or|but|while|und|oder|et|ou|y|e)\s|[,;]|\.(?:\s|$)|\n|\s*\Z)",
@@ -168,7 +175,8 @@ def label_beside(text: str, start: int, end: int) -> tuple[str, ...]:
     (('long', 'rod'), ('6.00',))
     """
     line = text[text.rfind("\n", 0, start) + 1 : start]
-    label = _LINE_LABEL.fullmatch(line) or _LABEL_BEHIND.match(text, end)
+    label = _LABEL_IN_WORDS.search(text, max(0, start - REACH), start)
+    label = label or _LINE_LABEL.fullmatch(line) or _LABEL_BEHIND.match(text, end)
     if label is None or _WAY.match(label["words"]):
         return ()
     return tuple(token.lower() for token in _TOKEN.findall(label["words"]))
