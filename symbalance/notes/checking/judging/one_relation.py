@@ -67,6 +67,7 @@ from symbalance.notes.checking.steps.another_engine import as_new_extreme
 from symbalance.notes.checking.steps.dead_centres import value_at_dead_centre
 from symbalance.notes.checking.steps.derivatives_in_words import refute_named_rate
 from symbalance.notes.checking.steps.derivatives_set_to_zero import as_zero_of_derivative
+from symbalance.notes.checking.steps.differentiated_above import judge_derivative_of_above
 from symbalance.notes.checking.steps.gravity import decide_with_gravity
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.listed_cases_of_letters import case_of_listed_values, case_of_run
@@ -222,6 +223,7 @@ def _judge_equality(
     definition = definition or _denied(state, chain)
     definition = definition or _for_values(state, chain, k, knowledge)
     definition = definition or refute_named_rate(state, chain, k, knowledge)
+    definition = definition or judge_derivative_of_above(state, chain, k, knowledge)
     definition = definition or as_balance_solution(state, chain, k)
     definition = definition or as_equation_for_angle(state, chain, k, knowledge)
     definition = definition or as_zero_of_derivative(state, chain, k, knowledge)
