@@ -120,6 +120,7 @@ from symbalance.notes.checking.steps.rates_with_numbers import (
     with_numbers_of_open_letters,
     with_numbers_of_rates,
 )
+from symbalance.notes.checking.steps.repeated_formulas import unless_repeated
 from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_minute
 from symbalance.notes.checking.steps.scaled_in_words import scaled_in_words
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
@@ -346,7 +347,10 @@ class Judge:
     def _link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on a relation of which no words say that something else is scaled."""
         leave_product_given_anew(self.state, chain, k)
-        verdict = self._unless_excepted(chain, k, self._link_by_cases(chain, k, sound, bad))
+        verdict = self._link_by_cases(chain, k, sound, bad)
+        again = partial(self._link_in_scope, chain, k, k, bad=False)
+        verdict = unless_repeated(self.state, chain, k, verdict, again)
+        verdict = self._unless_excepted(chain, k, verdict)
         verdict = self._as_one_of_listed(chain, k, verdict)
         verdict = unless_angle_unknown(self.state, chain, k, verdict)
         verdict = unless_offset(self.state, chain, k, verdict)
@@ -673,6 +677,7 @@ class Judge:
             self._judged_last = key, {id(e) for each in entries.values() for e in each}
             return
         for name, each in entries.items():
+            definitions.forget_mended(name, chain.lines[0])
             own = [e for e in each if e.definition.solved and e.definition.line in chain.lines]
             if any(id(e) not in self._judged_last[1] for e in own):
                 definitions.forget(name, chain.lines[0])

@@ -652,7 +652,7 @@ def _remembered(
         if _has_other_number_behind(state, chain, outcome.fix.node, knowledge):
             state.definitions.forget(name.name, chain.lines[0])  # the number goes with the wrong formula
         else:
-            state.definitions.define(name.name, outcome.fix.node, chain)
+            state.definitions.mend(name.name, outcome.fix.node, chain)
         outcome = outcome if state.corrects else replace(outcome, fix=None)
     elif isinstance(outcome, Decision) and outcome.status == REFUTED:
         state.definitions.forget(name.name, chain.lines[0])

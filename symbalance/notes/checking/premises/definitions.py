@@ -45,6 +45,8 @@ class Entry:
     definition: Definition
     scopes: tuple[int, ...]
     last_line: int | None = None
+    is_mended: bool = False
+    """Whether it is what a refuted relation should have said."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,6 +126,23 @@ class Definitions:
         self._add(name, Entry(definition, self.declarations.scopes_of({name, *names(node)}, line), end))
         self._note_case(chain, frozenset({name}))
         return last_line is not None
+
+    def mend(self, name: str, node: Formula, chain: Chain) -> None:
+        """Define a letter as it should be, in the place of what a relation says it is: that is wrong."""
+        own = {id(part) for side in chain.sides for part in (side.node, without_dots(side.node)[0])}
+        entries = [e for e in self.values.pop(name, []) if id(e.definition.node) not in own]
+        if entries:
+            self.values[name] = entries
+        self.define(name, node, chain)
+        self.values[name][-1] = replace(self.values[name][-1], is_mended=True)
+
+    def forget_mended(self, name: str, line: int) -> None:
+        """Forget what a relation on a line should have said of a letter: it is judged again."""
+        entries = [
+            e for e in self.values.pop(name, []) if not (e.is_mended and e.definition.line == line)
+        ]
+        if entries:
+            self.values[name] = entries
 
     def fix(self, constraint: Constraint, chain: Chain, *, is_rod_angle: bool = False) -> None:
         """Define a letter that a relation fixes, perhaps on one branch of several."""

@@ -26,11 +26,11 @@ _NO_THING = re.compile(
     r"|steps?|proofs?|hints?|where|so|then|hence|thus|therefore|total|comparison|formulas?|equations?|overview|general\w*|words?"
     r"|short|brief|terms?|units?|numbers?|numerical\w*|brackets?|form|forms|notation|law|laws|rule|rules|theorem"
     r"|identity|identities|definitions?|approximations?|expansions?|substitutions?|help|hand|^(?:this|that|these|those)|both|all"
-    r"|each|every|any|same|again|(?:first|second|last)(?=\s*$)|finally|above|below|before|earlier|other|simplicity|example|instance"
+    r"|each|every|any|same|again|following|sequel|(?:first|second|last)(?=\s*$)|finally|above|below|before|earlier|other|simplicity|example|instance"
     r"|\w{4,}ed(?=\s*$)|simplification|linearization|differentiation|integration|rearrangement|once|alternatively|instead|exactly|approximately|roughly|methods?|means"
     r"|gegeben|gesucht|lösung|ergebniss?e?|probe|kontrolle|schritt\w*|zusammenfassung|bemerkung|hinweis|also|vergleich|allgemein\w*"
     r"|worten?|kürze|zahlen|klammern?|form|satz|regel|\w*formel|\w*gleichung|näherung|hilfe|dies\w*|beid\w*|all\w*|gleich\w*|daraus"
-    r"|folgt|\w{3,}iert|\w*multipli\w*|\w*setz\w*|umgeformt|beispiel\w*|données|résultats?|général|résumé|étape|formule|règle"
+    r"|folgt|folgende\w*|\w{3,}iert|\w*multipli\w*|\w*setz\w*|umgeformt|beispiel\w*|données|résultats?|général|résumé|étape|formule|règle"
     r"|théorème|cela|ceci|datos|resultados?|paso|regla|fórmula|general|esto)(?![^\W\d_])"
     r"|解|答|結果|まとめ|検算|手順|一般|定義|公式|定理|式|展開|代入|整理|この|その|これ|それ|ここ|上記|近似",
     re.IGNORECASE,
@@ -143,6 +143,77 @@ def thing_of_case(text: str, first: int, start: int) -> frozenset[str]:
     if opened is None or _SPECIAL.search(opened["words"]) or _NO_THING.search(opened["words"]):
         return frozenset()
     return _words_of(opened["words"])
+
+
+_OF_THING = re.compile(
+    r"(?:(?:and|but|while|whereas|und|aber|während|dagegen|et|mais|y|pero|e|ma|now|nun|again|also|then)\s+)?"
+    r"(?:(?:the\s+)?(?:one|ones|that|those|it|der|die|das|celui|celle)\s+)?"
+    r"(?:for|at|in|with|without|on|during|under|after|when|if|about|around|round|over|across|along|through|against|behind|before|between"
+    r"|für|fürs|bei|beim|im|in|mit|ohne|auf|während|nach|wenn|unter|um|über|quer|längs|entlang|durch|vor|hinter|zwischen"
+    r"|pour|dans|avec|sans|en|à|au|aux|sur|lors|autour|suivant|para|con|sin|sobre|alrededor|nel|nella|per|su|intorno)\s+"
+    r"(?P<words>[^:：=]{1,100})",
+    re.IGNORECASE,
+)
+"""Words that say of what a formula is: with a 180° crank, about its end, over a whole turn."""
+_HAS = re.compile(
+    r"(?:(?:and|but|while|whereas|und|aber|während|et|mais|y|e)\s+)?(?P<words>[^:：=]{2,80}?)\s+"
+    r"(?:has|have|had|hat|haben|a|ont|tiene|ha|hanno)(?:\s[^:：=]{0,50})?$",
+    re.IGNORECASE,
+)
+"""What has a quantity: six such cylinders have."""
+_WHERE = re.compile(
+    r"(?<![^\W\d_])(?:without|across|along|under|over|below|above|outside|inside|ohne|quer|längs|entlang|unter|über|außerhalb"
+    r"|innerhalb|sans|hors|à travers|sous|sin|senza|fuori)(?![^\W\d_])",
+    re.IGNORECASE,
+)
+"""Words of place that tell two things apart by themselves: along the cylinder, across it."""
+FEWEST_WORDS = 3
+"""Words of an opening that tell whether it is one of a case."""
+_TELLING = re.compile(r"[0-9]+(?:[.,][0-9]+)?|[^\W\d_]{2,}")
+
+
+def thing_said_anew(
+    text: str, before: tuple[int, int], now: tuple[int, int], first: int
+) -> frozenset[str]:
+    """Return what the words of a formula name that those of the same formula above do not; none for most.
+
+    `before` and `now` are the places of both formulas, `first` where the relation ends before the second.
+
+    >>> page = "For springs in parallel k = a. For springs in series k = a"
+    >>> sorted(thing_said_anew(page, (24, 29), (53, 58), 29))
+    ['series']
+    >>> page = "For springs in parallel k = a. So in parallel k = a"
+    >>> thing_said_anew(page, (24, 29), (46, 51), 29)
+    frozenset()
+    """
+    lead = _SPLIT.split(text[max(first, now[0] - REACH) : now[0]].rstrip(_OPENING))[-1].lstrip(_MARKS)
+    named = ""
+    for pattern, part in ((p, c) for c in (_CLAUSE.split(lead)[-1], lead) for p in (_OF_THING, _HAS)):
+        if (opened := pattern.match(part)) is not None:
+            named = opened["words"]
+            break
+    else:
+        for pattern in (_CASE_BEHIND, _LABEL):
+            if (label := pattern.match(lead)) is not None and not _STEP.match(label["words"]):
+                named = label["words"]
+                break
+    if _NO_THING.search(" ".join(named.split()[:FEWEST_WORDS])) is not None:
+        return frozenset()
+    start = max(0, before[0] - REACH)
+    above = _SPLIT.split(text[start : before[0]].rstrip(_OPENING))[-1]
+    above += " " + re.split(r"[.,;:。]|\n", text[before[1] : now[0]], maxsplit=1)[0]
+    apart = telling_words(named) - telling_words(above)
+    where = {m[0].lower() for m in _WHERE.finditer(lead)} - {m[0].lower() for m in _WHERE.finditer(above)}
+    return apart | where
+
+
+def telling_words(words: str) -> frozenset[str]:
+    """Return the words and numbers that may tell one thing from another.
+
+    >>> sorted(telling_words("the beam has 2 supports"))
+    ['2', 'beam', 'supports']
+    """
+    return frozenset(w.lower() for w in _TELLING.findall(words) if not _LITTLE.fullmatch(w))
 
 
 _LINE_LABEL = re.compile(r"[ \t>*•·–-]*(?P<words>[^=:：\n]{1,40}?)[ \t*_]{0,4}[:：][\s$*_\\({[]{0,8}$")

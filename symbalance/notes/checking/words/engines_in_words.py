@@ -302,12 +302,13 @@ class EnginesInWords:
     ) -> NamedEngine:
         """Return an engine with the cranks that it may have, by the words of its section or page.
 
-        A twin's angle may stand in the words `near` a formula alone: in a sentence, or in a table's row.
+        A twin's angle may stand in the words `near` a formula alone, in a sentence or in a table's row:
+        "in one with a 180° crank" speaks of another twin than the one that the page has named.
         """
         if self._is_radial(engine, f"{heading}\n{near}"):
             count = engine.cylinders if engine.cylinders % 2 else 0
             return replace(engine, stars=(CrankStar((0,) * count, is_radial=True),) if count > 1 else ())
-        if engine.cylinders == 2 and not engine.turn and (turn := _turn_told(near)):
+        if engine.cylinders == 2 and (turn := _turn_told(near)):
             engine = replace(engine, turn=turn)
         around = f"{heading}\n{self.text[first:last]}"
         stars = _stars_of(engine, around)
