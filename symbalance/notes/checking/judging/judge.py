@@ -125,6 +125,7 @@ from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_min
 from symbalance.notes.checking.steps.scaled_in_words import scaled_in_words
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
 from symbalance.notes.checking.steps.series_relations import judge_series
+from symbalance.notes.checking.steps.sizes_in_sentences import with_size_said
 from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_place
 from symbalance.notes.checking.steps.speeds_in_words import at_speed_in_words
 from symbalance.notes.checking.steps.sums_of_phases import unless_phases_remain
@@ -347,7 +348,7 @@ class Judge:
     def _link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on a relation of which no words say that something else is scaled."""
         leave_product_given_anew(self.state, chain, k)
-        verdict = self._link_by_cases(chain, k, sound, bad)
+        verdict = with_size_said(self.state, chain, k, self._link_by_cases(chain, k, sound, bad))
         again = partial(self._link_in_scope, chain, k, k, bad=False)
         verdict = unless_repeated(self.state, chain, k, verdict, again)
         verdict = self._unless_excepted(chain, k, verdict)

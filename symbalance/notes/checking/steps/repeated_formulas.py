@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from symbalance.document.formula import Name
+from symbalance.document.formula import Name, names
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.meant.meant_words import NOBODY
@@ -46,6 +46,8 @@ def unless_repeated(
         anew = describe(state.document, chain, k, Decision(DEFINITION))
     if anew.verdict not in STATED:
         return anew
+    if len(chain.sides) > k + 2 and not names(chain.sides[-1].node):
+        return verdict  # F = m r ω² = 6 kN of another engine's numbers: what is new is the number
     return replace(anew, reason=f"in line {last.lines[0]} it was said of another thing")
 
 

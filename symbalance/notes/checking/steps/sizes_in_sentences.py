@@ -1,0 +1,128 @@
+"""Numbers in the case that their own sentence gives in words: with a mass of 8 kg, at half the speed.
+
+The size has no letter there, and the lines above give the letter of its kind another number. With that
+other number nothing is confirmed here; what is true with the size of the sentence holds with it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import isclose
+
+from symbalance.document.formula import Constant, Formula, Number, Product, names
+from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.checking.deciding.descriptions import describe
+from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.premises.impossible_values import number_of
+from symbalance.notes.checking.steps.another_case import whole_degrees
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.units.dimensions import Dimension, Dimensions, unit_of
+from symbalance.notes.checking.units.own_units import is_angular_speed
+from symbalance.notes.checking.units.sizes_by_words import unit_by_words
+from symbalance.notes.checking.verdicts import PROVED_WORDS, REFUTED, Verdict
+from symbalance.notes.checking.words.sizes_said import SizeSaid, size_said
+from symbalance.notes.reading.equations import Chain
+from symbalance.notes.reading.units import scale_of
+
+_SPEEDS = ("speed", "velocity", "revolutions", "vitesse", "velocità", "velocidad", "drehzahl")
+
+
+def with_size_said(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+    """Return a verdict on a number; one that rests on another size than its sentence says is open."""
+    if not is_lone_number(chain.sides[k + 1].node) or verdict.verdict not in (*PROVED_WORDS, REFUTED):
+        return verdict
+    first = max(state.sections.end_before(chain.start) or 0, 0)
+    sentence = state.sections.sentence_before(chain)
+    words = state.document.text[max(first, chain.start - len(sentence)) : chain.start]
+    said = size_said(words.rstrip(" $\\(["), state.document.text)
+    left = next((side for side in reversed(chain.sides[: k + 1]) if names(side.node)), None)
+    if said is None or left is None:
+        return verdict
+    knowledge = state.knowledge(chain.lines[0])
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    others = _letters_of(said, {*names_behind(left.node, values)}, state, knowledge)
+    for name, number in others.items():
+        there = decide(left, chain.sides[k + 1], chain.relations[k].sign, _known(name, number, knowledge))
+        if there.is_proved:
+            if verdict.verdict in PROVED_WORDS:
+                return verdict
+            end = state.sections.case_end(chain.lines[0])
+            state.definitions.define(name, number, chain, end)
+            held = replace(there, assumptions=(*there.assumptions, f"“{said.text}” is {name}"))
+            return describe(state.document, chain, k, held)
+    is_again = any(_is_same(n, values[name], knowledge) for name, n in others.items())
+    is_open = bool(others) and not is_again and (not said.is_named or _is_repeated(state, chain, k))
+    if verdict.verdict == REFUTED or not is_open:
+        return verdict
+    shown = " and ".join(f"{name} of line {knowledge.definitions[name].line}" for name in others)
+    reason = f"its sentence says “{said.text}”, and it holds with {shown} only"
+    return describe(state.document, chain, k, Decision(UNDECIDED, reason))
+
+
+def _known(name: str, number: Formula, knowledge: Knowledge) -> Knowledge:
+    """Return what is known where a letter has another number; results printed for the old one go."""
+    definitions = {
+        n: replace(d, rounded=None, node=d.node if d.formula is None or not d.numeric else d.formula)
+        for n, d in knowledge.definitions.items()
+    }
+    own = replace(knowledge.definitions[name], node=number, numeric=True, formula=None, assumption="")
+    known = replace(knowledge, definitions=definitions)
+    return known.with_definition(name, replace(own, rounded=None))
+
+
+def _is_repeated(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Tell whether a line above has the same number of the same letter or formula."""
+    above = (c for c in state.sections.chains_of(chain.sides[0].node) if c.end <= chain.start)
+    return any(chain.sides[k + 1].node in [side.node for side in c.sides[1:]] for c in above)
+
+
+def _letters_of(
+    said: SizeSaid, behind: set[str], state: JudgingState, knowledge: Knowledge
+) -> dict[str, Formula]:
+    """Return the letters of the kind of a size that have a number above, with what the size says."""
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    dimensions = Dimensions(knowledge.meanings, values, state.document.text)
+    found: dict[str, Formula] = {}
+    for name in sorted(behind & values.keys()):
+        definition = knowledge.definitions[name]
+        if not definition.numeric or definition.formula is not None:
+            continue
+        is_angle = whole_degrees(definition.node) is not None
+        size = None if is_angle else dimensions.letter(name, 0)
+        number = _number(said, name, is_angle, size, definition.node, knowledge)
+        if number is not None:
+            found[name] = number
+    return found
+
+
+def _number(
+    said: SizeSaid,
+    name: str,
+    is_angle: bool,
+    size: Dimension | None,
+    value: Formula,
+    knowledge: Knowledge,
+) -> Formula | None:
+    """Return the size that a letter has by words; None for a letter of another kind."""
+    if said.noun:
+        units = ("1/s", "m/s") if said.noun.split()[-1] in _SPEEDS else (unit_by_words(said.noun) or "",)
+        kinds = [unit_of(unit) for unit in units if unit]
+        return Product((Number(said.number), value)) if size is not None and size in kinds else None
+    if said.is_angle:
+        turn = Product((Number(said.number / 180), Constant("pi")))
+        return turn if is_angle or name in knowledge.angles else None
+    scale = scale_of(said.unit)
+    if scale is None or size is None or size != unit_of(said.unit):
+        return None
+    factor, of_turns = scale
+    if of_turns and is_angular_speed(name, knowledge.meanings):
+        return Product((Number(said.number * factor), Constant("pi")))
+    return Number(said.number * (factor / 2 if of_turns else factor))
+
+
+def _is_same(first: Formula, second: Formula, knowledge: Knowledge) -> bool:
+    sizes = [number_of(node, knowledge) for node in (first, second)]
+    return None not in sizes and isclose(*map(float, sizes), rel_tol=1e-9)
