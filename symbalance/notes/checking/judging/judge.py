@@ -678,7 +678,7 @@ class Judge:
             self._judged_last = key, {id(e) for each in entries.values() for e in each}
             return
         for name, each in entries.items():
-            definitions.forget_mended(name, chain.lines[0])
+            definitions.forget_mended(name, self._judged_last[1])
             own = [e for e in each if e.definition.solved and e.definition.line in chain.lines]
             if any(id(e) not in self._judged_last[1] for e in own):
                 definitions.forget(name, chain.lines[0])

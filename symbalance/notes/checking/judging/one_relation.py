@@ -717,6 +717,9 @@ def _decide_step(
         return result, chain.sides[k - 1]
     if not names(left.node):
         decision = decide_by_printed_units(chain, k, state.document, knowledge) or decision
+    if bad and not decision.is_proved and decision.status == REFUTED and names(left.node):
+        by_premises, _ = with_premises(state, left, right, sign, decision, knowledge)
+        decision = by_premises if by_premises.is_proved else decision  # W = 567 J is p V above
     if bad and not decision.is_proved:
         from_sound = decide(chain.sides[sound], right, sign, knowledge)
         if from_sound.is_proved or decision.status == REFUTED:

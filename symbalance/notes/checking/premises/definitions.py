@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
@@ -136,11 +136,9 @@ class Definitions:
         self.define(name, node, chain)
         self.values[name][-1] = replace(self.values[name][-1], is_mended=True)
 
-    def forget_mended(self, name: str, line: int) -> None:
-        """Forget what a relation on a line should have said of a letter: it is judged again."""
-        entries = [
-            e for e in self.values.pop(name, []) if not (e.is_mended and e.definition.line == line)
-        ]
+    def forget_mended(self, name: str, but: Collection[int]) -> None:
+        """Forget what a relation should have said of a letter, but for the entries of those ids."""
+        entries = [e for e in self.values.pop(name, []) if not e.is_mended or id(e) in but]
         if entries:
             self.values[name] = entries
 
