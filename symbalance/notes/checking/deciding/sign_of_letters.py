@@ -14,7 +14,7 @@ from symbalance.document.formula import Call, Formula, Name, Negative, Number, P
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.tree_values import names_behind
-from symbalance.notes.checking.deciding.equality import REFUTED, Decision
+from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.inequalities import lone_letter
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
@@ -58,7 +58,7 @@ def decide_with_signs(
             replace(knowledge, meaning=meaning, ranges=apart),
         )
     except NoFormError:
-        return decision
+        return _unless_denied(decision, below)
     texts = tuple(below[name] for name in chosen)
     if there.is_proved:
         return replace(there, assumptions=(*there.assumptions, *texts))
@@ -66,7 +66,16 @@ def decide_with_signs(
         witness = {n: f"-{v}" if n in chosen else v for n, v in there.witness.items()}
         reason = there.reason or f"not for {' and '.join(texts)}"
         return replace(decision, status=REFUTED, assumptions=(), reason=reason, witness=witness)
-    return there
+    return there if not decision.is_proved else _unless_denied(decision, below)
+
+
+def _unless_denied(decision: Decision, below: dict[str, str]) -> Decision:
+    """Return the decision, open where it is proved for letters that are not negative, and these are."""
+    denied = [name for name in sorted(below) if f"{name} ≥ 0" in decision.assumptions]
+    if not decision.is_proved or not denied:
+        return decision
+    reason = f"it is proved if {denied[0]} ≥ 0, and {below[denied[0]]} says otherwise"
+    return replace(decision, status=UNDECIDED, assumptions=(), reason=reason)
 
 
 def _mapped(side: Side, change: Callable[[Formula], Formula]) -> Side:

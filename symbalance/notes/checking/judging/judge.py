@@ -160,6 +160,7 @@ from symbalance.notes.checking.words.unit_or_letter import with_both_readings
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.notes.reading.markup.unit_macros import with_units_shown
 from symbalance.notes.reading.spellings.numerals import with_raised_points_lowered
+from symbalance.text import lazy_patterns as re
 
 
 @dataclass
@@ -392,13 +393,13 @@ class Judge:
     def _unless_its_own_premise(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict; what holds on the premise that it states is that premise once more."""
         head = chain.sides[0].node
-        if verdict.verdict != CONDITIONAL or k or not isinstance(head, Name):
+        if verdict.verdict != CONDITIONAL or k:
             return verdict
         above = (c for c in self.state.sections.chains_of(head) if c.start < chain.start)
-        if not any(c.sides[1].node == chain.sides[1].node for c in above):
+        if not any(len(c.sides) > 1 and c.sides[1].node == chain.sides[1].node for c in above):
             return verdict
         left, right = (plain_text(side.node) for side in chain.sides[k : k + 2])
-        if not {f"{left} = {right}", f"{right} = {left}"} & set(verdict.assumption.split("; ")):
+        if not {f"{left} = {right}", f"{right} = {left}"} & {*re.split("[;,] ", verdict.assumption)}:
             return verdict
         return describe(self.document, chain, k, Decision(PREMISE, "as above"))
 

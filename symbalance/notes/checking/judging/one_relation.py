@@ -61,6 +61,7 @@ from symbalance.notes.checking.premises.conditions_behind import values_behind
 from symbalance.notes.checking.premises.constraints import Constraint
 from symbalance.notes.checking.premises.letter_values import define_letter
 from symbalance.notes.checking.premises.measured_values import MEASURED
+from symbalance.notes.checking.premises.ranges_in_words import letters_without_sign
 from symbalance.notes.checking.premises.rough_letters import decide_roughly
 from symbalance.notes.checking.steps.angle_equations import as_equation_for_angle
 from symbalance.notes.checking.steps.another_engine import as_new_extreme
@@ -74,7 +75,7 @@ from symbalance.notes.checking.steps.listed_cases_of_letters import case_of_list
 from symbalance.notes.checking.steps.mean_piston_speed import mean_piston_speed
 from symbalance.notes.checking.steps.much_larger import PLAIN, decide_much_larger, decide_where_larger
 from symbalance.notes.checking.steps.named_roots import as_named_root, as_one_solution
-from symbalance.notes.checking.steps.open_cases import case_of_a_letter
+from symbalance.notes.checking.steps.open_cases import case_of_a_letter, leave_range_of_case
 from symbalance.notes.checking.steps.products_of_vectors import decide_products_of_vectors
 from symbalance.notes.checking.steps.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.steps.relative_motions import decide_relative_motion
@@ -110,6 +111,7 @@ from symbalance.notes.checking.verdicts import (
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Relation, Side
 from symbalance.notes.reading.formulas.result_units import without_unit_of_result
+from symbalance.text import lazy_patterns as re
 
 FOLLOWS = "follows from the side before, which is refuted"
 NEAR_NUMBER = 3
@@ -159,6 +161,9 @@ def _judge_inequality(state: JudgingState, chain: Chain, k: int, knowledge: Know
     if (listed := case_of_listed_values(state.document, chain)) is not None:
         return listed
     decision = decide_inequality(chain, k, knowledge)
+    if decision.status == CONTRADICTION and leave_range_of_case(state, chain):
+        knowledge = replace(knowledge, ranges=tuple(state.definitions.ranges_at(chain.lines[0])))
+        decision = decide_inequality(chain, k, knowledge)
     if decision.status == REFUTED and is_usual_range(state, chain, k, knowledge):
         return Decision(RANGE, "what is usual, whatever the value is here")
     if decision.status != RANGE and (run := case_of_run(state.document, chain)) is not None:
@@ -754,9 +759,19 @@ def _with_signs(
         decision = decide_within_ranges(left, right, decision, knowledge, state.general)
         places = values_behind(chain, state.document)
         decision = decide_where_values(left, right, decision, knowledge, state.general, places)
-    texts = {f"{plain_text(Name(name))} ≠ 0" for name in state.general}
-    least = [text for text in decision.assumptions if text in texts]
+    if decision.is_proved and (unsigned := letters_without_sign(chain, state.document)):
+        plain = [plain_text(Name(name)) for name in sorted(unsigned)]
+        signs = [t for t in decision.assumptions if t.endswith((" ≥ 0", " ≤ 0", " > 0"))]
+        if any(re.search(rf"(?<!\w){re.escape(each)}(?!\w)", text) for each in plain for text in signs):
+            reason = f"proved if {signs[0]}, and {plain[0]} is no real number by the words before it"
+            return Decision(UNDECIDED, reason)
+    apart = {plain_text(Name(name)) for name in state.general}
+    least = [text for text in decision.assumptions if text.partition(" ≠ ")[0] in apart and "≠" in text]
     if not least or not decision.is_proved:
         return decision
+    if not any(text.endswith(" ≠ 0") for text in least):
+        reason = f"said of all values, and proved only if {', '.join(least)}"
+        return Decision(UNDECIDED, reason)
+    least = [text for text in least if text.endswith(" ≠ 0")]
     reason = f"said of all values, but it holds if {least[0]}"
     return replace(decision, status=REFUTED, assumptions=(), reason=reason)

@@ -34,6 +34,8 @@ from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain
 
+_SAME_WAY = {">": ">≥", "≥": ">≥", "<": "<≤", "≤": "<≤"}
+"""Signs of bounds on the same side as one with a sign."""
 _OF_CRANK_ANGLE = (*MOVING, "rod angle")
 """What a condition such as v = 0 is solved for the crank angle with."""
 
@@ -309,8 +311,24 @@ class Definitions:
         if decision.status == RANGE:
             line, is_aside = chain.lines[0], self.sections.is_in_brackets(chain)
             last = max(chain.lines) if is_aside else None
+            if self.sections.opens_case(chain):
+                self._end_bounds_of_cases(chain, k)
             self.ranges.append(StatedRange(left, chain.relations[k].sign, right, line, last))
             self._note_case(chain, names(left) | names(right))
+
+    def _end_bounds_of_cases(self, chain: Chain, k: int) -> None:
+        """End the bound that a case before gave a letter, where the next one gives another."""
+        letter, sign = chain.sides[k].node, chain.relations[k].sign
+        starts = {c.line: c.start for c in self.cases if c.letters == chain.letters}
+        self.ranges = [
+            r
+            for r in self.ranges
+            if r.left != letter
+            or r.sign[0] not in _SAME_WAY.get(sign, "")
+            or names(r.right)
+            or r.line not in starts
+            or self.sections.stands_in_clause(starts[r.line], chain)
+        ]
 
     def forget_range(self, chain: Chain) -> None:
         """Forget the range that a relation stated, which is refuted."""

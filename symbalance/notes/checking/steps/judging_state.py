@@ -61,6 +61,7 @@ from symbalance.notes.checking.premises import constraints
 from symbalance.notes.checking.premises.carried_values import CarriedValues
 from symbalance.notes.checking.premises.conditions_behind import equalities_behind, with_conditions
 from symbalance.notes.checking.premises.definitions import Definitions
+from symbalance.notes.checking.premises.ranges_in_words import with_ranges_in_words
 from symbalance.notes.checking.premises.rounded_values import values_put_in
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.cranks_said_anew import with_cranks_of_sentence
@@ -305,7 +306,7 @@ class JudgingState:
         first = chain.lines[0] - NEAR_RANGE
         own = replace(knowledge, crank_angles=angles, own_ranges_from=first, printed=printed)
         own = with_conjugates(chain, own)
-        return with_conditions(chain, self.document, own)
+        return with_ranges_in_words(chain, self.document, with_conditions(chain, self.document, own))
 
     def cranks_of(self, chain: Chain) -> CrankAngles | None:
         """Return the usual cranks of the engine that words say a relation is of."""

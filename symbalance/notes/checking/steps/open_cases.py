@@ -6,10 +6,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from symbalance.document.formula import Name, names
+from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.premises.definitions import Definitions, Entry, OpenCase
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 
 def past_cases(
@@ -114,6 +116,38 @@ def without_cases(
             whole = [*entries, *definitions.values.get(name, [])]
             if whole:
                 definitions.values[name] = sorted(whole, key=lambda entry: entry.definition.line)
+
+
+_OTHER_CASE = re.compile(
+    r"(?<![^\W\d_])(?:(?:case|fall|cas|caso)\s*\(?(?:[2-9]|ii+|iv|v|[b-h]|two|three|zwei|drei)(?![^\W\d_])"
+    r"|(?:second|third|other|last|zweite[nrs]?|dritte[nrs]?|andere[nrs]?)\s+(?:case|fall|range|region)"
+    r"|above|below|beyond|over|under|oberhalb|unterhalb|über|unter|au-dessus|en\s+dessous|otherwise|else|conversely|umgekehrt|sonst"
+    r"|if|when|for|wenn|falls|für|bei|si|pour|quand|left|right|links|rechts)(?![^\W\d_])|(?:場合|とき|なら)",
+    re.IGNORECASE,
+)
+"""Words by which a range is that of another case than the one before."""
+_CLAUSE_ENDS = re.compile(r"[.;!?]\s|[。；]|\n\s*\n")
+
+
+def leave_range_of_case(state: JudgingState, chain: Chain) -> bool:
+    """Forget the ranges of the case before, where a range is of the next one: above it, ω > ω_0; tell.
+
+    What is said to follow from what stands before is of the same case.
+    """
+    sections, own = state.sections, chain.letters
+    above = [c for c in sections.in_order if c.end <= chain.start and c.letters == own and c.relations]
+    above = [c for c in above if c.relations[0].sign in SATISFIED_BY]
+    if not above or sections.is_consequence(chain):
+        return False
+    last = above[-1]
+    between = state.document.text[last.end : chain.start]
+    words = f"{between} {state.document.text[chain.end : chain.end + 6]}"
+    is_apart = not sections.same_section(last.lines[0], chain.lines[0])
+    is_apart = is_apart or bool(_CLAUSE_ENDS.search(between) and _OTHER_CASE.search(words))
+    ranges = state.definitions.ranges
+    rest = [r for r in ranges if names(r.left) | names(r.right) != own] if is_apart else ranges
+    state.definitions.ranges = rest
+    return len(rest) < len(ranges)
 
 
 def case_of_a_letter(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> bool:

@@ -64,8 +64,8 @@ _OF_ALL = (
 )
 _ALL = re.compile(_OF_ALL, re.IGNORECASE)
 _FOR_ALL_BEHIND = re.compile(
-    r"[\s$)}\]\\,]{0,6}(?:\\text\s*\{\s*)?(?:(?:holds?|is\s+true|gilt|is\s+valid|valid)\s+)?"
-    r"(?=(?:for|für)\s+(?:all|every|any|arbitrary|each|alle|jede[nsrm]?|beliebige[nsrm]?)\s)",
+    r"[\s$)}\]\\,]{0,6}(?:\\text\s*\{\s*)?(?:(?:holds?|is\s+(?:true|zero)|gilt|is\s+valid|valid|vanish(?:es)?"
+    r"|verschwindet)\s+)?(?=(?:for|für)\s+(?:all|every|any|arbitrary|each|alle|jede[nsrm]?|beliebige[nsrm]?)\s)",
     re.IGNORECASE,
 )
 _OF_ANY_SIGN = re.compile(

@@ -630,7 +630,9 @@ class Sections:
         if case_words.is_said_of_all_behind(self.document.text, chain.end):
             return frozenset(letters)
         start = chain.start
-        first = max(case_words.clause_start(self.document.text, start), self.end_before(start) or 0)
+        first, end = case_words.clause_start(self.document.text, start), self.end_before(start) or 0
+        if _AND_ONLY.fullmatch(self.document.text, end, start) is None:
+            first = max(first, end)
         before = self.document.text[first:start]
         written = {formula_text(Name(name), plain=True): is_angle for name, is_angle in letters.items()}
         written |= letters | {f"\\{name}": is_angle for name, is_angle in letters.items()}
@@ -1186,6 +1188,8 @@ _OPEN_END = re.compile(
     re.IGNORECASE,
 )
 """The end of a paragraph that leads on to the formula below it."""
+_AND_ONLY = re.compile(r"[\s$,]*(?:and|und|et|y|e|sowie|と|、)[\s$]*")
+"""Between two formulas of which the words before the first one speak."""
 _FORMULA_ALONE = re.compile(r"\s*\$[^$]{1,400}\$[^$]{0,12}")
 _SET_OFF = re.compile(r"\s*(?:\$\$|\\\[|\\begin\s*\{|```math|<math|\+\+\+\+|\[stem\])|\s{4}")
 """How a display begins."""
