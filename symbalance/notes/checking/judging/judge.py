@@ -98,6 +98,11 @@ from symbalance.notes.checking.steps.formula_one_slip_away import (
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
+from symbalance.notes.checking.steps.letters_said_anew import (
+    as_formula_of_others,
+    leave_formula_of_condition,
+    leave_letter_said_anew,
+)
 from symbalance.notes.checking.steps.named_case_again import return_to_case
 from symbalance.notes.checking.steps.nearest_equation import (
     by_nearest_equation,
@@ -349,6 +354,7 @@ class Judge:
     def _link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on a relation of which no words say that something else is scaled."""
         leave_product_given_anew(self.state, chain, k)
+        leave_letter_said_anew(self.state, chain, k)
         verdict = with_size_said(self.state, chain, k, self._link_by_cases(chain, k, sound, bad))
         again = partial(self._link_in_scope, chain, k, k, bad=False)
         verdict = unless_repeated(self.state, chain, k, verdict, again)
@@ -531,6 +537,7 @@ class Judge:
             or (is_for_lack and leave_engine(self.state, chain, k))
             or ((is_against or is_for_lack) and self._leave_quotation(chain, k, is_open=is_for_lack))
             or ((is_against or is_for_lack) and leave_formula_of_opening(self.state, chain, k))
+            or ((is_against or is_for_lack) and leave_formula_of_condition(self.state, chain, k))
             or (
                 is_against
                 and (
@@ -588,6 +595,7 @@ class Judge:
         knowledge = self.state.knowledge(chain.lines[0])
         case = as_case_of_multiple(self.state, chain, k) or as_number_of_another(self.state, chain, k)
         case = case or as_number_in_words(self.state, chain, k)
+        case = case or as_formula_of_others(self.state, chain, k)
         case = case or puts_another_engines_numbers_in(self.state, chain, k, knowledge)
         return None if case is None else describe(self.document, chain, k, case)
 
