@@ -24,6 +24,7 @@ from symbalance.notes.checking.steps.scaled_numbers import SPEED, is_speed, spee
 from symbalance.notes.checking.words.sentences import SENTENCE_END
 from symbalance.notes.reading import canonical_name
 from symbalance.notes.reading.equations import Chain
+from symbalance.notes.reading.failures import ReadingError
 from symbalance.text import lazy_patterns as re
 
 _FACTORS = {
@@ -181,7 +182,10 @@ def _changes_in(words: str) -> list[_Change]:
     for match in found:
         factor = next(each for n, each in enumerate(_FACTORS) if match[f"f{n}"])
         kind = next((each for each in _KINDS if match[each]), "")
-        letter = "" if kind else canonical_name(match["letter"])
+        try:
+            letter = "" if kind else canonical_name(match["letter"])
+        except ReadingError:  # \unit{N}, say: what is changed is no letter
+            continue
         if kind == "speed" and _OTHER_TURNING.search(words):
             continue
         changes.append(_Change(kind, letter, float(Fraction(factor)), match[0]))
