@@ -377,6 +377,41 @@ def _letters_with_values(text: str) -> frozenset[str]:
     return frozenset(match[1] for match in _LETTER_SET.finditer(text))
 
 
+_SIZE_AWAY = re.compile(
+    rf"[0-9](?:\s|~|\$|\\[,;: ]){{0,4}}(?P<unit>{_PART_OF_UNIT}(?:[/·⋅*]{_PART_OF_UNIT}"
+    rf"| (?:[cm]?m|s|k?g){_RAISED_UNIT}?(?![A-Za-z])){{0,3}})"
+    r"|\\(?:math\w+|text\w*|mbox|unit|si)\s*\{[^{}]{0,60}\}|\\[A-Za-z]+"
+    rf"|\bin \$?{_PART_OF_UNIT}(?:[/·⋅*]{_PART_OF_UNIT}){{0,3}}|\[[A-Za-z/²³^0-9· ]{{1,12}}\]"
+)
+_ALONE = re.compile(r"(?<![A-Za-z_'’\\])(?<!_\{)([A-Za-z])(?![A-Za-z'’])")
+
+
+@lru_cache(maxsize=8)
+def letters_alone(text: str) -> frozenset[str]:
+    r"""Return the letters that a text has singly, behind no number: those of its formulas, and of words.
+
+    >>> sorted(letters_alone(r"$(k-m\omega^2)^2$, c = 2\,\mathrm{N}, r = 40 m/s, F_g in N"))
+    ['F', 'c', 'k', 'm', 'r']
+    """
+
+    def beside(match: re.Match[str]) -> str:
+        return match[0] if match["unit"] and not scale_of(match["unit"]) else " "
+
+    return frozenset(_ALONE.findall(_SIZE_AWAY.sub(beside, text)))
+
+
+def are_letters_behind_number(text: str, place: int, word: str) -> bool:
+    """Tell whether a word like a unit, right behind a count, is made of letters that a text has alone."""
+    is_counted = text[max(place - 1, 0) : place].isdecimal()
+    is_like = is_counted and _TYPED_LIKE_LETTERS.fullmatch(word) is not None
+    return is_like and set(word) <= letters_alone(text)
+
+
+_HEADS_OF_UNITS = {"Nm": "MTWEQJ", "Ns": "pSILH", "l": "V", **_HEADS_IN}
+_TYPED_LIKE_LETTERS = re.compile(r"[kcdmnMG][msNJWgl]|N[ms]|[JWNKVAh]")
+_SIDE_BEFORE = re.compile(r"(?:=|≈|<|>|≤|≥|\\(?:approx|leq?|geq?)(?![A-Za-z]))(?=[^=≈<>≤≥\n$]*$)")
+
+
 def unit_set_at(text: str, place: int, end: int) -> tuple[str, int] | None:
     """Return the unit in \\mathrm{ } and its kin at a place, and where it ends; None if none begins."""
     match = _SET.match(text, place, end)
@@ -504,6 +539,7 @@ class _PlainUnit:
             or (len(self.word) == 1 and is_multiple_of_letter(self.text, self.stop - 1, self.end))
             or self._is_own_letter_in_brackets()
             or self._is_letter_of_formulas()
+            or self._is_product_of_letters()
             or (self.parts == ["h"] and "h" in height_named(self.text))
         )
         if is_own or any(part in names for part in long_parts):
@@ -531,6 +567,41 @@ class _PlainUnit:
             r"[ ]?(?:[.,;]?[ \n]|[.,;]?$|\$|\\[,;]|\\\\)", self.text[self.stop : self.end + 1]
         )
         return _LONE_SIZE.search(before) is None or is_last is None
+
+    def _is_product_of_letters(self) -> bool:
+        """Tell whether 2km is a product of letters of the page, in k² − 2km ω² + m² ω⁴ and in c² = 4km.
+
+        A size stays one: x = 2km has a length on its left, and nothing but numbers on its right.
+        """
+        part, is_count = self.parts[0], re.fullmatch("[0-9]{1,2}", self.digits) is not None
+        if len(self.parts) > 1 or not _TYPED_LIKE_LETTERS.fullmatch(part) or len(set(part)) < len(part):
+            return False
+        if not is_count or (self.spaced and not self._goes_on()):
+            return False
+        if not set(part) <= letters_alone(self.text):
+            return False
+        first = max(self.place - 200, self.text.rfind("\n", 0, self.place) + 1)
+        before = self.text[first : self.place]
+        side = _SIDE_BEFORE.search(before)
+        is_whole = re.fullmatch(r"[-−+0-9.,\s{(]*", before[side.end() :]) if side else None
+        if side is None or is_whole is None:
+            return self._is_in_formula_of_letters(before)
+        rest = re.match(r"[^=≈<>≤≥\n$]*", self.text[self.stop : min(self.stop + 100, self.end)])
+        if rest and _SIZE_AWAY.search(rest[0]):
+            return False
+        head = re.search(r"(?:^|[^\w\\])([^\W\d_])(?:_\{?\w+\}?)?[\s&]*$", before[: side.start()])
+        unit = part if part in _HEADS_OF_UNITS else part[-1]
+        return self._goes_on() or head is None or head[1] not in _HEADS_OF_UNITS.get(unit, "")
+
+    def _is_in_formula_of_letters(self, before: str) -> bool:
+        """Tell whether the formula is no conversion, 3km = 3000 m: it has letters, or no unit follows."""
+        behind = re.match(
+            r"(?:\\.|[^\n$,;:])*(?:\$ ?[A-Za-z/²³]{1,6})?", self.text[self.stop : self.stop + 200]
+        )
+        opened = re.search(r"(?:\\[,;:]|[^$,;:])*$", before)
+        around = f"{opened[0] if opened else ''} {behind[0] if behind else ''}"
+        is_equal = re.match(r"[\s})]*(?:=|≈)", behind[0] if behind else "") is not None
+        return bool(letters_alone(around)) or (is_equal and not _SIZE_AWAY.search(around))
 
     def _is_own_letter_in_brackets(self) -> bool:
         """Tell whether a letter of the page ends a sum in brackets: (m_r + 0.5 m) where m = 0.7 kg.

@@ -21,7 +21,13 @@ from symbalance.document.letters import (
 from symbalance.document.wordlists import word_set
 from symbalance.notes.reading import signs
 from symbalance.notes.reading.formulas.lexer import Vocabulary
-from symbalance.notes.reading.units import follows_number, plain_unit_at, scale_of, unit_set_at
+from symbalance.notes.reading.units import (
+    are_letters_behind_number,
+    follows_number,
+    plain_unit_at,
+    scale_of,
+    unit_set_at,
+)
 from symbalance.text import lazy_patterns as re
 
 _UNIT = r"(?P<unit>\[\s*[A-Za-zµμ]+[A-Za-z0-9^/²³⁻¹-]*\s*\])|"
@@ -218,7 +224,9 @@ def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules)
         ):
             return True
         own = _OWN_FUNCTION.match(text, piece.start(), end)
-        return line.is_mathematical(sign) or (own is not None and own.group() == sign)
+        is_own = own is not None and own.group() == sign
+        is_product = are_letters_behind_number(text, piece.start(), sign.rstrip("ωΩ"))
+        return is_own or is_product or line.is_mathematical(sign)
     if kind == "command":
         return sign[1:] in _COMMANDS or line.lenient
     if kind == "other":
