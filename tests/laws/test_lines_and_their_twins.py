@@ -55,6 +55,69 @@ MATRICES = {
         "A mass matrix is symmetric. The width is $B$, the area $A$: $A B = B A$.",
     ],
 }
+FOUR = "# Inline four-cylinder engine\n\n"
+SIX = "# Inline six\n\n"
+VIER = "# Reihenvierzylinder\n\n"
+SECOND = r"\lambda m r\omega^2\cos2\theta$"
+ENGINES = {
+    "wrong": [
+        rf"{FOUR}The secondary force is $F_2 = {SECOND}, the same as that of a single-cylinder engine.",
+        rf"{SIX}Like the four-cylinder engine it has the secondary force $F_2 = 4{SECOND}.",
+        rf"{VIER}Die Massenkraft zweiter Ordnung ist $F_2 = {SECOND}, wie beim Einzylindermotor.",
+        f"The inline four has no secondary force, $F_2 = 0$, whereas the boxer four has $F_2 = "
+        f"4{SECOND}.",
+        "| engine | secondary force |\n|---|---|\n| twin, 180° | $F_2 = 2\\lambda m r\\omega^2$ |\n"
+        "| inline three | $F_2 = 3\\lambda m r\\omega^2$ |",
+        "# Single-cylinder engine\n\nThe primary inertia force is $F_1 = m r\\omega^2\\cos\\theta$, the "
+        rf"secondary inertia force is $F_2 = -{SECOND}.",
+        rf"{FOUR}The secondary force is $F_2 = 4{SECOND}, the fourth-order force is "
+        r"$F_4 = \lambda^3m r\omega^2\cos4\theta$.",
+    ],
+    "right": [
+        rf"{FOUR}The secondary force is $F_2 = 4{SECOND}, four times that of a single cylinder.",
+        rf"{FOUR}Unlike the single-cylinder engine it has the secondary force $F_2 = 4{SECOND}.",
+        f"{SIX}Unlike the four-cylinder engine it has no secondary force: $F_2 = 0$.",
+        rf"{VIER}Im Gegensatz zum Einzylindermotor ist die Massenkraft zweiter Ordnung $F_2 = 4{SECOND}.",
+        f"# Le quatre-cylindres en ligne\n\nLa force d'inertie du second ordre est $F_2 = 4{SECOND}, "
+        "soit quatre fois celle d'un monocylindre.",
+        "Inline four-cylinder engine\n\nSecondary force of the engine: F_2 = 4 m r ω² λ\n"
+        "A single cylinder has only F_s = m r ω² λ",
+        "# Inline three\n\nThe primary force is zero, $F_1=0$; with a 180° crank instead it would be "
+        r"$F_1 = m r\omega^2\cos\theta$.",
+        f"The boxer four has no secondary force, $F_2 = 0$, whereas the inline four has $F_2 = "
+        f"4{SECOND}.",
+        "# Single-cylinder engine\n\nThe primary inertia force is $F_1 = -m r\\omega^2\\cos\\theta$, the "
+        rf"secondary inertia force is $F_2 = -{SECOND}.",
+    ],
+}
+OF_ALL_VALUES = {
+    "wrong": [
+        "For all real $a$ and $b$: $a^2+b^2 > 2ab$.",
+        r"For any real $a$, $b$: $|a+b|\le|a|+|b|$ and $|a-b|\le|a|-|b|$.",
+        r"For $0<\lambda<1$ and all $\theta$ it holds that $|\cos\theta+\lambda\cos2\theta|\le1$.",
+        r"For every real number $x$ we have $\sqrt{x^4} = x^2$ and $\sqrt{(x-1)^2} = x - 1$.",
+        "Für alle reellen $x$ und $y$ gilt $x^2+y^2 > 2xy$.",
+    ],
+    "right": [
+        r"For all real $a$ and $b$: $a^2+b^2 \ge 2ab$.",
+        r"For any real $a$, $b$: $|a+b|\le|a|+|b|$ and $(a+b)^2 \le 2a^2+2b^2$.",
+        r"For every real number $x$ we have $\sqrt{x^4} = x^2$ and $\sqrt{(x-1)^2} = |x - 1|$.",
+        r"For all $x$ and $y$: $|x-y| \le |x|+|y|$.",
+    ],
+}
+ONE_ANGLE = {
+    "wrong": [
+        r"We have $\sin\theta = 0.6$, hence $\cos\theta = 0.9$.",
+        r"$\cos\theta = 0.6 \Rightarrow \sin\theta = 0.9$",
+        r"Aus $\cos\theta = 0.25$ folgt $\sin\theta = 0.75$.",
+    ],
+    "right": [
+        r"We have $\sin\theta = 0.6$, hence $\cos\theta = \pm0.8$.",
+        r"$\sin\theta = 0.6$, so $\cos\theta = -0.8$ and thus $\tan\theta = -0.75$.",
+        r"$\cos\theta = 0.64$, also ist $\sin\theta = 0.77$.",
+        r"$\cos\theta = 0.5$ or $\cos\theta = -1$, hence $\sin\theta = 0.866$ or $\sin\theta = 0$.",
+    ],
+}
 
 
 def _verdicts(tmp_path: Path, page: str, ending: str = "md") -> list[str]:
@@ -95,3 +158,35 @@ def test_right_products_of_matrices_hold(tmp_path: Path, page: str):
     verdicts = _verdicts(tmp_path, page)
     assert verdicts[-1] in HELD
     assert not ACCUSED & set(verdicts)
+
+
+@pytest.mark.parametrize("page", ENGINES["wrong"])
+def test_an_engine_compared_with_lends_no_verdict(tmp_path: Path, page: str):
+    assert _verdicts(tmp_path, page)[-1] not in HELD
+
+
+@pytest.mark.parametrize("page", ENGINES["right"])
+def test_an_engine_compared_with_accuses_nothing_right(tmp_path: Path, page: str):
+    assert not ACCUSED & set(_verdicts(tmp_path, page))
+
+
+@pytest.mark.parametrize("page", OF_ALL_VALUES["wrong"])
+def test_what_is_said_of_all_values_is_refuted_by_one(tmp_path: Path, page: str):
+    assert _verdicts(tmp_path, page)[-1] in ACCUSED
+
+
+@pytest.mark.parametrize("page", OF_ALL_VALUES["right"])
+def test_what_is_right_of_all_values_is_proved(tmp_path: Path, page: str):
+    verdicts = _verdicts(tmp_path, page)
+    assert verdicts[-1] in HELD
+    assert not ACCUSED & set(verdicts)
+
+
+@pytest.mark.parametrize("page", ONE_ANGLE["wrong"])
+def test_a_cosine_drawn_from_a_sine_has_one_size(tmp_path: Path, page: str):
+    assert _verdicts(tmp_path, page)[-1] in ACCUSED
+
+
+@pytest.mark.parametrize("page", ONE_ANGLE["right"])
+def test_a_cosine_drawn_from_a_sine_may_have_either_sign(tmp_path: Path, page: str):
+    assert not ACCUSED & set(_verdicts(tmp_path, page))

@@ -7,12 +7,13 @@ claim: a value at which it fails refutes it, amplitudes and squares prove it, an
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 from symbalance.document.formula import Call, Formula, Negative, Number, Sum, names
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
 from symbalance.notes.algebra.evaluation import SymbolValue
@@ -68,7 +69,8 @@ def decide_claimed(
         return Decision(PROVED, level=level)
     others = own - general
     failures: list[tuple[Point, Any, Any] | None] = []
-    for values in _draws(sorted(others), left, right, meaning):
+    inside = [r for r in (*knowledge.ranges, *near) if names(r.left) | names(r.right) <= others]
+    for values in _draws(sorted(others), left, right, meaning, inside):
         there = replace(meaning, values={**meaning.values, **values})
         where = _within((*knowledge.ranges, *near), own, there)
         failures.append(failing_point(left, right, there, SATISFIED_BY[sign], where))
@@ -111,18 +113,24 @@ def _within(
 
 
 def _draws(
-    others: list[str], left: Formula, right: Formula, meaning: SymbolValue
+    others: list[str],
+    left: Formula,
+    right: Formula,
+    meaning: SymbolValue,
+    inside: Sequence[StatedRange],
 ) -> Iterator[Mapping[str, Formula]]:
-    """Yield values for letters, at which both sides are real somewhere."""
+    """Yield values for letters, within their own ranges, at which both sides are real somewhere."""
     if not others:
         yield {}
         return
     chance, tries = random.Random(f"{others}"), 0
     draws = 0
-    while draws < DRAWS and tries < 4 * DRAWS:
+    while draws < DRAWS and tries < 8 * DRAWS:
         tries += 1
         values = {name: Number(_draw(name, meaning, chance)) for name in others}
         there = replace(meaning, values={**meaning.values, **values})
+        if any(sign_at(r.left, r.right, there, {}) not in SATISFIED_BY[r.sign] for r in inside):
+            continue
         if survey(left, right, there, roots=False).tried:
             draws += 1
             yield values
@@ -141,6 +149,8 @@ def _is_proved(left: Formula, right: Formula, sign: str, knowledge: Knowledge) -
     A size on the smaller side is two claims: |a| ≤ b where a ≤ b and -a ≤ b.
     """
     small, large = (left, right) if sign in "<≤" else (right, left)
+    if sign in "≤≥" and _is_triangle(small, large):
+        return True
     smaller = (
         (small.argument, Negative(small.argument))
         if isinstance(small, Call) and _is_size(small)
@@ -153,6 +163,18 @@ def _is_proved(left: Formula, right: Formula, sign: str, knowledge: Knowledge) -
 
 def _is_size(node: Formula) -> bool:
     return isinstance(node, Call) and node.function == "abs"
+
+
+def _is_triangle(small: Formula, large: Formula) -> bool:
+    """Tell whether the size of a sum stands below the sum of its terms' sizes: |a + b| ≤ |a| + |b|."""
+    if not (isinstance(small, Call) and _is_size(small) and isinstance(small.argument, Sum)):
+        return False
+    sizes = large.terms if isinstance(large, Sum) else ()
+    inner = [node.argument for node in sizes if isinstance(node, Call) and _is_size(node)]
+    terms = [t.operand if isinstance(t, Negative) else t for t in small.argument.terms]
+    return len(inner) == len(sizes) and sorted(map(formula_text, inner)) == sorted(
+        map(formula_text, terms)
+    )
 
 
 def _is_above(difference: Formula, knowledge: Knowledge, *, strictly: bool) -> bool:

@@ -11,6 +11,7 @@ import random
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import product
 from typing import Any
 
 from symbalance.document.formula import Formula
@@ -20,6 +21,8 @@ from symbalance.notes.algebra.tree_values import DerivativeForms, TreeValues, le
 from symbalance.notes.algebra.values import Point, context
 
 TRIES = 90
+_FEW = 3
+"""Letters of which every mixture of -1, 0 and 1 is tried as well."""
 STEPS = 70
 """Of a bisection: 2^-70 of a bracket is below what 20 digits show."""
 FARTHEST = Fraction(20)
@@ -100,7 +103,8 @@ def failing_point(
     """
     difference = _Difference(left, right, meaning)
     values: list[tuple[Point, Any]] = []
-    for point, _ in _points(difference.letters, meaning):
+    simple = _simple_points(difference.letters, meaning)
+    for point in (*(point for point, _ in _points(difference.letters, meaning)), *simple):
         pair = difference.pair(point)
         if pair is None or not where(point):
             continue
@@ -180,6 +184,14 @@ def _points(letters: list[str], meaning: SymbolValue) -> Iterator[tuple[Point, b
     chance = random.Random(f"{letters}")
     for k in range(TRIES):
         yield {name: _draw(name, meaning, chance, k % 3) for name in letters}, k % 3 < 2
+
+
+def _simple_points(letters: list[str], meaning: SymbolValue) -> Iterator[Point]:
+    """Yield points of ones and zeros, at which letters are equal: a² + b² > 2ab fails where a = b."""
+    choices = [(1,) if name in meaning.positive else (1, 0, -1) for name in letters]
+    if 0 < len(letters) <= _FEW:
+        for values in product(*choices):
+            yield dict(zip(letters, map(Fraction, values), strict=True))
 
 
 def _draw(name: str, meaning: SymbolValue, chance: random.Random, kind: int) -> Fraction:

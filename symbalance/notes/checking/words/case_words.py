@@ -237,6 +237,15 @@ def speaks_of_all(before: str, letters: dict[str, bool], *, named: bool = False)
             is_angle and re.search(rf"(?:{_OF_ALL})(?:{_ANGLE_WORD})", before, re.IGNORECASE)
         ):
             spoken.add(name)
+    name = "|".join(sorted(map(re.escape, letters), key=len, reverse=True))
+    listed = re.compile(
+        rf"(?:{_OF_ALL})[\s$\\({{]{{0,6}}(?P<list>(?:{name})(?:[\s$)}}]{{0,4}}(?:,|,?\s*(?:and|und|et|y)\s)"
+        rf"[\s$\\({{]{{0,4}}(?:{name})(?![A-Za-z0-9_]))+)",
+        re.IGNORECASE,
+    )
+    lists = [match["list"] for match in listed.finditer(before)] if letters else []
+    for each in lists:  # for all real a and b
+        spoken |= {name for name in letters if re.search(rf"(?<![\w\\]){re.escape(name)}(?!\w)", each)}
     return spoken
 
 

@@ -120,6 +120,22 @@ _TOGETHER = re.compile(
     r"|同位相",
     re.IGNORECASE,
 )
+_COMPARED_WITH = re.compile(
+    r"(?<![^\W\d_])(?:(?:un)?like|than|(?:that|those)\s+of|same\s+as|as\s+(?:in|for|with|of)|compared\s+(?:to|with)"
+    r"|(?:in\s+contrast|contrary|opposed|similar(?:ly)?)\s+to|instead\s+of|unterschied\s+zu[mr]?|gegensatz\s+zu[mr]?"
+    r"|anders\s+als|(?:wie|als)(?:\s+bei[m]?)?|verglichen\s+mit|vergleich\s+zu[mr]?|(?:die|das|der)jenige\s+de[rs]"
+    r"|comme|(?:contrairement|rapport)\s+[àa]u?|celles?\s+d[eu'’]|(?:que|diferencia\s+de|contrario\s+di)"
+    r"|quella\s+di|como|come)\s*"
+    r"(?:(?:an?|the|any|every|einem|einer|eines|ein|dem|der|des|den|une?|le|la|el|il|dans|en|nel)[\s'’]+){0,2}"
+    r"(?:(?!with\s)[^\W\d_]{2,12}[\s-])?$",
+    re.IGNORECASE,
+)
+_COMPARED_BEHIND = re.compile(r"(?:エンジン|機関)?(?:と(?:同じ|違|異な)|に(?:比べ|対し)|とは?違|より)")
+"""Words around an engine that is named only to compare another one with it."""
+_SUPPOSED = re.compile(
+    r"(?<![A-Za-z])(?:instead|would|wäre|würde|hätte|serait|aurait|sarebbe|sería)(?![A-Za-z])"
+)
+"""What makes a clause of an engine that is only thought of."""
 _ORDER_LIST = re.compile(
     r"(?:firing\s+(?:order|sequence)|zündfolge|ordre\s+d.allumage|orden\s+de\s+encendido"
     r"|ordine\s+di\s+accensione"
@@ -226,7 +242,11 @@ class EnginesInWords:
     text: str
 
     def __post_init__(self) -> None:
-        named = [named for m in _MENTION.finditer(self.text) if (named := self._named(m))]
+        named = [
+            named
+            for m in _MENTION.finditer(self.text)
+            if (named := self._named(m)) and not self._is_compared_with(m)
+        ]
         places = (m for words in (_BANKS, _RADIAL) for m in words.finditer(self.text))
         vees = [NamedEngine(m.start(), m[0], 0, has_banks=True) for m in places]
         if named and all(each.cylinders == 2 and not each.is_boxer for each in named):
@@ -254,18 +274,15 @@ class EnginesInWords:
         """Tell whether a part of the text speaks of an engine whose cylinders are in banks."""
         return _BANKS.search(self.text, first, last) is not None
 
+    def _is_compared_with(self, match: re.Match[str]) -> bool:
+        """Tell whether an engine is named only to compare another with it: unlike the single cylinder."""
+        start = match.start() + len(match[0]) - len(match[0].lstrip())
+        before = self.text[max(0, start - 60) : start].rpartition("\n\n")[2]
+        is_behind = _COMPARED_BEHIND.match(self.text, match.end()) is not None
+        return is_behind or _COMPARED_WITH.search(before) is not None
+
     def _named(self, match: re.Match[str]) -> NamedEngine | None:
-        words = match["count"] or match["many"] or match["behind"] or match["coded"]
-        words = (
-            words
-            or match["noun"]
-            or match["bare"]
-            or match["row"]
-            or match["label"]
-            or match["latin"]
-            or match["titled"]
-            or match["lined"]
-        )
+        words = _count_in(match)
         start, end = match.span()
         near = self.text[max(0, start - 3) : end + 1]
         if _BANKS.search(self.text, max(0, start - 12), end):
@@ -310,7 +327,8 @@ class EnginesInWords:
             return replace(engine, stars=(CrankStar((0,) * count, is_radial=True),) if count > 1 else ())
         if engine.cylinders == 2 and (turn := _turn_told(near)):
             engine = replace(engine, turn=turn)
-        around = f"{heading}\n{self.text[first:last]}"
+        heading, near = _lines_of(engine, heading), _without_suppositions(near)
+        around = f"{heading}\n{_lines_of(engine, self.text[first:last])}"
         stars = _stars_of(engine, around)
         if (
             not stars
@@ -331,6 +349,40 @@ def engines_of_label(words: str) -> list[NamedEngine]:
     [(6, 'the six')]
     """
     return EnginesInWords(f"the {words.strip(' *_$')}").mentions
+
+
+def _lines_of(engine: NamedEngine, text: str) -> str:
+    """Return a text without the rows of a table that name other engines alone, and suppositions."""
+    lines = list[str]()
+    for line in text.splitlines():
+        is_row = line.lstrip().startswith("|")
+        counts = {_COUNTS[_count_in(m).lower()] for m in _MENTION.finditer(line)} if is_row else set()
+        if not counts or engine.cylinders in counts:
+            lines.append(_without_suppositions(line))
+    return "\n".join(lines)
+
+
+def _count_in(match: re.Match[str]) -> str:
+    """Return the word for how many cylinders a mention has."""
+    groups = (
+        "count",
+        "many",
+        "behind",
+        "coded",
+        "noun",
+        "bare",
+        "row",
+        "label",
+        "latin",
+        "titled",
+        "lined",
+    )
+    return next(match[group] for group in groups if match[group])
+
+
+def _without_suppositions(words: str) -> str:
+    """Return words without the clauses that only suppose an engine: with other cranks it would …"""
+    return "; ".join(clause for clause in words.split(";") if not _SUPPOSED.search(clause))
 
 
 def is_another_engine(before: NamedEngine, now: NamedEngine) -> bool:

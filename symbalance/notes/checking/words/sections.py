@@ -169,6 +169,8 @@ _CONSTANT = re.compile(
     re.IGNORECASE,
 )
 """Before an equation whose left side is said to have its value everywhere."""
+_ALSO = re.compile(r"[\s$,)\\]*(?<![A-Za-z])(?:and|und|et|y|e|sowie)(?:\s+(?:also|auch))?[\s$(\\]*")
+"""Between two relations that are said of the same values."""
 _ASIDE = re.compile(r"\([^()$=]*\)")
 _LINK = re.compile(
     r"(?:[\s,;:.()、。，；：–—-]|\\(?:[,;: !]|quad|qquad|ldots|dots)|(?<![A-Za-zÀ-ÿ])(?:also|and|so"
@@ -630,6 +632,10 @@ class Sections:
         if case_words.is_said_of_all_behind(self.document.text, chain.end):
             return frozenset(letters)
         start = chain.start
+        last = self.chain_before(start)
+        is_next = last is not None and _ALSO.fullmatch(self.document.text, last.end, start) is not None
+        if last and is_next and chain.letters == last.letters and all(names(s.node) for s in chain.sides):
+            return self.spoken_of_generally(last, letters, named=named)
         first, end = case_words.clause_start(self.document.text, start), self.end_before(start) or 0
         if _AND_ONLY.fullmatch(self.document.text, end, start) is None:
             first = max(first, end)

@@ -119,6 +119,10 @@ VECTORS = re.compile(
 )
 
 
+_IN_LINE = re.compile(r"(?<![A-Za-z])(?:in-?line|straight|reihen|[RL]-?[2-8])|直列", re.IGNORECASE)
+"""Words in the name of an engine that is no boxer."""
+
+
 @dataclass(frozen=True, slots=True)
 class EngineClaim:
     """What words say a formula is of: an engine's free force or couple of an order."""
@@ -396,7 +400,9 @@ class EngineClaims:
             engine, near = by_labels
             return engine and self._with_cranks(engine, start, (section, section_end), near, near)
         for number, (first, last) in enumerate(scopes):
-            named = _without_units(self.engines.between(first, last), start)
+            own_last = last if number else self._end_of_own_words(chain, end, last)
+            named = _without_units(self.engines.between(first, own_last), start)
+            named = named if number else self._nearer(named, start)
             if number == 1 and _OF_SOME.search(self._text, *scopes[0]):
                 return None
             if self.engines.has_banks(first, last):
@@ -435,6 +441,27 @@ class EngineClaims:
         if engine is None or EnginesInWords(near).has_banks(0, len(near)):
             return None, near
         return replace(engine, place=found[0][1].span[0]), near
+
+    def _end_of_own_words(self, chain: Chain, end: int, last: int) -> int:
+        """Return where the words of a relation end: before a later line with one of its own."""
+        line = self._line_starts[chain.lines[-1]] if chain.lines[-1] < len(self._line_starts) else last
+        later = [c.start for c in self.words.document.chains if c.relations and c.start >= max(line, end)]
+        return min(last, line) if line >= end and later and min(later) < last else last
+
+    def _nearer(self, named: list[NamedEngine], start: int) -> list[NamedEngine]:
+        """Return of an engine in line and a boxer with as many cylinders the one that a formula is of.
+
+        It is the last one named before the formula, if another formula stands between the two.
+        """
+        before = [each for each in named if each.place < start]
+        lined = [e for e in named if not e.is_boxer and _IN_LINE.search(e.words)]
+        if not before or not lined or len({e.is_boxer for e in named}) == 1:
+            return named
+        last = before[-1]
+        others = [e.place for e in before if e.is_boxer != last.is_boxer]
+        chains = self.words.document.chains
+        is_apart = not others or any(max(others) < c.start < last.place for c in chains if c.relations)
+        return [last] if is_apart else []
 
     def _nearest_engine(self, chain: Chain, start: int, end: int) -> NamedEngine | None:
         """Return the engine that the nearest sentence before a relation names, and alone."""

@@ -150,6 +150,8 @@ _KINDS = {
     "wave": "order",
     "function": "cos for sin",
 }
+_NEGATIVE_ORDER = 4
+"""The order whose term of the exact force is negative."""
 _IN_A_CASE = re.compile(
     r"\b(?:if|when|where|speed|wenn|falls|doubles?|doubled|increas\w*|grows?)\b|のとき|の場合|same\s+as"
     r"|compared|vergl|than\b|wie\s+beim",
@@ -308,6 +310,8 @@ class EngineResultants:
         if not is_amount:
             slips.append("factor")
         if not slips:
+            if term is None and self._is_against_another(chain, claim, product, knowledge):
+                return None
             return Decision(
                 PROVED,
                 assumptions=(
@@ -320,6 +324,37 @@ class EngineResultants:
         ):
             return None
         return self._refuted(chain, name, claim, parts, slips[0], sizes[0] * float(first) / number, term)
+
+    def _is_against_another(
+        self, chain: Chain, claim: EngineClaim, product: ProductOfPowers, knowledge: Knowledge
+    ) -> bool:
+        """Tell whether a force above, of the same engine and another order, is counted the other way.
+
+        All orders of one force are cos θ + λ cos 2θ - λ³/4 cos 4θ up to a common sign, where θ is counted
+        from top dead centre; where it is not, another sign may be right, so nothing is refuted.
+        """
+        sign = _sign_of_wave(product)
+        others = self.words.document.chains if sign and claim.kind == FORCE else []
+        for other in others:
+            head = other.sides[0].node
+            is_above = other.relations and other.end <= chain.start and isinstance(head, Name)
+            if not is_above or not self.sections.same_section(other.lines[0], chain.lines[0]):
+                continue
+            of = self.claims.claim(head.name, other)
+            if (
+                of is None
+                or (of.engine.key, of.kind) != (claim.engine.key, FORCE)
+                or of.order == claim.order
+            ):
+                continue
+            try:
+                value = without_dots(other.sides[1].node)[0]
+                before = _sign_of_wave(self.letters.expanded(product_of(value), head.name, knowledge))
+            except NoProductError:
+                continue
+            if before == -sign:
+                return True
+        return False
 
     def _assumption(self, name: str, claim: EngineClaim) -> str:
         of = "rotating " if claim.is_rotating else ""
@@ -533,6 +568,14 @@ class EngineResultants:
         )
         repair = Repair(_KINDS.get(slip, slip), target, ((side.node, target),), 1.0)
         return replace(verdict, fix=fix_of(repair, self.words.document, side))
+
+
+def _sign_of_wave(product: ProductOfPowers) -> int:
+    """Return the sign by which a term's cosine stands to the first order's; 0 where it has none."""
+    if product.wave is None or product.wave.function != "cos":
+        return 0
+    sign = 1 if product.number > 0 else -1
+    return -sign if wave_of(product.wave)[0] == _NEGATIVE_ORDER else sign
 
 
 def _is_of_another_engine(meaning: str, claim: EngineClaim) -> bool:
