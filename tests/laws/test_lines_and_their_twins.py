@@ -118,6 +118,23 @@ ONE_ANGLE = {
         r"$\cos\theta = 0.5$ or $\cos\theta = -1$, hence $\sin\theta = 0.866$ or $\sin\theta = 0$.",
     ],
 }
+DRIVEN = r"The driven oscillator obeys $m\ddot x + kx = F\cos\omega t$. In the steady state "
+INTEGRATED = {
+    "wrong": [
+        r"Integrating $\dot v = -kv$ gives $v = v_0e^{kt}$.",
+        DRIVEN + r"$x = \frac{F}{k+m\omega^2}\cos\omega t$.",
+        DRIVEN + r"$x = \frac{F}{k-m\omega^2}\sin\omega t$.",
+        r"Aus $m\ddot x = -mg$ folgt durch Integration $x = \frac12 g t^2$.",
+        r"L'équation $\dot v = -kv$, intégrée, donne $v = v_0e^{-2kt}$.",
+    ],
+    "right": [
+        r"Integrating $\dot v = -kv$ gives $v = v_0e^{-kt}$.",
+        DRIVEN + r"$x = \frac{F}{k-m\omega^2}\cos\omega t$.",
+        r"Aus $m\ddot x = -mg$ folgt durch Integration $x = x_0 + v_0t - \frac12 g t^2$.",
+        r"The natural frequency is $\omega_p = \omega\sqrt{R/\ell}$. To tune it to order $n$ we need "
+        r"$\omega_p = n\omega$, hence $\ell = R/n^2$. With $n=2$ and $R = 80$ mm we get $\ell = 20$ mm.",
+    ],
+}
 
 
 def _verdicts(tmp_path: Path, page: str, ending: str = "md") -> list[str]:
@@ -190,3 +207,15 @@ def test_a_cosine_drawn_from_a_sine_has_one_size(tmp_path: Path, page: str):
 @pytest.mark.parametrize("page", ONE_ANGLE["right"])
 def test_a_cosine_drawn_from_a_sine_may_have_either_sign(tmp_path: Path, page: str):
     assert not ACCUSED & set(_verdicts(tmp_path, page))
+
+
+@pytest.mark.parametrize("page", INTEGRATED["wrong"])
+def test_a_motion_has_to_solve_the_equation_it_is_drawn_from(tmp_path: Path, page: str):
+    assert _verdicts(tmp_path, page)[-1] in ACCUSED
+
+
+@pytest.mark.parametrize("page", INTEGRATED["right"])
+def test_a_motion_that_solves_its_equation_and_a_demand_are_not_refuted(tmp_path: Path, page: str):
+    verdicts = _verdicts(tmp_path, page)
+    assert verdicts[-1] in HELD
+    assert not ACCUSED & set(verdicts)

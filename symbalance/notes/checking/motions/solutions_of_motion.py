@@ -32,6 +32,13 @@ _SOLUTION = re.compile(
     r"(?<![A-Za-zÀ-ÿ])(?:solution|solved\s+by|solves|satisfied\s+by|Lösung|gelöst\s+durch|löst)(?![A-Za-zÀ-ÿ])|解",
     re.IGNORECASE,
 )
+_INTEGRATED = re.compile(
+    r"(?<![A-Za-zÀ-ÿ])(?:integrat(?:ing|ion|ed)|[Ii]ntegriert|Integrieren|intégr\w+|integrando"
+    r"|steady(?:[\s-]state)?|stationär\w*|eingeschwungen\w*|régime\s+(?:permanent|établi))(?![A-Za-zÀ-ÿ])"
+    r"|積分|定常",
+    re.IGNORECASE,
+)
+"""Words of a motion, a formula of the time, that the equation above leads to."""
 _TRIED = re.compile(
     r"(?<![A-Za-zÀ-ÿ])(?:tr(?:y|ies|ied|ial)|assum\w*|ansatz|guess\w*|look\w*|sought|seek|approx\w*|form|suppos\w*|not"
     r"|small|weak\w*|light\w*|slight\w*|neglect\w*|klein\w*|schwach\w*|vernachl\w*"
@@ -54,7 +61,8 @@ def decide_motion_solution(
     if k or not isinstance(head, Name) or chain.relations[0].sign != "=" or head.name in names(value):
         return None
     above = [equation for equation in equations if equation.moving == {head.name}]
-    if not above or not _SOLUTION.search(words) or _TRIED.search(words):
+    is_said = _SOLUTION.search(words) or (_TIME.name in names(value) and _INTEGRATED.search(words))
+    if not above or not is_said or _TRIED.search(words):
         return None
     equation = above[-1]
     solution = Definition(value, chain.lines[0])

@@ -26,7 +26,7 @@ from symbalance.notes.checking.deciding.numbers_put_in import paired, without_un
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.units.conversions import quantity_of
-from symbalance.notes.checking.verdicts import PREMISE, UNDECIDED
+from symbalance.notes.checking.verdicts import CONDITION, PREMISE, UNDECIDED
 from symbalance.notes.checking.words.case_words import clause_before
 from symbalance.notes.checking.words.cases_named import (
     names_another_example,
@@ -57,6 +57,14 @@ _SUPPOSED = re.compile(
     r"(?<![A-Za-zäöü])(?:were|would|had\s+been|wären?|würden?)(?![A-Za-zäöü])|仮に", re.IGNORECASE
 )
 """In a clause that speaks of what is not so: if γ were 60°."""
+_DEMANDED = re.compile(
+    r"(?<![A-Za-zäöü])(?:(?:we|one|you)\s+(?:need|require|must\s+have|demand|want)|(?:needs|requires|demands)"
+    r"|(?:fordern|verlangen|brauchen|benötigen)\s+wir|(?:wir|man)\s+(?:fordern|verlangt?|brauch(?:t|en)|benötig(?:t|en))"
+    r"|(?:erfordert|verlangt|braucht)(?:\s+man)?|il\s+faut(?:\s+que)?|on\s+(?:exige|demande)|se\s+(?:exige|requiere))"
+    r"[\s$\\(]*$",
+    re.IGNORECASE,
+)
+"""Right before an equation that somebody wants to be so."""
 _RELATION_ABOVE = re.compile(r"[=≈][^\n]*\n")
 """A line of its own above, with a relation: its words say nothing of the next."""
 _SUBJECT = re.compile(
@@ -268,10 +276,14 @@ def _puts_words_in(formula: Formula, value: Formula, words: str, knowledge: Know
 def as_supposed(state: JudgingState, chain: Chain, k: int) -> Decision | None:
     """Return that a relation refuted by lines above is one of a clause that only supposes; or None.
 
-    A step from a formula to its value supposes nothing, nor does a line that was ended before.
+    A step from a formula to its value supposes nothing, nor does a line that was ended before. What is
+    demanded, we need ω_p = n ω, fixes a letter that stands nowhere above.
     """
     text = state.document.text
     words = clause_before(text, chain.start)
+    above = frozenset[str]().union(*(c.letters for c in state.document.chains if c.end <= chain.start))
+    if not k and _DEMANDED.search(words) and chain.letters - above and len(chain.relations) == 1:
+        return Decision(CONDITION, "demanded by the words before it, to be solved")
     if k or _RELATION_ABOVE.search(words) or _SUPPOSED.search(words) is None or not chain.letters:
         return None
     return Decision(UNDECIDED, "supposed, and not so above")
