@@ -74,8 +74,9 @@ def unless_of_one_angle(state: JudgingState, chain: Chain, k: int, verdict: Verd
 def _wave_given(chain: Chain, k: int) -> tuple[str, str, Formula] | None:
     """Return the function, the angle and the value of sin θ = 0.6; None for another relation."""
     node, value = chain.sides[k].node, chain.sides[k + 1].node
-    is_wave = isinstance(node, Call) and node.function in _FUNCTIONS and isinstance(node.argument, Name)
-    if not is_wave or chain.relations[k].sign not in "=≈" or names(value):
+    if not isinstance(node, Call) or not isinstance(node.argument, Name):
+        return None
+    if node.function not in _FUNCTIONS or chain.relations[k].sign not in "=≈" or names(value):
         return None
     return node.function, node.argument.name, value
 

@@ -337,8 +337,12 @@ class EngineResultants:
         others = self.words.document.chains if sign and claim.kind == FORCE else []
         for other in others:
             head = other.sides[0].node
-            is_above = other.relations and other.end <= chain.start and isinstance(head, Name)
-            if not is_above or not self.sections.same_section(other.lines[0], chain.lines[0]):
+            is_above = other.relations and other.end <= chain.start
+            if (
+                not isinstance(head, Name)
+                or not is_above
+                or not self.sections.same_section(other.lines[0], chain.lines[0])
+            ):
                 continue
             of = self.claims.claim(head.name, other)
             if (
@@ -572,7 +576,7 @@ class EngineResultants:
 
 def _sign_of_wave(product: ProductOfPowers) -> int:
     """Return the sign by which a term's cosine stands to the first order's; 0 where it has none."""
-    if product.wave is None or product.wave.function != "cos":
+    if product.wave is None or product.wave.function != "cos" or not product.number:
         return 0
     sign = 1 if product.number > 0 else -1
     return -sign if wave_of(product.wave)[0] == _NEGATIVE_ORDER else sign
