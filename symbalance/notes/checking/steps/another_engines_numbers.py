@@ -58,9 +58,9 @@ _SUPPOSED = re.compile(
 )
 """In a clause that speaks of what is not so: if γ were 60°."""
 _DEMANDED = re.compile(
-    r"(?<![A-Za-zäöü])(?:(?:we|one|you)\s+(?:need|require|must\s+have|demand|want)|(?:needs|requires|demands)"
+    r"(?<![A-Za-zäöü])(?:(?:we|one|you)\s+(?:need|require|must\s+have|demand|want)"
     r"|(?:fordern|verlangen|brauchen|benötigen)\s+wir|(?:wir|man)\s+(?:fordern|verlangt?|brauch(?:t|en)|benötig(?:t|en))"
-    r"|(?:erfordert|verlangt|braucht)(?:\s+man)?|il\s+faut(?:\s+que)?|on\s+(?:exige|demande)|se\s+(?:exige|requiere))"
+    r"|il\s+faut(?:\s+que)?|on\s+(?:exige|demande)|se\s+(?:exige|requiere))"
     r"[\s$\\(]*$",
     re.IGNORECASE,
 )
