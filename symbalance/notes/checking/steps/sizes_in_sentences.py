@@ -117,6 +117,8 @@ def _number(
     scale = scale_of(said.unit)
     if scale is None or size is None or size != unit_of(said.unit):
         return None
+    if said.unit == "Hz" and is_angular_speed(name, knowledge.meanings):
+        return None  # what shakes at 400 Hz turns at another speed
     factor, of_turns = scale
     if of_turns and is_angular_speed(name, knowledge.meanings):
         return Product((Number(said.number * factor), Constant("pi")))

@@ -29,7 +29,7 @@ _TIMES = {"half": Fraction(1, 2), "twice": Fraction(2), "double": Fraction(2), "
           "doppelten": Fraction(2), "moitié de": Fraction(1, 2), "mitad de": Fraction(1, 2),
           "metà": Fraction(1, 2), "doble": Fraction(2), "doppia": Fraction(2)}  # fmt: skip
 _MULTIPLE = re.compile(
-    rf"(?<![^\W\d_])(?P<times>{'|'.join(sorted(_TIMES, key=len, reverse=True))})\s+"
+    rf"{_BEFORE}(?P<times>{'|'.join(sorted(_TIMES, key=len, reverse=True))})\s+"
     r"(?:(?:of|the|its|this|that|der|die|das|la|le|los|il)\s+){0,2}(?P<noun>[^\W\d_]{3,}(?:\s(?:speed|mass|radius))?)",
     re.IGNORECASE,
 )
