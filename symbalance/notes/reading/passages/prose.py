@@ -242,6 +242,8 @@ def _is_product(run: str, text: str, start: int, end: int) -> bool:
     """Tell whether a run of letters goes on as no word and no unit does: mrω², ωrm, ½mR²."""
     if not 1 < len(run) <= LONGEST_PRODUCT or run in _PLAIN_WORDS or scale_of(run) is not None:
         return False
+    if len({*run}) < len(run):
+        return False  # foo² is a function; of m m ω² one would have typed the square
     before, after = text[start - 1 : start], text[end : end + 1]
     return after in _BEHIND_PRODUCT or before in _BEFORE_PRODUCT
 

@@ -105,6 +105,8 @@ _MOST = 400
 _TITLE, _FURTHEST_TITLE = 3, 12
 """Lines that may hold a page's title, and before which its first heading stands."""
 _FEWEST_TOGETHER = 2
+_OF_THE_SENTENCE = 2
+"""Of the stretches that may name an engine the first: the sentence, and that with what introduces it."""
 _INDEXED = frozenset({"M", "C", "F", "P", "R", "K"})
 """Letters of forces and couples whose index may be an order."""
 _OF_SOME = re.compile(
@@ -400,9 +402,10 @@ class EngineClaims:
             engine, near = by_labels
             return engine and self._with_cranks(engine, start, (section, section_end), near, near)
         for number, (first, last) in enumerate(scopes):
-            own_last = last if number else self._end_of_own_words(chain, end, last)
+            is_own = number < _OF_THE_SENTENCE
+            own_last = self._end_of_own_words(chain, end, last) if is_own else last
             named = _without_units(self.engines.between(first, own_last), start)
-            named = named if number else self._nearer(named, start)
+            named = self._nearer(named, start) if is_own else named
             if number == 1 and _OF_SOME.search(self._text, *scopes[0]):
                 return None
             if self.engines.has_banks(first, last):
