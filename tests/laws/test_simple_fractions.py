@@ -23,6 +23,9 @@ def verdicts_of(tmp_path, text, suffix=".md"):
         (r"0.43 \approx 3/8", False),
         (r"1/3 \approx 0.34", False),
         (r"0.251 = 1/4", False),
+        (r"2/3 \approx 0.66", True),  # cut off
+        (r"2/3 = 0.66", False),
+        (r"2/3 \approx 0.65", False),
     ],
 )
 def test_a_decimal_is_nearly_the_part_that_it_is_nearest_to(tmp_path, relation, is_right):
