@@ -15,6 +15,8 @@ from tests import TESTS
 HOSTILE = TESTS / "hand" / "hostile"
 EXPECTED = tomllib.loads((HOSTILE / "expect.toml").read_text(encoding="utf-8"))["file"]
 LETTERS = {"theta": "crank angle", "x": "any", "y": "any", "z": "any", "w": "any"}
+MOST_SECONDS = 75
+"""Of processor time for thousands of relations: more than it takes, and far less than its square."""
 RIGHT = r"$$\sin^2\theta+\cos^2\theta=1$$"
 
 
@@ -89,7 +91,7 @@ def test_large_input_is_judged_or_refused_and_the_line_after_it_is_read(name):
         return
     verdicts = [v.verdict for v in found.verdicts]
     assert "holds" in verdicts[-1:] or "unreadable" in verdicts or not verdicts
-    assert time.process_time() - start < 30
+    assert time.process_time() - start < MOST_SECONDS
 
 
 @pytest.mark.parametrize(

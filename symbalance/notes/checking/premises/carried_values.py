@@ -109,8 +109,9 @@ def _with_wrong(
     """Yield what a left side is with a wrong result for its letter or formula, and what is known then."""
     values = {n: d.node for n, d in knowledge.definitions.items()}
     is_number = not names(wrong.value)
-    if not is_number and left.node == wrong.formula and names(wrong.value) <= names(right.node):
-        return  # the same formula once more
+    is_again = isinstance(wrong.formula, Name) or names(wrong.value) <= names(right.node)
+    if not is_number and left.node == wrong.formula and is_again:
+        return  # the same formula once more, or the letter again in other letters
     if is_number and left.node == Name(wrong.name):
         return  # the same number once more, perhaps at another place
     if not is_number and left.node == wrong.formula:
