@@ -12,7 +12,7 @@ from fractions import Fraction
 from typing import Any
 
 from symbalance.document.formula import Call, Formula, Name, Number, Quotient
-from symbalance.document.letters import raised
+from symbalance.document.letters import plain_letter, raised
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra import values
@@ -284,6 +284,16 @@ def degree(form: Form, letter: str, sign: int) -> int | None:
                 return None
     top = max(exponents)
     return int(top) if top.denominator == 1 else None
+
+
+def power_written(node: Formula, letter: str, agreement: Decision, knowledge: Knowledge) -> int | None:
+    """Return the highest power of a small letter in a formula; None where it is no polynomial in it.
+
+    Of one that is called large it is that of its inverse. A formula without a normal form raises.
+    """
+    is_inverse = "⁻" in agreement.order or f"{plain_letter(letter)}{IS_LARGE}" in agreement.assumptions
+    level = agreement.level or list(knowledge.levels(node, node))[-1]
+    return degree(knowledge.evaluator(level).form(node), letter, -1 if is_inverse else 1)
 
 
 def proved_through(

@@ -12,7 +12,7 @@ from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.order_agreement import degree
+from symbalance.notes.checking.deciding.order_agreement import power_written
 from symbalance.notes.checking.deciding.relations import MEANT_ROUGHLY, decide
 from symbalance.notes.reading.equations import Side
 
@@ -48,9 +48,7 @@ def decide_roughly(left: Side, right: Side, decision: Decision, knowledge: Knowl
 
 def _powers_kept(side: Side, by_order: Decision, knowledge: Knowledge) -> int:
     """Return the highest power of the small letter that a side has; 0 where it is no polynomial in it."""
-    level = by_order.level or list(knowledge.levels(side.node, side.node))[-1]
-    sign = -1 if "⁻" in by_order.order else 1
     try:
-        return degree(knowledge.evaluator(level).form(side.node), by_order.expanded_in, sign) or 0
+        return power_written(side.node, by_order.expanded_in, by_order, knowledge) or 0
     except (NoFormError, TooLargeError):
         return 0

@@ -68,11 +68,11 @@ def judge_derivative_of_above(
         return None
     wrong: Decision | None = None
     for above, whole in _formulas_above(state, chain, head, angle):
-        outcome = _compared(whole, rate, angle)
-        if outcome is not None and outcome.is_proved:
-            return outcome
-        if wrong is None and outcome is not None:
-            wrong = Decision(REFUTED, f"not the derivative of line {above.lines[0]}: {outcome.reason}")
+        for outcome in _compared(whole, rate, angle):
+            if outcome.is_proved:
+                return outcome
+            reason = f"not the derivative of line {above.lines[0]}: {outcome.reason}"
+            wrong = wrong or replace(outcome, reason=reason)
     return wrong
 
 
@@ -96,12 +96,15 @@ def _formulas_above(
         yield from ((other, without_dots(node)[0]) for node in turning)
 
 
-def _compared(whole: Formula, rate: Formula, angle: str) -> Decision | None:
-    """Return whether a formula is another one's derivative; with the term that is not; None if open."""
+def _compared(whole: Formula, rate: Formula, angle: str) -> Iterator[Decision]:
+    """Yield whether a formula is another one's derivative once or twice, or which term of it is not.
+
+    One letter that it has may be the speed, be it new or before the other formula as well.
+    """
     new = names(rate) - names(whole)
     speeds = new or {"", *names(rate) - {angle}}
     if len(new) > 1 or len(speeds) > MOST_LETTERS:
-        return None
+        return
     for times, speed in product((1, _TWICE), sorted(speeds)):
         derived: Formula = Derivative(whole, Name(angle), times)
         if speed:
@@ -109,8 +112,7 @@ def _compared(whole: Formula, rate: Formula, angle: str) -> Decision | None:
         outcome = _by_harmonics(derived, rate)
         if outcome is not None:
             constant = (f"{plain_letter(speed)} is constant",) if speed else ()
-            return Decision(REFUTED, outcome) if outcome else Decision(PROVED, assumptions=constant)
-    return None
+            yield Decision(REFUTED, outcome) if outcome else Decision(PROVED, assumptions=constant)
 
 
 def _by_harmonics(derived: Formula, rate: Formula) -> str | None:

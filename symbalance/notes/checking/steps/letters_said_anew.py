@@ -39,11 +39,8 @@ _CONDITION = re.compile(
 
 def leave_letter_said_anew(state: JudgingState, chain: Chain, k: int) -> None:
     """Forget what a letter is above, where words say before its formula that it is another thing now."""
-    head, line = chain.sides[0].node, chain.lines[0]
-    if k or not isinstance(head, Name) or head.name in state.declarations.symbols_at(line):
-        return
-    above = [c for c in state.sections.chains_of(head) if c.end <= chain.start]
-    if not above or not names(chain.sides[1].node):
+    head, line, above = chain.sides[0].node, chain.lines[0], _relations_above(state, chain, k)
+    if not above or not isinstance(head, Name):
         return
     if any(chain.sides[1].node in [side.node for side in c.sides] for c in above):
         return
@@ -59,19 +56,24 @@ def leave_letter_said_anew(state: JudgingState, chain: Chain, k: int) -> None:
 
 def leave_formula_of_condition(state: JudgingState, chain: Chain, k: int) -> bool:
     """Forget the formula that a letter has under another condition, or with others; tell of any."""
-    head, line = chain.sides[0].node, chain.lines[0]
-    if k or not isinstance(head, Name) or head.name in state.declarations.symbols_at(line):
+    head, line, above = chain.sides[0].node, chain.lines[0], _relations_above(state, chain, k)
+    if not above or not isinstance(head, Name):
         return False
-    above = [c for c in state.sections.chains_of(head) if c.end <= chain.start]
-    if not above or not names(chain.sides[1].node):
-        return False
-    conditions = [_condition_behind(state, c) for c in (above[-1], chain)]
-    before, own = conditions
+    before, own = (_condition_behind(state, c) for c in (above[-1], chain))
     is_other = before is not None and own is not None and _are_two(before, own)
     if not is_other and not _OTHERS.search(state.sections.heading_above(line)):
         return False
     state.definitions.forget_all(head.name)
     return True
+
+
+def _relations_above(state: JudgingState, chain: Chain, k: int) -> list[Chain]:
+    """Return the relations above of a letter that nobody has declared, where one gives it a formula."""
+    head = chain.sides[0].node
+    if k or not isinstance(head, Name) or head.name in state.declarations.symbols_at(chain.lines[0]):
+        return []
+    above = [c for c in state.sections.chains_of(head) if c.end <= chain.start]
+    return above if names(chain.sides[1].node) else []
 
 
 def _condition_behind(state: JudgingState, chain: Chain) -> Chain | None:

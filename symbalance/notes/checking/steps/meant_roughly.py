@@ -18,7 +18,7 @@ from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.order_agreement import degree
+from symbalance.notes.checking.deciding.order_agreement import power_written
 from symbalance.notes.checking.deciding.relations import MEANT_ROUGHLY, decide
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain, Side
@@ -76,11 +76,8 @@ def _is_cut_in_ratio(there: Decision, right: Side, knowledge: Knowledge) -> bool
 
 def _keeps_more(there: Decision, right: Side, name: str, knowledge: Knowledge) -> bool:
     """Tell whether a relation has higher powers than those through which the sides agree."""
-    is_inverse = "⁻" in there.order or f"{plain_letter(name)} is large" in there.assumptions
     try:
-        level = there.level or list(knowledge.levels(right.node, right.node))[-1]
-        form = knowledge.evaluator(level).form(right.node)
-        power = degree(form, name, -1 if is_inverse else 1)
+        power = power_written(right.node, name, there, knowledge)
         return power is not None and power > (there.through or 0)
     except (NoFormError, TooLargeError):
         return True
