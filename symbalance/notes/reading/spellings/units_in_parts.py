@@ -24,7 +24,9 @@ _PATTERNS = tuple(
     )
     for first, whole, second, part in _PAIRS
 )
-_DEGREES_BEFORE = re.compile(r"[°º]\s?$")
+_DEGREES_BEFORE = re.compile(r"(?:[°º]|\\circ\s?\}?|\\degree)(?:\s|~|\\[,;: ])?$")
+"""What makes of the marks behind it minutes and seconds: 7° 10' 30", 26^\\circ 33' 54''."""
+_LONGEST_MARK = 12
 
 
 def with_sums_of_units(text: str) -> Rewritten | None:
@@ -32,12 +34,14 @@ def with_sums_of_units(text: str) -> Rewritten | None:
 
     >>> with_sums_of_units("a = 6 ft. 3 in. = 6.25 ft").text, with_sums_of_units("7° 10' 30\\"")
     ('a = (6 ft + 3 inch) = 6.25 ft', None)
+    >>> with_sums_of_units(r"26^{\\circ} 33' 54''") is None
+    True
     """
     found = sorted(
         (match.start(), match.end(), f"({match['major']} {first} + {match['minor']} {second})")
         for first, second, pattern in _PATTERNS
         for match in pattern.finditer(text)
-        if not _DEGREES_BEFORE.search(text, max(0, match.start() - 2), match.start())
+        if not _DEGREES_BEFORE.search(text, max(0, match.start() - _LONGEST_MARK), match.start())
     )
     if not found:
         return None
