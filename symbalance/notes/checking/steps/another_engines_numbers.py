@@ -281,9 +281,10 @@ def as_supposed(state: JudgingState, chain: Chain, k: int) -> Decision | None:
     """
     text = state.document.text
     words = clause_before(text, chain.start)
-    above = frozenset[str]().union(*(c.letters for c in state.document.chains if c.end <= chain.start))
-    if not k and _DEMANDED.search(words) and chain.letters - above and len(chain.relations) == 1:
-        return Decision(CONDITION, "demanded by the words before it, to be solved")
+    if not k and len(chain.relations) == 1 and _DEMANDED.search(words):
+        above = (c.letters for c in state.document.chains if c.end <= chain.start)
+        if chain.letters.difference(*above):
+            return Decision(CONDITION, "demanded by the words before it, to be solved")
     if k or _RELATION_ABOVE.search(words) or _SUPPOSED.search(words) is None or not chain.letters:
         return None
     return Decision(UNDECIDED, "supposed, and not so above")

@@ -109,21 +109,26 @@ def _is_slip(typed: float, exact: float, node: Formula) -> bool:
 
 def _formulas(state: JudgingState, chain: Chain, head: Name) -> Iterator[tuple[Formula, Knowledge, int]]:
     """Yield the formulas that give a letter's number, what is known of their letters, and their lines."""
-    knowledge = state.knowledge(chain.lines[0])
-    above = [c for c in state.sections.in_order if c.start < chain.start and c.relations]
-    above = [c for c in above if not state.sections.is_of_another_engine(chain, c.lines[0])]
+    knowledge, sections = state.knowledge(chain.lines[0]), state.sections
     base = base_of_largest(head.name) or head.name
     if base != head.name or isinstance(chain.sides[0].node, Call):
-        own = [c for c in above if c.sides[0].node == Name(base)]
-        yield from _of_the_wave(state, chain, own, knowledge)
+        yield from _of_the_wave(state, chain, _of_the_engine(state, chain, base), knowledge)
     stem, _, index = head.name.rpartition("_")
-    for c in reversed(above) if index.isdigit() else ():
+    above = (c for c in reversed(sections.in_order) if c.start < chain.start and c.relations)
+    for c in above if index.isdigit() else ():
         letter = c.sides[0].node.name if isinstance(c.sides[0].node, Name) else ""
         counter = letter.removeprefix(f"{stem}_")
-        if letter != counter and len(counter) == 1 and counter in names(c.sides[1].node):
+        is_indexed = letter != counter and len(counter) == 1 and counter in names(c.sides[1].node)
+        if is_indexed and not sections.is_of_another_engine(chain, c.lines[0]):
             yield substitute(c.sides[1].node, counter, Number(Fraction(index))), knowledge, c.lines[0]
             break
-    yield from _at_the_speed(state, chain, [c for c in above if c.sides[0].node == head], knowledge)
+    yield from _at_the_speed(state, chain, _of_the_engine(state, chain, head.name), knowledge)
+
+
+def _of_the_engine(state: JudgingState, chain: Chain, name: str) -> list[Chain]:
+    """Return the relations of a letter above that are of the engine which a relation is of."""
+    above = (c for c in state.sections.chains_of(Name(name)) if c.start < chain.start)
+    return [c for c in above if not state.sections.is_of_another_engine(chain, c.lines[0])]
 
 
 def _of_the_wave(

@@ -135,11 +135,10 @@ def leave_range_of_case(state: JudgingState, chain: Chain) -> bool:
     What is said to follow from what stands before is of the same case.
     """
     sections, own = state.sections, chain.letters
-    above = [c for c in sections.in_order if c.end <= chain.start and c.letters == own and c.relations]
-    above = [c for c in above if c.relations[0].sign in SATISFIED_BY]
-    if not above or sections.is_consequence(chain):
+    above = (c for c in reversed(sections.in_order) if c.end <= chain.start and c.letters == own)
+    last = next((c for c in above if c.relations and c.relations[0].sign in SATISFIED_BY), None)
+    if last is None or sections.is_consequence(chain):
         return False
-    last = above[-1]
     between = state.document.text[last.end : chain.start]
     words = f"{between} {state.document.text[chain.end : chain.end + 6]}"
     is_apart = not sections.same_section(last.lines[0], chain.lines[0])

@@ -136,8 +136,7 @@ def scaled_in_words(state: JudgingState, chain: Chain, k: int) -> Decision | Non
     head, value = _letter_of(chain.sides[0].node), chain.sides[1].node
     if k or not chain.relations or chain.relations[0].sign not in "=≈" or head is None:
         return None
-    words = _words_before(state, chain)
-    changes = _changes_in(words)
+    words, changes = _words_before(state, chain)
     speed = None if changes else _speed_in(words)
     if is_speed(state, head.partition("_")[0]) and not any(c.kind != "speed" for c in changes):
         return None  # the speed itself
@@ -158,13 +157,19 @@ def _letter_of(node: Formula) -> str | None:
     return node.name if isinstance(node, Name) else None
 
 
-def _words_before(state: JudgingState, chain: Chain) -> str:
-    """Return the words since the relation before, or the whole sentence where they change nothing."""
+def _words_before(state: JudgingState, chain: Chain) -> tuple[str, list[_Change]]:
+    """Return the words since the relation before, or the whole sentence where they change nothing.
+
+    And what they change.
+    """
     text = state.document.text
     sentence = SENTENCE_END.split(text[max(0, chain.start - REACH) : chain.start])[-1]
     last = state.sections.end_before(chain.start) or 0
     near = sentence[max(0, len(sentence) - (chain.start - last)) :]
-    return near if _changes_in(near) or SPEED.search(near) else sentence
+    changes = _changes_in(near)
+    if changes or near == sentence or SPEED.search(near):
+        return near, changes
+    return sentence, _changes_in(sentence)
 
 
 def _changes_in(words: str) -> list[_Change]:
