@@ -37,7 +37,7 @@ from symbalance.notes.checking.words.glossary import Glossary, glossary_of
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END, bare
-from symbalance.notes.checking.words.table_cells import TableCells
+from symbalance.notes.checking.words.table_cells import TableCells, cells_of
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.text import lazy_patterns as re
 
@@ -267,7 +267,7 @@ class MeantWords:
     @cached_property
     def cells(self) -> TableCells:
         """The cells of the page's tables."""
-        return TableCells(self.document.text)
+        return cells_of(self.document.text)
 
     def paragraph(self, chain: Chain) -> str:
         """Return the paragraph of a relation up to its end, with what stands before a display."""

@@ -52,6 +52,11 @@ _NO_SIGN = re.compile(
     re.IGNORECASE,
 )
 """Before a letter of what is neither positive nor negative."""
+_MAY_STATE = re.compile(
+    r"quadrant|象限|between|zwischen|entre|tra\s|negativ|négatif|負|comple|komplex|vec|vek|複素|ベクトル",
+    re.IGNORECASE,
+)
+"""What words have that state a range, or that there is none: they are looked at before every relation."""
 _DEGREE_MARK = re.compile(r"°|circ|degree|Grad", re.IGNORECASE)
 _STRAIGHT = 180
 
@@ -80,7 +85,9 @@ def _ranges_in_words(chain: Chain, document: ReadNotes) -> Iterator[StatedRange]
 
 
 def _mentions(chain: Chain, words: str) -> Iterator[tuple[str, int, int]]:
-    """Yield where words name the letters of a relation."""
+    """Yield where words that may state a range name the letters of a relation."""
+    if _MAY_STATE.search(words) is None:
+        return
     for name in sorted(chain.letters):
         plain = formula_text(Name(name), plain=True)
         ways = sorted({name, f"\\{name}", plain}, key=len, reverse=True)

@@ -29,9 +29,9 @@ def unless_repeated(
     if k or verdict.verdict not in PROVED_WORDS or not isinstance(head, Name):
         return verdict
     above = [c for c in state.sections.chains_of(head) if c.end <= chain.start]
-    last = max(above, key=lambda each: each.start, default=None)
-    if last is None or not any(side.node == chain.sides[1].node for side in last.sides[1:]):
+    if not above or not any(side.node == chain.sides[1].node for side in above[-1].sides[1:]):
         return verdict
+    last = above[-1]
     if not _is_of_another(state, last, chain):
         return verdict
     lines = {c.lines[0] for c in above}

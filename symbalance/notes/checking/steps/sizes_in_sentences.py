@@ -34,7 +34,7 @@ def with_size_said(state: JudgingState, chain: Chain, k: int, verdict: Verdict) 
     """Return a verdict on a number; one that rests on another size than its sentence says is open."""
     if not is_lone_number(chain.sides[k + 1].node) or verdict.verdict not in (*PROVED_WORDS, REFUTED):
         return verdict
-    first = max(state.sections.end_before(chain.start) or 0, 0)
+    first = state.sections.end_before(chain.start) or 0
     sentence = state.sections.sentence_before(chain)
     words = state.document.text[max(first, chain.start - len(sentence)) : chain.start]
     said = size_said(words.rstrip(" $\\(["), state.document.text)

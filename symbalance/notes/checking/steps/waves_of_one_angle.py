@@ -48,8 +48,7 @@ def unless_of_one_angle(state: JudgingState, chain: Chain, k: int, verdict: Verd
         return verdict
     function, angle, _ = given
     text = state.document.text
-    above = [c for c in state.document.chains if c is not chain and c.end <= chain.start and c.relations]
-    last = max(above, key=lambda c: c.end, default=None)
+    last = state.sections.chain_before(chain.start)
     before = None if last is None else _wave_given(last, len(last.relations) - 1)
     if last is None or before is None or before[0] == function or before[1] != angle:
         return verdict

@@ -187,16 +187,7 @@ def thing_said_anew(
     frozenset()
     """
     lead = _SPLIT.split(text[max(first, now[0] - REACH) : now[0]].rstrip(_OPENING))[-1].lstrip(_MARKS)
-    named = ""
-    for pattern, part in ((p, c) for c in (_CLAUSE.split(lead)[-1], lead) for p in (_OF_THING, _HAS)):
-        if (opened := pattern.match(part)) is not None:
-            named = opened["words"]
-            break
-    else:
-        for pattern in (_CASE_BEHIND, _LABEL):
-            if (label := pattern.match(lead)) is not None and not _STEP.match(label["words"]):
-                named = label["words"]
-                break
+    named = _named_by(lead, _OF_THING, _HAS)
     if _NO_THING.search(" ".join(named.split()[:FEWEST_WORDS])) is not None:
         return frozenset()
     start = max(0, before[0] - REACH)
@@ -280,11 +271,15 @@ def _words_of(opening: str) -> frozenset[str]:
 def _opening(text: str, first: int, start: int) -> str:
     """Return the words by which a formula's sentence, item or clause names a case, or ""."""
     before = text[max(first, start - REACH) : start].rstrip(_OPENING)
-    lead = _SPLIT.split(before)[-1]
-    lead = lead.lstrip(_MARKS)
+    return _named_by(_SPLIT.split(before)[-1].lstrip(_MARKS), _OPENS)
+
+
+def _named_by(lead: str, *openings: re.Pattern[str]) -> str:
+    """Return the words behind one of several openings of a clause or sentence, or those of a label."""
     for part in (_CLAUSE.split(lead)[-1], lead):
-        if (opened := _OPENS.match(part)) is not None:
-            return opened["words"]
+        for pattern in openings:
+            if (opened := pattern.match(part)) is not None:
+                return opened["words"]
     for pattern in (_CASE_BEHIND, _LABEL):
         if (label := pattern.match(lead)) is not None:
             return "" if _STEP.match(label["words"]) else label["words"]

@@ -25,7 +25,7 @@ from symbalance.notes.checking.words.glossary import glossary_of
 from symbalance.notes.checking.words.items import item_end
 from symbalance.notes.checking.words.listed_cases import item_of_cases
 from symbalance.notes.checking.words.phrases_in_order import PhrasesInOrder
-from symbalance.notes.checking.words.table_cells import TableCells
+from symbalance.notes.checking.words.table_cells import TableCells, cells_of
 from symbalance.notes.checking.words.value_groups import in_next_groups
 from symbalance.notes.checking.words.working_cycles import (
     is_another_cycle,
@@ -757,7 +757,7 @@ class Sections:
 
     @cached_property
     def _table_cells(self) -> TableCells:
-        return TableCells(self.document.text)
+        return cells_of(self.document.text)
 
     def is_labelled_item(self, line: int) -> bool:
         """Tell whether a line is an item of a list that begins with the angle that it is for."""

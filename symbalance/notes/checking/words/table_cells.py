@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from symbalance.notes.checking.words.tables import Cell, tables_of
 
@@ -76,6 +76,12 @@ class TableCells:
     @cached_property
     def _starts(self) -> list[int]:
         return [cell.span[0] for cell, *_ in self._cells]
+
+
+@lru_cache(maxsize=8)
+def cells_of(text: str) -> TableCells:
+    """Return the tables of a page, which are looked for once."""
+    return TableCells(text)
 
 
 def _without_frame(row: list[Cell]) -> list[Cell]:

@@ -42,7 +42,7 @@ from symbalance.notes.checking.meant.pistons.motion_words import (
 from symbalance.notes.checking.words.glossary import Glossary, glossary_of
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.checking.words.sentences import SENTENCE_END
-from symbalance.notes.checking.words.table_cells import TableCells
+from symbalance.notes.checking.words.table_cells import TableCells, cells_of
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.text import lazy_patterns as re
 
@@ -272,7 +272,7 @@ class NamedMotions:
 
     @cached_property
     def _cells(self) -> TableCells:
-        return TableCells(self.document.text)
+        return cells_of(self.document.text)
 
     @cached_property
     def _ends(self) -> list[int]:
