@@ -165,9 +165,7 @@ class BankResultants:
         if self.resultants.claims.engines.has_banks(0, len(self._text)):
             return True
         right = {
-            (each.bank, each.wave.function)
-            for each in self._others(chain, knowledge)
-            if any(_scale(each, each.wave.function, half) == 1 for half in (1.0, 0.5))
+            (each.bank, each.wave.function) for each in self._others(chain, knowledge) if _is_right(each)
         }
         return any((bank, _OTHER[function]) in right for bank, function in right)
 
@@ -212,9 +210,7 @@ class BankResultants:
             isinstance(other.sides[0].node, Name)
             and _stem(other.sides[0].node.name) == _stem(head.name)
             and any(
-                each.bank
-                and each.wave.function == own.wave.function
-                and any(_scale(each, each.wave.function, half) == 1 for half in (1.0, 0.5))
+                each.bank and each.wave.function == own.wave.function and _is_right(each)
                 for each in self._resolved(other.sides[1], knowledge)
             )
             for other in self.resultants.words.document.chains
@@ -459,6 +455,11 @@ def _of_second_order(node: Formula) -> Formula:
     orders = sorted(turning & _ORDER_LETTERS)
     is_general = len(orders) == 1 and len(turning) > 1
     return substitute(node, orders[0], Number(Fraction(2))) if is_general else node
+
+
+def _is_right(own: _Component) -> bool:
+    """Tell whether a component is that of its wave, for the angle of the banks or for half of it."""
+    return any(_scale(own, own.wave.function, half) == 1 for half in (1.0, 0.5))
 
 
 def _scale(own: _Component, function: str, half: float) -> float:

@@ -105,8 +105,8 @@ _MOST = 400
 _TITLE, _FURTHEST_TITLE = 3, 12
 """Lines that may hold a page's title, and before which its first heading stands."""
 _FEWEST_TOGETHER = 2
-_OF_THE_SENTENCE = 2
-"""Of the stretches that may name an engine the first: the sentence, and that with what introduces it."""
+_SENTENCE, _INTRODUCED, _PARAGRAPH, _HEADING, _SECTION, _PAGE_TITLE = range(6)
+"""The stretches that may name a formula's engine, the nearest first."""
 _INDEXED = frozenset({"M", "C", "F", "P", "R", "K"})
 """Letters of forces and couples whose index may be an order."""
 _OF_SOME = re.compile(
@@ -401,21 +401,21 @@ class EngineClaims:
         if by_labels is not None:
             engine, near = by_labels
             return engine and self._with_cranks(engine, start, (section, section_end), near, near)
-        for number, (first, last) in enumerate(scopes):
-            is_own = number < _OF_THE_SENTENCE
+        for scope, (first, last) in enumerate(scopes):
+            is_own = scope in (_SENTENCE, _INTRODUCED)
             own_last = self._end_of_own_words(chain, end, last) if is_own else last
             named = _without_units(self.engines.between(first, own_last), start)
             named = self._nearer(named, start) if is_own else named
-            if number == 1 and _OF_SOME.search(self._text, *scopes[0]):
+            if scope == _INTRODUCED and _OF_SOME.search(self._text, *scopes[_SENTENCE]):
                 return None
             if self.engines.has_banks(first, last):
                 return eight_named(self.engines, first, last, self._text[section:heading_end])
             if not named:
                 continue
             engine = _only_one(named)
-            if engine is None or (number > 3 and _only_one(self._of_several(start)) is None):
+            if engine is None or (scope > _HEADING and _only_one(self._of_several(start)) is None):
                 return None
-            title = "" if number < 5 and section > 0 else self._text[:title_end]
+            title = "" if scope < _PAGE_TITLE and section > 0 else self._text[:title_end]
             around = f"{title}\n{self._text[section:heading_end]}"
             cell = self.words.cells.at(start)
             near = (cell and cell.row) or self._text[slice(*self._sentence(start, end))]
