@@ -718,9 +718,10 @@ def _with_condition(text: str, start: int, end: int) -> list[tuple[int, int]]:
     Words in the brackets are left out.
     """
     match = _CONDITION.search(text, start, end)
-    if match is None or not has_relation(text, *match.span("inside")):
-        in_words = match is not None and _SET_WORDS.search(match["inside"])
-        return [(start, match.start())] if match is not None and in_words else [(start, end)]
+    if match is None:
+        return [(start, end)]
+    if not has_relation(text, *match.span("inside")):
+        return [(start, match.start() if _SET_WORDS.search(match["inside"]) else end)]
     if relation_at_start(match["inside"].lstrip()) or not has_relation(text, start, match.start()):
         return [(start, end)]
     return [(start, match.start()), match.span("inside")]
