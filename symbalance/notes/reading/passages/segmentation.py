@@ -71,7 +71,7 @@ _NAMED_BY_WORDS = re.compile(
 """A letter with its meaning before the sign that gives its value: A = piston area = π d²/4."""
 _DEFINED = re.compile(r"(?<![A-Za-z\\_^{\"'.])([A-Za-z])(?:_\w{1,4})?[ \t]*=(?![=>])")
 _NAMED = re.compile(
-    r"(?:[^\W\d_]{3,}[ \t]+(?=[*_`]?(?![AEIOUaeiouyY])|[*_`]?[A-Z][,;:)])|[\u3040-\u9fff][ \t]?)"
+    r"(?:(?<=[^\W\d_]{3})[ \t]+(?=[*_`]?(?![AEIOUaeiouyY])|[*_`]?[A-Z][,;:)])|[\u3040-\u9fff][ \t]?)"
     r"[*_`]?([A-Za-z])[*_`]?(?=[ ]?[,;:.)、。，]|[ \t]+[^\W\d_]{2}|\s*$)",
     re.MULTILINE,
 )
