@@ -403,7 +403,7 @@ class Judge:
         head = chain.sides[0].node
         if verdict.verdict != CONDITIONAL or k:
             return verdict
-        above = (c for c in self.state.sections.chains_of(head) if c.start < chain.start)
+        above = self.state.sections.chains_above(head, chain.start)
         if not any(len(c.sides) > 1 and c.sides[1].node == chain.sides[1].node for c in above):
             return verdict
         left, right = (plain_text(side.node) for side in chain.sides[k : k + 2])

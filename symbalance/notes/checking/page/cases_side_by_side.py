@@ -206,7 +206,7 @@ class CasesSideBySide:
 
     def _has_formula(self, name: str, before: int) -> bool:
         """Tell whether a letter has a formula in letters somewhere above a place."""
-        above = (c for c in self.sections.chains_of(Name(name)) if c.start < before)
+        above = self.sections.chains_above(Name(name), before)
         return any(names(side.node) for chain in above for side in chain.sides[1:])
 
     def _numbers(self, part: CasePart) -> Iterator[tuple[str, Number]]:

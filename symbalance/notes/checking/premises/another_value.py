@@ -176,7 +176,7 @@ def _is_of_other_parity(definitions: Definitions, name: str, chain: Chain) -> bo
     h = N if N is even, and h = 2N if N is odd.
     """
     text = definitions.sections.document.text
-    before = [c for c in definitions.sections.chains_of(Name(name)) if c.start < chain.start]
+    before = definitions.sections.chains_above(Name(name), chain.start)
     if not before:
         return False
     words = [_PARITY.search(text[c.end : c.end + _BEHIND_PARITY]) for c in (before[-1], chain)]
@@ -199,7 +199,7 @@ def _is_labelled_otherwise(
     if names(value):
         return False
     sections = definitions.sections
-    above = [c for c in sections.chains_of(Name(name)) if c.start < chain.start and c.relations]
+    above = sections.chains_above(Name(name), chain.start)
     if not above or above[-1].lines[0] != earlier.line or names(above[-1].sides[1].node):
         return False
     if not sections.same_section(earlier.line, chain.lines[0]):

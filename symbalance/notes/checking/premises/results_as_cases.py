@@ -94,7 +94,7 @@ def refute_result(
     if names(value) or len(chain.relations) != 1 or chain.relations[0].sign not in "=≈":
         return None
     sections = definitions.sections
-    own = [c for c in sections.chains_of(Name(name)) if c.start < chain.start]
+    own = sections.chains_above(Name(name), chain.start)
     above = max(own, key=lambda c: c.start, default=None)
     if (
         above is None
@@ -125,7 +125,7 @@ def is_led_to(definitions: Definitions, value: Formula, chain: Chain) -> bool:
         or opens_case(text, chain.start, chain.end)
     ):
         return False
-    above = [c for c in sections.chains_of(chain.sides[0].node) if c.start < chain.start]
+    above = sections.chains_above(chain.sides[0].node, chain.start)
     if not above or sections.end_before(chain.start) != above[-1].end:
         return False
     between = text[above[-1].end : chain.start]

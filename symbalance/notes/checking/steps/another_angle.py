@@ -29,7 +29,7 @@ def leave_angle_above(state: JudgingState, chain: Chain, k: int) -> bool:
     behind = own.union(*(names_behind(side.node, values) for side in chain.sides[k : k + 2]))
     is_known = False
     for name in sorted(behind & values.keys()):
-        given = [c for c in state.sections.chains_of(Name(name)) if c.end <= place]
+        given = state.sections.chains_above(Name(name), place)
         turn = whole_degrees(values[name])
         if given and turn is not None and turn != degrees:
             is_known |= state.definitions.forget_line(name, given[-1].lines[0])
@@ -41,7 +41,7 @@ def leave_number_at_angle(state: JudgingState, chain: Chain, k: int) -> bool:
     head = chain.sides[0].node
     if k or not isinstance(head, Name) or names(chain.sides[1].node):
         return False
-    above = [c for c in state.sections.chains_of(head) if c.end <= chain.start]
+    above = state.sections.chains_above(head, chain.start)
     if not above or names(above[-1].sides[1].node):
         return False
     before, now = _angle_before(state, above[-1]), _angle_before(state, chain)

@@ -74,7 +74,7 @@ def _leave_product(state: JudgingState, chain: Chain, *, is_share: bool = False)
     The line above only says what would be needed, or this one has the product behind "with" or "for".
     """
     left, text = chain.sides[0].node, state.document.text
-    above = [c for c in state.sections.chains_of(left) if c.end <= chain.start]
+    above = state.sections.chains_above(left, chain.start)
     premises = [p for p in state.definitions.premises if p.left == left]
     last = max(above, key=lambda each: each.start, default=None)
     if last is None or not isinstance(left, Product) or not premises:

@@ -55,7 +55,7 @@ def leave_named_case(state: JudgingState, chain: Chain, k: int) -> bool:
     head = chain.sides[0].node
     if k or not isinstance(head, Name) or not names(chain.sides[1].node):
         return False
-    above = [c for c in state.sections.chains_of(head) if c.start < chain.start]
+    above = state.sections.chains_above(head, chain.start)
     formulas = [c for c in above if c.relations and names(c.sides[1].node)]
     if not formulas or not _is_another_case(state, max(formulas, key=lambda c: c.start), chain):
         return False
@@ -72,7 +72,7 @@ def leave_formula_of_opening(state: JudgingState, chain: Chain, k: int) -> bool:
         return False
     if not names(chain.sides[1].node) or state.sections.is_consequence(chain):
         return False
-    above = [c for c in state.sections.chains_of(head) if c.start < chain.start]
+    above = state.sections.chains_above(head, chain.start)
     formulas = [c for c in above if c.relations and names(c.sides[1].node)]
     others = _of_other_openings(state, formulas, chain)
     left = [state.definitions.forget_line(head.name, c.lines[0]) for c in others]
@@ -87,7 +87,7 @@ def leave_value_of_case(state: JudgingState, chain: Chain, k: int) -> bool:
     head, line = chain.sides[0].node, chain.lines[0]
     if k or not isinstance(head, Name) or head.name in state.declarations.symbols_at(line):
         return False
-    own = [c for c in state.sections.chains_of(head) if c.end <= chain.start]
+    own = state.sections.chains_above(head, chain.start)
     last = max(own, key=lambda each: each.start, default=None)
     if last is None or not state.sections.same_section(last.lines[0], line):
         return False
@@ -269,7 +269,7 @@ def as_case_of_multiple(state: JudgingState, chain: Chain, k: int) -> Decision |
     if state.sections.is_consequence(chain) or not chain.inline:
         return None
     definitions, name = state.definitions, letter.name
-    above = [c for c in state.sections.chains_of(letter) if c.start < chain.start]
+    above = state.sections.chains_above(letter, chain.start)
     is_named = bool(state.sections.of_its_named_case(chain, above))
     if is_named or _has_value_in_clause(state, chain, name) or name in state.knowledge(line).angles:
         return None

@@ -105,7 +105,7 @@ def _is_given(state: JudgingState, chain: Chain, k: int, behind: frozenset[str] 
 
 def _letters_behind(state: JudgingState, chain: Chain) -> frozenset[str]:
     """Return the letters of the formulas that lines above have for a letter."""
-    above = [c for c in state.sections.chains_of(chain.sides[0].node) if c.start < chain.start]
+    above = state.sections.chains_above(chain.sides[0].node, chain.start)
     return frozenset(name for c in above for side in c.sides[1:] for name in names(side.node))
 
 
@@ -142,6 +142,6 @@ def is_datum(state: JudgingState, chain: Chain, k: int) -> bool:
 
 def _has_formula_above(state: JudgingState, chain: Chain) -> bool:
     """Tell whether a line of its section above has a formula for the letter: its number is a result."""
-    same = [c for c in state.sections.chains_of(chain.sides[0].node) if c.start < chain.start]
+    same = state.sections.chains_above(chain.sides[0].node, chain.start)
     same = [c for c in same if state.sections.same_section(c.lines[0], chain.lines[0])]
     return any(names(each.sides[1].node) for each in same)

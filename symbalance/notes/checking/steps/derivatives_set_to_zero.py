@@ -61,7 +61,7 @@ def leave_extreme(state: JudgingState, chain: Chain) -> bool:
     is_value = len(chain.sides) == 2 and isinstance(head, Name) and not names(chain.sides[1].node)
     if not is_value or state.sections.is_consequence(chain):
         return False
-    above = [c for c in state.sections.chains_of(head) if c.end <= chain.start]
+    above = state.sections.chains_above(head, chain.start)
     left = [
         premise
         for premise in definitions.premises

@@ -32,7 +32,7 @@ def unless_plain_sum(state: JudgingState, chain: Chain, k: int, verdict: Verdict
     base = base_of_largest(head.name) if isinstance(head, Name) else ""
     if k or verdict.verdict not in _OPEN or not base or not isinstance(head, Name):
         return verdict
-    above = [c for c in state.sections.chains_of(Name(base)) if c.start < chain.start]
+    above = state.sections.chains_above(Name(base), chain.start)
     near = [c for c in above if state.sections.same_section(c.lines[0], chain.lines[0])]
     formulas = [side.node for c in near for side in c.sides[1:] if _parts(side.node) is not None]
     parts = _parts(formulas[-1]) if formulas else None

@@ -72,7 +72,7 @@ def _relations_above(state: JudgingState, chain: Chain, k: int) -> list[Chain]:
     head = chain.sides[0].node
     if k or not isinstance(head, Name) or head.name in state.declarations.symbols_at(chain.lines[0]):
         return []
-    above = [c for c in state.sections.chains_of(head) if c.end <= chain.start]
+    above = state.sections.chains_above(head, chain.start)
     return above if names(chain.sides[1].node) else []
 
 

@@ -16,7 +16,7 @@ def return_to_case(state: JudgingState, chain: Chain) -> None:
     if not chain.relations or not state.sections.case_named(chain):
         return
     for name in _letters_of_case(state, chain):
-        above = [c for c in state.sections.chains_of(Name(name)) if c.relations and c.start < chain.start]
+        above = state.sections.chains_above(Name(name), chain.start)
         if givers := state.sections.of_its_named_case(chain, above):
             _give_again(state, name, givers[-1], chain)
 

@@ -141,7 +141,7 @@ def by_square_above(state: JudgingState, chain: Chain, k: int, knowledge: Knowle
 def _formula_above(state: JudgingState, name: str, chain: Chain) -> Definition | None:
     """Return the formula that a letter has last above a relation, in its section; None if refuted."""
     line = chain.lines[0]
-    above = [c for c in state.sections.chains_of(Name(name)) if c.end <= chain.start]
+    above = state.sections.chains_above(Name(name), chain.start)
     last = max(above, key=lambda each: each.start, default=None)
     if last is None or not state.sections.same_section(last.lines[0], line):
         return None
@@ -174,7 +174,7 @@ def _is_asked_of(head: Name, left: Formula) -> bool:
 def _number_above(state: JudgingState, name: str, chain: Chain) -> Definition | None:
     """Return the number that a letter is given last above a relation, in its section."""
     line = chain.lines[0]
-    above = [c for c in state.sections.chains_of(Name(name)) if c.end <= chain.start]
+    above = state.sections.chains_above(Name(name), chain.start)
     above = [c for c in above if state.sections.same_section(c.lines[0], line)]
     last = max(above, key=lambda each: each.start, default=None)
     if last is None or names(last.sides[-1].node) or last.relations[-1].sign not in "=≈":

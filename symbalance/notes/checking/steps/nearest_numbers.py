@@ -182,7 +182,7 @@ def _numbers_given(state: JudgingState, name: str, chain: Chain) -> list[Chain]:
     ]
     if any(c.sides[0].node == Name(name) and not names(c.sides[-1].node) for c in own):
         return []
-    above = [c for c in state.sections.chains_of(Name(name)) if c.start < chain.start]
+    above = state.sections.chains_above(Name(name), chain.start)
     if of_case := state.sections.of_its_named_case(chain, above):
         above = of_case
     else:

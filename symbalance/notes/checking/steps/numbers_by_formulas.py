@@ -127,7 +127,7 @@ def _formulas(state: JudgingState, chain: Chain, head: Name) -> Iterator[tuple[F
 
 def _of_the_engine(state: JudgingState, chain: Chain, name: str) -> list[Chain]:
     """Return the relations of a letter above that are of the engine which a relation is of."""
-    above = (c for c in state.sections.chains_of(Name(name)) if c.start < chain.start)
+    above = state.sections.chains_above(Name(name), chain.start)
     return [c for c in above if not state.sections.is_of_another_engine(chain, c.lines[0])]
 
 

@@ -39,7 +39,7 @@ class PowersOfLetter:
 
     def of_letter(self, name: str, before: int) -> Fraction | None:
         """Return the power in the formulas that a letter has above a place; None if they differ."""
-        above = [c for c in self.sections.chains_of(Name(name)) if c.start < before]
+        above = self.sections.chains_above(Name(name), before)
         return _only(self.of(side.node) for c in above for side in c.sides[1:] if names(side.node))
 
     def of(self, node: Formula, depth: int = 0) -> Fraction | None:

@@ -74,7 +74,7 @@ def _replaced(node: Formula, old: Derivative | Name, new: Formula) -> Formula:
 def _number_above(state: JudgingState, rate: Derivative, chain: Chain) -> tuple[Formula, int] | None:
     """Return the number that a rate has last above a relation, in its section, with its line."""
     line = chain.lines[0]
-    above = [c for c in state.sections.chains_of(rate) if c.end <= chain.start]
+    above = state.sections.chains_above(rate, chain.start)
     above = [c for c in above if state.sections.same_section(c.lines[0], line)]
     last: Chain | None = max(above, key=lambda each: each.start, default=None)
     if last is None or any(relation.sign not in "=≈" for relation in last.relations):

@@ -28,7 +28,7 @@ def unless_repeated(
     head = chain.sides[0].node
     if k or verdict.verdict not in PROVED_WORDS or not isinstance(head, Name):
         return verdict
-    above = [c for c in state.sections.chains_of(head) if c.end <= chain.start]
+    above = state.sections.chains_above(head, chain.start)
     if not above or not any(side.node == chain.sides[1].node for side in above[-1].sides[1:]):
         return verdict
     last = above[-1]

@@ -110,7 +110,7 @@ def _is_by_minute(node: Formula) -> bool:
 def _is_given_by_minute(state: JudgingState, name: str, chain: Chain) -> bool:
     """Tell whether a line above gives a letter a number of revolutions per minute."""
     text = state.document.text
-    above = (c for c in state.sections.chains_of(Name(name)) if c.start < chain.start)
+    above = state.sections.chains_above(Name(name), chain.start)
     numbers = [c for c in above if c.relations and not names(c.sides[-1].node)]
     return any(
         _BY_MINUTE.match(text, c.end) or _BY_MINUTE.search(text, c.sides[-1].span[0], c.sides[-1].span[1])

@@ -287,7 +287,7 @@ def _without_index(name: str) -> str:
 
 
 def _has_formula(state: JudgingState, name: str, chain: Chain) -> bool:
-    above = (c for c in state.sections.chains_of(Name(name)) if c.start < chain.start)
+    above = state.sections.chains_above(Name(name), chain.start)
     return any(names(side.node) for c in above for side in c.sides[1:])
 
 

@@ -75,7 +75,7 @@ def _known(name: str, number: Formula, knowledge: Knowledge) -> Knowledge:
 
 def _is_repeated(state: JudgingState, chain: Chain, k: int) -> bool:
     """Tell whether a line above has the same number of the same letter or formula."""
-    above = (c for c in state.sections.chains_of(chain.sides[0].node) if c.end <= chain.start)
+    above = state.sections.chains_above(chain.sides[0].node, chain.start)
     return any(chain.sides[k + 1].node in [side.node for side in c.sides[1:]] for c in above)
 
 

@@ -55,7 +55,7 @@ def _has_unit_above(state: JudgingState, chain: Chain, head: Name) -> bool:
     while wanted:
         name = wanted.pop()
         seen.add(name)
-        above = [c for c in state.sections.chains_of(Name(name)) if c.start < chain.start]
+        above = state.sections.chains_above(Name(name), chain.start)
         stated = _UNIT_OF_LETTER.search(symbols.get(name, ""))
         if not above or (stated is not None and scale_of(stated["unit"]) is not None):
             return True

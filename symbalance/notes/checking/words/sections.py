@@ -744,7 +744,7 @@ class Sections:
     def _is_in_cell_of_another_engine(self, chain: Chain, earlier_line: int) -> bool:
         """Tell whether a letter's formula stands in a cell of another engine than the earlier one."""
         own = self._engines_of_cell(chain.start)
-        earlier = [c for c in self.chains_of(chain.sides[0].node) if c.start < chain.start]
+        earlier = self.chains_above(chain.sides[0].node, chain.start)
         earlier = [c for c in earlier if earlier_line in c.lines] if own else []
         before = self._engines_of_cell(earlier[-1].start) if earlier else frozenset()
         return bool(before) and not own & before
@@ -814,6 +814,11 @@ class Sections:
     def chains_of(self, head: Formula) -> list[Chain]:
         """Return the chains that begin with a formula, a letter say, in the order of the text."""
         return self._by_head.get(head, [])
+
+    def chains_above(self, head: Formula, place: int) -> list[Chain]:
+        """Return the chains that begin with a formula, and before a place, in the order of the text."""
+        chains = self.chains_of(head)
+        return chains[: bisect_left(chains, place, key=lambda chain: chain.start)]
 
     @cached_property
     def _by_head(self) -> dict[Formula, list[Chain]]:
@@ -1019,9 +1024,8 @@ class Sections:
 
     def place_before(self, chain: Chain) -> int | None:
         """Return the angle in degrees at which words right before a letter's value place it, or None."""
-        chains = self.chains_of(chain.sides[0].node)
-        count = bisect_left(chains, chain.start, key=lambda other: other.start)
-        last = chains[count - 1].end if count else 0
+        above = self.chains_above(chain.sides[0].node, chain.start)
+        last = above[-1].end if above else 0
         first = max(chain.start - LONGEST_INTRODUCTION, last)
         words = self.document.text[first : chain.start]
         return _last_place(self._english(_SENTENCE_OR_ITEM.split(words)[-1]))
