@@ -156,9 +156,7 @@ def main(arguments: list[str]) -> None:
     truths = sorted(options.folder.rglob("*.truth.toml"))
     truths = [t for t in truths if not options.pages or t.name.startswith(tuple(options.pages))]
     if not truths:
-        parser.error(
-            f"no page of {options.folder} is meant: give a folder of tests/hand/unseen by its path"
-        )
+        parser.error(f"{options.folder} has no such page: name a folder of pages with truths by its path")
     rows: dict[str, list[Judged]] = {}
     with ProcessPoolExecutor() as pool:
         for truth, relations in zip(truths, pool.map(judged, truths), strict=True):

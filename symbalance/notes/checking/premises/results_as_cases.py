@@ -94,8 +94,7 @@ def refute_result(
     if names(value) or len(chain.relations) != 1 or chain.relations[0].sign not in "=≈":
         return None
     sections = definitions.sections
-    own = sections.chains_above(Name(name), chain.start)
-    above = max(own, key=lambda c: c.start, default=None)
+    above = sections.last_above(Name(name), chain.start)
     if (
         above is None
         or above.lines[0] != earlier.line
@@ -125,17 +124,15 @@ def is_led_to(definitions: Definitions, value: Formula, chain: Chain) -> bool:
         or opens_case(text, chain.start, chain.end)
     ):
         return False
-    above = sections.chains_above(chain.sides[0].node, chain.start)
-    if not above or sections.end_before(chain.start) != above[-1].end:
+    above = sections.last_above(chain.sides[0].node, chain.start)
+    if above is None or sections.end_before(chain.start) != above.end:
         return False
-    between = text[above[-1].end : chain.start]
+    between = text[above.end : chain.start]
     is_result = len(between) <= FARTHEST and _RESULT.search(between) is not None
     behind = re.split(r"[.;。；]\s|\n\s*\n", text[chain.end : chain.end + FARTHEST], maxsplit=1)[0]
     if not is_result or _LINKS.fullmatch(between) is None:
         return False
-    return not _NOT_ALWAYS.search(sections.sentence_leading_to(above[-1])) and not _NOT_ALWAYS.search(
-        behind
-    )
+    return not _NOT_ALWAYS.search(sections.sentence_leading_to(above)) and not _NOT_ALWAYS.search(behind)
 
 
 def _is_false_zero(

@@ -74,9 +74,8 @@ def _leave_product(state: JudgingState, chain: Chain, *, is_share: bool = False)
     The line above only says what would be needed, or this one has the product behind "with" or "for".
     """
     left, text = chain.sides[0].node, state.document.text
-    above = state.sections.chains_above(left, chain.start)
     premises = [p for p in state.definitions.premises if p.left == left]
-    last = max(above, key=lambda each: each.start, default=None)
+    last = state.sections.last_above(left, chain.start)
     if last is None or not isinstance(left, Product) or not premises:
         return False
     would = _WOULD.search(state.sections.sentence_leading_to(last)) is not None

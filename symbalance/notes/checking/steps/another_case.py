@@ -56,8 +56,8 @@ def leave_named_case(state: JudgingState, chain: Chain, k: int) -> bool:
     if k or not isinstance(head, Name) or not names(chain.sides[1].node):
         return False
     above = state.sections.chains_above(head, chain.start)
-    formulas = [c for c in above if c.relations and names(c.sides[1].node)]
-    if not formulas or not _is_another_case(state, max(formulas, key=lambda c: c.start), chain):
+    formulas = [c for c in above if names(c.sides[1].node)]
+    if not formulas or not _is_another_case(state, formulas[-1], chain):
         return False
     known = [
         state.definitions.forget_line(head.name, line) for line in sorted({c.lines[0] for c in above})
@@ -73,7 +73,7 @@ def leave_formula_of_opening(state: JudgingState, chain: Chain, k: int) -> bool:
     if not names(chain.sides[1].node) or state.sections.is_consequence(chain):
         return False
     above = state.sections.chains_above(head, chain.start)
-    formulas = [c for c in above if c.relations and names(c.sides[1].node)]
+    formulas = [c for c in above if names(c.sides[1].node)]
     others = _of_other_openings(state, formulas, chain)
     left = [state.definitions.forget_line(head.name, c.lines[0]) for c in others]
     return any(left)
@@ -88,7 +88,7 @@ def leave_value_of_case(state: JudgingState, chain: Chain, k: int) -> bool:
     if k or not isinstance(head, Name) or head.name in state.declarations.symbols_at(line):
         return False
     own = state.sections.chains_above(head, chain.start)
-    last = max(own, key=lambda each: each.start, default=None)
+    last = own[-1] if own else None
     if last is None or not state.sections.same_section(last.lines[0], line):
         return False
     opened = [c for c in state.sections.in_order if c.end <= chain.start and _opens_with_number(state, c)]

@@ -141,8 +141,7 @@ def by_square_above(state: JudgingState, chain: Chain, k: int, knowledge: Knowle
 def _formula_above(state: JudgingState, name: str, chain: Chain) -> Definition | None:
     """Return the formula that a letter has last above a relation, in its section; None if refuted."""
     line = chain.lines[0]
-    above = state.sections.chains_above(Name(name), chain.start)
-    last = max(above, key=lambda each: each.start, default=None)
+    last = state.sections.last_above(Name(name), chain.start)
     if last is None or not state.sections.same_section(last.lines[0], line):
         return None
     right, is_equation = last.sides[1], len(last.relations) == 1 and last.relations[0].sign == "="
@@ -176,7 +175,7 @@ def _number_above(state: JudgingState, name: str, chain: Chain) -> Definition | 
     line = chain.lines[0]
     above = state.sections.chains_above(Name(name), chain.start)
     above = [c for c in above if state.sections.same_section(c.lines[0], line)]
-    last = max(above, key=lambda each: each.start, default=None)
+    last = above[-1] if above else None
     if last is None or names(last.sides[-1].node) or last.relations[-1].sign not in "=≈":
         return None
     return Definition(last.sides[-1].node, last.lines[0], numeric=True)

@@ -76,7 +76,7 @@ def _number_above(state: JudgingState, rate: Derivative, chain: Chain) -> tuple[
     line = chain.lines[0]
     above = state.sections.chains_above(rate, chain.start)
     above = [c for c in above if state.sections.same_section(c.lines[0], line)]
-    last: Chain | None = max(above, key=lambda each: each.start, default=None)
+    last = above[-1] if above else None
     if last is None or any(relation.sign not in "=≈" for relation in last.relations):
         return None
     value: Side = last.sides[-1]

@@ -111,7 +111,7 @@ def _is_given_by_minute(state: JudgingState, name: str, chain: Chain) -> bool:
     """Tell whether a line above gives a letter a number of revolutions per minute."""
     text = state.document.text
     above = state.sections.chains_above(Name(name), chain.start)
-    numbers = [c for c in above if c.relations and not names(c.sides[-1].node)]
+    numbers = [c for c in above if not names(c.sides[-1].node)]
     return any(
         _BY_MINUTE.match(text, c.end) or _BY_MINUTE.search(text, c.sides[-1].span[0], c.sides[-1].span[1])
         for c in numbers

@@ -158,9 +158,8 @@ def _letter_of(node: Formula) -> str | None:
 
 
 def _words_before(state: JudgingState, chain: Chain) -> tuple[str, list[_Change]]:
-    """Return the words since the relation before, or the whole sentence where they change nothing.
-
-    And what they change.
+    """Return what words change, with the words: those since the relation before, or the whole sentence
+    where these change nothing.
     """
     text = state.document.text
     sentence = SENTENCE_END.split(text[max(0, chain.start - REACH) : chain.start])[-1]

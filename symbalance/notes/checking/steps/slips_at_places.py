@@ -116,8 +116,7 @@ def _is_none_near(
 
 def _sides_of(state: JudgingState, chain: Chain, head: Name) -> Iterator[tuple[Chain, Formula]]:
     """Yield the sides that relations above give a letter in the same section, the nearest first."""
-    above = state.sections.chains_above(head, chain.start)
-    for other in sorted(above, key=lambda c: -c.start):
+    for other in reversed(state.sections.chains_above(head, chain.start)):
         if state.sections.same_section(other.lines[0], chain.lines[0]):
             yield from ((other, side.node) for side in reversed(other.sides[1:]))
 

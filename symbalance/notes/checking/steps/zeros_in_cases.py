@@ -50,8 +50,7 @@ def unless_false_zero(state: JudgingState, chain: Chain, k: int, verdict: Verdic
 
 def _formula_above(state: JudgingState, chain: Chain, head: Name) -> tuple[int, Formula] | None:
     """Return the formula that the last relation of a letter above gives it, with its line."""
-    own = state.sections.chains_above(head, chain.start)
-    last = max(own, key=lambda c: c.start, default=None)
+    last = state.sections.last_above(head, chain.start)
     if last is None or last.relations[0].sign != "=" or not names(last.sides[1].node):
         return None
     is_near = chain.lines[0] - last.lines[0] <= _NEAR_LINES

@@ -820,6 +820,11 @@ class Sections:
         chains = self.chains_of(head)
         return chains[: bisect_left(chains, place, key=lambda chain: chain.start)]
 
+    def last_above(self, head: Formula, place: int) -> Chain | None:
+        """Return the last chain before a place that begins with a formula; None where there is none."""
+        above = self.chains_above(head, place)
+        return above[-1] if above else None
+
     @cached_property
     def _by_head(self) -> dict[Formula, list[Chain]]:
         chains: dict[Formula, list[Chain]] = {}
@@ -1024,9 +1029,8 @@ class Sections:
 
     def place_before(self, chain: Chain) -> int | None:
         """Return the angle in degrees at which words right before a letter's value place it, or None."""
-        above = self.chains_above(chain.sides[0].node, chain.start)
-        last = above[-1].end if above else 0
-        first = max(chain.start - LONGEST_INTRODUCTION, last)
+        last = self.last_above(chain.sides[0].node, chain.start)
+        first = max(chain.start - LONGEST_INTRODUCTION, last.end if last else 0)
         words = self.document.text[first : chain.start]
         return _last_place(self._english(_SENTENCE_OR_ITEM.split(words)[-1]))
 

@@ -75,7 +75,10 @@ _NAMED = re.compile(
     r"[*_`]?([A-Za-z])[*_`]?(?=[ ]?[,;:.)、。，]|[ \t]+[^\W\d_]{2}|\s*$)",
     re.MULTILINE,
 )
-"""A letter that words name, the mass m and the radius r; a vowel between words may be one itself."""
+"""A letter that words name, the mass m and the radius r; a vowel between words may be one itself.
+
+The word is looked for behind its end: from each of its letters, a long one would take its square.
+"""
 _PHRASE = re.compile(
     r"(?:^|[.;:,(。、：|\ue000]|(?<=[.;:,])\s|[-*•]\s)\s*(?:(?:The|the|Die|Der|Das|die|der|das|A|An|Our)\s+)?"
     r"(?P<words>[^\W\d_][\w'’-]+(?:[ ]{1,2}[^\W\d_][\w'’-]*){0,6})\s*$",

@@ -27,6 +27,7 @@ _PATTERNS = tuple(
 _DEGREES_BEFORE = re.compile(r"(?:[°º]|\\circ\s?\}?|\\degree)(?:\s|~|\\[,;: ])?$")
 """What makes of the marks behind it minutes and seconds: 7° 10' 30", 26^\\circ 33' 54''."""
 _LONGEST_MARK = 12
+"""Characters of a degree mark, with room for the spaces in it: "\\circ }\\, " has nine."""
 
 
 def with_sums_of_units(text: str) -> Rewritten | None:
