@@ -33,6 +33,7 @@ from symbalance.notes.checking.deciding.values_in_ranges import decide_where_val
 from symbalance.notes.checking.judging.appeals import appeal, at_dead_centre
 from symbalance.notes.checking.judging.lines_at_odds import note_other_case
 from symbalance.notes.checking.meant.engine_speeds import decide_speed
+from symbalance.notes.checking.meant.engines.balance_shafts import decide_half_of_a_swing
 from symbalance.notes.checking.meant.engines.firing_intervals import (
     decide_firing_interval,
     decide_order_frequency,
@@ -279,6 +280,7 @@ def _judge_step(
     if decision.status in STATED:
         by_words = value_at_dead_centre(state, chain, k, knowledge)
         by_words = by_words or decide_two_discs(chain, k, state.document)
+        by_words = by_words or decide_half_of_a_swing(state.engine_resultants, chain, k, knowledge)
         by_words = by_words or _moment_by_name(state, chain, k, knowledge)
         by_words = by_words or _by_named_inverse(state, chain, k, knowledge)
         by_words = by_words or _as_named_anew(state, chain, k, knowledge)
@@ -611,7 +613,8 @@ def _as_meant(
     if definition.is_proved:
         outcome = refute_repeated_interval(state.engine_resultants.claims, chain, k)
     if definition.status in (DEFINITION, PREMISE):
-        outcome = state.engine_resultants.judge(chain, k, knowledge)
+        outcome = decide_half_of_a_swing(state.engine_resultants, chain, k, knowledge)
+        outcome = outcome or state.engine_resultants.judge(chain, k, knowledge)
         outcome = outcome or decide_firing_interval(state.engine_resultants.claims, chain, k)
         outcome = outcome or decide_order_frequency(state.engine_resultants.claims, chain, k)
         outcome = outcome or refute_lever_arm(state.engine_resultants.claims, chain, k)
