@@ -136,7 +136,8 @@ _SETTING = re.compile(
     r"|\\[,;:! ]|[~${}()\[\]]"
 )
 _QUANTITY = re.compile(
-    r"\s*(?P<number>[-+−]?[0-9][0-9.,]*[½⅓⅔¼¾⅛⅜⅝⅞]?)?\s*(?P<unit>\S.*?)?[\s.,;]*$", re.DOTALL
+    r"\s*(?P<number>[-+−]?[0-9](?:[0-9.,]|\s[0-9]{3}(?![0-9]))*[½⅓⅔¼¾⅛⅜⅝⅞]?)?\s*(?P<unit>\S.*?)?[\s.,;]*$",
+    re.DOTALL,
 )
 
 
@@ -215,8 +216,8 @@ def written_unit(source: str) -> tuple[bool, str]:
 
     >>> written_unit(r"5\,\mathrm{kg\,m/s^{2}}"), written_unit("$ mm")
     ((True, 'kg m/s^2'), (False, 'mm'))
-    >>> written_unit(r"0{,}62\,\mathrm{kg}")
-    (True, 'kg')
+    >>> written_unit(r"0{,}62\,\mathrm{kg}"), written_unit(r"22\,810")
+    ((True, 'kg'), (True, ''))
     >>> written_unit(r"314\,\mathrm{s}^{-1}"), written_unit(r"5\,\text{kg m}^2")
     ((True, 's^-1'), (True, 'kg m^2'))
     >>> written_unit(r"2\,\mathrm{\frac{kg\,m}{s^{2}}}")

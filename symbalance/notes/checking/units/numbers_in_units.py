@@ -87,7 +87,10 @@ _QUANTITY = re.compile(
 _BY_MINUTE = re.compile(
     r"(?:per\s+|/\s*)min(?![A-Za-z])|(?:per|a)\s+minute|min\^?\{?[-⁻−]1?|je\s+Minute|pro\s+Minute"
 )
-_NO_LETTERS = re.compile(r"\\(?:cdot|times|[dt]?frac|pi|sqrt|left|right|div)(?![A-Za-z])")
+_NO_LETTERS = re.compile(
+    r"\\(?:cdot|times|[dt]?frac|pi|sqrt|left|right|div)(?![A-Za-z])|(?<![A-Za-z])[xX](?![A-Za-z])"
+)
+"""What is a command or the cross of a product, where a side has no letters."""
 _SMALL_LENGTH = re.compile(r"(?<![A-Za-z])[cm]m(?![A-Za-z])")
 
 
@@ -346,7 +349,7 @@ def _in_unit_of_result(
         *rest, unit = right.node.factors
         written = document.text[unit.span[0] : unit.span[1]]
         plain = written.strip(" ~,.\\$")
-        spellings = (plain, plain.replace(".", "").lower(), written_unit(f"0 {written}")[1])
+        spellings = (plain, re.sub(r"\.\s?", "", plain).lower(), written_unit(f"0 {written}")[1])
         is_usual = _SMALL_LENGTH.search(written) or any(scale_of(unit) == RPM for unit in spellings)
         if is_usual and rest:
             bare = rest[0] if len(rest) == 1 else Product(tuple(rest))

@@ -104,7 +104,8 @@ class Token:
     function. `spaced` tells of a space typed as such before it.
     `counted` marks a letter behind a number that is no unit there, by the formula around it.
     `scale` is what the unit behind it multiplies it by, 0 where that is not sure. `upright` marks the e
-    of e^{i φ} where a letter e is declared.
+    of e^{i φ} where a letter e is declared. `divides_all` marks a ÷, which divides by all that
+    stands side by side behind it.
     """
 
     kind: str
@@ -118,6 +119,7 @@ class Token:
     is_demanded: bool = False
     upright: bool = False
     counted: bool = False
+    divides_all: bool = False
 
     def moved(self, offset: int) -> Token:
         """Return the token so many characters further on."""
@@ -279,6 +281,7 @@ class Lexer:
             self._add("sup", "^", self.place + 2)
         else:
             self._add("op", signs.OPERATOR_SIGNS[sign], self.place + 1)
+            self.tokens[-1] = replace(self.tokens[-1], divides_all=sign == "÷")
 
     def _rare_sign(self, sign: str) -> None:
         """Add the token of a sign that is none of the usual ones."""
@@ -605,6 +608,7 @@ class Lexer:
             self.tokens[-1] = replace(self.tokens[-1], is_demanded=name == "shallbe")
         elif name in signs.OPERATOR_COMMANDS:
             self._add("op", signs.OPERATOR_COMMANDS[name], stop)
+            self.tokens[-1] = replace(self.tokens[-1], divides_all=name == "div")
         elif name in signs.DOTS_COMMANDS:
             self._add("dots", "…", stop)
         elif name in signs.BRACKET_COMMANDS:

@@ -456,8 +456,12 @@ class Parser:
             raise ReadingError(self.offset, "two numbers side by side", "write · between them")
 
     def _denominator(self) -> Formula:
-        """Read what follows a slash: one factor, or digits with the letters that touch them (1/2λ)."""
+        """Read what follows a slash: one factor, or digits with the letters that touch them (1/2λ).
+
+        A ÷ divides by all factors behind it; so may a slash between typed spaces, v² / 2 g.
+        """
         slash, first = self.take(), self.place
+        is_wide = slash.divides_all or not (self.latex or self.is_tight())
         if self.current is None:
             raise ReadingError(slash.start, "nothing stands after the slash", "complete it")
         if self.current.is_op("+-"):
@@ -470,12 +474,22 @@ class Parser:
         factors = [self.factor()]
         if self.place != first + 1 and isinstance(factors[0], Number):
             return factors[0]
+        if is_wide and self.starts_factor() and not self.at("number"):
+            return self._denominator_to_end(factors, slash)
         touching = self.is_tight() and (self.at("name") or (digits and self.at("open", "(", "[")))
         if not touching:
             return factors[0]
         usual_inside = digits and self.at("name")
         inside = usual_inside if self.choose() == 0 else not usual_inside
         while inside and self.is_tight() and (self.at("name") or (len(factors) == 1 and self.at("open"))):
+            factors.append(self.factor())
+        return product_of(factors)
+
+    def _denominator_to_end(self, factors: list[Formula], slash: Token) -> Formula:
+        """Read the factors side by side behind ÷ as below it, behind a slash as below or beside it."""
+        if not slash.divides_all and self.choose() == 0:
+            return factors[0]
+        while self.starts_factor() and not self.at("number"):
             factors.append(self.factor())
         return product_of(factors)
 

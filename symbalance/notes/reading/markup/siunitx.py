@@ -7,7 +7,7 @@ no number: None.
 
 from __future__ import annotations
 
-from symbalance.document.wordlists import words
+from symbalance.document.wordlists import word_set, words
 from symbalance.text import lazy_patterns as re
 
 _PREFIXES = {
@@ -26,6 +26,8 @@ _UNITS = dict(
 )
 _SHORT = dict.fromkeys(words("kg mm cm dm km um g mg s ms N kN MN J kJ W kW Pa kPa MPa Hz kHz rad K m"))
 """Abbreviations of siunitx that are a unit's own letters: \\kg, \\mm."""
+_TURNS = word_set("rev revs r U Umdr tr giri turns")
+"""What stands before /min for a revolution, in some languages: rpm, as one unit."""
 _NUMBER = re.compile(
     r"(?P<sign>[-+−–]?)(?P<digits>[0-9][0-9 ~]*(?:[.,][0-9 ]*[0-9])?|[.,][0-9]+)?"
     r"(?:[eEdD](?P<power>[-+−]?[0-9]{1,3}))?"
@@ -58,12 +60,15 @@ def number_text(source: str) -> str | None:
 def unit_text(source: str) -> str | None:
     r"""Return the argument of \si as \mathrm{...}, None for a unit that is not read.
 
+    >>> unit_text("rev/min"), unit_text("1/s")
+    ('\\mathrm{rpm}', '\\mathrm{s^{-1}}')
     >>> unit_text(r"\kilo\gram\metre\per\second\squared"), unit_text("N.m"), unit_text(r"\furlong")
     ('\\mathrm{kg\\,m\\,s^{-2}}', '\\mathrm{N\\,m}', None)
     """
     parts: list[tuple[str, int]] = []
     place, prefix, sign, power, is_literal = 0, "", 1, 1, False
     source = re.sub(r"^\^?\s*\{?\s*\\circ\s*\}?$", "°", source.strip())
+    source = re.sub(r"^1(?=\s*/)", "", source)
     for _ in range(_MOST_WORDS):
         if place >= len(source):
             break
@@ -108,6 +113,8 @@ def _exponent(command: str, digit: str | None, source: str, place: int) -> tuple
 
 
 def _written(parts: list[tuple[str, int]]) -> str:
+    if parts[1:] == [("min", -1)] and parts[0][0] in _TURNS and parts[0][1] == 1:
+        parts = [("rpm", 1)]
     if parts in ([("%", 1)], [("°", 1)]):
         return "\\%" if parts[0][0] == "%" else "^{\\circ}"
     pieces = (unit if power == 1 else f"{unit}^{{{power}}}" for unit, power in parts)

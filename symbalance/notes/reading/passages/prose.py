@@ -320,9 +320,15 @@ def _is_factor_before_function(word: str) -> bool:
     return word[1:] in FUNCTION_WORDS and word not in FUNCTION_WORDS
 
 
+_POINT_FIRST = re.compile(r"(?<![^\s(=≈])[.](?=[0-9])")
+"""The decimal point of a number without a zero, .25; not that of Fig.25."""
+
+
 def trim_segment(text: str, start: int, end: int, words: Vocabulary) -> tuple[int, int]:
     """Return a segment without articles, bullets and brackets that belong to the prose around it."""
     while start < end and (text[start].isspace() or text[start] in ",;.'′~&"):
+        if _POINT_FIRST.match(text, start, end):
+            break
         start += 1
     if (match := _ARTICLE_FIRST.match(text, start, end)) and match.group(1) not in words.names:
         start = match.end()
