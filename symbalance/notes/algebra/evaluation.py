@@ -13,6 +13,7 @@ from symbalance.notes.algebra.construct_rules import RULES, assume_constant, sum
 from symbalance.notes.algebra.derivatives import differentiate
 from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
 from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.matrix_letters import Kinds
 from symbalance.notes.algebra.open_sums import NOT_CONTINUED, goes_on_within
 from symbalance.notes.algebra.polynomials import MOST_WORK
@@ -50,6 +51,8 @@ class SymbolValue:
     """Which letters are matrices and vectors."""
     known: Mapping[str, formula.Formula] = field(default_factory=dict)
     """All values there are, those too that `values` leaves out: what a letter may change with."""
+    written: Mapping[str, formula.Formula] = field(default_factory=dict)
+    """Of these, the formulas that lines and meanings give letters, and not what was solved for."""
     closes_sums: bool = False
     """Whether sums between numbers are brought to closed form too: Σ e^(2πipk/5) over five terms."""
     undeclared: frozenset[str] = frozenset()
@@ -309,7 +312,9 @@ def _derivative(evaluator: FormEvaluator, node: formula.Derivative) -> Form:
     meaning = evaluator.meaning
     dependent = {*meaning.values, *meaning.rates.get(variable, ()), variable}
     if isinstance(inner, formula.Name) and inner.name not in dependent:
-        if inner.name in meaning.positive and meaning.rates:  # a size, such as ω: constant
+        _refuse_hidden_motion(evaluator, {inner.name}, variable)
+        turning = {*meaning.rates, *(name for rate in meaning.rates.values() for name in rate)}
+        if inner.name in meaning.positive and variable in turning:  # a size, such as ω: constant
             return Form.number(evaluator.domain, 0)
         return Form.letter(evaluator.domain, derivative_name(node))
     if variable in meaning.values and meaning.rates:
@@ -321,8 +326,21 @@ def _derivative(evaluator: FormEvaluator, node: formula.Derivative) -> Form:
         assume_constant(form, (meaning.undeclared & typed) - changing, variable)
     for _ in range(node.order):
         _refuse_open_rates(evaluator, form, variable)
+        _refuse_hidden_motion(evaluator, {*letters(form)}, variable)
         form = differentiate(form, rates)
     return form
+
+
+def _refuse_hidden_motion(evaluator: FormEvaluator, own: set[str], variable: str) -> None:
+    """Refuse to differentiate a letter as constant that has a formula which changes: F of F = m a.
+
+    With the formula put in, as the next choice of values does, it changes as that does.
+    """
+    meaning = evaluator.meaning
+    changing = {variable, *meaning.rates.get(variable, ())}
+    for name in sorted(own - changing & meaning.written.keys()):
+        if changing.intersection(names_behind(meaning.written[name], meaning.written)):
+            raise NoFormError(f"{name} changes with {variable}")
 
 
 def _refuse_open_rates(evaluator: FormEvaluator, form: Form, variable: str) -> None:
@@ -351,6 +369,7 @@ def _by_chain_rule(evaluator: FormEvaluator, form: Form, node: formula.Derivativ
     if below.is_zero():
         return _at_its_value(evaluator, node)
     for _ in range(node.order):
+        _refuse_hidden_motion(evaluator, {*letters(form)}, time)
         form = differentiate(form, rates).over(below)
     return form
 

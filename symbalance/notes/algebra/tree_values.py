@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
@@ -11,6 +11,7 @@ from symbalance.document.formula import Formula
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue, complex_parts
 from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.letters_behind import letters_behind, names_behind
 from symbalance.notes.algebra.open_sums import NOT_CONTINUED, goes_on_within
 from symbalance.notes.algebra.sums import indexed_letters
 from symbalance.notes.algebra.tree_constructs import CONSTRUCTS
@@ -27,28 +28,6 @@ DEEPEST = 40
 """Definitions that use definitions, one in the other."""
 MOST_TERMS = 2000
 """Of all sums of one formula together, nested ones too."""
-
-
-def letters_behind(node: Formula, values: Mapping[str, Formula]) -> list[str]:
-    """Return the letters a formula comes down to once all that have values are replaced."""
-    return [name for name in names_behind(node, values) if name not in values]
-
-
-def names_behind(node: Formula, values: Mapping[str, Formula]) -> list[str]:
-    """Return all letters of a formula, of what they stand for, and so on, as they come up."""
-    return letters_with_behind(formula.names(node), values)
-
-
-def letters_with_behind(letters: Iterable[str], values: Mapping[str, Formula]) -> list[str]:
-    """Return letters, those of what they stand for, and so on, as they come up."""
-    every: dict[str, None] = {}
-    waiting = [letters]
-    while waiting:
-        for name in sorted(waiting.pop()):
-            if name in values and name not in every:
-                waiting.append(formula.names(values[name]))
-            every[name] = None
-    return list(every)
 
 
 NO_VALUE = (

@@ -30,8 +30,8 @@ from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import polynomial_node
+from symbalance.notes.algebra.letters_behind import letters_behind, names_behind
 from symbalance.notes.algebra.series import Expansion
-from symbalance.notes.algebra.tree_values import letters_behind, names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import (
     PROVED,

@@ -19,8 +19,8 @@ from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, Too
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import components
+from symbalance.notes.algebra.letters_behind import letters_behind
 from symbalance.notes.algebra.number_formulas import number_node
-from symbalance.notes.algebra.tree_values import letters_behind
 from symbalance.notes.algebra.values import Point
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.inequalities import (

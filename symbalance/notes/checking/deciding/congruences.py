@@ -9,7 +9,8 @@ from __future__ import annotations
 from fractions import Fraction
 
 from symbalance.document.formula import Formula, Name, Negative, Number, Product, Sum, names
-from symbalance.notes.algebra.tree_values import NO_VALUE, TreeValues, names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
+from symbalance.notes.algebra.tree_values import NO_VALUE, TreeValues
 from symbalance.notes.checking.deciding.equality import (
     REFUTED,
     UNDECIDED,

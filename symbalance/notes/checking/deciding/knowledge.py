@@ -9,8 +9,8 @@ from functools import cached_property
 from symbalance.document.formula import Formula, Name, Quotient, Summation, names, parts_of_kind
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.sums import indexed_letters
-from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.declared.geometry import Geometry
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
 
@@ -240,7 +240,9 @@ class Knowledge:
     def evaluator(self, level: Level) -> FormEvaluator:
         """Return an evaluator in a fresh domain for a level."""
         known = {**{name: d.node for name, d in self.definitions.items()}, **self.meaning.values}
-        meaning = replace(self.meaning, values=level.values, known=known)
+        solved = {n for n, d in self.definitions.items() if d.solved or d.assumption}
+        written = {name: node for name, node in known.items() if name not in solved}
+        meaning = replace(self.meaning, values=level.values, known=known, written=written)
         return FormEvaluator(meaning.domain(), meaning)
 
     def knows(self, name: str) -> bool:

@@ -24,9 +24,9 @@ from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.construct_rules import may_fail
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.harmonics import polynomial_node
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.open_sums import NUMBERS_WITHOUT_END, has_open_numbers
 from symbalance.notes.algebra.sums import NO_EQUAL_TERMS, indexed_letters
-from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.branches import decide_branches, has_branches
 from symbalance.notes.checking.deciding.common_factors import without_common_factor
 from symbalance.notes.checking.deciding.equality import (

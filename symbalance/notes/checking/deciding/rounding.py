@@ -21,7 +21,7 @@ from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import Components, components
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.values import Point, Valuation, context, letters, sample
 from symbalance.notes.checking.deciding.numbers_put_in import (
     is_put_in,

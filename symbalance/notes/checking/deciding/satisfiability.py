@@ -17,7 +17,8 @@ from typing import Any
 from symbalance.document.formula import Formula
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import SymbolValue
-from symbalance.notes.algebra.tree_values import DerivativeForms, TreeValues, letters_behind
+from symbalance.notes.algebra.letters_behind import letters_behind
+from symbalance.notes.algebra.tree_values import DerivativeForms, TreeValues
 from symbalance.notes.algebra.values import Point, context
 
 TRIES = 90

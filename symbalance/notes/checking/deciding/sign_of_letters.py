@@ -13,7 +13,7 @@ from typing import Any
 from symbalance.document.formula import Call, Formula, Name, Negative, Number, Power, names, walk
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.inequalities import lone_letter
 from symbalance.notes.checking.deciding.knowledge import Knowledge

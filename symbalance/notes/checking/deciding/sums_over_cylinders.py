@@ -28,9 +28,10 @@ from symbalance.document.formula import (
 )
 from symbalance.document.letters import is_greek
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.algebra.sums import indexed_letters
-from symbalance.notes.algebra.tree_values import names_behind, sample_trees
+from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.substitution import substitute

@@ -13,8 +13,9 @@ from symbalance.document.formula import Call, Constant, Formula, Name, Number, S
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.evaluation import SymbolValue
+from symbalance.notes.algebra.letters_behind import letters_behind
 from symbalance.notes.algebra.sums import at_index, indexed_letters
-from symbalance.notes.algebra.tree_values import letters_behind, sample_trees
+from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.denied_conditions import WIDEST
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision, printed_decimal
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, sample_ranges

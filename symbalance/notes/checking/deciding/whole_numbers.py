@@ -29,8 +29,8 @@ from symbalance.document.formula import (
     walk,
 )
 from symbalance.notes.algebra.domain import NoFormError
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.special_values import ANY_WHOLE
-from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision, decide_equality
 from symbalance.notes.checking.deciding.inequalities import compare
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, StatedRange

@@ -11,7 +11,7 @@ from symbalance.budgets import Budget
 from symbalance.document.formula import Call, Formula, Name, Number, names, parts_of_kind
 from symbalance.document.letters import plain_letter
 from symbalance.errors import SymbalanceError
-from symbalance.notes.algebra.tree_values import letters_with_behind, names_behind
+from symbalance.notes.algebra.letters_behind import letters_with_behind, names_behind
 from symbalance.notes.checking.deciding.cases import GIVE_IT, NUMBERS_PUT_IN
 from symbalance.notes.checking.deciding.congruences import decide_congruence
 from symbalance.notes.checking.deciding.descriptions import (
@@ -778,7 +778,9 @@ class Judge:
         """Return the decision on a relation by the place where it stands, None for most."""
         if chain.sides[0].span[0] in self.state.conditions:
             return Decision(CONDITION, "of the relation before it")
-        if (chain.sides[k].span, chain.sides[k + 1].span) in self.state.motions.places:
+        varying = self.state.varying_speed
+        place = chain.sides[k].span, chain.sides[k + 1].span
+        if place in self.state.motions.places or (varying is not None and place == varying.place):
             return Decision(DEFINITION, "how it changes with the time")
         return None
 

@@ -8,7 +8,7 @@ from symbalance.document.formula import Derivative, Formula, Name, Quotient, Sum
 from symbalance.document.letters import plain_letter
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.harmonics import components
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge

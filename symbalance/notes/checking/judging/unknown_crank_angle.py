@@ -12,7 +12,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Name, names
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.declared.symbol_roles import KNOWN, role_of

@@ -16,8 +16,8 @@ from typing import Any
 from symbalance.document.formula import Call, Formula, Name, Negative, Number, Product, Sum, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.number_formulas import rational_node
-from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision, digits, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number

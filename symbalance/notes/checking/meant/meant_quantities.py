@@ -34,7 +34,8 @@ from symbalance.document.formula import (
     walk,
 )
 from symbalance.document.letters import plain_letter
-from symbalance.notes.algebra.tree_values import NO_VALUE, TreeValues, letters_behind, names_behind
+from symbalance.notes.algebra.letters_behind import letters_behind, names_behind
+from symbalance.notes.algebra.tree_values import NO_VALUE, TreeValues
 from symbalance.notes.algebra.values import random_point
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision, without_dots

@@ -113,11 +113,12 @@ def motions_in_time(
             motion = motion or _law(left.node, right.node, time, chain)
             if motion is None or motion.name in meaning.values or motion.name in motions:
                 continue
-            if motion.name in own_angles and has_speed:
+            has_phase = isinstance(motion.law, Sum)
+            if motion.name in own_angles and has_speed and not has_phase:
                 continue
             if motion.law is not None:  # a second angle, φ = 2 ω t, is a formula: φ = 2θ
                 is_second = any(m.law is not None for m in motions.values())
-                if motion.name not in turning or is_time_known or is_second:
+                if motion.name not in turning or is_second or (is_time_known and not has_phase):
                     continue
             elif motion.name in given | by_angles or dimensions.mismatch(left.node, right.node, ("", "")):
                 continue

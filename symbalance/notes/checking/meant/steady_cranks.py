@@ -25,7 +25,7 @@ from symbalance.document.formula import (
     parts_of_kind,
     walk,
 )
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.declared.proposals import meanings_from_words
 from symbalance.notes.checking.declared.sidecar import Declarations
 from symbalance.notes.checking.declared.symbol_roles import KNOWN, letters_by_role, role_of

@@ -20,7 +20,7 @@ from symbalance.document.formula import (
     walk,
 )
 from symbalance.document.text_writer import formula_text
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.values import context
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision, digits
 from symbalance.notes.checking.deciding.knowledge import Knowledge

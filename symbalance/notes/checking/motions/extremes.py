@@ -14,7 +14,8 @@ from typing import Any
 
 from symbalance.document.formula import Constant, Derivative, Formula, Name, Negative, Number, names
 from symbalance.document.text_writer import formula_text
-from symbalance.notes.algebra.tree_values import NO_VALUE, DerivativeForms, TreeValues, letters_behind
+from symbalance.notes.algebra.letters_behind import letters_behind
+from symbalance.notes.algebra.tree_values import NO_VALUE, DerivativeForms, TreeValues
 from symbalance.notes.algebra.values import Point, context, random_point
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision, digits
 from symbalance.notes.checking.deciding.knowledge import Knowledge

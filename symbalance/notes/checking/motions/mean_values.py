@@ -11,7 +11,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.formula import Formula, Name, Number, Quotient, Sum
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.relations import decide

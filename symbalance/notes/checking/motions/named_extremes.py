@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Call, Extremum, Formula, Name, Negative, names, walk
-from symbalance.notes.algebra.tree_values import letters_behind, names_behind
+from symbalance.notes.algebra.letters_behind import letters_behind, names_behind
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.motions.extreme_sizes import decide_largest_size

@@ -39,12 +39,12 @@ from symbalance.notes.algebra.domain import (
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.functions import TURNING
 from symbalance.notes.algebra.harmonics import HarmonicKey, components, polynomial_node
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.means import mean
 from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.algebra.series import Expansion
 from symbalance.notes.algebra.substitution_in_forms import Dependence, depends, substitute_letter
 from symbalance.notes.algebra.sums import at_index, indexed_letters
-from symbalance.notes.algebra.tree_values import names_behind
 from symbalance.notes.algebra.values import context, letters, sample
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, Level

@@ -20,7 +20,8 @@ from functools import cached_property
 from symbalance.document.formula import Formula, Name, names
 from symbalance.document.formula import Number as Digits
 from symbalance.notes.algebra.evaluation import SymbolValue
-from symbalance.notes.algebra.tree_values import names_behind, sample_trees
+from symbalance.notes.algebra.letters_behind import names_behind
+from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.meant.given_numbers import GivenNumbers
 from symbalance.notes.checking.premises.another_prefix import is_in_another_prefix
 from symbalance.notes.checking.premises.another_value import NEARLY

@@ -25,7 +25,7 @@ from symbalance.document.formula import (
 from symbalance.document.letters import plain_letter
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision, decide_equality
 from symbalance.notes.checking.deciding.implications import point_text, range_that_fails, solution_lost
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY

@@ -14,7 +14,8 @@ from typing import NamedTuple
 from symbalance.document.formula import PI, Call, Formula, Number, Product, names, walk
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import SymbolValue
-from symbalance.notes.algebra.tree_values import NO_VALUE, TreeValues, letters_behind, names_behind
+from symbalance.notes.algebra.letters_behind import letters_behind, names_behind
+from symbalance.notes.algebra.tree_values import NO_VALUE, TreeValues
 from symbalance.notes.algebra.values import random_point
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge

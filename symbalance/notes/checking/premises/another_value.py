@@ -20,7 +20,8 @@ from symbalance.document.formula import (
 )
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import SymbolValue
-from symbalance.notes.algebra.tree_values import letters_behind, names_behind, sample_trees
+from symbalance.notes.algebra.letters_behind import letters_behind, names_behind
+from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import (
     REFUTED,

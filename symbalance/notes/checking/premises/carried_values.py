@@ -15,7 +15,7 @@ from fractions import Fraction
 
 from symbalance.document.formula import Derivative, Formula, Name, Negative, Number, names, walk
 from symbalance.document.text_writer import formula_text
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import LONG, significant_digits

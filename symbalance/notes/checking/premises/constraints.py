@@ -31,8 +31,9 @@ from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue, derivative_name
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import polynomial_node
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.sums import indexed_letters
-from symbalance.notes.algebra.tree_values import names_behind, sample_trees
+from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.algebra.values import context, letters
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.reading.equations import Chain

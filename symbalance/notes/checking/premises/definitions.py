@@ -18,7 +18,7 @@ from symbalance.document.formula import (
     walk,
     with_parts_changed,
 )
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision, without_dots
 from symbalance.notes.checking.deciding.inequalities import possible_branches

@@ -15,7 +15,7 @@ from symbalance.document.formula import (
 )
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import Decision, without_dots
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY

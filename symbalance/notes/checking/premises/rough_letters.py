@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.order_agreement import power_written

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from symbalance.document.formula import Formula, Name, Negative, Product, Sum, children, names
-from symbalance.notes.algebra.tree_values import letters_behind
+from symbalance.notes.algebra.letters_behind import letters_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge

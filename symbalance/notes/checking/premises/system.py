@@ -22,7 +22,7 @@ from symbalance.notes.algebra.evaluation import FormEvaluator
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import components, polynomial_node
 from symbalance.notes.algebra.ideals import cannot_hold, follows
-from symbalance.notes.algebra.tree_values import letters_behind, names_behind
+from symbalance.notes.algebra.letters_behind import letters_behind, names_behind
 from symbalance.notes.algebra.values import Valuation, letters
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.rounding import decimals

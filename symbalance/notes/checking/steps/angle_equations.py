@@ -12,8 +12,9 @@ from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.formula import Call, Formula, Name, Negative, Number, Product, Sum, names
+from symbalance.notes.algebra.letters_behind import letters_behind, names_behind
 from symbalance.notes.algebra.number_formulas import rational_node
-from symbalance.notes.algebra.tree_values import letters_behind, names_behind, sample_trees
+from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.substitution import substitute

@@ -8,7 +8,7 @@ then but their formulas.
 from __future__ import annotations
 
 from symbalance.document.formula import Name, names
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.steps.another_case import whole_degrees
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.words.cases_named import angle_of_case

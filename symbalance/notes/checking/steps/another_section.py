@@ -7,7 +7,7 @@ that are refuted at an angle of another section are judged without it.
 from __future__ import annotations
 
 from symbalance.document.formula import Name
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.numbers_put_in import paired
 from symbalance.notes.checking.steps.dead_centres import angle_of_crank
 from symbalance.notes.checking.steps.judging_state import JudgingState

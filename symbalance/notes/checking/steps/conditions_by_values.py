@@ -12,7 +12,8 @@ from typing import Any
 
 from symbalance.document.formula import Formula, Name, Number
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
-from symbalance.notes.algebra.tree_values import letters_behind, names_behind, sample_trees
+from symbalance.notes.algebra.letters_behind import letters_behind, names_behind
+from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision, digits
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY

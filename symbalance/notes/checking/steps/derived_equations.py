@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbalance.document.formula import Call, Derivative, Formula, Name, names, walk
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge

@@ -11,7 +11,8 @@ from fractions import Fraction
 
 from symbalance.document.formula import Formula, Name, Number, names
 from symbalance.notes.algebra.domain import NoFormError
-from symbalance.notes.algebra.tree_values import names_behind, sample_trees
+from symbalance.notes.algebra.letters_behind import names_behind
+from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.substitution import substitute

@@ -13,7 +13,7 @@ from fractions import Fraction
 from math import prod
 
 from symbalance.document.formula import Formula, Name, Number, Product, Quotient, names, walk
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge

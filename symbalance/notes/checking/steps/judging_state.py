@@ -51,6 +51,7 @@ from symbalance.notes.checking.meant.named_quantities import NamedQuantities
 from symbalance.notes.checking.meant.pistons.crank_motions import CrankMotions
 from symbalance.notes.checking.meant.pistons.formula_patterns import FormulaPatterns
 from symbalance.notes.checking.meant.pistons.motion_parity import MotionParity
+from symbalance.notes.checking.meant.varying_speeds import VaryingSpeed, varying_speed, with_varying_speed
 from symbalance.notes.checking.motions.equations_of_motion import EquationOfMotion
 from symbalance.notes.checking.motions.fourier_series import FourierSeries
 from symbalance.notes.checking.motions.trial_solutions import Trial
@@ -195,6 +196,11 @@ class JudgingState:
         """The sizes of a piston's acceleration at the dead centres."""
         return DeadCentreSizes(self.engine_resultants)
 
+    @cached_property
+    def varying_speed(self) -> VaryingSpeed | None:
+        """The first line that lets the declared crank turn otherwise than steadily."""
+        return varying_speed(self.document, self.declarations)
+
     def enter_case(self, line: int) -> None:
         """End the numbers of the case before where a line is the first of another one."""
         self.cases.enter(line, self.definitions, self.given_numbers)
@@ -219,6 +225,7 @@ class JudgingState:
         definitions = self._without_crank_angle(self.definitions.at(line), crank, line)
         letters = letters_by_role(symbols)
         meaning = with_motions(meaning, self.motions, line, definitions, symbols)
+        meaning = with_varying_speed(meaning, self.varying_speed, line)
         running = self.motions.turning(line)
         universal = frozenset(n for m in UNIVERSAL for n in letters.get(m, ())) | running
         moving = frozenset(n for m in MOVING for n in letters.get(m, ()))

@@ -15,7 +15,7 @@ from dataclasses import replace
 from symbalance.document.formula import Quotient, names
 from symbalance.document.letters import plain_letter
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.order_agreement import power_written

@@ -12,7 +12,8 @@ from fractions import Fraction
 
 from symbalance.document.formula import Formula, Name, Number, Power, Product, names
 from symbalance.document.text_writer import formula_text
-from symbalance.notes.algebra.tree_values import names_behind, sample_trees
+from symbalance.notes.algebra.letters_behind import names_behind
+from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.inequalities import compare
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge

@@ -11,7 +11,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.formula import Call, Formula, Name, Number, Power, names, walk
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.relations import decide

@@ -8,7 +8,7 @@ they are typed, in inches and per minute, and the formula may be meant so.
 from __future__ import annotations
 
 from symbalance.document.formula import Name
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.steps.judging_state import JudgingState

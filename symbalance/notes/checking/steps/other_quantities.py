@@ -8,7 +8,7 @@ letter is from there on.
 from __future__ import annotations
 
 from symbalance.document.formula import Name, names
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.steps.judging_state import JudgingState

@@ -12,7 +12,7 @@ from fractions import Fraction
 from itertools import islice, product
 
 from symbalance.document.formula import Formula, Name, Number, Product, names, walk
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import LONG, is_lone_number, significant_digits

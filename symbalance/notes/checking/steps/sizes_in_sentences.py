@@ -10,7 +10,7 @@ from dataclasses import replace
 from math import isclose
 
 from symbalance.document.formula import Constant, Formula, Number, Product, names
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge

@@ -11,7 +11,7 @@ from fractions import Fraction
 from math import pi
 
 from symbalance.document.formula import Constant, Formula, Name, Number, Product, names
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import paired, without_unit

@@ -6,11 +6,13 @@ from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.formula import Formula, Name, Number, Product, Sum, names
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.cases import NUMBERS_PUT_IN, decide_case, decide_with_ratio
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision, decide_equality
-from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
 from symbalance.notes.checking.deciding.numbers_put_in import paired, without_unit
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
@@ -29,7 +31,9 @@ from symbalance.notes.checking.verdicts import (
     DEFINITION,
     PREMISE,
     STATED,
+    UNDECIDED,
 )
+from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Side
 
 
@@ -135,16 +139,10 @@ def _fix(
     if by_premises is not None and by_premises.status == CONTRADICTION:
         return by_premises
     if constraint.is_circular:
-        as_step = decide(chain.sides[k], chain.sides[k + 1], "=", knowledge)
-        sides = [form for form in (as_step.left, as_step.right) if form is not None]
-        if as_step.status == REFUTED and sides and all(constraint.name not in letters(f) for f in sides):
-            return as_step  # the letter cancels: nothing is fixed
-        is_following = by_premises is not None and by_premises.is_proved
-        derived = decide_derived(state, chain, k, as_step, knowledge, is_following=is_following)
-        if derived is not None:
-            return derived
-        state.definitions.note_premise(chain, k)
-        return Decision(DEFINITION, f"read as what fixes {constraint.name}, with an equation before")
+        return _fix_beside_others(state, constraint, (chain, k), by_premises, knowledge)
+    by_meanings = _fixed_by_meanings(constraint, knowledge)
+    if by_meanings is not None:
+        return by_meanings
     is_rods = bool(constraint.alternatives) and is_rod_angle(state, constraint, chain, knowledge)
     state.definitions.fix(constraint, chain, is_rod_angle=is_rods)
     state.definitions.note_premise(chain, k, constraint.name)
@@ -152,6 +150,47 @@ def _fix(
         return Decision(CONDITION)
     as_rod_angle = state.meant.rod_angle(chain, k, knowledge)
     return as_rod_angle or Decision(DEFINITION, f"read as what fixes {constraint.name}")
+
+
+def _fix_beside_others(
+    state: JudgingState,
+    constraint: Constraint,
+    link: tuple[Chain, int],
+    by_premises: Decision | None,
+    knowledge: Knowledge,
+) -> Decision:
+    """Return the decision on a relation that fixes a letter only together with an equation before."""
+    chain, k = link
+    as_step = decide(chain.sides[k], chain.sides[k + 1], "=", knowledge)
+    sides = [form for form in (as_step.left, as_step.right) if form is not None]
+    if as_step.status == REFUTED and sides and all(constraint.name not in letters(f) for f in sides):
+        return as_step  # the letter cancels: nothing is fixed
+    is_following = by_premises is not None and by_premises.is_proved
+    derived = decide_derived(state, chain, k, as_step, knowledge, is_following=is_following)
+    if derived is not None:
+        return derived
+    state.definitions.note_premise(chain, k)
+    return Decision(DEFINITION, f"read as what fixes {constraint.name}, with an equation before")
+
+
+def _fixed_by_meanings(constraint: Constraint, knowledge: Knowledge) -> Decision | None:
+    """Return that a relation makes a new letter 0 or 1 by the meanings of the others, else None.
+
+    l sin β = r sin θ - e is of another engine than the centred one that is declared, for which e is 0.
+    With that put in, every error in e would hold.
+    """
+    if not names(constraint.node):
+        return None
+    formulas = {n: d.node for n, d in knowledge.definitions.items() if not d.numeric and not d.assumption}
+    try:
+        form = knowledge.evaluator(Level({**formulas, **knowledge.meaning.values})).form(constraint.node)
+        number = next((n for n in (0, 1) if form.equals(Form.number(form.domain, n))), None)
+    except (NoFormError, TooLargeError):
+        return None
+    if number is None:
+        return None
+    only_for = f"{plain_text(Name(constraint.name))} = {number}"
+    return Decision(UNDECIDED, f"by what its letters are declared to be, true only for {only_for}")
 
 
 def unless_stated(

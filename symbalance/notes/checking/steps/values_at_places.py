@@ -21,7 +21,7 @@ from symbalance.document.formula import (
     names,
     walk,
 )
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge

@@ -25,7 +25,7 @@ from symbalance.document.formula import (
 )
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.cases import UNITS_LEFT_OUT, in_units_left_out
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision

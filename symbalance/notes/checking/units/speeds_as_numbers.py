@@ -14,7 +14,7 @@ from math import pi
 
 from symbalance.document.formula import Constant, Formula, Name, Number, Product, Quotient, names
 from symbalance.document.text_writer import formula_text
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge

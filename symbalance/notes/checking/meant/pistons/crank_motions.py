@@ -36,7 +36,7 @@ from symbalance.document.formula import (
     walk,
 )
 from symbalance.document.letters import plain_letter
-from symbalance.notes.algebra.tree_values import names_behind
+from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge

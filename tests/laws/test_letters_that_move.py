@@ -1,0 +1,71 @@
+"""A letter with a formula that changes is no constant under a derivative: F of F = m a in dF/dt."""
+
+from __future__ import annotations
+
+import pytest
+
+from symbalance.notes.checking import check
+
+SYMBOLS = """[symbols]
+"theta" = "crank angle"
+"omega" = "angular speed"
+"t" = "time"
+"r" = "crank radius"
+"l" = "rod length"
+"lambda" = "crank ratio r/l"
+"a" = "piston acceleration"
+"x" = "displacement from top dead centre"
+"m" = "mass, kg"
+"F" = "force, N"
+"V" = "volume"
+"A" = "area"
+"J" = "moment of inertia"
+"J_0" = "moment of inertia of the shaft"
+"k" = "loss of mass"
+"u" = "speed of the pin along its crank"
+"r_0" = "first radius"
+"lambda_0" = "mean ratio"
+"m_0" = "first mass"
+"""
+WRONG = [
+    ("F = m a", r"\frac{dF}{dt} = 0"),
+    ("V = A x", r"\frac{dV}{d\theta} = 0"),
+    (r"F = m r\omega^2\cos\theta", r"\frac{d}{d\theta}(F\sin\theta) = F\cos\theta"),
+    ("m = m_0 + k t", r"\frac{dm}{dt} = 0"),
+    ("r = r_0 + u t", r"\frac{d}{dt}(r\cos\theta) = -r\omega\sin\theta"),
+    (r"\lambda = \lambda_0(1+\cos\theta)", r"\frac{d\lambda}{d\theta} = 0"),
+    (
+        r"J = J_0 + m r^2\sin^2\theta",
+        r"\frac{d}{dt}\left(\frac12 J\omega^2\right) = J\omega\dot\omega",
+    ),
+]
+RIGHT = [
+    (r"F = m r\omega^2\cos\theta", r"\frac{dF}{d\theta} = -m r\omega^2\sin\theta"),
+    (
+        r"F = m r\omega^2\cos\theta",
+        r"\frac{d}{d\theta}(F\sin\theta) = m r\omega^2\cos2\theta",
+    ),
+    ("m = m_0 + k t", r"\frac{dm}{dt} = k"),
+    ("m = 2 m_0", r"\frac{d}{dt}(m x) = m\frac{dx}{dt}"),
+]
+
+
+def _last(tmp_path, lines):
+    page = tmp_path / "page.md"
+    page.write_text("\n\n".join(f"$${line}$$" for line in lines) + "\n", encoding="utf-8")
+    (tmp_path / "page.symbols.toml").write_text(SYMBOLS, encoding="utf-8")
+    return check(page).verdicts[-1].verdict
+
+
+@pytest.mark.parametrize("lines", WRONG)
+def test_what_moves_by_its_formula_is_not_constant(tmp_path, lines):
+    assert _last(tmp_path, lines) == "refuted"
+
+
+@pytest.mark.parametrize("lines", RIGHT)
+def test_the_rate_of_its_formula_holds(tmp_path, lines):
+    assert _last(tmp_path, lines) == "holds"
+
+
+def test_a_ratio_may_change_with_a_length(tmp_path):
+    assert _last(tmp_path, [r"\frac{d\lambda}{dr} = 0"]) not in ("holds", "holds_to_order")
