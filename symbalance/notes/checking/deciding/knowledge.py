@@ -240,8 +240,8 @@ class Knowledge:
     def evaluator(self, level: Level) -> FormEvaluator:
         """Return an evaluator in a fresh domain for a level."""
         known = {**{name: d.node for name, d in self.definitions.items()}, **self.meaning.values}
-        solved = {n for n, d in self.definitions.items() if d.solved or d.assumption}
-        written = {name: node for name, node in known.items() if name not in solved}
+        unsaid = {n for n, d in self.definitions.items() if d.solved or d.assumption or d.is_rough}
+        written = {name: node for name, node in known.items() if name not in unsaid}
         meaning = replace(self.meaning, values=level.values, known=known, written=written)
         return FormEvaluator(meaning.domain(), meaning)
 
