@@ -312,19 +312,29 @@ def _raised(left: str, right: str) -> Callable[[re.Match[str]], Texts]:
 
 _ALTERNATIVE = re.compile(r"\salt\s*=\s*(?:\"([^\"]*)\"|'([^']*)')", re.IGNORECASE)
 _OF_FORMULA = re.compile(
-    r"\sclass\s*=\s*[\"'][^\"']*(?<![\w-])(?:tex|latex|math|mathtex|ql-img-\w+-equation)(?![\w-])"
+    r"\sclass\s*=\s*[\"'][^\"']*(?<![\w-])(?:tex|latex|math|mathtex|ql-img-\w+-equation|mwe-math-[\w-]+)(?![\w-])"
     r"|\ssrc\s*=\s*[\"'][^\"']*(?:latex|mathtex|codecogs|/math/)",
     re.IGNORECASE,
 )
 
 
+_STYLED = re.compile(r"\{\\(?:display|text)style\s+(.*)\}", re.DOTALL)
+_MATHML_BEFORE = re.compile(r"</math\s*>\s*(?:</span\s*>\s*){0,3}$", re.IGNORECASE)
+
+
 def _picture(match: re.Match[str]) -> Texts:
-    """A picture of a formula holds its TeX as what is read aloud; any other picture is a gap."""
+    """A picture of a formula holds its TeX as what is read aloud; any other picture is a gap.
+
+    So is one right behind the same formula as MathML, which is for a reader who cannot show that.
+    """
     alternative = _ALTERNATIVE.search(match[0])
-    if alternative is None or not _OF_FORMULA.search(match[0]):
+    is_second = _MATHML_BEFORE.search(match.string, max(match.start() - 80, 0), match.start())
+    if alternative is None or is_second or not _OF_FORMULA.search(match[0]):
         return (CELL_END,)
     number = 1 if alternative[1] is not None else 2
     inside, start = alternative[number].strip(" $"), match.start()
+    if (styled := _STYLED.fullmatch(inside)) is not None:
+        inside = styled[1]
     if "&" in inside or inside != alternative[number]:
         return ("\\(", unescape(inside), "\\)")
     return ("\\(", (start + alternative.start(number), start + alternative.end(number)), "\\)")
@@ -474,7 +484,7 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
         _rule(r"\{\{\s*=\s*\}\}", lambda match: ("=",)),
         _rule(r"^(?P<heading>={2,6})(?P<title>[^=\n](?:[^\n]*?[^=\n])?)(?P=heading)[ \t]*$", _heading),
         _TEMPLATE,
-        _rule(r"^[ \t]*(?:\{\||\|\}|\|-|\|\+)[^\n]*$", _blank),
+        _rule(r"^[ \t]*(?:(?:\{\||\|\}|\|-)[^\n]*$|\|\+)", _blank),
         _rule(r"^[ \t]*([|!])(?![|}+-])([^\n]*)$", _wiki_row),
     ), (Rule(_MATH.pattern, lambda match: None), *_DISPLAYED, _TEMPLATE), (
         _MATH, *_DISPLAYED, _STACKED, _RAISED, _LOWERED,
@@ -498,7 +508,7 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
         _rule(r"^(?P<listing>-{4,}|\.{4,}|\+{4,})$.*?^(?P=listing)$", _blank),
         _rule(r"\b(?:stem|latexmath|asciimath):[a-z,]*\[((?:[^][\n]|\\\]|\[[^][\n]*\]){1,4000})\]",
               _inside(1, "\\(", "\\)")),
-        _rule(r"^\[[^\]\n]*\]$|^:[^:\n]+:[^\n]*$|^\.[A-Z][^\n]*$", _blank),
+        _rule(r"^\[[^\]\n]*\]$|^:[^:\n]+:[^\n]*$|^\.(?=[A-Z])", _blank),
         _rule(r"^=+[ ]|^\|={3,}$", _blank),
         _rule(r"(?:^|(?<=\s))[0-9.+]{0,5}[a-z]?\|(?![|=])", _gap),
     ),),
@@ -510,7 +520,19 @@ _RULES: dict[str, tuple[tuple[Rule, ...], ...]] = {
 
 _WIDE = {0xFF01 + k: 0x21 + k for k in range(94)} | {0x3000: 0x20, 0x0D: 0x20, 0xA0: 0x20}
 _WIDE |= dict.fromkeys(
-    (*range(9), 0x0B, 0x0C, *range(0x0E, 0x20), 0x7F, 0xFEFF, 0x200B, 0x200C, 0x200D, 0x2060), 0x20
+    (
+        *range(9),
+        0x0B,
+        0x0C,
+        *range(0x0E, 0x20),
+        0x7F,
+        0xFEFF,
+        0x200B,
+        0x200C,
+        0x200D,
+        *range(0x2060, 0x2065),
+    ),
+    0x20,
 )
 _DOT_OF_PRODUCT = re.compile(r"(?<=[A-Za-zα-ω0-9²³)])[・･](?=[A-Za-zα-ω0-9(√])")
 _DEGREE_TYPED = re.compile("(?<=[0-9])[º˚](?![A-Za-z])")

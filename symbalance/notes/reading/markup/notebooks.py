@@ -63,7 +63,7 @@ def _cell_text(cell: Any, number: int, name: str) -> str:
         )
     source = "".join(str(part) for part in parts).replace("\r\n", "\n").rstrip("\n")
     head = f"<!-- cell {number}: {re.sub('[^a-z]', '', kind.lower()) or 'other'} -->"
-    if kind == "markdown":
+    if kind in ("markdown", "heading"):
         return f"{head}\n{source}"
     if _SHOWN.match(source):
         shown = source.partition("\n")[2]
