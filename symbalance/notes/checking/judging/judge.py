@@ -349,6 +349,8 @@ class Judge:
         definitions, head = self.state.definitions, next(iter(names(chain.sides[0].node)))
         values, premises = {n: [*own] for n, own in definitions.values.items()}, [*definitions.premises]
         verdict = self._link(chain, k, sound, bad)
+        if scaled.status == UNDECIDED and verdict.verdict not in (REFUTED, CONTRADICTION):
+            return verdict
         if scaled.status == REFUTED or values.get(head):  # what the letter is above is so again below
             definitions.values, definitions.premises = values, premises
         return verdict if verdict.verdict in PROVED_WORDS else describe(self.document, chain, k, scaled)
