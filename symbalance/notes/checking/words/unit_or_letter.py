@@ -100,8 +100,9 @@ def _scaled(number: Number, scale: Fraction) -> Number:
 def _goes_on_with_another_number(chain: Chain, place: int, as_unit: Formula) -> bool:
     """Tell whether another number stands behind: in E = 0.38 W = 1.37 kJ the W is no watt."""
     after = chain.sides[place + 1].node if place + 1 < len(chain.sides) else None
-    is_pair = isinstance(after, Number) and isinstance(as_unit, Number)
-    return is_pair and abs(after.value - as_unit.value) > _SAME * abs(as_unit.value)
+    if not isinstance(after, Number) or not isinstance(as_unit, Number):
+        return False
+    return abs(after.value - as_unit.value) > _SAME * abs(as_unit.value)
 
 
 def _gives_size(chain: Chain, place: int) -> bool:
