@@ -17,6 +17,7 @@ LETTERS = [
     ("The stroke is $s$.", r"$V = A \cdot 2 s$", r"$V = 2 A s$"),
     ("s = 100 mm", "h = 0.5 s", "h = 50 mm"),
     ("The masses $m$ and $g$.", "$F_g = 3 m g$", "$F_g/g = 3 m$"),
+    ("Le travail vaut $W = 3.6$ kJ.", "$E = 0.38\\,W = 1.37$ kJ", "$E/2 = 684$ J"),
     ("Die Höhe $h$.", r"$x = (a + 2h)$", r"$x - h = a + h$"),
 ]
 UNITS = [

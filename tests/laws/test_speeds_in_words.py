@@ -44,3 +44,38 @@ def test_another_speed_in_the_sentence_is_that_of_its_formula(page):
 )
 def test_other_numbers_are_not_excused(page):
     assert last_verdict(page)[0] in ("refuted", "contradiction", "undecided")
+
+
+GERMAN = (
+    "Mit $m_o = 1{,}35$ kg, $r = 62$ mm und $n = 2400$ 1/min ist $\\omega = \\pi n/30 = 251{,}3$ 1/s und"
+    " $F_1 = m_o r\\omega^2 = 5{,}29$ kN.\n\n"
+)
+GROWS = "The free force is $F = 6.2$ kN at 4000 rpm. It goes with the square of the speed.\n\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "right", "wrong"),
+    [
+        (GERMAN + "Bei halber Drehzahl ist die Kraft erster Ordnung $F_1 = {}$ N.", "1322", "2644"),
+        (GERMAN + "Bei halber Drehzahl ist die Kraft erster Ordnung $F_1 = {}$ N.", "5287/4", "5287/2"),
+        (GROWS + "At half the speed, $F = {}$ kN.", "6.2/4", "6.2/2"),
+        (GROWS + "At 5500 rpm it grows to $F = {}$ kN.", "11.7", "8.53"),
+        (
+            "La force vaut $F = 3{,}2$ kN à 3000 tr/min. Elle croît avec le carré de la vitesse.\n\n"
+            "À 4500 tr/min on a $F = {}$ kN.",
+            "7{,}2",
+            "4{,}8",
+        ),
+    ],
+)
+def test_a_force_at_another_speed_goes_with_its_square(page, right, wrong):
+    word, _ = last_verdict(page.replace("{}", right))
+    assert word in ("holds", "conditional", "holds_to_order")
+    word, _ = last_verdict(page.replace("{}", wrong))
+    assert word == "refuted"
+
+
+def test_where_nothing_says_how_a_couple_grows_it_is_open():
+    page = "La coppia è $M = 2 F b$ con $F = 378$ N e $b = 36$ mm, cioè $M = 27{,}2$ N m."
+    word, _ = last_verdict(page + " A regime doppio $M = 109$ N m.")
+    assert word == "undecided"

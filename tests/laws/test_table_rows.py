@@ -167,3 +167,22 @@ def test_the_speed_of_another_row_excuses_none(tmp_path):
     for speed, value in ((1000, 439), (2000, 1755), (3000, 3948), (4000, 1755)):
         page += f"| {speed} rpm | a = {value} m/s² |\n"
     assert _verdicts(tmp_path, "md", page, 4) == ["conditional"] * 3 + ["refuted"]
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "expected"),
+    [
+        ("555", "2221", ["conditional", "conditional"]),
+        ("655", "2221", ["refuted", "conditional"]),  # one digit
+        ("555", "1110", ["conditional", "refuted"]),  # the speed not squared
+        ("555", "2212", ["conditional", "refuted"]),  # two digits exchanged
+        ("555", "1730", ["conditional", "premise"]),  # it may be of anything
+    ],
+)
+def test_in_a_table_of_two_rows_a_slip_beside_a_right_row_is_refuted(tmp_path, first, second, expected):
+    page = (
+        "With $m = 0.5$ kg and $r = 45$ mm the force is $F_1 = m r\\omega^2$.\n\n"
+        f"| speed | force |\n|---|---|\n| 1500 rpm | $F_1 = {first}$ N |\n"
+        f"| 3000 rpm | $F_1 = {second}$ N |\n"
+    )
+    assert _verdicts(tmp_path, "md", page, 2) == expected

@@ -18,6 +18,7 @@ def word(page: str) -> str:
         "The crank radius $r$ is 45 mm and the mass $m$ is 0.5 kg.",
         "A crank radius $r$ of 45 mm and a mass $m$ of $0.5$ kg.",
         "The crank radius $r$ (45 mm) and the mass $m$ (0.5 kg).",
+        "The crank radius $r$ 45 mm and the mass $m$ $0.5$~kg.",
         "Der Kurbelradius $r$ ist 45 mm, die Masse $m$ beträgt 0,5 kg.",
         "Le rayon $r$ vaut 45 mm et la masse $m$ est de 0,5 kg.",
         "クランク半径$r$は45 mm、質量$m$は0.5 kgとする。",

@@ -328,7 +328,8 @@ class MeaningsFromWords:
         ratio = self._ratio_written(letter)
         if ratio and ratio[0] in CONVENTIONS:
             return CONVENTIONS[ratio[0]]
-        return "crank ratio r/l" if phrase in GERMAN_RATIO else "rod ratio l/r"
+        is_below_one = phrase in GERMAN_RATIO or self._has_value_below_one(letter)
+        return "crank ratio r/l" if is_below_one else "rod ratio l/r"
 
     def _named_by_use(self) -> None:
         """Add what a letter usually means, where no word says it: of θ, ω, t, β and the ratio alone."""

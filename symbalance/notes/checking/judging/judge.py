@@ -131,6 +131,7 @@ from symbalance.notes.checking.steps.scaled_in_words import scaled_in_words
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
 from symbalance.notes.checking.steps.series_relations import judge_series
 from symbalance.notes.checking.steps.sizes_in_sentences import with_size_said
+from symbalance.notes.checking.steps.sizes_without_letters import with_sizes_in_words
 from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_place
 from symbalance.notes.checking.steps.speeds_in_words import at_speed_in_words
 from symbalance.notes.checking.steps.sums_of_phases import unless_phases_remain
@@ -348,6 +349,8 @@ class Judge:
         definitions, head = self.state.definitions, next(iter(names(chain.sides[0].node)))
         values, premises = {n: [*own] for n, own in definitions.values.items()}, [*definitions.premises]
         verdict = self._link(chain, k, sound, bad)
+        if scaled.status == UNDECIDED and verdict.verdict not in (REFUTED, CONTRADICTION):
+            return verdict
         if scaled.status == REFUTED or values.get(head):  # what the letter is above is so again below
             definitions.values, definitions.premises = values, premises
         return verdict if verdict.verdict in PROVED_WORDS else describe(self.document, chain, k, scaled)
@@ -372,6 +375,7 @@ class Judge:
         verdict = unless_wrong_at_place(self.state, chain, k, verdict)
         verdict = unless_scaled_wrongly(self.state, chain, k, verdict)
         verdict = unless_a_formula_gives_it(self.state, chain, k, verdict)
+        verdict = with_sizes_in_words(self.state, chain, k, verdict)
         verdict = unless_plain_sum(self.state, chain, k, verdict)
         verdict = unless_false_zero(self.state, chain, k, verdict)
         verdict = unless_zero_as_printed(self.state, chain, k, verdict)

@@ -5,8 +5,9 @@
     | ½ | F_y = -½ U sin φ |        below F_y = -k U sin φ, k the head of the column
 
 A row that the formula contradicts is refuted where more rows agree with it than do not: then the table
-was computed from it. Else its number is a premise of its row alone, whatever it was computed from. No row
-gives the letter a number for what follows.
+was computed from it. Where any other row agrees, it is refuted if a slip of its digits lies between. Else
+its number is a premise of its row alone, whatever it was computed from. No row gives the letter a number
+for what follows.
 """
 
 from __future__ import annotations
@@ -23,6 +24,11 @@ from typing import NamedTuple
 from symbalance.document.formula import Formula, Name, Number, names, walk
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.slips_in_numbers import (
+    has_one_digit_wrong,
+    is_mistyped,
+    is_slip,
+)
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.page.page_data import bare_cell, number_in_cell
 from symbalance.notes.checking.page.row_values import (
@@ -282,13 +288,16 @@ def _outcomes(judged: list[Judged]) -> Iterator[tuple[int, Decision]]:
     is_of_formula = is_enough and not all(row.place.is_at_dead_centre for row in agreeing)
     largest = max((abs(each.row.number) for each in judged), default=0.0)
     factor = _common_factor(judged)
-    for row, there, gap, _ in judged:
+    for row, there, gap, ratio in judged:
         text = row.place.text
+        is_of_rows = any(not each.place.is_at_dead_centre for each in agreeing)
         may_be_exact = row.place.kind != "speed" and gap < _ROUGH * largest
         if there.is_proved:
             decision = replace(there, assumptions=(*there.assumptions, text))
         elif there.status == REFUTED and is_of_formula and not may_be_exact:
             decision = replace(there, reason=f"{text}; other rows have the formula's values")
+        elif there.status == REFUTED and is_of_rows and ratio and _is_mistyped(row, ratio):
+            decision = replace(there, reason=f"{text}; another row has the formula's value")
         elif there.status == REFUTED and factor:
             reason = f"{text}: all rows are {factor:.4g} times what the formula above gives"
             decision = Decision(UNDECIDED, reason)
@@ -298,6 +307,15 @@ def _outcomes(judged: list[Judged]) -> Iterator[tuple[int, Decision]]:
         else:
             decision = Decision(PREMISE, f"{text}: a row of its own")
         yield row.chain.start, decision
+
+
+def _is_mistyped(row: Row, ratio: float) -> bool:
+    """Tell whether a slip of digits or a factor makes a row's number of its formula's."""
+    typed, node = abs(row.number), row.chain.sides[1].node
+    exact = typed / abs(ratio)
+    if row.place.kind == "speed":
+        return is_slip(typed, exact, node) or has_one_digit_wrong(typed, exact, node)
+    return is_mistyped(typed, exact, node)
 
 
 def _common_factor(judged: list[Judged]) -> float:

@@ -24,7 +24,8 @@ _LETTER = (
 )
 _GIVES = (
     r"(?:[ ~\n](?:is|of|equals|measures|ist|beträgt|von|mit|misst|vaut|est(?:[ ]de)?|de|mesure|vale"
-    r"|è(?:[ ]di)?|di|es(?:[ ]de)?|mide)[ ~\n]|[ ]?[はがを][ ]?|[ ]\((?=[^()\n]{1,24}\)))"
+    r"|è(?:[ ]di)?|di|es(?:[ ]de)?|mide)[ ~\n]|[ ]?[はがを][ ]?|[ ]\((?=[^()\n]{1,24}\))"
+    r"|(?P<beside>[ ~])(?=\$?[0-9]))"
 )
 _GIVEN = re.compile(
     rf"{_LETTER}{_GIVES}\$?(?P<number>[0-9]+(?:(?:[.,]|\{{,\}})[0-9]+)?)\$?"
@@ -51,6 +52,8 @@ _OF_A_CASE = re.compile(
 )
 _CLAUSE = re.compile(r"(?:[.!?;。；]\s|\n\s*\n|。)")
 _LONGEST_CLAUSE = 120
+_SIZES = frozenset({"mm", "cm", "m", "in", "ft", "kg", "g", "lb"})
+"""Units of numbers that may stand beside their letter without a verb."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,6 +85,8 @@ def _given(text: str) -> Iterator[GivenInProse]:
     for match in _GIVEN.finditer(text):
         clause = _CLAUSE.split(text[max(match.start() - _LONGEST_CLAUSE, 0) : match.start()])[-1]
         unit, end = _unit_behind(match["behind"])
+        if match["beside"] and unit not in _SIZES:  # r 45 mm, and no r 2
+            continue
         if _OF_A_CASE.search(clause) or _GOES_ON.match(match["behind"][end:]):
             continue
         group = next(n for n in ("dollars", "bracket", "plain", "after_sign") if match[n])

@@ -34,6 +34,11 @@ _GIVES = re.compile(
     re.IGNORECASE,
 )
 """Words that give the number right behind them, whatever it is above: if P = 75 kN."""
+_ENDS = re.compile(r"[\s$)\\~}]{0,6}(?:[^\W\d_]{1,4}[\s$]{0,3})?(?:[.;。；](?![0-9])|$|\n\s*\n|,[\s$])")
+"""What stands behind the last number of a sentence or clause: perhaps a unit, and the stop."""
+_LISTED = re.compile(
+    r"[\s$)\]\\,]{0,6}(?:[^\W\d_]{1,4}\s)?,?\s?(?:and|und|et|y|e|con|with|mit)[\s$(\[\\]{0,6}"
+)
 _AND = re.compile(r"[\s$)\]\\,]{0,6}(?:[^\W\d_]{1,4}\s)?(?:,|and|und|et|y|e|con|with|mit)[\s$(\[\\]{0,6}")
 
 
@@ -92,6 +97,8 @@ def _is_given(state: JudgingState, chain: Chain, k: int, behind: frozenset[str] 
     """
     if k or not chain.inline or not _is_size(chain) or state.sections.is_consequence(chain):
         return False
+    if _completes_product(state, chain):
+        return False
     text = state.document.text
     if _GIVES.search(text[max(0, chain.start - _NEAR) : chain.start]):
         return True
@@ -121,6 +128,8 @@ def is_datum(state: JudgingState, chain: Chain, k: int) -> bool:
     """Tell whether a letter has its number in a list of data, or right behind "with" or "for"."""
     if k or not gives_number(chain) or _has_formula_above(state, chain):
         return False
+    if _completes_product(state, chain):
+        return False
     chains, text = state.sections.in_order, state.document.text
     place = next(n for n, each in enumerate(chains) if each is chain)
     first = last = place
@@ -145,3 +154,33 @@ def _has_formula_above(state: JudgingState, chain: Chain) -> bool:
     same = state.sections.chains_above(chain.sides[0].node, chain.start)
     same = [c for c in same if state.sections.same_section(c.lines[0], chain.lines[0])]
     return any(names(each.sides[1].node) for each in same)
+
+
+def _completes_product(state: JudgingState, chain: Chain) -> bool:
+    """Tell whether a sentence ends with a letter whose product with those given before it stands above.
+
+    Below m_c r_c = 2.1 kg m the m_c of "with r_c = 110 mm, m_c = 19.1 kg." is a result.
+    """
+    head, sections = chain.sides[0].node, state.sections
+    ends = _ENDS.match(state.document.text, chain.end) is not None
+    last = max(
+        (c for c in sections.chains_on(chain.lines[0]) if c.end <= chain.start), key=_end, default=None
+    )
+    if not ends or last is None or not isinstance(head, Name) or not isinstance(last.sides[0].node, Name):
+        return False
+    text = state.document.text
+    opened = _OPENS.search(text, max(0, last.start - _NEAR), last.start)
+    if opened is None or opened[0][:1] in ":：" or _LISTED.fullmatch(text, last.end, chain.start):
+        return False  # data: with m_c = 2 kg and r_c = 50 mm
+    pair = {head.name, last.sides[0].node.name}
+    return any(
+        isinstance(c.sides[0].node, Product)
+        and names(c.sides[0].node) == pair
+        and c.start < last.start
+        and sections.same_section(c.lines[0], chain.lines[0])
+        for c in sections.in_order
+    )
+
+
+def _end(chain: Chain) -> int:
+    return chain.end

@@ -68,7 +68,7 @@ from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.cranks_said_anew import with_cranks_of_sentence
 from symbalance.notes.checking.steps.printed_results import PrintedResults
 from symbalance.notes.checking.units.stated_units import StatedUnits
-from symbalance.notes.checking.verdicts import CONTRADICTION, REFUTED, STATED
+from symbalance.notes.checking.verdicts import CONTRADICTION, PROVED_WORDS, REFUTED, STATED
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
 from symbalance.notes.checking.words.integer_words import integers_said
 from symbalance.notes.checking.words.sections import Sections
@@ -110,6 +110,8 @@ class JudgingState:
     """Lines of relations with = that turned out to be meant roughly."""
     stated: set[int] = field(default_factory=set)
     """Places where the right sides of relations begin that the page only states: nothing proves them."""
+    proved: set[int] = field(default_factory=set)
+    """Places where the right sides of proved relations begin."""
     _meanings: dict[tuple[Any, ...], tuple[SymbolValue, Geometry]] = field(
         default_factory=dict, init=False
     )
@@ -170,11 +172,13 @@ class JudgingState:
         """Letters of all of whose values the relation in hand is claimed, whatever case stands before."""
 
     def note_verdict(self, place: int, verdict: str) -> None:
-        """Note where a relation's right side begins, if it is refuted or only stated."""
+        """Note where a relation's right side begins, if it is refuted, proved or only stated."""
         if verdict in (REFUTED, CONTRADICTION):
             self.refuted.add(place)
         elif verdict in STATED:
             self.stated.add(place)
+        elif verdict in PROVED_WORDS:
+            self.proved.add(place)
 
     @cached_property
     def bank_resultants(self) -> BankResultants:

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from math import isclose, pi, sqrt
+from math import pi
 
 from symbalance.document.formula import (
     Call,
@@ -31,6 +31,7 @@ from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decisio
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number
 from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.slips_in_numbers import is_slip
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 from symbalance.notes.checking.meant.engine_speeds import speeds_of
 from symbalance.notes.checking.motions.named_extremes import base_of_largest
@@ -44,9 +45,6 @@ from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
 _OPEN = (DEFINITION, PREMISE, CONDITION, UNDECIDED)
-_SLIPS = tuple(ratio for f in (2.0, 3.0, 4.0, 10.0, sqrt(2), sqrt(3), pi) for ratio in (f, 1 / f))
-_NEAR, _FEWEST_DIGITS, _EXCHANGED = 0.004, 2, 2
-"""How near a ratio comes to that of a slip; the digits of a number told by it, and those exchanged."""
 _PART = re.compile(
     r"(?<![^\W\d_])(?:per|each|every|je|jede[rsnm]?|pro|chaque|par|cada|ogni|single|einzeln\w*|half|halbe\w*|peak|both|beide\w*"
     r"|reduce\w*|remain\w*|rest\w*|left|bleib\w*|instead|statt|balanc\w*|ausgleich\w*|équilibr\w*|together|total|all|zusammen"
@@ -78,7 +76,7 @@ def unless_a_formula_gives_it(state: JudgingState, chain: Chain, k: int, verdict
         if there.is_proved:
             decision = Decision(PROVED, shown, order="the digits printed")
             return describe(state.document, chain, k, decision)
-        if there.status == REFUTED and _is_slip(abs(float(typed)), abs(float(exact)), right.node):
+        if there.status == REFUTED and is_slip(abs(float(typed)), abs(float(exact)), right.node):
             wrong = wrong or Decision(REFUTED, f"{shown} it is {float(abs(exact)):.4g}")
     if wrong is None or _is_of_a_part(state, chain):
         return verdict
@@ -92,19 +90,6 @@ def _is_of_a_part(state: JudgingState, chain: Chain) -> bool:
     before = SENTENCE_END.split(text[max(last, chain.start - REACH) : chain.start])[-1]
     behind = re.split(r"[.;:=。；]|\n\s*\n", text[chain.end : chain.end + REACH], maxsplit=1)[0]
     return _PART.search(f"{before} {behind}") is not None
-
-
-def _is_slip(typed: float, exact: float, node: Formula) -> bool:
-    """Tell whether one slip makes a number of another: a factor, a power of ten, two digits exchanged."""
-    number = next((part for part in walk(node) if isinstance(part, Number)), None)
-    digits = "" if number is None else str(abs(round(number.value / (number.last_place or 1)))).strip("0")
-    if len(digits) < _FEWEST_DIGITS:
-        return False
-    mine, right = (f"{size:.{len(digits) - 1}e}".replace(".", "") for size in (typed, exact))
-    is_exchanged = sum(a != b for a, b in zip(mine, right, strict=False)) == _EXCHANGED
-    if sorted(mine) == sorted(right) and is_exchanged:
-        return True
-    return any(isclose(typed / exact, slip, rel_tol=_NEAR) for slip in _SLIPS)
 
 
 def _formulas(state: JudgingState, chain: Chain, head: Name) -> Iterator[tuple[Formula, Knowledge, int]]:

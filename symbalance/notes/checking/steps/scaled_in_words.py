@@ -15,12 +15,12 @@ from fractions import Fraction
 
 from symbalance.document.formula import Call, Formula, Name, Number, Product, names
 from symbalance.notes.algebra.letters_behind import names_behind
-from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
+from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.powers_of_letters import PowersOfLetter
-from symbalance.notes.checking.steps.scaled_numbers import SPEED, is_speed, speed_of
+from symbalance.notes.checking.steps.scaled_numbers import SPEED, SQUARE, is_speed, speed_of
 from symbalance.notes.checking.words.sentences import SENTENCE_END
 from symbalance.notes.reading import canonical_name
 from symbalance.notes.reading.equations import Chain
@@ -83,6 +83,9 @@ _OTHER_TURNING = re.compile(
     re.IGNORECASE,
 )
 """What goes at twice the speed of the crank, and is no engine at another speed."""
+_ORDER = re.compile(r"(?:first|second|1st|2nd)[\s-]+order|\w+\s+Ordnung|ordre|ordin\w*", re.IGNORECASE)
+"""At half the speed no order of a force turns."""
+_TWICE = 2.0
 _OTHER = re.compile(
     r"(?<![^\W\d_])(?:another|other|second(?!\s+(?:order|harm))|hollow|zweite[rsnm]?(?!\s+Ordn)|andere?[rsnm]?|hohle?[rsnm]?|autre|creux|otr[ao]|altr[ao])"
     r"(?![^\W\d_])|別の|中空",
@@ -100,6 +103,7 @@ _SPEED_INDEX = re.compile(r"(?<=_)([0-9]{3,5}),|[,_]([0-9]{3,5})$")
 _MEAN = re.compile(r"_(?:m|mean|max|min|mittel|av)$")
 _POWERS = tuple(Fraction(n, 2) for n in (-8, -6, -4, -3, -2, -1, 1, 2, 3, 4, 6, 8))
 _TENS = (Fraction(1, 100), Fraction(1, 10), Fraction(10), Fraction(100))
+_USUAL = (1, 2, -1, -2)
 _NOISE = 1e-6
 _HALF = 0.51
 """Of its last digit, by which a printed number may be off."""
@@ -190,7 +194,8 @@ def _changes_in(words: str) -> list[_Change]:
             letter = "" if kind else canonical_name(match["letter"])
         except ReadingError:  # \unit{N}, say: what is changed is no letter
             continue
-        if kind == "speed" and _OTHER_TURNING.search(words):
+        is_twice = float(Fraction(factor)) == _TWICE
+        if kind == "speed" and _OTHER_TURNING.search(words if is_twice else _ORDER.sub(" ", words)):
             continue
         changes.append(_Change(kind, letter, float(Fraction(factor)), match[0]))
     return changes
@@ -308,7 +313,9 @@ def _may_be_unit(number: Number) -> bool:
 
 def _decide(state: JudgingState, chain: Chain, base: _Base, change: _Change) -> Decision | None:
     """Return whether a value goes with the power of the change that its letter's formula has."""
-    powers = _powers(state, chain, base.letter, change)
+    powers = _powers(state, chain, base.letter, change) or _powers_in_words(state, chain, base, change)
+    if not powers and any(_is_near(base.ratio, change.factor**n, base.rounding + _NOISE) for n in _USUAL):
+        return Decision(UNDECIDED, f"by {change.words.strip()}: nothing says by which power of it")
     if not powers or change.factor <= 0 or base.ratio <= 0:
         return None
     near = base.rounding + _NOISE
@@ -325,6 +332,16 @@ def _decide(state: JudgingState, chain: Chain, base: _Base, change: _Change) -> 
     return Decision(
         REFUTED, f"{reason}, with {_ordinal(powers[0])} of it, and not {base.ratio:.4g} times"
     )
+
+
+def _powers_in_words(state: JudgingState, chain: Chain, base: _Base, change: _Change) -> list[Fraction]:
+    """Return the second power where the words around a value say that it goes with the speed squared."""
+    text, first, last = state.document.text, base.chain, chain.start
+    start = max(0, first.start - _RIGHT_BEHIND)
+    is_said = SQUARE.search(text, start, min(first.end + REACH, last)) or SQUARE.search(
+        SENTENCE_END.split(text[max(0, last - REACH) : last])[-1]
+    )
+    return [Fraction(2)] if change.kind == "speed" and is_said else []
 
 
 def _ordinal(power: Fraction) -> str:

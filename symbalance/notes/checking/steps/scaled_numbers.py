@@ -43,7 +43,7 @@ _SPEED_UNIT = (
 _FORCE_UNIT = r"(?P<unit>k|M)?N(?![A-Za-z·\s]?\s?m(?![a-z]))(?![A-Za-z/])"
 SPEED = re.compile(_NUMBER + _GAP + _SPEED_UNIT, re.IGNORECASE)
 _FORCE = re.compile(_NUMBER + _GAP + _FORCE_UNIT)
-_SQUARE = re.compile(
+SQUARE = re.compile(
     r"(?:scales?|grows?|rises?|increases?|goes|varies|proportional)[^.;\n]{0,30}?"
     r"(?:square\s+of\s+(?:the\s+)?(?:speed|revol|angular)|(?:n|N|w|ω|\\omega|\\Omega)\}?\s*(?:\^\s*\{?2|²))"
     r"|(?:as|with|by)\s+the\s+square\s+of\s+(?:the\s+)?(?:speed|revolutions|angular)"
@@ -162,7 +162,7 @@ def _power_of_speed(state: JudgingState, chain: Chain, head: Name, base: Formula
     """Return by which power of the speed a quantity grows, by words or its formula; or None."""
     text = state.document.text
     sentence = _STOPS.split(text[max(0, chain.start - REACH) : chain.start])[-1]
-    if _SQUARE.search(sentence):
+    if SQUARE.search(sentence):
         return Fraction(2)
     owners = [each for each in (base, head) if isinstance(each, Name)]
     degrees = {_powers(state).of_letter(owner.name, chain.start) for owner in owners}

@@ -23,6 +23,9 @@ _QUANTITY = re.compile(
     r"\s*[-−]?\s*(?P<number>[0-9][0-9.,{}]*)(?:\s|~|\\[,;: ])*(?P<letter>[A-Za-z])(?:\s|[.,;$])*"
 )
 
+_SAME = Fraction(1, 50)
+"""By how much a number may differ from the same one in another unit, rounded."""
+
 
 def with_both_readings(document: ReadNotes, symbols_at: Symbols) -> ReadNotes:
     """Return a page whose sides of a number and one letter have both readings."""
@@ -61,7 +64,8 @@ def _side(chain: Chain, place: int, document: ReadNotes, is_letter: Callable[[st
         return side
     readings = [sign(as_unit), sign(as_letter)]
     is_usual_letter = bool(names(side.node))
-    if name in others or (is_usual_letter and not _gives_size(chain, place)):
+    is_letter_here = name in others or _goes_on_with_another_number(chain, place, as_unit)
+    if is_letter_here or (is_usual_letter and not _gives_size(chain, place)):
         readings.reverse()
     return replace(side, readings=tuple(readings))
 
@@ -91,6 +95,14 @@ def _both(node: Formula, name: str, scale: Fraction) -> tuple[Formula | None, Fo
 def _scaled(number: Number, scale: Fraction) -> Number:
     place = number.last_place
     return replace(number, value=number.value * scale, last_place=place * scale if place else None)
+
+
+def _goes_on_with_another_number(chain: Chain, place: int, as_unit: Formula) -> bool:
+    """Tell whether another number stands behind: in E = 0.38 W = 1.37 kJ the W is no watt."""
+    after = chain.sides[place + 1].node if place + 1 < len(chain.sides) else None
+    if not isinstance(after, Number) or not isinstance(as_unit, Number):
+        return False
+    return abs(after.value - as_unit.value) > _SAME * abs(as_unit.value)
 
 
 def _gives_size(chain: Chain, place: int) -> bool:
