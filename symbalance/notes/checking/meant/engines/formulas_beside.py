@@ -43,15 +43,15 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.declared.role_phrases import CONVENTIONS
 from symbalance.notes.checking.meant.engines.order_indices import wave_of
-from symbalance.notes.checking.meant.engines.products import (
+from symbalance.notes.checking.meant.meant_words import MeantWords
+from symbalance.notes.checking.meant.named_orders import SPEAKS_OF_MORE
+from symbalance.notes.checking.meant.products import (
     NoProductError,
     ProductOfPowers,
     product_of,
     terms_of,
     written_out,
 )
-from symbalance.notes.checking.meant.meant_words import MeantWords
-from symbalance.notes.checking.meant.named_orders import SPEAKS_OF_MORE
 from symbalance.notes.checking.repair.fixes import Repair, fix_of
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.sections import Sections

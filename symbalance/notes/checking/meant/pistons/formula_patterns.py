@@ -46,7 +46,6 @@ from symbalance.notes.checking.deciding.equality import (
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.declared.role_phrases import CONVENTIONS
 from symbalance.notes.checking.declared.symbol_roles import role_of
-from symbalance.notes.checking.meant.engines.products import ProductOfPowers, written_out
 from symbalance.notes.checking.meant.meant_words import NOBODY, MeantWords
 from symbalance.notes.checking.meant.pistons.crank_series import (
     HIGHEST,
@@ -66,6 +65,7 @@ from symbalance.notes.checking.meant.pistons.wave_profiles import (
     has_waves,
     profiles,
 )
+from symbalance.notes.checking.meant.products import ProductOfPowers, written_out
 from symbalance.notes.checking.repair.fixes import add_fix
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.plain_formulas import plain_text
