@@ -228,6 +228,7 @@ INERTIA = {
     "moment of inertia of a hollow cylinder about its axis": [(CYLINDER, 3.5 * POLAR / AREA)],
     "moment of inertia by the radius of gyration": [({"mass": MASS, "gyration": F(1, 2)}, mpf(0.875))],
     "radius of gyration of a ring between two radii": [(CYLINDER, mp.sqrt(POLAR / AREA))],
+    "mass by its radius of gyration": [({"inertia": F(7, 8), "gyration": F(1, 2)}, mpf(3.5))],
     "radius of gyration": [({"mass": MASS, "inertia": F(7, 8)}, mpf(0.5))],
     "mass of a round disc": [
         (DISC, 7850 * float(WIDTH) * mp.quad(lambda r: 2 * mp.pi * r, [0, float(OUTER) / 2]))
@@ -276,6 +277,9 @@ CRANK_DRIVE = {
     "tangential force at the crank pin": [(DRIVE, TURNING_FORCE)],
     "radial force at the crank pin": [(DRIVE, INWARD), (DRIVE, -INWARD)],
     "torque of a crank": [(DRIVE, VIRTUAL)],
+    "ratio of the crank to the rod": [
+        ({**DRIVE, "stroke": exact(place(0) - place(mp.pi))}, mp.sin(mp.asin(R / L)))
+    ],
     "stroke of a crank": [(DRIVE, place(0) - place(mp.pi))],
     "compression ratio": [(SPACES, mpf(10))],
     "clearance volume": [(SPACES, mpf(1))],
@@ -299,7 +303,7 @@ def engine(turns, count, eta):
         "pressure": MEAN, "volume": VOLUME, "rotation": F(50), "omega": exact(100 * mp.pi),
         "power": exact(power), "torque": exact(power / (100 * mp.pi)), "area": F(1, 200),
         "stroke": F(1, 10), "cylinders": CYLINDERS, "efficiency": ETA,
-        "swing": exact(work),
+        "swing": exact(work), "cycle_work": exact(work if count == 1 else work / count),
     }  # fmt: skip
     return numbers, power
 

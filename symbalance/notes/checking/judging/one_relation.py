@@ -642,6 +642,7 @@ def _as_meant(
             return _unless_left_open(outcome, definition)
     if isinstance(outcome, Verdict) and outcome.verdict == UNDECIDED:
         by_motion = state.crank_motions.judge(chain, k, knowledge)
+        by_motion = by_motion or state.patterns.judge(chain, k, knowledge)
         outcome = outcome if by_motion is None or _is_left_open(by_motion) else by_motion
     name = chain.sides[k].node
     outcome = _remembered(state, chain, name, outcome, knowledge) if isinstance(name, Name) else outcome

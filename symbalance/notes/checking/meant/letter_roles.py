@@ -104,6 +104,11 @@ _APPOSED = re.compile(
     r"\s*(?:the|its|a|der|die|das)\s+((?:[\w-]+ ){0,3}?[\w-]+)(?=\s*[,.;)]|\s+(?:and|und)\b|\s*$)", re.I
 )
 """The same without a verb, as in a list: D is the damping ratio and η the frequency ratio."""
+_NEXT_IN_LIST = re.compile(
+    r"(?:^|[\s(])[^\W\d_](?:_\w{1,4}|\d)?\s(?:is\s|being\s)?(?:the|a|der|die|das)\s[\w -]{2,30}"
+    r"(?:,|\sand|\sund)\s*$"
+)
+"""Before a letter in a list, the item of the one before it: s the stroke, n the speed."""
 _WHERE = re.compile(
     r"\s+(?:(?:up)?on|along|across|against|auf|längs|entlang|gegen)\s+(?:the\s+|de[rmns]\s+|die\s+)?"
     r"(?:[^\W\d_]{3,}[\s-])?[^\W\d_]{3,}$",
@@ -238,6 +243,8 @@ class LetterRoles:
                 listed = _LISTED.match(behind) if words.rstrip().endswith(",") else None
                 follows = _IS.match(behind) or apposed or listed
                 phrase = _LINKS.sub("", _FIRST_OF_TWO.sub(r"\1", words))
+                if follows is None and _NEXT_IN_LIST.search(words):
+                    continue
                 if ":" in words[len(phrase) :] and not _is_of_letter(phrase, letter):
                     continue
                 if follows is not None:

@@ -97,7 +97,7 @@ _ORDER_WORD = re.compile(
     r"|トルク|不?釣|力)",
     re.IGNORECASE,
 )
-_OF_MORE = re.compile(
+SPEAKS_OF_MORE = re.compile(
     r"cylinders|cilindros|cilindri\b|cylindres|zylindern?(?![A-Za-z])|気筒|\bbanks?\b|boxer|lanchester|rotating\s+(?:vector|mass)"
     r"|vectors?\b|zeiger"
     r"|twin|pair|paar|\btwo\b|\bzwei|both|beide|half|hälfte|balanc|ausgleich|釣合|バランス|resultant"
@@ -204,7 +204,7 @@ class NamedOrders:
     @cached_property
     def _speaks_of_more(self) -> bool:
         """Tell whether the page speaks of more or less than one cylinder's piston."""
-        return _OF_MORE.search(self.meant.words.page) is not None
+        return SPEAKS_OF_MORE.search(self.meant.words.page) is not None
 
     @cached_property
     def _speaks_of_banks(self) -> bool:
@@ -412,7 +412,7 @@ class NamedOrders:
         known, crank, _ = frame
         right, head = chain.sides[1], chain.sides[0].node
         has_wave = any(isinstance(part, Call) for part in walk(right.node))
-        is_of_one = not order.is_of_engine and _OF_MORE.search(order.words) is None
+        is_of_one = not order.is_of_engine and SPEAKS_OF_MORE.search(order.words) is None
         if not has_wave or not isinstance(head, Name) or order.is_coefficient or not is_of_one:
             return None
         stem, sizes = head.name.partition("_")[0], names(crank.radius) | names(crank.omega)

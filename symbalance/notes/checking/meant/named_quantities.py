@@ -93,11 +93,14 @@ _PART = re.compile(
 _SETTING = re.compile(
     r"\b(?:on|between|auf|zwischen|in) (?:two|zwei) \w+|\bbetween (?:the two|both) \w+"
     r"|zwischen (?:den )?beiden \w+|\b(?:at )?both ends|\bbeidseitig|両端"
+    r"|\b(?:brake |indicated )?mean (?:effective |indicated )*(?:effective )?pressure"
+    r"|mittlere[rnms]? (?:\w+ )?(?:arbeits|nutz|innen|kolben)?druck|(?:正味|図示)?平均有効圧力?"
+    r"|pression (?:effective )?moyenne(?: effective)?"
     r"|\b(?:two|both|zwei|beiden?) (?:revolutions|turns|speeds|umdrehungen|drehzahlen|point masses"
     r"|dead cent\w+|totpunkt\w*)",
     re.IGNORECASE,
 )
-"""Words with a number that make nothing a part: a shaft on two bearings."""
+"""Words that make nothing a part: a shaft on two bearings, a mean effective pressure."""
 _FROM_ELSEWHERE = re.compile(
     r"\b(?:from|von|vom|ab|gegen|against|aus)\b[^.\n]{0,30}?(?:bottom|outer dead|lower dead|\bBDC\b"
     r"|vertical|horizontal"

@@ -29,7 +29,7 @@ from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.meant.engines.order_indices import wave_of
-from symbalance.notes.checking.meant.engines.products import NoProductError, product_of, terms_of
+from symbalance.notes.checking.meant.products import NoProductError, product_of, terms_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import CONDITION, UNDECIDED, Verdict
 from symbalance.notes.reading.equations import Chain

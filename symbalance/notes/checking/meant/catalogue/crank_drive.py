@@ -245,6 +245,13 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         turns=True, only=_ENGINE, is_told_once=True,
     ),
     Quantity(
+        "ratio of the crank to the rod", letters("lambda"),
+        words(r"(?:ratio\s+of\s+(?:the\s+)?)?crank\s+(?:radius\s+)?to\s+(?:the\s+)?(?:connecting\s+)?rod(?:\s+(?:ratio|length))?",
+              r"(?:schub|pleuel)?stangenverhältnis", r"連桿比"),
+        (pin / rod, stroke / (2 * rod)), (), mistakes=(stroke / rod, 2 * stroke / rod),
+        others=(rod / pin,),
+    ),
+    Quantity(
         "stroke of a crank", letters("s S H L h"),
         words(r"(?:piston\s+)?stroke", r"(?:kolben)?hub(?![a-zäöü])", r"行程", r"ストローク"),
         (2 * pin,), ("bare factor", "power"), only=words(r"crank|kurbel|クランク"),

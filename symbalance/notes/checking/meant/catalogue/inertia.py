@@ -127,6 +127,14 @@ INERTIA: tuple[Quantity, ...] = (
         unless=words(r"area|fläche|断面|parallel|steiner|平行軸"),
     ),
     Quantity(
+        "mass by its radius of gyration", letters("m M"),
+        words(r"\bmass\b", r"\bmasse\b", r"質量", r"\bmasa\b", r"\bmassa\b"),
+        (inertia / gyration**2,), ("power",), mistakes=(inertia * gyration**2,),
+        only=words(r"radius\s+of\s+gyration", r"trägheits(?:radius|halbmesser)", r"(?:慣性|回転)半径",
+                   r"rayon\s+de\s+giration", r"radio\s+de\s+giro", r"raggio\s+(?:giratore|d.inerzia)"),
+        unless=words(r"area|fläche|断面|parallel|steiner|平行軸"),
+    ),
+    Quantity(
         "radius of gyration", letters("k i r rho"),
         words(r"radius\s+of\s+gyration", r"trägheits(?:radius|halbmesser)", r"(?:慣性|回転)半径"),
         (root(inertia / mass),), ("power", "root"),

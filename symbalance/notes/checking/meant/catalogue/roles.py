@@ -184,7 +184,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("width", "b B w", r"width|breadth|breite|幅"),
     ("height", "h H", r"height|depth|höhe|高さ|thickness|dicke|厚さ"),
     ("wall", "t s delta", r"thickness|wanddicke|wandstärke|dicke|肉厚|厚さ"),
-    ("line_load", "q w p", r"loads?|last|荷重|per (?:unit )?length"),
+    ("line_load", "q w p", r"loads?|last|荷重|forces?|kraft|per (?:unit )?length"),
     ("young", "E", r"modulus|elasticity|young|elastizitätsmodul|e-modul|ヤング率|縦弾性係数"),
     ("first_rate", "c k C K", r"stiffness|rates?|constants?|steifigkeiten|springs?|federn?"
     r"|ばね定数?", "1 a A I"),

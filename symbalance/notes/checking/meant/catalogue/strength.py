@@ -160,7 +160,7 @@ _CANTILEVER = words(
 )
 _SUPPORTED = words(
     r"simply[- ]supported|freely supported|on two (?:supports|bearings)|between two (?:supports|bearings)"
-    r"|(?:hinged|pinned) at (?:both|its) ends|(?:beidseitig|beiderseits) (?:gelenkig"
+    r"|(?:hinged|pinned|jointed) at (?:both|its) ends|(?:beidseitig|beiderseits) (?:gelenkig"
     r"|frei drehbar) gelagert"
     r"|supported at both"
     r" ends|zwei (?:stützen|lagern?)|beidseitig gelagert|beiderseits gelagert|zweifach gelagert"

@@ -17,12 +17,12 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.meant.engines.engine_letters import EngineLetters, same
 from symbalance.notes.checking.meant.engines.engine_resultants import EngineResultants
 from symbalance.notes.checking.meant.engines.order_indices import wave_of
-from symbalance.notes.checking.meant.engines.products import (
+from symbalance.notes.checking.meant.meant_words import NOBODY
+from symbalance.notes.checking.meant.products import (
     NoProductError,
     ProductOfPowers,
     product_of,
 )
-from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 

@@ -50,8 +50,8 @@ from symbalance.notes.checking.meant.engines.engine_letters import (
 )
 from symbalance.notes.checking.meant.engines.engine_resultants import EngineResultants
 from symbalance.notes.checking.meant.engines.order_indices import POWERS, wave_of
-from symbalance.notes.checking.meant.engines.products import NoProductError, ProductOfPowers, product_of
 from symbalance.notes.checking.meant.meant_words import NOBODY
+from symbalance.notes.checking.meant.products import NoProductError, ProductOfPowers, product_of
 from symbalance.notes.checking.repair.fixes import Repair, fix_of
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.engines_in_words import NamedEngine

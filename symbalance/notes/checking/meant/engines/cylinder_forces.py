@@ -25,8 +25,8 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.meant.engines.engine_claims import EngineClaims
 from symbalance.notes.checking.meant.engines.order_indices import wave_of
-from symbalance.notes.checking.meant.engines.products import NoProductError, product_of, terms_of
 from symbalance.notes.checking.meant.meant_words import NOBODY
+from symbalance.notes.checking.meant.products import NoProductError, product_of, terms_of
 from symbalance.notes.checking.repair.fixes import Repair, fix_of
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
 from symbalance.notes.reading.equations import Chain, Side

@@ -29,7 +29,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import with_every
 from symbalance.notes.checking.meant.engines.engine_letters import same
 from symbalance.notes.checking.meant.engines.engine_resultants import EngineResultants
-from symbalance.notes.checking.meant.engines.products import NoProductError, product_of
+from symbalance.notes.checking.meant.products import NoProductError, product_of
 from symbalance.notes.checking.repair.fixes import Repair, fix_of
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.reading.equations import Chain, Side

@@ -17,9 +17,9 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.meant.engines.engine_claims import COUPLE, EngineClaim
 from symbalance.notes.checking.meant.engines.order_indices import POWERS, index_of, wave_of
-from symbalance.notes.checking.meant.engines.products import NoProductError, ProductOfPowers, product_of
 from symbalance.notes.checking.meant.letter_roles import LetterRoles
 from symbalance.notes.checking.meant.meant_words import MeantWords
+from symbalance.notes.checking.meant.products import NoProductError, ProductOfPowers, product_of
 from symbalance.text import lazy_patterns as re
 
 FIRST_TERMS = {1: Fraction(1), 2: Fraction(1), 4: Fraction(1, 4), 6: Fraction(9, 128)}

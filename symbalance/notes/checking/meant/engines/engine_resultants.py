@@ -51,13 +51,13 @@ from symbalance.notes.checking.meant.engines.engine_letters import (
     same,
 )
 from symbalance.notes.checking.meant.engines.order_indices import POWERS, wave_of
-from symbalance.notes.checking.meant.engines.products import (
+from symbalance.notes.checking.meant.meant_words import NOBODY, MeantWords
+from symbalance.notes.checking.meant.products import (
     NoProductError,
     ProductOfPowers,
     product_of,
     terms_of,
 )
-from symbalance.notes.checking.meant.meant_words import NOBODY, MeantWords
 from symbalance.notes.checking.repair.fixes import Repair, fix_of
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.engines_in_words import EnginesInWords, NamedEngine

@@ -13,8 +13,8 @@ from symbalance.document.letters import plain_letter
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision, without_dots
 from symbalance.notes.checking.meant.engine_speeds import speeds_of
 from symbalance.notes.checking.meant.engines.engine_claims import EngineClaims
-from symbalance.notes.checking.meant.engines.products import NoProductError, product_of
 from symbalance.notes.checking.meant.meant_words import NOBODY
+from symbalance.notes.checking.meant.products import NoProductError, product_of
 from symbalance.notes.checking.words.engines_in_words import NamedEngine
 from symbalance.notes.checking.words.working_cycles import last_strokes
 from symbalance.notes.reading.equations import Chain

@@ -4,14 +4,14 @@ No words have to name an engine. Two formulas of one letter with two subscripts 
 they are, and the first says how the second one counts:
 
     two orders of a piston's force       the second has the ratio of the crank to the rod once more, and
-                                         the same function of twice the angle
+                                         the same function of twice the angle; K = m r ω² is put in
     two components of a turning force    where one goes with the cosine, the other goes with the sine
     a harmonic of several cylinders      a multiple of the one in the series of one cylinder above
     the sums at the two dead centres     where F_1 + F_2 is at the top, F_1 - F_2 is at the bottom
 
 A second order that is several times as large may be of several cylinders, and one with no ratio
-at all may be of a shaft: such a number is left alone. Which convention the ratio follows has to be shown
-by the page.
+at all may be of a shaft: such a number is left alone where the page speaks of any. Which convention the
+ratio follows has to be shown by the page.
 """
 
 from __future__ import annotations
@@ -43,13 +43,15 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.declared.role_phrases import CONVENTIONS
 from symbalance.notes.checking.meant.engines.order_indices import wave_of
-from symbalance.notes.checking.meant.engines.products import (
+from symbalance.notes.checking.meant.meant_words import MeantWords
+from symbalance.notes.checking.meant.named_orders import SPEAKS_OF_MORE
+from symbalance.notes.checking.meant.products import (
     NoProductError,
     ProductOfPowers,
     product_of,
     terms_of,
+    written_out,
 )
-from symbalance.notes.checking.meant.meant_words import MeantWords
 from symbalance.notes.checking.repair.fixes import Repair, fix_of
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.sections import Sections
@@ -66,6 +68,7 @@ _SPEEDS, _RADII, _RODS = (
     frozenset({"r", "R"}),
     frozenset({"l", "L", "ell"}),
 )
+_FORCES = frozenset({"F", "P", "K", "Q", "Z"})
 _RATIOS = frozenset({"lambda", "lam", "rho", "varepsilon", "epsilon", "mu", "n", "kappa", "q"})
 _ORDERS = {
     "1": 1, "I": 1, "p": 1, "P": 1, "pri": 1, "prim": 1, "'": 1,
@@ -119,6 +122,9 @@ class _Ratio(NamedTuple):
     is_inverted: bool = False
     is_told: bool = False
     """Whether the page shows which of the two ratios it is."""
+    is_squared: bool = False
+    is_missing: bool = False
+    """Whether the formula in hand has its square, or does not have it."""
 
 
 class _Shared(NamedTuple):
@@ -158,7 +164,7 @@ class FormulasBeside:
         own = _product(value)
         if own is None:
             return None
-        of_order = None if own.complements else self._second_order(chain, head.name, own.product)
+        of_order = None if own.complements else self._second_order(chain, own.product, knowledge)
         of_order = of_order or self._component(chain, head.name, own)
         return of_order or self._harmonic(chain, head.name, value, own)
 
@@ -181,24 +187,32 @@ class FormulasBeside:
                     yield _Pair(other, head.name, *own, node)
                     break
 
-    def _second_order(self, chain: Chain, name: str, product: ProductOfPowers) -> Verdict | None:
+    def _second_order(
+        self, chain: Chain, product: ProductOfPowers, knowledge: Knowledge
+    ) -> Verdict | None:
         """Return the refutation of a second order that does not go with the first one; or None."""
-        if _order_of(name, product) != 2 or not _has_speed(product, with_crank=False):
+        name = _name_of(chain)
+        if _order_of(name, product) != 2:
             return None
+        second = written_out(product, knowledge)
         text = self.words.document.text
         for pair in self._above(chain, NEAR):
-            first = pair.product
+            first = written_out(pair.product, knowledge)
             is_first = _stem(pair.name) == _stem(name) and _order_of(pair.name, first) == 1
-            if not is_first or pair.complements or not _has_speed(first):
+            if not is_first or pair.complements or not pair.product.powers:
                 continue
-            ratio = self._ratio(_quotient(product, first), chain)
-            if ratio is None or not first.number or not _is_same_angle(first.wave, product.wave):
+            ratio = self._ratio(_quotient(second, first), chain)
+            has_speed = _has_speed(first) and _has_speed(second, with_crank=False)
+            if ratio is None or not first.number or not _is_same_angle(first.wave, second.wave):
+                return None
+            is_force = _stem(name) in _FORCES and ratio.is_told and first.wave is not None
+            if not (has_speed or is_force):  # of a piston's way the second order is λ/4
                 return None
             near = text[max(0, pair.chain.start - NEAR // 2) : chain.end + 60]
             is_of_one = isclose(abs(first.number), 1) and not _PARTLY.search(near)
-            kind = _slip_of_order(
-                ratio, first, product, is_of_one=is_of_one and not _INCLINED.search(near)
-            )
+            is_of_one &= not _INCLINED.search(near)
+            is_alone = is_of_one and ratio.is_told and not SPEAKS_OF_MORE.search(self.words.page)
+            kind = _slip_of_order(ratio, first, second, is_of_one=is_of_one, is_alone=is_alone)
             if not kind:
                 return None
             target = ratio.node * pair.node
@@ -210,25 +224,56 @@ class FormulasBeside:
         return None
 
     def _ratio(self, powers: dict[str, Fraction], chain: Chain) -> _Ratio | None:
-        """Return the ratio of the crank to the rod that a second order has beside the first; or None."""
-        letters = {power: name for name, power in powers.items()}
-        if len(powers) == 2 and letters.keys() == {Fraction(1), Fraction(-1)}:
+        """Return the ratio of the crank to the rod that a second order has beside the first; or None.
+
+        One without any lacks that which the page defines, λ = r/l.
+        """
+        if not powers:
+            return self._ratio_of_page(chain)
+        largest = max(powers.values())
+        letters = {power / abs(largest): name for name, power in powers.items()}
+        if len(powers) == 2 and letters.keys() == {Fraction(1), Fraction(-1)} and largest in (1, 2):
             above, below = letters[Fraction(1)], letters[Fraction(-1)]
             if _stem(above) in _RODS and _stem(below) in _RADII:
                 return _Ratio(Quotient(Name(below), Name(above)), is_inverted=True, is_told=True)
-            is_usual = _stem(above) in _RADII and _stem(below) in _RODS
-            return _Ratio(Quotient(Name(above), Name(below)), is_told=True) if is_usual else None
+            is_usual, is_squared = _stem(above) in _RADII and _stem(below) in _RODS, largest == 2
+            node: Formula = Quotient(Name(above), Name(below))
+            return _Ratio(node, is_told=True, is_squared=is_squared) if is_usual else None
         if len(powers) != 1:
             return None
         ((name, power),) = powers.items()
-        if abs(power) != 1 or _stem(name) not in _RATIOS:
+        if abs(power) not in (1, 2) or _stem(name) not in _RATIOS:
             return None
-        declared, proposed = self.words.sizes(chain.lines[0])
-        role = {**proposed, **declared}.get(name, "") or self._ratio_by_formula(name)
+        role = self._role_of(name, chain)
         is_told = role in (_OVER_ROD, _OVER_CRANK)
         is_over_crank = role == _OVER_CRANK or (not is_told and power == -1)
+        node = Quotient(Number(Fraction(1)), Name(name)) if is_over_crank else Name(name)
+        is_inverted = (power > 0) == is_over_crank
+        return _Ratio(node, is_inverted=is_inverted, is_told=is_told, is_squared=abs(power) == 2)
+
+    def _role_of(self, name: str, chain: Chain) -> str:
+        """Return which ratio words, or a formula, say that a letter is; "" for none."""
+        declared, proposed = self.words.sizes(chain.lines[0])
+        proposal = self.words.proposals.get(name)
+        is_guess = name not in declared and proposal is not None and not proposal.words
+        by_words = "" if is_guess else {**proposed, **declared}.get(name, "")
+        return by_words or self._ratio_by_formula(name)
+
+    def _ratio_of_page(self, chain: Chain) -> _Ratio | None:
+        """Return the one ratio of crank and rod that a line above defines, λ of λ = r/l; or None."""
+        heads = {
+            other.sides[0].node.name
+            for other in self.sections.in_order
+            if other.relations and other.end <= chain.start and isinstance(other.sides[0].node, Name)
+        }
+        told = {name: self._ratio_by_formula(name) for name in heads if _stem(name) in _RATIOS}
+        told = {name: role for name, role in told.items() if role}
+        if len(told) != 1:
+            return None
+        ((name, role),) = told.items()
+        is_over_crank = role == _OVER_CRANK
         node: Formula = Quotient(Number(Fraction(1)), Name(name)) if is_over_crank else Name(name)
-        return _Ratio(node, is_inverted=(power == 1) == is_over_crank, is_told=is_told)
+        return _Ratio(node, is_told=True, is_missing=True)
 
     def _ratio_by_formula(self, name: str) -> str:
         """Return what a letter is by a line that gives it as a quotient of crank and rod; "" for none."""
@@ -365,6 +410,11 @@ def _quotient(product: ProductOfPowers, first: ProductOfPowers) -> dict[str, Fra
     return {name: gap for name, gap in gaps.items() if gap}
 
 
+def _name_of(chain: Chain) -> str:
+    head = chain.sides[0].node
+    return head.name if isinstance(head, Name) else ""
+
+
 def _stem(name: str) -> str:
     return name.partition("_")[0].rstrip("'0123456789")
 
@@ -398,22 +448,42 @@ def _is_same_angle(first: Call | None, second: Call | None) -> bool:
 
 
 def _slip_of_order(
-    ratio: _Ratio, first: ProductOfPowers, second: ProductOfPowers, *, is_of_one: bool
+    ratio: _Ratio,
+    first: ProductOfPowers,
+    second: ProductOfPowers,
+    *,
+    is_of_one: bool,
+    is_alone: bool,
 ) -> str:
-    """Return the one slip of a second order beside the first, "" for none or for several."""
+    """Return the one slip of a second order beside the first, "" for none or for several.
+
+    `is_alone` says that the page speaks of one cylinder only. 2 cos θ for cos 2θ is one slip.
+    """
     number, one, other = second.number / first.number, first.wave, second.wave
+    has_other_order = other is not None and wave_of(other)[0] != 2
+    has_two_before = has_other_order and isclose(number, 2, rel_tol=1e-9)
     slips = {
-        "rod ratio inverted": ratio.is_inverted,
-        "order": other is not None and wave_of(other)[0] != 2,
+        "rod ratio inverted": ratio.is_inverted and not ratio.is_squared,
+        "exponent": ratio.is_squared,
+        "rod ratio missing": ratio.is_missing,
+        "order": has_other_order,
         "function": one is not None and other is not None and one.function != other.function,
-        "factor": not isclose(number, 1, rel_tol=1e-9),
+        "factor": not isclose(number, 1, rel_tol=1e-9) and not has_two_before,
     }
     kinds = [kind for kind, has_slip in slips.items() if has_slip]
+    is_factor = _is_of_path_or_speed(number) or (is_alone and _is_small_whole(number))
     may_be_right = {
         "rod ratio inverted": not ratio.is_told,
-        "factor": not (is_of_one and _is_of_path_or_speed(number)),
+        "exponent": not ratio.is_told or ratio.is_inverted,
+        "rod ratio missing": not is_alone or one is None,
+        "factor": not (is_of_one and is_factor),
     }
     return kinds[0] if len(kinds) == 1 and not may_be_right.get(kinds[0]) else ""
+
+
+def _is_small_whole(number: float) -> bool:
+    """Tell whether a factor is one that several cylinders give: 2 or 4."""
+    return any(isclose(number, size, rel_tol=1e-9) for size in (2, 4))
 
 
 def _is_of_path_or_speed(number: float) -> bool:

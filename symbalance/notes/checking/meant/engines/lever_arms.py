@@ -13,7 +13,7 @@ from symbalance.document.formula import Formula, Name, names
 from symbalance.document.letters import plain_letter
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.meant.engines.engine_claims import EngineClaims
-from symbalance.notes.checking.meant.engines.products import NoProductError, product_of
+from symbalance.notes.checking.meant.products import NoProductError, product_of
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 

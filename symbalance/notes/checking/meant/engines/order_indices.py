@@ -10,7 +10,7 @@ import re
 from collections.abc import Sequence
 
 from symbalance.document.formula import Call, Formula, Name, Sum, names, walk
-from symbalance.notes.checking.meant.engines.products import NoProductError, product_of
+from symbalance.notes.checking.meant.products import NoProductError, product_of
 from symbalance.notes.reading.equations import Chain
 
 POWERS = {1: 0, 2: 1, 4: 3, 6: 5}

@@ -65,6 +65,7 @@ from symbalance.notes.checking.meant.pistons.wave_profiles import (
     has_waves,
     profiles,
 )
+from symbalance.notes.checking.meant.products import ProductOfPowers, written_out
 from symbalance.notes.checking.repair.fixes import add_fix
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.plain_formulas import plain_text
@@ -103,7 +104,9 @@ _OF_PISTON = frozenset(
     {"displacement", "displacement from the bottom", "position", "velocity", "acceleration"}
 )
 _OTHER_BODY = re.compile(
-    r"\brods?\b|cent(?:re|er) of|midpoint|mid-point|middle|\bpoint\b|pleuel|stange|schwerpunkt|mitte"
+    r"(?<!actual )(?<!real )(?<!finite )\brods?\b(?! (?:of|is|length|ratio)\b)"
+    r"|cent(?:re|er) of|midpoint|mid-point|middle|\bpoint\b"
+    r"|pleuel(?!länge)|stange(?!nverhältnis)|schwerpunkt|mitte"
     r"|punkt\b|コンロッド|連接棒|重心|bielle|biela",
     re.IGNORECASE,
 )
@@ -132,9 +135,18 @@ _BY_LETTER = {
     "ddot_x": "acceleration", "ddot_s": "acceleration",
 }  # fmt: skip
 """What usual letters are of with the factor r ω or r ω² before the harmonics."""
-_SPEEDS = {"velocity": 1, "acceleration": 2}
+_SPEEDS = {"velocity": 1, "acceleration": 2, "inertia force": 2}
+_MOTION_OF_FORCE = {"inertia force": "acceleration"}
+_STROKES = frozenset({"s", "S", "H", "h"})
+"""Letters of twice the crank radius."""
+_FORCE_LETTERS = frozenset({"F", "P", "K"})
+_BODIES = (
+    {"m": Fraction(1)}, {"M": Fraction(1)},
+    {"W": Fraction(1), "g": Fraction(-1)}, {"G": Fraction(1), "g": Fraction(-1)},
+)  # fmt: skip
+"""What a force along the stroke has of the body that moves."""
 _OVER_ROD, _OVER_CRANK = CONVENTIONS["r/l"], CONVENTIONS["l/r"]
-_OMEGAS = frozenset({"omega", "Omega"})
+_OMEGAS = frozenset({"omega", "Omega", "w"})
 
 
 class _Term(NamedTuple):
@@ -210,16 +222,20 @@ class FormulaPatterns:
         head = chain.sides[0].node
         for profile in profiles(node):
             is_ratio = self._may_be_ratio(profile.ratio, knowledge, other, chain.lines[0])
-            by_letter = _by_letter(head, profile) if isinstance(head, Name) else ""
+            by_letter = _by_letter(head, profile, knowledge) if isinstance(head, Name) else ""
             words = self.words.sentence_before(chain) if by_letter else ""
-            by_letter = "" if motions_named(words) or _OTHER_BODY.search(words) else by_letter
+            is_named = bool(by_letter in _BY_LETTER.values() and motions_named(words))
+            by_letter = "" if is_named or _OTHER_BODY.search(words) else by_letter
             is_certain = other is not None
             has_ratio = bool(by_letter) and self._has_ratio(profile.ratio, knowledge, chain.lines[0])
             fewest = 1 if is_certain or has_ratio else _FEWEST
             has_pair, only = bool(profile.ratio.below), quantity or by_letter
+            only = _MOTION_OF_FORCE.get(only, only)
             for match in _matches(profile.series, has_powers_of_sine(node), only, fewest, bool(quantity)):
                 is_plain = not match.shift or is_certain or (has_pair and not quantity)
                 is_enough = not match.shift or has_pair or len(match.agreeing) > _FEWEST or quantity
+                if by_letter and has_ratio and not is_ratio:
+                    continue
                 if is_enough and (not match.wrong or (is_ratio and is_plain)):
                     yield _Outcome(profile, match)
 
@@ -316,6 +332,9 @@ class FormulaPatterns:
     ) -> Verdict | None:
         """Return the refutation of a series, with what its wrong term should be."""
         profile, match = outcome
+        head = chain.sides[k].node
+        is_force = isinstance(head, Name) and _by_letter(head, profile, knowledge) in _MOTION_OF_FORCE
+        quantity = "inertia force" if is_force else match.quantity
         fixed = _with_terms(right, profile, match)
         bare = Knowledge(SymbolValue(), corrects=knowledge.corrects)
         side = chain.sides[k + 1]
@@ -337,7 +356,7 @@ class FormulaPatterns:
             else f" with {ratio} = {'l/r' if profile.ratio.is_inverse else 'r/l'}"
         )
         reason = (
-            f"by its pattern it is the {match.quantity} of one slider-crank{means}{where}:"
+            f"by its pattern it is the {quantity} of one slider-crank{means}{where}:"
             f" {count} {'terms agree' if count > 1 else 'term agrees'},"
             f" and {_written(profile, match.wrong)} should be {_written(profile, match.right)}"
         )
@@ -373,7 +392,8 @@ def _agreeing(outcomes: list[_Outcome], chain: Chain, k: int) -> Decision | None
 
 def _is_sure(match: _Match, starts: frozenset[int]) -> bool:
     """Tell whether a term is wrong wherever the angle is counted from, for a motion by letter alone."""
-    is_sign = [abs(t.value) for t in match.wrong] == [abs(t.value) for t in match.right]
+    pairs = zip(match.wrong, match.right, strict=True)
+    is_sign = all(wrong == right._replace(value=-right.value) for wrong, right in pairs)
     return len(match.agreeing) >= _FEWEST or not is_sign or len(starts) == 1
 
 
@@ -443,19 +463,26 @@ def _is_ratio(node: Formula, is_inverse: bool) -> bool:
     above, below = (each.name.partition("_")[0] for each in (node.numerator, node.denominator))
     if is_inverse:
         above, below = below, above
-    return above not in RODS and below not in RADII
+    return above not in (*RODS, *_STROKES) and below not in RADII
 
 
-def _by_letter(head: Name, profile: Profile) -> str:
-    """Return the motion that a usual letter with the factor r ω or r ω² before its harmonics is."""
-    motion = _BY_LETTER.get(head.name.removesuffix("_K").removesuffix("_P").removesuffix("_p"), "")
+def _by_letter(head: Name, profile: Profile, knowledge: Knowledge) -> str:
+    """Return the motion that a usual letter with the factor r ω or r ω² before its harmonics is.
+
+    A force has the factor m r ω² besides, or W r ω²/g, perhaps as one letter: F = F_0 (cos θ + …).
+    """
+    plain = head.name.removesuffix("_K").removesuffix("_P").removesuffix("_p")
+    is_force = plain.partition("_")[0] in _FORCE_LETTERS
+    motion = "inertia force" if is_force else _BY_LETTER.get(plain, "")
     orders = {harmonic.order for harmonic in profile.series if harmonic.order}
     if not motion or orders != {1, 2}:
         return ""
-    factor = dict(profile.factor)
+    factor = dict(written_out(ProductOfPowers(1.0, profile.factor), knowledge).powers)
     radius = [n for n in factor if n.partition("_")[0] in RADII and factor[n] == 1]
     speed = [n for n in factor if n in _OMEGAS and factor[n] == _SPEEDS[motion]]
-    return motion if len(radius) == len(speed) == 1 and len(factor) == 2 else ""
+    body = {n.partition("_")[0]: power for n, power in factor.items() if n not in (*radius, *speed)}
+    is_whole = body in _BODIES if is_force else not body
+    return motion if len(radius) == len(speed) == 1 and is_whole else ""
 
 
 @cache

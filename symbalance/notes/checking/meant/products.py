@@ -21,10 +21,15 @@ from symbalance.document.formula import (
 )
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.algebra.tree_values import NO_VALUE, TreeValues
+from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.rounding import decimals
 
 _WAVES = ("cos", "sin")
 _SAME = 1e-9
+_SIZES = frozenset({"omega", "Omega", "w", "r", "R", "l", "L", "ell", "m", "M"})
+"""Letters that stay where products are written out, ω though it is 2πn/60."""
+_DEPTH = 3
+"""How many definitions deep letters are written out."""
 
 
 class NoProductError(Exception):
@@ -119,6 +124,31 @@ def terms_of(node: Formula) -> tuple[Formula, ...]:
         return (node,)
     rest = tuple(factor for factor in node.factors if factor is not sums[0])
     return tuple(Product((*rest, term)) for term in sums[0].terms)
+
+
+def written_out(product: ProductOfPowers, knowledge: Knowledge) -> ProductOfPowers:
+    """Return a product with what the page defines as products of letters put in: K of K = m r ω².
+
+    >>> from symbalance.notes.checking.deciding.knowledge import Definition
+    >>> known = Knowledge().with_definition("K", Definition(2 * Name("m") * Name("r"), 1))
+    >>> written_out(product_of(Name("K") * Name("a")), known).number
+    2.0
+    """
+    for _ in range(_DEPTH):
+        for name in [*product.powers]:
+            definition = knowledge.definitions.get(name)
+            is_size = name.partition("_")[0] in _SIZES
+            if is_size or definition is None or definition.numeric or not names(definition.node):
+                continue
+            try:
+                value = product_of(definition.node)
+                if value.wave is None and name not in value.powers:
+                    rest = {n: p for n, p in product.powers.items() if n != name}
+                    rest_of_it = ProductOfPowers(product.number, rest, product.wave, product.rounding)
+                    product = rest_of_it.times(value, product.powers[name])
+            except NoProductError:
+                continue
+    return product
 
 
 def _number(node: Formula) -> ProductOfPowers:
