@@ -57,6 +57,7 @@ _WHOLE_UNITS: dict[str, Dimension] = {
     **dict.fromkeys(words("gmm kgmm gcm kgcm mkg cmkg"), _dimension(kg=1, m=1)),
     "cc": _dimension(m=3), "ccm": _dimension(m=3), "inch": _dimension(m=1), "ft": _dimension(m=1),
     "gn": _dimension(m=1, s=-2), "mi": _dimension(m=1), "slug": _dimension(kg=1),
+    "slugs": _dimension(kg=1),
     "psi": _dimension(1, -1, -2), "Ω": _dimension(1, 2, -3, 0, -2),
     "mph": _dimension(m=1, s=-1), "knot": _dimension(m=1, s=-1), "knots": _dimension(m=1, s=-1),
     "mbar": _dimension(1, -1, -2), "hPa": _dimension(1, -1, -2), "daN": _dimension(1, 1, -2),

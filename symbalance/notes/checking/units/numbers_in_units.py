@@ -89,6 +89,8 @@ _BY_MINUTE = re.compile(
 )
 _NO_LETTERS = re.compile(r"\\(?:cdot|times|[dt]?frac|pi|sqrt|left|right|div)(?![A-Za-z])")
 _SMALL_LENGTH = re.compile(r"(?<![A-Za-z])[cm]m(?![A-Za-z])")
+_CLOSING_MARK = re.compile(r"</?[a-z]+>|&[a-z]+;|\\[)\]]")
+"""What closes a formula between its number and the unit: </math>, \\)."""
 
 
 def decide_in_units(
@@ -345,7 +347,7 @@ def _in_unit_of_result(
     if bare is None and isinstance(right.node, Product):
         *rest, unit = right.node.factors
         written = document.text[unit.span[0] : unit.span[1]]
-        plain = written.strip(" ~,.\\$")
+        plain = _CLOSING_MARK.sub("", written).strip(" ~,.\\$")
         spellings = (plain, plain.replace(".", "").lower(), written_unit(f"0 {written}")[1])
         is_usual = _SMALL_LENGTH.search(written) or any(scale_of(unit) == RPM for unit in spellings)
         if is_usual and rest:
