@@ -58,3 +58,49 @@ def test_a_value_told_again_in_one_sentence_is_the_same(between):
 def test_the_number_of_a_thing_is_no_factor_and_a_factor_is_none_of_a_thing():
     assert words_of("Let P = 300 N. Two of them give 2 P = 600 N.")[-1] not in OPEN
     assert words_of("Let P = 300 N. Two of them give 2 P = 650 N.")[-1] in ACCUSED
+
+
+PRESSURES = [
+    "Gasdruck p = 38 bar bei 30° nach OT, A = 55,42 cm² und F = p·A = 21,06 kN.\n\n"
+    "Bei 60° nach OT ist der Druck auf 14 bar gefallen; dort ist F = {} kN.\n",
+    "Le piston pousse avec p = 38 bar à 30°, et A = 55,42 cm² : F = p A = 21,06 kN.\n\n"
+    "À 60° la pression n'est plus que de 14 bar, et F = {} kN.\n",
+    "The pressure is p = 38 bar at 30° after TDC, A = 55,42 cm² and F = p A = 21,06 kN.\n\n"
+    "It drops. At 60° a mere 14 bar are left, and all that the piston has is F = {} kN.\n",
+]
+
+
+@pytest.mark.parametrize("page", PRESSURES)
+def test_a_size_that_the_paragraph_says_without_its_letter_is_put_in(page):
+    assert words_of(page.format("7,76"))[-1] not in OPEN
+    assert words_of(page.format("6,77"))[-1] in ACCUSED
+
+
+@pytest.mark.parametrize(
+    "words", ["At 60° after TDC", "Bei 60° nach OT ist der Druck geringer; dort ist"]
+)
+def test_the_sine_of_an_angle_is_another_one_at_another_place(words):
+    page = "With λ = 0.3, sin β = λ·sin 30° = 0.15.\n\n{} sin β = 0.3·0.866 = 0.260.\n"
+    assert not set(words_of(page.format(words))) & set(OPEN)
+
+
+@pytest.mark.parametrize(
+    "words", ["call it 14.4 kN", "rund 14.4 kN", "soit environ 14.4 kN", "約14.4 kN"]
+)
+def test_a_result_goes_on_with_the_fewer_digits_that_words_give_it(words):
+    page = (
+        f"m = 0.76 kg, r = 41 mm, w = 681 rad/s.\n\nF = m r w^2 = 14450 N, {words}.\n\nF/2 = {{}} kN.\n"
+    )
+    assert words_of(page.format("7.20"))[-1] not in OPEN
+    assert words_of(page.format("7.02"))[-1] in OPEN
+
+
+def test_spanish_pages_have_their_sine_and_their_and():
+    page = (
+        "La biela y la manivela de los cilindros: F₁ = F cos(θ + 30°) y F₂ = F cos(θ − 30°).\n\n"
+        "Para la componente del lado, X = (F₂ − F₁) sen 30° = 2F sen² 30° sen θ = {} F sen θ.\n\n"
+        "El intervalo es 360° + 60° = 420° y 360° − 60° = 300°.\n\n"
+        "La potencia es P = 40 CV = 29,4 kW.\n"
+    )
+    assert not set(words_of(page.format("0,5"))) & set(OPEN)
+    assert "refuted" in words_of(page.format("0,6"))

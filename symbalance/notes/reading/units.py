@@ -35,6 +35,7 @@ _OTHER: dict[str, Fraction] = {
     "mi": Fraction(1609344, 1000), "knot": Fraction(1852, 3600), "knots": Fraction(1852, 3600),
     }  # fmt: skip
 """A ton is the long one of 2240 lb; where a page converts one, the short and the metric ton count too."""
+_OTHER |= dict.fromkeys(words("CV ch"), _OTHER["PS"])
 _OTHER |= dict.fromkeys(words("slug slugs"), _OTHER["lbf"] / _OTHER["ft"])
 _HORSEPOWER = 550 * _OTHER["ft"] * _OTHER["lbf"]
 _OTHER |= dict.fromkeys(words("hp bhp HP"), _HORSEPOWER)

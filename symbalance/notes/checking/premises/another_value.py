@@ -294,7 +294,7 @@ def _is_at_another_place(
         waves = any(call.function in ("sin", "cos") for call in calls)
         if waves or not names(node) or turning.intersection(_letters_behind([node], knowledge)):
             return False
-    return definitions.sections.is_at_another_place(chain, name)
+    return definitions.sections.is_at_another_place(chain)
 
 
 def _each_has_own_letters(earlier: Formula, value: Formula, knowledge: Knowledge) -> bool:

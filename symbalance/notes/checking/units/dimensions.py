@@ -63,7 +63,7 @@ _WHOLE_UNITS: dict[str, Dimension] = {
     "mbar": _dimension(1, -1, -2), "hPa": _dimension(1, -1, -2), "daN": _dimension(1, 1, -2),
     "Ncm": _dimension(1, 2, -2), "Wh": _dimension(1, 2, -2), "kWh": _dimension(1, 2, -2),
     **dict.fromkeys(words("lbf kp kgf"), _dimension(1, 1, -2)),
-    **dict.fromkeys(words("hp bhp HP PS"), _dimension(1, 2, -3)),
+    **dict.fromkeys(words("hp bhp HP PS CV ch"), _dimension(1, 2, -3)),
 }  # fmt: skip
 _PREFIXES = ("", "k", "M", "G", "c", "d", "m", "u", "n")
 _PREFIXED = {p + unit: size for unit, size in _UNITS.items() for p in _PREFIXES}
