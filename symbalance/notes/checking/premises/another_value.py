@@ -190,6 +190,9 @@ def _is_of_another_in_its_sentence(
         return all(opens_case(text, c.start, c.end) for c in (before[-1], chain))
     if sections.is_consequence(chain) or _CONCLUDES.search(text, end, chain.start):
         return False
+    behind = [_BEHIND.match(text, c.end) for c in (before[-1], chain)]
+    if behind[0] and behind[1] and behind[0][1] == behind[1][1]:
+        return False  # b = 17.8° for the 5.70 and b = 16.9° for the 5.70
     inner = [c for c in sections.document.chains if end <= c.start and c.end <= chain.start]
     words = text[end : chain.start]
     for other in reversed(inner):
@@ -199,6 +202,9 @@ def _is_of_another_in_its_sentence(
     return is_far and _WORD.search(words) is not None
 
 
+_BEHIND = re.compile(
+    r"\$?[ ]((?:for|of|with|at|für|bei|mit|pour|avec|à|per|con|para)[ ](?:[^\W_]+[ ])?[\w.]+)"
+)
 _WORD = re.compile(r"(?<![\\A-Za-z])[^\W\d_]{3,}|[\u3041-\u9fff]{2}")
 _CONCLUDES = re.compile(
     r"(?<![^\W\d_])(?:that\s+is|i\.?\s?e\.|d\.?\s?h\.|das\s+heißt|c'est-à-dire|soit|cio[eè]|es\s+decir|also|or|oder|ou"
