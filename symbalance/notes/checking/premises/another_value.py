@@ -188,6 +188,8 @@ def _is_of_another_in_its_sentence(
     text, end = sections.document.text, before[-1].end
     if names(value) or names(before[-1].sides[1].node):
         return all(opens_case(text, c.start, c.end) for c in (before[-1], chain))
+    if any(names(c.sides[1].node) for c in before):
+        return False  # its formula says which number it has where
     if sections.is_consequence(chain) or _CONCLUDES.search(text, end, chain.start):
         return False
     behind = [_BEHIND.match(text, c.end) for c in (before[-1], chain)]
